@@ -37,6 +37,31 @@ impl<T> Clone for Leaf<T> {
 }
 impl<T> Copy for Leaf<T> {}
 
+impl<T: Real> Leaf<T> {
+    /// So many numbers that belong to no shape.
+    pub(crate) fn numbers(fields: usize) -> Self {
+        Leaf {
+            shape: || "",
+            fields,
+            codes: 0,
+            name: match fields {
+                1 => |_| Field::VALUE,
+                _ => |i| Field::VALUE.within_item(i),
+            },
+            check: match fields {
+                1 => |x: &[T]| x[0].validate(),
+                _ => |x: &[T]| {
+                    let wild = x.iter().position(|x| x.validate().is_err());
+                    wild.map_or(Ok(()), |i| {
+                        Err(Flaw::NotFinite(Field::VALUE.within_item(i)))
+                    })
+                },
+            },
+            all_valid: |x| (T::kernels().all_finite)(x),
+        }
+    }
+}
+
 /// The type of an item: a number, a shape, or a tuple of such.
 ///
 /// Numbers are `f32` or `f64`. `#[derive(Shape)]` implements it.

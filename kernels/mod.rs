@@ -61,6 +61,9 @@ pub mod points;
 mod program;
 #[forbid(unsafe_code)]
 pub mod real;
+#[doc(hidden)]
+#[forbid(unsafe_code)]
+pub mod recording;
 #[forbid(unsafe_code)]
 pub mod reduce;
 #[cfg(feature = "gpu")]

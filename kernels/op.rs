@@ -29,17 +29,13 @@ pub use crate::ad::declared::{Answer, Invariance, Jumps, Motion};
 pub use crate::ad::program::{Jacobian, OneNumber};
 use crate::ad::program::{Plain, Program};
 use crate::error::Error;
-use crate::kernels::cpu::plan::{self, Compiled, Face, Want};
+use crate::kernels::cpu::plan::Compiled;
 use crate::kernels::cpu::rings::Measure;
 pub use crate::kernels::declared::{Extremes, Finite, Limits, Range};
-#[cfg(feature = "gpu")]
-use crate::kernels::gpu::Generated;
 use crate::kernels::item::{Item, Results, WithJacobian};
-#[cfg(feature = "gpu")]
-use crate::kernels::replays::Replays;
+use crate::kernels::recording::{Call, Mode, Recording, program_of};
 use crate::{Fixed, Pack, Scalar, Vec2};
 use std::fmt::Debug;
-use std::sync::Arc;
 
 /// The source of an operation's derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -122,11 +118,11 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     ///
     /// The errors of recording it: [`Error::Program`].
     fn program<T: Plain>(self) -> Result<Program<Self::In<T>, Self::Out<T>>, Error> {
-        let value = plan::program_of::<Self, T>(Want::Value)?;
+        let value = program_of::<Self, T>(Mode::Value)?;
         if Self::DERIVATIVE != Derivative::ByHand || Self::Out::<T>::LEN != 1 {
             return Ok(Program::of((*value).clone()));
         }
-        let value_grad = plan::program_of::<Self, T>(Want::ValueGrad)?;
+        let value_grad = program_of::<Self, T>(Mode::ValueGrad)?;
         Ok(Program::of(value.with_gradient_after_result(&value_grad)))
     }
     /// The operation that returns the result and its gradient; the result is one number.
@@ -187,35 +183,6 @@ impl<O> Vjp<O> {
     }
 }
 
-/// The derivative that a batch needs, and its form.
-#[doc(hidden)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Ask {
-    /// The result, the result with its gradient, or the adjoint.
-    pub(crate) want: Want,
-    /// `true` if every shape meets many others, so that its own part is computed once.
-    pub(crate) framed: bool,
-}
-
-impl Ask {
-    pub(crate) const ALIGNED: Ask = Ask {
-        want: Want::Value,
-        framed: false,
-    };
-    pub(crate) const PAIRS: Ask = Ask {
-        want: Want::Value,
-        framed: true,
-    };
-    pub(crate) const ADJOINT: Ask = Ask {
-        want: Want::Vjp,
-        framed: true,
-    };
-    /// The same for a derivative of what runs.
-    pub(crate) fn wanting(self, want: Want) -> Ask {
-        Ask { want, ..self }
-    }
-}
-
 /// A function that a batch runs on items: a verb, its gradient, Jacobian or adjoint, a program.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not run on these columns",
@@ -227,34 +194,13 @@ impl Ask {
 pub trait Runs<R: Item> {
     /// The result per item.
     type Out: Results<Scalar = R::Scalar>;
-    /// The plan by which batches on the CPU compute it.
+    /// The function without its types, and the derivative of it.
     ///
     /// # Errors
     ///
-    /// The errors of recording it.
+    /// Those of recording it, as far as that happens here.
     #[doc(hidden)]
-    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>;
-    /// The compiled kernels of an operation, if it has some.
-    #[doc(hidden)]
-    fn compiled(&self) -> Option<plan::Compiled> {
-        None
-    }
-    /// The plan by which a GPU computes it.
-    ///
-    /// # Errors
-    ///
-    /// The errors of recording it: searches cannot be recorded.
-    #[cfg(feature = "gpu")]
-    #[doc(hidden)]
-    fn generated(&self, _ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
-        Err(Error::Program(crate::Unrecordable::Search))
-    }
-    /// The replay of a search on a GPU.
-    #[cfg(feature = "gpu")]
-    #[doc(hidden)]
-    fn replays(&self, _ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
-        None
-    }
+    fn call(&self) -> Result<Call<R::Scalar>, Error>;
 }
 
 impl<O, R: Item> Runs<R> for O
@@ -263,15 +209,8 @@ where
     O::Out<R::Scalar>: Item,
 {
     type Out = O::Out<R::Scalar>;
-    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
-        plan::face_of::<O, R>(ask.want, ask.framed)
-    }
-    fn compiled(&self) -> Option<plan::Compiled> {
-        O::compiled()
-    }
-    #[cfg(feature = "gpu")]
-    fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
-        plan::generated_of::<O, R>(ask.want, ask.framed)
+    fn call(&self) -> Result<Call<R::Scalar>, Error> {
+        Ok(Call::of(Recording::of::<O, R>()))
     }
 }
 
@@ -282,16 +221,8 @@ where
     R::Scalar: Item<Scalar = R::Scalar>,
 {
     type Out = (R::Scalar, R);
-    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
-        self.0.face(ask.wanting(Want::ValueGrad))
-    }
-    #[cfg(feature = "gpu")]
-    fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
-        self.0.generated(ask.wanting(Want::ValueGrad))
-    }
-    #[cfg(feature = "gpu")]
-    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
-        self.0.replays(ask.wanting(Want::ValueGrad))
+    fn call(&self) -> Result<Call<R::Scalar>, Error> {
+        self.0.call()?.derived(Mode::ValueGrad)
     }
 }
 
@@ -301,16 +232,8 @@ where
     F::Out: Item<Scalar = R::Scalar> + Pack<With<R>: Send>,
 {
     type Out = WithJacobian<F::Out, R>;
-    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
-        self.0.face(ask.wanting(Want::Jacobian))
-    }
-    #[cfg(feature = "gpu")]
-    fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
-        self.0.generated(ask.wanting(Want::Jacobian))
-    }
-    #[cfg(feature = "gpu")]
-    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
-        self.0.replays(ask.wanting(Want::Jacobian))
+    fn call(&self) -> Result<Call<R::Scalar>, Error> {
+        self.0.call()?.derived(Mode::Jacobian)
     }
 }
 
@@ -319,16 +242,8 @@ where
     Jacobian<F>: Runs<R>,
 {
     type Out = <Jacobian<F> as Runs<R>>::Out;
-    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
-        (**self).face(ask)
-    }
-    #[cfg(feature = "gpu")]
-    fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
-        (**self).generated(ask)
-    }
-    #[cfg(feature = "gpu")]
-    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
-        (**self).replays(ask)
+    fn call(&self) -> Result<Call<R::Scalar>, Error> {
+        (**self).call()
     }
 }
 
@@ -337,16 +252,8 @@ where
     F: Runs<R, Out = Y>,
 {
     type Out = R;
-    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
-        self.0.face(ask.wanting(Want::Vjp))
-    }
-    #[cfg(feature = "gpu")]
-    fn generated(&self, ask: Ask) -> Result<Arc<Generated<R::Scalar>>, Error> {
-        self.0.generated(ask.wanting(Want::Vjp))
-    }
-    #[cfg(feature = "gpu")]
-    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
-        self.0.replays(ask.wanting(Want::Vjp))
+    fn call(&self) -> Result<Call<R::Scalar>, Error> {
+        self.0.call()?.derived(Mode::Vjp)
     }
 }
 

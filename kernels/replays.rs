@@ -7,12 +7,11 @@ use crate::Error;
 use crate::ad::program::Sym;
 use crate::ad::program::graph::{Id, Node};
 use crate::ad::program::record::record_with_codes;
-use crate::kernels::cpu::plan::{Known, Want, known};
 use crate::kernels::cpu::program::Tape;
 use crate::kernels::cpu::program::instructions::Op;
 use crate::kernels::item::{Item, by_kind, by_shape, get, width};
-use crate::kernels::op::Ask;
 use crate::kernels::real::Real;
+use crate::kernels::recording::{Mode, derived};
 use crate::kernels::search::Search;
 use crate::{Fixed, Pack};
 use std::collections::HashMap;
@@ -57,29 +56,21 @@ pub trait Replays<T>: Send + Sync {
 type Replayed<D> = RwLock<HashMap<(Vec<u32>, <D as Search>::Record), Arc<Replay>>>;
 
 struct Of<D: Search, T> {
-    want: Want,
+    mode: Mode,
     known: Replayed<D>,
     format: std::marker::PhantomData<fn() -> T>,
 }
 
-/// The wanted part of an operation with a search.
-///
-/// # Errors
-///
-/// None: the errors of recording are those of `decide`, item by item.
-pub fn of<D, R: Item>(ask: Ask) -> Result<Arc<dyn Replays<R::Scalar>>, Error>
+/// The replays of a mode of a search.
+pub fn of<D, R: Item>(mode: Mode) -> Arc<dyn Replays<R::Scalar>>
 where
     D: Search<In<<R as Pack>::Scalar> = R>,
 {
-    let want = ask.want;
-    let made = known::<D, R::Scalar, _>(Known::Replays(want), || {
-        Ok(Of::<D, R::Scalar> {
-            want,
-            known: RwLock::default(),
-            format: std::marker::PhantomData,
-        })
-    })?;
-    Ok(made)
+    Arc::new(Of::<D, R::Scalar> {
+        mode,
+        known: RwLock::default(),
+        format: std::marker::PhantomData,
+    })
 }
 
 impl<D: Search, T: Real> Of<D, T> {
@@ -89,11 +80,9 @@ impl<D: Search, T: Real> Of<D, T> {
         type Out<D, T> = <D as Search>::Out<Sym<T>>;
         let replay = |x: In<D, T>| D::replay::<Sym<T>>(x, record);
         let recorded = record_with_codes::<T, In<D, T>, Out<D, T>>(codes, replay)?;
-        let recorded = match self.want {
-            Want::Value => recorded,
-            Want::ValueGrad => recorded.value_grad(),
-            Want::Jacobian => recorded.value_jacobian(),
-            Want::Vjp => recorded.vjp(),
+        let recorded = match self.mode {
+            Mode::Vjp => recorded.vjp(),
+            mode => derived(&recorded, mode),
         };
         instructions(
             &recorded.value.graph,
@@ -128,18 +117,18 @@ where
     }
     fn sizes(&self) -> [usize; 2] {
         let (numbers, result) = (D::In::<T>::LEN, D::Out::<T>::LEN);
-        match self.want {
-            Want::Value => [numbers, result],
-            Want::ValueGrad => [numbers, result + numbers],
-            Want::Jacobian => [numbers, result + result * numbers],
-            Want::Vjp => [numbers + result, numbers],
+        match self.mode {
+            Mode::Value => [numbers, result],
+            Mode::ValueGrad => [numbers, result + numbers],
+            Mode::Jacobian => [numbers, result + result * numbers],
+            Mode::Vjp => [numbers + result, numbers],
         }
     }
     fn put(&self, numbers: &[T], found: &[T], row: &mut [T]) {
-        let result = match self.want {
-            Want::Value => return row.copy_from_slice(found),
-            Want::ValueGrad | Want::Jacobian => D::Out::<T>::LEN,
-            Want::Vjp => 0,
+        let result = match self.mode {
+            Mode::Value => return row.copy_from_slice(found),
+            Mode::ValueGrad | Mode::Jacobian => D::Out::<T>::LEN,
+            Mode::Vjp => 0,
         };
         row[..result].copy_from_slice(&found[..result]);
         // A gradient has the input's codes.

@@ -4,13 +4,12 @@
 //! from the input and the record by a straight line, which duals and batches replay. Between decisions
 //! the result is smooth; where a decision changes, its derivatives are those of the one that was taken.
 use crate::error::Error;
-use crate::kernels::cpu::plan::{Face, Known, Want, known, name, of_items};
+use crate::kernels::cpu::plan::{Face, of_items};
 use crate::kernels::item::{Item, by_kind, by_shape, get, leaves_of, width};
 use crate::kernels::op::{
-    Ask, Extremes, Finite, Invariance, Jacobian, Jumps, Limits, Range, Runs, ValueGrad, Vjp,
+    Extremes, Finite, Invariance, Jacobian, Jumps, Limits, Range, Runs, ValueGrad, Vjp,
 };
-#[cfg(feature = "gpu")]
-use crate::kernels::replays::Replays;
+use crate::kernels::recording::{Body, Call, Mode, Recording, known, widths};
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -127,29 +126,40 @@ fn item<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     by_shape::<R>(&bars, &codes, &mut out[result..]);
 }
 
-/// How batches compute what is wanted of an operation.
-pub(crate) fn face<D, R: Item>(ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error>
+/// The plan by which the CPU computes a mode of a search, item by item.
+fn plan<D, R: Item>(mode: Mode) -> Face<R::Scalar>
 where
     D: Search<In<<R as Pack>::Scalar> = R>,
     D::Out<R::Scalar>: Item,
 {
-    let want = ask.want;
-    known::<D, R::Scalar, _>(Known::Face(want, false), || {
-        let outputs = leaves_of::<D::Out<R::Scalar>>();
-        let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
-        let mut face = of_items(
-            want,
-            leaves_of::<R>(),
-            outputs,
-            match want {
-                Want::Value => |x, bar, out| item::<D, R>(x, bar, out, false),
-                Want::Jacobian => |x, _, out| item_and_jacobian::<D, R>(x, out),
-                Want::ValueGrad | Want::Vjp => |x, bar, out| item::<D, R>(x, bar, out, true),
-            },
-        );
-        name(&mut face.arguments, D::ARGUMENTS);
-        Ok(face)
-    })
+    of_items(
+        mode,
+        leaves_of::<R>(),
+        widths::<D::Out<R::Scalar>>(),
+        match mode {
+            Mode::Value => |x, bar, out| item::<D, R>(x, bar, out, false),
+            Mode::Jacobian => |x, _, out| item_and_jacobian::<D, R>(x, out),
+            Mode::ValueGrad | Mode::Vjp => |x, bar, out| item::<D, R>(x, bar, out, true),
+        },
+    )
+}
+
+/// The recording of a search, the same one at every call.
+pub(crate) fn recording<D, R: Item>() -> Arc<Recording<R::Scalar>>
+where
+    D: Search<In<<R as Pack>::Scalar> = R>,
+    D::Out<R::Scalar>: Item,
+{
+    let made = known::<Searched<D>, _>(|| {
+        let body = Body::Search(crate::kernels::recording::Searched {
+            plan: plan::<D, R>,
+            #[cfg(feature = "gpu")]
+            replays: crate::kernels::replays::of::<D, R>,
+        });
+        let (takes, outputs) = (leaves_of::<R>(), widths::<D::Out<R::Scalar>>());
+        Ok(Recording::new(takes, outputs, D::ARGUMENTS, body))
+    });
+    made.unwrap_or_else(|_: Error| unreachable!("a search is not recorded"))
 }
 
 /// A search that batches take: the value of [`search`].
@@ -234,11 +244,7 @@ where
     D::Out<R::Scalar>: Item,
 {
     type Out = D::Out<R::Scalar>;
-    fn face(&self, ask: Ask) -> Result<Arc<Face<R::Scalar>>, Error> {
-        face::<D, R>(ask)
-    }
-    #[cfg(feature = "gpu")]
-    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<R::Scalar>>, Error>> {
-        Some(crate::kernels::replays::of::<D, R>(ask))
+    fn call(&self) -> Result<Call<R::Scalar>, Error> {
+        Ok(Call::of(recording::<D, R>()))
     }
 }

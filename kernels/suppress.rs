@@ -8,7 +8,7 @@ use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::greedy::Greed;
 use crate::kernels::cpu::{Cpu, Face, Single};
 use crate::kernels::item::Column;
-use crate::kernels::op::{Ask, Runs};
+use crate::kernels::op::Runs;
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Found, check_threshold};
 use crate::suppression::{Pair, Rules, check_rules, order};
@@ -80,7 +80,7 @@ impl Cpu {
         A::Scalar: crate::Scalar<Mask = bool>,
     {
         checked(shapes.len(), scores, &rules)?;
-        let face = run.face(Ask::PAIRS)?;
+        let face = run.call()?.plan(true)?;
         let ranked = ranked(&face, shapes, scores, &rules)?;
         let pairs = pairs(self, &face, &ranked.shapes, &ranked.shapes)?;
         let kept = (A::Scalar::drivers().suppress)(&pairs, ranked.greed(&rules));

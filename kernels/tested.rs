@@ -169,7 +169,7 @@ impl Tested {
     fn examined<S: Both>(&self) -> Option<Examined<S>> {
         let formed = S::formed(self).0;
         Some(Examined {
-            shaped: self.operation.shaped::<S>()?,
+            recording: self.operation.straight::<S>()?,
             alone: formed.alone,
             by_hand: formed.by_hand,
             num_dual: formed.num_dual,
@@ -194,7 +194,7 @@ fn check_straight<X: Sample + Fixed, S: Both>(
 /// Fuzzes a straight line.
 fn fuzz_straight<S: Both>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
     let Some(Examined {
-        shaped,
+        recording,
         alone,
         by_hand,
         ..
@@ -212,7 +212,7 @@ fn fuzz_straight<S: Both>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
         range: operation.range,
         extremes: operation.extremes,
         domain: operation.inside,
-        shaped,
+        recording,
         alone,
         by_hand,
         kinds: operation.kinds[0],

@@ -13,13 +13,14 @@
 //! ```
 use crate::Error;
 use crate::kernels::Backend;
-use crate::kernels::cpu::plan::{Shaped, Want};
 use crate::kernels::dynamic::{Function, Layout, Rows};
 use crate::kernels::gpu::GpuRing;
 use crate::kernels::op::RingOp;
+use crate::kernels::recording::{Mode, Recording};
 use crate::{Fixed, Pack, Vec2};
 use std::cell::Cell;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// The results of a batch for one input.
 #[derive(Clone, Debug)]
@@ -148,12 +149,12 @@ fn asked(
 /// of two shapes.
 pub(crate) fn ask_pairs(
     backend: Backend<'_>,
-    shaped: &Shaped<f32>,
+    recording: &Arc<Recording<f32>>,
     inputs: &[Vec<f32>],
 ) -> Result<Vec<Answer>, Error> {
-    let function = Function::of_straight(*shaped, Want::Value);
+    let function = Function::of_straight(Arc::clone(recording), Mode::Value);
     let mut answers: Vec<Answer> = Vec::with_capacity(inputs.len());
-    if shaped.line.outputs != 1 || function.takes().len() != 2 {
+    if recording.outputs != [1] || function.takes().len() != 2 {
         return Ok(answers);
     }
     for inputs in inputs.chunks(SIDE) {
@@ -178,7 +179,7 @@ pub(crate) fn ask_pairs(
         let is_finite = |answer: &Answer| answer.rows[0].iter().all(|x| x.is_finite());
         for (input, answer) in inputs.iter().zip(&mut answers[first..]) {
             if side > 1 && !is_finite(answer) {
-                let alone = ask_pairs(backend, shaped, std::slice::from_ref(input))?;
+                let alone = ask_pairs(backend, recording, std::slice::from_ref(input))?;
                 *answer = alone.into_iter().next().unwrap_or(answer.clone());
             }
         }
@@ -189,12 +190,12 @@ pub(crate) fn ask_pairs(
 /// Asks a backend about any operation, one call per output for the derivatives.
 pub(crate) fn ask_any(
     backend: Backend<'_>,
-    shaped: &Shaped<f32>,
+    recording: &Arc<Recording<f32>>,
     inputs: &[Vec<f32>],
 ) -> Result<Vec<Answer>, Error> {
     let values = asked(
         backend,
-        &Function::of_straight(*shaped, Want::Value),
+        &Function::of_straight(Arc::clone(recording), Mode::Value),
         inputs,
     )?;
     let alone = |value| Answer {
@@ -203,8 +204,8 @@ pub(crate) fn ask_any(
     };
     let mut answers: Vec<Answer> = values.into_iter().map(alone).collect();
     let (adjoint, outputs) = (
-        Function::of_straight(*shaped, Want::Vjp),
-        shaped.line.outputs,
+        Function::of_straight(Arc::clone(recording), Mode::Vjp),
+        recording.outputs.iter().sum::<usize>(),
     );
     for j in 0..outputs {
         let seed = (0..outputs).map(|k| f32::from(u8::from(j == k)));
@@ -222,13 +223,13 @@ pub(crate) fn ask_any(
 /// nothing of others.
 pub(crate) fn ask_gradient(
     backend: Backend<'_>,
-    shaped: &Shaped<f32>,
+    recording: &Arc<Recording<f32>>,
     inputs: &[Vec<f32>],
 ) -> Result<Vec<Answer>, Error> {
-    if shaped.line.outputs != 1 {
+    if recording.outputs != [1] {
         return Ok(Vec::new());
     }
-    let function = Function::of_straight(*shaped, Want::ValueGrad);
+    let function = Function::of_straight(Arc::clone(recording), Mode::ValueGrad);
     let answer = |numbers: Vec<f64>| Answer {
         value: numbers[..1].to_vec(),
         rows: vec![numbers[1..].to_vec()],

@@ -11,7 +11,7 @@ use crate::{Error, Fixed, Scalar};
 use std::any::Any;
 use std::fmt;
 use std::marker::PhantomData;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, OnceLock};
 
 /// A recorded function from one shape to another, in `f32` or `f64`.
 ///
@@ -36,13 +36,19 @@ use std::sync::{Arc, Mutex, PoisonError};
 #[derive(Clone, Debug)]
 pub struct Program<In, Out> {
     recorded: Recorded,
-    /// Plans of machines for it, shared by clones.
+    /// The derived data, shared by clones.
     pub(crate) kept: Arc<Kept>,
     shapes: PhantomData<fn(In) -> Out>,
 }
 
-/// Things of any type that are made once, by a key of whoever makes them.
-pub(crate) type Kept = Mutex<Vec<(u8, Arc<dyn Any + Send + Sync>)>>;
+/// Data that are derived from a program once.
+#[derive(Debug, Default)]
+pub(crate) struct Kept {
+    /// The program of the result with its Jacobian.
+    jacobian: OnceLock<Arc<Recorded>>,
+    /// The recording that machines run.
+    pub(crate) recording: OnceLock<Arc<dyn Any + Send + Sync>>,
+}
 
 impl<In, Out> Program<In, Out> {
     pub(crate) fn of(recorded: Recorded) -> Self {
@@ -239,19 +245,10 @@ impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Jacobian<Program<I
     }
     /// The operations, which are made once for a program and its clones.
     fn recorded(&self) -> Arc<Recorded> {
-        let mut kept = self.0.kept.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = kept.iter().find(|kept| kept.0 == JACOBIAN);
-        if let Some(found) = found.and_then(|kept| kept.1.clone().downcast().ok()) {
-            return found;
-        }
-        let made = Arc::new(self.0.recorded.value_jacobian());
-        kept.push((JACOBIAN, made.clone()));
-        made
+        let made = || Arc::new(self.0.recorded.value_jacobian());
+        Arc::clone(self.0.kept.jacobian.get_or_init(made))
     }
 }
-
-/// The key of a Jacobian: machines have smaller ones.
-const JACOBIAN: u8 = u8::MAX;
 
 impl<In: Fixed<Scalar = f32>, Out: Fixed<Scalar = f32>> Program<In, Out> {
     /// The program as a function in WGSL, from an array of numbers to an array of numbers, in the order

@@ -32,8 +32,7 @@ use crate::ad::check::{Report, Sampling, examine};
 use crate::ad::declared::Kind;
 use crate::ad::sample::{Sample, hard_cases, random};
 use crate::kernels::Backend;
-use crate::kernels::check::recorded_subject::{ByHand, RecordedSubject, Recording};
-use crate::kernels::cpu::plan::{Shaped, Want, recorded_of};
+use crate::kernels::check::recorded_subject::{ByHand, Computations, RecordedSubject};
 use crate::kernels::dynamic::Function;
 use crate::kernels::fold::Fold;
 use crate::kernels::fuzz::{self, Fuzzed, Job};
@@ -41,10 +40,12 @@ use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::{Item, Single};
 use crate::kernels::op::{Derivative, Invariance, Jumps, Op, RingOp, inside_of};
 use crate::kernels::real::Real;
+use crate::kernels::recording::{Mode, Recording};
 use crate::kernels::search::Search;
 use crate::kernels::witness::{Ask, Batch, ask_any, ask_gradient, ask_pairs, ask_rings};
 use crate::{Error, Fixed, Pack, Vec2};
 use std::any::Any;
+use std::sync::Arc;
 
 /// `f32` or `f64`, in which the harness and the fuzzer run operations.
 ///
@@ -79,7 +80,7 @@ impl Judged for f64 {
 /// A straight line in one format as the harness and the fuzzer take it: batches of it, and the function on plain
 /// numbers.
 pub(crate) struct Examined<S: Judged> {
-    pub(crate) shaped: Shaped<S>,
+    pub(crate) recording: Arc<Recording<S>>,
     /// The function.
     pub(crate) alone: Path<S>,
     /// The result and derivatives by hand.
@@ -88,22 +89,15 @@ pub(crate) struct Examined<S: Judged> {
     pub(crate) num_dual: Option<fn(&[S::NumDual]) -> Vec<S::NumDual>>,
 }
 
-impl<S: Judged> Clone for Examined<S> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-impl<S: Judged> Copy for Examined<S> {}
-
 impl<S: Judged> Examined<S> {
-    pub(crate) const fn of<O: Op>() -> Self
+    pub(crate) fn of<O: Op>() -> Self
     where
         O::In<S>: Item<Scalar = S>,
         O::Out<S>: Item<Scalar = S>,
     {
         let is_by_hand = matches!(O::DERIVATIVE, Derivative::ByHand);
         Examined {
-            shaped: Shaped::of::<O, O::In<S>>(),
+            recording: Recording::of::<O, O::In<S>>(),
             alone: |x| O::eval(O::In::<S>::load(x)).scalars(),
             by_hand: match is_by_hand {
                 true => by_hand::<O, S>,
@@ -117,20 +111,19 @@ impl<S: Judged> Examined<S> {
         }
     }
     /// All that the harness needs of it.
-    fn recording(&self, stated: &Stated) -> Result<Recording<S>, Error> {
-        let line = &self.shaped.line;
-        let value = recorded_of(line, Want::Value)?;
+    fn computations(&self, stated: &Stated) -> Result<Computations<S>, Error> {
+        let value = self.recording.program(Mode::Value)?;
         let is_wide = Precision::of::<S>() == Precision::F64;
-        let by_hand_alone = line.derivatives == Derivative::ByHand && is_wide;
-        Ok(Recording {
+        let by_hand_alone = self.num_dual.is_some() && is_wide;
+        Ok(Computations {
             reversed: by_hand_alone.then(|| value.value_vjp().into()),
             value,
-            derivatives: recorded_of(line, Want::Vjp)?,
+            derivatives: self.recording.program(Mode::Vjp)?,
             source: Some(self.alone),
-            batch: Function::of_straight(self.shaped, Want::Value),
+            batch: Function::of_straight(Arc::clone(&self.recording), Mode::Value),
             by_hand: self.by_hand,
             num_dual: self.num_dual,
-            outputs: line.outputs,
+            outputs: self.recording.outputs.iter().sum(),
             output_kinds: (stated.output_kinds)(),
             nests: true,
             invariances: stated.invariances,
@@ -346,8 +339,8 @@ where
     O::In<S>: Item,
     O::Out<S>: Item,
 {
-    let wide = &const { Examined::<f64>::of::<O>() };
-    let own = &const { Examined::<S>::of::<O>() };
+    let wide = &Examined::<f64>::of::<O>();
+    let own = &Examined::<S>::of::<O>();
     examined::<O::In<f64>, S>(
         &const { Stated::of::<O>() },
         own,
@@ -374,23 +367,25 @@ pub(crate) fn examined<X: Sample + Fixed, S: Judged>(
         ..*sampling
     };
     let wide = match Precision::of::<S>() {
-        Precision::F32 => wide.recording(stated).ok(),
+        Precision::F32 => wide.computations(stated).ok(),
         Precision::F64 => None,
     };
-    let recordings = (own.recording(stated), wide);
-    let shaped = (&own.shaped as &dyn Any)
-        .downcast_ref::<Shaped<f32>>()
-        .copied();
+    let recordings = (own.computations(stated), wide);
+    let recording = Arc::clone(&own.recording);
+    let arguments = recording.arguments;
+    let single = (recording as Arc<dyn Any + Send + Sync>)
+        .downcast::<Recording<f32>>()
+        .ok();
     let (any, gradient, all_pairs);
     let mut asks: Vec<Ask<'_>> = Vec::new();
-    if let (Some(backend), Some(shaped)) = (backend, shaped) {
-        any = move |inputs: &[Vec<f32>]| ask_any(backend, &shaped, inputs);
-        gradient = move |inputs: &[Vec<f32>]| ask_gradient(backend, &shaped, inputs);
-        all_pairs = move |inputs: &[Vec<f32>]| ask_pairs(backend, &shaped, inputs);
+    if let (Some(backend), Some(single)) = (backend, &single) {
+        any = move |inputs: &[Vec<f32>]| ask_any(backend, single, inputs);
+        gradient = move |inputs: &[Vec<f32>]| ask_gradient(backend, single, inputs);
+        all_pairs = move |inputs: &[Vec<f32>]| ask_pairs(backend, single, inputs);
         asks.extend([&any as Ask<'_>, &gradient]);
         asks.extend(pairs.then_some(&all_pairs as Ask<'_>));
     }
-    let names = names_of::<X>(own.shaped.arguments);
+    let names = names_of::<X>(arguments);
     let report = recorded::<X, S>(stated.name, sampling, asks, recordings);
     report.map(|report| Report { names, ..report })
 }
@@ -426,7 +421,7 @@ fn recorded<X: Sample, S: Judged>(
     name: &'static str,
     sampling: &Sampling<'_>,
     asks: Vec<Ask<'_>>,
-    (recording, wide): (Result<Recording<S>, Error>, Option<Recording<f64>>),
+    (recording, wide): (Result<Computations<S>, Error>, Option<Computations<f64>>),
 ) -> Result<Report, Error> {
     let recording = match recording {
         Ok(recording) => recording,

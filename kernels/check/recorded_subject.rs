@@ -46,9 +46,9 @@ impl<P: Sample> Near for P {
 /// The result and the derivatives of a cotangent, by hand, on plain numbers; nothing where there are none.
 pub(crate) type ByHand<S> = fn(&[S], &[S]) -> Option<(Vec<S>, Vec<S>)>;
 
-/// An operation in one format.
+/// All that the harness compares of an operation in one format.
 #[derive(Clone)]
-pub(crate) struct Recording<S: Judged> {
+pub(crate) struct Computations<S: Judged> {
     /// The result, recorded.
     pub value: Arc<Recorded>,
     /// The result and derivatives from the input and a cotangent, recorded: from wherever the operation says
@@ -77,7 +77,7 @@ pub(crate) struct Recording<S: Judged> {
     pub jumps: Jumps,
 }
 
-impl<S: Judged> Recording<S> {
+impl<S: Judged> Computations<S> {
     /// The result by a batch of one item; nothing where the batch refuses it.
     fn batch_value(&self, x: &[S]) -> Vec<S> {
         let mut rest = x;
@@ -121,9 +121,9 @@ impl<S: Judged> Recording<S> {
 /// A recorded operation near an input.
 pub struct RecordedSubject<'a, S: Judged> {
     pub(crate) near: &'a dyn Near,
-    pub(crate) recording: &'a Recording<S>,
+    pub(crate) recording: &'a Computations<S>,
     /// The same operation in double precision.
-    pub(crate) wide: Option<&'a Recording<f64>>,
+    pub(crate) wide: Option<&'a Computations<f64>>,
     /// A batch on a backend as a further witness.
     pub(crate) batch: Option<&'a Batch<'a>>,
 }

@@ -1,9 +1,9 @@
 //! Operations, searches and folds as the harness takes them: one function, generic over the scalar, and its adjoint.
 use crate::ad::check::trace::Number;
 use crate::kernels::cpu::folds::{backwards, programs};
-use crate::kernels::cpu::plan::{self, Want};
 use crate::kernels::fold::{Fold, edges, fold};
 use crate::kernels::op::{Derivative, Invariance, Jumps, Op, RingOp};
+use crate::kernels::recording::{Mode, program_of};
 use crate::kernels::search::Search;
 use crate::{Fixed, Jet, Pack, Scalar, Vec2};
 
@@ -52,8 +52,8 @@ impl<O: Op> Source for Straight<O> {
         }
         // In the format that the scalar has.
         let recorded = match S::EPSILON > 1e-10 {
-            true => plan::program_of::<O, f32>(Want::Vjp),
-            false => plan::program_of::<O, f64>(Want::Vjp),
+            true => program_of::<O, f32>(Mode::Vjp),
+            false => program_of::<O, f64>(Mode::Vjp),
         };
         let numbers = [input.scalars(), out_bar.scalars()].concat();
         match recorded {

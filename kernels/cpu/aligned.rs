@@ -6,7 +6,7 @@ use crate::kernels::cpu::checked::{check, check_upstream};
 use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::plan::{Face, Preparation};
 use crate::kernels::item::{Column, Columns, Results, Target};
-use crate::kernels::op::{Ask, Runs};
+use crate::kernels::op::Runs;
 use crate::kernels::real::Real;
 use crate::kernels::targets::Targets;
 
@@ -47,7 +47,7 @@ impl Cpu {
         run: R,
         columns: C,
     ) -> Result<<R::Out as Results>::Many, Error> {
-        let face = run.face(Ask::ALIGNED)?;
+        let face = run.call()?.plan(false)?;
         let columns = listed(&columns);
         let (count, rare) = checked(&face, &columns)?;
         let mut many = R::Out::room(count);
@@ -80,7 +80,7 @@ impl Cpu {
         columns: C,
         mut targets: impl Targets<R::Out>,
     ) -> Result<(), Error> {
-        let face = run.face(Ask::ALIGNED)?;
+        let face = run.call()?.plan(false)?;
         let columns = listed(&columns);
         let (count, rare) = checked(&face, &columns)?;
         let list = fitting::<R::Out>(&mut targets, count)?;
@@ -120,7 +120,7 @@ impl Cpu {
         columns: C,
         targets: Vec<Option<Target<'_, ScalarOf<C>>>>,
     ) -> Result<(), Error> {
-        let face = run.face(Ask::ALIGNED)?;
+        let face = run.call()?.plan(false)?;
         let columns = listed(&columns);
         let (count, rare) = checked(&face, &columns)?;
         compute(&face, columns, rare, count, targets);

@@ -7,8 +7,9 @@ use crate::kernels::cpu::plan::Face;
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::cpu::table::Table;
 use crate::kernels::item::{Column, Results, Single};
-use crate::kernels::op::{Ask, Runs};
+use crate::kernels::op::Runs;
 use crate::kernels::real::Real;
+use crate::kernels::recording::Mode;
 use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
 
 /// Lists of shapes, checked.
@@ -139,7 +140,7 @@ impl Cpu {
     ) -> Result<(), Error> {
         let wanted = entries(a.len(), b.len(), R::Out::widths().iter().sum())?;
         expect(Argument::Values, wanted, planes.len())?;
-        let face = run.face(Ask::PAIRS)?;
+        let face = run.call()?.plan(true)?;
         let pairs = pairs(self, &face, a, b)?;
         (A::Scalar::drivers().planes)(&pairs, planes);
         Ok(())
@@ -205,7 +206,7 @@ impl Cpu {
             derivatives: upstream,
             step: b.len(),
         };
-        let face = run.face(Ask::ADJOINT)?;
+        let face = run.call()?.derived(Mode::Vjp)?.plan(true)?;
         self.pull_back(&face, a, b, upstream, a_bar, b_bar)
     }
 
@@ -262,7 +263,7 @@ impl Cpu {
         R: Runs<(A, B), Out = A::Scalar>,
     {
         check_sides(a.len(), b.len(), true)?;
-        let face = run.face(Ask::PAIRS)?;
+        let face = run.call()?.plan(true)?;
         Ok((A::Scalar::drivers().row_max)(&pairs(self, &face, a, b)?))
     }
 
@@ -281,7 +282,7 @@ impl Cpu {
         R: Runs<(A, B), Out = A::Scalar>,
     {
         check_sides(a.len(), b.len(), false)?;
-        let face = run.face(Ask::PAIRS)?;
+        let face = run.call()?.plan(true)?;
         Ok((A::Scalar::drivers().column_max)(&pairs(
             self, &face, a, b,
         )?))
@@ -303,7 +304,7 @@ impl Cpu {
         R: Runs<(A, B), Out = A::Scalar>,
     {
         check_threshold(threshold)?;
-        let face = run.face(Ask::PAIRS)?;
+        let face = run.call()?.plan(true)?;
         let mut pairs = pairs(self, &face, a, b)?;
         // Zeros are above a negative threshold, too.
         pairs.filter &= threshold >= A::Scalar::default();
@@ -326,7 +327,7 @@ impl Cpu {
         R: Runs<(A, B), Out = A::Scalar>,
     {
         check_threshold(threshold)?;
-        let face = run.face(Ask::PAIRS)?;
+        let face = run.call()?.plan(true)?;
         let mut pairs = pairs(self, &face, a, b)?;
         pairs.filter &= threshold >= A::Scalar::default();
         Ok((A::Scalar::drivers().count_above)(&pairs, threshold))
@@ -346,7 +347,7 @@ impl Cpu {
     where
         R: Runs<(A, B), Out = A::Scalar>,
     {
-        let face = run.face(Ask::PAIRS)?;
+        let face = run.call()?.plan(true)?;
         Ok((A::Scalar::drivers().sum)(&pairs(self, &face, a, b)?))
     }
 
@@ -439,13 +440,13 @@ impl Cpu {
     where
         R: Runs<(A, B), Out = A::Scalar>,
     {
-        let face = run.face(Ask::ADJOINT)?;
+        let face = run.call()?.derived(Mode::Vjp)?.plan(true)?;
         let upstream = Upstream {
             derivatives: &vec![factor; b.len().max(1)],
             step: 0,
         };
         self.pull_back(&face, a, b, upstream, a_bar, b_bar)?;
-        let face = run.face(Ask::PAIRS)?;
+        let face = run.call()?.plan(true)?;
         Ok((A::Scalar::drivers().sum)(&pairs(self, &face, a, b)?))
     }
 }

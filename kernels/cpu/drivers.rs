@@ -6,10 +6,12 @@ use crate::kernels::cpu::desk::{self, Aligned};
 use crate::kernels::cpu::greedy::{self, Greed};
 use crate::kernels::cpu::nearest::{self, Sieved, Spans};
 use crate::kernels::cpu::pairs::{self, Pairs};
-use crate::kernels::cpu::plan::{self, Face, Shaped, Want};
+use crate::kernels::cpu::plan::{self, Face};
 use crate::kernels::cpu::polygons::{self, Pulled, RingPairs};
 use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
+use crate::kernels::real::Real;
+use crate::kernels::recording::Call;
 use crate::kernels::reduce::{Best, Found};
 use std::sync::Arc;
 
@@ -17,7 +19,7 @@ use std::sync::Arc;
 macro_rules! drivers {
     ($($name:ident: fn($($type:ty),*) $(-> $out:ty)? = $function:path;)*) => {
         /// Every driver of one format.
-        pub struct Drivers<T: Clone + 'static> {
+        pub struct Drivers<T: Real> {
             $(pub(crate) $name: fn($($type),*) $(-> $out)?,)*
         }
         /// In single precision.
@@ -28,7 +30,7 @@ macro_rules! drivers {
 }
 
 drivers! {
-    faced: fn(&Shaped<T>, Want, bool) -> Result<Arc<Face<T>>, Error> = plan::faced;
+    plan: fn(&Call<T>, bool) -> Result<Arc<Face<T>>, Error> = plan::plan;
     aligned: fn(Aligned<'_, T>) = desk::compute;
     planes: fn(&Pairs<'_, T>, &mut [T]) = pairs::planes;
     pull_back: fn(&Pairs<'_, T>, Upstream<'_, T>, &mut [T], &mut [T]) = pairs::pull_back;

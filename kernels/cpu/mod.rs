@@ -101,7 +101,7 @@ pub(crate) mod work;
 
 pub use crate::kernels::item::Single;
 #[doc(hidden)]
-pub use plan::{Compiled, Face, Want};
+pub use plan::{Compiled, Face};
 pub(crate) use ragged::check_ragged;
 pub use table::Table;
 

@@ -1,6 +1,6 @@
 //! Checks by the harness of functions whose shapes are known at run time.
 use super::Mode;
-use super::function::{Function, Origin};
+use super::function::Function;
 use super::program::Program;
 use super::rows::named;
 use crate::ad::check::subject::Conventions;
@@ -12,11 +12,11 @@ use crate::ad::sample::derived::{TUPLES, combinations, mingle, together, units};
 use crate::ad::sample::{Draw, Sampler, moved};
 use crate::error::{Argument, Error};
 use crate::kernels::check::Judged;
-use crate::kernels::check::recorded_subject::{Near, RecordedSubject, Recording};
+use crate::kernels::check::recorded_subject::{Computations, Near, RecordedSubject};
 use crate::kernels::cpu::checked::expect;
-use crate::kernels::cpu::plan::Shaped;
 use crate::kernels::op::Jumps;
 use crate::kernels::real::Real;
+use crate::kernels::recording::Recording;
 use std::sync::Arc;
 
 /// The inputs of a check: shapes one after another, each as its numbers.
@@ -228,24 +228,21 @@ impl Near for Inputs {
 }
 
 impl<T: Real> Function<T> {
-    /// A straight line.
-    pub(crate) fn of_straight(shaped: Shaped<T>, mode: Mode) -> Self {
-        let takes = (shaped.takes)();
+    /// A mode of a straight line.
+    pub(crate) fn of_straight(recording: Arc<Recording<T>>, mode: Mode) -> Self {
         Function {
             mode,
-            names: named(shaped.arguments, takes.len()),
-            takes,
-            outputs: shaped.outputs(),
-            origin: Origin::Straight(shaped),
+            names: named(recording.arguments, recording.takes.len()),
+            recording,
         }
     }
 }
 
 impl<T: Judged> Program<T> {
     /// The recording that the harness checks.
-    fn recording(&self, jumps: Jumps) -> Recording<T> {
+    fn computations(&self, jumps: Jumps) -> Computations<T> {
         let recorded = self.recorded();
-        Recording {
+        Computations {
             derivatives: Arc::new(recorded.value_vjp()),
             value: Arc::new(recorded.clone()),
             reversed: None,
@@ -291,9 +288,9 @@ impl<T: Judged> Program<T> {
         wide: Option<&Program<f64>>,
     ) -> Result<Report, Error> {
         expect(Argument::Shape, self.sizes()[0], inputs.count())?;
-        let recording = self.recording(jumps);
+        let recording = self.computations(jumps);
         let wide = match T::FORMAT {
-            Format::F32 => wide.map(|wide| wide.recording(jumps)),
+            Format::F32 => wide.map(|wide| wide.computations(jumps)),
             Format::F64 => None,
         };
         let (points, random_from, outside) = inputs.points::<T>(sampling);

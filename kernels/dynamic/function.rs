@@ -1,66 +1,28 @@
 //! Functions of columns of numbers, in every form of a batch.
 use super::Mode;
-use super::program::Program;
 use super::rows::{Layout, Rows, renamed};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::aligned::{checked, compute};
 use crate::kernels::cpu::all_pairs::Bearable;
 use crate::kernels::cpu::checked::{check, entries, expect};
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::plan::with_jacobian;
-use crate::kernels::cpu::plan::{Face, Shaped};
+use crate::kernels::cpu::plan::Face;
 use crate::kernels::cpu::sweep::Upstream;
-use crate::kernels::item::{Leaf, Target};
-use crate::kernels::op::Ask;
+use crate::kernels::item::Target;
 use crate::kernels::real::Real;
+use crate::kernels::recording::{Call, Recording};
 use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
 use std::borrow::Cow;
 use std::sync::Arc;
-
-/// A search without its types.
-#[derive(Debug)]
-pub(super) struct Searching<T> {
-    pub(super) face: fn(Ask) -> Result<Arc<Face<T>>, Error>,
-    #[cfg(feature = "gpu")]
-    pub(super) replays: fn(Ask) -> Result<Arc<dyn crate::kernels::replays::Replays<T>>, Error>,
-}
-
-impl<T> Clone for Searching<T> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-impl<T> Copy for Searching<T> {}
-
-/// The source of plans.
-#[derive(Clone)]
-pub(super) enum Origin<T: Real> {
-    Straight(Shaped<T>),
-    Search(Searching<T>),
-    Program(Program<T>),
-}
-
-impl<T: Real> Origin<T> {
-    pub(super) fn face(&self, mode: Mode, framed: bool) -> Result<Arc<Face<T>>, Error> {
-        match self {
-            Origin::Straight(shaped) => (T::drivers().faced)(shaped, mode, framed),
-            Origin::Search(search) => (search.face)(Ask { want: mode, framed }),
-            Origin::Program(program) => program.face(mode, framed),
-        }
-    }
-}
 
 /// A function of rows of numbers: an operation in one format, its gradient or its adjoint, or a program.
 ///
 /// Every call takes [`Rows`] and checks all of them before anything is written. Results are plain numbers, row by row.
 #[derive(Clone)]
 pub struct Function<T: Real> {
-    pub(super) origin: Origin<T>,
+    pub(super) recording: Arc<Recording<T>>,
     pub(super) mode: Mode,
     pub(super) names: Vec<Argument>,
-    pub(super) takes: Vec<Leaf<T>>,
-    /// Numbers of every shape of the result itself.
-    pub(super) outputs: Vec<usize>,
 }
 
 impl<T: Real> std::fmt::Debug for Function<T> {
@@ -74,13 +36,25 @@ impl<T: Real> std::fmt::Debug for Function<T> {
 }
 
 impl<T: Real> Function<T> {
+    /// What machines run.
+    pub(crate) fn call(&self) -> Result<Call<T>, Error> {
+        Call::of(Arc::clone(&self.recording)).derived(self.mode)
+    }
+    /// The plan of the CPU.
+    fn plan(&self, framed: bool) -> Result<Arc<Face<T>>, Error> {
+        self.call()?.plan(framed)
+    }
     /// A name and a layout for every column that it takes; cotangents of an adjoint come last.
     #[must_use]
     pub fn takes(&self) -> Vec<(Argument, Layout<T>)> {
-        let own = self.takes.iter().map(|&leaf| Layout { leaf });
+        let own = self.recording.takes.iter().map(|&leaf| Layout { leaf });
         let mut all: Vec<_> = self.names.iter().copied().zip(own).collect();
         if self.mode == Mode::Vjp {
-            let bars = self.outputs.iter().map(|&fields| Layout::numbers(fields));
+            let bars = self
+                .recording
+                .outputs
+                .iter()
+                .map(|&fields| Layout::numbers(fields));
             all.extend(bars.map(|layout| (Argument::Upstream, layout)));
         }
         all
@@ -88,13 +62,13 @@ impl<T: Real> Function<T> {
     /// The number of fields of every column that it gives.
     #[must_use]
     pub fn gives(&self) -> Vec<usize> {
-        let derivatives = self.takes.iter().map(|leaf| leaf.fields);
-        match self.mode {
-            Mode::Value => self.outputs.clone(),
-            Mode::ValueGrad => self.outputs.iter().copied().chain(derivatives).collect(),
-            Mode::Jacobian => with_jacobian(self.outputs.clone(), &derivatives.collect::<Vec<_>>()),
-            Mode::Vjp => derivatives.collect(),
-        }
+        let takes: Vec<usize> = self
+            .recording
+            .takes
+            .iter()
+            .map(|leaf| leaf.fields)
+            .collect();
+        self.mode.gives(&takes, &self.recording.outputs)
     }
 
     /// Item i of every column: a list of numbers for every column of the result, as
@@ -105,7 +79,7 @@ impl<T: Real> Function<T> {
     /// [`Error::Arguments`] for another number of columns, [`Error::Fields`] for rows of another number of fields,
     /// [`Error::Length`] for columns of different lengths, [`Error::Invalid`] for a row that is not valid.
     pub fn aligned(&self, rows: &[Rows<'_, T>]) -> Result<Vec<Vec<T>>, Error> {
-        let face = self.origin.face(self.mode, false)?;
+        let face = self.plan(false)?;
         let (columns, count, rare) = self.columns(&face, rows)?;
         let mut lists = Vec::with_capacity(face.gives.len());
         for &fields in &face.gives {
@@ -129,7 +103,7 @@ impl<T: Real> Function<T> {
         rows: &[Rows<'_, T>],
         results: &mut [Option<&mut [T]>],
     ) -> Result<(), Error> {
-        let face = self.origin.face(self.mode, false)?;
+        let face = self.plan(false)?;
         let (columns, count, rare) = self.columns(&face, rows)?;
         let targets = targets(&face.gives, count, results)?;
         compute(&face, columns, rare, count, targets);
@@ -194,7 +168,7 @@ impl<T: Real> Function<T> {
         b: &Rows<'a, T>,
     ) -> Result<[crate::kernels::item::Column<'a, T>; 2], Error> {
         let takes = self.takes();
-        let (2, [first, second]) = (self.takes.len(), &takes[..]) else {
+        let (2, [first, second]) = (self.recording.takes.len(), &takes[..]) else {
             return Err(Error::Arguments {
                 expected: takes.len(),
                 found: 2,
@@ -221,7 +195,7 @@ impl<T: Real> Function<T> {
     /// As [`aligned`](Function::aligned), and [`Error::TooLarge`] when there are more numbers than memory has
     /// addresses.
     pub fn all_pairs(&self, a: Rows<'_, T>, b: Rows<'_, T>) -> Result<Vec<T>, Error> {
-        let face = self.origin.face(self.mode, true)?;
+        let face = self.plan(true)?;
         let pairs = self.pairs(&face, &a, &b)?;
         let mut planes = vec![T::default(); planes_of(&pairs)?];
         (T::drivers().planes)(&pairs, &mut planes);
@@ -240,7 +214,7 @@ impl<T: Real> Function<T> {
         b: Rows<'_, T>,
         planes: &mut [T],
     ) -> Result<(), Error> {
-        let face = self.origin.face(self.mode, true)?;
+        let face = self.plan(true)?;
         let pairs = self.pairs(&face, &a, &b)?;
         expect(Argument::Values, planes_of(&pairs)?, planes.len())?;
         (T::drivers().planes)(&pairs, planes);
@@ -343,7 +317,7 @@ impl<T: Real> Function<T> {
         reduce: impl FnOnce(&mut Pairs<'_, T>) -> Result<X, Error>,
     ) -> Result<X, Error> {
         self.one_number()?;
-        let face = self.origin.face(self.mode, true)?;
+        let face = self.plan(true)?;
         reduce(&mut self.pairs(&face, a, b)?).map_err(|e| renamed(e, &self.names))
     }
 
@@ -407,7 +381,7 @@ impl<T: Real> Function<T> {
         upstream: impl FnOnce(usize) -> Result<(Vec<T>, usize), Error>,
     ) -> Result<(Vec<T>, Vec<T>), Error> {
         self.one_number()?;
-        let face = self.origin.face(Mode::Vjp, true)?;
+        let face = self.call()?.derived(Mode::Vjp)?.plan(true)?;
         let pairs = self.pairs(&face, a, b)?;
         let (derivatives, step) = upstream(pairs.counts()[1])?;
         let upstream = Upstream {
@@ -419,7 +393,7 @@ impl<T: Real> Function<T> {
         let [a_bar, b_bar] = &mut bars;
         bearable.pull_back(&pairs, upstream, a_bar, b_bar);
         // A gradient has the codes of its shape.
-        for ((bar, rows), leaf) in bars.iter_mut().zip([a, b]).zip(&self.takes) {
+        for ((bar, rows), leaf) in bars.iter_mut().zip([a, b]).zip(&self.recording.takes) {
             let scalars = leaf.fields - leaf.codes;
             let bars = bar.chunks_exact_mut(leaf.fields);
             for (bar, row) in bars.zip(rows.numbers().chunks_exact(leaf.fields)) {

@@ -1,6 +1,6 @@
 //! Every operation of the library, by name.
 use super::Mode;
-use super::function::{Function, Origin, Searching};
+use super::function::Function;
 use super::paths::{Code, OnPaths, fold_double, fold_single, ring_double, ring_single};
 use super::program::Program;
 use super::rows::{Layout, named};
@@ -11,7 +11,6 @@ use crate::ad::program::record::{TRIALS, listed};
 use crate::ad::sample::{Sample, Sampler};
 use crate::error::{Argument, Error, Field, Unrecordable};
 use crate::kernels::bounds::{Bound, bounds};
-use crate::kernels::cpu::plan::{Shaped, recorded_of};
 use crate::kernels::fold::Fold;
 use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::{Item, Leaf, leaves_of};
@@ -19,8 +18,9 @@ use crate::kernels::op::{Derivative, Extremes, Finite, Invariance, Jumps, Op, Ra
 use crate::kernels::ops;
 use crate::kernels::ops::list::{Walk, Written};
 use crate::kernels::real::Real;
+use crate::kernels::recording::Recording;
 use crate::kernels::search::{self, Search};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// The sort of function that an operation is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -75,31 +75,30 @@ pub struct Operation {
 /// An operation in one format.
 #[derive(Debug)]
 #[doc(hidden)]
-pub struct Of<T: 'static> {
+pub struct Of<T: Real> {
     takes: fn() -> Vec<Leaf<T>>,
     gives: fn() -> Vec<Leaf<T>>,
     body: Body<T>,
 }
 
 #[derive(Debug)]
-enum Body<T: 'static> {
-    Straight(Shaped<T>),
-    Search(Searching<T>),
+enum Body<T: Real> {
+    Fixed(fn() -> Arc<Recording<T>>),
     Path(Code<T>),
 }
 
-impl<T> Clone for Of<T> {
+impl<T: Real> Clone for Of<T> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<T> Copy for Of<T> {}
-impl<T> Clone for Body<T> {
+impl<T: Real> Copy for Of<T> {}
+impl<T: Real> Clone for Body<T> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<T> Copy for Body<T> {}
+impl<T: Real> Copy for Body<T> {}
 
 /// `f32` or `f64`, in which every operation of the list is.
 pub trait Format: Real {
@@ -193,19 +192,14 @@ impl Operation {
     /// [on paths](Operation::on_paths).
     #[must_use]
     pub fn function<T: Format>(&self, mode: Mode) -> Option<Function<T>> {
-        let own = T::of(self);
-        let origin = match own.body {
-            Body::Straight(shaped) => Origin::Straight(shaped),
-            Body::Search(search) => Origin::Search(search),
-            Body::Path(_) => return None,
+        let Body::Fixed(recording) = T::of(self).body else {
+            return None;
         };
-        let takes = (own.takes)();
+        let recording = recording();
         Some(Function {
-            origin,
             mode,
-            names: named(self.names, takes.len()),
-            takes,
-            outputs: (own.gives)().iter().map(|leaf| leaf.fields).collect(),
+            names: named(self.names, recording.takes.len()),
+            recording,
         })
     }
     /// The value on columns.
@@ -217,7 +211,7 @@ impl Operation {
     #[must_use]
     pub fn value_grad<T: Format>(&self) -> Option<Function<T>> {
         let function = self.function(Mode::ValueGrad)?;
-        (function.outputs.iter().sum::<usize>() == 1).then_some(function)
+        (function.recording.outputs.iter().sum::<usize>() == 1).then_some(function)
     }
     /// The adjoint on columns, of which cotangents come last.
     #[must_use]
@@ -242,22 +236,19 @@ impl Operation {
     /// [`Error::Program`]: searches are no programs ([`Unrecordable::Search`]), folds and rings only those of paths of a
     /// given length ([`Unrecordable::Path`]; see [`program_of_path`](Operation::program_of_path)).
     pub fn program<T: Format>(&self) -> Result<Program<T>, Error> {
-        let own = T::of(self);
-        let Body::Straight(shaped) = &own.body else {
+        let Some(recording) = self.straight::<T>() else {
             return Err(self.refused());
         };
-        let line = &shaped.line;
-        let value = recorded_of(line, Mode::Value)?;
-        let recorded = match (line.derivatives, line.outputs) {
-            (Derivative::ByHand, 1) => {
-                value.with_gradient_after_result(&*recorded_of(line, Mode::ValueGrad)?)
+        let value = recording.program(Mode::Value)?;
+        let is_number = recording.outputs == [1];
+        let recorded = match self.derivatives {
+            Some(Derivative::ByHand) if is_number => {
+                value.with_gradient_after_result(&*recording.program(Mode::ValueGrad)?)
             }
             _ => (*value).clone(),
         };
-        let leaves = (own.takes)();
-        let names = named(self.names, leaves.len());
-        let takes = names.into_iter().zip(leaves).collect();
-        Ok(Program::new(recorded, takes, shaped.outputs(), Some(*line)))
+        let names = named(self.names, recording.takes.len());
+        Ok(Program::of_row(recorded, names, recording))
     }
 
     /// A fold or a measure of rings as a program, for a path of so many vertices, whose numbers follow its other
@@ -280,7 +271,7 @@ impl Operation {
         let inputs = takes.iter().map(|take| take.1.fields).sum();
         let recorded = listed(inputs, TRIALS, &code.symbols)?;
         let gives = (own.gives)().iter().map(|leaf| leaf.fields).collect();
-        Ok(Program::new(recorded, takes, gives, None))
+        Ok(Program::new(recorded, takes, gives))
     }
 
     /// The operation of symbols, as part of the function that is being recorded on this thread: a list of numbers for
@@ -304,11 +295,10 @@ impl Operation {
         program.on_symbols(arguments)
     }
 
-    /// The straight line that it is.
-    #[cfg(any(feature = "check", feature = "gpu"))]
-    pub(crate) fn shaped<T: Format>(&self) -> Option<Shaped<T>> {
-        match T::of(self).body {
-            Body::Straight(shaped) => Some(shaped),
+    /// The recording of a straight line.
+    pub(crate) fn straight<T: Format>(&self) -> Option<Arc<Recording<T>>> {
+        match (self.sort, T::of(self).body) {
+            (Sort::Straight, Body::Fixed(recording)) => Some(recording()),
             _ => None,
         }
     }
@@ -437,7 +427,7 @@ where
         Of {
             takes: leaves_of::<O::In<T>>,
             gives: leaves_of::<O::Out<T>>,
-            body: Body::Straight(Shaped::of::<O, O::In<T>>()),
+            body: Body::Fixed(Recording::of::<O, O::In<T>>),
         }
     }
     said!(
@@ -473,11 +463,7 @@ where
         Of {
             takes: leaves_of::<D::In<T>>,
             gives: leaves_of::<D::Out<T>>,
-            body: Body::Search(Searching {
-                face: search::face::<D, D::In<T>>,
-                #[cfg(feature = "gpu")]
-                replays: crate::kernels::replays::of::<D, D::In<T>>,
-            }),
+            body: Body::Fixed(search::recording::<D, D::In<T>>),
         }
     }
     said!(

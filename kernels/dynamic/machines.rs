@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::kernels::backend::Backend;
 use crate::kernels::reduce::{Best, Found};
 #[cfg(feature = "gpu")]
-use crate::kernels::{gpu::Lists, op::Ask, reduce::Loss};
+use crate::kernels::{gpu::Lists, reduce::Loss};
 
 /// The call on one machine or the other.
 macro_rules! on_either {
@@ -38,7 +38,7 @@ impl Function<f32> {
         rows: &[Rows<'_, f32>],
     ) -> Result<Vec<Vec<f32>>, Error> {
         on_either!(backend, self.aligned(rows), |gpu| {
-            self.named(gpu.lists(self, &self.listed(rows)?))
+            self.named(gpu.lists(&self.call()?, &self.listed(rows)?))
         })
     }
 
@@ -59,7 +59,7 @@ impl Function<f32> {
             let wanted =
                 crate::kernels::cpu::checked::entries(rows, columns, self.gives().iter().sum())?;
             let mut planes = vec![0.0; wanted];
-            self.named(gpu.planes(self, &lists, &mut planes))?;
+            self.named(gpu.planes(&self.call()?, &lists, &mut planes))?;
             Ok(planes)
         })
     }
@@ -86,7 +86,7 @@ macro_rules! reductions {
                     self.one_number()?;
                     let lists = self.lists(&a, &b)?;
                     let run = || {
-                        let lists = Lists::of_columns(gpu, self, &lists, Ask::PAIRS)?;
+                        let lists = Lists::of_columns(gpu, &self.call()?, &lists)?;
                         let $found = lists.$cpu($($more)?)?;
                         $after
                     };
@@ -161,7 +161,7 @@ impl Function<f32> {
         on_either!(backend, self.all_pairs_vjp(a, b, upstream), |gpu| {
             self.one_number()?;
             let lists = self.lists(&a, &b)?;
-            let [a, b] = self.named(gpu.pulled(self, &lists, upstream))?;
+            let [a, b] = self.named(gpu.pulled(&self.call()?, &lists, upstream))?;
             Ok((a, b))
         })
     }
@@ -170,16 +170,10 @@ impl Function<f32> {
 #[cfg(feature = "gpu")]
 mod on_gpu {
     use super::{Function, Loss32, Rows};
-    use crate::error::{Error, Unrecordable};
-    use crate::kernels::cpu::plan::{Compiled, Face, generated};
-    use crate::kernels::dynamic::Mode;
-    use crate::kernels::dynamic::function::Origin;
+    use crate::error::Error;
     use crate::kernels::dynamic::rows::renamed;
-    use crate::kernels::gpu::{Generated, Gpu, Plans};
-    use crate::kernels::op::Ask;
+    use crate::kernels::gpu::Gpu;
     use crate::kernels::reduce::Loss;
-    use crate::kernels::replays::Replays;
-    use std::sync::Arc;
 
     impl Function<f32> {
         /// An error with the names of arguments.
@@ -195,40 +189,8 @@ mod on_gpu {
         ) -> Result<Loss32, Error> {
             self.one_number()?;
             let lists = self.lists(a, b)?;
-            let (value, [a, b]) = self.named(gpu.loss_of(self, &lists, loss))?;
+            let (value, [a, b]) = self.named(gpu.loss_of(&self.call()?, &lists, loss))?;
             Ok((value, a, b))
-        }
-        fn asked(&self, ask: Ask) -> Mode {
-            match ask.want {
-                Mode::Value => self.mode,
-                mode => mode,
-            }
-        }
-    }
-
-    impl Plans for Function<f32> {
-        fn face(&self, ask: Ask) -> Result<Arc<Face<f32>>, Error> {
-            self.origin.face(self.asked(ask), ask.framed)
-        }
-        fn compiled(&self) -> Option<Compiled> {
-            match (&self.origin, self.mode) {
-                (Origin::Straight(shaped), Mode::Value) => (shaped.line.compiled)(),
-                _ => None,
-            }
-        }
-        fn generated(&self, ask: Ask) -> Result<Arc<Generated<f32>>, Error> {
-            let mode = self.asked(ask);
-            match &self.origin {
-                Origin::Straight(shaped) => generated(shaped, mode, ask.framed),
-                Origin::Search(_) => Err(Error::Program(Unrecordable::Search)),
-                Origin::Program(program) => program.generated(mode, ask.framed),
-            }
-        }
-        fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<f32>>, Error>> {
-            match &self.origin {
-                Origin::Search(search) => Some((search.replays)(ask.wanting(self.asked(ask)))),
-                _ => None,
-            }
         }
     }
 }

@@ -46,8 +46,8 @@ pub mod symbol;
 
 pub use crate::ad::sample::Sampler;
 pub use crate::kernels::bounds::Bound;
-pub use crate::kernels::cpu::plan::Want as Mode;
 pub use crate::kernels::cpu::work::on_this_thread;
+pub use crate::kernels::recording::Mode;
 #[cfg(feature = "check")]
 pub use check::Inputs;
 pub use function::Function;

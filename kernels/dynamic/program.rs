@@ -1,6 +1,6 @@
 //! Programs whose shapes are known at run time, and how functions of other languages become such.
 use super::Mode;
-use super::function::{Function, Origin};
+use super::function::Function;
 use super::nodes::{Nodes, nodes};
 use super::rows::{Layout, Rows, named};
 use super::symbol::Symbol;
@@ -11,11 +11,11 @@ use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Cost, Format, Plain, Sym, wgsl};
 use crate::error::{Argument, Error, Unrecordable};
 use crate::kernels::cpu::checked::expect;
-use crate::kernels::cpu::plan::{Face, Line, of_recorded, recorded_of};
 use crate::kernels::item::Leaf;
 use crate::kernels::real::Real;
+use crate::kernels::recording::{Body, Recording};
 use std::fmt;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 /// A recorded function of lists of numbers: traced, of an operation, or a derivative of such.
 ///
@@ -26,21 +26,14 @@ pub struct Program<T: Real> {
 }
 
 struct Inner<T: Real> {
-    recorded: Recorded,
+    /// The graph; an operation's includes its gradient by hand, if it has one.
+    recorded: Arc<Recorded>,
     names: Vec<Argument>,
-    takes: Vec<Leaf<T>>,
-    /// Numbers of every shape of the result.
-    gives: Vec<usize>,
-    /// The operation that it is of, which has its own gradient and adjoint.
-    line: Option<Line<T>>,
-    /// Plans that were made of it.
-    faces: Kept<Face<T>>,
-    #[cfg(feature = "gpu")]
-    shaders: Kept<crate::kernels::gpu::Generated<T>>,
+    /// What machines run: an operation's has its own gradient and adjoint.
+    recording: Arc<Recording<T>>,
+    /// `true` of an operation.
+    is_row: bool,
 }
-
-/// Plans by mode, and whether they are for all pairs.
-type Kept<M> = Mutex<Vec<((Mode, bool), Arc<M>)>>;
 
 impl<T: Real> fmt::Debug for Program<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -57,7 +50,7 @@ impl<T: Real> fmt::Display for Program<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let inner = &*self.inner;
         let input = |mut i: usize| {
-            for (argument, leaf) in inner.names.iter().zip(&inner.takes) {
+            for (argument, leaf) in inner.names.iter().zip(&inner.recording.takes) {
                 if i < leaf.fields {
                     let field = (leaf.name)(i);
                     return field.within(&argument.to_string()).to_string();
@@ -75,19 +68,31 @@ impl<T: Real> Program<T> {
         recorded: Recorded,
         takes: Vec<(Argument, Leaf<T>)>,
         gives: Vec<usize>,
-        line: Option<Line<T>>,
     ) -> Self {
         let (names, takes) = takes.into_iter().unzip();
+        let recorded = Arc::new(recorded);
+        let body = Body::Graph(Arc::clone(&recorded));
         Program {
             inner: Arc::new(Inner {
+                recording: Arc::new(Recording::new(takes, gives, &[], body)),
                 recorded,
                 names,
-                takes,
-                gives,
-                line,
-                faces: Mutex::default(),
-                #[cfg(feature = "gpu")]
-                shaders: Mutex::default(),
+                is_row: false,
+            }),
+        }
+    }
+    /// The program of an operation.
+    pub(super) fn of_row(
+        recorded: Recorded,
+        names: Vec<Argument>,
+        recording: Arc<Recording<T>>,
+    ) -> Self {
+        Program {
+            inner: Arc::new(Inner {
+                recorded: Arc::new(recorded),
+                names,
+                recording,
+                is_row: true,
             }),
         }
     }
@@ -99,21 +104,21 @@ impl<T: Real> Program<T> {
     /// [`Error::Arguments`] for another number of names.
     pub fn named(self, names: &[&'static str]) -> Result<Self, Error> {
         let inner = &*self.inner;
-        if names.len() != inner.takes.len() {
+        let takes = inner.recording.takes.len();
+        if names.len() != takes {
             return Err(Error::Arguments {
-                expected: inner.takes.len(),
+                expected: takes,
                 found: names.len(),
             });
         }
-        let takes = named(names, names.len());
-        let takes = takes.into_iter().zip(inner.takes.iter().copied());
-        let takes = takes.collect();
-        Ok(Self::new(
-            inner.recorded.clone(),
-            takes,
-            inner.gives.clone(),
-            inner.line,
-        ))
+        Ok(Program {
+            inner: Arc::new(Inner {
+                recorded: Arc::clone(&inner.recorded),
+                names: named(names, takes),
+                recording: Arc::clone(&inner.recording),
+                is_row: inner.is_row,
+            }),
+        })
     }
 
     /// Its graph.
@@ -124,18 +129,26 @@ impl<T: Real> Program<T> {
     /// A name and a layout for every argument.
     #[must_use]
     pub fn takes(&self) -> Vec<(Argument, Layout<T>)> {
-        let layouts = self.inner.takes.iter().map(|&leaf| Layout { leaf });
+        let layouts = self
+            .inner
+            .recording
+            .takes
+            .iter()
+            .map(|&leaf| Layout { leaf });
         self.inner.names.iter().copied().zip(layouts).collect()
     }
     /// Numbers of every shape of the result.
     #[must_use]
     pub fn gives(&self) -> &[usize] {
-        &self.inner.gives
+        &self.inner.recording.outputs
     }
     /// How many numbers go in, and how many come out.
     #[must_use]
     pub fn sizes(&self) -> [usize; 2] {
-        [self.inner.recorded.inputs, self.inner.gives.iter().sum()]
+        [
+            self.inner.recorded.inputs,
+            self.inner.recording.outputs.iter().sum(),
+        ]
     }
     /// The format of its numbers.
     #[must_use]
@@ -156,11 +169,9 @@ impl<T: Real> Program<T> {
     #[must_use]
     pub fn function(&self) -> Function<T> {
         Function {
-            origin: Origin::Program(self.clone()),
+            recording: Arc::clone(&self.inner.recording),
             mode: Mode::Value,
             names: self.inner.names.clone(),
-            takes: self.inner.takes.clone(),
-            outputs: self.inner.gives.clone(),
         }
     }
     /// The results for the numbers of one input, unchecked but for how many there are.
@@ -198,11 +209,16 @@ impl<T: Real> Program<T> {
         gives: Vec<usize>,
     ) -> Self {
         let own = self.inner.names.iter().copied();
-        let own = own.zip(self.inner.takes.iter().copied());
-        Self::new(recorded, own.chain(more).collect(), gives, None)
+        let own = own.zip(self.inner.recording.takes.iter().copied());
+        Self::new(recorded, own.chain(more).collect(), gives)
     }
     fn inputs(&self) -> Vec<usize> {
-        self.inner.takes.iter().map(|leaf| leaf.fields).collect()
+        self.inner
+            .recording
+            .takes
+            .iter()
+            .map(|leaf| leaf.fields)
+            .collect()
     }
     fn directions(&self) -> Vec<(Argument, Leaf<T>)> {
         let inputs = self.inputs().into_iter().enumerate();
@@ -224,11 +240,8 @@ impl<T: Real> Program<T> {
     /// [`Error::NotOneNumber`] for other results.
     pub fn value_grad(&self) -> Result<Self, Error> {
         self.one_number()?;
-        let recorded = match &self.inner.line {
-            Some(line) => (*recorded_of(line, Mode::ValueGrad)?).clone(),
-            None => self.inner.recorded.value_grad(),
-        };
-        let gives = [&self.inner.gives[..], &self.inputs()].concat();
+        let recorded = (*self.inner.recording.program(Mode::ValueGrad)?).clone();
+        let gives = [self.gives(), &self.inputs()].concat();
         Ok(self.derived(recorded, Vec::new(), gives))
     }
     /// The adjoint: from an input and a cotangent of the result to the cotangent of the input. An operation's is the
@@ -238,11 +251,15 @@ impl<T: Real> Program<T> {
     ///
     /// The errors of recording it.
     pub fn vjp(&self) -> Result<Self, Error> {
-        let recorded = match &self.inner.line {
-            Some(line) => recorded_of(line, Mode::Vjp)?.without_first(line.outputs),
-            None => self.inner.recorded.vjp(),
+        let recorded = match self.inner.is_row {
+            true => self
+                .inner
+                .recording
+                .program(Mode::Vjp)?
+                .without_first(self.sizes()[1]),
+            false => self.inner.recorded.vjp(),
         };
-        let bars = self.inner.gives.iter();
+        let bars = self.inner.recording.outputs.iter();
         let bars = bars.map(|&n| (Argument::Upstream, Layout::numbers(n).leaf));
         Ok(self.derived(recorded, bars.collect(), self.inputs()))
     }
@@ -269,9 +286,13 @@ impl<T: Real> Program<T> {
     /// The errors of recording it.
     pub fn jacobian(&self) -> Result<Self, Error> {
         let [inputs, outputs] = self.sizes();
-        let recorded = match &self.inner.line {
-            Some(line) if outputs == 1 => recorded_of(line, Mode::ValueGrad)?.without_first(1),
-            _ => self.inner.recorded.jacobian(),
+        let recorded = match self.inner.is_row && outputs == 1 {
+            true => self
+                .inner
+                .recording
+                .program(Mode::ValueGrad)?
+                .without_first(1),
+            false => self.inner.recorded.jacobian(),
         };
         Ok(self.derived(recorded, Vec::new(), vec![inputs * outputs]))
     }
@@ -310,46 +331,6 @@ impl<T: Real> Program<T> {
             _ => values,
         };
         Ok(made.into_iter().map(Symbol).collect())
-    }
-
-    /// How batches compute it.
-    pub(super) fn face(&self, mode: Mode, framed: bool) -> Result<Arc<Face<T>>, Error> {
-        self.made(&self.inner.faces, mode, framed, of_recorded)
-    }
-    /// Its shaders.
-    #[cfg(feature = "gpu")]
-    pub(super) fn generated(
-        &self,
-        mode: Mode,
-        framed: bool,
-    ) -> Result<Arc<crate::kernels::gpu::Generated<T>>, Error> {
-        let make = crate::kernels::gpu::Generated::new;
-        self.made(&self.inner.shaders, mode, framed, make)
-    }
-    fn made<M>(
-        &self,
-        kept: &Kept<M>,
-        mode: Mode,
-        framed: bool,
-        make: fn(Mode, Vec<Leaf<T>>, Vec<usize>, &Recorded, bool) -> Result<M, Error>,
-    ) -> Result<Arc<M>, Error> {
-        let lock = || kept.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = lock().iter().find(|made| made.0 == (mode, framed)).cloned();
-        if let Some((_, found)) = found {
-            return Ok(found);
-        }
-        let inner = &*self.inner;
-        let derived = match mode {
-            Mode::Value => None,
-            Mode::ValueGrad => Some(inner.recorded.value_grad()),
-            Mode::Jacobian => Some(inner.recorded.value_jacobian()),
-            Mode::Vjp => Some(inner.recorded.value_vjp()),
-        };
-        let recorded = derived.as_ref().unwrap_or(&inner.recorded);
-        let (takes, gives) = (inner.takes.clone(), inner.gives.clone());
-        let made = Arc::new(make(mode, takes, gives, recorded, framed)?);
-        lock().push(((mode, framed), made.clone()));
-        Ok(made)
     }
 }
 
@@ -465,6 +446,6 @@ impl<T: Real> Tracing<T> {
         let names = named(&[], self.takes.len());
         let takes = names.into_iter().zip(self.takes).collect();
         let gives = results.iter().map(|result| result.len()).collect();
-        Ok(Program::new(recorded, takes, gives, None))
+        Ok(Program::new(recorded, takes, gives))
     }
 }

@@ -1,6 +1,6 @@
 //! Columns of plain numbers, and what is asked of them.
 use crate::Fixed;
-use crate::error::{Argument, Error, Field, Flaw, Validate};
+use crate::error::{Argument, Error, Field, Validate};
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::item::{Column, Item, Leaf, leaf};
 use crate::kernels::real::Real;
@@ -88,26 +88,9 @@ impl<T: Real> Layout<T> {
     /// ```
     #[must_use]
     pub fn numbers(fields: usize) -> Self {
-        let leaf = Leaf {
-            shape: || "",
-            fields,
-            codes: 0,
-            name: match fields {
-                1 => |_| Field::VALUE,
-                _ => |i| Field::VALUE.within_item(i),
-            },
-            check: match fields {
-                1 => |x: &[T]| x[0].validate(),
-                _ => |x: &[T]| {
-                    let wild = x.iter().position(|x| x.validate().is_err());
-                    wild.map_or(Ok(()), |i| {
-                        Err(Flaw::NotFinite(Field::VALUE.within_item(i)))
-                    })
-                },
-            },
-            all_valid: |x| (T::kernels().all_finite)(x),
-        };
-        Layout { leaf }
+        Layout {
+            leaf: Leaf::numbers(fields),
+        }
     }
     /// A shape.
     ///

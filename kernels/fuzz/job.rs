@@ -10,11 +10,12 @@ use crate::kernels::check::{Folded, Source};
 use crate::kernels::cpu::aligned::{checked, compute};
 use crate::kernels::cpu::checked::numbers;
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::plan::{Compiled, Face, Shaped, Want, recorded_of};
+use crate::kernels::cpu::plan::{Compiled, Face};
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Column, Item, Leaf, Target, by_kind, by_shape, get, leaves_of, width};
-use crate::kernels::op::{Ask, Extremes, Finite, Jumps, Op, Range, RingOp, inside_of};
+use crate::kernels::op::{Extremes, Finite, Jumps, Op, Range, RingOp, inside_of};
 use crate::kernels::real::Real;
+use crate::kernels::recording::{Call, Mode, Recording};
 use crate::kernels::search::{self, Search};
 use crate::{Fixed, Pack, Vec2};
 use std::borrow::Cow;
@@ -113,7 +114,7 @@ pub(crate) struct Straight<T: Real> {
     pub(crate) range: Range,
     pub(crate) extremes: Extremes,
     pub(crate) domain: Option<fn(&[f64]) -> bool>,
-    pub(crate) shaped: Shaped<T>,
+    pub(crate) recording: Arc<Recording<T>>,
     pub(crate) alone: fn(&[T]) -> Vec<T>,
     pub(crate) by_hand: fn(&[T], &[T]) -> Option<(Vec<T>, Vec<T>)>,
     pub(crate) kinds: fn() -> Vec<Kind>,
@@ -168,13 +169,20 @@ fn kinds_of<X: Sample + Item>() -> Vec<Kind> {
     X::filled(1.0).kinds()
 }
 
-/// The results that batches compute by a face.
-fn faced<T: Real, const N: usize>(
-    face: impl Fn() -> Result<Arc<Face<T>>, Error> + Sync + 'static,
-) -> Compute<T, N> {
+/// The plan of a mode of a function, aligned or for all pairs.
+type Planned<T> = Arc<dyn Fn(Mode, bool) -> Result<Arc<Face<T>>, Error> + Send + Sync>;
+
+fn planned<T: Real>(recording: &Arc<Recording<T>>) -> Planned<T> {
+    let call = Call::of(Arc::clone(recording));
+    Arc::new(move |mode, framed| call.clone().derived(mode)?.plan(framed))
+}
+
+/// The results that batches compute by a plan.
+fn computed<T: Real, const N: usize>(plan: &Planned<T>, mode: Mode) -> Compute<T, N> {
+    let plan = Arc::clone(plan);
     Box::new(move |inputs, bars| {
-        // The face is made at the first call, and kept.
-        let face = &face()?;
+        // The plan is made at the first call, and kept.
+        let face = &plan(mode, false)?;
         let columns = face.arguments.iter().zip(&inputs.columns);
         let mut columns: Vec<Column<'_, T>> = columns
             .map(|(argument, numbers)| Column::lent(numbers, argument.fields, Some(inputs.count)))
@@ -227,7 +235,7 @@ impl<T: Real> Job<T> {
             range: O::RANGE,
             extremes: O::EXTREMES,
             domain: inside_of::<O>(),
-            shaped: Shaped::of::<O, O::In<T>>(),
+            recording: Recording::of::<O, O::In<T>>(),
             alone: |x| O::eval(O::In::<T>::load(x)).scalars(),
             by_hand: |x, out_bar| {
                 let (value, bars) = O::adjoint(O::In::<T>::load(x), O::Out::<T>::load(out_bar))?;
@@ -241,27 +249,23 @@ impl<T: Real> Job<T> {
 
     /// The job of a straight line without its types.
     pub(crate) fn of_line(line: &Straight<T>) -> Self {
-        let shaped = line.shaped;
-        let outputs = shaped.outputs();
+        let recording = &line.recording;
+        let outputs = recording.outputs.clone();
         let is_number = outputs == [1];
-        let (kinds, leaves) = ((line.kinds)(), (shaped.takes)());
-        let face = move |want, framed| (T::drivers().faced)(&shaped, want, framed);
+        let (kinds, leaves) = ((line.kinds)(), recording.takes.clone());
+        let plan = planned(recording);
         Job {
             name: line.name,
             op: line.op,
             square: (leaves.len() == 2).then(|| {
-                let want = if is_number {
-                    Want::ValueGrad
-                } else {
-                    Want::Value
+                let mode = match is_number {
+                    true => Mode::ValueGrad,
+                    false => Mode::Value,
                 };
-                squared(move || face(want, true))
+                let plan = plan.clone();
+                squared(move || plan(mode, true))
             }),
-            shapes: shapes(
-                leaves,
-                &kinds,
-                (shaped.line.compiled)() == Some(Compiled::Quads),
-            ),
+            shapes: shapes(leaves, &kinds, recording.compiled == Some(Compiled::Quads)),
             kinds,
             has_path: false,
             outputs,
@@ -272,12 +276,12 @@ impl<T: Real> Job<T> {
                 line.extremes,
             ),
             domain: line.domain,
-            values: faced(move || face(Want::Value, false)),
-            derivatives: faced(move || face(Want::Vjp, false)),
-            both: is_number.then(|| faced(move || face(Want::ValueGrad, false))),
+            values: computed(&plan, Mode::Value),
+            derivatives: computed(&plan, Mode::Vjp),
+            both: is_number.then(|| computed(&plan, Mode::ValueGrad)),
             alone: line.alone,
             by_hand: line.by_hand,
-            recorded: recorded_of(&shaped.line, Want::Value).ok(),
+            recorded: recording.program(Mode::Value).ok(),
             sample: line.sample,
             show: line.show,
         }
@@ -301,7 +305,7 @@ impl<T: Real> Job<T> {
             kinds.resize(kinds.len() + leaf.codes, Kind::Number);
             rest = others;
         }
-        let face = |want| search::face::<D, D::In<T>>(Ask::ALIGNED.wanting(want));
+        let plan = planned(&search::recording::<D, D::In<T>>());
         Job {
             name: D::NAME,
             op: short(std::any::type_name::<D>()),
@@ -314,9 +318,9 @@ impl<T: Real> Job<T> {
                 .collect(),
             declared: Declared::new((D::INVARIANCES, D::JUMPS), D::FINITE, D::RANGE, D::EXTREMES),
             domain: None,
-            values: faced(move || face(Want::Value)),
-            derivatives: faced(move || face(Want::Vjp)),
-            both: is_number.then(|| faced(move || face(Want::ValueGrad))),
+            values: computed(&plan, Mode::Value),
+            derivatives: computed(&plan, Mode::Vjp),
+            both: is_number.then(|| computed(&plan, Mode::ValueGrad)),
             square: None,
             alone: |x| {
                 let input = get::<D::In<T>>(&by_kind::<D::In<T>>(x));

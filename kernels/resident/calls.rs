@@ -112,7 +112,7 @@ impl Resident<'_> {
             }
             #[cfg(feature = "gpu")]
             Backend::Gpu(gpu) => {
-                let made = run.generated(crate::kernels::op::Ask::ALIGNED)?;
+                let made = run.call()?.generated(false)?;
                 let given = on_gpu::given(&given)?;
                 Ok(of_gpu(gpu.held_aligned(&made, &given, &[])?))
             }
@@ -142,7 +142,7 @@ impl Resident<'_> {
             }
             #[cfg(feature = "gpu")]
             (Backend::Gpu(gpu), Side::Gpu(over)) => {
-                let made = run.generated(crate::kernels::op::Ask::ALIGNED)?;
+                let made = run.call()?.generated(false)?;
                 let given = on_gpu::given(&given)?;
                 let count = gpu.held_count(&made, &given)?;
                 expect(Argument::Values, count, results.count)?;

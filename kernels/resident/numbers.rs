@@ -15,7 +15,7 @@ use crate::kernels::gpu::{
     lists::{Lists, Seed},
 };
 #[cfg(feature = "gpu")]
-use crate::kernels::op::Ask;
+use crate::kernels::recording::Mode;
 use crate::kernels::reduce;
 
 /// Columns of plain numbers that stay on the machine.
@@ -74,11 +74,10 @@ impl Resident<'_> {
             }
             #[cfg(feature = "gpu")]
             Backend::Gpu(gpu) => {
-                use crate::kernels::gpu::Plans;
                 let Side::Gpu(own) = &columns.columns else {
                     return Err(foreign());
                 };
-                let made = run.generated(Ask::ALIGNED)?;
+                let made = run.call()?.generated(false)?;
                 let given: Vec<Given<'_>> = own.iter().map(Given::Gpu).collect();
                 let over = match into.as_ref().map(|into| &into.columns) {
                     Some(Side::Gpu(over)) => &over[..],
@@ -121,7 +120,7 @@ impl Resident<'_> {
             #[cfg(feature = "gpu")]
             Backend::Gpu(gpu) => {
                 let (x, y) = (on_gpu::column(a)?, on_gpu::column(b)?);
-                let lists = Lists::of_held_numbers(gpu, run, x, y, Ask::PAIRS)?;
+                let lists = Lists::of_held_numbers(gpu, &run.call()?, x, y)?;
                 match into {
                     Some(Matrix(Side::Gpu(mut own))) => {
                         lists.matrix_into(&mut own)?;
@@ -164,7 +163,7 @@ impl Resident<'_> {
             #[cfg(feature = "gpu")]
             (Backend::Gpu(gpu), Side::Gpu(own)) => {
                 let (x, y) = (on_gpu::column(a)?, on_gpu::column(b)?);
-                let lists = Lists::of_held_numbers(gpu, run, x, y, Ask::ADJOINT)?;
+                let lists = Lists::of_held_numbers(gpu, &run.call()?.derived(Mode::Vjp)?, x, y)?;
                 let [by_a, by_b] = lists.derivatives(&Seed::Matrix(own))?;
                 Ok([
                     of_gpu(vec![HeldColumn::new(gpu, x.fields(), by_a)?]),

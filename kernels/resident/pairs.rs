@@ -12,9 +12,9 @@ use crate::kernels::gpu::{
     lists::{Lists, Seed, loss},
 };
 use crate::kernels::item::Single;
-#[cfg(feature = "gpu")]
-use crate::kernels::op::Ask;
 use crate::kernels::op::Runs;
+#[cfg(feature = "gpu")]
+use crate::kernels::recording::Mode;
 use crate::kernels::reduce::Loss;
 use crate::kernels::{Cpu, reduce};
 
@@ -44,7 +44,7 @@ impl Resident<'_> {
             }
             #[cfg(feature = "gpu")]
             Backend::Gpu(gpu) => {
-                let lists = Lists::of_held(gpu, &run, column(a)?, column(b)?, Ask::PAIRS)?;
+                let lists = Lists::of_held(gpu, &run, column(a)?, column(b)?)?;
                 Ok(Matrix(Side::Gpu(lists.matrix()?)))
             }
             #[cfg(not(feature = "gpu"))]
@@ -75,7 +75,7 @@ impl Resident<'_> {
             }
             #[cfg(feature = "gpu")]
             (Backend::Gpu(gpu), Side::Gpu(own)) => {
-                Lists::of_held(gpu, &run, column(a)?, column(b)?, Ask::PAIRS)?.matrix_into(own)
+                Lists::of_held(gpu, &run, column(a)?, column(b)?)?.matrix_into(own)
             }
             _ => Err(foreign()),
         }
@@ -107,7 +107,7 @@ impl Resident<'_> {
             #[cfg(feature = "gpu")]
             (Backend::Gpu(gpu), Side::Gpu(own)) => {
                 let (x, y) = (column(a)?, column(b)?);
-                let lists = Lists::of_held(gpu, &run, x, y, Ask::ADJOINT)?;
+                let lists = Lists::of_held_numbers(gpu, &run.call()?.derived(Mode::Vjp)?, x, y)?;
                 both(gpu, [x, y], lists.derivatives(&Seed::Matrix(own))?)
             }
             _ => Err(foreign()),
@@ -170,7 +170,8 @@ impl Resident<'_> {
             #[cfg(feature = "gpu")]
             Backend::Gpu(gpu) => {
                 let (x, y) = (column(a)?, column(b)?);
-                let (value, derivatives) = loss(|ask| Lists::of_held(gpu, &run, x, y, ask), of)?;
+                let lists = |call: &Call<f32>| Lists::of_held_numbers(gpu, call, x, y);
+                let (value, derivatives) = loss(run.call()?, lists, of)?;
                 let (by_a, by_b) = both(gpu, [x, y], derivatives)?;
                 Ok((value, by_a, by_b))
             }
@@ -265,7 +266,7 @@ macro_rules! reductions {
                     #[cfg(feature = "gpu")]
                     Backend::Gpu(gpu) => {
                         let (x, y) = (column($a)?, column($b)?);
-                        let $found = Lists::of_held(gpu, &run, x, y, Ask::PAIRS)?.$name($($arg)?)?;
+                        let $found = Lists::of_held(gpu, &run, x, y)?.$name($($arg)?)?;
                         Ok($gpu)
                     }
                     #[cfg(not(feature = "gpu"))]

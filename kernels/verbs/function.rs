@@ -1,14 +1,11 @@
 //! Plain generic functions in batches.
 use crate::Fixed;
 use crate::ad::program::record::record;
-use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Program, Sym};
 use crate::error::Error;
-use crate::kernels::cpu::plan::{Face, Known, Want, known, of_recorded};
-#[cfg(feature = "gpu")]
-use crate::kernels::gpu::Generated;
 use crate::kernels::item::{Item, leaves_of};
-use crate::kernels::op::{Ask, Runs, ValueGrad, Vjp};
+use crate::kernels::op::{Runs, ValueGrad, Vjp};
+use crate::kernels::recording::{Body, Call, Mode, Recording, known, widths};
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -101,7 +98,8 @@ impl<F: Copy, N> Function<F, N> {
         Self: Traced<In, Out = Out>,
         Out: Fixed<Scalar = In::Scalar>,
     {
-        Ok(Program::of((*recorded(self, Want::Value)?).clone()))
+        let value = recording::<In, Self>(self)?.program(Mode::Value)?;
+        Ok(Program::of((*value).clone()))
     }
 }
 
@@ -160,58 +158,27 @@ arities! {
     6: (A, B, C, D, E, G), [A a, B b, C c, D d, E e, G g];
 }
 
-/// The recording of a function, its gradient or its adjoint.
-fn recorded<In: Item<Scalar: Plain>, F: Traced<In>>(
-    function: F,
-    want: Want,
-) -> Result<Arc<Recorded>, Error> {
-    known::<F::Key, In::Scalar, _>(Known::Program(want), || match want {
-        Want::Value => Ok(function.record()?.recorded().clone()),
-        Want::ValueGrad => Ok(recorded(function, Want::Value)?.value_grad()),
-        Want::Jacobian => Ok(recorded(function, Want::Value)?.value_jacobian()),
-        Want::Vjp => Ok(recorded(function, Want::Value)?.value_vjp()),
-    })
-}
-
-/// The plan by which the CPU computes it.
-fn face<In: Item<Scalar: Plain>, F: Traced<In>>(
-    function: F,
-    ask: Ask,
-) -> Result<Arc<Face<In::Scalar>>, Error> {
-    let want = ask.want;
-    known::<F::Key, In::Scalar, _>(Known::Face(want, ask.framed), || {
-        let outputs = leaves_of::<F::Out>();
-        let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
-        let recorded = recorded(function, want)?;
-        of_recorded(want, leaves_of::<In>(), outputs, &recorded, ask.framed)
-    })
-}
-
-/// The plan by which a GPU computes it.
-#[cfg(feature = "gpu")]
-fn generated<In: Item<Scalar: Plain>, F: Traced<In>>(
-    function: F,
-    ask: Ask,
-) -> Result<Arc<Generated<In::Scalar>>, Error> {
-    let want = ask.want;
-    known::<F::Key, In::Scalar, _>(Known::Shader(want, ask.framed), || {
-        let outputs = leaves_of::<F::Out>();
-        let outputs = outputs.iter().map(|leaf| leaf.fields).collect();
-        let recorded = recorded(function, want)?;
-        Generated::new(want, leaves_of::<In>(), outputs, &recorded, ask.framed)
-    })
-}
-
 impl<In: Item<Scalar: Plain>, F, N> Runs<In> for Function<F, N>
 where
     Self: Traced<In>,
 {
     type Out = <Self as Traced<In>>::Out;
-    fn face(&self, ask: Ask) -> Result<Arc<Face<In::Scalar>>, Error> {
-        face(*self, ask)
+    fn call(&self) -> Result<Call<In::Scalar>, Error> {
+        Ok(Call::of(recording::<In, Self>(*self)?))
     }
-    #[cfg(feature = "gpu")]
-    fn generated(&self, ask: Ask) -> Result<Arc<Generated<In::Scalar>>, Error> {
-        generated(*self, ask)
-    }
+}
+
+/// The recording of a function, the same one at every call.
+fn recording<In: Item<Scalar: Plain>, F: Traced<In>>(
+    function: F,
+) -> Result<Arc<Recording<In::Scalar>>, Error> {
+    known::<F::Key, _>(|| {
+        let body = Body::Graph(Arc::new(function.record()?.recorded().clone()));
+        Ok(Recording::new(
+            leaves_of::<In>(),
+            widths::<F::Out>(),
+            &[],
+            body,
+        ))
+    })
 }

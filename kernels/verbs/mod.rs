@@ -309,66 +309,14 @@ macro_rules! __verb_runs {
         {
             type Out = <<$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::By
                 as $crate::kernels::Runs<$row>>::Out;
-            $crate::__delegated!($row, <$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::BY);
-        }
-    };
-}
-
-/// The methods of `Runs` for a verb: those of the operation of its row.
-#[cfg(feature = "gpu")]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __delegated {
-    ($row:ty, $by:expr) => {
-        $crate::__delegated_cpu!($row, $by);
-        fn generated(
-            &self,
-            ask: $crate::kernels::op::Ask,
-        ) -> ::core::result::Result<
-            ::std::sync::Arc<$crate::kernels::gpu::Generated<<$row as $crate::Pack>::Scalar>>,
-            $crate::Error,
-        > {
-            $crate::kernels::Runs::<$row>::generated(&$by, ask)
-        }
-        fn replays(
-            &self,
-            ask: $crate::kernels::op::Ask,
-        ) -> ::core::option::Option<
-            ::core::result::Result<
-                ::std::sync::Arc<
-                    dyn $crate::kernels::replays::Replays<<$row as $crate::Pack>::Scalar>,
-                >,
+            fn call(
+                &self,
+            ) -> ::core::result::Result<
+                $crate::kernels::recording::Call<<$row as $crate::Pack>::Scalar>,
                 $crate::Error,
-            >,
-        > {
-            $crate::kernels::Runs::<$row>::replays(&$by, ask)
-        }
-    };
-}
-/// The methods of `Runs` for a verb: those of the operation of its row.
-#[cfg(not(feature = "gpu"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __delegated {
-    ($row:ty, $by:expr) => {
-        $crate::__delegated_cpu!($row, $by);
-    };
-}
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __delegated_cpu {
-    ($row:ty, $by:expr) => {
-        fn face(
-            &self,
-            ask: $crate::kernels::op::Ask,
-        ) -> ::core::result::Result<
-            ::std::sync::Arc<$crate::kernels::cpu::Face<<$row as $crate::Pack>::Scalar>>,
-            $crate::Error,
-        > {
-            $crate::kernels::Runs::<$row>::face(&$by, ask)
-        }
-        fn compiled(&self) -> ::core::option::Option<$crate::kernels::cpu::Compiled> {
-            $crate::kernels::Runs::<$row>::compiled(&$by)
+            > {
+                $crate::kernels::Runs::<$row>::call(&<$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::BY)
+            }
         }
     };
 }

@@ -2,19 +2,19 @@
 mod paths;
 mod programs;
 
-use crate::ad::program::recorded::Recorded;
 use crate::error::{Argument, Field};
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::{check_argument, check_upstream, expect, numbers};
 use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::nearest::Spans;
-use crate::kernels::cpu::plan::{Face, Known, Preparation, Want, known, name, of_recorded};
+use crate::kernels::cpu::plan::{Face, Preparation, name, of_recorded};
 use crate::kernels::cpu::ragged::{check_offsets, check_vertices};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Column, Columns, Leaf, STRETCH, Target, leaves_of};
 use crate::kernels::real::Real;
+use crate::kernels::recording::{Key, Mode};
 use crate::{Error, Fixed, Pack, Vec2};
 use paths::{Paths, finished, paths, told};
 pub(crate) use programs::{Programs, backwards, programs};
@@ -215,7 +215,7 @@ where
         }
     });
     // From there to the ends of every edge.
-    let body = face::<F, T>(&programs.edge_vjp, Want::Vjp)?;
+    let body = plan::<F, T>(&programs, Mode::Vjp)?;
     let count = paths.edges.len();
     let (mut shared_bars, mut end_bars) = (
         vec![T::default(); count * wide],
@@ -292,10 +292,14 @@ where
 }
 
 /// A body of edges as a batch sees it.
-fn face<F: Fold, T: Real>(recorded: &Recorded, want: Want) -> Result<Arc<Face<T>>, Error> {
+fn plan<F: Fold, T: Real>(programs: &Programs<T>, mode: Mode) -> Result<Arc<Face<T>>, Error> {
+    let recorded = match mode {
+        Mode::Vjp => &programs.edge_vjp,
+        _ => &programs.edge,
+    };
     let wide = F::Context::<T>::LEN + F::Reference::<T>::LEN;
     let state = F::State::<T>::LEN;
-    known::<F, T, _>(Known::Edge(want), || {
+    programs.made.made(Key::Cpu(mode, false), &|| {
         let leaf = |fields| Leaf {
             shape: || "",
             fields,
@@ -305,17 +309,17 @@ fn face<F: Fold, T: Real>(recorded: &Recorded, want: Want) -> Result<Arc<Face<T>
             all_valid: |_| true,
         };
         let arguments = [wide, 4].into_iter().filter(|&fields| fields > 0).map(leaf);
-        of_recorded(want, arguments.collect(), vec![state], recorded, false)
+        of_recorded(mode, arguments.collect(), vec![state], recorded, false)
     })
 }
 
 /// The states of all edges.
-fn states<F: Fold, T: Real>(programs: &Programs, paths: &Paths<'_, T>) -> Result<Vec<T>, Error> {
+fn states<F: Fold, T: Real>(programs: &Programs<T>, paths: &Paths<'_, T>) -> Result<Vec<T>, Error> {
     let (wide, state) = (
         F::Context::<T>::LEN + F::Reference::<T>::LEN,
         F::State::<T>::LEN,
     );
-    let body = face::<F, T>(&programs.edge, Want::Value)?;
+    let body = plan::<F, T>(programs, Mode::Value)?;
     let count = paths.edges.len();
     let mut states = vec![T::default(); count * state];
     let targets = vec![Some(Target::of_rows(&mut states, state))];

@@ -2,13 +2,14 @@
 use crate::ad::program::record::record;
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
-use crate::kernels::cpu::plan::{Known, known};
 use crate::kernels::fold::Fold;
+use crate::kernels::recording::{Kept, known};
 use crate::{Error, Fixed, Pack, Scalar, Vec2};
+use std::marker::PhantomData;
 use std::sync::Arc;
 
-/// The bodies of a fold as programs.
-pub(crate) struct Programs {
+/// The recording of a fold in a format: its bodies as programs.
+pub(crate) struct Programs<T> {
     /// From context, reference and both ends to a state, and its pull-back.
     pub(crate) edge: Recorded,
     pub(crate) edge_vjp: Recorded,
@@ -26,14 +27,17 @@ pub(crate) struct Programs {
     )]
     pub(crate) finish: Recorded,
     pub(crate) finish_vjp: Recorded,
+    /// The plans of machines.
+    pub(crate) made: Kept,
+    format: PhantomData<fn() -> T>,
 }
 
-pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs>, Error> {
+pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs<T>>, Error> {
     type Context<F, T> = <F as Fold>::Context<Sym<T>>;
     type Reference<F, T> = <F as Fold>::Reference<Sym<T>>;
     type State<F, T> = <F as Fold>::State<Sym<T>>;
     type Point<T> = Vec2<Sym<T>>;
-    known::<F, T, _>(Known::Fold, || {
+    known::<F, _>(|| {
         let edge = record::<T, (Context<F, T>, Reference<F, T>, Point<T>, Point<T>), State<F, T>>(
             |(context, reference, from, to)| F::edge(context, reference, from, to),
         )?;
@@ -48,13 +52,15 @@ pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs>, Error> {
             edge,
             join,
             finish,
+            made: Kept::default(),
+            format: PhantomData,
         })
     })
 }
 
 /// The cotangents of the context and of the states of all edges, from that of a result.
 pub(crate) fn backwards<F: Fold, S: Scalar>(
-    programs: &Programs,
+    programs: &Programs<impl Plain>,
     shared: &[S],
     states: &[F::State<S>],
     winding: Option<S>,

@@ -1,5 +1,5 @@
 //! Operations with compiled kernels: which kernels, and the scalar code for what those do not serve.
-use super::face::{Face, Maker, Outline, Preparation, Prepare, Want};
+use super::face::{Face, Maker, Outline, Preparation, Prepare};
 use crate::ad::adjoint::iou::giou_framed_vjp;
 use crate::ad::adjoint::overlap::{score_aabb2_vjp, score_framed_vjp};
 use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
@@ -16,6 +16,7 @@ use crate::kernels::cpu::quads::{QUAD2, farthest};
 use crate::kernels::cpu::solids;
 use crate::kernels::cpu::upright;
 use crate::kernels::real::Real;
+use crate::kernels::recording::Mode;
 use crate::overlap::{Denominator, score_framed};
 use crate::overlap3::{score_obb3, score_obb3_vjp, score_yaw};
 use crate::shape::{Obb3, YawBox3};
@@ -44,16 +45,16 @@ pub enum Compiled {
 }
 
 /// How an operation with compiled kernels is computed; `None` where it has none.
-pub(super) fn of_compiled<T: Real>(compiled: Compiled, want: Want) -> Option<Face<T>> {
+pub(super) fn of_compiled<T: Real>(compiled: Compiled, mode: Mode) -> Option<Face<T>> {
     match compiled {
-        Compiled::Obb2(over) => Some(of_obb2(over, want)),
-        Compiled::Aabb2(over) => Some(of_aabb2(over, want)),
-        Compiled::Giou => Some(of_giou(want)),
-        Compiled::Upright(over) => Some(of_upright(over, want)),
-        Compiled::BirdsEye(over) => Some(of_birds_eye(over, want)),
+        Compiled::Obb2(over) => Some(of_obb2(over, mode)),
+        Compiled::Aabb2(over) => Some(of_aabb2(over, mode)),
+        Compiled::Giou => Some(of_giou(mode)),
+        Compiled::Upright(over) => Some(of_upright(over, mode)),
+        Compiled::BirdsEye(over) => Some(of_birds_eye(over, mode)),
         // Kernels that are not compiled for this target are interpreted.
-        Compiled::Quads if LARGE || want == Want::Value => Some(of_quads(want)),
-        Compiled::Obb3(over) if LARGE => Some(of_obb3(over, want)),
+        Compiled::Quads if LARGE || mode == Mode::Value => Some(of_quads(mode)),
+        Compiled::Obb3(over) if LARGE => Some(of_obb3(over, mode)),
         Compiled::Quads | Compiled::Obb3(_) | Compiled::Aabb3 => None,
     }
 }
@@ -99,7 +100,7 @@ fn steepest<T: Real>() -> f64 {
 /// A score of two shapes of a kind: how they are prepared, what its kernels make, and the scalar code of its value
 /// and of its value with derivatives for shapes that kernels do not serve.
 fn score_of_two<T: Real, P: Fixed<Scalar = T>>(
-    want: Want,
+    mode: Mode,
     shape: impl Fn() -> Preparation<T>,
     maker: Box<dyn Maker<T>>,
     value: impl Fn(P, P) -> T + Send + Sync + 'static,
@@ -117,12 +118,12 @@ fn score_of_two<T: Real, P: Fixed<Scalar = T>>(
             out[0] = score;
             bars.store(&mut out[1..]);
         })),
-        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+        ..Face::new(mode, vec![shape(), shape()], vec![1], maker)
     }
 }
 
 /// Scores of rotated boxes.
-fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
+fn of_obb2<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         name: None,
@@ -133,9 +134,9 @@ fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
         check: |numbers| Obb2::load(numbers).validate(),
         is_rare: |numbers| !clip::is_ordinary(Obb2::load(numbers)),
     };
-    let maker: Box<dyn Maker<T>> = match want {
-        Want::Value => Box::new(Scores(over, kernels.obb2_scores)),
-        Want::ValueGrad | Want::Jacobian | Want::Vjp => {
+    let maker: Box<dyn Maker<T>> = match mode {
+        Mode::Value => Box::new(Scores(over, kernels.obb2_scores)),
+        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => {
             Box::new(Derivatives(over, kernels.obb2_derivatives))
         }
     };
@@ -144,7 +145,7 @@ fn of_obb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
         let (a, b) = (clip::frame(a), clip::frame(b));
         score_framed_vjp::<T, true>(over, a, b, out_bar)
     };
-    score_of_two::<T, Obb2<T>>(want, shape, maker, value, vjp)
+    score_of_two::<T, Obb2<T>>(mode, shape, maker, value, vjp)
 }
 
 /// How rotated boxes are prepared, and how many numbers that gives.
@@ -183,7 +184,7 @@ fn all_solid<T: Real>(numbers: &[T]) -> bool {
 }
 
 /// Generalised IoU of rotated boxes. Boxes that are apart have results, so there are no bounds.
-fn of_giou<T: Real>(want: Want) -> Face<T> {
+fn of_giou<T: Real>(mode: Mode) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         name: None,
@@ -194,19 +195,19 @@ fn of_giou<T: Real>(want: Want) -> Face<T> {
         check: |numbers| Obb2::load(numbers).validate(),
         is_rare: |numbers| !is_solid_obb2(numbers),
     };
-    let maker: Box<dyn Maker<T>> = match want {
-        Want::Value => Box::new(Scored(kernels.giou_scores)),
-        Want::ValueGrad | Want::Jacobian | Want::Vjp => {
+    let maker: Box<dyn Maker<T>> = match mode {
+        Mode::Value => Box::new(Scored(kernels.giou_scores)),
+        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => {
             Box::new(DerivativesOfOne(kernels.giou_derivatives))
         }
     };
     let value = |a, b| giou_framed::<T, true>(clip::frame(a), clip::frame(b));
     let vjp = |a, b, out_bar| giou_framed_vjp::<T, true>(clip::frame(a), clip::frame(b), out_bar);
-    score_of_two::<T, Obb2<T>>(want, shape, maker, value, vjp)
+    score_of_two::<T, Obb2<T>>(mode, shape, maker, value, vjp)
 }
 
 /// Areas that convex quadrilaterals share.
-fn of_quads<T: Real>(want: Want) -> Face<T> {
+fn of_quads<T: Real>(mode: Mode) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         name: None,
@@ -220,14 +221,14 @@ fn of_quads<T: Real>(want: Want) -> Face<T> {
             numbers.iter().any(|x| x.unsigned() > most)
         },
     };
-    let maker: Box<dyn Maker<T>> = match want {
-        Want::Value => Box::new(Scored(kernels.quad_scores)),
-        Want::ValueGrad | Want::Jacobian | Want::Vjp => {
+    let maker: Box<dyn Maker<T>> = match mode {
+        Mode::Value => Box::new(Scored(kernels.quad_scores)),
+        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => {
             Box::new(DerivativesOfOne(kernels.quad_derivatives))
         }
     };
     let value = |a, b| area_of_quads_vjp::<T, true>(a, b, T::one()).0;
-    score_of_two(want, shape, maker, value, area_of_quads_vjp::<T, true>)
+    score_of_two(mode, shape, maker, value, area_of_quads_vjp::<T, true>)
 }
 
 /// Scores of upright boxes: of what is shared seen from above, then of heights.
@@ -252,7 +253,7 @@ impl<T: Real> Maker<T> for UprightDerivatives {
 }
 
 /// Scores of upright boxes.
-fn of_upright<T: Real>(over: Denominator, want: Want) -> Face<T> {
+fn of_upright<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         name: None,
@@ -263,12 +264,12 @@ fn of_upright<T: Real>(over: Denominator, want: Want) -> Face<T> {
         check: |numbers| YawBox3::load(numbers).validate(),
         is_rare: |numbers| !is_common_upright(numbers),
     };
-    let maker: Box<dyn Maker<T>> = match want {
-        Want::Value => Box::new(UprightScores(over)),
-        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(UprightDerivatives(over)),
+    let maker: Box<dyn Maker<T>> = match mode {
+        Mode::Value => Box::new(UprightScores(over)),
+        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => Box::new(UprightDerivatives(over)),
     };
     let value = move |a: YawBox3<T>, b| score_yaw(over, a, b);
-    score_of_two(want, shape, maker, value, move |a, b, out_bar| {
+    score_of_two(mode, shape, maker, value, move |a, b, out_bar| {
         score_upright_vjp(over, a, b, out_bar)
     })
 }
@@ -284,7 +285,7 @@ impl<T: Real> Maker<T> for BirdsEyeDerivatives {
 }
 
 /// Scores of upright boxes seen from above.
-fn of_birds_eye<T: Real>(over: Denominator, want: Want) -> Face<T> {
+fn of_birds_eye<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         name: None,
@@ -295,11 +296,11 @@ fn of_birds_eye<T: Real>(over: Denominator, want: Want) -> Face<T> {
         check: |numbers| YawBox3::load(numbers).validate(),
         is_rare: |numbers| !clip::is_ordinary(YawBox3::load(numbers).birds_eye()),
     };
-    let maker: Box<dyn Maker<T>> = match want {
-        Want::Value => Box::new(Scores(over, kernels.obb2_scores)),
-        Want::ValueGrad | Want::Jacobian | Want::Vjp => Box::new(BirdsEyeDerivatives(over)),
+    let maker: Box<dyn Maker<T>> = match mode {
+        Mode::Value => Box::new(Scores(over, kernels.obb2_scores)),
+        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => Box::new(BirdsEyeDerivatives(over)),
     };
-    let flat = of_obb2::<T>(over, want).rare;
+    let flat = of_obb2::<T>(over, mode).rare;
     Face {
         steepest: steepest::<T>(),
         rare: Some(Box::new(move |shapes, out_bar, out| {
@@ -322,12 +323,12 @@ fn of_birds_eye<T: Real>(over: Denominator, want: Want) -> Face<T> {
                 out[1 + UPRIGHT + place] = numbers[1 + OBB2 + k];
             }
         })),
-        ..Face::new(want, vec![shape(), shape()], vec![1], maker)
+        ..Face::new(mode, vec![shape(), shape()], vec![1], maker)
     }
 }
 
 /// Scores of boxes of any orientation in space.
-fn of_obb3<T: Real>(over: Denominator, want: Want) -> Face<T> {
+fn of_obb3<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         name: None,
@@ -340,20 +341,20 @@ fn of_obb3<T: Real>(over: Denominator, want: Want) -> Face<T> {
         check: |numbers| Obb3::load(numbers).validate(),
         is_rare: |numbers| !is_common_obb3(numbers),
     };
-    let maker: Box<dyn Maker<T>> = match want {
-        Want::Value => Box::new(Scores(over, kernels.obb3_scores)),
-        Want::ValueGrad | Want::Jacobian | Want::Vjp => {
+    let maker: Box<dyn Maker<T>> = match mode {
+        Mode::Value => Box::new(Scores(over, kernels.obb3_scores)),
+        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => {
             Box::new(Derivatives(over, kernels.obb3_derivatives))
         }
     };
     let value = move |a: Obb3<T>, b| score_obb3(over, a, b);
-    score_of_two(want, shape, maker, value, move |a, b, out_bar| {
+    score_of_two(mode, shape, maker, value, move |a, b, out_bar| {
         score_obb3_vjp(over, a, b, out_bar)
     })
 }
 
 /// Scores of axis-aligned boxes.
-fn of_aabb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
+fn of_aabb2<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
     let kernels = T::kernels();
     let shape = || Preparation {
         name: None,
@@ -367,9 +368,9 @@ fn of_aabb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
         check: |numbers| Aabb2::load(numbers).validate(),
         is_rare: |_| false,
     };
-    let maker: Box<dyn Maker<T>> = match want {
-        Want::Value => Box::new(Scores(over, kernels.aabb2_scores)),
-        Want::ValueGrad | Want::Jacobian | Want::Vjp => {
+    let maker: Box<dyn Maker<T>> = match mode {
+        Mode::Value => Box::new(Scores(over, kernels.aabb2_scores)),
+        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => {
             Box::new(Derivatives(over, kernels.aabb2_derivatives))
         }
     };
@@ -378,6 +379,6 @@ fn of_aabb2<T: Real>(over: Denominator, want: Want) -> Face<T> {
     Face {
         // They serve boxes of any size.
         steepest: 1.0,
-        ..score_of_two(want, shape, maker, value, vjp)
+        ..score_of_two(mode, shape, maker, value, vjp)
     }
 }

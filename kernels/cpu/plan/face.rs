@@ -2,6 +2,7 @@
 use crate::error::{Argument, Flaw};
 use crate::kernels::cpu::lane::{Lane, Results, Tiles};
 use crate::kernels::item::Leaf;
+use crate::kernels::recording::Mode;
 use std::sync::Arc;
 
 /// Something that computes blocks of items from one or more arguments.
@@ -74,26 +75,6 @@ pub(crate) fn name<T>(arguments: &mut [Preparation<T>], names: &[&'static str]) 
 /// result, and room for a result, or for a result and derivatives.
 pub type Rare<T> = Box<dyn Fn(&[&[T]], &[T], &mut [T]) + Send + Sync>;
 
-/// The part of an operation that is wanted: its value or derivatives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Want {
-    /// Its result.
-    Value,
-    /// Its result and the gradient of that; the result is one number.
-    ValueGrad,
-    /// Its result and the gradient of each of its numbers.
-    Jacobian,
-    /// Derivatives times a cotangent of the result.
-    Vjp,
-}
-
-/// Numbers of every shape of a result, and of its Jacobian, given those of the shapes that it takes.
-pub(crate) fn with_jacobian(mut outputs: Vec<usize>, taken: &[usize]) -> Vec<usize> {
-    let jacobian = outputs.iter().sum::<usize>() * taken.iter().sum::<usize>();
-    outputs.push(jacobian);
-    outputs
-}
-
 /// How batches compute an operation.
 pub struct Face<T> {
     /// For every shape that it takes.
@@ -117,22 +98,14 @@ impl<T> Face<T> {
     }
     /// The plan of an operation that takes and gives such shapes. The result comes before its derivatives.
     pub(super) fn new(
-        want: Want,
+        mode: Mode,
         arguments: Vec<Preparation<T>>,
         outputs: Vec<usize>,
         maker: Box<dyn Maker<T>>,
     ) -> Self {
         let derivatives: Vec<usize> = arguments.iter().map(|x| x.fields).collect();
-        let skipped = match want {
-            Want::Value | Want::ValueGrad | Want::Jacobian => 0,
-            Want::Vjp => outputs.iter().sum(),
-        };
-        let gives = match want {
-            Want::Value => outputs,
-            Want::ValueGrad => [outputs, derivatives].concat(),
-            Want::Jacobian => with_jacobian(outputs, &derivatives),
-            Want::Vjp => derivatives,
-        };
+        let skipped = mode.skipped(&outputs);
+        let gives = mode.gives(&derivatives, &outputs);
         Face {
             arguments,
             gives,

@@ -1,5 +1,5 @@
 //! Recorded programs, and functions that are computed item by item, as makers of blocks.
-use super::face::{Face, Maker, Preparation, Prepare, Want};
+use super::face::{Face, Maker, Preparation, Prepare};
 use crate::ad::program::graph::{Graph, Id};
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
@@ -8,12 +8,13 @@ use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::item::Leaf;
 use crate::kernels::real::Real;
+use crate::kernels::recording::Mode;
 use std::sync::Arc;
 
 /// How a recorded program is computed. Its inputs are the numbers of its arguments and then those of
 /// cotangents. For all pairs what is made of one argument alone is made once per shape.
 pub(crate) fn of_recorded<T: Real>(
-    want: Want,
+    mode: Mode,
     leaves: Vec<Leaf<T>>,
     outputs: Vec<usize>,
     recorded: &Recorded,
@@ -21,7 +22,7 @@ pub(crate) fn of_recorded<T: Real>(
 ) -> Result<Face<T>, Error> {
     let mut fields: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
     let mut arguments: Vec<_> = leaves.into_iter().map(Preparation::plain).collect();
-    if want == Want::Vjp {
+    if mode == Mode::Vjp {
         fields.extend(&outputs);
     }
     let value = &recorded.value;
@@ -40,7 +41,7 @@ pub(crate) fn of_recorded<T: Real>(
             maker(&parts.body.graph, &parts.widths, &parts.body.outputs, true)?
         }
     };
-    Ok(Face::new(want, arguments, outputs, Box::new(body)))
+    Ok(Face::new(mode, arguments, outputs, Box::new(body)))
 }
 
 /// How frames are made of shapes of so many numbers, and how many numbers those have.
@@ -104,17 +105,17 @@ impl<T: Real> Maker<T> for Items<T> {
 
 /// How an operation is computed item by item.
 pub(crate) fn of_items<T: Real>(
-    want: Want,
+    mode: Mode,
     leaves: Vec<Leaf<T>>,
     outputs: Vec<usize>,
     each: Each<T>,
 ) -> Face<T> {
     let arguments: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
     let (taken, result): (usize, usize) = (arguments.iter().sum(), outputs.iter().sum());
-    let made = match want {
-        Want::Value => result,
-        Want::ValueGrad | Want::Vjp => result + taken,
-        Want::Jacobian => result + result * taken,
+    let made = match mode {
+        Mode::Value => result,
+        Mode::ValueGrad | Mode::Vjp => result + taken,
+        Mode::Jacobian => result + result * taken,
     };
     let items = Items {
         each,
@@ -124,5 +125,5 @@ pub(crate) fn of_items<T: Real>(
         made,
     };
     let plans = leaves.into_iter().map(Preparation::plain).collect();
-    Face::new(want, plans, outputs, Box::new(items))
+    Face::new(mode, plans, outputs, Box::new(items))
 }

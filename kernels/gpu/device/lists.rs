@@ -7,7 +7,6 @@ use super::generated::held::HeldColumn;
 use super::generated::operation::Generated;
 use super::generated::pairs::Sides;
 use super::pairs::Mirrored;
-use super::plans::{Plans, Typed};
 use super::source::Mirror;
 use super::table::Table;
 use super::{Bests, Founds, Gpu, Matrix};
@@ -16,7 +15,8 @@ use crate::error::Argument;
 use crate::kernels::Single;
 use crate::kernels::cpu::checked::check_argument;
 use crate::kernels::item::Column;
-use crate::kernels::op::{Ask, Runs};
+use crate::kernels::op::Runs;
+use crate::kernels::recording::{Call, Mode};
 use crate::kernels::reduce::{Loss, check_sides, check_threshold};
 use std::sync::Arc;
 
@@ -50,26 +50,24 @@ impl<'a> Lists<'a> {
         run: &R,
         a: &[A],
         b: &[B],
-        ask: Ask,
     ) -> Result<Self, Error> {
         let columns = [Column::of(a), Column::of(b)];
-        Self::of_columns(gpu, &Typed::<(A, B), R>::new(run), &columns, ask)
+        Self::of_columns(gpu, &run.call()?, &columns)
     }
 
     /// The same of columns of numbers.
     pub fn of_columns(
         gpu: &'a Gpu,
-        run: &dyn Plans,
+        call: &Call<f32>,
         columns: &[Column<'_, f32>; 2],
-        ask: Ask,
     ) -> Result<Self, Error> {
         let [a, b] = columns;
         let counts = [a.len(), b.len()];
         let inner = &gpu.inner;
-        let kernels = match run.compiled().and_then(Mirror::of) {
+        let kernels = match call.mirror() {
             Some(mirror) => {
                 inner.alive()?;
-                let face = run.face(Ask::PAIRS)?;
+                let face = call.plan(true)?;
                 check_argument(0, &face.arguments, a)?;
                 check_argument(1, &face.arguments, b)?;
                 let boxes = |column: &Column<'_, f32>| -> Result<Boxes, Error> {
@@ -80,7 +78,7 @@ impl<'a> Lists<'a> {
                 Kernels::ByHand(Mirrored { mirror, a, b })
             }
             None => {
-                let made = run.generated(ask)?;
+                let made = call.generated(true)?;
                 let sides = Sides::new(inner, &made, a, b)?;
                 Kernels::Generated(made, sides)
             }
@@ -98,30 +96,28 @@ impl<'a> Lists<'a> {
         run: &R,
         a: &HeldColumn,
         b: &HeldColumn,
-        ask: Ask,
     ) -> Result<Self, Error> {
-        Lists::of_held_numbers(gpu, &Typed::<(A, B), R>::new(run), a, b, ask)
+        Lists::of_held_numbers(gpu, &run.call()?, a, b)
     }
 
     /// The same of a function without the types of its shapes.
     pub fn of_held_numbers(
         gpu: &'a Gpu,
-        run: &dyn Plans,
+        call: &Call<f32>,
         a: &HeldColumn,
         b: &HeldColumn,
-        ask: Ask,
     ) -> Result<Self, Error> {
         gpu.inner.alive()?;
         a.is_of(gpu)?;
         b.is_of(gpu)?;
-        let kernels = match run.compiled().and_then(Mirror::of) {
+        let kernels = match call.mirror() {
             Some(mirror) => Kernels::ByHand(Mirrored {
                 mirror,
                 a: a.boxes(mirror.kind)?,
                 b: b.boxes(mirror.kind)?,
             }),
             None => {
-                let made = run.generated(ask)?;
+                let made = call.generated(true)?;
                 let sides = Sides::of_held(&made, a, b)?;
                 Kernels::Generated(made, sides)
             }
@@ -210,13 +206,14 @@ impl<'a> Lists<'a> {
     }
 }
 
-/// The sum or mean of all results, and the numbers of its derivatives for both lists. `make` makes the lists for
-/// results or for adjoints.
+/// The sum or mean of all results, and the numbers of its derivatives for both lists. `make` makes the lists of a
+/// call.
 pub(crate) fn loss<'a>(
-    make: impl Fn(Ask) -> Result<Lists<'a>, Error>,
+    call: Call<f32>,
+    make: impl Fn(&Call<f32>) -> Result<Lists<'a>, Error>,
     loss: Loss,
 ) -> Result<(f64, [Vec<f32>; 2]), Error> {
-    let lists = make(Ask::ADJOINT)?;
+    let lists = make(&call.clone().derived(Mode::Vjp)?)?;
     let [rows, columns] = lists.counts.map(|n| n as f64);
     let factor = match loss {
         Loss::Sum => 1.0,
@@ -225,7 +222,7 @@ pub(crate) fn loss<'a>(
     let seed = Seed::Factor(factor as f32);
     let (derivatives, sum) = match &lists.kernels {
         Kernels::ByHand(own) => own.derivatives(lists.gpu, &seed)?,
-        Kernels::Generated(..) => (lists.derivatives(&seed)?, make(Ask::PAIRS)?.sum()?),
+        Kernels::Generated(..) => (lists.derivatives(&seed)?, make(&call)?.sum()?),
     };
     Ok((sum * factor, derivatives))
 }

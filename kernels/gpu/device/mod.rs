@@ -49,7 +49,6 @@ pub use generated::operation::Generated;
 pub use generated::{fold_sources, line_sources, op_sources, replay_source};
 pub(crate) use lists::Lists;
 pub(crate) use matrix::Matrix;
-pub(crate) use plans::Plans;
 pub(crate) use reduce::Bests;
 pub(crate) use ring::{RingBars, RingValues, Rings};
 pub use source::{GpuRing, pair_sources, ring_sources};

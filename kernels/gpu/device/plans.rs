@@ -1,45 +1,64 @@
-//! Plans of a function for both machines, without the types of its shapes.
-use crate::Error;
-use crate::kernels::cpu::plan::{Compiled, Face};
-use crate::kernels::gpu::Generated;
-use crate::kernels::item::Item;
-use crate::kernels::op::{Ask, Runs};
+//! The plans of a call for a GPU, made once per function, mode and form.
+use super::generated::operation::Generated;
+use super::source::Mirror;
+use crate::kernels::recording::{Body, Call, Key, Mode};
 use crate::kernels::replays::Replays;
-use std::marker::PhantomData;
+use crate::{Error, Unrecordable};
 use std::sync::Arc;
 
-/// A function as the GPU's batches see it.
-pub(crate) trait Plans {
-    /// Its plan on the processor.
-    fn face(&self, ask: Ask) -> Result<Arc<Face<f32>>, Error>;
-    /// Its compiled kernels.
-    fn compiled(&self) -> Option<Compiled>;
-    /// Its shaders.
-    fn generated(&self, ask: Ask) -> Result<Arc<Generated<f32>>, Error>;
-    /// Its replays, if it searches.
-    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<f32>>, Error>>;
-}
-
-/// Something that runs on rows of shapes.
-pub(crate) struct Typed<'a, R, X>(&'a X, PhantomData<fn() -> R>);
-
-impl<'a, R, X> Typed<'a, R, X> {
-    pub fn new(run: &'a X) -> Self {
-        Typed(run, PhantomData)
+impl Call<f32> {
+    /// The kernels by hand of all pairs, for a value or its adjoint.
+    pub(crate) fn mirror(&self) -> Option<Mirror> {
+        match self.mode {
+            Mode::Value | Mode::Vjp => self.recording.compiled.and_then(Mirror::of),
+            Mode::ValueGrad | Mode::Jacobian => None,
+        }
     }
-}
-
-impl<R: Item<Scalar = f32>, X: Runs<R>> Plans for Typed<'_, R, X> {
-    fn face(&self, ask: Ask) -> Result<Arc<Face<f32>>, Error> {
-        self.0.face(ask)
+    /// The kernels of a call: aligned, or for all pairs with shapes prepared once.
+    ///
+    /// # Errors
+    ///
+    /// Those of recording it: a search has no kernel of its own.
+    pub(crate) fn generated(&self, framed: bool) -> Result<Arc<Generated<f32>>, Error> {
+        let (recording, mode) = (&*self.recording, self.mode);
+        recording.made(Key::Gpu(mode, framed), &|| {
+            let program = recording.program(mode)?;
+            let (takes, outputs) = (recording.takes.clone(), recording.outputs.clone());
+            let made = Generated::new(mode, takes, outputs, &program, framed)?;
+            Ok(made.named(recording.arguments))
+        })
     }
-    fn compiled(&self) -> Option<Compiled> {
-        self.0.compiled()
+    /// The replays of a search; `None` of any other function.
+    pub(crate) fn replays(&self) -> Option<Arc<dyn Replays<f32>>> {
+        let Body::Search(search) = &self.recording.body else {
+            return None;
+        };
+        let (key, mode) = (Key::Replays(self.mode), self.mode);
+        let made = self.recording.made(key, &|| Ok((search.replays)(mode)));
+        let made = made.unwrap_or_else(|_: Error| unreachable!("a replay is recorded later"));
+        Some(Arc::clone(&made))
     }
-    fn generated(&self, ask: Ask) -> Result<Arc<Generated<f32>>, Error> {
-        self.0.generated(ask)
-    }
-    fn replays(&self, ask: Ask) -> Option<Result<Arc<dyn Replays<f32>>, Error>> {
-        self.0.replays(ask)
+    /// A call with the kernels of another one on a GPU, for tests of drivers that compute wrong numbers.
+    ///
+    /// # Errors
+    ///
+    /// Those of recording either.
+    #[doc(hidden)]
+    pub fn with_kernels_of(&self, other: &Self) -> Result<Self, Error> {
+        let own = match &self.recording.body {
+            Body::Search(_) => return Err(Error::Program(Unrecordable::Search)),
+            _ => self.recording.copied()?,
+        };
+        for framed in [false, true] {
+            let program = other.recording.program(other.mode)?;
+            let (takes, outputs) = (own.takes.clone(), own.outputs.clone());
+            own.made(Key::Gpu(self.mode, framed), &|| {
+                Generated::new(other.mode, takes.clone(), outputs.clone(), &program, framed)
+            })?;
+        }
+        Ok(Call {
+            recording: Arc::new(own),
+            mode: self.mode,
+        })
     }
 }

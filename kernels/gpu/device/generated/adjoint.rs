@@ -9,10 +9,10 @@ use crate::kernels::cpu::checked::{check_upstream, entries, expect};
 use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::block::block_of;
 use crate::kernels::gpu::device::lists::{Lists, Seed, loss};
-use crate::kernels::gpu::device::plans::{Plans, Typed};
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::item::Column;
-use crate::kernels::op::{Ask, Runs};
+use crate::kernels::op::Runs;
+use crate::kernels::recording::{Call, Mode};
 use crate::kernels::reduce::Loss;
 use std::sync::Arc;
 
@@ -34,14 +34,13 @@ impl Gpu {
         R: Runs<(A, B), Out = f32>,
     {
         let lists = [Column::of(a), Column::of(b)];
-        let run = Typed::<(A, B), R>::new(&run);
-        Ok(shapes(self.pulled(&run, &lists, upstream)?))
+        Ok(shapes(self.pulled(&run.call()?, &lists, upstream)?))
     }
 
     /// The adjoint of all pairs of columns of numbers.
     pub(crate) fn pulled(
         &self,
-        run: &dyn Plans,
+        call: &Call<f32>,
         columns: &[Column<'_, f32>; 2],
         upstream: &[f32],
     ) -> Result<[Vec<f32>; 2], Error> {
@@ -52,18 +51,22 @@ impl Gpu {
             upstream.len(),
         )?;
         check_upstream(upstream, 1)?;
-        let lists = Lists::of_columns(self, run, columns, Ask::ADJOINT)?;
+        let lists = Lists::of_columns(self, &call.clone().derived(Mode::Vjp)?, columns)?;
         lists.derivatives(&Seed::Numbers(upstream))
     }
 
     /// The sum or the mean of all pairs of columns of numbers, and its derivatives.
     pub(crate) fn loss_of(
         &self,
-        run: &dyn Plans,
+        call: &Call<f32>,
         columns: &[Column<'_, f32>; 2],
         of: Loss,
     ) -> Result<(f64, [Vec<f32>; 2]), Error> {
-        loss(|ask| Lists::of_columns(self, run, columns, ask), of)
+        loss(
+            call.clone(),
+            |call| Lists::of_columns(self, call, columns),
+            of,
+        )
     }
 
     /// The sum of all results and its derivatives with respect to every shape of both lists, as
@@ -113,7 +116,7 @@ impl Gpu {
         R: Runs<(A, B), Out = f32>,
     {
         let columns = [Column::of(a), Column::of(b)];
-        let (value, derivatives) = self.loss_of(&Typed::<(A, B), R>::new(&run), &columns, of)?;
+        let (value, derivatives) = self.loss_of(&run.call()?, &columns, of)?;
         let (a_bar, b_bar) = shapes(derivatives);
         Ok((value, a_bar, b_bar))
     }

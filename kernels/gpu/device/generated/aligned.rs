@@ -8,10 +8,10 @@ use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::Inner;
 use crate::kernels::gpu::device::download::Arrival;
-use crate::kernels::gpu::device::plans::{Plans, Typed};
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::item::{Column, Columns, Item, Piece, Results, STRETCH, Target};
-use crate::kernels::op::{Ask, Runs};
+use crate::kernels::op::Runs;
+use crate::kernels::recording::Call;
 use crate::kernels::replays::Replays;
 use crate::kernels::targets::Targets;
 use crate::{Error, Pack};
@@ -39,7 +39,7 @@ impl Gpu {
     where
         C::Item: Pack<Scalar = f32>,
     {
-        let made = Made::of(&run)?;
+        let made = Made::of(&run.call()?)?;
         let columns = listed(&columns);
         let count = made.checked(&columns)?;
         let mut many = R::Out::room(count);
@@ -65,7 +65,7 @@ impl Gpu {
     where
         C::Item: Pack<Scalar = f32>,
     {
-        let made = Made::of(&run)?;
+        let made = Made::of(&run.call()?)?;
         let columns = listed(&columns);
         let count = made.checked(&columns)?;
         let targets = fitting::<R::Out>(&mut targets, count)?;
@@ -75,10 +75,10 @@ impl Gpu {
     /// Item i of every column of numbers: a list of numbers for every shape of a result.
     pub(crate) fn lists(
         &self,
-        run: &dyn Plans,
+        call: &Call<f32>,
         columns: &[Column<'_, f32>],
     ) -> Result<Vec<Vec<f32>>, Error> {
-        let made = Made::by(run)?;
+        let made = Made::of(call)?;
         let count = made.checked(columns)?;
         let lists = made.gives().iter().map(|n| vec![0.0; n * count]);
         let mut lists: Vec<Vec<f32>> = lists.collect();
@@ -185,13 +185,10 @@ enum Made {
 }
 
 impl Made {
-    fn of<R: Item<Scalar = f32>>(run: &impl Runs<R>) -> Result<Self, Error> {
-        Self::by(&Typed::new(run))
-    }
-    fn by(run: &dyn Plans) -> Result<Self, Error> {
-        Ok(match run.replays(Ask::ALIGNED) {
-            Some(replays) => Made::Replays(replays?, run.face(Ask::ALIGNED)?),
-            None => Made::Kernel(run.generated(Ask::ALIGNED)?),
+    fn of(call: &Call<f32>) -> Result<Self, Error> {
+        Ok(match call.replays() {
+            Some(replays) => Made::Replays(replays, call.plan(false)?),
+            None => Made::Kernel(call.generated(false)?),
         })
     }
     /// Numbers of every shape of a result.

@@ -7,11 +7,11 @@ use crate::error::Argument;
 use crate::kernels::Fold;
 use crate::kernels::cpu::checked::{check_upstream, expect};
 use crate::kernels::cpu::folds;
-use crate::kernels::cpu::plan::{Known, known};
 use crate::kernels::cpu::program::split::Piece;
 use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::item::Columns;
+use crate::kernels::recording::{Key, Mode};
 use crate::{Error, Fixed, Pack, Vec2};
 use std::fmt::Write;
 use std::ops::Range;
@@ -39,8 +39,8 @@ pub(super) struct GeneratedFold {
 
 /// The kernels of a fold for a GPU.
 pub(super) fn made<F: Fold>() -> Result<Arc<GeneratedFold>, Error> {
-    known::<F, f32, _>(Known::FoldShader, || {
-        let programs = folds::programs::<F, f32>()?;
+    let programs = folds::programs::<F, f32>()?;
+    programs.made.made(Key::Gpu(Mode::Value, false), &|| {
         let piece = |recorded: &Recorded| Piece {
             graph: recorded.value.graph.clone(),
             outputs: recorded.value.outputs.clone(),

@@ -13,14 +13,14 @@ mod text;
 use super::source::compiled_sources;
 use super::{Inner, locked};
 use crate::kernels::Fold;
-use crate::kernels::cpu::plan::{Shaped, Want, generated};
 use crate::kernels::dynamic::Operation;
 use crate::kernels::item::Item;
 use crate::kernels::op::Op;
+use crate::kernels::recording::{Call, Mode, Recording};
 use crate::{Error, Unrecordable};
 use operation::{Generated, Name};
 use std::collections::HashMap;
-use std::sync::Weak;
+use std::sync::{Arc, Weak};
 use text::Form;
 
 /// Pipelines of generated kernels, by the number of the program and the form of the kernel.
@@ -58,49 +58,52 @@ where
     O::In<f32>: Item<Scalar = f32>,
     O::Out<f32>: Item<Scalar = f32>,
 {
-    shaped_sources(O::NAME, &const { Shaped::of::<O, O::In<f32>>() })
+    sources(O::NAME, Recording::of::<O, O::In<f32>>())
 }
 
 /// Every shader a straight line can need, those by hand included.
 #[doc(hidden)]
 pub fn line_sources(operation: &Operation) -> Result<Vec<(String, String)>, Error> {
-    let Some(shaped) = operation.shaped::<f32>() else {
+    let Some(recording) = operation.straight::<f32>() else {
         return Err(Error::Program(Unrecordable::Path));
     };
-    let mut all = shaped_sources(operation.name, &shaped)?;
-    all.extend(compiled_sources((shaped.line.compiled)()));
+    let compiled = recording.compiled;
+    let mut all = sources(operation.name, recording)?;
+    all.extend(compiled_sources(compiled));
     Ok(all)
 }
 
-fn shaped_sources(name: &str, shaped: &Shaped<f32>) -> Result<Vec<(String, String)>, Error> {
-    let outputs = shaped.line.outputs;
-    let wants: &[Want] = match outputs {
-        1 => &[Want::Value, Want::ValueGrad, Want::Vjp],
-        _ => &[Want::Value, Want::Vjp],
+fn sources(name: &str, recording: Arc<Recording<f32>>) -> Result<Vec<(String, String)>, Error> {
+    let outputs = recording.outputs.iter().sum();
+    let modes: &[Mode] = match outputs {
+        1 => &[Mode::Value, Mode::ValueGrad, Mode::Vjp],
+        _ => &[Mode::Value, Mode::Vjp],
     };
     let mut all = Vec::new();
-    for &want in wants {
-        let made = generated(shaped, want, false)?;
+    let call = Call::of(recording);
+    for &mode in modes {
+        let call = call.clone().derived(mode)?;
+        let made = call.generated(false)?;
         let mut add = |form: Form, made: &Generated<f32>| {
-            all.push((format!("{name} {want:?} {form:?}"), form.text(made)));
+            all.push((format!("{name} {mode:?} {form:?}"), form.text(made)));
         };
         add(Form::Aligned, &made);
         add(Form::Columns, &made);
         if made.arguments.len() != 2 {
             continue;
         }
-        let made = generated(shaped, want, true)?;
-        match want {
-            Want::Value if made.gives == [1] && is_of_one_list(&made) => {
+        let made = call.generated(true)?;
+        match mode {
+            Mode::Value if made.gives == [1] && is_of_one_list(&made) => {
                 add(Form::Pairs, &made);
                 add(Form::Masks, &made);
             }
-            Want::Value | Want::ValueGrad | Want::Jacobian => add(Form::Pairs, &made),
-            Want::Vjp if outputs == 1 => {
+            Mode::Value | Mode::ValueGrad | Mode::Jacobian => add(Form::Pairs, &made),
+            Mode::Vjp if outputs == 1 => {
                 add(Form::RowDerivatives, &made);
                 add(Form::ColumnDerivatives, &made);
             }
-            Want::Vjp => (),
+            Mode::Vjp => (),
         }
     }
     Ok(all)

@@ -4,10 +4,11 @@ use crate::ad::program::graph::{Graph, Id, Node};
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::wgsl::{Taken, exact, function_of};
 use crate::error::Field;
-use crate::kernels::cpu::plan::{List, Preparation, Want, name, prepared, with_jacobian};
+use crate::kernels::cpu::plan::{List, Preparation, name, prepared};
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::item::Leaf;
 use crate::kernels::real::Real;
+use crate::kernels::recording::Mode;
 use std::iter::repeat;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -88,7 +89,7 @@ impl<T: Real> Generated<T> {
     /// The code of a recorded function. If `framed` is set it is for all pairs: numbers that depend on one shape
     /// alone are computed once per shape.
     pub(crate) fn new(
-        want: Want,
+        mode: Mode,
         leaves: Vec<Leaf<T>>,
         outputs: Vec<usize>,
         recorded: &Recorded,
@@ -102,15 +103,12 @@ impl<T: Real> Generated<T> {
         let fields_named: Vec<Vec<String>> = fields_named.collect();
         let mut arguments: Vec<_> = leaves.into_iter().map(Preparation::plain).collect();
         let mut all = fields.clone();
-        if want == Want::Vjp {
+        if mode == Mode::Vjp {
             all.extend(&outputs);
         }
         let (graph, results) = (&recorded.value.graph, &recorded.value.outputs);
         // The result comes before its derivatives; the adjoint leaves it out.
-        let skipped = match want {
-            Want::Value | Want::ValueGrad | Want::Jacobian => 0,
-            Want::Vjp => outputs.iter().sum(),
-        };
+        let skipped = mode.skipped(&outputs);
         let results = &results[skipped..];
         let is_prepared = |node| framed || matches!(node, Node::Input(_)) || is_sine(node);
         let parts = split(graph, &all, arguments.len(), results, is_prepared);
@@ -143,7 +141,7 @@ impl<T: Real> Generated<T> {
         let (widths, body) = (parts.widths, parts.body);
         let inputs = widths.iter().sum();
         let mut bodies = vec![body_of("body", &body, inputs, &taken)];
-        if framed && want == Want::Vjp {
+        if framed && mode == Mode::Vjp {
             let mut first = 0;
             for own in &fields {
                 let own = &body.outputs[first..first + own];
@@ -151,12 +149,7 @@ impl<T: Real> Generated<T> {
                 first += own.len();
             }
         }
-        let gives = match want {
-            Want::Value => outputs,
-            Want::ValueGrad => [outputs, fields].concat(),
-            Want::Jacobian => with_jacobian(outputs, &fields),
-            Want::Vjp => fields,
-        };
+        let gives = mode.gives(&fields, &outputs);
         Ok(Generated {
             name: Name::default(),
             arguments,

@@ -8,12 +8,12 @@ use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::block::{Block, place_block};
 use crate::kernels::gpu::device::lists::Lists;
-use crate::kernels::gpu::device::plans::{Plans, Typed};
 use crate::kernels::gpu::device::source::Mirror;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::gpu::device::{Gpu, Inner};
 use crate::kernels::item::{Column, STRETCH};
-use crate::kernels::op::{Ask, Runs};
+use crate::kernels::op::Runs;
+use crate::kernels::recording::Call;
 use crate::kernels::reduce::{Best, Found};
 use crate::kernels::{Single, Table};
 use crate::suppression::Pair;
@@ -225,25 +225,24 @@ impl Gpu {
     ) -> Result<Table<R::Out>, Error> {
         let mut table = Table::<R::Out>::new(a.len(), b.len())?;
         let columns = [Column::of(a), Column::of(b)];
-        let run = Typed::<(A, B), R>::new(&run);
-        self.planes(&run, &columns, table.planes_mut())?;
+        self.planes(&run.call()?, &columns, table.planes_mut())?;
         Ok(table)
     }
 
     /// Every row with every row of columns of numbers, plane after plane.
     pub(crate) fn planes(
         &self,
-        run: &dyn Plans,
+        call: &Call<f32>,
         lists: &[Column<'_, f32>; 2],
         planes: &mut [f32],
     ) -> Result<(), Error> {
         let inner = &self.inner;
-        if run.compiled().and_then(Mirror::of).is_some() {
-            let matrix = Lists::of_columns(self, run, lists, Ask::PAIRS)?.matrix()?;
+        if call.mirror().is_some() {
+            let matrix = Lists::of_columns(self, call, lists)?.matrix()?;
             planes.copy_from_slice(&matrix.download()?);
             return Ok(());
         }
-        let made = run.generated(Ask::PAIRS)?;
+        let made = call.generated(true)?;
         let [a, b] = lists;
         let sides = Sides::new(inner, &made, a, b)?;
         let [rows, columns] = [a.len(), b.len()];
@@ -307,7 +306,7 @@ macro_rules! reductions {
             where
                 R: Runs<(A, B), Out = f32>,
             {
-                let $found = Lists::of_slices(self, &run, a, b, Ask::PAIRS)?.$name($($more)?)?;
+                let $found = Lists::of_slices(self, &run, a, b)?.$name($($more)?)?;
                 $after
             }
         )* }

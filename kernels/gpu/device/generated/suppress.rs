@@ -18,7 +18,8 @@ use crate::kernels::cpu::sweep::{Chooses, Sweep};
 use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::item::Single;
-use crate::kernels::op::{Ask, Runs};
+use crate::kernels::op::Runs;
+use crate::kernels::recording::Call;
 use crate::kernels::suppress::{checked, ranked};
 use crate::suppression::Rules;
 use crate::{Error, Scalar};
@@ -75,7 +76,8 @@ impl Gpu {
         R: Runs<(A, A), Out = f32>,
     {
         checked(shapes.len(), scores, &rules)?;
-        let (face, made) = (run.face(Ask::PAIRS)?, run.generated(Ask::PAIRS)?);
+        let call = run.call()?;
+        let (face, made) = (call.plan(true)?, call.generated(true)?);
         let ranked = ranked(&face, shapes, scores, &rules)?;
         self.inner.alive()?;
         let pairs = pairs(&Cpu::new(), &face, &ranked.shapes, &ranked.shapes)?;

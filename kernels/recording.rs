@@ -1,0 +1,416 @@
+//! Recordings: functions as machines run them, without the types of shapes.
+//!
+//! A [`Recording`] has the layouts of what a function takes and gives, its body, and all that machines have made of it. A
+//! [`Call`] is a recording with the derivative that is wanted. Whatever a batch runs (a verb, an operation, a search, a plain
+//! function, a program, a derivative of one) yields a call and nothing else.
+use crate::ad::program::record::{TRIALS, listed};
+use crate::ad::program::recorded::Recorded;
+use crate::ad::program::{Plain, Sym};
+use crate::error::Error;
+use crate::kernels::cpu::plan::{Compiled, Face};
+use crate::kernels::item::{Item, Leaf, leaves_of};
+use crate::kernels::op::{Derivative, Op};
+use crate::kernels::real::Real;
+use crate::{Fixed, Pack, Scalar, Unrecordable};
+use std::any::{Any, TypeId};
+use std::collections::HashMap;
+use std::fmt;
+use std::hash::Hash;
+use std::marker::PhantomData;
+use std::sync::{Arc, PoisonError, RwLock};
+
+/// The derivative that is wanted of a function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Mode {
+    /// The result.
+    Value,
+    /// The result, one number, and its gradient.
+    ValueGrad,
+    /// The result and the gradient of each of its numbers.
+    Jacobian,
+    /// The derivatives times a cotangent of the result.
+    Vjp,
+}
+
+impl Mode {
+    /// Numbers of every shape that comes out, given those of a function's arguments and of its results.
+    pub(crate) fn gives(self, takes: &[usize], outputs: &[usize]) -> Vec<usize> {
+        match self {
+            Mode::Value => outputs.to_vec(),
+            Mode::ValueGrad => [outputs, takes].concat(),
+            Mode::Jacobian => {
+                let all = outputs.iter().sum::<usize>() * takes.iter().sum::<usize>();
+                [outputs, &[all]].concat()
+            }
+            Mode::Vjp => takes.to_vec(),
+        }
+    }
+    /// How many numbers its program gives before those, for results of so many numbers.
+    pub(crate) fn skipped(self, outputs: &[usize]) -> usize {
+        match self {
+            Mode::Value | Mode::ValueGrad | Mode::Jacobian => 0,
+            Mode::Vjp => outputs.iter().sum(),
+        }
+    }
+}
+
+/// A straight line as functions of lists of symbols: all that is made of one is compiled once.
+pub(crate) struct Line<T> {
+    /// The type of its operation.
+    id: fn() -> TypeId,
+    /// The source of its derivatives.
+    derivatives: Derivative,
+    /// Numbers of its input and of its result, and codes of both.
+    inputs: usize,
+    outputs: usize,
+    codes: usize,
+    /// The function.
+    eval: fn(&[Sym<T>]) -> Vec<Sym<T>>,
+    /// The result and then the derivatives, by hand, from the input and the cotangent.
+    adjoint: fn(&[Sym<T>], &[Sym<T>]) -> Vec<Sym<T>>,
+}
+
+impl<T: Plain> Line<T> {
+    const fn of<O: Op>() -> Self {
+        Line {
+            id: TypeId::of::<O>,
+            derivatives: O::DERIVATIVE,
+            inputs: O::In::<Sym<T>>::LEN,
+            outputs: O::Out::<Sym<T>>::LEN,
+            codes: O::In::<Sym<T>>::CODES + O::Out::<Sym<T>>::CODES,
+            eval: |input| O::eval(O::In::<Sym<T>>::load(input)).scalars(),
+            adjoint: match O::DERIVATIVE {
+                Derivative::ByHand => adjoint::<O, T>,
+                Derivative::Reverse | Derivative::Forward => |_, _| Vec::new(),
+            },
+        }
+    }
+}
+
+/// The result and the derivatives by hand. Without them they are NaN: the program fails to be finite, which nothing
+/// then hides.
+fn adjoint<O: Op, T: Plain>(input: &[Sym<T>], out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
+    let out_bar = O::Out::<Sym<T>>::load(out_bar);
+    match O::adjoint(O::In::<Sym<T>>::load(input), out_bar) {
+        Some((value, derivatives)) => [value.scalars(), derivatives.scalars()].concat(),
+        None => vec![Sym::lit(f64::NAN); O::Out::<Sym<T>>::LEN + O::In::<Sym<T>>::LEN],
+    }
+}
+
+/// A search, by what machines need of it.
+pub(crate) struct Searched<T> {
+    /// The plan by which the CPU decides and computes item by item.
+    pub(crate) plan: fn(Mode) -> Face<T>,
+    /// The replays for a GPU.
+    #[cfg(feature = "gpu")]
+    pub(crate) replays: fn(Mode) -> Arc<dyn crate::kernels::replays::Replays<T>>,
+}
+
+/// The body of a function.
+pub(crate) enum Body<T> {
+    /// A straight line, which is recorded when it is first needed.
+    Map(Line<T>),
+    /// A graph that is there.
+    Graph(Arc<Recorded>),
+    /// A search: decisions, then a straight line for every record.
+    Search(Searched<T>),
+}
+
+/// What is kept of a recording: the programs of modes, the plans of machines, derivatives as functions of their own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Key {
+    /// The program of a mode.
+    Program(Mode),
+    /// The plan of the CPU, and whether shapes are prepared once for all pairs.
+    Cpu(Mode, bool),
+    /// The kernels of a GPU, likewise.
+    #[cfg_attr(not(feature = "gpu"), expect(dead_code, reason = "only a GPU asks"))]
+    Gpu(Mode, bool),
+    /// The replays of a search.
+    #[cfg_attr(not(feature = "gpu"), expect(dead_code, reason = "only a GPU asks"))]
+    Replays(Mode),
+    /// A derivative as a function.
+    Derived(Mode),
+}
+
+/// What was made of a function: programs of modes, plans of machines, derivatives.
+#[derive(Default)]
+pub(crate) struct Kept(RwLock<HashMap<Key, Made>>);
+
+impl Kept {
+    /// Something that is made once.
+    pub(crate) fn made<X: Send + Sync + 'static>(
+        &self,
+        key: Key,
+        make: &dyn Fn() -> Result<X, Error>,
+    ) -> Result<Arc<X>, Error> {
+        let known = self.0.read().unwrap_or_else(PoisonError::into_inner);
+        let found = known.get(&key).cloned();
+        drop(known);
+        let found = match found {
+            Some(found) => found,
+            None => {
+                let made: Made = Arc::new(make()?);
+                let mut known = self.0.write().unwrap_or_else(PoisonError::into_inner);
+                Arc::clone(known.entry(key).or_insert(made))
+            }
+        };
+        Ok(found
+            .downcast()
+            .unwrap_or_else(|_| unreachable!("a key stands for one type")))
+    }
+}
+
+/// A function as machines run it: its layouts, its body, and what was made of it.
+pub struct Recording<T: Real> {
+    /// The shapes that it takes.
+    pub(crate) takes: Vec<Leaf<T>>,
+    /// Numbers of every shape of its result.
+    pub(crate) outputs: Vec<usize>,
+    /// The names of its arguments, one for each, or none.
+    pub(crate) arguments: &'static [&'static str],
+    /// The kernels that the library has compiled for it.
+    pub(crate) compiled: Option<Compiled>,
+    pub(crate) body: Body<T>,
+    made: Kept,
+}
+
+type Made = Arc<dyn Any + Send + Sync>;
+
+impl<T: Real> fmt::Debug for Recording<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Recording")
+            .field("takes", &self.takes)
+            .field("outputs", &self.outputs)
+            .field("arguments", &self.arguments)
+            .finish_non_exhaustive()
+    }
+}
+
+/// All recordings of rows, folds and plain functions so far, by the type of the function and that of the recording.
+static KNOWN: RwLock<Option<HashMap<(TypeId, TypeId), Made>>> = RwLock::new(None);
+
+/// The recording of a function, which is made once per type and format.
+pub(crate) fn known<F: 'static, X: Send + Sync + 'static>(
+    make: impl Fn() -> Result<X, Error>,
+) -> Result<Arc<X>, Error> {
+    known_by(TypeId::of::<F>(), &make)
+}
+
+/// The same by the type of the function.
+fn known_by<X: Send + Sync + 'static>(
+    function: TypeId,
+    make: &dyn Fn() -> Result<X, Error>,
+) -> Result<Arc<X>, Error> {
+    let key = (function, TypeId::of::<X>());
+    let known = KNOWN.read().unwrap_or_else(PoisonError::into_inner);
+    let found = known.as_ref().and_then(|known| known.get(&key)).cloned();
+    drop(known);
+    let found = match found {
+        Some(found) => found,
+        None => {
+            let made: Made = Arc::new(make()?);
+            let mut known = KNOWN.write().unwrap_or_else(PoisonError::into_inner);
+            let known = known.get_or_insert_default();
+            // The first one counts, so that all callers share it.
+            Arc::clone(known.entry(key).or_insert(made))
+        }
+    };
+    Ok(found
+        .downcast()
+        .unwrap_or_else(|_| unreachable!("a key stands for one type")))
+}
+
+impl<T: Real> Recording<T> {
+    /// A function of such shapes.
+    pub(crate) fn new(
+        takes: Vec<Leaf<T>>,
+        outputs: Vec<usize>,
+        arguments: &'static [&'static str],
+        body: Body<T>,
+    ) -> Self {
+        Recording {
+            takes,
+            outputs,
+            arguments,
+            compiled: None,
+            body,
+            made: Kept::default(),
+        }
+    }
+
+    /// The recording of an operation, the same one at every call.
+    pub(crate) fn of<O, R: Item<Scalar = T>>() -> Arc<Self>
+    where
+        O: Op<In<T> = R>,
+        O::Out<T>: Item<Scalar = T>,
+    {
+        let made = known::<O, _>(|| {
+            Ok(Recording {
+                compiled: O::compiled(),
+                ..Recording::new(
+                    leaves_of::<R>(),
+                    widths::<O::Out<T>>(),
+                    O::ARGUMENTS,
+                    Body::Map(const { Line::of::<O>() }),
+                )
+            })
+        });
+        made.unwrap_or_else(|_: Error| unreachable!("nothing is recorded yet"))
+    }
+
+    /// Something that is made of the function once.
+    pub(crate) fn made<X: Send + Sync + 'static>(
+        &self,
+        key: Key,
+        make: &dyn Fn() -> Result<X, Error>,
+    ) -> Result<Arc<X>, Error> {
+        self.made.made(key, make)
+    }
+
+    /// The same function with nothing made of it yet.
+    #[cfg(feature = "gpu")]
+    pub(crate) fn copied(&self) -> Result<Self, Error> {
+        Ok(Recording {
+            compiled: self.compiled,
+            ..Recording::new(
+                self.takes.clone(),
+                self.outputs.clone(),
+                self.arguments,
+                Body::Graph(self.program(Mode::Value)?),
+            )
+        })
+    }
+
+    /// The program of a mode: the result, or the result and derivatives, from the input and then the cotangent.
+    pub(crate) fn program(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
+        match &self.body {
+            Body::Map(line) => line.program(mode),
+            Body::Graph(recorded) if mode == Mode::Value => Ok(Arc::clone(recorded)),
+            Body::Graph(recorded) => self.made(Key::Program(mode), &|| Ok(derived(recorded, mode))),
+            Body::Search(_) => Err(Error::Program(Unrecordable::Search)),
+        }
+    }
+
+    /// A derivative as a function of its own, whose derivatives are of the next order.
+    fn derivative(&self, mode: Mode) -> Result<Arc<Recording<T>>, Error> {
+        self.made(Key::Derived(mode), &|| {
+            let program = self.program(mode)?;
+            let fields: Vec<usize> = self.takes.iter().map(|leaf| leaf.fields).collect();
+            let mut takes = self.takes.clone();
+            if mode == Mode::Vjp {
+                takes.extend(self.outputs.iter().map(|&n| Leaf::numbers(n)));
+            }
+            Ok(Recording::new(
+                takes,
+                mode.gives(&fields, &self.outputs),
+                &[],
+                Body::Graph(Arc::new(program.without_first(mode.skipped(&self.outputs)))),
+            ))
+        })
+    }
+}
+
+/// Numbers of every shape of a result.
+pub(crate) fn widths<Y: Item>() -> Vec<usize> {
+    leaves_of::<Y>().iter().map(|leaf| leaf.fields).collect()
+}
+
+/// The program of a mode of a function that is recorded.
+pub(crate) fn derived(value: &Recorded, mode: Mode) -> Recorded {
+    match mode {
+        Mode::Value => value.clone(),
+        Mode::ValueGrad => value.value_grad(),
+        Mode::Jacobian => value.value_jacobian(),
+        Mode::Vjp => value.value_vjp(),
+    }
+}
+
+/// The programs of a straight line in a format.
+struct Programs<T>(Kept, PhantomData<fn() -> T>);
+
+/// The program of a mode of an operation.
+pub(crate) fn program_of<O: Op, T: Plain>(mode: Mode) -> Result<Arc<Recorded>, Error> {
+    const { &Line::<T>::of::<O>() }.program(mode)
+}
+
+impl<T: Plain> Line<T> {
+    /// The program of a mode, by the source that the row says.
+    fn program(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
+        if self.codes > 0 {
+            return Err(Error::Program(Unrecordable::Codes));
+        }
+        let new = || Ok(Programs::<T>(Kept::default(), PhantomData));
+        let kept = known_by((self.id)(), &new)?;
+        kept.0.made(Key::Program(mode), &|| self.recorded(mode))
+    }
+    fn recorded(&self, mode: Mode) -> Result<Recorded, Error> {
+        let value = || self.program(Mode::Value);
+        Ok(match (self.derivatives, mode) {
+            (_, Mode::Value) => listed(self.inputs, TRIALS, &self.eval)?,
+            (Derivative::ByHand, Mode::Jacobian) => {
+                self.program(Mode::Vjp)?.value_jacobian_of_vjp(self.outputs)
+            }
+            (Derivative::ByHand, Mode::Vjp) => {
+                listed(self.inputs + self.outputs, TRIALS, &|numbers| {
+                    let (input, out_bar) = numbers.split_at(self.inputs);
+                    (self.adjoint)(input, out_bar)
+                })?
+            }
+            (Derivative::ByHand, _) => listed(self.inputs, TRIALS, &|input| {
+                (self.adjoint)(input, &vec![Sym::lit(1.0); self.outputs])
+            })?,
+            (Derivative::Reverse, _) => derived(&*value()?, mode),
+            (Derivative::Forward, Mode::Jacobian) => value()?.value_jacobian_forwards(),
+            (Derivative::Forward, Mode::Vjp) => value()?.value_vjp_forwards(),
+            (Derivative::Forward, _) => value()?.value_grad_forwards(),
+        })
+    }
+}
+
+/// A function and the derivative that is wanted of it: all that a machine is given beside columns.
+#[derive(Debug)]
+pub struct Call<T: Real> {
+    pub(crate) recording: Arc<Recording<T>>,
+    pub(crate) mode: Mode,
+}
+
+impl<T: Real> Clone for Call<T> {
+    fn clone(&self) -> Self {
+        Call {
+            recording: Arc::clone(&self.recording),
+            mode: self.mode,
+        }
+    }
+}
+
+impl<T: Real> Call<T> {
+    /// The value of a function.
+    pub(crate) const fn of(recording: Arc<Recording<T>>) -> Self {
+        Call {
+            recording,
+            mode: Mode::Value,
+        }
+    }
+    /// The derivative of what is called: of a value another mode of the same function, of a derivative one of the
+    /// next order.
+    ///
+    /// # Errors
+    ///
+    /// Those of recording the inner derivative.
+    pub(crate) fn derived(self, mode: Mode) -> Result<Self, Error> {
+        let recording = match self.mode {
+            Mode::Value => self.recording,
+            inner => self.recording.derivative(inner)?,
+        };
+        Ok(Call { recording, mode })
+    }
+    /// The plan by which the CPU computes it: aligned, or for all pairs with shapes prepared once.
+    ///
+    /// # Errors
+    ///
+    /// Those of recording it.
+    pub(crate) fn plan(&self, framed: bool) -> Result<Arc<Face<T>>, Error> {
+        (T::drivers().plan)(self, framed)
+    }
+}
