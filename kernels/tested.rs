@@ -5,9 +5,8 @@ use crate::ad::check::{Report, Sampling};
 use crate::ad::sample::{Draw, Family, Sample, random};
 use crate::error::Error;
 use crate::kernels::Backend;
-use crate::kernels::check::recorded_subject::ByHand;
 use crate::kernels::check::{
-    Examined, Folded, Judged, Path, Source, Stated, check_fold_with, check_ring_on,
+    Examined, Folded, Judged, ScalarCode, Source, Stated, check_fold_with, check_ring_on,
     check_ring_with, check_search_with, examined,
 };
 use crate::kernels::dynamic::{self, Format, Operation};
@@ -58,9 +57,7 @@ struct Inputs {
 
 /// A row in one format.
 struct Formed<S: Judged> {
-    alone: Path<S>,
-    by_hand: ByHand<S>,
-    num_dual: Option<fn(&[S::NumDual]) -> Vec<S::NumDual>>,
+    code: ScalarCode<S>,
     check: fn(&Tested, &Sampling<'_>, Option<Backend<'_>>) -> Result<Report, Error>,
     fuzz: fn(&Tested, u64, u64) -> Fuzzed,
 }
@@ -119,12 +116,12 @@ impl Tested {
     /// The result of one input by the function itself.
     #[must_use]
     pub fn alone<S: Both>(&self, x: &[S]) -> Vec<S> {
-        (S::formed(self).0.alone)(x)
+        (S::formed(self).0.code.alone)(x)
     }
     /// The result and the derivatives of a cotangent by hand; `None` where there are none.
     #[must_use]
     pub fn by_hand<S: Both>(&self, x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
-        (S::formed(self).0.by_hand)(x, out_bar)
+        (S::formed(self).0.code.by_hand)(x, out_bar)
     }
     /// A random input.
     #[must_use]
@@ -167,12 +164,9 @@ impl Tested {
         }
     }
     fn examined<S: Both>(&self) -> Option<Examined<S>> {
-        let formed = S::formed(self).0;
         Some(Examined {
             recording: self.operation.straight::<S>()?,
-            alone: formed.alone,
-            by_hand: formed.by_hand,
-            num_dual: formed.num_dual,
+            code: S::formed(self).0.code,
         })
     }
 }
@@ -193,13 +187,7 @@ fn check_straight<X: Sample + Fixed, S: Both>(
 
 /// Fuzzes a straight line.
 fn fuzz_straight<S: Both>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
-    let Some(Examined {
-        recording,
-        alone,
-        by_hand,
-        ..
-    }) = row.examined::<S>()
-    else {
+    let Some(Examined { recording, code }) = row.examined::<S>() else {
         unreachable!("a straight line is fuzzed as one")
     };
     let operation = &row.operation;
@@ -213,8 +201,8 @@ fn fuzz_straight<S: Both>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
         extremes: operation.extremes,
         domain: operation.inside,
         recording,
-        alone,
-        by_hand,
+        alone: code.alone,
+        by_hand: code.by_hand,
         kinds: operation.kinds[0],
         sample: row.inputs.random,
         show: row.inputs.show,
@@ -265,11 +253,8 @@ impl Walk for Values {
             O::Out<S>: Item<Scalar = S>,
             O::In<f64>: Sample,
         {
-            let own = Examined::<S>::of::<O>();
             Formed {
-                alone: own.alone,
-                by_hand: own.by_hand,
-                num_dual: own.num_dual,
+                code: ScalarCode::of::<O>(),
                 check: check_straight::<O::In<f64>, S>,
                 fuzz: fuzz_straight::<S>,
             }
@@ -303,12 +288,14 @@ impl Walk for Values {
             D::Out<f64>: Sample,
         {
             Formed {
-                alone: |x| {
-                    let input = get::<D::In<S>>(&by_kind::<D::In<S>>(x));
-                    D::replay::<S>(input, D::decide::<S>(input)).scalars()
+                code: ScalarCode {
+                    alone: |x| {
+                        let input = get::<D::In<S>>(&by_kind::<D::In<S>>(x));
+                        D::replay::<S>(input, D::decide::<S>(input)).scalars()
+                    },
+                    by_hand: |_, _| None,
+                    num_dual: None,
                 },
-                by_hand: |_, _| None,
-                num_dual: None,
                 check: |_, plan, _| Ok(check_search_with::<D, S>(plan)),
                 fuzz: |_, count, seed| fuzz::decided::<D, S>(count, seed),
             }
@@ -336,12 +323,15 @@ impl Walk for Values {
             F::Out<f64>: Sample,
         {
             Formed {
-                alone: |x| {
-                    let (context, vertices) = x.split_at(F::Context::<S>::LEN);
-                    Folded::<F>::eval::<S>(&(F::Context::load(context), path(vertices))).scalars()
+                code: ScalarCode {
+                    alone: |x| {
+                        let (context, vertices) = x.split_at(F::Context::<S>::LEN);
+                        Folded::<F>::eval::<S>(&(F::Context::load(context), path(vertices)))
+                            .scalars()
+                    },
+                    by_hand: |_, _| None,
+                    num_dual: None,
                 },
-                by_hand: |_, _| None,
-                num_dual: None,
                 check: |_, plan, _| Ok(check_fold_with::<F, S>(plan)),
                 fuzz: |_, count, seed| fuzz::fold::<F, S>(count, seed),
             }
@@ -364,14 +354,16 @@ impl Walk for Values {
             check: fn(&Tested, &Sampling<'_>, Option<Backend<'_>>) -> Result<Report, Error>,
         ) -> Formed<S> {
             Formed {
-                alone: |x| O::value(&path(x)).scalars(),
-                by_hand: |x, out_bar| {
-                    let ring = path(x);
-                    let mut bars = vec![Vec2::zero(); ring.len()];
-                    O::ring_vjp(&ring, O::Out::<S>::load(out_bar), &mut bars);
-                    Some((O::value(&ring).scalars(), bars.scalars()))
+                code: ScalarCode {
+                    alone: |x| O::value(&path(x)).scalars(),
+                    by_hand: |x, out_bar| {
+                        let ring = path(x);
+                        let mut bars = vec![Vec2::zero(); ring.len()];
+                        O::ring_vjp(&ring, O::Out::<S>::load(out_bar), &mut bars);
+                        Some((O::value(&ring).scalars(), bars.scalars()))
+                    },
+                    num_dual: None,
                 },
-                num_dual: None,
                 check,
                 fuzz: |_, count, seed| fuzz::ring::<O, S>(count, seed),
             }

@@ -77,10 +77,8 @@ impl Judged for f64 {
     }
 }
 
-/// A straight line in one format as the harness and the fuzzer take it: batches of it, and the function on plain
-/// numbers.
-pub(crate) struct Examined<S: Judged> {
-    pub(crate) recording: Arc<Recording<S>>,
+/// The scalar code of a straight line in one format.
+pub(crate) struct ScalarCode<S: Judged> {
     /// The function.
     pub(crate) alone: Path<S>,
     /// The result and derivatives by hand.
@@ -89,15 +87,17 @@ pub(crate) struct Examined<S: Judged> {
     pub(crate) num_dual: Option<fn(&[S::NumDual]) -> Vec<S::NumDual>>,
 }
 
-impl<S: Judged> Examined<S> {
-    pub(crate) fn of<O: Op>() -> Self
-    where
-        O::In<S>: Item<Scalar = S>,
-        O::Out<S>: Item<Scalar = S>,
-    {
+impl<S: Judged> Clone for ScalarCode<S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<S: Judged> Copy for ScalarCode<S> {}
+
+impl<S: Judged> ScalarCode<S> {
+    pub(crate) const fn of<O: Op>() -> Self {
         let is_by_hand = matches!(O::DERIVATIVE, Derivative::ByHand);
-        Examined {
-            recording: Recording::of::<O, O::In<S>>(),
+        ScalarCode {
             alone: |x| O::eval(O::In::<S>::load(x)).scalars(),
             by_hand: match is_by_hand {
                 true => by_hand::<O, S>,
@@ -110,19 +110,38 @@ impl<S: Judged> Examined<S> {
             },
         }
     }
+}
+
+/// A straight line in one format as the harness and the fuzzer take it: batches of it, and its scalar code.
+pub(crate) struct Examined<S: Judged> {
+    pub(crate) recording: Arc<Recording<S>>,
+    pub(crate) code: ScalarCode<S>,
+}
+
+impl<S: Judged> Examined<S> {
+    pub(crate) fn of<O: Op>() -> Self
+    where
+        O::In<S>: Item<Scalar = S>,
+        O::Out<S>: Item<Scalar = S>,
+    {
+        Examined {
+            recording: Recording::of::<O, O::In<S>>(),
+            code: const { ScalarCode::of::<O>() },
+        }
+    }
     /// All that the harness needs of it.
     fn computations(&self, stated: &Stated) -> Result<Computations<S>, Error> {
         let value = self.recording.program(Mode::Value)?;
         let is_wide = Precision::of::<S>() == Precision::F64;
-        let by_hand_alone = self.num_dual.is_some() && is_wide;
+        let by_hand_alone = self.code.num_dual.is_some() && is_wide;
         Ok(Computations {
             reversed: by_hand_alone.then(|| value.value_vjp().into()),
             value,
             derivatives: self.recording.program(Mode::Vjp)?,
-            source: Some(self.alone),
+            source: Some(self.code.alone),
             batch: Function::of_straight(Arc::clone(&self.recording), Mode::Value),
-            by_hand: self.by_hand,
-            num_dual: self.num_dual,
+            by_hand: self.code.by_hand,
+            num_dual: self.code.num_dual,
             outputs: self.recording.outputs.iter().sum(),
             output_kinds: (stated.output_kinds)(),
             nests: true,

@@ -14,7 +14,7 @@ use crate::kernels::gpu::{
 use crate::kernels::item::Single;
 use crate::kernels::op::Runs;
 #[cfg(feature = "gpu")]
-use crate::kernels::recording::Mode;
+use crate::kernels::recording::{Call, Mode};
 use crate::kernels::reduce::Loss;
 use crate::kernels::{Cpu, reduce};
 

@@ -2,14 +2,12 @@
 use crate::{gpu, small};
 use geograd::ad::check::sample::Draw;
 use geograd::ad::program::{Program, Sym};
-use geograd::kernels::cpu::Face;
-use geograd::kernels::gpu::{Generated, Gpu};
-use geograd::kernels::op::Ask;
+use geograd::kernels::gpu::Gpu;
+use geograd::kernels::recording::Call;
 use geograd::kernels::{Backend, Cpu, Runs, Single};
 use geograd::suppression::Rules;
 use geograd::{Error, GpuFault, Obb2, Obb3, Rotation3, Scalar, Vec3, YawBox3};
 use geograd_tests::rows::{iou, overlap, overlap3};
-use std::sync::Arc;
 
 /// Detections that crowd around some objects, with scores of which many are the same.
 struct Scene<A> {
@@ -264,12 +262,10 @@ struct Off;
 
 impl Runs<(Obb2<f32>, Obb2<f32>)> for Off {
     type Out = f32;
-    fn face(&self, ask: Ask) -> Result<Arc<Face<f32>>, Error> {
-        overlap::IouObb2.face(ask)
-    }
-    fn generated(&self, ask: Ask) -> Result<Arc<Generated<f32>>, Error> {
+    fn call(&self) -> Result<Call<f32>, Error> {
         type Boxes = (Obb2<Sym<f32>>, Obb2<Sym<f32>>);
-        Program::trace(|(a, b): Boxes| a.iou(b) + Sym::lit(0.002))?.generated(ask)
+        let off = Program::trace(|(a, b): Boxes| a.iou(b) + Sym::lit(0.002))?;
+        overlap::IouObb2.call()?.with_kernels_of(&off.call()?)
     }
 }
 

@@ -292,7 +292,7 @@ where
 }
 
 /// A body of edges as a batch sees it.
-fn plan<F: Fold, T: Real>(programs: &Programs<T>, mode: Mode) -> Result<Arc<Face<T>>, Error> {
+fn plan<F: Fold, T: Real>(programs: &Programs, mode: Mode) -> Result<Arc<Face<T>>, Error> {
     let recorded = match mode {
         Mode::Vjp => &programs.edge_vjp,
         _ => &programs.edge,
@@ -314,7 +314,7 @@ fn plan<F: Fold, T: Real>(programs: &Programs<T>, mode: Mode) -> Result<Arc<Face
 }
 
 /// The states of all edges.
-fn states<F: Fold, T: Real>(programs: &Programs<T>, paths: &Paths<'_, T>) -> Result<Vec<T>, Error> {
+fn states<F: Fold, T: Real>(programs: &Programs, paths: &Paths<'_, T>) -> Result<Vec<T>, Error> {
     let (wide, state) = (
         F::Context::<T>::LEN + F::Reference::<T>::LEN,
         F::State::<T>::LEN,

@@ -5,11 +5,10 @@ use crate::ad::program::{Plain, Sym};
 use crate::kernels::fold::Fold;
 use crate::kernels::recording::{Kept, known};
 use crate::{Error, Fixed, Pack, Scalar, Vec2};
-use std::marker::PhantomData;
 use std::sync::Arc;
 
 /// The recording of a fold in a format: its bodies as programs.
-pub(crate) struct Programs<T> {
+pub(crate) struct Programs {
     /// From context, reference and both ends to a state, and its pull-back.
     pub(crate) edge: Recorded,
     pub(crate) edge_vjp: Recorded,
@@ -29,15 +28,14 @@ pub(crate) struct Programs<T> {
     pub(crate) finish_vjp: Recorded,
     /// The plans of machines.
     pub(crate) made: Kept,
-    format: PhantomData<fn() -> T>,
 }
 
-pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs<T>>, Error> {
+pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs>, Error> {
     type Context<F, T> = <F as Fold>::Context<Sym<T>>;
     type Reference<F, T> = <F as Fold>::Reference<Sym<T>>;
     type State<F, T> = <F as Fold>::State<Sym<T>>;
     type Point<T> = Vec2<Sym<T>>;
-    known::<F, _>(|| {
+    known::<(F, T), _>(|| {
         let edge = record::<T, (Context<F, T>, Reference<F, T>, Point<T>, Point<T>), State<F, T>>(
             |(context, reference, from, to)| F::edge(context, reference, from, to),
         )?;
@@ -53,14 +51,13 @@ pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs<T>>, Error> {
             join,
             finish,
             made: Kept::default(),
-            format: PhantomData,
         })
     })
 }
 
 /// The cotangents of the context and of the states of all edges, from that of a result.
 pub(crate) fn backwards<F: Fold, S: Scalar>(
-    programs: &Programs<impl Plain>,
+    programs: &Programs,
     shared: &[S],
     states: &[F::State<S>],
     winding: Option<S>,

@@ -7,7 +7,6 @@ use super::generated::held::HeldColumn;
 use super::generated::operation::Generated;
 use super::generated::pairs::Sides;
 use super::pairs::Mirrored;
-use super::source::Mirror;
 use super::table::Table;
 use super::{Bests, Founds, Gpu, Matrix};
 use crate::Error;

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 impl Call<f32> {
     /// The kernels by hand of all pairs, for a value or its adjoint.
-    pub(crate) fn mirror(&self) -> Option<Mirror> {
+    pub(in crate::kernels::gpu::device) fn mirror(&self) -> Option<Mirror> {
         match self.mode {
             Mode::Value | Mode::Vjp => self.recording.compiled.and_then(Mirror::of),
             Mode::ValueGrad | Mode::Jacobian => None,

@@ -9,7 +9,7 @@ use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::Inner;
 use crate::kernels::gpu::device::download::Arrival;
 use crate::kernels::gpu::device::work::Work;
-use crate::kernels::item::{Column, Columns, Item, Piece, Results, STRETCH, Target};
+use crate::kernels::item::{Column, Columns, Piece, Results, STRETCH, Target};
 use crate::kernels::op::Runs;
 use crate::kernels::recording::Call;
 use crate::kernels::replays::Replays;

@@ -8,7 +8,6 @@ use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::block::{Block, place_block};
 use crate::kernels::gpu::device::lists::Lists;
-use crate::kernels::gpu::device::source::Mirror;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::gpu::device::{Gpu, Inner};
 use crate::kernels::item::{Column, STRETCH};

@@ -19,7 +19,6 @@ use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::item::Single;
 use crate::kernels::op::Runs;
-use crate::kernels::recording::Call;
 use crate::kernels::suppress::{checked, ranked};
 use crate::suppression::Rules;
 use crate::{Error, Scalar};
