@@ -117,32 +117,25 @@ fn same<T: Real>(expected: &[T], found: &[T], about: impl Fn() -> String) {
     }
 }
 
-const WAYS: [Way; 5] = [
+const fn way(frames: bool, skipping: bool, width: Option<usize>, native: bool) -> Way {
     Way {
-        frames: false,
-        skipping: false,
-        width: None,
-    },
-    Way {
-        frames: true,
-        skipping: false,
-        width: None,
-    },
-    Way {
-        frames: false,
-        skipping: true,
-        width: None,
-    },
-    Way {
-        frames: false,
-        skipping: true,
-        width: Some(4),
-    },
-    Way {
-        frames: true,
-        skipping: true,
-        width: Some(8),
-    },
+        frames,
+        skipping,
+        width,
+        native,
+    }
+}
+
+/// Interpreted and as machine code.
+const WAYS: [Way; 8] = [
+    way(false, false, None, false),
+    way(true, false, None, false),
+    way(false, true, None, false),
+    way(false, true, Some(4), false),
+    way(true, true, Some(8), false),
+    way(false, false, None, true),
+    way(true, true, None, true),
+    way(false, true, Some(4), true),
 ];
 
 /// Compares a program, in every way and at every level, with what it gives item by item; An argument of one

@@ -6,7 +6,7 @@ use geograd::metric::{Frame, Outcome, Point, Recalls, average_precision, curve, 
 use geograd::suppression::{
     Decay, Pair, Rules, cluster, hard, matrix, order, soft, soft_replay, soft_search, soft_vjp,
 };
-use geograd::{Obb2, Vec3, YawBox3};
+use geograd::{Obb2, Scalar, Vec3, YawBox3};
 use geograd_tests::Dice;
 use geograd_tests::rows::{IouObb2, IouYaw};
 
@@ -128,7 +128,7 @@ fn soft_is_the_loop_of_its_paper() {
                     now[i] *= match decay {
                         Decay::Linear if overlap > 0.3 => 1.0 - overlap,
                         Decay::Linear => 1.0,
-                        Decay::Gaussian { sigma } => (-overlap * overlap / sigma).exp(),
+                        Decay::Gaussian { sigma } => Scalar::exp(-overlap * overlap / sigma),
                     };
                 }
             }

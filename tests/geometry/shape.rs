@@ -217,7 +217,7 @@ fn flaws_say_where() {
     assert_eq!(refused(|c| c.goal.1 = -1.0), "goal.1 is not positive");
     assert_eq!(
         refused(|c| c.robots[0].low.y = 1e3),
-        "robots[0].low.y is above its upper bound"
+        "robots[0].low.y is above high"
     );
     assert_eq!(
         refused(|c| c.robots[1].links[1] = 3.0),

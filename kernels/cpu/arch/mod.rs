@@ -21,6 +21,10 @@
 //! `if a < b { a } else { b }` does.
 mod entry;
 pub(crate) mod memory;
+#[cfg(all(target_arch = "x86_64", feature = "native", not(geograd_portable)))]
+mod native;
+#[cfg(not(all(target_arch = "x86_64", feature = "native", not(geograd_portable))))]
+mod no_native;
 #[cfg(all(target_arch = "x86_64", not(geograd_portable)))]
 mod x86;
 
@@ -29,6 +33,10 @@ pub use entry::of_f32::KERNELS as F32;
 pub use entry::of_f64::KERNELS as F64;
 pub(crate) use memory::flat;
 pub use memory::{is_plain, numbers, numbers_mut};
+#[cfg(all(target_arch = "x86_64", feature = "native", not(geograd_portable)))]
+pub(crate) use native::Native;
+#[cfg(not(all(target_arch = "x86_64", feature = "native", not(geograd_portable))))]
+pub(crate) use no_native::Native;
 
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::scalar::lanes::LaneMask;

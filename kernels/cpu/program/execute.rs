@@ -5,7 +5,7 @@
 //!
 //! Memory holds slot after slot, each some lanes of sixteen numbers, as cells: a result may go where
 //! an operand was, since every lane is read before it is written.
-use crate::kernels::cpu::arch::Vector;
+use crate::kernels::cpu::arch::{Native, Vector};
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
 use crate::kernels::cpu::program::instructions::{Code, Op, instructions};
 use crate::kernels::cpu::program::lower::Tape;
@@ -196,6 +196,16 @@ macro_rules! by_arity {
     ($f:tt; $x:ident, $y:ident, $z:ident, $w:ident) => { four $f };
 }
 
+/// A run of instructions as a function of machine code.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Run {
+    /// Instructions from the first to before the last one.
+    pub(crate) from: usize,
+    pub(crate) to: usize,
+    /// The place of its function in the code.
+    pub(crate) entry: usize,
+}
+
 /// A part of a block, and where its numbers come from and go to.
 #[derive(Clone, Copy)]
 pub(crate) struct Pass<'a, T> {
@@ -215,6 +225,8 @@ pub(crate) struct Pass<'a, T> {
     pub(crate) steps: [usize; 2],
     /// `true` if zeros of results lose their signs.
     pub(crate) canonical: bool,
+    /// The program's runs as machine code, if there are some.
+    pub(crate) native: Option<&'a Native>,
 }
 
 #[inline(always)]
@@ -253,7 +265,7 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
             }
         }
     }
-    run::<T, V>(&tape.code, memory);
+    run::<T, V>(&tape.code, memory, pass.native);
     let [by_tile, by_number] = pass.steps;
     for (k, &slot) in tape.outputs.iter().enumerate() {
         for (t, lane) in memory
@@ -280,9 +292,24 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
 
 /// Carries out instructions.
 #[inline(always)]
-fn run<T: Real, V: Vector<T>>(code: &[Code], memory: Memory<'_, T>) {
+fn run<T: Real, V: Vector<T>>(code: &[Code], memory: Memory<'_, T>, native: Option<&Native>) {
+    let mut runs = native.map_or(&[][..], Native::runs);
     let mut next = 0;
-    while let Some(&code) = code.get(next) {
+    loop {
+        if let (Some(native), Some((run, others))) = (native, runs.split_first())
+            && run.from <= next
+        {
+            // A jump may have left the run behind.
+            if run.from == next {
+                native.run(run, memory.lanes, memory.width);
+                next = run.to;
+            }
+            runs = others;
+            continue;
+        }
+        let Some(&code) = code.get(next) else {
+            return;
+        };
         next += 1;
         /// One arm per instruction.
         macro_rules! arms {

@@ -17,6 +17,8 @@ pub struct Way {
     pub skipping: bool,
     /// Lanes of a slot, if not as usual.
     pub width: Option<usize>,
+    /// Whether it is machine code, from the first item on.
+    pub native: bool,
 }
 
 /// A recorded function.
@@ -43,6 +45,7 @@ impl Trial {
         let value = &self.0.value;
         let made = |piece: &Piece, fields: &[usize], skipping| {
             let made = Interpreted::new(&piece.graph, fields, &piece.outputs, skipping)?;
+            let made = made.with_native(way.native);
             Ok(match way.width {
                 Some(width) => made.with_width(width),
                 None => made,

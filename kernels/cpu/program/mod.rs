@@ -9,20 +9,25 @@ pub mod face;
 mod fuse;
 pub(crate) mod instructions;
 pub(crate) mod lower;
+#[cfg(all(target_arch = "x86_64", feature = "native", not(geograd_portable)))]
+pub(crate) mod native;
 mod skip;
 mod slots;
 pub(crate) mod split;
 
 use crate::Unrecordable;
 use crate::ad::program::graph::{Graph, Id, Node};
+use crate::kernels::cpu::arch::Native;
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles, with_room};
 use crate::kernels::cpu::plan::Maker;
+use crate::kernels::cpu::simd::Simd;
 use crate::kernels::real::Real;
 use execute::STRIP;
-pub(crate) use execute::{Pass, interpret};
+pub(crate) use execute::{Pass, Run, interpret};
 pub(crate) use lower::Tape;
 use std::cell::Cell;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
 /// Bytes of a slot. With fewer the choice of instructions binds; with more the slots of a program leave the
 /// innermost cache.
@@ -38,7 +43,14 @@ pub(crate) struct Interpreted {
     number: u64,
     /// The number of lanes that tests ask for, if another one.
     width: Option<usize>,
+    /// Machine code of each level above the baseline, made when it is worth it.
+    native: [OnceLock<Option<Native>>; 2],
+    /// Tiles that were computed without it.
+    done: AtomicUsize,
 }
+
+/// Tiles that a program computes before it is compiled: sixteen times as many items cost about as much.
+const WORTH: usize = 64;
 
 impl Interpreted {
     /// A program of a graph without grafts. Its inputs are the numbers of all arguments, one argument after
@@ -65,12 +77,42 @@ impl Interpreted {
             fields: fields.to_vec(),
             number: NEXT.fetch_add(1, Ordering::Relaxed),
             width: None,
+            native: [const { OnceLock::new() }; 2],
+            done: AtomicUsize::new(0),
         })
     }
     /// The same with so many lanes per slot at most, an even number.
     pub(crate) fn with_width(mut self, width: usize) -> Self {
         self.width = Some(width.next_multiple_of(STRIP));
         self
+    }
+    /// The same as machine code from the first item on, or never.
+    pub(crate) fn with_native(mut self, native: bool) -> Self {
+        *self.done.get_mut() = if native { WORTH } else { 0 };
+        if !native {
+            self.native = [const { OnceLock::new() }; 2].map(|made| {
+                made.get_or_init(|| None);
+                made
+            });
+        }
+        self
+    }
+    /// The machine code for so many more tiles, if the program has computed enough.
+    fn native<T: Real>(&self, tiles: usize) -> Option<&Native> {
+        let level = Simd::in_use();
+        let made = match level {
+            Simd::Baseline => return None,
+            Simd::Avx2 => &self.native[0],
+            Simd::V4 => &self.native[1],
+        };
+        if let Some(made) = made.get() {
+            return made.as_ref();
+        }
+        if self.done.fetch_add(tiles, Ordering::Relaxed) < WORTH {
+            return None;
+        }
+        let new = || Native::new::<T>(&self.tape, self.width::<T>(), level);
+        made.get_or_init(new).as_ref()
     }
     /// How many instructions and slots it has.
     pub(crate) fn size(&self) -> (usize, usize) {
@@ -104,6 +146,7 @@ impl Interpreted {
     ) {
         let width = self.width::<T>();
         let furnish = || self.furnished(width);
+        let native = self.native::<T>(tiles);
         with_room(self.number, furnish, |lanes| {
             let lanes = Cell::from_mut(lanes).as_slice_of_cells();
             for first in (0..tiles).step_by(width) {
@@ -116,6 +159,7 @@ impl Interpreted {
                     canonical,
                     first,
                     tiles: width.min(tiles - first),
+                    native,
                 };
                 (T::kernels().interpret)(&self.tape, pass, out);
             }

@@ -1,0 +1,562 @@
+//! From instructions of the interpreter to machine code: a run of them at a time, with values in registers.
+//!
+//! Every value has a slot in memory, as in the interpreter. Within a run it stays in a register as long as there is room;
+//! it is stored where it makes room for another one, or where a later run reads it.
+use super::encode::{AT_MOST, EQUAL, Encoder, LESS, Masked, NOT_LESS, Operand, Two};
+use crate::kernels::cpu::program::Run;
+use crate::kernels::cpu::program::instructions::{Code, Op};
+use std::collections::HashMap;
+
+/// Fewer instructions than this are left to the interpreter.
+const SHORTEST: usize = 3;
+
+/// The operands of an instruction, and its results.
+fn sizes(op: Op) -> [usize; 2] {
+    macro_rules! listed {
+        ($($name:ident($($x:ident),*) = $value:expr;)*) => {
+            match op {
+                $(Op::$name => [[$(stringify!($x)),*].len(), 1],)*
+                Op::Parts => [1, 4],
+                Op::SinCos => [1, 2],
+                Op::Turn => [4, 2],
+                Op::SumSub => [2, 2],
+                Op::SkipIfAll | Op::SkipIfNone => [1, 0],
+            }
+        };
+    }
+    crate::kernels::cpu::program::instructions::instructions! { listed!() }
+}
+
+/// `true` if an instruction stays with the interpreter.
+fn is_left(op: Op) -> bool {
+    matches!(
+        op,
+        Op::Parts | Op::SinCos | Op::Exp | Op::Ln | Op::Atan2 | Op::SkipIfAll | Op::SkipIfNone
+    )
+}
+
+/// The runs of a list of instructions: none is jumped into.
+fn runs(code: &[Code]) -> Vec<[usize; 2]> {
+    let mut targets = Vec::new();
+    for (i, own) in code.iter().enumerate() {
+        if matches!(own.op, Op::SkipIfAll | Op::SkipIfNone) {
+            targets.push(i + 1 + own.to[0] as usize);
+        }
+    }
+    let (mut all, mut from) = (Vec::new(), 0);
+    for i in 0..=code.len() {
+        let ends = code.get(i).is_none_or(|own| is_left(own.op));
+        if ends || targets.contains(&i) {
+            if i - from >= SHORTEST {
+                all.push([from, i]);
+            }
+            from = if ends { i + 1 } else { i };
+        }
+    }
+    all
+}
+
+/// When a slot is read next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Next {
+    /// By an instruction of the run.
+    Read(usize),
+    /// After the run.
+    Later,
+    Never,
+}
+
+/// Reads (`true`) and writes of slots, instruction by instruction.
+type Events = HashMap<u16, Vec<(usize, bool)>>;
+
+fn events(code: &[Code]) -> Events {
+    let mut all = Events::new();
+    for (i, own) in code.iter().enumerate() {
+        let [operands, results] = sizes(own.op);
+        for &slot in &own.from[..operands] {
+            all.entry(slot).or_default().push((i, true));
+        }
+        for &slot in &own.to[..results] {
+            all.entry(slot).or_default().push((i, false));
+        }
+    }
+    all
+}
+
+/// Registers and the run that is compiled.
+struct Compiler<'a> {
+    out: &'a mut Encoder,
+    events: &'a Events,
+    /// Slots that are read after all instructions.
+    outputs: &'a [u16],
+    /// The end of the run.
+    end: usize,
+    /// Bytes from a slot to the next.
+    stride: usize,
+    /// The slot whose value a register holds, and whether the slot lacks it.
+    held: Vec<Option<(u16, bool)>>,
+    /// Registers of the current instruction.
+    pinned: Vec<bool>,
+    /// The current instruction.
+    at: usize,
+}
+
+impl Compiler<'_> {
+    /// When a slot's present value is read after an instruction.
+    fn next(&self, slot: u16, after: usize) -> Next {
+        let events = self.events.get(&slot).map_or(&[][..], Vec::as_slice);
+        let from = events.partition_point(|event| event.0 <= after);
+        match events.get(from) {
+            Some(&(at, true)) if at < self.end => Next::Read(at),
+            Some((_, true)) => Next::Later,
+            Some((_, false)) => Next::Never,
+            None if self.outputs.contains(&slot) => Next::Later,
+            None => Next::Never,
+        }
+    }
+    fn place(&self, slot: u16) -> i32 {
+        (slot as usize * self.stride) as i32
+    }
+    fn find(&self, slot: u16) -> Option<u8> {
+        let found = self
+            .held
+            .iter()
+            .position(|held| held.is_some_and(|held| held.0 == slot));
+        found.map(|register| register as u8)
+    }
+    /// A register for a new value, pinned until the instruction is over.
+    fn fresh(&mut self) -> u8 {
+        let free = |k: &usize| self.held[*k].is_none() && !self.pinned[*k];
+        let found = (0..self.held.len()).find(free);
+        let register = found.unwrap_or_else(|| self.evict());
+        self.pinned[register] = true;
+        register as u8
+    }
+    /// Makes room: the value that is read last leaves its register.
+    fn evict(&mut self) -> usize {
+        let distance = |k: usize| match self.held[k].map(|held| self.next(held.0, self.at)) {
+            Some(Next::Read(at)) => at,
+            Some(Next::Later) => self.end,
+            Some(Next::Never) | None => usize::MAX,
+        };
+        // No instruction takes as many registers as there are.
+        let last = (0..self.held.len())
+            .filter(|&k| !self.pinned[k])
+            .max_by_key(|&k| distance(k))
+            .unwrap_or_default();
+        if let Some((slot, true)) = self.held[last].take()
+            && self.next(slot, self.at) != Next::Never
+        {
+            let place = self.place(slot);
+            self.out.store(last as u8, place);
+        }
+        last
+    }
+    /// The register of an operand, which is loaded if need be.
+    fn register(&mut self, slot: u16) -> u8 {
+        let register = match self.find(slot) {
+            Some(register) => register,
+            None => {
+                let register = self.fresh();
+                self.out.load(register, Operand::Slot(self.place(slot)));
+                self.held[register as usize] = Some((slot, false));
+                register
+            }
+        };
+        self.pinned[register as usize] = true;
+        register
+    }
+    /// An operand where it is: one that the run reads again comes into a register.
+    fn operand(&mut self, slot: u16) -> Operand {
+        match (self.find(slot), self.next(slot, self.at)) {
+            (None, Next::Later | Next::Never) => Operand::Slot(self.place(slot)),
+            _ => Operand::Register(self.register(slot)),
+        }
+    }
+    /// Ends an instruction: values that nothing reads any more give their registers back.
+    fn give(&mut self, results: &[(u16, u8)]) {
+        self.pinned.fill(false);
+        for k in 0..self.held.len() {
+            let Some((slot, _)) = self.held[k] else {
+                continue;
+            };
+            let is_over = results.iter().any(|result| result.0 == slot);
+            if is_over || self.next(slot, self.at) == Next::Never {
+                self.held[k] = None;
+            }
+        }
+        for &(slot, register) in results {
+            if self.next(slot, self.at) != Next::Never {
+                self.held[register as usize] = Some((slot, true));
+            }
+        }
+    }
+    /// Stores all values that are read later.
+    fn flush(&mut self) {
+        for k in 0..self.held.len() {
+            if let Some((slot, true)) = self.held[k].take()
+                && self.next(slot, self.at) != Next::Never
+            {
+                let place = self.place(slot);
+                self.out.store(k as u8, place);
+            }
+        }
+    }
+
+    /// A constant by its bits in both formats.
+    fn bits(&mut self, single: u32, double: u64) -> Operand {
+        let twice = u64::from(single) << 32 | u64::from(single);
+        let bits = if self.out.is_double() { double } else { twice };
+        self.out.constant(bits)
+    }
+    fn number(&mut self, x: f64) -> Operand {
+        self.bits((x as f32).to_bits(), x.to_bits())
+    }
+    fn sign(&mut self) -> Operand {
+        self.number(-0.0)
+    }
+    fn zero(&mut self) -> u8 {
+        let zero = self.fresh();
+        self.out.two(Two::Xor, zero, zero, Operand::Register(zero));
+        zero
+    }
+    fn two(&mut self, op: Two, a: u8, b: Operand) -> u8 {
+        let to = self.fresh();
+        self.out.two(op, to, a, b);
+        to
+    }
+    fn negated(&mut self, x: u16) -> u8 {
+        let (x, sign) = (self.register(x), self.sign());
+        self.two(Two::Xor, x, sign)
+    }
+    fn magnitude(&mut self, x: u16) -> u8 {
+        let x = self.register(x);
+        let all = self.bits(!(1 << 31), !(1 << 63));
+        self.two(Two::And, x, all)
+    }
+    /// A comparison as a vector of truths.
+    fn truths(&mut self, predicate: u8, a: u8, b: Operand) -> u8 {
+        let to = self.fresh();
+        self.out.compare(predicate, to, a, b);
+        if self.out.is_512() {
+            self.out.truths(to);
+        }
+        to
+    }
+    /// `yes` where truths hold, else `no`.
+    fn choose(&mut self, truths: u8, yes: u8, no: u8) -> u8 {
+        let to = self.fresh();
+        if self.out.is_512() {
+            self.out.load(to, Operand::Register(truths));
+        }
+        self.out.choose(to, truths, yes, no);
+        to
+    }
+    /// `yes` where a comparison holds, else `no`.
+    fn choose_by(&mut self, predicate: u8, [a, b]: [u16; 2], yes: u8, no: u8) -> u8 {
+        let (a, b) = (self.register(a), self.operand(b));
+        if self.out.is_512() {
+            let to = self.fresh();
+            self.out.compare(predicate, to, a, b);
+            self.out.blend(to, no, Operand::Register(yes));
+            return to;
+        }
+        let truths = self.truths(predicate, a, b);
+        self.choose(truths, yes, no)
+    }
+    /// A comparison and a vector of truths.
+    fn both(&mut self, predicate: u8, [a, b, m]: [u16; 3], op: Two) -> u8 {
+        let (a, b) = (self.register(a), self.operand(b));
+        let truths = self.truths(predicate, a, b);
+        let m = self.operand(m);
+        self.two(op, truths, m)
+    }
+    /// `(x . y) . z`, or `z . (x . y)`.
+    fn three(&mut self, inner: Two, outer: Two, [x, y, z]: [u16; 3], is_first: bool) -> u8 {
+        let (x, y) = (self.register(x), self.operand(y));
+        let inner = self.two(inner, x, y);
+        if is_first {
+            let z = self.operand(z);
+            self.two(outer, inner, z)
+        } else {
+            let z = self.register(z);
+            self.two(outer, z, Operand::Register(inner))
+        }
+    }
+    /// `(x . y) . (z . w)`.
+    fn four(&mut self, first: Two, second: Two, outer: Two, [x, y, z, w]: [u16; 4]) -> u8 {
+        let (x, y) = (self.register(x), self.operand(y));
+        let left = self.two(first, x, y);
+        let (z, w) = (self.register(z), self.operand(w));
+        let right = self.two(second, z, w);
+        self.two(outer, left, Operand::Register(right))
+    }
+
+    /// One instruction.
+    fn instruction(&mut self, own: &Code) {
+        let [x, y, z, w] = own.from;
+        let (a, b, c) = ([x, y, z], [x, y], [x, y, z, w]);
+        use Two::{Add, And, AndNot, Div, Max, Min, Mul, Or, Sub, Xor};
+        let result = match own.op {
+            Op::Copy => {
+                let from = self.operand(x);
+                let to = self.fresh();
+                self.out.load(to, from);
+                to
+            }
+            Op::Canonical => {
+                let (zero, x) = (self.zero(), self.operand(x));
+                self.two(Add, zero, x)
+            }
+            Op::Neg => self.negated(x),
+            Op::Magnitude => self.magnitude(x),
+            Op::Root => self.root(x),
+            Op::Binade => self.binade(x),
+            Op::High => {
+                let x = self.register(x);
+                let high = self.bits(!((1 << 12) - 1), !((1 << 27) - 1));
+                self.two(And, x, high)
+            }
+            Op::Not => {
+                let (x, all) = (self.register(x), self.bits(!0, !0));
+                self.two(Xor, x, all)
+            }
+            Op::Always => {
+                let (to, all) = (self.fresh(), self.bits(!0, !0));
+                self.out.load(to, all);
+                to
+            }
+            Op::Never => self.zero(),
+            Op::Add => self.pair(Add, b),
+            Op::Sub => self.pair(Sub, b),
+            Op::Mul => self.pair(Mul, b),
+            Op::Div => self.pair(Div, b),
+            Op::Min => self.pair(Min, b),
+            Op::Max => self.pair(Max, b),
+            Op::And => self.pair(And, b),
+            Op::Or => self.pair(Or, b),
+            Op::Lt => self.compared(LESS, b),
+            Op::Le => self.compared(AT_MOST, b),
+            Op::Eq => self.compared(EQUAL, b),
+            Op::Select => {
+                let [m, x, y] = a.map(|slot| self.register(slot));
+                self.choose(m, x, y)
+            }
+            Op::Split => self.split(a),
+            Op::Rest => self.rest(a),
+            Op::AddAdd => self.three(Add, Add, a, true),
+            Op::SubAdd => self.three(Sub, Add, a, true),
+            Op::MulAdd => self.three(Mul, Add, a, true),
+            Op::AddSub => self.three(Add, Sub, a, true),
+            Op::SubSub => self.three(Sub, Sub, a, true),
+            Op::MulSub => self.three(Mul, Sub, a, true),
+            Op::FromAdd => self.three(Add, Sub, a, false),
+            Op::FromSub => self.three(Sub, Sub, a, false),
+            Op::FromMul => self.three(Mul, Sub, a, false),
+            Op::AddMul => self.three(Add, Mul, a, true),
+            Op::SubMul => self.three(Sub, Mul, a, true),
+            Op::MulMul => self.three(Mul, Mul, a, true),
+            Op::MaxMin => self.three(Max, Min, a, true),
+            Op::MinMax => self.three(Min, Max, a, true),
+            Op::MinFrom => self.three(Max, Min, a, false),
+            Op::MaxFrom => self.three(Min, Max, a, false),
+            Op::MaxFromMul => {
+                let inner = self.three(Mul, Min, a, false);
+                let w = self.register(w);
+                self.two(Max, w, Operand::Register(inner))
+            }
+            Op::MaxFromNeg => {
+                let (inner, y) = (self.negated(x), self.register(y));
+                let inner = self.two(Min, y, Operand::Register(inner));
+                let z = self.register(z);
+                self.two(Max, z, Operand::Register(inner))
+            }
+            Op::MaxMulAdd => {
+                let inner = self.three(Mul, Add, a, true);
+                let w = self.register(w);
+                self.two(Max, w, Operand::Register(inner))
+            }
+            Op::SubByAdd => self.four(Sub, Add, Mul, c),
+            Op::SubAndSub => self.four(Sub, Sub, Add, c),
+            Op::Dot => self.four(Mul, Mul, Add, c),
+            Op::Cross => self.four(Mul, Mul, Sub, c),
+            Op::SelectNeg => {
+                let (m, yes, no) = (self.register(x), self.negated(y), self.register(z));
+                self.choose(m, yes, no)
+            }
+            Op::SelectMul => {
+                let (m, yes, no) = (self.register(x), self.pair(Mul, [y, z]), self.register(w));
+                self.choose(m, yes, no)
+            }
+            Op::ElseMul => {
+                let (m, yes, no) = (self.register(x), self.register(y), self.pair(Mul, [z, w]));
+                self.choose(m, yes, no)
+            }
+            Op::SelectAdd => {
+                let [m, yes, no] = a.map(|slot| self.register(slot));
+                let chosen = self.choose(m, yes, no);
+                let w = self.operand(w);
+                self.two(Add, chosen, w)
+            }
+            Op::MagnitudeMax => {
+                let (x, y) = (self.magnitude(x), self.operand(y));
+                self.two(Max, x, y)
+            }
+            Op::MaxMagnitude => {
+                let (x, y) = (self.register(x), self.magnitude(y));
+                self.two(Max, x, Operand::Register(y))
+            }
+            Op::AndNot => {
+                let (n, m) = (self.register(y), self.operand(x));
+                self.two(AndNot, n, m)
+            }
+            Op::SelectLt => self.choose_slots(LESS, c),
+            Op::SelectLe => self.choose_slots(AT_MOST, c),
+            Op::SelectEq => self.choose_slots(EQUAL, c),
+            Op::SelectNegLt => {
+                let (yes, no) = (self.negated(z), self.register(w));
+                self.choose_by(LESS, b, yes, no)
+            }
+            Op::LtAnd => self.both(LESS, a, And),
+            Op::LeAnd => self.both(AT_MOST, a, And),
+            Op::EqAnd => self.both(EQUAL, a, And),
+            Op::LtOr => self.both(LESS, a, Or),
+            Op::LeOr => self.both(AT_MOST, a, Or),
+            Op::EqOr => self.both(EQUAL, a, Or),
+            Op::Turn => {
+                let first = self.four(Mul, Mul, Add, [x, z, y, w]);
+                let second = self.four(Mul, Mul, Sub, [y, z, x, w]);
+                return self.give(&[(own.to[0], first), (own.to[1], second)]);
+            }
+            Op::SumSub => {
+                let (sum, difference) = (self.pair(Add, b), self.pair(Sub, b));
+                return self.give(&[(own.to[0], sum), (own.to[1], difference)]);
+            }
+            // They are in no run.
+            Op::Exp
+            | Op::Ln
+            | Op::Atan2
+            | Op::Parts
+            | Op::SinCos
+            | Op::SkipIfAll
+            | Op::SkipIfNone => return,
+        };
+        self.give(&[(own.to[0], result)]);
+    }
+    fn pair(&mut self, op: Two, [x, y]: [u16; 2]) -> u8 {
+        let (x, y) = (self.register(x), self.operand(y));
+        self.two(op, x, y)
+    }
+    fn compared(&mut self, predicate: u8, [x, y]: [u16; 2]) -> u8 {
+        let (x, y) = (self.register(x), self.operand(y));
+        self.truths(predicate, x, y)
+    }
+    fn choose_slots(&mut self, predicate: u8, [x, y, z, w]: [u16; 4]) -> u8 {
+        let (yes, no) = (self.register(z), self.register(w));
+        self.choose_by(predicate, [x, y], yes, no)
+    }
+    /// The root of what is above zero, else zero.
+    fn root(&mut self, x: u16) -> u8 {
+        let (zero, x) = (self.zero(), self.register(x));
+        let from = Operand::Register(x);
+        if self.out.is_512() {
+            let to = self.fresh();
+            self.out.compare(LESS, to, zero, from);
+            self.out.root(to, from, Masked::Zeroed);
+            return to;
+        }
+        let above = self.truths(LESS, zero, from);
+        let root = self.fresh();
+        self.out.root(root, from, Masked::No);
+        self.two(Two::And, root, Operand::Register(above))
+    }
+    /// As [`Scalar::binade`](crate::Scalar::binade) of one number: the exponent field e becomes 2·bias + 1 − e.
+    fn binade(&mut self, x: u16) -> u8 {
+        let least = self.bits(f32::MIN_POSITIVE.to_bits(), f64::MIN_POSITIVE.to_bits());
+        let field = self.bits(f32::INFINITY.to_bits(), f64::INFINITY.to_bits());
+        let twice_bias = self.bits(255 << 23, 2047 << 52);
+        let (start, x) = (self.fresh(), self.operand(x));
+        self.out.load(start, least);
+        let normal = self.two(Two::Max, start, x);
+        let exponent = self.two(Two::And, normal, field);
+        let to = self.fresh();
+        self.out.load(to, twice_bias);
+        self.out.subtract_whole(to, to, Operand::Register(exponent));
+        to
+    }
+    /// `z` where x is less than y, half of it where both are equal, else zero.
+    fn split(&mut self, [x, y, z]: [u16; 3]) -> u8 {
+        let (z, half) = (self.register(z), self.number(0.5));
+        let half = self.two(Two::Mul, z, half);
+        let (a, b) = (self.register(x), self.register(y));
+        let b = Operand::Register(b);
+        if self.out.is_512() {
+            let tie = self.fresh();
+            self.out.compare(EQUAL, tie, a, b);
+            self.out.load_zeroed(tie, Operand::Register(half));
+            self.out.compare(LESS, tie, a, b);
+            let to = self.fresh();
+            self.out.blend(to, tie, Operand::Register(z));
+            return to;
+        }
+        let equal = self.truths(EQUAL, a, b);
+        let tie = self.two(Two::And, half, Operand::Register(equal));
+        let less = self.truths(LESS, a, b);
+        self.choose(less, z, tie)
+    }
+    /// Zero where x is less than y, half of `z` where both are equal, else `z`.
+    fn rest(&mut self, [x, y, z]: [u16; 3]) -> u8 {
+        let (z, half) = (self.register(z), self.number(0.5));
+        let half = self.two(Two::Mul, z, half);
+        let (a, b) = (self.register(x), self.register(y));
+        let b = Operand::Register(b);
+        if self.out.is_512() {
+            let tie = self.fresh();
+            self.out.compare(EQUAL, tie, a, b);
+            self.out.blend(tie, z, Operand::Register(half));
+            self.out.compare(NOT_LESS, tie, a, b);
+            let to = self.fresh();
+            self.out.load_zeroed(to, Operand::Register(tie));
+            return to;
+        }
+        let equal = self.truths(EQUAL, a, b);
+        let tie = self.choose(equal, half, z);
+        let less = self.truths(LESS, a, b);
+        self.two(Two::AndNot, less, Operand::Register(tie))
+    }
+}
+
+/// Compiles all runs of a list of instructions, whose slots begin every `stride` bytes.
+pub(crate) fn compile(
+    mut out: Encoder,
+    code: &[Code],
+    outputs: &[u16],
+    stride: usize,
+) -> (Vec<u8>, Vec<Run>) {
+    let events = events(code);
+    let mut all = Vec::new();
+    for [from, to] in runs(code) {
+        let entry = out.bytes.len().next_multiple_of(64);
+        out.bytes.resize(entry, 0xcc);
+        let start = out.begin();
+        let registers = out.registers() as usize;
+        let mut compiler = Compiler {
+            out: &mut out,
+            events: &events,
+            outputs,
+            end: to,
+            stride,
+            held: vec![None; registers],
+            pinned: vec![false; registers],
+            at: from,
+        };
+        for (at, own) in code.iter().enumerate().take(to).skip(from) {
+            compiler.at = at;
+            compiler.instruction(own);
+        }
+        compiler.flush();
+        out.end(start);
+        all.push(Run { from, to, entry });
+    }
+    (out.finish(), all)
+}

@@ -1,0 +1,277 @@
+//! Vector instructions of x86-64 as bytes, in the encodings VEX (AVX2) and EVEX (AVX-512).
+//!
+//! Intel's Software Developer's Manual, volume 2, sections 2.3 (VEX) and 2.7 (EVEX). Operands in memory are slots, at
+//! `rdi + rax + displacement`, and constants behind the code.
+
+/// An operand that may be in memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Operand {
+    Register(u8),
+    /// The bytes from the first slot to this one.
+    Slot(i32),
+    /// A constant, by its number.
+    Constant(usize),
+}
+
+/// A vector instruction: its opcode, the map of opcodes, and the mandatory prefix.
+#[derive(Clone, Copy)]
+pub(super) struct Vector {
+    opcode: u8,
+    map: u8,
+    prefix: u8,
+    wide: bool,
+}
+
+/// The writemask of an instruction of AVX-512: the register `k1`, or none, and whether other numbers become zero.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Masked {
+    No,
+    Merged,
+    Zeroed,
+}
+
+/// Predicates of comparisons that are quiet.
+pub(super) const EQUAL: u8 = 0x00;
+pub(super) const LESS: u8 = 0x11;
+pub(super) const AT_MOST: u8 = 0x12;
+pub(super) const NOT_LESS: u8 = 0x15;
+
+/// Chooses by the bits of the destination: its imm8 for `vpternlog`.
+const CHOOSE: u8 = 0xca;
+
+/// Code that grows, with its constants.
+pub(crate) struct Encoder {
+    pub(super) bytes: Vec<u8>,
+    /// One vector each, 64 bytes.
+    constants: Vec<u64>,
+    /// Displacements to constants: where they are, and the end of their instruction.
+    open: Vec<(usize, usize, usize)>,
+    /// `true` for AVX-512, `false` for AVX2.
+    is_512: bool,
+    /// `true` for `f64`.
+    is_double: bool,
+}
+
+/// Bytes of a constant.
+const CONSTANT: usize = 64;
+
+impl Encoder {
+    pub(crate) fn new(is_512: bool, is_double: bool) -> Self {
+        Encoder {
+            bytes: Vec::new(),
+            constants: Vec::new(),
+            open: Vec::new(),
+            is_512,
+            is_double,
+        }
+    }
+    pub(super) const fn is_512(&self) -> bool {
+        self.is_512
+    }
+    pub(super) const fn is_double(&self) -> bool {
+        self.is_double
+    }
+    /// Numbers of a vector register in bytes.
+    pub(super) const fn width(&self) -> usize {
+        if self.is_512 { 64 } else { 32 }
+    }
+    /// Vector registers.
+    pub(super) const fn registers(&self) -> u8 {
+        if self.is_512 { 32 } else { 16 }
+    }
+    /// A number as a vector: its bits, of single precision twice.
+    pub(super) fn constant(&mut self, bits: u64) -> Operand {
+        let known = self.constants.iter().position(|&known| known == bits);
+        Operand::Constant(known.unwrap_or_else(|| {
+            self.constants.push(bits);
+            self.constants.len() - 1
+        }))
+    }
+
+    /// An instruction of packed numbers in map 0F.
+    const fn packed(&self, opcode: u8) -> Vector {
+        Vector {
+            opcode,
+            map: 1,
+            prefix: self.is_double as u8,
+            wide: self.is_double && self.is_512,
+        }
+    }
+
+    /// `to = a ∘ b`, masked by `k1` in AVX-512.
+    fn emit(&mut self, own: Vector, to: u8, a: u8, b: Operand, masked: Masked, more: Option<u8>) {
+        let (low, high) = match b {
+            Operand::Register(b) => (b >> 3 & 1, b >> 4 & 1),
+            Operand::Slot(_) | Operand::Constant(_) => (0, 0),
+        };
+        let flipped = |bit: u8, at: u8| (!bit & 1) << at;
+        let wide = u8::from(own.wide) << 7;
+        if self.is_512 {
+            self.bytes.extend([
+                0x62,
+                flipped(to >> 3, 7)
+                    | flipped(high, 6)
+                    | flipped(low, 5)
+                    | flipped(to >> 4, 4)
+                    | own.map,
+                wide | (!a & 15) << 3 | 4 | own.prefix,
+                u8::from(masked == Masked::Zeroed) << 7
+                    | 0x40
+                    | flipped(a >> 4, 3)
+                    | u8::from(masked != Masked::No),
+            ]);
+        } else {
+            self.bytes.extend([
+                0xc4,
+                flipped(to >> 3, 7) | 0x40 | flipped(low, 5) | own.map,
+                wide | (!a & 15) << 3 | 4 | own.prefix,
+            ]);
+        }
+        self.bytes.push(own.opcode);
+        let to = (to & 7) << 3;
+        match b {
+            Operand::Register(b) => self.bytes.push(0xc0 | to | b & 7),
+            Operand::Slot(bytes) => {
+                self.bytes.extend([0x84 | to, 0x07]);
+                self.bytes.extend(bytes.to_le_bytes());
+            }
+            Operand::Constant(k) => {
+                self.bytes.push(0x05 | to);
+                let at = self.bytes.len();
+                self.bytes.extend([0; 4]);
+                self.open.push((at, at + 4 + more.iter().len(), k));
+            }
+        }
+        self.bytes.extend(more);
+    }
+    fn plain(&mut self, opcode: u8, to: u8, a: u8, b: Operand) {
+        self.emit(self.packed(opcode), to, a, b, Masked::No, None);
+    }
+
+    /// An operation of two vectors by its opcode.
+    pub(super) fn two(&mut self, op: Two, to: u8, a: u8, b: Operand) {
+        self.plain(op as u8, to, a, b);
+    }
+    /// Moves a vector to a register.
+    pub(super) fn load(&mut self, to: u8, from: Operand) {
+        self.plain(0x28, to, 0, from);
+    }
+    /// Moves a vector to a register where `k1` holds, zero elsewhere.
+    pub(super) fn load_zeroed(&mut self, to: u8, from: Operand) {
+        self.emit(self.packed(0x28), to, 0, from, Masked::Zeroed, None);
+    }
+    /// Moves a register to a slot.
+    pub(super) fn store(&mut self, from: u8, slot: i32) {
+        self.plain(0x29, from, 0, Operand::Slot(slot));
+    }
+    /// The square root.
+    pub(super) fn root(&mut self, to: u8, from: Operand, masked: Masked) {
+        self.emit(self.packed(0x51), to, 0, from, masked, None);
+    }
+    /// Compares into a vector of truths (AVX2) or into `k1`.
+    pub(super) fn compare(&mut self, predicate: u8, to: u8, a: u8, b: Operand) {
+        let to = if self.is_512 { 1 } else { to };
+        self.emit(self.packed(0xc2), to, a, b, Masked::No, Some(predicate));
+    }
+    /// `k1` as a vector of truths, of AVX-512.
+    pub(super) fn truths(&mut self, to: u8) {
+        let own = Vector {
+            opcode: 0x38,
+            map: 2,
+            prefix: 2,
+            wide: self.is_double,
+        };
+        self.emit(own, to, 0, Operand::Register(1), Masked::No, None);
+    }
+    /// `yes` where `k1` holds, else `no`, of AVX-512.
+    pub(super) fn blend(&mut self, to: u8, no: u8, yes: Operand) {
+        let own = Vector {
+            opcode: 0x65,
+            map: 2,
+            prefix: 1,
+            wide: self.is_double,
+        };
+        self.emit(own, to, no, yes, Masked::Merged, None);
+    }
+    /// `yes` where a vector of truths holds, else `no`. Of AVX-512 the truths must be in `to`.
+    pub(super) fn choose(&mut self, to: u8, truths: u8, yes: u8, no: u8) {
+        if self.is_512 {
+            let own = Vector {
+                opcode: 0x25,
+                map: 3,
+                prefix: 1,
+                wide: self.is_double,
+            };
+            let no = Operand::Register(no);
+            self.emit(own, to, yes, no, Masked::No, Some(CHOOSE));
+        } else {
+            let own = Vector {
+                opcode: 0x4a + u8::from(self.is_double),
+                map: 3,
+                prefix: 1,
+                wide: false,
+            };
+            let yes = Operand::Register(yes);
+            self.emit(own, to, no, yes, Masked::No, Some(truths << 4));
+        }
+    }
+    /// The difference as whole numbers of the format's width.
+    pub(super) fn subtract_whole(&mut self, to: u8, a: u8, b: Operand) {
+        let own = Vector {
+            opcode: 0xfa + u8::from(self.is_double),
+            map: 1,
+            prefix: 1,
+            wide: self.is_double && self.is_512,
+        };
+        self.emit(own, to, a, b, Masked::No, None);
+    }
+
+    /// Begins a function of the first slot (`rdi`) and the bytes of a slot in use (`rsi`): what follows is repeated
+    /// for every vector of the slots.
+    pub(super) fn begin(&mut self) -> usize {
+        // endbr64, which processors that check the targets of indirect calls want; xor eax, eax.
+        self.bytes.extend([0xf3, 0x0f, 0x1e, 0xfa, 0x31, 0xc0]);
+        self.bytes.len()
+    }
+    /// Ends it.
+    pub(super) fn end(&mut self, start: usize) {
+        // add rax, width; cmp rax, rsi; jb start; vzeroupper; ret.
+        self.bytes.extend([0x48, 0x05]);
+        self.bytes.extend((self.width() as u32).to_le_bytes());
+        self.bytes.extend([0x48, 0x39, 0xf0, 0x0f, 0x82]);
+        let back = start as i64 - (self.bytes.len() as i64 + 4);
+        self.bytes.extend((back as i32).to_le_bytes());
+        self.bytes.extend([0xc5, 0xf8, 0x77, 0xc3]);
+    }
+    /// The code with its constants behind it.
+    pub(super) fn finish(mut self) -> Vec<u8> {
+        let first = self.bytes.len().next_multiple_of(CONSTANT);
+        self.bytes.resize(first, 0xcc);
+        for (at, end, k) in self.open {
+            let distance = (first + k * CONSTANT - end) as i32;
+            self.bytes[at..at + 4].copy_from_slice(&distance.to_le_bytes());
+        }
+        for constant in self.constants {
+            for _ in 0..CONSTANT / 8 {
+                self.bytes.extend(constant.to_le_bytes());
+            }
+        }
+        self.bytes
+    }
+}
+
+/// Operations of two vectors, by their opcodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Two {
+    And = 0x54,
+    /// Not the first, and the second.
+    AndNot = 0x55,
+    Or = 0x56,
+    Xor = 0x57,
+    Add = 0x58,
+    Mul = 0x59,
+    Sub = 0x5c,
+    Min = 0x5d,
+    Div = 0x5e,
+    Max = 0x5f,
+}
