@@ -1,10 +1,11 @@
-//! The shaders of the hot paths, as they are generated, are kept in `kernels/gpu/wgsl/generated` to be read.
+//! Three generated shaders are in `kernels/gpu/wgsl/generated` as examples to read: of all pairs, of a gradient, of a
+//! fold. `tests/gpu/generated.rs` generates and validates all others.
 //!
 //! `GEOGRAD_WRITE_WGSL=1 cargo test -p geograd-tests --features gpu --test gpu committed` writes them anew.
 use geograd::ad::program::WGSL;
 use geograd::kernels::gpu::{fold_sources, op_sources};
 use geograd::kernels::{Item, Op};
-use geograd_tests::rows::{distance, fold, iou, overlap, overlap3};
+use geograd_tests::rows::{distance, fold, overlap};
 use std::path::PathBuf;
 
 /// Compares a shader with what is kept, or writes it. The functions that all of them call are left out.
@@ -51,31 +52,10 @@ where
 }
 
 #[test]
-fn boxes_in_the_plane() {
-    kept::<overlap::IouObb2>(&[
-        "Value Aligned",
-        "Value Pairs",
-        "Value Masks",
-        "ValueGrad Aligned",
-        "Vjp Aligned",
-        "Vjp ColumnDerivatives",
-    ]);
-    kept::<iou::GiouObb2>(&["Value Pairs", "ValueGrad Aligned"]);
-}
-
-#[test]
-fn boxes_in_space() {
-    kept::<overlap3::IouYaw>(&["Value Pairs", "ValueGrad Aligned"]);
-    kept::<overlap3::IouObb3>(&["Value Pairs"]);
-}
-
-#[test]
-fn points_and_paths() {
-    kept::<distance::DistancePointSegment>(&["Value Aligned", "ValueGrad Aligned", "Vjp Aligned"]);
-    for (form, text) in fold_sources(fold::SecondMomentsOfRing).unwrap() {
-        compare(&format!("second_moments_of_ring {form}"), &text);
-    }
-    for (form, text) in fold_sources(fold::LengthOfPolyline).unwrap() {
-        compare(&format!("length_of_polyline {form}"), &text);
-    }
+fn examples() {
+    kept::<overlap::IouObb2>(&["Value Pairs"]);
+    kept::<distance::DistancePointSegment>(&["ValueGrad Aligned"]);
+    let folds = fold_sources(fold::LengthOfPolyline).unwrap();
+    let (form, text) = &folds[0];
+    compare(&format!("length_of_polyline {form}"), text);
 }
