@@ -1,5 +1,5 @@
 //! Three generated shaders are in `kernels/gpu/wgsl/generated` as examples to read: of all pairs, of a gradient, of a
-//! fold. `tests/gpu/generated.rs` generates and validates all others.
+//! fold. `tests/gpu/main.rs` generates and validates all others.
 //!
 //! `GEOGRAD_WRITE_WGSL=1 cargo test -p geograd-tests --features gpu --test gpu committed` writes them anew.
 use geograd::ad::program::WGSL;
