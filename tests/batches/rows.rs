@@ -2,6 +2,7 @@
 //! instructions and at every position of a batch.
 use crate::bits::Turn;
 use geograd::ad::check::sample::Draw;
+use geograd::kernels::cpu::program::face::compile_after;
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::dynamic::{Bound, Function, Mode, Rows, Sort, names, operations};
 use geograd::kernels::op::Finite;
@@ -179,7 +180,11 @@ fn every_row_of_fixed_size<T: Number>() {
     let _turn = Turn::take();
     for level in Simd::available() {
         Simd::limit(Some(level)).unwrap();
-        each(&rows, |row| known[row.name()].check(row, level));
+        // Interpreted, then as machine code.
+        for tiles in [usize::MAX, 0] {
+            compile_after(tiles);
+            each(&rows, |row| known[row.name()].check(row, level));
+        }
     }
 }
 

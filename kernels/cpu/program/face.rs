@@ -21,6 +21,11 @@ pub struct Way {
     pub native: bool,
 }
 
+/// Sets after how many tiles of sixteen items programs become machine code.
+pub fn compile_after(tiles: usize) {
+    super::compile_after(tiles);
+}
+
 /// A recorded function.
 #[derive(Clone, Debug)]
 pub struct Trial(Recorded);

@@ -50,7 +50,12 @@ pub(crate) struct Interpreted {
 }
 
 /// Tiles that a program computes before it is compiled: sixteen times as many items cost about as much.
-const WORTH: usize = 64;
+static WORTH: AtomicUsize = AtomicUsize::new(64);
+
+/// Sets after how many tiles programs become machine code, for tests.
+pub(crate) fn compile_after(tiles: usize) {
+    WORTH.store(tiles, Ordering::Relaxed);
+}
 
 impl Interpreted {
     /// A program of a graph without grafts. Its inputs are the numbers of all arguments, one argument after
@@ -88,7 +93,7 @@ impl Interpreted {
     }
     /// The same as machine code from the first item on, or never.
     pub(crate) fn with_native(mut self, native: bool) -> Self {
-        *self.done.get_mut() = if native { WORTH } else { 0 };
+        *self.done.get_mut() = if native { usize::MAX / 2 } else { 0 };
         if !native {
             self.native = [const { OnceLock::new() }; 2].map(|made| {
                 made.get_or_init(|| None);
@@ -108,7 +113,7 @@ impl Interpreted {
         if let Some(made) = made.get() {
             return made.as_ref();
         }
-        if self.done.fetch_add(tiles, Ordering::Relaxed) < WORTH {
+        if self.done.fetch_add(tiles, Ordering::Relaxed) < WORTH.load(Ordering::Relaxed) {
             return None;
         }
         let new = || Native::new::<T>(&self.tape, self.width::<T>(), level);
