@@ -294,6 +294,13 @@ impl Compiler<'_> {
 
     /// One instruction.
     fn instruction(&mut self, own: &Code) {
+        // Operands that are in registers stay there until they are read.
+        let [operands, _] = sizes(own.op);
+        for &slot in &own.from[..operands] {
+            if let Some(register) = self.find(slot) {
+                self.pinned[register as usize] = true;
+            }
+        }
         let [x, y, z, w] = own.from;
         let (a, b, c) = ([x, y, z], [x, y], [x, y, z, w]);
         use Two::{Add, And, AndNot, Div, Max, Min, Mul, Or, Sub, Xor};
