@@ -1,6 +1,8 @@
 //! Aligned items over plain numbers, block by block: the same code for every operation.
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles, planes, tiles, with_lanes};
 use crate::kernels::cpu::plan::{Face, Preparation};
+use crate::kernels::cpu::program::Interpreted;
+use crate::kernels::cpu::program::rows::{Given, Wanted};
 use crate::kernels::cpu::work::spread;
 use crate::kernels::item::{Column, Piece, STRETCH, Target};
 use crate::kernels::real::Real;
@@ -82,6 +84,10 @@ struct Stretch<'a, T> {
 impl<T: Real> Stretch<'_, T> {
     fn compute(&self, count: usize, places: &mut [Option<&mut [T]>]) {
         let face = self.face;
+        let is_plain = !self.rare && face.arguments.iter().all(|x| x.frame.is_none());
+        if let (Some(program), true) = (face.maker.program(), is_plain) {
+            return self.compute_rows(program, count, places);
+        }
         let most = tiles(count.min(ITEMS));
         let frame = |k: usize| face.arguments.get(k).map_or(0, |x| x.frame_fields());
         let wide: Vec<[usize; 2]> = (0..self.fields.len())
@@ -123,6 +129,22 @@ impl<T: Real> Stretch<'_, T> {
                 }
             }
         });
+    }
+    /// Computes a program from rows to rows.
+    fn compute_rows(&self, program: &Interpreted, count: usize, places: &mut [Option<&mut [T]>]) {
+        let columns = self.numbers.iter().zip(&self.fields).zip(&self.ones);
+        let given: Vec<Given<'_, T>> = columns
+            .map(|((&rows, &fields), &is_one)| Given {
+                rows,
+                fields,
+                is_one,
+            })
+            .collect();
+        let places = places.iter_mut().zip(&self.face.gives);
+        let mut wanted: Vec<Wanted<'_, T>> = places
+            .map(|(place, &fields)| (place.as_deref_mut(), fields))
+            .collect();
+        program.over_rows(&given, count, self.face.skipped, &mut wanted);
     }
     /// The numbers of a column for some items.
     fn of(&self, k: usize, items: &Range<usize>) -> &[T] {

@@ -6,6 +6,7 @@ use crate::kernels::cpu::boxes::{self, BOUNDS, View};
 use crate::kernels::cpu::boxes3;
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles};
 use crate::kernels::cpu::nearest;
+use crate::kernels::cpu::program::rows::{Rows, Wanted};
 use crate::kernels::cpu::program::{self, Pass, Tape};
 use crate::kernels::cpu::quads;
 use crate::kernels::cpu::rings::{self, Measure};
@@ -149,6 +150,8 @@ entries! {
     never_decreases(offsets: &[usize], vertices: usize) -> bool = rings::never_decreases::<T, V>;
     /// A part of a block by a recorded program.
     interpret(tape: &Tape, pass: Pass<'_, T>, out: &mut [Lane<T>]) = program::interpret::<T, V>;
+    /// Some items by a recorded program, from rows to rows.
+    over_rows(tape: &Tape, part: Rows<'_, T>, wanted: &mut [Wanted<'_, T>]) = program::rows::over_rows::<T, V>;
     /// The edges of a path that can be nearest to a point, and how often the path winds around it.
     near_edges(point: Vec2<T>, path: &nearest::Edges<T>, limits: nearest::Limits<T>, squares: &mut [Lane<T>], picked: &mut [u32]) -> Option<(usize, T)> = nearest::near_edges::<T, V>;
     /// Measures of rings; false, and any numbers, where a vertex is not finite.

@@ -1,6 +1,7 @@
 //! The preparation of a shape and the maker of blocks of results: the same for every kind of maker.
 use crate::error::{Argument, Flaw};
 use crate::kernels::cpu::lane::{Lane, Results, Tiles};
+use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::item::Leaf;
 use crate::kernels::recording::Mode;
 use std::sync::Arc;
@@ -12,6 +13,10 @@ pub trait Maker<T>: Send + Sync {
     /// Computes as many tiles of results as are asked for. Each input has at least as many tiles, or
     /// one that stands for all.
     fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>);
+    /// The program that computes the same from rows of numbers, if it is one.
+    fn program(&self) -> Option<&Interpreted> {
+        None
+    }
 }
 
 /// Something that is made of each of many shapes, as tiles of numbers.

@@ -16,20 +16,20 @@ use std::cell::Cell;
 pub(crate) const STRIP: usize = 2;
 
 /// Lanes of one turn.
-type Strip<T> = [Cell<Lane<T>>; STRIP];
+pub(super) type Strip<T> = [Cell<Lane<T>>; STRIP];
 
 /// Memory of a block: slots begin every `stride` lanes; of each `width` lanes, a multiple of [`STRIP`], are in
 /// use.
 #[derive(Clone, Copy)]
-struct Memory<'a, T> {
-    lanes: &'a [Cell<Lane<T>>],
-    width: usize,
-    stride: usize,
+pub(super) struct Memory<'a, T> {
+    pub(super) lanes: &'a [Cell<Lane<T>>],
+    pub(super) width: usize,
+    pub(super) stride: usize,
 }
 
 impl<'a, T> Memory<'a, T> {
     #[inline(always)]
-    fn slot(self, slot: u16) -> &'a [Strip<T>] {
+    pub(super) fn slot(self, slot: u16) -> &'a [Strip<T>] {
         let from = slot as usize * self.stride;
         self.lanes[from..from + self.width].as_chunks().0
     }
@@ -292,7 +292,11 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
 
 /// Carries out instructions.
 #[inline(always)]
-fn run<T: Real, V: Vector<T>>(code: &[Code], memory: Memory<'_, T>, native: Option<&Native>) {
+pub(super) fn run<T: Real, V: Vector<T>>(
+    code: &[Code],
+    memory: Memory<'_, T>,
+    native: Option<&Native>,
+) {
     let mut runs = native.map_or(&[][..], Native::runs);
     let mut next = 0;
     loop {

@@ -11,6 +11,7 @@ pub(crate) mod instructions;
 pub(crate) mod lower;
 #[cfg(all(target_arch = "x86_64", feature = "native", not(geograd_portable)))]
 pub(crate) mod native;
+pub(crate) mod rows;
 mod skip;
 mod slots;
 pub(crate) mod split;
@@ -18,13 +19,14 @@ pub(crate) mod split;
 use crate::Unrecordable;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::arch::Native;
-use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles, with_room};
+use crate::kernels::cpu::lane::{Lane, PLANE, Results, TILE, Tiles, with_room};
 use crate::kernels::cpu::plan::Maker;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::real::Real;
 use execute::STRIP;
 pub(crate) use execute::{Pass, Run, interpret};
 pub(crate) use lower::Tape;
+use rows::{Given, Rows, Wanted};
 use std::cell::Cell;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -179,7 +181,40 @@ impl Interpreted {
     }
 }
 
+impl Interpreted {
+    /// Computes so many items from rows to rows. The results are those of the program but for the first ones.
+    pub(crate) fn over_rows<T: Real>(
+        &self,
+        given: &[Given<'_, T>],
+        items: usize,
+        skipped: usize,
+        wanted: &mut [Wanted<'_, T>],
+    ) {
+        let width = self.width::<T>();
+        let native = self.native::<T>(items.div_ceil(TILE));
+        let furnish = || self.furnished(width);
+        with_room(self.number, furnish, |lanes| {
+            let lanes = Cell::from_mut(lanes).as_slice_of_cells();
+            for first in (0..items).step_by(width * TILE) {
+                let part = Rows {
+                    lanes,
+                    stride: width,
+                    given,
+                    first,
+                    items: (width * TILE).min(items - first),
+                    skipped,
+                    native,
+                };
+                (T::kernels().over_rows)(&self.tape, part, wanted);
+            }
+        });
+    }
+}
+
 impl<T: Real> Maker<T> for Interpreted {
+    fn program(&self) -> Option<&Interpreted> {
+        Some(self)
+    }
     fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
         self.compute(inputs, out.tiles, out.lanes, [1, PLANE], true);
     }

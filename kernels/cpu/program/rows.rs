@@ -1,0 +1,326 @@
+//! A program over rows of numbers: from rows to slots, through the instructions, and back to rows.
+//!
+//! Rows and slots are exchanged in registers, four fields at a time; no tile lies between them.
+use super::execute::{Memory, STRIP, run};
+use crate::kernels::cpu::arch::{Native, Vector};
+use crate::kernels::cpu::blocks::QUAD;
+use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::kernels::cpu::program::lower::Tape;
+use crate::kernels::real::Real;
+use std::cell::Cell;
+
+/// An argument of a batch: one row for every item, or one that stands for all.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Given<'a, T> {
+    pub(crate) rows: &'a [T],
+    /// Numbers of a row, at least one.
+    pub(crate) fields: usize,
+    pub(crate) is_one: bool,
+}
+
+/// Results of a batch: rows of so many numbers, or nothing where they are not wanted.
+pub(crate) type Wanted<'a, T> = (Option<&'a mut [T]>, usize);
+
+/// A part of a batch.
+#[derive(Clone, Copy)]
+pub(crate) struct Rows<'a, T> {
+    /// Slot after slot, and lanes of a slot.
+    pub(crate) lanes: &'a [Cell<Lane<T>>],
+    pub(crate) stride: usize,
+    pub(crate) given: &'a [Given<'a, T>],
+    /// The first item, and how many.
+    pub(crate) first: usize,
+    pub(crate) items: usize,
+    /// Results of the program that come before those that are wanted.
+    pub(crate) skipped: usize,
+    pub(crate) native: Option<&'a Native>,
+}
+
+/// Carries out a program on some items.
+#[inline(always)]
+pub(crate) fn over_rows<T: Real, V: Vector<T>>(
+    tape: &Tape,
+    part: Rows<'_, T>,
+    wanted: &mut [Wanted<'_, T>],
+) {
+    let tiles = part.items.div_ceil(TILE);
+    let memory = Memory {
+        lanes: part.lanes,
+        width: tiles.next_multiple_of(STRIP),
+        stride: part.stride,
+    };
+    let mut slots = &tape.inputs[..];
+    for given in part.given {
+        let Some((own, rest)) = slots.split_at_checked(given.fields) else {
+            return;
+        };
+        slots = rest;
+        bring::<T, V>(memory, own, given, &part);
+    }
+    run::<T, V>(&tape.code, memory, part.native);
+    let mut slots = tape.outputs.get(part.skipped..).unwrap_or_default();
+    for (rows, fields) in wanted {
+        let Some((own, rest)) = slots.split_at_checked(*fields) else {
+            return;
+        };
+        slots = rest;
+        let items = part.first * *fields..(part.first + part.items) * *fields;
+        if let Some(rows) = rows.as_deref_mut().and_then(|rows| rows.get_mut(items)) {
+            take::<T, V>(memory, own, rows);
+        }
+    }
+}
+
+/// Calls a function for so many fields, as a constant `N` of the usual ones: sixteen items are then checked at once. `N` is 0
+/// for any other number.
+macro_rules! by_fields {
+    ($fields:expr, $N:ident => $call:expr) => {
+        by_fields!(@of $fields, $N => $call; 1 4 5 6 7 8 9 10 11 12 13 14 15 16)
+    };
+    (@of $fields:expr, $N:ident => $call:expr; $($n:literal)*) => {
+        match $fields {
+            $($n => {
+                const $N: usize = $n;
+                $call
+            })*
+            _ => {
+                const $N: usize = 0;
+                $call
+            }
+        }
+    };
+}
+
+/// The first field of a quad of so many fields: one quad after another, the last one as late as it may be.
+#[inline(always)]
+const fn quad_start(quad: usize, fields: usize) -> usize {
+    let (next, last) = (quad * QUAD, fields - QUAD);
+    if next < last { next } else { last }
+}
+
+/// Four numbers of an item of a tile, of `N` fields or any number for `N = 0`.
+#[inline(always)]
+fn quad_of<T: Real, const N: usize>(
+    rows: &[T],
+    fields: usize,
+    item: usize,
+    start: usize,
+) -> [T; QUAD] {
+    let quad = match N {
+        0 => rows
+            .get(item * fields + start..)
+            .and_then(|item| item.first_chunk()),
+        _ => {
+            let items = rows.as_chunks::<N>().0.first_chunk::<TILE>();
+            items.and_then(|items| items[item % TILE][start..].first_chunk())
+        }
+    };
+    quad.copied().unwrap_or([T::default(); QUAD])
+}
+
+/// The lanes of a slot.
+#[inline(always)]
+fn lanes_of<'a, T>(memory: Memory<'a, T>, slot: u16) -> &'a [Cell<Lane<T>>] {
+    memory.slot(slot).as_flattened()
+}
+
+/// Rows of some items into the slots of their fields; `None` for a field that nothing needs. Places that fill up the last
+/// strip repeat the last item.
+#[inline(always)]
+fn bring<T: Real, V: Vector<T>>(
+    memory: Memory<'_, T>,
+    slots: &[Option<u16>],
+    given: &Given<'_, T>,
+    part: &Rows<'_, T>,
+) {
+    let fields = slots.len();
+    if given.is_one {
+        for (slot, &x) in slots.iter().zip(given.rows) {
+            let &Some(slot) = slot else { continue };
+            for lane in lanes_of(memory, slot) {
+                lane.set(Lane([x; TILE]));
+            }
+        }
+        return;
+    }
+    let items = part.first * fields..(part.first + part.items) * fields;
+    let Some(rows) = given.rows.get(items).filter(|rows| !rows.is_empty()) else {
+        return;
+    };
+    let whole = rows.chunks_exact(TILE * fields);
+    let rest = whole.remainder();
+    by_fields!(fields, N => bring_tiles::<T, V, N>(memory, slots, whole));
+    let first = part.items / TILE;
+    if first == memory.width {
+        return;
+    }
+    // The last tile, filled up; further ones are of the last item alone.
+    let last = &rows[rows.len() - fields..];
+    for (k, slot) in slots.iter().enumerate() {
+        let &Some(slot) = slot else { continue };
+        for (t, lane) in lanes_of(memory, slot).iter().enumerate().skip(first) {
+            let own = if t == first { rest } else { &[] };
+            let mut numbers = Lane([last[k]; TILE]);
+            for (x, row) in numbers.0.iter_mut().zip(own.chunks_exact(fields)) {
+                *x = row[k];
+            }
+            lane.set(numbers);
+        }
+    }
+}
+
+/// Whole tiles of rows of `N` numbers; of any number for `N = 0`.
+#[inline(always)]
+fn bring_tiles<'r, T: Real, V: Vector<T>, const N: usize>(
+    memory: Memory<'_, T>,
+    slots: &[Option<u16>],
+    tiles: impl Iterator<Item = &'r [T]>,
+) {
+    let fields = if N == 0 { slots.len() } else { N };
+    for (t, rows) in tiles.enumerate() {
+        if N == 1 {
+            if let (&[Some(slot)], Some(numbers)) = (slots, rows.first_chunk()) {
+                lanes_of(memory, slot)[t].set(Lane(*numbers));
+            }
+            continue;
+        }
+        if fields < QUAD {
+            for (k, slot) in slots.iter().enumerate() {
+                let &Some(slot) = slot else { continue };
+                let mut lane = Lane::default();
+                for (x, row) in lane.0.iter_mut().zip(rows.chunks_exact(fields)) {
+                    *x = row[k];
+                }
+                lanes_of(memory, slot)[t].set(lane);
+            }
+            continue;
+        }
+        let mut quad = 0;
+        while quad * QUAD < fields {
+            let start = quad_start(quad, fields);
+            let mut lanes = [Lane::default(); QUAD];
+            let mut at = 0;
+            while at < TILE {
+                let parts = V::from_items(
+                    #[inline(always)]
+                    |i| quad_of::<T, N>(rows, fields, (at + i) % TILE, start),
+                );
+                let mut k = 0;
+                while k < QUAD {
+                    parts[k].write(&mut lanes[k], at);
+                    k += 1;
+                }
+                at += V::WIDTH;
+            }
+            for (slot, lane) in slots[start..].iter().zip(lanes) {
+                if let &Some(slot) = slot {
+                    lanes_of(memory, slot)[t].set(lane);
+                }
+            }
+            quad += 1;
+        }
+    }
+}
+
+/// A lane with zeros that have no sign.
+#[inline(always)]
+fn canonical<T: Real, V: Vector<T>>(from: &Lane<T>) -> Lane<T> {
+    let mut to = Lane::default();
+    let mut at = 0;
+    while at < TILE {
+        V::read(from, at).canonical().write(&mut to, at);
+        at += V::WIDTH;
+    }
+    to
+}
+
+/// Slots of fields into rows.
+#[inline(always)]
+fn take<T: Real, V: Vector<T>>(memory: Memory<'_, T>, slots: &[u16], rows: &mut [T]) {
+    let fields = slots.len();
+    if fields == 0 {
+        return;
+    }
+    let whole = by_fields!(fields, N => take_tiles::<T, V, N>(memory, slots, rows));
+    let rest = &mut rows[whole * TILE * fields..];
+    for (k, &slot) in slots.iter().enumerate() {
+        let Some(lane) = lanes_of(memory, slot).get(whole) else {
+            return;
+        };
+        let lane = canonical::<T, V>(&lane.get());
+        for (row, x) in rest.chunks_exact_mut(fields).zip(lane.0) {
+            row[k] = x;
+        }
+    }
+}
+
+/// Whole tiles; how many.
+#[inline(always)]
+fn take_tiles<T: Real, V: Vector<T>, const N: usize>(
+    memory: Memory<'_, T>,
+    slots: &[u16],
+    rows: &mut [T],
+) -> usize {
+    let fields = if N == 0 { slots.len() } else { N };
+    let mut tiles = 0;
+    for rows in rows.chunks_exact_mut(TILE * fields) {
+        let t = tiles;
+        tiles += 1;
+        let lane = |k: usize| canonical::<T, V>(&lanes_of(memory, slots[k])[t].get());
+        if N == 1 {
+            if let Some(numbers) = rows.first_chunk_mut() {
+                *numbers = lane(0).0;
+            }
+            continue;
+        }
+        if fields < QUAD {
+            for k in 0..fields {
+                for (row, x) in rows.chunks_exact_mut(fields).zip(lane(k).0) {
+                    row[k] = x;
+                }
+            }
+            continue;
+        }
+        let mut quad = 0;
+        while quad * QUAD < fields {
+            let start = quad_start(quad, fields);
+            let own = [
+                lane(start),
+                lane(start + 1),
+                lane(start + 2),
+                lane(start + 3),
+            ];
+            let mut at = 0;
+            while at < TILE {
+                let parts = [
+                    V::read(&own[0], at),
+                    V::read(&own[1], at),
+                    V::read(&own[2], at),
+                    V::read(&own[3], at),
+                ];
+                V::to_items(
+                    parts,
+                    #[inline(always)]
+                    |i, numbers| {
+                        let item = (at + i) % TILE;
+                        let quad = match N {
+                            0 => rows
+                                .get_mut(item * fields + start..)
+                                .and_then(|item| item.first_chunk_mut()),
+                            _ => {
+                                let items = rows.as_chunks_mut::<N>().0.first_chunk_mut::<TILE>();
+                                items.and_then(|items| items[item][start..].first_chunk_mut())
+                            }
+                        };
+                        if let Some(quad) = quad {
+                            *quad = numbers;
+                        }
+                    },
+                );
+                at += V::WIDTH;
+            }
+            quad += 1;
+        }
+    }
+    tiles
+}
