@@ -16,8 +16,14 @@
 //! identical, touching, contained and collinear boxes need no handling. Each corner's y is clamped
 //! once and both edges that meet there use the result, so that rounding cannot make them disagree
 //! about whether the corner is inside.
-use crate::overlap::area_from_half;
 use crate::{Obb2, Scalar, Shape, Vec2};
+
+/// The area of a box from half its size. Doubled first, so that an area that can be represented is
+/// rounded once.
+#[inline(always)]
+pub fn area_from_half<S: Scalar>(half: Vec2<S>) -> S {
+    (half.x + half.x) * (half.y + half.y)
+}
 
 /// A box with its trigonometry done: what a batch computes once per box.
 #[derive(Clone, Copy, Debug, Shape)]

@@ -27,7 +27,9 @@
 //! scalar has 24 bits. Four separating axes make boxes that are apart exactly zero. A pair is scaled by a power of two,
 //! so that nothing overflows; for ordinary sizes that changes no bit, and compiled kernels leave it out (`EXTREME`).
 //! [`clip`](crate::clip) has the area, and [`ad::adjoint::clip`](crate::ad::adjoint::clip) its adjoint.
-use crate::clip::{Framed, Relative, clip, clipped_area, frame, relate, related_area, size_scale};
+use crate::clip::{
+    Framed, Relative, area_from_half, clip, clipped_area, frame, relate, related_area, size_scale,
+};
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
 /// Intersection over union from areas, in `[0, 1]`; zero with derivative zero when the union is empty.
@@ -51,13 +53,6 @@ pub fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
         S::zero(),
         inter.over(S::select(empty, S::one(), area_a)),
     )
-}
-
-/// The area of a box from half its size. Doubled first, so that an area that can be represented is
-/// rounded once.
-#[inline(always)]
-pub fn area_from_half<S: Scalar>(half: Vec2<S>) -> S {
-    (half.x + half.x) * (half.y + half.y)
 }
 
 /// Relates two framed boxes and measures what they share, in units of `1 / scale`.

@@ -13,11 +13,11 @@
 //! magnitudes of `q_x` and `q_y` to `q_y` and `−q_x`.
 use crate::ad::adjoint::clip::{Derivatives, clipped_area_derivatives};
 use crate::ad::adjoint::overlap::tamed;
+use crate::clip::area_from_half;
 use crate::clip::{
     Framed, Relative, clip, clipped_area, frame, nothing_shared, relate, related_area,
 };
 use crate::iou::{HullOfBoxes, hull_of_related, hull_scale};
-use crate::overlap::area_from_half;
 use crate::{Obb2, Scalar, Vec2};
 
 // Functions, not closures: those do not inherit instruction sets.

@@ -3,11 +3,12 @@
 //! Each comes fused, as value and derivatives (`…_grad`), because the derivatives need the value's pieces
 //! anyway, and as a plain adjoint (`…_vjp`).
 use crate::ad::adjoint::clip::clipped_area_derivatives;
+use crate::clip::area_from_half;
 use crate::clip::{
     Framed, clip, clipped_area, frame, nothing_shared, relate, related_area, size_scale,
 };
 pub(crate) use crate::overlap::tamed;
-use crate::overlap::{Denominator, Shared, area_from_half, in_outer_unit, score_of, share};
+use crate::overlap::{Denominator, Shared, in_outer_unit, score_of, share};
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
 /// The derivatives of a score with respect to the areas (in space: volumes) it is made of.

@@ -12,8 +12,9 @@
 use crate::ad::adjoint::overlap::{
     Grads, bounded, own_bar, reciprocal_or_zero, score_derivatives, score_scaled_vjp, tamed,
 };
+use crate::clip::area_from_half;
 use crate::clip::{Framed, frame};
-use crate::overlap::{Denominator, area_from_half, ratio_of_first};
+use crate::overlap::{Denominator, ratio_of_first};
 use crate::overlap3::{Heights, Scales, heights, score_of_columns, upright_scales};
 use crate::shape::YawBox3;
 use crate::{Obb2, Scalar, Vec2, Vec3};

@@ -10,10 +10,7 @@ use crate::kernels::backend::Backend;
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::dynamic::{Function, Rows};
 #[cfg(feature = "gpu")]
-use crate::kernels::gpu::{
-    HeldColumn,
-    lists::{Lists, Seed},
-};
+use crate::kernels::gpu::{HeldColumn, lists::Lists, seed::Seed};
 #[cfg(feature = "gpu")]
 use crate::kernels::recording::Mode;
 use crate::kernels::reduce;

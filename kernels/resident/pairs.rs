@@ -9,7 +9,8 @@ use crate::kernels::cpu::checked::expect;
 #[cfg(feature = "gpu")]
 use crate::kernels::gpu::{
     Gpu, HeldColumn,
-    lists::{Lists, Seed, loss},
+    lists::{Lists, loss},
+    seed::Seed,
 };
 use crate::kernels::item::Single;
 use crate::kernels::op::Runs;

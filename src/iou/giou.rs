@@ -1,7 +1,8 @@
 //! Generalised intersection over union of rotated boxes by their hull.
 use super::hull::{hull_of_related, hull_scale};
+use crate::clip::area_from_half;
 use crate::clip::{Framed, clip, clipped_area, frame, relate, related_area};
-use crate::overlap::{area_from_half, ratio_of_union};
+use crate::overlap::ratio_of_union;
 use crate::{Mask, Obb2, Scalar};
 
 /// `I/U − (C − U)/C` from areas; a hull that rounding left smaller than the union counts as large.

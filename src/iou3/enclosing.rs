@@ -1,11 +1,11 @@
 //! Shapes around a pair of axis-aligned or of upright boxes.
 use super::Terms;
 use super::rectangle::least_rectangle;
+use crate::clip::area_from_half;
 use crate::clip::{frame, relate};
 use crate::iou::{
     Bounds, across, bounds, hull_of_related, hull_scale, larger, part, share, unit, unit_of_pair,
 };
-use crate::overlap::area_from_half;
 use crate::shape::{Aabb3, YawBox3};
 use crate::{Obb2, Scalar, Vec2, Vec3};
 

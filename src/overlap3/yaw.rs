@@ -1,8 +1,6 @@
 //! Overlap of upright boxes.
-use crate::clip::{COMMON_LARGE, COMMON_SMALL, frame, size_scale, zero_or_within};
-use crate::overlap::{
-    Denominator, area_from_half, iou_obb2, ratio_of_first, ratio_of_union, scaled_shared_area,
-};
+use crate::clip::{COMMON_LARGE, COMMON_SMALL, area_from_half, frame, size_scale, zero_or_within};
+use crate::overlap::{Denominator, iou_obb2, ratio_of_first, ratio_of_union, scaled_shared_area};
 use crate::shape::YawBox3;
 use crate::{Scalar, Vec2};
 

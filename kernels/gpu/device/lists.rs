@@ -7,6 +7,7 @@ use super::generated::held::HeldColumn;
 use super::generated::operation::Generated;
 use super::generated::pairs::Sides;
 use super::pairs::Mirrored;
+use super::seed::Seed;
 use super::table::Table;
 use super::{Bests, Founds, Gpu, Matrix};
 use crate::Error;
@@ -18,16 +19,6 @@ use crate::kernels::op::Runs;
 use crate::kernels::recording::{Call, Mode};
 use crate::kernels::reduce::{Loss, check_sides, check_threshold};
 use std::sync::Arc;
-
-/// The factors of derivatives.
-pub(crate) enum Seed<'a> {
-    /// A number for every pair, row by row.
-    Numbers(&'a [f32]),
-    /// The same, already on the GPU, for as many rows and columns.
-    Matrix(&'a Matrix),
-    /// One number for all.
-    Factor(f32),
-}
 
 /// The kernels of all pairs, and the lists as they want them.
 enum Kernels {

@@ -34,6 +34,7 @@ mod pairs;
 mod plans;
 mod reduce;
 mod ring;
+pub(crate) mod seed;
 mod source;
 mod table;
 mod work;

@@ -2,10 +2,10 @@
 use super::block::{Block, block_of};
 use super::data::{Boxes, Piece};
 use super::download::parts;
-use super::lists::Seed;
+use super::seed::{Seed, sum_of};
 use super::source::{ANY, Kernel, Mirror, STEP, STRIP_VJP, Source, TILE, pair_source};
 use super::work::{Params, Work, groups};
-use super::{Gpu, Inner, Matrix, reduce, source};
+use super::{Gpu, Inner, Matrix, source};
 use crate::Error;
 
 impl Inner {
@@ -84,7 +84,7 @@ impl Mirrored {
         let mut sum = 0.0;
         for (totals, bytes) in &totals {
             let arrival = inner.bring(gpu, &[(totals, *bytes)])?;
-            arrival.finish(|_, numbers| sum += reduce::sum_of(numbers))?;
+            arrival.finish(|_, numbers| sum += sum_of(numbers))?;
         }
         Ok((sweep.bring(gpu)?, sum))
     }

@@ -3,6 +3,7 @@
 //! The whole matrix of two lists never exists, so memory stays bounded.
 use super::data::Piece;
 use super::download::{download, parts};
+use super::seed::sum_of;
 use super::source::Take;
 use super::table::Table;
 use super::work::{Work, groups};
@@ -131,12 +132,6 @@ impl Table<'_> {
         self.totals(Take::Sum, 0.0, |numbers| sum += sum_of(numbers))?;
         Ok(sum)
     }
-}
-
-/// The sum of partial sums that were brought back.
-pub(super) fn sum_of(numbers: &[u32]) -> f64 {
-    let wide = |&n: &u32| f64::from(f32::from_bits(n));
-    numbers.iter().map(wide).sum()
 }
 
 impl Matrix {
