@@ -1,7 +1,7 @@
 //! Exponentials and logarithms of `f64`, and of lanes of it: polynomials, so that a number and a lane give the same bits on
 //! every machine and at every SIMD level.
 use crate::Scalar;
-use crate::scalar::float::{SHIFT, polynomial};
+use crate::scalar::polynomial::{SHIFT, polynomial};
 
 /// ln 2 in two parts (fdlibm, `e_exp.c`): the first has 33 bits, so that its product with an exponent is exact.
 const LN_2: [f64; 2] = [

@@ -4,12 +4,10 @@
 //! the same bits on every machine and at every SIMD level.
 use crate::Scalar;
 use crate::scalar::exponential::{exp_single, exp_wide, ln_single, ln_wide};
+use crate::scalar::polynomial::{SHIFT, polynomial};
 
 /// Above this angle the three-part reduction loses digits and the platform's library takes over.
 const REDUCED: f64 = 800_000.0;
-
-/// Adding and taking away 1.5 · 2⁵² rounds an `f64` to the nearest integer.
-pub(crate) const SHIFT: f64 = 6_755_399_441_055_744.0;
 
 /// The nearest multiple of a quarter turn, in quarters.
 #[inline(always)]
@@ -31,18 +29,6 @@ fn turned<W: Scalar>(quadrant: W, sin: W, cos: W) -> (W, W) {
         W::select(far | turn.equals(W::lit(-1.0)), -a, a),
         W::select(far | turn.equals(W::one()), -b, b),
     )
-}
-
-/// A polynomial, the constant first.
-#[inline(always)]
-pub(crate) fn polynomial<W: Scalar, const N: usize>(coefficients: [f64; N], z: W) -> W {
-    let mut sum = W::lit(coefficients[N - 1]);
-    let mut i = N - 1;
-    while i > 0 {
-        i -= 1;
-        sum = sum * z + W::lit(coefficients[i]);
-    }
-    sum
 }
 
 /// Sine and cosine of lanes of `f64` (or one `f64`) for angles up to [`REDUCED`].

@@ -32,6 +32,7 @@ pub(crate) mod exponential;
 pub mod float;
 pub mod jet;
 pub mod lanes;
+mod polynomial;
 mod ties;
 
 pub use jet::Jet;
