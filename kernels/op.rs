@@ -167,6 +167,31 @@ impl<O> ValueGrad<O> {
     pub const fn of(function: O) -> Self {
         ValueGrad(function)
     }
+    /// The value, the gradient, and the Jacobian of both: the gradient again, and the Hessian.
+    ///
+    /// ```
+    /// use geograd::kernels::Cpu;
+    /// use geograd::prelude::*;
+    /// let points = [Vec2::new(3.0_f64, 4.0)];
+    /// let origin = One(Vec2::new(0.0, 0.0));
+    /// let (first, second) = Cpu::new().aligned(Distance.value_grad().jacobian(), (&points, origin))?;
+    /// let (distance, (by_point, _)) = first;
+    /// assert_eq!((distance[0], by_point[0]), (5.0, Vec2::new(0.6, 0.8)));
+    /// // The Hessian: in the place of every number of the gradient its own gradient.
+    /// let (_, (hessian, _)) = second[0];
+    /// assert!((hessian.x.0.x - 16.0 / 125.0).abs() < 1e-15);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    #[must_use]
+    pub const fn jacobian(self) -> Jacobian<Self> {
+        Jacobian(self)
+    }
+    /// The adjoint of the value with its gradient: cotangents of a value of 0 and of a gradient that is a direction give
+    /// the Hessian times that direction.
+    #[must_use]
+    pub const fn vjp(self) -> Vjp<Self> {
+        Vjp(self)
+    }
 }
 impl<O> Jacobian<O> {
     /// The same as [`Op::jacobian`], for code that is generic over what runs.
@@ -180,6 +205,16 @@ impl<O> Vjp<O> {
     #[must_use]
     pub const fn of(function: O) -> Self {
         Vjp(function)
+    }
+    /// The adjoint of the adjoint: second derivatives of functions of any result.
+    #[must_use]
+    pub const fn vjp(self) -> Vjp<Self> {
+        Vjp(self)
+    }
+    /// The cotangents of the arguments with their Jacobian by arguments and cotangents.
+    #[must_use]
+    pub const fn jacobian(self) -> Jacobian<Self> {
+        Jacobian(self)
     }
 }
 

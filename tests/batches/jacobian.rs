@@ -2,7 +2,9 @@
 use geograd::ad;
 use geograd::ad::check::sample::{Draw, Sample};
 use geograd::ad::program::{Program, Sym};
-use geograd::kernels::{Cpu, Iou, MinimumCircle, MinimumRectangle, One, Op, Skip};
+use geograd::kernels::{
+    Cpu, Distance, Iou, MinimumCircle, MinimumRectangle, One, Op, Skip, Wasserstein, function,
+};
 use geograd::{
     Circle, ConvexPolygon, Fixed, Obb2, Pack, Pose2, Scalar, Segment2, Triangle2, Vec2, operation,
 };
@@ -199,4 +201,40 @@ fn into_what_is_there() {
         .aligned(ClosestPointsObb2.jacobian(), (none, none))
         .unwrap();
     assert!(found.is_empty() && derivatives.is_empty());
+}
+
+/// Hessians of a verb in batches, and products with them, beside those of its program.
+macro_rules! hessians {
+    ($Verb:ident, $A:ty, $B:ty, $count:literal) => {{
+        let (a, b): (Vec<$A>, Vec<$B>) = (draws(5), draws(6));
+        let directions: (Vec<$A>, Vec<$B>) = (draws(7), draws(8));
+        let program = $Verb.row::<($A, $B)>().program::<f64>().unwrap();
+        let (hessian, hvp) = (program.hessian::<$count>(), program.hvp());
+        let (cpu, run) = (Cpu::new(), $Verb.value_grad());
+        let ((values, (by_a, by_b)), second) = cpu.aligned(run.jacobian(), (&a, &b)).unwrap();
+        let bars = (One(0.0), (&directions.0, &directions.1));
+        let (to_a, to_b) = cpu.aligned(run.vjp(), ((&a, &b), bars)).unwrap();
+        for i in 0..COUNT {
+            let x = (a[i], b[i]);
+            assert_eq!(values[i], program.eval(x));
+            let (gradient, own) = &second[i];
+            assert_eq!(gradient.scalars(), (by_a[i], by_b[i]).scalars());
+            near(&rows(own), &hessian.eval(x).map(|row| row.scalars()));
+            let product = hvp.eval((x, (directions.0[i], directions.1[i])));
+            near(&[(to_a[i], to_b[i]).scalars()], &[product.scalars()]);
+        }
+    }};
+}
+
+/// Derivatives of derivatives are recordings of their own: Hessians, products with them, adjoints of adjoints.
+#[test]
+fn derivatives_of_derivatives() {
+    hessians!(Distance, Vec2<f64>, Obb2<f64>, 7);
+    hessians!(Wasserstein, Obb2<f64>, Obb2<f64>, 10);
+
+    // The adjoint of a product gives (y bar, x bar); its own adjoint has all second derivatives.
+    let product = function(|x: Sym<f64>, y: Sym<f64>| x * y);
+    let columns = (((&[2.0], &[3.0]), &[5.0]), (&[7.0], &[11.0]));
+    let ((by_x, by_y), by_bar) = Cpu::new().aligned(product.vjp().vjp(), columns).unwrap();
+    assert_eq!((by_x[0], by_y[0], by_bar[0]), (55.0, 35.0, 43.0));
 }
