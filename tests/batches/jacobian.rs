@@ -233,8 +233,13 @@ fn derivatives_of_derivatives() {
     hessians!(Wasserstein, Obb2<f64>, Obb2<f64>, 10);
 
     // The adjoint of a product gives (y bar, x bar); its own adjoint has all second derivatives.
-    let product = function(|x: Sym<f64>, y: Sym<f64>| x * y);
+    fn multiplied<S: Scalar>(x: S, y: S) -> S {
+        x * y
+    }
+    let product = function(multiplied);
     let columns = (((&[2.0], &[3.0]), &[5.0]), (&[7.0], &[11.0]));
-    let ((by_x, by_y), by_bar) = Cpu::new().aligned(product.vjp().vjp(), columns).unwrap();
+    let found: ((Vec<f64>, Vec<f64>), Vec<f64>) =
+        Cpu::new().aligned(product.vjp().vjp(), columns).unwrap();
+    let ((by_x, by_y), by_bar) = found;
     assert_eq!((by_x[0], by_y[0], by_bar[0]), (55.0, 35.0, 43.0));
 }
