@@ -1016,27 +1016,6 @@ class _circumcircle(Verb):
 
 circumcircle: _circumcircle
 
-class _depth(Verb):
-    """The depth of a point and an axis-aligned box, positive inside.
-
-    Rows:
-        depth(point: Vec2, shape: Aabb2) -> number
-        depth(point: Vec2, shape: Obb2) -> number
-            The depth of a point and a rotated box, positive inside.
-        depth(point: Vec2, paths: ring) -> number
-            How far a point is inside a ring by the even-odd rule, negative outside. Without edges it is minus the largest finite number.
-    """
-    @overload
-    def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
-    @overload
-    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
-
-depth: _depth
-
 class _closest_points(Verb):
     """The nearest points of two axis-aligned boxes. Points jump to another nearest feature.
 
@@ -1168,6 +1147,27 @@ class _crossing(Verb):
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 crossing: _crossing
+
+class _depth(Verb):
+    """The depth of a point and an axis-aligned box, positive inside.
+
+    Rows:
+        depth(point: Vec2, shape: Aabb2) -> number
+        depth(point: Vec2, shape: Obb2) -> number
+            The depth of a point and a rotated box, positive inside.
+        depth(point: Vec2, paths: ring) -> number
+            How far a point is inside a ring by the even-odd rule, negative outside. Without edges it is minus the largest finite number.
+    """
+    @overload
+    def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+depth: _depth
 
 class _diameter(Verb):
     """The diameter of a convex polygon of up to N vertices: the largest distance of two of them, which are its record.
