@@ -4,6 +4,9 @@
 //! a block from others. Choosing an instruction costs about as much as a hundred items of it, so blocks are as
 //! long as the innermost cache allows. The code that the interpreter is compiled to depends on the format and the
 //! level of vector instructions only; results have the same bits at all of them.
+//!
+//! After a thousand items the instructions between two calls of elementary functions become machine code (`native`),
+//! where the system allows it.
 mod execute;
 pub mod face;
 mod fuse;
