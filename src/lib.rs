@@ -227,9 +227,9 @@ pub mod prelude {
     pub use crate::pack::{Fixed as _, Pack as _};
     pub use crate::scalar::{Mask as _, Scalar};
     pub use crate::shape::{
-        Aabb2, Aabb3, Capsule2, Circle, ConvexPolygon, Interval, Line2, Obb2, Obb3, Plane3, Pose2,
-        Pose3, Ray2, Rotation2, Rotation3, Segment2, Segment3, Sphere, Triangle2, Triangle3, Vec2,
-        Vec3, YawBox3,
+        Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Interval, Line2,
+        Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2, Rotation3, RoundBox3,
+        Segment2, Segment3, Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
     };
 }
 
@@ -247,7 +247,7 @@ pub use polygon::{Polygon, Rings};
 pub use product::Code;
 pub use scalar::{Jet, Lanes, Mask, Scalar};
 pub use shape::{
-    Aabb2, Aabb3, Capsule2, Circle, ConvexPolygon, EulerOrder, Interval, Line2, Obb2, Obb3, Plane3,
-    Pose2, Pose3, Ray2, Rotation2, Rotation3, Segment2, Segment3, Sphere, Triangle2, Triangle3,
-    Vec2, Vec3, YawBox3,
+    Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, EulerOrder, Interval,
+    Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2, Rotation3, RoundBox3,
+    Segment2, Segment3, Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
 };

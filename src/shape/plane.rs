@@ -1,6 +1,8 @@
 //! Planes in space.
 use crate::error::Field;
+use crate::shape::Pose3;
 use crate::{Flaw, Scalar, Shape, Vec3};
+use std::ops::Mul;
 
 /// A plane in space: the points p with `normal · p = offset`, where the normal has any length but zero;
 /// and the half-space behind it, `normal · p ≤ offset`. Valid when finite and the normal is not zero.
@@ -72,5 +74,15 @@ impl<S: Scalar> Plane3<S> {
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         self.normal.dot(point).at_most(self.offset)
+    }
+}
+
+impl<S: Scalar> Mul<Plane3<S>> for Pose3<S> {
+    type Output = Plane3<S>;
+    /// The plane carried along; the normal keeps its length.
+    #[inline(always)]
+    fn mul(self, shape: Plane3<S>) -> Plane3<S> {
+        let normal = self.rotation * shape.normal;
+        Plane3::new(normal, shape.offset + normal.dot(self.translation))
     }
 }

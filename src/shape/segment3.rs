@@ -1,5 +1,7 @@
 //! Segments in space.
+use crate::shape::{Aabb3, Pose3};
 use crate::{Scalar, Shape, Vec3};
+use std::ops::Mul;
 
 /// A segment in space. Valid when finite; length zero is valid.
 ///
@@ -52,6 +54,12 @@ impl<S: Scalar> Segment3<S> {
         let half = S::lit(0.5);
         self.start * half + self.end * half
     }
+    /// The smallest axis-aligned box around it; ends that share a bound share its derivative.
+    #[must_use]
+    #[inline(always)]
+    pub fn bounding(self) -> Aabb3<S> {
+        Aabb3::of([self.start, self.end])
+    }
     /// The point of the segment nearest to a point. Kinks where that begins to be an end.
     #[must_use]
     #[inline(always)]
@@ -72,5 +80,14 @@ impl<S: Scalar> Segment3<S> {
     #[inline(always)]
     pub fn distance(self, point: Vec3<S>) -> S {
         self.nearest(point).distance(point)
+    }
+}
+
+impl<S: Scalar> Mul<Segment3<S>> for Pose3<S> {
+    type Output = Segment3<S>;
+    /// The segment carried along.
+    #[inline(always)]
+    fn mul(self, shape: Segment3<S>) -> Segment3<S> {
+        Segment3::new(self * shape.start, self * shape.end)
     }
 }

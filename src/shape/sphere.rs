@@ -1,6 +1,7 @@
 //! Spheres.
-use crate::shape::Aabb3;
+use crate::shape::{Aabb3, Pose3};
 use crate::{Scalar, Shape, Vec3};
+use std::ops::Mul;
 
 /// A ball in space. Valid when finite and of non-negative radius; radius zero is valid.
 ///
@@ -60,5 +61,14 @@ impl<S: Scalar> Sphere<S> {
     pub fn bounding(self) -> Aabb3<S> {
         let reach = Vec3::new(self.radius, self.radius, self.radius);
         Aabb3::new(self.center - reach, self.center + reach)
+    }
+}
+
+impl<S: Scalar> Mul<Sphere<S>> for Pose3<S> {
+    type Output = Sphere<S>;
+    /// The sphere carried along.
+    #[inline(always)]
+    fn mul(self, shape: Sphere<S>) -> Sphere<S> {
+        Sphere::new(self * shape.center, shape.radius)
     }
 }
