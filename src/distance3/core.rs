@@ -1,0 +1,300 @@
+//! The cores that convex shapes of space are made of: a point, a segment, a triangle, a tetrahedron, a box.
+use super::deep::{Depth, box_faces, triangle_face};
+use super::near::{Edge, Nearest, choose, edge_near, face_near, square_of};
+use crate::distance::share::Best;
+use crate::scalar::largest;
+use crate::{Scalar, Vec3};
+
+/// The core of a convex shape of space: the hull of some corners.
+///
+/// Three families of candidates make every distance: corners of one core against the faces and edges of the other,
+/// the same the other way round, and edges against edges.
+pub trait Core<S: Scalar>: Copy {
+    /// The corners, in an array.
+    type Corners: AsRef<[Vec3<S>]>;
+    /// The edges, in an array.
+    type Edges: AsRef<[Edge<S>]>;
+    /// The ways along edges, parallel ones once, in an array.
+    type Ways: AsRef<[Vec3<S>]>;
+    /// 0 for a point, 1 for a segment, 2 for a triangle, 3 for what has a volume.
+    const DIMENSION: usize;
+    /// A point of it, from which the others are seen.
+    fn anchor(&self) -> Vec3<S>;
+    /// How far its corners are from a point at most, coordinate by coordinate, as a constant.
+    fn extent(&self, from: Vec3<S>) -> S::Primal;
+    /// The core seen from a point, in other units.
+    #[must_use]
+    fn placed(self, from: Vec3<S>, scale: S) -> Self;
+    /// The corners.
+    fn corners(&self) -> Self::Corners;
+    /// The edges.
+    fn edges(&self) -> Self::Edges;
+    /// The ways from end to end of edges, parallel ones once.
+    fn ways(&self) -> Self::Ways;
+    /// The point of the core, or of its surface, that is nearest to one of some corners.
+    fn near(&self, corners: &[Vec3<S>]) -> Best<S, Nearest<S>>;
+    /// The corner that is farthest against a direction.
+    fn lowest(&self, normal: Vec3<S>) -> Vec3<S>;
+    /// The face that parts the core best from some corners; `None` where it has no faces.
+    fn deep(&self, corners: &[Vec3<S>]) -> Option<Depth<S>>;
+}
+
+/// The corner of an array that is farthest against a direction.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn lowest_of<S: Scalar>(corners: &[Vec3<S>], normal: Vec3<S>) -> Vec3<S> {
+    let mut low = (normal.dot(corners[0]), corners[0]);
+    for &corner in &corners[1..] {
+        let height = normal.dot(corner);
+        let lower = height.below(low.0);
+        low = (
+            S::select(lower, height, low.0),
+            choose(lower, corner, low.1),
+        );
+    }
+    low.1
+}
+
+/// How far points are from another one at most.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn extent_of<S: Scalar, const N: usize>(points: [Vec3<S>; N], from: Vec3<S>) -> S::Primal {
+    let sizes = points.map(|p| {
+        let arm = p - from;
+        S::from_primal(largest([arm.x, arm.y, arm.z]))
+    });
+    largest(sizes)
+}
+
+/// One point.
+#[derive(Clone, Copy, Debug)]
+pub struct PointCore<S>(pub Vec3<S>);
+
+impl<S: Scalar> Core<S> for PointCore<S> {
+    type Corners = [Vec3<S>; 1];
+    type Edges = [Edge<S>; 0];
+    type Ways = [Vec3<S>; 0];
+    const DIMENSION: usize = 0;
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn anchor(&self) -> Vec3<S> {
+        self.0
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn extent(&self, from: Vec3<S>) -> S::Primal {
+        extent_of([self.0], from)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn placed(self, from: Vec3<S>, scale: S) -> Self {
+        PointCore((self.0 - from) * scale)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn corners(&self) -> [Vec3<S>; 1] {
+        [self.0]
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn edges(&self) -> [Edge<S>; 0] {
+        []
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn ways(&self) -> [Vec3<S>; 0] {
+        []
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn near(&self, corners: &[Vec3<S>]) -> Best<S, Nearest<S>> {
+        Best::least(corners.iter().map(|&corner| Nearest::of(corner - self.0, self.0, corner)))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn lowest(&self, _: Vec3<S>) -> Vec3<S> {
+        self.0
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn deep(&self, _: &[Vec3<S>]) -> Option<Depth<S>> {
+        None
+    }
+}
+
+/// The hull of `C` corners with `E` edges and `F` triangles as faces: a segment, a triangle or a tetrahedron.
+#[derive(Clone, Copy, Debug)]
+pub struct SimplexCore<S, const C: usize, const E: usize, const F: usize>(pub [Vec3<S>; C]);
+
+/// A segment.
+pub type SegmentCore<S> = SimplexCore<S, 2, 1, 0>;
+/// A triangle, which has two sides.
+pub type TriangleCore<S> = SimplexCore<S, 3, 3, 1>;
+/// A tetrahedron.
+pub type TetrahedronCore<S> = SimplexCore<S, 4, 6, 4>;
+
+/// The corners of edges: of a segment the first, of a triangle the first three.
+const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
+/// The corners of faces, and the corner that is not in it: of a triangle the first face.
+const FACES: [[usize; 4]; 4] = [[0, 1, 2, 3], [0, 3, 1, 2], [1, 3, 2, 0], [2, 3, 0, 1]];
+
+impl<S: Scalar, const C: usize, const E: usize, const F: usize> SimplexCore<S, C, E, F> {
+    /// The corners of a face.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn face(&self, k: usize) -> [Vec3<S>; 3] {
+        [0, 1, 2].map(|i| self.0[FACES[k][i]])
+    }
+}
+
+impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
+    for SimplexCore<S, C, E, F>
+{
+    type Corners = [Vec3<S>; C];
+    type Edges = [Edge<S>; E];
+    type Ways = [Vec3<S>; E];
+    const DIMENSION: usize = C - 1;
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn anchor(&self) -> Vec3<S> {
+        self.0[0]
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn extent(&self, from: Vec3<S>) -> S::Primal {
+        extent_of(self.0, from)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn placed(self, from: Vec3<S>, scale: S) -> Self {
+        SimplexCore(self.0.map(|corner| (corner - from) * scale))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn corners(&self) -> [Vec3<S>; C] {
+        self.0
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn edges(&self) -> [Edge<S>; E] {
+        std::array::from_fn(|k| {
+            let [i, j] = EDGES[k];
+            Edge::between(self.0[i], self.0[j])
+        })
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn ways(&self) -> [Vec3<S>; E] {
+        self.edges().map(|edge| edge.along)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn near(&self, corners: &[Vec3<S>]) -> Best<S, Nearest<S>> {
+        Best::least(corners.iter().map(|&corner| {
+            let edges = self.edges().map(|edge| edge_near(edge, corner));
+            let mut best = Best::least(edges.into_iter());
+            for k in 0..F {
+                best = best.less(face_near(self.face(k), corner));
+            }
+            best
+        }))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn lowest(&self, normal: Vec3<S>) -> Vec3<S> {
+        lowest_of(&self.0, normal)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn deep(&self, corners: &[Vec3<S>]) -> Option<Depth<S>> {
+        let mut best = None;
+        for k in 0..F {
+            // A triangle alone has two sides.
+            let behind = (C == 4).then(|| self.0[FACES[k][3]]);
+            let face = triangle_face(self.face(k), behind, corners);
+            best = Some(best.map_or(face, |best: Depth<S>| best.most(face)));
+        }
+        best
+    }
+}
+
+/// A box of any orientation.
+#[derive(Clone, Copy, Debug)]
+pub struct BoxCore<S> {
+    /// The centre.
+    pub center: Vec3<S>,
+    /// Half the size along its own axes.
+    pub half: [S; 3],
+    /// Its own axes, of length one.
+    pub axes: [Vec3<S>; 3],
+}
+
+impl<S: Scalar> BoxCore<S> {
+    /// A point as its own axes see it, from the centre.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn seen(&self, point: Vec3<S>) -> [S; 3] {
+        let arm = point - self.center;
+        self.axes.map(|axis| axis.dot(arm))
+    }
+    /// The ways from the centre to the faces.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn arms(&self) -> [Vec3<S>; 3] {
+        let [x, y, z] = self.axes;
+        [x * self.half[0], y * self.half[1], z * self.half[2]]
+    }
+}
+
+/// The corners that begin an edge along each of the three axes: its number in `corners()` without the axis' bit.
+const STARTS: [[usize; 4]; 3] = [[0, 2, 4, 6], [0, 1, 4, 5], [0, 1, 2, 3]];
+
+impl<S: Scalar> Core<S> for BoxCore<S> {
+    type Corners = [Vec3<S>; 8];
+    type Edges = [Edge<S>; 12];
+    type Ways = [Vec3<S>; 3];
+    const DIMENSION: usize = 3;
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn anchor(&self) -> Vec3<S> {
+        self.center
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn extent(&self, from: Vec3<S>) -> S::Primal {
+        let arm = self.center - from;
+        let half = self.half.map(S::primal);
+        largest([arm.x, arm.y, arm.z]) + (half[0] + half[1] + half[2])
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn placed(self, from: Vec3<S>, scale: S) -> Self {
+        BoxCore {
+            center: (self.center - from) * scale,
+            half: self.half.map(|half| half * scale),
+            axes: self.axes,
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn corners(&self) -> [Vec3<S>; 8] {
+        let ([x, y, z], c) = (self.arms(), self.center);
+        let (low, high) = (c - z, c + z);
+        let [a, b, c, d] = [low - y, low + y, high - y, high + y];
+        [a - x, a + x, b - x, b + x, c - x, c + x, d - x, d + x]
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn edges(&self) -> [Edge<S>; 12] {
+        let (corners, ways) = (self.corners(), self.ways());
+        std::array::from_fn(|k| Edge {
+            from: corners[STARTS[k / 4][k % 4]],
+            along: ways[k / 4],
+        })
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn ways(&self) -> [Vec3<S>; 3] {
+        self.arms().map(|arm| arm + arm)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn near(&self, corners: &[Vec3<S>]) -> Best<S, Nearest<S>> {
+        Best::least(corners.iter().map(|&corner| {
+            let at = self.seen(corner);
+            let out: [S; 3] = std::array::from_fn(|k| {
+                let (x, half) = (at[k], self.half[k]);
+                let beyond = x.magnitude() - half;
+                S::select(beyond.above(S::zero()), beyond.signed_as(x), S::zero())
+            });
+            let [x, y, z] = self.axes;
+            let apart = x * out[0] + y * out[1] + z * out[2];
+            Best {
+                value: square_of(out),
+                ..Nearest::of(apart, corner - apart, corner)
+            }
+        }))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn lowest(&self, normal: Vec3<S>) -> Vec3<S> {
+        let arms = self.arms();
+        arms.iter().fold(self.center, |at, &arm| {
+            let up = normal.dot(arm).above(S::zero());
+            at + choose(up, -arm, arm)
+        })
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn deep(&self, corners: &[Vec3<S>]) -> Option<Depth<S>> {
+        Some(box_faces(self, corners))
+    }
+}
