@@ -1,9 +1,11 @@
 //! Pairs of shapes of space that have distances.
 use super::boxes::{self, Faces};
-use super::core::{BoxCore, Core, PointCore, SegmentCore, SimplexCore, TetrahedronCore, TriangleCore};
+use super::core::{
+    BoxCore, Core, PointCore, SegmentCore, SimplexCore, TetrahedronCore, TriangleCore,
+};
 use super::half_space::{self, Bounded};
 use super::relation::{self, Relation};
-use super::round::{self, Revolved};
+use super::round;
 use crate::shape::{
     Aabb3, Capsule3, Cone, Cylinder, Obb3, Plane3, RoundBox3, Segment3, Sphere, Tetrahedron,
     Triangle3, YawBox3,

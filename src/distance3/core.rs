@@ -1,6 +1,6 @@
 //! The cores that convex shapes of space are made of: a point, a segment, a triangle, a tetrahedron, a box.
 use super::deep::{Depth, box_faces, triangle_face};
-use super::near::{Edge, Nearest, choose, edge_near, face_near, square_of};
+use super::near::{Edge, Low, Nearest, choose, edge_near, face_near, square_of};
 use crate::distance::share::Best;
 use crate::scalar::largest;
 use crate::{Scalar, Vec3};
@@ -18,6 +18,9 @@ pub trait Core<S: Scalar>: Copy {
     type Ways: AsRef<[Vec3<S>]>;
     /// 0 for a point, 1 for a segment, 2 for a triangle, 3 for what has a volume.
     const DIMENSION: usize;
+    /// Whether corners are computed from a centre, to which a distance from the origin would cost digits. Corners
+    /// that are given lose some where they are moved.
+    const CENTERED: bool = false;
     /// A point of it, from which the others are seen.
     fn anchor(&self) -> Vec3<S>;
     /// How far its corners are from a point at most, coordinate by coordinate, as a constant.
@@ -33,25 +36,21 @@ pub trait Core<S: Scalar>: Copy {
     fn ways(&self) -> Self::Ways;
     /// The point of the core, or of its surface, that is nearest to one of some corners.
     fn near(&self, corners: &[Vec3<S>]) -> Best<S, Nearest<S>>;
-    /// The corner that is farthest against a direction.
-    fn lowest(&self, normal: Vec3<S>) -> Vec3<S>;
+    /// A point of the edge that is farthest against a direction, given that this is orthogonal to one of the
+    /// [ways](Core::ways): of both ends of an edge along it one counts, lest rounding decides between them.
+    fn lowest(&self, normal: Vec3<S>, way: usize) -> Vec3<S>;
+    /// The least of `normal · corner`, and the corner; corners that tie share the derivative, and the point is their
+    /// mean.
+    fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>);
     /// The face that parts the core best from some corners; `None` where it has no faces.
     fn deep(&self, corners: &[Vec3<S>]) -> Option<Depth<S>>;
 }
 
-/// The corner of an array that is farthest against a direction.
+/// The lower of two points, seen from the first of some.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn lowest_of<S: Scalar>(corners: &[Vec3<S>], normal: Vec3<S>) -> Vec3<S> {
-    let mut low = (normal.dot(corners[0]), corners[0]);
-    for &corner in &corners[1..] {
-        let height = normal.dot(corner);
-        let lower = height.below(low.0);
-        low = (
-            S::select(lower, height, low.0),
-            choose(lower, corner, low.1),
-        );
-    }
-    low.1
+fn lower<S: Scalar>(normal: Vec3<S>, from: Vec3<S>, one: Vec3<S>, other: Vec3<S>) -> Vec3<S> {
+    let height = |point: Vec3<S>| normal.dot(point - from);
+    choose(height(other).below(height(one)), other, one)
 }
 
 /// How far points are from another one at most.
@@ -99,11 +98,19 @@ impl<S: Scalar> Core<S> for PointCore<S> {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn near(&self, corners: &[Vec3<S>]) -> Best<S, Nearest<S>> {
-        Best::least(corners.iter().map(|&corner| Nearest::of(corner - self.0, self.0, corner)))
+        Best::least(
+            corners
+                .iter()
+                .map(|&corner| Nearest::of(corner - self.0, self.0, corner)),
+        )
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn lowest(&self, _: Vec3<S>) -> Vec3<S> {
+    fn lowest(&self, _: Vec3<S>, _: usize) -> Vec3<S> {
         self.0
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>) {
+        (normal.dot(self.0), self.0)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn deep(&self, _: &[Vec3<S>]) -> Option<Depth<S>> {
@@ -181,8 +188,23 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
         }))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn lowest(&self, normal: Vec3<S>) -> Vec3<S> {
-        lowest_of(&self.0, normal)
+    fn lowest(&self, normal: Vec3<S>, way: usize) -> Vec3<S> {
+        let [start, end] = EDGES[way];
+        let others = (0..C).filter(|&k| k != start && k != end);
+        others.fold(self.0[start], |low, k| {
+            lower(normal, self.0[0], low, self.0[k])
+        })
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>) {
+        let from = self.0[0];
+        let arms = self.0.iter().map(|&corner| {
+            let arm = corner - from;
+            let height = normal.dot(arm);
+            Best::of(height, Low(height, arm))
+        });
+        let Low(height, arm) = Best::least(arms).mean();
+        (normal.dot(from) + height, from + arm)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn deep(&self, corners: &[Vec3<S>]) -> Option<Depth<S>> {
@@ -231,6 +253,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
     type Edges = [Edge<S>; 12];
     type Ways = [Vec3<S>; 3];
     const DIMENSION: usize = 3;
+    const CENTERED: bool = true;
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn anchor(&self) -> Vec3<S> {
         self.center
@@ -259,9 +282,13 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn edges(&self) -> [Edge<S>; 12] {
         let (corners, ways) = (self.corners(), self.ways());
-        std::array::from_fn(|k| Edge {
-            from: corners[STARTS[k / 4][k % 4]],
-            along: ways[k / 4],
+        std::array::from_fn(|k| {
+            let (axis, start) = (k / 4, STARTS[k / 4][k % 4]);
+            Edge {
+                from: corners[start],
+                to: corners[start + (1 << axis)],
+                along: ways[axis],
+            }
         })
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -286,12 +313,24 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         }))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn lowest(&self, normal: Vec3<S>) -> Vec3<S> {
+    fn lowest(&self, normal: Vec3<S>, way: usize) -> Vec3<S> {
         let arms = self.arms();
-        arms.iter().fold(self.center, |at, &arm| {
-            let up = normal.dot(arm).above(S::zero());
-            at + choose(up, -arm, arm)
+        let others = (0..3).filter(|&k| k != way);
+        others.fold(self.center, |at, k| {
+            let up = normal.dot(arms[k]).above(S::zero());
+            at + choose(up, -arms[k], arms[k])
         })
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>) {
+        let (zero, mut found) = (S::zero(), (normal.dot(self.center), self.center));
+        for k in 0..3 {
+            let slope = normal.dot(self.axes[k]);
+            let side = S::select(slope.equals(zero), zero, S::one().signed_as(slope));
+            found.0 = found.0 - slope.magnitude() * self.half[k];
+            found.1 = found.1 - self.axes[k] * (self.half[k] * side);
+        }
+        found
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn deep(&self, corners: &[Vec3<S>]) -> Option<Depth<S>> {

@@ -150,10 +150,10 @@ pub(super) fn triangle_face<S: Scalar>(
     let (u, v) = (face[1] - face[0], face[2] - face[0]);
     let normal = normal(u, v);
     let side = |unit: Vec3<S>| {
-        // No corner of the core is beyond, however the normal was rounded.
-        let ends = [Some(face[1]), Some(face[2]), behind].into_iter().flatten();
-        let top = ends.fold(S::Primal::zero(), |top, end| {
-            top.most(unit.dot(end - face[0]).primal())
+        // The corner behind is not beyond, whatever the side.
+        let top = behind.map_or(S::Primal::zero(), |behind| {
+            let height = unit.dot(behind - face[0]).primal();
+            height.most(S::Primal::zero())
         });
         let found = least(corners.iter().map(|&corner| {
             let arm = corner - face[0];
@@ -173,11 +173,11 @@ pub(super) fn triangle_face<S: Scalar>(
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn edges_deep<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Option<Depth<S>> {
     let mut best: Option<Depth<S>> = None;
-    for &u in a.ways().as_ref() {
-        for &v in b.ways().as_ref() {
+    for (i, &u) in a.ways().as_ref().iter().enumerate() {
+        for (j, &v) in b.ways().as_ref().iter().enumerate() {
             let normal = normal(u, v);
             for unit in [normal.unit, -normal.unit] {
-                let (on_a, on_b) = (a.lowest(-unit), b.lowest(unit));
+                let (on_a, on_b) = (a.lowest(-unit, i), b.lowest(unit, j));
                 let way = on_b - on_a;
                 let ahead = unit.dot(way);
                 // Where the edges through both corners cross, seen along the normal.

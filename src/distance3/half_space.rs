@@ -1,6 +1,7 @@
 //! Half-spaces against all that ends: the point of a shape that is farthest behind the plane.
 use super::apart::Cored;
 use super::core::Core;
+use super::near::Low;
 use super::relation::{Relation, direction, square_of_gap};
 use super::round::Revolved;
 use crate::distance::edge::scale_of;
@@ -15,10 +16,7 @@ pub trait Bounded: Copy {
     type Scalar: Scalar;
     /// The least of `normal · point`, given a normal of length one, and a point of the shape there. Points that tie
     /// share the derivative, and the point is their mean.
-    fn lowest(
-        self,
-        normal: Vec3<Self::Scalar>,
-    ) -> (Self::Scalar, Vec3<Self::Scalar>);
+    fn lowest(self, normal: Vec3<Self::Scalar>) -> (Self::Scalar, Vec3<Self::Scalar>);
 }
 
 impl<A: Cored> Bounded for A {
@@ -26,36 +24,11 @@ impl<A: Cored> Bounded for A {
     #[inline(always)]
     fn lowest(self, normal: Vec3<A::Scalar>) -> (A::Scalar, Vec3<A::Scalar>) {
         let (core, radius) = (self.core(), self.radius());
-        let corners = core.corners();
-        let heights = corners.as_ref().iter().map(|&corner| {
-            let height = normal.dot(corner);
-            Best::of(height, Low(height, corner))
-        });
-        let Low(height, corner) = Best::least(heights).mean();
+        let (height, corner) = core.support(normal);
         match A::ROUND {
             true => (height - radius, corner - normal * radius),
             false => (height, corner),
         }
-    }
-}
-
-/// A height and its point.
-#[derive(Clone, Copy)]
-struct Low<S>(S, Vec3<S>);
-
-impl<S: Scalar> crate::distance::share::Carry<S> for Low<S> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
-        let (a, b) = (self.1, other.1);
-        let join = |a: S, b: S| a.join(b, keep, tie);
-        Low(
-            join(self.0, other.0),
-            Vec3::new(join(a.x, b.x), join(a.y, b.y), join(a.z, b.z)),
-        )
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn times(self, factor: S) -> Self {
-        Low(self.0 * factor, self.1 * factor)
     }
 }
 
@@ -100,10 +73,7 @@ impl<S: Scalar> Bounded for Cone<S> {
 
 /// The relation of a half-space and a shape.
 #[inline(always)]
-pub(super) fn relate<S: Scalar, B: Bounded<Scalar = S>>(
-    plane: Plane3<S>,
-    shape: B,
-) -> Relation<S> {
+pub(super) fn relate<S: Scalar, B: Bounded<Scalar = S>>(plane: Plane3<S>, shape: B) -> Relation<S> {
     let n = plane.normal;
     let size = scale_of::<S>(largest([n.x, n.y, n.z]));
     let (long, offset) = (n * size, plane.offset * size);

@@ -47,6 +47,7 @@ pub mod core;
 pub mod deep;
 pub mod half_space;
 pub mod near;
+mod point;
 pub mod relation;
 pub mod round;
 

@@ -7,6 +7,8 @@ use crate::{Scalar, Vec3};
 pub struct Edge<S> {
     /// The point at parameter 0.
     pub from: Vec3<S>,
+    /// The point at parameter 1.
+    pub to: Vec3<S>,
     /// The way from parameter 0 to parameter 1.
     pub along: Vec3<S>,
 }
@@ -17,6 +19,7 @@ impl<S: Scalar> Edge<S> {
     pub fn between(from: Vec3<S>, to: Vec3<S>) -> Self {
         Edge {
             from,
+            to,
             along: to - from,
         }
     }
@@ -73,6 +76,24 @@ impl<S: Scalar> Carry<S> for Nearest<S> {
             on_a: self.on_a * factor,
             on_b: self.on_b * factor,
         }
+    }
+}
+
+/// A height, and the point that has it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Low<S>(pub S, pub Vec3<S>);
+
+impl<S: Scalar> Carry<S> for Low<S> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
+        Low(
+            self.0.join(other.0, keep, tie),
+            join(self.1, other.1, keep, tie),
+        )
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn times(self, factor: S) -> Self {
+        Low(self.0 * factor, self.1 * factor)
     }
 }
 
@@ -151,16 +172,22 @@ fn across<S: Scalar>(normal: Normal<S>, way: Vec3<S>) -> Vec3<S> {
     choose(normal.clear, normal.unit * normal.unit.dot(way), way)
 }
 
-/// The point of an edge that is nearest to a corner.
+/// The point of an edge that is nearest to a corner, seen from the nearer end, whose distance has more digits.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn edge_near<S: Scalar>(edge: Edge<S>, corner: Vec3<S>) -> Best<S, Nearest<S>> {
-    let arm = corner - edge.from;
+    let (arm, back) = (corner - edge.from, edge.to - corner);
     let square = edge.along.length_squared();
     let point = square.at_most(S::lit(S::EPSILON.powi(4)));
-    let free = edge.along.dot(arm).over(S::select(point, S::one(), square));
-    let t = S::select(point, S::lit(0.5), free).clamp(S::zero(), S::one());
+    let over = S::select(point, S::one(), square);
+    let (ahead, behind) = (edge.along.dot(arm), edge.along.dot(back));
+    let near = ahead.at_most(behind);
+    let free = S::select(near, ahead, behind).over(over);
+    // It is at most one half.
+    let t = S::select(point, S::lit(0.5), free).most(S::zero());
     let step = edge.along * t;
-    Nearest::of(arm - step, edge.from + step, corner)
+    let apart = choose(near, arm - step, step - back);
+    let on_a = choose(near, edge.from + step, edge.to - step);
+    Nearest::of(apart, on_a, corner)
 }
 
 /// The foot of a corner on a triangle; the largest number where that is outside.

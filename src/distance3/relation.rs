@@ -66,12 +66,24 @@ pub(super) fn direction<S: Scalar>(way: Vec3<S>) -> Vec3<S> {
     choose(length.at_most(S::lit(speck::<S>())), constant(unit), unit)
 }
 
-/// The relation of two cores, seen from a point of the first in units of their extent: neither the distance from the
-/// origin costs digits, nor does a product over- or underflow.
+/// From where two cores are seen, and the units: those of their extent, so that no product over- or underflows. All
+/// products are of differences, so that corners which are given need not be moved, which would round them.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn view<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
+    let anchor = a.anchor();
+    let origin = match (A::CENTERED, B::CENTERED) {
+        (true, _) => anchor,
+        (_, true) => b.anchor(),
+        _ => Vec3::zero(),
+    };
+    let size = a.extent(anchor).most(b.extent(anchor));
+    (origin, scale_of::<S>(size))
+}
+
+/// The relation of two cores.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<S> {
-    let origin = a.anchor();
-    let scale = scale_of::<S>(a.extent(origin).most(b.extent(origin)));
+    let (origin, scale) = view(&a, &b);
     let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
     let found = joined(nearest(&a, &b), deepest(&a, &b));
     let back = |v: Vec3<S>| {
@@ -156,8 +168,7 @@ fn joined<S: Scalar>(near: Nearest<S>, deep: Option<Depth<S>>) -> Relation<S> {
 /// The square of the longest way from a corner of one core to one of another; ties share.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn farthest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> S {
-    let origin = a.anchor();
-    let scale = scale_of::<S>(a.extent(origin).most(b.extent(origin)));
+    let (origin, scale) = view(&a, &b);
     let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
     let (from, to) = (a.corners(), b.corners());
     let squares = from.as_ref().iter().flat_map(|&p| {

@@ -1,4 +1,5 @@
 //! Spheres.
+use crate::distance3::Apart;
 use crate::shape::{Aabb3, Pose3};
 use crate::{Scalar, Shape, Vec3};
 use std::ops::Mul;
@@ -43,11 +44,15 @@ impl<S: Scalar> Sphere<S> {
     pub fn surface(self) -> S {
         self.radius * self.radius * S::lit(4.0 * std::f64::consts::PI)
     }
-    /// The distance from a point to the surface, negative inside; derivative zero at the centre.
+    /// The distance from a point or another shape to the surface, negative inside; of a point the derivative is zero
+    /// at the centre: [`signed_distance`](crate::distance3::signed_distance).
     #[must_use]
     #[inline(always)]
-    pub fn signed_distance(self, point: Vec3<S>) -> S {
-        point.distance(self.center) - self.radius
+    pub fn signed_distance<B>(self, other: B) -> S
+    where
+        Self: Apart<B, Scalar = S>,
+    {
+        crate::distance3::signed_distance(self, other)
     }
     /// `true` where the point is in the ball; the surface belongs to it.
     #[must_use]
