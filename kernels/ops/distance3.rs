@@ -64,7 +64,7 @@ table! {
         "signed_distance_capsule_sphere": Capsule3, Sphere;
         "signed_distance_capsule_obb3": Capsule3, Obb3;
         "signed_distance_sphere_obb3": Sphere, Obb3;
-        "signed_distance_triangles3": Triangle3, Triangle3;
+        "signed_distance_triangles3": Triangle3, Triangle3 derivative Forward;
         "signed_distance_aabb3": Aabb3, Aabb3;
         "signed_distance_obb3": Obb3, Obb3;
         "signed_distance_plane_point": Plane3, Vec3;
@@ -79,7 +79,6 @@ table! {
         "farthest_distance_point_obb3": Vec3, Obb3;
         "farthest_distance_capsules3": Capsule3, Capsule3;
         "farthest_distance_aabb3": Aabb3, Aabb3;
-        "farthest_distance_obb3": Obb3, Obb3;
     }
     // Points and directions jump where another feature is nearest.
     /// The [depth of overlap and its direction](crate::distance3::penetration) of {}. The direction jumps to another

@@ -257,6 +257,7 @@ fn box_core<S: Scalar>(center: Vec3<S>, size: Vec3<S>, axes: [Vec3<S>; 3]) -> Bo
     BoxCore {
         center,
         half: [size.x.halved(), size.y.halved(), size.z.halved()],
+        flat: [S::zero(); 3],
         axes,
     }
 }

@@ -42,6 +42,11 @@ pub trait Core<S: Scalar>: Copy {
     /// The least of `normal · corner`, and the corner; corners that tie share the derivative, and the point is their
     /// mean.
     fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>);
+    /// How much closer sides of length zero come along a direction as they grow: zero, with that derivative.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn growth(&self, _normal: Vec3<S>) -> S {
+        S::zero()
+    }
     /// The face that parts the core best from some corners; `None` where it has no faces.
     fn deep(&self, corners: &[Vec3<S>]) -> Option<Depth<S>>;
 }
@@ -226,6 +231,9 @@ pub struct BoxCore<S> {
     pub center: Vec3<S>,
     /// Half the size along its own axes.
     pub half: [S; 3],
+    /// The same of sides of length zero, zero of all others. Corners at both ends of such a side are one place: which
+    /// of them comes closer as it grows only the direction to the other shape tells.
+    pub flat: [S; 3],
     /// Its own axes, of length one.
     pub axes: [Vec3<S>; 3],
 }
@@ -266,11 +274,22 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn placed(self, from: Vec3<S>, scale: S) -> Self {
+        let zero = S::zero();
+        let sides = self.half.map(|half| {
+            let (half, flat) = (half * scale, half.equals(zero));
+            (S::select(flat, zero, half), S::select(flat, half, zero))
+        });
         BoxCore {
             center: (self.center - from) * scale,
-            half: self.half.map(|half| half * scale),
+            half: sides.map(|(half, _)| half),
+            flat: sides.map(|(_, flat)| flat),
             axes: self.axes,
         }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn growth(&self, normal: Vec3<S>) -> S {
+        let along = |k: usize| normal.dot(self.axes[k]).magnitude() * self.flat[k];
+        along(0) + along(1) + along(2)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn corners(&self) -> [Vec3<S>; 8] {

@@ -86,13 +86,15 @@ pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<
     let (origin, scale) = view(&a, &b);
     let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
     let found = joined(nearest(&a, &b), deepest(&a, &b));
+    let growth = a.growth(found.normal) + b.growth(found.normal);
+    let square = found.square - (found.square.root() * growth + found.square.root() * growth);
     let back = |v: Vec3<S>| {
         let v = Vec3::new(v.x.over(scale), v.y.over(scale), v.z.over(scale));
         origin + v
     };
     Relation {
-        apart: found.apart.over(scale),
-        square: found.square.over(scale).over(scale),
+        apart: (found.apart - growth).over(scale),
+        square: square.over(scale).over(scale),
         normal: found.normal,
         on_a: back(found.on_a),
         on_b: back(found.on_b),
