@@ -29,7 +29,9 @@
 //! | compare boxes as Gaussians | [`gaussian`]: Wasserstein, Kullback-Leibler, ProbIoU, KFIoU |
 //! | convert boxes of other libraries and data sets | [`convention`] |
 //! | replace a call of another detection library | [`detection`] |
-//! | measure distances of points from boxes in space, find the boxes that contain points | [`distance3`], [`kernels::points`] |
+//! | measure distances, closest points and penetration of shapes in space | [`distance3`] |
+//! | cast rays in space, cut segments | [`intersection3`] |
+//! | find the boxes that contain points | [`kernels::points`] |
 //! | score boxes that may be apart: GIoU, DIoU, CIoU and the like | [`iou`] |
 //! | suppress, assign and judge detections | [`suppression`], [`assignment`], [`metric`] |
 //! | measure polygons | [`ring`], [`measure`] |
@@ -44,7 +46,7 @@
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
 //! | use an adjoint by hand | [`ad::adjoint::overlap`], [`ad::adjoint::ring`] |
 //! | compute for many shapes at once | [`kernels::verbs`], [`kernels::cpu`] |
-//! | make a shape | [`Vec2`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`]; in space [`Vec3`], [`Pose3`], [`Aabb3`], [`Obb3`], [`YawBox3`]; all: [`shape`] |
+//! | make a shape | [`Vec2`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`]; in space [`Vec3`], [`Pose3`], [`Aabb3`], [`Obb3`], [`YawBox3`], [`Capsule3`], [`Tetrahedron`]; all: [`shape`] |
 //! | make a shape of your own | [`derive(Shape)`](macro@Shape) |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
 //! | port code from the paper's library (DGAL, d3d) | [`paper`] |
@@ -126,6 +128,8 @@ pub mod hull;
 mod interop;
 #[forbid(unsafe_code)]
 pub mod intersection;
+#[forbid(unsafe_code)]
+pub mod intersection3;
 #[forbid(unsafe_code)]
 pub mod iou;
 #[forbid(unsafe_code)]

@@ -36,7 +36,8 @@
 //!
 //! Kinks: at distance zero the distance and its derivatives are 0 (the signed distance keeps its derivative there).
 //! Features that are equally near share the derivative and the point equally: of parallel faces it is the mean of
-//! the corners of what faces each other. Where several planes are equally deep they share the derivative, and the
+//! the corners of what faces each other; of parallel faces that overlap the corners count whose foot is on the other
+//! one, or all where there is none. Where several planes are equally deep they share the derivative, and the
 //! direction is that of the first. Across a face the signed distance is smooth, along an edge or at a corner of the
 //! border it is not. Pairs without a volume between them, such as two segments, have no depth.
 use crate::{Scalar, Vec3};

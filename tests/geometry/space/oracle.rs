@@ -144,7 +144,9 @@ pub fn boxes(a: &Boxed, b: &Boxed) -> f64 {
         if square.0 <= 0.0 {
             return;
         }
-        let reach = arms.iter().fold(Wide::ZERO, |sum, &arm| sum + dot(normal, arm).abs());
+        let reach = arms
+            .iter()
+            .fold(Wide::ZERO, |sum, &arm| sum + dot(normal, arm).abs());
         let gap = (dot(normal, center).abs() - reach).over(square.root());
         if deepest.is_none_or(|most| most.below(gap)) {
             deepest = Some(gap);
@@ -178,7 +180,10 @@ pub fn boxes(a: &Boxed, b: &Boxed) -> f64 {
         if parts.iter().any(|&part| Wide::ONE.below(part.abs())) {
             continue;
         }
-        let foot = parts.iter().zip(&ways).fold(at, |at, (&part, &way)| plus(at, times(way, part)));
+        let foot = parts
+            .iter()
+            .zip(&ways)
+            .fold(at, |at, (&part, &way)| plus(at, times(way, part)));
         let square = dot(foot, foot);
         if nearest.is_none_or(|least| square.below(least)) {
             nearest = Some(square);
@@ -233,7 +238,10 @@ pub fn hulls(a: &[Vector], b: &[Vector], solid: bool) -> f64 {
         if parts.iter().any(|part| part.0 < 0.0) || Wide::ONE.below(sum) {
             return;
         }
-        let foot = parts.iter().zip(ways).fold(at, |at, (&part, &way)| plus(at, times(way, part)));
+        let foot = parts
+            .iter()
+            .zip(ways)
+            .fold(at, |at, (&part, &way)| plus(at, times(way, part)));
         let square = dot(foot, foot);
         if nearest.is_none_or(|least| square.below(least)) {
             nearest = Some(square);
