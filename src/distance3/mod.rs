@@ -26,6 +26,30 @@
 //! | [`penetration`] | how far to shift one of them until they only touch, and in which direction |
 //! | [`farthest_distance`] | the longest way |
 //!
+//! # Shapes and verbs
+//!
+//! Batches of a verb take the pairs that have a row (the table of [`verbs`](crate::kernels::verbs)), any other pair of
+//! this table by [`function`](crate::kernels::verbs::function). D stands for [`Distance`](crate::kernels::verbs::Distance),
+//! Q for `SquaredDistance`, S for `SignedDistance`, C for `ClosestPoints`, P for `Penetration`, F for `FarthestDistance`.
+//! A letter is a row, a small one a method without a row, `-` what there is not.
+//!
+//! | | point | ball | segment | capsule | triangle | tetrahedron | box | round box |
+//! | --- | --- | --- | --- | --- | --- | --- | --- | --- |
+//! | point | D q s c p f | d q S c p f | D Q s C p f | D q S c p f | D Q s C p f | D q S c p f | D q S c p F | d q S c p f |
+//! | ball | | D q S c P f | d q s c p f | D q S c p f | d q s c p f | d q s c p f | D q S C P f | d q s c p f |
+//! | segment | | | D Q s C p f | d q s c p f | D q s c p f | d q s c p f | d q s c p f | d q s c p f |
+//! | capsule | | | | D q S C P F | d q s c p f | d q s c p f | D q S c p f | d q s c p f |
+//! | triangle | | | | | D Q S c p f | d q s c p f | d q s c p f | d q s c p f |
+//! | tetrahedron | | | | | | d q s c p f | d q s c p f | d q s c p f |
+//! | box | | | | | | | D q S c p f | d q s c p f |
+//! | upright box, two | | | | | | | D Q S C P F | |
+//! | half-space | d q S c p - | d q S c p - | d q s c p - | d q S c P - | d q s c p - | d q s c p - | d q S c p - | d q s c p - |
+//! | cylinder | D q S c p f | d q s c p f | - | - | - | - | - | - |
+//! | cone | D q S c p f | d q s c p f | - | - | - | - | - | - |
+//!
+//! A half-space and a cylinder or a cone have d q S c p. Rays, lines and segments against solids:
+//! [`intersection3`](crate::intersection3).
+//!
 //! # Derivatives
 //!
 //! By the envelope theorem the derivative of a distance is that of the way between the two nearest points, held fixed

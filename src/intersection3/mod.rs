@@ -11,6 +11,10 @@
 //! [`Capsule3`](crate::Capsule3), [`Cylinder`](crate::Cylinder), [`Cone`](crate::Cone) and
 //! [`Tetrahedron`](crate::Tetrahedron).
 //!
+//! Batches of [`FirstHit`](crate::kernels::verbs::FirstHit) and [`LengthInside`](crate::kernels::verbs::LengthInside)
+//! take the pairs that have a row (the table of [`verbs`](crate::kernels::verbs)); others run by
+//! [`function`](crate::kernels::verbs::function).
+//!
 //! A whole number in the result says if there is a hit, so that results are shapes like any other. A miss is finite,
 //! with derivative zero. Values and derivatives are finite where every length and coordinate is zero or of a magnitude
 //! from 2⁻²⁰ to 2²⁰ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
