@@ -34,13 +34,22 @@ pub struct Nearest<S> {
     pub on_a: Vec3<S>,
     /// The one on b.
     pub on_b: Vec3<S>,
+    /// The direction of the way, where a face or two edges give it; else zero.
+    pub normal: Vec3<S>,
 }
 
 impl<S: Scalar> Nearest<S> {
     /// As a candidate, by the square of the way.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of(apart: Vec3<S>, on_a: Vec3<S>, on_b: Vec3<S>) -> Best<S, Self> {
-        Best::of(apart.length_squared(), Nearest { apart, on_a, on_b })
+        let normal = Vec3::zero();
+        let found = Nearest {
+            apart,
+            on_a,
+            on_b,
+            normal,
+        };
+        Best::of(apart.length_squared(), found)
     }
     /// With a and b exchanged.
     #[must_use]
@@ -50,6 +59,7 @@ impl<S: Scalar> Nearest<S> {
             apart: -self.apart,
             on_a: self.on_b,
             on_b: self.on_a,
+            normal: -self.normal,
         }
     }
 }
@@ -67,6 +77,7 @@ impl<S: Scalar> Carry<S> for Nearest<S> {
             apart: join(self.apart, other.apart, keep, tie),
             on_a: join(self.on_a, other.on_a, keep, tie),
             on_b: join(self.on_b, other.on_b, keep, tie),
+            normal: join(self.normal, other.normal, keep, tie),
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -75,6 +86,7 @@ impl<S: Scalar> Carry<S> for Nearest<S> {
             apart: self.apart * factor,
             on_a: self.on_a * factor,
             on_b: self.on_b * factor,
+            normal: self.normal * factor,
         }
     }
 }
@@ -165,11 +177,17 @@ pub(super) fn normal<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> Normal<S> {
     }
 }
 
-/// The way between two points of features with a common normal. Its direction is the normal's, whose digits do not
-/// depend on how long the way is; where the normal has few, the way itself.
+/// The way between two points of features with a common normal, and its direction. That is the normal's, whose digits
+/// do not depend on how long the way is; where the normal has few, the way itself, and no direction.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn across<S: Scalar>(normal: Normal<S>, way: Vec3<S>) -> Vec3<S> {
-    choose(normal.clear, normal.unit * normal.unit.dot(way), way)
+fn across<S: Scalar>(normal: Normal<S>, way: Vec3<S>) -> (Vec3<S>, Vec3<S>) {
+    let height = normal.unit.dot(way);
+    let turned = height.below(S::zero());
+    let direction = choose(turned, -normal.unit, normal.unit);
+    (
+        choose(normal.clear, normal.unit * height, way),
+        choose(normal.clear, direction, Vec3::zero()),
+    )
 }
 
 /// The point of an edge that is nearest to a corner, seen from the nearer end, whose distance has more digits.
@@ -212,12 +230,11 @@ pub(super) fn face_near<S: Scalar>(face: [Vec3<S>; 3], corner: Vec3<S>) -> Best<
     let length = S::select(normal.none, one, v.length_squared());
     let t = S::select(inside, v.dot(rest).over(length), zero);
     let t = t.primal().most(S::Primal::zero()).least((one - s).primal());
-    let apart = across(normal, rest - v * S::from_primal(t));
-    let found = Nearest::of(apart, corner - apart, corner);
-    Best {
-        value: S::select(inside, found.value, S::lit(S::LARGEST)),
-        ..found
-    }
+    let (apart, direction) = across(normal, rest - v * S::from_primal(t));
+    let mut found = Nearest::of(apart, corner - apart, corner);
+    found.value = S::select(inside, found.value, S::lit(S::LARGEST));
+    found.sum.normal = direction;
+    found
 }
 
 /// The nearest points of two edges where they are between the ends of both; else the largest number.
@@ -234,10 +251,9 @@ pub(super) fn edges_near<S: Scalar>(a: Edge<S>, b: Edge<S>) -> Best<S, Nearest<S
     let (zero, one) = (S::zero(), S::one());
     let inside = zero.below(s) & s.below(one) & zero.below(t) & t.below(one) & !normal.none;
     let way = w + v * fixed(t) - u * fixed(s);
-    let apart = across(normal, way);
-    let found = Nearest::of(apart, a.from + u * s, b.from + v * t);
-    Best {
-        value: S::select(inside, found.value, S::lit(S::LARGEST)),
-        ..found
-    }
+    let (apart, direction) = across(normal, way);
+    let mut found = Nearest::of(apart, a.from + u * s, b.from + v * t);
+    found.value = S::select(inside, found.value, S::lit(S::LARGEST));
+    found.sum.normal = direction;
+    found
 }

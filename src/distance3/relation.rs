@@ -129,7 +129,8 @@ fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Nearest<S> {
 /// The relation by the nearest points and by the plane that parts the cores best.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn joined<S: Scalar>(near: Nearest<S>, deep: Option<Depth<S>>) -> Relation<S> {
-    let direction = direction(near.apart);
+    let given = near.normal.length_squared().above(S::zero());
+    let direction = choose(given, direction(near.normal), direction(near.apart));
     let length = near.apart.length();
     // Duals of the length of a speck pass through numbers beyond the largest one.
     let along = near.apart.dot(constant(direction));
