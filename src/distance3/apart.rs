@@ -6,11 +6,13 @@ use super::core::{
 use super::half_space::{self, Bounded};
 use super::relation::{self, Relation};
 use super::round;
+use crate::distance::edge::scale_of;
+use crate::scalar::largest;
 use crate::shape::{
     Aabb3, Capsule3, Cone, Cylinder, Obb3, Plane3, RoundBox3, Segment3, Sphere, Tetrahedron,
     Triangle3, YawBox3,
 };
-use crate::{Rotation2, Scalar, Vec3};
+use crate::{Rotation2, Rotation3, Scalar, Vec3};
 
 /// A convex shape of space: every point at most [`radius`](Cored::radius) from its [`core`](Cored::core).
 ///
@@ -251,6 +253,38 @@ cored! {
     Tetrahedron: TetrahedronCore, |solid| SimplexCore(solid.corners());
 }
 
+/// The axes of a rotation: quotients by the squared length of its quaternion, so that quarter turns have none but zeros
+/// and ones. The zero quaternion is no rotation.
+#[inline(always)]
+fn axes<S: Scalar>(q: Rotation3<S>) -> [Vec3<S>; 3] {
+    let scale = scale_of::<S>(largest([q.w, q.x, q.y, q.z]));
+    let [w, x, y, z] = [q.w, q.x, q.y, q.z].map(|part| part * scale);
+    let square = (w * w + x * x) + (y * y + z * z);
+    let none = square.equals(S::zero());
+    let square = S::select(none, S::one(), square);
+    let w = S::select(none, S::one(), w);
+    let twice = |sum: S| (sum + sum).over(square);
+    let whole = |own: S, others: S| (w * w + own * own - others).over(square);
+    let [xx, yy, zz] = [x * x, y * y, z * z];
+    [
+        Vec3::new(
+            whole(x, yy + zz),
+            twice(x * y + w * z),
+            twice(x * z - w * y),
+        ),
+        Vec3::new(
+            twice(x * y - w * z),
+            whole(y, xx + zz),
+            twice(y * z + w * x),
+        ),
+        Vec3::new(
+            twice(x * z + w * y),
+            twice(y * z - w * x),
+            whole(z, xx + yy),
+        ),
+    ]
+}
+
 /// A box with axes of length one.
 #[inline(always)]
 fn box_core<S: Scalar>(center: Vec3<S>, size: Vec3<S>, axes: [Vec3<S>; 3]) -> BoxCore<S> {
@@ -313,9 +347,9 @@ boxes! {
         ];
         box_core(shape.center, shape.size, axes)
     }, *shape;
-    Obb3: |shape| box_core(shape.center, shape.size, shape.rotation.axes()), *shape;
+    Obb3: |shape| box_core(shape.center, shape.size, axes(shape.rotation)), *shape;
     RoundBox3: |shape| {
         let inner = shape.inner;
-        box_core(inner.center, inner.size, inner.rotation.axes())
+        box_core(inner.center, inner.size, axes(inner.rotation))
     }, shape.inner, radius radius;
 }

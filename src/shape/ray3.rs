@@ -16,6 +16,7 @@ use std::ops::Mul;
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
 #[shape(validate = has_direction)]
+#[shape(except(Sample))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ray3<S> {
     /// Its start, at parameter 0.
