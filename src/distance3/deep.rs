@@ -31,6 +31,9 @@ pub struct Depth<S> {
 /// By so many roundings of the unit, in which all is of a size of at most four, heights and ways differ.
 pub(super) const SLACK: f64 = 64.0;
 
+/// By so many roundings of the unit edges must part cores more than faces do.
+const MORE: f64 = 8.0;
+
 impl<S: Scalar> Depth<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn pick(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
@@ -218,7 +221,7 @@ pub(super) fn deepest<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Option
     let edges = edges_deep(a, b).map(Depth::mean);
     match (faces, edges) {
         (Some(faces), Some(edges)) => {
-            let more = faces.value + S::lit(SLACK * S::EPSILON);
+            let more = faces.value + S::lit(MORE * S::EPSILON);
             let mut found = faces.pick(edges, edges.value.at_most(more), S::one().below(S::zero()));
             let value = faces.value.primal().most(edges.value.primal());
             found.value = S::from_primal(value);
