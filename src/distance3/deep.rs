@@ -22,10 +22,12 @@ pub struct Depth<S> {
     pub faces: S,
     /// The plane's normal, of length one, from a to b.
     pub normal: Vec3<S>,
-    /// The sum of the points of a.
+    /// The sum of the points of a, of those planes that have the same normal as the first.
     pub on_a: Vec3<S>,
     /// The sum of the points of b.
     pub on_b: Vec3<S>,
+    /// How many points those are.
+    pub points: S,
 }
 
 /// By so many roundings of the unit, in which all is of a size of at most four, heights and ways differ.
@@ -38,8 +40,10 @@ impl<S: Scalar> Depth<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn pick(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
         let sum = |a: S, b: S| S::select(tie, a + b, S::select(keep, a, b));
-        let sums = |a: Vec3<S>, b: Vec3<S>| choose(tie, a + b, choose(keep, a, b));
         let first = keep | tie;
+        let both = tie & self.normal.dot(other.normal).above(S::lit(0.5));
+        let sums = |a: Vec3<S>, b: Vec3<S>| choose(both, a + b, choose(first, a, b));
+        let (p, q) = (self.points, other.points);
         Depth {
             value: S::select(first, self.value, other.value),
             ahead: sum(self.ahead, other.ahead),
@@ -48,6 +52,7 @@ impl<S: Scalar> Depth<S> {
             normal: choose(first, self.normal, other.normal),
             on_a: sums(self.on_a, other.on_a),
             on_b: sums(self.on_b, other.on_b),
+            points: S::select(both, p + q, S::select(first, p, q)),
         }
     }
     /// The larger of two; of equal ones those whose feet are on the other face, or else both.
@@ -83,12 +88,13 @@ impl<S: Scalar> Depth<S> {
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn mean(self) -> Self {
-        let share = S::one().over(self.count);
+        let (one, share) = (S::one(), S::one().over(self.points));
         Depth {
-            ahead: self.ahead * share,
-            count: S::one(),
+            ahead: self.ahead.over(self.count),
+            count: one,
             on_a: self.on_a * share,
             on_b: self.on_b * share,
+            points: one,
             ..self
         }
     }
@@ -103,6 +109,7 @@ impl<S: Scalar> Depth<S> {
             normal,
             on_a: corner - normal * ahead,
             on_b: corner,
+            points: S::one(),
         }
     }
     /// Without value where the mask is true.
@@ -194,6 +201,7 @@ pub(super) fn edges_deep<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Opt
                     normal: unit,
                     on_a,
                     on_b: on_a + unit * ahead,
+                    points: S::one(),
                 };
                 let found = found.unless(normal.none);
                 best = Some(best.map_or(found, |best| best.most(found)));
