@@ -297,7 +297,9 @@ fn box_core<S: Scalar>(center: Vec3<S>, size: Vec3<S>, axes: [Vec3<S>; 3]) -> Bo
 }
 
 macro_rules! boxes {
-    ($($Shape:ident: |$shape:ident| $core:expr, $inner:expr $(, radius $radius:ident)? $(, bounds $bounds:expr)?;)*) => { $(
+    ($(
+        $Shape:ident: |$shape:ident| $core:expr, $inner:expr $(, radius $radius:ident)? $(, bounds $bounds:expr)?;
+    )*) => { $(
         impl<S: Scalar> Cored for $Shape<S> {
             type Scalar = S;
             type Core = BoxCore<S>;

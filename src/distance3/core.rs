@@ -214,9 +214,8 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn deep(&self, corners: &[Vec3<S>]) -> Option<Depth<S>> {
         let mut best = None;
-        for k in 0..F {
-            // A triangle alone has two sides.
-            let behind = (C == 4).then(|| self.0[FACES[k][3]]);
+        for (k, ends) in FACES.iter().enumerate().take(F) {
+            let behind = (C == 4).then(|| self.0[ends[3]]);
             let face = triangle_face(self.face(k), behind, corners);
             best = Some(best.map_or(face, |best: Depth<S>| best.most(face)));
         }
@@ -346,8 +345,8 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         for k in 0..3 {
             let slope = normal.dot(self.axes[k]);
             let side = S::select(slope.equals(zero), zero, S::one().signed_as(slope));
-            found.0 = found.0 - slope.magnitude() * self.half[k];
-            found.1 = found.1 - self.axes[k] * (self.half[k] * side);
+            found.0 -= slope.magnitude() * self.half[k];
+            found.1 -= self.axes[k] * (self.half[k] * side);
         }
         found
     }

@@ -29,8 +29,8 @@
 //! # Shapes and verbs
 //!
 //! Batches of a verb take the pairs that have a row (the table of [`verbs`](crate::kernels::verbs)), any other pair of
-//! this table by [`function`](crate::kernels::verbs::function). D stands for [`Distance`](crate::kernels::verbs::Distance),
-//! Q for `SquaredDistance`, S for `SignedDistance`, C for `ClosestPoints`, P for `Penetration`, F for `FarthestDistance`.
+//! this table by [`function`](crate::kernels::verbs::function). D stands for
+//! [`Distance`](crate::kernels::verbs::Distance), Q for `SquaredDistance`, S for `SignedDistance`, C for `ClosestPoints`, P for `Penetration`, F for `FarthestDistance`.
 //! A letter is a row, a small one a method without a row, `-` what there is not.
 //!
 //! | | point | ball | segment | capsule | triangle | tetrahedron | box | round box |
@@ -102,8 +102,8 @@ pub struct Contact3<S> {
     pub direction: Vec3<S>,
 }
 
-/// The signed distance of two shapes of space, in the unit of length: the shortest way between them, or minus the length
-/// of the shortest shift after which they only touch.
+/// The signed distance of two shapes of space, in the unit of length: the shortest way between them, or minus the
+/// length of the shortest shift after which they only touch.
 ///
 /// Derivatives and kinks: see the [module](self).
 ///
@@ -178,8 +178,8 @@ pub fn closest_points<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Poin
 
 /// How deep two shapes of space are in each other, and in which direction b leaves a by the shortest way.
 ///
-/// The depth has derivatives by the envelope theorem, like a distance; it is 0 with derivative zero where the shapes are
-/// apart or touch.
+/// The depth has derivatives by the envelope theorem, like a distance; it is 0 with derivative zero where the shapes
+/// are apart or touch.
 ///
 /// ```
 /// use geograd::{Plane3, Sphere, Vec3, distance3::penetration};

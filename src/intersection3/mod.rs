@@ -149,10 +149,11 @@ pub fn first_hit<S: Scalar, A: Pierced<Scalar = S>>(ray: Ray3<S>, shape: A) -> H
 ///
 /// ```
 /// use geograd::{Ray3, Triangle3, Vec3, intersection3::first_hit_triangle};
-/// let [x, y, z] = [Vec3::new(3.0, 0.0, 0.0), Vec3::new(0.0, 3.0, 0.0), Vec3::new(0.0, 0.0, 3.0)];
-/// let beam = Ray3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0));
-/// let hit = first_hit_triangle(beam, Triangle3::new(x, y, z));
-/// assert_eq!((hit.kind, hit.parameter, hit.point), (1.0, 1.0, Vec3::new(1.0, 1.0, 1.0)));
+/// let [a, b, c] = [Vec3::new(0.0, 0.0, 4.0), Vec3::new(4.0, 0.0, 4.0), Vec3::new(0.0, 4.0, 4.0)];
+/// let beam = Ray3::new(Vec3::new(1.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 2.0));
+/// let hit = first_hit_triangle(beam, Triangle3::new(a, b, c));
+/// assert_eq!((hit.kind, hit.parameter, hit.point), (1.0, 2.0, Vec3::new(1.0, 1.0, 4.0)));
+/// assert_eq!(hit.normal, Vec3::new(0.0, 0.0, -1.0));
 /// ```
 #[must_use]
 #[inline]

@@ -7,7 +7,7 @@ use std::ops::Mul;
 ///
 /// ```
 /// use geograd::{Tetrahedron, Vec3};
-/// let [x, y, z] = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 0.0, 3.0)];
+/// let [x, y, z] = [Vec3::new(1.0_f64, 0.0, 0.0), Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 0.0, 3.0)];
 /// let solid = Tetrahedron::new(Vec3::new(0.0, 0.0, 0.0), x, y, z);
 /// assert_eq!(solid.volume(), 1.0);
 /// assert!(solid.contains(Vec3::new(0.25, 0.25, 0.25)));
