@@ -29,7 +29,9 @@
 //! | compare boxes as Gaussians | [`gaussian`]: Wasserstein, Kullback-Leibler, ProbIoU, KFIoU |
 //! | convert boxes of other libraries and data sets | [`convention`] |
 //! | replace a call of another detection library | [`detection`] |
-//! | measure distances of points from boxes in space, find the boxes that contain points | [`distance3`], [`kernels::points`] |
+//! | measure distances, closest points and penetration of shapes in space | [`distance3`] |
+//! | cast rays in space, cut segments | [`intersection3`] |
+//! | find the boxes that contain points | [`kernels::points`] |
 //! | score boxes that may be apart: GIoU, DIoU, CIoU and the like | [`iou`] |
 //! | suppress, assign and judge detections | [`suppression`], [`assignment`], [`metric`] |
 //! | measure polygons | [`ring`], [`measure`] |
@@ -44,7 +46,7 @@
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
 //! | use an adjoint by hand | [`ad::adjoint::overlap`], [`ad::adjoint::ring`] |
 //! | compute for many shapes at once | [`kernels::verbs`], [`kernels::cpu`] |
-//! | make a shape | [`Vec2`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`]; in space [`Vec3`], [`Pose3`], [`Aabb3`], [`Obb3`], [`YawBox3`]; all: [`shape`] |
+//! | make a shape | [`Vec2`], [`Rotation2`], [`Pose2`], [`Aabb2`], [`Obb2`], [`ConvexPolygon`]; in space [`Vec3`], [`Pose3`], [`Aabb3`], [`Obb3`], [`YawBox3`], [`Capsule3`], [`Tetrahedron`]; all: [`shape`] |
 //! | make a shape of your own | [`derive(Shape)`](macro@Shape) |
 //! | write generic geometry | [`Scalar`], [`Mask`], [`Pack`] |
 //! | port code from the paper's library (DGAL, d3d) | [`paper`] |
@@ -126,6 +128,8 @@ pub mod hull;
 mod interop;
 #[forbid(unsafe_code)]
 pub mod intersection;
+#[forbid(unsafe_code)]
+pub mod intersection3;
 #[forbid(unsafe_code)]
 pub mod iou;
 #[forbid(unsafe_code)]
@@ -212,6 +216,7 @@ pub mod check {
 pub mod prelude {
     pub use crate::ad::forward::{gradient, jacobian, value};
     pub use crate::distance::Convex as _;
+    pub use crate::distance3::{Apart as _, Farthest as _};
     pub use crate::kernels::verbs::methods::{
         Bhattacharyya as _, Ciou as _, CiouAabb as _, CiouFixedWeight as _, CiouHull as _,
         CiouRectangle as _, Crossing as _, Diameter as _, Diou as _, DiouAabb as _, DiouHull as _,
@@ -227,9 +232,9 @@ pub mod prelude {
     pub use crate::pack::{Fixed as _, Pack as _};
     pub use crate::scalar::{Mask as _, Scalar};
     pub use crate::shape::{
-        Aabb2, Aabb3, Capsule2, Circle, ConvexPolygon, Interval, Line2, Obb2, Obb3, Plane3, Pose2,
-        Pose3, Ray2, Rotation2, Rotation3, Segment2, Segment3, Sphere, Triangle2, Triangle3, Vec2,
-        Vec3, YawBox3,
+        Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Interval, Line2,
+        Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2, Rotation3, RoundBox3,
+        Segment2, Segment3, Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
     };
 }
 
@@ -247,7 +252,7 @@ pub use polygon::{Polygon, Rings};
 pub use product::Code;
 pub use scalar::{Jet, Lanes, Mask, Scalar};
 pub use shape::{
-    Aabb2, Aabb3, Capsule2, Circle, ConvexPolygon, EulerOrder, Interval, Line2, Obb2, Obb3, Plane3,
-    Pose2, Pose3, Ray2, Rotation2, Rotation3, Segment2, Segment3, Sphere, Triangle2, Triangle3,
-    Vec2, Vec3, YawBox3,
+    Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, EulerOrder, Interval,
+    Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2, Rotation3, RoundBox3,
+    Segment2, Segment3, Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
 };

@@ -4,7 +4,7 @@
 use crate::ad::declared::Kind;
 use crate::ad::sample::{Draw, Sample};
 use crate::error::Validate;
-use crate::shape::{Aabb3, Obb3, Rotation3, YawBox3};
+use crate::shape::{Aabb3, Obb3, Ray3, Rotation3, YawBox3};
 use crate::{Obb2, Vec3};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
@@ -107,6 +107,41 @@ impl Sample for Vec3<f64> {
     }
     fn inside(&self) -> bool {
         self.is_finite()
+    }
+}
+
+impl Sample for Ray3<f64> {
+    fn ordinary(draw: &mut Draw) -> Self {
+        // At the middle of where other shapes are: few others would hit them.
+        let (point, at) = (Vec3::ordinary(draw), [0; 3].map(|_| draw.within(-0.7, 0.7)));
+        let way = vector(at) - point;
+        let ray = Ray3::new(point, way * draw.magnitude(0.1, 10.0));
+        if ray.inside() {
+            ray
+        } else {
+            Ray3::new(point, Vec3::new(1.0, 0.0, 0.0))
+        }
+    }
+    fn hard() -> Vec<Self> {
+        let points = Vec3::hard().into_iter();
+        let ways = [
+            [1.0, 0.0, 0.0],
+            [0.0, -2.0, 0.0],
+            [1.0, 0.5, 0.75],
+            [4.0, 3.0, -2.0],
+        ];
+        let rays = points.flat_map(|point| ways.map(|way| Ray3::new(point, vector(way))));
+        rays.step_by(3).collect()
+    }
+    fn kinds(&self) -> Vec<Kind> {
+        use Kind::{DirectionX, DirectionY, DirectionZ, X, Y, Z};
+        vec![X, Y, Z, DirectionX, DirectionY, DirectionZ]
+    }
+    fn scales(&self) -> Vec<f64> {
+        [self.point.scales(), self.direction.scales()].concat()
+    }
+    fn inside(&self) -> bool {
+        self.validate().is_ok()
     }
 }
 

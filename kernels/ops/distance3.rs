@@ -1,8 +1,14 @@
-//! Distances of points from boxes of space as operations.
-use crate::distance3::{distance, signed_distance};
+//! Distances of shapes of space as operations.
+use crate::distance3::{
+    Contact3, PointPair3, closest_points, distance, farthest_distance, penetration, signed_distance,
+    squared_distance,
+};
 use crate::kernels::ops::rows::table;
-use crate::kernels::verbs::{Distance, SignedDistance};
-use crate::{Aabb3, Obb3, Vec3, YawBox3};
+use crate::kernels::verbs::{self, Distance, FarthestDistance, SignedDistance, SquaredDistance};
+use crate::{
+    Aabb3, Capsule3, Cone, Cylinder, Obb3, Plane3, RoundBox3, Segment3, Sphere, Tetrahedron,
+    Triangle3, Vec3, YawBox3,
+};
 
 table! {
     /// The [distance](crate::distance3::distance) of {}.
@@ -10,18 +16,87 @@ table! {
         "distance_point_aabb3": Vec3, Aabb3;
         "distance_point_yaw": Vec3, YawBox3;
         "distance_point_obb3": Vec3, Obb3;
-        "distance_points3": Vec3, Vec3 { a.distance(b) };
-        "distance_aabb3_point": Aabb3, Vec3 { distance(b, a) };
-        "distance_yaw_point": YawBox3, Vec3 { distance(b, a) };
-        "distance_obb3_point": Obb3, Vec3 { distance(b, a) };
+        "distance_points3": Vec3, Vec3;
+        "distance_aabb3_point": Aabb3, Vec3;
+        "distance_yaw_point": YawBox3, Vec3;
+        "distance_obb3_point": Obb3, Vec3;
+        "distance_point_segment3": Vec3, Segment3;
+        "distance_point_triangle3": Vec3, Triangle3;
+        "distance_point_tetrahedron": Vec3, Tetrahedron;
+        "distance_point_capsule3": Vec3, Capsule3;
+        "distance_point_cylinder": Vec3, Cylinder;
+        "distance_point_cone": Vec3, Cone;
+        "distance_segments3": Segment3, Segment3;
+        "distance_segment_triangle3": Segment3, Triangle3;
+        "distance_triangles3": Triangle3, Triangle3;
+        "distance_spheres": Sphere, Sphere;
+        "distance_capsules3": Capsule3, Capsule3;
+        "distance_capsule_sphere": Capsule3, Sphere;
+        "distance_capsule_obb3": Capsule3, Obb3;
+        "distance_sphere_obb3": Sphere, Obb3;
+        "distance_aabb3": Aabb3, Aabb3;
+        "distance_obb3": Obb3, Obb3;
+    }
+    /// The [squared distance](crate::distance3::squared_distance) of {}.
+    SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] jumps Never derivative Reverse {
+        "squared_distance_point_segment3": Vec3, Segment3;
+        "squared_distance_point_triangle3": Vec3, Triangle3;
+        "squared_distance_segments3": Segment3, Segment3;
+        "squared_distance_triangles3": Triangle3, Triangle3;
+        "squared_distance_aabb3": Aabb3, Aabb3;
     }
     /// The [signed distance](crate::distance3::signed_distance) of {}.
     SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
         "signed_distance_point_aabb3": Vec3, Aabb3;
         "signed_distance_point_yaw": Vec3, YawBox3;
         "signed_distance_point_obb3": Vec3, Obb3;
-        "signed_distance_aabb3_point": Aabb3, Vec3 { signed_distance(b, a) };
-        "signed_distance_yaw_point": YawBox3, Vec3 { signed_distance(b, a) };
-        "signed_distance_obb3_point": Obb3, Vec3 { signed_distance(b, a) };
+        "signed_distance_aabb3_point": Aabb3, Vec3;
+        "signed_distance_yaw_point": YawBox3, Vec3;
+        "signed_distance_obb3_point": Obb3, Vec3;
+        "signed_distance_point_sphere": Vec3, Sphere;
+        "signed_distance_point_capsule3": Vec3, Capsule3;
+        "signed_distance_point_tetrahedron": Vec3, Tetrahedron;
+        "signed_distance_point_cylinder": Vec3, Cylinder;
+        "signed_distance_point_cone": Vec3, Cone;
+        "signed_distance_point_round_box": Vec3, RoundBox3;
+        "signed_distance_spheres": Sphere, Sphere;
+        "signed_distance_capsules3": Capsule3, Capsule3;
+        "signed_distance_capsule_sphere": Capsule3, Sphere;
+        "signed_distance_capsule_obb3": Capsule3, Obb3;
+        "signed_distance_sphere_obb3": Sphere, Obb3;
+        "signed_distance_triangles3": Triangle3, Triangle3 derivative Forward;
+        "signed_distance_aabb3": Aabb3, Aabb3;
+        "signed_distance_obb3": Obb3, Obb3;
+        "signed_distance_plane_point": Plane3, Vec3;
+        "signed_distance_plane_sphere": Plane3, Sphere;
+        "signed_distance_plane_capsule": Plane3, Capsule3;
+        "signed_distance_plane_obb3": Plane3, Obb3;
+        "signed_distance_plane_cylinder": Plane3, Cylinder;
+        "signed_distance_plane_cone": Plane3, Cone;
+    }
+    /// The [longest distance](crate::distance3::farthest_distance) of {}.
+    FarthestDistance: (a, b) -> S { farthest_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
+        "farthest_distance_point_obb3": Vec3, Obb3;
+        "farthest_distance_capsules3": Capsule3, Capsule3;
+        "farthest_distance_aabb3": Aabb3, Aabb3;
+    }
+    // Points and directions jump where another feature is nearest.
+    /// The [depth of overlap and its direction](crate::distance3::penetration) of {}. The direction jumps to another
+    /// deepest face.
+    verbs::Penetration: (a, b) -> Contact3<S> { penetration(a, b) } [shifts] jumps Anywhere derivative Reverse {
+        "penetration_spheres": Sphere, Sphere;
+        "penetration_capsules3": Capsule3, Capsule3;
+        "penetration_sphere_obb3": Sphere, Obb3;
+        "penetration_aabb3": Aabb3, Aabb3;
+        "penetration_plane_capsule": Plane3, Capsule3;
+    }
+    /// The [nearest points](crate::distance3::closest_points) of {}. Points jump to another nearest feature.
+    verbs::ClosestPoints: (a, b) -> PointPair3<S> { closest_points(a, b) } [follows] jumps Anywhere derivative Reverse {
+        "closest_points_point_segment3": Vec3, Segment3;
+        "closest_points_point_triangle3": Vec3, Triangle3;
+        "closest_points_segments3": Segment3, Segment3;
+        "closest_points_capsules3": Capsule3, Capsule3;
+        "closest_points_sphere_obb3": Sphere, Obb3;
+        "closest_points_aabb3": Aabb3, Aabb3;
     }
 }

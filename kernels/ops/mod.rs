@@ -24,6 +24,6 @@ macro_rules! families {
 }
 families! {
     overlap iou interval distance intersection shape gaussian convention
-    overlap3 iou3 distance3
+    overlap3 iou3 distance3 intersection3
     polygon extent ring fold
 }

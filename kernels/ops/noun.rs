@@ -2,8 +2,9 @@
 use crate::convention::{Detectron2Box, ImageBox, KittiBox, LidarBox, NuScenesBox, Xyxyr};
 use crate::iou::Exponent;
 use crate::{
-    Aabb2, Aabb3, Capsule2, Circle, ConvexPolygon, Interval, Line2, Obb2, Obb3, Pose2, Ray2,
-    Segment2, Triangle2, Vec2, Vec3, YawBox3,
+    Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Interval, Line2,
+    Line3, Obb2, Obb3, Plane3, Pose2, Ray2, Ray3, RoundBox3, Segment2, Segment3, Sphere,
+    Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
 };
 
 /// A shape in the documentation and the invariances of a row.
@@ -102,6 +103,17 @@ nouns! {
     [] Aabb3<f64>:       "shape",    "an axis-aligned box",        "two axis-aligned boxes",        SPACE_ALIGNED;
     [] YawBox3<f64>:     "shape",    "an upright box",             "two upright boxes",             UPRIGHT;
     [] Obb3<f64>:        "shape",    "a box of any orientation",   "two boxes of any orientation",  SPACE;
+    [] RoundBox3<f64>:   "shape",    "a box with round edges",     "two boxes with round edges",    SPACE;
+    [] Segment3<f64>:    "segment",  "a segment of space",         "two segments of space",         SPACE;
+    [] Triangle3<f64>:   "triangle", "a triangle of space",        "two triangles of space",        SPACE;
+    [] Tetrahedron<f64>: "solid",    "a tetrahedron",              "two tetrahedra",                SPACE;
+    [] Sphere<f64>:      "ball",     "a ball",                     "two balls",                     SPACE;
+    [] Capsule3<f64>:    "capsule",  "a capsule of space",         "two capsules of space",         SPACE;
+    [] Cylinder<f64>:    "cylinder", "a cylinder",                 "two cylinders",                 SPACE;
+    [] Cone<f64>:        "cone",     "a cone",                     "two cones",                     SPACE;
+    [] Plane3<f64>:      "plane",    "a half-space",               "two half-spaces",               SPACE;
+    [] Line3<f64>:       "line",     "a line of space",            "two lines of space",            SPACE;
+    [] Ray3<f64>:        "ray",      "a ray of space",             "two rays of space",             SPACE;
     [] Exponent<f64>:    "power",    "a power",                    "two powers",                    WITH_ALL;
     // A shift moves directions like points.
     [] Line2<f64>:       "line",     "a line",                     "two lines",                     PLANE_DIRECTED;

@@ -47,6 +47,14 @@ pub(crate) fn speck<S: Scalar>() -> f64 {
     S::LARGEST.powf(-0.5)
 }
 
+/// The largest of some magnitudes, without derivative.
+#[inline(always)]
+pub(crate) fn largest<S: Scalar, const N: usize>(x: [S; N]) -> S::Primal {
+    let zero = S::Primal::zero();
+    x.iter()
+        .fold(zero, |most, x| most.most(x.primal().magnitude()))
+}
+
 use crate::Fixed;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};

@@ -61,6 +61,20 @@ impl<S: Scalar> Aabb3<S> {
             Vec3::new(x.most(), y.most(), z.most()),
         ))
     }
+    /// The smallest box around at least one point; points that share a bound share its derivative equally.
+    #[inline(always)]
+    pub(crate) fn of<const N: usize>(points: [Vec3<S>; N]) -> Self {
+        const { assert!(N > 0, "there is no box around no points") };
+        let span = |of: fn(Vec3<S>) -> S| {
+            let first = Span::new(of(points[0]));
+            points[1..].iter().fold(first, |span, &p| span.or(of(p)))
+        };
+        let (x, y, z) = (span(|p| p.x), span(|p| p.y), span(|p| p.z));
+        Aabb3::new(
+            Vec3::new(x.least(), y.least(), z.least()),
+            Vec3::new(x.most(), y.most(), z.most()),
+        )
+    }
     /// The size along x, y and z.
     #[must_use]
     #[inline(always)]

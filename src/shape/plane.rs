@@ -1,6 +1,9 @@
 //! Planes in space.
+use crate::distance3::Apart;
 use crate::error::Field;
+use crate::shape::Pose3;
 use crate::{Flaw, Scalar, Shape, Vec3};
+use std::ops::Mul;
 
 /// A plane in space: the points p with `normal · p = offset`, where the normal has any length but zero;
 /// and the half-space behind it, `normal · p ≤ offset`. Valid when finite and the normal is not zero.
@@ -47,19 +50,15 @@ impl<S: Scalar> Plane3<S> {
     pub fn through(point: Vec3<S>, normal: Vec3<S>) -> Self {
         Plane3::new(normal, normal.dot(point))
     }
-    /// The distance from a point to the plane, positive on the side of the normal; zero for the zero
-    /// normal.
+    /// The height of a point over the plane, or of the lowest point of another shape: positive on the side of the
+    /// normal. For a normal of length zero the offset counts alone, with its sign changed.
     #[must_use]
     #[inline(always)]
-    pub fn signed_distance(self, point: Vec3<S>) -> S {
-        let length = self.normal.length();
-        let zero = length.at_most(S::zero());
-        let height = self.normal.dot(point) - self.offset;
-        S::select(
-            zero,
-            S::zero(),
-            height.over(S::select(zero, S::one(), length)),
-        )
+    pub fn signed_distance<B>(self, other: B) -> S
+    where
+        Self: Apart<B, Scalar = S>,
+    {
+        crate::distance3::signed_distance(self, other)
     }
     /// The point of the plane nearest to a point.
     #[must_use]
@@ -72,5 +71,15 @@ impl<S: Scalar> Plane3<S> {
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         self.normal.dot(point).at_most(self.offset)
+    }
+}
+
+impl<S: Scalar> Mul<Plane3<S>> for Pose3<S> {
+    type Output = Plane3<S>;
+    /// The plane carried along; the normal keeps its length.
+    #[inline(always)]
+    fn mul(self, shape: Plane3<S>) -> Plane3<S> {
+        let normal = self.rotation * shape.normal;
+        Plane3::new(normal, shape.offset + normal.dot(self.translation))
     }
 }

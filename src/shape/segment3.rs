@@ -1,5 +1,8 @@
 //! Segments in space.
+use crate::distance3::Apart;
+use crate::shape::{Aabb3, Pose3};
 use crate::{Scalar, Shape, Vec3};
+use std::ops::Mul;
 
 /// A segment in space. Valid when finite; length zero is valid.
 ///
@@ -52,6 +55,12 @@ impl<S: Scalar> Segment3<S> {
         let half = S::lit(0.5);
         self.start * half + self.end * half
     }
+    /// The smallest axis-aligned box around it; ends that share a bound share its derivative.
+    #[must_use]
+    #[inline(always)]
+    pub fn bounding(self) -> Aabb3<S> {
+        Aabb3::of([self.start, self.end])
+    }
     /// The point of the segment nearest to a point. Kinks where that begins to be an end.
     #[must_use]
     #[inline(always)]
@@ -67,10 +76,30 @@ impl<S: Scalar> Segment3<S> {
         let t = S::select(zero, S::zero(), t.clamp(S::zero(), S::one()));
         self.at(t)
     }
-    /// The distance to a point; derivative zero on the segment.
+    /// The distance to a shape, 0 where they touch: [`distance`](crate::distance3::distance()).
+    ///
+    /// ```
+    /// use geograd::{Segment3, Vec3};
+    /// let edge = Segment3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 0.0, 0.0));
+    /// let other = Segment3::new(Vec3::new(1.0, -1.0, 3.0), Vec3::new(1.0, 1.0, 3.0));
+    /// assert_eq!(edge.distance(Vec3::new(5.0, 4.0, 0.0)), 5.0);
+    /// assert_eq!(edge.distance(other), 3.0);
+    /// ```
     #[must_use]
+    #[inline]
+    pub fn distance<B>(self, other: B) -> S
+    where
+        Self: Apart<B, Scalar = S>,
+    {
+        crate::distance3::distance(self, other)
+    }
+}
+
+impl<S: Scalar> Mul<Segment3<S>> for Pose3<S> {
+    type Output = Segment3<S>;
+    /// The segment carried along.
     #[inline(always)]
-    pub fn distance(self, point: Vec3<S>) -> S {
-        self.nearest(point).distance(point)
+    fn mul(self, shape: Segment3<S>) -> Segment3<S> {
+        Segment3::new(self * shape.start, self * shape.end)
     }
 }

@@ -1,6 +1,8 @@
 //! Spheres.
-use crate::shape::Aabb3;
+use crate::distance3::Apart;
+use crate::shape::{Aabb3, Pose3};
 use crate::{Scalar, Shape, Vec3};
+use std::ops::Mul;
 
 /// A ball in space. Valid when finite and of non-negative radius; radius zero is valid.
 ///
@@ -42,11 +44,15 @@ impl<S: Scalar> Sphere<S> {
     pub fn surface(self) -> S {
         self.radius * self.radius * S::lit(4.0 * std::f64::consts::PI)
     }
-    /// The distance from a point to the surface, negative inside; derivative zero at the centre.
+    /// The distance from a point or another shape to the surface, negative inside; of a point the derivative is zero
+    /// at the centre: [`signed_distance`](crate::distance3::signed_distance).
     #[must_use]
     #[inline(always)]
-    pub fn signed_distance(self, point: Vec3<S>) -> S {
-        point.distance(self.center) - self.radius
+    pub fn signed_distance<B>(self, other: B) -> S
+    where
+        Self: Apart<B, Scalar = S>,
+    {
+        crate::distance3::signed_distance(self, other)
     }
     /// `true` where the point is in the ball; the surface belongs to it.
     #[must_use]
@@ -60,5 +66,14 @@ impl<S: Scalar> Sphere<S> {
     pub fn bounding(self) -> Aabb3<S> {
         let reach = Vec3::new(self.radius, self.radius, self.radius);
         Aabb3::new(self.center - reach, self.center + reach)
+    }
+}
+
+impl<S: Scalar> Mul<Sphere<S>> for Pose3<S> {
+    type Output = Sphere<S>;
+    /// The sphere carried along.
+    #[inline(always)]
+    fn mul(self, shape: Sphere<S>) -> Sphere<S> {
+        Sphere::new(self * shape.center, shape.radius)
     }
 }

@@ -1,6 +1,7 @@
 //! Triangles in space.
-use crate::shape::Plane3;
+use crate::shape::{Aabb3, Plane3, Pose3};
 use crate::{Scalar, Shape, Vec3};
+use std::ops::Mul;
 
 /// A triangle in space. Valid when finite; area zero is valid.
 ///
@@ -59,6 +60,18 @@ impl<S: Scalar> Triangle3<S> {
     pub fn center(self) -> Vec3<S> {
         self.a + ((self.b - self.a) + (self.c - self.a)) * S::lit(1.0 / 3.0)
     }
+    /// The corners.
+    #[must_use]
+    #[inline(always)]
+    pub fn corners(self) -> [Vec3<S>; 3] {
+        [self.a, self.b, self.c]
+    }
+    /// The smallest axis-aligned box around it; corners that share a bound share its derivative equally.
+    #[must_use]
+    #[inline(always)]
+    pub fn bounding(self) -> Aabb3<S> {
+        Aabb3::of(self.corners())
+    }
     /// The plane it lies in; not valid for area zero.
     #[must_use]
     #[inline(always)]
@@ -71,5 +84,14 @@ impl<S: Scalar> Triangle3<S> {
     #[inline(always)]
     pub fn six_volume(self, point: Vec3<S>) -> S {
         self.twice_area_normal().dot(self.a - point)
+    }
+}
+
+impl<S: Scalar> Mul<Triangle3<S>> for Pose3<S> {
+    type Output = Triangle3<S>;
+    /// The triangle carried along.
+    #[inline(always)]
+    fn mul(self, shape: Triangle3<S>) -> Triangle3<S> {
+        Triangle3::new(self * shape.a, self * shape.b, self * shape.c)
     }
 }

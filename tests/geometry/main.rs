@@ -28,5 +28,6 @@ mod shape;
 mod solid_scores;
 mod solids;
 mod source;
+mod space;
 mod ties;
 mod toolbox;

@@ -1,0 +1,92 @@
+//! Half-spaces against all that ends: the point of a shape that is farthest behind the plane.
+use super::apart::Cored;
+use super::core::Core;
+use super::near::Low;
+use super::relation::{Relation, direction, square_of_gap};
+use super::round::Revolved;
+use crate::distance::edge::scale_of;
+use crate::distance::share::Best;
+use crate::scalar::largest;
+use crate::shape::{Cone, Cylinder, Plane3};
+use crate::{Scalar, Vec3};
+
+/// A shape that ends in every direction.
+pub trait Bounded: Copy {
+    /// Its numbers.
+    type Scalar: Scalar;
+    /// The least of `normal · point`, given a normal of length one, and a point of the shape there. Points that tie
+    /// share the derivative, and the point is their mean.
+    fn lowest(self, normal: Vec3<Self::Scalar>) -> (Self::Scalar, Vec3<Self::Scalar>);
+}
+
+impl<A: Cored> Bounded for A {
+    type Scalar = A::Scalar;
+    #[inline(always)]
+    fn lowest(self, normal: Vec3<A::Scalar>) -> (A::Scalar, Vec3<A::Scalar>) {
+        let (core, radius) = (self.core(), self.radius());
+        let (height, corner) = core.support(normal);
+        match A::ROUND {
+            true => (height - radius, corner - normal * radius),
+            false => (height, corner),
+        }
+    }
+}
+
+/// The lowest of a circle's points: how far below its centre, and the way to there. A circle that lies in the plane
+/// has its centre.
+#[inline(always)]
+fn lowest_of_circle<S: Scalar>(axis: Vec3<S>, radius: S, normal: Vec3<S>) -> (S, Vec3<S>) {
+    let axis = direction(axis * scale_of::<S>(largest([axis.x, axis.y, axis.z])));
+    let slope = axis.cross(normal).cross(axis);
+    (slope.length() * radius, direction(slope) * radius)
+}
+
+/// The lower of two points.
+#[inline(always)]
+fn lower<S: Scalar>(a: (S, Vec3<S>), b: (S, Vec3<S>)) -> (S, Vec3<S>) {
+    let Low(height, point) = Best::of(a.0, Low(a.0, a.1))
+        .less(Best::of(b.0, Low(b.0, b.1)))
+        .mean();
+    (height, point)
+}
+
+impl<S: Scalar> Bounded for Cylinder<S> {
+    type Scalar = S;
+    #[inline(always)]
+    fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
+        let (down, way) = lowest_of_circle(self.axis(), self.radius, normal);
+        let ends = [self.start, self.end].map(|end| (normal.dot(end), end));
+        let (height, point) = lower(ends[0], ends[1]);
+        (height - down, point - way)
+    }
+}
+
+impl<S: Scalar> Bounded for Cone<S> {
+    type Scalar = S;
+    #[inline(always)]
+    fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
+        let (down, way) = lowest_of_circle(self.axis(), self.radius, normal);
+        let rim = (normal.dot(self.base) - down, self.base - way);
+        lower((normal.dot(self.apex), self.apex), rim)
+    }
+}
+
+/// The relation of a half-space and a shape.
+#[inline(always)]
+pub(super) fn relate<S: Scalar, B: Bounded<Scalar = S>>(plane: Plane3<S>, shape: B) -> Relation<S> {
+    let n = plane.normal;
+    let size = scale_of::<S>(largest([n.x, n.y, n.z]));
+    let (long, offset) = (n * size, plane.offset * size);
+    let length = long.length();
+    let over = S::select(length.at_most(S::zero()), S::one(), length);
+    let unit = Vec3::new(long.x.over(over), long.y.over(over), long.z.over(over));
+    let (height, on_b) = shape.lowest(unit);
+    let apart = height - offset.over(over);
+    Relation {
+        apart,
+        square: square_of_gap(apart),
+        normal: unit,
+        on_a: on_b - unit * apart,
+        on_b,
+    }
+}

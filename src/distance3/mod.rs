@@ -1,0 +1,217 @@
+//! Distances between shapes of space: points ([`Vec3`]), [`Segment3`](crate::Segment3),
+//! [`Triangle3`](crate::Triangle3), [`Tetrahedron`](crate::Tetrahedron), [`Aabb3`](crate::Aabb3),
+//! [`YawBox3`](crate::YawBox3), [`Obb3`](crate::Obb3), [`RoundBox3`](crate::RoundBox3), [`Sphere`](crate::Sphere) and
+//! [`Capsule3`](crate::Capsule3), any two of them; half-spaces ([`Plane3`](crate::Plane3)) and all of these,
+//! [`Cylinder`](crate::Cylinder) and [`Cone`](crate::Cone); points and balls and cylinders and cones.
+//!
+//! ```
+//! use geograd::{Obb3, Rotation3, Vec3, distance3::signed_distance};
+//! let size = Vec3::new(4.0_f64, 2.0, 2.0);
+//! let shape = Obb3::new(Vec3::new(1.0, 0.0, 0.0), size, Rotation3::identity());
+//! assert_eq!(signed_distance(Vec3::new(6.0, 5.0, 0.0), shape), 5.0); // an edge is nearest
+//! assert_eq!(signed_distance(Vec3::new(1.5, 0.0, 0.75), shape), -0.25);
+//! ```
+//!
+//! Every shape is the hull of a few corners, inflated by a radius ([`Cored`]). Two of them are compared corner by face,
+//! corner by edge and edge by edge where they are apart; by the normals of faces and of pairs of edges where they
+//! overlap. No tolerance decides: a candidate for the distance is the distance of two points that exist, a
+//! candidate for the depth a gap along a direction of length one, so that wrong decisions cost roundings.
+//!
+//! | function | gives |
+//! | --- | --- |
+//! | [`distance()`] | the shortest way between the shapes; 0 where they touch or overlap |
+//! | [`squared_distance`] | its square, smooth where the distance vanishes |
+//! | [`signed_distance`] | the same, and minus the depth of overlap |
+//! | [`closest_points`] | where: a point of each |
+//! | [`penetration`] | how far to shift one of them until they only touch, and in which direction |
+//! | [`farthest_distance`] | the longest way |
+//!
+//! # Shapes and verbs
+//!
+//! Batches of a verb take the pairs that have a row (the table of [`verbs`](crate::kernels::verbs)), any other pair of
+//! this table by [`function`](crate::kernels::verbs::function). D stands for
+//! [`Distance`](crate::kernels::verbs::Distance), Q for `SquaredDistance`, S for `SignedDistance`, C for `ClosestPoints`, P for `Penetration`, F for `FarthestDistance`.
+//! A letter is a row, a small one a method without a row, `-` what there is not.
+//!
+//! | | point | ball | segment | capsule | triangle | tetrahedron | box | round box |
+//! | --- | --- | --- | --- | --- | --- | --- | --- | --- |
+//! | point | D q s c p f | d q S c p f | D Q s C p f | D q S c p f | D Q s C p f | D q S c p f | D q S c p F | d q S c p f |
+//! | ball | | D q S c P f | d q s c p f | D q S c p f | d q s c p f | d q s c p f | D q S C P f | d q s c p f |
+//! | segment | | | D Q s C p f | d q s c p f | D q s c p f | d q s c p f | d q s c p f | d q s c p f |
+//! | capsule | | | | D q S C P F | d q s c p f | d q s c p f | D q S c p f | d q s c p f |
+//! | triangle | | | | | D Q S c p f | d q s c p f | d q s c p f | d q s c p f |
+//! | tetrahedron | | | | | | d q s c p f | d q s c p f | d q s c p f |
+//! | box | | | | | | | D q S c p f | d q s c p f |
+//! | upright box, two | | | | | | | D Q S C P F | |
+//! | half-space | d q S c p - | d q S c p - | d q s c p - | d q S c P - | d q s c p - | d q s c p - | d q S c p - | d q s c p - |
+//! | cylinder | D q S c p f | d q s c p f | - | - | - | - | - | - |
+//! | cone | D q S c p f | d q s c p f | - | - | - | - | - | - |
+//!
+//! A half-space and a cylinder or a cone have d q S c p. Rays, lines and segments against solids:
+//! [`intersection3`](crate::intersection3).
+//!
+//! # Derivatives
+//!
+//! By the envelope theorem the derivative of a distance is that of the way between the two nearest points, held fixed
+//! on their shapes. Second derivatives follow from the features that touch: a corner's, an edge's, a plane's.
+//!
+//! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
+//! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//!
+//! Kinks: at distance zero the distance and its derivatives are 0 (the signed distance keeps its derivative there).
+//! Features that are equally near share the derivative and the point equally: of parallel faces it is the mean of
+//! the corners of what faces each other; of parallel faces that overlap the corners count whose foot is on the other
+//! one, or all where there is none. Where several planes are equally deep they share the derivative, and the
+//! direction is that of the first. Across a face the signed distance is smooth, along an edge or at a corner of the
+//! border it is not. Pairs without a volume between them, such as two segments, have no depth.
+use crate::{Scalar, Vec3};
+
+pub mod apart;
+pub mod boxes;
+pub mod core;
+pub mod deep;
+pub mod half_space;
+pub mod near;
+mod point;
+pub mod relation;
+pub mod round;
+
+pub use apart::{Apart, Cored, Farthest};
+pub use boxes::Faces;
+
+/// A point of each of two shapes of space.
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct PointPair3<S> {
+    /// The point of a.
+    pub on_a: Vec3<S>,
+    /// The point of b.
+    pub on_b: Vec3<S>,
+}
+
+/// The penetration depth of two shapes of space, and the direction in which it is least.
+#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Contact3<S> {
+    /// The length of the shortest shift after which the shapes only touch; 0 where they are apart.
+    pub depth: S,
+    /// The direction, of length one, of that shift of b; where they are apart, the direction from a to b. Zero where
+    /// two points coincide and no direction is preferred.
+    pub direction: Vec3<S>,
+}
+
+/// The signed distance of two shapes of space, in the unit of length: the shortest way between them, or minus the
+/// length of the shortest shift after which they only touch.
+///
+/// Derivatives and kinks: see the [module](self).
+///
+/// ```
+/// use geograd::{Obb3, Rotation3, Sphere, Vec3, distance3::signed_distance};
+/// let cube = Obb3::new(Vec3::zero(), Vec3::new(2.0, 2.0, 2.0), Rotation3::identity());
+/// assert_eq!(signed_distance(cube, Sphere::new(Vec3::new(0.0, 4.0, 5.0), 2.0)), 3.0);
+/// let above = Obb3::new(Vec3::new(0.5, 0.5, 1.75), cube.size, cube.rotation);
+/// assert_eq!(signed_distance(cube, above), -0.25);
+/// ```
+#[must_use]
+#[inline]
+pub fn signed_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
+    a.relation(b).apart.saturated().canonical()
+}
+
+/// The distance of two shapes of space, in the unit of length; 0 with derivative zero where they touch or overlap.
+///
+/// Derivatives and kinks: see the [module](self).
+///
+/// ```
+/// use geograd::{Aabb3, Segment3, Vec3, distance3::distance};
+/// let shape = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0));
+/// assert_eq!(distance(Vec3::new(0.5, 4.0, 5.0), shape), 5.0);
+/// assert_eq!(distance(Vec3::new(0.5, 0.5, 0.5), shape), 0.0);
+/// let wire = Segment3::new(Vec3::new(-9.0, 0.5, 3.0), Vec3::new(9.0, 0.5, 3.0));
+/// assert_eq!(distance(shape, wire), 2.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
+    let apart = a.relation(b).apart;
+    S::select(apart.above(S::zero()), apart, S::zero())
+        .saturated()
+        .canonical()
+}
+
+/// The squared distance of two shapes of space; 0 where they touch or overlap. Once differentiable wherever the nearest
+/// points are. Saturates at the largest finite number.
+///
+/// ```
+/// use geograd::{Segment3, Vec3, distance3::squared_distance};
+/// let wire = Segment3::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(9.0, 0.0, 1.0));
+/// assert_eq!(squared_distance(wire, Vec3::new(-3.0, 0.0, 5.0)), 25.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
+    a.relation(b).square.saturated().canonical()
+}
+
+/// The points in which two shapes of space are nearest to each other.
+///
+/// Where they overlap, the points that [`penetration`] brings together. Ties and derivatives: see the [module](self).
+///
+/// ```
+/// use geograd::{Segment3, Vec3, distance3::closest_points};
+/// let wire = Segment3::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(8.0, 0.0, 1.0));
+/// let rail = Segment3::new(Vec3::new(2.0, 3.0, 1.0), Vec3::new(4.0, 3.0, 1.0));
+/// let found = closest_points(wire, rail); // the middle of what faces each other
+/// assert_eq!((found.on_a, found.on_b), (Vec3::new(3.0, 0.0, 1.0), Vec3::new(3.0, 3.0, 1.0)));
+/// ```
+#[must_use]
+#[inline]
+pub fn closest_points<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> PointPair3<S> {
+    let found = a.relation(b);
+    PointPair3 {
+        on_a: found.on_a.canonical(),
+        on_b: found.on_b.canonical(),
+    }
+}
+
+/// How deep two shapes of space are in each other, and in which direction b leaves a by the shortest way.
+///
+/// The depth has derivatives by the envelope theorem, like a distance; it is 0 with derivative zero where the shapes
+/// are apart or touch.
+///
+/// ```
+/// use geograd::{Plane3, Sphere, Vec3, distance3::penetration};
+/// let floor = Plane3::new(Vec3::new(0.0, 0.0, 2.0), 0.0);
+/// let found = penetration(floor, Sphere::new(Vec3::new(7.0, 0.0, 0.5), 1.0));
+/// assert_eq!((found.depth, found.direction), (0.5, Vec3::new(0.0, 0.0, 1.0)));
+/// ```
+#[must_use]
+#[inline]
+pub fn penetration<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Contact3<S> {
+    let found = a.relation(b);
+    let depth = -found.apart;
+    Contact3 {
+        depth: S::select(depth.above(S::zero()), depth, S::zero())
+            .saturated()
+            .canonical(),
+        direction: found.normal.canonical(),
+    }
+}
+
+/// The longest distance of a point of one shape of space from a point of the other, in the unit of length.
+///
+/// Pairs of corners that are equally far share the derivative; two equal points have derivative zero.
+///
+/// ```
+/// use geograd::{Sphere, Tetrahedron, Vec3, distance3::farthest_distance};
+/// let [x, y, z] = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)];
+/// let corner = Tetrahedron::new(Vec3::zero(), x, y, z);
+/// assert_eq!(farthest_distance(corner, Sphere::new(Vec3::new(5.0, 0.0, 0.0), 2.0)), 26.0_f64.sqrt() + 2.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn farthest_distance<S: Scalar, A: Farthest<B, Scalar = S>, B>(a: A, b: B) -> S {
+    a.farthest_distance(b)
+}

@@ -1,0 +1,259 @@
+//! The nearest points of corners, edges and faces that are apart.
+use crate::distance::share::{Best, Carry};
+use crate::{Scalar, Vec3};
+
+/// A straight edge: `from + t along` with t from 0 to 1.
+#[derive(Clone, Copy, Debug)]
+pub struct Edge<S> {
+    /// The point at parameter 0.
+    pub from: Vec3<S>,
+    /// The point at parameter 1.
+    pub to: Vec3<S>,
+    /// The way from parameter 0 to parameter 1.
+    pub along: Vec3<S>,
+}
+
+impl<S: Scalar> Edge<S> {
+    /// The edge from one point to another.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn between(from: Vec3<S>, to: Vec3<S>) -> Self {
+        Edge {
+            from,
+            to,
+            along: to - from,
+        }
+    }
+}
+
+/// Two points, one of each core, that are nearest to each other.
+#[derive(Clone, Copy, Debug)]
+pub struct Nearest<S> {
+    /// The way from the one on a to the one on b.
+    pub apart: Vec3<S>,
+    /// The one on a.
+    pub on_a: Vec3<S>,
+    /// The one on b.
+    pub on_b: Vec3<S>,
+    /// The direction of the way, where a face or two edges give it; else zero.
+    pub normal: Vec3<S>,
+}
+
+impl<S: Scalar> Nearest<S> {
+    /// As a candidate, by the square of the way.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn of(apart: Vec3<S>, on_a: Vec3<S>, on_b: Vec3<S>) -> Best<S, Self> {
+        let normal = Vec3::zero();
+        let found = Nearest {
+            apart,
+            on_a,
+            on_b,
+            normal,
+        };
+        Best::of(apart.length_squared(), found)
+    }
+    /// With a and b exchanged.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn flipped(self) -> Self {
+        Nearest {
+            apart: -self.apart,
+            on_a: self.on_b,
+            on_b: self.on_a,
+            normal: -self.normal,
+        }
+    }
+}
+
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn join<S: Scalar>(a: Vec3<S>, b: Vec3<S>, keep: S::Mask, tie: S::Mask) -> Vec3<S> {
+    let one = |a: S, b: S| a.join(b, keep, tie);
+    Vec3::new(one(a.x, b.x), one(a.y, b.y), one(a.z, b.z))
+}
+
+impl<S: Scalar> Carry<S> for Nearest<S> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
+        Nearest {
+            apart: join(self.apart, other.apart, keep, tie),
+            on_a: join(self.on_a, other.on_a, keep, tie),
+            on_b: join(self.on_b, other.on_b, keep, tie),
+            normal: join(self.normal, other.normal, keep, tie),
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn times(self, factor: S) -> Self {
+        Nearest {
+            apart: self.apart * factor,
+            on_a: self.on_a * factor,
+            on_b: self.on_b * factor,
+            normal: self.normal * factor,
+        }
+    }
+}
+
+/// A height, and the point that has it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Low<S>(pub S, pub Vec3<S>);
+
+impl<S: Scalar> Carry<S> for Low<S> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
+        Low(
+            self.0.join(other.0, keep, tie),
+            join(self.1, other.1, keep, tie),
+        )
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn times(self, factor: S) -> Self {
+        Low(self.0 * factor, self.1 * factor)
+    }
+}
+
+/// `yes` where the mask is true, else `no`.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn choose<S: Scalar>(mask: S::Mask, yes: Vec3<S>, no: Vec3<S>) -> Vec3<S> {
+    let one = |yes: S, no: S| S::select(mask, yes, no);
+    Vec3::new(one(yes.x, no.x), one(yes.y, no.y), one(yes.z, no.z))
+}
+
+/// The vector without derivatives.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn constant<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
+    let one = |x: S| S::from_primal(x.primal());
+    Vec3::new(one(v.x), one(v.y), one(v.z))
+}
+
+/// The number without derivatives.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn fixed<S: Scalar>(x: S) -> S {
+    S::from_primal(x.primal())
+}
+
+/// The sum of the squares.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn square_of<S: Scalar>(x: [S; 3]) -> S {
+    (x[0] * x[0] + x[1] * x[1]) + x[2] * x[2]
+}
+
+/// A direction from a cross product, of length one or zero.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Normal<S: Scalar> {
+    /// The product.
+    pub long: Vec3<S>,
+    /// The square of its length, or one where that is so short that it counts as none.
+    pub square: S,
+    /// Of length one; zero where the product counts as none.
+    pub unit: Vec3<S>,
+    /// Where the product counts as none: the features are parallel or points.
+    pub none: S::Mask,
+    /// Where its direction has at least half the digits of the format.
+    pub clear: S::Mask,
+}
+
+/// The normal of two ways. In units of the cores' size a product shorter than ε² counts as none: what its features
+/// lie beyond their neighbours is then below ε.
+///
+/// The product of ways that are all but parallel is mostly rounding. What is left of it along the first way is taken
+/// away, so that it is orthogonal to both to the digits of the format.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn normal<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> Normal<S> {
+    let long = u.cross(v);
+    let (least, along) = (S::lit(S::EPSILON.powi(4)), u.length_squared());
+    let short = along.at_most(least);
+    let rest = u.dot(long).over(S::select(short, S::one(), along));
+    let long = long - u * S::from_primal(S::select(short, S::zero(), rest).primal());
+    let square = long.length_squared();
+    let none = short | square.at_most(least);
+    let clear = square.above(along * v.length_squared() * S::lit(S::EPSILON));
+    let square = S::select(none, S::one(), square);
+    let over = S::one().over(square.root());
+    let unit = choose(none, Vec3::zero(), long * over);
+    Normal {
+        long,
+        square,
+        unit,
+        none,
+        clear,
+    }
+}
+
+/// The way between two points of features with a common normal, and its direction. That is the normal's, whose digits
+/// do not depend on how long the way is; where the normal has few, the way itself, and no direction.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn across<S: Scalar>(normal: Normal<S>, way: Vec3<S>) -> (Vec3<S>, Vec3<S>) {
+    let height = normal.unit.dot(way);
+    let turned = height.below(S::zero());
+    let direction = choose(turned, -normal.unit, normal.unit);
+    (
+        choose(normal.clear, normal.unit * height, way),
+        choose(normal.clear, direction, Vec3::zero()),
+    )
+}
+
+/// The point of an edge that is nearest to a corner, seen from the nearer end, whose distance has more digits.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn edge_near<S: Scalar>(edge: Edge<S>, corner: Vec3<S>) -> Best<S, Nearest<S>> {
+    let (arm, back) = (corner - edge.from, edge.to - corner);
+    let square = edge.along.length_squared();
+    let point = square.at_most(S::lit(S::EPSILON.powi(4)));
+    let over = S::select(point, S::one(), square);
+    let (ahead, behind) = (edge.along.dot(arm), edge.along.dot(back));
+    let near = ahead.at_most(behind);
+    let free = S::select(near, ahead, behind).over(over);
+    // It is at most one half.
+    let t = S::select(point, S::lit(0.5), free).most(S::zero());
+    let step = edge.along * t;
+    let apart = choose(near, arm - step, step - back);
+    let on_a = choose(near, edge.from + step, edge.to - step);
+    Nearest::of(apart, on_a, corner)
+}
+
+/// The foot of a corner on a triangle; the largest number where that is outside.
+///
+/// The foot is made of weights, so that it is a point of the triangle even where the normal is mostly rounding. They
+/// are seen from the corner opposite to the longest edge, where the angle of a needle keeps its digits.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn face_near<S: Scalar>(face: [Vec3<S>; 3], corner: Vec3<S>) -> Best<S, Nearest<S>> {
+    let [a, b, c] = face;
+    let [ab, bc, ca] = [b - a, c - b, a - c].map(Vec3::length_squared);
+    let (at_c, at_b) = (bc.below(ab) & ca.below(ab), bc.below(ca) & ab.at_most(ca));
+    let pick = |first, second, third| choose(at_c, third, choose(at_b, second, first));
+    let face = [pick(a, b, c), pick(b, c, a), pick(c, a, b)];
+    let (u, v, arm) = (face[1] - face[0], face[2] - face[0], corner - face[0]);
+    let normal = normal(u, v);
+    let weight = |w: Vec3<S>| w.dot(normal.long).over(normal.square);
+    let (s, t) = (weight(arm.cross(v)), weight(u.cross(arm)));
+    let (zero, one) = (S::zero(), S::one());
+    let inside = zero.below(s) & zero.below(t) & (s + t).below(one) & !normal.none;
+    // As of two edges.
+    let rest = arm - u * fixed(s);
+    let length = S::select(normal.none, one, v.length_squared());
+    let t = S::select(inside, v.dot(rest).over(length), zero);
+    let t = t.primal().most(S::Primal::zero()).least((one - s).primal());
+    let (apart, direction) = across(normal, rest - v * S::from_primal(t));
+    let mut found = Nearest::of(apart, corner - apart, corner);
+    found.value = S::select(inside, found.value, S::lit(S::LARGEST));
+    found.sum.normal = direction;
+    found
+}
+
+/// The nearest points of two edges where they are between the ends of both; else the largest number.
+///
+/// The parameter of the first edge is as wrong as its direction is all but that of the second one. The other parameter
+/// is that of the point nearest to it, so that the way errs by the square of that.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn edges_near<S: Scalar>(a: Edge<S>, b: Edge<S>) -> Best<S, Nearest<S>> {
+    let (u, v, w) = (a.along, b.along, b.from - a.from);
+    let normal = normal(u, v);
+    let length = S::select(normal.none, S::one(), v.length_squared());
+    let s = w.cross(v).dot(normal.long).over(normal.square);
+    let t = (u.dot(v) * s - w.dot(v)).over(length);
+    let (zero, one) = (S::zero(), S::one());
+    let inside = zero.below(s) & s.below(one) & zero.below(t) & t.below(one) & !normal.none;
+    let way = w + v * fixed(t) - u * fixed(s);
+    let (apart, direction) = across(normal, way);
+    let mut found = Nearest::of(apart, a.from + u * s, b.from + v * t);
+    found.value = S::select(inside, found.value, S::lit(S::LARGEST));
+    found.sum.normal = direction;
+    found
+}

@@ -1,0 +1,125 @@
+//! Points and balls against cylinders and cones: in the plane through their axis.
+use super::relation::{Relation, direction};
+use crate::distance::edge::scale_of;
+use crate::distance::{self, Convex};
+use crate::scalar::largest;
+use crate::shape::{Cone, Cylinder};
+use crate::{Aabb2, Scalar, Triangle2, Vec2, Vec3};
+
+/// A solid that turns about an axis.
+pub trait Revolved: Copy {
+    /// Its numbers.
+    type Scalar: Scalar;
+    /// Its section by a plane through the axis.
+    type Section: Convex<Self::Scalar>;
+    /// Where the axis begins.
+    fn start(self) -> Vec3<Self::Scalar>;
+    /// The way from there to its end.
+    fn axis(self) -> Vec3<Self::Scalar>;
+    /// The radius.
+    fn radius(self) -> Self::Scalar;
+    /// The section: x along the axis from its start, y across, the axis in the middle. A circle of the radius is at the
+    /// end of the axis.
+    fn section(height: Self::Scalar, radius: Self::Scalar) -> Self::Section;
+}
+
+impl<S: Scalar> Revolved for Cylinder<S> {
+    type Scalar = S;
+    type Section = Aabb2<S>;
+    #[inline(always)]
+    fn start(self) -> Vec3<S> {
+        self.start
+    }
+    #[inline(always)]
+    fn axis(self) -> Vec3<S> {
+        self.end - self.start
+    }
+    #[inline(always)]
+    fn radius(self) -> S {
+        self.radius
+    }
+    #[inline(always)]
+    fn section(height: S, radius: S) -> Aabb2<S> {
+        Aabb2 {
+            min: Vec2::new(S::zero(), -radius),
+            max: Vec2::new(height, radius),
+        }
+    }
+}
+
+impl<S: Scalar> Revolved for Cone<S> {
+    type Scalar = S;
+    type Section = Triangle2<S>;
+    #[inline(always)]
+    fn start(self) -> Vec3<S> {
+        self.apex
+    }
+    #[inline(always)]
+    fn axis(self) -> Vec3<S> {
+        self.base - self.apex
+    }
+    #[inline(always)]
+    fn radius(self) -> S {
+        self.radius
+    }
+    #[inline(always)]
+    fn section(height: S, radius: S) -> Triangle2<S> {
+        Triangle2::new(
+            Vec2::zero(),
+            Vec2::new(height, -radius),
+            Vec2::new(height, radius),
+        )
+    }
+}
+
+/// A point in the frame of an axis: along it, across it, and the directions of both.
+struct Seen<S> {
+    at: Vec2<S>,
+    along: Vec3<S>,
+    across: Vec3<S>,
+    height: S,
+}
+
+/// Across the axis is the length of a cross product, whose digits do not depend on how far along the point is.
+#[inline(always)]
+fn seen<S: Scalar>(axis: Vec3<S>, arm: Vec3<S>) -> Seen<S> {
+    let height = axis.length();
+    let along = direction(axis * scale_of::<S>(largest([axis.x, axis.y, axis.z])));
+    let off = along.cross(arm).cross(along);
+    Seen {
+        at: Vec2::new(along.dot(arm), off.length()),
+        along,
+        across: direction(off),
+        height,
+    }
+}
+
+/// The relation of a point and a solid. On the axis no direction is nearest: the derivative across is zero.
+#[inline(always)]
+pub(super) fn relate<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: B) -> Relation<S> {
+    let start = shape.start();
+    let Seen {
+        at,
+        along,
+        across,
+        height,
+    } = seen(shape.axis(), point - start);
+    let section = B::section(height, shape.radius());
+    let apart = distance::signed_distance(at, section);
+    let found = distance::closest_points(at, section);
+    let out = distance::penetration(at, section).direction;
+    Relation {
+        apart,
+        square: distance::squared_distance(at, section),
+        normal: along * out.x + across * out.y,
+        on_a: point,
+        on_b: start + along * found.on_b.x + across * found.on_b.y,
+    }
+}
+
+/// The longest distance of a point from points of a solid.
+#[inline(always)]
+pub(super) fn farthest<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: B) -> S {
+    let Seen { at, height, .. } = seen(shape.axis(), point - shape.start());
+    distance::farthest_distance(at, B::section(height, shape.radius()))
+}

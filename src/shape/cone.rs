@@ -1,0 +1,127 @@
+//! Cones.
+use crate::error::{Field, Flaw, Validate};
+use crate::shape::cylinder::disc_reach;
+use crate::shape::{Aabb3, Pose3};
+use crate::{Scalar, Shape, Vec3};
+use std::f64::consts::PI;
+use std::ops::Mul;
+
+/// A solid cone with a flat base. Valid when finite, its axis has a length and its radius is not negative; with radius
+/// zero it is a segment.
+///
+/// ```
+/// use geograd::{Cone, Vec3};
+/// let hat = Cone::new(Vec3::new(0.0_f64, 0.0, 3.0), Vec3::new(0.0, 0.0, 0.0), 1.0);
+/// assert!((hat.volume() - std::f64::consts::PI).abs() < 1e-15);
+/// assert!(hat.contains(Vec3::new(0.3, 0.0, 2.0)));
+/// assert!(!hat.contains(Vec3::new(0.4, 0.0, 2.0)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+#[shape(validate = has_height)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Cone<S> {
+    /// The tip.
+    pub apex: Vec3<S>,
+    /// The centre of the base.
+    pub base: Vec3<S>,
+    /// The radius of the base.
+    #[shape(non_negative)]
+    pub radius: S,
+}
+
+/// `Ok` for a height that is not zero.
+fn has_height<S: Scalar<Mask = bool>>(shape: &Cone<S>) -> Result<(), Flaw> {
+    let Cone {
+        apex: p, base: q, ..
+    } = shape;
+    match p.x.equals(q.x) && p.y.equals(q.y) && p.z.equals(q.z) {
+        true => Err(Flaw::Broken(Field::new("base"), "is the apex")),
+        false => Ok(()),
+    }
+}
+
+impl<S> Cone<S> {
+    /// From both ends of the axis and the radius, unchecked.
+    #[inline(always)]
+    pub const fn new(apex: Vec3<S>, base: Vec3<S>, radius: S) -> Self {
+        Cone { apex, base, radius }
+    }
+}
+
+impl<S: Scalar> Cone<S> {
+    /// From both ends of the axis and the radius.
+    ///
+    /// # Errors
+    ///
+    /// When a field is not finite, the ends coincide or the radius is negative.
+    pub fn try_new(apex: Vec3<S>, base: Vec3<S>, radius: S) -> Result<Self, Flaw>
+    where
+        S: Scalar<Mask = bool>,
+    {
+        let made = Cone { apex, base, radius };
+        made.validate().map(|()| made)
+    }
+    /// The height: how far both ends of the axis are apart.
+    #[must_use]
+    #[inline(always)]
+    pub fn height(self) -> S {
+        (self.base - self.apex).length()
+    }
+    /// The length of a straight line on its side, from the base's rim to the apex.
+    #[must_use]
+    #[inline(always)]
+    pub fn slant(self) -> S {
+        self.height().hypot(self.radius)
+    }
+    /// The volume.
+    #[must_use]
+    #[inline(always)]
+    pub fn volume(self) -> S {
+        (self.radius * self.radius * self.height() * S::lit(PI / 3.0)).canonical()
+    }
+    /// The area of the surface, the base included.
+    #[must_use]
+    #[inline(always)]
+    pub fn surface(self) -> S {
+        (self.radius * (self.radius + self.slant()) * S::lit(PI)).canonical()
+    }
+    /// The centre of its volume, at three quarters of the way from the apex to the base.
+    #[must_use]
+    #[inline(always)]
+    pub fn center(self) -> Vec3<S> {
+        self.apex.lerp(self.base, S::lit(0.75))
+    }
+    /// The smallest axis-aligned box around it. Kinks where the apex reaches as far as the base, and where the axis is
+    /// orthogonal to one of the world's.
+    #[must_use]
+    #[inline]
+    pub fn bounding(self) -> Aabb3<S> {
+        let reach = disc_reach((self.base - self.apex).normalize_or_zero()) * self.radius;
+        Aabb3::new(
+            self.apex.least(self.base - reach).canonical(),
+            self.apex.most(self.base + reach).canonical(),
+        )
+    }
+    /// `true` where the point is in the cone; the surface belongs to it.
+    #[must_use]
+    #[inline]
+    pub fn contains(self, point: Vec3<S>) -> S::Mask {
+        let (axis, arm) = (
+            (self.base - self.apex).normalize_or_zero(),
+            point - self.apex,
+        );
+        let (along, height) = (axis.dot(arm), self.height());
+        let (across, zero) = (axis.cross(arm).length(), S::zero());
+        zero.at_most(along) & along.at_most(height) & (across * height).at_most(self.radius * along)
+    }
+}
+
+impl<S: Scalar> Mul<Cone<S>> for Pose3<S> {
+    type Output = Cone<S>;
+    /// The cone carried along.
+    #[inline(always)]
+    fn mul(self, shape: Cone<S>) -> Cone<S> {
+        Cone::new(self * shape.apex, self * shape.base, shape.radius)
+    }
+}

@@ -1,0 +1,133 @@
+//! Cylinders.
+use crate::error::{Field, Flaw, Validate};
+use crate::shape::{Aabb3, Pose3};
+use crate::{Scalar, Shape, Vec3};
+use std::f64::consts::PI;
+use std::ops::Mul;
+
+/// A solid cylinder with flat ends. Valid when finite, its axis has a length and its radius is not negative; with
+/// radius zero it is a segment.
+///
+/// ```
+/// use geograd::{Cylinder, Vec3};
+/// let can = Cylinder::new(Vec3::new(0.0_f64, 0.0, 0.0), Vec3::new(0.0, 0.0, 2.0), 1.0);
+/// assert!((can.volume() - 2.0 * std::f64::consts::PI).abs() < 1e-15);
+/// assert!(can.contains(Vec3::new(0.6, 0.6, 1.9)));
+/// assert!(!can.contains(Vec3::new(0.0, 0.0, 2.1)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+#[shape(validate = has_height)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Cylinder<S> {
+    /// The centre of one end.
+    pub start: Vec3<S>,
+    /// The centre of the other end.
+    pub end: Vec3<S>,
+    /// The radius.
+    #[shape(non_negative)]
+    pub radius: S,
+}
+
+/// `Ok` for a height that is not zero.
+fn has_height<S: Scalar<Mask = bool>>(shape: &Cylinder<S>) -> Result<(), Flaw> {
+    let Cylinder {
+        start: p, end: q, ..
+    } = shape;
+    match p.x.equals(q.x) && p.y.equals(q.y) && p.z.equals(q.z) {
+        true => Err(Flaw::Broken(Field::new("end"), "is the start")),
+        false => Ok(()),
+    }
+}
+
+/// How far a disc of radius one reaches along x, y and z, given its unit normal.
+#[inline(always)]
+pub(super) fn disc_reach<S: Scalar>(normal: Vec3<S>) -> Vec3<S> {
+    Vec3::new(
+        normal.y.hypot(normal.z),
+        normal.z.hypot(normal.x),
+        normal.x.hypot(normal.y),
+    )
+}
+
+impl<S> Cylinder<S> {
+    /// From both ends of the axis and the radius, unchecked.
+    #[inline(always)]
+    pub const fn new(start: Vec3<S>, end: Vec3<S>, radius: S) -> Self {
+        Cylinder { start, end, radius }
+    }
+}
+
+impl<S: Scalar> Cylinder<S> {
+    /// From both ends of the axis and the radius.
+    ///
+    /// # Errors
+    ///
+    /// When a field is not finite, the ends coincide or the radius is negative.
+    pub fn try_new(start: Vec3<S>, end: Vec3<S>, radius: S) -> Result<Self, Flaw>
+    where
+        S: Scalar<Mask = bool>,
+    {
+        let made = Cylinder { start, end, radius };
+        made.validate().map(|()| made)
+    }
+    /// The height: how far both ends of the axis are apart.
+    #[must_use]
+    #[inline(always)]
+    pub fn height(self) -> S {
+        (self.end - self.start).length()
+    }
+    /// The volume.
+    #[must_use]
+    #[inline(always)]
+    pub fn volume(self) -> S {
+        (self.radius * self.radius * self.height() * S::lit(PI)).canonical()
+    }
+    /// The area of the surface, both ends included.
+    #[must_use]
+    #[inline(always)]
+    pub fn surface(self) -> S {
+        (self.radius * (self.radius + self.height()) * S::lit(2.0 * PI)).canonical()
+    }
+    /// The centre of its volume.
+    #[must_use]
+    #[inline(always)]
+    pub fn center(self) -> Vec3<S> {
+        let half = S::lit(0.5);
+        self.start * half + self.end * half
+    }
+    /// The smallest axis-aligned box around it. Kinks where the axis is orthogonal to one of the world's.
+    #[must_use]
+    #[inline]
+    pub fn bounding(self) -> Aabb3<S> {
+        let axis = (self.end - self.start).normalize_or_zero();
+        let reach = disc_reach(axis) * self.radius;
+        let inner = Aabb3::of([self.start, self.end]);
+        Aabb3::new(
+            (inner.min - reach).canonical(),
+            (inner.max + reach).canonical(),
+        )
+    }
+    /// `true` where the point is in the cylinder; the surface belongs to it.
+    #[must_use]
+    #[inline]
+    pub fn contains(self, point: Vec3<S>) -> S::Mask {
+        let (axis, arm) = (
+            (self.end - self.start).normalize_or_zero(),
+            point - self.start,
+        );
+        let (along, zero) = (axis.dot(arm), S::zero());
+        zero.at_most(along)
+            & along.at_most(self.height())
+            & axis.cross(arm).length().at_most(self.radius)
+    }
+}
+
+impl<S: Scalar> Mul<Cylinder<S>> for Pose3<S> {
+    type Output = Cylinder<S>;
+    /// The cylinder carried along.
+    #[inline(always)]
+    fn mul(self, shape: Cylinder<S>) -> Cylinder<S> {
+        Cylinder::new(self * shape.start, self * shape.end, shape.radius)
+    }
+}

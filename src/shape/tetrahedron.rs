@@ -1,0 +1,113 @@
+//! Tetrahedra.
+use crate::shape::{Aabb3, Pose3, Triangle3};
+use crate::{Scalar, Shape, Vec3};
+use std::ops::Mul;
+
+/// A solid tetrahedron. Valid when finite; corners in any order, volume zero is valid.
+///
+/// ```
+/// use geograd::{Tetrahedron, Vec3};
+/// let [x, y, z] = [Vec3::new(1.0_f64, 0.0, 0.0), Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 0.0, 3.0)];
+/// let solid = Tetrahedron::new(Vec3::new(0.0, 0.0, 0.0), x, y, z);
+/// assert_eq!(solid.volume(), 1.0);
+/// assert!(solid.contains(Vec3::new(0.25, 0.25, 0.25)));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Tetrahedron<S> {
+    /// The first corner.
+    pub a: Vec3<S>,
+    /// The second corner.
+    pub b: Vec3<S>,
+    /// The third corner.
+    pub c: Vec3<S>,
+    /// The fourth corner.
+    pub d: Vec3<S>,
+}
+
+impl<S> Tetrahedron<S> {
+    /// From its corners.
+    #[inline(always)]
+    pub const fn new(a: Vec3<S>, b: Vec3<S>, c: Vec3<S>, d: Vec3<S>) -> Self {
+        Tetrahedron { a, b, c, d }
+    }
+}
+
+impl<S: Scalar> Tetrahedron<S> {
+    /// The corners.
+    #[must_use]
+    #[inline(always)]
+    pub fn corners(self) -> [Vec3<S>; 4] {
+        [self.a, self.b, self.c, self.d]
+    }
+    /// The faces, each opposite to one corner. Their normals point outwards where the
+    /// [signed volume](Self::signed_volume) is positive, inwards where it is negative.
+    #[must_use]
+    #[inline(always)]
+    pub fn faces(self) -> [Triangle3<S>; 4] {
+        let Tetrahedron { a, b, c, d } = self;
+        [
+            Triangle3::new(b, c, d),
+            Triangle3::new(a, d, c),
+            Triangle3::new(a, b, d),
+            Triangle3::new(a, c, b),
+        ]
+    }
+    /// The volume: positive where the corners b, c and d are counter-clockwise seen from the side away from a. Smooth
+    /// everywhere.
+    #[must_use]
+    #[inline(always)]
+    pub fn signed_volume(self) -> S {
+        let [b, c, d] = [self.b - self.a, self.c - self.a, self.d - self.a];
+        (b.cross(c).dot(d) * S::lit(1.0 / 6.0)).canonical()
+    }
+    /// The volume, not negative. Kink: volume zero, with derivative zero.
+    #[must_use]
+    #[inline(always)]
+    pub fn volume(self) -> S {
+        self.signed_volume().magnitude()
+    }
+    /// The area of all four faces.
+    #[must_use]
+    #[inline]
+    pub fn surface(self) -> S {
+        let [a, b, c, d] = self.faces().map(Triangle3::area);
+        (a + b) + (c + d)
+    }
+    /// The centre of its volume: the mean of the corners.
+    #[must_use]
+    #[inline(always)]
+    pub fn center(self) -> Vec3<S> {
+        let arms = (self.b - self.a) + (self.c - self.a) + (self.d - self.a);
+        (self.a + arms * S::lit(0.25)).canonical()
+    }
+    /// The smallest axis-aligned box around it; corners that share a bound share its derivative equally.
+    #[must_use]
+    #[inline]
+    pub fn bounding(self) -> Aabb3<S> {
+        Aabb3::of(self.corners())
+    }
+    /// `true` where the point is in the tetrahedron; the surface belongs to it.
+    #[must_use]
+    #[inline]
+    pub fn contains(self, point: Vec3<S>) -> S::Mask {
+        let volumes = self.faces().map(|face| face.six_volume(point));
+        let zero = S::zero();
+        let all = |holds: fn(S, S) -> S::Mask| {
+            let [a, b, c, d] = volumes.map(|volume| holds(volume, zero));
+            (a & b) & (c & d)
+        };
+        all(S::at_least) | all(S::at_most)
+    }
+}
+
+impl<S: Scalar> Mul<Tetrahedron<S>> for Pose3<S> {
+    type Output = Tetrahedron<S>;
+    /// The tetrahedron carried along.
+    #[inline]
+    fn mul(self, shape: Tetrahedron<S>) -> Tetrahedron<S> {
+        let [a, b, c, d] = shape.corners().map(|corner| self * corner);
+        Tetrahedron::new(a, b, c, d)
+    }
+}

@@ -1,0 +1,7 @@
+//! Shapes of space: measures, distances, rays.
+mod distances;
+mod draw;
+mod oracle;
+mod rays;
+mod shapes;
+mod slopes;

@@ -1,0 +1,200 @@
+//! Derivatives of distances in space: ties, and second ones at contacts of every kind.
+use super::draw::Random;
+use geograd::ad::gradient;
+use geograd::distance3::{distance, signed_distance};
+use geograd::prelude::*;
+
+/// The largest difference of a Hessian, row by row, from central differences of gradients.
+fn bend_error<const N: usize>(
+    slope: impl Fn([f64; N]) -> [f64; N],
+    bend: impl Fn([f64; N]) -> [f64; N],
+    x: [f64; N],
+) -> f64 {
+    let step = 1e-5;
+    let mut worst = 0.0_f64;
+    for j in 0..N {
+        let moved = |by: f64| {
+            let mut y = x;
+            y[j] += by;
+            slope(y)
+        };
+        let (ahead, back) = (moved(step), moved(-step));
+        let mut unit = [0.0; N];
+        unit[j] = 1.0;
+        let row = bend(unit);
+        for i in 0..N {
+            let difference = (ahead[i] - back[i]) / (2.0 * step);
+            worst = worst.max((difference - row[i]).abs());
+        }
+    }
+    worst
+}
+
+/// The Hessian of the signed distance of two shapes by all their numbers, against differences of gradients.
+macro_rules! bends {
+    ($a:expr, $b:expr, $A:ident, $B:ident, $told:expr) => {{
+        let (a, b) = ($a, $b);
+        const N: usize = $A::<f64>::LEN + $B::<f64>::LEN;
+        let pack = |x: ($A<f64>, $B<f64>)| -> [f64; N] { x.scalars().try_into().unwrap() };
+        let slope = |x: [f64; N]| {
+            let x = <($A<f64>, $B<f64>)>::load(&x);
+            pack(gradient(|(a, b): ($A<_>, $B<_>)| signed_distance(a, b), x).1)
+        };
+        let bend = |along: [f64; N]| {
+            let along = <($A<f64>, $B<f64>)>::load(&along);
+            let f = |(a, b): ($A<_>, $B<_>)| signed_distance(a, b);
+            pack(geograd::hvp(f, (a, b), along).2)
+        };
+        let error = bend_error(slope, bend, pack((a, b)));
+        assert!(error < 2e-6, "{}: {error:e}", $told);
+    }};
+}
+
+#[test]
+fn second_derivatives_at_contacts_of_every_kind() {
+    let turned = |v: Vec3<f64>| Rotation3::from_rotation_vector(v);
+    let size = Vec3::new(1.0, 1.2, 0.8);
+    let a = Obb3::new(Vec3::zero(), size, turned(Vec3::new(0.1, -0.2, 0.15)));
+    for (place, turn, told) in [
+        (
+            Vec3::new(1.6, 1.7, 1.5),
+            Vec3::new(0.3, 0.1, -0.2),
+            "corner on corner",
+        ),
+        (
+            Vec3::new(0.1, 0.05, 1.3),
+            Vec3::new(0.7, 0.6, 0.3),
+            "corner over face",
+        ),
+        (
+            Vec3::new(0.1, 0.05, 1.0),
+            Vec3::new(0.7, 0.6, 0.3),
+            "corner in face",
+        ),
+        (
+            Vec3::new(0.0, 1.3, 1.1),
+            Vec3::new(0.2, 0.8, 0.9),
+            "edge beside edge",
+        ),
+        (
+            Vec3::new(0.0, 0.8, 0.65),
+            Vec3::new(0.2, 0.8, 0.9),
+            "edge in edge",
+        ),
+    ] {
+        let b = Obb3::new(place, size, turned(turn));
+        bends!(a, b, Obb3, Obb3, told);
+    }
+    let mut random = Random(91);
+    for _ in 0..20 {
+        let p: [Vec3<f64>; 4] = std::array::from_fn(|_| random.vector(1.0));
+        let (s, t) = (
+            Capsule3::new(p[0], p[1], 0.1),
+            Capsule3::new(p[2], p[3], 0.2),
+        );
+        bends!(s, t, Capsule3, Capsule3, "capsules");
+    }
+    let flat = Triangle3::new(
+        Vec3::new(0.0, 0.0, 0.0),
+        Vec3::new(2.0, 0.1, 0.0),
+        Vec3::new(0.1, 2.0, 0.3),
+    );
+    for (point, told) in [
+        (Vec3::new(0.5, 0.6, 0.9), "over the face"),
+        (Vec3::new(0.9, -0.8, 0.4), "beside an edge"),
+        (Vec3::new(-0.7, -0.8, 0.4), "beyond a corner"),
+    ] {
+        bends!(point, flat, Vec3, Triangle3, told);
+    }
+    let hat = Cone::new(Vec3::new(0.0, 0.0, 2.0), Vec3::new(0.1, 0.0, 0.0), 1.0);
+    let can = Cylinder::new(Vec3::new(0.0, 0.0, 2.0), Vec3::new(0.1, 0.0, 0.0), 1.0);
+    for (point, told) in [
+        (Vec3::new(1.0, 0.7, 1.2), "beside the side"),
+        (Vec3::new(1.0, 0.9, -0.5), "beyond the rim"),
+        (Vec3::new(0.3, 0.2, -0.5), "below the base"),
+        (Vec3::new(0.2, 0.3, 0.7), "inside"),
+    ] {
+        bends!(point, hat, Vec3, Cone, told);
+        bends!(point, can, Vec3, Cylinder, told);
+    }
+}
+
+#[test]
+fn parallel_segments_share_the_middle() {
+    let wire = Segment3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(8.0, 0.0, 0.0));
+    let rail = Segment3::new(Vec3::new(2.0, 0.0, 3.0), Vec3::new(4.0, 0.0, 3.0));
+    let (gap, (by_wire, by_rail)) = gradient(
+        |(a, b): (Segment3<_>, Segment3<_>)| distance(a, b),
+        (wire, rail),
+    );
+    assert_eq!(gap, 3.0);
+    assert_eq!((by_rail.start.z, by_rail.end.z), (0.5, 0.5));
+    assert_eq!((by_wire.start.z, by_wire.end.z), (-0.625, -0.375));
+}
+
+#[test]
+fn stacked_boxes_share_the_corners_of_what_faces_each_other() {
+    // The numbers of a box that hangs over the edge of a table: the corners of the common rectangle in the mean.
+    let table = Obb3::new(
+        Vec3::zero(),
+        Vec3::new(4.0, 4.0, 1.0),
+        Rotation3::identity(),
+    );
+    let size = Vec3::new(1.0, 1.0, 1.0);
+    for (gap, told) in [(0.25, "apart"), (-0.25, "overlapping")] {
+        let center = Vec3::new(1.75, 0.25, 1.0 + gap);
+        let crate_ = Obb3::new(center, size, Rotation3::identity());
+        let turn = |turn: Vec3<_>| signed_distance(table.lift().retract(turn), crate_.lift());
+        let (found, slope): (f64, Vec3<f64>) = gradient(turn, Vec3::zero());
+        assert!((found - gap).abs() < 1e-15, "{told}");
+        // What faces each other is [1.25, 2] x [-0.25, 0.75]: a turn about x lifts by y, one about y lowers by x.
+        assert!((slope.x + 0.25).abs() < 1e-15, "{told}: {slope:?}");
+        // Of boxes that overlap the crossings of edges do not count: a slope of one side.
+        let expected = if gap > 0.0 { 1.625 } else { 1.25 };
+        assert!((slope.y - expected).abs() < 1e-15, "{told}: {slope:?}");
+    }
+}
+
+#[test]
+fn three_faces_share_in_thirds() {
+    let cube = Obb3::new(
+        Vec3::zero(),
+        Vec3::new(2.0, 2.0, 2.0),
+        Rotation3::identity(),
+    );
+    let ball = Sphere::new(Vec3::new(0.5, 0.5, 0.5), 0.25);
+    let (depth, slope): (f64, Sphere<f64>) =
+        gradient(|p: Sphere<_>| signed_distance(p, cube.lift()), ball);
+    assert_eq!(depth, -0.75);
+    let third = 1.0 / 3.0;
+    for share in [slope.center.x, slope.center.y, slope.center.z] {
+        assert!((share - third).abs() < 1e-15, "{slope:?}");
+    }
+    assert_eq!(slope.radius, -1.0);
+}
+
+#[test]
+fn touching_keeps_the_signed_slope_and_drops_the_other() {
+    let floor = Obb3::new(
+        Vec3::zero(),
+        Vec3::new(4.0, 4.0, 2.0),
+        Rotation3::identity(),
+    );
+    for height in [0.0, 1e-9, -1e-9] {
+        let at = Vec3::new(0.3, 0.2, 1.0 + height);
+        let tip = Tetrahedron::new(
+            at,
+            at + Vec3::new(1.0, 0.0, 2.0),
+            at + Vec3::new(-1.0, 1.0, 2.0),
+            at + Vec3::new(0.0, -1.0, 2.0),
+        );
+        let (gap, slope): (f64, Tetrahedron<f64>) =
+            gradient(|t: Tetrahedron<_>| signed_distance(t, floor.lift()), tip);
+        assert!((gap - height).abs() < 1e-15, "{gap} {height}");
+        assert!((slope.a.z - 1.0).abs() < 1e-6, "{slope:?}");
+        let (_, slope): (f64, Tetrahedron<f64>) =
+            gradient(|t: Tetrahedron<_>| distance(t, floor.lift()), tip);
+        let expected = if height > 0.0 { 1.0 } else { 0.0 };
+        assert!((slope.a.z - expected).abs() < 1e-6, "{slope:?}");
+    }
+}
