@@ -1,13 +1,15 @@
 //! The kernels, each compiled for every level: the list, and the only calls into code compiled for
 //! instructions that a processor may lack.
 use crate::Vec2;
+use crate::kernels::cpu::arch::Native;
 use crate::kernels::cpu::blocks;
 use crate::kernels::cpu::boxes::{self, BOUNDS, View};
 use crate::kernels::cpu::boxes3;
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles};
 use crate::kernels::cpu::nearest;
+use crate::kernels::cpu::program::instructions::Code;
 use crate::kernels::cpu::program::rows::{Rows, Wanted};
-use crate::kernels::cpu::program::{self, Pass, Tape};
+use crate::kernels::cpu::program::{self, Memory, Pass, Tape};
 use crate::kernels::cpu::quads;
 use crate::kernels::cpu::rings::{self, Measure};
 use crate::kernels::cpu::upright;
@@ -150,6 +152,8 @@ entries! {
     never_decreases(offsets: &[usize], vertices: usize) -> bool = rings::never_decreases::<T, V>;
     /// A part of a block by a recorded program.
     interpret(tape: &Tape, pass: Pass<'_, T>, out: &mut [Lane<T>]) = program::interpret::<T, V>;
+    /// The instructions of a recorded program on numbers in slots.
+    carry_out(code: &[Code], memory: Memory<'_, T>, native: Option<&Native>) = program::carry_out::<T, V>;
     /// Some items by a recorded program, from rows to rows.
     over_rows(tape: &Tape, part: Rows<'_, T>, wanted: &mut [Wanted<'_, T>]) = program::rows::over_rows::<T, V>;
     /// The edges of a path that can be nearest to a point, and how often the path winds around it.

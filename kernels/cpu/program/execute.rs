@@ -21,7 +21,7 @@ pub(super) type Strip<T> = [Cell<Lane<T>>; STRIP];
 /// Memory of a block: slots begin every `stride` lanes; of each `width` lanes, a multiple of [`STRIP`], are in
 /// use.
 #[derive(Clone, Copy)]
-pub(super) struct Memory<'a, T> {
+pub(crate) struct Memory<'a, T> {
     pub(super) lanes: &'a [Cell<Lane<T>>],
     pub(super) width: usize,
     pub(super) stride: usize,
@@ -265,7 +265,8 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
             }
         }
     }
-    run::<T, V>(&tape.code, memory, pass.native);
+    // A kernel of its own, which is compiled once for all that brings numbers to slots.
+    (T::kernels().carry_out)(&tape.code, memory, pass.native);
     let [by_tile, by_number] = pass.steps;
     for (k, &slot) in tape.outputs.iter().enumerate() {
         for (t, lane) in memory
@@ -292,7 +293,7 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
 
 /// Carries out instructions.
 #[inline(always)]
-pub(super) fn run<T: Real, V: Vector<T>>(
+pub(crate) fn carry_out<T: Real, V: Vector<T>>(
     code: &[Code],
     memory: Memory<'_, T>,
     native: Option<&Native>,

@@ -27,7 +27,7 @@ use crate::kernels::cpu::plan::Maker;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::real::Real;
 use execute::STRIP;
-pub(crate) use execute::{Pass, Run, interpret};
+pub(crate) use execute::{Memory, Pass, Run, carry_out, interpret};
 pub(crate) use lower::Tape;
 use rows::{Given, Rows, Wanted};
 use std::cell::Cell;

@@ -1,7 +1,7 @@
 //! A program over rows of numbers: from rows to slots, through the instructions, and back to rows.
 //!
 //! Rows and slots are exchanged in registers, four fields at a time; no tile lies between them.
-use super::execute::{Memory, STRIP, run};
+use super::execute::{Memory, STRIP};
 use crate::kernels::cpu::arch::{Native, Vector};
 use crate::kernels::cpu::blocks::QUAD;
 use crate::kernels::cpu::lane::{Lane, TILE};
@@ -57,7 +57,7 @@ pub(crate) fn over_rows<T: Real, V: Vector<T>>(
         slots = rest;
         bring::<T, V>(memory, own, given, &part);
     }
-    run::<T, V>(&tape.code, memory, part.native);
+    (T::kernels().carry_out)(&tape.code, memory, part.native);
     let mut slots = tape.outputs.get(part.skipped..).unwrap_or_default();
     for (rows, fields) in wanted {
         let Some((own, rest)) = slots.split_at_checked(*fields) else {
