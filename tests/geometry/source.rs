@@ -70,3 +70,44 @@ fn only_one_module_is_unsafe() {
     }
     assert!(declared > 20);
 }
+
+/// The layers that a folder may use: `src` neither derivatives nor batches, `ad` no batches. Links in documentation
+/// may lead anywhere.
+#[test]
+fn layers_use_those_below() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    // The root of the library, what the derive writes, a module of links, and a test beside its code.
+    let excepted = [
+        "src/lib.rs",
+        "src/derived.rs",
+        "src/detection.rs",
+        "src/scalar/dual_vector.rs",
+    ];
+    for (folder, above) in [
+        ("src", &["crate::ad", "crate::kernels"][..]),
+        ("ad", &["crate::kernels"]),
+    ] {
+        let mut files = Vec::new();
+        sources(&root.join(folder), &mut files);
+        assert!(files.len() > 20, "{folder}");
+        for file in files {
+            let name = file
+                .strip_prefix(root)
+                .unwrap()
+                .to_str()
+                .unwrap()
+                .replace('\\', "/");
+            if excepted.contains(&name.as_str()) {
+                continue;
+            }
+            let text = std::fs::read_to_string(&file).unwrap();
+            for (number, line) in text.lines().enumerate() {
+                let code = line.split("//").next().unwrap();
+                let is_link = code.trim_start().starts_with("#[doc") || code.contains("#![doc");
+                for layer in above.iter().filter(|_| !is_link) {
+                    assert!(!code.contains(layer), "{name}:{}: {line}", number + 1);
+                }
+            }
+        }
+    }
+}
