@@ -55,7 +55,7 @@ pub mod upright;
 
 pub use convex::{Convex, Core};
 pub use edge::{edge_distance, edge_squared_distance, edge_winding};
-use pair::{Closest, Deepest, Farthest, Signed, Squared, Unsigned};
+use pair::{Closest, Farthest, Penetrating, Signed, Squared, Unsigned};
 pub use shapes::repeat_last;
 
 /// A point of each of two shapes.
@@ -190,7 +190,7 @@ pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Poin
 #[must_use]
 #[inline]
 pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Contact<S> {
-    a.take_formula::<Deepest, B>(b)
+    a.take_formula::<Penetrating, B>(b)
 }
 
 /// The longest distance of a point of one shape from a point of the other, in the unit of length. For

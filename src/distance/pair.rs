@@ -34,7 +34,7 @@ pub(super) struct Squared;
 /// [`closest_points`](super::closest_points).
 pub(super) struct Closest;
 /// [`penetration`](super::penetration).
-pub(super) struct Deepest;
+pub(super) struct Penetrating;
 /// [`farthest_distance`](super::farthest_distance).
 pub(super) struct Farthest;
 
@@ -134,7 +134,7 @@ impl<S: Scalar> PairFormula<S> for Closest {
     }
 }
 
-impl<S: Scalar> PairFormula<S> for Deepest {
+impl<S: Scalar> PairFormula<S> for Penetrating {
     type Out = Contact<S>;
     #[inline]
     fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Contact<S> {
