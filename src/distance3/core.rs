@@ -1,5 +1,5 @@
 //! The cores that convex shapes of space are made of: a point, a segment, a triangle, a tetrahedron, a box.
-use super::deep::{DeepFace, box_faces, triangle_face};
+use super::deep::{PartingPlane, box_faces, triangle_face};
 use super::near::{Edge, Low, Nearest, choose, edge_near, face_near, square_of};
 use crate::distance::share::Best;
 use crate::scalar::largest;
@@ -48,7 +48,7 @@ pub trait Core<S: Scalar>: Copy {
         S::zero()
     }
     /// The face that parts the core best from some corners; `None` where it has no faces.
-    fn deep(&self, corners: &[Vec3<S>]) -> Option<DeepFace<S>>;
+    fn deep(&self, corners: &[Vec3<S>]) -> Option<PartingPlane<S>>;
 }
 
 /// The lower of two points, seen from the first of some.
@@ -118,7 +118,7 @@ impl<S: Scalar> Core<S> for PointCore<S> {
         (normal.dot(self.0), self.0)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn deep(&self, _: &[Vec3<S>]) -> Option<DeepFace<S>> {
+    fn deep(&self, _: &[Vec3<S>]) -> Option<PartingPlane<S>> {
         None
     }
 }
@@ -212,12 +212,12 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
         (normal.dot(from) + height, from + arm)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn deep(&self, corners: &[Vec3<S>]) -> Option<DeepFace<S>> {
+    fn deep(&self, corners: &[Vec3<S>]) -> Option<PartingPlane<S>> {
         let mut best = None;
         for (k, ends) in FACES.iter().enumerate().take(F) {
             let behind = (C == 4).then(|| self.0[ends[3]]);
             let face = triangle_face(self.face(k), behind, corners);
-            best = Some(best.map_or(face, |best: DeepFace<S>| best.most(face)));
+            best = Some(best.map_or(face, |best: PartingPlane<S>| best.most(face)));
         }
         best
     }
@@ -351,7 +351,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         found
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn deep(&self, corners: &[Vec3<S>]) -> Option<DeepFace<S>> {
+    fn deep(&self, corners: &[Vec3<S>]) -> Option<PartingPlane<S>> {
         Some(box_faces(self, corners))
     }
 }

@@ -11,7 +11,7 @@ use crate::{Scalar, Vec3};
 /// Planes that tie share the derivative. Of corners and of faces that tie, those share whose foot is on the other
 /// face: they are the corners of what faces each other.
 #[derive(Clone, Copy, Debug)]
-pub struct DeepFace<S> {
+pub struct PartingPlane<S> {
     /// How far b begins beyond a; negative where they overlap.
     pub value: S,
     /// The sum of that of all that tie, with derivatives.
@@ -36,7 +36,7 @@ pub(super) const SLACK: f64 = 64.0;
 /// By so many roundings of the unit edges must part cores more than faces do.
 const MORE: f64 = 8.0;
 
-impl<S: Scalar> DeepFace<S> {
+impl<S: Scalar> PartingPlane<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn pick(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
         let sum = |a: S, b: S| S::select(tie, a + b, S::select(keep, a, b));
@@ -44,7 +44,7 @@ impl<S: Scalar> DeepFace<S> {
         let both = tie & self.normal.dot(other.normal).above(S::lit(0.5));
         let sums = |a: Vec3<S>, b: Vec3<S>| choose(both, a + b, choose(first, a, b));
         let (p, q) = (self.points, other.points);
-        DeepFace {
+        PartingPlane {
             value: S::select(first, self.value, other.value),
             ahead: sum(self.ahead, other.ahead),
             count: sum(self.count, other.count),
@@ -77,7 +77,7 @@ impl<S: Scalar> DeepFace<S> {
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(self) -> Self {
-        DeepFace {
+        PartingPlane {
             normal: -self.normal,
             on_a: self.on_b,
             on_b: self.on_a,
@@ -89,7 +89,7 @@ impl<S: Scalar> DeepFace<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn mean(self) -> Self {
         let (one, share) = (S::one(), S::one().over(self.points));
-        DeepFace {
+        PartingPlane {
             ahead: self.ahead.over(self.count),
             count: one,
             on_a: self.on_a * share,
@@ -101,7 +101,7 @@ impl<S: Scalar> DeepFace<S> {
     /// A corner over a face.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn corner(ahead: S, over: S::Mask, normal: Vec3<S>, corner: Vec3<S>) -> Self {
-        DeepFace {
+        PartingPlane {
             value: ahead,
             ahead,
             count: S::one(),
@@ -115,7 +115,7 @@ impl<S: Scalar> DeepFace<S> {
     /// Without value where the mask is true.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn unless(self, none: S::Mask) -> Self {
-        DeepFace {
+        PartingPlane {
             value: S::select(none, S::lit(-S::LARGEST), self.value),
             ..self
         }
@@ -124,15 +124,15 @@ impl<S: Scalar> DeepFace<S> {
 
 /// The least of at least one.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn least<S: Scalar>(candidates: impl Iterator<Item = DeepFace<S>>) -> DeepFace<S> {
+fn least<S: Scalar>(candidates: impl Iterator<Item = PartingPlane<S>>) -> PartingPlane<S> {
     candidates
-        .reduce(DeepFace::least)
+        .reduce(PartingPlane::least)
         .expect("a core has at least one corner")
 }
 
 /// The face of a box that parts it best from some corners.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn box_faces<S: Scalar>(shape: &BoxCore<S>, corners: &[Vec3<S>]) -> DeepFace<S> {
+pub(super) fn box_faces<S: Scalar>(shape: &BoxCore<S>, corners: &[Vec3<S>]) -> PartingPlane<S> {
     let face = |k: usize, low: bool| {
         let turned = |x: S| if low { -x } else { x };
         let axis = shape.axes[k];
@@ -141,7 +141,7 @@ pub(super) fn box_faces<S: Scalar>(shape: &BoxCore<S>, corners: &[Vec3<S>]) -> D
             let at = shape.seen(corner);
             let within = |k: usize| at[k].unsigned().at_most(shape.half[k]);
             let over = within((k + 1) % 3) & within((k + 2) % 3);
-            DeepFace::corner(turned(at[k]) - shape.half[k], over, normal, corner)
+            PartingPlane::corner(turned(at[k]) - shape.half[k], over, normal, corner)
         }))
     };
     let axis = |k: usize| face(k, false).most(face(k, true));
@@ -156,7 +156,7 @@ pub(super) fn triangle_face<S: Scalar>(
     face: [Vec3<S>; 3],
     behind: Option<Vec3<S>>,
     corners: &[Vec3<S>],
-) -> DeepFace<S> {
+) -> PartingPlane<S> {
     let (u, v) = (face[1] - face[0], face[2] - face[0]);
     let normal = normal(u, v);
     let side = |unit: Vec3<S>| {
@@ -172,7 +172,7 @@ pub(super) fn triangle_face<S: Scalar>(
             let zero = S::zero();
             let over = zero.at_most(s) & zero.at_most(t) & (s + t).at_most(S::one());
             let ahead = unit.dot(arm) - S::from_primal(top);
-            DeepFace::corner(ahead, over, unit, corner)
+            PartingPlane::corner(ahead, over, unit, corner)
         }));
         found.unless(normal.none)
     };
@@ -181,8 +181,11 @@ pub(super) fn triangle_face<S: Scalar>(
 
 /// The normals of an edge of each core: that which parts them best; `None` where one of them has no edges.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn edges_deep<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Option<DeepFace<S>> {
-    let mut best: Option<DeepFace<S>> = None;
+pub(super) fn edges_deep<S: Scalar, A: Core<S>, B: Core<S>>(
+    a: &A,
+    b: &B,
+) -> Option<PartingPlane<S>> {
+    let mut best: Option<PartingPlane<S>> = None;
     for (i, &u) in a.ways().as_ref().iter().enumerate() {
         for (j, &v) in b.ways().as_ref().iter().enumerate() {
             let normal = normal(u, v);
@@ -193,7 +196,7 @@ pub(super) fn edges_deep<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Opt
                 // Where the edges through both corners cross, seen along the normal.
                 let s = way.cross(v).dot(normal.long).over(normal.square);
                 let on_a = on_a + u * s.clamp(-S::one(), S::one());
-                let found = DeepFace {
+                let found = PartingPlane {
                     value: ahead,
                     ahead,
                     count: S::one(),
@@ -216,17 +219,17 @@ pub(super) fn edges_deep<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Opt
 /// Edges count where they part the cores by more than rounding more than faces do: the normal of edges that are all
 /// but parallel turns too fast with them for a derivative.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn deepest<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Option<DeepFace<S>> {
+pub(super) fn deepest<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Option<PartingPlane<S>> {
     if A::DIMENSION + B::DIMENSION < 3 {
         return None;
     }
     let of_a = a.deep(b.corners().as_ref());
-    let of_b = b.deep(a.corners().as_ref()).map(DeepFace::flipped);
+    let of_b = b.deep(a.corners().as_ref()).map(PartingPlane::flipped);
     let faces = match (of_a, of_b) {
         (Some(of_a), Some(of_b)) => Some(of_a.most(of_b).mean()),
-        (one, other) => one.or(other).map(DeepFace::mean),
+        (one, other) => one.or(other).map(PartingPlane::mean),
     };
-    let edges = edges_deep(a, b).map(DeepFace::mean);
+    let edges = edges_deep(a, b).map(PartingPlane::mean);
     match (faces, edges) {
         (Some(faces), Some(edges)) => {
             let more = faces.value + S::lit(MORE * S::EPSILON);

@@ -1,6 +1,6 @@
 //! Two cores of space against each other, once for all functions of distance.
 use super::core::Core;
-use super::deep::{DeepFace, SLACK, deepest};
+use super::deep::{PartingPlane, SLACK, deepest};
 use super::near::{Nearest, choose, constant, edges_near};
 use crate::distance::edge::scale_of;
 use crate::distance::share::Best;
@@ -128,7 +128,7 @@ fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Nearest<S> {
 
 /// The relation by the nearest points and by the plane that parts the cores best.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn joined<S: Scalar>(near: Nearest<S>, deep: Option<DeepFace<S>>) -> Relation<S> {
+fn joined<S: Scalar>(near: Nearest<S>, deep: Option<PartingPlane<S>>) -> Relation<S> {
     let given = near.normal.length_squared().above(S::zero());
     let direction = choose(given, direction(near.normal), direction(near.apart));
     let length = near.apart.length();
