@@ -176,7 +176,8 @@ impl<O> ValueGrad<O> {
     /// let origin = One(Vec2::new(0.0, 0.0));
     /// let (first, second) = Cpu::new().aligned(Distance.value_grad().jacobian(), (&points, origin))?;
     /// let (distance, (by_point, _)) = first;
-    /// assert_eq!((distance[0], by_point[0]), (5.0, Vec2::new(0.6, 0.8)));
+    /// assert_eq!(distance[0], 5.0);
+    /// assert!(by_point[0].distance(Vec2::new(0.6, 0.8)) < 1e-15);
     /// // The Hessian: in the place of every number of the gradient its own gradient.
     /// let (_, (hessian, _)) = second[0];
     /// assert!((hessian.x.0.x - 16.0 / 125.0).abs() < 1e-15);
