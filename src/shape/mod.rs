@@ -6,6 +6,7 @@ mod circle;
 mod convexity;
 mod euler;
 mod interval;
+mod lie;
 mod line;
 mod obb;
 mod obb3;
