@@ -100,6 +100,8 @@ pub mod assignment;
 #[forbid(unsafe_code)]
 pub mod boolean;
 #[forbid(unsafe_code)]
+pub mod camera;
+#[forbid(unsafe_code)]
 pub mod clip;
 #[forbid(unsafe_code)]
 pub mod clipping;
@@ -148,6 +150,8 @@ pub mod paper;
 pub mod polygon;
 #[forbid(unsafe_code)]
 pub mod predicate;
+#[forbid(unsafe_code)]
+pub mod procrustes;
 #[forbid(unsafe_code)]
 pub mod product;
 #[forbid(unsafe_code)]
