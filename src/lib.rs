@@ -39,6 +39,8 @@
 //! | clip, join, add convex polygons | [`clipping`], [`hull`] |
 //! | test whether a point is in a polygon, and how deep | [`contain`] |
 //! | measure distances, closest points and penetration of shapes | [`distance`](mod@distance) |
+//! | align points, find the nearest rotation | [`procrustes`](mod@procrustes), [`Rotation3::nearest_to`] |
+//! | project points into cameras | [`camera`] |
 //! | cross lines, cast rays, cut segments | [`intersection`] |
 //! | check your own derivative | [`check`] |
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |

@@ -290,3 +290,53 @@ fn cameras_follow_their_models() {
         .samples(200)
         .assert();
 }
+
+/// How far an alignment takes a probe, a number that depends on all of its parts.
+fn reach<S: Scalar>(points: [Vec3<S>; 4], targets: [Vec3<S>; 4], weights: [S; 4]) -> S {
+    let probe = Vec3::new(S::lit(0.3), S::lit(-0.2), S::lit(0.9));
+    match procrustes(&points, &targets, &weights) {
+        Ok(found) => (found * probe).dot(Vec3::new(S::lit(0.5), S::one(), S::lit(-0.7))),
+        Err(_) => S::zero(),
+    }
+}
+
+#[test]
+fn adjoints_of_alignments_are_those_of_duals() {
+    let mut random = Random(20);
+    let (corner, zero) = (Vec3::new(1.0, 1.0, 1.0), Vec3::zero());
+    let flip = |v: Vec3<f64>| Vec3::new(-v.x, v.y, v.z);
+    // All singular values are equal, or two of them, or the smallest is negative.
+    let tetrahedron = [
+        corner,
+        Vec3::new(1.0, -1.0, -1.0),
+        Vec3::new(-1.0, 1.0, -1.0),
+        Vec3::new(-1.0, -1.0, 1.0),
+    ];
+    let mut lists = vec![(tetrahedron, tetrahedron)];
+    lists.push((
+        tetrahedron,
+        tetrahedron.map(|v| flip(v) + random.vector(0.2)),
+    ));
+    lists.push(([zero, corner, corner * 2.0, corner * 3.0], tetrahedron));
+    lists.push(([corner; 4], tetrahedron));
+    for _ in 0..20 {
+        lists.push((tetrahedron, [0; 4].map(|_| random.vector(1.0))));
+    }
+    let points: Vec<_> = lists.iter().map(|x| x.0).collect();
+    let targets: Vec<_> = lists.iter().map(|x| x.1).collect();
+    let columns = (&points, &targets, One([1.0, 0.5, 0.25, 2.0]));
+    let run = geograd::kernels::function(reach).value_grad();
+    let (values, (by_points, by_targets, by_weights)) = Cpu::new().aligned(run, columns).unwrap();
+    for (i, &(p, q)) in lists.iter().enumerate() {
+        let input = (p, q, [1.0, 0.5, 0.25, 2.0]);
+        let (value, by) = gradient(
+            |(p, q, w): ([Vec3<_>; 4], [Vec3<_>; 4], [_; 4])| reach(p, q, w),
+            input,
+        );
+        assert!((values[i] - value).abs() < 1e-14);
+        let found = (by_points[i], by_targets[i], by_weights[i]).scalars();
+        for (a, b) in found.into_iter().zip(by.scalars()) {
+            assert!((a - b).abs() < 1e-12 * (1.0 + b.abs()), "{i}: {a} {b}");
+        }
+    }
+}
