@@ -41,6 +41,8 @@
 //! | clip, join, add convex polygons | [`clipping`], [`hull`] |
 //! | test whether a point is in a polygon, and how deep | [`contain`] |
 //! | measure distances, closest points and penetration of shapes | [`distance`](mod@distance) |
+//! | align points, find the nearest rotation | [`procrustes`](mod@procrustes), [`Rotation3::nearest_to`] |
+//! | project points into cameras | [`camera`] |
 //! | cross lines, cast rays, cut segments | [`intersection`] |
 //! | check your own derivative | [`check`] |
 //! | differentiate any generic function of shapes | [`ad`]: [`ad::gradient`], [`ad::hessian`], … |
@@ -102,6 +104,8 @@ pub mod assignment;
 #[forbid(unsafe_code)]
 pub mod boolean;
 #[forbid(unsafe_code)]
+pub mod camera;
+#[forbid(unsafe_code)]
 pub mod clip;
 #[forbid(unsafe_code)]
 pub mod clipping;
@@ -152,6 +156,8 @@ pub mod paper;
 pub mod polygon;
 #[forbid(unsafe_code)]
 pub mod predicate;
+#[forbid(unsafe_code)]
+pub mod procrustes;
 #[forbid(unsafe_code)]
 pub mod product;
 #[forbid(unsafe_code)]

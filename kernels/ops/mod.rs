@@ -1,4 +1,5 @@
 //! The rows: every operation of the library, a family a file.
+mod camera;
 pub(crate) mod class;
 pub mod list;
 pub(crate) mod noun;

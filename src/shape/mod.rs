@@ -9,6 +9,7 @@ mod convexity;
 mod cylinder;
 mod euler;
 mod interval;
+mod lie;
 mod line;
 mod line3;
 mod obb;

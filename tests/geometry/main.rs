@@ -1,4 +1,5 @@
 //! Geometry, number by number.
+mod alignment;
 mod convention;
 mod crossing;
 mod detections;
@@ -19,6 +20,7 @@ mod overlap;
 mod pairs;
 mod paper_bugs;
 mod polygon;
+mod poses;
 mod projection;
 mod recorded;
 mod ring;
