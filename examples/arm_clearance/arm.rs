@@ -1,6 +1,6 @@
 //! The arm and what is around it: from joint angles to solids, and from these to one clearance.
 use geograd::distance3::Apart;
-use geograd::{Aabb3, Capsule3, Obb3, Plane3, Rotation3, Scalar, Vec3};
+use geograd::{Capsule3, Obb3, Plane3, Rotation3, Scalar, Shape, Vec3};
 
 /// The angles of the joints, in radians.
 pub type Joints<S> = [S; 6];
@@ -63,10 +63,12 @@ impl<S: Scalar> Frame<S> {
 }
 
 /// The arm as solids.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[repr(C)]
 pub struct Solids<S> {
     /// Shoulder, upper arm, forearm and both links of the wrist.
     pub links: [Capsule3<S>; 5],
+    /// What the flange carries.
     pub hand: Obb3<S>,
 }
 
@@ -99,7 +101,7 @@ pub fn solids<S: Scalar>(joints: Joints<S>, radius: S) -> Solids<S> {
 pub struct Scene<S> {
     pub floor: Plane3<S>,
     /// What the arm stands on. Shoulder and upper arm are always beside it, so nobody asks how near.
-    pub pedestal: Aabb3<S>,
+    pub pedestal: Obb3<S>,
     /// A bench, and a crate that is turned.
     pub boxes: [Obb3<S>; 2],
     /// A post and a pipe.
@@ -116,51 +118,105 @@ pub fn scene<S: Scalar>() -> Scene<S> {
     };
     Scene {
         floor: Plane3::new(v(0.0, 0.0, 1.0), S::zero()),
-        pedestal: Aabb3::new(v(-0.08, -0.08, 0.0), v(0.08, 0.08, MOUNT)),
+        pedestal: Obb3::new(v(0.0, 0.0, MOUNT / 2.0), v(0.16, 0.16, MOUNT), turned(0.0)),
         boxes: [
             Obb3::new(v(0.6, -0.1, 0.15), v(0.5, 1.2, 0.3), turned(0.0)),
             Obb3::new(v(0.58, 0.02, 0.4), v(0.26, 0.2, 0.2), turned(30.0)),
         ],
         rods: [
-            Capsule3::new(v(0.62, -0.28, 0.3), v(0.62, -0.28, 0.75), S::lit(0.04)),
+            Capsule3::new(v(0.62, -0.28, 0.3), v(0.62, -0.28, 0.6), S::lit(0.04)),
             Capsule3::new(v(0.2, -0.8, 1.05), v(0.5, 0.8, 1.05), S::lit(0.05)),
         ],
     }
 }
 
-/// The clearance of the arm in metres: the least signed distance of its solids from what is around it, and of its hand
-/// and wrist from shoulder and upper arm. Negative where it collides: minus the depth of the deepest pair.
-///
-/// The least of all pairs shares ties: of pairs that are equally near each has half of the derivative.
-pub fn clearance<S: Scalar>(joints: Joints<S>, radius: S) -> S {
+/// Something that can collide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    Link(usize),
+    Hand,
+    Floor,
+    Pedestal,
+    Solid(usize),
+    Rod(usize),
+}
+use Part::{Floor, Hand, Link, Pedestal, Rod, Solid};
+
+/// How many pairs there are.
+pub const COUNT: usize = 39;
+
+/// All pairs that can collide: the moving parts with what is around them, and links with others that are not neighbours.
+pub const PAIRS: [(Part, Part); COUNT] = {
+    let mut pairs = [(Hand, Pedestal); COUNT];
+    let (mut n, mut k) = (1, 0);
+    while k < 6 {
+        let part = if k < 5 { Link(k) } else { Hand };
+        let mut i = 0;
+        while i < 2 {
+            (pairs[n], pairs[n + 1]) = ((part, Rod(i)), (part, Solid(i)));
+            (i, n) = (i + 1, n + 2);
+        }
+        // The shoulder turns in place.
+        if k > 0 {
+            pairs[n] = (part, Floor);
+            n += 1;
+        }
+        if k > 1 && k < 5 {
+            pairs[n] = (part, Pedestal);
+            n += 1;
+        }
+        if k > 2 {
+            (pairs[n], pairs[n + 1]) = ((Link(0), part), (Link(1), part));
+            n += 2;
+        }
+        k += 1;
+    }
+    assert!(n == COUNT);
+    pairs
+};
+
+/// A part as a shape.
+#[derive(Clone, Copy)]
+pub enum Form<S> {
+    Round(Capsule3<S>),
+    Cubic(Obb3<S>),
+    Flat(Plane3<S>),
+}
+
+/// The shape of a part.
+pub fn form<S: Scalar>(part: Part, arm: &Solids<S>, around: &Scene<S>) -> Form<S> {
+    match part {
+        Link(k) => Form::Round(arm.links[k]),
+        Hand => Form::Cubic(arm.hand),
+        Floor => Form::Flat(around.floor),
+        Pedestal => Form::Cubic(around.pedestal),
+        Solid(k) => Form::Cubic(around.boxes[k]),
+        Rod(k) => Form::Round(around.rods[k]),
+    }
+}
+
+/// The signed distances of all pairs, in metres.
+pub fn distances<S: Scalar>(joints: Joints<S>, radius: S) -> [S; COUNT] {
     let (arm, around) = (solids(joints, radius), scene::<S>());
-    let [shoulder, upper, forearm, wrist, last] = arm.links;
-    let mut found = around.floor.signed_distance(arm.hand);
-    let mut add = |distance: S| found = found.least(distance);
-    for rod in around.rods {
-        arm.links
-            .into_iter()
-            .for_each(|link| add(link.signed_distance(rod)));
-        add(rod.signed_distance(arm.hand));
-    }
-    for solid in around.boxes {
-        arm.links
-            .into_iter()
-            .for_each(|link| add(link.signed_distance(solid)));
-        add(arm.hand.signed_distance(solid));
-    }
-    for link in [upper, forearm, wrist, last] {
-        add(around.floor.signed_distance(link));
-    }
-    for link in [forearm, wrist, last] {
-        add(link.signed_distance(around.pedestal));
-    }
-    add(arm.hand.signed_distance(around.pedestal));
-    // The arm against itself, where links are not neighbours.
-    for link in [shoulder, upper] {
-        add(link.signed_distance(wrist));
-        add(link.signed_distance(last));
-        add(link.signed_distance(arm.hand));
-    }
-    found
+    PAIRS.map(|(a, b)| {
+        use Form::{Cubic, Flat, Round};
+        match (form(a, &arm, &around), form(b, &arm, &around)) {
+            (Round(a), Round(b)) => a.signed_distance(b),
+            (Round(a), Cubic(b)) | (Cubic(b), Round(a)) => a.signed_distance(b),
+            (Cubic(a), Cubic(b)) => a.signed_distance(b),
+            (Round(a), Flat(b)) | (Flat(b), Round(a)) => a.signed_distance(b),
+            (Cubic(a), Flat(b)) | (Flat(b), Cubic(a)) => a.signed_distance(b),
+            // Two half-spaces overlap without end.
+            (Flat(_), Flat(_)) => S::lit(-S::LARGEST),
+        }
+    })
+}
+
+/// The clearance of the arm in metres: the least signed distance of all [`PAIRS`]. Negative where the arm collides: minus
+/// the depth of the deepest pair.
+///
+/// The least of all pairs shares ties: where two pairs are equally near, each has half of the derivative.
+pub fn clearance<S: Scalar>(joints: Joints<S>, radius: S) -> S {
+    let [first, rest @ ..] = distances(joints, radius);
+    rest.into_iter().fold(first, S::least)
 }

@@ -1,10 +1,9 @@
 //! The command line, and the batch of random configurations.
-use crate::arm::{Joints, RADIUS, clearance};
-use crate::{draw, path};
+use crate::arm::{COUNT, Joints, RADIUS};
+use crate::{draw, nearest, path};
 use common::cli::Failure;
 use common::file::write;
 use common::random::Draw;
-use geograd::kernels::{Cpu, One, function};
 use indicatif::{ProgressBar, ProgressStyle};
 use lexopt::prelude::*;
 use std::f32::consts::TAU;
@@ -99,32 +98,30 @@ fn batch(count: usize, seed: u64) -> Result<String, Failure> {
     let all: Vec<Joints<f32>> = (0..count)
         .map(|_| std::array::from_fn(|_| turn()))
         .collect();
-    let (mut values, mut by_joints, mut by_radius) =
-        (vec![0.0; count], all.clone(), vec![0.0; count]);
-    let (bar, piece) = (progress(count, "configurations"), 1 << 12);
+    let (bar, piece) = (progress(count, "configurations"), 1 << 13);
     let start = Instant::now();
-    let results = values.chunks_mut(piece).zip(by_joints.chunks_mut(piece));
-    let results = results.zip(by_radius.chunks_mut(piece));
-    for (all, ((values, by_joints), by_radius)) in all.chunks(piece).zip(results) {
-        let columns = (all, One(RADIUS as f32));
-        let results = (values, (by_joints, by_radius));
-        Cpu::new().aligned_into(function(clearance).value_grad(), columns, results)?;
+    let mut parts = Vec::new();
+    for all in all.chunks(piece) {
+        parts.push(nearest::clearances(all, RADIUS as f32)?);
         bar.inc(all.len() as u64);
     }
     let seconds = start.elapsed().as_secs_f64();
     bar.finish_and_clear();
+    let values = || parts.iter().flat_map(|part| &part.values);
+    let by_joints = parts.iter().flat_map(|part| &part.by_joints);
+    let by_radius = parts.iter().flat_map(|part| &part.by_radius);
     let steep = |by: &Joints<f32>| by.iter().map(|x| x * x).sum::<f32>().sqrt();
     let (each, hit) = (
         1.0 / count.max(1) as f64,
-        values.iter().filter(|value| **value < 0.0).count(),
+        values().filter(|value| **value < 0.0).count(),
     );
-    let thicker = -by_radius.iter().map(|&by| f64::from(by)).sum::<f64>() * each;
+    let thicker = -by_radius.map(|&by| f64::from(by)).sum::<f64>() * each;
     Ok(format!(
-        "{count} configurations with derivatives in {seconds:.3} s, {:.0} a second\n\
+        "{count} configurations of {COUNT} pairs with derivatives in {seconds:.3} s, {:.0} a second\n\
          {:.1} % collide; clearance changes by at most {:.2} m per radian\n\
          links that are 1 mm thicker cost {thicker:.2} mm of clearance on average\n",
         count as f64 / seconds,
         100.0 * each * hit as f64,
-        by_joints.iter().map(steep).fold(0.0, f32::max),
+        by_joints.map(steep).fold(0.0, f32::max),
     ))
 }

@@ -162,7 +162,7 @@ impl Panel {
             );
         }
         let style = |fill| format!(r##"fill="{fill}" stroke="#868e96" stroke-width="0.8""##);
-        self.solid(page, Obb3::from(around.pedestal), &style("#ced4da"));
+        self.solid(page, around.pedestal, &style("#ced4da"));
         for (solid, fill) in around.boxes.into_iter().zip(["#dee2e6", "#ffd8a8"]) {
             self.solid(page, solid, &style(fill));
         }

@@ -5,12 +5,14 @@
 //! | file | what it holds |
 //! | --- | --- |
 //! | `arm.rs` | from joint angles to solids and clearance, generic over the scalar |
+//! | `nearest.rs` | clearance and derivatives in batches, by the nearest pairs alone |
 //! | `path.rs` | the path, and the descent that pushes it |
 //! | `command.rs` | the command line, and the batch of random configurations |
 //! | `draw.rs` | the picture |
 mod arm;
 mod command;
 mod draw;
+mod nearest;
 mod path;
 
 use common::cli::say;

@@ -5,14 +5,16 @@ use geograd::kernels::{Cpu, One, function};
 
 /// The clearance that a path shall have, in metres.
 pub const MARGIN: f64 = 0.04;
-/// How much a lack of clearance weighs against the length of the path.
-const WEIGHT: f64 = 400.0;
+/// How much a lack of clearance weighs against the velocity of the joints.
+const WEIGHT: f64 = 1500.0;
 /// The share of a full step.
-const RATE: f64 = 0.04;
+const RATE: f64 = 0.015;
+/// The longest way of one joint in one step, in radians.
+const LONGEST: f64 = 0.05;
 /// Both ends of the path.
 const ENDS: [Joints<f64>; 2] = [
-    [2.2, -0.75, 1.35, -2.15, -1.57, 0.0],
-    [3.9, -0.75, 1.35, -2.15, -1.57, 0.6],
+    [2.2, -1.0, 1.5, -2.07, -1.57, 0.0],
+    [3.9, -1.0, 1.5, -2.07, -1.57, 0.6],
 ];
 
 pub type Path = Vec<Joints<f64>>;
@@ -56,25 +58,26 @@ pub fn clearances(path: &[Joints<f64>]) -> Result<Vec<f64>, Error> {
     Cpu::new().aligned(function(clearance), (path, One(RADIUS)))
 }
 
-/// Descends from a path on half the squared lengths of its pieces plus half the squared lack of clearance of its points.
-/// The ends stay.
+/// Descends on half the integral along the path of the squared velocity of the joints, plus [`WEIGHT`] times that of the
+/// squared lack of clearance. The ends stay.
 ///
-/// Steps go along the derivative as the lengths of the pieces measure it (Zucker and others 2013, "CHOMP"): a push at
-/// one point moves its neighbours, too, and the part of the lengths is the way back to the straight path.
+/// Steps go along the derivative as velocities measure it (Zucker and others 2013, "CHOMP"): a push at one point moves
+/// its neighbours, too, and the part of the velocity is the way back to the straight path.
 pub fn descend(mut path: Path, steps: usize, told: impl Fn()) -> Result<Path, Error> {
     let goal = straight(path.len());
     for _ in 0..steps {
         let columns = (&path[..], One(RADIUS));
         let (values, (by_joints, _)) =
             Cpu::new().aligned(function(clearance).value_grad(), columns)?;
-        let lack = |i: usize| WEIGHT / path.len() as f64 * (MARGIN - values[i]).max(0.0);
+        let lack = |i: usize| WEIGHT * (MARGIN - values[i]).max(0.0);
         let pushes: Path = (0..path.len())
             .map(|i| by_joints[i].map(|by| lack(i) * by))
             .collect();
         let pushes = spread(&pushes);
         for i in 1..path.len() - 1 {
             for k in 0..6 {
-                path[i][k] += RATE * (pushes[i][k] + goal[i][k] - path[i][k]);
+                let step = RATE * (pushes[i][k] + goal[i][k] - path[i][k]);
+                path[i][k] += step.clamp(-LONGEST, LONGEST);
             }
         }
         told();
@@ -82,14 +85,14 @@ pub fn descend(mut path: Path, steps: usize, told: impl Fn()) -> Result<Path, Er
     Ok(path)
 }
 
-/// Solves `2 x[i] − x[i − 1] − x[i + 1] = pushes[i]`, with zero at both ends (Thomas 1949).
+/// Solves `−x″ = pushes` by differences over a time of one, with zero at both ends (elimination, Thomas 1949).
 fn spread(pushes: &[Joints<f64>]) -> Path {
     let (count, mut ahead) = (pushes.len(), vec![0.0; pushes.len()]);
-    let mut found = vec![[0.0; 6]; count];
+    let (mut found, part) = (vec![[0.0; 6]; count], 1.0 / (count - 1) as f64);
     for i in 1..count - 1 {
         let pivot = 1.0 / (2.0 - ahead[i - 1]);
         ahead[i] = pivot;
-        found[i] = std::array::from_fn(|k| (pushes[i][k] + found[i - 1][k]) * pivot);
+        found[i] = std::array::from_fn(|k| (pushes[i][k] * part * part + found[i - 1][k]) * pivot);
     }
     for i in (1..count - 1).rev() {
         found[i] = std::array::from_fn(|k| found[i][k] + ahead[i] * found[i + 1][k]);
