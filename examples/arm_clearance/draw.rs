@@ -8,11 +8,12 @@ const INK: &str = "#212529";
 const FAINT: &str = "#868e96";
 const RED: &str = "#c92a2a";
 const BLUE: &str = "#1864ab";
+const WOOD: &str = "#b08968";
 
 /// Pixels of a metre, and the margin.
 const SCALE: f64 = 230.0;
 const MARGINS: f64 = 34.0;
-const TOP: f64 = 92.0;
+const TOP: f64 = 100.0;
 /// Pieces between two points of a path where clearance is looked at.
 const PIECES: usize = 8;
 /// Arms drawn along a path.
@@ -58,22 +59,22 @@ const VIEWS: [View; 3] = [
         name: "front (along −x)",
         right: |p| p.y,
         up: |p| p.z,
-        low: Vec2::new(-0.85, -0.06),
-        size: Vec2::new(1.7, 1.26),
+        low: Vec2::new(-0.78, -0.06),
+        size: Vec2::new(1.56, 1.3),
     },
     View {
         name: "side (along y)",
         right: |p| p.x,
         up: |p| p.z,
         low: Vec2::new(-0.3, -0.06),
-        size: Vec2::new(1.3, 1.26),
+        size: Vec2::new(1.3, 1.3),
     },
     View {
         name: "top (along −z)",
         right: |p| p.x,
         up: |p| p.y,
-        low: Vec2::new(-0.3, -0.75),
-        size: Vec2::new(1.3, 1.5),
+        low: Vec2::new(-0.3, -0.62),
+        size: Vec2::new(1.3, 1.3),
     },
 ];
 
@@ -122,7 +123,12 @@ impl Panel {
             [1, 3, 7, 5],
         ];
         let mut path = String::new();
-        for [a, b, c, d] in faces.map(|face| face.map(|k: usize| corners[k])) {
+        for face in faces {
+            let [a, mut b, c, mut d] = face.map(|k: usize| corners[k]);
+            // Turned the same way round, faces that cover each other add up.
+            if (c - a).perp().dot(d - b) < 0.0 {
+                (b, d) = (d, b);
+            }
             let _ = write!(
                 path,
                 "M{:.2},{:.2}L{:.2},{:.2}L{:.2},{:.2}L{:.2},{:.2}Z",
@@ -152,10 +158,11 @@ impl Panel {
             r##"<clipPath id="{name}"><rect x="{left}" y="{top}" width="{width:.2}" height="{height:.2}"/></clipPath>
 <g clip-path="url(#{name})"><rect x="{left}" y="{top}" width="{width:.2}" height="{height:.2}" fill="#f8f9fa"/>"##
         );
-        let floor = self.place(Vec3::zero()).y;
-        if self.view.name.starts_with("top") {
-            page.push('\n');
-        } else {
+        let (floor, above) = (
+            self.place(Vec3::zero()).y,
+            self.view.name.starts_with("top"),
+        );
+        if !above {
             let _ = writeln!(
                 page,
                 r##"<rect x="{left}" y="{floor:.2}" width="{width:.2}" height="{height:.2}" fill="#adb5bd"/>"##
@@ -166,8 +173,10 @@ impl Panel {
         for (solid, fill) in around.boxes.into_iter().zip(["#dee2e6", "#ffd8a8"]) {
             self.solid(page, solid, &style(fill));
         }
-        for rod in around.rods {
-            self.rod(page, rod, "#b08968");
+        let [post, pipe] = around.rods;
+        self.rod(page, post, WOOD);
+        if !above {
+            self.rod(page, pipe, WOOD);
         }
         let last = way.fine.len() - 1;
         for i in 0..ARMS {
@@ -178,6 +187,12 @@ impl Panel {
         }
         let hand = |joints: &Joints<f64>| self.place(solids(*joints, RADIUS).hand.center);
         line(page, way.fine.iter().map(hand), INK, 1.6);
+        if above {
+            // Seen from there, it hides the arm.
+            page.push_str("<g opacity=\"0.6\">");
+            self.rod(page, pipe, WOOD);
+            page.push_str("</g>\n");
+        }
         let base = self.place(Vec3::new(0.0, 0.0, MOUNT));
         let _ = writeln!(
             page,
@@ -304,6 +319,9 @@ pub fn page(ways: &[Way; 2]) -> String {
         &title,
         "A path of six joints leaves what it collides with",
     );
+    let words = "an arm along its path; red where it collides, dark at both ends; the line is the way of the hand's centre";
+    let under = format!(r#"font-size="13.5" fill="{FAINT}""#);
+    text(&mut page, (MARGINS, 60.0), &under, words);
     for (k, (way, when)) in ways.iter().zip(["before", "after"]).enumerate() {
         let (mut left, top) = (MARGINS, TOP + k as f64 * row);
         for view in VIEWS {
