@@ -2,6 +2,9 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+#[path = "../../examples/arm_clearance/arm.rs"]
+mod arm;
+mod arm_clearance;
 #[path = "../../examples/refine_detections/assign.rs"]
 mod assign;
 mod calibrate;
@@ -11,6 +14,8 @@ mod first;
 mod gpu_batch;
 mod iou_csv;
 mod layout;
+#[path = "../../examples/arm_clearance/nearest.rs"]
+mod nearest;
 mod polygon_fit;
 mod refine_detections;
 
@@ -280,6 +285,10 @@ fn wrong_command_lines() {
         ("custom_shape", "--backend abacus"),
         ("layout", "--backend abacus"),
         ("layout", "--backend"),
+        ("arm_clearance", "--frobnicate"),
+        ("arm_clearance", "--points 2"),
+        ("arm_clearance", "--count many"),
+        ("arm_clearance", "--svg"),
         ("polygon_fit", "--frobnicate"),
         ("polygon_fit", "--seed many"),
         ("polygon_fit", "--shape square"),
@@ -297,6 +306,7 @@ fn wrong_command_lines() {
         "calibrate",
         "polygon_fit",
         "layout",
+        "arm_clearance",
     ] {
         let done = run(name, &at, "--help");
         assert_eq!(status(&done), 0);

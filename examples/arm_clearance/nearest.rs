@@ -1,0 +1,117 @@
+//! The derivative of a clearance as that of the nearest pairs alone.
+//!
+//! The derivative of the least of many distances is that of the least one. A batch of values finds it; batches of one
+//! kind of pair each differentiate it; a pull-back through the joints sums up.
+use crate::arm::{Form, Joints, PAIRS, Part, Solids, distances, form, scene, solids};
+use geograd::kernels::verbs::SignedDistance;
+use geograd::kernels::{Cpu, One, function};
+use geograd::{Capsule3, Error, Fixed, Obb3, Plane3};
+
+/// The clearance of some configurations, with its derivatives.
+#[derive(Debug, Default)]
+pub struct Found {
+    pub values: Vec<f32>,
+    pub by_joints: Vec<Joints<f32>>,
+    pub by_radius: Vec<f32>,
+}
+
+/// Pairs of one kind: where they count, by how much, and the shapes of both.
+struct Kind<A, B> {
+    at: Vec<(usize, f32, Part, Part)>,
+    a: Vec<A>,
+    b: Vec<B>,
+}
+
+impl<A, B> Kind<A, B> {
+    fn new() -> Self {
+        Kind {
+            at: Vec::new(),
+            a: Vec::new(),
+            b: Vec::new(),
+        }
+    }
+    fn push(&mut self, at: (usize, f32, Part, Part), a: A, b: B) {
+        self.at.push(at);
+        self.a.push(a);
+        self.b.push(b);
+    }
+}
+
+/// Adds the derivative by a capsule to that by the arm.
+fn add_round(sum: &mut Solids<f32>, part: Part, share: f32, by: Capsule3<f32>) {
+    if let Part::Link(k) = part {
+        let link = &mut sum.links[k];
+        link.start += by.start * share;
+        link.end += by.end * share;
+        link.radius += by.radius * share;
+    }
+}
+
+/// Adds the derivative by a box to that by the arm.
+fn add_cubic(sum: &mut Solids<f32>, part: Part, share: f32, by: Obb3<f32>) {
+    if let Part::Hand = part {
+        let (turn, more) = (&mut sum.hand.rotation, by.rotation);
+        sum.hand.center += by.center * share;
+        turn.w += more.w * share;
+        turn.x += more.x * share;
+        turn.y += more.y * share;
+        turn.z += more.z * share;
+    }
+}
+
+/// Nothing happens to what does not move.
+fn add_flat(_: &mut Solids<f32>, _: Part, _: f32, _: Plane3<f32>) {}
+
+/// The clearance of every configuration, with its derivatives by joints and radius. Pairs that are equally near share
+/// the derivative equally.
+pub fn clearances(joints: &[Joints<f32>], radius: f32) -> Result<Found, Error> {
+    let (cpu, around) = (Cpu::new(), scene::<f32>());
+    let columns = (joints, One(radius));
+    let all = cpu.aligned(function(distances), columns)?;
+    let arms = cpu.aligned(function(solids), columns)?;
+    let mut found = Found::default();
+    let (mut rr, mut rc, mut cc) = (Kind::new(), Kind::new(), Kind::new());
+    let (mut fr, mut fc) = (Kind::new(), Kind::new());
+    for (i, (all, arm)) in all.iter().zip(&arms).enumerate() {
+        let least = all.iter().copied().fold(f32::INFINITY, f32::min);
+        let share = 1.0 / all.iter().filter(|&&distance| distance == least).count() as f32;
+        found.values.push(least);
+        for (&(a, b), _) in PAIRS
+            .iter()
+            .zip(all)
+            .filter(|(_, distance)| **distance == least)
+        {
+            use Form::{Cubic, Flat, Round};
+            match (form(a, arm, &around), form(b, arm, &around)) {
+                (Round(x), Round(y)) => rr.push((i, share, a, b), x, y),
+                (Round(x), Cubic(y)) => rc.push((i, share, a, b), x, y),
+                (Cubic(x), Round(y)) => rc.push((i, share, b, a), y, x),
+                (Cubic(x), Cubic(y)) => cc.push((i, share, a, b), x, y),
+                (Round(x), Flat(y)) => fr.push((i, share, b, a), y, x),
+                (Flat(x), Round(y)) => fr.push((i, share, a, b), x, y),
+                (Cubic(x), Flat(y)) => fc.push((i, share, b, a), y, x),
+                (Flat(x), Cubic(y)) => fc.push((i, share, a, b), x, y),
+                (Flat(_), Flat(_)) => (),
+            }
+        }
+    }
+    let mut by_arm = vec![Solids::filled(0.0); joints.len()];
+    macro_rules! add {
+        ($kind:ident, $add_a:ident, $add_b:ident) => {
+            let columns = (&$kind.a[..], &$kind.b[..]);
+            let (_, (by_a, by_b)) = cpu.aligned(SignedDistance.value_grad(), columns)?;
+            for ((&(i, share, a, b), by_a), by_b) in $kind.at.iter().zip(by_a).zip(by_b) {
+                $add_a(&mut by_arm[i], a, share, by_a);
+                $add_b(&mut by_arm[i], b, share, by_b);
+            }
+        };
+    }
+    add!(rr, add_round, add_round);
+    add!(rc, add_round, add_cubic);
+    add!(cc, add_cubic, add_cubic);
+    add!(fr, add_flat, add_round);
+    add!(fc, add_flat, add_cubic);
+    let columns = (columns, &by_arm[..]);
+    (found.by_joints, found.by_radius) = cpu.aligned(function(solids).vjp(), columns)?;
+    Ok(found)
+}
