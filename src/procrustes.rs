@@ -31,9 +31,9 @@ impl<S: Scalar> Mul<Vec3<S>> for Alignment<S> {
 /// Returns the similarity that brings points closest to targets: it minimises the weighted sum of squared distances.
 /// Mirrored points get the best proper rotation.
 ///
-/// The rotation of points on a line is the smallest one of those that are equally good; about the line its derivative is
-/// zero. Coincident points, or weights of zero, give no rotation and the scale 1, with derivative zero. Weights are at
-/// least 0.
+/// The rotation of points on a line is the smallest one of those that are equally good; about the line its derivative
+/// is zero. Coincident points, or weights of zero, give no rotation and the scale 1, with derivative zero. Weights are
+/// at least 0.
 ///
 /// Kinks: points on a line, and mirrored ones whose two smaller singular values are equal; there the rotation jumps.
 ///
@@ -213,8 +213,8 @@ impl<S: Scalar> Rotation3<S> {
 /// Sweeps of Jacobi's method. After six, 900,000 matrices of nine kinds of singular values were off by rounding only.
 const SWEEPS: usize = 6;
 
-/// The rotation nearest to a matrix, and the inverse of the second derivative in its body tangent; zero along directions
-/// in which the rotation is free.
+/// The rotation nearest to a matrix, and the inverse of the second derivative in its body tangent; zero along
+/// directions in which the rotation is free.
 fn optimum<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> (Rotation3<S>, [Vec3<S>; 3]) {
     let (zero, one) = (S::zero(), S::one());
     let (xy, xz, yz) = (a.y + b.x, a.z + c.x, b.z + c.y);
