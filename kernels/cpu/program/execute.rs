@@ -203,6 +203,10 @@ pub(crate) struct Run {
     pub(crate) from: usize,
     pub(crate) to: usize,
     /// The place of its function in the code.
+    #[cfg_attr(
+        not(all(target_arch = "x86_64", feature = "native", not(geograd_portable))),
+        expect(dead_code, reason = "builds without machine code have no runs")
+    )]
     pub(crate) entry: usize,
 }
 
