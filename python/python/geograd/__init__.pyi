@@ -266,6 +266,25 @@ class Capsule2(Shape):
     @property
     def radius(self) -> Any: ...
 
+class Capsule3(Shape):
+    """Capsule3: an array whose last axis has its numbers, in this order.
+
+        start.x: coordinate
+        start.y: coordinate
+        start.z: coordinate
+        end.x: coordinate
+        end.y: coordinate
+        end.z: coordinate
+        radius: length, at least 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def start(self) -> Vec3: ...
+    @property
+    def end(self) -> Vec3: ...
+    @property
+    def radius(self) -> Any: ...
+
 class Chord(Shape):
     """Chord: an array whose last axis has its numbers, in this order.
 
@@ -352,6 +371,25 @@ class CommonPoint(Shape):
     @property
     def found(self) -> Any: ...
 
+class Cone(Shape):
+    """Cone: an array whose last axis has its numbers, in this order.
+
+        apex.x: coordinate, not all parts 0
+        apex.y: coordinate, not all parts 0
+        apex.z: coordinate, not all parts 0
+        base.x: coordinate, not all parts 0
+        base.y: coordinate, not all parts 0
+        base.z: coordinate, not all parts 0
+        radius: length, at least 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def apex(self) -> Vec3: ...
+    @property
+    def base(self) -> Vec3: ...
+    @property
+    def radius(self) -> Any: ...
+
 class Contact(Shape):
     """Contact: an array whose last axis has its numbers, in this order.
 
@@ -364,6 +402,20 @@ class Contact(Shape):
     def depth(self) -> Any: ...
     @property
     def direction(self) -> Vec2: ...
+
+class Contact3(Shape):
+    """Contact3: an array whose last axis has its numbers, in this order.
+
+        depth: length
+        direction.x: coordinate
+        direction.y: coordinate
+        direction.z: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def depth(self) -> Any: ...
+    @property
+    def direction(self) -> Vec3: ...
 
 class ConvexPolygon5(Shape):
     """ConvexPolygon5: an array whose last axis has its numbers, in this order.
@@ -409,6 +461,25 @@ class ConvexPolygon6(Shape):
     @property
     def codes(self) -> list[Any]: ...
 
+class Cylinder(Shape):
+    """Cylinder: an array whose last axis has its numbers, in this order.
+
+        start.x: coordinate, not all parts 0
+        start.y: coordinate, not all parts 0
+        start.z: coordinate, not all parts 0
+        end.x: coordinate, not all parts 0
+        end.y: coordinate, not all parts 0
+        end.z: coordinate, not all parts 0
+        radius: length, at least 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def start(self) -> Vec3: ...
+    @property
+    def end(self) -> Vec3: ...
+    @property
+    def radius(self) -> Any: ...
+
 class Detectron2Box(Shape):
     """Detectron2Box: an array whose last axis has its numbers, in this order.
 
@@ -452,6 +523,28 @@ class Hit(Shape):
     def point(self) -> Vec2: ...
     @property
     def normal(self) -> Vec2: ...
+    @property
+    def kind(self) -> Any: ...
+
+class Hit3(Shape):
+    """Hit3: an array whose last axis has its numbers, in this order.
+
+        parameter: number
+        point.x: coordinate
+        point.y: coordinate
+        point.z: coordinate
+        normal.x: part of a direction
+        normal.y: part of a direction
+        normal.z: part of a direction
+        kind: number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def parameter(self) -> Any: ...
+    @property
+    def point(self) -> Vec3: ...
+    @property
+    def normal(self) -> Vec3: ...
     @property
     def kind(self) -> Any: ...
 
@@ -674,6 +767,20 @@ class OpenCvBox(Shape):
     @property
     def heading(self) -> Any: ...
 
+class Plane3(Shape):
+    """Plane3: an array whose last axis has its numbers, in this order.
+
+        normal.x: part of a direction, not all parts 0
+        normal.y: part of a direction, not all parts 0
+        normal.z: part of a direction, not all parts 0
+        offset: distance from the origin
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def normal(self) -> Vec3: ...
+    @property
+    def offset(self) -> Any: ...
+
 class PointPair(Shape):
     """PointPair: an array whose last axis has its numbers, in this order.
 
@@ -687,6 +794,22 @@ class PointPair(Shape):
     def on_a(self) -> Vec2: ...
     @property
     def on_b(self) -> Vec2: ...
+
+class PointPair3(Shape):
+    """PointPair3: an array whose last axis has its numbers, in this order.
+
+        on_a.x: coordinate
+        on_a.y: coordinate
+        on_a.z: coordinate
+        on_b.x: coordinate
+        on_b.y: coordinate
+        on_b.z: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def on_a(self) -> Vec3: ...
+    @property
+    def on_b(self) -> Vec3: ...
 
 class Pose2(Shape):
     """Pose2: an array whose last axis has its numbers, in this order.
@@ -716,6 +839,61 @@ class Ray2(Shape):
     @property
     def direction(self) -> Vec2: ...
 
+class Ray3(Shape):
+    """Ray3: an array whose last axis has its numbers, in this order.
+
+        point.x: coordinate
+        point.y: coordinate
+        point.z: coordinate
+        direction.x: part of a direction, not all parts 0
+        direction.y: part of a direction, not all parts 0
+        direction.z: part of a direction, not all parts 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def point(self) -> Vec3: ...
+    @property
+    def direction(self) -> Vec3: ...
+
+class RoundBox3(Shape):
+    """RoundBox3: an array whose last axis has its numbers, in this order.
+
+        x: coordinate
+        y: coordinate
+        z: coordinate
+        dx: length, at least 0
+        dy: length, at least 0
+        dz: length, at least 0
+        qw: part of a quaternion, not all parts 0
+        qx: part of a quaternion, not all parts 0
+        qy: part of a quaternion, not all parts 0
+        qz: part of a quaternion, not all parts 0
+        radius: length, at least 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def z(self) -> Any: ...
+    @property
+    def dx(self) -> Any: ...
+    @property
+    def dy(self) -> Any: ...
+    @property
+    def dz(self) -> Any: ...
+    @property
+    def qw(self) -> Any: ...
+    @property
+    def qx(self) -> Any: ...
+    @property
+    def qy(self) -> Any: ...
+    @property
+    def qz(self) -> Any: ...
+    @property
+    def radius(self) -> Any: ...
+
 class Segment2(Shape):
     """Segment2: an array whose last axis has its numbers, in this order.
 
@@ -729,6 +907,66 @@ class Segment2(Shape):
     def from_(self) -> Vec2: ...
     @property
     def to(self) -> Vec2: ...
+
+class Segment3(Shape):
+    """Segment3: an array whose last axis has its numbers, in this order.
+
+        start.x: coordinate
+        start.y: coordinate
+        start.z: coordinate
+        end.x: coordinate
+        end.y: coordinate
+        end.z: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def start(self) -> Vec3: ...
+    @property
+    def end(self) -> Vec3: ...
+
+class Sphere(Shape):
+    """Sphere: an array whose last axis has its numbers, in this order.
+
+        x: coordinate
+        y: coordinate
+        z: coordinate
+        radius: length, at least 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def z(self) -> Any: ...
+    @property
+    def radius(self) -> Any: ...
+
+class Tetrahedron(Shape):
+    """Tetrahedron: an array whose last axis has its numbers, in this order.
+
+        a.x: coordinate
+        a.y: coordinate
+        a.z: coordinate
+        b.x: coordinate
+        b.y: coordinate
+        b.z: coordinate
+        c.x: coordinate
+        c.y: coordinate
+        c.z: coordinate
+        d.x: coordinate
+        d.y: coordinate
+        d.z: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def a(self) -> Vec3: ...
+    @property
+    def b(self) -> Vec3: ...
+    @property
+    def c(self) -> Vec3: ...
+    @property
+    def d(self) -> Vec3: ...
 
 class Triangle2(Shape):
     """Triangle2: an array whose last axis has its numbers, in this order.
@@ -747,6 +985,27 @@ class Triangle2(Shape):
     def b(self) -> Vec2: ...
     @property
     def c(self) -> Vec2: ...
+
+class Triangle3(Shape):
+    """Triangle3: an array whose last axis has its numbers, in this order.
+
+        a.x: coordinate
+        a.y: coordinate
+        a.z: coordinate
+        b.x: coordinate
+        b.y: coordinate
+        b.z: coordinate
+        c.x: coordinate
+        c.y: coordinate
+        c.z: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def a(self) -> Vec3: ...
+    @property
+    def b(self) -> Vec3: ...
+    @property
+    def c(self) -> Vec3: ...
 
 class Vec2(Shape):
     """Vec2: an array whose last axis has its numbers, in this order.
@@ -1021,8 +1280,11 @@ class _closest_points(Verb):
 
     Rows:
         closest_points(a: Aabb2, b: Aabb2) -> PointPair
+        closest_points(a: Aabb3, b: Aabb3) -> PointPair3
         closest_points(a: Capsule2, b: Capsule2) -> PointPair
             The nearest points of two capsules. Points jump to another nearest feature.
+        closest_points(a: Capsule3, b: Capsule3) -> PointPair3
+            The nearest points of two capsules of space. Points jump to another nearest feature.
         closest_points(circle: Circle, shape: Obb2) -> PointPair
             The nearest points of a circle and a rotated box. Points jump to another nearest feature.
         closest_points(shape: Obb2, circle: Circle) -> PointPair
@@ -1031,6 +1293,10 @@ class _closest_points(Verb):
             The nearest points of two rotated boxes. Points jump to another nearest feature.
         closest_points(a: Segment2, b: Segment2) -> ClosestOnSegments
             The nearest points of two segments, and where along both they lie.
+        closest_points(a: Segment3, b: Segment3) -> PointPair3
+            The nearest points of two segments of space. Points jump to another nearest feature.
+        closest_points(ball: Sphere, shape: Obb3) -> PointPair3
+            The nearest points of a ball and a box of any orientation. Points jump to another nearest feature.
         closest_points(a: Triangle2, b: Triangle2) -> PointPair
             The nearest points of two triangles. Points jump to another nearest feature.
         closest_points(point: Vec2, shape: Obb2) -> PointPair
@@ -1039,11 +1305,19 @@ class _closest_points(Verb):
             The nearest points of a point and a segment. Points jump to another nearest feature.
         closest_points(point: Vec2, triangle: Triangle2) -> PointPair
             The nearest points of a point and a triangle. Points jump to another nearest feature.
+        closest_points(point: Vec3, segment: Segment3) -> PointPair3
+            The nearest points of a point and a segment of space. Points jump to another nearest feature.
+        closest_points(point: Vec3, triangle: Triangle3) -> PointPair3
+            The nearest points of a point and a triangle of space. Points jump to another nearest feature.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
+    @overload
     def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
@@ -1053,6 +1327,10 @@ class _closest_points(Verb):
     @overload
     def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ClosestOnSegments: ...
     @overload
+    def __call__(self, a: Segment3, b: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
+    @overload
+    def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
+    @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
     def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
@@ -1060,6 +1338,10 @@ class _closest_points(Verb):
     def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
     def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, point: Vec3, segment: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
+    @overload
+    def __call__(self, point: Vec3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -1268,12 +1550,19 @@ class _distance(Verb):
         distance(a: Aabb2, b: Aabb2) -> number
         distance(shape: Aabb2, point: Vec2) -> number
             The distance of an axis-aligned box and a point.
+        distance(a: Aabb3, b: Aabb3) -> number
         distance(shape: Aabb3, point: Vec3) -> number
             The distance of an axis-aligned box and a point.
         distance(a: Capsule2, b: Capsule2) -> number
             The distance of two capsules.
         distance(capsule: Capsule2, point: Vec2) -> number
             The distance of a capsule and a point.
+        distance(a: Capsule3, b: Capsule3) -> number
+            The distance of two capsules of space.
+        distance(capsule: Capsule3, shape: Obb3) -> number
+            The distance of a capsule of space and a box of any orientation.
+        distance(capsule: Capsule3, ball: Sphere) -> number
+            The distance of a capsule of space and a ball.
         distance(a: Circle, b: Circle) -> number
             The distance of two circles.
         distance(circle: Circle, shape: Obb2) -> number
@@ -1292,6 +1581,8 @@ class _distance(Verb):
             The distance of a rotated box and a segment.
         distance(shape: Obb2, point: Vec2) -> number
             The distance of a rotated box and a point.
+        distance(a: Obb3, b: Obb3) -> number
+            The distance of two boxes of any orientation.
         distance(shape: Obb3, point: Vec3) -> number
             The distance of a box of any orientation and a point.
         distance(segment: Segment2, circle: Circle) -> number
@@ -1302,10 +1593,20 @@ class _distance(Verb):
             The distance of two segments.
         distance(segment: Segment2, point: Vec2) -> number
             The distance of a segment and a point.
+        distance(a: Segment3, b: Segment3) -> number
+            The distance of two segments of space.
+        distance(segment: Segment3, triangle: Triangle3) -> number
+            The distance of a segment of space and a triangle of space.
+        distance(ball: Sphere, shape: Obb3) -> number
+            The distance of a ball and a box of any orientation.
+        distance(a: Sphere, b: Sphere) -> number
+            The distance of two balls.
         distance(a: Triangle2, b: Triangle2) -> number
             The distance of two triangles.
         distance(triangle: Triangle2, point: Vec2) -> number
             The distance of a triangle and a point.
+        distance(a: Triangle3, b: Triangle3) -> number
+            The distance of two triangles of space.
         distance(point: Vec2, shape: Aabb2) -> number
             The distance of a point and an axis-aligned box.
         distance(point: Vec2, capsule: Capsule2) -> number
@@ -1326,8 +1627,20 @@ class _distance(Verb):
             The distance of a point and the edges of a ring; without edges the largest finite number.
         distance(point: Vec3, shape: Aabb3) -> number
             The distance of a point and an axis-aligned box.
+        distance(point: Vec3, capsule: Capsule3) -> number
+            The distance of a point and a capsule of space.
+        distance(point: Vec3, cone: Cone) -> number
+            The distance of a point and a cone.
+        distance(point: Vec3, cylinder: Cylinder) -> number
+            The distance of a point and a cylinder.
         distance(point: Vec3, shape: Obb3) -> number
             The distance of a point and a box of any orientation.
+        distance(point: Vec3, segment: Segment3) -> number
+            The distance of a point and a segment of space.
+        distance(point: Vec3, solid: Tetrahedron) -> number
+            The distance of a point and a tetrahedron.
+        distance(point: Vec3, triangle: Triangle3) -> number
+            The distance of a point and a triangle of space.
         distance(a: Vec3, b: Vec3) -> number
             The distance of two points.
         distance(point: Vec3, shape: YawBox3) -> number
@@ -1344,11 +1657,19 @@ class _distance(Verb):
     @overload
     def __call__(self, shape: Aabb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: Aabb3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, capsule: Capsule2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, capsule: Capsule3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, capsule: Capsule3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1368,6 +1689,8 @@ class _distance(Verb):
     @overload
     def __call__(self, shape: Obb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: Obb3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1378,9 +1701,19 @@ class _distance(Verb):
     @overload
     def __call__(self, segment: Segment2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Segment3, b: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Sphere, b: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, triangle: Triangle2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Triangle3, b: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1402,7 +1735,19 @@ class _distance(Verb):
     @overload
     def __call__(self, point: Vec3, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, point: Vec3, capsule: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, cone: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, point: Vec3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, segment: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Vec3, b: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1498,6 +1843,9 @@ class _farthest_distance(Verb):
 
     Rows:
         farthest_distance(a: Aabb2, b: Aabb2) -> number
+        farthest_distance(a: Aabb3, b: Aabb3) -> number
+        farthest_distance(a: Capsule3, b: Capsule3) -> number
+            The longest distance of two capsules of space.
         farthest_distance(circle: Circle, shape: Obb2) -> number
             The longest distance of a circle and a rotated box.
         farthest_distance(a: Obb2, b: Obb2) -> number
@@ -1506,9 +1854,15 @@ class _farthest_distance(Verb):
             The longest distance of two triangles.
         farthest_distance(point: Vec2, shape: Obb2) -> number
             The longest distance of a point and a rotated box.
+        farthest_distance(point: Vec3, shape: Obb3) -> number
+            The longest distance of a point and a box of any orientation.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1517,6 +1871,8 @@ class _farthest_distance(Verb):
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -1535,6 +1891,18 @@ class _first_hit(Verb):
             The first hit of a ray and a rotated box.
         first_hit(ray: Ray2, triangle: Triangle2) -> Hit
             The first hit of a ray and a triangle.
+        first_hit(ray: Ray3, cylinder: Cylinder) -> Hit3
+            The first hit of a ray of space and a cylinder.
+        first_hit(ray: Ray3, shape: Obb3) -> Hit3
+            The first hit of a ray of space and a box of any orientation.
+        first_hit(ray: Ray3, plane: Plane3) -> Hit3
+            The first hit of a ray of space and a half-space.
+        first_hit(ray: Ray3, ball: Sphere) -> Hit3
+            The first hit of a ray of space and a ball.
+        first_hit(ray: Ray3, solid: Tetrahedron) -> Hit3
+            The first hit of a ray of space and a tetrahedron.
+        first_hit(ray: Ray3, triangle: Triangle3) -> Hit3
+            The first hit of a ray of space and a triangle of space.
     """
     @overload
     def __call__(self, ray: Ray2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit: ...
@@ -1546,6 +1914,18 @@ class _first_hit(Verb):
     def __call__(self, ray: Ray2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit: ...
     @overload
     def __call__(self, ray: Ray2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit: ...
+    @overload
+    def __call__(self, ray: Ray3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
+    @overload
+    def __call__(self, ray: Ray3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
+    @overload
+    def __call__(self, ray: Ray3, plane: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
+    @overload
+    def __call__(self, ray: Ray3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
+    @overload
+    def __call__(self, ray: Ray3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
+    @overload
+    def __call__(self, ray: Ray3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -1966,6 +2346,12 @@ class _length_inside(Verb):
             The length inside of a segment and a rotated box.
         length_inside(segment: Segment2, triangle: Triangle2) -> number
             The length inside of a segment and a triangle.
+        length_inside(segment: Segment3, cylinder: Cylinder) -> number
+            The length inside of a segment of space and a cylinder.
+        length_inside(segment: Segment3, shape: Obb3) -> number
+            The length inside of a segment of space and a box of any orientation.
+        length_inside(segment: Segment3, ball: Sphere) -> number
+            The length inside of a segment of space and a ball.
     """
     @overload
     def __call__(self, segment: Segment2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1977,6 +2363,12 @@ class _length_inside(Verb):
     def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -2039,27 +2431,46 @@ class _penetration(Verb):
 
     Rows:
         penetration(a: Aabb2, b: Aabb2) -> Contact
+        penetration(a: Aabb3, b: Aabb3) -> Contact3
         penetration(a: Capsule2, b: Capsule2) -> Contact
             The depth of overlap and its direction of two capsules. The direction jumps to another deepest face.
+        penetration(a: Capsule3, b: Capsule3) -> Contact3
+            The depth of overlap and its direction of two capsules of space. The direction jumps to another deepest face.
         penetration(a: Circle, b: Circle) -> Contact
             The depth of overlap and its direction of two circles. The direction jumps to another deepest face.
         penetration(circle: Circle, shape: Obb2) -> Contact
             The depth of overlap and its direction of a circle and a rotated box. The direction jumps to another deepest face.
         penetration(a: Obb2, b: Obb2) -> Contact
             The depth of overlap and its direction of two rotated boxes. The direction jumps to another deepest face.
+        penetration(plane: Plane3, capsule: Capsule3) -> Contact3
+            The depth of overlap and its direction of a half-space and a capsule of space. The direction jumps to another deepest face.
+        penetration(ball: Sphere, shape: Obb3) -> Contact3
+            The depth of overlap and its direction of a ball and a box of any orientation. The direction jumps to another deepest face.
+        penetration(a: Sphere, b: Sphere) -> Contact3
+            The depth of overlap and its direction of two balls. The direction jumps to another deepest face.
         penetration(a: Triangle2, b: Triangle2) -> Contact
             The depth of overlap and its direction of two triangles. The direction jumps to another deepest face.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
+    @overload
     def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
+    @overload
+    def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
     def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
+    @overload
+    def __call__(self, plane: Plane3, capsule: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
+    @overload
+    def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
+    @overload
+    def __call__(self, a: Sphere, b: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
@@ -2171,12 +2582,19 @@ class _signed_distance(Verb):
         signed_distance(a: Aabb2, b: Aabb2) -> number
         signed_distance(shape: Aabb2, point: Vec2) -> number
             The signed distance of an axis-aligned box and a point.
+        signed_distance(a: Aabb3, b: Aabb3) -> number
         signed_distance(shape: Aabb3, point: Vec3) -> number
             The signed distance of an axis-aligned box and a point.
         signed_distance(a: Capsule2, b: Capsule2) -> number
             The signed distance of two capsules.
         signed_distance(capsule: Capsule2, point: Vec2) -> number
             The signed distance of a capsule and a point.
+        signed_distance(a: Capsule3, b: Capsule3) -> number
+            The signed distance of two capsules of space.
+        signed_distance(capsule: Capsule3, shape: Obb3) -> number
+            The signed distance of a capsule of space and a box of any orientation.
+        signed_distance(capsule: Capsule3, ball: Sphere) -> number
+            The signed distance of a capsule of space and a ball.
         signed_distance(a: Circle, b: Circle) -> number
             The signed distance of two circles.
         signed_distance(circle: Circle, shape: Obb2) -> number
@@ -2195,18 +2613,38 @@ class _signed_distance(Verb):
             The signed distance of a rotated box and a segment.
         signed_distance(shape: Obb2, point: Vec2) -> number
             The signed distance of a rotated box and a point.
+        signed_distance(a: Obb3, b: Obb3) -> number
+            The signed distance of two boxes of any orientation.
         signed_distance(shape: Obb3, point: Vec3) -> number
             The signed distance of a box of any orientation and a point.
+        signed_distance(plane: Plane3, capsule: Capsule3) -> number
+            The signed distance of a half-space and a capsule of space.
+        signed_distance(plane: Plane3, cone: Cone) -> number
+            The signed distance of a half-space and a cone.
+        signed_distance(plane: Plane3, cylinder: Cylinder) -> number
+            The signed distance of a half-space and a cylinder.
+        signed_distance(plane: Plane3, shape: Obb3) -> number
+            The signed distance of a half-space and a box of any orientation.
+        signed_distance(plane: Plane3, ball: Sphere) -> number
+            The signed distance of a half-space and a ball.
+        signed_distance(plane: Plane3, point: Vec3) -> number
+            The signed distance of a half-space and a point.
         signed_distance(segment: Segment2, circle: Circle) -> number
             The signed distance of a segment and a circle.
         signed_distance(segment: Segment2, shape: Obb2) -> number
             The signed distance of a segment and a rotated box.
         signed_distance(segment: Segment2, point: Vec2) -> number
             The signed distance of a segment and a point.
+        signed_distance(ball: Sphere, shape: Obb3) -> number
+            The signed distance of a ball and a box of any orientation.
+        signed_distance(a: Sphere, b: Sphere) -> number
+            The signed distance of two balls.
         signed_distance(a: Triangle2, b: Triangle2) -> number
             The signed distance of two triangles.
         signed_distance(triangle: Triangle2, point: Vec2) -> number
             The signed distance of a triangle and a point.
+        signed_distance(a: Triangle3, b: Triangle3) -> number
+            The signed distance of two triangles of space.
         signed_distance(point: Vec2, shape: Aabb2) -> number
             The signed distance of a point and an axis-aligned box.
         signed_distance(point: Vec2, capsule: Capsule2) -> number
@@ -2223,8 +2661,20 @@ class _signed_distance(Verb):
             The signed distance of a point and a ring: negative inside. Without edges it is the largest finite number.
         signed_distance(point: Vec3, shape: Aabb3) -> number
             The signed distance of a point and an axis-aligned box.
+        signed_distance(point: Vec3, capsule: Capsule3) -> number
+            The signed distance of a point and a capsule of space.
+        signed_distance(point: Vec3, cone: Cone) -> number
+            The signed distance of a point and a cone.
+        signed_distance(point: Vec3, cylinder: Cylinder) -> number
+            The signed distance of a point and a cylinder.
         signed_distance(point: Vec3, shape: Obb3) -> number
             The signed distance of a point and a box of any orientation.
+        signed_distance(point: Vec3, shape: RoundBox3) -> number
+            The signed distance of a point and a box with round edges.
+        signed_distance(point: Vec3, ball: Sphere) -> number
+            The signed distance of a point and a ball.
+        signed_distance(point: Vec3, solid: Tetrahedron) -> number
+            The signed distance of a point and a tetrahedron.
         signed_distance(point: Vec3, shape: YawBox3) -> number
             The signed distance of a point and an upright box.
         signed_distance(shape: YawBox3, point: Vec3) -> number
@@ -2235,11 +2685,19 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, shape: Aabb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: Aabb3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Capsule2, b: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, capsule: Capsule2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, capsule: Capsule3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, capsule: Capsule3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2259,7 +2717,21 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, shape: Obb2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: Obb3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, plane: Plane3, capsule: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, plane: Plane3, cone: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, plane: Plane3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, plane: Plane3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, plane: Plane3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, plane: Plane3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2267,9 +2739,15 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, segment: Segment2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Sphere, b: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, triangle: Triangle2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Triangle3, b: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2287,7 +2765,19 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, point: Vec3, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, point: Vec3, capsule: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, cone: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, point: Vec3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2331,29 +2821,48 @@ class _squared_distance(Verb):
 
     Rows:
         squared_distance(a: Aabb2, b: Aabb2) -> number
+        squared_distance(a: Aabb3, b: Aabb3) -> number
         squared_distance(a: Obb2, b: Obb2) -> number
             The squared distance of two rotated boxes.
         squared_distance(a: Segment2, b: Segment2) -> number
             The squared distance of two segments.
+        squared_distance(a: Segment3, b: Segment3) -> number
+            The squared distance of two segments of space.
         squared_distance(a: Triangle2, b: Triangle2) -> number
             The squared distance of two triangles.
+        squared_distance(a: Triangle3, b: Triangle3) -> number
+            The squared distance of two triangles of space.
         squared_distance(point: Vec2, segment: Segment2) -> number
             The squared distance of a point and a segment.
         squared_distance(point: Vec2, triangle: Triangle2) -> number
             The squared distance of a point and a triangle.
+        squared_distance(point: Vec3, segment: Segment3) -> number
+            The squared distance of a point and a segment of space.
+        squared_distance(point: Vec3, triangle: Triangle3) -> number
+            The squared distance of a point and a triangle of space.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Segment3, b: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Triangle3, b: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, segment: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
