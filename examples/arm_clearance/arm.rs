@@ -78,7 +78,7 @@ pub fn solids<S: Scalar>(joints: Joints<S>, radius: S) -> Solids<S> {
     for (k, &row) in ROWS.iter().enumerate() {
         frames[k + 1] = frames[k].next(joints[k], row);
     }
-    // The first and the second joint turn about axes that do not move along the upper arm.
+    // Shoulder, elbow and wrist turn about parallel axes; links lie beside their frames along these.
     let [_, shoulder, elbow, wrist, turn, last, flange] = frames;
     let [above, below] = BESIDE;
     let points = [
@@ -100,7 +100,7 @@ pub fn solids<S: Scalar>(joints: Joints<S>, radius: S) -> Solids<S> {
 #[derive(Clone, Copy)]
 pub struct Scene<S> {
     pub floor: Plane3<S>,
-    /// What the arm stands on. Shoulder and upper arm are always beside it, so nobody asks how near.
+    /// Under the base. Shoulder and upper arm turn beside it at a fixed distance, so they are no pairs with it.
     pub pedestal: Obb3<S>,
     /// A bench, and a crate that is turned.
     pub boxes: [Obb3<S>; 2],
@@ -108,7 +108,7 @@ pub struct Scene<S> {
     pub rods: [Capsule3<S>; 2],
 }
 
-/// The place in which the arm works, in metres.
+/// The surroundings in metres, as constants: records simplify by them.
 pub fn scene<S: Scalar>() -> Scene<S> {
     let v = |x: f64, y: f64, z: f64| Vec3::new(S::lit(x), S::lit(y), S::lit(z));
     let turned = |degrees: f64| {
@@ -145,7 +145,7 @@ use Part::{Floor, Hand, Link, Pedestal, Rod, Solid};
 /// How many pairs there are.
 pub const COUNT: usize = 39;
 
-/// All pairs that can collide: the moving parts with what is around them, and links with others that are not neighbours.
+/// All pairs that can collide: moving parts with what is around them, and links that are not neighbours.
 pub const PAIRS: [(Part, Part); COUNT] = {
     let mut pairs = [(Hand, Pedestal); COUNT];
     let (mut n, mut k) = (1, 0);
@@ -156,7 +156,7 @@ pub const PAIRS: [(Part, Part); COUNT] = {
             (pairs[n], pairs[n + 1]) = ((part, Rod(i)), (part, Solid(i)));
             (i, n) = (i + 1, n + 2);
         }
-        // The shoulder turns in place.
+        // The height of the shoulder is fixed.
         if k > 0 {
             pairs[n] = (part, Floor);
             n += 1;
@@ -212,8 +212,8 @@ pub fn distances<S: Scalar>(joints: Joints<S>, radius: S) -> [S; COUNT] {
     })
 }
 
-/// The clearance of the arm in metres: the least signed distance of all [`PAIRS`]. Negative where the arm collides: minus
-/// the depth of the deepest pair.
+/// The clearance of the arm in metres: the least signed distance of all [`PAIRS`]. Where the arm collides, minus the
+/// depth of the deepest pair.
 ///
 /// The least of all pairs shares ties: where two pairs are equally near, each has half of the derivative.
 pub fn clearance<S: Scalar>(joints: Joints<S>, radius: S) -> S {

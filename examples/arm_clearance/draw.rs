@@ -319,7 +319,7 @@ pub fn page(ways: &[Way; 2]) -> String {
         &title,
         "A path of six joints leaves what it collides with",
     );
-    let words = "an arm along its path; red where it collides, dark at both ends; the line is the way of the hand's centre";
+    let words = "the arm along its path, red where it collides, dark at both ends; the line is the hand's way";
     let under = format!(r#"font-size="13.5" fill="{FAINT}""#);
     text(&mut page, (MARGINS, 60.0), &under, words);
     for (k, (way, when)) in ways.iter().zip(["before", "after"]).enumerate() {

@@ -1,7 +1,9 @@
 //! The derivative of a clearance as that of the nearest pairs alone.
 //!
-//! The derivative of the least of many distances is that of the least one. A batch of values finds it; batches of one
-//! kind of pair each differentiate it; a pull-back through the joints sums up.
+//! The derivative of the least of many distances is that of the least one. A batch of values finds the nearest pairs;
+//! one batch for each kind of pair differentiates their distance; a pull-back through the joints gives the rest.
+//!
+//! The gradient of all pairs as one recorded function has 260 000 operations and takes more than ten times as long.
 use crate::arm::{Form, Joints, PAIRS, Part, Solids, distances, form, scene, solids};
 use geograd::kernels::verbs::SignedDistance;
 use geograd::kernels::{Cpu, One, function};
@@ -59,7 +61,7 @@ fn add_cubic(sum: &mut Solids<f32>, part: Part, share: f32, by: Obb3<f32>) {
     }
 }
 
-/// Nothing happens to what does not move.
+/// A half-space is fixed: nothing to add.
 fn add_flat(_: &mut Solids<f32>, _: Part, _: f32, _: Plane3<f32>) {}
 
 /// The clearance of every configuration, with its derivatives by joints and radius. Pairs that are equally near share

@@ -58,8 +58,8 @@ pub fn clearances(path: &[Joints<f64>]) -> Result<Vec<f64>, Error> {
     Cpu::new().aligned(function(clearance), (path, One(RADIUS)))
 }
 
-/// Descends on half the integral along the path of the squared velocity of the joints, plus [`WEIGHT`] times that of the
-/// squared lack of clearance. The ends stay.
+/// Descends on half the integral of the squared velocity of the joints, plus [`WEIGHT`] times that of the squared lack
+/// of clearance. The ends stay.
 ///
 /// Steps go along the derivative as velocities measure it (Zucker and others 2013, "CHOMP"): a push at one point moves
 /// its neighbours, too, and the part of the velocity is the way back to the straight path.
