@@ -234,7 +234,7 @@ pub trait Runs<R: Item> {
     ///
     /// # Errors
     ///
-    /// Those of recording it, as far as that happens here.
+    /// Errors of recording it, as far as that happens here.
     #[doc(hidden)]
     fn call(&self) -> Result<Call<R::Scalar>, Error>;
 }

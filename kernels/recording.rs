@@ -116,7 +116,7 @@ pub(crate) enum Body<T> {
     Search(Searched<T>),
 }
 
-/// What is kept of a recording: the programs of modes, the plans of machines, derivatives as functions of their own.
+/// The key of something kept with a recording: a program, a plan, or a derivative as a function of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Key {
     /// The program of a mode.
@@ -133,7 +133,7 @@ pub(crate) enum Key {
     Derived(Mode),
 }
 
-/// What was made of a function: programs of modes, plans of machines, derivatives.
+/// Things kept with a recording: programs of modes, plans of machines, derivatives.
 #[derive(Default)]
 pub(crate) struct Kept(RwLock<HashMap<Key, Made>>);
 
@@ -397,7 +397,7 @@ impl<T: Real> Call<T> {
     ///
     /// # Errors
     ///
-    /// Those of recording the inner derivative.
+    /// Errors of recording the inner derivative.
     pub(crate) fn derived(self, mode: Mode) -> Result<Self, Error> {
         let recording = match self.mode {
             Mode::Value => self.recording,
@@ -409,7 +409,7 @@ impl<T: Real> Call<T> {
     ///
     /// # Errors
     ///
-    /// Those of recording it.
+    /// Errors of recording it.
     pub(crate) fn plan(&self, framed: bool) -> Result<Arc<Face<T>>, Error> {
         (T::drivers().plan)(self, framed)
     }

@@ -68,7 +68,7 @@ impl<S: Scalar> Frame<S> {
 pub struct Solids<S> {
     /// Shoulder, upper arm, forearm and both links of the wrist.
     pub links: [Capsule3<S>; 5],
-    /// What the flange carries.
+    /// The box that the flange carries.
     pub hand: Obb3<S>,
 }
 
@@ -96,7 +96,7 @@ pub fn solids<S: Scalar>(joints: Joints<S>, radius: S) -> Solids<S> {
     }
 }
 
-/// What is around the arm.
+/// The surroundings of the arm.
 #[derive(Clone, Copy)]
 pub struct Scene<S> {
     pub floor: Plane3<S>,

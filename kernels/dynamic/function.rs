@@ -36,7 +36,7 @@ impl<T: Real> std::fmt::Debug for Function<T> {
 }
 
 impl<T: Real> Function<T> {
-    /// What machines run.
+    /// The call that machines run.
     pub(crate) fn call(&self) -> Result<Call<T>, Error> {
         Call::of(Arc::clone(&self.recording)).derived(self.mode)
     }

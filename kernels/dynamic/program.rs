@@ -29,7 +29,7 @@ struct Inner<T: Real> {
     /// The graph; an operation's includes its gradient by hand, if it has one.
     recorded: Arc<Recorded>,
     names: Vec<Argument>,
-    /// What machines run: an operation's has its own gradient and adjoint.
+    /// The recording that machines run; an operation's has its own gradient and adjoint.
     recording: Arc<Recording<T>>,
     /// `true` of an operation.
     is_row: bool,

@@ -21,11 +21,11 @@ use crate::{Rotation2, Rotation3, Scalar, Vec3};
 pub trait Cored: Copy {
     /// Its numbers.
     type Scalar: Scalar;
-    /// What is inflated.
+    /// The type of the shape that is inflated.
     type Core: Core<Self::Scalar>;
-    /// Whether the radius may be other than zero.
+    /// `true` if the radius may be other than zero.
     const ROUND: bool = false;
-    /// What is inflated.
+    /// The shape that is inflated.
     fn core(self) -> Self::Core;
     /// By how much; not negative.
     #[inline(always)]
@@ -69,7 +69,7 @@ pub trait Cored: Copy {
 pub trait Apart<B>: Copy {
     /// Their numbers.
     type Scalar: Scalar;
-    /// What the shapes are to each other.
+    /// The relation of the shapes to each other.
     #[doc(hidden)]
     fn relation(self, other: B) -> Relation<Self::Scalar>;
     /// The distance, 0 where the shapes touch or overlap: [`distance`](super::distance()).

@@ -12,7 +12,7 @@ pub trait Revolved: Copy {
     type Scalar: Scalar;
     /// Its section by a plane through the axis.
     type Section: Convex<Self::Scalar>;
-    /// Where the axis begins.
+    /// The start of the axis.
     fn start(self) -> Vec3<Self::Scalar>;
     /// The way from there to its end.
     fn axis(self) -> Vec3<Self::Scalar>;

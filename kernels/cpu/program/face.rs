@@ -17,7 +17,7 @@ pub struct Way {
     pub skipping: bool,
     /// Lanes of a slot, if not as usual.
     pub width: Option<usize>,
-    /// Whether it is machine code, from the first item on.
+    /// `true` for machine code, from the first item on.
     pub native: bool,
 }
 

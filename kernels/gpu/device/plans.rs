@@ -18,7 +18,7 @@ impl Call<f32> {
     ///
     /// # Errors
     ///
-    /// Those of recording it: a search has no kernel of its own.
+    /// Errors of recording it. A search has no kernel of its own.
     pub(crate) fn generated(&self, framed: bool) -> Result<Arc<Generated<f32>>, Error> {
         let (recording, mode) = (&*self.recording, self.mode);
         recording.made(Key::Gpu(mode, framed), &|| {
@@ -42,7 +42,7 @@ impl Call<f32> {
     ///
     /// # Errors
     ///
-    /// Those of recording either.
+    /// Errors of recording either.
     #[doc(hidden)]
     pub fn with_kernels_of(&self, other: &Self) -> Result<Self, Error> {
         let own = match &self.recording.body {
