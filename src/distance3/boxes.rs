@@ -101,7 +101,7 @@ pub(super) fn upright<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> Relation<S> {
     Relation {
         apart: S::select(any, way.length(), most_of(gaps)),
         square: way.length_squared(),
-        normal: super::near::choose(any, across, out),
+        normal: Vec3::select(any, across, out),
         on_a: vector(0),
         on_b: vector(1),
     }

@@ -1,6 +1,6 @@
 //! The cores that convex shapes of space are made of: a point, a segment, a triangle, a tetrahedron, a box.
 use super::deep::{PartingPlane, box_faces, triangle_face};
-use super::near::{Edge, Low, Nearest, choose, edge_near, face_near, square_of};
+use super::near::{Edge, Low, Nearest, edge_near, face_near, square_of};
 use crate::distance::share::Best;
 use crate::scalar::largest;
 use crate::{Scalar, Vec3};
@@ -18,7 +18,7 @@ pub trait Core<S: Scalar>: Copy {
     type Ways: AsRef<[Vec3<S>]>;
     /// 0 for a point, 1 for a segment, 2 for a triangle, 3 for what has a volume.
     const DIMENSION: usize;
-    /// Whether corners are computed from a centre, to which a distance from the origin would cost digits. Corners
+    /// `true` if corners are computed from a centre, to which a distance from the origin would cost digits. Corners
     /// that are given lose some where they are moved.
     const CENTERED: bool = false;
     /// A point of it, from which the others are seen.
@@ -55,7 +55,7 @@ pub trait Core<S: Scalar>: Copy {
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn lower<S: Scalar>(normal: Vec3<S>, from: Vec3<S>, one: Vec3<S>, other: Vec3<S>) -> Vec3<S> {
     let height = |point: Vec3<S>| normal.dot(point - from);
-    choose(height(other).below(height(one)), other, one)
+    Vec3::select(height(other).below(height(one)), other, one)
 }
 
 /// How far points are from another one at most.
@@ -336,7 +336,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         let others = (0..3).filter(|&k| k != way);
         others.fold(self.center, |at, k| {
             let up = normal.dot(arms[k]).above(S::zero());
-            at + choose(up, -arms[k], arms[k])
+            at + Vec3::select(up, -arms[k], arms[k])
         })
     }
     #[cfg_attr(not(debug_assertions), inline(always))]

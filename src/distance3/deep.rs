@@ -3,7 +3,7 @@
 //! The gap along any direction of length one is at most the signed distance, and of some face's normal, or some normal
 //! of two edges, it is just that. A direction that is mostly rounding costs nothing.
 use super::core::{BoxCore, Core};
-use super::near::{choose, normal};
+use super::near::normal;
 use crate::{Scalar, Vec3};
 
 /// A plane between two cores, and the points that it touches.
@@ -42,14 +42,14 @@ impl<S: Scalar> PartingPlane<S> {
         let sum = |a: S, b: S| S::select(tie, a + b, S::select(keep, a, b));
         let first = keep | tie;
         let both = tie & self.normal.dot(other.normal).above(S::lit(0.5));
-        let sums = |a: Vec3<S>, b: Vec3<S>| choose(both, a + b, choose(first, a, b));
+        let sums = |a: Vec3<S>, b: Vec3<S>| Vec3::select(both, a + b, Vec3::select(first, a, b));
         let (p, q) = (self.points, other.points);
         PartingPlane {
             value: S::select(first, self.value, other.value),
             ahead: sum(self.ahead, other.ahead),
             count: sum(self.count, other.count),
             faces: S::select(first, self.faces, other.faces),
-            normal: choose(first, self.normal, other.normal),
+            normal: Vec3::select(first, self.normal, other.normal),
             on_a: sums(self.on_a, other.on_a),
             on_b: sums(self.on_b, other.on_b),
             points: S::select(both, p + q, S::select(first, p, q)),

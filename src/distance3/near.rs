@@ -109,13 +109,6 @@ impl<S: Scalar> Carry<S> for Low<S> {
     }
 }
 
-/// `yes` where the mask is true, else `no`.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn choose<S: Scalar>(mask: S::Mask, yes: Vec3<S>, no: Vec3<S>) -> Vec3<S> {
-    let one = |yes: S, no: S| S::select(mask, yes, no);
-    Vec3::new(one(yes.x, no.x), one(yes.y, no.y), one(yes.z, no.z))
-}
-
 /// The vector without derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn constant<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
@@ -142,11 +135,11 @@ pub(super) struct Normal<S: Scalar> {
     pub long: Vec3<S>,
     /// The square of its length, or one where that is so short that it counts as none.
     pub square: S,
-    /// Of length one; zero where the product counts as none.
+    /// The vector with length one; zero where the product counts as none.
     pub unit: Vec3<S>,
-    /// Where the product counts as none: the features are parallel or points.
+    /// `true` if the product counts as none: the features are parallel or points.
     pub none: S::Mask,
-    /// Where its direction has at least half the digits of the format.
+    /// `true` if its direction has at least half the digits of the format.
     pub clear: S::Mask,
 }
 
@@ -167,7 +160,7 @@ pub(super) fn normal<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> Normal<S> {
     let clear = square.above(along * v.length_squared() * S::lit(S::EPSILON));
     let square = S::select(none, S::one(), square);
     let over = S::one().over(square.root());
-    let unit = choose(none, Vec3::zero(), long * over);
+    let unit = Vec3::select(none, Vec3::zero(), long * over);
     Normal {
         long,
         square,
@@ -183,10 +176,10 @@ pub(super) fn normal<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> Normal<S> {
 fn across<S: Scalar>(normal: Normal<S>, way: Vec3<S>) -> (Vec3<S>, Vec3<S>) {
     let height = normal.unit.dot(way);
     let turned = height.below(S::zero());
-    let direction = choose(turned, -normal.unit, normal.unit);
+    let direction = Vec3::select(turned, -normal.unit, normal.unit);
     (
-        choose(normal.clear, normal.unit * height, way),
-        choose(normal.clear, direction, Vec3::zero()),
+        Vec3::select(normal.clear, normal.unit * height, way),
+        Vec3::select(normal.clear, direction, Vec3::zero()),
     )
 }
 
@@ -203,8 +196,8 @@ pub(super) fn edge_near<S: Scalar>(edge: Edge<S>, corner: Vec3<S>) -> Best<S, Ne
     // It is at most one half.
     let t = S::select(point, S::lit(0.5), free).most(S::zero());
     let step = edge.along * t;
-    let apart = choose(near, arm - step, step - back);
-    let on_a = choose(near, edge.from + step, edge.to - step);
+    let apart = Vec3::select(near, arm - step, step - back);
+    let on_a = Vec3::select(near, edge.from + step, edge.to - step);
     Nearest::of(apart, on_a, corner)
 }
 
@@ -217,7 +210,7 @@ pub(super) fn face_near<S: Scalar>(face: [Vec3<S>; 3], corner: Vec3<S>) -> Best<
     let [a, b, c] = face;
     let [ab, bc, ca] = [b - a, c - b, a - c].map(Vec3::length_squared);
     let (at_c, at_b) = (bc.below(ab) & ca.below(ab), bc.below(ca) & ab.at_most(ca));
-    let pick = |first, second, third| choose(at_c, third, choose(at_b, second, first));
+    let pick = |first, second, third| Vec3::select(at_c, third, Vec3::select(at_b, second, first));
     let face = [pick(a, b, c), pick(b, c, a), pick(c, a, b)];
     let (u, v, arm) = (face[1] - face[0], face[2] - face[0], corner - face[0]);
     let normal = normal(u, v);

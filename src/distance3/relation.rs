@@ -1,13 +1,13 @@
 //! Two cores of space against each other, once for all functions of distance.
 use super::core::Core;
 use super::deep::{PartingPlane, SLACK, deepest};
-use super::near::{Nearest, choose, constant, edges_near};
+use super::near::{Nearest, constant, edges_near};
 use crate::distance::edge::scale_of;
 use crate::distance::share::Best;
 use crate::scalar::speck;
 use crate::{Scalar, Vec3};
 
-/// What two shapes are to each other.
+/// The relation of two shapes to each other.
 #[derive(Clone, Copy, Debug)]
 pub struct Relation<S> {
     /// The signed distance.
@@ -35,7 +35,7 @@ impl<S: Scalar> Relation<S> {
             ..self
         }
     }
-    /// Of shapes whose points are at most some radii from these.
+    /// The relation of shapes whose points are at most some radii from these.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn inflated(self, radius_a: S, radius_b: S) -> Self {
@@ -63,7 +63,7 @@ pub(super) fn direction<S: Scalar>(way: Vec3<S>) -> Vec3<S> {
     let none = length.at_most(S::zero());
     let over = S::select(none, S::one(), length);
     let unit = Vec3::new(way.x.over(over), way.y.over(over), way.z.over(over));
-    choose(length.at_most(S::lit(speck::<S>())), constant(unit), unit)
+    Vec3::select(length.at_most(S::lit(speck::<S>())), constant(unit), unit)
 }
 
 /// From where two cores are seen, and the units: those of their extent, so that no product over- or underflows. All
@@ -130,7 +130,7 @@ fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Nearest<S> {
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn joined<S: Scalar>(near: Nearest<S>, deep: Option<PartingPlane<S>>) -> Relation<S> {
     let given = near.normal.length_squared().above(S::zero());
-    let direction = choose(given, direction(near.normal), direction(near.apart));
+    let direction = Vec3::select(given, direction(near.normal), direction(near.apart));
     let length = near.apart.length();
     // Duals of the length of a speck pass through numbers beyond the largest one.
     let along = near.apart.dot(constant(direction));
@@ -162,9 +162,9 @@ fn joined<S: Scalar>(near: Nearest<S>, deep: Option<PartingPlane<S>>) -> Relatio
     Relation {
         apart: S::select(inside, ahead, length),
         square: S::select(overlap, S::zero(), square),
-        normal: choose(inside, deep.normal, direction),
-        on_a: choose(inside, deep.on_a, near.on_a),
-        on_b: choose(inside, deep.on_b, near.on_b),
+        normal: Vec3::select(inside, deep.normal, direction),
+        on_a: Vec3::select(inside, deep.on_a, near.on_a),
+        on_b: Vec3::select(inside, deep.on_b, near.on_b),
     }
 }
 

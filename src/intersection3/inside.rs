@@ -1,15 +1,8 @@
-//! Where a line of space is inside of convex pieces.
+//! Ranges of a line of space inside of convex pieces.
 use crate::distance::share::{Best, Carry};
 use crate::{Scalar, Vec3};
 
-/// `yes` where the mask is true, else `no`.
-#[inline(always)]
-pub(super) fn choose<S: Scalar>(mask: S::Mask, yes: Vec3<S>, no: Vec3<S>) -> Vec3<S> {
-    let one = |yes: S, no: S| S::select(mask, yes, no);
-    Vec3::new(one(yes.x, no.x), one(yes.y, no.y), one(yes.z, no.z))
-}
-
-/// A parameter and the normal at it. Where several tie, the parameter shares the derivative and the first normal is
+/// A parameter and the normal at it. If several tie, the parameter shares the derivative and the first normal is
 /// taken.
 #[derive(Clone, Copy, Debug)]
 pub struct Border<S> {
@@ -24,7 +17,7 @@ impl<S: Scalar> Carry<S> for Border<S> {
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
         Border {
             t: self.t.join(other.t, keep, tie),
-            normal: choose(keep | tie, self.normal, other.normal),
+            normal: Vec3::select(keep | tie, self.normal, other.normal),
         }
     }
     #[inline(always)]
@@ -45,13 +38,13 @@ pub struct Beam<S> {
     pub along: Vec3<S>,
 }
 
-/// Where a beam enters and leaves a convex piece; empty where it enters at the largest number and leaves at the
-/// smallest.
+/// The range of a beam inside a convex piece. It is empty if the beam enters at the largest number and leaves at
+/// the smallest.
 #[derive(Clone, Copy, Debug)]
 pub struct Inside<S> {
-    /// Where it enters.
+    /// The parameter and normal at which it enters.
     pub enter: Best<S, Border<S>>,
-    /// Where it leaves.
+    /// The parameter and normal at which it leaves.
     pub exit: Best<S, Border<S>>,
 }
 
@@ -62,7 +55,7 @@ fn unit<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
     let none = square.at_most(S::lit(S::EPSILON.powi(4)));
     let length = S::select(none, S::one(), square).root();
     let over = S::one().over(length);
-    choose(none, Vec3::zero(), v * over)
+    Vec3::select(none, Vec3::zero(), v * over)
 }
 
 /// A vector's part along an axis of length one, and across it.
@@ -98,12 +91,12 @@ impl<S: Scalar> Inside<S> {
         self.exit.value = S::select(empty, -large, self.exit.value);
         self
     }
-    /// Whether it is nowhere.
+    /// `true` for an empty range.
     #[inline(always)]
     pub fn is_empty(&self) -> S::Mask {
         self.exit.value.below(self.enter.value)
     }
-    /// What both have in common.
+    /// The range that both have in common.
     #[must_use]
     #[inline(always)]
     pub fn meet(self, other: Self) -> Self {
@@ -172,7 +165,7 @@ impl<S: Scalar> Inside<S> {
             let normal = outwards(arm + along * t, radius);
             Border {
                 t: S::select(parallel, end, t),
-                normal: choose(parallel, Vec3::zero(), normal),
+                normal: Vec3::select(parallel, Vec3::zero(), normal),
             }
         };
         let within = arm.length().at_most(radius);
@@ -224,7 +217,7 @@ impl<S: Scalar> Inside<S> {
         };
         let pick = |open: S::Mask, t: S, found: Border<S>| Border {
             t: S::select(open, t, found.t),
-            normal: choose(open, end(t).normal, found.normal),
+            normal: Vec3::select(open, end(t).normal, found.normal),
         };
         let inside = Inside::new(
             pick(!through & !ahead, -large, enter),
@@ -241,5 +234,5 @@ impl<S: Scalar> Inside<S> {
 fn outwards<S: Scalar>(arm: Vec3<S>, radius: S) -> Vec3<S> {
     let none = radius.at_most(S::zero());
     let over = S::one().over(S::select(none, S::one(), radius));
-    choose(none, Vec3::zero(), arm * over)
+    Vec3::select(none, Vec3::zero(), arm * over)
 }

@@ -32,7 +32,7 @@ use crate::{Scalar, Vec3};
 pub mod inside;
 pub mod pierced;
 
-use inside::{Beam, Border, choose};
+use inside::{Beam, Border};
 pub use pierced::Pierced;
 use pierced::size_of;
 
@@ -133,11 +133,11 @@ pub fn first_hit<S: Scalar, A: Pierced<Scalar = S>>(ray: Ray3<S>, shape: A) -> H
     let leaves = inside.found & inside.enter.t.below(zero) & ahead(inside.exit.t);
     let pick = |enter: S, exit: S, miss: S| S::select(enters, enter, S::select(leaves, exit, miss));
     let along = pick(inside.enter.t, inside.exit.t, zero);
-    let normal = choose(leaves, inside.exit.normal, Vec3::zero());
+    let normal = Vec3::select(leaves, inside.exit.normal, Vec3::zero());
     Hit3 {
         parameter: pick(inside.enter.t, inside.exit.t, large).canonical(),
         point: ray.point_at(along),
-        normal: choose(enters, inside.enter.normal, normal).canonical(),
+        normal: Vec3::select(enters, inside.enter.normal, normal).canonical(),
         kind: pick(S::one(), S::lit(2.0), zero),
     }
 }
@@ -177,11 +177,11 @@ pub fn first_hit_triangle<S: Scalar>(ray: Ray3<S>, triangle: Triangle3<S>) -> Hi
     let hit = (u & v & w | x & y & z) & !parallel & t.at_least(zero);
     let t = t.over(scale).over(length).saturated();
     let unit = normal.normalize_or_zero();
-    let facing = choose(rate.above(zero), -unit, unit);
+    let facing = Vec3::select(rate.above(zero), -unit, unit);
     Hit3 {
         parameter: S::select(hit, t, large).canonical(),
         point: ray.point_at(S::select(hit, t, zero)),
-        normal: choose(hit, facing, Vec3::zero()).canonical(),
+        normal: Vec3::select(hit, facing, Vec3::zero()).canonical(),
         kind: S::select(hit, S::one(), zero),
     }
 }

@@ -1,5 +1,5 @@
 //! Shapes of space that lines pierce.
-use super::inside::{Beam, Inside, choose};
+use super::inside::{Beam, Inside};
 use crate::distance3::apart::Cored;
 use crate::distance3::core::{BoxCore, Core};
 use crate::scalar::largest;
@@ -18,7 +18,7 @@ pub trait Pierced: Copy {
     fn anchor(self) -> Vec3<Self::Scalar>;
     /// How far it reaches from there, as a constant.
     fn extent(self) -> <Self::Scalar as Scalar>::Primal;
-    /// Where a beam is inside, both seen from the anchor in units of `1 / scale`.
+    /// The range of a beam inside, both seen from the anchor in units of `1 / scale`.
     fn inside(self, beam: Beam<Self::Scalar>, scale: Self::Scalar) -> Inside<Self::Scalar>;
 }
 
@@ -193,7 +193,7 @@ impl<S: Scalar> Pierced for Tetrahedron<S> {
         let faces = placed.faces().into_iter();
         let inside = faces.fold(Inside::everywhere(), |inside, face| {
             let normal = face.twice_area_normal().normalize_or_zero();
-            inside.behind(beam, face.a, choose(inwards, -normal, normal))
+            inside.behind(beam, face.a, Vec3::select(inwards, -normal, normal))
         });
         inside.unless(flat)
     }

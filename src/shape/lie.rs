@@ -114,12 +114,6 @@ fn by_left_jacobian_inverse<S: Scalar>(v: Vec3<S>, x: Vec3<S>) -> Vec3<S> {
     x * a - (v.cross(x) * S::lit(0.5) - v * (v.dot(x) * c))
 }
 
-/// Where the mask is true the first vector, else the second.
-fn choose<S: Scalar>(mask: S::Mask, yes: Vec3<S>, no: Vec3<S>) -> Vec3<S> {
-    let pick = |yes, no| S::select(mask, yes, no);
-    Vec3::new(pick(yes.x, no.x), pick(yes.y, no.y), pick(yes.z, no.z))
-}
-
 impl<S: Scalar> Rotation3<S> {
     /// The left Jacobian of the exponential at a rotation vector, column by column: a small change δ of the vector
     /// turns the rotation by `J δ` radians about the world's axes.
@@ -222,15 +216,15 @@ impl<S: Scalar> Rotation3<S> {
         let empty = |v: Vec3<S>| v.x.equals(zero) & v.y.equals(zero) & v.z.equals(zero);
         let ex = Vec3::new(one, zero, zero);
         let (ey, ez) = (Vec3::new(zero, one, zero), Vec3::new(zero, zero, one));
-        let a = choose(empty(x), ex, unit(x));
+        let a = Vec3::select(empty(x), ex, unit(x));
         let side = a.cross(unit(y));
         // The sine of an angle that is rounding only.
         let parallel = side.length().at_most(S::lit(4.0 * S::EPSILON));
         // The world's axis that is farthest from the first.
         let (ax, ay, az) = (a.x.magnitude(), a.y.magnitude(), a.z.magnitude());
-        let other = choose(ay.at_most(az), ey, ez);
-        let other = choose(ax.at_most(ay) & ax.at_most(az), ex, other);
-        let c = choose(parallel, a.cross(other), side).normalize_or_zero();
+        let other = Vec3::select(ay.at_most(az), ey, ez);
+        let other = Vec3::select(ax.at_most(ay) & ax.at_most(az), ex, other);
+        let c = Vec3::select(parallel, a.cross(other), side).normalize_or_zero();
         Rotation3::from_axes([a, c.cross(a), c])
     }
 }

@@ -27,13 +27,20 @@ pub struct Line2<S> {
     pub direction: Vec2<S>,
 }
 
-/// `Ok` for a direction that is not zero.
-fn has_direction<S: Scalar<Mask = bool>>(shape: &Line2<S>) -> Result<(), Flaw> {
-    let Vec2 { x, y } = shape.direction;
-    match x.equals(S::zero()) && y.equals(S::zero()) {
+/// `Ok` for coordinates of a direction that are not all zero.
+pub(super) fn not_zero<S: Scalar<Mask = bool>, const N: usize>(
+    direction: [S; N],
+) -> Result<(), Flaw> {
+    match direction.iter().all(|x| x.equals(S::zero())) {
         true => Err(Flaw::Zero(Field::new("direction"))),
         false => Ok(()),
     }
+}
+
+/// `Ok` for a direction that is not zero.
+fn has_direction<S: Scalar<Mask = bool>>(shape: &Line2<S>) -> Result<(), Flaw> {
+    let Vec2 { x, y } = shape.direction;
+    not_zero([x, y])
 }
 
 impl<S> Line2<S> {

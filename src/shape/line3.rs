@@ -1,5 +1,6 @@
 //! Lines in space.
-use crate::error::{Field, Flaw, Validate};
+use super::line::not_zero;
+use crate::error::{Flaw, Validate};
 use crate::shape::Pose3;
 use crate::{Scalar, Shape, Vec3};
 use std::ops::Mul;
@@ -25,11 +26,8 @@ pub struct Line3<S> {
 
 /// `Ok` for a direction that is not zero.
 fn has_direction<S: Scalar<Mask = bool>>(shape: &Line3<S>) -> Result<(), Flaw> {
-    let (Vec3 { x, y, z }, zero) = (shape.direction, S::zero());
-    match x.equals(zero) && y.equals(zero) && z.equals(zero) {
-        true => Err(Flaw::Zero(Field::new("direction"))),
-        false => Ok(()),
-    }
+    let Vec3 { x, y, z } = shape.direction;
+    not_zero([x, y, z])
 }
 
 impl<S> Line3<S> {

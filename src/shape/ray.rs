@@ -1,5 +1,6 @@
 //! Rays of the plane.
-use crate::error::{Field, Flaw, Validate};
+use super::line::not_zero;
+use crate::error::{Flaw, Validate};
 use crate::{Line2, Pose2, Scalar, Shape, Vec2};
 use std::ops::Mul;
 
@@ -26,10 +27,7 @@ pub struct Ray2<S> {
 /// `Ok` for a direction that is not zero.
 fn has_direction<S: Scalar<Mask = bool>>(shape: &Ray2<S>) -> Result<(), Flaw> {
     let Vec2 { x, y } = shape.direction;
-    match x.equals(S::zero()) && y.equals(S::zero()) {
-        true => Err(Flaw::Zero(Field::new("direction"))),
-        false => Ok(()),
-    }
+    not_zero([x, y])
 }
 
 impl<S> Ray2<S> {

@@ -207,6 +207,12 @@ impl<S: Scalar> Vec2<S> {
 }
 
 impl<S: Scalar> Vec3<S> {
+    /// `yes` where the mask is true, else `no`.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
+        let pick = |yes: S, no: S| S::select(mask, yes, no);
+        Vec3::new(pick(yes.x, no.x), pick(yes.y, no.y), pick(yes.z, no.z))
+    }
     /// The length; derivative zero at the zero vector.
     #[must_use]
     #[inline(always)]
