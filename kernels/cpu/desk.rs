@@ -7,6 +7,7 @@ use crate::kernels::cpu::work::spread;
 use crate::kernels::item::{Column, Piece, STRETCH, Target};
 use crate::kernels::real::Real;
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Items per block: with their results few enough for the innermost cache.
 const ITEMS: usize = 256;
@@ -16,17 +17,20 @@ pub struct Aligned<'a, T> {
     /// The plan by which the items are computed.
     pub face: &'a Face<T>,
     /// The shapes, then the cotangents.
-    pub columns: Vec<Column<'a, T>>,
+    pub columns: &'a [Column<'a, T>],
     /// `true` if some shapes may be too rare for kernels.
     pub rare: bool,
     /// How many items.
     pub count: usize,
+    /// `true` if numbers were not checked: every stretch is, just before it is computed, while its numbers are near.
+    pub unchecked: bool,
     /// The targets of the results, for every shape of a result.
     pub targets: Vec<Option<Target<'a, T>>>,
 }
 
-/// Computes aligned items on all threads.
-pub fn compute<T: Real>(work: Aligned<'_, T>) {
+/// Computes aligned items on all threads; `false` if some numbers that nobody had checked are doubtful. Results are then
+/// not all there.
+pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
     let mut pieces: Vec<Vec<Option<Piece<'_, T>>>> = Vec::new();
     pieces.resize_with(work.count.div_ceil(STRETCH), Vec::new);
     for target in work.targets {
@@ -39,7 +43,8 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) {
             None => pieces.iter_mut().for_each(|piece| piece.push(None)),
         }
     }
-    let (face, columns, rare, count) = (work.face, &work.columns, work.rare, work.count);
+    let (face, columns, rare, count) = (work.face, work.columns, work.rare, work.count);
+    let (unchecked, is_doubtful) = (work.unchecked, AtomicBool::new(false));
     let work = pieces.into_iter().enumerate().collect();
     spread(
         work,
@@ -65,10 +70,15 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) {
                 numbers,
                 rare,
             };
+            if unchecked && !stretch.is_sound() {
+                is_doubtful.store(true, Ordering::Relaxed);
+                return;
+            }
             stretch.compute(items.len(), &mut places);
             pieces.into_iter().flatten().for_each(Piece::finish);
         },
     );
+    !is_doubtful.into_inner()
 }
 
 /// Items that one thread computes.
@@ -82,6 +92,13 @@ struct Stretch<'a, T> {
 }
 
 impl<T: Real> Stretch<'_, T> {
+    /// `true` if all numbers are valid, which a quick look tells of nearly all that are.
+    fn is_sound(&self) -> bool {
+        self.numbers.iter().enumerate().all(|(k, numbers)| {
+            let own = self.face.arguments.get(k);
+            own.map_or(T::kernels().all_finite, |x| x.all_ordinary)(numbers)
+        })
+    }
     fn compute(&self, count: usize, places: &mut [Option<&mut [T]>]) {
         let face = self.face;
         let is_plain = !self.rare && face.arguments.iter().all(|x| x.frame.is_none());

@@ -31,7 +31,7 @@ macro_rules! drivers {
 
 drivers! {
     plan: fn(&Call<T>, bool) -> Result<Arc<Face<T>>, Error> = plan::plan;
-    aligned: fn(Aligned<'_, T>) = desk::compute;
+    aligned: fn(Aligned<'_, T>) -> bool = desk::compute;
     planes: fn(&Pairs<'_, T>, &mut [T]) = pairs::planes;
     pull_back: fn(&Pairs<'_, T>, Upstream<'_, T>, &mut [T], &mut [T]) = pairs::pull_back;
     row_max: fn(&Pairs<'_, T>) -> Vec<Best<T>> = reductions::row_max;

@@ -2,7 +2,7 @@
 use super::Mode;
 use super::rows::{Layout, Rows, renamed};
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::aligned::{checked, compute};
+use crate::kernels::cpu::aligned::{checked, compute, compute_unchecked, items};
 use crate::kernels::cpu::all_pairs::Bearable;
 use crate::kernels::cpu::checked::{check, entries, expect};
 use crate::kernels::cpu::pairs::Pairs;
@@ -80,15 +80,45 @@ impl<T: Real> Function<T> {
     /// [`Error::Length`] for columns of different lengths, [`Error::Invalid`] for a row that is not valid.
     pub fn aligned(&self, rows: &[Rows<'_, T>]) -> Result<Vec<Vec<T>>, Error> {
         let face = self.plan(false)?;
-        let (columns, count, rare) = self.columns(&face, rows)?;
+        let count = self.count(&face, &self.listed(rows)?)?;
         let mut lists = Vec::with_capacity(face.gives.len());
         for &fields in &face.gives {
             lists.push(vec![T::default(); entries(count, 1, fields)?]);
         }
-        let targets = lists.iter_mut().zip(&face.gives);
-        let targets = targets.map(|(list, &fields)| Some(Target::of_rows(list, fields)));
-        compute(&face, columns, rare, count, targets.collect());
+        let mut results: Vec<Option<&mut [T]>> =
+            lists.iter_mut().map(|list| Some(&mut list[..])).collect();
+        self.aligned_into_new(rows, &mut results)?;
+        drop(results);
         Ok(lists)
+    }
+
+    /// [`aligned_into`](Function::aligned_into) for slices that nobody has seen: they may be written on an error, so that
+    /// numbers can be checked while they are near.
+    ///
+    /// # Errors
+    ///
+    /// As [`aligned_into`](Function::aligned_into).
+    pub fn aligned_into_new(
+        &self,
+        rows: &[Rows<'_, T>],
+        results: &mut [Option<&mut [T]>],
+    ) -> Result<(), Error> {
+        let face = self.plan(false)?;
+        let columns = self.listed(rows)?;
+        let count = self.count(&face, &columns)?;
+        let new = targets(&face.gives, count, results)?;
+        match compute_unchecked(&face, &columns, count, new) {
+            true => Ok(()),
+            false => self.aligned_into(rows, results),
+        }
+    }
+    /// How many items there are.
+    fn count(
+        &self,
+        face: &Face<T>,
+        columns: &[crate::kernels::item::Column<'_, T>],
+    ) -> Result<usize, Error> {
+        items(&face.arguments, columns).map_err(|e| renamed(e, &self.names))
     }
 
     /// [`aligned`](Function::aligned) into the caller's slices: one for every column of the result, or `None` for
@@ -106,7 +136,7 @@ impl<T: Real> Function<T> {
         let face = self.plan(false)?;
         let (columns, count, rare) = self.columns(&face, rows)?;
         let targets = targets(&face.gives, count, results)?;
-        compute(&face, columns, rare, count, targets);
+        compute(&face, &columns, rare, count, targets);
         Ok(())
     }
 

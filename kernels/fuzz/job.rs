@@ -469,6 +469,6 @@ fn run_columns<T: Real>(face: &Face<T>, columns: Vec<Column<'_, T>>) -> Result<V
     let mut lists: Vec<Vec<T>> = lists.collect();
     let targets = lists.iter_mut().zip(&face.gives);
     let targets = targets.map(|(list, &fields)| Some(Target::of_rows(list, fields)));
-    compute(face, columns, rare, count, targets.collect());
+    compute(face, &columns, rare, count, targets.collect());
     Ok(lists)
 }

@@ -126,8 +126,10 @@ impl<'py> Call<'_, 'py> {
         for guard in &mut guards {
             slices.push(guard.as_mut().map(written).transpose()?);
         }
-        let machine = &self.machine;
-        self.run(count, || T::aligned(function, machine, &rows, &mut slices))?;
+        let (machine, is_new) = (&self.machine, self.out.is_none());
+        self.run(count, || {
+            T::aligned(function, machine, &rows, &mut slices, is_new)
+        })?;
         drop(slices);
         drop(guards);
         let mut results = Vec::with_capacity(gives.len());

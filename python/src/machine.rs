@@ -71,6 +71,7 @@ pub trait OnMachine: geograd::kernels::real::Real {
         on: &Machine,
         rows: &[Rows<'_, Self>],
         out: &mut [Option<&mut [Self]>],
+        is_new: bool,
     ) -> Result<(), Error>;
     fn all_pairs(
         f: &Function<Self>,
@@ -140,8 +141,8 @@ macro_rules! on_machine {
     ($T:ty, $on:ident => $all_pairs:expr, $aligned:expr, $($backend:expr)?; $row_max:ident $column_max:ident $above:ident
      $count_above:ident $sum:ident $mean:ident $sum_grad:ident $mean_grad:ident $all_pairs_vjp:ident $values:ident $vjp:ident) => {
         impl OnMachine for $T {
-            fn aligned(f: &Function<$T>, $on: &Machine, rows: &[Rows<'_, $T>], out: &mut [Option<&mut [$T]>]) -> Result<(), Error> {
-                $aligned(f, $on, rows, out)
+            fn aligned(f: &Function<$T>, $on: &Machine, rows: &[Rows<'_, $T>], out: &mut [Option<&mut [$T]>], is_new: bool) -> Result<(), Error> {
+                $aligned(f, $on, rows, out, is_new)
             }
             fn all_pairs(f: &Function<$T>, $on: &Machine, [a, b]: [Rows<'_, $T>; 2], out: &mut [$T]) -> Result<(), Error> {
                 $all_pairs(f, $on, [a, b], out)
@@ -190,19 +191,33 @@ macro_rules! on_machine {
     };
 }
 on_machine!(f64, _on => |f: &Function<f64>, _: &Machine, [a, b]: [Rows<'_, f64>; 2], out: &mut [f64]| f.all_pairs_into(a, b, out),
-    |f: &Function<f64>, _: &Machine, rows: &[Rows<'_, f64>], out: &mut [Option<&mut [f64]>]| f.aligned_into(rows, out), ;
+    |f: &Function<f64>, _: &Machine, rows: &[Rows<'_, f64>], out: &mut [Option<&mut [f64]>], is_new: bool| aligned_on_cpu(f, rows, out, is_new), ;
     row_max column_max above count_above sum mean sum_grad mean_grad all_pairs_vjp values vjp);
 on_machine!(f32, on => pairs_of_singles, aligned_singles, on.backend();
     row_max_on column_max_on above_on count_above_on sum_on mean_on sum_grad_on mean_grad_on all_pairs_vjp_on values_on vjp_on);
+
+/// Into arrays of the caller, or into new ones, which an error may leave written.
+fn aligned_on_cpu<T: geograd::kernels::real::Real>(
+    f: &Function<T>,
+    rows: &[Rows<'_, T>],
+    out: &mut [Option<&mut [T]>],
+    is_new: bool,
+) -> Result<(), Error> {
+    match is_new {
+        true => f.aligned_into_new(rows, out),
+        false => f.aligned_into(rows, out),
+    }
+}
 
 fn aligned_singles(
     f: &Function<f32>,
     on: &Machine,
     rows: &[Rows<'_, f32>],
     out: &mut [Option<&mut [f32]>],
+    is_new: bool,
 ) -> Result<(), Error> {
     let Machine::Gpu(_) = on else {
-        return f.aligned_into(rows, out);
+        return aligned_on_cpu(f, rows, out, is_new);
     };
     let lists = f.aligned_on(on.backend(), rows)?;
     for (list, out) in lists.iter().zip(out) {

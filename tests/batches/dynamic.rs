@@ -232,6 +232,42 @@ fn one_row_stands_for_all() {
 }
 
 #[test]
+fn a_flaw_far_down_is_the_same_error_in_new_arrays_and_in_old_ones() {
+    // A program checks the numbers of a stretch just before it computes them, where results are new.
+    let row = operation("distance_point_segment").expect("is listed");
+    let distance = row.value::<f32>().expect("is listed");
+    let mut draw = Draw::new(11);
+    let numbers: Vec<f32> = (0..6 * 5000).map(|_| draw.unit() as f32).collect();
+    let (points, segments) = numbers.split_at(2 * 5000);
+    let found = distance
+        .aligned(&[Rows::new(points, 2), Rows::new(segments, 4)])
+        .unwrap();
+    for item in [0, 2047, 2048, 4999] {
+        let mut wrong = segments.to_vec();
+        wrong[4 * item + 3] = f32::NAN;
+        let rows = [Rows::new(points, 2), Rows::new(&wrong, 4)];
+        let error = Error::Invalid {
+            argument: Argument::named("segment"),
+            item,
+            flaw: Flaw::NotFinite(Segment2::<f32>::name(3)),
+        };
+        assert_eq!(distance.aligned(&rows).err(), Some(error));
+        let mut old = vec![7.0_f32; 5000];
+        let refused = distance.aligned_into(&rows, &mut [Some(&mut old)]);
+        assert_eq!(refused, Err(error));
+        assert!(old.iter().all(|&x| x == 7.0));
+        let refused = distance.aligned_into_new(&rows, &mut [Some(&mut old)]);
+        assert_eq!(refused, Err(error));
+        // Stretches without a flaw may be there.
+        let whole = [Rows::new(points, 2), Rows::new(segments, 4)];
+        distance
+            .aligned_into_new(&whole, &mut [Some(&mut old)])
+            .unwrap();
+        assert_eq!(old, found[0]);
+    }
+}
+
+#[test]
 fn all_pairs_and_reductions_are_those_of_the_typed_face() {
     let (a, b) = (boxes(&BOXES), boxes(&TRUTHS));
     let (rows, columns) = (Rows::new(&BOXES, 5), Rows::new(&TRUTHS, 5));

@@ -228,8 +228,9 @@ where
         targets.insert(0, Some(Target::of_rows(&mut shared_bars, wide)));
     }
     (T::drivers().aligned)(Aligned {
+        unchecked: false,
         face: &body,
-        columns,
+        columns: &columns,
         rare: false,
         count,
         targets,
@@ -324,8 +325,9 @@ fn states<F: Fold, T: Real>(programs: &Programs, paths: &Paths<'_, T>) -> Result
     let mut states = vec![T::default(); count * state];
     let targets = vec![Some(Target::of_rows(&mut states, state))];
     (T::drivers().aligned)(Aligned {
+        unchecked: false,
         face: &body,
-        columns: paths.columns(wide, None),
+        columns: &paths.columns(wide, None),
         rare: false,
         count,
         targets,
