@@ -210,6 +210,46 @@ def in_geograd_out(function, rows, columns):
     return call
 
 
+def of_columns(function, columns):
+    """The function of a number a column, as `def own(x0: float, x1: float, ...)` would be."""
+    names = [f"x{k}" for k in range(len(columns))]
+    scope = {"function": function, "m": Of(geograd)}
+    exec(f"def own({', '.join(f'{name}: float' for name in names)}): return function(m, ({', '.join(names)},))", scope)
+    return geograd.function(scope["own"])
+
+
+class Columns:
+    """A call whose gradients are stacked the first time, to be compared."""
+
+    first = True
+
+    def __init__(self, call):
+        self.call = call
+
+    def __call__(self):
+        value, gradients = self.call()
+        if self.first:
+            self.first = False
+            return value, np.stack(gradients, -1)
+        return value, None
+
+
+def in_geograd_columns(function, rows, columns):
+    recorded = of_columns(function, columns)
+    return Columns(lambda: recorded.value_grad(*columns))
+
+
+def in_geograd_columns_out(function, rows, columns):
+    recorded = of_columns(function, columns)
+    out = tuple(np.empty(len(rows), np.float32) for _ in range(1 + len(columns)))
+
+    def call():
+        recorded.value_grad(*columns, out=out)
+        return out[0], out[1:]
+
+    return Columns(call)
+
+
 def in_torch(function, rows, columns, compiled=False):
     import torch
 
@@ -273,6 +313,8 @@ def in_jax(function, rows, columns):
 ENGINES = {
     "geograd": in_geograd,
     "geograd, out=": in_geograd_out,
+    "geograd, columns": in_geograd_columns,
+    "geograd, columns, out=": in_geograd_columns_out,
     "torch eager": in_torch,
     "torch.compile": lambda *x: in_torch(*x, compiled=True),
     "jax.jit": in_jax,
@@ -282,7 +324,7 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("what", choices=["iou", "overhead", "functions"])
     parser.add_argument("--count", type=int, help="rows: 100000 for iou, 1000000 for the others")
-    parser.add_argument("--engines", default=",".join(k for k in ENGINES if k != "geograd, out="), help="separated by semicolons")
+    parser.add_argument("--engines", default=";".join(ENGINES), help="separated by semicolons")
     options = parser.parse_args()
     sys.path.insert(0, os.path.dirname(__file__))
     if options.what == "iou":
