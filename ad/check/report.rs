@@ -127,49 +127,43 @@ impl Report {
     /// The meaning of the columns of a table.
     #[must_use]
     pub fn legend() -> &'static str {
-        "smooth, kink, undef: what kind of place the inputs were.\n\
-         adj-dual, adj-diff: how far the tested derivative was from duals and from differences in 99 of \
-         100 comparisons,\n  in units in the last place of the largest derivative of the same unit.\n\
-         used: how near the worst of all comparisons came to refusal, as a share of what the errors of both \
-         allow,\n  which are measured at each input; more than 100 % is refused.\n\
-         num-dual, adj-wide, adj-batch: the same share, against num-dual's numbers (derivatives by hand only), against \
-         double precision\n  and against a batch."
+        "Every gradient of a function was compared with those of other ways to compute it: dual numbers, differences of \
+         values,\n\
+         num-dual's numbers (where the gradient is by hand), the same function in double precision, and a batch.\n\
+         A share says how much of the error that both may have was used by the worst of all comparisons; that error is \
+         measured\n\
+         at every input. More than 100 % is refused; - was not compared. `--details` has the numbers.\n\
+         smooth, kink, undefined: whether the function has a derivative at an input, one on either side, or none."
     }
-    /// The line over the lines of a table; see [`legend`](Report::legend).
+    /// The lines over the lines of a table; see [`legend`](Report::legend).
     #[must_use]
     pub fn heading() -> String {
+        let groups = format!(
+            "{:<36} {:>6} | {:<31} | {:<45} |",
+            "", "", "inputs", "share of the allowed error, compared with"
+        );
         format!(
-            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>5} | {:>8} {:>5} | {:>8} | {:>8} | {:>9} | {}",
+            "{groups}\n{:<36} {:>6} | {:>7} {:>7} {:>5} {:>9} | {:>6} {:>11} {:>8} {:>8} {:>8} | verdict",
             "function",
-            "in",
-            "samples",
+            "format",
+            "judged",
             "smooth",
             "kink",
-            "undef",
-            "adj-dual",
-            "used",
-            "adj-diff",
-            "used",
+            "undefined",
+            "duals",
+            "differences",
             "num-dual",
-            "adj-wide",
-            "adj-batch",
-            "verdict"
+            "f64",
+            "batch",
         )
     }
     /// One line of a table.
     #[must_use]
     pub fn line(&self) -> String {
-        let asked = |worst: &Worst, text: String| {
-            if worst.count == 0 {
-                "-".to_owned()
-            } else {
-                text
-            }
-        };
-        let usual = |worst: &Worst| asked(worst, format!("<{:.0e}", worst.usual()));
         let used = |worst: &Worst| match worst.nearest.share {
-            share if share > 1.0 => asked(worst, ">100%".to_owned()),
-            share => asked(worst, format!("{:.0}%", 100.0 * share)),
+            _ if worst.count == 0 => "-".to_owned(),
+            share if share > 1.0 => ">100 %".to_owned(),
+            share => format!("{:.0} %", 100.0 * share),
         };
         let [dual, difference, _, wide, _, batch, num_dual] = &self.worst;
         let verdict = if self.passed() {
@@ -178,21 +172,18 @@ impl Report {
             format!("REFUSED ({} samples)", self.refused)
         };
         format!(
-            "{:<24} {:>4} {:>7} {:>7} {:>6} {:>6} | {:>8} {:>5} | {:>8} {:>5} | {:>8} | {:>8} | {:>9} | {}",
+            "{:<36} {:>6} | {:>7} {:>7} {:>5} {:>9} | {:>6} {:>11} {:>8} {:>8} {:>8} | {verdict}",
             self.name,
             self.precision.name(),
             self.samples,
             self.places[0],
             self.places[1],
             self.places[2],
-            usual(dual),
             used(dual),
-            usual(difference),
             used(difference),
             used(num_dual),
             used(wide),
             used(batch),
-            verdict
         )
     }
 }
