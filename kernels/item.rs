@@ -177,12 +177,14 @@ pub(crate) fn get<P: Fixed<Scalar: Real>>(numbers: &[P::Scalar]) -> P {
     if P::CODES == 0 {
         return shape;
     }
-    let codes = numbers[P::LEN..width::<P>()].iter();
+    shape.load_codes(&codes_of(&numbers[P::LEN..width::<P>()]))
+}
+
+/// Codes that are numbers of a column.
+fn codes_of<T: Real>(numbers: &[T]) -> Vec<u32> {
     // Codes beyond what a number of the format holds exactly are beyond any shape's size.
-    let codes: Vec<u32> = codes
-        .map(|&x| crate::scalar::float::Float::widen(x) as u32)
-        .collect();
-    shape.load_codes(&codes)
+    let code = |&x: &T| crate::scalar::float::Float::widen(x) as u32;
+    numbers.iter().map(code).collect()
 }
 
 /// A shape as the numbers of a column.

@@ -55,7 +55,7 @@ impl Mode {
 }
 
 /// A straight line as functions of lists of symbols: all that is made of one is compiled once.
-pub(crate) struct Line<T> {
+pub(crate) struct Line<T: 'static> {
     /// The type of its operation.
     id: fn() -> TypeId,
     /// The source of its derivatives.
@@ -78,13 +78,22 @@ impl<T: Plain> Line<T> {
             inputs: O::In::<Sym<T>>::LEN,
             outputs: O::Out::<Sym<T>>::LEN,
             codes: O::In::<Sym<T>>::CODES + O::Out::<Sym<T>>::CODES,
-            eval: |input| O::eval(O::In::<Sym<T>>::load(input)).scalars(),
+            // Functions and no closures, of which each would be compiled twice for every operation.
+            eval: eval::<O, T>,
             adjoint: match O::DERIVATIVE {
                 Derivative::ByHand => adjoint::<O, T>,
-                Derivative::Reverse | Derivative::Forward => |_, _| Vec::new(),
+                Derivative::Reverse | Derivative::Forward => nothing::<T>,
             },
         }
     }
+}
+
+/// The result.
+fn eval<O: Op, T: Plain>(input: &[Sym<T>]) -> Vec<Sym<T>> {
+    O::eval(O::In::<Sym<T>>::load(input)).scalars()
+}
+fn nothing<T>(_input: &[Sym<T>], _out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
+    Vec::new()
 }
 
 /// The result and the derivatives by hand. Without them they are NaN: the program fails to be finite, which nothing
@@ -107,9 +116,9 @@ pub(crate) struct Searched<T> {
 }
 
 /// The body of a function.
-pub(crate) enum Body<T> {
+pub(crate) enum Body<T: 'static> {
     /// A straight line, which is recorded when it is first needed.
-    Map(Line<T>),
+    Map(&'static Line<T>),
     /// A graph that is there.
     Graph(Arc<Recorded>),
     /// A search: decisions, then a straight line for every record.
@@ -176,6 +185,15 @@ pub struct Recording<T: Real> {
 }
 
 type Made = Arc<dyn Any + Send + Sync>;
+
+/// The parts of a recording of a straight line.
+struct Parts<T: Real> {
+    compiled: fn() -> Option<Compiled>,
+    takes: fn() -> Vec<Leaf<T>>,
+    outputs: fn() -> Vec<usize>,
+    arguments: &'static [&'static str],
+    line: &'static Line<T>,
+}
 
 impl<T: Real> fmt::Debug for Recording<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -245,14 +263,29 @@ impl<T: Real> Recording<T> {
         O: Op<In<T> = R>,
         O::Out<T>: Item<Scalar = T>,
     {
-        let made = known::<O, _>(|| {
+        Self::of_line(
+            TypeId::of::<O>(),
+            const {
+                &Parts {
+                    compiled: O::compiled,
+                    takes: leaves_of::<R>,
+                    outputs: widths::<O::Out<T>>,
+                    arguments: O::ARGUMENTS,
+                    line: const { &Line::of::<O>() },
+                }
+            },
+        )
+    }
+    /// The same without the types of the operation.
+    fn of_line(operation: TypeId, parts: &Parts<T>) -> Arc<Self> {
+        let made = known_by(operation, &|| {
             Ok(Recording {
-                compiled: O::compiled(),
+                compiled: (parts.compiled)(),
                 ..Recording::new(
-                    leaves_of::<R>(),
-                    widths::<O::Out<T>>(),
-                    O::ARGUMENTS,
-                    Body::Map(const { Line::of::<O>() }),
+                    (parts.takes)(),
+                    (parts.outputs)(),
+                    parts.arguments,
+                    Body::Map(parts.line),
                 )
             })
         });

@@ -2,8 +2,9 @@
 //!
 //! A program that asks for them compiles every row with all that judges it, and should do so in one place.
 use crate::ad::check::{Report, Sampling};
+use crate::ad::sample::drawn::Kinship;
 use crate::ad::sample::{Draw, Family, Sample, random};
-use crate::error::Error;
+use crate::error::{Error, Field};
 use crate::kernels::Backend;
 use crate::kernels::check::{
     Examined, Folded, Judged, ScalarCode, Source, Stated, check_fold_with, check_ring_on,
@@ -53,6 +54,8 @@ struct Inputs {
     ordinary: fn(&mut Draw) -> Vec<f64>,
     hard: fn() -> Vec<Vec<f64>>,
     show: fn(&[f64]) -> String,
+    kinship: Kinship,
+    name: fn(usize) -> Field,
 }
 
 /// A row in one format.
@@ -171,15 +174,16 @@ impl Tested {
     }
 }
 
-/// Checks a straight line, whose inputs are of a type.
-fn check_straight<X: Sample + Fixed, S: Both>(
+/// Checks a straight line.
+fn check_straight<S: Both>(
     row: &Tested,
     plan: &Sampling<'_>,
     backend: Option<Backend<'_>>,
 ) -> Result<Report, Error> {
     match (row.examined::<S>(), row.examined::<f64>()) {
         (Some(own), Some(wide)) => {
-            examined::<X, S>(&row.stated(), &own, &wide, (plan, backend, true))
+            let kin = (row.inputs.kinship, row.inputs.name);
+            examined::<S>(&row.stated(), kin, &own, &wide, (plan, backend, true))
         }
         _ => unreachable!("a straight line is checked as one"),
     }
@@ -218,6 +222,8 @@ impl Inputs {
             ordinary: |draw| fuzz::all_numbers(&Family::Ordinary.draw::<X>(draw)),
             hard: || X::hard().iter().map(fuzz::all_numbers).collect(),
             show: fuzz::shown::<X>,
+            kinship: Kinship::of::<X>(),
+            name: X::name,
         }
     }
     /// Inputs with a path, and something before it or not.
@@ -227,6 +233,9 @@ impl Inputs {
             ordinary: |draw| Family::Ordinary.draw::<X>(draw).scalars(),
             hard: || X::hard().iter().map(Pack::scalars).collect(),
             show: |x| format!("{x:?}"),
+            kinship: Kinship::of::<X>(),
+            // Numbers of a path have no names.
+            name: f64::name,
         }
     }
 }
@@ -255,7 +264,7 @@ impl Walk for Values {
         {
             Formed {
                 code: ScalarCode::of::<O>(),
-                check: check_straight::<O::In<f64>, S>,
+                check: check_straight::<S>,
                 fuzz: fuzz_straight::<S>,
             }
         }

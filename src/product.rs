@@ -18,17 +18,19 @@ macro_rules! tuples {
                 $(self.$place.each(f);)*
             }
             fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
-                let all = self.$zero.fewer().map(|x| {
-                    let mut all = self.clone();
-                    all.$zero = x;
-                    all
-                });
-                $(let all = all.chain(self.$place.fewer().map(|x| {
-                    let mut all = self.clone();
-                    all.$place = x;
-                    all
-                }));)*
-                Box::new(all)
+                // Loops, since every adapter of an iterator would be compiled for every tuple.
+                let mut all = Vec::new();
+                for x in self.$zero.fewer() {
+                    let mut fewer = self.clone();
+                    fewer.$zero = x;
+                    all.push(fewer);
+                }
+                $(for x in self.$place.fewer() {
+                    let mut fewer = self.clone();
+                    fewer.$place = x;
+                    all.push(fewer);
+                })*
+                Box::new(all.into_iter())
             }
         }
         impl<$first: Fixed $(, $part: Fixed<Scalar = $first::Scalar>)*> Fixed for ($first, $($part,)*) {

@@ -1,9 +1,10 @@
 //! Judging a function at many inputs.
 use crate::Pack;
 use crate::ad::check::agreed::{Agreed, Held};
+use crate::ad::check::candidate::{Candidate, Typed};
 use crate::ad::check::judge::judge;
 use crate::ad::check::report::{Failure, Report};
-use crate::ad::check::shrink::{code, shrunk};
+use crate::ad::check::shrink::shrunk;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{ENOUGH, INSIDE_ONE_IN, KEPT, SMOOTH_ONE_IN};
 use crate::ad::check::trace::Number;
@@ -79,12 +80,26 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
     random_from: usize,
     meet: impl Fn(&X, &mut dyn FnMut(&dyn Subject)),
 ) -> Report {
+    let meet = &meet;
+    let typed = |x: &X| Typed { x: x.clone(), meet };
+    let inputs: Vec<_> = inputs.iter().map(typed).collect();
+    let inputs: Vec<&dyn Candidate<'_>> = inputs.iter().map(|x| x as _).collect();
+    examined(name, sampling, &inputs, random_from)
+}
+
+/// The same of inputs without types.
+pub(crate) fn examined<'a>(
+    name: &str,
+    sampling: &Sampling<'_>,
+    inputs: &[&dyn Candidate<'a>],
+    random_from: usize,
+) -> Report {
     let mut precision = Precision::F64;
     // Nothing is found outside the domain.
-    let mut judged = |x: &X, sample: usize| -> Option<Findings> {
-        let list: Vec<f64> = x.scalars().iter().map(|x| x.widen()).collect();
+    let mut judged = |x: &dyn Candidate<'a>, sample: usize| -> Option<Findings> {
+        let list = x.numbers();
         let mut findings = None;
-        meet(x, &mut |subject| {
+        x.met(&mut |subject| {
             precision = subject.precision();
             // Shrinking makes up numbers that single precision may not have.
             let list: Vec<f64> = list.iter().map(|&x| precision.round(x)).collect();
@@ -99,7 +114,7 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
     let mut report = Report::empty(name, sampling.seed);
     let (mut smooth, mut drawn) = (0, 0);
     let mut covered: Vec<bool> = Vec::new();
-    for (sample, x) in inputs.iter().enumerate() {
+    for (sample, &x) in inputs.iter().enumerate() {
         let Some(findings) = judged(x, sample) else {
             report.outside += 1;
             continue;
@@ -135,12 +150,13 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
             if report.failures.iter().any(known) || report.failures.len() >= KEPT {
                 continue;
             }
-            let (least, fault) = shrunk(x, fault, findings.place, |x| judged(x, sample));
+            let again = &mut |x: &dyn Candidate<'a>| judged(x, sample);
+            let (least, fault) = shrunk(x, fault, findings.place, again);
             report.failures.push(Failure {
                 sample,
                 fault,
-                input: least.scalars().iter().map(|x| x.widen()).collect(),
-                code: code(&least),
+                input: least.numbers(),
+                code: least.code(),
             });
         }
         if let Some(tick) = sampling.tick {
@@ -151,7 +167,7 @@ pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
     report.nearest = report.worst.each_ref().map(|worst| {
         let judged = inputs.get(worst.nearest.sample);
         let shown = judged.filter(|_| worst.nearest.share > 0.0);
-        shown.map_or_else(String::new, code)
+        shown.map_or_else(String::new, |x| x.code())
     });
     let asked = inputs.len().saturating_sub(random_from);
     let uncovered = covered.iter().position(|covered| !covered);

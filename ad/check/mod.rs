@@ -211,11 +211,12 @@
 //! makes one mistake, and a record of the harness's errors.
 mod agreed;
 mod builder;
+pub(crate) mod candidate;
 mod closures;
 mod compare;
 mod details;
 mod evidence;
-mod examine;
+pub(crate) mod examine;
 mod json;
 pub mod judge;
 mod macros;

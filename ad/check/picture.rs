@@ -3,6 +3,7 @@ use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::Kind;
 use crate::ad::check::witness::{Ladder, dot};
 use crate::ad::sample::Sample;
+use crate::ad::sample::drawn::Drawn;
 use std::fmt::Write;
 
 /// The derivatives of the sum of all outputs by hand, by duals and by differences.
@@ -56,7 +57,12 @@ const TOP: f64 = 70.0;
 /// A picture of an input of a function and of what the witnesses say there, as SVG.
 #[must_use]
 pub fn picture<X: Sample>(title: &str, input: &X, subject: &dyn Subject) -> String {
-    let x = input.scalars();
+    drawn(title, input, subject)
+}
+
+/// The same of an input without its type.
+pub(crate) fn drawn(title: &str, input: &dyn Drawn, subject: &dyn Subject) -> String {
+    let x = input.numbers();
     let kinds = input.kinds();
     let derivatives = derivatives_of_witnesses(subject, &x);
     let outlines = input.outlines();

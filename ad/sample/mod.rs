@@ -5,6 +5,7 @@
 //! near ties come up without being asked for; whole inputs are moved far away and scaled, because
 //! that is where digits are lost.
 pub(crate) mod derived;
+pub(crate) mod drawn;
 mod shapes;
 mod solids;
 #[cfg(feature = "proptest")]
@@ -58,7 +59,7 @@ impl Draw {
 }
 
 /// An input the harness can make up by itself.
-pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug {
+pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
     /// A random one, of about unit size near the origin.
     fn ordinary(draw: &mut Draw) -> Self;
     /// A random one that is much longer than wide.
@@ -197,8 +198,7 @@ impl Family {
     /// A random input of the family.
     pub fn draw<X: Sample>(self, draw: &mut Draw) -> X {
         let placed = |x: X, scale: f64, shift: [f64; 2]| {
-            let there = moved(&x.scalars(), &x.kinds(), 0.0, scale, shift);
-            let there = x.refill(&there);
+            let there = x.refill(&moved(&x.scalars(), &x.kinds(), 0.0, scale, shift));
             if there.inside() { there } else { x }
         };
         match self {
@@ -209,8 +209,10 @@ impl Family {
                     return X::draw(draw);
                 }
                 let x = plain.swap_remove(draw.below(plain.len()));
-                let there = put(&x, PLACES[draw.below(PLACES.len())]);
-                there.unwrap_or(x)
+                match drawn::put(&x, PLACES[draw.below(PLACES.len())]) {
+                    Some(there) => x.refill(&there),
+                    None => x,
+                }
             }
             Family::Ordinary => X::ordinary(draw),
             Family::Thin => X::thin(draw),
@@ -255,30 +257,16 @@ pub fn moved(x: &[f64], kinds: &[Kind], angle: f64, scale: f64, shift: [f64; 2])
 /// A random input, moved and scaled now and then.
 pub fn random<X: Sample>(draw: &mut Draw) -> X {
     let x = X::draw(draw);
-    let scale = match draw.below(16) {
-        0 => 1e-4,
-        1 => 1e-12,
-        2 => 1e5,
-        3 => draw.magnitude(1e-6, 1e6),
-        _ => 1.0,
-    };
-    let shift = match draw.below(12) {
-        0 => [1e5, -1e5],
-        1 => [draw.within(-1e3, 1e3), draw.within(-1e3, 1e3)],
-        _ => [0.0, 0.0],
-    };
-    let placed = x.refill(&moved(
-        &x.scalars(),
-        &x.kinds(),
-        0.0,
-        scale,
-        shift.map(|s| s * scale),
-    ));
-    if placed.inside() { placed } else { x }
+    match drawn::placed(&x, draw) {
+        Some(there) => x.refill(&there),
+        None => x,
+    }
 }
 
+/// A place: an angle by which an input is turned, a scale, and a shift.
+type Placed = (f64, f64, [f64; 2]);
 /// The places of hard cases: turned by an angle, scaled, moved away.
-const PLACES: [(f64, f64, [f64; 2]); 7] = [
+const PLACES: [Placed; 7] = [
     (0.0, 1.0, [0.0, 0.0]),
     (0.0, 1.0, [1e5, 3.0]),
     (0.0, 1e-4, [0.0, 0.0]),
@@ -288,31 +276,29 @@ const PLACES: [(f64, f64, [f64; 2]); 7] = [
     (FRAC_PI_2, 1.0, [0.0, 0.0]),
 ];
 
-/// A hard case in a place; nothing for a shape that cannot turn or does not fit there.
-fn put<X: Sample>(x: &X, (angle, scale, shift): (f64, f64, [f64; 2])) -> Option<X> {
-    let kinds = x.kinds();
-    let turns = |kind: &Kind| kind.is_angle() || *kind == Kind::DirectionX;
-    if angle != 0.0 && !kinds.iter().any(turns) {
-        return None;
-    }
-    let there = x.refill(&moved(&x.scalars(), &kinds, angle, scale, shift));
-    there.inside().then_some(there)
-}
-
 /// The hard cases as they are, turned, scaled and moved away.
 pub fn hard_cases<X: Sample>() -> Vec<X> {
     let plain = X::hard();
-    PLACES
-        .iter()
-        .flat_map(|place| plain.iter().filter_map(|x| put(x, *place)))
-        .collect()
+    let put = |x: &X, place| drawn::put(x, place).map(|there| x.refill(&there));
+    let places = PLACES.iter();
+    let all = places.flat_map(|place| plain.iter().filter_map(|x| put(x, *place)));
+    all.collect()
 }
 
 /// Simpler inputs, simplest first: fewer elements, then fewer digits. For shrinking.
 pub fn simpler<S: Scalar + Float, X: Pack<Scalar = S>>(x: &X) -> impl Iterator<Item = X> {
-    let list: Vec<S> = x.scalars();
-    let rounded = (0..list.len()).flat_map(move |i| {
-        let (at, list) = (list[i].widen(), list.clone());
+    let list: Vec<f64> = x.scalars().iter().map(|x| x.widen()).collect();
+    let refilled = |list: Vec<f64>| {
+        let list: Vec<S> = list.iter().map(|&x| <S as Scalar>::lit(x)).collect();
+        x.refill(&list)
+    };
+    x.fewer().chain(fewer_digits(list).map(refilled))
+}
+
+/// Lists with fewer digits in one of their numbers, simplest first.
+pub(crate) fn fewer_digits(list: Vec<f64>) -> impl Iterator<Item = Vec<f64>> {
+    (0..list.len()).flat_map(move |i| {
+        let (at, list) = (list[i], list.clone());
         let power = if at == 0.0 {
             1.0
         } else {
@@ -329,11 +315,10 @@ pub fn simpler<S: Scalar + Float, X: Pack<Scalar = S>>(x: &X) -> impl Iterator<I
         let simple = simple.into_iter().filter(move |s| digits(*s) < digits(at));
         simple.map(move |simple| {
             let mut simpler = list.clone();
-            simpler[i] = <S as Scalar>::lit(simple);
-            x.refill(&simpler)
+            simpler[i] = simple;
+            simpler
         })
-    });
-    x.fewer().chain(rounded)
+    })
 }
 
 /// How long a number is when written out.

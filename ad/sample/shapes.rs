@@ -385,11 +385,15 @@ impl<A: Sample, B: Sample> Sample for (A, B) {
         if snapped.inside() { snapped } else { pair }
     }
     fn hard() -> Vec<Self> {
-        let b = B::hard();
-        A::hard()
-            .iter()
-            .flat_map(|x| b.iter().map(|y| (x.clone(), y.clone())))
-            .collect()
+        // Loops, since every adapter of an iterator would be compiled for every pair.
+        let (first, second) = (A::hard(), B::hard());
+        let mut all = Vec::with_capacity(first.len() * second.len());
+        for x in first {
+            for y in &second {
+                all.push((x.clone(), y.clone()));
+            }
+        }
+        all
     }
     fn kinds(&self) -> Vec<Kind> {
         [self.0.kinds(), self.1.kinds()].concat()

@@ -23,14 +23,17 @@ pub use of::OfOperation;
 pub use source::{Folded, Replayed, Ringed, Source, Straight};
 pub use subject::{Fused, OpSubject, Path};
 
-use crate::ad::check::picture::picture;
+use crate::ad::check::candidate::{Candidate, Meet, Untyped};
+use crate::ad::check::picture;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::trace::Number;
 use crate::ad::check::verdict::Reason;
 use crate::ad::check::witness::Precision;
 use crate::ad::check::{Report, Sampling, examine};
 use crate::ad::declared::Kind;
-use crate::ad::sample::{Sample, hard_cases, random};
+use crate::ad::sample::Sample;
+use crate::ad::sample::drawn::{Drawn, Kinship};
+use crate::error::Field;
 use crate::kernels::Backend;
 use crate::kernels::check::recorded_subject::{ByHand, Computations, RecordedSubject};
 use crate::kernels::dynamic::Function;
@@ -98,10 +101,10 @@ impl<S: Judged> ScalarCode<S> {
     pub(crate) const fn of<O: Op>() -> Self {
         let is_by_hand = matches!(O::DERIVATIVE, Derivative::ByHand);
         ScalarCode {
-            alone: |x| O::eval(O::In::<S>::load(x)).scalars(),
+            alone: alone::<O, S>,
             by_hand: match is_by_hand {
                 true => by_hand::<O, S>,
-                false => |_, _| None,
+                false => nothing::<S>,
             },
             // Compiled for derivatives by hand alone.
             num_dual: match is_by_hand {
@@ -149,6 +152,15 @@ impl<S: Judged> Examined<S> {
             jumps: stated.jumps,
         })
     }
+}
+
+/// The function.
+fn alone<O: Op, S: Real>(x: &[S]) -> Vec<S> {
+    O::eval(O::In::<S>::load(x)).scalars()
+}
+
+fn nothing<S>(_x: &[S], _out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
+    None
 }
 
 /// The value and derivatives by hand.
@@ -200,60 +212,64 @@ fn ring_value<O: RingOp, S: Number>(x: &[S]) -> Vec<S> {
 const ATTEMPTS: usize = 16;
 
 /// The inputs that are judged.
-struct Inputs<X> {
+struct Inputs {
     /// Hard cases, then random inputs, all rounded to a format. Some may be outside the domain.
-    all: Vec<X>,
+    all: Vec<Box<dyn Drawn>>,
     /// How many of them are hard.
     random_from: usize,
     /// How many more were drawn, outside the domain.
     outside: u64,
 }
 
-fn inputs<X: Sample, S: Number>(sampling: &Sampling<'_>) -> Inputs<X> {
-    let rounded = |x: X| {
-        let list: Vec<f64> = x.scalars().iter().map(|&x| S::nearest(x).widen()).collect();
-        x.refill(&list)
-    };
-    let hard: Vec<X> = match sampling.hard {
-        0 => Vec::new(),
-        every => hard_cases().into_iter().step_by(every).collect(),
-    };
-    let like: Option<X> = hard_cases().into_iter().next();
-    let points = sampling.points.iter().filter_map(|point| {
-        let like = like.as_ref()?;
-        (like.scalars().len() == point.len()).then(|| like.refill(point))
-    });
-    let hard = points.chain(hard).map(rounded);
-    let mut all: Vec<X> = hard.filter(X::inside).collect();
-    let (random_from, mut outside) = (all.len(), 0);
-    for i in 0..sampling.samples {
-        let mut draw = sampling.draw(i);
-        let mut x = rounded(random(&mut draw));
-        let mut attempts = 1;
-        while attempts < ATTEMPTS && sampling.inside.is_some_and(|inside| !inside(&x.scalars())) {
-            (x, attempts) = (rounded(random(&mut draw)), attempts + 1);
-            outside += 1;
+impl Inputs {
+    /// Those of a sampling, rounded to a format.
+    fn of(kinship: Kinship, sampling: &Sampling<'_>, precision: Precision) -> Self {
+        let rounded = |x: Box<dyn Drawn>| {
+            let list: Vec<f64> = x.numbers().iter().map(|&x| precision.round(x)).collect();
+            x.refilled(&list)
+        };
+        let cases = kinship.hard_cases();
+        let points = sampling.points.iter().filter_map(|point| {
+            let like = cases.first()?;
+            (like.numbers().len() == point.len()).then(|| like.refilled(point))
+        });
+        let points: Vec<Box<dyn Drawn>> = points.collect();
+        let hard = match sampling.hard {
+            0 => Vec::new(),
+            every => cases.into_iter().step_by(every).collect(),
+        };
+        let hard = points.into_iter().chain(hard).map(rounded);
+        let mut all: Vec<Box<dyn Drawn>> = hard.filter(|x| x.is_inside()).collect();
+        let (random_from, mut outside) = (all.len(), 0);
+        for i in 0..sampling.samples {
+            let mut draw = sampling.draw(i);
+            let mut x = rounded(kinship.random(&mut draw));
+            let mut attempts = 1;
+            while attempts < ATTEMPTS && sampling.inside.is_some_and(|inside| !inside(&x.numbers()))
+            {
+                (x, attempts) = (rounded(kinship.random(&mut draw)), attempts + 1);
+                outside += 1;
+            }
+            all.extend(Some(x).filter(|x| x.is_inside()));
         }
-        all.extend(Some(x).filter(X::inside));
-    }
-    Inputs {
-        all,
-        random_from,
-        outside,
+        Inputs {
+            all,
+            random_from,
+            outside,
+        }
     }
 }
 
-/// Makes subjects near an input and hands them over. Not generic: what judges them is compiled once per
-/// kind of input, and not once per operation.
-type With<'a, X> = &'a dyn Fn(&X, Option<&Batch<'_>>, &mut dyn FnMut(&dyn Subject));
+/// Makes subjects near an input and hands them over.
+type With<'a> = &'a dyn Fn(&dyn Drawn, Option<&Batch<'_>>, &mut dyn FnMut(&dyn Subject));
 
 /// Judges an operation at hard cases and random inputs, with batches as further witnesses if there are some to ask.
-fn judged<X: Sample>(
+fn judged(
     name: &'static str,
     sampling: &Sampling<'_>,
-    inputs: Inputs<X>,
+    inputs: Inputs,
     asks: Vec<Ask<'_>>,
-    with: With<'_, X>,
+    with: With<'_>,
 ) -> Result<Report, Error> {
     let Inputs {
         all: inputs,
@@ -263,26 +279,33 @@ fn judged<X: Sample>(
     let batch = match asks.is_empty() {
         true => None,
         false => {
-            let lists: Vec<Vec<f64>> = inputs.iter().map(Pack::scalars).collect();
+            let lists: Vec<Vec<f64>> = inputs.iter().map(|x| x.numbers()).collect();
             Some(Batch::new(asks, &lists)?)
         }
     };
     let batch = batch.as_ref();
-    let mut report = examine(name, sampling, &inputs, random_from, |x, judge| {
-        with(x, batch, &mut |subject| judge(subject));
-    });
+    let meet: &Meet<'_> = &|x, judge| with(x, batch, judge);
+    let inputs: Vec<Untyped<'_>> = inputs.into_iter().map(|x| Untyped { x, meet }).collect();
+    let candidates: Vec<&dyn Candidate<'_>> = inputs.iter().map(|x| x as _).collect();
+    let mut report = examine::examined(name, sampling, &candidates, random_from);
     report.outside += outside;
     let worst = inputs.get(report.worst[1].nearest.sample);
-    if let Some(x) = worst.filter(|_| sampling.draws) {
+    if let Some(Untyped { x, .. }) = worst.filter(|_| sampling.draws) {
         let title = format!("{name}: where adjoint and differences are farthest apart");
-        with(x, None, &mut |subject| {
-            report.picture = Some(picture(&title, x, subject));
+        with(&**x, None, &mut |subject| {
+            report.picture = Some(picture::drawn(&title, &**x, subject));
         });
     }
     match batch.and_then(Batch::error) {
         Some(error) => Err(error),
         None => Ok(report),
     }
+}
+
+/// The input of a subject that is made for one type.
+fn typed<X: Sample>(x: &dyn Drawn) -> &X {
+    let found = x.as_any().downcast_ref();
+    found.unwrap_or_else(|| unreachable!("inputs of one kind are of one type"))
 }
 
 /// Runs every check of an operation.
@@ -360,8 +383,9 @@ where
 {
     let wide = &Examined::<f64>::of::<O>();
     let own = &Examined::<S>::of::<O>();
-    examined::<O::In<f64>, S>(
-        &const { Stated::of::<O>() },
+    examined::<S>(
+        const { &Stated::of::<O>() },
+        (const { Kinship::of::<O::In<f64>>() }, O::In::<f64>::name),
         own,
         wide,
         (sampling, backend, pairs),
@@ -370,8 +394,9 @@ where
 
 /// Judges a straight line, with batches on a backend as further witnesses of `f32`: items side by side, the value
 /// with its gradient, and all pairs if they are wanted.
-pub(crate) fn examined<X: Sample + Fixed, S: Judged>(
+pub(crate) fn examined<S: Judged>(
     stated: &Stated,
+    (kinship, name): (Kinship, fn(usize) -> Field),
     own: &Examined<S>,
     wide: &Examined<f64>,
     (sampling, backend, pairs): (&Sampling<'_>, Option<Backend<'_>>, bool),
@@ -391,7 +416,8 @@ pub(crate) fn examined<X: Sample + Fixed, S: Judged>(
     };
     let recordings = (own.computations(stated), wide);
     let recording = Arc::clone(&own.recording);
-    let arguments = recording.arguments;
+    let scalars = recording.takes.iter().map(|leaf| leaf.fields - leaf.codes);
+    let names = names_of(name, scalars.sum(), recording.arguments);
     let single = (recording as Arc<dyn Any + Send + Sync>)
         .downcast::<Recording<f32>>()
         .ok();
@@ -404,15 +430,14 @@ pub(crate) fn examined<X: Sample + Fixed, S: Judged>(
         asks.extend([&any as Ask<'_>, &gradient]);
         asks.extend(pairs.then_some(&all_pairs as Ask<'_>));
     }
-    let names = names_of::<X>(arguments);
-    let report = recorded::<X, S>(stated.name, sampling, asks, recordings);
+    let report = recorded::<S>(stated.name, kinship, sampling, asks, recordings);
     report.map(|report| Report { names, ..report })
 }
 
 /// The names of the numbers of an input, given those of its arguments: `point.x`.
-fn names_of<X: Fixed>(arguments: &[&str]) -> Vec<String> {
+fn names_of(name: fn(usize) -> Field, count: usize, arguments: &[&str]) -> Vec<String> {
     let named = |i: usize| {
-        let field = X::name(i).to_string();
+        let field = name(i).to_string();
         let (argument, rest) = match arguments {
             [] => return field,
             [one] => (*one, field.as_str()),
@@ -432,12 +457,13 @@ fn names_of<X: Fixed>(arguments: &[&str]) -> Vec<String> {
             rest => format!("{argument}.{rest}"),
         }
     };
-    (0..X::LEN).map(named).collect()
+    (0..count).map(named).collect()
 }
 
 /// Judges what was recorded of an operation; if nothing was, refuses it.
-fn recorded<X: Sample, S: Judged>(
+fn recorded<S: Judged>(
     name: &'static str,
+    kinship: Kinship,
     sampling: &Sampling<'_>,
     asks: Vec<Ask<'_>>,
     (recording, wide): (Result<Computations<S>, Error>, Option<Computations<f64>>),
@@ -455,10 +481,10 @@ fn recorded<X: Sample, S: Judged>(
         }
         Err(error) => return Err(error),
     };
-    let inputs = inputs::<X, S>(sampling);
+    let inputs = Inputs::of(kinship, sampling, Precision::of::<S>());
     judged(name, sampling, inputs, asks, &|x, batch, judge| {
         let subject = RecordedSubject {
-            near: x,
+            near: x.near(),
             recording: &recording,
             wide: wide.as_ref(),
             batch,
@@ -502,10 +528,11 @@ fn ring<O: RingOp, S: Judged>(sampling: &Sampling<'_>, asks: Vec<Ask<'_>>) -> Re
 where
     O::Out<f64>: Sample,
 {
-    let inputs = inputs::<Vec<Vec2<f64>>, S>(sampling);
+    let kinship = const { Kinship::of::<Vec<Vec2<f64>>>() };
+    let inputs = Inputs::of(kinship, sampling, Precision::of::<S>());
     judged(O::NAME, sampling, inputs, asks, &|x, batch, judge| {
         let paths: [Path<S>; 1] = [ring_value::<O, S>];
-        judge(&OpSubject::<Ringed<O>, S>::new(x, &paths, None).with_batch(batch));
+        judge(&OpSubject::<S>::of::<Ringed<O>>(typed(x), &paths, None).with_batch(batch));
     })
 }
 
@@ -515,14 +542,15 @@ where
     F::Context<f64>: Sample,
     F::Out<f64>: Sample,
 {
-    let inputs = inputs::<(F::Context<f64>, Vec<Vec2<f64>>), S>(sampling);
+    let kinship = const { Kinship::of::<(F::Context<f64>, Vec<Vec2<f64>>)>() };
+    let inputs = Inputs::of(kinship, sampling, Precision::of::<S>());
     without_batch(judged(
         F::NAME,
         sampling,
         inputs,
         Vec::new(),
         &|x, _, judge| {
-            judge(&OpSubject::<Folded<F>, S>::new(x, &[], None));
+            judge(&OpSubject::<S>::of::<Folded<F>>(typed(x), &[], None));
         },
     ))
 }
@@ -533,12 +561,13 @@ where
     D::In<f64>: Sample,
     D::Out<f64>: Sample,
 {
-    let inputs = inputs::<D::In<f64>, S>(sampling);
+    let kinship = const { Kinship::of::<D::In<f64>>() };
+    let inputs = Inputs::of(kinship, sampling, Precision::of::<S>());
     let report = judged(D::NAME, sampling, inputs, Vec::new(), &|x, _, judge| {
-        judge(&OpSubject::<Replayed<D>, S>::new(x, &[], None));
+        judge(&OpSubject::<S>::of::<Replayed<D>>(typed(x), &[], None));
     });
     Report {
-        names: names_of::<D::In<f64>>(D::ARGUMENTS),
+        names: names_of(D::In::<f64>::name, D::In::<f64>::LEN, D::ARGUMENTS),
         ..without_batch(report)
     }
 }

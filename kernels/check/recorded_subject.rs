@@ -7,7 +7,7 @@ use crate::ad::check::witness::Precision;
 use crate::ad::declared::{Invariance, Kind};
 use crate::ad::forward::{Along, First};
 use crate::ad::program::recorded::Recorded;
-use crate::ad::sample::Sample;
+use crate::ad::sample::drawn::Near;
 use crate::kernels::check::Judged;
 use crate::kernels::check::subject::{Path, nearest, widened};
 use crate::kernels::dynamic::{Function, Rows};
@@ -15,33 +15,6 @@ use crate::kernels::op::Jumps;
 use crate::kernels::witness::Batch;
 use crate::{Jet, Scalar};
 use std::sync::Arc;
-
-/// The properties of the shapes of an input that the harness needs.
-pub(crate) trait Near {
-    fn kinds(&self) -> Vec<Kind>;
-    fn inside(&self, x: &[f64]) -> bool;
-    fn scales(&self, x: &[f64]) -> Vec<f64>;
-    fn units(&self, x: &[f64]) -> Vec<f64>;
-    fn extents(&self, x: &[f64]) -> Vec<f64>;
-}
-
-impl<P: Sample> Near for P {
-    fn kinds(&self) -> Vec<Kind> {
-        Sample::kinds(self)
-    }
-    fn inside(&self, x: &[f64]) -> bool {
-        Sample::inside(&self.refill(x))
-    }
-    fn scales(&self, x: &[f64]) -> Vec<f64> {
-        Sample::scales(&self.refill(x))
-    }
-    fn units(&self, x: &[f64]) -> Vec<f64> {
-        Sample::units(&self.refill(x))
-    }
-    fn extents(&self, x: &[f64]) -> Vec<f64> {
-        Sample::extents(&self.refill(x))
-    }
-}
 
 /// The result and the derivatives of a cotangent, by hand, on plain numbers; nothing where there are none.
 pub(crate) type ByHand<S> = fn(&[S], &[S]) -> Option<(Vec<S>, Vec<S>)>;

@@ -29,8 +29,8 @@ pub trait Source: 'static {
     fn on_num_dual<S: Number>(_input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
         None
     }
-    /// The input with every scalar replaced.
-    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T>;
+    /// An input like another one, made of the numbers of a list.
+    fn made<T: Scalar>(like: &Self::In<f64>, numbers: &[T]) -> Self::In<T>;
 }
 
 /// An operation of fixed size as a subject of the harness.
@@ -71,9 +71,8 @@ impl<O: Op> Source for Straight<O> {
             false => None,
         }
     }
-    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
-        let numbers: Vec<T> = input.scalars().into_iter().map(f).collect();
-        O::In::load(&numbers)
+    fn made<T: Scalar>(_like: &Self::In<f64>, numbers: &[T]) -> Self::In<T> {
+        O::In::load(numbers)
     }
 }
 
@@ -98,9 +97,25 @@ impl<O: RingOp> Source for Ringed<O> {
     fn on_num_dual<S: Number>(ring: &Vec<Vec2<S::NumDual>>) -> Option<O::Out<S::NumDual>> {
         Some(O::value(ring))
     }
-    fn map<S: Scalar, T: Scalar>(ring: &Vec<Vec2<S>>, f: &mut impl FnMut(S) -> T) -> Vec<Vec2<T>> {
-        Pack::map(ring, &mut |s| f(*s))
+    fn made<T: Scalar>(_like: &Vec<Vec2<f64>>, numbers: &[T]) -> Vec<Vec2<T>> {
+        points(numbers)
     }
+}
+
+/// The decisions, which derivatives have no part in: a search is compiled for plain numbers alone.
+fn decided<D: Search, S: Scalar<Mask = bool>>(input: D::In<S>) -> D::Record {
+    let mut numbers = Vec::new();
+    for x in input.scalars() {
+        numbers.push(x.primal());
+    }
+    D::decide(D::In::<S::Primal>::load(&numbers).load_codes(&input.codes()))
+}
+
+/// The derivative of a result along a direction, times a cotangent.
+fn along<S: Scalar>(result: &[Jet<S, 1>], out_bar: &[S]) -> S {
+    let terms = result.iter().zip(out_bar);
+    let terms = terms.map(|(jet, &bar)| jet.derivative[0] * bar);
+    terms.fold(S::zero(), |sum, term| sum + term)
 }
 
 /// An operation with a search, as the harness sees it.
@@ -115,33 +130,27 @@ impl<D: Search> Source for Replayed<D> {
     const JUMPS: Jumps = D::JUMPS;
     const SEARCHES: bool = true;
     fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
-        D::replay(input, D::decide(input))
+        D::replay(input, decided::<D, S>(input))
     }
     fn vjp<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
-        let record = D::decide(input);
+        let record = decided::<D, S>(input);
         let (numbers, codes, out_bar) = (input.scalars(), input.codes(), out_bar.scalars());
-        let derivative = |at: usize| {
-            let jets = numbers.iter().enumerate();
-            let jets: Vec<Jet<S, 1>> = jets
-                .map(|(i, &x)| Jet {
-                    value: x,
-                    derivative: [if i == at { S::one() } else { S::zero() }],
-                })
-                .collect();
+        let mut jets: Vec<Jet<S, 1>> = Vec::new();
+        for &value in &numbers {
+            let derivative = [S::zero()];
+            jets.push(Jet { value, derivative });
+        }
+        let mut bars = numbers;
+        for (at, bar) in bars.iter_mut().enumerate() {
+            jets[at].derivative[0] = S::one();
             let moved = D::In::<Jet<S, 1>>::load(&jets).load_codes(&codes);
-            let found = D::replay(moved, record).scalars();
-            let terms = found
-                .iter()
-                .zip(&out_bar)
-                .map(|(jet, &bar)| jet.derivative[0] * bar);
-            terms.fold(S::zero(), |sum, term| sum + term)
-        };
-        let bars: Vec<S> = (0..numbers.len()).map(derivative).collect();
+            jets[at].derivative[0] = S::zero();
+            *bar = along(&D::replay(moved, record).scalars(), &out_bar);
+        }
         D::In::<S>::load(&bars).load_codes(&codes)
     }
-    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
-        let numbers: Vec<T> = input.scalars().into_iter().map(f).collect();
-        D::In::<T>::load(&numbers).load_codes(&input.codes())
+    fn made<T: Scalar>(like: &Self::In<f64>, numbers: &[T]) -> Self::In<T> {
+        D::In::<T>::load(numbers).load_codes(&like.codes())
     }
 }
 
@@ -165,13 +174,15 @@ impl<F: Fold> Source for Folded<F> {
         let (context_bar, path_bar) = pull_back::<F, S>(*context, path, out_bar);
         (context_bar, path_bar)
     }
-    fn map<S: Scalar, T: Scalar>(input: &Self::In<S>, f: &mut impl FnMut(S) -> T) -> Self::In<T> {
-        let context: Vec<T> = input.0.scalars().into_iter().map(&mut *f).collect();
-        (
-            F::Context::load(&context),
-            Pack::map(&input.1, &mut |s| f(*s)),
-        )
+    fn made<T: Scalar>(_like: &Self::In<f64>, numbers: &[T]) -> Self::In<T> {
+        let (context, path) = numbers.split_at(F::Context::<T>::LEN);
+        (F::Context::load(context), points(path))
     }
+}
+
+/// The points that a list of coordinates makes up.
+fn points<T: Scalar>(numbers: &[T]) -> Vec<Vec2<T>> {
+    numbers.chunks_exact(2).map(Vec2::load).collect()
 }
 
 /// The adjoint of a fold for one path, on any scalar: cotangents of the context and of every vertex.

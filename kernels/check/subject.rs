@@ -2,16 +2,17 @@
 //! does on purpose.
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::subject::{Conventions, Subject};
-use crate::ad::check::trace::{Number, Trace, Traced, of_num_duals, trace};
+use crate::ad::check::trace::{Number, Trace, Traced, num_duals, of_num_duals, trace};
 use crate::ad::check::witness::Precision;
 use crate::ad::declared::{Invariance, Kind};
 use crate::ad::forward::{Along, First};
 use crate::ad::sample::Sample;
+use crate::ad::sample::drawn::Near;
 use crate::kernels::check::Source;
 use crate::kernels::witness::Batch;
 use crate::scalar::float::Float;
 use crate::{Fixed, Jet, Pack, Scalar};
-use std::marker::PhantomData;
+use std::fmt;
 
 /// An operation's value by another path.
 pub type Path<S> = fn(&[S]) -> Vec<S>;
@@ -19,15 +20,113 @@ pub type Path<S> = fn(&[S]) -> Vec<S>;
 pub type Fused<S> = fn(&[S]) -> (Vec<S>, Vec<S>);
 
 /// An operation near an input, in one format.
-pub struct OpSubject<'a, O: Source, S: Number>
-where
-    O::In<f64>: Sample,
-{
-    near: &'a O::In<f64>,
+pub struct OpSubject<'a, S: Number> {
+    near: &'a dyn Near,
+    code: Box<dyn Code<S> + 'a>,
     paths: &'a [Path<S>],
     fused: Option<Fused<S>>,
     batch: Option<&'a Batch<'a>>,
-    op: PhantomData<O>,
+    stated: Stated,
+}
+
+impl<S: Number> fmt::Debug for OpSubject<'_, S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("OpSubject").finish_non_exhaustive()
+    }
+}
+
+/// The statements of a source.
+#[derive(Clone, Copy)]
+struct Stated {
+    outputs: usize,
+    output_kinds: fn() -> Vec<Kind>,
+    invariances: &'static [Invariance],
+    conventions: Conventions,
+}
+
+/// A source near an input, as functions of lists of every kind of number that the harness asks: what asks is compiled
+/// once, whatever the source.
+trait Code<S: Number> {
+    fn value(&self, x: &[S]) -> Vec<S>;
+    fn first(&self, x: &[First<S>]) -> Vec<First<S>>;
+    fn jets(&self, x: &[Jet<S, 1>]) -> Vec<Jet<S, 1>>;
+    fn second(&self, x: &[Along<S>]) -> Vec<Along<S>>;
+    fn traced(&self, x: &[Traced<S>]) -> Vec<Traced<S>>;
+    fn num_dual(&self, x: &[S::NumDual]) -> Option<Vec<S::NumDual>>;
+    fn vjp(&self, x: &[S], y_bar: &[S]) -> Vec<S>;
+    fn noisy_vjp(&self, x: &[Noisy<S>], y_bar: &[Noisy<S>]) -> Vec<Noisy<S>>;
+    fn jets_vjp(&self, x: &[Jet<S, 1>], y_bar: &[Jet<S, 1>]) -> Vec<Jet<S, 1>>;
+    fn noisy_jets_vjp(
+        &self,
+        x: &[Jet<Noisy<S>, 1>],
+        y_bar: &[Jet<Noisy<S>, 1>],
+    ) -> Vec<Jet<Noisy<S>, 1>>;
+    /// The same source in double precision.
+    fn wide(&self) -> OpSubject<'_, f64>;
+}
+
+/// A source near an input, which says how many numbers there are.
+struct At<'a, O: Source>(&'a O::In<f64>)
+where
+    O::In<f64>: Sample;
+
+impl<O: Source> At<'_, O>
+where
+    O::In<f64>: Sample,
+{
+    fn made<T: Scalar>(&self, x: &[T]) -> O::In<T> {
+        O::made(self.0, x)
+    }
+    fn eval<T: Scalar<Mask = bool>>(&self, x: &[T]) -> Vec<T> {
+        O::eval::<T>(&self.made(x)).scalars()
+    }
+    fn pulled<T: Scalar<Mask = bool>>(&self, x: &[T], y_bar: &[T]) -> Vec<T> {
+        O::vjp::<T>(&self.made(x), O::Out::<T>::load(y_bar)).scalars()
+    }
+}
+
+impl<O: Source, S: Number> Code<S> for At<'_, O>
+where
+    O::In<f64>: Sample,
+    O::Out<f64>: Sample,
+{
+    fn value(&self, x: &[S]) -> Vec<S> {
+        self.eval(x)
+    }
+    fn first(&self, x: &[First<S>]) -> Vec<First<S>> {
+        self.eval(x)
+    }
+    fn jets(&self, x: &[Jet<S, 1>]) -> Vec<Jet<S, 1>> {
+        self.eval(x)
+    }
+    fn second(&self, x: &[Along<S>]) -> Vec<Along<S>> {
+        self.eval(x)
+    }
+    fn traced(&self, x: &[Traced<S>]) -> Vec<Traced<S>> {
+        self.eval(x)
+    }
+    fn num_dual(&self, x: &[S::NumDual]) -> Option<Vec<S::NumDual>> {
+        Some(O::on_num_dual::<S>(&self.made(x))?.scalars())
+    }
+    fn vjp(&self, x: &[S], y_bar: &[S]) -> Vec<S> {
+        self.pulled(x, y_bar)
+    }
+    fn noisy_vjp(&self, x: &[Noisy<S>], y_bar: &[Noisy<S>]) -> Vec<Noisy<S>> {
+        self.pulled(x, y_bar)
+    }
+    fn jets_vjp(&self, x: &[Jet<S, 1>], y_bar: &[Jet<S, 1>]) -> Vec<Jet<S, 1>> {
+        self.pulled(x, y_bar)
+    }
+    fn noisy_jets_vjp(
+        &self,
+        x: &[Jet<Noisy<S>, 1>],
+        y_bar: &[Jet<Noisy<S>, 1>],
+    ) -> Vec<Jet<Noisy<S>, 1>> {
+        self.pulled(x, y_bar)
+    }
+    fn wide(&self) -> OpSubject<'_, f64> {
+        OpSubject::of::<O>(self.0, &[], None)
+    }
 }
 
 /// Lists between formats.
@@ -37,20 +136,51 @@ pub(crate) fn widened<S: Float>(list: &[S]) -> Vec<f64> {
 pub(crate) fn nearest<S: Number>(list: &[f64]) -> Vec<S> {
     list.iter().map(|&x| S::nearest(x)).collect()
 }
+fn noisy_list<S: Number>(list: &[f64]) -> Vec<Noisy<S>> {
+    list.iter().map(|&x| Noisy(S::nearest(x))).collect()
+}
+/// Numbers that move along a direction.
+fn moving<S: Number, T: Scalar>(
+    x: &[f64],
+    direction: &[f64],
+    of: impl Fn(S) -> T,
+) -> Vec<Jet<T, 1>> {
+    let jets = x.iter().zip(direction).map(|(&x, &d)| Jet {
+        value: of(S::nearest(x)),
+        derivative: [of(S::nearest(d))],
+    });
+    jets.collect()
+}
 
-impl<'a, O: Source, S: Number> OpSubject<'a, O, S>
-where
-    O::In<f64>: Sample,
-{
-    /// Near an input, which says how many numbers there are.
+impl<'a, S: Number> OpSubject<'a, S> {
+    /// A source near an input, which says how many numbers there are.
     #[must_use]
-    pub fn new(near: &'a O::In<f64>, paths: &'a [Path<S>], fused: Option<Fused<S>>) -> Self {
+    pub fn of<O: Source>(
+        near: &'a O::In<f64>,
+        paths: &'a [Path<S>],
+        fused: Option<Fused<S>>,
+    ) -> Self
+    where
+        O::In<f64>: Sample,
+        O::Out<f64>: Sample,
+    {
         OpSubject {
             near,
+            code: Box::new(At::<O>(near)),
             paths,
             fused,
             batch: None,
-            op: PhantomData,
+            stated: Stated {
+                outputs: O::Out::<S>::LEN,
+                output_kinds: || Sample::kinds(&O::Out::<f64>::filled(1.0)),
+                invariances: O::INVARIANCES,
+                conventions: Conventions {
+                    flat: true,
+                    jumps: O::JUMPS,
+                    shared_ties: false,
+                    searches: O::SEARCHES,
+                },
+            },
         }
     }
     /// With a batch as a further witness; a batch computes in `f32`.
@@ -59,75 +189,37 @@ where
         self.batch = batch;
         self
     }
-    /// The input made of another scalar, one made from the index and value of each number.
-    fn made<T: Scalar>(&self, x: &[f64], mut of: impl FnMut(usize, S) -> T) -> O::In<T> {
-        let mut i = 0;
-        O::map::<f64, T>(self.near, &mut |_| {
-            i += 1;
-            of(i - 1, S::nearest(x[i - 1]))
-        })
-    }
-    /// The derivatives by hand, on another kind of number.
-    fn derivatives<T: Scalar<Mask = bool>>(
-        &self,
-        x: &[f64],
-        y_bar: &[f64],
-        of: impl Fn(S) -> T,
-    ) -> Vec<T> {
-        let y_bar: Vec<T> = y_bar.iter().map(|&y| of(S::nearest(y))).collect();
-        O::vjp::<T>(&self.made(x, |_, v| of(v)), O::Out::<T>::load(&y_bar)).scalars()
-    }
-    /// The Hessian times a direction, through the adjoint, on another kind of number.
-    fn bends<T>(&self, x: &[f64], y_bar: &[f64], direction: &[f64], of: impl Fn(S) -> T) -> Vec<T>
-    where
-        T: Scalar<Primal = T, Mask = bool>,
-    {
-        let input = self.made(x, |i, value| Jet {
-            value: of(value),
-            derivative: [of(S::nearest(direction[i]))],
-        });
-        let y_bar: Vec<Jet<T, 1>> = y_bar
-            .iter()
-            .map(|&y| <Jet<T, 1> as Scalar>::lit(y))
-            .collect();
-        let y_bar = O::Out::<Jet<T, 1>>::load(&y_bar);
-        let derivatives = O::vjp::<Jet<T, 1>>(&input, y_bar).scalars();
-        derivatives.iter().map(|jet| jet.derivative[0]).collect()
-    }
 }
 
-impl<O: Source, S: Number> Subject for OpSubject<'_, O, S>
-where
-    O::In<f64>: Sample,
-    O::Out<f64>: Sample,
-{
+impl<S: Number> Subject for OpSubject<'_, S> {
     fn precision(&self) -> Precision {
         Precision::of::<S>()
     }
     fn value(&self, x: &[f64]) -> Vec<f64> {
-        widened(&O::eval::<S>(&self.made(x, |_, v| v)).scalars())
+        widened(&self.code.value(&nearest(x)))
     }
     fn other_values(&self, x: &[f64]) -> Vec<Vec<f64>> {
         let list: Vec<S> = nearest(x);
-        let jets = O::eval::<First<S>>(&self.made(x, |i, v| Jet::variable(v, i))).scalars();
-        let mut all: Vec<Vec<f64>> = self
-            .paths
-            .iter()
-            .map(|path| widened(&path(&list)))
-            .collect();
+        let jets = list.iter().enumerate();
+        let jets: Vec<First<S>> = jets.map(|(i, &x)| Jet::variable(x, i)).collect();
+        let jets = self.code.first(&jets);
+        let paths = self.paths.iter();
+        let mut all: Vec<Vec<f64>> = paths.map(|path| widened(&path(&list))).collect();
         all.extend(self.fused.map(|fused| widened(&fused(&list).0)));
         all.push(jets.iter().map(|jet| jet.value.widen()).collect());
         all
     }
     fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>> {
-        Some(widened(&self.derivatives(x, y_bar, |x| x)))
+        Some(widened(&self.code.vjp(&nearest(x), &nearest(y_bar))))
     }
     fn noisy(&self, x: &[f64], y_bar: &[f64], seed: u64) -> Option<Vec<f64>> {
         // Low parts of single precision hold what roundings leave; others would spoil them.
         if S::COMPENSATED {
             return None;
         }
-        let derivatives = noisy(seed, || self.derivatives(x, y_bar, Noisy));
+        let derivatives = noisy(seed, || {
+            self.code.noisy_vjp(&noisy_list(x), &noisy_list(y_bar))
+        });
         Some(derivatives.iter().map(|s| s.0.widen()).collect())
     }
     fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
@@ -144,11 +236,13 @@ where
         Some((answer.value, derivatives))
     }
     fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
-        let mut rows = vec![vec![0.0; x.len()]; O::Out::<S>::LEN];
+        let mut rows = vec![vec![0.0; x.len()]; self.stated.outputs];
         let chunk = <First<S> as Scalar>::lit(0.0).derivative.len();
         for start in (0..x.len()).step_by(chunk) {
-            let jets = self.made(x, |i, v| Jet::variable(v, i.wrapping_sub(start)));
-            for (row, jet) in rows.iter_mut().zip(O::eval::<First<S>>(&jets).scalars()) {
+            let jets = x.iter().enumerate();
+            let jets = jets.map(|(i, &x)| Jet::variable(S::nearest(x), i.wrapping_sub(start)));
+            let jets: Vec<First<S>> = jets.collect();
+            for (row, jet) in rows.iter_mut().zip(self.code.first(&jets)) {
                 for (slot, derivative) in row[start..].iter_mut().zip(jet.derivative) {
                     *slot = derivative.widen();
                 }
@@ -157,26 +251,22 @@ where
         Some(rows)
     }
     fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
-        let input = self.made(x, |i, value| Jet {
-            value,
-            derivative: [S::nearest(direction[i])],
-        });
-        let out = O::eval::<Jet<S, 1>>(&input).scalars();
+        let out = self.code.jets(&moving(x, direction, |x: S| x));
         Some(out.iter().map(|jet| jet.derivative[0].widen()).collect())
     }
     fn num_dual(&self, x: &[f64], direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
-        let input = self.made(x, |i, v| S::num_dual(v, S::nearest(direction[i])));
-        let out = O::on_num_dual::<S>(&input)?;
-        Some(of_num_duals::<S>(out.scalars()))
+        let out = self.code.num_dual(&num_duals::<S>(x, direction))?;
+        Some(of_num_duals::<S>(out))
     }
     fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)> {
-        let input = self.made(x, |_, v| Traced(v));
-        let (out, trace) = trace(|| O::eval::<Traced<S>>(&input));
-        Some((out.scalars().iter().map(|y| y.0.widen()).collect(), trace))
+        let input: Vec<Traced<S>> = x.iter().map(|&x| Traced(S::nearest(x))).collect();
+        let (out, trace) = trace(|| self.code.traced(&input));
+        Some((out.iter().map(|y| y.0.widen()).collect(), trace))
     }
     fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
-        let bends = self.bends(x, y_bar, direction, |x| x);
-        Some(bends.iter().map(|bend| bend.widen()).collect())
+        let y_bar: Vec<Jet<S, 1>> = y_bar.iter().map(|&y| Scalar::lit(y)).collect();
+        let bends = self.code.jets_vjp(&moving(x, direction, |x: S| x), &y_bar);
+        Some(bends.iter().map(|jet| jet.derivative[0].widen()).collect())
     }
     fn noisy_curvature(
         &self,
@@ -188,26 +278,32 @@ where
         if S::COMPENSATED {
             return None;
         }
-        let bends = noisy(seed, || self.bends(x, y_bar, direction, Noisy));
-        Some(bends.iter().map(|bend| bend.0.widen()).collect())
+        let bends = noisy(seed, || {
+            let y_bar: Vec<Jet<Noisy<S>, 1>> = y_bar.iter().map(|&y| Scalar::lit(y)).collect();
+            self.code
+                .noisy_jets_vjp(&moving(x, direction, |x: S| Noisy(x)), &y_bar)
+        });
+        let bends = bends.iter().map(|jet| jet.derivative[0].0.widen());
+        Some(bends.collect())
     }
     fn second_order(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let chunk = <First<S> as Scalar>::lit(0.0).derivative.len();
         let mut bends = vec![0.0; x.len()];
         for start in (0..x.len()).step_by(chunk) {
-            let input = self.made(x, |i, value| {
+            let jets = x.iter().zip(direction).enumerate().map(|(i, (&x, &d))| {
                 let along = |value, derivative| Jet {
                     value,
                     derivative: [derivative],
                 };
                 let mut jet: Along<S> = <Along<S> as Scalar>::lit(0.0);
-                jet.value = along(value, S::nearest(direction[i]));
+                jet.value = along(S::nearest(x), S::nearest(d));
                 if let Some(derivative) = jet.derivative.get_mut(i.wrapping_sub(start)) {
                     *derivative = along(S::nearest(1.0), S::nearest(0.0));
                 }
                 jet
             });
-            for (y_bar, jet) in y_bar.iter().zip(O::eval::<Along<S>>(&input).scalars()) {
+            let jets: Vec<Along<S>> = jets.collect();
+            for (y_bar, jet) in y_bar.iter().zip(self.code.second(&jets)) {
                 for (bend, derivative) in bends[start..].iter_mut().zip(jet.derivative) {
                     *bend += y_bar * derivative.derivative[0].widen();
                 }
@@ -216,45 +312,36 @@ where
         Some(bends)
     }
     fn wide(&self) -> Option<Box<dyn Subject + '_>> {
-        (self.precision() == Precision::F32)
-            .then(|| Box::new(OpSubject::<O, f64>::new(self.near, &[], None)) as Box<dyn Subject>)
+        (self.precision() == Precision::F32).then(|| Box::new(self.code.wide()) as Box<dyn Subject>)
     }
     fn inside(&self, x: &[f64]) -> bool {
-        self.near.refill(x).inside()
+        self.near.inside(x)
     }
     fn scales(&self, x: &[f64]) -> Vec<f64> {
-        self.near.refill(x).scales()
+        self.near.scales(x)
     }
     fn units(&self, x: &[f64]) -> Vec<f64> {
-        self.near.refill(x).units()
+        self.near.units(x)
     }
     fn comparable(&self) -> bool {
         true
     }
     fn rounding(&self, x: &[f64]) -> Vec<f64> {
         let eps = self.precision().epsilon();
-        let extents = self.near.refill(x).extents();
-        extents
-            .iter()
-            .zip(x)
-            .map(|(extent, x)| eps * extent.max(0.5 * x.abs()))
-            .collect()
+        let extents = self.near.extents(x);
+        let of = |(extent, x): (&f64, &f64)| eps * extent.max(0.5 * x.abs());
+        extents.iter().zip(x).map(of).collect()
     }
     fn kinds(&self) -> Vec<Kind> {
         self.near.kinds()
     }
     fn output_kinds(&self) -> Vec<Kind> {
-        O::Out::<f64>::filled(1.0).kinds()
+        (self.stated.output_kinds)()
     }
     fn invariances(&self) -> &[Invariance] {
-        O::INVARIANCES
+        self.stated.invariances
     }
     fn conventions(&self) -> Conventions {
-        Conventions {
-            flat: true,
-            jumps: O::JUMPS,
-            shared_ties: false,
-            searches: O::SEARCHES,
-        }
+        self.stated.conventions
     }
 }

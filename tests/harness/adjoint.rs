@@ -92,7 +92,7 @@ mod alarms {
             &[pair],
             1,
             |x, judge| {
-                judge(&OpSubject::<O, f64>::new(x, &[], None));
+                judge(&OpSubject::<f64>::of::<O>(x, &[], None));
             },
         )
     }
@@ -173,7 +173,7 @@ mod alarms {
         let ring: Vec<Vec2<f64>> = ring.iter().map(|&(x, y)| Vec2::new(x, y)).collect();
         let plan = Sampling::new(1, check::SEED ^ 23144);
         let report = examine("centroid", &plan, &[ring], 1, |x, judge| {
-            judge(&OpSubject::<Ringed<Centroid>, f32>::new(x, &[], None));
+            judge(&OpSubject::<f32>::of::<Ringed<Centroid>>(x, &[], None));
         });
         assert!(report.passed(), "{report}");
     }

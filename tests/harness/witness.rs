@@ -75,7 +75,7 @@ fn a_wrong_batch_is_refused() {
         let batch = Batch::new(vec![&ask], &[input.scalars()]).unwrap();
         let inputs = [input];
         examine("wrong", &Sampling::new(1, 1), &inputs, 1, |x, judge| {
-            let subject = OpSubject::<Straight<IouObb2>, f32>::new(x, &[], None);
+            let subject = OpSubject::<f32>::of::<Straight<IouObb2>>(x, &[], None);
             judge(&subject.with_batch(Some(&batch)));
         })
     };

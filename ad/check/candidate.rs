@@ -1,0 +1,82 @@
+//! Inputs that a function is judged at, without their types.
+use crate::Pack;
+use crate::ad::check::subject::Subject;
+use crate::ad::check::trace::Number;
+use crate::ad::sample::drawn::{Drawn, code};
+use std::fmt::Debug;
+
+/// An input of a function under test.
+pub(crate) trait Candidate<'a> {
+    fn numbers(&self) -> Vec<f64>;
+    /// The same shapes made of other numbers.
+    fn refilled(&self, numbers: &[f64]) -> Box<dyn Candidate<'a> + 'a>;
+    /// Inputs with fewer shapes in their lists.
+    fn fewer(&self) -> Vec<Box<dyn Candidate<'a> + 'a>>;
+    /// It, as code.
+    fn code(&self) -> String;
+    /// Hands over the function near it.
+    fn met(&self, judge: &mut dyn FnMut(&dyn Subject));
+}
+
+/// An input of a type, and who makes the function near it.
+pub(crate) struct Typed<'a, X, F> {
+    pub(crate) x: X,
+    pub(crate) meet: &'a F,
+}
+
+impl<'a, S, X, F> Candidate<'a> for Typed<'a, X, F>
+where
+    S: Number,
+    X: Pack<Scalar = S> + Debug + 'a,
+    F: Fn(&X, &mut dyn FnMut(&dyn Subject)),
+{
+    fn numbers(&self) -> Vec<f64> {
+        self.x.scalars().iter().map(|x| x.widen()).collect()
+    }
+    fn refilled(&self, numbers: &[f64]) -> Box<dyn Candidate<'a> + 'a> {
+        let list: Vec<S> = numbers.iter().map(|&x| S::nearest(x)).collect();
+        let (x, meet) = (self.x.refill(&list), self.meet);
+        Box::new(Typed { x, meet })
+    }
+    fn fewer(&self) -> Vec<Box<dyn Candidate<'a> + 'a>> {
+        let meet = self.meet;
+        let of = |x| Box::new(Typed { x, meet }) as Box<dyn Candidate<'a> + 'a>;
+        self.x.fewer().map(of).collect()
+    }
+    fn code(&self) -> String {
+        code::<X>(&format!("{:?}", self.x))
+    }
+    fn met(&self, judge: &mut dyn FnMut(&dyn Subject)) {
+        (self.meet)(&self.x, judge);
+    }
+}
+
+/// Makes subjects near an input and hands them over.
+pub(crate) type Meet<'a> = dyn Fn(&dyn Drawn, &mut dyn FnMut(&dyn Subject)) + 'a;
+
+/// An input that was drawn, and who makes the function near it.
+pub(crate) struct Untyped<'a> {
+    pub(crate) x: Box<dyn Drawn>,
+    pub(crate) meet: &'a Meet<'a>,
+}
+
+impl<'a> Candidate<'a> for Untyped<'a> {
+    fn numbers(&self) -> Vec<f64> {
+        self.x.numbers()
+    }
+    fn refilled(&self, numbers: &[f64]) -> Box<dyn Candidate<'a> + 'a> {
+        let (x, meet) = (self.x.refilled(numbers), self.meet);
+        Box::new(Untyped { x, meet })
+    }
+    fn fewer(&self) -> Vec<Box<dyn Candidate<'a> + 'a>> {
+        let meet = self.meet;
+        let of = |x| Box::new(Untyped { x, meet }) as Box<dyn Candidate<'a> + 'a>;
+        self.x.fewer().into_iter().map(of).collect()
+    }
+    fn code(&self) -> String {
+        self.x.code()
+    }
+    fn met(&self, judge: &mut dyn FnMut(&dyn Subject)) {
+        (self.meet)(&*self.x, judge);
+    }
+}
