@@ -68,7 +68,7 @@ impl<S: Scalar> Reference<S> {
         let (smaller, larger) = (size_a.least(size_b), size_a.most(size_b));
         let smaller = S::select(apart, joint, smaller);
         let seen = Reference {
-            origin: choose(in_a, low_a, low_b),
+            origin: Vec2::select(in_a, low_a, low_b),
             shift: Vec2::zero(),
             scale: unit(smaller, larger.most(smaller)),
         };
@@ -204,11 +204,6 @@ fn unit<S: Scalar>(smaller: S, larger: S) -> S {
     S::select(point, S::one(), S::select(point, S::one(), size).binade())
 }
 
-/// One of two vectors.
-#[inline(always)]
-pub(crate) fn choose<S: Scalar>(mask: S::Mask, yes: Vec2<S>, no: Vec2<S>) -> Vec2<S> {
-    Vec2::new(S::select(mask, yes.x, no.x), S::select(mask, yes.y, no.y))
-}
 #[inline(always)]
 fn lower<S: Scalar>(x: S, y: S) -> S {
     S::select(y.below(x), y, x)

@@ -14,7 +14,6 @@
 //! crossing point itself is not differentiated, so nearly parallel edges are harmless. Edges that lie
 //! along each other count half each.
 use crate::overlap_polygon::{Fan, Inside, SharedArea, Wedge, bounds_of_rings, measure, mixed};
-use crate::reference::choose;
 use crate::shape::edges;
 use crate::{ConvexPolygon, Mask, Scalar, Vec2};
 
@@ -190,11 +189,11 @@ fn combined<S: Scalar, const N: usize, const M: usize>(
     let inter = S::select(shared.nothing, S::zero(), partials[0]);
     let half = |own: Vec2<S>| Vec2::new(own.x.halved(), own.y.halved());
     for (bar, own) in a_bar.iter_mut().zip(own_a) {
-        let of_both = choose(shared.same, half(own), *bar);
+        let of_both = Vec2::select(shared.same, half(own), *bar);
         *bar = seen.outer_derivative(of_both * inter + own * partials[1], power);
     }
     for (bar, own) in b_bar.iter_mut().zip(own_b) {
-        let of_both = choose(shared.same, half(own), *bar);
+        let of_both = Vec2::select(shared.same, half(own), *bar);
         *bar = seen.outer_derivative(of_both * inter + own * partials[2], power);
     }
     (

@@ -1,5 +1,5 @@
 //! Convex shapes as distances take them: a core of few corners, inflated by a radius.
-use super::edge::{Edge, choose, reach, size_of};
+use super::edge::{Edge, reach, size_of};
 use super::pair::PairFormula;
 use super::share::{Ahead, Best, Deepest, Nearest};
 use crate::intersection::span::{Beam, Inside};
@@ -230,7 +230,7 @@ pub(super) fn face_deep<S: Scalar, B: Core<S>>(
             ahead: first.sum.ahead - height * first.count,
             normal,
             on_a,
-            on_b: choose(above, lowest.on_b, beside),
+            on_b: Vec2::select(above, lowest.on_b, beside),
             beyond,
             middle: Vec2::new(
                 S::from_primal(middle.x.primal()),
@@ -249,5 +249,5 @@ pub(crate) fn unit<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
     let none = square.at_most(S::lit(S::EPSILON.powi(4)));
     let length = S::select(none, S::one(), square).root();
     let unit = Vec2::new(v.x.over(length), v.y.over(length));
-    choose(none, Vec2::zero(), unit)
+    Vec2::select(none, Vec2::zero(), unit)
 }

@@ -1,6 +1,6 @@
 //! The cores that shapes are made of: a point, a piece of a line, a polygon, a box.
 use super::convex::{Core, edge_near, face_deep, unit};
-use super::edge::{Edge, choose, scale_of, size_of};
+use super::edge::{Edge, scale_of, size_of};
 use super::share::{Ahead, Best, Deepest, Nearest};
 use crate::intersection::span::{Beam, Inside};
 use crate::{Rotation2, Scalar, Vec2};
@@ -174,8 +174,8 @@ impl<S: Scalar, const N: usize, const TRIANGLE: bool> PolygonCore<S, N, TRIANGLE
             S::Primal::select(first.equals(longest), turn(q, r), turn(r, p)),
         );
         let clockwise = S::from_primal(turn).below(S::zero());
-        corners[1] = choose(clockwise, c, b);
-        corners[2] = choose(clockwise, b, c);
+        corners[1] = Vec2::select(clockwise, c, b);
+        corners[2] = Vec2::select(clockwise, b, c);
         corners
     }
 }

@@ -58,14 +58,8 @@ pub fn reach<S: Scalar>(edge: Edge<S>, arm: Vec2<S>) -> Reach<S> {
     Reach {
         t,
         free,
-        apart: choose(inside, across, direct),
+        apart: Vec2::select(inside, across, direct),
     }
-}
-
-/// `yes` where the mask is true, else `no`.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn choose<S: Scalar>(mask: S::Mask, yes: Vec2<S>, no: Vec2<S>) -> Vec2<S> {
-    Vec2::new(S::select(mask, yes.x, no.x), S::select(mask, yes.y, no.y))
 }
 
 /// The larger coordinate of a vector, without sign, as a constant.

@@ -240,7 +240,7 @@ pub fn farthest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Far
     });
     let farther = |best: (Vec2<S>, Vec2<S>, Vec2<S>), other: (Vec2<S>, Vec2<S>, Vec2<S>)| {
         let keep = other.0.length_squared().at_most(best.0.length_squared());
-        let pick = |x, y| edge::choose(keep, x, y);
+        let pick = |x, y| Vec2::select(keep, x, y);
         (
             pick(best.0, other.0),
             pick(best.1, other.1),
@@ -252,7 +252,7 @@ pub fn farthest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Far
     if A::ROUND || B::ROUND {
         let none = way.x.equals(S::zero()) & way.y.equals(S::zero());
         let along = Vec2::new(S::one(), S::zero());
-        let direction = relation::direction(edge::choose(none, along, way));
+        let direction = relation::direction(Vec2::select(none, along, way));
         on_a -= direction * a.radius();
         on_b += direction * b.radius();
     }

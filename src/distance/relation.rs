@@ -1,7 +1,7 @@
 //! Two cores against each other, once for all functions of distance.
 use super::Contact;
 use super::convex::{Convex, Core};
-use super::edge::{choose, scale_of};
+use super::edge::scale_of;
 use super::share::{Best, Deepest, Nearest};
 use crate::scalar::speck;
 use crate::{Scalar, Vec2};
@@ -119,7 +119,7 @@ pub(crate) fn direction<S: Scalar>(way: Vec2<S>) -> Vec2<S> {
     let none = length.at_most(S::zero());
     let over = S::select(none, S::one(), length);
     let unit = Vec2::new(way.x.over(over), way.y.over(over));
-    choose(length.at_most(S::lit(speck::<S>())), constant(unit), unit)
+    Vec2::select(length.at_most(S::lit(speck::<S>())), constant(unit), unit)
 }
 
 /// The vector without derivatives.
@@ -172,9 +172,9 @@ pub(crate) fn joined<S: Scalar>(
     let ahead = S::select(rounded, touching, deep.ahead);
     Relation {
         apart: S::select(inside, ahead, length),
-        normal: choose(inside, deep.normal, direction),
-        on_a: choose(inside, deep.on_a, near.on_a),
-        on_b: choose(inside, deep.on_b, near.on_b),
+        normal: Vec2::select(inside, deep.normal, direction),
+        on_a: Vec2::select(inside, deep.on_a, near.on_a),
+        on_b: Vec2::select(inside, deep.on_b, near.on_b),
         // Bounded cores have a face that parts them unless both are points, for which it is the way.
         endless: if bounded { never } else { !parted },
         overlap: inside & deep.ahead.below(S::zero()),

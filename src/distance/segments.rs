@@ -1,6 +1,6 @@
 //! The closest points of two segments, with their parameters.
 use super::convex::{Convex, Core};
-use super::edge::{Edge, choose, reach, scale_of, size_of};
+use super::edge::{Edge, reach, scale_of, size_of};
 use super::share::{Best, Carry};
 use crate::{Scalar, Segment2, Vec2};
 
@@ -187,7 +187,7 @@ fn way<S: Scalar>(link: Link<S>, distance: S) -> Way<S> {
     let over = S::select(length.at_most(S::zero()), S::one(), length);
     let direction = Vec2::new(link.apart.x.over(over), link.apart.y.over(over));
     Way {
-        direction: choose(distance.above(S::zero()), direction, Vec2::zero()),
+        direction: Vec2::select(distance.above(S::zero()), direction, Vec2::zero()),
         along_a: link.along_a,
         along_b: link.along_b,
     }

@@ -144,7 +144,7 @@ impl<S: Scalar, const N: usize> Convex<S> for [Vec2<S>; N] {
 pub fn repeat_last<S: Scalar, const N: usize>(mut corners: [Vec2<S>; N], used: S) -> [Vec2<S>; N] {
     for k in 1..N {
         let beyond = used.at_most(S::lit(k as f64));
-        corners[k] = super::edge::choose(beyond, corners[k - 1], corners[k]);
+        corners[k] = Vec2::select(beyond, corners[k - 1], corners[k]);
     }
     corners
 }

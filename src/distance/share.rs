@@ -1,5 +1,4 @@
 //! The least and the greatest of many, with all that they carry; exact ties share equally.
-use super::edge::choose;
 use crate::{Scalar, Vec2};
 
 /// Values that can be added up and divided: a [`Best`] carries one.
@@ -199,11 +198,11 @@ impl<S: Scalar> Carry<S> for Deepest<S> {
         let first = keep | tie & self.beyond.at_most(other.beyond);
         Deepest {
             ahead: self.ahead.join(other.ahead, keep, tie),
-            normal: choose(first, self.normal, other.normal),
-            on_a: choose(first, self.on_a, other.on_a),
-            on_b: choose(first, self.on_b, other.on_b),
+            normal: Vec2::select(first, self.normal, other.normal),
+            on_a: Vec2::select(first, self.on_a, other.on_a),
+            on_b: Vec2::select(first, self.on_b, other.on_b),
             beyond: S::select(first, self.beyond, other.beyond),
-            middle: choose(first, self.middle, other.middle),
+            middle: Vec2::select(first, self.middle, other.middle),
             half: S::select(first, self.half, other.half),
         }
     }

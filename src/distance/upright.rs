@@ -1,6 +1,6 @@
 //! Distances and nearest points of two axis-aligned boxes, axis by axis: what the functions of
 //! [`distance`](mod@crate::distance) do for them.
-use super::edge::{choose, scale_of, size_of};
+use super::edge::{scale_of, size_of};
 use super::relation::direction;
 use super::{Contact, PointPair};
 use crate::{Aabb2, Scalar, Vec2};
@@ -156,9 +156,9 @@ pub fn penetration_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Contact<S> {
     let way = Vec2::new(way.x.saturated() * side.x, way.y.saturated() * side.y);
     let across = direction(way * scale_of::<S>(size_of(way)));
     let along_x = gap.x.at_least(gap.y);
-    let out = choose(along_x, Vec2::new(side.x, zero), Vec2::new(zero, side.y));
+    let out = Vec2::select(along_x, Vec2::new(side.x, zero), Vec2::new(zero, side.y));
     Contact {
         depth: S::select(apart | !deep.above(zero), zero, deep).canonical(),
-        direction: choose(apart, across, out).canonical(),
+        direction: Vec2::select(apart, across, out).canonical(),
     }
 }

@@ -1,5 +1,5 @@
 //! Crossings of lines and of segments.
-use crate::distance::edge::{choose, scale_of, size_of};
+use crate::distance::edge::{scale_of, size_of};
 use crate::{Line2, Scalar, Segment2, Vec2};
 
 /// The point in which two lines cross, and its parameters on both.
@@ -103,7 +103,10 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> CommonP
     // The longer one is the base, so that a segment of length zero lies along the other.
     let swap = size_of(a.along()).below(size_of(b.along()));
     let pick = |yes: Segment2<S>, no: Segment2<S>| {
-        Segment2::new(choose(swap, yes.from, no.from), choose(swap, yes.to, no.to))
+        Segment2::new(
+            Vec2::select(swap, yes.from, no.from),
+            Vec2::select(swap, yes.to, no.to),
+        )
     };
     let (base, other) = (pick(b, a), pick(a, b));
     let (along, along_other, way) = (base.along(), other.along(), other.from - base.from);

@@ -1,7 +1,7 @@
 //! Lines, rays and segments through convex shapes.
 use super::lines::flag;
 use crate::distance::convex::{Convex, Core, unit};
-use crate::distance::edge::{choose, scale_of, size_of};
+use crate::distance::edge::{scale_of, size_of};
 use crate::distance::share::{Best, Carry};
 use crate::{Line2, Ray2, Scalar, Segment2, Vec2};
 
@@ -54,7 +54,7 @@ impl<S: Scalar> Carry<S> for Border<S> {
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
         Border {
             t: self.t.join(other.t, keep, tie),
-            normal: choose(keep | tie, self.normal, other.normal),
+            normal: Vec2::select(keep | tie, self.normal, other.normal),
         }
     }
     #[inline(always)]
@@ -155,7 +155,7 @@ impl<S: Scalar> Inside<S> {
             let normal = Vec2::new(out.x.over(safe), out.y.over(safe));
             Border {
                 t,
-                normal: choose(point, Vec2::zero(), normal),
+                normal: Vec2::select(point, Vec2::zero(), normal),
             }
         };
         Inside::new(border(middle - half), border(middle + half)).unless(square.below(S::zero()))

@@ -36,7 +36,7 @@ pub mod rings;
 mod wedge;
 
 use crate::overlap::{ratio_of_first, ratio_of_union};
-use crate::reference::{Reference, bounds_of, choose};
+use crate::reference::{Reference, bounds_of};
 use crate::shape::edges;
 use crate::{Aabb2, ConvexPolygon, Mask, Scalar, Vec2};
 pub use quad::intersection_area_quads;
@@ -81,7 +81,7 @@ fn middle<S: Scalar>(polygon: &[Vec2<S>], seen: &Reference<S>) -> Vec2<S> {
 #[inline(always)]
 fn pair_reference<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> (Reference<S>, S::Mask, S::Mask) {
     let (seen, in_a, apart) = Reference::of_pair(least_bounds(a), least_bounds(b));
-    let middle = choose(in_a, middle(a, &seen), middle(b, &seen));
+    let middle = Vec2::select(in_a, middle(a, &seen), middle(b, &seen));
     (seen.shifted(middle), in_a, apart)
 }
 
@@ -234,7 +234,11 @@ impl<S: Scalar, const M: usize> Inside<S, M> {
         let share = Vec2::new(S::lit(0.463_647_609), S::lit(0.540_302_306));
         let size = high - low;
         let at = low + Vec2::new(size.x * share.x, size.y * share.y);
-        let seen = seen.shifted(choose(in_rings, at, middle(polygon.as_slice(), &seen)));
+        let seen = seen.shifted(Vec2::select(
+            in_rings,
+            at,
+            middle(polygon.as_slice(), &seen),
+        ));
         Inside {
             seen,
             fan: Fan::new(&polygon.vertices, polygon.count, &seen),

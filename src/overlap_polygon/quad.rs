@@ -16,7 +16,6 @@
 //! `max(X, 0) − max(X + Y − D, 0)`, and the mean of the positive part of a linear function with values
 //! p and q at its ends is `½ (p⁺ + q⁺) (p⁺ − q⁺) / (p − q)`. Nothing is sorted and there are no cases; the sum
 //! is continuous in every vertex.
-use crate::reference::choose;
 use crate::{Scalar, Vec2};
 
 /// Twice the mean of the positive part of a linear function between two values: the square of what is positive of both
@@ -146,10 +145,10 @@ pub(crate) fn choose_quad<S: Scalar>(
     no: [Vec2<S>; 4],
 ) -> [Vec2<S>; 4] {
     [
-        choose(mask, yes[0], no[0]),
-        choose(mask, yes[1], no[1]),
-        choose(mask, yes[2], no[2]),
-        choose(mask, yes[3], no[3]),
+        Vec2::select(mask, yes[0], no[0]),
+        Vec2::select(mask, yes[1], no[1]),
+        Vec2::select(mask, yes[2], no[2]),
+        Vec2::select(mask, yes[3], no[3]),
     ]
 }
 
@@ -169,12 +168,12 @@ impl<S: Scalar> QuadPair<S> {
         }
         let (reach_a, reach_b) = (reach(&ways), reach(&to));
         let exchanged = reach_a.below(reach_b);
-        let origin = choose(exchanged, half(a[0]), half(b[0]));
+        let origin = Vec2::select(exchanged, half(a[0]), half(b[0]));
         let mut size = S::select(exchanged, reach_a, reach_b);
         k = 0;
         while k < 4 {
-            to[k] = choose(exchanged, ways[k], to[k]);
-            at[k] = choose(exchanged, half(b[k]), half(a[k])) - origin;
+            to[k] = Vec2::select(exchanged, ways[k], to[k]);
+            at[k] = Vec2::select(exchanged, half(b[k]), half(a[k])) - origin;
             size = size.most(at[k].x.unsigned().most(at[k].y.unsigned()));
             k += 1;
         }

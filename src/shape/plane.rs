@@ -30,7 +30,7 @@ pub struct Plane3<S> {
 fn has_direction<S: Scalar<Mask = bool>>(plane: &Plane3<S>) -> Result<(), Flaw> {
     let (n, zero) = (plane.normal, S::zero());
     if n.x.equals(zero) & n.y.equals(zero) & n.z.equals(zero) {
-        return Err(Flaw::Broken(Field::new("normal"), "is zero"));
+        return Err(Flaw::Zero(Field::new("normal")));
     }
     Ok(())
 }

@@ -173,6 +173,11 @@ vector! {
 }
 
 impl<S: Scalar> Vec2<S> {
+    /// `yes` where the mask is true, else `no`.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
+        Vec2::new(S::select(mask, yes.x, no.x), S::select(mask, yes.y, no.y))
+    }
     /// The length; derivative zero at the zero vector.
     #[must_use]
     #[inline(always)]
