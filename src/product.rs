@@ -18,19 +18,19 @@ macro_rules! tuples {
                 $(self.$place.each(f);)*
             }
             fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
-                // Loops, since every adapter of an iterator would be compiled for every tuple.
-                let mut all = Vec::new();
-                for x in self.$zero.fewer() {
-                    let mut fewer = self.clone();
-                    fewer.$zero = x;
-                    all.push(fewer);
-                }
-                $(for x in self.$place.fewer() {
-                    let mut fewer = self.clone();
-                    fewer.$place = x;
-                    all.push(fewer);
-                })*
-                Box::new(all.into_iter())
+                let first = self.$zero.fewer().map(|x| {
+                    let mut all = self.clone();
+                    all.$zero = x;
+                    all
+                });
+                Box::new(OneAfterAnother(vec![Box::new(first) as Box<dyn Iterator<Item = Self> + '_> $(, {
+                    let next = self.$place.fewer().map(|x| {
+                        let mut all = self.clone();
+                        all.$place = x;
+                        all
+                    });
+                    Box::new(next)
+                })*]))
             }
         }
         impl<$first: Fixed $(, $part: Fixed<Scalar = $first::Scalar>)*> Fixed for ($first, $($part,)*) {
@@ -152,6 +152,22 @@ impl<P: Validate, const N: usize> Validate for [P; N] {
         Ok(())
     }
 }
+/// Iterators one after another, the first one first: a chain that costs little to compile for every tuple.
+struct OneAfterAnother<'a, X>(Vec<Box<dyn Iterator<Item = X> + 'a>>);
+
+impl<X> Iterator for OneAfterAnother<'_, X> {
+    type Item = X;
+    fn next(&mut self) -> Option<X> {
+        while let Some(first) = self.0.first_mut() {
+            match first.next() {
+                None => drop(self.0.remove(0)),
+                found => return found,
+            }
+        }
+        None
+    }
+}
+
 /// A list with one element replaced by one with fewer numbers.
 fn fewer_inside<P: Pack, L: Clone + AsMut<[P]>>(
     list: &L,

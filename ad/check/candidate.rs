@@ -5,13 +5,16 @@ use crate::ad::check::trace::Number;
 use crate::ad::sample::drawn::{Drawn, code};
 use std::fmt::Debug;
 
+/// Inputs one by one: all those of a long list at once would fill the memory.
+pub(crate) type Fewer<'a, 'b> = Box<dyn Iterator<Item = Box<dyn Candidate<'a> + 'a>> + 'b>;
+
 /// An input of a function under test.
 pub(crate) trait Candidate<'a> {
     fn numbers(&self) -> Vec<f64>;
     /// The same shapes made of other numbers.
     fn refilled(&self, numbers: &[f64]) -> Box<dyn Candidate<'a> + 'a>;
     /// Inputs with fewer shapes in their lists.
-    fn fewer(&self) -> Vec<Box<dyn Candidate<'a> + 'a>>;
+    fn fewer(&self) -> Fewer<'a, '_>;
     /// It, as code.
     fn code(&self) -> String;
     /// Hands over the function near it.
@@ -38,10 +41,10 @@ where
         let (x, meet) = (self.x.refill(&list), self.meet);
         Box::new(Typed { x, meet })
     }
-    fn fewer(&self) -> Vec<Box<dyn Candidate<'a> + 'a>> {
+    fn fewer(&self) -> Fewer<'a, '_> {
         let meet = self.meet;
-        let of = |x| Box::new(Typed { x, meet }) as Box<dyn Candidate<'a> + 'a>;
-        self.x.fewer().map(of).collect()
+        let of = move |x| Box::new(Typed { x, meet }) as Box<dyn Candidate<'a> + 'a>;
+        Box::new(self.x.fewer().map(of))
     }
     fn code(&self) -> String {
         code::<X>(&format!("{:?}", self.x))
@@ -68,10 +71,10 @@ impl<'a> Candidate<'a> for Untyped<'a> {
         let (x, meet) = (self.x.refilled(numbers), self.meet);
         Box::new(Untyped { x, meet })
     }
-    fn fewer(&self) -> Vec<Box<dyn Candidate<'a> + 'a>> {
+    fn fewer(&self) -> Fewer<'a, '_> {
         let meet = self.meet;
-        let of = |x| Box::new(Untyped { x, meet }) as Box<dyn Candidate<'a> + 'a>;
-        self.x.fewer().into_iter().map(of).collect()
+        let of = move |x| Box::new(Untyped { x, meet }) as Box<dyn Candidate<'a> + 'a>;
+        Box::new(self.x.fewer().map(of))
     }
     fn code(&self) -> String {
         self.x.code()

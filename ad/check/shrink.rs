@@ -22,7 +22,7 @@ pub(crate) fn shrunk<'a>(
         let count = numbers.len();
         let like = &least.0;
         let rounded = fewer_digits(numbers).map(|list| like.refilled(&list));
-        let mut candidates = like.fewer().into_iter().chain(rounded);
+        let mut candidates = like.fewer().chain(rounded);
         let found = candidates.find_map(|candidate| {
             let length = candidate.numbers().len();
             left = left.saturating_sub(length.max(FEW_INPUTS));

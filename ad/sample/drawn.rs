@@ -36,7 +36,7 @@ pub(crate) trait Drawn: Near {
     /// The same shapes made of other numbers.
     fn refilled(&self, numbers: &[f64]) -> Box<dyn Drawn>;
     /// Inputs with fewer shapes in their lists.
-    fn fewer(&self) -> Vec<Box<dyn Drawn>>;
+    fn fewer(&self) -> Box<dyn Iterator<Item = Box<dyn Drawn>> + '_>;
     fn is_inside(&self) -> bool;
     fn outlines(&self) -> Vec<Vec<[f64; 2]>>;
     /// It, as code.
@@ -45,7 +45,6 @@ pub(crate) trait Drawn: Near {
     fn near(&self) -> &dyn Near;
 }
 
-// Loops, since every adapter of an iterator would be compiled for every type.
 impl<X: Sample> Drawn for X {
     fn numbers(&self) -> Vec<f64> {
         self.scalars()
@@ -53,12 +52,9 @@ impl<X: Sample> Drawn for X {
     fn refilled(&self, numbers: &[f64]) -> Box<dyn Drawn> {
         Box::new(self.refill(numbers))
     }
-    fn fewer(&self) -> Vec<Box<dyn Drawn>> {
-        let mut all: Vec<Box<dyn Drawn>> = Vec::new();
-        for x in crate::Pack::fewer(self) {
-            all.push(Box::new(x));
-        }
-        all
+    fn fewer(&self) -> Box<dyn Iterator<Item = Box<dyn Drawn>> + '_> {
+        let all = crate::Pack::fewer(self);
+        Box::new(all.map(|x| Box::new(x) as Box<dyn Drawn>))
     }
     fn is_inside(&self) -> bool {
         Sample::inside(self)
@@ -102,6 +98,7 @@ pub(crate) struct Kinship {
 impl Kinship {
     pub(crate) const fn of<X: Sample>() -> Self {
         Kinship {
+            // A loop, since every adapter of an iterator is compiled for every type.
             hard: || {
                 let mut all: Vec<Box<dyn Drawn>> = Vec::new();
                 for x in X::hard() {
