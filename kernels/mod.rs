@@ -6,6 +6,7 @@
 //! | [`Cpu::all_pairs`] | every shape of a with every shape of b | a [`Table`] |
 //! | [`Cpu::row_max`], [`Cpu::column_max`] | the same | the best match of every row or column |
 //! | [`Cpu::above`], [`Cpu::count_above`] | the same | the pairs above a threshold |
+//! | [`Cpu::above_grouped`], [`Cpu::row_max_grouped`] | two lists in [`Groups`] | the same within every group |
 //! | [`Cpu::sum`], [`Cpu::mean`], [`Cpu::sum_grad`] | the same | a loss, and its gradient |
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
@@ -46,6 +47,8 @@ pub mod fold;
 pub mod fuzz;
 #[forbid(unsafe_code)]
 pub mod gpu;
+#[forbid(unsafe_code)]
+mod grouped;
 #[forbid(unsafe_code)]
 pub mod item;
 #[forbid(unsafe_code)]
@@ -91,6 +94,7 @@ pub mod witness;
 pub use backend::Backend;
 pub use cpu::{Cpu, Single, Table};
 pub use fold::Fold;
+pub use grouped::Groups;
 pub use item::{Column, Columns, Item, One, Target};
 pub use op::{Op, RingOp, Runs};
 pub use search::Search;

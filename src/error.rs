@@ -35,6 +35,8 @@ pub enum Argument {
     Upstream,
     /// The threshold of a reduction.
     Threshold,
+    /// The groups of a second list.
+    Groups,
     /// The caller's buffer for results.
     Values,
     /// The caller's buffer for gradients of the first input.
@@ -96,6 +98,7 @@ impl fmt::Display for Argument {
             Argument::Offsets => "offsets",
             Argument::Upstream => "upstream",
             Argument::Threshold => "threshold",
+            Argument::Groups => "groups",
             Argument::Values => "values",
             Argument::GradA => "grad_a",
             Argument::GradB => "grad_b",
@@ -407,6 +410,14 @@ pub enum Error {
         /// The index into its offsets.
         item: usize,
     },
+    /// The offsets of the groups of a list decrease at this item, do not start at zero (item 0) or do not end at the
+    /// length of the list (last item).
+    GroupsOf {
+        /// The list.
+        argument: Argument,
+        /// The index into its offsets.
+        item: usize,
+    },
     /// Items of an argument have the wrong number of fields.
     Fields {
         /// The argument.
@@ -475,6 +486,12 @@ impl fmt::Display for Error {
                 write!(
                     f,
                     "`{argument}`: offset {item}: offsets go from 0 to the number of vertices and never decrease"
+                )
+            }
+            Error::GroupsOf { argument, item } => {
+                write!(
+                    f,
+                    "groups of `{argument}`: offset {item}: offsets go from 0 to the number of items and never decrease"
                 )
             }
             Error::Fields {

@@ -4,6 +4,7 @@ use crate::Vec2;
 use crate::error::Error;
 use crate::kernels::cpu::desk::{self, Aligned};
 use crate::kernels::cpu::greedy::{self, Greed};
+use crate::kernels::cpu::grouped::{self, Spans as Groups};
 use crate::kernels::cpu::nearest::{self, Sieved, Spans};
 use crate::kernels::cpu::pairs::{self, Pairs};
 use crate::kernels::cpu::plan::{self, Face};
@@ -42,5 +43,8 @@ drivers! {
     sieved: fn(&[Vec2<T>], &[Vec2<T>], Spans<'_>, bool) -> Option<Vec<Sieved<T>>> = nearest::sieved;
     ring_scores: fn(RingPairs<'_, T>) -> Vec<T> = polygons::scores;
     ring_derivatives: fn(RingPairs<'_, T>, &[T]) -> Pulled<T> = polygons::derivatives;
+    above_grouped: fn(&Pairs<'_, T>, Groups<'_>, T) -> Vec<Found<T>> = grouped::above;
+    most_grouped: fn(&Pairs<'_, T>, Groups<'_>, bool) -> Vec<Option<Best<T>>> = grouped::most;
+    suppress_grouped: fn(&Pairs<'_, T>, &[usize], Greed<'_, T>) -> Vec<usize> = grouped::suppress;
     suppress: fn(&Pairs<'_, T>, Greed<'_, T>) -> Vec<usize> = greedy::suppress;
 }

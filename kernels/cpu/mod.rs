@@ -32,7 +32,8 @@
 //! *Pairs.* `sweep` walks all pairs for tables (`pairs`) and reductions (`reductions`). If results of shapes apart are
 //! zero, bounds are compared first, by a tree (`tree`) where lists are long and few pairs near; boxes in space are
 //! filtered by their bounds seen from above (`solids`). The pairs that remain are gathered, computed densely and
-//! scattered. Suppression (`greedy`) computes only pairs of which one is kept.
+//! scattered. Suppression (`greedy`) computes only pairs of which one is kept. Small groups (`grouped`), such as the boxes of
+//! a frame, share the lanes of a tile.
 //!
 //! *Same bits.* Work is cut in the same way for any number of threads, and sums are added in a fixed order, so bits
 //! never depend on level, position, threads or filter.
@@ -63,6 +64,8 @@ pub(crate) mod drivers;
 pub(crate) mod folds;
 #[forbid(unsafe_code)]
 pub(crate) mod greedy;
+#[forbid(unsafe_code)]
+pub(crate) mod grouped;
 #[forbid(unsafe_code)]
 pub(crate) mod lane;
 #[forbid(unsafe_code)]

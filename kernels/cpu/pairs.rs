@@ -26,9 +26,13 @@ impl<T: Real> Pairs<'_, T> {
     pub fn counts(&self) -> [usize; 2] {
         [0, 1].map(|k| self.numbers[k].len() / self.face.arguments[k].fields)
     }
+    /// `true` if pairs whose bounds do not meet may be left out.
+    pub fn is_filtered(&self) -> bool {
+        self.filter && self.face.arguments.iter().all(|x| x.bounds.is_some())
+    }
     /// Both lists, prepared.
     pub fn lists(&self) -> [List<'_, T>; 2] {
-        let bounded = self.filter && self.face.arguments.iter().all(|x| x.bounds.is_some());
+        let bounded = self.is_filtered();
         [0, 1].map(|k| {
             List::new(
                 &self.face.arguments[k],

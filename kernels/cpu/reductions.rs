@@ -34,14 +34,14 @@ fn picked<'a, T: Real>(
 }
 
 /// The start of a maximum: zero if pairs may be culled, since their results are zeros.
-fn start<T: Real>(filtered: bool, index: usize) -> Best<T> {
+pub fn start<T: Real>(filtered: bool, index: usize) -> Best<T> {
     let value = T::lit(if filtered { 0.0 } else { f64::NEG_INFINITY });
     Best { value, index }
 }
 
 /// Takes a larger score.
 #[inline]
-fn raise<T: Real>(best: &mut Best<T>, value: T, index: usize) {
+pub fn raise<T: Real>(best: &mut Best<T>, value: T, index: usize) {
     if value.above(best.value) {
         *best = Best { value, index };
     }

@@ -19,7 +19,7 @@ use std::ops::Range;
 const BLOCK_OF_SUMS: usize = 64;
 
 /// Bounds of the use of a tree: at least so many columns, and at most so small a share of near pairs.
-const LONG: usize = 512;
+pub const LONG: usize = 512;
 const SPARSE: f64 = 1.0 / 24.0;
 
 /// A share of near pairs: above it, sums leave none out.
@@ -116,7 +116,7 @@ impl<'a, T: Real> Sweep<'a, T> {
             fields: face.made(),
             rare: face.rare.as_ref(),
             picking: Lent::new(0),
-            stride: b.frame_fields.next_multiple_of(4),
+            stride: b.stride(),
             tree: None,
             block: upstream.map_or(BLOCK, |_| BLOCK_OF_SUMS),
             most: upstream.map_or(3, |_| 4),
@@ -130,7 +130,7 @@ impl<'a, T: Real> Sweep<'a, T> {
             if upstream.is_some() && near > DENSE {
                 return sweep;
             }
-            sweep.prepare_picking();
+            sweep.picking = b.picking();
             if b.count >= LONG && near <= SPARSE {
                 sweep.tree = Some(Tree::new(bounds, b.count));
             }
@@ -138,27 +138,11 @@ impl<'a, T: Real> Sweep<'a, T> {
         sweep
     }
 
-    /// Makes columns rows of numbers, for picking some.
-    fn prepare_picking(&mut self) {
-        let b = self.b;
-        self.picking = Lent::new(tiles(b.count) * self.stride);
-        // Rows of a tile take as many lanes as a row has numbers.
-        let rows = self.picking.chunks_exact_mut(self.stride);
-        for (rows, tile) in rows.zip(b.frames.chunks_exact(b.frame_fields)) {
-            for i in 0..TILE {
-                for (k, lane) in tile.iter().enumerate() {
-                    let at = i * self.stride + k;
-                    rows[at / TILE].0[at % TILE] = lane.0[i];
-                }
-            }
-        }
-    }
-
     /// Computes the rows that `who` chooses, each with the later columns that are wanted and, where
     /// there are bounds, near.
     pub fn run_chosen(mut self, who: &mut impl Chooses<T>) {
         if self.picking.is_empty() {
-            self.prepare_picking();
+            self.picking = self.b.picking();
         }
         let lanes = Desk::lanes(&self).iter().sum();
         with_lanes(lanes, |lanes| {

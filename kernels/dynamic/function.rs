@@ -41,7 +41,7 @@ impl<T: Real> Function<T> {
         Call::of(Arc::clone(&self.recording)).derived(self.mode)
     }
     /// The plan of the CPU.
-    fn plan(&self, framed: bool) -> Result<Arc<Face<T>>, Error> {
+    pub(super) fn plan(&self, framed: bool) -> Result<Arc<Face<T>>, Error> {
         self.call()?.plan(framed)
     }
     /// A name and a layout for every column that it takes; cotangents of an adjoint come last.
@@ -340,7 +340,7 @@ impl<T: Real> Function<T> {
         })
     }
 
-    fn reduced<X>(
+    pub(super) fn reduced<X>(
         &self,
         a: &Rows<'_, T>,
         b: &Rows<'_, T>,

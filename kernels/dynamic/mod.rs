@@ -35,6 +35,7 @@
 #[cfg(feature = "check")]
 mod check;
 mod function;
+mod grouped;
 mod list;
 mod machines;
 mod names;

@@ -204,6 +204,10 @@ pub(super) fn renamed(error: Error, names: &[Argument]) -> Error {
             item: row,
             flaw,
         },
+        Error::GroupsOf { argument, item } => Error::GroupsOf {
+            argument: name(argument),
+            item,
+        },
         _ => error,
     }
 }

@@ -122,6 +122,28 @@ pub(crate) fn invalid(name: &'static str, row: usize, flaw: Flaw) -> Error {
     }
 }
 
+/// Checks the offsets of groups of a list of such a length.
+pub(crate) fn check_groups(
+    argument: Argument,
+    count: usize,
+    offsets: &[usize],
+) -> Result<(), Error> {
+    let mut before = 0;
+    for (item, &offset) in offsets.iter().enumerate() {
+        if (item == 0 && offset != 0) || offset < before || offset > count {
+            return Err(Error::GroupsOf { argument, item });
+        }
+        before = offset;
+    }
+    match offsets.last() {
+        Some(&last) if last == count => Ok(()),
+        _ => Err(Error::GroupsOf {
+            argument,
+            item: offsets.len().saturating_sub(1),
+        }),
+    }
+}
+
 /// The higher score first, of equal ones the smaller index.
 pub(crate) fn better<S: Scalar<Mask = bool>>(scores: &[S], i: usize, j: usize) -> Ordering {
     if scores[i].above(scores[j]) {

@@ -5,6 +5,7 @@ mod declared;
 mod dynamic;
 mod fold;
 mod fuzz;
+mod grouped;
 mod jacobian;
 mod memory;
 mod names;

@@ -76,6 +76,26 @@ impl<'a, T: Real> List<'a, T> {
         }
         list
     }
+    /// Numbers of a shape among [`picking`](List::picking): a multiple of four.
+    pub fn stride(&self) -> usize {
+        self.frame_fields.next_multiple_of(4)
+    }
+    /// Prepared shapes as rows of numbers, for picking some.
+    pub fn picking(&self) -> Lent<T> {
+        let stride = self.stride();
+        let mut picking = Lent::new(self.count.div_ceil(TILE) * stride);
+        // Rows of a tile take as many lanes as a row has numbers.
+        let rows = picking.chunks_exact_mut(stride.max(1));
+        for (rows, tile) in rows.zip(self.frames.chunks_exact(self.frame_fields.max(1))) {
+            for i in 0..TILE {
+                for (k, lane) in tile.iter().enumerate() {
+                    let at = i * stride + k;
+                    rows[at / TILE].0[at % TILE] = lane.0[i];
+                }
+            }
+        }
+        picking
+    }
     /// A shape's numbers.
     pub fn shape(&self, i: usize) -> &'a [T] {
         &self.numbers[i * self.fields..][..self.fields]

@@ -1,0 +1,415 @@
+//! All pairs within groups of two lists, such as the detections and truths of every frame, over plain numbers.
+//!
+//! Small groups share a desk: pairs of many rows fill the lanes of one tile, which a group alone leaves empty. A group
+//! that is large enough for a tree or for threads of its own goes through the code of ungrouped lists. Neither moves a
+//! bit of a result.
+use crate::kernels::cpu::arch::flat;
+use crate::kernels::cpu::boxes::BOUNDS;
+use crate::kernels::cpu::greedy::{self, Greed};
+use crate::kernels::cpu::lane::{
+    BLOCK, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
+};
+use crate::kernels::cpu::pairs::Pairs;
+use crate::kernels::cpu::plan::{Face, List};
+use crate::kernels::cpu::reductions::{self, raise, start};
+use crate::kernels::cpu::sweep::LONG;
+use crate::kernels::cpu::work::spread;
+use crate::kernels::real::Real;
+use crate::kernels::reduce::{Best, Found};
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// Work of a piece, in pairs that are looked at: a millisecond or less. A group of more is a piece of its own.
+const PIECE: usize = 1 << 18;
+
+/// Offsets of the groups of both lists, checked: group `g` has the rows `a[g]..a[g + 1]` and the columns
+/// `b[g]..b[g + 1]`.
+#[derive(Clone, Copy, Debug)]
+pub struct Spans<'a> {
+    /// Of the first list.
+    pub a: &'a [usize],
+    /// Of the second list.
+    pub b: &'a [usize],
+}
+
+impl<'a> Spans<'a> {
+    fn count(&self) -> usize {
+        self.a.len().saturating_sub(1)
+    }
+    fn rows(&self, group: usize) -> Range<usize> {
+        self.a[group]..self.a[group + 1]
+    }
+    fn columns(&self, group: usize) -> Range<usize> {
+        self.b[group]..self.b[group + 1]
+    }
+    /// Pieces of about equal work, which depend on the offsets alone.
+    fn pieces(&self) -> Vec<Range<usize>> {
+        let (mut pieces, mut first, mut work) = (Vec::new(), 0, 0);
+        for group in 0..self.count() {
+            let own = self.work(group);
+            if group > first && (work >= PIECE || self.is_alone(group)) {
+                pieces.push(first..group);
+                (first, work) = (group, 0);
+            }
+            work += own;
+            if self.is_alone(group) {
+                work = PIECE;
+            }
+        }
+        pieces.extend((first < self.count()).then(|| first..self.count()));
+        pieces
+    }
+    /// A row costs about as much as sixteen of its columns.
+    fn work(&self, group: usize) -> usize {
+        let (rows, columns) = (self.rows(group).len(), self.columns(group).len());
+        rows.saturating_mul(columns + TILE).saturating_add(columns)
+    }
+    /// `true` if a group is a piece of its own.
+    fn is_alone(&self, group: usize) -> bool {
+        self.columns(group).len() >= LONG || self.work(group) >= PIECE
+    }
+    /// The rows and the columns of a piece.
+    fn of(&self, piece: &Range<usize>) -> [Range<usize>; 2] {
+        [self.a, self.b].map(|offsets| offsets[piece.start]..offsets[piece.end])
+    }
+}
+
+/// Pairs of some rows and columns alone.
+fn part<'p, T: Real>(pairs: &'p Pairs<'_, T>, spans: &[Range<usize>; 2]) -> Pairs<'p, T> {
+    let numbers = [0, 1].map(|k| {
+        let fields = pairs.face.arguments[k].fields;
+        Cow::Borrowed(&pairs.numbers[k][spans[k].start * fields..spans[k].end * fields])
+    });
+    Pairs {
+        face: pairs.face,
+        numbers,
+        rare: pairs.rare,
+        filter: pairs.filter,
+    }
+}
+
+/// Results of some pairs, row by row and within a row by column.
+struct Batch<'a, T> {
+    rows: &'a [u32],
+    columns: &'a [u32],
+    values: &'a [T],
+}
+
+impl<T: Copy> Batch<'_, T> {
+    fn each(&self) -> impl Iterator<Item = (usize, usize, T)> + '_ {
+        let places = self.rows.iter().zip(self.columns).zip(self.values);
+        places.map(|((&row, &column), &value)| (row as usize, column as usize, value))
+    }
+}
+
+/// Pairs of two lists that wait for being computed together.
+struct Desk<'a, T: Real> {
+    face: &'a Face<T>,
+    lists: &'a [List<'a, T>; 2],
+    /// Shapes of either list as rows of numbers.
+    picking: [Lent<T>; 2],
+    rows: Vec<u32>,
+    columns: Vec<u32>,
+    /// Shapes that were picked of either list.
+    picked: [&'a mut [Lane<T>]; 2],
+    results: &'a mut [Lane<T>],
+    /// Numbers of one result.
+    one: Vec<T>,
+}
+
+impl<T: Real> Desk<'_, T> {
+    /// Adds a row with some columns.
+    fn add(&mut self, row: usize, mut columns: &[u32], consume: &mut impl FnMut(Batch<'_, T>)) {
+        while !columns.is_empty() {
+            let room = BLOCK * TILE - self.columns.len();
+            let (now, rest) = columns.split_at(room.min(columns.len()));
+            self.columns.extend_from_slice(now);
+            self.rows.resize(self.columns.len(), row as u32);
+            if self.columns.len() == BLOCK * TILE {
+                self.finish(consume);
+            }
+            columns = rest;
+        }
+    }
+    /// Computes the pairs that wait.
+    fn finish(&mut self, consume: &mut impl FnMut(Batch<'_, T>)) {
+        let count = self.columns.len();
+        if count == 0 {
+            return;
+        }
+        for (k, places) in [&self.rows, &self.columns].into_iter().enumerate() {
+            let (list, numbers) = (&self.lists[k], flat(&self.picking[k]));
+            let picked = &mut self.picked[k][..tiles(count) * list.frame_fields];
+            (T::kernels().gather)(numbers, list.stride(), places, list.frame_fields, picked);
+        }
+        let inputs = [0, 1].map(|k| Tiles::new(&*self.picked[k], self.lists[k].frame_fields));
+        let out = Results {
+            lanes: &mut *self.results,
+            tiles: tiles(count),
+        };
+        self.face.maker.make(&inputs, out);
+        self.mend();
+        consume(Batch {
+            rows: &self.rows,
+            columns: &self.columns,
+            values: &flat(Planes(&*self.results).field(0))[..count],
+        });
+        self.rows.clear();
+        self.columns.clear();
+    }
+    /// Puts the right results of rare pairs in their places.
+    fn mend(&mut self) {
+        let [a, b] = self.lists;
+        let Some(rare) = &self.face.rare else { return };
+        if a.rare.is_empty() && b.rare.is_empty() {
+            return;
+        }
+        for (place, (&row, &column)) in self.rows.iter().zip(&self.columns).enumerate() {
+            let (row, column) = (row as usize, column as usize);
+            if a.is_rare(row) || b.is_rare(column) {
+                let shapes = [a.shape(row), b.shape(column)];
+                rare(&shapes, &[T::one()], &mut self.one);
+                for (k, &x) in self.one.iter().enumerate() {
+                    self.results[k * PLANE + place / TILE].0[place % TILE] = x;
+                }
+            }
+        }
+    }
+}
+
+/// Computes the pairs of small groups, given by their rows and columns, that are wanted and, where there are bounds,
+/// near. The result is `true` if pairs were left out because they are apart.
+fn sweep<T: Real>(
+    pairs: &Pairs<'_, T>,
+    groups: impl Iterator<Item = [Range<usize>; 2]>,
+    wants: impl Fn(usize, usize) -> bool,
+    mut consume: impl FnMut(Batch<'_, T>),
+) {
+    let lists = pairs.lists();
+    let [a, b] = &lists;
+    let lanes = [a.frame_fields, b.frame_fields].map(|fields| BLOCK * fields);
+    let fields = pairs.face.made();
+    with_lanes(lanes[0] + lanes[1] + planes(fields), |all| {
+        let (own, all) = all.split_at_mut(lanes[0]);
+        let (others, results) = all.split_at_mut(lanes[1]);
+        let mut desk = Desk {
+            face: pairs.face,
+            lists: &lists,
+            picking: [a.picking(), b.picking()],
+            rows: Vec::with_capacity(BLOCK * TILE),
+            columns: Vec::with_capacity(BLOCK * TILE),
+            picked: [own, others],
+            results,
+            one: vec![T::default(); fields],
+        };
+        let (mut room, mut hits) = (Vec::new(), Vec::new());
+        for [rows, columns] in groups {
+            let first = columns.start / TILE;
+            let bounds = b.bounds.as_ref();
+            let bounds = bounds.map(|all| &all[first * BOUNDS..tiles(columns.end) * BOUNDS]);
+            room.resize((tiles(columns.end) - first + 1) * TILE, 0);
+            for row in rows {
+                let near = match (bounds, a.bounds_of(row)) {
+                    (Some(bounds), Some(own)) => {
+                        let bounds = Tiles::new(bounds, BOUNDS);
+                        let near =
+                            (T::kernels().near)(&own, bounds, (first * TILE) as u32, &mut room);
+                        // The first and the last tile have columns of other groups.
+                        let near = &room[..near];
+                        let from = near.partition_point(|&j| (j as usize) < columns.start);
+                        let to = near.partition_point(|&j| (j as usize) < columns.end);
+                        &near[from..to]
+                    }
+                    _ => {
+                        room.clear();
+                        room.extend(columns.start as u32..columns.end as u32);
+                        &room
+                    }
+                };
+                hits.clear();
+                hits.extend(near.iter().filter(|&&column| wants(row, column as usize)));
+                desk.add(row, &hits, &mut consume);
+            }
+        }
+        desk.finish(&mut consume);
+    });
+}
+
+/// A piece of work: groups, the pairs of their rows and columns alone, and where these begin.
+struct Piece<'p, T: Clone> {
+    groups: Range<usize>,
+    pairs: Pairs<'p, T>,
+    from: [usize; 2],
+}
+
+impl<T: Real> Piece<'_, T> {
+    /// Its groups, counted from its own rows and columns.
+    fn groups<'s>(&self, spans: &'s Spans<'s>) -> impl Iterator<Item = [Range<usize>; 2]> + 's {
+        let [a, b] = self.from;
+        let shifted = |span: Range<usize>, by: usize| span.start - by..span.end - by;
+        self.groups
+            .clone()
+            .map(move |g| [shifted(spans.rows(g), a), shifted(spans.columns(g), b)])
+    }
+}
+
+/// Runs every piece with its own entry of `work`, on all threads.
+fn each_piece<T: Real, W: Send>(
+    pairs: &Pairs<'_, T>,
+    spans: &Spans<'_>,
+    work: Vec<(Range<usize>, W)>,
+    run: impl Fn(Piece<'_, T>, W) + Send + Sync,
+) {
+    spread(work, |(groups, work): (Range<usize>, W)| {
+        let own = spans.of(&groups);
+        let piece = Piece {
+            groups,
+            from: [own[0].start, own[1].start],
+            pairs: part(pairs, &own),
+        };
+        run(piece, work);
+    });
+}
+
+/// Every pair within a group whose score is above the threshold, row by row and within a row by column.
+pub fn above<T: Real>(pairs: &Pairs<'_, T>, spans: Spans<'_>, threshold: T) -> Vec<Found<T>> {
+    let pieces = spans.pieces();
+    let mut found = vec![Vec::new(); pieces.len()];
+    let work = pieces.into_iter().zip(&mut found).collect();
+    each_piece(pairs, &spans, work, |piece, found: &mut Vec<Found<T>>| {
+        let [a, b] = piece.from;
+        if spans.is_alone(piece.groups.start) {
+            *found = reductions::above(&piece.pairs, threshold);
+            for pair in found {
+                (pair.row, pair.column) = (pair.row + a, pair.column + b);
+            }
+            return;
+        }
+        let groups = piece.groups(&spans);
+        sweep(
+            &piece.pairs,
+            groups,
+            |_, _| true,
+            |batch| {
+                let all = batch.each().filter(|(_, _, value)| value.above(threshold));
+                found.extend(all.map(|(row, column, value)| Found {
+                    row: row + a,
+                    column: column + b,
+                    value,
+                }));
+            },
+        );
+    });
+    found.concat()
+}
+
+/// The largest score of every row, or of every column, within its group; of several the first. `None` for rows of
+/// groups without columns, and columns of groups without rows.
+pub fn most<T: Real>(
+    pairs: &Pairs<'_, T>,
+    spans: Spans<'_>,
+    of_rows: bool,
+) -> Vec<Option<Best<T>>> {
+    let side = usize::from(!of_rows);
+    let mut best = vec![None; pairs.counts()[side]];
+    let (mut work, mut rest) = (Vec::new(), &mut best[..]);
+    for piece in spans.pieces() {
+        let own = spans.of(&piece)[side].len();
+        let (now, later) = rest.split_at_mut(own);
+        work.push((piece, now));
+        rest = later;
+    }
+    type Slots<'a, T> = &'a mut [Option<Best<T>>];
+    each_piece(pairs, &spans, work, |piece, best: Slots<'_, T>| {
+        let from = piece.from[1 - side];
+        if spans.is_alone(piece.groups.start) {
+            if piece.pairs.counts().contains(&0) {
+                return;
+            }
+            let all = match of_rows {
+                true => reductions::row_max(&piece.pairs),
+                false => reductions::column_max(&piece.pairs),
+            };
+            for (slot, Best { value, index }) in best.iter_mut().zip(all) {
+                let index = index + from;
+                *slot = Some(Best { value, index });
+            }
+            return;
+        }
+        for spans in piece.groups(&spans) {
+            let (own, other) = (&spans[side], &spans[1 - side]);
+            if !other.is_empty() {
+                let first = start(piece.pairs.is_filtered(), other.start + from);
+                best[own.clone()].fill(Some(first));
+            }
+        }
+        let groups = piece.groups(&spans);
+        sweep(
+            &piece.pairs,
+            groups,
+            |_, _| true,
+            |batch| {
+                for (row, column, value) in batch.each() {
+                    let (own, other) = match of_rows {
+                        true => (row, column),
+                        false => (column, row),
+                    };
+                    if let Some(best) = &mut best[own] {
+                        raise(best, value, other + from);
+                    }
+                }
+            },
+        );
+    });
+    best
+}
+
+/// The shapes of a list, given group by group and in a group the best first, that no better one of their group, kept
+/// itself, suppresses. At most so many are kept of each group.
+pub fn suppress<T: Real>(
+    pairs: &Pairs<'_, T>,
+    offsets: &[usize],
+    rules: Greed<'_, T>,
+) -> Vec<usize> {
+    let spans = Spans {
+        a: offsets,
+        b: offsets,
+    };
+    let pieces = spans.pieces();
+    let mut kept = vec![Vec::new(); pieces.len()];
+    let work = pieces.into_iter().zip(&mut kept).collect();
+    each_piece(pairs, &spans, work, |piece, kept: &mut Vec<usize>| {
+        let from = piece.from[0];
+        let classes = rules.classes.map(|classes| &classes[from..]);
+        if spans.is_alone(piece.groups.start) {
+            *kept = greedy::suppress(&piece.pairs, Greed { classes, ..rules });
+            kept.iter_mut().for_each(|place| *place += from);
+            return;
+        }
+        let mut found: Vec<(usize, usize)> = Vec::new();
+        let groups = piece.groups(&spans);
+        let is_later = |row: usize, column: usize| {
+            column > row && classes.is_none_or(|classes| classes[column] == classes[row])
+        };
+        sweep(&piece.pairs, groups, is_later, |batch| {
+            let all = batch.each().filter(|(_, _, x)| x.above(rules.threshold));
+            found.extend(all.map(|(row, column, _)| (row, column)));
+        });
+        let mut gone = vec![false; piece.pairs.counts()[0]];
+        let mut found = found.into_iter().peekable();
+        for [rows, _] in piece.groups(&spans) {
+            let mut left = rules.most;
+            for row in rows {
+                let is_kept = !gone[row] && left > 0;
+                if is_kept {
+                    kept.push(row + from);
+                    left -= 1;
+                }
+                while let Some((_, column)) = found.next_if(|pair| pair.0 == row) {
+                    gone[column] |= is_kept;
+                }
+            }
+        }
+    });
+    kept.concat()
+}

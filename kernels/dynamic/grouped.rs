@@ -1,0 +1,127 @@
+//! Groups of rows, and suppression, on columns of numbers.
+use super::function::Function;
+use super::rows::{Rows, renamed};
+use crate::error::{Argument, Error};
+use crate::kernels::cpu::checked::check;
+use crate::kernels::cpu::greedy::Greed;
+use crate::kernels::cpu::pairs::Pairs;
+use crate::kernels::grouped::{Groups, ranked_groups};
+use crate::kernels::real::Real;
+use crate::kernels::reduce::{Best, Found, check_threshold};
+use crate::kernels::suppress::checked;
+use crate::suppression::{Rules, check_groups};
+use std::borrow::Cow;
+
+impl<T: Real> Function<T> {
+    /// Every pair within a group whose result is above the threshold, as
+    /// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped).
+    ///
+    /// # Errors
+    ///
+    /// As [`above`](Function::above), and [`Error::GroupsOf`] and [`Error::Length`] for offsets.
+    ///
+    /// ```
+    /// use geograd::kernels::Groups;
+    /// use geograd::kernels::dynamic::{Rows, operation};
+    /// let iou = operation("iou_aabb2").and_then(|iou| iou.value::<f64>()).expect("is listed");
+    /// let boxes = [0.0, 0.0, 2.0, 2.0].repeat(3);
+    /// let boxes = Rows::new(&boxes, 4);
+    /// let found = iou.above_grouped(boxes, boxes, Groups::new(&[0, 1, 3], &[0, 2, 3]), 0.5)?;
+    /// assert_eq!(found.len(), 2 + 2);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn above_grouped(
+        &self,
+        a: Rows<'_, T>,
+        b: Rows<'_, T>,
+        groups: Groups<'_>,
+        threshold: T,
+    ) -> Result<Vec<Found<T>>, Error> {
+        check_threshold(threshold)?;
+        self.reduced(&a, &b, |pairs| {
+            let spans = groups.spans(pairs.counts())?;
+            pairs.filter &= threshold >= T::default();
+            Ok((T::drivers().above_grouped)(pairs, spans, threshold))
+        })
+    }
+
+    /// The largest result of every row within its group, as
+    /// [`Cpu::row_max_grouped`](crate::kernels::Cpu::row_max_grouped).
+    ///
+    /// # Errors
+    ///
+    /// As [`row_max`](Function::row_max), and [`Error::GroupsOf`] and [`Error::Length`] for offsets.
+    pub fn row_max_grouped(
+        &self,
+        a: Rows<'_, T>,
+        b: Rows<'_, T>,
+        groups: Groups<'_>,
+    ) -> Result<Vec<Option<Best<T>>>, Error> {
+        self.reduced(&a, &b, |pairs| {
+            let spans = groups.spans(pairs.counts())?;
+            Ok((T::drivers().most_grouped)(pairs, spans, true))
+        })
+    }
+
+    /// The largest result of every column within its group, as
+    /// [`Cpu::column_max_grouped`](crate::kernels::Cpu::column_max_grouped).
+    ///
+    /// # Errors
+    ///
+    /// As [`row_max_grouped`](Function::row_max_grouped).
+    pub fn column_max_grouped(
+        &self,
+        a: Rows<'_, T>,
+        b: Rows<'_, T>,
+        groups: Groups<'_>,
+    ) -> Result<Vec<Option<Best<T>>>, Error> {
+        self.reduced(&a, &b, |pairs| {
+            let spans = groups.spans(pairs.counts())?;
+            Ok((T::drivers().most_grouped)(pairs, spans, false))
+        })
+    }
+
+    /// The rows that no better one of their group, kept itself, suppresses, as
+    /// [`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped). The offsets of a list without groups are zero and
+    /// its length.
+    ///
+    /// # Errors
+    ///
+    /// As there; [`Error::Arguments`] and [`Error::NotOneNumber`] for functions of others than two shapes of a sort.
+    pub fn suppress(
+        &self,
+        shapes: Rows<'_, T>,
+        offsets: &[usize],
+        scores: &[T],
+        rules: Rules<'_, T>,
+    ) -> Result<Vec<usize>, Error> {
+        self.one_number()?;
+        let [column, _] = self.lists(&shapes, &shapes)?;
+        checked(column.len(), scores, &rules)?;
+        check_groups(Argument::A, column.len(), offsets)?;
+        let face = self.plan(true)?;
+        // All shapes are checked, so that errors name the caller's rows.
+        let rare = check(Argument::A, &face.arguments[0], &column)
+            .map_err(|error| renamed(error, &self.names))?;
+        let (order, ends) = ranked_groups(scores, offsets, rules.score)?;
+        let fields = shapes.fields();
+        let row = |&i: &usize| &shapes.numbers()[i * fields..(i + 1) * fields];
+        let ranked: Vec<T> = order.iter().flat_map(row).copied().collect();
+        let classes: Option<Vec<u32>> = rules
+            .classes
+            .map(|classes| order.iter().map(|&i| classes[i]).collect());
+        let pairs = Pairs {
+            face: &face,
+            numbers: [Cow::Borrowed(&ranked), Cow::Borrowed(&ranked)],
+            rare: [rare; 2],
+            filter: true,
+        };
+        let greed = Greed {
+            threshold: rules.overlap,
+            classes: classes.as_deref(),
+            most: rules.most,
+        };
+        let kept = (T::drivers().suppress_grouped)(&pairs, &ends, greed);
+        Ok(kept.into_iter().map(|place| order[place]).collect())
+    }
+}

@@ -1,0 +1,219 @@
+//! All pairs within groups, such as the detections and the truths of every frame: one call for all frames.
+use crate::error::{Argument, Error, Field, Flaw, Validate};
+use crate::kernels::cpu::all_pairs::pairs;
+use crate::kernels::cpu::checked::expect;
+use crate::kernels::cpu::greedy::Greed;
+use crate::kernels::cpu::grouped::Spans;
+use crate::kernels::cpu::{Cpu, Single};
+use crate::kernels::op::Runs;
+use crate::kernels::real::Real;
+use crate::kernels::reduce::{Best, Found, check_threshold};
+use crate::kernels::suppress::checked;
+use crate::suppression::{Rules, better, check_groups};
+
+/// Groups of two lists: group g pairs the shapes `a[g]..a[g + 1]` of the first list with `b[g]..b[g + 1]` of the second.
+///
+/// Offsets begin at zero, never decrease and end at the length of their list. A group may be empty on either side.
+///
+/// ```
+/// use geograd::kernels::{Cpu, Groups, Iou};
+/// use geograd::Aabb2;
+///
+/// let square = |x| Aabb2::new(x, 0.0, x + 2.0, 2.0);
+/// // Two frames: two detections and a truth, then a detection and two truths, all in one place.
+/// let detections = [square(0.0), square(1.0), square(0.0)];
+/// let truths = [square(0.0), square(0.0), square(9.0)];
+/// let frames = Groups::new(&[0, 2, 3], &[0, 1, 3]);
+/// let found = Cpu::new().above_grouped(Iou, &detections, &truths, frames, 0.5)?;
+/// let places: Vec<_> = found.iter().map(|pair| (pair.row, pair.column)).collect();
+/// assert_eq!(places, [(0, 0), (2, 1)]);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Groups<'a> {
+    a: &'a [usize],
+    b: &'a [usize],
+}
+
+impl<'a> Groups<'a> {
+    /// Groups by the offsets of both lists; a call checks them.
+    #[must_use]
+    pub const fn new(a: &'a [usize], b: &'a [usize]) -> Self {
+        Groups { a, b }
+    }
+    /// The offsets of both lists.
+    #[must_use]
+    pub const fn offsets(&self) -> [&'a [usize]; 2] {
+        [self.a, self.b]
+    }
+    /// Checks the offsets of lists of such lengths.
+    pub(crate) fn spans(self, counts: [usize; 2]) -> Result<Spans<'a>, Error> {
+        for (k, offsets) in self.offsets().into_iter().enumerate() {
+            check_groups(Argument::input(k), counts[k], offsets)?;
+        }
+        expect(Argument::Groups, self.a.len() - 1, self.b.len() - 1)?;
+        Ok(Spans {
+            a: self.a,
+            b: self.b,
+        })
+    }
+}
+
+/// The places of all scores of each group that are at least so large, the best first, and the offsets of the groups
+/// among them.
+pub(crate) fn ranked_groups<T: Real>(
+    scores: &[T],
+    offsets: &[usize],
+    least: T,
+) -> Result<(Vec<usize>, Vec<usize>), Error> {
+    let flaw = Flaw::NotFinite(Field::VALUE);
+    if let Some(item) = scores.iter().position(|x| x.validate().is_err()) {
+        let argument = Argument::Named("scores");
+        return Err(Error::Invalid {
+            argument,
+            item,
+            flaw,
+        });
+    }
+    let (mut order, mut ends) = (Vec::with_capacity(scores.len()), vec![0]);
+    for group in offsets.windows(2) {
+        let from = order.len();
+        order.extend((group[0]..group[1]).filter(|&i| !scores[i].below(least)));
+        order[from..].sort_unstable_by(|&i, &j| better(scores, i, j));
+        ends.push(order.len());
+    }
+    Ok((order, ends))
+}
+
+impl Cpu {
+    /// Every pair within a group whose result is above the threshold, row by row and within a row by column:
+    /// [`above`](Cpu::above) of every group, with the places that shapes have in the whole lists.
+    ///
+    /// # Errors
+    ///
+    /// As [`above`](Cpu::above); [`Error::GroupsOf`] for offsets that decrease or do not cover their list, and
+    /// [`Error::Length`] for lists of different numbers of groups.
+    pub fn above_grouped<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+        groups: Groups<'_>,
+        threshold: A::Scalar,
+    ) -> Result<Vec<Found<A::Scalar>>, Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        check_threshold(threshold)?;
+        let spans = groups.spans([a.len(), b.len()])?;
+        let face = run.call()?.plan(true)?;
+        let mut pairs = pairs(self, &face, a, b)?;
+        pairs.filter &= threshold >= A::Scalar::default();
+        Ok((A::Scalar::drivers().above_grouped)(
+            &pairs, spans, threshold,
+        ))
+    }
+
+    /// The largest result of every row within its group, and its column in the whole list; of several the first. `None`
+    /// for a row whose group has no columns.
+    ///
+    /// # Errors
+    ///
+    /// As [`above_grouped`](Cpu::above_grouped), but for a threshold.
+    ///
+    /// ```
+    /// use geograd::kernels::{Cpu, Groups, Iou};
+    /// use geograd::Aabb2;
+    /// let square = |x| Aabb2::new(x, 0.0, x + 2.0, 2.0);
+    /// let groups = Groups::new(&[0, 1, 2], &[0, 0, 2]);
+    /// let best = Cpu::new().row_max_grouped(Iou, &[square(0.0); 2], &[square(5.0), square(0.0)], groups)?;
+    /// assert_eq!(best[0], None);
+    /// assert_eq!(best[1].map(|best| best.index), Some(1));
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn row_max_grouped<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+        groups: Groups<'_>,
+    ) -> Result<Vec<Option<Best<A::Scalar>>>, Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        let spans = groups.spans([a.len(), b.len()])?;
+        let face = run.call()?.plan(true)?;
+        let pairs = pairs(self, &face, a, b)?;
+        Ok((A::Scalar::drivers().most_grouped)(&pairs, spans, true))
+    }
+
+    /// The largest result of every column within its group, and its row in the whole list; of several the first. `None`
+    /// for a column whose group has no rows.
+    ///
+    /// # Errors
+    ///
+    /// As [`row_max_grouped`](Cpu::row_max_grouped).
+    pub fn column_max_grouped<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+        groups: Groups<'_>,
+    ) -> Result<Vec<Option<Best<A::Scalar>>>, Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
+        let spans = groups.spans([a.len(), b.len()])?;
+        let face = run.call()?.plan(true)?;
+        let pairs = pairs(self, &face, a, b)?;
+        Ok((A::Scalar::drivers().most_grouped)(&pairs, spans, false))
+    }
+
+    /// The shapes that no better one of their group, kept itself, overlaps by more than the threshold: their places in
+    /// the whole list, group by group and in a group the best first. Each group keeps at most as many as the rules say.
+    ///
+    /// # Errors
+    ///
+    /// As [`suppress`](Cpu::suppress), and [`Error::GroupsOf`] for offsets that decrease or do not cover the list.
+    ///
+    /// ```
+    /// use geograd::kernels::{Cpu, Iou};
+    /// use geograd::suppression::Rules;
+    /// use geograd::Aabb2;
+    /// let boxes = [Aabb2::new(0.0, 0.0, 2.0, 2.0); 3];
+    /// let kept = Cpu::new().suppress_grouped(Iou, &boxes, &[0, 2, 3], &[0.3, 0.9, 0.1], Rules::above(0.5))?;
+    /// assert_eq!(kept, [1, 2]);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn suppress_grouped<A: Single, R>(
+        &self,
+        run: R,
+        shapes: &[A],
+        offsets: &[usize],
+        scores: &[A::Scalar],
+        rules: Rules<'_, A::Scalar>,
+    ) -> Result<Vec<usize>, Error>
+    where
+        R: Runs<(A, A), Out = A::Scalar>,
+        A::Scalar: crate::Scalar<Mask = bool>,
+    {
+        checked(shapes.len(), scores, &rules)?;
+        check_groups(Argument::A, shapes.len(), offsets)?;
+        let face = run.call()?.plan(true)?;
+        // All shapes are checked, so that errors name the caller's rows.
+        pairs(self, &face, shapes, &[] as &[A])?;
+        let (order, ends) = ranked_groups(scores, offsets, rules.score)?;
+        let ranked: Vec<A> = order.iter().map(|&i| shapes[i]).collect();
+        let classes: Option<Vec<u32>> = rules
+            .classes
+            .map(|classes| order.iter().map(|&i| classes[i]).collect());
+        let pairs = pairs(self, &face, &ranked, &ranked)?;
+        let greed = Greed {
+            threshold: rules.overlap,
+            classes: classes.as_deref(),
+            most: rules.most,
+        };
+        let kept = (A::Scalar::drivers().suppress_grouped)(&pairs, &ends, greed);
+        Ok(kept.into_iter().map(|place| order[place]).collect())
+    }
+}
