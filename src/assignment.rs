@@ -106,6 +106,107 @@ pub fn optimal(gains: &[f64], rows: usize, columns: usize) -> Result<Vec<(usize,
     Ok(pairs)
 }
 
+/// The one-to-one pairs of a list with the largest sum of overlaps, by their first place. Overlaps of zero or less add
+/// nothing and are left out.
+///
+/// Pairs that share no place, as those of two frames, are independent: one call serves the pairs of all frames, as
+/// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped) gives them, and costs no more than a call per frame.
+///
+/// # Errors
+///
+/// [`Error::Invalid`] for an overlap that is not finite.
+///
+/// ```
+/// use geograd::assignment::largest;
+/// use geograd::suppression::Pair;
+/// let pair = |first, second, overlap| Pair { first, second, overlap };
+/// // Greedy takes 0.9 alone.
+/// let all = [pair(0, 0, 0.8), pair(1, 0, 0.9), pair(1, 1, 0.7), pair(5, 9, 0.1)];
+/// assert_eq!(largest(&all)?, [all[0], all[2], all[3]]);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+pub fn largest(pairs: &[Pair<f64>]) -> Result<Vec<Pair<f64>>, Error> {
+    if let Some(item) = pairs.iter().position(|pair| !pair.overlap.is_finite()) {
+        return Err(Error::Invalid {
+            argument: Argument::Named("pairs"),
+            item,
+            flaw: Flaw::NotFinite(Field::new("overlap")),
+        });
+    }
+    let mut chosen = Vec::new();
+    for part in parts(pairs) {
+        let places = |of: fn(&Pair<f64>) -> usize| {
+            let mut all: Vec<usize> = part.iter().map(of).collect();
+            all.sort_unstable();
+            all.dedup();
+            all
+        };
+        let (rows, columns) = (places(|p| p.first), places(|p| p.second));
+        let entries = rows.len().checked_mul(columns.len());
+        let mut gains = vec![0.0_f64; entries.ok_or(Error::TooLarge)?];
+        let at = |pair: &Pair<f64>| {
+            let row = rows.partition_point(|&place| place < pair.first);
+            row * columns.len() + columns.partition_point(|&place| place < pair.second)
+        };
+        for pair in &part {
+            let gain = &mut gains[at(pair)];
+            *gain = gain.max(pair.overlap);
+        }
+        for (row, column) in optimal(&gains, rows.len(), columns.len())? {
+            let overlap = gains[row * columns.len() + column];
+            if overlap > 0.0 {
+                let (first, second) = (rows[row], columns[column]);
+                chosen.push(Pair {
+                    first,
+                    second,
+                    overlap,
+                });
+            }
+        }
+    }
+    chosen.sort_unstable_by_key(|pair| (pair.first, pair.second));
+    Ok(chosen)
+}
+
+/// Pairs in parts that share no place.
+fn parts(pairs: &[Pair<f64>]) -> Vec<Vec<Pair<f64>>> {
+    let mut ends: Vec<(usize, usize)> = Vec::with_capacity(2 * pairs.len());
+    // Links from pair to pair, each to an earlier one of its part.
+    let mut link: Vec<usize> = (0..pairs.len()).collect();
+    fn root(link: &mut [usize], mut of: usize) -> usize {
+        while link[of] != of {
+            link[of] = link[link[of]];
+            of = link[of];
+        }
+        of
+    }
+    for of in [
+        |pair: &Pair<f64>| pair.first,
+        |pair: &Pair<f64>| pair.second,
+    ] {
+        ends.clear();
+        ends.extend(pairs.iter().enumerate().map(|(i, pair)| (of(pair), i)));
+        ends.sort_unstable();
+        for two in ends.windows(2) {
+            if two[0].0 == two[1].0 {
+                let (a, b) = (root(&mut link, two[0].1), root(&mut link, two[1].1));
+                link[a.max(b)] = a.min(b);
+            }
+        }
+    }
+    let mut parts: Vec<Vec<Pair<f64>>> = Vec::new();
+    let mut place = vec![usize::MAX; pairs.len()];
+    for (i, &pair) in pairs.iter().enumerate() {
+        let own = root(&mut link, i);
+        if place[own] == usize::MAX {
+            place[own] = parts.len();
+            parts.push(Vec::new());
+        }
+        parts[place[own]].push(pair);
+    }
+    parts
+}
+
 /// Pairs of least cost, for no more rows than columns.
 fn assigned(
     rows: usize,

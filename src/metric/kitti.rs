@@ -13,7 +13,7 @@
 //!   above.
 //!
 //! Compared with public copies of the kit's source. They differ in one thing: newer ones ignore a truth whose
-//! height equals the limit, as is done here, older ones do not. Orientation similarity is not computed.
+//! height equals the limit, as is done here, older ones do not.
 use super::{Outcome, Point, Recalls};
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::suppression::{Pair, invalid};
@@ -141,11 +141,23 @@ pub struct Frame<'a> {
     pub unlabelled: &'a [f64],
 }
 
+/// Observation angles of a frame in radians: the kit's `alpha`.
+#[derive(Clone, Copy, Debug)]
+pub struct Angles<'a> {
+    /// Of every truth.
+    pub truths: &'a [f64],
+    /// Of every detection.
+    pub detections: &'a [f64],
+}
+
 /// Average precision by the rules, and what it was read from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
     /// Precision and recall at the scores where it was read, the highest one first.
     pub curve: Vec<Point>,
+    /// Similarity of orientation at the same scores: of right detections the mean of `(1 + cos(a − b)) / 2` for the
+    /// angles of truth and detection, times precision. Empty where no angles were given.
+    pub similarity: Vec<f64>,
     /// The truths that had to be found.
     pub truths: usize,
 }
@@ -155,17 +167,28 @@ impl Judged {
     /// for, at forty all but the first. [`Recalls::All`] counts as forty, which is all there are.
     #[must_use]
     pub fn average_precision(&self, recalls: Recalls) -> f64 {
-        let mut best = [0.0_f64; 41];
-        for (slot, point) in best.iter_mut().zip(&self.curve) {
-            *slot = point.precision;
-        }
-        for i in (1..best.len()).rev() {
-            best[i - 1] = best[i - 1].max(best[i]);
-        }
-        match recalls {
-            Recalls::Eleven => best.iter().step_by(4).sum::<f64>() / 11.0,
-            Recalls::Forty | Recalls::All => best[1..].iter().sum::<f64>() / 40.0,
-        }
+        average(self.curve.iter().map(|point| point.precision), recalls)
+    }
+    /// Average orientation similarity (AOS), in `[0, 1]`, at the same recalls; at most average precision. Zero where no
+    /// angles were given.
+    #[must_use]
+    pub fn average_orientation_similarity(&self, recalls: Recalls) -> f64 {
+        average(self.similarity.iter().copied(), recalls)
+    }
+}
+
+/// The mean over recalls of the best value at that recall or a higher one.
+fn average(values: impl Iterator<Item = f64>, recalls: Recalls) -> f64 {
+    let mut best = [0.0_f64; 41];
+    for (slot, value) in best.iter_mut().zip(values) {
+        *slot = value;
+    }
+    for i in (1..best.len()).rev() {
+        best[i - 1] = best[i - 1].max(best[i]);
+    }
+    match recalls {
+        Recalls::Eleven => best.iter().step_by(4).sum::<f64>() / 11.0,
+        Recalls::Forty | Recalls::All => best[1..].iter().sum::<f64>() / 40.0,
     }
 }
 
@@ -320,6 +343,66 @@ fn thresholds(mut right: Vec<f64>, truths: usize) -> Vec<f64> {
 /// # Ok::<(), geograd::Error>(())
 /// ```
 pub fn judge(frames: &[Frame<'_>], threshold: f64) -> Result<Judged, Error> {
+    judged(frames, &[], threshold)
+}
+
+/// [`judge`] with the angles of every frame, for the similarity of orientation.
+///
+/// # Errors
+///
+/// As [`judge`]; [`Error::Length`] also for angles of another number than frames, truths and detections, and
+/// [`Error::Invalid`] for those that are not finite.
+///
+/// ```
+/// use geograd::metric::{Recalls, kitti::{Angles, Counts, Frame, judge_oriented}};
+/// use geograd::suppression::Pair;
+/// let frame = Frame {
+///     truths: &[Counts::Fully],
+///     scores: &[0.9],
+///     detections: &[Counts::Fully],
+///     pairs: &[Pair { first: 0, second: 0, overlap: 0.8 }],
+///     unlabelled: &[],
+/// };
+/// let angles = Angles { truths: &[0.5], detections: &[0.5 + std::f64::consts::FRAC_PI_2] };
+/// let judged = judge_oriented(&[frame], &[angles], 0.7)?;
+/// assert_eq!(judged.curve[0].precision, 1.0);
+/// assert!((judged.similarity[0] - 0.5).abs() < 1e-15);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+pub fn judge_oriented(
+    frames: &[Frame<'_>],
+    angles: &[Angles<'_>],
+    threshold: f64,
+) -> Result<Judged, Error> {
+    let length = |name, expected, found| match expected == found {
+        true => Ok(()),
+        false => Err(Error::Length {
+            argument: Argument::Named(name),
+            expected,
+            found,
+        }),
+    };
+    length("angles", frames.len(), angles.len())?;
+    for (frame, angles) in frames.iter().zip(angles) {
+        let lists = [
+            ("angles of truths", angles.truths, frame.truths.len()),
+            (
+                "angles of detections",
+                angles.detections,
+                frame.scores.len(),
+            ),
+        ];
+        for (name, own, expected) in lists {
+            length(name, expected, own.len())?;
+            if let Some(item) = own.iter().position(|x| !x.is_finite()) {
+                return Err(invalid(name, item, Flaw::NotFinite(Field::VALUE)));
+            }
+        }
+    }
+    judged(frames, angles, threshold)
+}
+
+fn judged(frames: &[Frame<'_>], angles: &[Angles<'_>], threshold: f64) -> Result<Judged, Error> {
     let near = frames
         .iter()
         .map(|frame| near(frame, threshold))
@@ -339,13 +422,20 @@ pub fn judge(frames: &[Frame<'_>], threshold: f64) -> Result<Judged, Error> {
     }
     let read = |score: f64| {
         let (mut right, mut wrong, mut missed) = (0_usize, 0_usize, 0_usize);
-        for (frame, near) in all() {
+        let mut similar = 0.0;
+        for (f, (frame, near)) in all().enumerate() {
             let found = matched(frame, near, Some(score));
             missed += found.missed;
             for (i, outcome) in found.outcomes.iter().enumerate() {
                 let is_unlabelled = || frame.unlabelled.get(i).is_some_and(|x| *x > threshold);
                 match outcome {
-                    Outcome::Right(_) => right += 1,
+                    Outcome::Right(truth) => {
+                        right += 1;
+                        if let Some(angles) = angles.get(f) {
+                            let turn = angles.truths[*truth] - angles.detections[i];
+                            similar += 0.5 * (1.0 + turn.cos());
+                        }
+                    }
                     Outcome::Wrong if frame.detections[i] == Counts::Fully => {
                         wrong += usize::from(frame.scores[i] >= score && !is_unlabelled());
                     }
@@ -353,15 +443,23 @@ pub fn judge(frames: &[Frame<'_>], threshold: f64) -> Result<Judged, Error> {
                 }
             }
         }
-        Point {
+        let point = Point {
             score,
             precision: right as f64 / (right + wrong).max(1) as f64,
             recall: right as f64 / (right + missed).max(1) as f64,
-        }
+        };
+        (point, similar / (right + wrong).max(1) as f64)
     };
-    let curve = thresholds(right, truths.max(1))
+    let (curve, mut similarity): (Vec<Point>, Vec<f64>) = thresholds(right, truths.max(1))
         .into_iter()
         .map(read)
-        .collect();
-    Ok(Judged { curve, truths })
+        .unzip();
+    if angles.is_empty() {
+        similarity.clear();
+    }
+    Ok(Judged {
+        curve,
+        similarity,
+        truths,
+    })
 }

@@ -1,5 +1,7 @@
 //! How good detections are: which ones are right, precision and recall, average precision.
 //!
+//! [`kitti`] and [`nuscenes`] judge by the rules of these benchmarks. Every function takes one frame or all frames.
+//!
 //! ```
 //! use geograd::metric::{Frame, Recalls, average_precision, curve, outcomes};
 //! use geograd::suppression::Pair;
@@ -17,8 +19,13 @@ use crate::error::{Argument, Error, Field, Flaw};
 use crate::suppression::{Pair, invalid, order};
 
 pub mod kitti;
+pub mod nuscenes;
 
-/// The detections and truths of one image or scan, of one class.
+/// The detections and truths of one image or scan, of one class; or of all frames, one after another.
+///
+/// Pairs of places in the lists of all frames join those of one frame only, as
+/// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped) gives them. So one call judges all frames, with the outcomes
+/// of a call per frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
     /// The score of every detection.

@@ -1,5 +1,5 @@
 //! Suppression, assignment and metrics against their definitions, written down naively.
-use geograd::assignment::{greedy, optimal};
+use geograd::assignment::{greedy, largest, optimal};
 use geograd::error::{Argument, Error, Field, Flaw};
 use geograd::kernels::Cpu;
 use geograd::metric::{Frame, Outcome, Point, Recalls, average_precision, curve, outcomes};
@@ -402,6 +402,64 @@ fn assignments_are_the_best() {
         assert_eq!(greedy(&all), expected);
     }
     assert!(optimal(&[], 0, 3).unwrap().is_empty() && optimal(&[], 3, 0).unwrap().is_empty());
+}
+
+#[test]
+fn assignments_of_some_pairs_of_many_frames() {
+    let mut dice = Dice(67);
+    let (mut all, mut expected) = (Vec::new(), Vec::new());
+    for n in 0..150 {
+        let (rows, columns) = (1 + n % 6, 1 + n / 6 % 7);
+        let mut pairs = Vec::new();
+        for k in 0..rows * columns {
+            if dice.below(3) == 0 {
+                pairs.push(Pair {
+                    first: 6 * n + k / columns,
+                    second: 7 * n + k % columns,
+                    overlap: dice.roll() - 0.1,
+                });
+            }
+        }
+        let own = largest(&pairs).unwrap();
+        let mut gains = vec![0.0_f64; rows * columns];
+        for pair in &pairs {
+            gains[(pair.first - 6 * n) * columns + pair.second - 7 * n] = pair.overlap.max(0.0);
+        }
+        let best = best_sum(&gains, columns, 0, &mut vec![false; columns]);
+        let sum: f64 = own.iter().map(|pair| pair.overlap).sum();
+        assert!((sum - best).abs() < 1e-12, "{sum} {best}");
+        assert!(
+            own.iter()
+                .all(|pair| pair.overlap > 0.0 && pairs.contains(pair))
+        );
+        for of in [
+            |pair: &Pair<f64>| pair.first,
+            |pair: &Pair<f64>| pair.second,
+        ] {
+            let mut places: Vec<usize> = own.iter().map(of).collect();
+            places.sort_unstable();
+            assert!(places.windows(2).all(|w| w[0] < w[1]));
+        }
+        all.extend(pairs);
+        expected.extend(own);
+    }
+    // One call for all frames, whatever the order of pairs.
+    assert_eq!(largest(&all).unwrap(), expected);
+    all.reverse();
+    assert_eq!(largest(&all).unwrap(), expected);
+    // Greedy gives the pairs of every frame as well, in the order of their overlaps.
+    let mut taken = greedy(&all);
+    taken.sort_unstable_by_key(|pair| pair.first);
+    let by_frame = all.chunk_by(|a, b| a.first / 6 == b.first / 6).rev();
+    let mut of_frames: Vec<Pair<f64>> = by_frame.flat_map(greedy).collect();
+    of_frames.sort_unstable_by_key(|pair| pair.first);
+    assert_eq!(taken, of_frames);
+    let wrong = Pair {
+        first: 0,
+        second: 0,
+        overlap: f64::NAN,
+    };
+    assert!(largest(&[wrong]).is_err() && largest(&[]).unwrap().is_empty());
 }
 
 #[test]

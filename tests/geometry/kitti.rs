@@ -3,7 +3,9 @@
 use super::pairs::Random;
 use geograd::error::Error;
 use geograd::metric::Recalls;
-use geograd::metric::kitti::{Counts, Difficulty, Frame, Label, Truth, judge};
+use geograd::metric::kitti::{
+    Angles, Counts, Difficulty, Frame, Label, Truth, judge, judge_oriented,
+};
 use geograd::suppression::Pair;
 
 pub fn overlapping(first: usize, second: usize, overlap: f64) -> Pair<f64> {
@@ -161,6 +163,8 @@ pub struct Dense {
 /// The result of a walk over a frame: the scores of right detections, and how many are wrong and missed.
 struct Walk {
     right: Vec<f64>,
+    /// Truths and detections of those that are right.
+    found: Vec<(usize, usize)>,
     wrong: usize,
     missed: usize,
 }
@@ -193,6 +197,7 @@ impl Dense {
         let mut taken = vec![false; self.scores.len()];
         let mut out = Walk {
             right: Vec::new(),
+            found: Vec::new(),
             wrong: 0,
             missed: 0,
         };
@@ -222,6 +227,7 @@ impl Dense {
                     taken[j] = true;
                     if self.truths[i] == Counts::Fully && self.detections[j] == Counts::Fully {
                         out.right.push(self.scores[j]);
+                        out.found.push((i, j));
                     }
                 }
                 None if self.truths[i] == Counts::Fully => out.missed += 1,
@@ -312,4 +318,116 @@ fn kitti_agrees_with_a_plain_walk_over_dense_frames() {
         assert!((judged.average_precision(Recalls::Eleven) - eleven).abs() < 1e-14);
     }
     assert!(read > 2000, "only {read} scores were read");
+}
+
+/// Similarity of orientation at the kit's scores: the sum over right detections by the number of those right or wrong.
+fn similarities(frames: &[Dense], angles: &[[Vec<f64>; 2]], curve: &[f64]) -> Vec<f64> {
+    let at = |&score: &f64| {
+        let (mut sum, mut all) = (0.0, 0);
+        for (frame, [truths, detections]) in frames.iter().zip(angles) {
+            let walk = frame.walk(Some(score));
+            all += walk.found.len() + walk.wrong;
+            for (i, j) in walk.found {
+                sum += (truths[i] - detections[j]).cos() / 2.0 + 0.5;
+            }
+        }
+        sum / f64::from(all.max(1) as u32)
+    };
+    curve.iter().map(at).collect()
+}
+
+#[test]
+fn orientation_similarity_agrees_with_a_plain_walk() {
+    let mut random = Random(72);
+    let mut below = 0;
+    for round in 0..60 {
+        let frames: Vec<Dense> = (0..1 + round).map(|_| Dense::draw(&mut random)).collect();
+        let angles: Vec<[Vec<f64>; 2]> = frames
+            .iter()
+            .map(|frame| {
+                [frame.truths.len(), frame.scores.len()]
+                    .map(|n| (0..n).map(|_| random.between(-4.0, 4.0)).collect())
+            })
+            .collect();
+        let pairs: Vec<Vec<Pair<f64>>> = frames
+            .iter()
+            .map(|frame| {
+                let rows = frame.overlaps.iter().enumerate();
+                rows.flat_map(|(second, list)| {
+                    let list = list.iter().enumerate();
+                    list.map(move |(first, &overlap)| overlapping(first, second, overlap))
+                })
+                .collect()
+            })
+            .collect();
+        let lent: Vec<Frame<'_>> = frames
+            .iter()
+            .zip(&pairs)
+            .map(|(frame, pairs)| Frame {
+                truths: &frame.truths,
+                scores: &frame.scores,
+                detections: &frame.detections,
+                pairs,
+                unlabelled: &frame.unlabelled,
+            })
+            .collect();
+        let own: Vec<Angles<'_>> = angles
+            .iter()
+            .map(|[truths, detections]| Angles { truths, detections })
+            .collect();
+        let judged = judge_oriented(&lent, &own, THRESHOLD).unwrap();
+        let plain = judge(&lent, THRESHOLD).unwrap();
+        assert_eq!(judged.curve, plain.curve);
+        assert!(plain.similarity.is_empty());
+        assert_eq!(plain.average_orientation_similarity(Recalls::Forty), 0.0);
+        let scores: Vec<f64> = judged.curve.iter().map(|point| point.score).collect();
+        let expected = similarities(&frames, &angles, &scores);
+        for (own, wanted) in judged.similarity.iter().zip(&expected) {
+            assert!((own - wanted).abs() < 1e-14, "round {round}");
+        }
+        assert_eq!(judged.similarity.len(), expected.len());
+        let best = |n: usize| expected.iter().skip(n).copied().fold(0.0, f64::max);
+        let forty = (1..41).map(best).sum::<f64>() / 40.0;
+        let similarity = judged.average_orientation_similarity(Recalls::Forty);
+        assert!((similarity - forty).abs() < 1e-14);
+        assert!(similarity <= judged.average_precision(Recalls::Forty));
+        below += usize::from(similarity < judged.average_precision(Recalls::Forty));
+
+        // All frames as one, by places in the lists of all.
+        let (mut truths, mut detections, mut scores, mut unlabelled) =
+            (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (mut all, mut turns) = (Vec::new(), [Vec::new(), Vec::new()]);
+        for ((frame, pairs), angles) in frames.iter().zip(&pairs).zip(&angles) {
+            let shifted = |pair: &Pair<f64>| Pair {
+                first: pair.first + scores.len(),
+                second: pair.second + truths.len(),
+                ..*pair
+            };
+            all.extend(pairs.iter().map(shifted));
+            truths.extend_from_slice(&frame.truths);
+            detections.extend_from_slice(&frame.detections);
+            scores.extend_from_slice(&frame.scores);
+            unlabelled.extend_from_slice(&frame.unlabelled);
+            for (turns, own) in turns.iter_mut().zip(angles) {
+                turns.extend_from_slice(own);
+            }
+        }
+        let whole = Frame {
+            truths: &truths,
+            scores: &scores,
+            detections: &detections,
+            pairs: &all,
+            unlabelled: &unlabelled,
+        };
+        let turns = Angles {
+            truths: &turns[0],
+            detections: &turns[1],
+        };
+        let whole = judge_oriented(&[whole], &[turns], THRESHOLD).unwrap();
+        assert_eq!(whole.curve, judged.curve);
+        for (own, wanted) in whole.similarity.iter().zip(&expected) {
+            assert!((own - wanted).abs() < 1e-14, "round {round}");
+        }
+    }
+    assert!(below > 30, "angles lower {below} similarities only");
 }

@@ -13,6 +13,7 @@ mod kitti_labels;
 mod libraries;
 mod names;
 mod nested;
+mod nuscenes;
 mod oracle;
 mod oracle_gaussian;
 mod oracle_solid;
