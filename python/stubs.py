@@ -23,6 +23,7 @@ __version__: str
 Array = NDArray[Any]
 Kind = Union[str, Type["Shape"], None, Sequence[Union[str, Type["Shape"], None]]]
 Out = Any
+Groups = Optional[Sequence[ArrayLike]]
 Backend = Optional[Literal["cpu", "gpu"]]
 Form = Literal["value", "value_grad", "vjp", "jacobian", "jvp", "hvp", "hessian"]
 Report = _core.Report
@@ -137,6 +138,19 @@ class Verb(_Forms):
     """A function of shapes, of which the shapes choose the row."""
     __name__: str
     def program(self, *, kind: Kind, to: Kind = ..., form: Form = ..., double: bool = ...) -> Program: ...
+    def row_max(self, a: Any, b: Any, *, groups: Groups = ..., kind: Kind = ..., backend: Backend = ...) -> tuple[Array, Array]:
+        """The largest result of every row of `a`, and its row of `b`; -inf and -1 in a group without rows of `b`."""
+    def column_max(self, a: Any, b: Any, *, groups: Groups = ..., kind: Kind = ..., backend: Backend = ...) -> tuple[Array, Array]:
+        """The largest result of every row of `b`, and its row of `a`; -inf and -1 in a group without rows of `a`."""
+    def above(
+        self, a: Any, b: Any, threshold: float, *, groups: Groups = ..., kind: Kind = ..., backend: Backend = ...
+    ) -> tuple[Array, Array, Array]:
+        """Every pair, with groups every pair of a group, whose result is above a threshold: rows of `a`, rows of `b`, results."""
+    def suppress(
+        self, shapes: Any, scores: ArrayLike, overlap: float, *, classes: Optional[ArrayLike] = ..., score: Optional[float] = ...,
+        most: Optional[int] = ..., groups: Optional[ArrayLike] = ..., kind: Kind = ...
+    ) -> Array:
+        """The places of the shapes that no better one, kept itself, overlaps by more than a threshold, the best first."""
 
 class Function(_Forms):
     """A function that is recorded once, at its first call, and then runs on arrays."""

@@ -1,6 +1,7 @@
 //! The forms of a call, for rows of the table and traced functions alike.
 use crate::arrays::{Given, Lent, Target, aligned, broadcast, is_double, with_fields, written};
 use crate::call::{Callable, Form, Number};
+use crate::grouped::offsets;
 use crate::machine::Machine;
 use crate::raised;
 use crate::shapes::{Paths, dressed};
@@ -13,7 +14,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
 
-type Object<'py> = Bound<'py, PyAny>;
+pub type Object<'py> = Bound<'py, PyAny>;
 
 /// A call: what of, its name in messages, and its arguments.
 pub struct Call<'a, 'py> {
@@ -80,7 +81,7 @@ impl<'py> Call<'_, 'py> {
             .map(|(x, column)| Lent::new(self.py, x, column))
             .collect()
     }
-    fn run<R: Send>(
+    pub fn run<R: Send>(
         &self,
         items: usize,
         run: impl FnOnce() -> Result<R, geograd::Error> + Send,
@@ -204,7 +205,7 @@ impl<'py> Call<'_, 'py> {
     }
 
     /// Both lists of a call of all pairs.
-    fn two(&self) -> PyResult<Vec<Given<'py>>> {
+    pub fn two(&self) -> PyResult<Vec<Given<'py>>> {
         let takes = &self.of.takes;
         if takes.len() != 2 {
             return Err(PyTypeError::new_err(format!(
@@ -306,7 +307,7 @@ impl<'py> Call<'_, 'py> {
             found => Err(raised(geograd::Error::NotOneNumber { found })),
         }
     }
-    fn reduced<T: Number, R: Send>(
+    pub fn reduced<T: Number, R: Send>(
         &self,
         given: Vec<Given<'py>>,
         reduce: impl FnOnce([Rows<'_, T>; 2]) -> Result<R, geograd::Error> + Send,
@@ -540,7 +541,8 @@ impl<'py> Call<'_, 'py> {
         if let Some(upstream) = rest.get(1) {
             given.push(Given::new(upstream, &self.upstream())?);
         }
-        let offsets = offsets(self.py, paths.get())?;
+        let array = paths.get().offsets.bind(self.py);
+        let offsets = offsets(self.py, array.as_any(), "offsets")?;
         in_format!(self, given, on_paths, form, offsets)
     }
     fn upstream(&self) -> Column {
@@ -690,20 +692,4 @@ impl<'py> Call<'_, 'py> {
         }
         lent.repeated(self.py, &[count], column)
     }
-}
-
-/// The offsets of paths.
-fn offsets(py: Python<'_>, paths: &Paths) -> PyResult<Vec<usize>> {
-    let array: &Bound<'_, PyUntypedArray> = paths.offsets.bind(py);
-    let whole = array
-        .as_any()
-        .call_method1("astype", (numpy::dtype::<i64>(py),))?;
-    let whole = whole.cast_into::<PyArray1<i64>>()?;
-    let whole = whole.readonly();
-    let negative = || PyValueError::new_err("offsets: an offset is negative");
-    whole
-        .as_array()
-        .iter()
-        .map(|&x| usize::try_from(x).map_err(|_| negative()))
-        .collect()
 }

@@ -2,6 +2,7 @@
 use crate::arrays::symbolic;
 use crate::call::{Form, Number};
 use crate::forms::Call;
+use crate::grouped::{Asked, offsets};
 use crate::machine::Machine;
 use crate::raised;
 use crate::shapes::{Content, Paths, Shape, dressed_items};
@@ -596,48 +597,91 @@ impl Verb {
             .all_pairs())
     }
     /// The largest result of every row of `a`, and its row of `b`.
-    #[pyo3(signature = (a, b, *, kind=None, backend=None))]
+    #[pyo3(signature = (a, b, *, groups=None, kind=None, backend=None))]
     fn row_max<'py>(
         &self,
         py: Python<'py>,
         a: Object<'py>,
         b: Object<'py>,
+        groups: Option<&Object<'py>>,
         kind: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
         let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "row_max", |call| call
-            .most(true))
+        of_pairs!(self, py, all, kind, None, backend, "row_max", |call| {
+            match groups {
+                None => call.most(true),
+                Some(groups) => call.most_grouped(true, groups),
+            }
+        })
     }
     /// The largest result of every row of `b`, and its row of `a`.
-    #[pyo3(signature = (a, b, *, kind=None, backend=None))]
+    #[pyo3(signature = (a, b, *, groups=None, kind=None, backend=None))]
     fn column_max<'py>(
         &self,
         py: Python<'py>,
         a: Object<'py>,
         b: Object<'py>,
+        groups: Option<&Object<'py>>,
         kind: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
         let all = [a, b];
         of_pairs!(self, py, all, kind, None, backend, "column_max", |call| {
-            call.most(false)
+            match groups {
+                None => call.most(false),
+                Some(groups) => call.most_grouped(false, groups),
+            }
         })
     }
     /// Every pair whose result is above a threshold: rows of `a`, rows of `b`, results.
-    #[pyo3(signature = (a, b, threshold, *, kind=None, backend=None))]
+    #[pyo3(signature = (a, b, threshold, *, groups=None, kind=None, backend=None))]
     fn above<'py>(
         &self,
         py: Python<'py>,
         a: Object<'py>,
         b: Object<'py>,
         threshold: f64,
+        groups: Option<&Object<'py>>,
         kind: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
         let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "above", |call| call
-            .above(threshold))
+        of_pairs!(self, py, all, kind, None, backend, "above", |call| {
+            match groups {
+                None => call.above(threshold),
+                Some(groups) => call.above_grouped(threshold, groups),
+            }
+        })
+    }
+    /// The places of the shapes that no better one, kept itself, overlaps by more than a threshold, the best first; with
+    /// groups group by group.
+    #[pyo3(signature = (shapes, scores, overlap, *, classes=None, score=None, most=None, groups=None, kind=None))]
+    #[allow(clippy::too_many_arguments)] // They have names in Python.
+    fn suppress<'py>(
+        &self,
+        py: Python<'py>,
+        shapes: Object<'py>,
+        scores: Object<'py>,
+        overlap: f64,
+        classes: Option<Vec<u32>>,
+        score: Option<f64>,
+        most: Option<usize>,
+        groups: Option<&Object<'py>>,
+        kind: Option<&Object<'py>>,
+    ) -> PyResult<Object<'py>> {
+        let offsets = groups.map(|groups| offsets(py, groups, "groups"));
+        let asked = Asked {
+            scores: &scores,
+            overlap,
+            score,
+            most,
+            classes,
+            offsets: offsets.transpose()?,
+        };
+        let all = [shapes.clone(), shapes];
+        of_pairs!(self, py, all, kind, None, None, "suppress", |call| call
+            .suppress(&asked))
     }
     /// How many pairs have a result above a threshold.
     #[pyo3(signature = (a, b, threshold, *, kind=None, backend=None))]

@@ -1,0 +1,177 @@
+//! Pairs within groups, and suppression.
+use crate::arrays::{Given, Lent, is_double};
+use crate::call::{Form, Number};
+use crate::forms::{Call, Object};
+use crate::table::{Column, NUMBERS};
+use geograd::kernels::Groups;
+use geograd::kernels::dynamic::Rows;
+use geograd::kernels::reduce::{Best, Found};
+use geograd::suppression::Rules;
+use numpy::{PyArray1, PyArrayMethods};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+
+/// Offsets of groups or of paths: whole numbers, none of them negative.
+pub fn offsets(py: Python<'_>, x: &Object<'_>, name: &str) -> PyResult<Vec<usize>> {
+    let array = py.import("numpy")?.call_method1("asarray", (x,))?;
+    let dtype = array.getattr("dtype")?;
+    let kind: String = dtype.getattr("kind")?.extract()?;
+    let axes: usize = array.getattr("ndim")?.extract()?;
+    let size: usize = array.getattr("size")?.extract()?;
+    if axes != 1 || !(kind == "i" || kind == "u" || size == 0) {
+        return Err(PyTypeError::new_err(format!(
+            "{name}: a list of whole numbers is needed, not an array of {dtype} with {axes} axes"
+        )));
+    }
+    let whole = array.call_method1("astype", (numpy::dtype::<i64>(py),))?;
+    let whole = whole.cast_into::<PyArray1<i64>>()?;
+    let whole = whole.readonly();
+    let offset = |(item, &x): (usize, &i64)| {
+        usize::try_from(x)
+            .map_err(|_| PyValueError::new_err(format!("{name}: offset {item} is negative")))
+    };
+    whole.as_array().iter().enumerate().map(offset).collect()
+}
+
+/// The offsets of both lists.
+pub fn both(py: Python<'_>, groups: &Object<'_>) -> PyResult<[Vec<usize>; 2]> {
+    let needed = || PyTypeError::new_err("groups: the offsets of both lists are needed");
+    let pair = groups.try_iter().map_err(|_| needed())?;
+    let pair = pair.take(3).collect::<PyResult<Vec<_>>>()?;
+    let [a, b] = &pair[..] else {
+        return Err(needed());
+    };
+    Ok([
+        offsets(py, a, "groups of `a`")?,
+        offsets(py, b, "groups of `b`")?,
+    ])
+}
+
+/// What suppression takes beside shapes.
+pub struct Asked<'a, 'py> {
+    pub scores: &'a Object<'py>,
+    pub overlap: f64,
+    pub score: Option<f64>,
+    pub most: Option<usize>,
+    pub classes: Option<Vec<u32>>,
+    pub offsets: Option<Vec<usize>>,
+}
+
+impl<'py> Call<'_, 'py> {
+    fn on_processor(&self) -> PyResult<()> {
+        match self.machine.is_gpu() {
+            true => Err(PyTypeError::new_err(
+                "groups and suppression run on the processor: backend=\"cpu\"",
+            )),
+            false => Ok(()),
+        }
+    }
+    /// Every pair of a group above a threshold: rows, columns, values.
+    pub fn above_grouped(&self, threshold: f64, groups: &Object<'py>) -> PyResult<Object<'py>> {
+        self.on_processor()?;
+        let (given, groups) = (self.two()?, both(self.py, groups)?);
+        match is_double(&given) {
+            true => self.found_grouped::<f64>(given, threshold, &groups),
+            false => self.found_grouped::<f32>(given, threshold, &groups),
+        }
+    }
+    fn found_grouped<T: Number>(
+        &self,
+        given: Vec<Given<'py>>,
+        threshold: f64,
+        groups: &[Vec<usize>; 2],
+    ) -> PyResult<Object<'py>> {
+        let function = self.of.function::<T>(Form::Value)?;
+        let all: Vec<Found<T>> = self.reduced::<T, _>(given, |[a, b]| {
+            let groups = Groups::new(&groups[0], &groups[1]);
+            function.above_grouped(a, b, groups, T::narrowed(threshold))
+        })?;
+        let rows = PyArray1::from_iter(self.py, all.iter().map(|found| found.row as isize));
+        let columns = PyArray1::from_iter(self.py, all.iter().map(|found| found.column as isize));
+        let values = PyArray1::from_iter(self.py, all.iter().map(|found| found.value));
+        Ok((rows, columns, values).into_pyobject(self.py)?.into_any())
+    }
+
+    /// The largest result of every row or column of a group, and where it is: -inf and -1 where the group has nothing
+    /// on the other side.
+    pub fn most_grouped(&self, of_rows: bool, groups: &Object<'py>) -> PyResult<Object<'py>> {
+        self.on_processor()?;
+        let (given, groups) = (self.two()?, both(self.py, groups)?);
+        match is_double(&given) {
+            true => self.best_grouped::<f64>(given, of_rows, &groups),
+            false => self.best_grouped::<f32>(given, of_rows, &groups),
+        }
+    }
+    fn best_grouped<T: Number>(
+        &self,
+        given: Vec<Given<'py>>,
+        of_rows: bool,
+        groups: &[Vec<usize>; 2],
+    ) -> PyResult<Object<'py>> {
+        let function = self.of.function::<T>(Form::Value)?;
+        let all: Vec<Option<Best<T>>> = self.reduced::<T, _>(given, |[a, b]| {
+            let groups = Groups::new(&groups[0], &groups[1]);
+            match of_rows {
+                true => function.row_max_grouped(a, b, groups),
+                false => function.column_max_grouped(a, b, groups),
+            }
+        })?;
+        let nothing = T::narrowed(f64::NEG_INFINITY);
+        let values = all
+            .iter()
+            .map(|best| best.map_or(nothing, |best| best.value));
+        let places = all
+            .iter()
+            .map(|best| best.map_or(-1, |best| best.index as isize));
+        let values = PyArray1::from_iter(self.py, values);
+        let places = PyArray1::from_iter(self.py, places);
+        Ok((values, places).into_pyobject(self.py)?.into_any())
+    }
+
+    /// The places of the shapes that suppression keeps.
+    pub fn suppress(&self, asked: &Asked<'_, 'py>) -> PyResult<Object<'py>> {
+        self.on_processor()?;
+        let given = self.two()?;
+        match is_double(&given) {
+            true => self.kept::<f64>(given, asked),
+            false => self.kept::<f32>(given, asked),
+        }
+    }
+    fn kept<T: Number>(
+        &self,
+        mut given: Vec<Given<'py>>,
+        asked: &Asked<'_, 'py>,
+    ) -> PyResult<Object<'py>> {
+        let function = self.of.function::<T>(Form::Value)?;
+        let needed = || PyTypeError::new_err("a list of shapes is needed");
+        let column = &self.of.takes[0];
+        let shapes = Lent::<T>::new(self.py, given.pop().ok_or_else(needed)?, column)?;
+        let scores = Column {
+            name: "scores".to_owned(),
+            kind: NUMBERS,
+            axes: Vec::new(),
+        };
+        let scores = Lent::<T>::new(self.py, Given::new(asked.scores, &scores)?, &scores)?;
+        let (lead, numbers) = (shapes.lead().len(), scores.numbers()?);
+        if lead != 1 || scores.lead().len() != 1 {
+            return Err(PyValueError::new_err(
+                "suppress takes a list of shapes, of shape (N, fields), and a list of scores, of shape (N,)",
+            ));
+        }
+        let rows: Rows<'_, T> = shapes.rows(false)?;
+        let whole = vec![0, shapes.count()];
+        let offsets = asked.offsets.as_ref().unwrap_or(&whole);
+        let all = Rules::above(T::narrowed(asked.overlap));
+        let rules = Rules {
+            classes: asked.classes.as_deref(),
+            score: asked.score.map_or(all.score, T::narrowed),
+            most: asked.most.unwrap_or(usize::MAX),
+            ..all
+        };
+        let kept = self.run(shapes.count().saturating_mul(64), || {
+            function.suppress(rows, offsets, numbers, rules)
+        })?;
+        let kept = kept.into_iter().map(|place| place as isize);
+        Ok(PyArray1::from_iter(self.py, kept).into_any())
+    }
+}

@@ -1,0 +1,281 @@
+//! Matches of detections and truths, and how good detections are. `geograd.metric` and `geograd.assignment` call these with
+//! arrays of the right formats.
+use crate::raised;
+use geograd::assignment;
+use geograd::metric::nuscenes::{self, Object, TruePositive};
+use geograd::metric::{self, Frame, Outcome, Point, Recalls, kitti};
+use geograd::suppression::Pair;
+use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+type Numbers<'py> = PyReadonlyArray1<'py, f64>;
+type Places<'py> = PyReadonlyArray1<'py, i64>;
+type Array<'py, T> = Bound<'py, PyArray1<T>>;
+type Triple<'py> = (Array<'py, i64>, Array<'py, i64>, Array<'py, f64>);
+
+/// A value of a number that marks a detection as wrong, and as one that does not count.
+const WRONG: i64 = -1;
+const IGNORED: i64 = -2;
+
+fn place(name: &str, item: usize, x: i64) -> PyResult<usize> {
+    let negative = || PyValueError::new_err(format!("`{name}` item {item}: is negative"));
+    usize::try_from(x).map_err(|_| negative())
+}
+
+fn pairs(
+    first: &Places<'_>,
+    second: &Places<'_>,
+    overlap: &Numbers<'_>,
+) -> PyResult<Vec<Pair<f64>>> {
+    let (first, second, overlap) = (first.as_slice()?, second.as_slice()?, overlap.as_slice()?);
+    if first.len() != second.len() || first.len() != overlap.len() {
+        return Err(PyValueError::new_err(format!(
+            "pairs: {} first places, {} second ones and {} overlaps",
+            first.len(),
+            second.len(),
+            overlap.len()
+        )));
+    }
+    let all = first.iter().zip(second).zip(overlap).enumerate();
+    all.map(|(i, ((&first, &second), &overlap))| {
+        Ok(Pair {
+            first: place("pairs", i, first)?,
+            second: place("pairs", i, second)?,
+            overlap,
+        })
+    })
+    .collect()
+}
+
+fn triple<'py>(py: Python<'py>, pairs: &[Pair<f64>]) -> Triple<'py> {
+    (
+        PyArray1::from_iter(py, pairs.iter().map(|pair| pair.first as i64)),
+        PyArray1::from_iter(py, pairs.iter().map(|pair| pair.second as i64)),
+        PyArray1::from_iter(py, pairs.iter().map(|pair| pair.overlap)),
+    )
+}
+
+/// One-to-one pairs: greedy, or of the largest sum.
+#[pyfunction]
+pub fn assigned<'py>(
+    py: Python<'py>,
+    first: Places<'py>,
+    second: Places<'py>,
+    overlap: Numbers<'py>,
+    is_greedy: bool,
+) -> PyResult<Triple<'py>> {
+    let pairs = pairs(&first, &second, &overlap)?;
+    let chosen = py.detach(|| match is_greedy {
+        true => Ok(assignment::greedy(&pairs)),
+        false => assignment::largest(&pairs),
+    });
+    Ok(triple(py, &chosen.map_err(raised)?))
+}
+
+/// The outcome of every detection: the truth that it found, -1 if it is wrong, -2 if it does not count.
+#[pyfunction]
+#[pyo3(signature = (scores, truths, first, second, overlap, threshold, ignored_truths, ignored_detections))]
+#[allow(clippy::too_many_arguments)] // The wrapper in Python has a pair in place of three.
+pub fn outcomes<'py>(
+    py: Python<'py>,
+    scores: Numbers<'py>,
+    truths: usize,
+    first: Places<'py>,
+    second: Places<'py>,
+    overlap: Numbers<'py>,
+    threshold: f64,
+    ignored_truths: Vec<bool>,
+    ignored_detections: Vec<bool>,
+) -> PyResult<Array<'py, i64>> {
+    let pairs = pairs(&first, &second, &overlap)?;
+    let scores = scores.as_slice()?;
+    let found = py.detach(|| {
+        let frame = Frame {
+            scores,
+            truths,
+            pairs: &pairs,
+            ignored_truths: &ignored_truths,
+            ignored_detections: &ignored_detections,
+        };
+        metric::outcomes(&frame, threshold)
+    });
+    let number = |outcome: Outcome| match outcome {
+        Outcome::Right(truth) => truth as i64,
+        Outcome::Wrong => WRONG,
+        Outcome::Ignored => IGNORED,
+    };
+    let found = found.map_err(raised)?.into_iter().map(number);
+    Ok(PyArray1::from_iter(py, found))
+}
+
+type Curve<'py> = (Array<'py, f64>, Array<'py, f64>, Array<'py, f64>);
+
+fn curve_of<'py>(py: Python<'py>, points: &[Point]) -> Curve<'py> {
+    (
+        PyArray1::from_iter(py, points.iter().map(|point| point.score)),
+        PyArray1::from_iter(py, points.iter().map(|point| point.precision)),
+        PyArray1::from_iter(py, points.iter().map(|point| point.recall)),
+    )
+}
+
+/// Scores, precisions and recalls, the highest score first.
+#[pyfunction]
+pub fn curve<'py>(
+    py: Python<'py>,
+    scores: Numbers<'py>,
+    outcomes: Places<'py>,
+    truths: usize,
+) -> PyResult<Curve<'py>> {
+    let outcome = |&x: &i64| match x {
+        IGNORED => Outcome::Ignored,
+        x => usize::try_from(x).map_or(Outcome::Wrong, Outcome::Right),
+    };
+    let outcomes: Vec<Outcome> = outcomes.as_slice()?.iter().map(outcome).collect();
+    let points = metric::curve(scores.as_slice()?, &outcomes, truths).map_err(raised)?;
+    Ok(curve_of(py, &points))
+}
+
+fn recalls(name: &str) -> PyResult<Recalls> {
+    match name {
+        "eleven" => Ok(Recalls::Eleven),
+        "forty" => Ok(Recalls::Forty),
+        "all" => Ok(Recalls::All),
+        other => Err(PyValueError::new_err(format!(
+            "recalls: \"eleven\", \"forty\" or \"all\" is needed, not {other:?}"
+        ))),
+    }
+}
+
+/// Average precision of a curve.
+#[pyfunction]
+pub fn average_precision(precision: Numbers<'_>, recall: Numbers<'_>, at: &str) -> PyResult<f64> {
+    let (precision, recall) = (precision.as_slice()?, recall.as_slice()?);
+    if precision.len() != recall.len() {
+        return Err(PyValueError::new_err(
+            "curve: as many recalls as precisions are needed",
+        ));
+    }
+    let point = |(&precision, &recall): (&f64, &f64)| Point {
+        score: 0.0,
+        precision,
+        recall,
+    };
+    let points: Vec<Point> = precision.iter().zip(recall).map(point).collect();
+    Ok(metric::average_precision(&points, recalls(at)?))
+}
+
+fn counts(name: &str, codes: &[i64]) -> PyResult<Vec<kitti::Counts>> {
+    let one = |(item, &code): (usize, &i64)| match code {
+        0 => Ok(kitti::Counts::Fully),
+        1 => Ok(kitti::Counts::Ignored),
+        2 => Ok(kitti::Counts::Not),
+        other => Err(PyValueError::new_err(format!(
+            "`{name}` item {item}: 0 (fully), 1 (ignored) or 2 (not) is needed, not {other}"
+        ))),
+    };
+    codes.iter().enumerate().map(one).collect()
+}
+
+/// KITTI's rules over all frames: average precision and orientation similarity, the curve, and the truths that counted.
+#[pyfunction]
+#[pyo3(signature = (truths, scores, detections, first, second, overlap, unlabelled, angles, threshold, at))]
+#[allow(clippy::too_many_arguments)] // The wrapper in Python has names for them.
+pub fn judge_kitti<'py>(
+    py: Python<'py>,
+    truths: Places<'py>,
+    scores: Numbers<'py>,
+    detections: Places<'py>,
+    first: Places<'py>,
+    second: Places<'py>,
+    overlap: Numbers<'py>,
+    unlabelled: Numbers<'py>,
+    angles: Option<(Numbers<'py>, Numbers<'py>)>,
+    threshold: f64,
+    at: &str,
+) -> PyResult<(f64, f64, Curve<'py>, usize)> {
+    let pairs = pairs(&first, &second, &overlap)?;
+    let truths = counts("truths", truths.as_slice()?)?;
+    let detections = counts("detections", detections.as_slice()?)?;
+    let at = recalls(at)?;
+    let frame = kitti::Frame {
+        truths: &truths,
+        scores: scores.as_slice()?,
+        detections: &detections,
+        pairs: &pairs,
+        unlabelled: unlabelled.as_slice()?,
+    };
+    let own = match &angles {
+        None => None,
+        Some((truths, detections)) => Some(kitti::Angles {
+            truths: truths.as_slice()?,
+            detections: detections.as_slice()?,
+        }),
+    };
+    let judged = py.detach(|| match own {
+        None => kitti::judge(&[frame], threshold),
+        Some(own) => kitti::judge_oriented(&[frame], &[own], threshold),
+    });
+    let judged = judged.map_err(raised)?;
+    Ok((
+        judged.average_precision(at),
+        judged.average_orientation_similarity(at),
+        curve_of(py, &judged.curve),
+        judged.truths,
+    ))
+}
+
+/// Objects from rows of x, y, width, length, height, yaw, vx, vy; NaN for a velocity that is unknown, -1 for no
+/// attribute.
+fn objects(rows: &PyReadonlyArray2<'_, f64>, attributes: &Places<'_>) -> PyResult<Vec<Object>> {
+    let (rows, attributes) = (rows.as_array(), attributes.as_slice()?);
+    if rows.shape()[1] != 8 || rows.shape()[0] != attributes.len() {
+        return Err(PyValueError::new_err(
+            "objects: rows of 8 numbers and an attribute for each are needed",
+        ));
+    }
+    let one = |(row, &attribute): (numpy::ndarray::ArrayView1<'_, f64>, &i64)| {
+        let velocity = [row[6], row[7]];
+        Object {
+            velocity: (!velocity[0].is_nan() && !velocity[1].is_nan()).then_some(velocity),
+            attribute: u32::try_from(attribute).ok(),
+            ..Object::new([row[0], row[1]], [row[2], row[3], row[4]], row[5])
+        }
+    };
+    Ok(rows.rows().into_iter().zip(attributes).map(one).collect())
+}
+
+/// nuScenes' rules over all frames at some thresholds: average precision and the five errors at each.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)] // The wrapper in Python has names for them.
+pub fn judge_nuscenes<'py>(
+    py: Python<'py>,
+    detections: (PyReadonlyArray2<'py, f64>, Places<'py>),
+    scores: Numbers<'py>,
+    truths: (PyReadonlyArray2<'py, f64>, Places<'py>),
+    groups: (Vec<usize>, Vec<usize>),
+    thresholds: Vec<f64>,
+    period: f64,
+) -> PyResult<Vec<(f64, [f64; 5])>> {
+    let (detections, truths) = (
+        objects(&detections.0, &detections.1)?,
+        objects(&truths.0, &truths.1)?,
+    );
+    let frames = nuscenes::Frames {
+        detections: &detections,
+        scores: scores.as_slice()?,
+        detection_offsets: &groups.0,
+        truths: &truths,
+        truth_offsets: &groups.1,
+        period,
+    };
+    py.detach(|| {
+        let judged = |&threshold: &f64| {
+            let judged = nuscenes::judge(&frames, threshold)?;
+            let errors = TruePositive::ALL.map(|which| judged.error(which));
+            Ok((judged.average_precision(), errors))
+        };
+        thresholds.iter().map(judged).collect::<Result<Vec<_>, _>>()
+    })
+    .map_err(raised)
+}
