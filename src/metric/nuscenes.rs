@@ -322,8 +322,10 @@ pub fn judge(frames: &Frames<'_>, threshold: f64) -> Result<Judged, Error> {
     for (place, &i) in order.iter().enumerate() {
         let detection = &frames.detections[i];
         let mut nearest: Option<(f64, usize)> = None;
-        for t in frames.truth_offsets[frame[i]]..frames.truth_offsets[frame[i] + 1] {
-            let distance = detection.distance(&frames.truths[t]);
+        let first = frames.truth_offsets[frame[i]];
+        let own = &frames.truths[first..frames.truth_offsets[frame[i] + 1]];
+        for (k, truth) in own.iter().enumerate() {
+            let (distance, t) = (detection.distance(truth), first + k);
             if !taken[t] && nearest.is_none_or(|(least, _)| distance < least) {
                 nearest = Some((distance, t));
             }
