@@ -18,6 +18,8 @@ from typing import Any, Callable, Iterable, Literal, Optional, Sequence, Tuple, 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import assignment as assignment, metric as metric
+
 __version__: str
 
 Array = NDArray[Any]

@@ -9,7 +9,7 @@ use crate::table::{Column, NUMBERS};
 use crate::threads::on_threads;
 use geograd::kernels::dynamic::Rows;
 use geograd::kernels::reduce::{Best, Found};
-use numpy::{PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};

@@ -20,6 +20,8 @@ NEEDS = {
     "gauss_newton": ["matplotlib"],
     "geojson_overlap": ["geopandas", "matplotlib"],
     "planted_fault": [],
+    "dataset_ap": ["pyarrow"],
+    "map_overlay": ["geopandas", "pyarrow"],
 }
 
 

@@ -13,7 +13,7 @@ Every verb (``geograd.iou``, ``geograd.distance``, ...) takes shapes: arrays who
 
 import os as _os
 
-from . import _core
+from . import _core, assignment, metric
 from ._core import Paths, Program, Shape, Symbol, Truth, __version__, get_num_threads, set_num_threads
 from ._check import Reports, check
 from ._elementary import (
@@ -34,7 +34,7 @@ if hasattr(_os, "register_at_fork"):
 
 __all__ = sorted(
     [
-        "Function", "Paths", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb", "__version__",
+        "Function", "Paths", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb", "__version__", "assignment", "metric",
         "arctan2", "check", "clip", "copysign", "cos", "exp", "function", "get_num_threads", "hypot", "log", "maximum", "minimum",
         "set_num_threads", "sin", "sqrt", "square", "tan", "where", *_CLASSES, *_VERBS,
     ]

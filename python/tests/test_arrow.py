@@ -1,0 +1,163 @@
+"""Columns of Arrow in and out, without copies; groups; the grouped join."""
+
+import numpy as np
+import pytest
+
+import geograd
+
+pa = pytest.importorskip("pyarrow")
+arrow = pytest.importorskip("geograd.arrow")
+
+RNG = np.random.default_rng(3)
+A = RNG.uniform(1, 3, (60, 5))
+B = A + RNG.normal(0, 0.3, A.shape)
+
+
+def lists(x, dtype=pa.float64(), name="element"):
+    return pa.FixedSizeListArray.from_arrays(pa.array(x.reshape(-1), dtype), type=pa.list_(pa.field(name, dtype), x.shape[1]))
+
+
+def address(numbers):
+    return numbers.__array_interface__["data"][0]
+
+
+@pytest.mark.parametrize("name", ["element", "item"])
+def test_lists_are_lent_and_given_without_a_copy(name):
+    column = lists(A, name=name)
+    numbers = arrow.array(column, "Obb2")
+    assert numbers.shape == (60, 5) and address(numbers) == column.flatten().buffers()[1].address
+    part = arrow.array(column.slice(10, 20))
+    assert address(part) == address(numbers) + 10 * 5 * 8
+    value = geograd.iou(arrow.shapes(column, "Obb2"), geograd.Obb2(B))
+    given = arrow.column(value)
+    assert given.buffers()[1].address == address(value)
+    rows = arrow.column(geograd.Obb2(B), element=name)
+    assert rows.type == pa.list_(pa.field(name, pa.float64()), 5)
+    assert rows.flatten().buffers()[1].address == address(np.ascontiguousarray(B))
+
+
+def test_structs_by_the_names_of_fields():
+    names = arrow._FIELDS["Obb2"]
+    shuffled = [3, 0, 4, 1, 2]
+    column = pa.StructArray.from_arrays([pa.array(A[:, k]) for k in shuffled], [names[k] for k in shuffled])
+    np.testing.assert_array_equal(arrow.array(column, "Obb2"), A)
+    back = arrow.column(geograd.Obb2(A), layout="struct")
+    assert [back.type.field(k).name for k in range(5)] == names
+    np.testing.assert_array_equal(arrow.array(back, "Obb2"), A)
+    with pytest.raises(TypeError, match="no field heading"):
+        arrow.array(pa.StructArray.from_arrays([pa.array(A[:, k]) for k in range(4)], names[:4]), "Obb2")
+    table = pa.table({f"box.{name}": A[:, k] for k, name in enumerate(names)})
+    np.testing.assert_array_equal(arrow.fields(table, "Obb2", "box.").array, A)
+    with pytest.raises(KeyError, match="no column truth"):
+        arrow.fields(table, "Obb2", "truth.")
+
+
+def test_polars():
+    polars = pytest.importorskip("polars")
+    series = polars.Series("box", A, dtype=polars.Array(polars.Float64, 5))
+    np.testing.assert_array_equal(arrow.array(series, "Obb2"), A)
+    frame = polars.from_arrow(pa.table({"box": arrow.column(geograd.Obb2(A)), "iou": arrow.column(A[:, 0])}))
+    np.testing.assert_array_equal(arrow.array(frame["box"], "Obb2"), A)
+    names = arrow._FIELDS["Obb2"]
+    structs = polars.DataFrame({name: A[:, k] for k, name in enumerate(names)}).to_struct("box")
+    np.testing.assert_array_equal(arrow.array(structs, "Obb2"), A)
+
+
+def test_points_of_geoarrow():
+    # Interleaved points are lists of two, separate ones structs of x and y.
+    points = A[:, :2].copy()
+    np.testing.assert_array_equal(arrow.array(lists(points, name="xy"), "Vec2"), points)
+    separate = pa.StructArray.from_arrays([pa.array(points[:, 0].copy()), pa.array(points[:, 1].copy())], ["x", "y"])
+    np.testing.assert_array_equal(arrow.shapes(separate, "Vec2").array, points)
+
+    class Point(pa.ExtensionType):
+        def __init__(self):
+            super().__init__(pa.list_(pa.field("xy", pa.float64()), 2), "geoarrow.point")
+
+        def __arrow_ext_serialize__(self):
+            return b""
+
+        @classmethod
+        def __arrow_ext_deserialize__(cls, storage, serialized):
+            return cls()
+
+    column = pa.ExtensionArray.from_storage(Point(), lists(points, name="xy"))
+    assert address(arrow.array(column, "Vec2")) == column.storage.flatten().buffers()[1].address
+
+
+def test_bad_columns_are_named():
+    with pytest.raises(TypeError, match="`a`: lists of 5 numbers are needed for Obb2"):
+        arrow.array(lists(A[:, :4].copy()), "Obb2", "a")
+    with pytest.raises(TypeError, match="lists of any length"):
+        arrow.array(pa.array([[1.0], [2.0, 3.0]]), "Obb2")
+    with pytest.raises(ValueError, match="`a` item 1: is null"):
+        arrow.array(pa.array([[1.0] * 5, None], pa.list_(pa.float64(), 5)), "Obb2", "a")
+    with pytest.raises(ValueError, match="`a` item 1: a number is null"):
+        arrow.array(pa.array([[1.0] * 5, [1, 1, None, 1, 1]], pa.list_(pa.float64(), 5)), "Obb2", "a")
+    with pytest.raises(TypeError, match="a column of numbers"):
+        arrow.array(pa.array(["x"]))
+    wrong = A.copy()
+    wrong[7, 0] = np.nan
+    with pytest.raises(ValueError, match="item 7: center.x is not a finite number|item 7: x is not a finite number"):
+        geograd.iou(arrow.shapes(lists(wrong), "Obb2"), geograd.Obb2(B))
+
+
+def test_groups_of_sorted_columns():
+    keys, a, b = arrow.groups(pa.array([1, 1, 4, 6]), pa.chunked_array([[2, 4], [4, 6]]))
+    assert keys.to_pylist() == [1, 2, 4, 6]
+    np.testing.assert_array_equal(a, [0, 2, 2, 3, 4])
+    np.testing.assert_array_equal(b, [0, 0, 1, 3, 4])
+    keys, a, b = arrow.groups(pa.array(["x", "y"]), pa.array(["y"]).dictionary_encode())
+    assert keys.to_pylist() == ["x", "y"] and a.tolist() == [0, 1, 2] and b.tolist() == [0, 0, 1]
+    keys, a, b = arrow.groups(pa.array([], pa.int64()), pa.array([], pa.int64()))
+    assert len(keys) == 0 and a.tolist() == b.tolist() == [0]
+    with pytest.raises(ValueError, match="`b` item 2: group 1 comes after 2: sort"):
+        arrow.groups(pa.array([1, 2]), pa.array([1, 2, 1]))
+    with pytest.raises(ValueError, match="`a` item 1: is null"):
+        arrow.groups(pa.array([1, None]), pa.array([1]))
+    with pytest.raises(TypeError, match="groups are"):
+        arrow.groups(pa.array([0.5]), pa.array([1]))
+
+
+def test_grouped_join_of_tables():
+    frame = np.sort(RNG.integers(0, 9, 60))
+    other = np.sort(RNG.integers(2, 12, 60))
+    left = pa.table({"frame": frame, "box": lists(A, pa.float32())})
+    right = pa.table({"frame": other, "truth": lists(B, pa.float32())})
+    found = arrow.join("iou", left, right, 0.1, on="frame", a="box", b="truth", kind="Obb2")
+    matrix = geograd.iou.all_pairs(A.astype(np.float32), B.astype(np.float32), kind="Obb2")
+    i, j = np.nonzero((matrix > np.float32(0.1)) & (frame[:, None] == other[None, :]))
+    np.testing.assert_array_equal(found["left_row"], i)
+    np.testing.assert_array_equal(found["right_row"], j)
+    np.testing.assert_array_equal(found["value"], matrix[i, j])
+    assert len(i) > 20
+    with pytest.raises(KeyError, match="no column boxes"):
+        arrow.join("iou", left, right, 0.1, on="frame", a="boxes", b="truth", kind="Obb2")
+
+
+def test_apply_appends_results_to_tables_and_batches():
+    apply = arrow.Apply("iou", ["a", "b"], "Obb2", grad=True)
+    table = pa.table({"frame": np.arange(60), "a": lists(A), "b": lists(B)})
+    done = apply(table)
+    value, (by_a, by_b) = geograd.iou.value_grad(A, B, kind="Obb2")
+    assert done.column_names == ["frame", "a", "b", "value", "value_by_a", "value_by_b"]
+    np.testing.assert_array_equal(done["value"], value)
+    np.testing.assert_array_equal(arrow.array(done["value_by_b"]), by_b)
+    # As Spark's mapInArrow calls it: an iterator of batches in, one out.
+    batches = list(arrow.Apply("iou", ["a", "b"], "Obb2").batches(table.to_batches(max_chunksize=25)))
+    assert [batch.num_rows for batch in batches] == [25, 25, 10]
+    np.testing.assert_array_equal(pa.Table.from_batches(batches)["value"], value)
+    with pytest.raises(KeyError, match="no column b"):
+        apply(table.drop_columns(["b"]))
+    with pytest.raises(ValueError, match="no verb"):
+        arrow.Apply("ious", ["a"], "Obb2")
+
+
+def test_the_program_of_the_page_prints_what_it_shows(capsys):
+    import pathlib
+    import re
+
+    text = (pathlib.Path(__file__).parents[1] / "DATASETS.md").read_text(encoding="utf-8")
+    ((code, shown),) = re.findall(r"```python\n(.*?)```\n+```text\n(.*?)```", text, re.S)
+    exec(compile(code, "DATASETS.md", "exec", dont_inherit=True), {})
+    assert capsys.readouterr().out == shown
