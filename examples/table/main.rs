@@ -1,0 +1,63 @@
+//! Any verb on tables: CSV or Parquet in, CSV or Parquet out.
+//!
+//! ```text
+//! cargo run --release -p geograd-table -- --verb signed_distance --a obb3:A.csv --b capsule3:B.csv --grad --out C.csv
+//! cargo run --release -p geograd-table -- --verb iou --a obb2:A.parquet --b obb2:B.parquet --group frame --above 0.5 --out C.parquet
+//! ```
+//!
+//! `--help` has the rest. Files are read, computed and written block by block. A result appears under its name only when
+//! it is complete.
+//!
+//! | file | content |
+//! | --- | --- |
+//! | `options.rs` | the command line, and the row of the verb that it means |
+//! | `number.rs` | both formats of numbers |
+//! | `source.rs`, `buffer.rs` | tables as rows of numbers, block by block and group by group |
+//! | `work.rs` | rows, pairs, derivatives |
+//! | `sink.rs` | the result |
+mod buffer;
+mod number;
+mod options;
+mod sink;
+mod source;
+mod work;
+
+use common::cli::{Failure, Machine, Wish, on_the_cpu, say};
+use options::{Asked, HELP, Options, Which, list, options};
+use std::process::ExitCode;
+
+const PROGRAM: &str = "table";
+
+/// The machine asked for, as far as it has the format and the form.
+fn machine(options: &Options) -> Result<Machine, Failure> {
+    let why = match (&options.which, options.double) {
+        (_, true) => "GPUs have no f64; `--precision f32` allows one",
+        (Which::Groups(_), _) => "groups run on the CPU",
+        _ => return options.wish.machine(PROGRAM),
+    };
+    match options.wish {
+        Wish::Cpu => Ok(Machine::Cpu),
+        Wish::Auto => Ok(on_the_cpu(PROGRAM, why)),
+        Wish::Gpu => Err(Failure::Usage(format!("`--backend gpu`: {why}"))),
+    }
+}
+
+fn run() -> Result<(), Failure> {
+    let options = match options()? {
+        Asked::Work(options) => options,
+        Asked::Help => return Ok(say(HELP)),
+        Asked::List => return Ok(say(&list())),
+    };
+    let machine = machine(&options)?;
+    match options.double {
+        true => work::run::<f64>(&options, &machine),
+        false => work::run::<f32>(&options, &machine),
+    }
+}
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(PROGRAM),
+    }
+}

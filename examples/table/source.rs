@@ -1,0 +1,421 @@
+//! A table as rows of numbers, block by block.
+use crate::PROGRAM;
+use crate::number::Number;
+use crate::options::Input;
+use arrow::array::{Array, ArrayRef, AsArray, RecordBatch, StringArray};
+use arrow::compute::cast;
+use arrow::csv::ReaderBuilder;
+use arrow::csv::reader::Format;
+use arrow::datatypes::{DataType, Field, Int64Type, Schema};
+use arrow::error::ArrowError;
+use common::cli::Failure;
+use geograd::Error;
+use geograd::kernels::dynamic::{Layout, Parameter};
+use indicatif::{ProgressBar, ProgressStyle};
+use parquet::arrow::ProjectionMask;
+use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Rows that are read at a time.
+const READ: usize = 1 << 15;
+
+/// The group of a row.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Key {
+    Number(i64),
+    Text(String),
+}
+
+/// Rows of a block.
+pub struct Block<T> {
+    /// The shapes, one after another.
+    pub numbers: Vec<T>,
+    /// The group of every row, where one is asked for.
+    pub keys: Vec<Key>,
+}
+
+/// The columns that have the numbers of a shape.
+enum Place {
+    /// One for every number.
+    Fields(Vec<String>),
+    /// One of lists.
+    Lists(String),
+    /// One of structs.
+    Structs(String, Vec<String>),
+}
+
+pub struct Source<T: Number> {
+    path: PathBuf,
+    batches: Box<dyn Iterator<Item = Result<RecordBatch, ArrowError>>>,
+    is_csv: bool,
+    place: Place,
+    layout: Layout<T>,
+    group: Option<String>,
+    /// The row that comes next.
+    row: usize,
+    /// Grows with what is read.
+    pub bar: ProgressBar,
+    /// `true` if the bar counts rows; it counts bytes of CSV.
+    counts_rows: bool,
+}
+
+/// A file whose bytes move a bar.
+struct Watched {
+    file: File,
+    bar: ProgressBar,
+}
+
+impl Read for Watched {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.file.read(buffer)?;
+        self.bar.inc(count as u64);
+        Ok(count)
+    }
+}
+
+fn bar(length: u64) -> ProgressBar {
+    let bar = ProgressBar::new(length);
+    let style = ProgressStyle::with_template("{prefix} {wide_bar} {percent} % {eta}");
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar.set_prefix(PROGRAM);
+    bar
+}
+
+impl<T: Number> Source<T> {
+    /// Opens a file and finds the columns of a shape in it.
+    pub fn open(
+        input: &Input,
+        shape: &Parameter,
+        layout: Layout<T>,
+        group: Option<&str>,
+    ) -> Result<Self, Failure> {
+        let name = input.path.display();
+        let failed = |why: &dyn std::fmt::Display| Failure::Work(format!("{name}: {why}"));
+        let open = || File::open(&input.path).map_err(|error| failed(&error));
+        let is_csv = input.path.extension().is_none_or(|end| end != "parquet");
+        let file = open()?;
+        let length = file.metadata().map_err(|error| failed(&error))?.len();
+        let fields: Vec<String> = shape
+            .shape
+            .fields
+            .iter()
+            .map(|field| field.name.to_string())
+            .collect();
+        let (batches, place, bar): (Box<dyn Iterator<Item = _>>, _, _);
+        if is_csv {
+            let header = Format::default()
+                .with_header(true)
+                .infer_schema(file, Some(0));
+            let (schema, _) = header.map_err(|error| failed(&error))?;
+            let names = schema.fields().iter();
+            // Text, so that an error can say which row and field are no number.
+            let field = |name: &str| {
+                Field::new(
+                    name.trim_start_matches('\u{feff}').trim(),
+                    DataType::Utf8,
+                    true,
+                )
+            };
+            let schema = Schema::new(names.map(|old| field(old.name())).collect::<Vec<_>>());
+            place = find(&schema, fields, input.column.as_deref()).map_err(|why| failed(&why))?;
+            let wanted = columns(&schema, &place, group).map_err(|why| failed(&why))?;
+            bar = self::bar(length);
+            let watched = Watched {
+                file: open()?,
+                bar: bar.clone(),
+            };
+            let reader = ReaderBuilder::new(Arc::new(schema))
+                .with_header(true)
+                .with_batch_size(READ);
+            let reader = reader.with_projection(wanted).build(watched);
+            batches = Box::new(reader.map_err(|error| failed(&error))?);
+        } else {
+            let builder =
+                ParquetRecordBatchReaderBuilder::try_new(file).map_err(|error| failed(&error))?;
+            place = find(builder.schema(), fields, input.column.as_deref())
+                .map_err(|why| failed(&why))?;
+            let wanted = columns(builder.schema(), &place, group).map_err(|why| failed(&why))?;
+            let mask = ProjectionMask::roots(builder.parquet_schema(), wanted);
+            bar = self::bar(builder.metadata().file_metadata().num_rows().unsigned_abs());
+            let reader = builder.with_projection(mask).with_batch_size(READ).build();
+            batches = Box::new(reader.map_err(|error| failed(&error))?);
+        }
+        Ok(Source {
+            path: input.path.clone(),
+            batches,
+            is_csv,
+            place,
+            layout,
+            group: group.map(str::to_owned),
+            row: 0,
+            bar,
+            counts_rows: !is_csv,
+        })
+    }
+
+    /// The name of the file.
+    pub fn name(&self) -> String {
+        self.path.display().to_string()
+    }
+    /// The numbers of a row.
+    pub fn fields(&self) -> usize {
+        self.layout.fields()
+    }
+    /// A failure at a row, counted from the file's first.
+    pub fn at(&self, row: usize, why: &str) -> Failure {
+        Failure::Work(format!("{}: row {row}: {why}", self.name()))
+    }
+
+    /// The next rows, checked; `None` at the end.
+    pub fn next(&mut self) -> Result<Option<Block<T>>, Failure> {
+        let Some(batch) = self.batches.next() else {
+            return Ok(None);
+        };
+        let batch = batch.map_err(|error| {
+            Failure::Work(format!("{}: after row {}: {error}", self.name(), self.row))
+        })?;
+        let (count, fields) = (batch.num_rows(), self.fields());
+        let column = |name: &str| match batch.column_by_name(name) {
+            Some(column) => Ok(column),
+            None => Err(Failure::Work(format!("{}: no column {name}", self.name()))),
+        };
+        let mut lanes = Vec::new();
+        match &self.place {
+            Place::Fields(names) => {
+                for name in names {
+                    lanes.push(self.lane(column(name)?, name)?);
+                }
+            }
+            Place::Structs(name, names) => {
+                let whole = column(name)?;
+                self.no_null(whole, name)?;
+                for field in names {
+                    let own = whole.as_struct().column_by_name(field);
+                    let own =
+                        own.ok_or_else(|| self.at(self.row, &format!("no field {name}.{field}")))?;
+                    lanes.push(self.lane(own, &format!("{name}.{field}"))?);
+                }
+            }
+            Place::Lists(name) => {
+                let numbers = self.lists(column(name)?, name)?;
+                return self.finish(&batch, numbers);
+            }
+        }
+        let mut numbers = vec![T::default(); count * fields];
+        for (k, lane) in lanes.iter().enumerate() {
+            let targets = numbers.iter_mut().skip(k).step_by(fields);
+            targets.zip(lane).for_each(|(target, &x)| *target = x);
+        }
+        self.finish(&batch, numbers)
+    }
+
+    fn finish(
+        &mut self,
+        batch: &RecordBatch,
+        numbers: Vec<T>,
+    ) -> Result<Option<Block<T>>, Failure> {
+        for (row, numbers) in numbers.chunks_exact(self.fields()).enumerate() {
+            if let Err(Error::Invalid { flaw, .. }) = self.layout.check(numbers) {
+                return Err(self.at(self.row + row, &flaw.to_string()));
+            }
+        }
+        let keys = match &self.group {
+            Some(name) => self.keys(batch.column_by_name(name), name)?,
+            None => Vec::new(),
+        };
+        self.row += batch.num_rows();
+        if self.counts_rows {
+            self.bar.set_position(self.row as u64);
+        }
+        Ok(Some(Block { numbers, keys }))
+    }
+
+    fn no_null(&self, column: &ArrayRef, name: &str) -> Result<(), Failure> {
+        match (0..column.len()).find(|&row| column.is_null(row)) {
+            Some(row) if column.null_count() > 0 => {
+                let why = if self.is_csv { "empty" } else { "null" };
+                Err(self.at(self.row + row, &format!("{name} is {why}")))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The numbers of a column.
+    fn lane(&self, column: &ArrayRef, name: &str) -> Result<Vec<T>, Failure> {
+        self.no_null(column, name)?;
+        if self.is_csv {
+            let texts: &StringArray = column.as_string();
+            let parse = |(row, text): (usize, Option<&str>)| {
+                let text = text.unwrap_or_default().trim();
+                text.parse::<T>()
+                    .map_err(|_| self.at(self.row + row, &format!("{name} is no number: `{text}`")))
+            };
+            return texts.iter().enumerate().map(parse).collect();
+        }
+        if !column.data_type().is_numeric() {
+            let why = format!(
+                "{}: {name} is a column of {}, not of numbers",
+                self.name(),
+                column.data_type()
+            );
+            return Err(Failure::Work(why));
+        }
+        let numbers = cast(column, &T::data_type())
+            .map_err(|error| self.at(self.row, &format!("{name}: {error}")))?;
+        Ok(numbers.as_primitive::<T::Arrow>().values().to_vec())
+    }
+
+    /// The numbers of a column of lists.
+    fn lists(&self, column: &ArrayRef, name: &str) -> Result<Vec<T>, Failure> {
+        self.no_null(column, name)?;
+        let fields = self.fields();
+        let wrong = |row: usize, found: usize| {
+            Err(self.at(
+                self.row + row,
+                &format!("{name} has {found} numbers, not {fields}"),
+            ))
+        };
+        let values = match column.data_type() {
+            DataType::FixedSizeList(_, size) if *size as usize != fields => {
+                return wrong(0, *size as usize);
+            }
+            DataType::FixedSizeList(_, _) => {
+                let list = column.as_fixed_size_list();
+                list.values()
+                    .slice(list.value_offset(0) as usize, list.len() * fields)
+            }
+            _ => {
+                let list = column.as_list::<i32>();
+                if let Some(row) =
+                    (0..list.len()).find(|&row| list.value_length(row) as usize != fields)
+                {
+                    return wrong(row, list.value_length(row) as usize);
+                }
+                let first = list.value_offsets()[0] as usize;
+                list.values().slice(first, list.len() * fields)
+            }
+        };
+        if let Some(k) = (0..values.len()).find(|&k| values.is_null(k)) {
+            return Err(self.at(
+                self.row + k / fields,
+                &format!("{name}[{}] is null", k % fields),
+            ));
+        }
+        self.lane(&values, name)
+    }
+
+    /// The group of every row.
+    fn keys(&self, column: Option<&ArrayRef>, name: &str) -> Result<Vec<Key>, Failure> {
+        let column =
+            column.ok_or_else(|| Failure::Work(format!("{}: no column {name}", self.name())))?;
+        self.no_null(column, name)?;
+        let failed = |error: ArrowError| self.at(self.row, &format!("{name}: {error}"));
+        if column.data_type().is_integer() {
+            let keys = cast(column, &DataType::Int64).map_err(failed)?;
+            return Ok(keys
+                .as_primitive::<Int64Type>()
+                .values()
+                .iter()
+                .map(|&x| Key::Number(x))
+                .collect());
+        }
+        if column.data_type().is_floating() {
+            return Err(Failure::Work(format!(
+                "{}: groups are whole numbers or text; {name} has neither",
+                self.name()
+            )));
+        }
+        let keys = cast(column, &DataType::Utf8).map_err(failed)?;
+        let key = |text: Option<&str>| {
+            let text = text.unwrap_or_default();
+            // CSV does not say which columns are numbers.
+            let number = if self.is_csv {
+                text.trim().parse().ok()
+            } else {
+                None
+            };
+            number.map_or_else(|| Key::Text(text.to_owned()), Key::Number)
+        };
+        Ok(keys.as_string::<i32>().iter().map(key).collect())
+    }
+}
+
+/// The columns of a shape with these fields.
+fn find(schema: &Schema, fields: Vec<String>, column: Option<&str>) -> Result<Place, String> {
+    let there: Vec<&String> = schema.fields().iter().map(|field| field.name()).collect();
+    if let Some((_, own)) = column.and_then(|name| schema.column_with_name(name)) {
+        let name = own.name().clone();
+        match own.data_type() {
+            DataType::FixedSizeList(..) | DataType::List(_) => return Ok(Place::Lists(name)),
+            DataType::Struct(inner) => {
+                let missing: Vec<_> = fields
+                    .iter()
+                    .filter(|field| inner.find(field).is_none())
+                    .cloned()
+                    .collect();
+                let inner: Vec<_> = inner.iter().map(|field| field.name().clone()).collect();
+                return match missing.is_empty() {
+                    true => Ok(Place::Structs(name, fields)),
+                    false => Err(format!(
+                        "{name} has no field {}; it has {}",
+                        missing.join(", "),
+                        inner.join(", ")
+                    )),
+                };
+            }
+            _ if fields.len() == 1 => return Ok(Place::Fields(vec![name])),
+            _ => {}
+        }
+    }
+    let own = |field: String| column.map_or(field.clone(), |name| format!("{name}.{field}"));
+    let names: Vec<String> = fields.into_iter().map(own).collect();
+    let missing: Vec<_> = names
+        .iter()
+        .filter(|name| !there.contains(name))
+        .map(String::as_str)
+        .collect();
+    if missing.is_empty() {
+        return Ok(Place::Fields(names));
+    }
+    let there: Vec<_> = there.into_iter().map(String::as_str).collect();
+    Err(format!(
+        "no column {}; there are {}",
+        missing.join(", "),
+        there.join(", ")
+    ))
+}
+
+/// The places of columns in a file.
+fn columns(schema: &Schema, place: &Place, group: Option<&str>) -> Result<Vec<usize>, String> {
+    let names: Vec<&str> = match place {
+        Place::Fields(names) => names.iter().map(String::as_str).collect(),
+        Place::Lists(name) | Place::Structs(name, _) => vec![name],
+    };
+    let mut places = Vec::new();
+    for name in names.into_iter().chain(group) {
+        let place = schema.index_of(name).map_err(|_| {
+            let there: Vec<_> = schema
+                .fields()
+                .iter()
+                .map(|field| field.name().as_str())
+                .collect();
+            format!("no column {name}; there are {}", there.join(", "))
+        })?;
+        if !places.contains(&place) {
+            places.push(place);
+        }
+    }
+    Ok(places)
+}
+
+impl std::fmt::Display for Key {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Key::Number(x) => write!(f, "{x}"),
+            Key::Text(text) => write!(f, "{text}"),
+        }
+    }
+}

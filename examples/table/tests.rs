@@ -1,0 +1,482 @@
+//! `table` as its users meet it: files in, files and exit status out.
+use arrow::array::{
+    ArrayRef, AsArray, FixedSizeListArray, Float64Array, Int32Array, RecordBatch, StructArray,
+};
+use arrow::datatypes::{DataType, Field, Fields, Float64Type, UInt64Type};
+use geograd::prelude::*;
+use parquet::arrow::ArrowWriter;
+use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
+use std::fs::File;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::Arc;
+
+/// A folder of a test's own, empty at the start.
+fn folder(test: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("table")
+        .join(test);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn run(at: &Path, arguments: &str) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_table"));
+    command
+        .args(arguments.split_whitespace())
+        .current_dir(at)
+        .output()
+        .unwrap()
+}
+
+/// The standard output of a run that goes well.
+fn good(at: &Path, arguments: &str) -> String {
+    let done = run(at, arguments);
+    assert_eq!(String::from_utf8_lossy(&done.stderr), "", "{arguments}");
+    assert_eq!(done.status.code(), Some(0), "{arguments}");
+    String::from_utf8(done.stdout).unwrap()
+}
+
+/// The message of a run that fails with a status.
+fn bad(at: &Path, status: i32, arguments: &str) -> String {
+    let done = run(at, arguments);
+    assert_eq!(done.status.code(), Some(status), "{arguments}");
+    assert_eq!(String::from_utf8_lossy(&done.stdout), "", "{arguments}");
+    String::from_utf8(done.stderr).unwrap()
+}
+
+/// Fifty boxes of ten frames, which overlap some of the others.
+fn boxes(shift: f64) -> Vec<(i32, Obb2<f64>)> {
+    let made = (0..50).map(|k| {
+        let x = f64::from(k);
+        let at = [(x * 0.37).sin() + shift, (x * 0.73).cos()];
+        (k / 5, Obb2::new(at[0], at[1], 1.0 + 0.02 * x, 0.7, 0.1 * x))
+    });
+    made.collect()
+}
+
+fn numbers(b: &Obb2<f64>) -> [f64; 5] {
+    let mut all = [0.0; 5];
+    b.store(&mut all);
+    all
+}
+
+const FIELDS: [&str; 5] = ["x", "y", "width", "height", "heading"];
+
+fn csv(path: &Path, rows: &[(i32, Obb2<f64>)]) {
+    let mut text = format!("frame,{}\n", FIELDS.join(","));
+    for (frame, own) in rows {
+        let all = numbers(own).map(|x| x.to_string());
+        text += &format!("{frame},{}\n", all.join(","));
+    }
+    std::fs::write(path, text).unwrap();
+}
+
+fn write(path: &Path, columns: Vec<(&str, ArrayRef)>) {
+    let batch = RecordBatch::try_from_iter(columns).unwrap();
+    let mut writer =
+        ArrowWriter::try_new(File::create(path).unwrap(), batch.schema(), None).unwrap();
+    writer.write(&batch).unwrap();
+    writer.close().unwrap();
+}
+
+fn lists(rows: &[(i32, Obb2<f64>)]) -> ArrayRef {
+    let all: Vec<f64> = rows.iter().flat_map(|row| numbers(&row.1)).collect();
+    let element = Arc::new(Field::new("element", DataType::Float64, false));
+    Arc::new(FixedSizeListArray::new(
+        element,
+        5,
+        Arc::new(Float64Array::from(all)),
+        None,
+    ))
+}
+
+fn structs(rows: &[(i32, Obb2<f64>)]) -> ArrayRef {
+    // In another order than the shape's.
+    let order = [4, 2, 0, 1, 3];
+    let fields: Fields = order
+        .iter()
+        .map(|&k| Field::new(FIELDS[k], DataType::Float64, false))
+        .collect();
+    let lane = |k: usize| {
+        Arc::new(
+            rows.iter()
+                .map(|row| Some(numbers(&row.1)[k]))
+                .collect::<Float64Array>(),
+        ) as ArrayRef
+    };
+    Arc::new(StructArray::new(fields, order.map(lane).to_vec(), None))
+}
+
+fn frames(rows: &[(i32, Obb2<f64>)]) -> ArrayRef {
+    Arc::new(rows.iter().map(|row| row.0).collect::<Int32Array>())
+}
+
+fn read(path: &Path) -> RecordBatch {
+    let reader = ParquetRecordBatchReaderBuilder::try_new(File::open(path).unwrap()).unwrap();
+    let reader = reader.build().unwrap();
+    let schema = arrow::array::RecordBatchReader::schema(&reader);
+    let batches: Vec<_> = reader.map(Result::unwrap).collect();
+    arrow::compute::concat_batches(&schema, &batches).unwrap()
+}
+
+/// Rows of a table of CSV as numbers.
+fn parsed(text: &str) -> (&str, Vec<Vec<f64>>) {
+    let (header, rows) = text.split_once('\n').unwrap();
+    let row = |row: &str| row.split(',').map(|x| x.parse().unwrap()).collect();
+    (header, rows.lines().map(row).collect())
+}
+
+#[test]
+fn rows_with_derivatives() {
+    let at = folder("rows");
+    let (a, b) = (boxes(0.0), boxes(0.2));
+    csv(&at.join("a.csv"), &a);
+    csv(&at.join("b.csv"), &b);
+    let text = good(&at, "--verb iou --a obb2:a.csv --b obb2:b.csv --grad");
+    let (header, rows) = parsed(&text);
+    assert!(header.starts_with("iou,iou_by_a.x,") && header.ends_with("iou_by_b.heading"));
+    assert_eq!(rows.len(), 50);
+    for (row, (a, b)) in rows.iter().zip(a.iter().zip(&b)) {
+        let (iou, (by_a, by_b)) = Cpu::new()
+            .aligned(Iou.value_grad(), (&[a.1], &[b.1]))
+            .unwrap();
+        assert_eq!(row[0], iou[0]);
+        assert_eq!(row[1..6], numbers(&by_a[0]));
+        assert_eq!(row[6..], numbers(&by_b[0]));
+    }
+    let few = good(&at, "--verb iou --a obb2:a.csv --b obb2:b.csv --above 0.6");
+    let (header, told) = parsed(&few);
+    assert_eq!(header, "row,iou");
+    let wanted: Vec<Vec<f64>> = rows
+        .iter()
+        .enumerate()
+        .filter(|row| row.1[0] > 0.6)
+        .map(|(i, row)| vec![i as f64, row[0]])
+        .collect();
+    assert!(told == wanted && told.len() > 5);
+}
+
+#[test]
+fn lists_structs_and_columns_are_one() {
+    let at = folder("layouts");
+    let (a, b) = (boxes(0.0), boxes(0.2));
+    csv(&at.join("a.csv"), &a);
+    csv(&at.join("b.csv"), &b);
+    write(
+        &at.join("a.parquet"),
+        vec![("frame", frames(&a)), ("box", lists(&a))],
+    );
+    write(
+        &at.join("b.parquet"),
+        vec![("frame", frames(&b)), ("truth", structs(&b))],
+    );
+    let wanted = good(
+        &at,
+        "--verb iou --a obb2:a.csv --b obb2:b.csv --all-pairs --above 0.3",
+    );
+    let found = good(
+        &at,
+        "--verb iou --a obb2:a.parquet --column-a box --b obb2:b.parquet --column-b truth --all-pairs --above 0.3",
+    );
+    assert_eq!(found, wanted);
+    good(
+        &at,
+        "--verb iou --a obb2:a.csv --b obb2:b.csv --all-pairs --above 0.3 --out c.parquet",
+    );
+    let table = read(&at.join("c.parquet"));
+    let (_, rows) = parsed(&wanted);
+    let column = |k: usize| {
+        table
+            .column(k)
+            .as_primitive::<UInt64Type>()
+            .values()
+            .to_vec()
+    };
+    assert!(rows.len() > 50);
+    for (k, row) in rows.iter().enumerate() {
+        assert_eq!([column(0)[k] as f64, column(1)[k] as f64], [row[0], row[1]]);
+        assert_eq!(
+            table.column(2).as_primitive::<Float64Type>().value(k),
+            row[2]
+        );
+    }
+    // Other shapes and results: a column of numbers by its own name, results of several fields.
+    good(
+        &at,
+        "--verb corners --a obb2:a.parquet --column-a box --out d.csv --precision f32",
+    );
+    let text = std::fs::read_to_string(at.join("d.csv")).unwrap();
+    assert_eq!(
+        (
+            text.lines().count(),
+            text.lines().next().unwrap().split(',').count()
+        ),
+        (51, 8)
+    );
+}
+
+#[test]
+fn groups_are_a_loop() {
+    let at = folder("groups");
+    let (mut a, mut b) = (boxes(0.0), boxes(0.2));
+    // Groups that only one file has.
+    a.retain(|row| row.0 != 3);
+    b.retain(|row| row.0 != 0 && row.0 != 9);
+    csv(&at.join("a.csv"), &a);
+    write(
+        &at.join("b.parquet"),
+        vec![("frame", frames(&b)), ("box", lists(&b))],
+    );
+    let files = "--verb iou --a obb2:a.csv --b obb2:b.parquet --column-b box --group frame";
+    let mut wanted = Vec::new();
+    for (i, own) in a.iter().enumerate() {
+        for (j, other) in b.iter().enumerate().filter(|other| other.1.0 == own.0) {
+            wanted.push(vec![i as f64, j as f64, own.1.iou(other.1)]);
+        }
+    }
+    let text = good(&at, files);
+    assert_eq!(parsed(&text).1, wanted);
+    wanted.retain(|row| row[2] > 0.3);
+    let text = good(&at, &format!("{files} --above 0.3"));
+    assert!(parsed(&text).1 == wanted && wanted.len() > 20);
+    let text = good(&at, &format!("{files} --above 0.3 --grad"));
+    let (_, rows) = parsed(&text);
+    for (row, wanted) in rows.iter().zip(&wanted) {
+        let [i, j] = [0, 1].map(|k| wanted[k] as usize);
+        let (iou, (by_a, _)) = Cpu::new()
+            .aligned(Iou.value_grad(), (&[a[i].1], &[b[j].1]))
+            .unwrap();
+        assert_eq!((row[2], &row[3..8]), (iou[0], &numbers(&by_a[0])[..]));
+    }
+    assert_eq!(rows.len(), wanted.len());
+}
+
+#[test]
+fn many_blocks_are_one() {
+    // More rows than a block has, and a group that is larger than one.
+    let at = folder("blocks");
+    let count = 600_000;
+    let group = |k: i32| if k < 500_000 { 7 } else { 8 + k / 1000 };
+    let column = |f: &dyn Fn(i32) -> f64| {
+        Arc::new((0..count).map(|k| Some(f(k))).collect::<Float64Array>()) as ArrayRef
+    };
+    let keys: ArrayRef = Arc::new((0..count).map(group).collect::<Int32Array>());
+    let x = column(&|k| f64::from(k) * 4.0);
+    let right = column(&|k| f64::from(k) * 4.0 + 2.0);
+    let [low, high] = [0.0, 2.0].map(|y| column(&|_| y));
+    let columns = [
+        ("frame", keys),
+        ("min.x", x),
+        ("min.y", low),
+        ("max.x", right),
+        ("max.y", high),
+    ];
+    write(&at.join("a.parquet"), columns.into());
+    let files = "--a aabb2:a.parquet --b aabb2:a.parquet";
+    good(&at, &format!("--verb distance {files} --out rows.parquet"));
+    assert_eq!(read(&at.join("rows.parquet")).num_rows(), count as usize);
+    good(
+        &at,
+        &format!("--verb intersection_area {files} --group frame --above 1 --out groups.parquet"),
+    );
+    let table = read(&at.join("groups.parquet"));
+    let [rows, columns] = [0, 1].map(|k| {
+        table
+            .column(k)
+            .as_primitive::<UInt64Type>()
+            .values()
+            .to_vec()
+    });
+    assert!(rows == columns && rows == (0..count as u64).collect::<Vec<_>>());
+    good(
+        &at,
+        &format!("--verb intersection_area {files} --all-pairs --above 1 --out all.parquet"),
+    );
+    assert_eq!(read(&at.join("all.parquet")), table);
+}
+
+#[test]
+fn bad_rows_name_file_row_and_field() {
+    let at = folder("bad_rows");
+    let header = FIELDS.join(",");
+    std::fs::write(
+        at.join("good.csv"),
+        format!("{header}\n0,0,1,1,0\n1,0,1,1,0\n"),
+    )
+    .unwrap();
+    let cases = [
+        ("0,0,1,1,0\n1,x,1,1,0\n", "row 1: y is no number: `x`"),
+        ("0,0,1,1,0\n1,0,-1,1,0\n", "row 1: width is negative"),
+        (
+            "0,0,1,NaN,0\n1,0,1,1,0\n",
+            "row 0: height is not a finite number",
+        ),
+        ("0,0,1,,0\n1,0,1,1,0\n", "row 0: height is empty"),
+        ("0,0,1,1\n", "bad.csv: after row 0: "),
+        ("0,0,1,1,0\n", "bad.csv has 1 rows and good.csv has more"),
+    ];
+    for (rows, why) in cases {
+        std::fs::write(at.join("bad.csv"), format!("{header}\n{rows}")).unwrap();
+        std::fs::write(at.join("out.csv"), "as it was").unwrap();
+        let said = bad(
+            &at,
+            1,
+            "--verb iou --a obb2:good.csv --b obb2:bad.csv --out out.csv",
+        );
+        assert!(said.contains("bad.csv") && said.contains(why), "{said}");
+        assert_eq!(
+            std::fs::read_to_string(at.join("out.csv")).unwrap(),
+            "as it was"
+        );
+    }
+    assert_eq!(
+        std::fs::read_dir(&at).unwrap().count(),
+        3,
+        "no part is left"
+    );
+}
+
+#[test]
+fn bad_tables_are_named() {
+    let at = folder("bad_tables");
+    let rows = boxes(0.0);
+    write(
+        &at.join("good.parquet"),
+        vec![("frame", frames(&rows)), ("box", lists(&rows))],
+    );
+    let said = |a: &str, more: &str| {
+        bad(
+            &at,
+            1,
+            &format!("--verb iou --a obb2:{a} --b obb2:good.parquet --column-b box {more}"),
+        )
+    };
+    // Columns, widths, types.
+    assert!(said("good.parquet", "").contains("good.parquet: no column x, y, width"));
+    assert!(said("good.parquet", "--column-a frame").contains("no column frame.x"));
+    assert!(said("none.parquet", "").contains("none.parquet: "));
+    let four: ArrayRef = Arc::new(FixedSizeListArray::new(
+        Arc::new(Field::new("element", DataType::Float64, false)),
+        4,
+        Arc::new(Float64Array::from(vec![1.0; 8])),
+        None,
+    ));
+    write(&at.join("four.parquet"), vec![("box", four)]);
+    assert!(
+        said("four.parquet", "--column-a box")
+            .contains("four.parquet: row 0: box has 4 numbers, not 5")
+    );
+    // Nulls: of a list, of a number in it, of a struct.
+    let lists = lists(&rows);
+    let valid = arrow::buffer::NullBuffer::from_iter((0..50).map(|k| k != 17));
+    let (element, size, values, _) = lists.as_fixed_size_list().clone().into_parts();
+    let null: ArrayRef = Arc::new(FixedSizeListArray::new(
+        element,
+        size,
+        Arc::clone(&values),
+        Some(valid),
+    ));
+    write(&at.join("null.parquet"), vec![("box", null)]);
+    assert!(said("null.parquet", "--column-a box").contains("null.parquet: row 17: box is null"));
+    let inner: Float64Array = values
+        .as_primitive::<Float64Type>()
+        .iter()
+        .enumerate()
+        .map(|(k, x)| x.filter(|_| k != 58))
+        .collect();
+    let element = Arc::new(Field::new("element", DataType::Float64, true));
+    let null: ArrayRef = Arc::new(FixedSizeListArray::new(element, 5, Arc::new(inner), None));
+    write(&at.join("inner.parquet"), vec![("box", null)]);
+    assert!(
+        said("inner.parquet", "--column-a box").contains("inner.parquet: row 11: box[3] is null")
+    );
+    // Groups out of order, and of numbers with a point.
+    let mut mixed = rows.clone();
+    mixed.swap(20, 40);
+    write(
+        &at.join("mixed.parquet"),
+        vec![("frame", frames(&mixed)), ("box", crate::lists(&mixed))],
+    );
+    let why = said("mixed.parquet", "--column-a box --group frame");
+    assert!(
+        why.contains("mixed.parquet: row 21: group 4 comes after 8: sort the file"),
+        "{why}"
+    );
+    assert!(said("good.parquet", "--column-a box --group image").contains("no column image"));
+    // A file that ends early, and one that is none.
+    let bytes = std::fs::read(at.join("good.parquet")).unwrap();
+    std::fs::write(at.join("half.parquet"), &bytes[..bytes.len() / 2]).unwrap();
+    assert!(said("half.parquet", "--column-a box").contains("half.parquet: "));
+    let mut broken = bytes;
+    broken[10..400].fill(0xa5);
+    std::fs::write(at.join("broken.parquet"), broken).unwrap();
+    assert!(said("broken.parquet", "--column-a box").contains("broken.parquet: "));
+}
+
+#[test]
+fn a_full_disk_is_said() {
+    if !Path::new("/dev/full").exists() {
+        eprintln!("SKIPPED: there is no /dev/full");
+        return;
+    }
+    let at = folder("full");
+    csv(&at.join("a.csv"), &boxes(0.0));
+    let said = bad(&at, 1, "--verb corners --a obb2:a.csv --out /dev/full");
+    assert!(
+        said.contains("/dev/full: ") && said.contains("No space left"),
+        "{said}"
+    );
+}
+
+#[test]
+fn command_lines_that_make_no_sense() {
+    let at = folder("usage");
+    csv(&at.join("a.csv"), &boxes(0.0));
+    let cases = [
+        ("", "`--verb` is missing"),
+        ("--verb ious --a obb2:a.csv", "no verb is called ious"),
+        (
+            "--verb iou --a obb2:a.csv",
+            "iou of obb2 is not there; it takes\n",
+        ),
+        ("--verb iou --a obb2:a.csv --b circle:a.csv", "obb2 obb2"),
+        ("--verb iou --b obb2:a.csv", "`--a` is missing"),
+        ("--verb iou --a a.csv", "it is SHAPE:FILE"),
+        (
+            "--verb corners --a obb2:a.csv --grad",
+            "results of one number",
+        ),
+        (
+            "--verb corners --a obb2:a.csv --all-pairs",
+            "pairs need two arguments",
+        ),
+        (
+            "--verb corners --a obb2:a.csv --out a.csv",
+            "`--out` is an input",
+        ),
+        (
+            "--verb iou --a obb2:a.csv --b obb2:a.csv --above nan",
+            "finite",
+        ),
+        (
+            "--verb corners --a obb2:a.csv --precision f16",
+            "f32 or f64",
+        ),
+        (
+            "--verb corners --a obb2:a.csv --backend gpu",
+            "--backend gpu",
+        ),
+    ];
+    for (arguments, why) in cases {
+        let said = bad(&at, 2, arguments);
+        assert!(said.contains(why), "{arguments}: {said}");
+    }
+    assert!(good(&at, "--help").contains("Usage: table"));
+    let list = good(&at, "--verb list");
+    assert!(
+        list.contains("\niou obb2 obb2\n")
+            && list.contains("\nobb2: x, y, width, height, heading\n")
+    );
+}
