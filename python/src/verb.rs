@@ -636,6 +636,7 @@ impl Verb {
     }
     /// Every pair whose result is above a threshold: rows of `a`, rows of `b`, results.
     #[pyo3(signature = (a, b, threshold, *, groups=None, kind=None, backend=None))]
+    #[allow(clippy::too_many_arguments)] // They have names in Python.
     fn above<'py>(
         &self,
         py: Python<'py>,
