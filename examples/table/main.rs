@@ -45,8 +45,14 @@ fn machine(options: &Options) -> Result<Machine, Failure> {
 fn run() -> Result<(), Failure> {
     let options = match options()? {
         Asked::Work(options) => options,
-        Asked::Help => return Ok(say(HELP)),
-        Asked::List => return Ok(say(&list())),
+        Asked::Help => {
+            say(HELP);
+            return Ok(());
+        }
+        Asked::List => {
+            say(&list());
+            return Ok(());
+        }
     };
     let machine = machine(&options)?;
     match options.double {
