@@ -47,6 +47,11 @@ pub trait Core<S: Scalar>: Copy {
     fn growth(&self, _normal: Vec3<S>) -> S {
         S::zero()
     }
+    /// The core as a box, where it is one.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn as_box(&self) -> Option<BoxCore<S>> {
+        None
+    }
     /// The face that parts the core best from some corners; `None` where it has no faces.
     fn deep(&self, corners: &[Vec3<S>]) -> Option<PartingPlane<S>>;
 }
@@ -261,6 +266,10 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
     type Ways = [Vec3<S>; 3];
     const DIMENSION: usize = 3;
     const CENTERED: bool = true;
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn as_box(&self) -> Option<BoxCore<S>> {
+        Some(*self)
+    }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn anchor(&self) -> Vec3<S> {
         self.center

@@ -2,6 +2,7 @@
 use super::core::Core;
 use super::deep::{PartingPlane, SLACK, deepest};
 use super::near::{Nearest, constant, edges_near};
+use super::pair;
 use crate::distance::edge::scale_of;
 use crate::distance::share::Best;
 use crate::scalar::speck;
@@ -83,6 +84,9 @@ fn view<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
 /// The relation of two cores.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<S> {
+    if let (Some(a), Some(b)) = (a.as_box(), b.as_box()) {
+        return pair::relate(a, b);
+    }
     let (origin, scale) = view(&a, &b);
     let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
     let found = joined(nearest(&a, &b), deepest(&a, &b));
@@ -171,6 +175,9 @@ fn joined<S: Scalar>(near: Nearest<S>, deep: Option<PartingPlane<S>>) -> Relatio
 /// The square of the longest way from a corner of one core to one of another; ties share.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn farthest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> S {
+    if let (Some(a), Some(b)) = (a.as_box(), b.as_box()) {
+        return pair::farthest(a, b);
+    }
     let (origin, scale) = view(&a, &b);
     let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
     let (from, to) = (a.corners(), b.corners());

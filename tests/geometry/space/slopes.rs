@@ -1,7 +1,7 @@
 //! Derivatives of distances in space: ties, and second ones at contacts of every kind.
 use super::draw::Random;
 use geograd::ad::gradient;
-use geograd::distance3::{distance, signed_distance};
+use geograd::distance3::{closest_points, distance, signed_distance};
 use geograd::prelude::*;
 
 /// The largest difference of a Hessian, row by row, from central differences of gradients.
@@ -149,9 +149,14 @@ fn stacked_boxes_share_the_corners_of_what_faces_each_other() {
         assert!((found - gap).abs() < 1e-15, "{told}");
         // What faces each other is [1.25, 2] x [-0.25, 0.75]: a turn about x lifts by y, one about y lowers by x.
         assert!((slope.x + 0.25).abs() < 1e-15, "{told}: {slope:?}");
-        // Of boxes that overlap the crossings of edges do not count: a slope of one side.
-        let expected = if gap > 0.0 { 1.625 } else { 1.25 };
-        assert!((slope.y - expected).abs() < 1e-15, "{told}: {slope:?}");
+        assert!((slope.y - 1.625).abs() < 1e-15, "{told}: {slope:?}");
+        let found = closest_points(table, crate_);
+        let middle = Vec3::new(1.625, 0.25, 0.5);
+        assert!((found.on_a - middle).length() < 1e-15, "{told}: {found:?}");
+        assert!(
+            (found.on_b - found.on_a - Vec3::new(0.0, 0.0, gap)).length() < 1e-15,
+            "{told}: {found:?}"
+        );
     }
 }
 

@@ -1,0 +1,271 @@
+//! Two boxes of any orientation, in the frame of the first.
+//!
+//! All that chooses between features is computed with plain numbers; the distance is then computed once, with
+//! derivatives, from the features that were chosen. Of the 144 pairs of edges nine can be nearest: those that
+//! support both boxes along their common normal.
+//!
+//! The axes of b as a's axes see them are a matrix, of whose numbers every sign is taken. They decide alike wherever
+//! they occur, so that no rounding leaves out the end of a common stretch in favour of neither.
+mod decide;
+mod face;
+mod features;
+
+use super::core::{BoxCore, Core};
+use super::near::constant;
+use super::relation::{Relation, direction};
+use crate::distance::edge::scale_of;
+use crate::scalar::{most_of, speck};
+use crate::{Scalar, Vec3};
+use decide::{Choice, decide};
+
+/// The axes after one, in order: with it they are a right-handed frame.
+pub(super) const NEXT: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
+
+/// b as a sees it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen<S> {
+    /// The way from the centre of a to that of b, along the axes of a.
+    pub c: [S; 3],
+    /// The same along the axes of b.
+    pub d: [S; 3],
+    /// The axes of b: of entry `[i][j]` axis j, along axis i of a.
+    pub r: [[S; 3]; 3],
+    /// Half the size of a.
+    pub g: [S; 3],
+    /// Half the size of b.
+    pub h: [S; 3],
+}
+
+/// How far the boxes are parted along the normals of faces and of pairs of edges.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Gaps<S> {
+    /// Along the axes of a.
+    pub a: [S; 3],
+    /// Along the axes of b.
+    pub b: [S; 3],
+    /// Along the normal of axis i of a and axis j of b; the least number where these are parallel.
+    pub edges: [[S; 3]; 3],
+}
+
+/// Of a number without derivatives -1 or 1; 1 of zero.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn sign<P: Scalar>(x: P) -> P {
+    P::one().signed_as(x)
+}
+
+/// The same; zero of zero.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn sign_or_none<P: Scalar>(x: P) -> P {
+    P::select(x.equals(P::zero()), P::zero(), sign(x))
+}
+
+/// The sum of products.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn dot<S: Scalar>(x: [S; 3], y: [S; 3]) -> S {
+    (x[0] * y[0] + x[1] * y[1]) + x[2] * y[2]
+}
+
+/// A column of a matrix.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn column<S: Scalar>(r: &[[S; 3]; 3], j: usize) -> [S; 3] {
+    [r[0][j], r[1][j], r[2][j]]
+}
+
+/// As constants of a number with derivatives.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn fixed<S: Scalar>(x: [S::Primal; 3]) -> [S; 3] {
+    x.map(|x| S::from_primal(x.primal()))
+}
+
+/// The square of a product of axes below which they count as parallel, in which the boxes have a size of one.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn least_square<S: Scalar>() -> S {
+    S::lit(S::EPSILON.powi(4))
+}
+
+impl<S: Scalar> Seen<S> {
+    /// The same without derivatives.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn primal(&self) -> Seen<S::Primal> {
+        let plain = |x: [S; 3]| x.map(S::primal);
+        Seen {
+            c: plain(self.c),
+            d: plain(self.d),
+            r: self.r.map(plain),
+            g: plain(self.g),
+            h: plain(self.h),
+        }
+    }
+    /// The gaps along all normals. Those of edges are along directions that are orthogonal to both as far as the matrix
+    /// has digits: a product of its numbers and itself, in other order, is exactly zero.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn gaps(&self) -> Gaps<S> {
+        let Seen { c, d, r, g, h } = self;
+        let size = r.map(|row| row.map(S::magnitude));
+        let edges = |i: usize, j: usize| {
+            let ([k, l], [m, p]) = (NEXT[i], NEXT[j]);
+            let across = |m: usize| (r[k][j] * r[l][m] - r[l][j] * r[k][m]).magnitude();
+            let square = r[l][j] * r[l][j] + r[k][j] * r[k][j];
+            let none = square.at_most(least_square());
+            let center = (r[k][j] * c[l] - r[l][j] * c[k]).magnitude();
+            let reach_a = size[l][j] * g[k] + size[k][j] * g[l];
+            let reach = reach_a + (across(m) * h[m] + across(p) * h[p]);
+            let length = S::select(none, S::one(), square).root();
+            S::select(none, -S::lit(S::LARGEST), (center - reach).over(length))
+        };
+        Gaps {
+            a: [0, 1, 2].map(|l| (c[l].magnitude() - g[l]) - dot(size[l], *h)),
+            b: [0, 1, 2].map(|j| (d[j].magnitude() - h[j]) - dot(column(&size, j), *g)),
+            edges: [0, 1, 2].map(|i| [0, 1, 2].map(|j| edges(i, j))),
+        }
+    }
+    /// The gap of the planes that part the boxes best, in the mean of all that tie. Along faces that are parallel the
+    /// boxes are turned about the middle of what faces each other.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn deepest(&self, gaps: &Gaps<S>, choice: &Choice<S::Primal>) -> S {
+        let Seen { r, g, h, c, d } = self;
+        let share = |x: S::Primal| S::from_primal(x.primal());
+        let mut sum = S::zero();
+        for k in 0..3 {
+            let lean_a = dot(fixed(choice.lean_a[k]), [0, 1, 2].map(|j| r[k][j] * h[j]));
+            let lean_b = dot(fixed(choice.lean_b[k]), [0, 1, 2].map(|i| r[i][k] * g[i]));
+            let (side_a, side_b) = (sign_or_none(c[k].primal()), sign_or_none(d[k].primal()));
+            sum += (gaps.a[k] + lean_a * share(side_a)) * share(choice.share_a[k]);
+            sum += (gaps.b[k] - lean_b * share(side_b)) * share(choice.share_b[k]);
+            for j in 0..3 {
+                let part = choice.share_edges[k][j];
+                // Parallel edges have no gap, whose largest number times zero is none.
+                let none = part.equals(S::Primal::zero());
+                let gap = S::select(none, S::zero(), gaps.edges[k][j]);
+                sum += gap * share(part);
+            }
+        }
+        sum.with_primal(choice.deepest)
+    }
+}
+
+/// b as a sees it, in units in which both are of a size near one, and the units.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (Seen<S>, S) {
+    let anchor = a.anchor();
+    let scale = scale_of::<S>(a.extent(anchor).most(b.extent(anchor)));
+    let way = (b.center - a.center) * scale;
+    // Axes of a are orthogonal: of equal ones of b only the difference is left, which is exactly zero.
+    let turn = |i: usize, j: usize| {
+        let (u, v) = (a.axes[i], b.axes[j]);
+        u.dot(if i == j { v } else { v - a.axes[j] })
+    };
+    let seen = Seen {
+        c: a.axes.map(|axis| axis.dot(way)),
+        d: b.axes.map(|axis| axis.dot(way)),
+        r: [0, 1, 2].map(|i| [0, 1, 2].map(|j| turn(i, j))),
+        g: a.half.map(|half| half * scale),
+        h: b.half.map(|half| half * scale),
+    };
+    (seen, scale)
+}
+
+/// The relation of two boxes.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
+    let (seen, scale) = seen(&a, &b);
+    let gaps = seen.gaps();
+    let choice = decide(&seen.primal(), &gaps_primal(&gaps));
+    let Seen { c, r, g, h, .. } = seen;
+    let (x, y) = (fixed::<S>(choice.x), fixed::<S>(choice.y));
+    let (at_a, at_b) = (
+        [0, 1, 2].map(|k| g[k] * x[k]),
+        [0, 1, 2].map(|k| h[k] * y[k]),
+    );
+    // The way from the point of a to that of b, along the axes of a and of b.
+    let w = [0, 1, 2].map(|k| (c[k] + dot(r[k], at_b)) - at_a[k]);
+    let seen_b = [0, 1, 2].map(|j| (seen.d[j] + at_b[j]) - dot(column(&r, j), at_a));
+    let keep = fixed::<S>(choice.keep);
+    let kept = |w: [S; 3]| Vec3::new(w[0] * keep[0], w[1] * keep[1], w[2] * keep[2]);
+    // Two edges: their normal, and where the edge of b is nearest.
+    let (u, along) = (fixed::<S>(choice.edge_a), fixed::<S>(choice.edge_b));
+    let v = r.map(|row| dot(row, along));
+    let vector = |x: [S; 3]| Vec3::new(x[0], x[1], x[2]);
+    let long = vector(u).cross(vector(v));
+    let square = long.length_squared();
+    let none = square.at_most(least_square());
+    let square = S::select(none, S::one(), square);
+    let side = S::from_primal(choice.side.primal());
+    let unit = long * side.over(square.root());
+    let height = unit.dot(vector(w));
+    let off = |x: Vec3<S>| x - vector(u) * vector(u).dot(x);
+    let t = off(vector(w)).dot(off(vector(v))).over(square);
+    let zero = S::zero();
+    let pick = |in_a: Vec3<S>, in_b: Vec3<S>, edges: Vec3<S>| {
+        let faces = Vec3::select(choice.by_a, in_a, in_b);
+        Vec3::select(choice.by_edges, edges, faces)
+    };
+    let apart = pick(kept(w), kept(seen_b), Vec3::new(height, zero, zero));
+    let shape = |axes: [Vec3<S>; 3], x: Vec3<S>| axes[0] * x.x + axes[1] * x.y + axes[2] * x.z;
+    let outer = kept(fixed(choice.out));
+    let way = direction(apart);
+    let to_face = Vec3::select(choice.inside, outer, way);
+    let normal = pick(
+        shape(a.axes, to_face),
+        shape(b.axes, to_face),
+        shape(a.axes, unit),
+    );
+    let length = apart.length();
+    // Duals of the length of a speck pass through numbers beyond the largest one.
+    let straight = apart.dot(constant(way));
+    let straight = straight.with_primal(length.primal());
+    let length = S::select(length.at_most(S::lit(speck::<S>())), straight, length);
+    let deepest = seen.deepest(&gaps, &choice);
+    let gap = S::select(choice.inside, deepest, length);
+    let overlap = choice.inside & deepest.below(zero);
+    let over = |x: S| x.over(scale);
+    let step = normal * over(gap);
+    let [half_a, half_b] = [at_a, at_b].map(|at| at.map(over));
+    let on_a = a.center + shape(a.axes, vector(half_a));
+    let on_b = b.center + shape(b.axes, vector(half_b));
+    let slid = shape(b.axes, vector(along)) * over(S::select(choice.by_edges, t, zero));
+    let from_b = !choice.by_a & !choice.by_edges;
+    let on_b = Vec3::select(from_b, on_a + step, on_b - slid);
+    Relation {
+        apart: over(gap),
+        square: over(over(S::select(overlap, zero, apart.length_squared()))),
+        normal,
+        on_a: Vec3::select(from_b, on_a, on_b - step),
+        on_b,
+    }
+}
+
+/// The longest distance of points of two boxes: of every two opposite sides of b the corner of a says which is farther.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn farthest<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> S {
+    let (Seen { c, d, r, g, h }, scale) = seen(&a, &b);
+    // From the corner of a at the negative ends of its axes; the others by signs.
+    let (along_a, along_b) = (
+        [0, 1, 2].map(|i| g[i] * c[i]),
+        [0, 1, 2].map(|j| h[j] * d[j]),
+    );
+    let arms = [0, 1, 2].map(|j| [0, 1, 2].map(|i| (g[i] * h[j]) * r[i][j]));
+    let signed = |negative: bool, x: S| if negative { -x } else { x };
+    let far = std::array::from_fn::<S, 8, _>(|n| {
+        let at = |x: [S; 3]| {
+            let [x, y, z] = [0, 1, 2].map(|k| signed(n >> k & 1 == 1, x[k]));
+            (x + y) + z
+        };
+        let sides = [0, 1, 2].map(|j| (along_b[j] - at(arms[j])).magnitude());
+        ((sides[0] + sides[1]) + sides[2]) - at(along_a)
+    });
+    let most = most_of(far);
+    ((dot(c, c) + (dot(g, g) + dot(h, h))) + (most + most))
+        .root()
+        .over(scale)
+}
+
+/// The gaps without derivatives.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn gaps_primal<S: Scalar>(gaps: &Gaps<S>) -> Gaps<S::Primal> {
+    Gaps {
+        a: gaps.a.map(S::primal),
+        b: gaps.b.map(S::primal),
+        edges: gaps.edges.map(|row| row.map(S::primal)),
+    }
+}
