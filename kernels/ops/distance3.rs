@@ -44,6 +44,7 @@ table! {
         "squared_distance_segments3": Segment3, Segment3;
         "squared_distance_triangles3": Triangle3, Triangle3;
         "squared_distance_aabb3": Aabb3, Aabb3;
+        "squared_distance_obb3": Obb3, Obb3;
     }
     /// The [signed distance](crate::distance3::signed_distance) of {}.
     SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
@@ -79,6 +80,7 @@ table! {
         "farthest_distance_point_obb3": Vec3, Obb3;
         "farthest_distance_capsules3": Capsule3, Capsule3;
         "farthest_distance_aabb3": Aabb3, Aabb3;
+        "farthest_distance_obb3": Obb3, Obb3;
     }
     // Points and directions jump where another feature is nearest.
     /// The [depth of overlap and its direction](crate::distance3::penetration) of {}. The direction jumps to another
@@ -87,8 +89,11 @@ table! {
         "penetration_spheres": Sphere, Sphere;
         "penetration_capsules3": Capsule3, Capsule3;
         "penetration_sphere_obb3": Sphere, Obb3;
+        "penetration_capsule_obb3": Capsule3, Obb3;
         "penetration_aabb3": Aabb3, Aabb3;
+        "penetration_obb3": Obb3, Obb3;
         "penetration_plane_capsule": Plane3, Capsule3;
+        "penetration_plane_obb3": Plane3, Obb3;
     }
     /// The [nearest points](crate::distance3::closest_points) of {}. Points jump to another nearest feature.
     verbs::ClosestPoints: (a, b) -> PointPair3<S> { closest_points(a, b) } [follows] jumps Anywhere derivative Reverse {
@@ -97,6 +102,9 @@ table! {
         "closest_points_segments3": Segment3, Segment3;
         "closest_points_capsules3": Capsule3, Capsule3;
         "closest_points_sphere_obb3": Sphere, Obb3;
+        "closest_points_capsule_obb3": Capsule3, Obb3;
+        "closest_points_triangles3": Triangle3, Triangle3;
         "closest_points_aabb3": Aabb3, Aabb3;
+        "closest_points_obb3": Obb3, Obb3;
     }
 }

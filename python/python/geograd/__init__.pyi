@@ -1301,12 +1301,16 @@ class _closest_points(Verb):
             The nearest points of two capsules. Points jump to another nearest feature.
         closest_points(a: Capsule3, b: Capsule3) -> PointPair3
             The nearest points of two capsules of space. Points jump to another nearest feature.
+        closest_points(capsule: Capsule3, shape: Obb3) -> PointPair3
+            The nearest points of a capsule of space and a box of any orientation. Points jump to another nearest feature.
         closest_points(circle: Circle, shape: Obb2) -> PointPair
             The nearest points of a circle and a rotated box. Points jump to another nearest feature.
         closest_points(shape: Obb2, circle: Circle) -> PointPair
             The nearest points of a rotated box and a circle. Points jump to another nearest feature.
         closest_points(a: Obb2, b: Obb2) -> PointPair
             The nearest points of two rotated boxes. Points jump to another nearest feature.
+        closest_points(a: Obb3, b: Obb3) -> PointPair3
+            The nearest points of two boxes of any orientation. Points jump to another nearest feature.
         closest_points(a: Segment2, b: Segment2) -> ClosestOnSegments
             The nearest points of two segments, and where along both they lie.
         closest_points(a: Segment3, b: Segment3) -> PointPair3
@@ -1315,6 +1319,8 @@ class _closest_points(Verb):
             The nearest points of a ball and a box of any orientation. Points jump to another nearest feature.
         closest_points(a: Triangle2, b: Triangle2) -> PointPair
             The nearest points of two triangles. Points jump to another nearest feature.
+        closest_points(a: Triangle3, b: Triangle3) -> PointPair3
+            The nearest points of two triangles of space. Points jump to another nearest feature.
         closest_points(point: Vec2, shape: Obb2) -> PointPair
             The nearest points of a point and a rotated box. Points jump to another nearest feature.
         closest_points(point: Vec2, segment: Segment2) -> PointPair
@@ -1335,11 +1341,15 @@ class _closest_points(Verb):
     @overload
     def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
+    def __call__(self, capsule: Capsule3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
+    @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
     def __call__(self, shape: Obb2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ClosestOnSegments: ...
     @overload
@@ -1348,6 +1358,8 @@ class _closest_points(Verb):
     def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, a: Triangle3, b: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
@@ -1866,6 +1878,8 @@ class _farthest_distance(Verb):
             The longest distance of a circle and a rotated box.
         farthest_distance(a: Obb2, b: Obb2) -> number
             The longest distance of two rotated boxes.
+        farthest_distance(a: Obb3, b: Obb3) -> number
+            The longest distance of two boxes of any orientation.
         farthest_distance(a: Triangle2, b: Triangle2) -> number
             The longest distance of two triangles.
         farthest_distance(point: Vec2, shape: Obb2) -> number
@@ -1883,6 +1897,8 @@ class _farthest_distance(Verb):
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2452,14 +2468,20 @@ class _penetration(Verb):
             The depth of overlap and its direction of two capsules. The direction jumps to another deepest face.
         penetration(a: Capsule3, b: Capsule3) -> Contact3
             The depth of overlap and its direction of two capsules of space. The direction jumps to another deepest face.
+        penetration(capsule: Capsule3, shape: Obb3) -> Contact3
+            The depth of overlap and its direction of a capsule of space and a box of any orientation. The direction jumps to another deepest face.
         penetration(a: Circle, b: Circle) -> Contact
             The depth of overlap and its direction of two circles. The direction jumps to another deepest face.
         penetration(circle: Circle, shape: Obb2) -> Contact
             The depth of overlap and its direction of a circle and a rotated box. The direction jumps to another deepest face.
         penetration(a: Obb2, b: Obb2) -> Contact
             The depth of overlap and its direction of two rotated boxes. The direction jumps to another deepest face.
+        penetration(a: Obb3, b: Obb3) -> Contact3
+            The depth of overlap and its direction of two boxes of any orientation. The direction jumps to another deepest face.
         penetration(plane: Plane3, capsule: Capsule3) -> Contact3
             The depth of overlap and its direction of a half-space and a capsule of space. The direction jumps to another deepest face.
+        penetration(plane: Plane3, shape: Obb3) -> Contact3
+            The depth of overlap and its direction of a half-space and a box of any orientation. The direction jumps to another deepest face.
         penetration(ball: Sphere, shape: Obb3) -> Contact3
             The depth of overlap and its direction of a ball and a box of any orientation. The direction jumps to another deepest face.
         penetration(a: Sphere, b: Sphere) -> Contact3
@@ -2476,13 +2498,19 @@ class _penetration(Verb):
     @overload
     def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
+    def __call__(self, capsule: Capsule3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
+    @overload
     def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact: ...
     @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
+    @overload
     def __call__(self, plane: Plane3, capsule: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
+    @overload
+    def __call__(self, plane: Plane3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
     def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Contact3: ...
     @overload
@@ -2840,6 +2868,8 @@ class _squared_distance(Verb):
         squared_distance(a: Aabb3, b: Aabb3) -> number
         squared_distance(a: Obb2, b: Obb2) -> number
             The squared distance of two rotated boxes.
+        squared_distance(a: Obb3, b: Obb3) -> number
+            The squared distance of two boxes of any orientation.
         squared_distance(a: Segment2, b: Segment2) -> number
             The squared distance of two segments.
         squared_distance(a: Segment3, b: Segment3) -> number
@@ -2863,6 +2893,8 @@ class _squared_distance(Verb):
     def __call__(self, a: Aabb3, b: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
