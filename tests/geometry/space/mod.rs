@@ -1,4 +1,5 @@
 //! Shapes of space: measures, distances, rays.
+mod certificates;
 mod distances;
 mod draw;
 mod oracle;
