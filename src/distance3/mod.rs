@@ -14,8 +14,9 @@
 //!
 //! Every shape is the hull of a few corners, inflated by a radius ([`Cored`]). Two of them are compared corner by face,
 //! corner by edge and edge by edge where they are apart; by the normals of faces and of pairs of edges where they
-//! overlap. Two boxes decide by plain numbers and then compute one distance, that of the features which they chose. No tolerance decides: a candidate for the distance is the distance of two points that exist, a
-//! candidate for the depth a gap along a direction of length one, so that wrong decisions cost roundings.
+//! overlap. Two boxes decide by plain numbers and then compute one distance, that of the features which they chose. No
+//! tolerance decides: a candidate for the distance is the distance of two points that exist, a candidate for the depth a
+//! gap along a direction of length one, so that wrong decisions cost roundings.
 //!
 //! | function | gives |
 //! | --- | --- |
@@ -61,9 +62,10 @@
 //! Kinks: at distance zero the distance and its derivatives are 0 (the signed distance keeps its derivative there).
 //! Features that are equally near share the derivative and the point equally: of parallel faces it is the mean of
 //! the corners of what faces each other, crossings of edges among them. Where triangles and tetrahedra overlap along
-//! parallel faces the corners count whose foot is on the other one, or all where there is none. Where several planes are equally deep they share the derivative, and the
-//! direction is that of the first. Across a face the signed distance is smooth, along an edge or at a corner of the
-//! border it is not. Pairs without a volume between them, such as two segments, have no depth.
+//! parallel faces the corners count whose foot is on the other one, or all where there is none. Where several planes are
+//! equally deep they share the derivative, and the direction is that of the first. Across a face the signed distance is
+//! smooth, along an edge or at a corner of the border it is not. Pairs without a volume between them, such as two
+//! segments, have no depth.
 use crate::{Scalar, Vec3};
 
 pub mod apart;
