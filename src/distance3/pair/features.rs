@@ -37,7 +37,7 @@ const SIGNS: [[f64; 3]; 8] = {
     let mut signs = [[1.0; 3]; 8];
     let mut k = 0;
     while k < 24 {
-        if k / 3 >> (k % 3) & 1 == 1 {
+        if (k / 3) >> (k % 3) & 1 == 1 {
             signs[k / 3][k % 3] = -1.0;
         }
         k += 1;
