@@ -1,34 +1,25 @@
 //! Images of points, and angles between rotations, as operations with domains.
 use crate::camera::{BrownConrady, Fisheye, Pinhole};
+use crate::kernels::ops::rows::table;
 use crate::kernels::verbs::{Angle, Project};
-use crate::{Rotation3, Vec2, Vec3, operation};
+use crate::{Rotation3, Vec2, Vec3};
 
-operation! {
-    /// The [angle](Rotation3::angle_to) between two rotations.
-    Angle: (a: Rotation3<S>, b: Rotation3<S>) -> S { a.angle_to(b).canonical() }
-    invariances [Rotation Stays, RotationX Stays, RotationY Stays, Exchange Stays]
-    range NOT_NEGATIVE
-    jumps Never
-    derivative Reverse
-
-    /// The [image](Pinhole::project) of a point in a pinhole camera.
-    Project: (point: Vec3<S>, camera: Pinhole<S>) -> Vec2<S> { camera.project(point) }
-    invariances []
-    jumps Never
-    domain { camera.sees(point) }
-    derivative Reverse
-
-    /// The [image](BrownConrady::project) of a point in a camera with radial and tangential distortion.
-    Project: (point: Vec3<S>, camera: BrownConrady<S>) -> Vec2<S> { camera.project(point) }
-    invariances []
-    jumps Never
-    domain { camera.sees(point) }
-    derivative Reverse
-
-    /// The [image](Fisheye::project) of a point in a fisheye camera.
-    Project: (point: Vec3<S>, camera: Fisheye<S>) -> Vec2<S> { camera.project(point) }
-    invariances []
-    jumps Never
-    domain { camera.sees(point) }
-    derivative Reverse
+table! {
+    /// The angle in radians between {}, 0 to π.
+    Angle: (a, b) -> S { a.angle_to(b).canonical() }
+    [similar, symmetric] range NOT_NEGATIVE jumps Never derivative Reverse {
+        "angle_rotations3": Rotation3, Rotation3;
+        "angle_vectors3": Vec3, Vec3 [similar, about_origin, symmetric];
+    }
+    // The frame is the camera's own, so that a motion of the point changes the image.
+    /// The image of a point of a camera's frame, in pixels.
+    Project: (point, camera) -> Vec2<S> { camera.project(point) }
+    [] jumps Never domain { camera.sees(point) } derivative Reverse {
+        /// The camera has no distortion: [`Pinhole`](crate::camera::Pinhole).
+        "project_pinhole": Vec3, Pinhole;
+        /// The camera has radial and tangential distortion: [`BrownConrady`](crate::camera::BrownConrady).
+        "project_brown_conrady": Vec3, BrownConrady;
+        /// The camera sees by the angle to its axis: [`Fisheye`](crate::camera::Fisheye).
+        "project_fisheye": Vec3, Fisheye;
+    }
 }

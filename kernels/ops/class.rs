@@ -64,6 +64,13 @@ impl Class {
             ..self
         }
     }
+    /// The origin counts: nothing is said of shifts.
+    pub const fn about_origin(self) -> Self {
+        Class {
+            shifts: None,
+            ..self
+        }
+    }
     /// Two arguments of one kind may be exchanged.
     pub const fn symmetric(self) -> Self {
         Class {

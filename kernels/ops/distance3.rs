@@ -6,7 +6,7 @@ use crate::distance3::{
 use crate::kernels::ops::rows::table;
 use crate::kernels::verbs::{self, Distance, FarthestDistance, SignedDistance, SquaredDistance};
 use crate::{
-    Aabb3, Capsule3, Cone, Cylinder, Obb3, Plane3, RoundBox3, Segment3, Sphere, Tetrahedron,
+    Aabb3, Capsule3, Cone, Cylinder, Line3, Obb3, Plane3, Ray3, RoundBox3, Segment3, Sphere, Tetrahedron,
     Triangle3, Vec3, YawBox3,
 };
 
@@ -36,6 +36,15 @@ table! {
         "distance_sphere_obb3": Sphere, Obb3;
         "distance_aabb3": Aabb3, Aabb3;
         "distance_obb3": Obb3, Obb3;
+        "distance_point_line3": Vec3, Line3;
+        "distance_point_ray3": Vec3, Ray3;
+        "distance_segment_line3": Segment3, Line3;
+        "distance_segment_ray3": Segment3, Ray3;
+        "distance_capsule_line3": Capsule3, Line3;
+        /// It jumps where they become parallel.
+        "distance_lines3": Line3, Line3 jumps Anywhere;
+        /// It jumps where they become parallel.
+        "distance_rays3": Ray3, Ray3 jumps Anywhere;
     }
     /// The [squared distance](crate::distance3::squared_distance) of {}.
     SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] jumps Never derivative Reverse {
@@ -74,6 +83,8 @@ table! {
         "signed_distance_plane_obb3": Plane3, Obb3;
         "signed_distance_plane_cylinder": Plane3, Cylinder;
         "signed_distance_plane_cone": Plane3, Cone;
+        "signed_distance_line_sphere": Line3, Sphere;
+        "signed_distance_ray_sphere": Ray3, Sphere;
     }
     /// The [longest distance](crate::distance3::farthest_distance) of {}.
     FarthestDistance: (a, b) -> S { farthest_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
@@ -106,5 +117,7 @@ table! {
         "closest_points_triangles3": Triangle3, Triangle3;
         "closest_points_aabb3": Aabb3, Aabb3;
         "closest_points_obb3": Obb3, Obb3;
+        "closest_points_point_line3": Vec3, Line3;
+        "closest_points_lines3": Line3, Line3;
     }
 }

@@ -1,5 +1,4 @@
 //! The rows: every operation of the library, a family a file.
-mod camera;
 pub(crate) mod class;
 pub mod list;
 pub(crate) mod noun;
@@ -25,6 +24,6 @@ macro_rules! families {
 }
 families! {
     overlap iou interval distance intersection shape gaussian convention
-    overlap3 iou3 distance3 intersection3
+    overlap3 iou3 distance3 intersection3 camera
     polygon extent ring fold
 }

@@ -1,9 +1,10 @@
 //! Shapes in rows: their names in sentences, and the motions that they have.
+use crate::camera::{BrownConrady, Fisheye, Pinhole};
 use crate::convention::{Detectron2Box, ImageBox, KittiBox, LidarBox, NuScenesBox, Xyxyr};
 use crate::iou::Exponent;
 use crate::{
     Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Interval, Line2,
-    Line3, Obb2, Obb3, Plane3, Pose2, Ray2, Ray3, RoundBox3, Segment2, Segment3, Sphere,
+    Line3, Obb2, Obb3, Plane3, Pose2, Ray2, Ray3, Rotation3, RoundBox3, Segment2, Segment3, Sphere,
     Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
 };
 
@@ -114,6 +115,10 @@ nouns! {
     [] Plane3<f64>:      "plane",    "a half-space",               "two half-spaces",               SPACE;
     [] Line3<f64>:       "line",     "a line of space",            "two lines of space",            SPACE;
     [] Ray3<f64>:        "ray",      "a ray of space",             "two rays of space",             SPACE;
+    [] Rotation3<f64>:   "rotation", "a rotation",                 "two rotations",                SPACE;
+    [] Pinhole<f64>:     "camera",   "a pinhole camera",           "two pinhole cameras",          NONE;
+    [] BrownConrady<f64>: "camera",  "a camera with distortion",   "two cameras with distortion",  NONE;
+    [] Fisheye<f64>:     "camera",   "a fisheye camera",           "two fisheye cameras",          NONE;
     [] Exponent<f64>:    "power",    "a power",                    "two powers",                    WITH_ALL;
     // A shift moves directions like points.
     [] Line2<f64>:       "line",     "a line",                     "two lines",                     PLANE_DIRECTED;

@@ -13,7 +13,7 @@
 ///
 /// * The head has the documentation, arguments, result, formula, [class](crate::kernels::ops::class::Class) of
 ///   invariance, jumps and derivatives; before the jumps come `finite`, `range` and `extremes`, where they are not
-///   the default.
+///   the default, after them `domain`, `resolution` and `relative_resolution`.
 /// * A line has the name of the row and its shapes, then what differs from the head, in the same order.
 /// * `{}` in the documentation stands for the shapes: "two segments". A comment before a line follows it.
 /// * Arguments `(a, b)` of two kinds take the [names](crate::kernels::ops::noun::Noun) of these: `point`, `circle`.
@@ -25,7 +25,11 @@ macro_rules! table {
         $(finite $finite:ident $(($limits:expr))?)?
         $(range $range:ident)?
         $(extremes $extremes:ident)?
-        jumps $jumps:ident derivative $derivative:ident
+        jumps $jumps:ident
+        $(domain $domain:block)?
+        $(resolution $absolute:literal)?
+        $(relative_resolution $share:literal)?
+        derivative $derivative:ident
         { $($rows:tt)* }
     )*) => { $( crate::kernels::ops::rows::table! {
         @rows [concat!($($title),+)] $Verb, $arguments, $out, $formula, $class,
@@ -35,7 +39,7 @@ macro_rules! table {
         ],
         [$(crate::kernels::op::Range::$range,)? crate::kernels::op::Range::ANY],
         [$(crate::kernels::op::Extremes::$extremes,)? crate::kernels::op::Extremes::Undeclared],
-        $jumps, $derivative;
+        $jumps, [$($domain)?], [0.0 $(+ $absolute)?, 0.0 $(+ $share)?], $derivative;
         $($rows)*
     } )*
     crate::kernels::ops::rows::listed! {
@@ -52,6 +56,9 @@ macro_rules! table {
             $(range $own_range:ident)?
             $(extremes $own_extremes:ident)?
             $(jumps $own_jumps:ident)?
+            $(domain $own_domain:block)?
+            $(resolution $own_absolute:literal)?
+            $(relative_resolution $own_share:literal)?
             $(derivative $own_derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?)?
             $(=> compiled { $compiled:expr })?;
         )*
@@ -60,7 +67,7 @@ macro_rules! table {
     };
     (
         @rows [$title:expr] $Verb:ty, $arguments:tt, $out:ty, $formula:block, $class:tt, $finite:tt, $range:tt,
-        $extremes:tt, $jumps:ident, $derivative:ident;
+        $extremes:tt, $jumps:ident, $domain:tt, $resolution:expr, $derivative:ident;
         $(
             $(#[doc = $own_title:literal])?
             $name:literal: $($Shape:ident),+ $($own_formula:block)?
@@ -69,6 +76,9 @@ macro_rules! table {
             $(range $own_range:ident)?
             $(extremes $own_extremes:ident)?
             $(jumps $own_jumps:ident)?
+            $(domain $own_domain:block)?
+            $(resolution $own_absolute:literal)?
+            $(relative_resolution $own_share:literal)?
             $(derivative $own_derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?)?
             $(=> compiled { $compiled:expr })?;
         )*
@@ -100,6 +110,14 @@ macro_rules! table {
                 [$(crate::kernels::op::Jumps::$own_jumps,)? crate::kernels::op::Jumps::$jumps][0];
             const DERIVATIVE: crate::kernels::op::Derivative =
                 [$(crate::kernels::op::Derivative::$own_derivative,)? crate::kernels::op::Derivative::$derivative][0];
+            #[allow(unused_variables)]
+            const DOMAIN: Option<fn(Self::In<f64>) -> bool> =
+                crate::kernels::ops::rows::domain!($arguments [$($own_domain)?] $domain);
+            const RESOLUTION: [f64; 2] = {
+                let own = [0.0 $(+ $own_absolute)?, 0.0 $(+ $own_share)?];
+                let head: [f64; 2] = $resolution;
+                [if own[0] > 0.0 { own[0] } else { head[0] }, if own[1] > 0.0 { own[1] } else { head[1] }]
+            };
             #[inline]
             fn eval<S: crate::Scalar>($arguments: Self::In<S>) -> Self::Out<S> {
                 crate::kernels::ops::rows::first!($($own_formula)? $formula)
@@ -169,6 +187,19 @@ macro_rules! first {
         crate::kernels::ops::class::invariances!($class $($type),+)
     };
     ($one:block $($other:block)?) => { $one };
+}
+
+/// The domain of a row, given its arguments: the line's, or else the head's, if there is one.
+macro_rules! domain {
+    ($arguments:tt [] []) => {
+        None
+    };
+    ($arguments:tt [$own:block] $head:tt) => {
+        Some(|$arguments| $own)
+    };
+    ($arguments:tt [] [$head:block]) => {
+        Some(|$arguments| $head)
+    };
 }
 
 /// The names of arguments, by the names that the table gives them.
@@ -305,4 +336,4 @@ macro_rules! finds {
     };
 }
 
-pub(crate) use {arguments, capacity, finds, first, line, listed, searches, table, text};
+pub(crate) use {arguments, capacity, domain, finds, first, line, listed, searches, table, text};

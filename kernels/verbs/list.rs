@@ -83,7 +83,7 @@ verb! {
     pub FarthestDistance: (a, b)
     /// Depth of the overlap of two shapes and the direction, of length one, in which `b` leaves `a`.
     pub Penetration: (a, b)
-    /// Point in which two lines cross.
+    /// Point in which two lines cross, line in which two planes do, or point of three planes.
     pub Crossing: (a, b)
     /// Part that two segments share: nothing, a point, or a segment.
     pub Meeting: (a, b)
@@ -117,7 +117,7 @@ verb! {
     pub Incircle: (shape)
     /// Shape moved by a pose.
     pub Move: (pose, shape)
-    /// Angle in radians between two rotations, 0 to π.
+    /// Angle in radians between two rotations or two vectors of space, 0 to π.
     pub Angle: (a, b)
     /// Image of a point of a camera's frame, in pixels.
     pub Project: (point, camera)
@@ -127,6 +127,7 @@ verb! {
     pub AlphaIou: (a, b, power)
 }
 crate::__verb_runs!([] AlphaIou: (a, b));
+crate::__verb_runs!([] Crossing: (a, b, c));
 
 /// A shape in another encoding `To`; see [`convert`].
 #[derive(Debug)]

@@ -2,7 +2,8 @@
 //! [`Triangle3`](crate::Triangle3), [`Tetrahedron`](crate::Tetrahedron), [`Aabb3`](crate::Aabb3),
 //! [`YawBox3`](crate::YawBox3), [`Obb3`](crate::Obb3), [`RoundBox3`](crate::RoundBox3), [`Sphere`](crate::Sphere) and
 //! [`Capsule3`](crate::Capsule3), any two of them; half-spaces ([`Plane3`](crate::Plane3)) and all of these,
-//! [`Cylinder`](crate::Cylinder) and [`Cone`](crate::Cone); points and balls and cylinders and cones.
+//! [`Cylinder`](crate::Cylinder) and [`Cone`](crate::Cone); points and balls and cylinders and cones. Lines and rays
+//! ([`Line3`](crate::Line3), [`Ray3`](crate::Ray3)), each other, points, balls, segments and capsules.
 //!
 //! ```
 //! use geograd::{Obb3, Rotation3, Vec3, distance3::signed_distance};
@@ -48,8 +49,11 @@
 //! | cylinder | D q S c p f | d q s c p f | - | - | - | - | - | - |
 //! | cone | D q S c p f | d q s c p f | - | - | - | - | - | - |
 //!
-//! A half-space and a cylinder or a cone have d q S c p. Rays, lines and segments against solids:
-//! [`intersection3`](crate::intersection3).
+//! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | - | - | - | - |
+//! | ray | D q s c p - | d q S c p - | D q s c p - | d q s c p - | - | - | - | - |
+//!
+//! A half-space and a cylinder or a cone have d q S c p; lines and rays have d q s c p among themselves, of two lines
+//! D and C, of two rays D. Rays, lines and segments against solids: [`intersection3`](crate::intersection3).
 //!
 //! # Derivatives
 //!
@@ -63,9 +67,9 @@
 //! Features that are equally near share the derivative and the point equally: of parallel faces it is the mean of
 //! the corners of what faces each other, crossings of edges among them. Where triangles and tetrahedra overlap along
 //! parallel faces the corners count whose foot is on the other one, or all where there is none. Where several planes are
-//! equally deep they share the derivative, and the direction is that of the first. Across a face the signed distance is
-//! smooth, along an edge or at a corner of the border it is not. Pairs without a volume between them, such as two
-//! segments, have no depth.
+//! equally deep they share the derivative, and the direction is that of the first. Distances of two lines or rays jump
+//! where they become parallel. Across a face the signed distance is smooth, along an edge or at a corner of the border it
+//! is not. Pairs without a volume between them, such as two segments, have no depth.
 use crate::{Scalar, Vec3};
 
 pub mod apart;
@@ -78,6 +82,7 @@ mod pair;
 mod point;
 pub mod relation;
 pub mod round;
+pub mod straight;
 
 pub use apart::{Apart, Cored, Farthest};
 pub use boxes::Faces;

@@ -173,7 +173,7 @@ pub(super) fn normal<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> Normal<S> {
 /// The way between two points of features with a common normal, and its direction. That is the normal's, whose digits
 /// do not depend on how long the way is; where the normal has few, the way itself, and no direction.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn across<S: Scalar>(normal: Normal<S>, way: Vec3<S>) -> (Vec3<S>, Vec3<S>) {
+pub(super) fn across<S: Scalar>(normal: Normal<S>, way: Vec3<S>) -> (Vec3<S>, Vec3<S>) {
     let height = normal.unit.dot(way);
     let turned = height.below(S::zero());
     let direction = Vec3::select(turned, -normal.unit, normal.unit);

@@ -132,7 +132,7 @@ fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Nearest<S> {
 
 /// The relation by the nearest points and by the plane that parts the cores best.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn joined<S: Scalar>(near: Nearest<S>, deep: Option<PartingPlane<S>>) -> Relation<S> {
+pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<PartingPlane<S>>) -> Relation<S> {
     let given = near.normal.length_squared().above(S::zero());
     let direction = Vec3::select(given, direction(near.normal), direction(near.apart));
     let length = near.apart.length();

@@ -20,7 +20,7 @@
 //! of a corner, where the faces share the derivative of the parameter and the first one gives the normal.
 //! Directions whose sine is below ε² count as parallel.
 
-mod lines;
+pub(crate) mod lines;
 mod ring;
 pub mod span;
 

@@ -1,4 +1,6 @@
 //! Ranges of a line of space inside of convex pieces.
+use super::pierced::size_of;
+use crate::distance::edge::scale_of;
 use crate::distance::share::{Best, Carry};
 use crate::{Scalar, Vec3};
 
@@ -8,7 +10,7 @@ use crate::{Scalar, Vec3};
 pub struct Border<S> {
     /// The parameter.
     pub t: S,
-    /// The normal, of length one or zero.
+    /// The normal, of about unit length or zero.
     pub normal: Vec3<S>,
 }
 
@@ -29,7 +31,7 @@ impl<S: Scalar> Carry<S> for Border<S> {
     }
 }
 
-/// A line with a direction of length one, seen from a shape in units of their extent.
+/// A line seen from a shape in units of their extent, its direction in units of the direction's own size.
 #[derive(Clone, Copy, Debug)]
 pub struct Beam<S> {
     /// The point at parameter 0.
@@ -48,25 +50,96 @@ pub struct Inside<S> {
     pub exit: Best<S, Border<S>>,
 }
 
-/// A direction of length one; zero for none.
+/// The parameters of both points at which a quadratic `a t² − 2 b t + c` vanishes, that of the smaller magnitude first,
+/// given `b² − a c`, with `a` not zero. The root that would cancel follows from the product of both: it is exactly zero
+/// where `c` is, and does not depend on `a` but by the discriminant.
 #[inline(always)]
-fn unit<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
-    let square = v.length_squared();
-    let none = square.at_most(S::lit(S::EPSILON.powi(4)));
-    let length = S::select(none, S::one(), square).root();
-    let over = S::one().over(length);
-    Vec3::select(none, Vec3::zero(), v * over)
+fn roots<S: Scalar>(a: S, b: S, c: S, square: S) -> (S, S) {
+    let (negative, root) = (b.below(S::zero()), square.root());
+    let (sum, rest) = (b + root, b - root);
+    let (sum, rest) = (
+        S::select(negative, rest, sum),
+        S::select(negative, sum, rest),
+    );
+    let far = sum.over(a);
+    // Where both vanish nothing cancels, and a quotient by their sum would have slopes beyond all bounds.
+    let none = sum.magnitude().at_most(S::lit(S::EPSILON.powi(2))) | square.below(S::zero());
+    let (over, under) = (S::select(none, rest, c), S::select(none, a, sum));
+    (over.over(under), far)
 }
 
-/// A vector's part along an axis of length one, and across it.
+/// Both, the lower one first.
 #[inline(always)]
-fn split<S: Scalar>(axis: Vec3<S>, v: Vec3<S>) -> (S, Vec3<S>) {
-    (axis.dot(v), axis.cross(v).cross(axis))
+fn sorted<S: Scalar>((one, other): (S, S)) -> (S, S) {
+    let is_first = one.at_most(other);
+    (
+        S::select(is_first, one, other),
+        S::select(is_first, other, one),
+    )
+}
+
+/// `b² − a c` of a quadratic. Where `a c` is not positive nothing cancels; elsewhere it is that of the given formula,
+/// without squares of squares.
+#[inline(always)]
+fn discriminant<S: Scalar>(a: S, b: S, c: S, square: S) -> S {
+    let product = a * c;
+    S::select(product.at_most(S::zero()), b * b - product, square)
+}
+
+/// A vector in units of its own size.
+#[inline(always)]
+pub(super) fn sized<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
+    v * scale_of::<S>(size_of(v))
+}
+
+/// The parameters at which a line is in a cylinder without ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tube<S: Scalar> {
+    pub low: S,
+    pub high: S,
+    /// `true` for a line along the axis, without parameters.
+    pub is_parallel: S::Mask,
+    pub is_missed: S::Mask,
+}
+
+impl<S: Scalar> Tube<S> {
+    /// From what a line's point and its direction are across the axis, by products with one length: inner products of
+    /// the direction with itself, of both, and of the point with itself less that of the radius; then the square of
+    /// the radius times the first less the square of the outer product of both.
+    #[inline(always)]
+    pub fn new(a: S, b: S, c: S, square: S, none: S) -> Self {
+        let is_parallel = a.at_most(none);
+        let square = discriminant(a, b, c, square);
+        let (low, high) = sorted(roots(S::select(is_parallel, S::one(), a), -b, c, square));
+        let zero = S::zero();
+        Tube {
+            low,
+            high,
+            is_parallel,
+            is_missed: is_parallel & c.above(zero) | !is_parallel & square.below(zero),
+        }
+    }
+    /// Given the axis, in units of its own size.
+    #[inline(always)]
+    pub fn about(beam: Beam<S>, from: Vec3<S>, axis: Vec3<S>, radius: S) -> Self {
+        let arm = beam.from - from;
+        let (u, v, square) = (
+            beam.along.cross(axis),
+            arm.cross(axis),
+            axis.length_squared(),
+        );
+        let turn = axis.dot(beam.along.cross(arm));
+        let (a, most) = (u.length_squared(), radius * radius);
+        let left = square * (a * most - turn * turn);
+        let c = v.length_squared() - square * most;
+        Tube::new(a, u.dot(v), c, left, S::lit(S::EPSILON.powi(4)))
+    }
 }
 
 impl<S: Scalar> Inside<S> {
+    /// From one border to the other.
     #[inline(always)]
-    fn new(enter: Border<S>, exit: Border<S>) -> Self {
+    pub(super) fn new(enter: Border<S>, exit: Border<S>) -> Self {
         Inside {
             enter: Best::of(enter.t, enter),
             exit: Best::of(exit.t, exit),
@@ -106,15 +179,6 @@ impl<S: Scalar> Inside<S> {
         }
         .unless(self.is_empty() | other.is_empty())
     }
-    /// Both pieces of a convex whole.
-    #[must_use]
-    #[inline(always)]
-    pub fn joined(self, other: Self) -> Self {
-        Inside {
-            enter: self.enter.less(other.enter),
-            exit: self.exit.most(other.exit),
-        }
-    }
     /// Cut by the half-space behind a plane; a plane without a normal cuts nothing.
     #[must_use]
     #[inline(always)]
@@ -139,99 +203,142 @@ impl<S: Scalar> Inside<S> {
     #[inline(always)]
     pub fn ball(beam: Beam<S>, center: Vec3<S>, radius: S) -> Self {
         let arm = beam.from - center;
-        let aside = beam.along.cross(arm).length();
-        let square = (radius - aside) * (radius + aside);
-        let (middle, half) = (-arm.dot(beam.along), square.root());
+        let (a, most) = (beam.along.length_squared(), radius * radius);
+        let square = a * most - beam.along.cross(arm).length_squared();
+        let (b, c) = (-arm.dot(beam.along), arm.length_squared() - most);
+        let square = discriminant(a, b, c, square);
+        let none = a.at_most(S::zero());
+        let (low, high) = sorted(roots(S::select(none, S::one(), a), b, c, square));
         let border = |t: S| Border {
             t,
             normal: outwards(arm + beam.along * t, radius),
         };
         let missed = square.below(S::zero()) | radius.at_most(S::zero());
-        Inside::new(border(middle - half), border(middle + half)).unless(missed)
+        Inside::new(border(low), border(high)).unless(missed)
     }
-    /// In a cylinder without ends, given its axis.
+    /// In a cylinder without ends, given what a line's point is across the axis at a parameter, times any factor.
+    #[inline(always)]
+    pub(super) fn of_tube(tube: Tube<S>, across: impl Fn(S) -> Vec3<S>, radius: S) -> Self {
+        let border = |t: S, end: S| Border {
+            t: S::select(tube.is_parallel, end, t),
+            normal: Vec3::select(tube.is_parallel, Vec3::zero(), outwards(across(t), radius)),
+        };
+        let large = S::lit(S::LARGEST);
+        Inside::new(border(tube.low, -large), border(tube.high, large)).unless(tube.is_missed)
+    }
+    /// In a cylinder without ends, given its axis in units of its own size.
     #[inline(always)]
     pub fn tube(beam: Beam<S>, from: Vec3<S>, axis: Vec3<S>, radius: S) -> Self {
-        let ((_, arm), (_, along)) = (split(axis, beam.from - from), split(axis, beam.along));
-        let square = along.length_squared();
-        let parallel = square.at_most(S::lit(S::EPSILON.powi(4)));
-        let square = S::select(parallel, S::one(), square);
-        let length = square.root();
-        let aside = axis.dot(along.cross(arm)).over(length).magnitude();
-        let left = (radius - aside) * (radius + aside);
-        let (middle, half) = (-arm.dot(along).over(square), left.root().over(length));
-        let large = S::lit(S::LARGEST);
-        let border = |t: S, end: S| {
-            let normal = outwards(arm + along * t, radius);
-            Border {
-                t: S::select(parallel, end, t),
-                normal: Vec3::select(parallel, Vec3::zero(), normal),
-            }
-        };
-        let within = arm.length().at_most(radius);
-        let empty = parallel & !within | !parallel & left.below(S::zero());
-        Inside::new(border(middle - half, -large), border(middle + half, large)).unless(empty)
+        let arm = beam.from - from;
+        let across = |t: S| axis.cross(arm + beam.along * t).cross(axis);
+        Inside::of_tube(Tube::about(beam, from, axis, radius), across, radius)
     }
-    /// In a cone without a base, given its apex, its axis and its radius at distance one.
+    /// In a capsule, given its ends as seen from the beam's.
     #[inline(always)]
-    pub fn nappe(beam: Beam<S>, apex: Vec3<S>, axis: Vec3<S>, slope: S) -> Self {
-        let ((z, arm), (rate, along)) = (split(axis, beam.from - apex), split(axis, beam.along));
-        let steep = slope * slope;
-        let a = along.length_squared() - steep * rate * rate;
-        let b = arm.dot(along) - steep * z * rate;
-        let c = arm.length_squared() - steep * z * z;
-        let turn = axis.dot(arm.cross(along)).magnitude();
-        let reach = (along * z - arm * rate).length() * slope;
-        let square = (reach - turn) * (reach + turn);
+    pub fn capsule(beam: Beam<S>, from: Vec3<S>, to: Vec3<S>, radius: S) -> Self {
+        let axis = sized(to - from);
+        let base = axis.dot(beam.from - from);
+        Inside::tube(beam, from, axis, radius).rounded(
+            [from, to].map(|end| Inside::ball(beam, end, radius)),
+            [base, axis.dot(beam.along), axis.dot(to - from)],
+        )
+    }
+    /// In a capsule, given the range inside the cylinder around it and inside the balls at its ends, and the height
+    /// along its axis: of the line's point, how it grows, and of the end.
+    ///
+    /// The point where the line enters the cylinder tells by its height which of the three pieces the line enters: at a
+    /// seam both have the same normal.
+    #[inline(always)]
+    pub(super) fn rounded(self, [start, end]: [Self; 2], [base, rate, top]: [S; 3]) -> Self {
         let zero = S::zero();
-        // The root that does not cancel, and the other one by the product of both.
-        let sum = -(b + square.root().signed_as(b));
-        let (no_sum, parallel) = (
-            sum.equals(zero),
-            a.magnitude().at_most(S::lit(S::EPSILON.powi(2))),
-        );
-        let far = sum.over(S::select(parallel, S::one(), a));
-        let near = c.over(S::select(no_sum, S::one(), sum));
-        let near = S::select(no_sum, far, near);
-        let far = S::select(parallel, near, far);
-        let first = near.at_most(far);
-        let (low, high) = (S::select(first, near, far), S::select(first, far, near));
+        let pick = |t: S, [low, side, high]: [Best<S, Border<S>>; 3]| {
+            let endless = t.magnitude().at_least(S::lit(S::LARGEST));
+            let height = base + rate * S::select(endless, zero, t);
+            let ahead = rate.above(zero) & t.above(zero) | rate.below(zero) & t.below(zero);
+            let below = endless & !ahead | !endless & height.below(zero);
+            let above = endless & ahead | !endless & height.above(top);
+            choose(below, low, choose(above, high, side))
+        };
+        Inside {
+            enter: pick(self.enter.value, [start.enter, self.enter, end.enter]),
+            exit: pick(self.exit.value, [start.exit, self.exit, end.exit]),
+        }
+        .unless(self.is_empty())
+    }
+    /// Both pieces of a convex whole.
+    #[must_use]
+    #[inline(always)]
+    pub fn joined(self, other: Self) -> Self {
+        Inside {
+            enter: self.enter.less(other.enter),
+            exit: self.exit.most(other.exit),
+        }
+    }
+    /// In a cone without a base, given its apex, the way from there to the base and the base's radius.
+    #[inline(always)]
+    pub fn nappe(beam: Beam<S>, apex: Vec3<S>, axis: Vec3<S>, radius: S) -> Self {
+        let size = scale_of::<S>(size_of(axis));
+        let (unit, radius) = (axis * size, radius * size);
+        let (arm, along) = (beam.from - apex, beam.along);
+        let (z, rate, square) = (unit.dot(arm), unit.dot(along), unit.length_squared());
+        let (u, v, most) = (along.cross(unit), arm.cross(unit), radius * radius);
+        // |p × axis|² |axis|² ≤ radius² (p · axis)² for every point p of the line as seen from the apex.
+        let a = square * u.length_squared() - most * rate * rate;
+        let b = square * u.dot(v) - most * z * rate;
+        let c = square * v.length_squared() - most * z * z;
+        let turn = along.cross(arm);
+        let left = most * unit.cross(turn).length_squared() - square * unit.dot(turn).squared();
+        let left = discriminant(a, b, c, square * square * left);
+        let zero = S::zero();
+        let parallel = a.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
+        // A line parallel to a straight line of the side crosses it once.
+        let (near, far) = roots(S::select(parallel, S::one(), a), -b, c, left);
+        let (low, high) = sorted((near, S::select(parallel, near, far)));
         let through = a.above(zero) & !parallel;
         let ahead = rate.above(zero);
         let large = S::lit(S::LARGEST);
         // Through one side and the other, or in by a side and out by the base, or the reverse.
-        let border = |t: S| {
-            let outwards = (arm + along * t) - axis * ((z + rate * t) * steep);
+        let border = |t: S, open: S::Mask, end: S| {
+            let p = arm + along * t;
+            let normal = unit.cross(p).cross(unit) * square - unit * (unit.dot(p) * most);
             Border {
-                t,
-                normal: unit(outwards),
+                t: S::select(open, end, t),
+                normal: Vec3::select(open, Vec3::zero(), sized(normal)),
             }
         };
-        let (enter, exit) = (
-            border(S::select(through | !ahead, low, high)),
-            border(S::select(through | ahead, high, low)),
-        );
-        let end = |t: S| Border {
-            t,
-            normal: Vec3::zero(),
-        };
-        let pick = |open: S::Mask, t: S, found: Border<S>| Border {
-            t: S::select(open, t, found.t),
-            normal: Vec3::select(open, end(t).normal, found.normal),
-        };
+        let enter = S::select(through | !ahead, low, high);
+        let exit = S::select(through | ahead, high, low);
         let inside = Inside::new(
-            pick(!through & !ahead, -large, enter),
-            pick(!through & ahead, large, exit),
+            border(enter, !through & !ahead, -large),
+            border(exit, !through & ahead, large),
         );
         let middle = z + rate * (low + (high - low).halved());
-        let other = through & (square.below(zero) | middle.below(zero));
+        let other = (through | parallel) & middle.below(zero) | through & left.below(zero);
         inside.unless(other)
+    }
+}
+
+/// `yes` where the mask is true, else `no`.
+#[inline(always)]
+pub(super) fn choose<S: Scalar>(
+    mask: S::Mask,
+    yes: Best<S, Border<S>>,
+    no: Best<S, Border<S>>,
+) -> Best<S, Border<S>> {
+    let pick = |yes: S, no: S| S::select(mask, yes, no);
+    Best {
+        value: pick(yes.value, no.value),
+        sum: Border {
+            t: pick(yes.sum.t, no.sum.t),
+            normal: Vec3::select(mask, yes.sum.normal, no.sum.normal),
+        },
+        count: pick(yes.count, no.count),
     }
 }
 
 /// The normal of a round border; zero where the radius is.
 #[inline(always)]
-fn outwards<S: Scalar>(arm: Vec3<S>, radius: S) -> Vec3<S> {
+pub(super) fn outwards<S: Scalar>(arm: Vec3<S>, radius: S) -> Vec3<S> {
     let none = radius.at_most(S::zero());
     let over = S::one().over(S::select(none, S::one(), radius));
     Vec3::select(none, Vec3::zero(), arm * over)

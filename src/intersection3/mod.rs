@@ -4,12 +4,15 @@
 //! | --- | --- |
 //! | [`first_hit`] | where a ray first meets the surface of a convex solid |
 //! | [`first_hit_triangle`] | where a ray meets a triangle |
+//! | [`first_hit_of_segment`] | where a segment meets a triangle |
 //! | [`span`] | the parameters at which a line enters and leaves a convex solid |
 //! | [`length_inside`] | how much of a segment lies in a convex solid |
+//! | [`crossing_of_two_planes`] | the line of two planes |
+//! | [`crossing_of_three_planes`] | the point of three planes |
 //!
 //! Solids are half-spaces ([`Plane3`](crate::Plane3)), [`Sphere`](crate::Sphere), the boxes,
-//! [`Capsule3`](crate::Capsule3), [`Cylinder`](crate::Cylinder), [`Cone`](crate::Cone) and
-//! [`Tetrahedron`](crate::Tetrahedron).
+//! [`RoundBox3`](crate::RoundBox3), [`Capsule3`](crate::Capsule3), [`Cylinder`](crate::Cylinder),
+//! [`Cone`](crate::Cone) and [`Tetrahedron`](crate::Tetrahedron).
 //!
 //! Batches of [`FirstHit`](crate::kernels::verbs::FirstHit) and [`LengthInside`](crate::kernels::verbs::LengthInside)
 //! take the pairs that have a row (the table of [`verbs`](crate::kernels::verbs)); others run by
@@ -31,10 +34,12 @@ use crate::{Scalar, Vec3};
 
 pub mod inside;
 pub mod pierced;
+pub mod planes;
 
 use inside::{Beam, Border};
 pub use pierced::Pierced;
 use pierced::size_of;
+pub use planes::{CommonLine3, CommonPoint3, crossing_of_three_planes, crossing_of_two_planes};
 
 /// The first point of a ray on the surface of a shape of space.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
@@ -66,21 +71,19 @@ struct Found<S: Scalar> {
 fn find<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Found<S> {
     let arm = line.point - shape.anchor();
     let scale = scale_of::<S>(shape.extent().most(size_of(arm)));
-    let length = line.direction.length();
-    let length = S::select(length.at_most(S::zero()), S::one(), length);
-    let way = line.direction;
+    let size = scale_of::<S>(size_of(line.direction));
     let beam = Beam {
         from: arm * scale,
-        along: Vec3::new(way.x.over(length), way.y.over(length), way.z.over(length)),
+        along: line.direction * size,
     };
     let inside = shape.inside(beam, scale);
     let border = |best: Best<S, Border<S>>| {
         let endless = best.value.magnitude().at_least(S::lit(S::LARGEST));
         let mean = best.mean();
-        let t = mean.t.over(scale).over(length).saturated();
+        let t = (mean.t * size).over(scale).saturated();
         Border {
             t: S::select(endless, best.value, t),
-            normal: mean.normal,
+            normal: mean.normal.normalize_or_zero(),
         }
     };
     Found {
@@ -183,6 +186,34 @@ pub fn first_hit_triangle<S: Scalar>(ray: Ray3<S>, triangle: Triangle3<S>) -> Hi
         point: ray.point_at(S::select(hit, t, zero)),
         normal: Vec3::select(hit, facing, Vec3::zero()).canonical(),
         kind: S::select(hit, S::one(), zero),
+    }
+}
+
+/// The point in which a segment meets a triangle; both ends and the border belong to them. The parameter is the
+/// fraction of the way from start to end.
+///
+/// As of [rays](first_hit_triangle): a triangle without area is missed, one seen edge-on, and by a segment of length
+/// zero.
+///
+/// ```
+/// use geograd::{Segment3, Triangle3, Vec3, intersection3::first_hit_of_segment};
+/// let [a, b, c] = [Vec3::new(0.0, 0.0, 1.0), Vec3::new(4.0, 0.0, 1.0), Vec3::new(0.0, 4.0, 1.0)];
+/// let post = Segment3::new(Vec3::new(1.0, 1.0, 0.0), Vec3::new(1.0, 1.0, 4.0));
+/// let hit = first_hit_of_segment(post, Triangle3::new(a, b, c));
+/// assert_eq!((hit.kind, hit.parameter, hit.point), (1.0, 0.25, Vec3::new(1.0, 1.0, 1.0)));
+/// let short = Segment3::new(post.start, Vec3::new(1.0, 1.0, 0.5));
+/// assert_eq!(first_hit_of_segment(short, Triangle3::new(a, b, c)).kind, 0.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn first_hit_of_segment<S: Scalar>(segment: Segment3<S>, triangle: Triangle3<S>) -> Hit3<S> {
+    let hit = first_hit_triangle(Ray3::new(segment.start, segment.vector()), triangle);
+    let (zero, reached) = (S::zero(), hit.parameter.at_most(S::one()));
+    Hit3 {
+        parameter: S::select(reached, hit.parameter, S::lit(S::LARGEST)),
+        point: Vec3::select(reached, hit.point, segment.start),
+        normal: Vec3::select(reached, hit.normal, Vec3::zero()),
+        kind: S::select(reached, hit.kind, zero),
     }
 }
 

@@ -1,15 +1,18 @@
 //! Shapes of space that lines pierce.
-use super::inside::{Beam, Inside};
+use super::inside::{Beam, Border, Inside, Tube, choose, sized};
+use crate::distance::share::Best;
 use crate::distance3::apart::Cored;
 use crate::distance3::core::{BoxCore, Core};
 use crate::scalar::largest;
-use crate::shape::{Aabb3, Capsule3, Cone, Cylinder, Obb3, Plane3, Sphere, Tetrahedron, YawBox3};
+use crate::shape::{
+    Aabb3, Capsule3, Cone, Cylinder, Obb3, Plane3, RoundBox3, Sphere, Tetrahedron, YawBox3,
+};
 use crate::{Scalar, Vec3};
 
 /// A convex solid of space that a line enters and leaves.
 #[diagnostic::on_unimplemented(
     message = "no line is known to pierce `{Self}`",
-    note = "half-spaces, balls, boxes, capsules, cylinders, cones and tetrahedra are pierced"
+    note = "half-spaces, balls, boxes (round ones, too), capsules, cylinders, cones and tetrahedra are pierced"
 )]
 pub trait Pierced: Copy {
     /// Its numbers.
@@ -45,8 +48,7 @@ impl<S: Scalar> Pierced for Plane3<S> {
     }
     #[inline(always)]
     fn inside(self, beam: Beam<S>, _: S) -> Inside<S> {
-        let normal = self.normal.normalize_or_zero();
-        Inside::everywhere().behind(beam, Vec3::zero(), normal)
+        Inside::everywhere().behind(beam, Vec3::zero(), sized(self.normal))
     }
 }
 
@@ -76,6 +78,114 @@ fn in_box<S: Scalar>(shape: BoxCore<S>, beam: Beam<S>, scale: S) -> Inside<S> {
     })
 }
 
+/// In a box around the origin with round edges and corners.
+///
+/// The surface is made of six rectangles and of pieces of the capsules around the twelve edges, so that seams, where
+/// two of them meet, have one normal.
+#[inline(always)]
+fn in_round_box<S: Scalar>(shape: BoxCore<S>, radius: S, beam: Beam<S>, scale: S) -> Inside<S> {
+    let [from, along] = [beam.from, beam.along].map(|v| shape.axes.map(|axis| axis.dot(v)));
+    let half = shape.half.map(|half| half * scale);
+    let (zero, one, large) = (S::zero(), S::one(), S::lit(S::LARGEST));
+    let local = Beam {
+        from: vector(from),
+        along: vector(along),
+    };
+    let at_side = |is_high: bool, k: usize| if is_high { half[k] } else { -half[k] };
+    let balls: [Inside<S>; 8] = std::array::from_fn(|corner| {
+        let center = [0, 1, 2].map(|k| at_side(corner >> k & 1 == 1, k));
+        Inside::ball(local, vector(center), radius)
+    });
+    let mut all = Inside::everywhere().unless(zero.below(one));
+    for k in 0..3 {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        let rate = along[k];
+        // The faces across this axis: where the line comes to the box, and where it goes.
+        let parallel = rate.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
+        let safe = S::select(parallel, one, rate);
+        let ahead = one.signed_as(rate);
+        let face = |side: S| {
+            let t = (side * (half[k] + radius) - from[k]).over(safe);
+            let at = |axis: usize| {
+                (from[axis] + along[axis] * t)
+                    .magnitude()
+                    .at_most(half[axis])
+            };
+            let mut normal = [zero; 3];
+            normal[k] = side;
+            let border = Border {
+                t,
+                normal: vector(normal),
+            };
+            (Best::of(t, border), parallel | !(at(i) & at(j)))
+        };
+        let ((mut enter, no_entry), (mut exit, no_exit)) = (face(-ahead), face(ahead));
+        enter.value = S::select(no_entry, large, enter.value);
+        exit.value = S::select(no_exit, -large, exit.value);
+        all = all.joined(Inside { enter, exit });
+        // The edges along it.
+        let square = along[i].squared() + along[j].squared();
+        for edge in 0..4 {
+            let (high_i, high_j) = (edge & 1, edge >> 1);
+            let arm = [
+                from[i] - at_side(high_i == 1, i),
+                from[j] - at_side(high_j == 1, j),
+            ];
+            let most = radius * radius;
+            let turn = along[i] * arm[1] - along[j] * arm[0];
+            let tube = Tube::new(
+                square,
+                along[i] * arm[0] + along[j] * arm[1],
+                arm[0].squared() + arm[1].squared() - most,
+                square * most - turn.squared(),
+                S::lit(S::EPSILON.powi(4)),
+            );
+            let across = |t: S| {
+                let mut across = [zero; 3];
+                (across[i], across[j]) = (arm[0] + along[i] * t, arm[1] + along[j] * t);
+                vector(across)
+            };
+            let low = high_i << i | high_j << j;
+            let side = Inside::of_tube(tube, across, radius);
+            let heights = [from[k] + half[k], rate, half[k] + half[k]];
+            all = all.joined(side.rounded([balls[low], balls[low | 1 << k]], heights));
+        }
+    }
+    let outside = |mut best: Best<S, Border<S>>| {
+        let Vec3 { x, y, z } = best.sum.normal;
+        let [a, b, c] = shape.axes;
+        best.sum.normal = a * x + b * y + c * z;
+        best
+    };
+    Inside {
+        enter: outside(all.enter),
+        exit: outside(all.exit),
+    }
+}
+
+/// A vector of its numbers.
+#[inline(always)]
+fn vector<S: Scalar>([x, y, z]: [S; 3]) -> Vec3<S> {
+    Vec3::new(x, y, z)
+}
+
+impl<S: Scalar> Pierced for RoundBox3<S> {
+    type Scalar = S;
+    #[inline(always)]
+    fn anchor(self) -> Vec3<S> {
+        self.core().anchor()
+    }
+    #[inline(always)]
+    fn extent(self) -> S::Primal {
+        let core = self.core();
+        core.extent(core.center).most(self.radius.primal())
+    }
+    #[inline]
+    fn inside(self, beam: Beam<S>, scale: S) -> Inside<S> {
+        in_round_box(self.core(), self.radius * scale, beam, scale)
+    }
+}
+
 macro_rules! boxes {
     ($($Shape:ident)*) => { $(
         impl<S: Scalar> Pierced for $Shape<S> {
@@ -98,12 +208,6 @@ macro_rules! boxes {
 }
 boxes! { Aabb3 YawBox3 Obb3 }
 
-/// The direction of an axis and its length.
-#[inline(always)]
-fn axis_of<S: Scalar>(way: Vec3<S>) -> (Vec3<S>, S) {
-    (way.normalize_or_zero(), way.length())
-}
-
 impl<S: Scalar> Pierced for Capsule3<S> {
     type Scalar = S;
     #[inline(always)]
@@ -116,15 +220,8 @@ impl<S: Scalar> Pierced for Capsule3<S> {
     }
     #[inline(always)]
     fn inside(self, beam: Beam<S>, scale: S) -> Inside<S> {
-        let (end, radius) = ((self.end - self.start) * scale, self.radius * scale);
-        let (axis, length) = axis_of(end);
-        let start = Vec3::zero();
-        let side = Inside::tube(beam, start, axis, radius)
-            .behind(beam, end, axis)
-            .behind(beam, start, -axis)
-            .unless(length.at_most(S::zero()));
-        side.joined(Inside::ball(beam, start, radius))
-            .joined(Inside::ball(beam, end, radius))
+        let end = (self.end - self.start) * scale;
+        Inside::capsule(beam, Vec3::zero(), end, self.radius * scale)
     }
 }
 
@@ -141,11 +238,11 @@ impl<S: Scalar> Pierced for Cylinder<S> {
     #[inline(always)]
     fn inside(self, beam: Beam<S>, scale: S) -> Inside<S> {
         let end = (self.end - self.start) * scale;
-        let (axis, length) = axis_of(end);
+        let axis = sized(end);
         Inside::tube(beam, Vec3::zero(), axis, self.radius * scale)
             .behind(beam, end, axis)
             .behind(beam, Vec3::zero(), -axis)
-            .unless(length.at_most(S::zero()))
+            .unless(axis.length_squared().at_most(S::zero()))
     }
 }
 
@@ -162,12 +259,26 @@ impl<S: Scalar> Pierced for Cone<S> {
     #[inline(always)]
     fn inside(self, beam: Beam<S>, scale: S) -> Inside<S> {
         let base = (self.base - self.apex) * scale;
-        let (axis, height) = axis_of(base);
-        let none = height.at_most(S::zero());
-        let slope = (self.radius * scale).over(S::select(none, S::one(), height));
-        Inside::nappe(beam, Vec3::zero(), axis, slope)
-            .behind(beam, base, axis)
-            .unless(none)
+        let axis = sized(base);
+        let (square, radius) = (axis.length_squared(), self.radius * scale);
+        let inside = Inside::nappe(beam, Vec3::zero(), base, radius).behind(beam, base, axis);
+        // Through the base of a cone so flat that rounding has it leave by the side before.
+        let rate = axis.dot(beam.along);
+        let parallel = rate.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
+        let t = axis
+            .dot(base - beam.from)
+            .over(S::select(parallel, S::one(), rate));
+        let across = axis
+            .cross(beam.from + beam.along * t - base)
+            .length_squared();
+        let on = !parallel & across.below(radius * radius * square) & inside.is_empty();
+        let border = Border { t, normal: axis };
+        let end = Best::of(t, border);
+        Inside {
+            enter: choose(on, end, inside.enter),
+            exit: choose(on, end, inside.exit),
+        }
+        .unless(square.at_most(S::zero()))
     }
 }
 
@@ -189,10 +300,11 @@ impl<S: Scalar> Pierced for Tetrahedron<S> {
         let volume = b.cross(c).dot(d);
         let inwards = volume.below(S::zero());
         // Its faces say where it ends as long as its volume has digits.
-        let flat = volume.magnitude().at_most(S::lit(S::EPSILON));
+        let size = b.length() * c.length() * d.length();
+        let flat = volume.magnitude().at_most(size * S::lit(16.0 * S::EPSILON));
         let faces = placed.faces().into_iter();
         let inside = faces.fold(Inside::everywhere(), |inside, face| {
-            let normal = face.twice_area_normal().normalize_or_zero();
+            let normal = sized(face.twice_area_normal());
             inside.behind(beam, face.a, Vec3::select(inwards, -normal, normal))
         });
         inside.unless(flat)

@@ -224,6 +224,22 @@ impl<S: Scalar> Vec3<S> {
     pub fn length(self) -> S {
         self.x.hypot(self.y).hypot(self.z)
     }
+    /// The angle in radians between two vectors, in `[0, π]`; zero with derivative zero where one of them is zero.
+    ///
+    /// Kinks: parallel vectors, with derivative 0.
+    ///
+    /// ```
+    /// use geograd::Vec3;
+    /// let (x, y) = (Vec3::new(2.0_f64, 0.0, 0.0), Vec3::new(0.0, 0.5, 0.0));
+    /// assert_eq!(x.angle_to(y), std::f64::consts::FRAC_PI_2);
+    /// assert_eq!(x.angle_to(x), 0.0);
+    /// ```
+    #[must_use]
+    #[inline]
+    pub fn angle_to(self, other: Self) -> S {
+        let (a, b) = (self.normalize_or_zero(), other.normalize_or_zero());
+        a.cross(b).length().atan2(a.dot(b))
+    }
     /// The cross product.
     #[must_use]
     #[inline(always)]

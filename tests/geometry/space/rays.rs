@@ -1,7 +1,11 @@
 //! Rays against solids of space: hits lie on surfaces, and nothing is hit before.
-use super::draw::Random;
-use geograd::distance3::{Apart, signed_distance};
-use geograd::intersection3::{Pierced, first_hit, first_hit_triangle, length_inside, span};
+use super::draw::{Random, wide};
+use super::oracle::{Wide, minus, plus, times};
+use geograd::distance3::{self, Apart, signed_distance};
+use geograd::intersection3::{
+    Pierced, crossing_of_three_planes, crossing_of_two_planes, first_hit, first_hit_of_segment,
+    first_hit_triangle, length_inside, span,
+};
 use geograd::prelude::*;
 
 /// Shoots rays at shapes, and checks hits by signed distances of points along the ray.
@@ -96,6 +100,10 @@ fn hits_are_on_surfaces_and_nothing_is_hit_before() {
     shoot("cone", true, |r| {
         Cone::new(r.vector(1.0), r.vector(1.0), r.within(0.1, 1.0))
     });
+    shoot("round box", true, |r| {
+        let radius = r.within(0.01, 0.6);
+        RoundBox3::new(r.solid(0), radius)
+    });
     shoot("tetrahedron", true, |r| {
         Tetrahedron::new(r.vector(1.0), r.vector(1.0), r.vector(1.0), r.vector(1.0))
     });
@@ -146,5 +154,297 @@ fn rays_through_the_edges_of_a_mesh_hit_one_of_its_faces() {
         if sides[0] * sides[1] < 0.0 {
             assert!(kinds[0] + kinds[1] > 0.0, "{ray:?} {one:?} {other:?}");
         }
+    }
+}
+
+/// A quadratic's roots in numbers of twice 53 bits, by bisection of its value from the vertex outwards.
+fn parameters_of_ball(ray: Ray3<f64>, center: Vec3<f64>, radius: f64) -> Option<[f64; 2]> {
+    let arm = minus(wide(ray.point), wide(center));
+    let at = |t: Wide| {
+        let p = plus(arm, times(wide(ray.direction), t));
+        let square = p.iter().fold(Wide::ZERO, |sum, &x| sum + x * x);
+        (square - Wide::of(radius) * Wide::of(radius)).near()
+    };
+    let way = ray.direction;
+    let middle = -(ray.point - center).dot(way) / way.length_squared();
+    if at(Wide::of(middle)) >= 0.0 {
+        return None;
+    }
+    let reach = radius / way.length() * 2.0 + middle.abs() * 1e-10;
+    Some([-1.0, 1.0].map(|side| {
+        let (mut inside, mut outside) = (0.0, side * reach);
+        for _ in 0..120 {
+            let half = (inside + outside) / 2.0;
+            let inner = at(Wide::of(middle) + Wide::of(half)) < 0.0;
+            *(if inner { &mut inside } else { &mut outside }) = half;
+        }
+        middle + inside
+    }))
+}
+
+#[test]
+fn balls_are_hit_where_wide_numbers_say() {
+    let mut random = Random(77);
+    let mut hits = 0;
+    for _ in 0..4000 {
+        let ball = Sphere::new(random.vector(1.0), random.power(-3.0, 0.0));
+        let offset = random.vector(1.0) * (ball.radius * random.within(0.0, 1.0));
+        let ray = match random.below(3) {
+            0 => Ray3::new(random.vector(5.0), random.vector(2.0)),
+            1 => {
+                let from = random.vector(5.0);
+                Ray3::new(from, (ball.center + offset) - from)
+            }
+            // From the surface, but for rounding, where the nearer root cancels.
+            _ => {
+                let out = random.vector(1.0).normalize_or_zero();
+                let from = ball.center + out * (ball.radius * (1.0 + random.power(-12.0, -3.0)));
+                Ray3::new(from, (ball.center + offset) - from)
+            }
+        };
+        let found = span(ray.line(), ball);
+        let Some([enter, exit]) = parameters_of_ball(ray, ball.center, ball.radius) else {
+            continue;
+        };
+        hits += 1;
+        assert_eq!(found.found, 1.0, "{ray:?} {ball:?}");
+        let chord = exit - enter;
+        let unit = (1.0 + (ray.point - ball.center).length() / ball.radius) * chord.max(1e-9);
+        for (found, expected) in [(found.enter, enter), (found.exit, exit)] {
+            // As far as the rounding of the centre's difference lets it be known.
+            let grazing = 2.0 * ball.radius / (chord * ray.direction.length());
+            let allowed = 1e-14 * unit * grazing * grazing + 1e-15 * expected.abs();
+            assert!(
+                (found - expected).abs() < allowed,
+                "{found} {expected} {ray:?} {ball:?}"
+            );
+        }
+    }
+    assert!(hits > 2000, "{hits}");
+}
+
+#[test]
+fn rays_that_are_nearly_parallel_to_an_axis_leave_by_the_end() {
+    let mut random = Random(5);
+    for _ in 0..2000 {
+        let (from, way) = (random.vector(1.0), random.vector(1.0));
+        let radius = random.within(0.2, 1.0);
+        let axis = way.normalize_or_zero();
+        let aside =
+            random.vector(1.0).cross(axis).normalize_or_zero() * (radius * random.within(0.0, 0.9));
+        let start = from + way * random.within(0.1, 0.9) + aside;
+        let tilt = random.vector(1.0) * random.power(-18.0, -6.0);
+        let ray = Ray3::new(start, way + tilt);
+        let left = (from + way - start).dot(axis) / way.length();
+        let flat = first_hit(ray, Cylinder::new(from, from + way, radius));
+        assert_eq!(flat.kind, 2.0);
+        assert!(
+            (flat.parameter - left).abs() < 1e-5,
+            "{} {left}",
+            flat.parameter
+        );
+        assert!((flat.normal - axis).length() < 1e-9);
+        let round = first_hit(ray, Capsule3::new(from, from + way, radius));
+        let more = (radius * radius - aside.length_squared()).sqrt() / way.length();
+        assert_eq!(round.kind, 2.0);
+        assert!(
+            (round.parameter - (left + more)).abs() < 1e-4,
+            "{} {left} {more}",
+            round.parameter
+        );
+    }
+}
+
+#[test]
+fn seams_have_the_slopes_of_one_surface() {
+    // From the middle of a capsule's end across: the ray leaves where cylinder and ball meet.
+    let link = Capsule3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 3.0), 1.0);
+    let ray = Ray3::new(Vec3::new(-5.0, 0.0, 0.0), Vec3::new(1.0, 0.0, 0.0));
+    let (t, (by_ray, by_link)) = geograd::gradient(
+        |(ray, link): (Ray3<_>, Capsule3<_>)| first_hit(ray, link).parameter,
+        (ray, link),
+    );
+    let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-15, "{a} {b}");
+    assert!((by_ray.point - Vec3::new(-1.0, 0.0, 0.0)).length() < 1e-15);
+    close(t, 4.0);
+    close(by_link.radius, -1.0);
+    close(by_link.start.x + by_link.end.x, 1.0);
+    // Where the face of a round box ends.
+    let solid = RoundBox3::new(
+        Obb3::new(
+            Vec3::zero(),
+            Vec3::new(2.0, 2.0, 2.0),
+            Rotation3::identity(),
+        ),
+        0.5,
+    );
+    let ray = Ray3::new(Vec3::new(-5.0, 1.0, 0.25), Vec3::new(1.0, 0.0, 0.0));
+    let (t, (by_ray, by_solid)) = geograd::gradient(
+        |(ray, solid): (Ray3<_>, RoundBox3<_>)| first_hit(ray, solid).parameter,
+        (ray, solid),
+    );
+    assert!((by_ray.point - Vec3::new(-1.0, 0.0, 0.0)).length() < 1e-15);
+    close(t, 3.5);
+    close(by_solid.radius, -1.0);
+    close(by_solid.inner.center.x, 1.0);
+}
+
+#[test]
+fn segments_meet_triangles_where_rays_do() {
+    let mut random = Random(21);
+    let mut hits = 0;
+    for _ in 0..3000 {
+        let face = Triangle3::new(random.vector(1.0), random.vector(1.0), random.vector(1.0));
+        let wire = Segment3::new(random.vector(1.5), random.vector(1.5));
+        let hit = first_hit_of_segment(wire, face);
+        // The ends are on both sides, and the volumes with all edges have one sign.
+        let side = |p: Vec3<f64>| face.six_volume(p);
+        let edge = |p: Vec3<f64>, q: Vec3<f64>| {
+            (p - wire.start)
+                .cross(q - wire.start)
+                .dot(wire.end - wire.start)
+        };
+        let turns = [
+            edge(face.a, face.b),
+            edge(face.b, face.c),
+            edge(face.c, face.a),
+        ];
+        let through = turns.iter().all(|&x| x > 0.0) || turns.iter().all(|&x| x < 0.0);
+        let expected = through && side(wire.start) * side(wire.end) < 0.0;
+        assert_eq!(hit.kind == 1.0, expected, "{face:?} {wire:?}");
+        if expected {
+            hits += 1;
+            let t = side(wire.start) / (side(wire.start) - side(wire.end));
+            assert!((hit.parameter - t).abs() < 1e-12);
+            assert!(distance3::distance(hit.point, face) < 1e-14);
+        } else {
+            assert_eq!((hit.parameter, hit.point), (f64::MAX, wire.start));
+        }
+    }
+    assert!(hits > 100, "{hits}");
+}
+
+#[test]
+fn angles_of_vectors_are_those_of_rotations_between_them() {
+    let mut random = Random(41);
+    for _ in 0..1000 {
+        let a = random.vector(1.0) * random.power(-100.0, 100.0);
+        let axis = random.vector(1.0).cross(a).normalize_or_zero();
+        let angle = random.within(0.0, std::f64::consts::PI);
+        let b = Rotation3::from_axis_angle(axis, angle) * a * random.power(-50.0, 50.0);
+        assert!((a.angle_to(b) - angle).abs() < 1e-14, "{a:?} {b:?} {angle}");
+        assert_eq!(a.angle_to(b), b.angle_to(a));
+        assert_eq!(a.angle_to(Vec3::zero()), 0.0);
+    }
+    // Small angles keep their digits, which an arc cosine would lose.
+    let x = Vec3::new(1.0, 0.0, 0.0);
+    assert_eq!(x.angle_to(Vec3::new(1.0, 1e-12, 0.0)), 1e-12);
+}
+
+#[test]
+fn planes_meet_in_points_of_all_of_them() {
+    let mut random = Random(22);
+    for _ in 0..2000 {
+        let mut plane = || {
+            let size = random.power(-6.0, 6.0);
+            Plane3::through(random.vector(3.0), random.vector(1.0) * size)
+        };
+        let planes = [plane(), plane(), plane()];
+        let heights = |point: Vec3<f64>| planes.map(|plane| plane.signed_distance(point).abs());
+        let unit = planes.map(|plane| plane.normal.normalize_or_zero());
+        let line = crossing_of_two_planes(planes[0], planes[1]);
+        assert_eq!(line.found, 1.0);
+        let size = (1.0 + line.point.length()) / unit[0].cross(unit[1]).length();
+        for t in [-3.0, 0.0, 2.0] {
+            let [a, b, _] = heights(line.line().point_at(t));
+            assert!(a.max(b) < 1e-14 * (size + 3.0), "{a} {b} {size}");
+        }
+        assert!(line.point.dot(line.direction).abs() < 1e-14 * size);
+        let [a, b, c] = planes;
+        let found = crossing_of_three_planes(a, b, c);
+        let volume = unit[0].cross(unit[1]).dot(unit[2]).abs();
+        assert_eq!(found.found, 1.0);
+        for height in heights(found.point) {
+            assert!(
+                height < 1e-14 * (1.0 + found.point.length()) / volume,
+                "{height}"
+            );
+        }
+        assert_eq!(
+            crossing_of_two_planes(a, Plane3::new(a.normal * 4.0, 1.0)).found,
+            0.0
+        );
+    }
+}
+
+/// The least distance of two ways by search over parameters: of all ends and of a grid that is refined.
+fn searched(a: (Vec3<f64>, Vec3<f64>, [f64; 2]), b: (Vec3<f64>, Vec3<f64>, [f64; 2])) -> f64 {
+    // For a parameter of a the nearest of b is a clamp; the distance is convex in the former.
+    let of = |s: f64| {
+        let p = a.0 + a.1 * s;
+        let t = (p - b.0).dot(b.1) / b.1.length_squared().max(f64::MIN_POSITIVE);
+        (b.0 + b.1 * t.clamp(b.2[0], b.2[1]) - p).length()
+    };
+    let [mut low, mut high] = a.2;
+    for _ in 0..150 {
+        let third = (high - low) / 3.0;
+        let (s, t) = (low + third, high - third);
+        if of(s) < of(t) { high = t } else { low = s }
+    }
+    of((low + high) / 2.0).min(of(a.2[0])).min(of(a.2[1]))
+}
+
+#[test]
+fn lines_and_rays_are_as_far_as_a_search_says() {
+    let far = 1e4;
+    let mut random = Random(31);
+    for k in 0..3000 {
+        let (p, q) = (random.vector(2.0), random.vector(2.0));
+        let (u, mut v) = (random.vector(1.0), random.vector(1.0));
+        if u.length() < 0.1 || v.length() < 0.1 || u.cross(v).length() < 0.01 {
+            continue;
+        }
+        if k % 5 == 0 {
+            v = u * random.within(-2.0, 2.0);
+        }
+        let (line, ray, wire) = (Line3::new(p, u), Ray3::new(p, u), Segment3::new(q, q + v));
+        let (of_line, of_ray, of_wire) =
+            ((p, u, [-far, far]), (p, u, [0.0, far]), (q, v, [0.0, 1.0]));
+        let (other, other_ray) = (Line3::new(q, v), Ray3::new(q, v));
+        let close = |found: f64, expected: f64| {
+            assert!(
+                (found - expected).abs() < 2e-7,
+                "{found} {expected} {p:?} {u:?} {q:?} {v:?}"
+            );
+        };
+        close(distance3::distance(line, wire), searched(of_line, of_wire));
+        close(distance3::distance(ray, wire), searched(of_ray, of_wire));
+        close(distance3::distance(wire, ray), searched(of_ray, of_wire));
+        close(
+            distance3::distance(line, q),
+            searched(of_line, (q, Vec3::zero(), [0.0; 2])),
+        );
+        close(
+            distance3::distance(ray, q),
+            searched(of_ray, (q, Vec3::zero(), [0.0; 2])),
+        );
+        if v.length() > 0.1 {
+            close(
+                distance3::distance(line, other),
+                searched(of_line, (q, v, [-far, far])),
+            );
+            close(
+                distance3::distance(ray, other_ray),
+                searched(of_ray, (q, v, [0.0, far])),
+            );
+        }
+        let ball = Sphere::new(q, 0.4);
+        close(
+            distance3::signed_distance(line, ball),
+            searched(of_line, (q, Vec3::zero(), [0.0; 2])) - 0.4,
+        );
+        let pair = distance3::closest_points(ray, wire);
+        assert!((pair.on_a.distance(pair.on_b) - distance3::distance(ray, wire)).abs() < 1e-13);
+        assert!(ray.distance(pair.on_a) < 1e-13 && wire.distance(pair.on_b) < 1e-13);
     }
 }
