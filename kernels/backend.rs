@@ -220,7 +220,7 @@ impl Backend<'_> {
         self,
         fold: F,
         context: C,
-        vertices: &[Vec2<f32>],
+        vertices: &[F::Element<f32>],
         offsets: &[usize],
     ) -> Result<Vec<F::Out<f32>>, Error>
     where
@@ -239,10 +239,10 @@ impl Backend<'_> {
         self,
         fold: F,
         context: C,
-        vertices: &[Vec2<f32>],
+        vertices: &[F::Element<f32>],
         offsets: &[usize],
         upstream: &[F::Out<f32>],
-    ) -> Result<(Vec<F::Context<f32>>, Vec<Vec2<f32>>), Error>
+    ) -> Result<(Vec<F::Context<f32>>, Vec<F::Element<f32>>), Error>
     where
         F: Fold<Context<f32> = C::Item>,
         C::Item: Pack<Scalar = f32>,

@@ -1,4 +1,4 @@
-//! Operations over paths of run-time length: rings, polylines, polygons.
+//! Operations over paths of run-time length: rings, polylines, clouds of points.
 //!
 //! A fold is what happens at one edge, how two results are joined, and how it ends. Edges may be
 //! computed in any order and side by side; batches run their body as a program.
@@ -22,6 +22,7 @@ use std::fmt::Debug;
 ///     const CLOSED: bool = true;
 ///     const INVARIANCES: &'static [Invariance] = &[];
 ///     const JUMPS: Jumps = Jumps::Never;
+///     type Element<S: Scalar> = Vec2<S>;
 ///     type Context<S: Scalar> = S;
 ///     type Reference<S: Scalar> = [S; 0];
 ///     type State<S: Scalar> = S;
@@ -78,6 +79,14 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     /// fold no other edges.
     #[doc(hidden)]
     const WINDING: Option<usize> = None;
+    /// The path as points of the plane, for a fold with a winding number.
+    #[doc(hidden)]
+    fn in_plane<S: Scalar>(_path: &[Self::Element<S>]) -> &[Vec2<S>] {
+        &[]
+    }
+    /// What a path is made of: points of the plane or of space, or any other shape. Batches ask no more of it than
+    /// finite numbers.
+    type Element<S: Scalar>: Fixed<Scalar = S>;
     /// The arguments beside the path: shapes, numbers, a tuple of them, or `[S; 0]` for nothing.
     type Context<S: Scalar>: Fixed<Scalar = S>;
     /// Constants that say from where a path is seen; `[S; 0]` for none.
@@ -88,15 +97,18 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     type Out<S: Scalar>: Fixed<Scalar = S>;
     /// The place from which a path is seen. Its derivatives are not followed: the result must not depend on it
     /// but for rounding.
-    fn reference<S: Scalar>(context: Self::Context<S>, path: &[Vec2<S>]) -> Self::Reference<S>;
+    fn reference<S: Scalar>(
+        context: Self::Context<S>,
+        path: &[Self::Element<S>],
+    ) -> Self::Reference<S>;
     /// The state after no edge.
     fn empty<S: Scalar>() -> Self::State<S>;
     /// The state of one edge.
     fn edge<S: Scalar>(
         context: Self::Context<S>,
         reference: Self::Reference<S>,
-        from: Vec2<S>,
-        to: Vec2<S>,
+        from: Self::Element<S>,
+        to: Self::Element<S>,
     ) -> Self::State<S>;
     /// Both together; associative but for rounding.
     fn join<S: Scalar>(one: Self::State<S>, other: Self::State<S>) -> Self::State<S>;
@@ -117,7 +129,7 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
 /// let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
 /// assert_eq!(fold::<Row, f64>(Vec2::new(1.0, 0.5), &square), -0.5);
 /// ```
-pub fn fold<F: Fold, S: Scalar>(context: F::Context<S>, path: &[Vec2<S>]) -> F::Out<S> {
+pub fn fold<F: Fold, S: Scalar>(context: F::Context<S>, path: &[F::Element<S>]) -> F::Out<S> {
     let reference = F::reference(context, path);
     let mut state = F::empty();
     for k in 0..edges::<F>(path.len()) {

@@ -323,20 +323,25 @@ impl Walk for Values {
         F::Context<f32>: Item<Scalar = f32>,
         F::Out<f32>: Item<Scalar = f32>,
         F::Context<f64>: Item<Scalar = f64> + Sample,
+        F::Element<f64>: Sample,
+        Vec<F::Element<f64>>: Sample,
         F::Out<f64>: Item<Scalar = f64> + Sample,
     {
         const fn formed<F: Fold, S: Both>() -> Formed<S>
         where
             F::Context<S>: Item<Scalar = S>,
             F::Context<f64>: Item<Scalar = f64> + Sample,
+            F::Element<f64>: Sample,
+            Vec<F::Element<f64>>: Sample,
             F::Out<f64>: Sample,
         {
             Formed {
                 code: ScalarCode {
                     alone: |x| {
                         let (context, vertices) = x.split_at(F::Context::<S>::LEN);
-                        Folded::<F>::eval::<S>(&(F::Context::load(context), path(vertices)))
-                            .scalars()
+                        let path = vertices.chunks_exact(F::Element::<S>::LEN);
+                        let path = path.map(F::Element::<S>::load).collect();
+                        Folded::<F>::eval::<S>(&(F::Context::load(context), path)).scalars()
                     },
                     by_hand: |_, _| None,
                     num_dual: None,
@@ -347,7 +352,7 @@ impl Walk for Values {
         }
         self.0.push(Tested {
             operation: const { dynamic::fold::<F>() }.written(row),
-            inputs: const { Inputs::of_path::<(F::Context<f64>, Vec<Vec2<f64>>)>() },
+            inputs: const { Inputs::of_path::<(F::Context<f64>, Vec<F::Element<f64>>)>() },
             single: const { formed::<F, f32>() },
             double: const { formed::<F, f64>() },
             #[cfg(feature = "gpu")]

@@ -81,9 +81,14 @@ class Rings(Paths):
     def of(cls, paths: Iterable[Any]) -> Rings: ...
 
 class Polylines(Paths):
-    """Open paths."""
+    """Open paths, of the plane or of space."""
     @classmethod
     def of(cls, paths: Iterable[Any]) -> Polylines: ...
+
+class Clouds(Paths):
+    """Clouds of points of space, in any order."""
+    @classmethod
+    def of(cls, clouds: Iterable[Any]) -> Clouds: ...
 
 class Program:
     """The operations of a function, in the order in which they are carried out."""
@@ -246,7 +251,7 @@ def stubs():
         lines.append(f"\nclass _{name}(Verb):\n" + documented(describe(name), "    "))
         for row in ordered(name):
             names = [argument for argument, _, _ in row["takes"]] + (["paths"] if row["sort"] in ("fold", "ring") else [])
-            kinds = [{"number": "ArrayLike", "ring": "Paths", "polyline": "Paths"}.get(kind, kind) for kind in row["kinds"]]
+            kinds = [{"number": "ArrayLike", **dict.fromkeys(("ring", "polyline", "polyline3", "cloud3"), "Paths")}.get(kind, kind) for kind in row["kinds"]]
             takes = ", ".join(f"{argument}: {kind}" for argument, kind in zip(names, kinds))
             (_, gives, size), *more = row["gives"]
             result = "Any" if more else gives if size else "Array"

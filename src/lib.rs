@@ -240,7 +240,8 @@ pub mod prelude {
     pub use crate::shape::{
         Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, Interval, Line2,
         Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2, Rotation3, RoundBox3,
-        Segment2, Segment3, Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
+        Segment2, Segment3, Sphere, Symmetric3, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3,
+        YawBox3,
     };
 }
 
@@ -260,5 +261,5 @@ pub use scalar::{Jet, Lanes, Mask, Scalar};
 pub use shape::{
     Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, EulerOrder, Interval,
     Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2, Rotation3, RoundBox3,
-    Segment2, Segment3, Sphere, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
+    Segment2, Segment3, Sphere, Symmetric3, Tetrahedron, Triangle2, Triangle3, Vec2, Vec3, YawBox3,
 };

@@ -3,7 +3,7 @@ use geograd::convention::{
     Detectron2Box, ImageBox, KittiBox, Le90, Le135, LidarBox, NuScenesBox, OpenCvBox, Xyxyr,
 };
 use geograd::iou::Exponent;
-use geograd::kernels::verbs::{self, OverPolyline, OverRing, Takes};
+use geograd::kernels::verbs::{self, OverCloud3, OverPolyline, OverPolyline3, OverRing, Takes};
 use geograd::{
     Aabb2, Aabb3, Capsule2, Circle, Interval, Line2, Obb2, Obb3, Pose2, Ray2, Segment2, Triangle2,
     Vec2, Vec3, YawBox3,
@@ -230,6 +230,10 @@ folds! {
     WindingOfRing = Winding OverRing;
     LengthOfPolyline = Length OverPolyline;
     SecondMomentsOfRing = SecondMoments OverRing;
+    DistancePointPolyline3 = Distance OverPolyline3;
+    LengthOfPolyline3 = Length OverPolyline3;
+    CentroidOfCloud3 = Centroid OverCloud3;
+    CovarianceOfCloud3 = SecondMoments OverCloud3;
 }
 
 pub mod distance {
@@ -254,7 +258,8 @@ pub mod distance {
 }
 pub mod fold {
     pub use super::{
-        DepthPointRing, DistancePointPolyline, DistancePointRing, LengthOfPolyline,
+        CentroidOfCloud3, CovarianceOfCloud3, DepthPointRing, DistancePointPolyline,
+        DistancePointPolyline3, DistancePointRing, LengthOfPolyline, LengthOfPolyline3,
         SecondMomentsOfRing, SignedDistancePointRing, WindingOfRing,
     };
 }

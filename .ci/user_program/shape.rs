@@ -1,8 +1,9 @@
 //! A user's program with shapes and a function of its own: batches and programs; its tests run the harness. It runs
 //! here without the feature `check`, and is compiled outside the workspace with the feature `gpu`, too.
 use geograd::distance::Convex;
-use geograd::kernels::{Cpu, One, Op, Skip};
-use geograd::{Capsule2, Circle, Error, Obb2, Pose2, Program, Scalar, Shape, Sym, Vec2, ad};
+use geograd::kernels::op::{Invariance, Jumps};
+use geograd::kernels::{Cpu, Fold, One, Op, Skip};
+use geograd::{Capsule2, Circle, Error, Obb2, Pose2, Program, Scalar, Shape, Sym, Vec2, Vec3, ad};
 
 /// Two thick links on a base.
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
@@ -61,6 +62,37 @@ geograd::operation! {
     derivative Reverse
 }
 
+/// How far a path climbs.
+#[derive(Clone, Copy, Debug, Default)]
+struct Climb;
+
+impl Fold for Climb {
+    const NAME: &'static str = "climb";
+    const CLOSED: bool = false;
+    const INVARIANCES: &'static [Invariance] = &[];
+    const JUMPS: Jumps = Jumps::Never;
+    type Element<S: Scalar> = Vec3<S>;
+    type Context<S: Scalar> = [S; 0];
+    type Reference<S: Scalar> = [S; 0];
+    type State<S: Scalar> = S;
+    type Out<S: Scalar> = S;
+    fn reference<S: Scalar>(_: [S; 0], _: &[Vec3<S>]) -> [S; 0] {
+        []
+    }
+    fn empty<S: Scalar>() -> S {
+        S::zero()
+    }
+    fn edge<S: Scalar>(_: [S; 0], _: [S; 0], from: Vec3<S>, to: Vec3<S>) -> S {
+        (to.z - from.z).most(S::zero())
+    }
+    fn join<S: Scalar>(one: S, other: S) -> S {
+        one + other
+    }
+    fn finish<S: Scalar>(_: [S; 0], _: [S; 0], climb: S) -> S {
+        climb
+    }
+}
+
 fn main() -> Result<(), Error> {
     let wall = Obb2::new(0.85, 1.05, 1.1, 0.24, -0.35);
     let (center, base) = (Vec2::new(-0.95, -0.35), Vec2::new(0.0, 0.0));
@@ -108,6 +140,16 @@ fn main() -> Result<(), Error> {
 
     let program = Program::trace(|x: (Arm<Sym<f32>>, Obb2<_>, Post<_>)| Clearance::eval(x))?;
     assert!(program.wgsl("clearance")?.starts_with("fn clearance("));
+
+    // A fold of its own over points of space.
+    let trail = [0.0, 3.0, 2.0, 4.0].map(|z| Vec3::new(z * z, 1.0, z));
+    let climbs = Cpu::new().fold(Climb, One([]), &trail, &[0, 2, 4])?;
+    assert_eq!(climbs, [3.0, 2.0]);
+    let (_, by_vertex) = Cpu::new().fold_vjp(Climb, One([]), &trail, &[0, 2, 4], &[1.0, 1.0])?;
+    assert_eq!(
+        by_vertex.iter().map(|bar| bar.z).collect::<Vec<_>>(),
+        [-1.0, 1.0, -1.0, 1.0]
+    );
 
     let hit = values.iter().filter(|value| **value < 0.0).count();
     println!("{hit} of {} postures collide", arms.len());

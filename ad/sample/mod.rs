@@ -4,6 +4,7 @@
 //! machine. Random pairs are snapped to each other now and then, so that ties, touching sides and
 //! near ties come up without being asked for; whole inputs are moved far away and scaled, because
 //! that is where digits are lost.
+mod clouds;
 pub(crate) mod derived;
 pub(crate) mod drawn;
 mod shapes;

@@ -539,10 +539,10 @@ where
 /// Runs every check of a fold over paths.
 pub fn check_fold_with<F: Fold, S: Judged>(sampling: &Sampling<'_>) -> Report
 where
-    F::Context<f64>: Sample,
+    (F::Context<f64>, Vec<F::Element<f64>>): Sample,
     F::Out<f64>: Sample,
 {
-    let kinship = const { Kinship::of::<(F::Context<f64>, Vec<Vec2<f64>>)>() };
+    let kinship = const { Kinship::of::<(F::Context<f64>, Vec<F::Element<f64>>)>() };
     let inputs = Inputs::of(kinship, sampling, Precision::of::<S>());
     without_batch(judged(
         F::NAME,

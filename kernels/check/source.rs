@@ -160,7 +160,7 @@ pub struct Folded<F>(std::marker::PhantomData<F>);
 
 impl<F: Fold> Source for Folded<F> {
     const NAME: &'static str = F::NAME;
-    type In<S: Scalar> = (F::Context<S>, Vec<Vec2<S>>);
+    type In<S: Scalar> = (F::Context<S>, Vec<F::Element<S>>);
     type Out<S: Scalar> = F::Out<S>;
     const INVARIANCES: &'static [Invariance] = F::INVARIANCES;
     const JUMPS: Jumps = F::JUMPS;
@@ -176,7 +176,11 @@ impl<F: Fold> Source for Folded<F> {
     }
     fn made<T: Scalar>(_like: &Self::In<f64>, numbers: &[T]) -> Self::In<T> {
         let (context, path) = numbers.split_at(F::Context::<T>::LEN);
-        (F::Context::load(context), points(path))
+        let path = path.chunks_exact(F::Element::<T>::LEN.max(1));
+        (
+            F::Context::load(context),
+            path.map(F::Element::load).collect(),
+        )
     }
 }
 
@@ -188,9 +192,9 @@ fn points<T: Scalar>(numbers: &[T]) -> Vec<Vec2<T>> {
 /// The adjoint of a fold for one path, on any scalar: cotangents of the context and of every vertex.
 fn pull_back<F: Fold, S: Scalar>(
     context: F::Context<S>,
-    path: &[Vec2<S>],
+    path: &[F::Element<S>],
     out_bar: F::Out<S>,
-) -> (F::Context<S>, Vec<Vec2<S>>) {
+) -> (F::Context<S>, Vec<F::Element<S>>) {
     // In the format that the scalar has.
     let found = match S::EPSILON > 1e-10 {
         true => programs::<F, f32>(),
@@ -199,7 +203,10 @@ fn pull_back<F: Fold, S: Scalar>(
     let Ok(programs) = found else {
         // A fold that cannot be recorded has no derivatives: the harness reports NaN.
         let none = S::lit(f64::NAN);
-        return (Fixed::filled(none), vec![Vec2::filled(none); path.len()]);
+        return (
+            Fixed::filled(none),
+            vec![F::Element::filled(none); path.len()],
+        );
     };
     let reference = F::reference(context, path);
     let ends = |k: usize| [path[k], path[(k + 1) % path.len()]];
@@ -210,18 +217,22 @@ fn pull_back<F: Fold, S: Scalar>(
     let shared = [context.scalars(), reference.scalars()].concat();
     let (mut context_bar, state_bars) =
         backwards::<F, S>(&programs, &shared, &states, None, out_bar);
-    let mut path_bar = vec![Vec2::<S>::zero(); path.len()];
+    let element = F::Element::<S>::LEN;
+    let mut path_bar = vec![vec![S::zero(); element]; path.len()];
     for (k, state_bar) in state_bars.into_iter().enumerate() {
-        let [from, to] = ends(k);
-        let points = [from.x, from.y, to.x, to.y];
+        let points = ends(k).map(|end| end.scalars()).concat();
         let input = [&shared[..], &points, &state_bar.scalars()].concat();
         let bars = &programs.edge_vjp.run_on(&input)[F::State::<S>::LEN..];
         for (bar, &x) in context_bar.iter_mut().zip(bars) {
             *bar += x;
         }
-        let at = |i: usize| bars[shared.len() + i];
-        path_bar[k] += Vec2::new(at(0), at(1));
-        path_bar[(k + 1) % path.len()] += Vec2::new(at(2), at(3));
+        let ends = bars[shared.len()..].chunks_exact(element.max(1));
+        for (end, bars) in [k, (k + 1) % path.len()].into_iter().zip(ends) {
+            for (bar, &x) in path_bar[end].iter_mut().zip(bars) {
+                *bar += x;
+            }
+        }
     }
+    let path_bar = path_bar.iter().map(|bar| F::Element::load(bar)).collect();
     (F::Context::load(&context_bar), path_bar)
 }

@@ -572,6 +572,8 @@ impl Walk for Values {
         F::Context<f32>: Item<Scalar = f32>,
         F::Out<f32>: Item<Scalar = f32>,
         F::Context<f64>: Item<Scalar = f64> + Sample,
+        F::Element<f64>: Sample,
+        Vec<F::Element<f64>>: Sample,
         F::Out<f64>: Item<Scalar = f64> + Sample,
     {
         self.0.push(const { fold::<F>() }.written(row));

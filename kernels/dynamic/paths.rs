@@ -17,17 +17,13 @@ type Derivatives<T> = (Vec<T>, Vec<T>);
 /// A fold or a measure of rings without its types.
 #[derive(Debug)]
 pub(super) struct Code<T: 'static> {
-    pub(super) values:
-        fn(Backend<'_>, &[Rows<'_, T>], &[Vec2<T>], &[usize]) -> Result<Vec<T>, Error>,
-    pub(super) derivatives: fn(
-        Backend<'_>,
-        &[Rows<'_, T>],
-        &[Vec2<T>],
-        &[usize],
-        &[T],
-    ) -> Result<Derivatives<T>, Error>,
+    pub(super) values: fn(Backend<'_>, &[Rows<'_, T>], &[T], &[usize]) -> Result<Vec<T>, Error>,
+    pub(super) derivatives:
+        fn(Backend<'_>, &[Rows<'_, T>], &[T], &[usize], &[T]) -> Result<Derivatives<T>, Error>,
     /// The same for one path that all contexts share; `None` for rings, which have no contexts.
     pub(super) shared: Option<Shared<T>>,
+    /// Numbers of a vertex.
+    pub(super) vertex: usize,
     /// The result of one path from the numbers of its context and then of its vertices.
     pub(super) symbols: fn(&[Sym<T>]) -> Vec<Sym<T>>,
 }
@@ -35,8 +31,8 @@ pub(super) struct Code<T: 'static> {
 /// A fold over one path for many contexts: values, and derivatives for a cotangent of every one.
 #[derive(Debug)]
 pub(super) struct Shared<T: 'static> {
-    values: fn(&[Rows<'_, T>], &[Vec2<T>]) -> Result<Vec<T>, Error>,
-    derivatives: fn(&[Rows<'_, T>], &[Vec2<T>], &[T]) -> Result<Derivatives<T>, Error>,
+    values: fn(&[Rows<'_, T>], &[T]) -> Result<Vec<T>, Error>,
+    derivatives: fn(&[Rows<'_, T>], &[T], &[T]) -> Result<Derivatives<T>, Error>,
 }
 
 impl<T> Clone for Shared<T> {
@@ -83,26 +79,22 @@ pub(super) fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P> {
     shapes.map(P::load).collect()
 }
 
-/// A path of symbols.
-pub(super) fn path<T: Copy>(numbers: &[T]) -> Vec<Vec2<T>> {
-    let vertices = numbers.chunks_exact(2);
-    vertices.map(|v| Vec2 { x: v[0], y: v[1] }).collect()
-}
-
 /// A fold in one format; the machine, given a backend.
 macro_rules! fold_in {
     ($format:ty, |$backend:pat_param| $machine:expr) => {
         Code {
             values: |$backend, rows, vertices, offsets| {
                 let contexts = Contexts::<F::Context<$format>>::new(rows);
-                let values = $machine.fold(F::default(), contexts, vertices, offsets)?;
+                let vertices = loaded::<F::Element<$format>>(vertices);
+                let values = $machine.fold(F::default(), contexts, &vertices, offsets)?;
                 Ok(numbers(&values).into_owned())
             },
             derivatives: |$backend, rows, vertices, offsets, upstream| {
                 let contexts = Contexts::<F::Context<$format>>::new(rows);
                 let upstream = loaded::<F::Out<$format>>(upstream);
+                let vertices = loaded::<F::Element<$format>>(vertices);
                 let (contexts, vertices) =
-                    $machine.fold_vjp(F::default(), contexts, vertices, offsets, &upstream)?;
+                    $machine.fold_vjp(F::default(), contexts, &vertices, offsets, &upstream)?;
                 Ok((
                     numbers(&contexts).into_owned(),
                     numbers(&vertices).into_owned(),
@@ -111,24 +103,28 @@ macro_rules! fold_in {
             shared: Some(Shared {
                 values: |rows, path| {
                     let contexts = Contexts::<F::Context<$format>>::new(rows);
-                    let values = Cpu::new().fold_one(F::default(), contexts, path)?;
+                    let path = loaded::<F::Element<$format>>(path);
+                    let values = Cpu::new().fold_one(F::default(), contexts, &path)?;
                     Ok(numbers(&values).into_owned())
                 },
                 derivatives: |rows, path, upstream| {
                     let contexts = Contexts::<F::Context<$format>>::new(rows);
                     let upstream = loaded::<F::Out<$format>>(upstream);
+                    let path = loaded::<F::Element<$format>>(path);
                     let (contexts, vertices) =
-                        Cpu::new().fold_one_vjp(F::default(), contexts, path, &upstream)?;
+                        Cpu::new().fold_one_vjp(F::default(), contexts, &path, &upstream)?;
                     Ok((
                         numbers(&contexts).into_owned(),
                         numbers(&vertices).into_owned(),
                     ))
                 },
             }),
+            vertex: F::Element::<$format>::LEN,
             symbols: |x| {
                 let (context, vertices) = x.split_at(F::Context::<Sym<$format>>::LEN);
                 let context = F::Context::<Sym<$format>>::load(context);
-                let result = fold::<F, Sym<$format>>(context, &path(vertices));
+                let path = loaded::<F::Element<Sym<$format>>>(vertices);
+                let result = fold::<F, Sym<$format>>(context, &path);
                 crate::Pack::scalars(&result)
             },
         }
@@ -139,16 +135,22 @@ macro_rules! ring_in {
     ($format:ty, |$backend:pat_param| $machine:expr) => {
         Code {
             values: |$backend, _, vertices, offsets| {
-                let values = $machine.ragged(O::default(), vertices, offsets)?;
+                let vertices = loaded::<Vec2<$format>>(vertices);
+                let values = $machine.ragged(O::default(), &vertices, offsets)?;
                 Ok(numbers(&values).into_owned())
             },
             derivatives: |$backend, _, vertices, offsets, upstream| {
                 let upstream = loaded::<O::Out<$format>>(upstream);
-                let vertices = $machine.ragged_vjp(O::default(), vertices, offsets, &upstream)?;
+                let vertices = loaded::<Vec2<$format>>(vertices);
+                let vertices = $machine.ragged_vjp(O::default(), &vertices, offsets, &upstream)?;
                 Ok((Vec::new(), numbers(&vertices).into_owned()))
             },
             shared: None,
-            symbols: |x| crate::Pack::scalars(&O::value::<Sym<$format>>(&path(x))),
+            vertex: 2,
+            symbols: |x| {
+                let ring = loaded::<Vec2<Sym<$format>>>(x);
+                crate::Pack::scalars(&O::value::<Sym<$format>>(&ring))
+            },
         }
     };
 }
@@ -178,7 +180,7 @@ pub(super) const fn ring_double<O: RingOp>() -> Code<f64> {
 
 /// A function of paths: a fold, or a measure of rings.
 ///
-/// Paths are vertices, two numbers each, and offsets: path i has the vertices `offsets[i]..offsets[i + 1]`. Further
+/// Paths are vertices, two numbers each in the plane and three in space, and offsets: path i has the vertices `offsets[i]..offsets[i + 1]`. Further
 /// arguments of a fold are columns with a row per path; one row stands for all paths, and, on the processor, one path
 /// for all rows.
 ///
@@ -230,6 +232,12 @@ impl<T: Real> OnPaths<T> {
     #[must_use]
     pub const fn gives(&self) -> usize {
         self.gives
+    }
+
+    /// Numbers of a vertex: two in the plane, three in space.
+    #[must_use]
+    pub const fn vertex(&self) -> usize {
+        self.code.vertex
     }
 
     /// The numbers of one result per path, or per row where all share one path.
@@ -307,10 +315,10 @@ impl<T: Real> OnPaths<T> {
         vertices: &[T],
         offsets: &[usize],
     ) -> Result<Vec<T>, Error> {
-        let vertices = self.checked(contexts, vertices)?;
-        let values = match self.shared(backend, contexts, &vertices, offsets) {
-            Some((shared, _)) => (shared.values)(contexts, &vertices),
-            None => (self.code.values)(backend, contexts, &vertices, offsets),
+        let count = self.checked(contexts, vertices)?;
+        let values = match self.shared(backend, contexts, count, offsets) {
+            Some((shared, _)) => (shared.values)(contexts, vertices),
+            None => (self.code.values)(backend, contexts, vertices, offsets),
         };
         values.map_err(|e| renamed(e, &self.names))
     }
@@ -323,8 +331,8 @@ impl<T: Real> OnPaths<T> {
         offsets: &[usize],
         upstream: &[T],
     ) -> Result<(Vec<Vec<T>>, Vec<T>), Error> {
-        let vertices = self.checked(contexts, vertices)?;
-        let shared = self.shared(backend, contexts, &vertices, offsets);
+        let count = self.checked(contexts, vertices)?;
+        let shared = self.shared(backend, contexts, count, offsets);
         let results = match shared {
             Some((_, contexts)) => contexts,
             None => offsets.len().saturating_sub(1),
@@ -335,8 +343,8 @@ impl<T: Real> OnPaths<T> {
             upstream.len(),
         )?;
         let derivatives = match shared {
-            Some((shared, _)) => (shared.derivatives)(contexts, &vertices, upstream),
-            None => (self.code.derivatives)(backend, contexts, &vertices, offsets, upstream),
+            Some((shared, _)) => (shared.derivatives)(contexts, vertices, upstream),
+            None => (self.code.derivatives)(backend, contexts, vertices, offsets, upstream),
         };
         let (all, vertices) = derivatives.map_err(|e| renamed(e, &self.names))?;
         let wide: usize = self.takes.iter().map(|leaf| leaf.fields).sum();
@@ -356,17 +364,17 @@ impl<T: Real> OnPaths<T> {
         &self,
         backend: Backend<'_>,
         contexts: &[Rows<'_, T>],
-        vertices: &[Vec2<T>],
+        vertices: usize,
         offsets: &[usize],
     ) -> Option<(Shared<T>, usize)> {
-        let is_one = *offsets == [0, vertices.len()] && matches!(backend, Backend::Cpu);
+        let is_one = *offsets == [0, vertices] && matches!(backend, Backend::Cpu);
         let count = contexts.iter().find_map(Rows::count)?;
         let shared = self.code.shared.filter(|_| is_one && count != 1)?;
         Some((shared, count))
     }
 
-    /// The vertices, and whether there are as many columns, as wide, as there should be.
-    fn checked(&self, contexts: &[Rows<'_, T>], vertices: &[T]) -> Result<Vec<Vec2<T>>, Error> {
+    /// The number of vertices, where there are as many columns, as wide, as there should be.
+    fn checked(&self, contexts: &[Rows<'_, T>], vertices: &[T]) -> Result<usize, Error> {
         if contexts.len() != self.takes.len() {
             return Err(Error::Arguments {
                 expected: self.takes.len(),
@@ -376,9 +384,9 @@ impl<T: Real> OnPaths<T> {
         for ((rows, leaf), &name) in contexts.iter().zip(&self.takes).zip(&self.names) {
             rows.column(name, leaf.fields)?;
         }
-        let whole = vertices.len() / 2 * 2;
-        expect(Argument::Vertices, whole, vertices.len())?;
-        Ok(path(vertices))
+        let (n, count) = (self.code.vertex, vertices.len() / self.code.vertex);
+        expect(Argument::Vertices, count * n, vertices.len())?;
+        Ok(count)
     }
 }
 

@@ -2,7 +2,6 @@
 use super::job::Job;
 use super::numbers::{Family, is_angle_within, limited, limits_of, power};
 use super::{Finding, Property};
-use crate::Vec2;
 use crate::ad::declared::Kind;
 use crate::ad::sample::Draw;
 use crate::kernels::op::Finite;
@@ -22,8 +21,8 @@ const MOST: usize = 8;
 pub(super) struct Inputs<T> {
     /// For every shape of an input its numbers, input after input.
     pub columns: Vec<Vec<T>>,
-    /// Vertices of paths, where an input has one.
-    pub vertices: Vec<Vec2<T>>,
+    /// Numbers of vertices of paths, where an input has one.
+    pub vertices: Vec<T>,
     /// The first vertex of every path, and the end of the last.
     pub offsets: Vec<usize>,
     /// How many inputs.
@@ -40,9 +39,9 @@ impl<T: Real> Inputs<T> {
             let n = shape.leaf.fields;
             numbers.extend_from_slice(&column[i * n..][..n]);
         }
-        if job.has_path {
-            let path = &self.vertices[self.offsets[i]..self.offsets[i + 1]];
-            numbers.extend(path.iter().flat_map(|v| [v.x, v.y]));
+        if !job.vertex.is_empty() {
+            let n = job.vertex.len();
+            numbers.extend_from_slice(&self.vertices[n * self.offsets[i]..n * self.offsets[i + 1]]);
         }
         numbers
     }
@@ -54,11 +53,11 @@ impl<T: Real> Inputs<T> {
             columns.push(own.repeat(count));
             rest = others;
         }
-        let path: Vec<Vec2<T>> = rest.chunks(2).map(|v| Vec2::new(v[0], v[1])).collect();
+        let vertices = rest.len() / job.vertex.len().max(1);
         Inputs {
             columns,
-            vertices: path.repeat(count),
-            offsets: (0..=count).map(|i| i * path.len()).collect(),
+            vertices: rest.repeat(count),
+            offsets: (0..=count).map(|i| i * vertices).collect(),
             count,
             outside: 0,
         }
@@ -164,7 +163,7 @@ impl<T: Real> Job<T> {
                 }
             }
         }
-        if self.has_path {
+        if !self.vertex.is_empty() {
             self.draw_paths(draw, inputs, |draw| match mix {
                 Mix::One => family,
                 _ => Family::any::<T>(draw),
@@ -181,9 +180,8 @@ impl<T: Real> Job<T> {
                     }
                 }
             }
-            for v in &mut inputs.vertices {
-                v.x = limited(v.x, Kind::X, limits);
-                v.y = limited(v.y, Kind::Y, limits);
+            for (x, &kind) in inputs.vertices.iter_mut().zip(self.vertex.iter().cycle()) {
+                *x = limited(*x, kind, limits);
             }
         }
         self.mend(draw, inputs, limits);
@@ -234,10 +232,9 @@ impl<T: Real> Job<T> {
             end += (bits & 15) as usize * (MOST + 1) / 16;
             inputs.offsets.push(end);
         }
-        inputs.vertices.resize(end, Vec2::new(T::zero(), T::zero()));
-        for v in &mut inputs.vertices {
-            v.x = family(draw).number(Kind::X, draw);
-            v.y = family(draw).number(Kind::Y, draw);
+        inputs.vertices.resize(end * self.vertex.len(), T::zero());
+        for (x, &kind) in inputs.vertices.iter_mut().zip(self.vertex.iter().cycle()) {
+            *x = family(draw).number(kind, draw);
         }
     }
 
@@ -279,14 +276,14 @@ impl<T: Real> Job<T> {
                 }
             }
         }
-        for i in 1..inputs.vertices.len() {
+        let n = self.vertex.len();
+        for i in 1..inputs.vertices.len() / n.max(1) {
             let bits = draw.bits();
             let from = i - 1 - (bits >> 8) as usize % i.min(MOST);
-            if bits & 3 == 0 {
-                inputs.vertices[i].x = inputs.vertices[from].x;
-            }
-            if bits & 12 == 0 {
-                inputs.vertices[i].y = inputs.vertices[from].y;
+            for k in 0..n.min(4) {
+                if (bits >> (2 * k)) & 3 == 0 {
+                    inputs.vertices[n * i + k] = inputs.vertices[n * from + k];
+                }
             }
         }
     }

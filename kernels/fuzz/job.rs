@@ -79,8 +79,8 @@ pub struct Job<T: Real> {
     pub(super) shapes: Vec<Shape<T>>,
     /// The kind of every number of an input, but for vertices.
     pub(super) kinds: Vec<Kind>,
-    /// `true` if a path comes with an input.
-    pub(super) has_path: bool,
+    /// The kinds of the numbers of a vertex, if a path comes with an input.
+    pub(super) vertex: Vec<Kind>,
     /// Numbers of every shape of a result.
     pub(super) outputs: Vec<usize>,
     pub(super) declared: Declared,
@@ -165,7 +165,7 @@ fn shapes<T: Real>(leaves: Vec<Leaf<T>>, kinds: &[Kind], is_convex: bool) -> Vec
 }
 
 /// The kinds of the numbers of a shape: common to all sorts of jobs.
-fn kinds_of<X: Sample + Item>() -> Vec<Kind> {
+fn kinds_of<X: Sample + Fixed>() -> Vec<Kind> {
     X::filled(1.0).kinds()
 }
 
@@ -267,7 +267,7 @@ impl<T: Real> Job<T> {
             }),
             shapes: shapes(leaves, &kinds, recording.compiled == Some(Compiled::Quads)),
             kinds,
-            has_path: false,
+            vertex: Vec::new(),
             outputs,
             declared: Declared::new(
                 (line.invariances, line.jumps),
@@ -311,7 +311,7 @@ impl<T: Real> Job<T> {
             op: short(std::any::type_name::<D>()),
             shapes: shapes(leaves_of::<D::In<T>>(), &scalars, false),
             kinds,
-            has_path: false,
+            vertex: Vec::new(),
             outputs: leaves_of::<D::Out<T>>()
                 .iter()
                 .map(|leaf| leaf.fields)
@@ -340,7 +340,7 @@ impl<T: Real> Job<T> {
             op: short(std::any::type_name::<O>()),
             shapes: Vec::new(),
             kinds: Vec::new(),
-            has_path: true,
+            vertex: kinds_of::<Vec2<f64>>(),
             outputs: vec![O::Out::<T>::LEN],
             declared: Declared::new(
                 (O::INVARIANCES, O::JUMPS),
@@ -350,27 +350,28 @@ impl<T: Real> Job<T> {
             ),
             domain: None,
             values: Box::new(|inputs, []| {
-                let values = Cpu::new().ragged(O::default(), &inputs.vertices, &inputs.offsets)?;
+                let vertices = loaded::<Vec2<T>>(&inputs.vertices);
+                let values = Cpu::new().ragged(O::default(), &vertices, &inputs.offsets)?;
                 Ok(vec![numbers(&values).into_owned()])
             }),
             derivatives: Box::new(|inputs, [bars]| {
                 let bars = loaded::<O::Out<T>>(&bars[0]);
-                let (vertices, offsets) = (&inputs.vertices, &inputs.offsets);
-                let derivatives = Cpu::new().ragged_vjp(O::default(), vertices, offsets, &bars)?;
+                let (vertices, offsets) = (loaded::<Vec2<T>>(&inputs.vertices), &inputs.offsets);
+                let derivatives = Cpu::new().ragged_vjp(O::default(), &vertices, offsets, &bars)?;
                 Ok(vec![numbers(&derivatives).into_owned()])
             }),
             both: None,
             square: None,
-            alone: |x| O::value(&path(x)).scalars(),
+            alone: |x| O::value(&loaded::<Vec2<T>>(x)).scalars(),
             by_hand: |x, out_bar| {
-                let ring = path(x);
+                let ring = loaded::<Vec2<T>>(x);
                 let mut bars = vec![Vec2::new(T::zero(), T::zero()); ring.len()];
                 O::ring_vjp(&ring, O::Out::<T>::load(out_bar), &mut bars);
                 Some((O::value(&ring).scalars(), bars.scalars()))
             },
             recorded: None,
             sample: |draw| random::<Vec<Vec2<f64>>>(draw).scalars(),
-            show: |x| shown_path(x),
+            show: |x| format!("vec!{:?}", loaded::<Vec2<f64>>(x)),
         }
     }
 
@@ -379,6 +380,8 @@ impl<T: Real> Job<T> {
     where
         F::Context<T>: Item<Scalar = T>,
         F::Context<f64>: Sample + Item<Scalar = f64>,
+        F::Element<f64>: Sample,
+        Vec<F::Element<f64>>: Sample,
     {
         let kinds = kinds_of::<F::Context<f64>>();
         Job {
@@ -386,7 +389,7 @@ impl<T: Real> Job<T> {
             op: short(std::any::type_name::<F>()),
             shapes: shapes(leaves_of::<F::Context<T>>(), &kinds, false),
             kinds,
-            has_path: true,
+            vertex: kinds_of::<F::Element<f64>>(),
             outputs: vec![F::Out::<T>::LEN],
             declared: Declared::new(
                 (F::INVARIANCES, F::JUMPS),
@@ -397,15 +400,18 @@ impl<T: Real> Job<T> {
             domain: None,
             values: Box::new(|inputs, []| {
                 let contexts = contexts::<F, T>(inputs);
+                let vertices = loaded::<F::Element<T>>(&inputs.vertices);
+                let (run, offsets) = (F::default(), &inputs.offsets);
                 let values =
-                    Cpu::new().fold(F::default(), &contexts, &inputs.vertices, &inputs.offsets)?;
+                    Cpu::new().fold::<F, _, F::Element<T>>(run, &contexts, &vertices, offsets)?;
                 Ok(vec![numbers(&values).into_owned()])
             }),
             derivatives: Box::new(|inputs, [bars]| {
                 let (contexts, bars) = (contexts::<F, T>(inputs), loaded::<F::Out<T>>(&bars[0]));
-                let (vertices, offsets) = (&inputs.vertices, &inputs.offsets);
-                let derivatives =
-                    Cpu::new().fold_vjp(F::default(), &contexts, vertices, offsets, &bars)?;
+                let vertices = loaded::<F::Element<T>>(&inputs.vertices);
+                let (run, offsets) = (F::default(), &inputs.offsets);
+                let derivatives = Cpu::new()
+                    .fold_vjp::<F, _, F::Element<T>>(run, &contexts, &vertices, offsets, &bars)?;
                 let own = (F::Context::<T>::LEN > 0).then(|| numbers(&derivatives.0).into_owned());
                 Ok(own
                     .into_iter()
@@ -416,17 +422,18 @@ impl<T: Real> Job<T> {
             square: None,
             alone: |x| {
                 let (context, vertices) = x.split_at(F::Context::<T>::LEN);
-                Folded::<F>::eval::<T>(&(F::Context::load(context), path(vertices))).scalars()
+                let path = loaded::<F::Element<T>>(vertices);
+                Folded::<F>::eval::<T>(&(F::Context::load(context), path)).scalars()
             },
             by_hand: |_, _| None,
             recorded: None,
-            sample: |draw| random::<(F::Context<f64>, Vec<Vec2<f64>>)>(draw).scalars(),
+            sample: |draw| random::<(F::Context<f64>, Vec<F::Element<f64>>)>(draw).scalars(),
             show: |x| {
                 let (context, vertices) = x.split_at(F::Context::<f64>::LEN);
                 format!(
-                    "({:?}, {})",
+                    "({:?}, vec!{:?})",
                     F::Context::<f64>::load(context),
-                    shown_path(vertices)
+                    loaded::<F::Element<f64>>(vertices)
                 )
             },
         }
@@ -449,17 +456,6 @@ where
 
 fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P> {
     numbers.chunks_exact(P::LEN).map(P::load).collect()
-}
-
-fn path<T: Real>(numbers: &[T]) -> Vec<Vec2<T>> {
-    numbers
-        .chunks_exact(2)
-        .map(|v| Vec2::new(v[0], v[1]))
-        .collect()
-}
-
-fn shown_path(numbers: &[f64]) -> String {
-    format!("vec!{:?}", path(numbers))
 }
 
 /// The numbers of results for columns of shapes and cotangents: a list for every shape of a result.

@@ -131,7 +131,12 @@ impl<T: Real> Job<T> {
     fn input_at(&self, inputs: &Inputs<T>, list: usize, at: usize) -> usize {
         match self.shapes.get(list) {
             Some(shape) => at / shape.leaf.fields,
-            None => inputs.offsets.partition_point(|&x| x <= at / 2) - 1,
+            None => {
+                inputs
+                    .offsets
+                    .partition_point(|&x| x <= at / self.vertex.len().max(1))
+                    - 1
+            }
         }
     }
 
@@ -150,7 +155,8 @@ impl<T: Real> Job<T> {
                     own.extend_from_slice(&list[i * n..][..n - shape.leaf.codes]);
                 }
                 None => {
-                    own.extend_from_slice(&list[2 * inputs.offsets[i]..2 * inputs.offsets[i + 1]])
+                    let n = self.vertex.len();
+                    own.extend_from_slice(&list[n * inputs.offsets[i]..n * inputs.offsets[i + 1]]);
                 }
             }
         }

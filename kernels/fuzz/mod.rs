@@ -181,6 +181,8 @@ pub fn fold<F: Fold, T: Judged>(count: u64, seed: u64) -> Fuzzed
 where
     F::Context<T>: Item<Scalar = T>,
     F::Context<f64>: Sample + Item<Scalar = f64>,
+    F::Element<f64>: Sample,
+    Vec<F::Element<f64>>: Sample,
 {
     T::fuzzed(&Job::of_fold::<F>(), count, seed)
 }

@@ -23,6 +23,7 @@ impl Fold for SecondMomentsOfRing {
     const CLOSED: bool = true;
     const INVARIANCES: &'static [Invariance] = invariances!([rigid(4), along_axes] Vec2<f64>);
     const JUMPS: Jumps = Jumps::Anywhere;
+    type Element<S: Scalar> = Vec2<S>;
     type Context<S: Scalar> = [S; 0];
     type Reference<S: Scalar> = Reference<S>;
     type State<S: Scalar> = Sums<S>;
@@ -60,6 +61,7 @@ impl Fold for LengthOfPolyline {
     const CLOSED: bool = false;
     const INVARIANCES: &'static [Invariance] = invariances!([rigid(1)] Vec2<f64>);
     const JUMPS: Jumps = Jumps::Never;
+    type Element<S: Scalar> = Vec2<S>;
     type Context<S: Scalar> = [S; 0];
     type Reference<S: Scalar> = [S; 0];
     type State<S: Scalar> = S;
@@ -101,10 +103,14 @@ macro_rules! of_point_and_path {
             const INVARIANCES: &'static [Invariance] = invariances!($class Vec2<f64>);
             const JUMPS: Jumps = Jumps::$jumps;
             const WINDING: Option<usize> = Some(EdgeFold::<f64>::WINDING);
+            type Element<S: Scalar> = Vec2<S>;
             type Context<S: Scalar> = Vec2<S>;
             type Reference<S: Scalar> = [S; 0];
             type State<S: Scalar> = EdgeFold<S>;
             type Out<S: Scalar> = S;
+            fn in_plane<S: Scalar>(path: &[Vec2<S>]) -> &[Vec2<S>] {
+                path
+            }
             fn reference<S: Scalar>(_point: Vec2<S>, _path: &[Vec2<S>]) -> [S; 0] {
                 []
             }
@@ -168,22 +174,31 @@ macro_rules! folds {
         }
     )*
     listed! {
-        names [$([Written { name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[path!($Over)] }]),*]
+        names [$([Written {
+            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[crate::kernels::ops::fold::path_name!($Over)],
+        }]),*]
         each |walk| { $(walk.fold::<$By>(Written {
-            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[path!($Over)],
+            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[crate::kernels::ops::fold::path_name!($Over)],
         });)* }
     } };
 }
 
 /// The name of a path.
-macro_rules! path {
+macro_rules! path_name {
     (OverRing) => {
         "ring"
     };
     (OverPolyline) => {
         "polyline"
     };
+    (OverPolyline3) => {
+        "polyline3"
+    };
+    (OverCloud3) => {
+        "cloud3"
+    };
 }
+pub(crate) use {folds, path_name};
 folds! {
     Distance, OverRing over_ring by DistancePointRing;
     Distance, OverPolyline over_polyline by DistancePointPolyline;

@@ -40,6 +40,8 @@ pub trait Walk {
         F::Context<f32>: Item<Scalar = f32>,
         F::Out<f32>: Item<Scalar = f32>,
         F::Context<f64>: Item<Scalar = f64> + Sample,
+        F::Element<f64>: Sample,
+        Vec<F::Element<f64>>: Sample,
         F::Out<f64>: Item<Scalar = f64> + Sample;
     /// Takes a measure of rings.
     fn ring<O: GpuRing>(&mut self, row: Written)

@@ -99,7 +99,13 @@ verb! {
     pub SignedArea: (shape)
     /// Length of the border, in the unit of length.
     pub Perimeter: (shape)
-    /// Centre of the area.
+    /// Volume, in the cube of the unit of length.
+    pub Volume: (shape)
+    /// Area of a solid's surface, in the square of the unit of length.
+    pub Surface: (shape)
+    /// Inertia of a solid about its centroid by unit density, in the fifth power of the unit of length.
+    pub Inertia: (shape)
+    /// Centre of the area, of a solid's volume, or of points.
     pub Centroid: (shape)
     /// Corners of a box, counter-clockwise.
     pub Corners: (shape)
@@ -167,7 +173,8 @@ crate::__verb_runs!([To,] Convert<To>: (shape));
 verb! {
     /// Length of a path, in the unit of length.
     pub Length: (path)
-    /// Second moments of an area about its centroid, in the fourth power of the unit of length.
+    /// Second moments about a centroid: of an area, in the fourth power of the unit of length; of points, their
+    /// covariance.
     pub SecondMoments: (shape)
     /// Winding number of a ring about a point.
     pub Winding: (point, ring)

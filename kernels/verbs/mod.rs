@@ -329,6 +329,22 @@ pub trait OverRing {
     const BY: Self::By;
 }
 
+/// Verbs that a batch runs over the edges of polylines of space: [`Cpu::fold`](crate::kernels::Cpu::fold).
+pub trait OverPolyline3 {
+    /// The operation.
+    type By: crate::kernels::Fold;
+    /// The operation, as a value.
+    const BY: Self::By;
+}
+
+/// Verbs that a batch runs over clouds of points of space: [`Cpu::fold`](crate::kernels::Cpu::fold).
+pub trait OverCloud3 {
+    /// The operation.
+    type By: crate::kernels::Fold;
+    /// The operation, as a value.
+    const BY: Self::By;
+}
+
 /// Verbs that a batch runs over the edges of polylines: [`Cpu::fold`](crate::kernels::Cpu::fold).
 pub trait OverPolyline {
     /// The operation.

@@ -572,7 +572,7 @@ impl<'py> Call<'_, 'py> {
         let column = Column {
             name: "vertices".to_owned(),
             kind: NUMBERS,
-            axes: vec![2],
+            axes: vec![function.vertex()],
         };
         let vertices = rest
             .next()
@@ -620,8 +620,9 @@ impl<'py> Call<'_, 'py> {
                 for (numbers, column) in columns.into_iter().zip(takes) {
                     all.push(self.shaped(numbers, &with_fields(&[count], column))?);
                 }
-                let size = vertices.len() / 2;
-                all.push(self.shaped(vertices, &[size, 2])?);
+                let n = function.vertex();
+                let size = vertices.len() / n;
+                all.push(self.shaped(vertices, &[size, n])?);
                 Ok(all)
             };
         let grouped = |mut all: Vec<Object<'py>>| match all.len() {

@@ -1,6 +1,6 @@
 //! Shapes over arrays or symbols, and paths.
 use crate::symbol::Symbol;
-use crate::table::{Kind, NUMBERS, POLYLINE, RING, table};
+use crate::table::{CLOUD3, Kind, NUMBERS, POLYLINE, POLYLINE3, RING, table};
 use numpy::{PyArrayDescrMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -327,8 +327,10 @@ impl Content {
 pub struct Paths {
     pub vertices: Py<PyUntypedArray>,
     pub offsets: Py<PyUntypedArray>,
-    /// True if they are rings or polylines, if that is said.
+    /// Rings, polylines or clouds, if that is said.
     pub kind: Option<Kind>,
+    /// Numbers of a vertex.
+    pub width: usize,
 }
 
 #[pymethods]
@@ -341,18 +343,32 @@ impl Paths {
         offsets: &Bound<'_, PyAny>,
     ) -> PyResult<Self> {
         let py = class.py();
-        let kind = match class.getattr("_closed")?.extract::<Option<bool>>()? {
-            Some(true) => Some(RING),
-            Some(false) => Some(POLYLINE),
+        let path = match class.getattr_opt("_path")? {
+            Some(path) => Some(path.extract::<String>()?),
             None => None,
         };
         let vertices = array(vertices, "vertices", NUMBERS)?;
-        if vertices.ndim() != 2 || vertices.shape()[1] != 2 {
+        let widths: &[usize] = match path.as_deref() {
+            Some("ring") => &[2],
+            Some("cloud") => &[3],
+            _ => &[2, 3],
+        };
+        if vertices.ndim() != 2 || !widths.contains(&vertices.shape()[1]) {
+            let wanted: Vec<String> = widths.iter().map(|n| format!("(V, {n})")).collect();
             return Err(PyValueError::new_err(format!(
-                "vertices: an array of shape (V, 2) is needed, not {:?}",
+                "vertices: an array of shape {} is needed, not {:?}",
+                wanted.join(" or "),
                 vertices.shape()
             )));
         }
+        let width = vertices.shape()[1];
+        let kind = match (path.as_deref(), width) {
+            (Some("ring"), _) => Some(RING),
+            (Some("cloud"), _) => Some(CLOUD3),
+            (Some(_), 3) => Some(POLYLINE3),
+            (Some(_), _) => Some(POLYLINE),
+            (None, _) => None,
+        };
         let numpy = py.import("numpy")?;
         let offsets = numpy
             .call_method1("asarray", (offsets,))?
@@ -371,9 +387,10 @@ impl Paths {
             vertices: vertices.unbind(),
             offsets: offsets.unbind(),
             kind,
+            width,
         })
     }
-    /// The vertices, an array of shape (V, 2).
+    /// The vertices, an array of shape (V, 2), in space (V, 3).
     #[getter]
     fn vertices(&self, py: Python<'_>) -> Py<PyUntypedArray> {
         self.vertices.clone_ref(py)

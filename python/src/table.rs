@@ -9,9 +9,13 @@ use std::sync::OnceLock;
 pub type Kind = u16;
 /// A lone number, which has no axis of its own.
 pub const NUMBER: Kind = 0;
-/// Rings and polylines, which have vertices and offsets.
+/// Paths, which have vertices and offsets: in the plane, and in space.
 pub const RING: Kind = 1;
 pub const POLYLINE: Kind = 2;
+pub const POLYLINE3: Kind = 3;
+pub const CLOUD3: Kind = 4;
+/// The names of numbers and paths, in the order of their kinds.
+const FIRST: [&str; 5] = ["number", "ring", "polyline", "polyline3", "cloud3"];
 /// Numbers without a shape.
 pub const NUMBERS: Kind = Kind::MAX;
 
@@ -102,7 +106,7 @@ impl Table {
             verbs: Vec::new(),
             by_name: HashMap::new(),
         };
-        for name in ["number", "ring", "polyline"] {
+        for name in FIRST {
             table.add(Shape {
                 name: name.to_owned(),
                 fields: Vec::new(),
@@ -129,11 +133,8 @@ impl Table {
             }
             let mut kinds: Vec<Kind> = takes.iter().map(|column| column.kind).collect();
             if matches!(operation.sort, Sort::Fold | Sort::Ring) {
-                kinds.push(if name.shapes == ["polyline"] {
-                    POLYLINE
-                } else {
-                    RING
-                });
+                let path = FIRST.iter().position(|&path| name.shapes == [path]);
+                kinds.push(path.map_or(RING, |path| path as Kind));
             }
             let row = Row {
                 takes: kinds,

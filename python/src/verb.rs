@@ -7,7 +7,7 @@ use crate::machine::Machine;
 use crate::raised;
 use crate::shapes::{Content, Paths, Shape, dressed_items};
 use crate::symbol::{Any, Symbol, number};
-use crate::table::{Column, Kind, NUMBER, NUMBERS, POLYLINE, RING, Row, table};
+use crate::table::{CLOUD3, Column, Kind, NUMBER, NUMBERS, POLYLINE, POLYLINE3, RING, Row, table};
 use crate::traced::{Program, listed};
 use geograd::kernels::dynamic::Sort;
 use numpy::{PyArray2, PyUntypedArray, PyUntypedArrayMethods};
@@ -29,8 +29,8 @@ enum Said {
     /// A plain array, which fits lone numbers, and shapes of one.
     Nothing,
     Kind(Kind),
-    /// Paths that may be rings or polylines.
-    Path,
+    /// Paths of any sort with so many numbers a vertex.
+    Path(usize),
 }
 
 impl Said {
@@ -39,7 +39,8 @@ impl Said {
             return Said::Kind(shape.get().kind);
         }
         if let Ok(paths) = x.cast::<Paths>() {
-            return paths.get().kind.map_or(Said::Path, Said::Kind);
+            let paths = paths.get();
+            return paths.kind.map_or(Said::Path(paths.width), Said::Kind);
         }
         Said::Nothing
     }
@@ -47,14 +48,15 @@ impl Said {
         match self {
             Said::Nothing => kind == NUMBER || table().is_one_number(kind),
             Said::Kind(own) => own == kind,
-            Said::Path => kind == RING || kind == POLYLINE,
+            Said::Path(2) => kind == RING || kind == POLYLINE,
+            Said::Path(_) => kind == POLYLINE3 || kind == CLOUD3,
         }
     }
     fn name(self) -> String {
         match self {
             Said::Nothing => "array".to_owned(),
             Said::Kind(kind) => table().name(kind).to_owned(),
-            Said::Path => "paths".to_owned(),
+            Said::Path(_) => "paths".to_owned(),
         }
     }
 }

@@ -37,6 +37,35 @@ def test_distances():
     np.testing.assert_allclose(by_segment, -np.concatenate([(1 - t)[:, None] * unit, t[:, None] * unit], 1), atol=1e-9)
 
 
+def test_paths_of_space():
+    rng = np.random.default_rng(8)
+    parts = [rng.normal(size=(n, 3)) for n in (2, 7, 0, 1, 40)]
+    lines, clouds = geograd.Polylines.of(parts), geograd.Clouds.of(parts)
+    assert len(lines) == 5 and lines.vertices.shape == (50, 3)
+    lengths = [np.linalg.norm(np.diff(part, axis=0), axis=1).sum() for part in parts]
+    np.testing.assert_allclose(geograd.length(lines), lengths, rtol=1e-14)
+    means = np.asarray(geograd.centroid(clouds))
+    spreads = np.asarray(geograd.second_moments(clouds))
+    for part, mean, spread in zip(parts, means, spreads):
+        if len(part) > 1:
+            full = np.cov(part.T, bias=True)
+            np.testing.assert_allclose(mean, part.mean(0), atol=1e-15)
+            np.testing.assert_allclose(spread, [*np.diag(full), full[0, 1], full[0, 2], full[1, 2]], atol=1e-14)
+    points = geograd.Vec3(rng.normal(size=(5, 3)))
+    value, (by_point, by_vertex) = geograd.distance.value_grad(points, lines)
+    assert by_point.shape == (5, 3) and by_vertex.shape == (50, 3)
+    a, b = parts[1][:-1], parts[1][1:]
+    t = np.clip(((np.asarray(points)[1] - a) * (b - a)).sum(1) / ((b - a) ** 2).sum(1), 0, 1)
+    near = a + t[:, None] * (b - a)
+    np.testing.assert_allclose(value[1], np.linalg.norm(np.asarray(points)[1] - near, axis=1).min(), rtol=1e-14)
+    np.testing.assert_allclose(np.linalg.norm(by_point[1]), 1)
+    np.testing.assert_allclose(by_vertex[2:9].sum(0), -by_point[1], atol=1e-15)
+    with pytest.raises(TypeError):
+        geograd.signed_area(lines)
+    with pytest.raises(ValueError, match=r"\(V, 2\)"):
+        geograd.Rings.of(parts)
+
+
 def test_paths():
     squares = [[[0, 0], [2, 0], [2, 2], [0, 2]], [[0.0, 0.0], [3, 0], [0, 4]], []]
     rings = geograd.Rings.of([np.reshape(x, (-1, 2)) for x in squares])

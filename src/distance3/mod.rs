@@ -80,6 +80,7 @@ pub mod half_space;
 pub mod near;
 mod pair;
 mod point;
+pub mod polyline;
 pub mod relation;
 pub mod round;
 pub mod straight;

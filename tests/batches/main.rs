@@ -4,6 +4,7 @@ mod calls;
 mod declared;
 mod dynamic;
 mod fold;
+mod fold_space;
 mod fuzz;
 mod grouped;
 mod jacobian;

@@ -3,7 +3,7 @@ use crate::{gpu, small};
 use geograd::ad::check::sample::Draw;
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::{Cpu, Fold, Item, One};
-use geograd::{Error, Fixed, GpuFault, Pack, Vec2};
+use geograd::{Error, Fixed, GpuFault, Pack, Vec2, Vec3};
 use geograd_tests::rows::fold;
 
 /// Numbers that may differ by so much of their size, and of one.
@@ -69,6 +69,23 @@ fn folds() {
     folds_agree(gpu, fold::DistancePointRing, context, &vertices, &offsets);
     folds_agree(gpu, fold::DepthPointRing, context, &vertices, &offsets);
     folds_agree(gpu, fold::WindingOfRing, context, &vertices, &offsets);
+    // Polylines and clouds of space.
+    let in_space: Vec<Vec3<f32>> = vertices
+        .iter()
+        .map(|v| Vec3::new(v.x, v.y, v.x * v.y - 0.5))
+        .collect();
+    let places: Vec<Vec3<f32>> = points.iter().map(|p| Vec3::new(p.x, p.y, 0.7)).collect();
+    let (none, places) = (One([]), &places[..]);
+    folds_agree(gpu, fold::LengthOfPolyline3, none, &in_space, &offsets);
+    folds_agree(
+        gpu,
+        fold::DistancePointPolyline3,
+        places,
+        &in_space,
+        &offsets,
+    );
+    folds_agree(gpu, fold::CentroidOfCloud3, none, &in_space, &offsets);
+    folds_agree(gpu, fold::CovarianceOfCloud3, none, &in_space, &offsets);
     // A path that fits no buffer is an error; paths that fit are split into chunks.
     let small = small();
     let run = fold::SignedDistancePointRing;
@@ -89,7 +106,7 @@ fn folds_agree<F: Fold, C: geograd::kernels::Columns<Item = F::Context<f32>> + C
     gpu: &Gpu,
     run: F,
     context: C,
-    vertices: &[Vec2<f32>],
+    vertices: &[F::Element<f32>],
     offsets: &[usize],
 ) where
     F::Context<f32>: Item<Scalar = f32>,
@@ -107,7 +124,8 @@ fn folds_agree<F: Fold, C: geograd::kernels::Columns<Item = F::Context<f32>> + C
     let expected = cpu
         .fold_vjp(run, context, vertices, offsets, &seeds)
         .unwrap();
-    let flat = |all: &[Vec2<f32>]| -> Vec<f32> { all.iter().flat_map(Pack::scalars).collect() };
+    let flat =
+        |all: &[F::Element<f32>]| -> Vec<f32> { all.iter().flat_map(Pack::scalars).collect() };
     near(F::NAME, &flat(&by_vertex), &flat(&expected.1), 2e-5);
     assert_eq!(by_context.len(), expected.0.len());
     for (found, expected) in by_context.iter().zip(&expected.0) {

@@ -156,6 +156,8 @@ impl Walk for Rows {
         F::Context<f32>: Item<Scalar = f32>,
         F::Out<f32>: Item<Scalar = f32>,
         F::Context<f64>: Item<Scalar = f64> + Sample,
+        F::Element<f64>: Sample,
+        Vec<F::Element<f64>>: Sample,
         F::Out<f64>: Item<Scalar = f64> + Sample,
     {
         let row = row.name;

@@ -8,14 +8,14 @@ use crate::kernels::cpu::checked::{check_argument, check_upstream, expect, numbe
 use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::nearest::Spans;
 use crate::kernels::cpu::plan::{Face, Preparation, name, of_recorded};
-use crate::kernels::cpu::ragged::{check_offsets, check_vertices};
+use crate::kernels::cpu::ragged::{check_elements, check_offsets};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Column, Columns, Leaf, STRETCH, Target, leaves_of};
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Key, Mode};
-use crate::{Error, Fixed, Pack, Vec2};
+use crate::{Error, Fixed, Pack};
 use paths::{Paths, finished, paths, told};
 pub(crate) use programs::{Programs, backwards, programs};
 use std::sync::Arc;
@@ -24,7 +24,7 @@ use std::sync::Arc;
 #[cfg(feature = "gpu")]
 pub(crate) fn shared<F: Fold, T: Real, C: Columns>(
     context: &C,
-    vertices: &[Vec2<T>],
+    vertices: &[F::Element<T>],
     offsets: &[usize],
 ) -> Result<Vec<T>, Error>
 where
@@ -45,18 +45,18 @@ impl Cpu {
     /// [`Error::Offsets`] for offsets that decrease or do not cover the vertices, [`Error::Length`] for
     /// another number of contexts than paths, [`Error::Invalid`] for a vertex or context that is not
     /// valid.
-    pub fn fold<F, C: Columns, T: Real>(
+    pub fn fold<F, C: Columns, V: Fixed<Scalar: Real>>(
         &self,
         _fold: F,
         context: C,
-        vertices: &[Vec2<T>],
+        vertices: &[V],
         offsets: &[usize],
-    ) -> Result<Vec<F::Out<T>>, Error>
+    ) -> Result<Vec<F::Out<V::Scalar>>, Error>
     where
-        F: Fold<Context<T> = C::Item>,
-        C::Item: Pack<Scalar = T>,
+        F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
+        C::Item: Pack<Scalar = V::Scalar>,
     {
-        folded::<F, C, T>(&context, vertices, Spans::Ragged(offsets))
+        folded::<F, C, V::Scalar>(&context, vertices, Spans::Ragged(offsets))
     }
 
     /// [`fold`](Cpu::fold) for one path that all contexts share: one result per context; a single one where one
@@ -79,18 +79,18 @@ impl Cpu {
     /// assert!((by_vertex[2].x + 0.6).abs() < 1e-15);
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn fold_one<F, C: Columns, T: Real>(
+    pub fn fold_one<F, C: Columns, V: Fixed<Scalar: Real>>(
         &self,
         _fold: F,
         contexts: C,
-        path: &[Vec2<T>],
-    ) -> Result<Vec<F::Out<T>>, Error>
+        path: &[V],
+    ) -> Result<Vec<F::Out<V::Scalar>>, Error>
     where
-        F: Fold<Context<T> = C::Item>,
-        C::Item: Pack<Scalar = T>,
+        F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
+        C::Item: Pack<Scalar = V::Scalar>,
     {
         let count = contexts_of(&contexts);
-        folded::<F, C, T>(&contexts, path, Spans::Shared(count, path.len()))
+        folded::<F, C, V::Scalar>(&contexts, path, Spans::Shared(count, path.len()))
     }
 
     /// The adjoint of [`fold`](Cpu::fold): one cotangent per context and one per vertex, for one of
@@ -99,19 +99,19 @@ impl Cpu {
     /// # Errors
     ///
     /// As [`fold`](Cpu::fold), and for cotangents of another number or not finite.
-    pub fn fold_vjp<F, C: Columns, T: Real>(
+    pub fn fold_vjp<F, C: Columns, V: Fixed<Scalar: Real>>(
         &self,
         _fold: F,
         context: C,
-        vertices: &[Vec2<T>],
+        vertices: &[V],
         offsets: &[usize],
-        upstream: &[F::Out<T>],
-    ) -> Result<(Vec<F::Context<T>>, Vec<Vec2<T>>), Error>
+        upstream: &[F::Out<V::Scalar>],
+    ) -> Result<(Vec<C::Item>, Vec<V>), Error>
     where
-        F: Fold<Context<T> = C::Item>,
-        C::Item: Pack<Scalar = T>,
+        F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
+        C::Item: Pack<Scalar = V::Scalar>,
     {
-        pulled_back::<F, C, T>(&context, vertices, Spans::Ragged(offsets), upstream)
+        pulled_back::<F, C, V::Scalar>(&context, vertices, Spans::Ragged(offsets), upstream)
     }
 
     /// The adjoint of [`fold_one`](Cpu::fold_one): one cotangent per context, and one per vertex, added up over all
@@ -120,19 +120,19 @@ impl Cpu {
     /// # Errors
     ///
     /// As [`fold_one`](Cpu::fold_one), and for cotangents of another number or not finite.
-    pub fn fold_one_vjp<F, C: Columns, T: Real>(
+    pub fn fold_one_vjp<F, C: Columns, V: Fixed<Scalar: Real>>(
         &self,
         _fold: F,
         contexts: C,
-        path: &[Vec2<T>],
-        upstream: &[F::Out<T>],
-    ) -> Result<(Vec<F::Context<T>>, Vec<Vec2<T>>), Error>
+        path: &[V],
+        upstream: &[F::Out<V::Scalar>],
+    ) -> Result<(Vec<C::Item>, Vec<V>), Error>
     where
-        F: Fold<Context<T> = C::Item>,
-        C::Item: Pack<Scalar = T>,
+        F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
+        C::Item: Pack<Scalar = V::Scalar>,
     {
         let spans = Spans::Shared(contexts_of(&contexts), path.len());
-        pulled_back::<F, C, T>(&contexts, path, spans, upstream)
+        pulled_back::<F, C, V::Scalar>(&contexts, path, spans, upstream)
     }
 }
 
@@ -146,7 +146,7 @@ fn contexts_of<C: Columns>(contexts: &C) -> usize {
 /// The result of every path.
 fn folded<F: Fold, C: Columns, T: Real>(
     context: &C,
-    vertices: &[Vec2<T>],
+    vertices: &[F::Element<T>],
     spans: Spans<'_>,
 ) -> Result<Vec<F::Out<T>>, Error>
 where
@@ -167,12 +167,14 @@ where
 }
 
 /// Cotangents of every context and every vertex.
+type Pulled<F, T> = (Vec<<F as Fold>::Context<T>>, Vec<<F as Fold>::Element<T>>);
+
 fn pulled_back<F: Fold, C: Columns, T: Real>(
     context: &C,
-    vertices: &[Vec2<T>],
+    vertices: &[F::Element<T>],
     spans: Spans<'_>,
     upstream: &[F::Out<T>],
-) -> Result<(Vec<F::Context<T>>, Vec<Vec2<T>>), Error>
+) -> Result<Pulled<F, T>, Error>
 where
     C::Item: Pack<Scalar = T>,
 {
@@ -217,12 +219,11 @@ where
     // From there to the ends of every edge.
     let body = plan::<F, T>(&programs, Mode::Vjp)?;
     let count = paths.edges.len();
-    let (mut shared_bars, mut end_bars) = (
-        vec![T::default(); count * wide],
-        vec![[T::default(); 4]; count],
-    );
+    let element = F::Element::<T>::LEN;
+    let mut shared_bars = vec![T::default(); count * wide];
+    let mut end_bars = vec![T::default(); count * 2 * element];
     let columns = paths.columns(wide, Some((&state_bars, state)));
-    let ends = Target::of_rows(end_bars.as_flattened_mut(), 4);
+    let ends = Target::of_rows(&mut end_bars, 2 * element);
     let mut targets = vec![Some(ends)];
     if wide > 0 {
         targets.insert(0, Some(Target::of_rows(&mut shared_bars, wide)));
@@ -235,10 +236,16 @@ where
         count,
         targets,
     });
-    let mut path_bars = vec![Vec2::<T>::zero(); vertices.len()];
-    for (k, (&(path, from, to), bar)) in paths.edges.iter().zip(&end_bars).enumerate() {
-        path_bars[from as usize] += Vec2::new(bar[0], bar[1]);
-        path_bars[to as usize] += Vec2::new(bar[2], bar[3]);
+    let mut path_bars = vec![T::default(); vertices.len() * element];
+    let element = element.max(1);
+    let ends = end_bars.chunks_exact(2 * element);
+    for (k, (&(path, from, to), bar)) in paths.edges.iter().zip(ends).enumerate() {
+        for (end, bar) in [from, to].into_iter().zip(bar.chunks_exact(element)) {
+            let sums = &mut path_bars[end as usize * element..][..element];
+            for (sum, &x) in sums.iter_mut().zip(bar) {
+                *sum += x;
+            }
+        }
         if own > 0 {
             let mut sum = context_bars[path as usize].scalars();
             for (sum, &x) in sum.iter_mut().zip(&shared_bars[k * wide..][..own]) {
@@ -250,13 +257,14 @@ where
     for bar in &mut path_bars {
         *bar = bar.canonical();
     }
-    Ok((context_bars, path_bars))
+    let path_bars = path_bars.chunks_exact(element).map(F::Element::load);
+    Ok((context_bars, path_bars.collect()))
 }
 
 /// Checks paths and their contexts. Whoever looks at every vertex anyway finds those that are not finite itself.
 fn checked<'a, F: Fold, C: Columns, T: Real>(
     context: &'a C,
-    vertices: &[Vec2<T>],
+    vertices: &[F::Element<T>],
     spans: Spans<'_>,
 ) -> Result<Vec<Column<'a, T>>, Error>
 where
@@ -269,7 +277,7 @@ where
         }
     }
     if F::WINDING.is_none() && !(T::kernels().all_finite)(&numbers(vertices)) {
-        check_vertices(vertices)?;
+        check_elements(vertices)?;
     }
     let edges = match spans {
         Spans::Shared(paths, length) if F::WINDING.is_none() => paths.saturating_mul(length),
@@ -309,7 +317,10 @@ fn plan<F: Fold, T: Real>(programs: &Programs, mode: Mode) -> Result<Arc<Face<T>
             check: |_: &[T]| Ok(()),
             all_valid: |_| true,
         };
-        let arguments = [wide, 4].into_iter().filter(|&fields| fields > 0).map(leaf);
+        let arguments = [wide, 2 * F::Element::<T>::LEN]
+            .into_iter()
+            .filter(|&fields| fields > 0)
+            .map(leaf);
         of_recorded(mode, arguments.collect(), vec![state], recorded, false)
     })
 }

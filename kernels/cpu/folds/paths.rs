@@ -1,16 +1,20 @@
 //! Paths that are folded, edge by edge.
 use super::programs::with_winding;
+use crate::kernels::cpu::checked::numbers;
 use crate::kernels::cpu::nearest::Spans;
 use crate::kernels::cpu::ragged::check_vertices;
 use crate::kernels::fold::{Fold, edges};
 use crate::kernels::item::Column;
 use crate::kernels::real::Real;
 use crate::{Error, Fixed, Pack, Vec2};
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// Paths that are folded, with the numbers of every edge.
-pub(super) struct Paths<'a, T> {
-    pub(super) vertices: &'a [Vec2<T>],
+pub(super) struct Paths<'a, T: Clone> {
+    /// The numbers of all vertices, and how many one has.
+    pub(super) vertices: Cow<'a, [T]>,
+    pub(super) element: usize,
     /// The path of every edge, and its ends.
     pub(super) edges: Vec<(u32, u32, u32)>,
     /// The index of the first edge of every path, and the end of the last.
@@ -23,24 +27,25 @@ pub(super) struct Paths<'a, T> {
 
 pub(super) fn paths<'a, F: Fold, T: Real>(
     contexts: &[Column<'_, T>],
-    vertices: &'a [Vec2<T>],
+    vertices: &'a [F::Element<T>],
     spans: Spans<'_>,
 ) -> Result<Paths<'a, T>, Error> {
     let mut paths = Paths {
-        vertices,
+        vertices: numbers(vertices),
+        element: F::Element::<T>::LEN,
         edges: Vec::new(),
         starts: vec![0],
         shared: Vec::new(),
         windings: vec![None; spans.count()],
     };
-    let (mut room, mut numbers) = (Vec::new(), Vec::new());
+    let (mut room, mut own) = (Vec::new(), Vec::new());
     let mut points = Vec::new();
     for path in 0..spans.count() {
-        numbers.clear();
+        own.clear();
         for column in contexts {
-            numbers.extend_from_slice(column.numbers(path..path + 1, &mut room));
+            own.extend_from_slice(column.numbers(path..path + 1, &mut room));
         }
-        let context = F::Context::<T>::load(&numbers);
+        let context = F::Context::<T>::load(&own);
         let bounds = spans.of(path);
         let start = paths.shared.len();
         let wide = F::Context::<T>::LEN + F::Reference::<T>::LEN;
@@ -49,7 +54,7 @@ pub(super) fn paths<'a, F: Fold, T: Real>(
         let reference = F::reference(context, &vertices[bounds.clone()]);
         reference.store(&mut paths.shared[start + F::Context::<T>::LEN..]);
         match F::WINDING {
-            Some(_) => points.push(Vec2::load(&numbers)),
+            Some(_) => points.push(Vec2::load(&own)),
             None => {
                 let count = edges::<F>(bounds.len());
                 paths.add(path, bounds, 0..count);
@@ -57,7 +62,7 @@ pub(super) fn paths<'a, F: Fold, T: Real>(
         }
     }
     if F::WINDING.is_some() {
-        let mut path = 0;
+        let (mut path, vertices) = (0, F::in_plane(vertices));
         let Some(pieces) = (T::drivers().sieved)(&points, vertices, spans, F::CLOSED) else {
             check_vertices(vertices)?;
             return Ok(paths);
@@ -90,20 +95,17 @@ impl<T: Real> Paths<'_, T> {
         wide: usize,
         bars: Option<(&'a [T], usize)>,
     ) -> Vec<Column<'a, T>> {
-        let count = self.edges.len();
+        let (count, n) = (self.edges.len(), self.element);
         let mut all = vec![
             Column::read(wide, count, move |edges, rows| {
                 for (edge, row) in self.edges[edges].iter().zip(rows.chunks_exact_mut(wide)) {
                     row.copy_from_slice(&self.shared[edge.0 as usize * wide..][..wide]);
                 }
             }),
-            Column::read(4, count, move |edges, rows| {
-                for (edge, row) in self.edges[edges].iter().zip(rows.chunks_exact_mut(4)) {
-                    let (from, to) = (
-                        self.vertices[edge.1 as usize],
-                        self.vertices[edge.2 as usize],
-                    );
-                    row.copy_from_slice(&[from.x, from.y, to.x, to.y]);
+            Column::read(2 * n, count, move |edges, rows| {
+                for (edge, row) in self.edges[edges].iter().zip(rows.chunks_exact_mut(2 * n)) {
+                    row[..n].copy_from_slice(&self.vertices[edge.1 as usize * n..][..n]);
+                    row[n..].copy_from_slice(&self.vertices[edge.2 as usize * n..][..n]);
                 }
             }),
         ];

@@ -4,7 +4,7 @@ use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
 use crate::kernels::fold::Fold;
 use crate::kernels::recording::{Kept, known};
-use crate::{Error, Fixed, Pack, Scalar, Vec2};
+use crate::{Error, Fixed, Pack, Scalar};
 use std::sync::Arc;
 
 /// The recording of a fold in a format: its bodies as programs.
@@ -34,11 +34,12 @@ pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs>, Error> {
     type Context<F, T> = <F as Fold>::Context<Sym<T>>;
     type Reference<F, T> = <F as Fold>::Reference<Sym<T>>;
     type State<F, T> = <F as Fold>::State<Sym<T>>;
-    type Point<T> = Vec2<Sym<T>>;
+    type Element<F, T> = <F as Fold>::Element<Sym<T>>;
+    type Edge<F, T> = (Context<F, T>, Reference<F, T>, Element<F, T>, Element<F, T>);
     known::<(F, T), _>(|| {
-        let edge = record::<T, (Context<F, T>, Reference<F, T>, Point<T>, Point<T>), State<F, T>>(
-            |(context, reference, from, to)| F::edge(context, reference, from, to),
-        )?;
+        let edge = record::<T, Edge<F, T>, State<F, T>>(|(context, reference, from, to)| {
+            F::edge(context, reference, from, to)
+        })?;
         let join = record::<T, (State<F, T>, State<F, T>), State<F, T>>(|(a, b)| F::join(a, b))?;
         let finish = record::<T, (Context<F, T>, Reference<F, T>, State<F, T>), F::Out<Sym<T>>>(
             |(context, reference, state)| F::finish(context, reference, state),

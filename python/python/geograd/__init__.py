@@ -20,7 +20,7 @@ from ._elementary import (
     arctan2, clip, copysign, cos, exp, hypot, log, maximum, minimum, sin, sqrt, square, tan, where,
 )
 from ._function import Function, function
-from ._shapes import CLASSES as _CLASSES, Polylines, Rings
+from ._shapes import CLASSES as _CLASSES, Clouds, Polylines, Rings
 from ._verbs import VERBS as _VERBS, Verb
 
 globals().update(_CLASSES)
@@ -34,7 +34,7 @@ if hasattr(_os, "register_at_fork"):
 
 __all__ = sorted(
     [
-        "Function", "Paths", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb", "__version__", "assignment", "metric",
+        "Clouds", "Function", "Paths", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb", "__version__", "assignment", "metric",
         "arctan2", "check", "clip", "copysign", "cos", "exp", "function", "get_num_threads", "hypot", "log", "maximum", "minimum",
         "set_num_threads", "sin", "sqrt", "square", "tan", "where", *_CLASSES, *_VERBS,
     ]

@@ -81,9 +81,9 @@ def _coordinates(geometries, name, kind):
     return shapely.get_coordinates(geometries).reshape(len(geometries), -1)
 
 
-def paths(x, name, closed):
+def paths(x, name, closed=False, widths=(2,)):
     """Vertices and offsets of lists of vertices, or of geometries: polygons without holes, rings and lines."""
-    geometries = _geometries(x)
+    geometries = _geometries(x) if 2 in widths else None
     if geometries is not None:
         shapely = sys.modules["shapely"]
         types = shapely.get_type_id(geometries)
@@ -104,7 +104,10 @@ def paths(x, name, closed):
         return vertices, np.concatenate([[0], np.cumsum(counts)])
     parts = [np.asarray(part) for part in x]
     for i, part in enumerate(parts):
-        if part.ndim != 2 or part.shape[1] != 2:
-            raise ValueError(f"{name}: path {i} has vertices of shape {part.shape}, not (V, 2)")
-    vertices = np.concatenate(parts) if parts else np.zeros((0, 2))
+        if part.ndim != 2 or part.shape[1] not in widths:
+            wanted = " or ".join(f"(V, {n})" for n in widths)
+            raise ValueError(f"{name}: path {i} has vertices of shape {part.shape}, not {wanted}")
+        # All of one width, that of the first.
+        widths = part.shape[1:]
+    vertices = np.concatenate(parts) if parts else np.zeros((0, widths[0]))
     return vertices, np.concatenate([[0], np.cumsum([len(part) for part in parts])]).astype(np.int64)

@@ -142,24 +142,36 @@ class Rings(_core.Paths):
     """Closed paths: the last vertex of each is joined with its first one."""
 
     __slots__ = ()
-    _closed = True
+    _path = "ring"
 
     @classmethod
     def of(cls, paths):
         """Rings of lists of vertices, or of geometries."""
-        return cls(*_convert.paths(paths, cls.__name__, cls._closed))
+        return cls(*_convert.paths(paths, cls.__name__, closed=True))
 
 
 class Polylines(_core.Paths):
-    """Open paths."""
+    """Open paths, of the plane or of space."""
 
     __slots__ = ()
-    _closed = False
+    _path = "polyline"
 
     @classmethod
     def of(cls, paths):
         """Polylines of lists of vertices, or of geometries."""
-        return cls(*_convert.paths(paths, cls.__name__, cls._closed))
+        return cls(*_convert.paths(paths, cls.__name__, widths=(2, 3)))
+
+
+class Clouds(_core.Paths):
+    """Clouds of points of space, in any order."""
+
+    __slots__ = ()
+    _path = "cloud"
+
+    @classmethod
+    def of(cls, clouds):
+        """Clouds of lists of points."""
+        return cls(*_convert.paths(clouds, cls.__name__, widths=(3,)))
 
 
 _LIST = _classes()

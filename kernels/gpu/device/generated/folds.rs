@@ -5,14 +5,14 @@ use crate::ad::program::WGSL;
 use crate::ad::program::recorded::Recorded;
 use crate::error::Argument;
 use crate::kernels::Fold;
-use crate::kernels::cpu::checked::{check_upstream, expect};
+use crate::kernels::cpu::checked::{check_upstream, expect, numbers};
 use crate::kernels::cpu::folds;
 use crate::kernels::cpu::program::split::Piece;
 use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::item::Columns;
 use crate::kernels::recording::{Key, Mode};
-use crate::{Error, Fixed, Pack, Vec2};
+use crate::{Error, Fixed, Pack};
 use std::fmt::Write;
 use std::ops::Range;
 use std::sync::Arc;
@@ -31,7 +31,8 @@ pub(super) struct GeneratedFold {
     /// The state after no edge.
     empty: Vec<f32>,
     is_closed: bool,
-    /// Numbers of a context, of that and a reference, and of a result.
+    /// Numbers of a vertex, of a context, of that and a reference, and of a result.
+    element: usize,
     own: usize,
     wide: usize,
     gives: usize,
@@ -60,6 +61,7 @@ pub(super) fn made<F: Fold>() -> Result<Arc<GeneratedFold>, Error> {
             finish_vjp: whole("fold_finish_vjp", &programs.finish_vjp),
             empty: F::empty::<f32>().scalars(),
             is_closed: F::CLOSED,
+            element: F::Element::<f32>::LEN,
             own,
             wide: own + F::Reference::<f32>::LEN,
             gives: F::Out::<f32>::LEN,
@@ -100,10 +102,14 @@ impl GeneratedFold {
     }
     /// Bindings, and the beginning of a thread's work: what belongs to its path, and where its edges are.
     fn head(&self, entry: &str, more: &[(&str, &str)]) -> String {
-        let mut text = String::from(
+        let vertex = match self.element {
+            2 => "vec2f".to_owned(),
+            n => format!("array<f32, {n}>"),
+        };
+        let mut text = format!(
             "@group(0) @binding(0) var<uniform> params: array<vec4u, 1>;
 @group(0) @binding(1) var<storage, read> offsets: array<u32>;
-@group(0) @binding(2) var<storage, read> vertices: array<vec2f>;
+@group(0) @binding(2) var<storage, read> vertices: array<{vertex}>;
 @group(0) @binding(3) var<storage, read> shared_numbers: array<f32>;
 ",
         );
@@ -150,7 +156,12 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
     /// The text that computes the state of one edge, as `told`, and the numbers that it takes.
     fn edge_of(&self) -> (String, Vec<String>) {
         let mut inputs = names("s", self.wide);
-        inputs.extend(["tail.x", "tail.y", "tip.x", "tip.y"].map(str::to_owned));
+        for end in ["tail", "tip"] {
+            match self.element {
+                2 => inputs.extend(["x", "y"].map(|axis| format!("{end}.{axis}"))),
+                n => inputs.extend(elements(end, 0..n)),
+            }
+        }
         let text = format!(
             "        let next = select(k + 1u, 0u, k + 1u == count);
         let tail = vertices[start + k];
@@ -189,7 +200,7 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
     }
     /// Forwards, keeping what is known before every edge; then backwards.
     fn derivatives(&self) -> String {
-        let (state, own, wide) = (self.state(), self.own, self.wide);
+        let (state, own, wide, n) = (self.state(), self.own, self.wide, self.element);
         let buffers = [
             ("read", "upstream"),
             ("read_write", "before"),
@@ -224,10 +235,10 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         derivatives.extend(elements("pulled", state..2 * state));
         let derivatives = call("fold_edge_vjp", derivatives);
         let add = lines(own, &|k| format!("        context{k} += slopes[{k}];\n"));
-        let add_ends = lines(4, &|k| {
-            let (end, axis) = (if k < 2 { "k" } else { "next" }, k % 2);
+        let add_ends = lines(2 * n, &|k| {
+            let (end, axis) = (if k < n { "k" } else { "next" }, k % n);
             format!(
-                "        path_bars[2u * (start + {end}) + {axis}u] += slopes[{}];\n",
+                "        path_bars[{n}u * (start + {end}) + {axis}u] += slopes[{}];\n",
                 wide + k
             )
         });
@@ -272,7 +283,7 @@ impl Gpu {
         &self,
         _fold: F,
         context: C,
-        vertices: &[Vec2<f32>],
+        vertices: &[F::Element<f32>],
         offsets: &[usize],
     ) -> Result<Vec<F::Out<f32>>, Error>
     where
@@ -281,14 +292,15 @@ impl Gpu {
     {
         let made = made::<F>()?;
         let shared = folds::shared::<F, f32, C>(&context, vertices, offsets)?;
+        let points = numbers(vertices);
         let inner = &self.inner;
         inner.alive()?;
         let mut all = Vec::with_capacity(offsets.len() - 1);
-        for load in self.loads(&made, offsets, 2)? {
+        for load in self.loads(&made, offsets, made.element)? {
             let count = load.paths.len();
             let results = inner.guarded(|| {
                 let pipeline = inner.generated(&made.name, Form::Fold, || made.text(Form::Fold));
-                let own = self.bring(&made, &load, vertices, offsets, &shared);
+                let own = self.bring(&made, &load, &points, offsets, &shared);
                 let results = inner.storage(count * made.gives);
                 let mut work = Work::new(inner);
                 let [a, b, c] = own.each_ref();
@@ -319,16 +331,17 @@ impl Gpu {
         &self,
         _fold: F,
         context: C,
-        vertices: &[Vec2<f32>],
+        vertices: &[F::Element<f32>],
         offsets: &[usize],
         upstream: &[F::Out<f32>],
-    ) -> Result<(Vec<F::Context<f32>>, Vec<Vec2<f32>>), Error>
+    ) -> Result<(Vec<F::Context<f32>>, Vec<F::Element<f32>>), Error>
     where
         F: Fold<Context<f32> = C::Item>,
         C::Item: Pack<Scalar = f32>,
     {
         let made = made::<F>()?;
         let shared = folds::shared::<F, f32, C>(&context, vertices, offsets)?;
+        let points = numbers(vertices);
         expect(Argument::Upstream, offsets.len() - 1, upstream.len())?;
         let seeds: Vec<f32> = upstream.iter().flat_map(Pack::scalars).collect();
         check_upstream(&seeds, made.gives.max(1))?;
@@ -336,17 +349,17 @@ impl Gpu {
         inner.alive()?;
         let mut context_bars = Vec::with_capacity(upstream.len());
         let mut path_bars = Vec::with_capacity(vertices.len());
-        for load in self.loads(&made, offsets, made.state().max(2))? {
+        for load in self.loads(&made, offsets, made.state().max(made.element))? {
             let (count, own_vertices) = (load.paths.len(), load.vertices.len());
             let form = Form::FoldDerivatives;
             let (by_context, by_vertex) = inner.guarded(|| {
                 let pipeline = inner.generated(&made.name, form, || made.text(form));
-                let own = self.bring(&made, &load, vertices, offsets, &shared);
+                let own = self.bring(&made, &load, &points, offsets, &shared);
                 let seeds = &seeds[load.paths.start * made.gives..load.paths.end * made.gives];
                 let seeds = inner.stored(seeds);
                 let before = inner.storage(own_vertices * made.state());
                 let by_context = inner.storage(count * made.own.max(1));
-                let by_vertex = inner.storage(2 * own_vertices);
+                let by_vertex = inner.storage(made.element * own_vertices);
                 let mut work = Work::new(inner);
                 let [a, b, c] = own.each_ref();
                 let buffers = [
@@ -365,7 +378,7 @@ impl Gpu {
             })?;
             let parts = [
                 (&by_context, 4 * (count * made.own.max(1)) as u64),
-                (&by_vertex, 8 * own_vertices as u64),
+                (&by_vertex, 4 * (made.element * own_vertices) as u64),
             ];
             inner.bring(self, &parts)?.finish(|part, numbers| {
                 let numbers: &[f32] = bytemuck::cast_slice(numbers);
@@ -375,8 +388,9 @@ impl Gpu {
                         context_bars.extend(bars.map(F::Context::<f32>::load));
                     }
                     _ => {
-                        let bars = numbers.chunks_exact(2);
-                        path_bars.extend(bars.map(|p| Vec2::new(p[0] + 0.0, p[1] + 0.0)));
+                        let numbers: Vec<f32> = numbers.iter().map(|x| x + 0.0).collect();
+                        let bars = numbers.chunks_exact(made.element);
+                        path_bars.extend(bars.map(F::Element::<f32>::load));
                     }
                 }
             })?;
@@ -423,7 +437,7 @@ impl Gpu {
         &self,
         made: &GeneratedFold,
         load: &Load,
-        vertices: &[Vec2<f32>],
+        points: &[f32],
         offsets: &[usize],
         shared: &[f32],
     ) -> [wgpu::Buffer; 3] {
@@ -431,13 +445,11 @@ impl Gpu {
         let (paths, base) = (&load.paths, load.vertices.start);
         let own = &offsets[paths.start..=paths.end];
         let own: Vec<u32> = own.iter().map(|&at| (at - base) as u32).collect();
-        let points: Vec<[f32; 2]> = vertices[load.vertices.clone()]
-            .iter()
-            .map(|v| [v.x, v.y])
-            .collect();
+        let n = made.element;
+        let points = &points[load.vertices.start * n..load.vertices.end * n];
         [
             inner.stored(&own),
-            inner.stored(&points),
+            inner.stored(points),
             inner.stored(&shared[paths.start * made.wide..paths.end * made.wide]),
         ]
     }

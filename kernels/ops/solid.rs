@@ -1,0 +1,39 @@
+//! Measures of solids as operations.
+use crate::kernels::ops::rows::table;
+use crate::kernels::verbs::{Centroid, Inertia, Surface, Volume};
+use crate::{Capsule3, Cone, Cylinder, Obb3, RoundBox3, Sphere, Symmetric3, Tetrahedron, Vec3};
+
+table! {
+    /// The volume of {}.
+    Volume: (shape) -> S { shape.volume() } [rigid(3)] range NOT_NEGATIVE jumps Never derivative Reverse {
+        "volume_capsule3": Capsule3;
+        "volume_cylinder": Cylinder;
+        "volume_cone": Cone;
+        "volume_tetrahedron": Tetrahedron;
+        "volume_round_box": RoundBox3;
+    }
+    /// The area of the surface of {}.
+    Surface: (shape) -> S { shape.surface() } [rigid(2)] range NOT_NEGATIVE jumps Never derivative Reverse {
+        "surface_capsule3": Capsule3;
+        "surface_cylinder": Cylinder;
+        "surface_cone": Cone;
+        "surface_tetrahedron": Tetrahedron;
+        "surface_round_box": RoundBox3;
+    }
+    /// The centre of the volume of {}.
+    Centroid: (shape) -> Vec3<S> { shape.center() } [follows] jumps Never derivative Reverse {
+        "centroid_cone": Cone;
+        "centroid_tetrahedron": Tetrahedron;
+    }
+    // The numbers of a tensor are by the axes of the world.
+    /// The [inertia](crate::measure::inertia) of {} about its centroid, by unit density.
+    Inertia: (shape) -> Symmetric3<S> { shape.inertia() } [rigid(5), along_axes] jumps Never derivative Reverse {
+        "inertia_obb3": Obb3;
+        "inertia_sphere": Sphere;
+        "inertia_capsule3": Capsule3;
+        "inertia_cylinder": Cylinder;
+        "inertia_cone": Cone;
+        "inertia_tetrahedron": Tetrahedron;
+        "inertia_round_box": RoundBox3;
+    }
+}
