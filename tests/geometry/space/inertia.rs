@@ -253,7 +253,14 @@ fn turned_and_thin() {
         let cylinder = Cylinder::new(a, b, r);
         same((pose * cylinder).inertia(), cylinder.inertia().turned(turn));
         let corner = Tetrahedron::new(a, b, shift, point(&mut dice));
-        same((pose * corner).inertia(), corner.inertia().turned(turn));
+        // A flat one has lost digits of its volume when it was moved.
+        let moved = (pose * corner).inertia().scalars();
+        let turned = corner.inertia().turned(turn).scalars();
+        let near = moved
+            .iter()
+            .zip(&turned)
+            .all(|(x, y)| (x - y).abs() < 1e-12);
+        assert!(near, "{moved:?} {turned:?}");
         // A rod along x: its moment about itself is sixteen orders below the others.
         let rod = Capsule3::new(
             Vec3::new(-a.x.abs(), 0.0, 0.0),
