@@ -60,7 +60,8 @@ use std::fmt::Debug;
 pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     /// The name of the function, letter for letter.
     const NAME: &'static str;
-    /// `true` if an edge leads from the last vertex back to the first.
+    /// `true` if an edge leads from the last vertex back to the first. A fold over vertices alone is closed, too: it
+    /// looks at where an edge begins.
     const CLOSED: bool;
     /// Its invariances under motions; `&[]` declares none.
     const INVARIANCES: &'static [Invariance];

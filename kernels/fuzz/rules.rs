@@ -20,14 +20,14 @@ impl Rules {
             known: leaf.codes == 0,
         };
         let n = leaf.fields;
-        // Arbitrary numbers show whether the shape has other rules.
-        rules.known = rules.known
-            && (0..n as u32 + 8).all(|k| {
-                let number = |i: usize| T::lit(f64::from((i as u32 * 7 + k * 5) % 11) - 5.0);
-                let mut x: Vec<T> = (0..n).map(number).collect();
-                rules.mend(&mut x);
-                (leaf.check)(&x).is_ok()
-            });
+        // Arbitrary numbers, and equal ones, show whether the shape has other rules.
+        let keeps = |number: &dyn Fn(usize) -> f64| {
+            let mut x: Vec<T> = (0..n).map(|i| T::lit(number(i))).collect();
+            rules.mend(&mut x);
+            (leaf.check)(&x).is_ok()
+        };
+        let arbitrary = |k: u32| keeps(&|i| f64::from((i as u32 * 7 + k * 5) % 11) - 5.0);
+        rules.known = rules.known && (0..n as u32 + 8).all(arbitrary) && keeps(&|_| 1.0);
         rules
     }
 

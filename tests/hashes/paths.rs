@@ -15,15 +15,23 @@ fn path_of<S: Scalar>(numbers: &[f64]) -> Vec<Vec2<S>> {
     let numbers: Vec<S> = numbers.iter().map(|&x| S::lit(x)).collect();
     path(&numbers)
 }
-fn numbers<S: Format>(vertices: &[Vec2<S>]) -> Vec<f64> {
+fn numbers<S: Format, V: Fixed<Scalar = S>>(vertices: &[V]) -> Vec<f64> {
     vertices.iter().flat_map(flat).collect()
+}
+/// Elements of numbers, and of their nearest in a format.
+fn elements<S: Scalar, V: Fixed<Scalar = S>>(numbers: &[S]) -> Vec<V> {
+    numbers.chunks_exact(V::LEN).map(V::load).collect()
+}
+fn elements_of<S: Scalar, V: Fixed<Scalar = S>>(numbers: &[f64]) -> Vec<V> {
+    let numbers: Vec<S> = numbers.iter().map(|&x| S::lit(x)).collect();
+    elements(&numbers)
 }
 
 /// Vertices of all inputs behind so many numbers, and where each path begins.
-fn ragged<S: Format>(given: &Given, behind: usize) -> (Vec<Vec2<S>>, Vec<usize>) {
+fn ragged<S: Format, V: Fixed<Scalar = S>>(given: &Given, behind: usize) -> (Vec<V>, Vec<usize>) {
     let (mut vertices, mut offsets) = (Vec::new(), vec![0]);
     for x in &given.inputs {
-        vertices.extend(path_of::<S>(&x[behind..]));
+        vertices.extend(elements_of::<S, V>(&x[behind..]));
         offsets.push(vertices.len());
     }
     (vertices, offsets)
@@ -45,7 +53,7 @@ pub fn ring_items<O: RingOp, S: Format>() -> Vec<(&'static str, OfItem)> {
 }
 
 pub fn ring_batch<O: RingOp, S: Format>(given: &Given) -> Vec<Found> {
-    let (vertices, offsets) = ragged::<S>(given, 0);
+    let (vertices, offsets) = ragged::<S, Vec2<S>>(given, 0);
     let (run, cpu) = (O::default(), Cpu::new());
     let bars: Vec<O::Out<S>> = load_all(&given.cotangents);
     let values = cpu.ragged(run, &vertices, &offsets);
@@ -63,17 +71,22 @@ pub fn fold_items<F: Fold, S: Format>() -> Vec<(&'static str, OfItem)> {
     vec![
         ("scalar", |x, _| {
             let (context, vertices) = x.split_at(F::Context::<S>::LEN);
-            flat(&fold::<F, S>(load(context), &path_of(vertices)))
+            flat(&fold::<F, S>(
+                load(context),
+                &elements_of::<S, F::Element<S>>(vertices),
+            ))
         }),
         ("duals", |x, _| {
             jacobian::<S>(x, &|x| {
                 let (context, vertices) = x.split_at(F::Context::<S>::LEN);
-                fold::<F, First<S>>(F::Context::load(context), &path(vertices)).scalars()
+                let path = elements::<First<S>, F::Element<First<S>>>(vertices);
+                fold::<F, First<S>>(F::Context::load(context), &path).scalars()
             })
         }),
         ("vjp", |x, bar| {
             let (context, vertices) = x.split_at(F::Context::<S>::LEN);
-            let input = (load::<F::Context<S>>(context), path_of(vertices));
+            let path = elements_of::<S, F::Element<S>>(vertices);
+            let input = (load::<F::Context<S>>(context), path);
             let (context, vertices) = Folded::<F>::vjp::<S>(&input, load(bar));
             [flat(&context), numbers(&vertices)].concat()
         }),
@@ -87,19 +100,19 @@ where
 {
     |given| {
         let own = F::Context::<S>::LEN;
-        let (vertices, offsets) = ragged::<S>(given, own);
+        let (vertices, offsets) = ragged::<S, F::Element<S>>(given, own);
         let contexts = given.inputs.iter().map(|x| load(&x[..own]));
         let contexts: Vec<F::Context<S>> = contexts.collect();
         let bars: Vec<F::Out<S>> = load_all(&given.cotangents);
         let (run, cpu) = (F::default(), Cpu::new());
         let values = |all: Vec<F::Out<S>>| all.iter().flat_map(flat).collect();
-        let derivatives = |(contexts, vertices): (Vec<F::Context<S>>, Vec<Vec2<S>>)| {
+        let derivatives = |(contexts, vertices): (Vec<F::Context<S>>, Vec<F::Element<S>>)| {
             let mut all = numbers(&vertices);
             contexts.flat(&mut all);
             all
         };
         let longest = given.inputs.iter().max_by_key(|x| x.len());
-        let longest = longest.map_or(Vec::new(), |x| path_of::<S>(&x[own..]));
+        let longest = longest.map_or(Vec::new(), |x| elements_of::<S, F::Element<S>>(&x[own..]));
         let met = if own == 0 { 1 } else { contexts.len() };
         let one = cpu.fold_one(run, &contexts, &longest);
         let pulled = cpu.fold_one_vjp(run, &contexts, &longest, &bars[..met]);
