@@ -1,7 +1,7 @@
 //! Measures of solids as operations.
 use crate::kernels::ops::rows::table;
 use crate::kernels::verbs::{Centroid, Inertia, Surface, Volume};
-use crate::{Capsule3, Cone, Cylinder, Obb3, RoundBox3, Sphere, Symmetric3, Tetrahedron, Vec3};
+use crate::{Capsule3, Cone, Cylinder, RoundBox3, Sphere, Symmetric3, Tetrahedron, Vec3};
 
 table! {
     /// The volume of {}.
@@ -30,7 +30,6 @@ table! {
     Inertia: (shape) -> Symmetric3<S> { shape.inertia() } [rigid(5), along_axes] jumps Never
     resolution 1e-36
     derivative Reverse {
-        "inertia_obb3": Obb3;
         "inertia_sphere": Sphere;
         "inertia_capsule3": Capsule3;
         "inertia_cylinder": Cylinder;
