@@ -267,7 +267,7 @@ impl Operation {
             .into_iter()
             .zip(leaves)
             .collect();
-        takes.push((Argument::Vertices, Layout::numbers(2 * vertices).leaf));
+        takes.push((Argument::Vertices, Layout::numbers(code.vertex * vertices).leaf));
         let inputs = takes.iter().map(|take| take.1.fields).sum();
         let recorded = listed(inputs, TRIALS, &code.symbols)?;
         let gives = (own.gives)().iter().map(|leaf| leaf.fields).collect();
@@ -286,9 +286,9 @@ impl Operation {
         arguments: &[&[Symbol<T>]],
     ) -> Result<Vec<Symbol<T>>, Error> {
         let program = match T::of(self).body {
-            Body::Path(_) => {
+            Body::Path(code) => {
                 let numbers = arguments.last().map_or(0, |path| path.len());
-                self.program_of_path::<T>(numbers / 2)?
+                self.program_of_path::<T>(numbers / code.vertex)?
             }
             _ => self.program::<T>()?,
         };

@@ -53,7 +53,7 @@ fn every_path_has_the_bits_of_its_function() {
                 let item: Vec<T> = row.random(&mut draw).into_iter().map(T::lit).collect();
                 context.extend_from_slice(&item[..wide]);
                 vertices.extend_from_slice(&item[wide..]);
-                offsets.push(vertices.len() / 2);
+                offsets.push(vertices.len() / on_paths.vertex());
                 items.push(item);
             }
             let rows = if wide > 0 {
@@ -80,10 +80,10 @@ fn every_path_has_the_bits_of_its_function() {
             assert_eq!(contexts.len(), rows.len());
             let long = items
                 .iter()
-                .position(|item| item.len() > wide + 6)
+                .position(|item| item.len() > wide + 3 * on_paths.vertex())
                 .expect("a path");
             let program = operation
-                .program_of_path::<T>((items[long].len() - wide) / 2)
+                .program_of_path::<T>((items[long].len() - wide) / on_paths.vertex())
                 .expect(name);
             let given = [&items[long][..], &vec![T::lit(0.5); on_paths.gives()]].concat();
             let derivatives = program.vjp().expect(name).eval(&given).expect(name);
@@ -91,7 +91,8 @@ fn every_path_has_the_bits_of_its_function() {
                 .iter()
                 .map(|&x| x.into().abs())
                 .fold(0.0, f64::max);
-            let found = &by_vertex[2 * offsets[long]..2 * offsets[long + 1]];
+            let vertex = on_paths.vertex();
+            let found = &by_vertex[vertex * offsets[long]..vertex * offsets[long + 1]];
             for (&x, &y) in found.iter().zip(&derivatives[wide..]) {
                 let (x, y): (f64, f64) = (x.into(), y.into());
                 assert!(

@@ -62,6 +62,8 @@ fn meant(word: &str) -> &'static [&'static str] {
         "half-space" => &["Plane3"],
         "cylinder" => &["Cylinder"],
         "cone" => &["Cone"],
+        "line" => &["Line3"],
+        "ray" => &["Ray3"],
         _ => panic!("{word} is no shape of the table"),
     }
 }
