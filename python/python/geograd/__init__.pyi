@@ -79,9 +79,14 @@ class Rings(Paths):
     def of(cls, paths: Iterable[Any]) -> Rings: ...
 
 class Polylines(Paths):
-    """Open paths."""
+    """Open paths, of the plane or of space."""
     @classmethod
     def of(cls, paths: Iterable[Any]) -> Polylines: ...
+
+class Clouds(Paths):
+    """Clouds of points of space, in any order."""
+    @classmethod
+    def of(cls, clouds: Iterable[Any]) -> Clouds: ...
 
 class Program:
     """The operations of a function, in the order in which they are carried out."""
@@ -265,6 +270,27 @@ class AreaMoments(Shape):
     @property
     def xy(self) -> Any: ...
 
+class BrownConrady(Shape):
+    """BrownConrady: an array whose last axis has its numbers, in this order.
+
+        pinhole.fx: coordinate, above 0
+        pinhole.fy: coordinate, above 0
+        pinhole.cx: coordinate
+        pinhole.cy: coordinate
+        radial[0]: length
+        radial[1]: length
+        radial[2]: length
+        tangential[0]: length
+        tangential[1]: length
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def pinhole(self) -> Any: ...
+    @property
+    def radial(self) -> list[Any]: ...
+    @property
+    def tangential(self) -> list[Any]: ...
+
 class Capsule2(Shape):
     """Capsule2: an array whose last axis has its numbers, in this order.
 
@@ -351,6 +377,25 @@ class ClosestOnSegments(Shape):
     @property
     def along_b(self) -> Any: ...
 
+class CommonLine3(Shape):
+    """CommonLine3: an array whose last axis has its numbers, in this order.
+
+        point.x: coordinate
+        point.y: coordinate
+        point.z: coordinate
+        direction.x: part of a direction
+        direction.y: part of a direction
+        direction.z: part of a direction
+        found: number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def point(self) -> Vec3: ...
+    @property
+    def direction(self) -> Vec3: ...
+    @property
+    def found(self) -> Any: ...
+
 class CommonPart(Shape):
     """CommonPart: an array whose last axis has its numbers, in this order.
 
@@ -384,6 +429,20 @@ class CommonPoint(Shape):
     def along_a(self) -> Any: ...
     @property
     def along_b(self) -> Any: ...
+    @property
+    def found(self) -> Any: ...
+
+class CommonPoint3(Shape):
+    """CommonPoint3: an array whose last axis has its numbers, in this order.
+
+        point.x: coordinate
+        point.y: coordinate
+        point.z: coordinate
+        found: number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def point(self) -> Vec3: ...
     @property
     def found(self) -> Any: ...
 
@@ -521,6 +580,24 @@ class Exponent(Shape):
     def __init__(self, *numbers: Any, **named: Any) -> None: ...
     @property
     def alpha(self) -> Any: ...
+
+class Fisheye(Shape):
+    """Fisheye: an array whose last axis has its numbers, in this order.
+
+        pinhole.fx: coordinate, above 0
+        pinhole.fy: coordinate, above 0
+        pinhole.cx: coordinate
+        pinhole.cy: coordinate
+        radial[0]: length
+        radial[1]: length
+        radial[2]: length
+        radial[3]: length
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def pinhole(self) -> Any: ...
+    @property
+    def radial(self) -> list[Any]: ...
 
 class Hit(Shape):
     """Hit: an array whose last axis has its numbers, in this order.
@@ -683,6 +760,22 @@ class Line2(Shape):
     @property
     def direction(self) -> Vec2: ...
 
+class Line3(Shape):
+    """Line3: an array whose last axis has its numbers, in this order.
+
+        point.x: coordinate
+        point.y: coordinate
+        point.z: coordinate
+        direction.x: part of a direction, not all parts 0
+        direction.y: part of a direction, not all parts 0
+        direction.z: part of a direction, not all parts 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def point(self) -> Vec3: ...
+    @property
+    def direction(self) -> Vec3: ...
+
 class NuScenesBox(Shape):
     """NuScenesBox: an array whose last axis has its numbers, in this order.
 
@@ -783,6 +876,24 @@ class OpenCvBox(Shape):
     @property
     def heading(self) -> Any: ...
 
+class Pinhole(Shape):
+    """Pinhole: an array whose last axis has its numbers, in this order.
+
+        fx: coordinate, above 0
+        fy: coordinate, above 0
+        cx: coordinate
+        cy: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def fx(self) -> Any: ...
+    @property
+    def fy(self) -> Any: ...
+    @property
+    def cx(self) -> Any: ...
+    @property
+    def cy(self) -> Any: ...
+
 class Plane3(Shape):
     """Plane3: an array whose last axis has its numbers, in this order.
 
@@ -871,6 +982,24 @@ class Ray3(Shape):
     @property
     def direction(self) -> Vec3: ...
 
+class Rotation3(Shape):
+    """Rotation3: an array whose last axis has its numbers, in this order.
+
+        w: part of a quaternion, not all parts 0
+        x: part of a quaternion, not all parts 0
+        y: part of a quaternion, not all parts 0
+        z: part of a quaternion, not all parts 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def w(self) -> Any: ...
+    @property
+    def x(self) -> Any: ...
+    @property
+    def y(self) -> Any: ...
+    @property
+    def z(self) -> Any: ...
+
 class RoundBox3(Shape):
     """RoundBox3: an array whose last axis has its numbers, in this order.
 
@@ -957,6 +1086,30 @@ class Sphere(Shape):
     def z(self) -> Any: ...
     @property
     def radius(self) -> Any: ...
+
+class Symmetric3(Shape):
+    """Symmetric3: an array whose last axis has its numbers, in this order.
+
+        xx: number
+        yy: number
+        zz: number
+        xy: number
+        xz: number
+        yz: number
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def xx(self) -> Any: ...
+    @property
+    def yy(self) -> Any: ...
+    @property
+    def zz(self) -> Any: ...
+    @property
+    def xy(self) -> Any: ...
+    @property
+    def xz(self) -> Any: ...
+    @property
+    def yz(self) -> Any: ...
 
 class Tetrahedron(Shape):
     """Tetrahedron: an array whose last axis has its numbers, in this order.
@@ -1135,6 +1288,23 @@ class _alpha_iou(Verb):
 
 alpha_iou: _alpha_iou
 
+class _angle(Verb):
+    """The angle in radians between two rotations, 0 to π.
+
+    Rows:
+        angle(a: Rotation3, b: Rotation3) -> number
+        angle(a: Vec3, b: Vec3) -> number
+            The angle in radians between two points, 0 to π.
+    """
+    @overload
+    def __call__(self, a: Rotation3, b: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Vec3, b: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+angle: _angle
+
 class _area(Verb):
     """The area of a triangle.
 
@@ -1166,19 +1336,31 @@ class _bhattacharyya(Verb):
 bhattacharyya: _bhattacharyya
 
 class _centroid(Verb):
-    """The centroid of a triangle.
+    """The centre of the volume of a cone.
 
     Rows:
+        centroid(shape: Cone) -> Vec3
+        centroid(shape: Tetrahedron) -> Vec3
+            The centre of the volume of a tetrahedron.
         centroid(shape: Triangle2) -> Vec2
+            The centroid of a triangle.
         centroid(ring: Vec2x4) -> Vec2
             The centroid of four vertices.
+        centroid(paths: cloud3) -> Vec3
+            The mean of points of space; zero without points.
         centroid(paths: ring) -> Vec2
             The centroid of the area of a ring; its value jumps where the area is zero.
     """
     @overload
+    def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
+    @overload
+    def __call__(self, shape: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
+    @overload
     def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
     @overload
     def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
     @overload
     def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
     @overload
@@ -1305,6 +1487,8 @@ class _closest_points(Verb):
             The nearest points of a capsule of space and a box of any orientation. Points jump to another nearest feature.
         closest_points(circle: Circle, shape: Obb2) -> PointPair
             The nearest points of a circle and a rotated box. Points jump to another nearest feature.
+        closest_points(a: Line3, b: Line3) -> PointPair3
+            The nearest points of two lines of space. Points jump to another nearest feature.
         closest_points(shape: Obb2, circle: Circle) -> PointPair
             The nearest points of a rotated box and a circle. Points jump to another nearest feature.
         closest_points(a: Obb2, b: Obb2) -> PointPair
@@ -1327,6 +1511,8 @@ class _closest_points(Verb):
             The nearest points of a point and a segment. Points jump to another nearest feature.
         closest_points(point: Vec2, triangle: Triangle2) -> PointPair
             The nearest points of a point and a triangle. Points jump to another nearest feature.
+        closest_points(point: Vec3, line: Line3) -> PointPair3
+            The nearest points of a point and a line of space. Points jump to another nearest feature.
         closest_points(point: Vec3, segment: Segment3) -> PointPair3
             The nearest points of a point and a segment of space. Points jump to another nearest feature.
         closest_points(point: Vec3, triangle: Triangle3) -> PointPair3
@@ -1344,6 +1530,8 @@ class _closest_points(Verb):
     def __call__(self, capsule: Capsule3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, a: Line3, b: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, shape: Obb2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
@@ -1366,6 +1554,8 @@ class _closest_points(Verb):
     def __call__(self, point: Vec2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
     @overload
     def __call__(self, point: Vec2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair: ...
+    @overload
+    def __call__(self, point: Vec3, line: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
     def __call__(self, point: Vec3, segment: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> PointPair3: ...
     @overload
@@ -1450,9 +1640,17 @@ class _crossing(Verb):
 
     Rows:
         crossing(a: Line2, b: Line2) -> CommonPoint
+        crossing(a: Plane3, b: Plane3) -> CommonLine3
+            The line of two planes, the borders of two half-spaces.
+        crossing(a: Plane3, b: Plane3, c: Plane3) -> CommonPoint3
+            The point of three planes.
     """
     @overload
     def __call__(self, a: Line2, b: Line2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> CommonPoint: ...
+    @overload
+    def __call__(self, a: Plane3, b: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> CommonLine3: ...
+    @overload
+    def __call__(self, a: Plane3, b: Plane3, c: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> CommonPoint3: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -1587,6 +1785,8 @@ class _distance(Verb):
             The distance of a capsule and a point.
         distance(a: Capsule3, b: Capsule3) -> number
             The distance of two capsules of space.
+        distance(capsule: Capsule3, line: Line3) -> number
+            The distance of a capsule of space and a line of space.
         distance(capsule: Capsule3, shape: Obb3) -> number
             The distance of a capsule of space and a box of any orientation.
         distance(capsule: Capsule3, ball: Sphere) -> number
@@ -1601,6 +1801,8 @@ class _distance(Verb):
             The distance of a circle and a point.
         distance(a: Interval, b: Interval) -> number
             The distance of two intervals.
+        distance(a: Line3, b: Line3) -> number
+            The distance of two lines of space. It jumps where they become parallel.
         distance(shape: Obb2, circle: Circle) -> number
             The distance of a rotated box and a circle.
         distance(a: Obb2, b: Obb2) -> number
@@ -1613,6 +1815,8 @@ class _distance(Verb):
             The distance of two boxes of any orientation.
         distance(shape: Obb3, point: Vec3) -> number
             The distance of a box of any orientation and a point.
+        distance(a: Ray3, b: Ray3) -> number
+            The distance of two rays of space. It jumps where they become parallel.
         distance(segment: Segment2, circle: Circle) -> number
             The distance of a segment and a circle.
         distance(segment: Segment2, shape: Obb2) -> number
@@ -1621,6 +1825,10 @@ class _distance(Verb):
             The distance of two segments.
         distance(segment: Segment2, point: Vec2) -> number
             The distance of a segment and a point.
+        distance(segment: Segment3, line: Line3) -> number
+            The distance of a segment of space and a line of space.
+        distance(segment: Segment3, ray: Ray3) -> number
+            The distance of a segment of space and a ray of space.
         distance(a: Segment3, b: Segment3) -> number
             The distance of two segments of space.
         distance(segment: Segment3, triangle: Triangle3) -> number
@@ -1661,8 +1869,12 @@ class _distance(Verb):
             The distance of a point and a cone.
         distance(point: Vec3, cylinder: Cylinder) -> number
             The distance of a point and a cylinder.
+        distance(point: Vec3, line: Line3) -> number
+            The distance of a point and a line of space.
         distance(point: Vec3, shape: Obb3) -> number
             The distance of a point and a box of any orientation.
+        distance(point: Vec3, ray: Ray3) -> number
+            The distance of a point and a ray of space.
         distance(point: Vec3, segment: Segment3) -> number
             The distance of a point and a segment of space.
         distance(point: Vec3, solid: Tetrahedron) -> number
@@ -1673,6 +1885,8 @@ class _distance(Verb):
             The distance of two points.
         distance(point: Vec3, shape: YawBox3) -> number
             The distance of a point and an upright box.
+        distance(point: Vec3, paths: polyline3) -> number
+            The distance of a point and a polyline of space; the largest finite number where that has fewer than two vertices.
         distance(shape: YawBox3, point: Vec3) -> number
             The distance of an upright box and a point.
         distance(x: number, interval: Interval) -> number
@@ -1695,6 +1909,8 @@ class _distance(Verb):
     @overload
     def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, capsule: Capsule3, line: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, capsule: Capsule3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, capsule: Capsule3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1709,6 +1925,8 @@ class _distance(Verb):
     @overload
     def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Line3, b: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: Obb2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1721,6 +1939,8 @@ class _distance(Verb):
     @overload
     def __call__(self, shape: Obb3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Ray3, b: Ray3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1728,6 +1948,10 @@ class _distance(Verb):
     def __call__(self, a: Segment2, b: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, line: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, ray: Ray3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Segment3, b: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1769,7 +1993,11 @@ class _distance(Verb):
     @overload
     def __call__(self, point: Vec3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, point: Vec3, line: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, point: Vec3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, ray: Ray3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, segment: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1780,6 +2008,8 @@ class _distance(Verb):
     def __call__(self, a: Vec3, b: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: YawBox3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1923,18 +2153,30 @@ class _first_hit(Verb):
             The first hit of a ray and a rotated box.
         first_hit(ray: Ray2, triangle: Triangle2) -> Hit
             The first hit of a ray and a triangle.
+        first_hit(ray: Ray3, shape: Aabb3) -> Hit3
+            The first hit of a ray of space and an axis-aligned box.
+        first_hit(ray: Ray3, capsule: Capsule3) -> Hit3
+            The first hit of a ray of space and a capsule of space.
+        first_hit(ray: Ray3, cone: Cone) -> Hit3
+            The first hit of a ray of space and a cone.
         first_hit(ray: Ray3, cylinder: Cylinder) -> Hit3
             The first hit of a ray of space and a cylinder.
         first_hit(ray: Ray3, shape: Obb3) -> Hit3
             The first hit of a ray of space and a box of any orientation.
         first_hit(ray: Ray3, plane: Plane3) -> Hit3
             The first hit of a ray of space and a half-space.
+        first_hit(ray: Ray3, shape: RoundBox3) -> Hit3
+            The first hit of a ray of space and a box with round edges.
         first_hit(ray: Ray3, ball: Sphere) -> Hit3
             The first hit of a ray of space and a ball.
         first_hit(ray: Ray3, solid: Tetrahedron) -> Hit3
             The first hit of a ray of space and a tetrahedron.
         first_hit(ray: Ray3, triangle: Triangle3) -> Hit3
             The first hit of a ray of space and a triangle of space.
+        first_hit(ray: Ray3, shape: YawBox3) -> Hit3
+            The first hit of a ray of space and an upright box.
+        first_hit(segment: Segment3, triangle: Triangle3) -> Hit3
+            The first hit of a segment of space and a triangle of space.
     """
     @overload
     def __call__(self, ray: Ray2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit: ...
@@ -1947,17 +2189,29 @@ class _first_hit(Verb):
     @overload
     def __call__(self, ray: Ray2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit: ...
     @overload
+    def __call__(self, ray: Ray3, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
+    @overload
+    def __call__(self, ray: Ray3, capsule: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
+    @overload
+    def __call__(self, ray: Ray3, cone: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
+    @overload
     def __call__(self, ray: Ray3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
     @overload
     def __call__(self, ray: Ray3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
     @overload
     def __call__(self, ray: Ray3, plane: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
     @overload
+    def __call__(self, ray: Ray3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
+    @overload
     def __call__(self, ray: Ray3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
     @overload
     def __call__(self, ray: Ray3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
     @overload
     def __call__(self, ray: Ray3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
+    @overload
+    def __call__(self, ray: Ray3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
+    @overload
+    def __call__(self, segment: Segment3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Hit3: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -2088,6 +2342,39 @@ class _incircle(Verb):
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 incircle: _incircle
+
+class _inertia(Verb):
+    """The inertia of a capsule of space about its centroid, by unit density.
+
+    Rows:
+        inertia(shape: Capsule3) -> Symmetric3
+        inertia(shape: Cone) -> Symmetric3
+            The inertia of a cone about its centroid, by unit density.
+        inertia(shape: Cylinder) -> Symmetric3
+            The inertia of a cylinder about its centroid, by unit density.
+        inertia(shape: RoundBox3) -> Symmetric3
+            The inertia of a box with round edges about its centroid, by unit density.
+        inertia(shape: Sphere) -> Symmetric3
+            The inertia of a ball about its centroid, by unit density.
+        inertia(shape: Tetrahedron) -> Symmetric3
+            The inertia of a tetrahedron about its centroid, by unit density.
+    """
+    @overload
+    def __call__(self, shape: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
+    @overload
+    def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
+    @overload
+    def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
+    @overload
+    def __call__(self, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
+    @overload
+    def __call__(self, shape: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
+    @overload
+    def __call__(self, shape: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+inertia: _inertia
 
 class _intersection_area(Verb):
     """Area that two axis-aligned boxes share.
@@ -2357,7 +2644,11 @@ class _length(Verb):
 
     Rows:
         length(paths: polyline) -> number
+        length(paths: polyline3) -> number
+            The length of a polyline of space: the sum of the distances of neighbouring vertices. Edges of length zero have derivative zero.
     """
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2378,12 +2669,26 @@ class _length_inside(Verb):
             The length inside of a segment and a rotated box.
         length_inside(segment: Segment2, triangle: Triangle2) -> number
             The length inside of a segment and a triangle.
+        length_inside(segment: Segment3, shape: Aabb3) -> number
+            The length inside of a segment of space and an axis-aligned box.
+        length_inside(segment: Segment3, capsule: Capsule3) -> number
+            The length inside of a segment of space and a capsule of space.
+        length_inside(segment: Segment3, cone: Cone) -> number
+            The length inside of a segment of space and a cone.
         length_inside(segment: Segment3, cylinder: Cylinder) -> number
             The length inside of a segment of space and a cylinder.
         length_inside(segment: Segment3, shape: Obb3) -> number
             The length inside of a segment of space and a box of any orientation.
+        length_inside(segment: Segment3, plane: Plane3) -> number
+            The length inside of a segment of space and a half-space.
+        length_inside(segment: Segment3, shape: RoundBox3) -> number
+            The length inside of a segment of space and a box with round edges.
         length_inside(segment: Segment3, ball: Sphere) -> number
             The length inside of a segment of space and a ball.
+        length_inside(segment: Segment3, solid: Tetrahedron) -> number
+            The length inside of a segment of space and a tetrahedron.
+        length_inside(segment: Segment3, shape: YawBox3) -> number
+            The length inside of a segment of space and an upright box.
     """
     @overload
     def __call__(self, segment: Segment2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2396,11 +2701,25 @@ class _length_inside(Verb):
     @overload
     def __call__(self, segment: Segment2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, segment: Segment3, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, capsule: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, cone: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, segment: Segment3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, segment: Segment3, plane: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, segment: Segment3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -2560,12 +2879,37 @@ class _probiou(Verb):
 
 probiou: _probiou
 
-class _second_moments(Verb):
-    """The second moments of a ring's area about its centroid.
+class _project(Verb):
+    """The image of a point of a camera's frame, in pixels. The camera has radial and tangential distortion: BrownConrady.
 
     Rows:
-        second_moments(paths: ring) -> AreaMoments
+        project(point: Vec3, camera: BrownConrady) -> Vec2
+        project(point: Vec3, camera: Fisheye) -> Vec2
+            The image of a point of a camera's frame, in pixels. The camera sees by the angle to its axis: Fisheye.
+        project(point: Vec3, camera: Pinhole) -> Vec2
+            The image of a point of a camera's frame, in pixels. The camera has no distortion: Pinhole.
     """
+    @overload
+    def __call__(self, point: Vec3, camera: BrownConrady, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, point: Vec3, camera: Fisheye, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, point: Vec3, camera: Pinhole, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+project: _project
+
+class _second_moments(Verb):
+    """The covariance of points of space, divided by their number; zero without points.
+
+    Rows:
+        second_moments(paths: cloud3) -> Symmetric3
+        second_moments(paths: ring) -> AreaMoments
+            The second moments of a ring's area about its centroid.
+    """
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
     @overload
     def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> AreaMoments: ...
     @overload
@@ -2649,6 +2993,8 @@ class _signed_distance(Verb):
             The signed distance of a circle and a point.
         signed_distance(a: Interval, b: Interval) -> number
             The signed distance of two intervals.
+        signed_distance(line: Line3, ball: Sphere) -> number
+            The signed distance of a line of space and a ball.
         signed_distance(shape: Obb2, circle: Circle) -> number
             The signed distance of a rotated box and a circle.
         signed_distance(a: Obb2, b: Obb2) -> number
@@ -2673,6 +3019,8 @@ class _signed_distance(Verb):
             The signed distance of a half-space and a ball.
         signed_distance(plane: Plane3, point: Vec3) -> number
             The signed distance of a half-space and a point.
+        signed_distance(ray: Ray3, ball: Sphere) -> number
+            The signed distance of a ray of space and a ball.
         signed_distance(segment: Segment2, circle: Circle) -> number
             The signed distance of a segment and a circle.
         signed_distance(segment: Segment2, shape: Obb2) -> number
@@ -2753,6 +3101,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, line: Line3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: Obb2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2776,6 +3126,8 @@ class _signed_distance(Verb):
     def __call__(self, plane: Plane3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, plane: Plane3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ray: Ray3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2844,6 +3196,20 @@ class _span(Verb):
             The parameters of entry and exit of a line and a rotated box.
         span(line: Line2, triangle: Triangle2) -> Chord
             The parameters of entry and exit of a line and a triangle.
+        span(line: Line3, capsule: Capsule3) -> Chord
+            The parameters of entry and exit of a line of space and a capsule of space.
+        span(line: Line3, cone: Cone) -> Chord
+            The parameters of entry and exit of a line of space and a cone.
+        span(line: Line3, cylinder: Cylinder) -> Chord
+            The parameters of entry and exit of a line of space and a cylinder.
+        span(line: Line3, shape: Obb3) -> Chord
+            The parameters of entry and exit of a line of space and a box of any orientation.
+        span(line: Line3, plane: Plane3) -> Chord
+            The parameters of entry and exit of a line of space and a half-space.
+        span(line: Line3, ball: Sphere) -> Chord
+            The parameters of entry and exit of a line of space and a ball.
+        span(line: Line3, solid: Tetrahedron) -> Chord
+            The parameters of entry and exit of a line of space and a tetrahedron.
     """
     @overload
     def __call__(self, line: Line2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
@@ -2855,6 +3221,20 @@ class _span(Verb):
     def __call__(self, line: Line2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
     @overload
     def __call__(self, line: Line2, triangle: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
+    @overload
+    def __call__(self, line: Line3, capsule: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
+    @overload
+    def __call__(self, line: Line3, cone: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
+    @overload
+    def __call__(self, line: Line3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
+    @overload
+    def __call__(self, line: Line3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
+    @overload
+    def __call__(self, line: Line3, plane: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
+    @overload
+    def __call__(self, line: Line3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
+    @overload
+    def __call__(self, line: Line3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Chord: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -2932,6 +3312,64 @@ class _squared_wasserstein(Verb):
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 squared_wasserstein: _squared_wasserstein
+
+class _surface(Verb):
+    """The area of the surface of a capsule of space.
+
+    Rows:
+        surface(shape: Capsule3) -> number
+        surface(shape: Cone) -> number
+            The area of the surface of a cone.
+        surface(shape: Cylinder) -> number
+            The area of the surface of a cylinder.
+        surface(shape: RoundBox3) -> number
+            The area of the surface of a box with round edges.
+        surface(shape: Tetrahedron) -> number
+            The area of the surface of a tetrahedron.
+    """
+    @overload
+    def __call__(self, shape: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+surface: _surface
+
+class _volume(Verb):
+    """The volume of a capsule of space.
+
+    Rows:
+        volume(shape: Capsule3) -> number
+        volume(shape: Cone) -> number
+            The volume of a cone.
+        volume(shape: Cylinder) -> number
+            The volume of a cylinder.
+        volume(shape: RoundBox3) -> number
+            The volume of a box with round edges.
+        volume(shape: Tetrahedron) -> number
+            The volume of a tetrahedron.
+    """
+    @overload
+    def __call__(self, shape: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+volume: _volume
 
 class _wasserstein(Verb):
     """The Wasserstein distance of two rotated boxes as Gaussians.
