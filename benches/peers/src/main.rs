@@ -8,8 +8,9 @@
 //!
 //! `-- --levels [--csv FILE]` prints a table of every level of vector instructions that the machine has, `-- --shapes
 //! [--csv FILE]` one of losses, boxes in space and quadrilaterals, `-- --suppress [--csv FILE]` one of suppression;
-//! `-- --polygons` times distances of points from rings, and clipping; `-- --boolean` the overlap of polygons of any
-//! kind; `-- --paper FILE.svg [--csv FILE] [--backend cpu|gpu|auto]` times the IoU loss against the number of boxes
+//! `-- --space` distances in space next to parry3d; `-- --polygons` times distances of points from rings, and clipping;
+//! `-- --boolean` the overlap of polygons of any kind; `-- --paper FILE.svg [--csv FILE] [--backend cpu|gpu|auto]` times
+//! the IoU loss against the number of boxes
 //! and draws it, with the GPU's curves beside the CPU's (`--features gpu`).
 mod boolean;
 mod levels;
@@ -17,6 +18,7 @@ mod paper;
 mod polygons;
 mod programs;
 mod shapes;
+mod space;
 mod suppress;
 
 use common::cli::{Failure, Machine, Wish, say};
@@ -149,7 +151,7 @@ fn on_threads(threads: usize, run: impl FnOnce() + Send) {
 const HELP: &str = "\
 Usage: peers [--levels | --shapes | --suppress] [--csv FILE]
        peers --paper SVG [--csv FILE] [--backend cpu|gpu|auto]
-       peers --polygons | --boolean
+       peers --polygons | --boolean | --space
 
 Without arguments: rotated boxes and rings next to other libraries. --paper draws the IoU loss against the
 number of boxes; --backend gpu adds a GPU's curves and needs a build with `--features gpu`, auto adds them
@@ -194,7 +196,7 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let known = matches!(
         words[..],
-        [] | ["--levels" | "--shapes" | "--suppress" | "--polygons" | "--boolean"]
+        [] | ["--levels" | "--shapes" | "--suppress" | "--polygons" | "--boolean" | "--space"]
             | ["--levels" | "--shapes" | "--suppress", "--csv", _]
             | ["--paper", _]
             | ["--paper", _, "--csv", _]
@@ -225,6 +227,7 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
         }
         ["--paper", picture] => write(picture, &paper::paper(machine).0)?,
         ["--polygons"] => polygons::polygons(),
+        ["--space"] => space::space(1_000_000),
         ["--boolean"] => on_threads(1, boolean::polygons),
         ["--suppress"] => drop(suppress::suppress()),
         ["--suppress", "--csv", file] => write(file, &suppress::suppress())?,
