@@ -267,7 +267,10 @@ impl Operation {
             .into_iter()
             .zip(leaves)
             .collect();
-        takes.push((Argument::Vertices, Layout::numbers(code.vertex * vertices).leaf));
+        takes.push((
+            Argument::Vertices,
+            Layout::numbers(code.vertex * vertices).leaf,
+        ));
         let inputs = takes.iter().map(|take| take.1.fields).sum();
         let recorded = listed(inputs, TRIALS, &code.symbols)?;
         let gives = (own.gives)().iter().map(|leaf| leaf.fields).collect();
