@@ -192,10 +192,10 @@ fn adjoints_are_those_of_the_formulas() {
             assert!((shares[k] - up[i] * (1.0 / n)).length() < 1e-15, "{i} {k}");
             let mut pull = Vec3::zero();
             if k > offsets[i] {
-                pull = pull + (vertices[k] - vertices[k - 1]).normalize_or_zero();
+                pull += (vertices[k] - vertices[k - 1]).normalize_or_zero();
             }
             if k + 1 < offsets[i + 1] {
-                pull = pull + (vertices[k] - vertices[k + 1]).normalize_or_zero();
+                pull += (vertices[k] - vertices[k + 1]).normalize_or_zero();
             }
             assert!((pulls[k] - pull).length() < 1e-14, "{i} {k}");
         }

@@ -162,7 +162,7 @@ macro_rules! in_format {
                         for (k, found) in [a.signed_distance(b), theirs].into_iter().enumerate() {
                             let error = (f64::from(found) - truth).abs() / size;
                             most[k] = if error <= most[k] { most[k] } else { error };
-                            wrong[k] += usize::from(!(error <= $error));
+                            wrong[k] += usize::from(error.is_nan() || error > $error);
                         }
                     }
                     println!(
