@@ -14,6 +14,7 @@
 //! An operation is judged by its recording, so that the harness is compiled once, in the library. An adjoint by
 //! hand has two further witnesses: the recording differentiated backwards in double precision, and num-dual's
 //! numbers.
+mod jets;
 mod of;
 pub(crate) mod recorded_subject;
 mod source;
@@ -222,7 +223,7 @@ struct Inputs {
 }
 
 impl Inputs {
-    /// Those of a sampling, rounded to a format.
+    /// Returns the inputs of a sampling, rounded to a format.
     fn of(kinship: Kinship, sampling: &Sampling<'_>, precision: Precision) -> Self {
         let rounded = |x: Box<dyn Drawn>| {
             let list: Vec<f64> = x.numbers().iter().map(|&x| precision.round(x)).collect();

@@ -9,7 +9,8 @@ use crate::ad::forward::{Along, First};
 use crate::ad::program::recorded::Recorded;
 use crate::ad::sample::drawn::Near;
 use crate::kernels::check::Judged;
-use crate::kernels::check::subject::{Path, nearest, widened};
+use crate::kernels::check::jets::{self, moving, nearest, noisy_list, widened};
+use crate::kernels::check::subject::Path;
 use crate::kernels::dynamic::{Function, Rows};
 use crate::kernels::op::Jumps;
 use crate::kernels::witness::Batch;
@@ -81,13 +82,8 @@ impl<S: Judged> Computations<S> {
     where
         T: Scalar<Primal = T>,
     {
-        let input = x.iter().zip(direction).map(|(&x, &d)| Jet {
-            value: of(S::nearest(x)),
-            derivative: [of(S::nearest(d))],
-        });
         let y_bar = y_bar.iter().map(|&y| <Jet<T, 1> as Scalar>::lit(y));
-        let derivatives = self.derivatives_on(input.collect(), y_bar.collect());
-        derivatives.iter().map(|jet| jet.derivative[0]).collect()
+        jets::slopes(&self.derivatives_on(moving(x, direction, of), y_bar.collect()))
     }
 }
 
@@ -116,16 +112,10 @@ impl<S: Judged> Subject for RecordedSubject<'_, S> {
     fn other_values(&self, x: &[f64]) -> Vec<Vec<f64>> {
         let list: Vec<S> = nearest(x);
         let recording = self.recording;
-        let jets: Vec<First<S>> = list
-            .iter()
-            .enumerate()
-            .map(|(i, &x)| Jet::variable(x, i))
-            .collect();
-        let jets = recording.value.run_on(&jets);
         let mut all = vec![
             widened(&recording.value.run(&list)),
             widened(&recording.batch_value(&list)),
-            jets.iter().map(|jet| jet.value.widen()).collect(),
+            jets::values_of_jets::<S>(x, |x| recording.value.run_on(x)),
         ];
         let ones = vec![S::one(); recording.outputs];
         let fused = (recording.by_hand)(&list, &ones);
@@ -145,8 +135,10 @@ impl<S: Judged> Subject for RecordedSubject<'_, S> {
         if S::COMPENSATED {
             return None;
         }
-        let of = |list: &[f64]| list.iter().map(|&x| Noisy(S::nearest(x))).collect();
-        let derivatives = noisy(seed, || self.recording.derivatives_on(of(x), of(y_bar)));
+        let derivatives = noisy(seed, || {
+            let (x, y_bar) = (noisy_list::<S>(x), noisy_list(y_bar));
+            self.recording.derivatives_on(x, y_bar)
+        });
         Some(derivatives.iter().map(|s| s.0.widen()).collect())
     }
     fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
@@ -167,10 +159,10 @@ impl<S: Judged> Subject for RecordedSubject<'_, S> {
         if position == 0 {
             return None;
         }
-        let of = |list: &[f64]| -> Vec<Noisy<S>> {
-            list.iter().map(|&x| Noisy(S::nearest(x))).collect()
-        };
-        let derivatives = noisy(seed, || self.recording.reversed_on(&of(x), &of(y_bar)));
+        let derivatives = noisy(seed, || {
+            let (x, y_bar) = (noisy_list::<S>(x), noisy_list(y_bar));
+            self.recording.reversed_on(&x, &y_bar)
+        });
         Some(derivatives?.iter().map(|s| s.0.widen()).collect())
     }
     fn forms(&self) -> usize {
@@ -182,28 +174,12 @@ impl<S: Judged> Subject for RecordedSubject<'_, S> {
         Some((answer.value, derivatives))
     }
     fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
-        let mut rows = vec![vec![0.0; x.len()]; self.recording.outputs];
-        let chunk = <First<S> as Scalar>::lit(0.0).derivative.len();
-        for start in (0..x.len()).step_by(chunk) {
-            let jets = x.iter().enumerate();
-            let jets = jets.map(|(i, &x)| Jet::variable(S::nearest(x), i.wrapping_sub(start)));
-            let jets: Vec<First<S>> = jets.collect();
-            for (row, jet) in rows.iter_mut().zip(self.recording.value.run_on(&jets)) {
-                for (slot, derivative) in row[start..].iter_mut().zip(jet.derivative) {
-                    *slot = derivative.widen();
-                }
-            }
-        }
-        Some(rows)
+        let eval = |x: &[First<S>]| self.recording.value.run_on(x);
+        Some(jets::jacobian(self.recording.outputs, x, eval))
     }
     fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
-        let jets = x.iter().zip(direction).map(|(&x, &d)| Jet {
-            value: S::nearest(x),
-            derivative: [S::nearest(d)],
-        });
-        let jets: Vec<Jet<S, 1>> = jets.collect();
-        let out = self.recording.value.run_on(&jets);
-        Some(out.iter().map(|jet| jet.derivative[0].widen()).collect())
+        let input = moving(x, direction, |x: S| x);
+        Some(widened(&jets::slopes(&self.recording.value.run_on(&input))))
     }
     fn num_dual(&self, x: &[f64], direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         let source = self.recording.num_dual?;
@@ -236,29 +212,8 @@ impl<S: Judged> Subject for RecordedSubject<'_, S> {
         if !self.recording.nests {
             return None;
         }
-        let chunk = <First<S> as Scalar>::lit(0.0).derivative.len();
-        let mut bends = vec![0.0; x.len()];
-        let along = |value, derivative| Jet {
-            value,
-            derivative: [derivative],
-        };
-        for start in (0..x.len()).step_by(chunk) {
-            let jets = x.iter().zip(direction).enumerate().map(|(i, (&x, &d))| {
-                let mut jet: Along<S> = <Along<S> as Scalar>::lit(0.0);
-                jet.value = along(S::nearest(x), S::nearest(d));
-                if let Some(derivative) = jet.derivative.get_mut(i.wrapping_sub(start)) {
-                    *derivative = along(S::nearest(1.0), S::nearest(0.0));
-                }
-                jet
-            });
-            let jets: Vec<Along<S>> = jets.collect();
-            for (y_bar, jet) in y_bar.iter().zip(self.recording.value.run_on(&jets)) {
-                for (bend, derivative) in bends[start..].iter_mut().zip(jet.derivative) {
-                    *bend += y_bar * derivative.derivative[0].widen();
-                }
-            }
-        }
-        Some(bends)
+        let eval = |x: &[Along<S>]| self.recording.value.run_on(x);
+        Some(jets::second_order(x, y_bar, direction, eval))
     }
     fn wide(&self) -> Option<Box<dyn Subject + '_>> {
         let recording = self.wide?;
@@ -286,10 +241,7 @@ impl<S: Judged> Subject for RecordedSubject<'_, S> {
         true
     }
     fn rounding(&self, x: &[f64]) -> Vec<f64> {
-        let eps = self.precision().epsilon();
-        let extents = self.near.extents(x);
-        let of = |(extent, x): (&f64, &f64)| eps * extent.max(0.5 * x.abs());
-        extents.iter().zip(x).map(of).collect()
+        jets::rounding(self.near, self.precision(), x)
     }
     fn kinds(&self) -> Vec<Kind> {
         self.near.kinds()

@@ -9,8 +9,8 @@ use crate::ad::forward::{Along, First};
 use crate::ad::sample::Sample;
 use crate::ad::sample::drawn::Near;
 use crate::kernels::check::Source;
+use crate::kernels::check::jets::{self, moving, nearest, noisy_list, widened};
 use crate::kernels::witness::Batch;
-use crate::scalar::float::Float;
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::fmt;
 
@@ -129,29 +129,6 @@ where
     }
 }
 
-/// Lists between formats.
-pub(crate) fn widened<S: Float>(list: &[S]) -> Vec<f64> {
-    list.iter().map(|x| x.widen()).collect()
-}
-pub(crate) fn nearest<S: Number>(list: &[f64]) -> Vec<S> {
-    list.iter().map(|&x| S::nearest(x)).collect()
-}
-fn noisy_list<S: Number>(list: &[f64]) -> Vec<Noisy<S>> {
-    list.iter().map(|&x| Noisy(S::nearest(x))).collect()
-}
-/// Numbers that move along a direction.
-fn moving<S: Number, T: Scalar>(
-    x: &[f64],
-    direction: &[f64],
-    of: impl Fn(S) -> T,
-) -> Vec<Jet<T, 1>> {
-    let jets = x.iter().zip(direction).map(|(&x, &d)| Jet {
-        value: of(S::nearest(x)),
-        derivative: [of(S::nearest(d))],
-    });
-    jets.collect()
-}
-
 impl<'a, S: Number> OpSubject<'a, S> {
     /// A source near an input, which says how many numbers there are.
     #[must_use]
@@ -200,13 +177,10 @@ impl<S: Number> Subject for OpSubject<'_, S> {
     }
     fn other_values(&self, x: &[f64]) -> Vec<Vec<f64>> {
         let list: Vec<S> = nearest(x);
-        let jets = list.iter().enumerate();
-        let jets: Vec<First<S>> = jets.map(|(i, &x)| Jet::variable(x, i)).collect();
-        let jets = self.code.first(&jets);
         let paths = self.paths.iter();
         let mut all: Vec<Vec<f64>> = paths.map(|path| widened(&path(&list))).collect();
         all.extend(self.fused.map(|fused| widened(&fused(&list).0)));
-        all.push(jets.iter().map(|jet| jet.value.widen()).collect());
+        all.push(jets::values_of_jets(x, |x| self.code.first(x)));
         all
     }
     fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>> {
@@ -236,23 +210,12 @@ impl<S: Number> Subject for OpSubject<'_, S> {
         Some((answer.value, derivatives))
     }
     fn jacobian(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
-        let mut rows = vec![vec![0.0; x.len()]; self.stated.outputs];
-        let chunk = <First<S> as Scalar>::lit(0.0).derivative.len();
-        for start in (0..x.len()).step_by(chunk) {
-            let jets = x.iter().enumerate();
-            let jets = jets.map(|(i, &x)| Jet::variable(S::nearest(x), i.wrapping_sub(start)));
-            let jets: Vec<First<S>> = jets.collect();
-            for (row, jet) in rows.iter_mut().zip(self.code.first(&jets)) {
-                for (slot, derivative) in row[start..].iter_mut().zip(jet.derivative) {
-                    *slot = derivative.widen();
-                }
-            }
-        }
-        Some(rows)
+        let eval = |x: &[First<S>]| self.code.first(x);
+        Some(jets::jacobian(self.stated.outputs, x, eval))
     }
     fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let out = self.code.jets(&moving(x, direction, |x: S| x));
-        Some(out.iter().map(|jet| jet.derivative[0].widen()).collect())
+        Some(widened(&jets::slopes(&out)))
     }
     fn num_dual(&self, x: &[f64], direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         let out = self.code.num_dual(&num_duals::<S>(x, direction))?;
@@ -266,7 +229,7 @@ impl<S: Number> Subject for OpSubject<'_, S> {
     fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let y_bar: Vec<Jet<S, 1>> = y_bar.iter().map(|&y| Scalar::lit(y)).collect();
         let bends = self.code.jets_vjp(&moving(x, direction, |x: S| x), &y_bar);
-        Some(bends.iter().map(|jet| jet.derivative[0].widen()).collect())
+        Some(widened(&jets::slopes(&bends)))
     }
     fn noisy_curvature(
         &self,
@@ -287,29 +250,8 @@ impl<S: Number> Subject for OpSubject<'_, S> {
         Some(bends.collect())
     }
     fn second_order(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
-        let chunk = <First<S> as Scalar>::lit(0.0).derivative.len();
-        let mut bends = vec![0.0; x.len()];
-        for start in (0..x.len()).step_by(chunk) {
-            let jets = x.iter().zip(direction).enumerate().map(|(i, (&x, &d))| {
-                let along = |value, derivative| Jet {
-                    value,
-                    derivative: [derivative],
-                };
-                let mut jet: Along<S> = <Along<S> as Scalar>::lit(0.0);
-                jet.value = along(S::nearest(x), S::nearest(d));
-                if let Some(derivative) = jet.derivative.get_mut(i.wrapping_sub(start)) {
-                    *derivative = along(S::nearest(1.0), S::nearest(0.0));
-                }
-                jet
-            });
-            let jets: Vec<Along<S>> = jets.collect();
-            for (y_bar, jet) in y_bar.iter().zip(self.code.second(&jets)) {
-                for (bend, derivative) in bends[start..].iter_mut().zip(jet.derivative) {
-                    *bend += y_bar * derivative.derivative[0].widen();
-                }
-            }
-        }
-        Some(bends)
+        let eval = |x: &[Along<S>]| self.code.second(x);
+        Some(jets::second_order(x, y_bar, direction, eval))
     }
     fn wide(&self) -> Option<Box<dyn Subject + '_>> {
         (self.precision() == Precision::F32).then(|| Box::new(self.code.wide()) as Box<dyn Subject>)
@@ -327,10 +269,7 @@ impl<S: Number> Subject for OpSubject<'_, S> {
         true
     }
     fn rounding(&self, x: &[f64]) -> Vec<f64> {
-        let eps = self.precision().epsilon();
-        let extents = self.near.extents(x);
-        let of = |(extent, x): (&f64, &f64)| eps * extent.max(0.5 * x.abs());
-        extents.iter().zip(x).map(of).collect()
+        jets::rounding(self.near, self.precision(), x)
     }
     fn kinds(&self) -> Vec<Kind> {
         self.near.kinds()
