@@ -85,7 +85,7 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     fn in_plane<S: Scalar>(_path: &[Self::Element<S>]) -> &[Vec2<S>] {
         &[]
     }
-    /// What a path is made of: points of the plane or of space, or any other shape. Batches ask no more of it than
+    /// An element of a path: a point of the plane or of space, or any other shape. Batches ask no more of it than
     /// finite numbers.
     type Element<S: Scalar>: Fixed<Scalar = S>;
     /// The arguments beside the path: shapes, numbers, a tuple of them, or `[S; 0]` for nothing.

@@ -1,15 +1,14 @@
 //! All pairs within groups, such as the detections and the truths of every frame: one call for all frames.
-use crate::error::{Argument, Error, Field, Flaw, Validate};
+use crate::error::{Argument, Error};
 use crate::kernels::cpu::all_pairs::pairs;
 use crate::kernels::cpu::checked::expect;
-use crate::kernels::cpu::greedy::Greed;
 use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::cpu::{Cpu, Single};
 use crate::kernels::op::Runs;
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found, check_threshold};
-use crate::kernels::suppress::checked;
-use crate::suppression::{Rules, better, check_groups};
+use crate::kernels::suppress::{Ranked, checked};
+use crate::suppression::{Rules, better, check_groups, check_scores};
 
 /// Groups of two lists: group g pairs the shapes `a[g]..a[g + 1]` of the first list with `b[g]..b[g + 1]` of the second.
 ///
@@ -66,15 +65,7 @@ pub(crate) fn ranked_groups<T: Real>(
     offsets: &[usize],
     least: T,
 ) -> Result<(Vec<usize>, Vec<usize>), Error> {
-    let flaw = Flaw::NotFinite(Field::VALUE);
-    if let Some(item) = scores.iter().position(|x| x.validate().is_err()) {
-        let argument = Argument::Named("scores");
-        return Err(Error::Invalid {
-            argument,
-            item,
-            flaw,
-        });
-    }
+    check_scores(scores)?;
     let (mut order, mut ends) = (Vec::with_capacity(scores.len()), vec![0]);
     for group in offsets.windows(2) {
         let from = order.len();
@@ -141,10 +132,7 @@ impl Cpu {
     where
         R: Runs<(A, B), Out = A::Scalar>,
     {
-        let spans = groups.spans([a.len(), b.len()])?;
-        let face = run.call()?.plan(true)?;
-        let pairs = pairs(self, &face, a, b)?;
-        Ok((A::Scalar::drivers().most_grouped)(&pairs, spans, true))
+        self.most_grouped(run, a, b, groups, true)
     }
 
     /// The largest result of every column within its group, and its row in the whole list; of several the first. `None`
@@ -163,10 +151,25 @@ impl Cpu {
     where
         R: Runs<(A, B), Out = A::Scalar>,
     {
+        self.most_grouped(run, a, b, groups, false)
+    }
+
+    /// The largest result of every row, or of every column, within its group.
+    fn most_grouped<A: Single, B: Single<Scalar = A::Scalar>, R>(
+        &self,
+        run: R,
+        a: &[A],
+        b: &[B],
+        groups: Groups<'_>,
+        of_rows: bool,
+    ) -> Result<Vec<Option<Best<A::Scalar>>>, Error>
+    where
+        R: Runs<(A, B), Out = A::Scalar>,
+    {
         let spans = groups.spans([a.len(), b.len()])?;
         let face = run.call()?.plan(true)?;
         let pairs = pairs(self, &face, a, b)?;
-        Ok((A::Scalar::drivers().most_grouped)(&pairs, spans, false))
+        Ok((A::Scalar::drivers().most_grouped)(&pairs, spans, of_rows))
     }
 
     /// The shapes that no better one of their group, kept itself, overlaps by more than the threshold: their places in
@@ -203,17 +206,9 @@ impl Cpu {
         // All shapes are checked, so that errors name the caller's rows.
         pairs(self, &face, shapes, &[] as &[A])?;
         let (order, ends) = ranked_groups(scores, offsets, rules.score)?;
-        let ranked: Vec<A> = order.iter().map(|&i| shapes[i]).collect();
-        let classes: Option<Vec<u32>> = rules
-            .classes
-            .map(|classes| order.iter().map(|&i| classes[i]).collect());
-        let pairs = pairs(self, &face, &ranked, &ranked)?;
-        let greed = Greed {
-            threshold: rules.overlap,
-            classes: classes.as_deref(),
-            most: rules.most,
-        };
-        let kept = (A::Scalar::drivers().suppress_grouped)(&pairs, &ends, greed);
-        Ok(kept.into_iter().map(|place| order[place]).collect())
+        let ranked = Ranked::of(order, shapes, &rules);
+        let pairs = pairs(self, &face, &ranked.shapes, &ranked.shapes)?;
+        let kept = (A::Scalar::drivers().suppress_grouped)(&pairs, &ends, ranked.greed(&rules));
+        Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
     }
 }

@@ -115,13 +115,32 @@ pub(crate) struct Ranked<A> {
 }
 
 impl<A: Single> Ranked<A> {
+    /// Shapes in an order of their places.
+    pub fn of(order: Vec<usize>, shapes: &[A], rules: &Rules<'_, A::Scalar>) -> Self {
+        Ranked {
+            shapes: order.iter().map(|&i| shapes[i]).collect(),
+            classes: classes_of(&order, rules),
+            order,
+        }
+    }
     /// The rules of suppression, with the classes of the ranked shapes.
     pub fn greed(&self, rules: &Rules<'_, A::Scalar>) -> Greed<'_, A::Scalar> {
-        Greed {
-            threshold: rules.overlap,
-            classes: self.classes.as_deref(),
-            most: rules.most,
-        }
+        greed(rules, self.classes.as_deref())
+    }
+}
+
+/// The classes of shapes in an order of their places, where there is more than one.
+pub(crate) fn classes_of<T: Real>(order: &[usize], rules: &Rules<'_, T>) -> Option<Vec<u32>> {
+    let classes = rules.classes?;
+    Some(order.iter().map(|&i| classes[i]).collect())
+}
+
+/// The rules of suppression, with the classes of ranked shapes.
+pub(crate) fn greed<'a, T: Real>(rules: &Rules<'_, T>, classes: Option<&'a [u32]>) -> Greed<'a, T> {
+    Greed {
+        threshold: rules.overlap,
+        classes,
+        most: rules.most,
     }
 }
 
@@ -134,14 +153,7 @@ pub(crate) fn ranked<A: Single>(
 ) -> Result<Ranked<A>, Error> {
     // All shapes are checked, so that errors name the caller's rows.
     check(Argument::A, &face.arguments[0], &Column::of(shapes))?;
-    let order = order(scores, rules.score)?;
-    Ok(Ranked {
-        shapes: order.iter().map(|&i| shapes[i]).collect(),
-        classes: rules
-            .classes
-            .map(|classes| order.iter().map(|&i| classes[i]).collect()),
-        order,
-    })
+    Ok(Ranked::of(order(scores, rules.score)?, shapes, rules))
 }
 
 impl Backend<'_> {

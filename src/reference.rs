@@ -104,7 +104,7 @@ impl<S: Scalar> Reference<S> {
     #[must_use]
     #[inline(always)]
     pub fn shifted(mut self, by: Vec2<S>) -> Self {
-        self.shift += constant(by);
+        self.shift += by.constant();
         self
     }
     /// A vertex in local coordinates. A vertex too far away to matter stays where it is just that far.
@@ -171,10 +171,10 @@ impl<S: Scalar> Reference<S> {
 #[inline]
 pub fn bounds_of<S: Scalar>(points: &[Vec2<S>]) -> Option<Aabb2<S>> {
     let (&first, rest) = points.split_first()?;
-    let first = constant(first);
+    let first = first.constant();
     let (mut min, mut max) = (first, first);
     for &point in rest {
-        let point = constant(point);
+        let point = point.constant();
         min = Vec2::new(lower(min.x, point.x), lower(min.y, point.y));
         max = Vec2::new(-lower(-max.x, -point.x), -lower(-max.y, -point.y));
     }
@@ -209,12 +209,8 @@ fn lower<S: Scalar>(x: S, y: S) -> S {
     S::select(y.below(x), y, x)
 }
 #[inline(always)]
-fn constant<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
-    Vec2::new(S::from_primal(v.x.primal()), S::from_primal(v.y.primal()))
-}
-#[inline(always)]
 fn constants<S: Scalar>(bounds: Aabb2<S>) -> (Vec2<S>, Vec2<S>) {
-    (constant(bounds.min), constant(bounds.max))
+    (bounds.min.constant(), bounds.max.constant())
 }
 #[inline(always)]
 fn halved<S: Scalar>(v: Vec2<S>) -> Vec2<S> {

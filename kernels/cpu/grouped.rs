@@ -26,9 +26,9 @@ const PIECE: usize = 1 << 18;
 /// `b[g]..b[g + 1]`.
 #[derive(Clone, Copy, Debug)]
 pub struct Spans<'a> {
-    /// Of the first list.
+    /// Offsets of the first list.
     pub a: &'a [usize],
-    /// Of the second list.
+    /// Offsets of the second list.
     pub b: &'a [usize],
 }
 

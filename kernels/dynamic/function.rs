@@ -80,14 +80,15 @@ impl<T: Real> Function<T> {
     /// [`Error::Length`] for columns of different lengths, [`Error::Invalid`] for a row that is not valid.
     pub fn aligned(&self, rows: &[Rows<'_, T>]) -> Result<Vec<Vec<T>>, Error> {
         let face = self.plan(false)?;
-        let count = self.count(&face, &self.listed(rows)?)?;
+        let columns = self.listed(rows)?;
+        let count = self.count(&face, &columns)?;
         let mut lists = Vec::with_capacity(face.gives.len());
         for &fields in &face.gives {
             lists.push(vec![T::default(); entries(count, 1, fields)?]);
         }
         let mut results: Vec<Option<&mut [T]>> =
             lists.iter_mut().map(|list| Some(&mut list[..])).collect();
-        self.aligned_into_new(rows, &mut results)?;
+        self.fill_new(&face, (rows, &columns), count, &mut results)?;
         drop(results);
         Ok(lists)
     }
@@ -106,9 +107,19 @@ impl<T: Real> Function<T> {
         let face = self.plan(false)?;
         let columns = self.listed(rows)?;
         let count = self.count(&face, &columns)?;
+        self.fill_new(&face, (rows, &columns), count, results)
+    }
+    fn fill_new(
+        &self,
+        face: &Face<T>,
+        (rows, columns): (&[Rows<'_, T>], &[crate::kernels::item::Column<'_, T>]),
+        count: usize,
+        results: &mut [Option<&mut [T]>],
+    ) -> Result<(), Error> {
         let new = targets(&face.gives, count, results)?;
-        match compute_unchecked(&face, &columns, count, new) {
+        match compute_unchecked(face, columns, count, new) {
             true => Ok(()),
+            // Whatever is wrong is named, and what needs a look before is computed.
             false => self.aligned_into(rows, results),
         }
     }

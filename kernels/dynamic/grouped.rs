@@ -3,12 +3,11 @@ use super::function::Function;
 use super::rows::{Rows, renamed};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::check;
-use crate::kernels::cpu::greedy::Greed;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::grouped::{Groups, ranked_groups};
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found, check_threshold};
-use crate::kernels::suppress::checked;
+use crate::kernels::suppress::{checked, classes_of, greed};
 use crate::suppression::{Rules, check_groups};
 use std::borrow::Cow;
 
@@ -57,10 +56,7 @@ impl<T: Real> Function<T> {
         b: Rows<'_, T>,
         groups: Groups<'_>,
     ) -> Result<Vec<Option<Best<T>>>, Error> {
-        self.reduced(&a, &b, |pairs| {
-            let spans = groups.spans(pairs.counts())?;
-            Ok((T::drivers().most_grouped)(pairs, spans, true))
-        })
+        self.most_grouped(&a, &b, groups, true)
     }
 
     /// The largest result of every column within its group, as
@@ -75,9 +71,20 @@ impl<T: Real> Function<T> {
         b: Rows<'_, T>,
         groups: Groups<'_>,
     ) -> Result<Vec<Option<Best<T>>>, Error> {
-        self.reduced(&a, &b, |pairs| {
+        self.most_grouped(&a, &b, groups, false)
+    }
+
+    /// The largest result of every row, or of every column, within its group.
+    fn most_grouped(
+        &self,
+        a: &Rows<'_, T>,
+        b: &Rows<'_, T>,
+        groups: Groups<'_>,
+        of_rows: bool,
+    ) -> Result<Vec<Option<Best<T>>>, Error> {
+        self.reduced(a, b, |pairs| {
             let spans = groups.spans(pairs.counts())?;
-            Ok((T::drivers().most_grouped)(pairs, spans, false))
+            Ok((T::drivers().most_grouped)(pairs, spans, of_rows))
         })
     }
 
@@ -107,20 +114,14 @@ impl<T: Real> Function<T> {
         let fields = shapes.fields();
         let row = |&i: &usize| &shapes.numbers()[i * fields..(i + 1) * fields];
         let ranked: Vec<T> = order.iter().flat_map(row).copied().collect();
-        let classes: Option<Vec<u32>> = rules
-            .classes
-            .map(|classes| order.iter().map(|&i| classes[i]).collect());
+        let classes = classes_of(&order, &rules);
         let pairs = Pairs {
             face: &face,
             numbers: [Cow::Borrowed(&ranked), Cow::Borrowed(&ranked)],
             rare: [rare; 2],
             filter: true,
         };
-        let greed = Greed {
-            threshold: rules.overlap,
-            classes: classes.as_deref(),
-            most: rules.most,
-        };
+        let greed = greed(&rules, classes.as_deref());
         let kept = (T::drivers().suppress_grouped)(&pairs, &ends, greed);
         Ok(kept.into_iter().map(|place| order[place]).collect())
     }

@@ -196,7 +196,7 @@ def one(way, folder):
     before, start = time.process_time(), time.perf_counter()
     count, total, *own = WAYS[way][1](folder)
     cpu = own[0] if own else time.process_time() - before
-    # Of this program alone: the system's figure of the largest has that of the parent in it.
+    # The peak of this program alone: `ru_maxrss` counts the parent, too.
     peak = int(re.search(r"VmHWM:\s+(\d+)", pathlib.Path("/proc/self/status").read_text())[1]) / 1024
     print(json.dumps({"cpu": cpu, "wall": time.perf_counter() - start, "count": count, "total": total, "peak": peak}))
 

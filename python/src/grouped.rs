@@ -47,7 +47,7 @@ pub fn both(py: Python<'_>, groups: &Object<'_>) -> PyResult<[Vec<usize>; 2]> {
     ])
 }
 
-/// What suppression takes beside shapes.
+/// The arguments of suppression beside shapes.
 pub struct Asked<'a, 'py> {
     pub scores: &'a Object<'py>,
     pub overlap: f64,

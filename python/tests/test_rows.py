@@ -95,7 +95,7 @@ def test_derivatives_agree_with_each_other(verb, row):
     assert differing(results(row, derivative), expected, size) < 1e-9
     if one_number(row) and numbers.shape[1] <= 12:
         hessian = call.hessian(*arguments, **asked(row))
-        # Where the function is linear second derivatives are rounding alone.
+        # Second derivatives of what is linear are rounding alone.
         size = max(np.abs(hessian).max(), 1e-8 * np.abs(jacobian).max())
         assert differing(hessian, np.swapaxes(hessian, 1, 2), size) < 1e-6
         products = call.hvp(*arguments, *directions, **asked(row))

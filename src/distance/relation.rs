@@ -119,13 +119,7 @@ pub(crate) fn direction<S: Scalar>(way: Vec2<S>) -> Vec2<S> {
     let none = length.at_most(S::zero());
     let over = S::select(none, S::one(), length);
     let unit = Vec2::new(way.x.over(over), way.y.over(over));
-    Vec2::select(length.at_most(S::lit(speck::<S>())), constant(unit), unit)
-}
-
-/// The vector without derivatives.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn constant<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
-    Vec2::new(S::from_primal(v.x.primal()), S::from_primal(v.y.primal()))
+    Vec2::select(length.at_most(S::lit(speck::<S>())), unit.constant(), unit)
 }
 
 /// The relation of two cores by their nearest points, the direction from a to b there, and by the face that parts
@@ -140,7 +134,7 @@ pub(crate) fn joined<S: Scalar>(
 ) -> Relation<S> {
     let length = near.apart.length();
     // Duals of the length of a speck pass through numbers beyond the largest one.
-    let along = near.apart.dot(constant(direction));
+    let along = near.apart.dot(direction.constant());
     let along = along.with_primal(length.primal());
     let length = S::select(length.at_most(S::lit(speck::<S>())), along, length);
     let none = length.at_most(S::zero());

@@ -1,5 +1,6 @@
 //! The nearest points of corners, edges and faces that are apart.
 use crate::distance::share::{Best, Carry};
+use crate::scalar::largest;
 use crate::{Scalar, Vec3};
 
 /// A straight edge: `from + t along` with t from 0 to 1.
@@ -109,11 +110,10 @@ impl<S: Scalar> Carry<S> for Low<S> {
     }
 }
 
-/// The vector without derivatives.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn constant<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
-    let one = |x: S| S::from_primal(x.primal());
-    Vec3::new(one(v.x), one(v.y), one(v.z))
+/// The largest coordinate of a vector, without sign, as a constant.
+#[inline(always)]
+pub(crate) fn size_of<S: Scalar>(v: Vec3<S>) -> S::Primal {
+    largest([v.x, v.y, v.z])
 }
 
 /// The number without derivatives.

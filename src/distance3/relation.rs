@@ -1,7 +1,7 @@
 //! Two cores of space against each other, once for all functions of distance.
 use super::core::Core;
 use super::deep::{PartingPlane, SLACK, deepest};
-use super::near::{Nearest, constant, edges_near};
+use super::near::{Nearest, edges_near};
 use super::pair;
 use crate::distance::edge::scale_of;
 use crate::distance::share::Best;
@@ -64,7 +64,7 @@ pub(super) fn direction<S: Scalar>(way: Vec3<S>) -> Vec3<S> {
     let none = length.at_most(S::zero());
     let over = S::select(none, S::one(), length);
     let unit = Vec3::new(way.x.over(over), way.y.over(over), way.z.over(over));
-    Vec3::select(length.at_most(S::lit(speck::<S>())), constant(unit), unit)
+    Vec3::select(length.at_most(S::lit(speck::<S>())), unit.constant(), unit)
 }
 
 /// From where two cores are seen, and the units: those of their extent, so that no product over- or underflows. All
@@ -137,7 +137,7 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<PartingPlane<S>>)
     let direction = Vec3::select(given, direction(near.normal), direction(near.apart));
     let length = near.apart.length();
     // Duals of the length of a speck pass through numbers beyond the largest one.
-    let along = near.apart.dot(constant(direction));
+    let along = near.apart.dot(direction.constant());
     let along = along.with_primal(length.primal());
     let length = S::select(length.at_most(S::lit(speck::<S>())), along, length);
     let none = length.at_most(S::zero());

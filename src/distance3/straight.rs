@@ -1,10 +1,9 @@
 //! Distances of lines and rays of space from each other, from segments and from points, each inflated by a radius.
 use super::apart::{Apart, Cored};
 use super::core::{Core, PointCore, SegmentCore};
-use super::near::{Nearest, across, constant, normal};
+use super::near::{Nearest, across, normal, size_of};
 use super::relation::{Relation, joined};
 use crate::distance::edge::scale_of;
-use crate::scalar::largest;
 use crate::shape::{Line3, Ray3};
 use crate::{Scalar, Vec3};
 
@@ -57,12 +56,6 @@ impl<S: Scalar> IsStraight<S> for SegmentCore<S> {
             reach: Reach::Segment,
         }
     }
-}
-
-/// How long a vector is at most, as a constant.
-#[inline(always)]
-fn size_of<S: Scalar>(v: Vec3<S>) -> S::Primal {
-    largest([v.x, v.y, v.z])
 }
 
 impl<S: Scalar> Straight<S> {
@@ -147,7 +140,7 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
         apart: Vec3::select(crossing, straight, on_b - on_a),
         on_a,
         on_b,
-        normal: Vec3::select(crossing, direction, constant(Vec3::zero())),
+        normal: Vec3::select(crossing, direction, Vec3::zero()),
     };
     let found = joined(near, None);
     let back = |v: Vec3<S>| {

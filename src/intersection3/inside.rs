@@ -1,7 +1,7 @@
 //! Ranges of a line of space inside of convex pieces.
-use super::pierced::size_of;
 use crate::distance::edge::scale_of;
 use crate::distance::share::{Best, Carry};
+use crate::distance3::near::size_of;
 use crate::{Scalar, Vec3};
 
 /// A parameter and the normal at it. If several tie, the parameter shares the derivative and the first normal is

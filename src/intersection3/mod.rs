@@ -36,9 +36,9 @@ pub mod inside;
 pub mod pierced;
 pub mod planes;
 
+use crate::distance3::near::size_of;
 use inside::{Beam, Border};
 pub use pierced::Pierced;
-use pierced::size_of;
 pub use planes::{CommonLine3, CommonPoint3, crossing_of_three_planes, crossing_of_two_planes};
 
 /// The first point of a ray on the surface of a shape of space.

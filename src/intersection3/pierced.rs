@@ -3,7 +3,7 @@ use super::inside::{Beam, Border, Inside, Tube, choose, sized};
 use crate::distance::share::Best;
 use crate::distance3::apart::Cored;
 use crate::distance3::core::{BoxCore, Core};
-use crate::scalar::largest;
+use crate::distance3::near::size_of;
 use crate::shape::{
     Aabb3, Capsule3, Cone, Cylinder, Obb3, Plane3, RoundBox3, Sphere, Tetrahedron, YawBox3,
 };
@@ -23,12 +23,6 @@ pub trait Pierced: Copy {
     fn extent(self) -> <Self::Scalar as Scalar>::Primal;
     /// The range of a beam inside, both seen from the anchor in units of `1 / scale`.
     fn inside(self, beam: Beam<Self::Scalar>, scale: Self::Scalar) -> Inside<Self::Scalar>;
-}
-
-/// How long a vector is at most, as a constant.
-#[inline(always)]
-pub(super) fn size_of<S: Scalar>(v: Vec3<S>) -> S::Primal {
-    largest([v.x, v.y, v.z])
 }
 
 impl<S: Scalar> Pierced for Plane3<S> {

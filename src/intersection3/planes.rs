@@ -1,6 +1,6 @@
 //! Where planes of space meet: the line of two, the point of three.
-use super::pierced::size_of;
 use crate::distance::edge::scale_of;
+use crate::distance3::near::size_of;
 use crate::intersection::lines::flag;
 use crate::shape::{Line3, Plane3};
 use crate::{Scalar, Vec3};

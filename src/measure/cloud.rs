@@ -19,15 +19,11 @@ pub struct CloudSums<S> {
 /// The points' centroid as a constant; zero without points.
 #[must_use]
 pub fn place_of<S: Scalar>(points: &[Vec3<S>]) -> Vec3<S> {
-    let constant = |p: Vec3<S>| {
-        let part = |x: S| S::from_primal(x.primal());
-        Vec3::new(part(p.x), part(p.y), part(p.z))
-    };
     let Some(&start) = points.first() else {
         return Vec3::zero();
     };
-    let (start, share) = (constant(start), S::one().over(S::lit(points.len() as f64)));
-    let offsets = points.iter().map(|&point| constant(point) - start);
+    let (start, share) = (start.constant(), S::one().over(S::lit(points.len() as f64)));
+    let offsets = points.iter().map(|&point| point.constant() - start);
     start + offsets.fold(Vec3::zero(), |sum, offset| sum + offset * share)
 }
 

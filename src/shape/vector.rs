@@ -178,6 +178,12 @@ impl<S: Scalar> Vec2<S> {
     pub(crate) fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
         Vec2::new(S::select(mask, yes.x, no.x), S::select(mask, yes.y, no.y))
     }
+    /// The vector without derivatives.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn constant(self) -> Self {
+        let part = |x: S| S::from_primal(x.primal());
+        Vec2::new(part(self.x), part(self.y))
+    }
     /// The length; derivative zero at the zero vector.
     #[must_use]
     #[inline(always)]
@@ -217,6 +223,12 @@ impl<S: Scalar> Vec3<S> {
     pub(crate) fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
         let pick = |yes: S, no: S| S::select(mask, yes, no);
         Vec3::new(pick(yes.x, no.x), pick(yes.y, no.y), pick(yes.z, no.z))
+    }
+    /// The vector without derivatives.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(crate) fn constant(self) -> Self {
+        let part = |x: S| S::from_primal(x.primal());
+        Vec3::new(part(self.x), part(self.y), part(self.z))
     }
     /// The length; derivative zero at the zero vector.
     #[must_use]

@@ -122,6 +122,14 @@ pub(crate) fn invalid(name: &'static str, row: usize, flaw: Flaw) -> Error {
     }
 }
 
+/// `Ok` when all scores are finite.
+pub(crate) fn check_scores<S: Scalar<Mask = bool>>(scores: &[S]) -> Result<(), Error> {
+    match scores.iter().position(|&x| !is_finite(x)) {
+        Some(row) => Err(invalid("scores", row, Flaw::NotFinite(Field::VALUE))),
+        None => Ok(()),
+    }
+}
+
 /// Checks the offsets of groups of a list of such a length.
 pub(crate) fn check_groups(
     argument: Argument,
@@ -168,9 +176,7 @@ pub(crate) fn better<S: Scalar<Mask = bool>>(scores: &[S], i: usize, j: usize) -
 /// # Ok::<(), geograd::Error>(())
 /// ```
 pub fn order<S: Scalar<Mask = bool>>(scores: &[S], least: S) -> Result<Vec<usize>, Error> {
-    if let Some(row) = scores.iter().position(|&x| !is_finite(x)) {
-        return Err(invalid("scores", row, Flaw::NotFinite(Field::VALUE)));
-    }
+    check_scores(scores)?;
     let mut order: Vec<usize> = (0..scores.len())
         .filter(|&i| !scores[i].below(least))
         .collect();

@@ -7,7 +7,7 @@ use crate::Scalar;
 /// By so many roundings of the unit edges must part boxes more than faces do.
 const MORE: f64 = 8.0;
 
-/// What the distance is computed from.
+/// The features that the distance is computed from.
 pub(super) struct Choice<P: Scalar> {
     /// `true` if the boxes overlap or touch.
     pub inside: P::Mask,

@@ -11,7 +11,6 @@ mod face;
 mod features;
 
 use super::core::{BoxCore, Core};
-use super::near::constant;
 use super::relation::{Relation, direction};
 use crate::distance::edge::scale_of;
 use crate::scalar::{most_of, speck};
@@ -212,7 +211,7 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
     );
     let length = apart.length();
     // Duals of the length of a speck pass through numbers beyond the largest one.
-    let straight = apart.dot(constant(way));
+    let straight = apart.dot(way.constant());
     let straight = straight.with_primal(length.primal());
     let length = S::select(length.at_most(S::lit(speck::<S>())), straight, length);
     let deepest = seen.deepest(&gaps, &choice);
