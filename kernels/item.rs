@@ -174,7 +174,8 @@ pub(crate) const fn width<P: Fixed>() -> usize {
 /// A shape from the numbers of a column.
 pub(crate) fn get<P: Fixed<Scalar: Real>>(numbers: &[P::Scalar]) -> P {
     let shape = P::load(numbers);
-    if P::CODES == 0 {
+    // A constant, so that nobody compiles the rest for a shape without codes; so are those below.
+    if const { P::CODES == 0 } {
         return shape;
     }
     shape.load_codes(&codes_of(&numbers[P::LEN..width::<P>()]))
@@ -190,7 +191,7 @@ fn codes_of<T: Real>(numbers: &[T]) -> Vec<u32> {
 /// A shape as the numbers of a column.
 pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
     shape.store(numbers);
-    if P::CODES > 0 {
+    if const { P::CODES > 0 } {
         for (x, code) in numbers[P::LEN..].iter_mut().zip(shape.codes()) {
             *x = <P::Scalar as crate::Scalar>::lit(f64::from(code));
         }
@@ -199,6 +200,9 @@ pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
 
 /// The numbers of a row, which come shape by shape, as all scalars and then all codes.
 pub(crate) fn by_kind<R: Item>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
+    if const { R::CODES == 0 } {
+        return numbers.to_vec();
+    }
     let (mut scalars, mut codes) = (Vec::with_capacity(numbers.len()), Vec::new());
     let mut rest = numbers;
     R::leaves(&mut |leaf| {
@@ -218,6 +222,9 @@ pub(crate) fn by_shape<R: Item>(
     codes: &[u32],
     mut to: &mut [R::Scalar],
 ) {
+    if const { R::CODES == 0 } {
+        return to.copy_from_slice(scalars);
+    }
     let mut codes = codes.iter();
     R::leaves(&mut |leaf| {
         let (own, rest) = std::mem::take(&mut to).split_at_mut(leaf.fields);

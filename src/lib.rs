@@ -100,6 +100,7 @@
 extern crate self as geograd;
 
 #[forbid(unsafe_code)]
+mod arrays;
 pub mod assignment;
 #[forbid(unsafe_code)]
 pub mod boolean;

@@ -26,6 +26,8 @@ pub trait Pack: Clone {
     type Scalar: Clone;
     /// The same shape made of `T`.
     type With<T: Clone>: Clone;
+    /// `true` if it has lists of run-time length. [`fewer`](Pack::fewer) is not asked otherwise.
+    const LISTS: bool = false;
     /// The same shape with every scalar replaced, first field first.
     fn map<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T>;
     /// Calls a function with every scalar by reference, first field first.

@@ -1,4 +1,5 @@
 //! Tuples, arrays and lists of shapes.
+use crate::arrays::Each;
 use crate::error::{Field, Flaw, Validate};
 use crate::{Fixed, Pack, Scalar};
 
@@ -8,6 +9,7 @@ macro_rules! tuples {
         impl<$first: Pack $(, $part: Pack<Scalar = $first::Scalar>)*> Pack for ($first, $($part,)*) {
             type Scalar = $first::Scalar;
             type With<T: Clone> = ($first::With<T>, $($part::With<T>,)*);
+            const LISTS: bool = $first::LISTS $(|| $part::LISTS)*;
             #[inline(always)]
             fn map<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T> {
                 (self.$zero.map(f), $(self.$place.map(f),)*)
@@ -91,6 +93,7 @@ tuples! {
 impl<P: Pack, const N: usize> Pack for [P; N] {
     type Scalar = P::Scalar;
     type With<T: Clone> = [P::With<T>; N];
+    const LISTS: bool = P::LISTS;
     #[inline(always)]
     fn map<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T> {
         std::array::from_fn(|i| self[i].map(f))
@@ -134,7 +137,7 @@ impl<P: Fixed, const N: usize> Fixed for [P; N] {
     }
     #[inline]
     fn load_codes(self, mut from: &[u32]) -> Self {
-        self.map(|shape| load_codes(shape, &mut from))
+        self.each_as(|shape| load_codes(shape, &mut from))
     }
     #[inline]
     fn store_codes(self, mut to: &mut [u32]) {
@@ -184,6 +187,7 @@ fn fewer_inside<P: Pack, L: Clone + AsMut<[P]>>(
 impl<P: Pack> Pack for Vec<P> {
     type Scalar = P::Scalar;
     type With<T: Clone> = Vec<P::With<T>>;
+    const LISTS: bool = true;
     fn map<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T> {
         self.iter().map(|shape| shape.map(f)).collect()
     }

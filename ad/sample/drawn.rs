@@ -1,6 +1,6 @@
 //! Inputs without their types: whatever judges them is compiled once, and not once for every kind of input.
 use crate::ad::declared::Kind;
-use crate::ad::sample::{Draw, PLACES, Placed, Sample, moved};
+use crate::ad::sample::{Draw, Family, PLACES, Placed, Sample, moved};
 use std::any::Any;
 
 /// The properties of the shapes of an input, at numbers like its own.
@@ -53,6 +53,10 @@ impl<X: Sample> Drawn for X {
         Box::new(self.refill(numbers))
     }
     fn fewer(&self) -> Box<dyn Iterator<Item = Box<dyn Drawn>> + '_> {
+        // Shapes of fixed size have none, and code for them would be compiled for every type.
+        if !X::LISTS {
+            return Box::new(std::iter::empty());
+        }
         let all = crate::Pack::fewer(self);
         Box::new(all.map(|x| Box::new(x) as Box<dyn Drawn>))
     }
@@ -93,6 +97,17 @@ fn as_code(name: &str, text: &str) -> String {
 pub(crate) struct Kinship {
     hard: fn() -> Vec<Box<dyn Drawn>>,
     draw: fn(&mut Draw) -> Box<dyn Drawn>,
+    ordinary: fn(&mut Draw) -> Box<dyn Drawn>,
+    thin: fn(&mut Draw) -> Box<dyn Drawn>,
+    touching: fn(&mut Draw) -> Box<dyn Drawn>,
+}
+
+/// An input in its type.
+pub(crate) fn typed<X: Sample>(x: &dyn Drawn) -> X {
+    match x.as_any().downcast_ref::<X>() {
+        Some(x) => x.clone(),
+        None => unreachable!("an input has the type that drew it"),
+    }
 }
 
 impl Kinship {
@@ -107,6 +122,44 @@ impl Kinship {
                 all
             },
             draw: |draw| Box::new(X::draw(draw)),
+            ordinary: |draw| Box::new(X::ordinary(draw)),
+            thin: |draw| Box::new(X::thin(draw)),
+            touching: |draw| Box::new(X::touching(draw)),
+        }
+    }
+    /// A random input of a family.
+    pub(crate) fn of_family(self, family: Family, draw: &mut Draw) -> Box<dyn Drawn> {
+        match family {
+            Family::Any => self.random(draw),
+            Family::Hard => {
+                let mut plain = (self.hard)();
+                if plain.is_empty() {
+                    return (self.draw)(draw);
+                }
+                let x = plain.swap_remove(draw.below(plain.len()));
+                match put(&*x, PLACES[draw.below(PLACES.len())]) {
+                    Some(there) => x.refilled(&there),
+                    None => x,
+                }
+            }
+            Family::Ordinary => (self.ordinary)(draw),
+            Family::Thin => (self.thin)(draw),
+            Family::Tiny => {
+                let x = (self.draw)(draw);
+                elsewhere(x, draw.magnitude(1e-12, 1e-4), [0.0; 2])
+            }
+            Family::Huge => {
+                let x = (self.draw)(draw);
+                elsewhere(x, draw.magnitude(1e4, 1e12), [0.0; 2])
+            }
+            Family::Far => {
+                let shift = [(); 2].map(|()| {
+                    let sign = if draw.once_in(2) { -1.0 } else { 1.0 };
+                    sign * draw.magnitude(1e2, 1e6)
+                });
+                elsewhere((self.draw)(draw), 1.0, shift)
+            }
+            Family::Touching => (self.touching)(draw),
         }
     }
     /// The hard cases as they are, turned, scaled and moved away.
@@ -125,6 +178,15 @@ impl Kinship {
             Some(there) => x.refilled(&there),
             None => x,
         }
+    }
+}
+
+/// An input scaled and moved, if it fits there.
+fn elsewhere(x: Box<dyn Drawn>, scale: f64, shift: [f64; 2]) -> Box<dyn Drawn> {
+    let there = moved(&x.numbers(), &x.kinds(), 0.0, scale, shift);
+    match x.inside(&there) {
+        true => x.refilled(&there),
+        false => x,
     }
 }
 

@@ -13,6 +13,7 @@ mod solids;
 pub mod strategy;
 
 use crate::ad::declared::Kind;
+use crate::ad::sample::drawn::Kinship;
 use crate::scalar::float::Float;
 use crate::{Pack, Scalar};
 use std::f64::consts::FRAC_PI_2;
@@ -198,36 +199,7 @@ pub enum Family {
 impl Family {
     /// A random input of the family.
     pub fn draw<X: Sample>(self, draw: &mut Draw) -> X {
-        let placed = |x: X, scale: f64, shift: [f64; 2]| {
-            let there = x.refill(&moved(&x.scalars(), &x.kinds(), 0.0, scale, shift));
-            if there.inside() { there } else { x }
-        };
-        match self {
-            Family::Any => random(draw),
-            Family::Hard => {
-                let mut plain = X::hard();
-                if plain.is_empty() {
-                    return X::draw(draw);
-                }
-                let x = plain.swap_remove(draw.below(plain.len()));
-                match drawn::put(&x, PLACES[draw.below(PLACES.len())]) {
-                    Some(there) => x.refill(&there),
-                    None => x,
-                }
-            }
-            Family::Ordinary => X::ordinary(draw),
-            Family::Thin => X::thin(draw),
-            Family::Tiny => placed(X::draw(draw), draw.magnitude(1e-12, 1e-4), [0.0; 2]),
-            Family::Huge => placed(X::draw(draw), draw.magnitude(1e4, 1e12), [0.0; 2]),
-            Family::Far => {
-                let shift = [(); 2].map(|()| {
-                    let sign = if draw.once_in(2) { -1.0 } else { 1.0 };
-                    sign * draw.magnitude(1e2, 1e6)
-                });
-                placed(X::draw(draw), 1.0, shift)
-            }
-            Family::Touching => X::touching(draw),
-        }
+        drawn::typed(&*const { Kinship::of::<X>() }.of_family(self, draw))
     }
 }
 
@@ -257,11 +229,7 @@ pub fn moved(x: &[f64], kinds: &[Kind], angle: f64, scale: f64, shift: [f64; 2])
 
 /// A random input, moved and scaled now and then.
 pub fn random<X: Sample>(draw: &mut Draw) -> X {
-    let x = X::draw(draw);
-    match drawn::placed(&x, draw) {
-        Some(there) => x.refill(&there),
-        None => x,
-    }
+    drawn::typed(&*const { Kinship::of::<X>() }.random(draw))
 }
 
 /// A place: an angle by which an input is turned, a scale, and a shift.

@@ -1,11 +1,13 @@
 //! Operations, searches and folds as the harness takes them: one function, generic over the scalar, and its adjoint.
 use crate::ad::check::trace::Number;
-use crate::kernels::cpu::folds::{backwards, programs};
-use crate::kernels::fold::{Fold, edges, fold};
+use crate::kernels::cpu::folds::folding::Sizes;
+use crate::kernels::cpu::folds::{Programs, backwards, programs};
+use crate::kernels::fold::{Fold, fold};
 use crate::kernels::op::{Derivative, Invariance, Jumps, Op, RingOp};
 use crate::kernels::recording::{Mode, program_of};
 use crate::kernels::search::Search;
 use crate::{Fixed, Jet, Pack, Scalar, Vec2};
+use std::sync::Arc;
 
 /// An operation as a subject of the harness.
 pub trait Source: 'static {
@@ -23,8 +25,12 @@ pub trait Source: 'static {
     const SEARCHES: bool = false;
     /// The generic source.
     fn eval<S: Scalar<Mask = bool>>(input: &Self::In<S>) -> Self::Out<S>;
-    /// The gradient of `out_bar · output` with respect to the input.
-    fn vjp<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S>;
+    /// The numbers of the gradient of `out_bar · output` with respect to the input.
+    fn pulled<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Vec<S>;
+    /// The same in the shapes of the input.
+    fn vjp<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
+        input.refill(&Self::pulled(input, out_bar))
+    }
     /// The function on num-dual's numbers; only for operations with an adjoint by hand, as a witness of it.
     fn on_num_dual<S: Number>(_input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
         None
@@ -46,9 +52,9 @@ impl<O: Op> Source for Straight<O> {
     fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
         O::eval(input)
     }
-    fn vjp<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
+    fn pulled<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Vec<S> {
         if let Some((_, input_bar)) = O::adjoint(input, out_bar) {
-            return input_bar;
+            return input_bar.scalars();
         }
         // In the format that the scalar has.
         let recorded = match S::EPSILON > 1e-10 {
@@ -57,12 +63,9 @@ impl<O: Op> Source for Straight<O> {
         };
         let numbers = [input.scalars(), out_bar.scalars()].concat();
         match recorded {
-            Ok(recorded) => {
-                let all = recorded.run_on(&numbers);
-                O::In::load(&all[Self::Out::<S>::LEN..])
-            }
+            Ok(recorded) => recorded.run_on(&numbers).split_off(Self::Out::<S>::LEN),
             // A function that cannot be recorded has no derivatives: the harness reports NaN.
-            Err(_) => O::In::filled(S::lit(f64::NAN)),
+            Err(_) => vec![S::lit(f64::NAN); Self::In::<S>::LEN],
         }
     }
     fn on_num_dual<S: Number>(&input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
@@ -89,10 +92,10 @@ impl<O: RingOp> Source for Ringed<O> {
     fn eval<S: Scalar<Mask = bool>>(ring: &Vec<Vec2<S>>) -> O::Out<S> {
         O::value(ring)
     }
-    fn vjp<S: Scalar<Mask = bool>>(ring: &Vec<Vec2<S>>, out_bar: O::Out<S>) -> Vec<Vec2<S>> {
+    fn pulled<S: Scalar<Mask = bool>>(ring: &Vec<Vec2<S>>, out_bar: O::Out<S>) -> Vec<S> {
         let mut ring_bar = vec![Vec2::zero(); ring.len()];
         O::ring_vjp(ring, out_bar, &mut ring_bar);
-        ring_bar
+        ring_bar.scalars()
     }
     fn on_num_dual<S: Number>(ring: &Vec<Vec2<S::NumDual>>) -> Option<O::Out<S::NumDual>> {
         Some(O::value(ring))
@@ -132,7 +135,7 @@ impl<D: Search> Source for Replayed<D> {
     fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
         D::replay(input, decided::<D, S>(input))
     }
-    fn vjp<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
+    fn pulled<S: Scalar<Mask = bool>>(&input: &Self::In<S>, out_bar: Self::Out<S>) -> Vec<S> {
         let record = decided::<D, S>(input);
         let (numbers, codes, out_bar) = (input.scalars(), input.codes(), out_bar.scalars());
         let mut jets: Vec<Jet<S, 1>> = Vec::new();
@@ -147,7 +150,7 @@ impl<D: Search> Source for Replayed<D> {
             jets[at].derivative[0] = S::zero();
             *bar = along(&D::replay(moved, record).scalars(), &out_bar);
         }
-        D::In::<S>::load(&bars).load_codes(&codes)
+        bars
     }
     fn made<T: Scalar>(like: &Self::In<f64>, numbers: &[T]) -> Self::In<T> {
         D::In::<T>::load(numbers).load_codes(&like.codes())
@@ -167,21 +170,37 @@ impl<F: Fold> Source for Folded<F> {
     fn eval<S: Scalar<Mask = bool>>((context, path): &Self::In<S>) -> F::Out<S> {
         fold::<F, S>(*context, path)
     }
-    fn vjp<S: Scalar<Mask = bool>>(
-        (context, path): &Self::In<S>,
-        out_bar: F::Out<S>,
-    ) -> Self::In<S> {
-        let (context_bar, path_bar) = pull_back::<F, S>(*context, path, out_bar);
-        (context_bar, path_bar)
+    fn pulled<S: Scalar<Mask = bool>>((context, path): &Self::In<S>, out_bar: F::Out<S>) -> Vec<S> {
+        let reference = F::reference(*context, path);
+        let shared = [context.scalars(), reference.scalars()].concat();
+        let (sizes, empty) = (Sizes::of::<F>(), F::empty::<S>().scalars());
+        match programs_of::<F, S>() {
+            Some(programs) => pull_back(
+                &sizes,
+                &programs,
+                &shared,
+                empty,
+                &path.scalars(),
+                &out_bar.scalars(),
+            ),
+            // A fold that cannot be recorded has no derivatives: the harness reports NaN.
+            None => vec![S::lit(f64::NAN); sizes.own + path.len() * sizes.element],
+        }
     }
     fn made<T: Scalar>(_like: &Self::In<f64>, numbers: &[T]) -> Self::In<T> {
-        let (context, path) = numbers.split_at(F::Context::<T>::LEN);
-        let path = path.chunks_exact(F::Element::<T>::LEN.max(1));
-        (
-            F::Context::load(context),
-            path.map(F::Element::load).collect(),
-        )
+        context_and_path::<F, T>(numbers)
     }
+}
+
+/// The context and the path that a list of numbers makes up.
+fn context_and_path<F: Fold, S: Scalar>(numbers: &[S]) -> (F::Context<S>, Vec<F::Element<S>>) {
+    let (context, rest) = numbers.split_at(F::Context::<S>::LEN);
+    // A loop, since every adapter of an iterator is compiled for every fold.
+    let mut path = Vec::new();
+    for element in rest.chunks_exact(F::Element::<S>::LEN.max(1)) {
+        path.push(F::Element::load(element));
+    }
+    (F::Context::load(context), path)
 }
 
 /// The points that a list of coordinates makes up.
@@ -189,50 +208,56 @@ fn points<T: Scalar>(numbers: &[T]) -> Vec<Vec2<T>> {
     numbers.chunks_exact(2).map(Vec2::load).collect()
 }
 
-/// The adjoint of a fold for one path, on any scalar: cotangents of the context and of every vertex.
-fn pull_back<F: Fold, S: Scalar>(
-    context: F::Context<S>,
-    path: &[F::Element<S>],
-    out_bar: F::Out<S>,
-) -> (F::Context<S>, Vec<F::Element<S>>) {
-    // In the format that the scalar has.
-    let found = match S::EPSILON > 1e-10 {
-        true => programs::<F, f32>(),
-        false => programs::<F, f64>(),
-    };
-    let Ok(programs) = found else {
-        // A fold that cannot be recorded has no derivatives: the harness reports NaN.
-        let none = S::lit(f64::NAN);
-        return (
-            Fixed::filled(none),
-            vec![F::Element::filled(none); path.len()],
-        );
-    };
-    let reference = F::reference(context, path);
-    let ends = |k: usize| [path[k], path[(k + 1) % path.len()]];
-    let count = edges::<F>(path.len());
-    let states: Vec<F::State<S>> = (0..count)
-        .map(|k| F::edge(context, reference, ends(k)[0], ends(k)[1]))
-        .collect();
-    let shared = [context.scalars(), reference.scalars()].concat();
-    let (mut context_bar, state_bars) =
-        backwards::<F, S>(&programs, &shared, &states, None, out_bar);
-    let element = F::Element::<S>::LEN;
-    let mut path_bar = vec![vec![S::zero(); element]; path.len()];
-    for (k, state_bar) in state_bars.into_iter().enumerate() {
-        let points = ends(k).map(|end| end.scalars()).concat();
-        let input = [&shared[..], &points, &state_bar.scalars()].concat();
-        let bars = &programs.edge_vjp.run_on(&input)[F::State::<S>::LEN..];
-        for (bar, &x) in context_bar.iter_mut().zip(bars) {
-            *bar += x;
-        }
-        let ends = bars[shared.len()..].chunks_exact(element.max(1));
-        for (end, bars) in [k, (k + 1) % path.len()].into_iter().zip(ends) {
-            for (bar, &x) in path_bar[end].iter_mut().zip(bars) {
-                *bar += x;
-            }
+/// The programs of a fold, in the format that a scalar has.
+fn programs_of<F: Fold, S: Scalar>() -> Option<Arc<Programs>> {
+    match S::EPSILON > 1e-10 {
+        true => programs::<F, f32>().ok(),
+        false => programs::<F, f64>().ok(),
+    }
+}
+
+/// The adjoint of a fold for one path by its programs, on any scalar: cotangents of the context and of every number
+/// of the path. `shared` has the context and the reference.
+fn pull_back<S: Scalar>(
+    sizes: &Sizes,
+    programs: &Programs,
+    shared: &[S],
+    empty: Vec<S>,
+    path: &[S],
+    out_bar: &[S],
+) -> Vec<S> {
+    let Sizes {
+        own, wide, element, ..
+    } = *sizes;
+    let vertices = path.len() / element.max(1);
+    let numbers = |k: usize| k % vertices * element..(k % vertices + 1) * element;
+    let count = sizes.edges(vertices);
+    let ends = |k: usize| [shared, &path[numbers(k)], &path[numbers(k + 1)]].concat();
+    let (mut states, mut before) = (Vec::new(), empty);
+    for k in 0..count {
+        let state = programs.edge.run_on(&ends(k));
+        let last = &before[before.len() - sizes.state..];
+        let joined = programs.join.run_on(&[last, &state].concat());
+        before.extend(joined);
+        states.extend(state);
+    }
+    let (mut bar, state_bars) =
+        backwards(sizes, programs, shared, [&states, &before], None, out_bar);
+    bar.truncate(own);
+    let mut path_bar = vec![S::zero(); path.len()];
+    for (k, state_bar) in sizes.states(&state_bars).enumerate() {
+        let bars = &programs.edge_vjp.run_on(&[&ends(k), state_bar].concat())[sizes.state..];
+        let ends = bars[wide..].chunks_exact(element.max(1));
+        add(&mut bar, &bars[..own]);
+        for (end, bars) in [k, k + 1].into_iter().zip(ends) {
+            add(&mut path_bar[numbers(end)], bars);
         }
     }
-    let path_bar = path_bar.iter().map(|bar| F::Element::load(bar)).collect();
-    (F::Context::load(&context_bar), path_bar)
+    bar.extend(path_bar);
+    bar
+}
+fn add<S: Scalar>(sums: &mut [S], terms: &[S]) {
+    for (sum, &x) in sums.iter_mut().zip(terms) {
+        *sum += x;
+    }
 }

@@ -81,7 +81,7 @@ where
         O::eval::<T>(&self.made(x)).scalars()
     }
     fn pulled<T: Scalar<Mask = bool>>(&self, x: &[T], y_bar: &[T]) -> Vec<T> {
-        O::vjp::<T>(&self.made(x), O::Out::<T>::load(y_bar)).scalars()
+        O::pulled::<T>(&self.made(x), O::Out::<T>::load(y_bar))
     }
 }
 

@@ -1,11 +1,11 @@
 //! The drivers, compiled in this library for both formats: whoever calls a batch compiles no more
 //! than what turns shapes into numbers.
-use crate::Vec2;
 use crate::error::Error;
 use crate::kernels::cpu::desk::{self, Aligned};
+use crate::kernels::cpu::folds::folding::Folding;
+use crate::kernels::cpu::folds::{self, Input as Paths};
 use crate::kernels::cpu::greedy::{self, Greed};
 use crate::kernels::cpu::grouped::{self, Spans as Groups};
-use crate::kernels::cpu::nearest::{self, Sieved, Spans};
 use crate::kernels::cpu::pairs::{self, Pairs};
 use crate::kernels::cpu::plan::{self, Face};
 use crate::kernels::cpu::polygons::{self, Pulled, RingPairs};
@@ -40,7 +40,8 @@ drivers! {
     above: fn(&Pairs<'_, T>, T) -> Vec<Found<T>> = reductions::above;
     count_above: fn(&Pairs<'_, T>, T) -> u64 = reductions::count_above;
     sum: fn(&Pairs<'_, T>) -> f64 = reductions::sum;
-    sieved: fn(&[Vec2<T>], &[Vec2<T>], Spans<'_>, bool) -> Option<Vec<Sieved<T>>> = nearest::sieved;
+    folded: fn(&Folding<T>, &Paths<'_, T>) -> Result<Vec<T>, Error> = folds::values;
+    pulled_back: fn(&Folding<T>, &Paths<'_, T>, usize, &[T]) -> Result<(Vec<T>, Vec<T>), Error> = folds::cotangents;
     ring_scores: fn(RingPairs<'_, T>) -> Vec<T> = polygons::scores;
     ring_derivatives: fn(RingPairs<'_, T>, &[T]) -> Pulled<T> = polygons::derivatives;
     above_grouped: fn(&Pairs<'_, T>, Groups<'_>, T) -> Vec<Found<T>> = grouped::above;

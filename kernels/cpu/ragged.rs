@@ -1,12 +1,12 @@
 //! Ragged batches: rings of any number of vertices.
-use crate::error::{Argument, Error, Flaw, Validate};
+use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::{expect, fill, numbers};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::op::RingOp;
 use crate::kernels::real::Real;
-use crate::{Fixed, Pack, Scalar, Vec2};
+use crate::{Fixed, Pack, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Vertices, or rings, per piece of work.
@@ -222,20 +222,6 @@ pub(crate) fn check_vertices<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error>
             item: row,
             flaw,
         })?;
-    }
-    Ok(())
-}
-
-/// Finds the first element with a number that is not finite.
-pub(crate) fn check_elements<V: Fixed<Scalar: Real>>(elements: &[V]) -> Result<(), Error> {
-    for (item, element) in elements.iter().enumerate() {
-        if let Some(k) = element.scalars().iter().position(|x| !x.finite()) {
-            return Err(Error::Invalid {
-                argument: Argument::Vertices,
-                item,
-                flaw: Flaw::NotFinite(V::name(k)),
-            });
-        }
     }
     Ok(())
 }

@@ -12,7 +12,7 @@ use crate::kernels::cpu::checked::numbers;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{Compiled, Face};
 use crate::kernels::fold::Fold;
-use crate::kernels::item::{Column, Item, Leaf, Target, by_kind, by_shape, get, leaves_of, width};
+use crate::kernels::item::{Column, Item, Leaf, Target, by_kind, by_shape, get, leaves_of};
 use crate::kernels::op::{Extremes, Finite, Jumps, Op, Range, RingOp, inside_of};
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Call, Mode, Recording};
@@ -135,6 +135,9 @@ fn short(name: &'static str) -> &'static str {
 
 /// The scalars and codes of a shape, as they lie in columns.
 pub(crate) fn all_numbers<X: Item>(x: &X) -> Vec<X::Scalar> {
+    if const { X::CODES == 0 } {
+        return x.scalars();
+    }
     let mut all = vec![X::Scalar::default(); leaves_of::<X>().iter().map(|leaf| leaf.fields).sum()];
     by_shape::<X>(&x.scalars(), &x.codes(), &mut all);
     all
@@ -444,18 +447,33 @@ fn contexts<F: Fold, T: Real>(inputs: &Inputs<T>) -> Vec<F::Context<T>>
 where
     F::Context<T>: Item<Scalar = T>,
 {
-    let of = |i: usize| {
-        let mut x = Vec::with_capacity(width::<F::Context<T>>());
-        for (column, leaf) in inputs.columns.iter().zip(leaves_of::<F::Context<T>>()) {
-            x.extend_from_slice(&column[i * leaf.fields..][..leaf.fields]);
+    let mut all = Vec::new();
+    for row in context_rows(inputs).chunks_exact(F::Context::<T>::LEN.max(1)) {
+        all.push(F::Context::<T>::load(row));
+    }
+    all.resize(inputs.count, F::Context::<T>::filled(T::default()));
+    all
+}
+
+/// The numbers of all shapes of a context, context by context.
+fn context_rows<T: Real>(inputs: &Inputs<T>) -> Vec<T> {
+    let mut all = Vec::new();
+    for i in 0..inputs.count {
+        for column in &inputs.columns {
+            let fields = column.len() / inputs.count;
+            all.extend_from_slice(&column[i * fields..][..fields]);
         }
-        F::Context::<T>::load(&x)
-    };
-    (0..inputs.count).map(of).collect()
+    }
+    all
 }
 
 fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P> {
-    numbers.chunks_exact(P::LEN).map(P::load).collect()
+    // A loop, since every adapter of an iterator is compiled for every shape.
+    let mut all = Vec::new();
+    for own in numbers.chunks_exact(P::LEN) {
+        all.push(P::load(own));
+    }
+    all
 }
 
 /// The numbers of results for columns of shapes and cotangents: a list for every shape of a result.

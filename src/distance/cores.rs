@@ -2,6 +2,7 @@
 use super::convex::{Core, edge_near, face_deep, unit};
 use super::edge::{Edge, scale_of, size_of};
 use super::share::{Ahead, Best, Deepest, Nearest};
+use crate::arrays::Each;
 use crate::intersection::span::{Beam, Inside};
 use crate::{Rotation2, Scalar, Vec2};
 
@@ -142,7 +143,7 @@ impl<S: Scalar, const CORNERS: usize, const AWAY: usize> Core<S> for EdgeCore<S,
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
         let normal = unit(self.edge.along.perp());
-        let [left, right] = [normal, -normal].map(|normal| face_deep(self.edge, normal, other));
+        let [left, right] = [normal, -normal].each_as(|normal| face_deep(self.edge, normal, other));
         left.most(right)
     }
 }
@@ -165,7 +166,7 @@ impl<S: Scalar, const N: usize, const TRIANGLE: bool> PolygonCore<S, N, TRIANGLE
         }
         let [a, b, c] = [corners[0], corners[1], corners[2]];
         let (p, q, r) = (b - a, c - b, a - c);
-        let [first, second, third] = [p, q, r].map(|side| side.length_squared().primal());
+        let [first, second, third] = [p, q, r].each_as(|side| side.length_squared().primal());
         let turn = |side: Vec2<S>, next: Vec2<S>| side.perp_dot(next).primal();
         let longest = first.most(second).most(third);
         let turn = S::Primal::select(
@@ -196,7 +197,7 @@ impl<S: Scalar, const N: usize, const TRIANGLE: bool> Core<S> for PolygonCore<S,
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn placed(self, from: Vec2<S>, scale: S) -> Self {
-        PolygonCore(self.0.map(|corner| (corner - from) * scale))
+        PolygonCore(self.0.each_as(|corner| (corner - from) * scale))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn corners(&self) -> [Vec2<S>; N] {
@@ -285,7 +286,7 @@ impl<S: Scalar, R: Turn<S>> BoxCore<S, R> {
     /// How far in front of each face another core begins.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn faces_deep<B: Core<S>>(&self, other: &B) -> [Best<S, Deepest<S>>; 4] {
-        self.faces().map(|(normal, half, side)| {
+        self.faces().each_as(|(normal, half, side)| {
             let face = Edge {
                 from: self.center + normal * half,
                 along: normal.perp(),

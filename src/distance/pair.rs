@@ -6,6 +6,7 @@
 use super::convex::{self, Convex, Core};
 use super::relation::{LENGTH, NORMAL, POINTS, relate};
 use super::{Contact, PointPair, edge, turned, upright};
+use crate::arrays::Each;
 use crate::{Aabb2, Obb2, Scalar, Vec2};
 
 /// A function of two convex shapes, with a formula for each kind of pair.
@@ -112,7 +113,7 @@ impl<S: Scalar> PairFormula<S> for Closest {
     fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> PointPair<S> {
         let found = relate::<S, A, B, { POINTS }>(a, b);
         let [mut on_a, mut on_b] =
-            [found.on_a, found.on_b].map(|v| found.origin + found.unscaled(v));
+            [found.on_a, found.on_b].each_as(|v| found.origin + found.unscaled(v));
         if A::ROUND {
             on_a += found.normal * a.radius();
         }

@@ -4,6 +4,7 @@ use super::edge::{scale_of, size_of};
 use super::relation::{Relation, direction, joined};
 use super::share::{Best, Deepest, Nearest};
 use super::{Contact, PointPair};
+use crate::arrays::Each;
 use crate::clip::{Relative, frame, relate};
 use crate::{Obb2, Rotation2, Scalar, Vec2};
 
@@ -59,7 +60,7 @@ fn nearest<S: Scalar>(pair: &Relative<S>) -> Best<S, (Nearest<S>, Vec2<S>)> {
     let center = Vec2::new(pair.u, pair.v);
     let turn = Rotation2 { cos, sin };
     let short = short(pair);
-    let of_b = CORNERS.map(|[i, j]| {
+    let of_b = CORNERS.each_as(|[i, j]| {
         let arm = Vec2::new(signed(i, p.x), signed(j, p.y));
         let (first, last) = (center + arm, arm.perp() * sin - arm * short);
         let apart = Vec2::new(beyond(first.x, last.x, h.x), beyond(first.y, last.y, h.y));
@@ -70,7 +71,7 @@ fn nearest<S: Scalar>(pair: &Relative<S>) -> Best<S, (Nearest<S>, Vec2<S>)> {
         };
         Best::of(apart.length_squared(), (found, direction(apart)))
     });
-    let of_a = CORNERS.map(|[i, j]| {
+    let of_a = CORNERS.each_as(|[i, j]| {
         let corner = Vec2::new(signed(i, h.x), signed(j, h.y));
         let way = corner - center;
         let (first, last) = (way, -(way.perp() * sin) - way * short);
@@ -105,7 +106,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
         turn: Rotation2 { cos, sin },
     };
     // How far the other box begins in front of each face, what is as large as the boxes first.
-    let aheads = SIGNS.map(|back| {
+    let aheads = SIGNS.each_as(|back| {
         let (u, v) = (signed(back, pair.u), signed(back, pair.v));
         let of_a = [
             ((u - h.x) - p.x * cos) - p.y * steep,
@@ -120,7 +121,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
             ((u - h.x) + p.x) * short + ((h.y - p.y) * steep - v * sin),
             ((v - h.y) + p.y) * short + ((h.x - p.x) * steep + u * sin),
         ];
-        [0, 1].map(|axis| (of_a[axis], of_b[axis], more[axis]))
+        [0, 1].each_as(|axis| (of_a[axis], of_b[axis], more[axis]))
     });
     let [[right, up], [left, down]] = aheads;
     let (own, other) = (of_a.faces_deep(&of_b), of_b.faces_deep(&of_a));
@@ -254,7 +255,7 @@ pub fn farthest_distance_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let mut most = -S::lit(S::LARGEST);
     let mut signs = [plus; 4];
     for k in 0..8 {
-        let [i, j, l] = [1, 2, 4].map(|bit| k & bit != 0);
+        let [i, j, l] = [1, 2, 4].each_as(|bit| k & bit != 0);
         let centers = (sx + signed(i, sy)) + (signed(j, tx) + signed(l, ty));
         let corners = (signed(j, xx) + signed(i ^ l, yy)) + (signed(l, xy) + signed(i ^ j, yx));
         let inner = centers.unsigned() + corners;
@@ -272,7 +273,7 @@ pub fn farthest_distance_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     // Every other choice of signs is less by the sum of the terms whose sign it changes. So a large term that
     // many choices share hides no difference.
     let losses = (1..16).map(|k: usize| {
-        let [i, j, k, l] = [1, 2, 4, 8].map(|bit| k & bit != 0);
+        let [i, j, k, l] = [1, 2, 4, 8].each_as(|bit| k & bit != 0);
         let changed = |change: bool, x: S| if change { x } else { S::zero() };
         let centers = (changed(i, sx) + changed(j, sy)) + (changed(k, tx) + changed(l, ty));
         let corners =

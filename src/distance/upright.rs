@@ -3,6 +3,7 @@
 use super::edge::{scale_of, size_of};
 use super::relation::direction;
 use super::{Contact, PointPair};
+use crate::arrays::Each;
 use crate::{Aabb2, Scalar, Vec2};
 
 /// The signed distance of two axis-aligned boxes, in the unit of length: the shortest way between them, or minus
@@ -113,16 +114,16 @@ pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> PointPair<S>
     let zero = S::zero();
     let axes = |of: fn(Vec2<S>) -> S| ([of(a.min), of(a.max)], [of(b.min), of(b.max)]);
     let axes = [axes(|v| v.x), axes(|v| v.y)];
-    let [(x, gap_x), (y, gap_y)] = axes.map(|(a, b)| facing(a, b));
+    let [(x, gap_x), (y, gap_y)] = axes.each_as(|(a, b)| facing(a, b));
     let (apart_x, apart_y) = (gap_x.above(zero), gap_y.above(zero));
     let apart = apart_x | apart_y;
     // The shallower axis parts boxes that overlap.
     let first = gap_x.at_least(gap_y);
     let parted = [apart_x | !apart & first, apart_y | !apart & !first];
     let [x, y] =
-        [(x, axes[0], parted[0]), (y, axes[1], parted[1])].map(|(facing, (a, b), parted)| {
+        [(x, axes[0], parted[0]), (y, axes[1], parted[1])].each_as(|(facing, (a, b), parted)| {
             let middle = a[0].most(b[0]).halved() + a[1].least(b[1]).halved();
-            facing.map(|bound| S::select(parted, bound, middle).canonical())
+            facing.each_as(|bound| S::select(parted, bound, middle).canonical())
         });
     PointPair {
         on_a: Vec2::new(x[0], y[0]),

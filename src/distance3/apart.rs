@@ -6,6 +6,7 @@ use super::core::{
 use super::half_space::{self, Bounded};
 use super::relation::{self, Relation};
 use super::round;
+use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::scalar::largest;
 use crate::shape::{
@@ -258,7 +259,7 @@ cored! {
 #[inline(always)]
 fn axes<S: Scalar>(q: Rotation3<S>) -> [Vec3<S>; 3] {
     let scale = scale_of::<S>(largest([q.w, q.x, q.y, q.z]));
-    let [w, x, y, z] = [q.w, q.x, q.y, q.z].map(|part| part * scale);
+    let [w, x, y, z] = [q.w, q.x, q.y, q.z].each_as(|part| part * scale);
     let square = (w * w + x * x) + (y * y + z * z);
     let none = square.equals(S::zero());
     let square = S::select(none, S::one(), square);

@@ -1,5 +1,6 @@
 //! Boxes of space against points, and axis-aligned boxes against each other.
 use super::relation::{Relation, direction};
+use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::scalar::{largest, most_of};
 use crate::shape::{Aabb3, Obb3, YawBox3};
@@ -69,9 +70,9 @@ pub(super) fn upright<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> Relation<S> {
     let (zero, one) = (S::zero(), S::one());
     let axes = |of: fn(Vec3<S>) -> S| ([of(a.min), of(a.max)], [of(b.min), of(b.max)]);
     let axes = [axes(|v| v.x), axes(|v| v.y), axes(|v| v.z)];
-    let gaps = axes.map(|(a, b)| (b[0] - a[1]).most(a[0] - b[1]));
-    let clear = gaps.map(|gap| S::select(gap.above(zero), gap, zero));
-    let apart = gaps.map(|gap| gap.above(zero));
+    let gaps = axes.each_as(|(a, b)| (b[0] - a[1]).most(a[0] - b[1]));
+    let clear = gaps.each_as(|gap| S::select(gap.above(zero), gap, zero));
+    let apart = gaps.each_as(|gap| gap.above(zero));
     let any = apart[0] | apart[1] | apart[2];
     // Of boxes that overlap the shallowest axis parts them.
     let first = gaps[0].at_least(gaps[1]) & gaps[0].at_least(gaps[2]);

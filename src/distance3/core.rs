@@ -1,6 +1,7 @@
 //! The cores that convex shapes of space are made of: a point, a segment, a triangle, a tetrahedron, a box.
 use super::deep::{PartingPlane, box_faces, triangle_face};
 use super::near::{Edge, Low, Nearest, edge_near, face_near, square_of};
+use crate::arrays::Each;
 use crate::distance::share::Best;
 use crate::scalar::largest;
 use crate::{Scalar, Vec3};
@@ -66,7 +67,7 @@ fn lower<S: Scalar>(normal: Vec3<S>, from: Vec3<S>, one: Vec3<S>, other: Vec3<S>
 /// How far points are from another one at most.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn extent_of<S: Scalar, const N: usize>(points: [Vec3<S>; N], from: Vec3<S>) -> S::Primal {
-    let sizes = points.map(|p| {
+    let sizes = points.each_as(|p| {
         let arm = p - from;
         S::from_primal(largest([arm.x, arm.y, arm.z]))
     });
@@ -148,7 +149,7 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> SimplexCore<S, C
     /// The corners of a face.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn face(&self, k: usize) -> [Vec3<S>; 3] {
-        [0, 1, 2].map(|i| self.0[FACES[k][i]])
+        [0, 1, 2].each_as(|i| self.0[FACES[k][i]])
     }
 }
 
@@ -169,7 +170,7 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn placed(self, from: Vec3<S>, scale: S) -> Self {
-        SimplexCore(self.0.map(|corner| (corner - from) * scale))
+        SimplexCore(self.0.each_as(|corner| (corner - from) * scale))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn corners(&self) -> [Vec3<S>; C] {
@@ -184,12 +185,12 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn ways(&self) -> [Vec3<S>; E] {
-        self.edges().map(|edge| edge.along)
+        self.edges().each_as(|edge| edge.along)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn near(&self, corners: &[Vec3<S>]) -> Best<S, Nearest<S>> {
         Best::least(corners.iter().map(|&corner| {
-            let edges = self.edges().map(|edge| edge_near(edge, corner));
+            let edges = self.edges().each_as(|edge| edge_near(edge, corner));
             let mut best = Best::least(edges.into_iter());
             for k in 0..F {
                 best = best.less(face_near(self.face(k), corner));
@@ -247,7 +248,7 @@ impl<S: Scalar> BoxCore<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn seen(&self, point: Vec3<S>) -> [S; 3] {
         let arm = point - self.center;
-        self.axes.map(|axis| axis.dot(arm))
+        self.axes.each_as(|axis| axis.dot(arm))
     }
     /// The ways from the centre to the faces.
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -277,20 +278,20 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn extent(&self, from: Vec3<S>) -> S::Primal {
         let arm = self.center - from;
-        let half = self.half.map(S::primal);
+        let half = self.half.each_as(S::primal);
         largest([arm.x, arm.y, arm.z]) + (half[0] + half[1] + half[2])
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn placed(self, from: Vec3<S>, scale: S) -> Self {
         let zero = S::zero();
-        let sides = self.half.map(|half| {
+        let sides = self.half.each_as(|half| {
             let (half, flat) = (half * scale, half.equals(zero));
             (S::select(flat, zero, half), S::select(flat, half, zero))
         });
         BoxCore {
             center: (self.center - from) * scale,
-            half: sides.map(|(half, _)| half),
-            flat: sides.map(|(_, flat)| flat),
+            half: sides.each_as(|(half, _)| half),
+            flat: sides.each_as(|(_, flat)| flat),
             axes: self.axes,
         }
     }
@@ -320,7 +321,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn ways(&self) -> [Vec3<S>; 3] {
-        self.arms().map(|arm| arm + arm)
+        self.arms().each_as(|arm| arm + arm)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn near(&self, corners: &[Vec3<S>]) -> Best<S, Nearest<S>> {

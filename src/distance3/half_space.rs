@@ -4,6 +4,7 @@ use super::core::Core;
 use super::near::Low;
 use super::relation::{Relation, direction, square_of_gap};
 use super::round::Revolved;
+use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance::share::Best;
 use crate::scalar::largest;
@@ -55,7 +56,7 @@ impl<S: Scalar> Bounded for Cylinder<S> {
     #[inline(always)]
     fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
         let (down, way) = lowest_of_circle(self.axis(), self.radius, normal);
-        let ends = [self.start, self.end].map(|end| (normal.dot(end), end));
+        let ends = [self.start, self.end].each_as(|end| (normal.dot(end), end));
         let (height, point) = lower(ends[0], ends[1]);
         (height - down, point - way)
     }

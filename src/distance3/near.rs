@@ -1,4 +1,5 @@
 //! The nearest points of corners, edges and faces that are apart.
+use crate::arrays::Each;
 use crate::distance::share::{Best, Carry};
 use crate::scalar::largest;
 use crate::{Scalar, Vec3};
@@ -208,7 +209,7 @@ pub(super) fn edge_near<S: Scalar>(edge: Edge<S>, corner: Vec3<S>) -> Best<S, Ne
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn face_near<S: Scalar>(face: [Vec3<S>; 3], corner: Vec3<S>) -> Best<S, Nearest<S>> {
     let [a, b, c] = face;
-    let [ab, bc, ca] = [b - a, c - b, a - c].map(Vec3::length_squared);
+    let [ab, bc, ca] = [b - a, c - b, a - c].each_as(Vec3::length_squared);
     let (at_c, at_b) = (bc.below(ab) & ca.below(ab), bc.below(ca) & ab.at_most(ca));
     let pick = |first, second, third| Vec3::select(at_c, third, Vec3::select(at_b, second, first));
     let face = [pick(a, b, c), pick(b, c, a), pick(c, a, b)];

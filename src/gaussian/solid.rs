@@ -6,6 +6,7 @@
 use super::smooth::{excess, ln_one_plus};
 pub use super::solid_wasserstein::{wasserstein, wasserstein_squared};
 use super::{finite_derivatives, fused, similarity, unit};
+use crate::arrays::Each;
 use crate::overlap3::relate::relate3;
 use crate::scalar::{least_of, most_of};
 use crate::shape::{Obb3, Rotation3};
@@ -42,10 +43,10 @@ fn pair<S: Scalar>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> Pair<S> {
         most(b.size) * quarter,
         way.length(),
     ]));
-    let sizes = |v: Vec3<S>| [v.x, v.y, v.z].map(|x| (x * scale).most(least));
+    let sizes = |v: Vec3<S>| [v.x, v.y, v.z].each_as(|x| (x * scale).most(least));
     let (own, other) = (sizes(a.size), sizes(b.size));
     let held = finite_derivatives(scale, least_of(own).least(least_of(other)));
-    let (own, other) = (own.map(&held), other.map(&held));
+    let (own, other) = (own.each_as(&held), other.each_as(&held));
     let between = Vec3::new(between.x * scale, between.y * scale, between.z * scale);
     // A way of 2⁻⁹⁰ of the largest length is none: units in which it is long have no finite derivatives.
     let long = most_of([
@@ -64,13 +65,13 @@ fn pair<S: Scalar>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> Pair<S> {
         made(between, other, b.rotation),
     );
     let other = related.renamed.rename(other);
-    let offset = related.center.map(|x| x.over(related.scale));
+    let offset = related.center.each_as(|x| x.over(related.scale));
     let turn = related.turn;
     let mut offset_b = [S::zero(); 3];
     for m in 0..3 {
         offset_b[m] = (turn[0][m] * offset[0] + turn[1][m] * offset[1]) + turn[2][m] * offset[2];
     }
-    let deviations = |v: [S; 3]| v.map(|x| x * S::lit(deviation));
+    let deviations = |v: [S; 3]| v.each_as(|x| x * S::lit(deviation));
     Pair {
         offset,
         offset_b,

@@ -3,6 +3,7 @@
     clippy::needless_range_loop,
     reason = "indices are axes, shared by several arrays"
 )]
+use crate::arrays::Each;
 use crate::gaussian::lengths::{Shapes, Way, root_of_sum, sum_of_squares};
 use crate::overlap3::relate::relate3;
 use crate::scalar::most_of;
@@ -29,8 +30,8 @@ fn pair<S: Scalar, const POWER: usize>(a: Obb3<S>, b: Obb3<S>) -> Pair<S> {
     let way = Way::of([between.x, between.y, between.z]);
     let numbers = |v: Vec3<S>| [v.x, v.y, v.z];
     let units = Shapes::of(most_of(numbers(a.size)), most_of(numbers(b.size)));
-    let own = numbers(a.size).map(|x| x * units.a);
-    let other = numbers(b.size).map(|x| x * units.b);
+    let own = numbers(a.size).each_as(|x| x * units.a);
+    let other = numbers(b.size).each_as(|x| x * units.b);
     // The rotation and the names of axes do not depend on sizes: these keep every unit finite.
     let held = units.finite_derivatives::<POWER>();
     let turned = |q: Rotation3<S>| {
@@ -44,8 +45,8 @@ fn pair<S: Scalar, const POWER: usize>(a: Obb3<S>, b: Obb3<S>) -> Pair<S> {
     let same = (related.same & way.none) & (alike(0) & alike(1) & alike(2));
     Pair {
         way,
-        a: own.map(S::halved),
-        b: other.map(S::halved),
+        a: own.each_as(S::halved),
+        b: other.each_as(S::halved),
         turn: related.turn,
         units,
         same,
@@ -91,7 +92,7 @@ fn nearest_rotation<S: Scalar>(mut x: [[S::Primal; 3]; 3]) -> [[S; 3]; 3] {
             }
         }
     }
-    x.map(|row| row.map(S::from_primal))
+    x.each_as(|row| row.each_as(S::from_primal))
 }
 
 /// The squared distance of both shapes, as if their centres agreed, in squared units of [`Shapes`].
@@ -102,7 +103,7 @@ fn of_shapes<S: Scalar>(pair: &Pair<S>) -> S {
     let (turn, units) = (&pair.turn, &pair.units);
     // Each box in its own unit: the rotation does not depend on units. Sides without thickness count as thin.
     let largest = |v: [S; 3]| {
-        let v = v.map(S::primal);
+        let v = v.each_as(S::primal);
         let size = v[0].most(v[1]).most(v[2]);
         let none = size.at_most(S::Primal::zero());
         S::Primal::select(none, S::Primal::one(), size)
@@ -118,10 +119,10 @@ fn of_shapes<S: Scalar>(pair: &Pair<S>) -> S {
     }
     let (by_a, by_b) = (size_a.binade(), size_b.binade());
     let whole = |x: S| (x.primal() * by_a) * by_b;
-    let best = nearest_rotation::<S>(aligned.map(|row| row.map(whole)));
+    let best = nearest_rotation::<S>(aligned.each_as(|row| row.each_as(whole)));
     let (a, b) = (
-        pair.a.map(|x| x * units.share_a),
-        pair.b.map(|x| x * units.share_b),
+        pair.a.each_as(|x| x * units.share_a),
+        pair.b.each_as(|x| x * units.share_b),
     );
     let mut sum = S::zero();
     for i in 0..3 {
@@ -152,7 +153,7 @@ fn gain<S: Scalar>(aligned: &[[S; 3]; 3], best: &[[S; 3]; 3]) -> S {
             }
         }
     }
-    let p = k.map(|row| row.map(S::primal));
+    let p = k.each_as(|row| row.each_as(S::primal));
     let trace = p[0][0] + p[1][1] + p[2][2];
     let [d0, d1, d2] = [trace - p[0][0], trace - p[1][1], trace - p[2][2]];
     let off = |i: usize, j: usize| -(p[i][j] + p[j][i]).halved();

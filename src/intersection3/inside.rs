@@ -1,4 +1,5 @@
 //! Ranges of a line of space inside of convex pieces.
+use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance::share::{Best, Carry};
 use crate::distance3::near::size_of;
@@ -239,7 +240,7 @@ impl<S: Scalar> Inside<S> {
         let axis = sized(to - from);
         let base = axis.dot(beam.from - from);
         Inside::tube(beam, from, axis, radius).rounded(
-            [from, to].map(|end| Inside::ball(beam, end, radius)),
+            [from, to].each_as(|end| Inside::ball(beam, end, radius)),
             [base, axis.dot(beam.along), axis.dot(to - from)],
         )
     }

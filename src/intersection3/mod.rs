@@ -26,6 +26,7 @@
 //! moves by −v or the ray by v. Kinks: silhouettes, where the ray grazes a solid and the hit jumps; directions that are
 //! parallel to a face; hits of an edge, where the faces share the derivative of the parameter and the first one gives
 //! the normal. Directions whose sine is below ε² count as parallel.
+use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance::share::Best;
 use crate::intersection::Chord;
@@ -161,18 +162,18 @@ pub fn first_hit<S: Scalar, A: Pierced<Scalar = S>>(ray: Ray3<S>, shape: A) -> H
 #[must_use]
 #[inline]
 pub fn first_hit_triangle<S: Scalar>(ray: Ray3<S>, triangle: Triangle3<S>) -> Hit3<S> {
-    let arms = triangle.corners().map(|corner| corner - ray.point);
-    let sizes = arms.map(|arm| S::from_primal(size_of(arm)));
+    let arms = triangle.corners().each_as(|corner| corner - ray.point);
+    let sizes = arms.each_as(|arm| S::from_primal(size_of(arm)));
     let scale = scale_of::<S>(crate::scalar::largest(sizes));
-    let [a, b, c] = arms.map(|arm| arm * scale);
+    let [a, b, c] = arms.each_as(|arm| arm * scale);
     let length = ray.direction.length();
     let length = S::select(length.at_most(S::zero()), S::one(), length);
     let way = ray.direction;
     let d = Vec3::new(way.x.over(length), way.y.over(length), way.z.over(length));
-    let sides = [b.cross(c), c.cross(a), a.cross(b)].map(|side| d.dot(side));
+    let sides = [b.cross(c), c.cross(a), a.cross(b)].each_as(|side| d.dot(side));
     let (zero, large) = (S::zero(), S::lit(S::LARGEST));
-    let [u, v, w] = sides.map(|side| side.at_least(zero));
-    let [x, y, z] = sides.map(|side| side.at_most(zero));
+    let [u, v, w] = sides.each_as(|side| side.at_least(zero));
+    let [x, y, z] = sides.each_as(|side| side.at_most(zero));
     let normal = (b - a).cross(c - a);
     let rate = normal.dot(d);
     let parallel = rate.magnitude().at_most(S::lit(S::EPSILON.powi(4)));

@@ -1,5 +1,6 @@
 //! Shapes of space that lines pierce.
 use super::inside::{Beam, Border, Inside, Tube, choose, sized};
+use crate::arrays::Each;
 use crate::distance::share::Best;
 use crate::distance3::apart::Cored;
 use crate::distance3::core::{BoxCore, Core};
@@ -78,8 +79,8 @@ fn in_box<S: Scalar>(shape: BoxCore<S>, beam: Beam<S>, scale: S) -> Inside<S> {
 /// two of them meet, have one normal.
 #[inline(always)]
 fn in_round_box<S: Scalar>(shape: BoxCore<S>, radius: S, beam: Beam<S>, scale: S) -> Inside<S> {
-    let [from, along] = [beam.from, beam.along].map(|v| shape.axes.map(|axis| axis.dot(v)));
-    let half = shape.half.map(|half| half * scale);
+    let [from, along] = [beam.from, beam.along].each_as(|v| shape.axes.each_as(|axis| axis.dot(v)));
+    let half = shape.half.each_as(|half| half * scale);
     let (zero, one, large) = (S::zero(), S::one(), S::lit(S::LARGEST));
     let local = Beam {
         from: vector(from),
@@ -87,7 +88,7 @@ fn in_round_box<S: Scalar>(shape: BoxCore<S>, radius: S, beam: Beam<S>, scale: S
     };
     let at_side = |is_high: bool, k: usize| if is_high { half[k] } else { -half[k] };
     let balls: [Inside<S>; 8] = std::array::from_fn(|corner| {
-        let center = [0, 1, 2].map(|k| at_side(corner >> k & 1 == 1, k));
+        let center = [0, 1, 2].each_as(|k| at_side(corner >> k & 1 == 1, k));
         Inside::ball(local, vector(center), radius)
     });
     let mut all = Inside::everywhere().unless(zero.below(one));
@@ -284,12 +285,12 @@ impl<S: Scalar> Pierced for Tetrahedron<S> {
     }
     #[inline(always)]
     fn extent(self) -> S::Primal {
-        let [_, b, c, d] = self.corners().map(|corner| size_of(corner - self.a));
+        let [_, b, c, d] = self.corners().each_as(|corner| size_of(corner - self.a));
         b.most(c).most(d)
     }
     #[inline(always)]
     fn inside(self, beam: Beam<S>, scale: S) -> Inside<S> {
-        let [a, b, c, d] = self.corners().map(|corner| (corner - self.a) * scale);
+        let [a, b, c, d] = self.corners().each_as(|corner| (corner - self.a) * scale);
         let placed = Tetrahedron::new(a, b, c, d);
         let volume = b.cross(c).dot(d);
         let inwards = volume.below(S::zero());

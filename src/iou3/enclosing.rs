@@ -1,6 +1,7 @@
 //! Shapes around a pair of axis-aligned or of upright boxes.
 use super::Terms;
 use super::rectangle::least_rectangle;
+use crate::arrays::Each;
 use crate::clip::area_from_half;
 use crate::clip::{frame, relate};
 use crate::iou::{
@@ -67,7 +68,7 @@ fn of_bounds<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> Terms<S> {
     let empty = (around[0].at_most(zero) | around[1].at_most(zero)) | around[2].at_most(zero);
     // Axis by axis: no product is of lengths.
     let covered = |size: [S; 3]| {
-        let [x, y, z] = [0, 1, 2].map(|i| share(size[i], around[i]));
+        let [x, y, z] = [0, 1, 2].each_as(|i| share(size[i], around[i]));
         (x * y) * z
     };
     let covered_by_both = S::select(apart, zero, covered(meet));

@@ -8,6 +8,7 @@
 //! Several directions often give the same area: where boxes have one centre, opposite edges do, and both boxes
 //! reach equally far across them on both sides. Areas, and lengths along a direction, count as equal when they
 //! differ by no more than rounding makes them differ; equal ones share the derivative.
+use crate::arrays::Each;
 use crate::clip::{Relative, frame, relate};
 use crate::iou::unit;
 use crate::{Obb2, Scalar, Vec2};
@@ -39,7 +40,7 @@ struct Along<S: Scalar> {
 /// Numbers as constants: whether the first is larger, as 1, 0, or ½ for as good as a tie.
 #[inline(always)]
 fn weight<S: Scalar>(x: S, terms: [S; 3]) -> S::Primal {
-    let [a, b, c] = terms.map(S::primal);
+    let [a, b, c] = terms.each_as(S::primal);
     let (x, y) = (x.primal(), (a + b) + c);
     let all = x + (a.unsigned() + b + c);
     let near = (x - y)

@@ -1,6 +1,7 @@
 //! Shapes around a pair of boxes of any orientation.
 use super::enclosing::{gap, outside, shared};
 use super::{Enclosing, Terms};
+use crate::arrays::Each;
 use crate::iou::{larger, part, unit};
 use crate::overlap3::relate::relate3_in;
 use crate::shape::Obb3;
@@ -60,7 +61,7 @@ impl<S: Scalar> Pair<S> {
 /// The extents of two boxes about a centre: of one that reaches so far along its own axes, and one elsewhere.
 #[inline(always)]
 fn extents<S: Scalar>(own: Three<S>, center: Three<S>, reach: Three<S>) -> Three<S> {
-    [0, 1, 2].map(|i| own[i].most(reach[i] + center[i]) + own[i].most(reach[i] - center[i]))
+    [0, 1, 2].each_as(|i| own[i].most(reach[i] + center[i]) + own[i].most(reach[i] - center[i]))
 }
 
 /// The terms of two boxes of any orientation.
@@ -96,12 +97,12 @@ pub(super) fn of_any<S: Scalar>(a: Obb3<S>, b: Obb3<S>, iou: S, kind: Enclosing)
     }
     let seen = relate3_in(a, b, scale);
     let (r, c, h, p) = (seen.turn, seen.center, seen.half_a, seen.half_b);
-    let reach = [0, 1, 2].map(|i: usize| {
+    let reach = [0, 1, 2].each_as(|i: usize| {
         (r[i][0].magnitude() * p[0] + r[i][1].magnitude() * p[1]) + r[i][2].magnitude() * p[2]
     });
     let by_a = extents(h, c, reach);
-    let back = [0, 1, 2].map(|i: usize| (r[0][i] * c[0] + r[1][i] * c[1]) + r[2][i] * c[2]);
-    let reach = [0, 1, 2].map(|i: usize| {
+    let back = [0, 1, 2].each_as(|i: usize| (r[0][i] * c[0] + r[1][i] * c[1]) + r[2][i] * c[2]);
+    let reach = [0, 1, 2].each_as(|i: usize| {
         (r[0][i].magnitude() * h[0] + r[1][i].magnitude() * h[1]) + r[2][i].magnitude() * h[2]
     });
     let by_b = seen.renamed.restore(extents(p, back, reach));
@@ -110,8 +111,8 @@ pub(super) fn of_any<S: Scalar>(a: Obb3<S>, b: Obb3<S>, iou: S, kind: Enclosing)
     let slack = (of_a + of_b) * S::Primal::lit(ROUNDINGS * S::EPSILON);
     let tie = (of_a - of_b).unsigned().at_most(slack);
     let second = of_b.below(of_a);
-    let chosen = [0, 1, 2].map(|i: usize| choose(second, by_b[i], by_a[i]));
-    let other = [0, 1, 2].map(|i: usize| choose(second, by_a[i], by_b[i]));
+    let chosen = [0, 1, 2].each_as(|i: usize| choose(second, by_b[i], by_a[i]));
+    let other = [0, 1, 2].each_as(|i: usize| choose(second, by_a[i], by_b[i]));
     let (chosen, other) = (pair.terms(chosen), pair.terms(other));
     let shared = |x: S, y: S| choose(tie, x.halved() + y.halved(), x);
     Terms {

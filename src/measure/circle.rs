@@ -1,4 +1,5 @@
 //! The smallest circle around points.
+use crate::arrays::Each;
 use crate::hull::hull_search;
 use crate::reference::Reference;
 use crate::{Scalar, Vec2};
@@ -133,8 +134,8 @@ fn local<S: Scalar>(support: Support, place: impl Fn(usize) -> Vec2<S>) -> Enclo
 pub fn circle_replay<S: Scalar>(points: &[Vec2<S>], record: Support) -> Enclosing<S> {
     let seen = match record {
         Support::One(p) => Reference::of_ring(&[points[p]]),
-        Support::Two(all) => Reference::of_ring(&all.map(|k| points[k])),
-        Support::Three(all) => Reference::of_ring(&all.map(|k| points[k])),
+        Support::Two(all) => Reference::of_ring(&all.each_as(|k| points[k])),
+        Support::Three(all) => Reference::of_ring(&all.each_as(|k| points[k])),
     };
     let Enclosing { center, radius } = local(record, |k| seen.place(points[k]));
     Enclosing {

@@ -1,4 +1,5 @@
 //! The longest and the shortest way across points: diameter and width.
+use crate::arrays::Each;
 use crate::hull::hull_search;
 use crate::predicate::{Turn, turn_between};
 use crate::reference::Reference;
@@ -167,7 +168,7 @@ pub fn width_replay<S: Scalar>(points: &[Vec2<S>], record: Narrowest) -> S {
         points[record.across],
     ];
     let seen = Reference::of_ring(&three);
-    let [start, end, across] = three.map(|p| seen.place(p));
+    let [start, end, across] = three.each_as(|p| seen.place(p));
     seen.outer(height(start, end, across))
         .saturated()
         .canonical()

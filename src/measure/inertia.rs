@@ -5,6 +5,7 @@
 //! ([`displaced`]).
 //!
 //! Every sum is of numbers that are not negative, so that thin solids keep the digits of their small moments.
+use crate::arrays::Each;
 use crate::shape::{
     Aabb3, Capsule3, Cone, Cylinder, Obb3, RoundBox3, Sphere, Symmetric3, Tetrahedron, YawBox3,
 };
@@ -165,7 +166,7 @@ impl<S: Scalar> Tetrahedron<S> {
         let center = self.center();
         let [a, b, c, d] = self
             .corners()
-            .map(|corner| Symmetric3::square_of(corner - center));
+            .each_as(|corner| Symmetric3::square_of(corner - center));
         of_second_moments((a + b + (c + d)) * (self.volume() * S::lit(0.05)))
     }
 }

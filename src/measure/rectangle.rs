@@ -1,4 +1,5 @@
 //! The rectangle of least area around points.
+use crate::arrays::Each;
 use crate::hull::hull_search;
 use crate::predicate::{Turn, turn_between};
 use crate::reference::Reference;
@@ -67,9 +68,9 @@ pub fn rectangle_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(O
         let along = [at(k), at(k + 1)];
         // Directions as pairs of points: along the edge, left of it, and back.
         let back = [along[1], along[0]];
-        right = advance(at, along.map(turned_back), right.max(k + 1), n);
+        right = advance(at, along.each_as(turned_back), right.max(k + 1), n);
         top = advance(at, along, top.max(right), n);
-        left = advance(at, back.map(turned_back), left.max(top), n);
+        left = advance(at, back.each_as(turned_back), left.max(top), n);
         let record = Resting {
             start: hull[k],
             end: hull[(k + 1) % n],
@@ -121,7 +122,7 @@ pub fn rectangle_replay<S: Scalar>(points: &[Vec2<S>], record: Resting) -> Obb2<
         record.top,
         record.left,
     ];
-    let seen = Reference::of_ring(&five.map(|k| points[k]));
+    let seen = Reference::of_ring(&five.each_as(|k| points[k]));
     let Sides { axis, middle, size } = sides(&seen, points, record);
     let start = seen.place(points[record.start]);
     let center = start + axis * middle + axis.perp() * size[1].halved();

@@ -2,6 +2,7 @@
 use super::border::{Shared3, shared_volume};
 use super::relate::{Relative3, relate3};
 use super::{score, volume_from_half};
+use crate::arrays::Each;
 use crate::overlap::Denominator;
 use crate::shape::Obb3;
 use crate::{Mask, Scalar};
@@ -58,7 +59,7 @@ fn volume_and_curvature<S: Scalar>(pair: &Relative3<S>) -> S {
 #[inline(always)]
 fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
     let large = |v: [S; 3]| {
-        let v = v.map(|x| x.primal().magnitude());
+        let v = v.each_as(|x| x.primal().magnitude());
         v[0].most(v[1]).most(v[2])
     };
     let size = large(pair.half_a).most(large(pair.half_b));
@@ -66,10 +67,10 @@ fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
     let extreme = size.above(S::Primal::lit(S::LARGEST.powf(0.1)));
     let held = |x: S| S::select(extreme, S::from_primal(x.primal()), x);
     Relative3 {
-        turn: pair.turn.map(|row| row.map(held)),
-        center: pair.center.map(held),
-        half_a: pair.half_a.map(held),
-        half_b: pair.half_b.map(held),
+        turn: pair.turn.each_as(|row| row.each_as(held)),
+        center: pair.center.each_as(held),
+        half_a: pair.half_a.each_as(held),
+        half_b: pair.half_b.each_as(held),
         ..*pair
     }
 }

@@ -2,6 +2,7 @@
 use super::convexity::{
     between, check_capacity, check_convex, check_finite, corner_of, runs_clockwise,
 };
+use crate::arrays::Each;
 use crate::error::{Flaw, Validate, VertexFault};
 use crate::predicate::{Turn, same, turn};
 use crate::{Aabb2, Obb2, Scalar, Shape, Vec2};
@@ -169,7 +170,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
         let first = self.vertex(0);
         let count = self.count;
         let mut k = 0;
-        self.vertices.map(|vertex| {
+        self.vertices.each_as(|vertex| {
             k += 1;
             if k <= count { vertex } else { first }
         })

@@ -1,4 +1,5 @@
 //! Tetrahedra.
+use crate::arrays::Each;
 use crate::shape::{Aabb3, Pose3, Triangle3};
 use crate::{Scalar, Shape, Vec3};
 use std::ops::Mul;
@@ -72,7 +73,7 @@ impl<S: Scalar> Tetrahedron<S> {
     #[must_use]
     #[inline]
     pub fn surface(self) -> S {
-        let [a, b, c, d] = self.faces().map(Triangle3::area);
+        let [a, b, c, d] = self.faces().each_as(Triangle3::area);
         (a + b) + (c + d)
     }
     /// The centre of its volume: the mean of the corners.
@@ -92,10 +93,10 @@ impl<S: Scalar> Tetrahedron<S> {
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
-        let volumes = self.faces().map(|face| face.six_volume(point));
+        let volumes = self.faces().each_as(|face| face.six_volume(point));
         let zero = S::zero();
         let all = |holds: fn(S, S) -> S::Mask| {
-            let [a, b, c, d] = volumes.map(|volume| holds(volume, zero));
+            let [a, b, c, d] = volumes.each_as(|volume| holds(volume, zero));
             (a & b) & (c & d)
         };
         all(S::at_least) | all(S::at_most)
@@ -107,7 +108,7 @@ impl<S: Scalar> Mul<Tetrahedron<S>> for Pose3<S> {
     /// The tetrahedron carried along.
     #[inline]
     fn mul(self, shape: Tetrahedron<S>) -> Tetrahedron<S> {
-        let [a, b, c, d] = shape.corners().map(|corner| self * corner);
+        let [a, b, c, d] = shape.corners().each_as(|corner| self * corner);
         Tetrahedron::new(a, b, c, d)
     }
 }

@@ -1,4 +1,5 @@
 //! Triangles of the plane.
+use crate::arrays::Each;
 use crate::error::{Flaw, Validate};
 use crate::scalar::{least_of, most_of};
 use crate::shape::circumcircle;
@@ -101,7 +102,10 @@ impl<S: Scalar> Triangle2<S> {
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb2<S> {
-        let (x, y) = (self.corners().map(|p| p.x), self.corners().map(|p| p.y));
+        let (x, y) = (
+            self.corners().each_as(|p| p.x),
+            self.corners().each_as(|p| p.y),
+        );
         Aabb2 {
             min: Vec2::new(least_of(x), least_of(y)).canonical(),
             max: Vec2::new(most_of(x), most_of(y)).canonical(),

@@ -1,23 +1,27 @@
 //! Folds over ragged lists of paths: edges side by side as a program, what they tell joined in order.
+pub(crate) mod folding;
 mod paths;
 mod programs;
 
-use crate::error::{Argument, Field};
+use crate::error::{Argument, Field, Flaw};
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::{check_argument, check_upstream, expect, numbers};
 use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::nearest::Spans;
-use crate::kernels::cpu::plan::{Face, Preparation, name, of_recorded};
-use crate::kernels::cpu::ragged::{check_elements, check_offsets};
+use crate::kernels::cpu::plan::{Face, of_recorded};
+use crate::kernels::cpu::ragged::check_offsets;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::fold::Fold;
-use crate::kernels::item::{Column, Columns, Leaf, STRETCH, Target, leaves_of};
+use crate::kernels::item::{Columns, Leaf, STRETCH, Target};
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Key, Mode};
 use crate::{Error, Fixed, Pack};
-use paths::{Paths, finished, paths, told};
+use folding::{Folding, Sizes};
+pub use paths::Input;
+use paths::{Paths, paths, told};
 pub(crate) use programs::{Programs, backwards, programs};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Checks paths; of every one its context and then its reference, as numbers.
@@ -30,9 +34,15 @@ pub(crate) fn shared<F: Fold, T: Real, C: Columns>(
 where
     C::Item: Pack<Scalar = T>,
 {
-    let spans = Spans::Ragged(offsets);
-    let contexts = checked::<F, C, T>(context, vertices, spans)?;
-    Ok(paths::<F, T>(&contexts, vertices, spans)?.shared)
+    on::<F, C, T, _>(
+        context,
+        vertices,
+        Spans::Ragged(offsets),
+        |folding, input| {
+            folding.checked(input)?;
+            Ok(paths(folding, input)?.shared)
+        },
+    )
 }
 
 impl Cpu {
@@ -143,6 +153,30 @@ fn contexts_of<C: Columns>(contexts: &C) -> usize {
     count.unwrap_or(1)
 }
 
+/// Runs something on a fold, contexts and paths without their types.
+fn on<F: Fold, C: Columns, T: Real, R>(
+    context: &C,
+    vertices: &[F::Element<T>],
+    spans: Spans<'_>,
+    run: impl FnOnce(&Folding<T>, &Input<'_, T>) -> Result<R, Error>,
+) -> Result<R, Error>
+where
+    C::Item: Pack<Scalar = T>,
+{
+    let mut contexts = Vec::new();
+    context.list(&mut |column| contexts.push(column));
+    let input = Input {
+        contexts,
+        vertices: numbers(vertices),
+        plane: F::in_plane(vertices),
+        spans,
+        refer: &|context, path, reference| {
+            F::reference(F::Context::load(context), &vertices[path]).store(reference);
+        },
+    };
+    run(&Folding::of::<F, C::Item>(), &input)
+}
+
 /// The result of every path.
 fn folded<F: Fold, C: Columns, T: Real>(
     context: &C,
@@ -152,18 +186,14 @@ fn folded<F: Fold, C: Columns, T: Real>(
 where
     C::Item: Pack<Scalar = T>,
 {
-    let contexts = checked::<F, C, T>(context, vertices, spans)?;
-    let programs = programs::<F, T>()?;
-    let paths = paths::<F, T>(&contexts, vertices, spans)?;
-    let states = states::<F, T>(&programs, &paths)?;
-    let mut out = vec![F::Out::<T>::filled(T::default()); spans.count()];
-    let work = out.chunks_mut(STRETCH).enumerate().collect();
-    spread(work, |(i, out): (usize, &mut [F::Out<T>])| {
-        for (k, out) in out.iter_mut().enumerate() {
-            *out = finished::<F, T>(&paths, &states, i * STRETCH + k);
+    on::<F, C, T, _>(context, vertices, spans, |folding, input| {
+        let numbers = (T::drivers().folded)(folding, input)?;
+        let mut out = vec![F::Out::filled(T::default()); spans.count()];
+        for (out, numbers) in out.iter_mut().zip(folding.sizes.results(&numbers)) {
+            *out = F::Out::load(numbers);
         }
-    });
-    Ok(out)
+        Ok(out)
+    })
 }
 
 /// Cotangents of every context and every vertex.
@@ -178,48 +208,111 @@ fn pulled_back<F: Fold, C: Columns, T: Real>(
 where
     C::Item: Pack<Scalar = T>,
 {
-    let contexts = checked::<F, C, T>(context, vertices, spans)?;
-    expect(Argument::Upstream, spans.count(), upstream.len())?;
-    let numbers: Vec<T> = upstream.iter().flat_map(Pack::scalars).collect();
-    check_upstream(&numbers, F::Out::<T>::LEN.max(1))?;
-    let programs = programs::<F, T>()?;
-    let paths = paths::<F, T>(&contexts, vertices, spans)?;
-    let states = states::<F, T>(&programs, &paths)?;
-    // From results to what every edge told.
-    let (own, state) = (F::Context::<T>::LEN, F::State::<T>::LEN);
-    let wide = own + F::Reference::<T>::LEN;
-    let mut context_bars = vec![F::Context::<T>::filled(T::default()); upstream.len()];
-    let mut state_bars = vec![T::default(); states.len()];
-    let mut work = Vec::new();
-    let mut rest = &mut state_bars[..];
-    for (i, bars) in context_bars.chunks_mut(STRETCH).enumerate() {
-        let first = i * STRETCH;
-        let edges = paths.starts[first + bars.len()] - paths.starts[first];
-        let (some, after) = rest.split_at_mut(edges * state);
-        rest = after;
-        work.push((first, bars, some));
-    }
-    type Work<'a, F, T> = (usize, &'a mut [<F as Fold>::Context<T>], &'a mut [T]);
-    spread(work, |(first, context_bars, state_bars): Work<'_, F, T>| {
-        let mut at = 0;
-        for (k, context_bar) in context_bars.iter_mut().enumerate() {
-            let path = first + k;
-            let shared = &paths.shared[path * wide..][..wide];
-            let own_states: Vec<_> = told::<F, T>(&paths, &states, path).collect();
-            let winding = paths.windings[path];
-            let (bar, bars) =
-                backwards::<F, T>(&programs, shared, &own_states, winding, upstream[path]);
-            *context_bar = F::Context::<T>::load(&bar);
-            for bar in bars {
-                bar.store(&mut state_bars[at..]);
-                at += state;
+    let seeds = numbers(upstream);
+    on::<F, C, T, _>(context, vertices, spans, |folding, input| {
+        let (by_context, by_vertex) =
+            (T::drivers().pulled_back)(folding, input, upstream.len(), &seeds)?;
+        // Loops, since every adapter of an iterator is compiled for every fold.
+        let mut context_bars = vec![F::Context::filled(T::default()); upstream.len()];
+        for (bar, numbers) in context_bars
+            .iter_mut()
+            .zip(by_context.chunks_exact(folding.sizes.own.max(1)))
+        {
+            *bar = F::Context::load(numbers);
+        }
+        let mut path_bars = vec![F::Element::filled(T::default()); vertices.len()];
+        for (bar, numbers) in path_bars
+            .iter_mut()
+            .zip(by_vertex.chunks_exact(folding.sizes.element.max(1)))
+        {
+            *bar = F::Element::load(numbers);
+        }
+        Ok((context_bars, path_bars))
+    })
+}
+
+/// The numbers of the result of every path.
+pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec<T>, Error> {
+    folding.checked(input)?;
+    let (sizes, programs) = (&folding.sizes, (folding.programs)()?);
+    let paths = paths(folding, input)?;
+    let states = states(sizes, &programs, &paths)?;
+    let mut out = vec![T::default(); input.spans.count() * sizes.out];
+    let work = out
+        .chunks_mut(STRETCH * sizes.out.max(1))
+        .enumerate()
+        .collect();
+    spread(work, |(i, out): (usize, &mut [T])| {
+        let mut state = vec![T::default(); sizes.state];
+        for (k, out) in out.chunks_exact_mut(sizes.out).enumerate() {
+            let path = i * STRETCH + k;
+            (folding.joined)(told(sizes, &paths, &states, path), &mut state);
+            sizes.wind(&mut state, paths.windings[path]);
+            (folding.finish)(
+                &paths.shared[path * sizes.wide..][..sizes.wide],
+                &state,
+                out,
+            );
+            for x in out {
+                *x = x.canonical();
             }
         }
     });
+    Ok(out)
+}
+
+/// The numbers of the cotangents of every context and every vertex, for so many of results.
+pub fn cotangents<T: Real>(
+    folding: &Folding<T>,
+    input: &Input<'_, T>,
+    results: usize,
+    upstream: &[T],
+) -> Result<(Vec<T>, Vec<T>), Error> {
+    folding.checked(input)?;
+    let (sizes, programs) = (&folding.sizes, (folding.programs)()?);
+    expect(Argument::Upstream, input.spans.count(), results)?;
+    check_upstream(upstream, sizes.out.max(1))?;
+    let paths = paths(folding, input)?;
+    let states = states(sizes, &programs, &paths)?;
+    // From results to what every edge told.
+    let Sizes {
+        own,
+        wide,
+        state,
+        element,
+        ..
+    } = *sizes;
+    let mut context_bars = vec![T::default(); results * own];
+    let mut state_bars = vec![T::default(); states.len()];
+    let mut work = Vec::new();
+    let (mut rest, mut contexts) = (&mut state_bars[..], &mut context_bars[..]);
+    for first in (0..results).step_by(STRETCH) {
+        let end = results.min(first + STRETCH);
+        let edges = paths.starts[end] - paths.starts[first];
+        let (some, after) = rest.split_at_mut(edges * state);
+        let (bars, later) = contexts.split_at_mut((end - first) * own);
+        (rest, contexts) = (after, later);
+        work.push((first..end, bars, some));
+    }
+    type Work<'a, T> = (Range<usize>, &'a mut [T], &'a mut [T]);
+    spread(work, |(some, context_bars, state_bars): Work<'_, T>| {
+        let mut at = 0;
+        for (k, path) in some.enumerate() {
+            let shared = &paths.shared[path * wide..][..wide];
+            let told = told(sizes, &paths, &states, path);
+            let before = (folding.before)(told);
+            let out_bar = &upstream[path * sizes.out..][..sizes.out];
+            let winding = paths.windings[path];
+            let (bar, bars) =
+                backwards(sizes, &programs, shared, [told, &before], winding, out_bar);
+            context_bars[k * own..][..own].copy_from_slice(&bar[..own]);
+            state_bars[at..at + bars.len()].copy_from_slice(&bars);
+            at += bars.len();
+        }
+    });
     // From there to the ends of every edge.
-    let body = plan::<F, T>(&programs, Mode::Vjp)?;
+    let body = plan(sizes, &programs, Mode::Vjp)?;
     let count = paths.edges.len();
-    let element = F::Element::<T>::LEN;
     let mut shared_bars = vec![T::default(); count * wide];
     let mut end_bars = vec![T::default(); count * 2 * element];
     let columns = paths.columns(wide, Some((&state_bars, state)));
@@ -236,78 +329,74 @@ where
         count,
         targets,
     });
-    let mut path_bars = vec![T::default(); vertices.len() * element];
-    let element = element.max(1);
-    let ends = end_bars.chunks_exact(2 * element);
+    let mut path_bars = vec![T::default(); input.vertices.len()];
+    let add = |sums: &mut [T], bars: &[T]| {
+        for (sum, &x) in sums.iter_mut().zip(bars) {
+            *sum += x;
+        }
+    };
+    let ends = end_bars.chunks_exact((2 * element).max(1));
     for (k, (&(path, from, to), bar)) in paths.edges.iter().zip(ends).enumerate() {
         for (end, bar) in [from, to].into_iter().zip(bar.chunks_exact(element)) {
-            let sums = &mut path_bars[end as usize * element..][..element];
-            for (sum, &x) in sums.iter_mut().zip(bar) {
-                *sum += x;
-            }
+            add(&mut path_bars[end as usize * element..][..element], bar);
         }
-        if own > 0 {
-            let mut sum = context_bars[path as usize].scalars();
-            for (sum, &x) in sum.iter_mut().zip(&shared_bars[k * wide..][..own]) {
-                *sum += x;
-            }
-            context_bars[path as usize] = F::Context::<T>::load(&sum);
-        }
+        let context = &mut context_bars[path as usize * own..][..own];
+        add(context, &shared_bars[k * wide..][..own]);
     }
     for bar in &mut path_bars {
         *bar = bar.canonical();
     }
-    let path_bars = path_bars.chunks_exact(element).map(F::Element::load);
-    Ok((context_bars, path_bars.collect()))
+    Ok((context_bars, path_bars))
 }
 
-/// Checks paths and their contexts. Whoever looks at every vertex anyway finds those that are not finite itself.
-fn checked<'a, F: Fold, C: Columns, T: Real>(
-    context: &'a C,
-    vertices: &[F::Element<T>],
-    spans: Spans<'_>,
-) -> Result<Vec<Column<'a, T>>, Error>
-where
-    C::Item: Pack<Scalar = T>,
-{
-    match spans {
-        Spans::Ragged(offsets) => check_offsets::<T>(vertices.len(), offsets)?,
-        Spans::Shared(..) => {
-            Simd::current()?;
+impl<T: Real> Folding<T> {
+    /// Checks paths and their contexts. Whoever looks at every vertex anyway finds those that are not finite itself.
+    fn checked(&self, input: &Input<'_, T>) -> Result<(), Error> {
+        let (spans, winding) = (input.spans, self.sizes.winding);
+        let vertices = input.vertices.len() / self.sizes.element.max(1);
+        match spans {
+            Spans::Ragged(offsets) => check_offsets::<T>(vertices, offsets)?,
+            Spans::Shared(..) => {
+                Simd::current()?;
+            }
+        }
+        if winding.is_none() && !(T::kernels().all_finite)(&input.vertices) {
+            return Err(self.first_flaw(&input.vertices));
+        }
+        let edges = match spans {
+            Spans::Shared(paths, length) if winding.is_none() => paths.saturating_mul(length),
+            _ => vertices,
+        };
+        if edges.max(spans.count()) >= u32::MAX as usize {
+            return Err(Error::TooLarge);
+        }
+        let plans = self.preparations();
+        for (k, column) in input.contexts.iter().enumerate() {
+            if let Some(found) = column.count {
+                expect(plans[k].argument(k), spans.count(), found)?;
+            }
+            check_argument(k, &plans, column)?;
+        }
+        Ok(())
+    }
+    /// The first number of a vertex that is not finite.
+    fn first_flaw(&self, vertices: &[T]) -> Error {
+        let at = vertices.iter().position(|x| !x.finite()).unwrap_or(0);
+        let element = self.sizes.element.max(1);
+        Error::Invalid {
+            argument: Argument::Vertices,
+            item: at / element,
+            flaw: Flaw::NotFinite((self.field)(at % element)),
         }
     }
-    if F::WINDING.is_none() && !(T::kernels().all_finite)(&numbers(vertices)) {
-        check_elements(vertices)?;
-    }
-    let edges = match spans {
-        Spans::Shared(paths, length) if F::WINDING.is_none() => paths.saturating_mul(length),
-        _ => vertices.len(),
-    };
-    if edges.max(spans.count()) >= u32::MAX as usize {
-        return Err(Error::TooLarge);
-    }
-    let mut contexts = Vec::new();
-    context.list(&mut |column| contexts.push(column));
-    let leaves = leaves_of::<C::Item>();
-    let mut plans: Vec<_> = leaves.into_iter().map(Preparation::plain).collect();
-    name(&mut plans, F::ARGUMENTS);
-    for (k, column) in contexts.iter().enumerate() {
-        if let Some(found) = column.count {
-            expect(plans[k].argument(k), spans.count(), found)?;
-        }
-        check_argument(k, &plans, column)?;
-    }
-    Ok(contexts)
 }
 
 /// A body of edges as a batch sees it.
-fn plan<F: Fold, T: Real>(programs: &Programs, mode: Mode) -> Result<Arc<Face<T>>, Error> {
+fn plan<T: Real>(sizes: &Sizes, programs: &Programs, mode: Mode) -> Result<Arc<Face<T>>, Error> {
     let recorded = match mode {
         Mode::Vjp => &programs.edge_vjp,
         _ => &programs.edge,
     };
-    let wide = F::Context::<T>::LEN + F::Reference::<T>::LEN;
-    let state = F::State::<T>::LEN;
     programs.made.made(Key::Cpu(mode, false), &|| {
         let leaf = |fields| Leaf {
             shape: || "",
@@ -317,28 +406,34 @@ fn plan<F: Fold, T: Real>(programs: &Programs, mode: Mode) -> Result<Arc<Face<T>
             check: |_: &[T]| Ok(()),
             all_valid: |_| true,
         };
-        let arguments = [wide, 2 * F::Element::<T>::LEN]
+        let arguments = [sizes.wide, 2 * sizes.element]
             .into_iter()
             .filter(|&fields| fields > 0)
             .map(leaf);
-        of_recorded(mode, arguments.collect(), vec![state], recorded, false)
+        of_recorded(
+            mode,
+            arguments.collect(),
+            vec![sizes.state],
+            recorded,
+            false,
+        )
     })
 }
 
 /// The states of all edges.
-fn states<F: Fold, T: Real>(programs: &Programs, paths: &Paths<'_, T>) -> Result<Vec<T>, Error> {
-    let (wide, state) = (
-        F::Context::<T>::LEN + F::Reference::<T>::LEN,
-        F::State::<T>::LEN,
-    );
-    let body = plan::<F, T>(programs, Mode::Value)?;
+fn states<T: Real>(
+    sizes: &Sizes,
+    programs: &Programs,
+    paths: &Paths<'_, T>,
+) -> Result<Vec<T>, Error> {
+    let body = plan(sizes, programs, Mode::Value)?;
     let count = paths.edges.len();
-    let mut states = vec![T::default(); count * state];
-    let targets = vec![Some(Target::of_rows(&mut states, state))];
+    let mut states = vec![T::default(); count * sizes.state];
+    let targets = vec![Some(Target::of_rows(&mut states, sizes.state))];
     (T::drivers().aligned)(Aligned {
         unchecked: false,
         face: &body,
-        columns: &paths.columns(wide, None),
+        columns: &paths.columns(sizes.wide, None),
         rare: false,
         count,
         targets,

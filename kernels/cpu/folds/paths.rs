@@ -1,19 +1,16 @@
 //! Paths that are folded, edge by edge.
-use super::programs::with_winding;
-use crate::kernels::cpu::checked::numbers;
-use crate::kernels::cpu::nearest::Spans;
-use crate::kernels::cpu::ragged::check_vertices;
-use crate::kernels::fold::{Fold, edges};
+use super::folding::{Folding, Sizes};
+use crate::kernels::cpu::nearest::{Spans, sieved};
 use crate::kernels::item::Column;
 use crate::kernels::real::Real;
-use crate::{Error, Fixed, Pack, Vec2};
+use crate::{Error, Fixed, Vec2};
 use std::borrow::Cow;
 use std::ops::Range;
 
 /// Paths that are folded, with the numbers of every edge.
-pub(super) struct Paths<'a, T: Clone> {
+pub(super) struct Paths<'a, T> {
     /// The numbers of all vertices, and how many one has.
-    pub(super) vertices: Cow<'a, [T]>,
+    pub(super) vertices: &'a [T],
     pub(super) element: usize,
     /// The path of every edge, and its ends.
     pub(super) edges: Vec<(u32, u32, u32)>,
@@ -25,51 +22,58 @@ pub(super) struct Paths<'a, T: Clone> {
     pub(super) windings: Vec<Option<T>>,
 }
 
-pub(super) fn paths<'a, F: Fold, T: Real>(
-    contexts: &[Column<'_, T>],
-    vertices: &'a [F::Element<T>],
-    spans: Spans<'_>,
+/// Paths and all that is asked of their types.
+pub struct Input<'a, T: Clone> {
+    pub(super) contexts: Vec<Column<'a, T>>,
+    /// The numbers of all vertices.
+    pub(super) vertices: Cow<'a, [T]>,
+    /// The vertices as points of the plane, for a fold with a winding number.
+    pub(super) plane: &'a [Vec2<T>],
+    pub(super) spans: Spans<'a>,
+    /// Writes the reference of a context and of some vertices.
+    pub(super) refer: &'a dyn Fn(&[T], Range<usize>, &mut [T]),
+}
+
+/// Lists the edges of checked paths.
+pub(super) fn paths<'a, T: Real>(
+    folding: &Folding<T>,
+    input: &'a Input<'_, T>,
 ) -> Result<Paths<'a, T>, Error> {
+    let (sizes, spans) = (&folding.sizes, input.spans);
     let mut paths = Paths {
-        vertices: numbers(vertices),
-        element: F::Element::<T>::LEN,
+        vertices: &input.vertices,
+        element: sizes.element,
         edges: Vec::new(),
         starts: vec![0],
-        shared: Vec::new(),
+        shared: vec![T::default(); spans.count() * sizes.wide],
         windings: vec![None; spans.count()],
     };
-    let (mut room, mut own) = (Vec::new(), Vec::new());
+    let (mut room, mut context) = (Vec::new(), Vec::new());
     let mut points = Vec::new();
     for path in 0..spans.count() {
-        own.clear();
-        for column in contexts {
-            own.extend_from_slice(column.numbers(path..path + 1, &mut room));
+        let (own, reference) =
+            paths.shared[path * sizes.wide..][..sizes.wide].split_at_mut(sizes.own);
+        context.clear();
+        for column in &input.contexts {
+            context.extend_from_slice(column.numbers(path..path + 1, &mut room));
         }
-        let context = F::Context::<T>::load(&own);
+        own.copy_from_slice(&context[..sizes.own]);
         let bounds = spans.of(path);
-        let start = paths.shared.len();
-        let wide = F::Context::<T>::LEN + F::Reference::<T>::LEN;
-        paths.shared.resize(start + wide, T::default());
-        context.store(&mut paths.shared[start..]);
-        let reference = F::reference(context, &vertices[bounds.clone()]);
-        reference.store(&mut paths.shared[start + F::Context::<T>::LEN..]);
-        match F::WINDING {
-            Some(_) => points.push(Vec2::load(&own)),
+        (input.refer)(own, bounds.clone(), reference);
+        match sizes.winding {
+            Some(_) => points.push(Vec2::load(own)),
             None => {
-                let count = edges::<F>(bounds.len());
+                let count = sizes.edges(bounds.len());
                 paths.add(path, bounds, 0..count);
             }
         }
     }
-    if F::WINDING.is_some() {
-        let (mut path, vertices) = (0, F::in_plane(vertices));
-        let Some(pieces) = (T::drivers().sieved)(&points, vertices, spans, F::CLOSED) else {
-            check_vertices(vertices)?;
-            return Ok(paths);
-        };
-        for sieved in pieces {
-            let mut rest = sieved.edges.iter().map(|&k| k as usize);
-            for (count, winding) in sieved.counts {
+    if sizes.winding.is_some() {
+        let found = sieved(&points, input.plane, spans, sizes.closed);
+        let mut path = 0;
+        for piece in found.ok_or_else(|| folding.first_flaw(&input.vertices))? {
+            let mut rest = piece.edges.iter().map(|&k| k as usize);
+            for (count, winding) in piece.counts {
                 paths.add(path, spans.of(path), rest.by_ref().take(count));
                 paths.windings[path] = winding;
                 path += 1;
@@ -122,32 +126,11 @@ impl<T: Real> Paths<'_, T> {
 }
 
 /// The states of the listed edges of a path.
-pub(super) fn told<F: Fold, T: Real>(
+pub(super) fn told<'a, T>(
+    sizes: &Sizes,
     paths: &Paths<'_, T>,
-    states: &[T],
+    states: &'a [T],
     path: usize,
-) -> impl Iterator<Item = F::State<T>> {
-    let fields = F::State::<T>::LEN;
-    let own = paths.starts[path] * fields..paths.starts[path + 1] * fields;
-    states[own].chunks_exact(fields).map(F::State::load)
-}
-
-/// The result of a path.
-pub(super) fn finished<F: Fold, T: Real>(
-    paths: &Paths<'_, T>,
-    states: &[T],
-    path: usize,
-) -> F::Out<T> {
-    let own = F::Context::<T>::LEN;
-    let wide = own + F::Reference::<T>::LEN;
-    let shared = &paths.shared[path * wide..][..wide];
-    let told = told::<F, T>(paths, states, path);
-    let state = with_winding::<F, T>(told.fold(F::empty(), F::join), paths.windings[path]);
-    let out = F::finish(
-        F::Context::load(shared),
-        F::Reference::load(&shared[own..]),
-        state,
-    );
-    let canonical: Vec<T> = out.scalars().iter().map(|x| x.canonical()).collect();
-    F::Out::load(&canonical)
+) -> &'a [T] {
+    &states[paths.starts[path] * sizes.state..paths.starts[path + 1] * sizes.state]
 }

@@ -2,9 +2,10 @@
 use crate::ad::program::record::record;
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
+use crate::kernels::cpu::folds::folding::Sizes;
 use crate::kernels::fold::Fold;
 use crate::kernels::recording::{Kept, known};
-use crate::{Error, Fixed, Pack, Scalar};
+use crate::{Error, Scalar};
 use std::sync::Arc;
 
 /// The recording of a fold in a format: its bodies as programs.
@@ -14,8 +15,8 @@ pub(crate) struct Programs {
     pub(crate) edge_vjp: Recorded,
     /// Joining two states, and its pull-back.
     #[cfg_attr(
-        not(feature = "gpu"),
-        expect(dead_code, reason = "only a GPU joins by it")
+        not(any(feature = "gpu", feature = "check")),
+        expect(dead_code, reason = "only a GPU and the harness join by it")
     )]
     pub(crate) join: Recorded,
     pub(crate) join_vjp: Recorded,
@@ -56,42 +57,31 @@ pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs>, Error> {
     })
 }
 
-/// The cotangents of the context and of the states of all edges, from that of a result.
-pub(crate) fn backwards<F: Fold, S: Scalar>(
+/// The cotangents of context and reference, and of the states of all edges one after another, from that of a result.
+/// `before` has the joined states before every edge, and after the last one.
+pub(crate) fn backwards<S: Scalar>(
+    sizes: &Sizes,
     programs: &Programs,
     shared: &[S],
-    states: &[F::State<S>],
+    [states, before]: [&[S]; 2],
     winding: Option<S>,
-    out_bar: F::Out<S>,
-) -> (Vec<S>, Vec<F::State<S>>) {
-    // The joined states before every edge, and after the last one.
-    let mut before = vec![F::empty::<S>()];
-    for &state in states {
-        before.push(F::join(before[before.len() - 1], state));
+    out_bar: &[S],
+) -> (Vec<S>, Vec<S>) {
+    let (inner, last) = before.split_at(before.len() - sizes.state);
+    let mut last = last.to_vec();
+    sizes.wind(&mut last, winding);
+    let bars = programs
+        .finish_vjp
+        .run_on(&[shared, &last, out_bar].concat());
+    let (shared_bar, bar) = bars.split_at(shared.len());
+    let mut bar = bar.to_vec();
+    let mut state_bars = vec![S::zero(); states.len()];
+    let edges = sizes.states(inner).zip(sizes.states(states));
+    let places = state_bars.chunks_exact_mut(sizes.state.max(1));
+    for ((before, state), place) in edges.zip(places).rev() {
+        let bars = programs.join_vjp.run_on(&[before, state, &bar].concat());
+        bar.copy_from_slice(&bars[..sizes.state]);
+        place.copy_from_slice(&bars[sizes.state..]);
     }
-    let last = with_winding::<F, S>(before[states.len()], winding);
-    let input = [shared, &last.scalars(), &out_bar.scalars()].concat();
-    let bars = programs.finish_vjp.run_on(&input);
-    let mut bar = F::State::<S>::load(&bars[shared.len()..]);
-    let mut state_bars = vec![bar; states.len()];
-    for k in (0..states.len()).rev() {
-        let input = [before[k].scalars(), states[k].scalars(), bar.scalars()].concat();
-        let bars = programs.join_vjp.run_on(&input);
-        bar = F::State::<S>::load(&bars);
-        state_bars[k] = F::State::<S>::load(&bars[F::State::<S>::LEN..]);
-    }
-    (bars[..F::Context::<S>::LEN].to_vec(), state_bars)
-}
-
-/// A state with the winding number of all edges, where that is known.
-pub(super) fn with_winding<F: Fold, S: Scalar>(
-    state: F::State<S>,
-    winding: Option<S>,
-) -> F::State<S> {
-    let (Some(place), Some(winding)) = (F::WINDING, winding) else {
-        return state;
-    };
-    let mut numbers = state.scalars();
-    numbers[place] = winding;
-    F::State::load(&numbers)
+    (shared_bar.to_vec(), state_bars)
 }

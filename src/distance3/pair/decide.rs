@@ -3,6 +3,7 @@ use super::face::Facing;
 use super::features::{Corners, Edges, larger, part, smaller, turned, weight};
 use super::{Gaps, Seen, column, dot, sign, sign_or_none};
 use crate::Scalar;
+use crate::arrays::Each;
 
 /// By so many roundings of the unit edges must part boxes more than faces do.
 const MORE: f64 = 8.0;
@@ -47,7 +48,7 @@ pub(super) struct Choice<P: Scalar> {
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn first_of<P: Scalar, const N: usize>(masks: [P::Mask; N]) -> [P; N] {
     let mut free = P::zero().equals(P::zero());
-    masks.map(|mask| {
+    masks.each_as(|mask| {
         let this = weight(mask & free);
         free = free & !mask;
         this
@@ -84,13 +85,13 @@ impl<P: Scalar> Deepest<P> {
     fn new(gaps: &Gaps<P>) -> Self {
         let most = |x: [P; 3]| larger(larger(x[0], x[1]), x[2]);
         let faces = larger(most(gaps.a), most(gaps.b));
-        let edges = most(gaps.edges.map(most));
+        let edges = most(gaps.edges.each_as(most));
         let by_edges = edges.above(faces + P::lit(MORE * P::EPSILON));
         let face = |x: P| x.equals(faces) & !by_edges;
         Deepest {
             value: larger(faces, edges),
-            a: gaps.a.map(face),
-            b: gaps.b.map(face),
+            a: gaps.a.each_as(face),
+            b: gaps.b.each_as(face),
             edges: std::array::from_fn(|n| gaps.edges[n / 3][n % 3].equals(edges) & by_edges),
             by_edges,
         }
@@ -119,11 +120,11 @@ fn overlap<P: Scalar>(half: P, center: P, other: P) -> P {
 pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> Choice<P> {
     let Seen { c, d, r, g, h } = seen;
     let (zero, one) = (P::zero(), P::one());
-    let transposed = [0, 1, 2].map(|j| column(r, j));
+    let transposed = [0, 1, 2].each_as(|j| column(r, j));
     let of_b = Corners::new(*c, *r, *h, *g);
-    let of_a = Corners::new(d.map(|x| -x), transposed, *g, *h);
+    let of_a = Corners::new(d.each_as(|x| -x), transposed, *g, *h);
     let turned = turned(r);
-    let edges = [0, 1, 2].map(|i| [0, 1, 2].map(|j| Edges::new(seen, &turned, i, j)));
+    let edges = [0, 1, 2].each_as(|i| [0, 1, 2].each_as(|j| Edges::new(seen, &turned, i, j)));
     let corners = smaller(of_b.least(), of_a.least());
     let all = edges.iter().flatten();
     let least = all.fold(corners, |least, edges| smaller(least, edges.square));
@@ -134,16 +135,17 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
     let ((y_b, count_b), (x_a, count_a)) = (of_b.tied(least), of_a.tied(least));
     let near_a = !count_b.equals(zero);
     let near_b = !count_a.equals(zero) & !near_a;
-    let at_a = [0, 1, 2].map(|j| dot(transposed[j], [0, 1, 2].map(|k| g[k] * x_a[k])) - d[j]);
-    let foot = |at: [P; 3], half: [P; 3]| [0, 1, 2].map(|k| part(at[k], half[k]));
+    let at_a =
+        [0, 1, 2].each_as(|j| dot(transposed[j], [0, 1, 2].each_as(|k| g[k] * x_a[k])) - d[j]);
+    let foot = |at: [P; 3], half: [P; 3]| [0, 1, 2].each_as(|k| part(at[k], half[k]));
     let y_a = foot(at_a, *h);
     // The mean of all these points of b is at most as far from a as they are.
     let total = count_a + count_b;
     let total = P::select(total.equals(zero), one, total);
-    let corner_y = [0, 1, 2].map(|j| (y_b[j] * count_b + y_a[j] * count_a).over(total));
-    let at_b = [0, 1, 2].map(|k| c[k] + dot(r[k], [0, 1, 2].map(|j| h[j] * corner_y[j])));
+    let corner_y = [0, 1, 2].each_as(|j| (y_b[j] * count_b + y_a[j] * count_a).over(total));
+    let at_b = [0, 1, 2].each_as(|k| c[k] + dot(r[k], [0, 1, 2].each_as(|j| h[j] * corner_y[j])));
     let keep =
-        |at: [P; 3], half: [P; 3]| [0, 1, 2].map(|k| weight(at[k].unsigned().above(half[k])));
+        |at: [P; 3], half: [P; 3]| [0, 1, 2].each_as(|k| weight(at[k].unsigned().above(half[k])));
     let (keep_a, keep_b) = (keep(at_b, *g), keep(at_a, *h));
 
     // Edges: those nearest, or those that part best.
@@ -154,17 +156,18 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
         deep.edges[n] & inside | near
     });
     let first = first_of::<P, 9>(chosen);
-    let shares = [0, 1, 2].map(|i| [0, 1, 2].map(|j| first[3 * i + j]));
+    let shares = [0, 1, 2].each_as(|i| [0, 1, 2].each_as(|j| first[3 * i + j]));
     let by_sides = inside & deep.by_edges | !inside & near_edges;
     let of = |of: &dyn Fn(&Edges<P>) -> P| mixed(&edges, &shares, of);
-    let three = |of_k: fn(&Edges<P>, usize) -> P| [0, 1, 2].map(|k| of(&|edges| of_k(edges, k)));
+    let three =
+        |of_k: fn(&Edges<P>, usize) -> P| [0, 1, 2].each_as(|k| of(&|edges| of_k(edges, k)));
     let clear = of(&|edges| weight(edges.clear)).above(zero);
     // The way itself where the normal has few digits.
     let rough = by_sides & !clear & !inside;
     let by_edges = by_sides & !rough;
 
     // Faces that part best.
-    let (out_a, out_b) = (c.map(sign), d.map(sign));
+    let (out_a, out_b) = (c.each_as(sign), d.each_as(sign));
     let firsts = first_of::<P, 6>([
         deep.a[0], deep.a[1], deep.a[2], deep.b[0], deep.b[1], deep.b[2],
     ]);
@@ -177,15 +180,16 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
     let any = |x: [P; 3]| sum(x).above(zero);
 
     // A face of either that the other one is over.
-    let gated = |mask: P::Mask, x: [P; 3]| x.map(|x| P::select(mask, x, zero));
+    let gated = |mask: P::Mask, x: [P; 3]| x.each_as(|x| P::select(mask, x, zero));
     let upright_a = three(|edges, k| edges.upright_a[k]);
     let upright_b = three(|edges, k| edges.upright_b[k]);
     let near = |near: P::Mask, keep: [P; 3], upright: [P; 3]| {
         let corner = gated(near & lone(keep), keep);
         let edge = gated(near_edges, upright);
-        [0, 1, 2].map(|k| larger(corner[k], edge[k]))
+        [0, 1, 2].each_as(|k| larger(corner[k], edge[k]))
     };
-    let pick = |mask: P::Mask, x: [P; 3], y: [P; 3]| [0, 1, 2].map(|k| P::select(mask, x[k], y[k]));
+    let pick =
+        |mask: P::Mask, x: [P; 3], y: [P; 3]| [0, 1, 2].each_as(|k| P::select(mask, x[k], y[k]));
     let face_a = pick(inside, deep_a, near(near_a, keep_a, upright_a));
     let face_b = pick(inside, deep_b, near(near_b, keep_b, upright_b));
     // The points.
@@ -195,20 +199,20 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
     let (is_a, is_b) = (any(face_a), any(face_b) & !any(face_a));
     let axis = pick(is_a, face_a, face_b);
     let own = |of: [P; 3]| {
-        [0, 1, 2].map(|n| {
+        [0, 1, 2].each_as(|n| {
             // Along the normal, and along both sides.
             (axis[0] * of[n] + axis[1] * of[(n + 1) % 3]) + axis[2] * of[(n + 2) % 3]
         })
     };
-    let matrix = [0, 1, 2].map(|k| pick(is_a, r[k], transposed[k]));
-    let columns = [0, 1, 2].map(|j| own(column(&matrix, j)));
+    let matrix = [0, 1, 2].each_as(|k| pick(is_a, r[k], transposed[k]));
+    let columns = [0, 1, 2].each_as(|j| own(column(&matrix, j)));
     let half = own(pick(is_a, *g, *h));
-    let center = own(pick(is_a, *c, d.map(|x| -x)));
-    let out = pick(is_a, out_a, out_b.map(|x| -x));
+    let center = own(pick(is_a, *c, d.each_as(|x| -x)));
+    let out = pick(is_a, out_a, out_b.each_as(|x| -x));
     let side = dot(axis, out);
-    let lowest = columns.map(|column| -side.signed_as(column[0]));
+    let lowest = columns.each_as(|column| -side.signed_as(column[0]));
     let facing = Facing {
-        rows: [0, 1, 2].map(|n| [columns[0][n], columns[1][n], columns[2][n]]),
+        rows: [0, 1, 2].each_as(|n| [columns[0][n], columns[1][n], columns[2][n]]),
         center,
         half: [half[1], half[2]],
         other: pick(is_a, *h, *g),
@@ -222,7 +226,7 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
         part(middle.at[1], half[2]),
     ];
     // Back from the face's axes to those of the box.
-    let owner = [0, 1, 2].map(|k| {
+    let owner = [0, 1, 2].each_as(|k| {
         (axis[0] * own_parts[k] + axis[1] * own_parts[(k + 2) % 3])
             + axis[2] * own_parts[(k + 1) % 3]
     });
@@ -237,40 +241,41 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
     let keep = pick(inside, pick(any(deep_a), deep_a, deep_b), keep_near);
 
     // The direction, to which sides of length zero give way.
-    let at_a = [0, 1, 2].map(|k| g[k] * x[k]);
-    let at_b = [0, 1, 2].map(|k| h[k] * y[k]);
-    let way = [0, 1, 2].map(|k| (c[k] + dot(r[k], at_b)) - at_a[k]);
-    let flat_x = [0, 1, 2].map(|k| sign_or_none(way[k]));
-    let flat_y = [0, 1, 2].map(|j| -sign_or_none(dot(transposed[j], way)));
+    let at_a = [0, 1, 2].each_as(|k| g[k] * x[k]);
+    let at_b = [0, 1, 2].each_as(|k| h[k] * y[k]);
+    let way = [0, 1, 2].each_as(|k| (c[k] + dot(r[k], at_b)) - at_a[k]);
+    let flat_x = [0, 1, 2].each_as(|k| sign_or_none(way[k]));
+    let flat_y = [0, 1, 2].each_as(|j| -sign_or_none(dot(transposed[j], way)));
     let give = |half: &[P; 3], x: [P; 3], flat: [P; 3]| {
-        [0, 1, 2].map(|k| P::select(half[k].equals(zero) & !inside, flat[k], x[k]))
+        [0, 1, 2].each_as(|k| P::select(half[k].equals(zero) & !inside, flat[k], x[k]))
     };
 
-    let lean_x = [0, 1, 2].map(|i| overlap(g[i], c[i], dot(r[i].map(P::unsigned), *h)));
-    let lean_y = [0, 1, 2].map(|j| overlap(h[j], -d[j], dot(transposed[j].map(P::unsigned), *g)));
+    let lean_x = [0, 1, 2].each_as(|i| overlap(g[i], c[i], dot(r[i].each_as(P::unsigned), *h)));
+    let lean_y =
+        [0, 1, 2].each_as(|j| overlap(h[j], -d[j], dot(transposed[j].each_as(P::unsigned), *g)));
     let flat = |x: P| x.equals(zero);
     let along_a = |l: usize, j: usize| flat(r[l][(j + 1) % 3]) & flat(r[l][(j + 2) % 3]);
     let along_b = |l: usize, j: usize| flat(r[(l + 1) % 3][j]) & flat(r[(l + 2) % 3][j]);
     // Whether a face of one box is that which the other is over, or parallel to it.
-    let met_a = [0, 1, 2].map(|l| {
+    let met_a = [0, 1, 2].each_as(|l| {
         let other = (0..3).fold(zero, |sum, j| {
             sum + P::select(along_a(l, j), face_b[j], zero)
         });
         P::select(is_a, face_a[l], other).above(zero)
     });
-    let met_b = [0, 1, 2].map(|j| {
+    let met_b = [0, 1, 2].each_as(|j| {
         let other = (0..3).fold(zero, |sum, l| {
             sum + P::select(along_b(l, j), face_a[l], zero)
         });
         P::select(is_a, other, face_b[j]).above(zero)
     });
-    let lean_a = [0, 1, 2].map(|l| {
+    let lean_a = [0, 1, 2].each_as(|l| {
         let lean = pick(met_a[l], y, lean_y);
-        [0, 1, 2].map(|j| P::select(flat(r[l][j]), lean[j], zero))
+        [0, 1, 2].each_as(|j| P::select(flat(r[l][j]), lean[j], zero))
     });
-    let lean_b = [0, 1, 2].map(|j| {
+    let lean_b = [0, 1, 2].each_as(|j| {
         let lean = pick(met_b[j], x, lean_x);
-        [0, 1, 2].map(|i| P::select(flat(r[i][j]), lean[i], zero))
+        [0, 1, 2].each_as(|i| P::select(flat(r[i][j]), lean[i], zero))
     });
     let share = deep.share();
     let shared = |mask: P::Mask| P::select(mask, share, zero);
@@ -282,17 +287,17 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
         out: pick(by_a, out_a, out_b),
         x: give(g, x, flat_x),
         y: give(h, y, flat_y),
-        edge_a: shares.map(sum),
-        edge_b: [0, 1, 2].map(|j| sum(column(&shares, j))),
+        edge_a: shares.each_as(sum),
+        edge_b: [0, 1, 2].each_as(|j| sum(column(&shares, j))),
         side,
         deepest: P::select(
             least.equals(zero) & deep.value.above(zero),
             zero,
             deep.value,
         ),
-        share_a: deep.a.map(shared),
-        share_b: deep.b.map(shared),
-        share_edges: [0, 1, 2].map(|i| [0, 1, 2].map(|j| shared(deep.edges[3 * i + j]))),
+        share_a: deep.a.each_as(shared),
+        share_b: deep.b.each_as(shared),
+        share_edges: [0, 1, 2].each_as(|i| [0, 1, 2].each_as(|j| shared(deep.edges[3 * i + j]))),
         lean_a,
         lean_b,
     }

@@ -1,6 +1,7 @@
 //! Two faces, or a face and an edge, that are parallel: the middle of what faces each other.
 use super::dot;
 use crate::Scalar;
+use crate::arrays::Each;
 
 /// A face of one box and what of the other one faces it.
 pub(super) struct Facing<P> {
@@ -52,19 +53,19 @@ impl<P: Scalar> Facing<P> {
     pub(super) fn middle(&self) -> Middle<P> {
         let (zero, one) = (P::zero(), P::one());
         let [normal, first, second] = self.rows;
-        let free = normal.map(|x| x.equals(zero));
-        let near = [0, 1, 2].map(|j| P::select(free[j], zero, self.nearest[j]));
-        let at = [0, 1, 2].map(|j| near[j] * self.other[j]);
+        let free = normal.each_as(|x| x.equals(zero));
+        let near = [0, 1, 2].each_as(|j| P::select(free[j], zero, self.nearest[j]));
+        let at = [0, 1, 2].each_as(|j| near[j] * self.other[j]);
         let q = [
             self.center[1] + dot(first, at),
             self.center[2] + dot(second, at),
         ];
-        let arms = [0, 1, 2].map(|j| {
+        let arms = [0, 1, 2].each_as(|j| {
             let half = P::select(free[j], self.other[j], zero);
             [first[j] * half, second[j] * half]
         });
         // At most two are not zero.
-        let pick = |mask, x: [P; 2], y: [P; 2]| [0, 1].map(|k| P::select(mask, x[k], y[k]));
+        let pick = |mask, x: [P; 2], y: [P; 2]| [0, 1].each_as(|k| P::select(mask, x[k], y[k]));
         let u = pick(free[0], arms[0], arms[1]);
         let v = pick(free[0] & free[1], arms[1], arms[2]);
         let half = self.half;
@@ -77,9 +78,9 @@ impl<P: Scalar> Facing<P> {
         // Corners over the face, and crossings of edges along `arm` with its sides.
         let det = u[0] * v[1] - u[1] * v[0];
         for (arm, aside) in [(u, v), (v, u)] {
-            let over = arm.map(|x| one.over(P::select(x.equals(zero), one, x)));
+            let over = arm.each_as(|x| one.over(P::select(x.equals(zero), one, x)));
             for s in signs {
-                let from = [0, 1].map(|k| q[k] + aside[k] * s);
+                let from = [0, 1].each_as(|k| q[k] + aside[k] * s);
                 for k in 0..2 {
                     let l = 1 - k;
                     for t in signs {
@@ -97,7 +98,7 @@ impl<P: Scalar> Facing<P> {
         }
         for s in signs {
             for t in signs {
-                let corner = [0, 1].map(|k| q[k] + (u[k] * s + v[k] * t));
+                let corner = [0, 1].each_as(|k| q[k] + (u[k] * s + v[k] * t));
                 let over = inside(corner[0], half[0]) & inside(corner[1], half[1]);
                 mean.add(over, corner);
                 let corner = [half[0] * s, half[1] * t];
@@ -111,9 +112,9 @@ impl<P: Scalar> Facing<P> {
         }
         let none = mean.count.equals(zero);
         let count = P::select(none, one, mean.count);
-        let at = [0, 1].map(|k| P::select(none, q[k], mean.sum[k].over(count)));
+        let at = [0, 1].each_as(|k| P::select(none, q[k], mean.sum[k].over(count)));
         let way = [at[0] - q[0], at[1] - q[1]];
-        let other = [0, 1, 2].map(|j| {
+        let other = [0, 1, 2].each_as(|j| {
             // Without the length of a side that is none.
             let long = self.other[j];
             let long = P::select(long.equals(zero), one, long);

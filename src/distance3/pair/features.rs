@@ -1,6 +1,7 @@
 //! Corners and pairs of edges of two boxes as candidates for the nearest points: numbers without derivatives.
 use super::{NEXT, Seen, least_square, sign};
 use crate::Scalar;
+use crate::arrays::Each;
 
 /// The square of a number.
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -55,9 +56,9 @@ impl<P: Scalar> Corners<P> {
     /// Of a box with a centre and half its size along axes `rows[k]`, against one with its centre at zero.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new(center: [P; 3], rows: [[P; 3]; 3], half: [P; 3], other: [P; 3]) -> Self {
-        let squares = [0, 1, 2].map(|k| {
-            let arms = [0, 1, 2].map(|j| rows[k][j] * half[j]);
-            SIGNS.map(|signs| {
+        let squares = [0, 1, 2].each_as(|k| {
+            let arms = [0, 1, 2].each_as(|j| rows[k][j] * half[j]);
+            SIGNS.each_as(|signs| {
                 let along = |x: P, j: usize| {
                     if signs[j] < 0.0 {
                         x - arms[j]
@@ -81,7 +82,9 @@ impl<P: Scalar> Corners<P> {
     /// The mean of the signs of those whose square is some number, and how many they are.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn tied(&self, least: P) -> ([P; 3], P) {
-        let shares = self.squares.map(|square| weight::<P>(square.equals(least)));
+        let shares = self
+            .squares
+            .each_as(|square| weight::<P>(square.equals(least)));
         let sum = |of: fn([f64; 3]) -> f64| {
             let parts = SIGNS.iter().zip(shares);
             parts.fold(P::zero(), |sum, (&signs, share)| {
@@ -95,7 +98,7 @@ impl<P: Scalar> Corners<P> {
         let count = shares.into_iter().fold(P::zero(), |sum, share| sum + share);
         let over = P::select(count.equals(P::zero()), P::one(), count);
         let sums = [sum(|s| s[0]), sum(|s| s[1]), sum(|s| s[2])];
-        (sums.map(|sum| sum.over(over)), count)
+        (sums.each_as(|sum| sum.over(over)), count)
     }
 }
 

@@ -12,6 +12,7 @@ mod features;
 
 use super::core::{BoxCore, Core};
 use super::relation::{Relation, direction};
+use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::scalar::{most_of, speck};
 use crate::{Scalar, Vec3};
@@ -73,7 +74,7 @@ pub(super) fn column<S: Scalar>(r: &[[S; 3]; 3], j: usize) -> [S; 3] {
 /// As constants of a number with derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn fixed<S: Scalar>(x: [S::Primal; 3]) -> [S; 3] {
-    x.map(|x| S::from_primal(x.primal()))
+    x.each_as(|x| S::from_primal(x.primal()))
 }
 
 /// The square of a product of axes below which they count as parallel, in which the boxes have a size of one.
@@ -86,11 +87,11 @@ impl<S: Scalar> Seen<S> {
     /// The same without derivatives.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn primal(&self) -> Seen<S::Primal> {
-        let plain = |x: [S; 3]| x.map(S::primal);
+        let plain = |x: [S; 3]| x.each_as(S::primal);
         Seen {
             c: plain(self.c),
             d: plain(self.d),
-            r: self.r.map(plain),
+            r: self.r.each_as(plain),
             g: plain(self.g),
             h: plain(self.h),
         }
@@ -100,7 +101,7 @@ impl<S: Scalar> Seen<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn gaps(&self) -> Gaps<S> {
         let Seen { c, d, r, g, h } = self;
-        let size = r.map(|row| row.map(S::magnitude));
+        let size = r.each_as(|row| row.each_as(S::magnitude));
         let edges = |i: usize, j: usize| {
             let ([k, l], [m, p]) = (NEXT[i], NEXT[j]);
             let across = |m: usize| (r[k][j] * r[l][m] - r[l][j] * r[k][m]).magnitude();
@@ -113,9 +114,9 @@ impl<S: Scalar> Seen<S> {
             S::select(none, -S::lit(S::LARGEST), (center - reach).over(length))
         };
         Gaps {
-            a: [0, 1, 2].map(|l| (c[l].magnitude() - g[l]) - dot(size[l], *h)),
-            b: [0, 1, 2].map(|j| (d[j].magnitude() - h[j]) - dot(column(&size, j), *g)),
-            edges: [0, 1, 2].map(|i| [0, 1, 2].map(|j| edges(i, j))),
+            a: [0, 1, 2].each_as(|l| (c[l].magnitude() - g[l]) - dot(size[l], *h)),
+            b: [0, 1, 2].each_as(|j| (d[j].magnitude() - h[j]) - dot(column(&size, j), *g)),
+            edges: [0, 1, 2].each_as(|i| [0, 1, 2].each_as(|j| edges(i, j))),
         }
     }
     /// The gap of the planes that part the boxes best, in the mean of all that tie. Along faces that are parallel the
@@ -126,8 +127,14 @@ impl<S: Scalar> Seen<S> {
         let share = |x: S::Primal| S::from_primal(x.primal());
         let mut sum = S::zero();
         for k in 0..3 {
-            let lean_a = dot(fixed(choice.lean_a[k]), [0, 1, 2].map(|j| r[k][j] * h[j]));
-            let lean_b = dot(fixed(choice.lean_b[k]), [0, 1, 2].map(|i| r[i][k] * g[i]));
+            let lean_a = dot(
+                fixed(choice.lean_a[k]),
+                [0, 1, 2].each_as(|j| r[k][j] * h[j]),
+            );
+            let lean_b = dot(
+                fixed(choice.lean_b[k]),
+                [0, 1, 2].each_as(|i| r[i][k] * g[i]),
+            );
             let (side_a, side_b) = (sign_or_none(c[k].primal()), sign_or_none(d[k].primal()));
             sum += (gaps.a[k] + lean_a * share(side_a)) * share(choice.share_a[k]);
             sum += (gaps.b[k] - lean_b * share(side_b)) * share(choice.share_b[k]);
@@ -155,11 +162,11 @@ fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (Seen<S>, S) {
         u.dot(if i == j { v } else { v - a.axes[j] })
     };
     let seen = Seen {
-        c: a.axes.map(|axis| axis.dot(way)),
-        d: b.axes.map(|axis| axis.dot(way)),
-        r: [0, 1, 2].map(|i| [0, 1, 2].map(|j| turn(i, j))),
-        g: a.half.map(|half| half * scale),
-        h: b.half.map(|half| half * scale),
+        c: a.axes.each_as(|axis| axis.dot(way)),
+        d: b.axes.each_as(|axis| axis.dot(way)),
+        r: [0, 1, 2].each_as(|i| [0, 1, 2].each_as(|j| turn(i, j))),
+        g: a.half.each_as(|half| half * scale),
+        h: b.half.each_as(|half| half * scale),
     };
     (seen, scale)
 }
@@ -173,17 +180,17 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
     let Seen { c, r, g, h, .. } = seen;
     let (x, y) = (fixed::<S>(choice.x), fixed::<S>(choice.y));
     let (at_a, at_b) = (
-        [0, 1, 2].map(|k| g[k] * x[k]),
-        [0, 1, 2].map(|k| h[k] * y[k]),
+        [0, 1, 2].each_as(|k| g[k] * x[k]),
+        [0, 1, 2].each_as(|k| h[k] * y[k]),
     );
     // The way from the point of a to that of b, along the axes of a and of b.
-    let w = [0, 1, 2].map(|k| (c[k] + dot(r[k], at_b)) - at_a[k]);
-    let seen_b = [0, 1, 2].map(|j| (seen.d[j] + at_b[j]) - dot(column(&r, j), at_a));
+    let w = [0, 1, 2].each_as(|k| (c[k] + dot(r[k], at_b)) - at_a[k]);
+    let seen_b = [0, 1, 2].each_as(|j| (seen.d[j] + at_b[j]) - dot(column(&r, j), at_a));
     let keep = fixed::<S>(choice.keep);
     let kept = |w: [S; 3]| Vec3::new(w[0] * keep[0], w[1] * keep[1], w[2] * keep[2]);
     // Two edges: their normal, and where the edge of b is nearest.
     let (u, along) = (fixed::<S>(choice.edge_a), fixed::<S>(choice.edge_b));
-    let v = r.map(|row| dot(row, along));
+    let v = r.each_as(|row| dot(row, along));
     let vector = |x: [S; 3]| Vec3::new(x[0], x[1], x[2]);
     let long = vector(u).cross(vector(v));
     let square = long.length_squared();
@@ -219,7 +226,7 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
     let overlap = choice.inside & deepest.below(zero);
     let over = |x: S| x.over(scale);
     let step = normal * over(gap);
-    let [half_a, half_b] = [at_a, at_b].map(|at| at.map(over));
+    let [half_a, half_b] = [at_a, at_b].each_as(|at| at.each_as(over));
     let on_a = a.center + shape(a.axes, vector(half_a));
     let on_b = b.center + shape(b.axes, vector(half_b));
     let slid = shape(b.axes, vector(along)) * over(S::select(choice.by_edges, t, zero));
@@ -240,17 +247,17 @@ pub(super) fn farthest<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> S {
     let (Seen { c, d, r, g, h }, scale) = seen(&a, &b);
     // From the corner of a at the negative ends of its axes; the others by signs.
     let (along_a, along_b) = (
-        [0, 1, 2].map(|i| g[i] * c[i]),
-        [0, 1, 2].map(|j| h[j] * d[j]),
+        [0, 1, 2].each_as(|i| g[i] * c[i]),
+        [0, 1, 2].each_as(|j| h[j] * d[j]),
     );
-    let arms = [0, 1, 2].map(|j| [0, 1, 2].map(|i| (g[i] * h[j]) * r[i][j]));
+    let arms = [0, 1, 2].each_as(|j| [0, 1, 2].each_as(|i| (g[i] * h[j]) * r[i][j]));
     let signed = |negative: bool, x: S| if negative { -x } else { x };
     let far = std::array::from_fn::<S, 8, _>(|n| {
         let at = |x: [S; 3]| {
-            let [x, y, z] = [0, 1, 2].map(|k| signed(n >> k & 1 == 1, x[k]));
+            let [x, y, z] = [0, 1, 2].each_as(|k| signed(n >> k & 1 == 1, x[k]));
             (x + y) + z
         };
-        let sides = [0, 1, 2].map(|j| (along_b[j] - at(arms[j])).magnitude());
+        let sides = [0, 1, 2].each_as(|j| (along_b[j] - at(arms[j])).magnitude());
         ((sides[0] + sides[1]) + sides[2]) - at(along_a)
     });
     let most = most_of(far);
@@ -263,8 +270,8 @@ pub(super) fn farthest<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> S {
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn gaps_primal<S: Scalar>(gaps: &Gaps<S>) -> Gaps<S::Primal> {
     Gaps {
-        a: gaps.a.map(S::primal),
-        b: gaps.b.map(S::primal),
-        edges: gaps.edges.map(|row| row.map(S::primal)),
+        a: gaps.a.each_as(S::primal),
+        b: gaps.b.each_as(S::primal),
+        edges: gaps.edges.each_as(|row| row.each_as(S::primal)),
     }
 }

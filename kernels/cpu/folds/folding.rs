@@ -1,0 +1,128 @@
+//! A fold without its types: what batches ask of it, as functions of numbers. All else is compiled once, whatever the fold.
+use super::programs::{Programs, programs};
+use crate::error::Field;
+use crate::kernels::cpu::plan::{Preparation, name};
+use crate::kernels::fold::Fold;
+use crate::kernels::item::{Item, Leaf, leaves_of};
+use crate::kernels::real::Real;
+use crate::{Error, Fixed, Pack, Scalar};
+use std::sync::Arc;
+
+/// How many numbers the parts of a fold have.
+#[derive(Clone, Copy, Debug)]
+pub struct Sizes {
+    /// Of a context, and of the reference after it.
+    pub(crate) own: usize,
+    pub(crate) wide: usize,
+    /// Of an element of a path.
+    pub(crate) element: usize,
+    pub(crate) state: usize,
+    pub(crate) out: usize,
+    /// `true` if an edge leads from the last vertex back to the first.
+    pub(crate) closed: bool,
+    /// The number of the state that is the winding number.
+    pub(crate) winding: Option<usize>,
+}
+
+impl Sizes {
+    pub(crate) const fn of<F: Fold>() -> Self {
+        Sizes {
+            own: F::Context::<f64>::LEN,
+            wide: F::Context::<f64>::LEN + F::Reference::<f64>::LEN,
+            element: F::Element::<f64>::LEN,
+            state: F::State::<f64>::LEN,
+            out: F::Out::<f64>::LEN,
+            closed: F::CLOSED,
+            winding: F::WINDING,
+        }
+    }
+    /// The states of a list of numbers; none of a fold whose states have no numbers.
+    pub(crate) fn states<'a, S>(&self, numbers: &'a [S]) -> std::slice::ChunksExact<'a, S> {
+        numbers.chunks_exact(self.state.max(1))
+    }
+    /// The results of a list of numbers.
+    pub(crate) fn results<'a, S>(&self, numbers: &'a [S]) -> std::slice::ChunksExact<'a, S> {
+        numbers.chunks_exact(self.out.max(1))
+    }
+    /// Puts the winding number of all edges in a state, where that is known.
+    pub(crate) fn wind<S: Copy>(&self, state: &mut [S], winding: Option<S>) {
+        if let (Some(place), Some(winding)) = (self.winding, winding) {
+            state[place] = winding;
+        }
+    }
+    /// How many edges so many vertices have.
+    pub(crate) fn edges(&self, vertices: usize) -> usize {
+        match self.closed {
+            true => vertices,
+            false => vertices.saturating_sub(1),
+        }
+    }
+}
+
+/// A fold in a format.
+pub struct Folding<T: 'static> {
+    pub(super) sizes: Sizes,
+    arguments: &'static [&'static str],
+    leaves: fn() -> Vec<Leaf<T>>,
+    /// The name of a number of an element.
+    pub(super) field: fn(usize) -> Field,
+    pub(super) programs: fn() -> Result<Arc<Programs>, Error>,
+    /// Joins a list of states in order.
+    pub(super) joined: fn(&[T], &mut [T]),
+    /// The joined states before every one of a list, and after the last.
+    pub(super) before: fn(&[T]) -> Vec<T>,
+    /// From context and reference, and a state, to the result.
+    pub(super) finish: fn(&[T], &[T], &mut [T]),
+}
+
+impl<T: Real> Folding<T> {
+    pub(super) const fn of<F: Fold, R: Item<Scalar = T>>() -> Self {
+        Folding {
+            sizes: Sizes::of::<F>(),
+            arguments: F::ARGUMENTS,
+            leaves: leaves_of::<R>,
+            field: F::Element::<T>::name,
+            programs: programs::<F, T>,
+            joined: joined::<F, T>,
+            before: before::<F, T>,
+            finish: finish::<F, T>,
+        }
+    }
+    /// How the arguments of contexts are checked.
+    pub(super) fn preparations(&self) -> Vec<Preparation<T>> {
+        let mut all: Vec<_> = (self.leaves)()
+            .into_iter()
+            .map(Preparation::plain)
+            .collect();
+        name(&mut all, self.arguments);
+        all
+    }
+}
+
+fn joined<F: Fold, T: Scalar>(states: &[T], to: &mut [T]) {
+    let mut state = F::empty::<T>();
+    for next in Sizes::of::<F>().states(states) {
+        state = F::join(state, F::State::load(next));
+    }
+    state.store(to);
+}
+
+fn before<F: Fold, T: Scalar>(states: &[T]) -> Vec<T> {
+    let mut state = F::empty::<T>();
+    let mut all = state.scalars();
+    for next in Sizes::of::<F>().states(states) {
+        state = F::join(state, F::State::load(next));
+        all.extend(state.scalars());
+    }
+    all
+}
+
+fn finish<F: Fold, T: Scalar>(shared: &[T], state: &[T], out: &mut [T]) {
+    let (context, reference) = (F::Context::load(shared), &shared[F::Context::<T>::LEN..]);
+    F::finish(
+        context,
+        F::Reference::load(reference),
+        F::State::load(state),
+    )
+    .store(out);
+}
