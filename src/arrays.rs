@@ -13,6 +13,9 @@ impl<T: Copy, const N: usize> Each<T> for [T; N] {
     type Of<U> = [U; N];
     #[inline(always)]
     fn each_as<U: Copy>(self, mut f: impl FnMut(T) -> U) -> [U; N] {
+        if const { N == 0 } {
+            return self.map(f);
+        }
         let mut all = [f(self[0]); N];
         let mut i = 1;
         while i < N {
