@@ -6,6 +6,10 @@
 //! that is where digits are lost.
 mod clouds;
 pub(crate) mod derived;
+#[cfg_attr(
+    not(feature = "check"),
+    expect(dead_code, reason = "only the harness asks for all of it")
+)]
 pub(crate) mod drawn;
 mod shapes;
 mod solids;

@@ -166,7 +166,41 @@ fn compare<T: Real + Plain>(
             same(&expected, &found, || format!("{about}, {way:?}, {level:?}"));
         }
     }
+    for way in WAYS.into_iter().filter(|way| !way.frames) {
+        in_columns(trial, way, fields, rows, &expected, about);
+    }
     listings
+}
+
+/// The same from a column for every number to one for every result, none of which begins at a vector's border.
+fn in_columns<T: Real + Plain>(
+    trial: &Trial,
+    way: Way,
+    fields: &[usize],
+    rows: &[Vec<T>],
+    expected: &[T],
+    about: &str,
+) {
+    let mut columns: Vec<Vec<T>> = Vec::new();
+    for (rows, &fields) in rows.iter().zip(fields) {
+        for k in 0..fields {
+            let numbers = rows.iter().skip(k).step_by(fields).copied();
+            columns.push(std::iter::once(T::default()).chain(numbers).collect());
+        }
+    }
+    let columns: Vec<&[T]> = columns.iter().map(|column| &column[1..]).collect();
+    let ready = trial.ready(&vec![1; columns.len()], way).unwrap();
+    let results = trial.run(&vec![T::default(); columns.len()]).len();
+    let count = expected.len() / results;
+    for level in Simd::available() {
+        Simd::limit(Some(level)).unwrap();
+        for (k, found) in ready.columns(count, &columns).iter().enumerate() {
+            let own: Vec<T> = expected.iter().skip(k).step_by(results).copied().collect();
+            same(&own, found, || {
+                format!("{about}, column {k}, {way:?}, {level:?}")
+            });
+        }
+    }
 }
 
 fn computed<T: Real>(ready: &Ready, rows: &[Vec<T>], count: usize) -> Vec<T> {
@@ -214,7 +248,7 @@ fn random_lines<T: Real + Plain>() {
         let mut dice = Dice(seed + 1000);
         // The last argument is one for all every third time; a few batches have two blocks.
         let count = if seed % 10 == 0 {
-            1100
+            1537
         } else {
             1 + dice.below(300)
         };

@@ -1,7 +1,7 @@
 //! The kernels, each compiled for every level: the list, and the only calls into code compiled for
 //! instructions that a processor may lack.
 use crate::Vec2;
-use crate::kernels::cpu::arch::Native;
+use crate::kernels::cpu::arch::Bound;
 use crate::kernels::cpu::blocks;
 use crate::kernels::cpu::boxes::{self, BOUNDS, View};
 use crate::kernels::cpu::boxes3;
@@ -153,7 +153,7 @@ entries! {
     /// A part of a block by a recorded program.
     interpret(tape: &Tape, pass: Pass<'_, T>, out: &mut [Lane<T>]) = program::interpret::<T, V>;
     /// The instructions of a recorded program on numbers in slots.
-    carry_out(code: &[Code], memory: Memory<'_, T>, native: Option<&Native>) = program::carry_out::<T, V>;
+    carry_out(code: &[Code], memory: Memory<'_, T>, native: Option<&Bound<'_, T>>) = program::carry_out::<T, V>;
     /// Some items by a recorded program, from rows to rows.
     over_rows(tape: &Tape, part: Rows<'_, T>, wanted: &mut [Wanted<'_, T>]) = program::rows::over_rows::<T, V>;
     /// The edges of a path that can be nearest to a point, and how often the path winds around it.

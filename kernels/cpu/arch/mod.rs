@@ -34,9 +34,9 @@ pub use entry::of_f64::KERNELS as F64;
 pub(crate) use memory::flat;
 pub use memory::{is_plain, numbers, numbers_mut};
 #[cfg(all(target_arch = "x86_64", feature = "native", not(geograd_portable)))]
-pub(crate) use native::Native;
+pub(crate) use native::{Bound, Native};
 #[cfg(not(all(target_arch = "x86_64", feature = "native", not(geograd_portable))))]
-pub(crate) use no_native::Native;
+pub(crate) use no_native::{Bound, Native};
 
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::scalar::lanes::LaneMask;

@@ -7,21 +7,27 @@
 //! # Why it is sound
 //!
 //! [`compile`] alone writes the code: packed arithmetic between vector registers, loads and stores
-//! at `slot + offset`, one loop, no other jump. Slots are below the tape's count, the offset below the bytes in use, and
-//! [`Native::run`] refuses lanes that hold fewer slots. The code uses registers that its calling convention leaves to it, and the
-//! instructions of a level that the processor has.
-use crate::kernels::cpu::lane::Lane;
-use crate::kernels::cpu::program::native::{Encoder, compile};
+//! at `slot + offset` and `table[k] + offset`, one loop, no other jump. Slots are below the tape's count, the offset below the
+//! bytes in use, and [`Native::bind`] refuses lanes that hold fewer slots. Every address that the code takes from the table
+//! is that of a slot or of numbers lent to a [`Bound`], which [`Bound::run`] asks for as many of as a slot has in use. The code
+//! writes to numbers lent mutably only. It uses registers that its calling convention leaves to it, and the instructions of
+//! a level that the processor has.
+use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::kernels::cpu::program::native::{Encoder, Far, MOST, compile};
 use crate::kernels::cpu::program::{Run, Tape};
 use crate::kernels::cpu::simd::Simd;
 use memmap2::{Mmap, MmapMut};
 use std::cell::Cell;
+use std::marker::PhantomData;
 
 /// A program's runs of instructions as functions.
 #[derive(Debug)]
 pub(crate) struct Native {
     code: Mmap,
     runs: Vec<Run>,
+    far: Far,
+    /// Addresses of the code's table, each with the slot that stands for it.
+    slots: Vec<(usize, u16)>,
     /// Lanes of all slots, and of one.
     lanes: usize,
     stride: usize,
@@ -31,8 +37,9 @@ pub(crate) struct Native {
 
 impl Native {
     /// The runs of a program whose slots begin every `stride` lanes; `None` without any, at the baseline, or if the
-    /// system refuses the memory.
-    pub(crate) fn new<T>(tape: &Tape, stride: usize, level: Simd) -> Option<Self> {
+    /// system refuses the memory. Code of rows reads inputs and writes results where they lie, the latter with zeros that
+    /// have no sign.
+    pub(crate) fn new<T>(tape: &Tape, stride: usize, level: Simd, of_rows: bool) -> Option<Self> {
         let number = size_of::<T>();
         let is_512 = match level {
             Simd::Baseline => return None,
@@ -43,7 +50,7 @@ impl Native {
         // Slots are addressed by 31 bits.
         i32::try_from(tape.slots * bytes).ok()?;
         let out = Encoder::new(is_512, number == 8);
-        let (code, runs) = compile(out, &tape.code, &tape.outputs, bytes);
+        let (code, runs, far) = compile(out, tape, bytes, of_rows);
         if runs.is_empty() {
             return None;
         }
@@ -52,31 +59,87 @@ impl Native {
         Some(Native {
             code: memory.make_exec().ok()?,
             runs,
+            slots: far.slots().collect(),
+            far,
             lanes: tape.slots * stride,
             stride,
             number,
         })
     }
+    /// `true` if the code can read an input where it lies.
+    pub(crate) fn has_input(&self, slot: u16) -> bool {
+        self.far.has_input(slot)
+    }
+    /// `true` if the code can write a result where it goes.
+    pub(crate) fn has_output(&self, slot: u16) -> bool {
+        self.far.has_output(slot)
+    }
+    /// The code with the memory of its slots; `None` if that is not what it was made for.
+    #[inline]
+    pub(crate) fn bind<'a, T>(&'a self, lanes: &'a [Cell<Lane<T>>]) -> Option<Bound<'a, T>> {
+        if lanes.len() < self.lanes || self.number != size_of::<T>() {
+            return None;
+        }
+        let mut table = [std::ptr::null_mut(); MOST];
+        for &(k, slot) in &self.slots {
+            table[k] = lanes[slot as usize * self.stride].as_ptr().cast();
+        }
+        Some(Bound {
+            native: self,
+            lanes,
+            table,
+            lent: usize::MAX,
+            lender: PhantomData,
+        })
+    }
+}
+
+/// Machine code with the memory that it reads and writes.
+pub(crate) struct Bound<'a, T> {
+    native: &'a Native,
+    lanes: &'a [Cell<Lane<T>>],
+    /// Addresses of inputs and results.
+    table: [*mut T; MOST],
+    /// The fewest numbers that one of them has.
+    lent: usize,
+    lender: PhantomData<&'a mut [T]>,
+}
+
+impl<'a, T> Bound<'a, T> {
     /// The runs, the first one first.
-    pub(crate) fn runs(&self) -> &[Run] {
-        &self.runs
+    pub(crate) fn runs(&self) -> &'a [Run] {
+        &self.native.runs
+    }
+    /// Has the code read an input where it lies, if it [may](Native::has_input).
+    #[inline]
+    pub(crate) fn lend(&mut self, k: usize, numbers: &'a [T]) {
+        self.table[k] = numbers.as_ptr().cast_mut();
+        self.lent = self.lent.min(numbers.len());
+    }
+    /// Has the code write a result where it goes, if it [may](Native::has_output).
+    #[inline]
+    pub(crate) fn lend_mut(&mut self, k: usize, numbers: &'a mut [T]) {
+        self.lent = self.lent.min(numbers.len());
+        self.table[self.native.far.place_of_output(k)] = numbers.as_mut_ptr();
     }
     /// Carries out a run on some lanes of every slot.
     #[inline]
-    pub(crate) fn run<T>(&self, run: &Run, lanes: &[Cell<Lane<T>>], width: usize) {
-        // As many vectors as the lanes have, or the code would write beyond them.
-        let fits = lanes.len() >= self.lanes && width <= self.stride && width > 0;
-        if !fits || self.number != size_of::<T>() {
+    pub(crate) fn run(&self, run: &Run, width: usize) {
+        // As many vectors as the lanes and lent numbers have, or the code would write beyond them.
+        let fits = (1..=self.native.stride).contains(&width) && width * TILE <= self.lent;
+        if !fits {
             return;
         }
         let bytes = width * size_of::<Lane<T>>();
-        let first = lanes.as_ptr().cast::<u8>().cast_mut();
+        let first = self.lanes.as_ptr().cast::<u8>().cast_mut();
         // Sound: the module says why. Cells may be written through a shared reference.
         unsafe {
-            let entry = self.code.as_ptr().add(run.entry);
-            let function =
-                std::mem::transmute::<*const u8, extern "sysv64" fn(*mut u8, usize)>(entry);
-            function(first, bytes);
+            let entry = self.native.code.as_ptr().add(run.entry);
+            let function = std::mem::transmute::<
+                *const u8,
+                extern "sysv64" fn(*mut u8, usize, *const *mut T),
+            >(entry);
+            function(first, bytes, self.table.as_ptr());
         }
     }
 }

@@ -3,6 +3,7 @@ use crate::kernels::cpu::lane::Lane;
 use crate::kernels::cpu::program::{Run, Tape};
 use crate::kernels::cpu::simd::Simd;
 use std::cell::Cell;
+use std::marker::PhantomData;
 
 /// A program as machine code, of which there is none.
 #[derive(Debug)]
@@ -10,13 +11,34 @@ pub(crate) enum Native {}
 
 impl Native {
     /// Nothing: the interpreter carries out all instructions.
-    pub(crate) fn new<T>(_: &Tape, _: usize, _: Simd) -> Option<Self> {
+    pub(crate) fn new<T>(_: &Tape, _: usize, _: Simd, _: bool) -> Option<Self> {
         None
     }
-    pub(crate) fn runs(&self) -> &[Run] {
+    pub(crate) fn has_input(&self, _: u16) -> bool {
         match *self {}
     }
-    pub(crate) fn run<T>(&self, _: &Run, _: &[Cell<Lane<T>>], _: usize) {
+    pub(crate) fn has_output(&self, _: u16) -> bool {
         match *self {}
+    }
+    pub(crate) fn bind<'a, T>(&'a self, _: &'a [Cell<Lane<T>>]) -> Option<Bound<'a, T>> {
+        match *self {}
+    }
+}
+
+/// Machine code with its memory, of which there is none.
+pub(crate) struct Bound<'a, T>(&'a Native, PhantomData<&'a mut [T]>);
+
+impl<'a, T> Bound<'a, T> {
+    pub(crate) fn runs(&self) -> &'a [Run] {
+        match *self.0 {}
+    }
+    pub(crate) fn lend(&mut self, _: usize, _: &'a [T]) {
+        match *self.0 {}
+    }
+    pub(crate) fn lend_mut(&mut self, _: usize, _: &'a mut [T]) {
+        match *self.0 {}
+    }
+    pub(crate) fn run(&self, _: &Run, _: usize) {
+        match *self.0 {}
     }
 }

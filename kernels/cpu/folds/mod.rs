@@ -20,7 +20,9 @@ use crate::{Error, Fixed, Pack};
 use folding::{Folding, Sizes};
 pub use paths::Input;
 use paths::{Paths, paths, told};
-pub(crate) use programs::{Programs, backwards, programs};
+#[cfg(any(feature = "gpu", feature = "check"))]
+pub(crate) use programs::programs;
+pub(crate) use programs::{Programs, backwards};
 use std::ops::Range;
 use std::sync::Arc;
 

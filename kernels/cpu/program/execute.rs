@@ -5,7 +5,7 @@
 //!
 //! Memory holds slot after slot, each some lanes of sixteen numbers, as cells: a result may go where
 //! an operand was, since every lane is read before it is written.
-use crate::kernels::cpu::arch::{Native, Vector};
+use crate::kernels::cpu::arch::{Bound, Native, Vector};
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
 use crate::kernels::cpu::program::instructions::{Code, Op, instructions};
 use crate::kernels::cpu::program::lower::Tape;
@@ -270,7 +270,8 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
         }
     }
     // A kernel of its own, which is compiled once for all that brings numbers to slots.
-    (T::kernels().carry_out)(&tape.code, memory, pass.native);
+    let native = pass.native.and_then(|native| native.bind(pass.lanes));
+    (T::kernels().carry_out)(&tape.code, memory, native.as_ref());
     let [by_tile, by_number] = pass.steps;
     for (k, &slot) in tape.outputs.iter().enumerate() {
         for (t, lane) in memory
@@ -300,9 +301,9 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
 pub(crate) fn carry_out<T: Real, V: Vector<T>>(
     code: &[Code],
     memory: Memory<'_, T>,
-    native: Option<&Native>,
+    native: Option<&Bound<'_, T>>,
 ) {
-    let mut runs = native.map_or(&[][..], Native::runs);
+    let mut runs = native.map_or(&[][..], Bound::runs);
     let mut next = 0;
     loop {
         if let (Some(native), Some((run, others))) = (native, runs.split_first())
@@ -310,7 +311,7 @@ pub(crate) fn carry_out<T: Real, V: Vector<T>>(
         {
             // A jump may have left the run behind.
             if run.from == next {
-                native.run(run, memory.lanes, memory.width);
+                native.run(run, memory.width);
                 next = run.to;
             }
             runs = others;

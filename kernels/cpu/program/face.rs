@@ -5,6 +5,7 @@ use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::lane::{BLOCK, Lane, Planes, Results, TILE, Tiles, planes, tiles};
 use crate::kernels::cpu::plan::Maker;
 use crate::kernels::cpu::program::Interpreted;
+use crate::kernels::cpu::program::rows::{Given, Wanted};
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::real::Real;
 
@@ -144,6 +145,27 @@ impl Ready {
             (T::kernels().take)(Planes(&lanes), self.results, rows, self.results);
         }
         rows
+    }
+    /// Results of so many items, from columns of numbers and a column for each; a column of one number stands for all.
+    /// The program has no frames, and arguments of one number.
+    #[must_use]
+    pub fn columns<T: Real>(&self, count: usize, columns: &[&[T]]) -> Vec<Vec<T>> {
+        let mut given = Vec::new();
+        for &rows in columns {
+            given.push(Given {
+                rows,
+                fields: 1,
+                is_one: rows.len() < count,
+            });
+        }
+        // Columns of other programs begin anywhere, too.
+        let mut all = vec![vec![T::default(); count + 1]; self.results];
+        let mut wanted: Vec<Wanted<'_, T>> =
+            all.iter_mut().map(|x| (Some(&mut x[1..]), 1)).collect();
+        self.body.over_rows(&given, count, 0, &mut wanted);
+        all.iter_mut().for_each(|x| x.rotate_left(1));
+        all.iter_mut().for_each(|x| x.truncate(count));
+        all
     }
     /// Computes items over and over, for measuring.
     pub fn repeat<T: Real>(&self, items: &[Items<T>], times: usize) {

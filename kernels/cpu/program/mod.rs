@@ -48,8 +48,8 @@ pub(crate) struct Interpreted {
     number: u64,
     /// The number of lanes that tests ask for, if another one.
     width: Option<usize>,
-    /// Machine code of each level above the baseline, made when it is worth it.
-    native: [OnceLock<Option<Native>>; 2],
+    /// Machine code of each level above the baseline, of tiles and then of rows, made when it is worth it.
+    native: [OnceLock<Option<Native>>; 4],
     /// Tiles that were computed without it.
     done: AtomicUsize,
 }
@@ -87,7 +87,7 @@ impl Interpreted {
             fields: fields.to_vec(),
             number: NEXT.fetch_add(1, Ordering::Relaxed),
             width: None,
-            native: [const { OnceLock::new() }; 2],
+            native: [const { OnceLock::new() }; 4],
             done: AtomicUsize::new(0),
         })
     }
@@ -100,7 +100,7 @@ impl Interpreted {
     pub(crate) fn with_native(mut self, native: bool) -> Self {
         *self.done.get_mut() = if native { usize::MAX / 2 } else { 0 };
         if !native {
-            self.native = [const { OnceLock::new() }; 2].map(|made| {
+            self.native = [const { OnceLock::new() }; 4].map(|made| {
                 made.get_or_init(|| None);
                 made
             });
@@ -108,20 +108,21 @@ impl Interpreted {
         self
     }
     /// The machine code for so many more tiles, if the program has computed enough.
-    fn native<T: Real>(&self, tiles: usize) -> Option<&Native> {
+    fn native<T: Real>(&self, tiles: usize, of_rows: bool) -> Option<&Native> {
         let level = Simd::in_use();
-        let made = match level {
+        let number = match level {
             Simd::Baseline => return None,
-            Simd::Avx2 => &self.native[0],
-            Simd::V4 => &self.native[1],
+            Simd::Avx2 => 0,
+            Simd::V4 => 1,
         };
+        let made = &self.native[number + 2 * usize::from(of_rows)];
         if let Some(made) = made.get() {
             return made.as_ref();
         }
         if self.done.fetch_add(tiles, Ordering::Relaxed) < WORTH.load(Ordering::Relaxed) {
             return None;
         }
-        let new = || Native::new::<T>(&self.tape, self.width::<T>(), level);
+        let new = || Native::new::<T>(&self.tape, self.width::<T>(), level, of_rows);
         made.get_or_init(new).as_ref()
     }
     /// How many instructions and slots it has.
@@ -156,7 +157,7 @@ impl Interpreted {
     ) {
         let width = self.width::<T>();
         let furnish = || self.furnished(width);
-        let native = self.native::<T>(tiles);
+        let native = self.native::<T>(tiles, false);
         with_room(self.number, furnish, |lanes| {
             let lanes = Cell::from_mut(lanes).as_slice_of_cells();
             for first in (0..tiles).step_by(width) {
@@ -194,7 +195,7 @@ impl Interpreted {
         wanted: &mut [Wanted<'_, T>],
     ) {
         let width = self.width::<T>();
-        let native = self.native::<T>(items.div_ceil(TILE));
+        let native = self.native::<T>(items.div_ceil(TILE), true);
         let furnish = || self.furnished(width);
         with_room(self.number, furnish, |lanes| {
             let lanes = Cell::from_mut(lanes).as_slice_of_cells();

@@ -49,25 +49,59 @@ pub(crate) fn over_rows<T: Real, V: Vector<T>>(
         width: tiles.next_multiple_of(STRIP),
         stride: part.stride,
     };
-    let mut slots = &tape.inputs[..];
+    let mut native = part.native.and_then(|native| native.bind(part.lanes));
+    // Columns of numbers are read where they lie, if they fill whole strips.
+    let full = memory.width * TILE == part.items;
+    let mut first = 0;
     for given in part.given {
-        let Some((own, rest)) = slots.split_at_checked(given.fields) else {
+        let Some(slots) = tape.inputs.get(first..first + given.fields) else {
             return;
         };
-        slots = rest;
-        bring::<T, V>(memory, own, given, &part);
+        match (&mut native, slots, part.native) {
+            (Some(bound), &[Some(slot)], Some(native))
+                if full && !given.is_one && native.has_input(slot) =>
+            {
+                let numbers = given.rows.get(part.first..part.first + part.items);
+                bound.lend(first, numbers.unwrap_or_default());
+            }
+            _ => bring::<T, V>(memory, slots, given, &part),
+        }
+        first += given.fields;
     }
-    (T::kernels().carry_out)(&tape.code, memory, part.native);
+    let is_lent = |slots: &[u16]| match (part.native, slots) {
+        (Some(native), &[slot]) => full && native.has_output(slot),
+        _ => false,
+    };
+    let mut first = part.skipped;
+    for (rows, fields) in &mut *wanted {
+        let Some(slots) = tape.outputs.get(first..first + *fields) else {
+            return;
+        };
+        if let (Some(native), true) = (&mut native, is_lent(slots))
+            && let Some(numbers) = part.of(rows, 1)
+        {
+            native.lend_mut(first, numbers);
+        }
+        first += *fields;
+    }
+    (T::kernels().carry_out)(&tape.code, memory, native.as_ref());
     let mut slots = tape.outputs.get(part.skipped..).unwrap_or_default();
     for (rows, fields) in wanted {
         let Some((own, rest)) = slots.split_at_checked(*fields) else {
             return;
         };
         slots = rest;
-        let items = part.first * *fields..(part.first + part.items) * *fields;
-        if let Some(rows) = rows.as_deref_mut().and_then(|rows| rows.get_mut(items)) {
+        if let (Some(rows), false) = (part.of(rows, *fields), is_lent(own)) {
             take::<T, V>(memory, own, rows);
         }
+    }
+}
+
+impl<T> Rows<'_, T> {
+    /// The rows of its items.
+    fn of<'r>(&self, rows: &'r mut Option<&mut [T]>, fields: usize) -> Option<&'r mut [T]> {
+        rows.as_deref_mut()?
+            .get_mut(self.first * fields..(self.first + self.items) * fields)
     }
 }
 

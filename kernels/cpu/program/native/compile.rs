@@ -1,17 +1,19 @@
 //! From instructions of the interpreter to machine code: a run of them at a time, with values in registers.
 //!
 //! Every value has a slot in memory, as in the interpreter. Within a run it stays in a register as long as there is room;
-//! it is stored where it makes room for another one, or where a later run reads it.
+//! it is stored where it makes room for another one, or where a later run reads it. Inputs and results are read and
+//! written where they lie, if all that reads or makes them is in runs ([`Far`]).
 use super::encode::{AT_MOST, EQUAL, Encoder, LESS, Masked, NOT_LESS, Operand, Two};
-use crate::kernels::cpu::program::Run;
+use super::far::Far;
 use crate::kernels::cpu::program::instructions::{Code, Op};
+use crate::kernels::cpu::program::{Run, Tape};
 use std::collections::HashMap;
 
 /// Fewer instructions than this are left to the interpreter.
 const SHORTEST: usize = 3;
 
 /// The operands of an instruction, and its results.
-fn sizes(op: Op) -> [usize; 2] {
+pub(super) fn sizes(op: Op) -> [usize; 2] {
     macro_rules! listed {
         ($($name:ident($($x:ident),*) = $value:expr;)*) => {
             match op {
@@ -67,7 +69,7 @@ enum Next {
 }
 
 /// Reads (`true`) and writes of slots, instruction by instruction.
-type Events = HashMap<u16, Vec<(usize, bool)>>;
+pub(super) type Events = HashMap<u16, Vec<(usize, bool)>>;
 
 fn events(code: &[Code]) -> Events {
     let mut all = Events::new();
@@ -89,6 +91,7 @@ struct Compiler<'a> {
     events: &'a Events,
     /// Slots that are read after all instructions.
     outputs: &'a [u16],
+    far: &'a Far,
     /// The end of the run.
     end: usize,
     /// Bytes from a slot to the next.
@@ -116,6 +119,13 @@ impl Compiler<'_> {
     }
     fn place(&self, slot: u16) -> i32 {
         (slot as usize * self.stride) as i32
+    }
+    /// The place of a slot's present value in memory.
+    fn home(&self, slot: u16) -> Operand {
+        match self.far.input(slot, self.at) {
+            Some(k) => Operand::Far(k),
+            None => Operand::Slot(self.place(slot)),
+        }
     }
     fn find(&self, slot: u16) -> Option<u8> {
         let found = self
@@ -158,7 +168,8 @@ impl Compiler<'_> {
             Some(register) => register,
             None => {
                 let register = self.fresh();
-                self.out.load(register, Operand::Slot(self.place(slot)));
+                let home = self.home(slot);
+                self.out.load(register, home);
                 self.held[register as usize] = Some((slot, false));
                 register
             }
@@ -169,12 +180,15 @@ impl Compiler<'_> {
     /// An operand where it is: one that the run reads again comes into a register.
     fn operand(&mut self, slot: u16) -> Operand {
         match (self.find(slot), self.next(slot, self.at)) {
-            (None, Next::Later | Next::Never) => Operand::Slot(self.place(slot)),
+            (None, Next::Later | Next::Never) => self.home(slot),
             _ => Operand::Register(self.register(slot)),
         }
     }
     /// Ends an instruction: values that nothing reads any more give their registers back.
     fn give(&mut self, results: &[(u16, u8)]) {
+        for &(slot, register) in results {
+            self.deliver(slot, register);
+        }
         self.pinned.fill(false);
         for k in 0..self.held.len() {
             let Some((slot, _)) = self.held[k] else {
@@ -189,6 +203,23 @@ impl Compiler<'_> {
             if self.next(slot, self.at) != Next::Never {
                 self.held[register as usize] = Some((slot, true));
             }
+        }
+    }
+    /// Stores a value that is a result where the result goes, with zeros that have no sign.
+    fn deliver(&mut self, slot: u16, register: u8) {
+        let far = self.far;
+        let places = far.outputs(slot, self.at);
+        if places.is_empty() {
+            return;
+        }
+        let zero = self.number(0.0);
+        let to = match self.next(slot, self.at) {
+            Next::Never => register,
+            Next::Read(_) | Next::Later => self.fresh(),
+        };
+        self.out.two(Two::Add, to, register, zero);
+        for &k in places {
+            self.out.store_far(to, k);
         }
     }
     /// Stores all values that are read later.
@@ -533,16 +564,22 @@ impl Compiler<'_> {
     }
 }
 
-/// Compiles all runs of a list of instructions, whose slots begin every `stride` bytes.
+/// Compiles all runs of a program, whose slots begin every `stride` bytes, for tiles or for rows.
 pub(crate) fn compile(
     mut out: Encoder,
-    code: &[Code],
-    outputs: &[u16],
+    tape: &Tape,
     stride: usize,
-) -> (Vec<u8>, Vec<Run>) {
-    let events = events(code);
+    of_rows: bool,
+) -> (Vec<u8>, Vec<Run>, Far) {
+    let code = &tape.code[..];
+    let (events, runs) = (events(code), runs(code));
+    let far = match of_rows {
+        true => Far::of(tape, &events, &runs),
+        false => Far::default(),
+    };
+    let near: Vec<u16> = far.near_outputs(&tape.outputs);
     let mut all = Vec::new();
-    for [from, to] in runs(code) {
+    for [from, to] in runs {
         let entry = out.bytes.len().next_multiple_of(64);
         out.bytes.resize(entry, 0xcc);
         let start = out.begin();
@@ -550,7 +587,8 @@ pub(crate) fn compile(
         let mut compiler = Compiler {
             out: &mut out,
             events: &events,
-            outputs,
+            outputs: &near,
+            far: &far,
             end: to,
             stride,
             held: vec![None; registers],
@@ -565,5 +603,5 @@ pub(crate) fn compile(
         out.end(start);
         all.push(Run { from, to, entry });
     }
-    (out.finish(), all)
+    (out.finish(), all, far)
 }

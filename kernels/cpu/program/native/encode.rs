@@ -1,7 +1,7 @@
 //! Vector instructions of x86-64 as bytes, in the encodings VEX (AVX2) and EVEX (AVX-512).
 //!
 //! Intel's Software Developer's Manual, volume 2, sections 2.3 (VEX) and 2.7 (EVEX). Operands in memory are slots, at
-//! `rdi + rax + displacement`, and constants behind the code.
+//! `rdi + rax + displacement`, numbers elsewhere, whose address the table at `rdx` has, and constants behind the code.
 
 /// An operand that may be in memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,6 +9,8 @@ pub(super) enum Operand {
     Register(u8),
     /// The bytes from the first slot to this one.
     Slot(i32),
+    /// Numbers elsewhere, by the place of their address in the table.
+    Far(usize),
     /// A constant, by its number.
     Constant(usize),
 }
@@ -102,6 +104,12 @@ impl Encoder {
     fn emit(&mut self, own: Vector, to: u8, a: u8, b: Operand, masked: Masked, more: Option<u8>) {
         let (low, high) = match b {
             Operand::Register(b) => (b >> 3 & 1, b >> 4 & 1),
+            // Its base is r10, which is loaded just before.
+            Operand::Far(k) => {
+                self.bytes.extend([0x4c, 0x8b, 0x92]);
+                self.bytes.extend((8 * k as u32).to_le_bytes());
+                (1, 0)
+            }
             Operand::Slot(_) | Operand::Constant(_) => (0, 0),
         };
         let flipped = |bit: u8, at: u8| (!bit & 1) << at;
@@ -135,6 +143,7 @@ impl Encoder {
                 self.bytes.extend([0x84 | to, 0x07]);
                 self.bytes.extend(bytes.to_le_bytes());
             }
+            Operand::Far(_) => self.bytes.extend([0x04 | to, 0x02]),
             Operand::Constant(k) => {
                 self.bytes.push(0x05 | to);
                 let at = self.bytes.len();
@@ -154,7 +163,13 @@ impl Encoder {
     }
     /// Moves a vector to a register.
     pub(super) fn load(&mut self, to: u8, from: Operand) {
-        self.plain(0x28, to, 0, from);
+        // Numbers elsewhere need not be aligned.
+        let opcode = if matches!(from, Operand::Far(_)) {
+            0x10
+        } else {
+            0x28
+        };
+        self.plain(opcode, to, 0, from);
     }
     /// Moves a vector to a register where `k1` holds, zero elsewhere.
     pub(super) fn load_zeroed(&mut self, to: u8, from: Operand) {
@@ -163,6 +178,10 @@ impl Encoder {
     /// Moves a register to a slot.
     pub(super) fn store(&mut self, from: u8, slot: i32) {
         self.plain(0x29, from, 0, Operand::Slot(slot));
+    }
+    /// Moves a register to numbers elsewhere.
+    pub(super) fn store_far(&mut self, from: u8, k: usize) {
+        self.plain(0x11, from, 0, Operand::Far(k));
     }
     /// The square root.
     pub(super) fn root(&mut self, to: u8, from: Operand, masked: Masked) {
@@ -226,8 +245,8 @@ impl Encoder {
         self.emit(own, to, a, b, Masked::No, None);
     }
 
-    /// Begins a function of the first slot (`rdi`) and the bytes of a slot in use (`rsi`): what follows is repeated
-    /// for every vector of the slots.
+    /// Begins a function of the first slot (`rdi`), the bytes of a slot in use (`rsi`) and the table of addresses
+    /// (`rdx`): what follows is repeated for every vector of the slots.
     pub(super) fn begin(&mut self) -> usize {
         // endbr64, which processors that check the targets of indirect calls want; xor eax, eax.
         self.bytes.extend([0xf3, 0x0f, 0x1e, 0xfa, 0x31, 0xc0]);

@@ -1,6 +1,8 @@
 //! Recorded programs as machine code of x86-64.
 mod compile;
 mod encode;
+mod far;
 
 pub(crate) use compile::compile;
 pub(crate) use encode::Encoder;
+pub(crate) use far::{Far, MOST};

@@ -1,0 +1,104 @@
+//! Inputs and results that machine code reads and writes where they lie, in place of their slots.
+use super::compile::Events;
+use crate::kernels::cpu::program::Tape;
+use crate::kernels::cpu::program::instructions::Op;
+use std::collections::HashMap;
+
+/// The most inputs and results that a table has addresses of.
+pub(crate) const MOST: usize = 64;
+
+/// Which inputs and results have an address in the table: inputs by their number, results after them.
+#[derive(Debug, Default)]
+pub(crate) struct Far {
+    /// Of a slot the input, and the instruction that first writes another value there.
+    inputs: HashMap<u16, (usize, usize)>,
+    /// Of a slot its results, and the instruction that makes them.
+    outputs: HashMap<u16, (Vec<usize>, usize)>,
+    /// The number of inputs.
+    first: usize,
+}
+
+impl Far {
+    /// Inputs that only runs read, and results that runs make whatever is skipped.
+    pub(super) fn of(tape: &Tape, events: &Events, runs: &[[usize; 2]]) -> Self {
+        let (mut inputs, mut outputs) = (HashMap::new(), HashMap::new());
+        let first = tape.inputs.len();
+        let in_run = |at: usize| runs.iter().any(|run| (run[0]..run[1]).contains(&at));
+        let of = |slot: u16| events.get(&slot).map_or(&[][..], Vec::as_slice);
+        if first + tape.outputs.len() > MOST {
+            return Far {
+                inputs,
+                outputs,
+                first,
+            };
+        }
+        for (k, slot) in tape.inputs.iter().enumerate() {
+            let &Some(slot) = slot else { continue };
+            let write = of(slot).iter().find(|event| !event.1);
+            let end = write.map_or(usize::MAX, |event| event.0);
+            let mut reads = of(slot).iter().filter(|event| event.1 && event.0 <= end);
+            let is_result = write.is_none() && tape.outputs.contains(&slot);
+            if !is_result && reads.all(|event| in_run(event.0)) {
+                inputs.insert(slot, (k, end));
+            }
+        }
+        let skips = |op| matches!(op, Op::SkipIfAll | Op::SkipIfNone);
+        if tape.code.iter().any(|own| skips(own.op)) {
+            return Far {
+                inputs,
+                outputs,
+                first,
+            };
+        }
+        for (k, &slot) in tape.outputs.iter().enumerate() {
+            let write = of(slot).iter().rfind(|event| !event.1);
+            if let Some(&(at, _)) = write
+                && in_run(at)
+            {
+                let (places, _) = outputs.entry(slot).or_insert((Vec::new(), at));
+                places.push(first + k);
+            }
+        }
+        Far {
+            inputs,
+            outputs,
+            first,
+        }
+    }
+    /// The place in the table of the input that a slot has when an instruction reads it.
+    pub(super) fn input(&self, slot: u16, at: usize) -> Option<usize> {
+        let &(k, end) = self.inputs.get(&slot)?;
+        (at <= end).then_some(k)
+    }
+    /// The places in the table of the results that an instruction makes in a slot.
+    pub(super) fn outputs(&self, slot: u16, at: usize) -> &[usize] {
+        match self.outputs.get(&slot) {
+            Some((places, made)) if *made == at => places,
+            _ => &[],
+        }
+    }
+    /// The slots of all other results.
+    pub(super) fn near_outputs(&self, outputs: &[u16]) -> Vec<u16> {
+        let near = |slot: &&u16| !self.outputs.contains_key(slot);
+        outputs.iter().filter(near).copied().collect()
+    }
+    /// `true` if an input is read where it lies.
+    pub(crate) fn has_input(&self, slot: u16) -> bool {
+        self.inputs.contains_key(&slot)
+    }
+    /// `true` if results of a slot are written where they go.
+    pub(crate) fn has_output(&self, slot: u16) -> bool {
+        self.outputs.contains_key(&slot)
+    }
+    /// The place in the table of a result.
+    pub(crate) fn place_of_output(&self, k: usize) -> usize {
+        self.first + k
+    }
+    /// The places in the table that the code reads, each with the slot that stands for it.
+    pub(crate) fn slots(&self) -> impl Iterator<Item = (usize, u16)> {
+        let inputs = self.inputs.iter().map(|(&slot, &(k, _))| (k, slot));
+        let outputs = self.outputs.iter();
+        inputs
+            .chain(outputs.flat_map(|(&slot, (places, _))| places.iter().map(move |&k| (k, slot))))
+    }
+}
