@@ -101,6 +101,7 @@ extern crate self as geograd;
 
 #[forbid(unsafe_code)]
 mod arrays;
+#[forbid(unsafe_code)]
 pub mod assignment;
 #[forbid(unsafe_code)]
 pub mod boolean;

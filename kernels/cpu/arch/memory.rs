@@ -58,3 +58,19 @@ pub fn flat<T: Copy>(lanes: &[Lane<T>]) -> &[T] {
     // Sound: a lane is so many numbers and nothing else.
     unsafe { slice::from_raw_parts(lanes.as_ptr().cast(), lanes.len() * TILE) }
 }
+
+/// Has memory come nearer that lies so many numbers behind a list. It need not exist.
+#[inline(always)]
+pub fn foresee<T>(list: &[T], ahead: usize) {
+    #[cfg(all(target_arch = "x86_64", not(geograd_portable)))]
+    {
+        use std::arch::x86_64::{_MM_HINT_T1, _mm_prefetch};
+        let first = list.as_ptr().wrapping_add(ahead).cast::<i8>();
+        for line in (0..size_of_val(list)).step_by(64) {
+            // Sound: no address is a fault, and every x86-64 has the instruction.
+            unsafe { _mm_prefetch::<_MM_HINT_T1>(first.wrapping_add(line)) };
+        }
+    }
+    #[cfg(not(all(target_arch = "x86_64", not(geograd_portable))))]
+    let _ = (list, ahead);
+}

@@ -13,7 +13,7 @@
 //! writes to numbers lent mutably only. It uses registers that its calling convention leaves to it, and the instructions of
 //! a level that the processor has.
 use crate::kernels::cpu::lane::{Lane, TILE};
-use crate::kernels::cpu::program::native::{Encoder, Far, MOST, compile};
+use crate::kernels::cpu::program::native::{Encoder, MOST, compile};
 use crate::kernels::cpu::program::{Run, Tape};
 use crate::kernels::cpu::simd::Simd;
 use memmap2::{Mmap, MmapMut};
@@ -25,9 +25,9 @@ use std::marker::PhantomData;
 pub(crate) struct Native {
     code: Mmap,
     runs: Vec<Run>,
-    far: Far,
-    /// Addresses of the code's table, each with the slot that stands for it.
-    slots: Vec<(usize, u16)>,
+    /// The slots that stand for addresses of the table, those of inputs first; `None` for one that the code does not use.
+    table: Vec<Option<u16>>,
+    inputs: usize,
     /// Lanes of all slots, and of one.
     lanes: usize,
     stride: usize,
@@ -59,20 +59,20 @@ impl Native {
         Some(Native {
             code: memory.make_exec().ok()?,
             runs,
-            slots: far.slots().collect(),
-            far,
+            table: far.table(tape),
+            inputs: tape.inputs.len(),
             lanes: tape.slots * stride,
             stride,
             number,
         })
     }
     /// `true` if the code can read an input where it lies.
-    pub(crate) fn has_input(&self, slot: u16) -> bool {
-        self.far.has_input(slot)
+    pub(crate) fn has_input(&self, k: usize) -> bool {
+        self.table.get(k).is_some_and(Option::is_some)
     }
     /// `true` if the code can write a result where it goes.
-    pub(crate) fn has_output(&self, slot: u16) -> bool {
-        self.far.has_output(slot)
+    pub(crate) fn has_output(&self, k: usize) -> bool {
+        self.has_input(self.inputs + k)
     }
     /// The code with the memory of its slots; `None` if that is not what it was made for.
     #[inline]
@@ -81,8 +81,10 @@ impl Native {
             return None;
         }
         let mut table = [std::ptr::null_mut(); MOST];
-        for &(k, slot) in &self.slots {
-            table[k] = lanes[slot as usize * self.stride].as_ptr().cast();
+        for (address, slot) in table.iter_mut().zip(&self.table) {
+            if let &Some(slot) = slot {
+                *address = lanes[slot as usize * self.stride].as_ptr().cast();
+            }
         }
         Some(Bound {
             native: self,
@@ -120,7 +122,7 @@ impl<'a, T> Bound<'a, T> {
     #[inline]
     pub(crate) fn lend_mut(&mut self, k: usize, numbers: &'a mut [T]) {
         self.lent = self.lent.min(numbers.len());
-        self.table[self.native.far.place_of_output(k)] = numbers.as_mut_ptr();
+        self.table[self.native.inputs + k] = numbers.as_mut_ptr();
     }
     /// Carries out a run on some lanes of every slot.
     #[inline]

@@ -14,10 +14,10 @@ impl Native {
     pub(crate) fn new<T>(_: &Tape, _: usize, _: Simd, _: bool) -> Option<Self> {
         None
     }
-    pub(crate) fn has_input(&self, _: u16) -> bool {
+    pub(crate) fn has_input(&self, _: usize) -> bool {
         match *self {}
     }
-    pub(crate) fn has_output(&self, _: u16) -> bool {
+    pub(crate) fn has_output(&self, _: usize) -> bool {
         match *self {}
     }
     pub(crate) fn bind<'a, T>(&'a self, _: &'a [Cell<Lane<T>>]) -> Option<Bound<'a, T>> {

@@ -6,7 +6,9 @@
 use super::encode::{AT_MOST, EQUAL, Encoder, LESS, Masked, NOT_LESS, Operand, Two};
 use super::far::Far;
 use crate::kernels::cpu::program::instructions::{Code, Op};
+use crate::kernels::cpu::program::rows::AHEAD;
 use crate::kernels::cpu::program::{Run, Tape};
+use crate::kernels::item::STRETCH;
 use std::collections::HashMap;
 
 /// Fewer instructions than this are left to the interpreter.
@@ -170,6 +172,7 @@ impl Compiler<'_> {
                 let register = self.fresh();
                 let home = self.home(slot);
                 self.out.load(register, home);
+                self.foresee(home);
                 self.held[register as usize] = Some((slot, false));
                 register
             }
@@ -177,10 +180,21 @@ impl Compiler<'_> {
         self.pinned[register as usize] = true;
         register
     }
+    /// Has the next stretch of an input come nearer while this one is computed: it is looked at first, in a moment.
+    fn foresee(&mut self, home: Operand) {
+        if let Operand::Far(_) = home {
+            let size = if self.out.is_double() { 8 } else { 4 };
+            self.out.prefetch(STRETCH * size, false);
+        }
+    }
     /// An operand where it is: one that the run reads again comes into a register.
     fn operand(&mut self, slot: u16) -> Operand {
         match (self.find(slot), self.next(slot, self.at)) {
-            (None, Next::Later | Next::Never) => self.home(slot),
+            (None, Next::Later | Next::Never) => {
+                let home = self.home(slot);
+                self.foresee(home);
+                home
+            }
             _ => Operand::Register(self.register(slot)),
         }
     }
@@ -220,6 +234,7 @@ impl Compiler<'_> {
         self.out.two(Two::Add, to, register, zero);
         for &k in places {
             self.out.store_far(to, k);
+            self.out.prefetch(AHEAD, true);
         }
     }
     /// Stores all values that are read later.

@@ -179,6 +179,14 @@ impl Encoder {
     pub(super) fn store(&mut self, from: u8, slot: i32) {
         self.plain(0x29, from, 0, Operand::Slot(slot));
     }
+    /// Asks for numbers elsewhere, so many bytes ahead of the last ones that were read or written there: to be read, or to
+    /// be written. No address is a fault.
+    pub(super) fn prefetch(&mut self, ahead: usize, to_write: bool) {
+        // prefetcht1, prefetchw [r10 + rax + ahead]
+        let [opcode, operand] = if to_write { [0x0d, 0x8c] } else { [0x18, 0x94] };
+        self.bytes.extend([0x41, 0x0f, opcode, operand, 0x02]);
+        self.bytes.extend((ahead as u32).to_le_bytes());
+    }
     /// Moves a register to numbers elsewhere.
     pub(super) fn store_far(&mut self, from: u8, k: usize) {
         self.plain(0x11, from, 0, Operand::Far(k));

@@ -14,8 +14,6 @@ pub(crate) struct Far {
     inputs: HashMap<u16, (usize, usize)>,
     /// Of a slot its results, and the instruction that makes them.
     outputs: HashMap<u16, (Vec<usize>, usize)>,
-    /// The number of inputs.
-    first: usize,
 }
 
 impl Far {
@@ -26,11 +24,7 @@ impl Far {
         let in_run = |at: usize| runs.iter().any(|run| (run[0]..run[1]).contains(&at));
         let of = |slot: u16| events.get(&slot).map_or(&[][..], Vec::as_slice);
         if first + tape.outputs.len() > MOST {
-            return Far {
-                inputs,
-                outputs,
-                first,
-            };
+            return Far { inputs, outputs };
         }
         for (k, slot) in tape.inputs.iter().enumerate() {
             let &Some(slot) = slot else { continue };
@@ -44,11 +38,7 @@ impl Far {
         }
         let skips = |op| matches!(op, Op::SkipIfAll | Op::SkipIfNone);
         if tape.code.iter().any(|own| skips(own.op)) {
-            return Far {
-                inputs,
-                outputs,
-                first,
-            };
+            return Far { inputs, outputs };
         }
         for (k, &slot) in tape.outputs.iter().enumerate() {
             let write = of(slot).iter().rfind(|event| !event.1);
@@ -59,11 +49,7 @@ impl Far {
                 places.push(first + k);
             }
         }
-        Far {
-            inputs,
-            outputs,
-            first,
-        }
+        Far { inputs, outputs }
     }
     /// The place in the table of the input that a slot has when an instruction reads it.
     pub(super) fn input(&self, slot: u16, at: usize) -> Option<usize> {
@@ -82,23 +68,16 @@ impl Far {
         let near = |slot: &&u16| !self.outputs.contains_key(slot);
         outputs.iter().filter(near).copied().collect()
     }
-    /// `true` if an input is read where it lies.
-    pub(crate) fn has_input(&self, slot: u16) -> bool {
-        self.inputs.contains_key(&slot)
-    }
-    /// `true` if results of a slot are written where they go.
-    pub(crate) fn has_output(&self, slot: u16) -> bool {
-        self.outputs.contains_key(&slot)
-    }
-    /// The place in the table of a result.
-    pub(crate) fn place_of_output(&self, k: usize) -> usize {
-        self.first + k
-    }
-    /// The places in the table that the code reads, each with the slot that stands for it.
-    pub(crate) fn slots(&self) -> impl Iterator<Item = (usize, u16)> {
-        let inputs = self.inputs.iter().map(|(&slot, &(k, _))| (k, slot));
-        let outputs = self.outputs.iter();
-        inputs
-            .chain(outputs.flat_map(|(&slot, (places, _))| places.iter().map(move |&k| (k, slot))))
+    /// The addresses of a table, inputs first: of each the slot that stands for it, where the code uses the address.
+    pub(crate) fn table(&self, tape: &Tape) -> Vec<Option<u16>> {
+        let inputs = tape
+            .inputs
+            .iter()
+            .map(|slot| slot.filter(|slot| self.inputs.contains_key(slot)));
+        let outputs = tape
+            .outputs
+            .iter()
+            .map(|slot| self.outputs.contains_key(slot).then_some(*slot));
+        inputs.chain(outputs).take(MOST).collect()
     }
 }

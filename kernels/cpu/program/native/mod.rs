@@ -5,4 +5,4 @@ mod far;
 
 pub(crate) use compile::compile;
 pub(crate) use encode::Encoder;
-pub(crate) use far::{Far, MOST};
+pub(crate) use far::MOST;
