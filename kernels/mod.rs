@@ -11,8 +11,9 @@
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
 //! The function is a value: a [verb](verbs) such as [`Iou`]; its gradient ([`value_grad`](Iou::value_grad)), Jacobian
-//! ([`jacobian`](Iou::jacobian)) or adjoint ([`vjp`](Iou::vjp)); an [operation](op); a [`search`](search::search); a plain
-//! generic [`function`]; a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Calls that end in
+//! ([`jacobian`](Iou::jacobian)), adjoint ([`vjp`](Iou::vjp)), derivative along a direction ([`jvp`](Iou::jvp)), Hessian
+//! ([`hessian`](Iou::hessian)) or Hessian times a direction ([`hvp`](Iou::hvp)); an [operation](op); a
+//! [`search`](search::search); a plain generic [`function`]; a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Calls that end in
 //! `_into` write into the caller's memory. [`operation!`](crate::operation) makes a function an operation.
 //!
 //! # Inputs and results
@@ -39,6 +40,8 @@ pub mod cpu;
 #[forbid(unsafe_code)]
 mod declared;
 #[forbid(unsafe_code)]
+pub mod directions;
+#[forbid(unsafe_code)]
 pub mod dynamic;
 #[forbid(unsafe_code)]
 pub mod fold;
@@ -51,7 +54,6 @@ pub mod gpu;
 mod grouped;
 #[forbid(unsafe_code)]
 pub mod item;
-#[forbid(unsafe_code)]
 pub mod op;
 #[forbid(unsafe_code)]
 mod operation;

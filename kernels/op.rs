@@ -32,6 +32,7 @@ use crate::error::Error;
 use crate::kernels::cpu::plan::Compiled;
 use crate::kernels::cpu::rings::Measure;
 pub use crate::kernels::declared::{Extremes, Finite, Limits, Range};
+use crate::kernels::directions::{Hvp, Jvp};
 use crate::kernels::item::{Item, Results, WithJacobian};
 use crate::kernels::recording::{Call, Mode, Recording, program_of};
 use crate::{Fixed, Pack, Scalar, Vec2};
@@ -150,6 +151,43 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     /// input.
     fn vjp(self) -> Vjp<Self> {
         Vjp(self)
+    }
+    /// The operation with its derivative along a direction: takes the input and then a direction of it, and returns the
+    /// result and its derivative. A direction is a list of numbers in the shape of the input; one of boxes need not be a
+    /// box.
+    ///
+    /// ```
+    /// use geograd::kernels::Cpu;
+    /// use geograd::prelude::*;
+    /// let (points, centres) = ([Vec2::new(3.0_f64, 4.0)], [Vec2::new(0.0, 0.0)]);
+    /// let (east, still) = ([Vec2::new(1.0, 0.0)], [Vec2::new(0.0, 0.0)]);
+    /// let along = ((&points, &centres), (&east, &still));
+    /// let (distance, slope) = Cpu::new().aligned(Distance.jvp(), along)?;
+    /// assert_eq!((distance[0], slope[0]), (5.0, 0.6));
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    fn jvp(self) -> Jvp<Self> {
+        Jvp::of(self)
+    }
+    /// The Hessian times a direction: takes the input and then a direction of it, and returns the derivative of the
+    /// gradient along it. The result of the operation is one number.
+    ///
+    /// ```
+    /// use geograd::kernels::Cpu;
+    /// use geograd::prelude::*;
+    /// let (points, centres) = ([Vec2::new(3.0_f64, 4.0)], [Vec2::new(0.0, 0.0)]);
+    /// let (east, still) = ([Vec2::new(1.0, 0.0)], [Vec2::new(0.0, 0.0)]);
+    /// let (by_point, by_centre) = Cpu::new().aligned(Distance.hvp(), ((&points, &centres), (&east, &still)))?;
+    /// assert!((by_point[0].x - 16.0 / 125.0).abs() < 1e-15);
+    /// assert_eq!(by_centre[0], -by_point[0]);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    fn hvp(self) -> Hvp<Self> {
+        Hvp::of(self)
+    }
+    /// The operation with its gradient and Hessian: [`value_grad`](Op::value_grad) with its Jacobian.
+    fn hessian(self) -> Jacobian<ValueGrad<Self>> {
+        ValueGrad(self).jacobian()
     }
 }
 

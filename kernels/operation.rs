@@ -317,6 +317,25 @@ macro_rules! __derivatives {
             pub const fn vjp(self) -> $crate::kernels::op::Vjp<Self> {
                 $crate::kernels::op::Vjp::of(self)
             }
+            /// The function with its derivative along a direction: batches take the arguments and then as many directions, and
+            /// return the result and its derivative.
+            #[must_use]
+            pub const fn jvp(self) -> $crate::kernels::directions::Jvp<Self> {
+                $crate::kernels::directions::Jvp::of(self)
+            }
+            /// The Hessian times a direction: batches take the arguments and then as many directions, and return the derivative
+            /// of the gradient along them. The result is one number.
+            #[must_use]
+            pub const fn hvp(self) -> $crate::kernels::directions::Hvp<Self> {
+                $crate::kernels::directions::Hvp::of(self)
+            }
+            /// The function with its gradient and Hessian: [`value_grad`](Self::value_grad) with its Jacobian.
+            #[must_use]
+            pub const fn hessian(
+                self,
+            ) -> $crate::kernels::op::Jacobian<$crate::kernels::op::ValueGrad<Self>> {
+                $crate::kernels::op::ValueGrad::of(self).jacobian()
+            }
         }
     };
 }

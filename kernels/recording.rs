@@ -8,6 +8,7 @@ use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
 use crate::error::Error;
 use crate::kernels::cpu::plan::{Compiled, Face};
+use crate::kernels::directions::Order;
 use crate::kernels::item::{Item, Leaf, leaves_of};
 use crate::kernels::op::{Derivative, Op};
 use crate::kernels::real::Real;
@@ -59,7 +60,7 @@ pub(crate) struct Line<T: 'static> {
     /// The type of its operation.
     id: fn() -> TypeId,
     /// The source of its derivatives.
-    derivatives: Derivative,
+    pub(crate) derivatives: Derivative,
     /// Numbers of its input and of its result, and codes of both.
     inputs: usize,
     outputs: usize,
@@ -140,6 +141,8 @@ pub(crate) enum Key {
     Replays(Mode),
     /// A derivative as a function.
     Derived(Mode),
+    /// A derivative along directions as a function.
+    Along(Order),
 }
 
 /// Things kept with a recording: programs of modes, plans of machines, derivatives.
@@ -326,7 +329,7 @@ impl<T: Real> Recording<T> {
     }
 
     /// A derivative as a function of its own, whose derivatives are of the next order.
-    fn derivative(&self, mode: Mode) -> Result<Arc<Recording<T>>, Error> {
+    pub(crate) fn derivative(&self, mode: Mode) -> Result<Arc<Recording<T>>, Error> {
         self.made(Key::Derived(mode), &|| {
             let program = self.program(mode)?;
             let fields: Vec<usize> = self.takes.iter().map(|leaf| leaf.fields).collect();

@@ -3,8 +3,9 @@ use crate::Fixed;
 use crate::ad::program::record::record;
 use crate::ad::program::{Plain, Program, Sym};
 use crate::error::Error;
+use crate::kernels::directions::{Hvp, Jvp};
 use crate::kernels::item::{Item, leaves_of};
-use crate::kernels::op::{Runs, ValueGrad, Vjp};
+use crate::kernels::op::{Jacobian, Runs, ValueGrad, Vjp};
 use crate::kernels::recording::{Body, Call, Mode, Recording, known, widths};
 use std::marker::PhantomData;
 use std::sync::Arc;
@@ -76,6 +77,23 @@ impl<F: Copy, N> Function<F, N> {
     #[must_use]
     pub const fn vjp(self) -> Vjp<Self> {
         Vjp::of(self)
+    }
+    /// The function with its derivative along a direction: batches take the arguments and then as many directions, and
+    /// return the result and its derivative.
+    #[must_use]
+    pub const fn jvp(self) -> Jvp<Self> {
+        Jvp::of(self)
+    }
+    /// The Hessian times a direction: batches take the arguments and then as many directions, and return the derivative
+    /// of the gradient along them. The result is one number.
+    #[must_use]
+    pub const fn hvp(self) -> Hvp<Self> {
+        Hvp::of(self)
+    }
+    /// The function with its gradient and Hessian: [`value_grad`](Self::value_grad) with its Jacobian.
+    #[must_use]
+    pub const fn hessian(self) -> Jacobian<ValueGrad<Self>> {
+        ValueGrad::of(self).jacobian()
     }
     /// The function as a [`Program`], to print, count or differentiate further.
     ///

@@ -3,7 +3,8 @@ use geograd::ad;
 use geograd::ad::check::sample::{Draw, Sample};
 use geograd::ad::program::{Program, Sym};
 use geograd::kernels::{
-    Cpu, Distance, Iou, MinimumCircle, MinimumRectangle, One, Op, Skip, Wasserstein, function,
+    Area, ClosestPoints, Cpu, Distance, Iou, MinimumCircle, MinimumRectangle, Move, One, Op, Skip,
+    Wasserstein, function,
 };
 use geograd::{
     Circle, ConvexPolygon, Fixed, Obb2, Pack, Pose2, Scalar, Segment2, Triangle2, Vec2, operation,
@@ -223,7 +224,66 @@ macro_rules! hessians {
             let product = hvp.eval((x, (directions.0[i], directions.1[i])));
             near(&[(to_a[i], to_b[i]).scalars()], &[product.scalars()]);
         }
+        // The same by their own names.
+        let columns = ((&a, &b), (&directions.0, &directions.1));
+        let (by_a, by_b) = cpu.aligned($Verb.hvp(), columns).unwrap();
+        let ((_, _), named) = cpu.aligned($Verb.hessian(), (&a, &b)).unwrap();
+        for i in 0..COUNT {
+            near(
+                &[(by_a[i], by_b[i]).scalars()],
+                &[(to_a[i], to_b[i]).scalars()],
+            );
+            assert_eq!(rows(&named[i].1), rows(&second[i].1));
+        }
     }};
+}
+
+/// Derivatives along directions in batches, beside duals and, to the bit, beside those of the program; a row by hand
+/// beside its gradient.
+macro_rules! along {
+    ($($Verb:ident($A:ty $(, $B:ty)?);)*) => { $({
+        let (a, to_a): (Vec<$A>, Vec<$A>) = (draws(5), draws(7));
+        $(let (b, to_b): (Vec<$B>, Vec<$B>) = (draws(6), draws(8));)?
+        let columns = (along!(@pair &a $(, &b, $B)?), along!(@pair &to_a $(, &to_b, $B)?));
+        let (values, slopes) = Cpu::new().aligned($Verb.jvp(), columns).unwrap();
+        let row = $Verb.row::<along!(@type $A $(, $B)?)>();
+        let program = row.program::<f64>().unwrap().jvp();
+        for (i, (value, slope)) in values.iter().zip(&slopes).enumerate() {
+            let x = along!(@pair a[i] $(, b[i], $B)?);
+            let direction = along!(@pair to_a[i] $(, to_b[i], $B)?);
+            assert_eq!((*value, *slope), program.eval((x, direction)), "{:?}, item {i}", $Verb);
+            let (_, expected) = ad::jvp(|x| evaluated(row, x), x, direction);
+            near(&[slope.scalars()], &[expected.scalars()]);
+        }
+    })* };
+    (@pair $a:expr) => { $a };
+    (@pair $a:expr, $b:expr, $B:ty) => { ($a, $b) };
+    (@type $A:ty) => { $A };
+    (@type $A:ty, $B:ty) => { ($A, $B) };
+}
+
+fn evaluated<O: Op, S: Scalar>(_row: O, x: O::In<S>) -> O::Out<S> {
+    O::eval(x)
+}
+
+#[test]
+fn derivatives_along_directions() {
+    along! {
+        Distance(Vec2<f64>, Obb2<f64>);
+        Iou(Obb2<f64>, Obb2<f64>);
+        ClosestPoints(Vec2<f64>, Segment2<f64>);
+        Move(Pose2<f64>, Segment2<f64>);
+        Area(Triangle2<f64>);
+    }
+    // A direction of boxes need not be a box, a search has no graph, and directions are as many as arguments.
+    let boxes = [Obb2::new(0.0, 0.0, 2.0, 1.0, 0.3)];
+    let thinner = [Obb2::new(0.0, 0.0, -1.0, 0.0, 0.0)];
+    let columns = ((&boxes, &boxes), (&thinner, &thinner));
+    let (_, slopes) = Cpu::new().aligned(Iou.jvp(), columns).unwrap();
+    assert_eq!(slopes, [0.0]);
+    let few = ((&boxes, &boxes), (&thinner, &thinner[..0]));
+    let error = Cpu::new().aligned(Iou.jvp(), few).unwrap_err();
+    assert!(matches!(error, geograd::Error::Length { .. }), "{error:?}");
 }
 
 /// Derivatives of derivatives are recordings of their own: Hessians, products with them, adjoints of adjoints.

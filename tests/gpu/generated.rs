@@ -12,7 +12,7 @@ use geograd::ad::program::{Program, Sym};
 use geograd::error::Argument;
 
 use geograd::kernels::gpu::Gpu;
-use geograd::kernels::{Cpu, One, Op};
+use geograd::kernels::{Cpu, Distance, One, Op};
 use geograd::{
     Circle, Error, Fixed, Flaw, GpuFault, Obb2, Pack, Scalar, Segment2, Vec2, YawBox3 as YawBox,
 };
@@ -44,6 +44,30 @@ fn near(found: &[f32], expected: &[f32], by: f32) {
 
 fn bits(numbers: &[f32]) -> Vec<u32> {
     numbers.iter().map(|x| x.to_bits()).collect()
+}
+
+#[test]
+fn derivatives_along_directions_agree_with_the_processor() {
+    fn ordinary<P: Sample + Pack<With<f32> = Q>, Q>(seed: u64) -> Vec<Q> {
+        let mut draw = Draw::new(seed);
+        let shape = |_| P::ordinary(&mut draw).map(&mut |&x| x as f32);
+        (0..100).map(shape).collect()
+    }
+    let Some((_turn, gpu)) = gpu() else { return };
+    let (points, boxes) = (ordinary::<Point, _>(1), ordinary::<Box2, _>(2));
+    let (ways, directions) = (ordinary::<Point, _>(3), ordinary::<Box2, _>(4));
+    let columns = ((&points, &boxes), (&ways, &directions));
+    let cpu = Cpu::new();
+    let (values, slopes) = gpu.aligned(Distance.jvp(), columns).unwrap();
+    let expected = cpu.aligned(Distance.jvp(), columns).unwrap();
+    near(&values, &expected.0, 1e-5);
+    near(&slopes, &expected.1, 1e-4);
+    let (found, expected) = (
+        gpu.aligned(Distance.hvp(), columns).unwrap(),
+        cpu.aligned(Distance.hvp(), columns).unwrap(),
+    );
+    near(&found.0.scalars(), &expected.0.scalars(), 1e-3);
+    near(&found.1.scalars(), &expected.1.scalars(), 1e-3);
 }
 
 #[test]
