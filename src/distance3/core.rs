@@ -1,6 +1,7 @@
 //! The cores that convex shapes of space are made of: a point, a segment, a triangle, a tetrahedron, a box.
 use super::deep::{PartingPlane, box_faces, triangle_face};
 use super::near::{Edge, Low, Nearest, edge_near, face_near, square_of};
+use super::straight::Straight;
 use crate::arrays::Each;
 use crate::distance::share::Best;
 use crate::scalar::largest;
@@ -53,6 +54,11 @@ pub trait Core<S: Scalar>: Copy {
     fn as_box(&self) -> Option<BoxCore<S>> {
         None
     }
+    /// The core as a straight feature, where it is one.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn straight(&self) -> Option<Straight<S>> {
+        None
+    }
     /// The face that parts the core best from some corners; `None` where it has no faces.
     fn deep(&self, corners: &[Vec3<S>]) -> Option<PartingPlane<S>>;
 }
@@ -83,6 +89,10 @@ impl<S: Scalar> Core<S> for PointCore<S> {
     type Edges = [Edge<S>; 0];
     type Ways = [Vec3<S>; 0];
     const DIMENSION: usize = 0;
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn straight(&self) -> Option<Straight<S>> {
+        Some(Straight::point(self.0))
+    }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn anchor(&self) -> Vec3<S> {
         self.0
@@ -160,6 +170,10 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
     type Edges = [Edge<S>; E];
     type Ways = [Vec3<S>; E];
     const DIMENSION: usize = C - 1;
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn straight(&self) -> Option<Straight<S>> {
+        (C == 2).then(|| Straight::segment([self.0[0], self.0[C - 1]]))
+    }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn anchor(&self) -> Vec3<S> {
         self.0[0]

@@ -3,7 +3,7 @@
 //! [`YawBox3`](crate::YawBox3), [`Obb3`](crate::Obb3), [`RoundBox3`](crate::RoundBox3), [`Sphere`](crate::Sphere) and
 //! [`Capsule3`](crate::Capsule3), any two of them; half-spaces ([`Plane3`](crate::Plane3)) and all of these,
 //! [`Cylinder`](crate::Cylinder) and [`Cone`](crate::Cone); points and balls and cylinders and cones. Lines and rays
-//! ([`Line3`](crate::Line3), [`Ray3`](crate::Ray3)), each other, points, balls, segments and capsules.
+//! ([`Line3`](crate::Line3), [`Ray3`](crate::Ray3)), each other and any of the first ten.
 //!
 //! ```
 //! use geograd::{Obb3, Rotation3, Vec3, distance3::signed_distance};
@@ -49,11 +49,12 @@
 //! | cylinder | D q S c p f | d q s c p f | - | - | - | - | - | - |
 //! | cone | D q S c p f | d q s c p f | - | - | - | - | - | - |
 //!
-//! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | - | - | - | - |
-//! | ray | D q s c p - | d q S c p - | D q s c p - | d q s c p - | - | - | - | - |
+//! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | d q s c p - | d q s c p - | d q s c p - | d q s c p - |
+//! | ray | D q s c p - | d q S c p - | D q s c p - | d q s c p - | d q s c p - | d q s c p - | d q s c p - | d q s c p - |
 //!
 //! A half-space and a cylinder or a cone have d q S c p; lines and rays have d q s c p among themselves, of two lines
-//! D and C, of two rays D. Rays, lines and segments against solids: [`intersection3`](crate::intersection3).
+//! D and C, of two rays D. Of a solid they see the part that is near it, whose ends are rounded: in `f32` distances of
+//! lines from triangles and boxes are off by the roundings of four times the solid's size. Rays, lines and segments against solids: [`intersection3`](crate::intersection3).
 //!
 //! # Derivatives
 //!

@@ -1,8 +1,9 @@
-//! Distances of lines and rays of space from each other, from segments and from points, each inflated by a radius.
+//! Distances of lines and rays of space from each other, from segments and from points, each inflated by a radius; and
+//! from any other core as those of the part of the line that is near it.
 use super::apart::{Apart, Cored};
-use super::core::{Core, PointCore, SegmentCore};
+use super::core::{Core, SegmentCore, SimplexCore};
 use super::near::{Nearest, across, normal, size_of};
-use super::relation::{Relation, joined};
+use super::relation::{self, Relation, joined};
 use crate::distance::edge::scale_of;
 use crate::shape::{Line3, Ray3};
 use crate::{Scalar, Vec3};
@@ -28,33 +29,48 @@ pub struct Straight<S> {
     reach: Reach,
 }
 
-/// A core that is a straight feature.
-pub trait IsStraight<S: Scalar> {
-    /// The feature.
-    #[doc(hidden)]
-    fn straight(&self) -> Straight<S>;
-}
-
-impl<S: Scalar> IsStraight<S> for PointCore<S> {
+impl<S: Scalar> Straight<S> {
+    /// A point.
     #[inline(always)]
-    fn straight(&self) -> Straight<S> {
+    pub(super) fn point(from: Vec3<S>) -> Self {
         Straight {
-            from: self.0,
+            from,
             along: Vec3::zero(),
             reach: Reach::Point,
         }
     }
-}
-
-impl<S: Scalar> IsStraight<S> for SegmentCore<S> {
+    /// A segment.
     #[inline(always)]
-    fn straight(&self) -> Straight<S> {
-        let [start, end] = self.corners();
+    pub(super) fn segment([from, to]: [Vec3<S>; 2]) -> Self {
         Straight {
-            from: start,
-            along: end - start,
+            from,
+            along: to - from,
             reach: Reach::Segment,
         }
+    }
+    /// The part of a line or ray that is all a core has to do with: it ends where the line's nearest points to the core
+    /// are, and farther by more than the core is large, so that no shift along it is shorter than one across.
+    #[inline(always)]
+    fn before<B: Core<S>>(&self, core: &B) -> SegmentCore<S> {
+        let plain = |x: S::Primal| S::from_primal(x.primal());
+        let length = scale_of::<S>(size_of(self.along));
+        let way = self.along * length;
+        let square = way.length_squared();
+        let none = square.at_most(S::zero());
+        let square = S::select(none, S::one(), square);
+        let anchor = core.anchor();
+        let margin = plain(core.extent(anchor));
+        // Of a direction whose largest number is about one, four times as much is farther than any corner.
+        let margin = (margin + margin) + (margin + margin);
+        let foot = way.dot(anchor - self.from).over(square);
+        let (low, high) = (foot - margin, foot + margin);
+        let (low, high) = match self.reach {
+            Reach::Line => (low, high),
+            _ => (low.most(S::zero()), high.most(margin)),
+        };
+        // Where an end is does not matter, so that it has no derivative of its own.
+        let end = |t: S| self.from + way * plain(t.primal());
+        SimplexCore([end(low), end(high)])
     }
 }
 
@@ -169,24 +185,22 @@ macro_rules! endless {
                 }
             }
         }
-        impl<S: Scalar, B: Cored<Scalar = S>> Apart<B> for $Shape<S>
-        where
-            B::Core: IsStraight<S>,
-        {
+        impl<S: Scalar, B: Cored<Scalar = S>> Apart<B> for $Shape<S> {
             type Scalar = S;
             #[inline]
             fn relation(self, other: B) -> Relation<S> {
-                let found = relate(self.feature(), other.core().straight());
+                let (line, core) = (self.feature(), other.core());
+                let found = match core.straight() {
+                    Some(straight) => relate(line, straight),
+                    None => relation::relate(line.before(&core), core),
+                };
                 match B::ROUND {
                     true => found.inflated(S::zero(), other.radius()),
                     false => found,
                 }
             }
         }
-        impl<S: Scalar, A: Cored<Scalar = S>> Apart<$Shape<S>> for A
-        where
-            A::Core: IsStraight<S>,
-        {
+        impl<S: Scalar, A: Cored<Scalar = S>> Apart<$Shape<S>> for A {
             type Scalar = S;
             #[inline]
             fn relation(self, other: $Shape<S>) -> Relation<S> {

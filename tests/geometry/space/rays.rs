@@ -448,3 +448,148 @@ fn lines_and_rays_are_as_far_as_a_search_says() {
         assert!(ray.distance(pair.on_a) < 1e-13 && wire.distance(pair.on_b) < 1e-13);
     }
 }
+
+/// The least of a convex function.
+fn least_of(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..200 {
+        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        match of(a) < of(b) {
+            true => high = b,
+            false => low = a,
+        }
+    }
+    of(low)
+}
+
+/// A line and a ray, from anywhere in any direction; through corners, along edges and faces now and then.
+fn sight(random: &mut Random, corners: &[Vec3<f64>]) -> (Vec3<f64>, Vec3<f64>) {
+    let from = random.vector(3.0);
+    let mut corner = || corners[random.below(corners.len())];
+    let (p, q) = (corner(), corner());
+    let way = random.vector(1.0) * random.power(-3.0, 3.0);
+    match random.below(5) {
+        0 => (from, p - from),
+        1 if p != q => (from, q - p),
+        2 => (p + (p - q) * 0.3, p - from),
+        _ => (from, way),
+    }
+}
+
+/// Lines and rays are as far from a solid as their nearest point is; inside they are as deep as a segment that goes on
+/// and on, and of a line as no direction across it says less.
+fn sighted<B>(told: &str, mut make: impl FnMut(&mut Random) -> (B, Vec<Vec3<f64>>, bool))
+where
+    B: Copy + std::fmt::Debug,
+    Vec3<f64>: Apart<B, Scalar = f64>,
+    Segment3<f64>: Apart<B, Scalar = f64>,
+    Line3<f64>: Apart<B, Scalar = f64>,
+    Ray3<f64>: Apart<B, Scalar = f64>,
+{
+    let mut random = Random(0x51_9417);
+    let (mut apart, mut through) = (0, 0);
+    for _ in 0..1000 {
+        let (solid, corners, is_deep) = make(&mut random);
+        let (from, way) = sight(&mut random, &corners);
+        if way.length() < 1e-3 {
+            continue;
+        }
+        let (line, ray) = (Line3::new(from, way), Ray3::new(from, way));
+        let about = || format!("{told}: {line:?} {solid:?}");
+        let close = |found: f64, expected: f64, by: f64| {
+            assert!(
+                (found - expected).abs() < by,
+                "{found} {expected} {}",
+                about()
+            );
+        };
+        let at = |t: f64| distance3::distance(from + way * t, solid);
+        let far = 20.0 / way.length();
+        close(
+            distance3::distance(line, solid),
+            least_of(-far, far, at),
+            1e-7,
+        );
+        close(
+            distance3::distance(ray, solid),
+            least_of(0.0, far, at),
+            1e-7,
+        );
+        // The points are there, and as far from each other.
+        let found = distance3::closest_points(ray, solid);
+        let off = (found.on_a - from).cross(way).length() / way.length();
+        close(off, 0.0, 1e-12);
+        if distance3::distance(ray, solid) > 0.0 {
+            apart += 1;
+            assert!((found.on_a - from).dot(way) > -1e-9, "{}", about());
+            close(
+                (found.on_b - found.on_a).length(),
+                distance3::distance(ray, solid),
+                1e-12,
+            );
+        }
+        if !is_deep {
+            continue;
+        }
+        let long = 1e3 / way.length();
+        let wire = |a: f64| Segment3::new(from + way * a, from + way * long);
+        let depth = distance3::signed_distance(line, solid);
+        close(depth, distance3::signed_distance(wire(-long), solid), 1e-9);
+        close(
+            distance3::signed_distance(ray, solid),
+            distance3::signed_distance(wire(0.0), solid),
+            1e-9,
+        );
+        if depth < -1e-9 {
+            through += 1;
+            let side = way.cross(Vec3::new(0.3, -0.7, 0.2)).normalize_or_zero();
+            let up = way.cross(side).normalize_or_zero();
+            let gap = |k: i32| {
+                let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / 720.0).sin_cos();
+                let normal = side * cos + up * sin;
+                let lowest = corners.iter().map(|&c| normal.dot(c - from));
+                lowest.fold(f64::INFINITY, f64::min)
+            };
+            let best = (0..720).map(gap).fold(f64::NEG_INFINITY, f64::max);
+            assert!(best < depth + 1e-9, "{best} {depth} {}", about());
+            close(best, depth, 0.05);
+        }
+    }
+    assert!(apart > 200, "{told} {apart}");
+    assert!(through > 50 || told == "triangle", "{told} {through}");
+}
+
+#[test]
+fn lines_and_rays_are_as_far_from_solids_as_their_nearest_points() {
+    sighted("triangle", |random| {
+        let corners = [random.vector(1.0), random.vector(1.0), random.vector(1.0)];
+        let [a, b, c] = corners;
+        (Triangle3::new(a, b, c), corners.to_vec(), false)
+    });
+    sighted("tetrahedron", |random| {
+        let corners = [(); 4].map(|()| random.vector(1.5));
+        let [a, b, c, d] = corners;
+        (Tetrahedron::new(a, b, c, d), corners.to_vec(), true)
+    });
+    sighted("box", |random| {
+        let size = Vec3::new(
+            random.within(0.2, 3.0),
+            random.within(0.2, 3.0),
+            random.within(0.2, 3.0),
+        );
+        let solid = Obb3::new(
+            random.vector(1.0),
+            size,
+            Rotation3::from_rotation_vector(random.vector(2.0)),
+        );
+        (solid, solid.corners().to_vec(), true)
+    });
+    sighted("plate", |random| {
+        let size = Vec3::new(4.0, 4.0, random.power(-4.0, -1.0));
+        let solid = Obb3::new(
+            random.vector(1.0),
+            size,
+            Rotation3::from_rotation_vector(random.vector(2.0)),
+        );
+        (solid, solid.corners().to_vec(), true)
+    });
+}
