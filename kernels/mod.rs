@@ -54,6 +54,7 @@ pub mod gpu;
 mod grouped;
 #[forbid(unsafe_code)]
 pub mod item;
+#[forbid(unsafe_code)]
 pub mod op;
 #[forbid(unsafe_code)]
 mod operation;

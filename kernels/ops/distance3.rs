@@ -41,6 +41,8 @@ table! {
         "distance_segment_line3": Segment3, Line3;
         "distance_segment_ray3": Segment3, Ray3;
         "distance_capsule_line3": Capsule3, Line3;
+        "distance_line_obb3": Line3, Obb3;
+        "distance_ray_obb3": Ray3, Obb3;
         /// It jumps where they become parallel.
         "distance_lines3": Line3, Line3 jumps Anywhere;
         /// It jumps where they become parallel.

@@ -27,6 +27,9 @@ pub trait Core<S: Scalar>: Copy {
     fn anchor(&self) -> Vec3<S>;
     /// How far its corners are from a point at most, coordinate by coordinate, as a constant.
     fn extent(&self, from: Vec3<S>) -> S::Primal;
+    /// The core seen from a point.
+    #[must_use]
+    fn seen_from(self, from: Vec3<S>) -> Self;
     /// The core seen from a point, in other units.
     #[must_use]
     fn placed(self, from: Vec3<S>, scale: S) -> Self;
@@ -100,6 +103,10 @@ impl<S: Scalar> Core<S> for PointCore<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn extent(&self, from: Vec3<S>) -> S::Primal {
         extent_of([self.0], from)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn seen_from(self, from: Vec3<S>) -> Self {
+        PointCore(self.0 - from)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn placed(self, from: Vec3<S>, scale: S) -> Self {
@@ -181,6 +188,10 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn extent(&self, from: Vec3<S>) -> S::Primal {
         extent_of(self.0, from)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn seen_from(self, from: Vec3<S>) -> Self {
+        SimplexCore(self.0.each_as(|corner| corner - from))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn placed(self, from: Vec3<S>, scale: S) -> Self {
@@ -294,6 +305,13 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         let arm = self.center - from;
         let half = self.half.each_as(S::primal);
         largest([arm.x, arm.y, arm.z]) + (half[0] + half[1] + half[2])
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn seen_from(self, from: Vec3<S>) -> Self {
+        BoxCore {
+            center: self.center - from,
+            ..self
+        }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn placed(self, from: Vec3<S>, scale: S) -> Self {

@@ -49,12 +49,12 @@
 //! | cylinder | D q S c p f | d q s c p f | - | - | - | - | - | - |
 //! | cone | D q S c p f | d q s c p f | - | - | - | - | - | - |
 //!
-//! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | d q s c p - | d q s c p - | d q s c p - | d q s c p - |
-//! | ray | D q s c p - | d q S c p - | D q s c p - | d q s c p - | d q s c p - | d q s c p - | d q s c p - | d q s c p - |
+//! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | d q s c p - | d q s c p - | D q s c p - | d q s c p - |
+//! | ray | D q s c p - | d q S c p - | D q s c p - | d q s c p - | d q s c p - | d q s c p - | D q s c p - | d q s c p - |
 //!
 //! A half-space and a cylinder or a cone have d q S c p; lines and rays have d q s c p among themselves, of two lines
-//! D and C, of two rays D. Of a solid they see the part that is near it, whose ends are rounded: in `f32` distances of
-//! lines from triangles and boxes are off by the roundings of four times the solid's size. Rays, lines and segments against solids: [`intersection3`](crate::intersection3).
+//! D and C, of two rays D. Of a solid they see the part that is near it, whose ends are rounded as
+//! the solid's corners are. Rays, lines and segments against solids: [`intersection3`](crate::intersection3).
 //!
 //! # Derivatives
 //!

@@ -48,20 +48,35 @@ impl<S: Scalar> Straight<S> {
             reach: Reach::Segment,
         }
     }
+    /// The relation of a line or ray to a core, seen from there: far from the origin the ends of a part of the line would
+    /// lose digits.
+    #[inline(always)]
+    fn relation<B: Core<S>>(self, core: B) -> Relation<S> {
+        let anchor = core.anchor();
+        let seen = Straight {
+            from: self.from - anchor,
+            ..self
+        };
+        let core = core.seen_from(anchor);
+        let found = relation::relate(seen.before(&core), core);
+        Relation {
+            on_a: anchor + found.on_a,
+            on_b: anchor + found.on_b,
+            ..found
+        }
+    }
     /// The part of a line or ray that is all a core has to do with: it ends where the line's nearest points to the core
     /// are, and farther by more than the core is large, so that no shift along it is shorter than one across.
     #[inline(always)]
     fn before<B: Core<S>>(&self, core: &B) -> SegmentCore<S> {
         let plain = |x: S::Primal| S::from_primal(x.primal());
-        let length = scale_of::<S>(size_of(self.along));
-        let way = self.along * length;
+        let way = self.along * scale_of::<S>(size_of(self.along));
         let square = way.length_squared();
         let none = square.at_most(S::zero());
         let square = S::select(none, S::one(), square);
         let anchor = core.anchor();
-        let margin = plain(core.extent(anchor));
-        // Of a direction whose largest number is about one, four times as much is farther than any corner.
-        let margin = (margin + margin) + (margin + margin);
+        // No corner is farther from the anchor than √3 extents, and no shift across is longer than another.
+        let margin = (plain(core.extent(anchor)) * S::lit(2.75)).over(square.root());
         let foot = way.dot(anchor - self.from).over(square);
         let (low, high) = (foot - margin, foot + margin);
         let (low, high) = match self.reach {
@@ -192,7 +207,7 @@ macro_rules! endless {
                 let (line, core) = (self.feature(), other.core());
                 let found = match core.straight() {
                     Some(straight) => relate(line, straight),
-                    None => relation::relate(line.before(&core), core),
+                    None => line.relation(core),
                 };
                 match B::ROUND {
                     true => found.inflated(S::zero(), other.radius()),

@@ -1803,6 +1803,8 @@ class _distance(Verb):
             The distance of two intervals.
         distance(a: Line3, b: Line3) -> number
             The distance of two lines of space. It jumps where they become parallel.
+        distance(line: Line3, shape: Obb3) -> number
+            The distance of a line of space and a box of any orientation.
         distance(shape: Obb2, circle: Circle) -> number
             The distance of a rotated box and a circle.
         distance(a: Obb2, b: Obb2) -> number
@@ -1815,6 +1817,8 @@ class _distance(Verb):
             The distance of two boxes of any orientation.
         distance(shape: Obb3, point: Vec3) -> number
             The distance of a box of any orientation and a point.
+        distance(ray: Ray3, shape: Obb3) -> number
+            The distance of a ray of space and a box of any orientation.
         distance(a: Ray3, b: Ray3) -> number
             The distance of two rays of space. It jumps where they become parallel.
         distance(segment: Segment2, circle: Circle) -> number
@@ -1927,6 +1931,8 @@ class _distance(Verb):
     @overload
     def __call__(self, a: Line3, b: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, line: Line3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: Obb2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1938,6 +1944,8 @@ class _distance(Verb):
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Obb3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ray: Ray3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Ray3, b: Ray3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
