@@ -59,9 +59,9 @@ pub fn flat<T: Copy>(lanes: &[Lane<T>]) -> &[T] {
     unsafe { slice::from_raw_parts(lanes.as_ptr().cast(), lanes.len() * TILE) }
 }
 
-/// Has memory come nearer that lies so many numbers behind a list. It need not exist.
+/// Prefetches as much memory as a list has, so many numbers behind its start. It need not exist.
 #[inline(always)]
-pub fn foresee<T>(list: &[T], ahead: usize) {
+pub fn prefetch<T>(list: &[T], ahead: usize) {
     #[cfg(all(target_arch = "x86_64", not(geograd_portable)))]
     {
         use std::arch::x86_64::{_MM_HINT_T1, _mm_prefetch};

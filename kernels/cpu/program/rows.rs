@@ -2,7 +2,7 @@
 //!
 //! Rows and slots are exchanged in registers, four fields at a time; no tile lies between them.
 use super::execute::{Memory, STRIP};
-use crate::kernels::cpu::arch::memory::foresee;
+use crate::kernels::cpu::arch::memory::prefetch;
 use crate::kernels::cpu::arch::{Native, Vector};
 use crate::kernels::cpu::blocks::QUAD;
 use crate::kernels::cpu::lane::{Lane, TILE};
@@ -11,8 +11,8 @@ use crate::kernels::item::STRETCH;
 use crate::kernels::real::Real;
 use std::cell::Cell;
 
-/// How many bytes ahead results are asked for before they are written: three times as many columns as a processor
-/// foresees by itself take a third less time.
+/// How many bytes ahead results are prefetched: own functions of 6 to 14 columns with gradients take a fifth to a third
+/// less time (`BENCHMARKS.md`, Python).
 pub(crate) const AHEAD: usize = 1 << 10;
 
 /// An argument of a batch: one row for every item, or one that stands for all.
@@ -214,7 +214,7 @@ fn bring_tiles<'r, T: Real, V: Vector<T>, const N: usize>(
 ) {
     let fields = if N == 0 { slots.len() } else { N };
     for (t, rows) in tiles.enumerate() {
-        foresee(rows, STRETCH * fields);
+        prefetch(rows, STRETCH * fields);
         if N == 1 {
             if let (&[Some(slot)], Some(numbers)) = (slots, rows.first_chunk()) {
                 lanes_of(memory, slot)[t].set(Lane(*numbers));
@@ -303,7 +303,7 @@ fn take_tiles<T: Real, V: Vector<T>, const N: usize>(
     for rows in rows.chunks_exact_mut(TILE * fields) {
         let t = tiles;
         tiles += 1;
-        foresee(rows, AHEAD / size_of::<T>());
+        prefetch(rows, AHEAD / size_of::<T>());
         let lane = |k: usize| canonical::<T, V>(&lanes_of(memory, slots[k])[t].get());
         if N == 1 {
             if let Some(numbers) = rows.first_chunk_mut() {

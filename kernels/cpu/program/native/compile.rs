@@ -172,7 +172,7 @@ impl Compiler<'_> {
                 let register = self.fresh();
                 let home = self.home(slot);
                 self.out.load(register, home);
-                self.foresee(home);
+                self.prefetch(home);
                 self.held[register as usize] = Some((slot, false));
                 register
             }
@@ -180,8 +180,8 @@ impl Compiler<'_> {
         self.pinned[register as usize] = true;
         register
     }
-    /// Has the next stretch of an input come nearer while this one is computed: it is looked at first, in a moment.
-    fn foresee(&mut self, home: Operand) {
+    /// Prefetches the next stretch of an input: it is checked before it is computed.
+    fn prefetch(&mut self, home: Operand) {
         if let Operand::Far(_) = home {
             let size = if self.out.is_double() { 8 } else { 4 };
             self.out.prefetch(STRETCH * size, false);
@@ -192,7 +192,7 @@ impl Compiler<'_> {
         match (self.find(slot), self.next(slot, self.at)) {
             (None, Next::Later | Next::Never) => {
                 let home = self.home(slot);
-                self.foresee(home);
+                self.prefetch(home);
                 home
             }
             _ => Operand::Register(self.register(slot)),

@@ -179,8 +179,8 @@ impl Encoder {
     pub(super) fn store(&mut self, from: u8, slot: i32) {
         self.plain(0x29, from, 0, Operand::Slot(slot));
     }
-    /// Asks for numbers elsewhere, so many bytes ahead of the last ones that were read or written there: to be read, or to
-    /// be written. No address is a fault.
+    /// Prefetches numbers elsewhere, to be read or to be written, so many bytes ahead of the last ones that were read or
+    /// written there. No address is a fault.
     pub(super) fn prefetch(&mut self, ahead: usize, to_write: bool) {
         // prefetcht1, prefetchw [r10 + rax + ahead]
         let [opcode, operand] = if to_write { [0x0d, 0x8c] } else { [0x18, 0x94] };
