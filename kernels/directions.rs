@@ -73,20 +73,16 @@ where
 /// The order of a derivative along a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Order {
-    /// Of the result, which comes with it.
+    /// The result, and its derivative.
     First,
-    /// Of the gradient.
+    /// The derivative of the gradient.
     Second,
 }
 
 impl<T: Real> Call<T> {
     /// The derivative of what is called along directions, as a function of arguments and directions.
     fn along(self, order: Order) -> Result<Self, Error> {
-        let recording = match self.mode {
-            Mode::Value => self.recording,
-            inner => self.recording.derivative(inner)?,
-        };
-        Ok(Call::of(recording.along(order)?))
+        Ok(Call::of(self.function()?.along(order)?))
     }
 }
 

@@ -329,7 +329,7 @@ impl<T: Real> Recording<T> {
     }
 
     /// A derivative as a function of its own, whose derivatives are of the next order.
-    pub(crate) fn derivative(&self, mode: Mode) -> Result<Arc<Recording<T>>, Error> {
+    fn derivative(&self, mode: Mode) -> Result<Arc<Recording<T>>, Error> {
         self.made(Key::Derived(mode), &|| {
             let program = self.program(mode)?;
             let fields: Vec<usize> = self.takes.iter().map(|leaf| leaf.fields).collect();
@@ -435,11 +435,15 @@ impl<T: Real> Call<T> {
     ///
     /// Errors of recording the inner derivative.
     pub(crate) fn derived(self, mode: Mode) -> Result<Self, Error> {
-        let recording = match self.mode {
-            Mode::Value => self.recording,
-            inner => self.recording.derivative(inner)?,
-        };
+        let recording = self.function()?;
         Ok(Call { recording, mode })
+    }
+    /// The function that is called: a recording, or a derivative of one as a recording of its own.
+    pub(crate) fn function(self) -> Result<Arc<Recording<T>>, Error> {
+        match self.mode {
+            Mode::Value => Ok(self.recording),
+            inner => self.recording.derivative(inner),
+        }
     }
     /// The plan by which the CPU computes it: aligned, or for all pairs with shapes prepared once.
     ///

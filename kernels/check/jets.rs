@@ -1,4 +1,4 @@
-//! What a subject asks of a function of lists, whether it is recorded or generic: jets as input, derivatives as lists.
+//! Jets as input and derivatives as lists, for subjects of recorded and of generic functions.
 use crate::ad::check::noise::Noisy;
 use crate::ad::check::trace::Number;
 use crate::ad::check::witness::Precision;

@@ -83,7 +83,7 @@ impl<S: Scalar> Straight<S> {
             Reach::Line => (low, high),
             _ => (low.most(S::zero()), high.most(margin)),
         };
-        // Where an end is does not matter, so that it has no derivative of its own.
+        // Results do not depend on where an end is, so that it has no derivative of its own.
         let end = |t: S| self.from + way * plain(t.primal());
         SimplexCore([end(low), end(high)])
     }

@@ -275,7 +275,7 @@ fn derivatives_along_directions() {
         Move(Pose2<f64>, Segment2<f64>);
         Area(Triangle2<f64>);
     }
-    // A direction of boxes need not be a box, a search has no graph, and directions are as many as arguments.
+    // A direction of boxes need not be a box, and directions are as many as items.
     let boxes = [Obb2::new(0.0, 0.0, 2.0, 1.0, 0.3)];
     let thinner = [Obb2::new(0.0, 0.0, -1.0, 0.0, 0.0)];
     let columns = ((&boxes, &boxes), (&thinner, &thinner));

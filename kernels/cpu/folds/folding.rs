@@ -11,10 +11,11 @@ use std::sync::Arc;
 /// How many numbers the parts of a fold have.
 #[derive(Clone, Copy, Debug)]
 pub struct Sizes {
-    /// Of a context, and of the reference after it.
+    /// Numbers of a context.
     pub(crate) own: usize,
+    /// Numbers of a context and the reference after it.
     pub(crate) wide: usize,
-    /// Of an element of a path.
+    /// Numbers of an element of a path.
     pub(crate) element: usize,
     pub(crate) state: usize,
     pub(crate) out: usize,

@@ -10,9 +10,9 @@ pub(crate) const MOST: usize = 64;
 /// Which inputs and results have an address in the table: inputs by their number, results after them.
 #[derive(Debug, Default)]
 pub(crate) struct Far {
-    /// Of a slot the input, and the instruction that first writes another value there.
+    /// The input of a slot, and the instruction that first writes another value there.
     inputs: HashMap<u16, (usize, usize)>,
-    /// Of a slot its results, and the instruction that makes them.
+    /// The results of a slot, and the instruction that makes them.
     outputs: HashMap<u16, (Vec<usize>, usize)>,
 }
 
