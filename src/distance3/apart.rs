@@ -1,11 +1,11 @@
 //! Pairs of shapes of space that have distances.
+use super::box_core::BoxCore;
 use super::boxes::{self, Faces};
-use super::core::{
-    BoxCore, Core, PointCore, SegmentCore, SimplexCore, TetrahedronCore, TriangleCore,
-};
+use super::core::{Core, PointCore};
 use super::half_space::{self, Bounded};
 use super::relation::{self, Relation};
 use super::round;
+use super::simplex::{SegmentCore, SimplexCore, TetrahedronCore, TriangleCore};
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::scalar::largest;

@@ -2,8 +2,11 @@
 //!
 //! The gap along any direction of length one is at most the signed distance, and of some face's normal, or some normal
 //! of two edges, it is just that. A direction that is mostly rounding costs nothing.
-use super::core::{BoxCore, Core};
+use super::box_core::BoxCore;
+use super::core::Core;
 use super::near::normal;
+use super::place::{Place, Pull};
+use crate::distance::share::Carry;
 use crate::{Scalar, Vec3};
 
 /// A plane between two cores, and the points that it touches.
@@ -11,23 +14,29 @@ use crate::{Scalar, Vec3};
 /// Planes that tie share the derivative. Of corners and of faces that tie, those share whose foot is on the other
 /// face: they are the corners of what faces each other.
 #[derive(Clone, Copy, Debug)]
-pub struct PartingPlane<S> {
+pub struct PartingPlane<P> {
     /// How far b begins beyond a; negative where they overlap.
-    pub value: S,
-    /// The sum of that of all that tie, with derivatives.
-    pub ahead: S,
-    /// How many they are.
-    pub count: S,
+    pub value: P,
+    /// How many planes and points of theirs tie.
+    pub count: P,
     /// One where the foot is on the other face, else zero.
-    pub faces: S,
+    pub faces: P,
     /// The plane's normal, of length one, from a to b.
-    pub normal: Vec3<S>,
-    /// The sum of the points of a, of those planes that have the same normal as the first.
-    pub on_a: Vec3<S>,
-    /// The sum of the points of b.
-    pub on_b: Vec3<S>,
-    /// How many points those are.
-    pub points: S,
+    pub normal: Vec3<P>,
+    /// How many of the points have the same normal as the first.
+    pub points: P,
+    /// The sum of their points of a.
+    pub on_a: Vec3<P>,
+    /// The sum of their points of b.
+    pub on_b: Vec3<P>,
+    /// The sum of the places of those of a.
+    pub at_a: Place<P>,
+    /// The sum of those of b.
+    pub at_b: Place<P>,
+    /// The sum of the derivatives of the height of a, over all that tie.
+    pub pull_a: Pull<P>,
+    /// That of b.
+    pub pull_b: Pull<P>,
 }
 
 /// By so many roundings of the unit, in which all is of a size of at most four, heights and ways differ.
@@ -36,23 +45,41 @@ pub(super) const SLACK: f64 = 64.0;
 /// By so many roundings of the unit edges must part cores more than faces do.
 const MORE: f64 = 8.0;
 
-impl<S: Scalar> PartingPlane<S> {
+impl<P: Scalar> PartingPlane<P> {
+    /// A plane that touches two points.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pick(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
-        let sum = |a: S, b: S| S::select(tie, a + b, S::select(keep, a, b));
-        let first = keep | tie;
-        let both = tie & self.normal.dot(other.normal).above(S::lit(0.5));
-        let sums = |a: Vec3<S>, b: Vec3<S>| Vec3::select(both, a + b, Vec3::select(first, a, b));
-        let (p, q) = (self.points, other.points);
+    fn new<A: Core<P>, B: Core<P>>(a: &A, b: &B, normal: Vec3<P>, touch: Touch<P>) -> Self {
         PartingPlane {
-            value: S::select(first, self.value, other.value),
-            ahead: sum(self.ahead, other.ahead),
-            count: sum(self.count, other.count),
-            faces: S::select(first, self.faces, other.faces),
+            value: touch.ahead,
+            count: touch.count,
+            faces: touch.faces,
+            normal,
+            points: touch.count,
+            on_a: touch.on_a,
+            on_b: touch.on_b,
+            at_a: touch.at_a,
+            at_b: touch.at_b,
+            pull_a: a.pull(touch.at_a, normal),
+            pull_b: b.pull(touch.at_b, normal),
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn pick(self, other: Self, keep: P::Mask, tie: P::Mask) -> Self {
+        let first = keep | tie;
+        let both = tie & self.normal.dot(other.normal).above(P::lit(0.5));
+        let sums = |a: Vec3<P>, b: Vec3<P>| Vec3::select(both, a + b, Vec3::select(first, a, b));
+        PartingPlane {
+            value: P::select(first, self.value, other.value),
+            count: self.count.join(other.count, keep, tie),
+            faces: P::select(first, self.faces, other.faces),
             normal: Vec3::select(first, self.normal, other.normal),
+            points: self.points.join(other.points, first, both),
             on_a: sums(self.on_a, other.on_a),
             on_b: sums(self.on_b, other.on_b),
-            points: S::select(both, p + q, S::select(first, p, q)),
+            at_a: self.at_a.join(other.at_a, first, both),
+            at_b: self.at_b.join(other.at_b, first, both),
+            pull_a: self.pull_a.join(other.pull_a, keep, tie),
+            pull_b: self.pull_b.join(other.pull_b, keep, tie),
         }
     }
     /// The larger of two; of equal ones those whose feet are on the other face, or else both.
@@ -64,15 +91,6 @@ impl<S: Scalar> PartingPlane<S> {
         let keep = other.value.below(self.value) | same & other.faces.below(self.faces);
         self.pick(other, keep, tie)
     }
-    /// The smaller of two corners over one face; of equal ones as in [`most`](Self::most).
-    #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn least(self, other: Self) -> Self {
-        let same = self.value.equals(other.value);
-        let tie = same & self.faces.equals(other.faces);
-        let keep = self.value.below(other.value) | same & other.faces.below(self.faces);
-        self.pick(other, keep, tie)
-    }
     /// With a and b exchanged.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -81,6 +99,10 @@ impl<S: Scalar> PartingPlane<S> {
             normal: -self.normal,
             on_a: self.on_b,
             on_b: self.on_a,
+            at_a: self.at_b,
+            at_b: self.at_a,
+            pull_a: self.pull_b.times(-P::one()),
+            pull_b: self.pull_a.times(-P::one()),
             ..self
         }
     }
@@ -88,125 +110,186 @@ impl<S: Scalar> PartingPlane<S> {
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn mean(self) -> Self {
-        let (one, share) = (S::one(), S::one().over(self.points));
+        let one = P::one();
+        let (share, all) = (one.over(self.points), one.over(self.count));
         PartingPlane {
-            ahead: self.ahead.over(self.count),
-            count: one,
             on_a: self.on_a * share,
             on_b: self.on_b * share,
-            points: one,
+            at_a: self.at_a.times(share),
+            at_b: self.at_b.times(share),
+            pull_a: self.pull_a.times(all),
+            pull_b: self.pull_b.times(all),
             ..self
-        }
-    }
-    /// A corner over a face.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn corner(ahead: S, over: S::Mask, normal: Vec3<S>, corner: Vec3<S>) -> Self {
-        PartingPlane {
-            value: ahead,
-            ahead,
-            count: S::one(),
-            faces: S::select(over, S::one(), S::zero()),
-            normal,
-            on_a: corner - normal * ahead,
-            on_b: corner,
-            points: S::one(),
         }
     }
     /// Without value where the mask is true.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn unless(self, none: S::Mask) -> Self {
+    fn unless(self, none: P::Mask) -> Self {
         PartingPlane {
-            value: S::select(none, S::lit(-S::LARGEST), self.value),
+            value: P::select(none, P::lit(-P::LARGEST), self.value),
             ..self
         }
     }
 }
 
-/// The least of at least one.
+/// Points of both cores along one normal, and how far that of b is beyond that of a; sums of those that tie.
+#[derive(Clone, Copy, Debug)]
+struct Touch<P> {
+    ahead: P,
+    faces: P,
+    count: P,
+    on_a: Vec3<P>,
+    on_b: Vec3<P>,
+    at_a: Place<P>,
+    at_b: Place<P>,
+}
+
+impl<P: Scalar> Touch<P> {
+    /// The smaller of two corners over one face; of equal ones those whose foot is on it, or else both.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn least(self, other: Self) -> Self {
+        let same = self.ahead.equals(other.ahead);
+        let tie = same & self.faces.equals(other.faces);
+        let keep = self.ahead.below(other.ahead) | same & other.faces.below(self.faces);
+        let sums = |a: Vec3<P>, b: Vec3<P>| Vec3::select(tie, a + b, Vec3::select(keep, a, b));
+        Touch {
+            ahead: P::select(keep | tie, self.ahead, other.ahead),
+            faces: P::select(keep | tie, self.faces, other.faces),
+            count: self.count.join(other.count, keep, tie),
+            on_a: sums(self.on_a, other.on_a),
+            on_b: sums(self.on_b, other.on_b),
+            at_a: self.at_a.join(other.at_a, keep, tie),
+            at_b: self.at_b.join(other.at_b, keep, tie),
+        }
+    }
+    /// A corner over a face, at places of both.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn corner(
+        ahead: P,
+        over: P::Mask,
+        normal: Vec3<P>,
+        corner: Vec3<P>,
+        (at_a, at_b): (Place<P>, Place<P>),
+    ) -> Self {
+        Touch {
+            ahead,
+            faces: P::select(over, P::one(), P::zero()),
+            count: P::one(),
+            on_a: corner - normal * ahead,
+            on_b: corner,
+            at_a,
+            at_b,
+        }
+    }
+}
+
+/// The least over the corners of a core.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn least<S: Scalar>(candidates: impl Iterator<Item = PartingPlane<S>>) -> PartingPlane<S> {
-    candidates
-        .reduce(PartingPlane::least)
+fn least<P: Scalar, B: Core<P>>(
+    b: &B,
+    mut touch: impl FnMut(Vec3<P>, Place<P>) -> Touch<P>,
+) -> Touch<P> {
+    let corners = b.corners();
+    let corners = corners.as_ref().iter().enumerate();
+    let all = corners.map(|(k, &corner)| touch(corner, b.at_corner(k)));
+    all.reduce(Touch::least)
         .expect("a core has at least one corner")
 }
 
-/// The face of a box that parts it best from some corners.
+/// The face of a box that parts it best from another core.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn box_faces<S: Scalar>(shape: &BoxCore<S>, corners: &[Vec3<S>]) -> PartingPlane<S> {
+pub(super) fn box_faces<P: Scalar, B: Core<P>>(a: &BoxCore<P>, b: &B) -> PartingPlane<P> {
     let face = |k: usize, low: bool| {
-        let turned = |x: S| if low { -x } else { x };
-        let axis = shape.axes[k];
+        let turned = |x: P| if low { -x } else { x };
+        let axis = a.axes[k];
         let normal = if low { -axis } else { axis };
-        least(corners.iter().map(|&corner| {
-            let at = shape.seen(corner);
-            let within = |k: usize| at[k].unsigned().at_most(shape.half[k]);
+        let touch = least(b, |corner, there| {
+            let at = a.seen(corner);
+            let within = |k: usize| at[k].unsigned().at_most(a.half[k]);
             let over = within((k + 1) % 3) & within((k + 2) % 3);
-            PartingPlane::corner(turned(at[k]) - shape.half[k], over, normal, corner)
-        }))
+            let mut parts = [P::one(), at[0], at[1], at[2]];
+            parts[1 + k] = turned(a.half[k]);
+            let feature = P::lit((7 - (1 << k)) as f64);
+            let here = Place { parts, feature };
+            Touch::corner(
+                turned(at[k]) - a.half[k],
+                over,
+                normal,
+                corner,
+                (here, there),
+            )
+        });
+        PartingPlane::new(a, b, normal, touch)
     };
     let axis = |k: usize| face(k, false).most(face(k, true));
     axis(0).most(axis(1)).most(axis(2))
 }
 
-/// A triangle, the face of a solid with a corner behind it or alone, against some corners.
+/// A triangle, the face of a solid with a corner behind it or alone, against another core. A place on it is one of the
+/// shares of its corners.
 ///
 /// Both sides count: a solid without volume has two, and of any other one the side within parts nothing.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn triangle_face<S: Scalar>(
-    face: [Vec3<S>; 3],
-    behind: Option<Vec3<S>>,
-    corners: &[Vec3<S>],
-) -> PartingPlane<S> {
+pub(super) fn triangle_face<P: Scalar, A: Core<P>, B: Core<P>>(
+    a: &A,
+    b: &B,
+    face: [Vec3<P>; 3],
+    behind: Option<Vec3<P>>,
+    place: impl Fn([P; 3]) -> Place<P>,
+) -> PartingPlane<P> {
     let (u, v) = (face[1] - face[0], face[2] - face[0]);
     let normal = normal(u, v);
-    let side = |unit: Vec3<S>| {
+    let side = |unit: Vec3<P>| {
         // The corner behind is not beyond, whatever the side.
-        let top = behind.map_or(S::Primal::zero(), |behind| {
-            let height = unit.dot(behind - face[0]).primal();
-            height.most(S::Primal::zero())
+        let top = behind.map_or(P::zero(), |behind| {
+            unit.dot(behind - face[0]).most(P::zero())
         });
-        let found = least(corners.iter().map(|&corner| {
+        let touch = least(b, |corner, there| {
             let arm = corner - face[0];
-            let weight = |w: Vec3<S>| w.dot(normal.long).over(normal.square);
+            let weight = |w: Vec3<P>| w.dot(normal.long).over(normal.square);
             let (s, t) = (weight(arm.cross(v)), weight(u.cross(arm)));
-            let zero = S::zero();
-            let over = zero.at_most(s) & zero.at_most(t) & (s + t).at_most(S::one());
-            let ahead = unit.dot(arm) - S::from_primal(top);
-            PartingPlane::corner(ahead, over, unit, corner)
-        }));
-        found.unless(normal.none)
+            let (zero, one) = (P::zero(), P::one());
+            let over = zero.at_most(s) & zero.at_most(t) & (s + t).at_most(one);
+            let here = place([(one - s) - t, s, t]);
+            Touch::corner(unit.dot(arm) - top, over, unit, corner, (here, there))
+        });
+        PartingPlane::new(a, b, unit, touch).unless(normal.none)
     };
     side(normal.unit).most(side(-normal.unit))
 }
 
 /// The normals of an edge of each core: that which parts them best; `None` where one of them has no edges.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn edges_deep<S: Scalar, A: Core<S>, B: Core<S>>(
+pub(super) fn edges_deep<P: Scalar, A: Core<P>, B: Core<P>>(
     a: &A,
     b: &B,
-) -> Option<PartingPlane<S>> {
-    let mut best: Option<PartingPlane<S>> = None;
+) -> Option<PartingPlane<P>> {
+    let mut best: Option<PartingPlane<P>> = None;
     for (i, &u) in a.ways().as_ref().iter().enumerate() {
         for (j, &v) in b.ways().as_ref().iter().enumerate() {
             let normal = normal(u, v);
             for unit in [normal.unit, -normal.unit] {
-                let (on_a, on_b) = (a.lowest(-unit, i), b.lowest(unit, j));
+                let ((on_a, at_a), (on_b, at_b)) = (a.lowest(-unit, i), b.lowest(unit, j));
                 let way = on_b - on_a;
                 let ahead = unit.dot(way);
                 // Where the edges through both corners cross, seen along the normal.
-                let s = way.cross(v).dot(normal.long).over(normal.square);
-                let on_a = on_a + u * s.clamp(-S::one(), S::one());
-                let found = PartingPlane {
-                    value: ahead,
+                let one = P::one();
+                let crossing = |w: Vec3<P>| {
+                    let part = w.dot(normal.long).over(normal.square);
+                    part.clamp(-one, one)
+                };
+                let (s, t) = (crossing(way.cross(v)), crossing(way.cross(u)));
+                let on_a = on_a + u * s;
+                let touch = Touch {
                     ahead,
-                    count: S::one(),
-                    faces: S::zero(),
-                    normal: unit,
+                    faces: P::zero(),
+                    count: one,
                     on_a,
                     on_b: on_a + unit * ahead,
-                    points: S::one(),
+                    at_a: a.along(at_a, i, s),
+                    at_b: b.along(at_b, j, t),
                 };
-                let found = found.unless(normal.none);
+                let found = PartingPlane::new(a, b, unit, touch).unless(normal.none);
                 best = Some(best.map_or(found, |best| best.most(found)));
             }
         }
@@ -219,12 +302,11 @@ pub(super) fn edges_deep<S: Scalar, A: Core<S>, B: Core<S>>(
 /// Edges count where they part the cores by more than rounding more than faces do: the normal of edges that are all
 /// but parallel turns too fast with them for a derivative.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn deepest<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Option<PartingPlane<S>> {
+pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option<PartingPlane<P>> {
     if A::DIMENSION + B::DIMENSION < 3 {
         return None;
     }
-    let of_a = a.deep(b.corners().as_ref());
-    let of_b = b.deep(a.corners().as_ref()).map(PartingPlane::flipped);
+    let (of_a, of_b) = (a.deep(b), b.deep(a).map(PartingPlane::flipped));
     let faces = match (of_a, of_b) {
         (Some(of_a), Some(of_b)) => Some(of_a.most(of_b).mean()),
         (one, other) => one.or(other).map(PartingPlane::mean),
@@ -232,11 +314,10 @@ pub(super) fn deepest<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Option
     let edges = edges_deep(a, b).map(PartingPlane::mean);
     match (faces, edges) {
         (Some(faces), Some(edges)) => {
-            let more = faces.value + S::lit(MORE * S::EPSILON);
-            let mut found = faces.pick(edges, edges.value.at_most(more), S::one().below(S::zero()));
-            let value = faces.value.primal().most(edges.value.primal());
-            found.value = S::from_primal(value);
-            found.ahead = found.ahead.with_primal(value);
+            let more = faces.value + P::lit(MORE * P::EPSILON);
+            let never = P::one().below(P::zero());
+            let mut found = faces.pick(edges, edges.value.at_most(more), never);
+            found.value = faces.value.most(edges.value);
             Some(found)
         }
         (one, other) => one.or(other),

@@ -74,16 +74,19 @@
 use crate::{Scalar, Vec3};
 
 pub mod apart;
+pub mod box_core;
 pub mod boxes;
 pub mod core;
 pub mod deep;
 pub mod half_space;
 pub mod near;
 mod pair;
+pub mod place;
 mod point;
 pub mod polyline;
 pub mod relation;
 pub mod round;
+pub mod simplex;
 pub mod straight;
 
 pub use apart::{Apart, Cored, Farthest};

@@ -1,4 +1,5 @@
 //! The nearest points of corners, edges and faces that are apart.
+use super::place::Place;
 use crate::arrays::Each;
 use crate::distance::share::{Best, Carry};
 use crate::scalar::largest;
@@ -62,6 +63,34 @@ impl<S: Scalar> Nearest<S> {
             on_a: self.on_b,
             on_b: self.on_a,
             normal: -self.normal,
+        }
+    }
+}
+
+/// The nearest points, and where cores of the same numbers with derivatives find them.
+pub type Found<S> = (Nearest<S>, (Place<S>, Place<S>));
+
+impl<S: Scalar> Best<S, Nearest<S>> {
+    /// With the places of both points.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn at(self, here: Place<S>, there: Place<S>) -> Best<S, Found<S>> {
+        Best {
+            value: self.value,
+            sum: (self.sum, (here, there)),
+            count: self.count,
+        }
+    }
+}
+
+impl<S: Scalar> Best<S, Found<S>> {
+    /// With a and b exchanged.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn flipped(self) -> Self {
+        let (near, (here, there)) = self.sum;
+        Best {
+            sum: (near.flipped(), (there, here)),
+            ..self
         }
     }
 }
@@ -184,9 +213,13 @@ pub(super) fn across<S: Scalar>(normal: Normal<S>, way: Vec3<S>) -> (Vec3<S>, Ve
     )
 }
 
-/// The point of an edge that is nearest to a corner, seen from the nearer end, whose distance has more digits.
+/// The point of an edge that is nearest to a corner, seen from the nearer end, whose distance has more digits; where on
+/// the edge, from 0 to 1, and `true` if that is between its ends.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn edge_near<S: Scalar>(edge: Edge<S>, corner: Vec3<S>) -> Best<S, Nearest<S>> {
+pub(super) fn edge_near<S: Scalar>(
+    edge: Edge<S>,
+    corner: Vec3<S>,
+) -> (Best<S, Nearest<S>>, S, S::Mask) {
     let (arm, back) = (corner - edge.from, edge.to - corner);
     let square = edge.along.length_squared();
     let point = square.at_most(S::lit(S::EPSILON.powi(4)));
@@ -195,19 +228,25 @@ pub(super) fn edge_near<S: Scalar>(edge: Edge<S>, corner: Vec3<S>) -> Best<S, Ne
     let near = ahead.at_most(behind);
     let free = S::select(near, ahead, behind).over(over);
     // It is at most one half.
+    let between = free.above(S::zero()) & !point;
     let t = S::select(point, S::lit(0.5), free).most(S::zero());
     let step = edge.along * t;
     let apart = Vec3::select(near, arm - step, step - back);
     let on_a = Vec3::select(near, edge.from + step, edge.to - step);
-    Nearest::of(apart, on_a, corner)
+    let along = S::select(near, t, S::one() - t);
+    (Nearest::of(apart, on_a, corner), along, between)
 }
 
-/// The foot of a corner on a triangle; the largest number where that is outside.
+/// The foot of a corner on a triangle, the largest number where that is outside; the shares of the triangle's corners in
+/// it, and `true` if the normal has at least half the digits of the format.
 ///
 /// The foot is made of weights, so that it is a point of the triangle even where the normal is mostly rounding. They
 /// are seen from the corner opposite to the longest edge, where the angle of a needle keeps its digits.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn face_near<S: Scalar>(face: [Vec3<S>; 3], corner: Vec3<S>) -> Best<S, Nearest<S>> {
+pub(super) fn face_near<S: Scalar>(
+    face: [Vec3<S>; 3],
+    corner: Vec3<S>,
+) -> (Best<S, Nearest<S>>, [S; 3], S::Mask) {
     let [a, b, c] = face;
     let [ab, bc, ca] = [b - a, c - b, a - c].each_as(Vec3::length_squared);
     let (at_c, at_b) = (bc.below(ab) & ca.below(ab), bc.below(ca) & ab.at_most(ca));
@@ -224,19 +263,30 @@ pub(super) fn face_near<S: Scalar>(face: [Vec3<S>; 3], corner: Vec3<S>) -> Best<
     let length = S::select(normal.none, one, v.length_squared());
     let t = S::select(inside, v.dot(rest).over(length), zero);
     let t = t.primal().most(S::Primal::zero()).least((one - s).primal());
-    let (apart, direction) = across(normal, rest - v * S::from_primal(t));
+    let t = S::from_primal(t);
+    let (apart, direction) = across(normal, rest - v * t);
     let mut found = Nearest::of(apart, corner - apart, corner);
     found.value = S::select(inside, found.value, S::lit(S::LARGEST));
     found.sum.normal = direction;
-    found
+    let shares = [(one - s) - t, s, t];
+    let share = |by_c: usize, by_b: usize, by_a: usize| {
+        let rest = S::select(at_b, shares[by_b], shares[by_a]);
+        S::select(at_c, shares[by_c], rest)
+    };
+    let shares = [share(1, 2, 0), share(2, 0, 1), share(0, 1, 2)];
+    (found, shares, normal.clear)
 }
 
-/// The nearest points of two edges where they are between the ends of both; else the largest number.
+/// The nearest points of two edges where they are between the ends of both, else the largest number; where on both
+/// edges, from 0 to 1, and `true` if the normal has at least half the digits of the format.
 ///
 /// The parameter of the first edge is as wrong as its direction is all but that of the second one. The other parameter
 /// is that of the point nearest to it, so that the way errs by the square of that.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn edges_near<S: Scalar>(a: Edge<S>, b: Edge<S>) -> Best<S, Nearest<S>> {
+pub(super) fn edges_near<S: Scalar>(
+    a: Edge<S>,
+    b: Edge<S>,
+) -> (Best<S, Nearest<S>>, [S; 2], S::Mask) {
     let (u, v, w) = (a.along, b.along, b.from - a.from);
     let normal = normal(u, v);
     let length = S::select(normal.none, S::one(), v.length_squared());
@@ -249,5 +299,5 @@ pub(super) fn edges_near<S: Scalar>(a: Edge<S>, b: Edge<S>) -> Best<S, Nearest<S
     let mut found = Nearest::of(apart, a.from + u * s, b.from + v * t);
     found.value = S::select(inside, found.value, S::lit(S::LARGEST));
     found.sum.normal = direction;
-    found
+    (found, [s, t], normal.clear)
 }

@@ -1,10 +1,12 @@
 //! Two cores of space against each other, once for all functions of distance.
 use super::core::Core;
 use super::deep::{PartingPlane, SLACK, deepest};
-use super::near::{Nearest, edges_near};
+use super::near::{Found, Nearest, edges_near};
 use super::pair;
+use super::place::{Chosen, Place, Pull, fixed, fixed_vector, valued};
+use crate::arrays::Each;
 use crate::distance::edge::scale_of;
-use crate::distance::share::Best;
+use crate::distance::share::{Best, Carry};
 use crate::scalar::speck;
 use crate::{Scalar, Vec3};
 
@@ -81,7 +83,7 @@ fn view<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
     (origin, scale_of::<S>(size))
 }
 
-/// The relation of two cores.
+/// The relation of two cores: plain numbers say which features are nearest, and the distance of these is computed once.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<S> {
     if let (Some(a), Some(b)) = (a.as_box(), b.as_box()) {
@@ -89,7 +91,7 @@ pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<
     }
     let (origin, scale) = view(&a, &b);
     let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
-    let found = joined(nearest(&a, &b), deepest(&a, &b));
+    let found = derived(&a, &b, &choose(&a.plain(), &b.plain()));
     let growth = a.growth(found.normal) + b.growth(found.normal);
     let square = found.square - (found.square.root() * growth + found.square.root() * growth);
     let back = |v: Vec3<S>| {
@@ -105,34 +107,147 @@ pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<
     }
 }
 
+/// The features that are nearest, or the planes that part two cores of plain numbers best.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
+    let ((near, (at_a, at_b)), deep) = (nearest(a, b), deepest(a, b));
+    let found = joined(near, deep.as_ref());
+    let zero = P::zero();
+    let none = Pull {
+        parts: [Vec3::zero(); 4],
+        half: [zero; 3],
+    };
+    let chosen = Chosen {
+        gap: found.relation.apart,
+        square: found.relation.square,
+        normal: found.relation.normal,
+        apart: near.apart,
+        on_a: found.relation.on_a,
+        on_b: found.relation.on_b,
+        at_a,
+        at_b,
+        inside: found.inside,
+        tied: found.inside & !found.inside,
+        pull_a: none,
+        pull_b: none,
+    };
+    let Some(deep) = deep else {
+        return chosen;
+    };
+    let inside = found.inside;
+    let none = inside & !inside;
+    Chosen {
+        apart: Vec3::select(inside, deep.normal * chosen.gap, near.apart),
+        at_a: deep.at_a.join(at_a, inside, none),
+        at_b: deep.at_b.join(at_b, inside, none),
+        tied: inside & deep.count.above(P::one()),
+        pull_a: deep.pull_a,
+        pull_b: deep.pull_b,
+        ..chosen
+    }
+}
+
+/// The relation of the features that were chosen, with derivatives; the values are those that were found with them.
+///
+/// A feature that is free along two ways is in a plane, whose normal the derivatives turn; along one it is a line, to
+/// which the way is orthogonal; along none the way is that of two fixed points.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
+    a: &A,
+    b: &B,
+    chosen: &Chosen<S::Primal>,
+) -> Relation<S> {
+    let (from, to) = (a.point(chosen.at_a), b.point(chosen.at_b));
+    let way = valued(to - from, chosen.apart);
+    let ((along_a, free_a), (along_b, free_b)) = (a.free(chosen.at_a), b.free(chosen.at_b));
+    let lit = S::Primal::lit;
+    let (has_a, has_b) = (free_a.above(lit(0.0)), free_b.above(lit(0.0)));
+    let u = Vec3::select(has_a, along_a[0], along_b[0]);
+    let second = Vec3::select(free_b.above(lit(1.0)), along_b[1], along_a[1]);
+    let v = Vec3::select(has_a & has_b, along_b[0], second);
+    let ways = free_a + free_b;
+    // A plane: its normal, where that has digits.
+    let (uu, vv) = (u.length_squared(), v.length_squared());
+    let long = u.cross(v);
+    let square = long.length_squared();
+    let planar = ways.equals(lit(2.0)) & square.above(uu * vv * S::lit(S::EPSILON));
+    let square = S::select(planar, square, S::one());
+    let normal = fixed_vector::<S>(chosen.normal);
+    let side = S::one().signed_as(fixed::<S>(normal.dot(long).primal()));
+    let unit = valued(long * side.over(square.root()), chosen.normal);
+    let unit = Vec3::select(planar, unit, normal);
+    // A line, or two points.
+    let linear = ways.equals(lit(1.0)) & uu.above(S::zero());
+    let along = u * u.dot(way).over(S::select(linear, uu, S::one()));
+    let apart = Vec3::select(linear, valued(way - along, chosen.apart), way);
+    let length = apart.length();
+    // Duals of the length of a speck pass through numbers beyond the largest one.
+    let straight = apart.dot(normal).with_primal(length.primal());
+    let length = S::select(length.at_most(S::lit(speck::<S>())), straight, length);
+    let by_plane = planar | chosen.inside;
+    let height = unit.dot(way);
+    let gap = S::select(by_plane, height, length);
+    let others = b.height(chosen.pull_b) - a.height(chosen.pull_a);
+    let others = others - normal.dot(to - from);
+    let gap = gap
+        + S::select(
+            chosen.tied,
+            others.with_primal(S::Primal::zero()),
+            S::zero(),
+        );
+    let gap = gap.with_primal(chosen.gap.primal());
+    let open = S::select(planar, height, S::zero());
+    let square = S::select(planar, open * open, apart.length_squared());
+    let overlap = chosen.inside & chosen.gap.below(lit(0.0));
+    let square = S::select(overlap, S::zero(), square).with_primal(chosen.square.primal());
+    let direction = Vec3::select(by_plane, unit, direction(apart));
+    // Points on two edges slide, others are fixed or the foot of such.
+    let both = planar & has_a & has_b;
+    let off = |x: Vec3<S>| x - u * u.dot(x).over(S::select(both, uu, S::one()));
+    let aside = off(v);
+    let base = S::select(both, aside.length_squared(), S::one());
+    let t = S::select(both, off(way).dot(aside).over(base), S::zero());
+    let step = Vec3::select(by_plane, direction * gap, apart);
+    let foot = has_b & !has_a;
+    let on_b = Vec3::select(foot, from + step, to - v * t);
+    let on_a = Vec3::select(foot, from, on_b - step);
+    Relation {
+        apart: gap,
+        square,
+        normal: valued(direction, chosen.normal),
+        on_a: valued(on_a, chosen.on_a),
+        on_b: valued(on_b, chosen.on_b),
+    }
+}
+
 /// The nearest points of two cores that do not overlap.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> Nearest<S> {
-    let (corners_a, corners_b) = (a.corners(), b.corners());
-    let of_b = |best: Nearest<S>| best.flipped();
+fn nearest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Found<P> {
     // A point is nothing but a corner: the other core's edges have seen it.
     if A::DIMENSION == 0 && B::DIMENSION > 0 {
-        return of_b(b.near(corners_a.as_ref()).mean());
+        return b.near(a).flipped().mean();
     }
-    let mut best = a.near(corners_b.as_ref());
+    let mut best = a.near(b);
     if B::DIMENSION > 0 {
-        let other = b.near(corners_a.as_ref());
-        best = best.less(Best {
-            sum: of_b(other.sum),
-            ..other
-        });
+        best = best.less(b.near(a).flipped());
     }
-    for &first in a.edges().as_ref() {
-        for &second in b.edges().as_ref() {
-            best = best.less(edges_near(first, second));
+    for (i, &first) in a.edges().as_ref().iter().enumerate() {
+        for (j, &second) in b.edges().as_ref().iter().enumerate() {
+            let (near, [s, t], clear) = edges_near(first, second);
+            let places = [a.at_edge(i, s), b.at_edge(j, t)];
+            let [here, there] = places.each_as(|place| Place {
+                feature: P::select(clear, place.feature, P::zero()),
+                ..place
+            });
+            best = best.less(near.at(here, there));
         }
     }
     best.mean()
 }
 
-/// The relation by the nearest points and by the plane that parts the cores best.
+/// The relation by the nearest points, or by the plane that parts two cores best.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<PartingPlane<S>>) -> Relation<S> {
+pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&PartingPlane<S>>) -> Joined<S> {
     let given = near.normal.length_squared().above(S::zero());
     let direction = Vec3::select(given, direction(near.normal), direction(near.apart));
     let length = near.apart.length();
@@ -144,32 +259,40 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<PartingPlane<S>>)
     let square = near.apart.length_squared();
     let Some(deep) = deep else {
         // Without a volume nothing overlaps.
-        return Relation {
+        let relation = Relation {
             apart: length,
             square,
             normal: direction,
             on_a: near.on_a,
             on_b: near.on_b,
         };
+        let inside = none & !none;
+        return Joined { relation, inside };
     };
     let parted = deep.value.above(S::lit(-S::LARGEST));
     // Shifted by their depth, cores that overlap touch, and then a corner or an edge of one is on the other: without
     // the shift it is no farther from there than the depth. Faces too small to count would have parted any others.
-    let reachable = (S::lit(SLACK * S::EPSILON) - deep.ahead) - deep.ahead;
-    let behind = deep.ahead.below(S::zero()) & length.at_most(reachable);
+    let reachable = (S::lit(SLACK * S::EPSILON) - deep.value) - deep.value;
+    let behind = deep.value.below(S::zero()) & length.at_most(reachable);
     let inside = parted & (behind | none);
     // Cores with a point in common are not apart, however the height over a face was rounded.
-    let rounded = none & deep.ahead.above(S::zero());
-    let touching = deep.ahead.with_primal(S::Primal::zero());
-    let ahead = S::select(rounded, touching, deep.ahead);
-    let overlap = inside & deep.ahead.below(S::zero());
-    Relation {
+    let rounded = none & deep.value.above(S::zero());
+    let ahead = S::select(rounded, S::zero(), deep.value);
+    let overlap = inside & deep.value.below(S::zero());
+    let relation = Relation {
         apart: S::select(inside, ahead, length),
         square: S::select(overlap, S::zero(), square),
         normal: Vec3::select(inside, deep.normal, direction),
         on_a: Vec3::select(inside, deep.on_a, near.on_a),
         on_b: Vec3::select(inside, deep.on_b, near.on_b),
-    }
+    };
+    Joined { relation, inside }
+}
+
+/// A relation, and `true` if a plane says it.
+pub(super) struct Joined<S: Scalar> {
+    pub relation: Relation<S>,
+    pub inside: S::Mask,
 }
 
 /// The square of the longest way from a corner of one core to one of another; ties share.

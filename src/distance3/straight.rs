@@ -1,9 +1,10 @@
 //! Distances of lines and rays of space from each other, from segments and from points, each inflated by a radius; and
 //! from any other core as those of the part of the line that is near it.
 use super::apart::{Apart, Cored};
-use super::core::{Core, SegmentCore, SimplexCore};
+use super::core::Core;
 use super::near::{Nearest, across, normal, size_of};
 use super::relation::{self, Relation, joined};
+use super::simplex::{SegmentCore, SimplexCore};
 use crate::distance::edge::scale_of;
 use crate::shape::{Line3, Ray3};
 use crate::{Scalar, Vec3};
@@ -173,7 +174,7 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
         on_b,
         normal: Vec3::select(crossing, direction, Vec3::zero()),
     };
-    let found = joined(near, None);
+    let found = joined(near, None).relation;
     let back = |v: Vec3<S>| {
         let v = Vec3::new(v.x.over(scale), v.y.over(scale), v.z.over(scale));
         a.from + v

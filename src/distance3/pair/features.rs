@@ -1,4 +1,5 @@
 //! Corners and pairs of edges of two boxes as candidates for the nearest points: numbers without derivatives.
+use super::super::place::part;
 use super::{NEXT, Seen, least_square, sign};
 use crate::Scalar;
 use crate::arrays::Each;
@@ -119,14 +120,6 @@ pub(super) struct Edges<P: Scalar> {
     pub upright_a: [P; 3],
     /// Along the axis of b.
     pub upright_b: [P; 3],
-}
-
-/// A number's part of another one from -1 to 1.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn part<P: Scalar>(x: P, whole: P) -> P {
-    let whole = P::select(whole.equals(P::zero()), P::one(), whole);
-    let x = x.over(whole);
-    larger(smaller(x, P::one()), -P::one())
 }
 
 /// Where an axis of b lies in a plane of a neither of the plane's sides is nearer. A turn too small to count then says

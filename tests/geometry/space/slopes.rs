@@ -106,6 +106,24 @@ fn second_derivatives_at_contacts_of_every_kind() {
     ] {
         bends!(point, flat, Vec3, Triangle3, told);
     }
+    // Solids of corners, and a box with others: apart, and as deep as they come.
+    let mut kinds = [0; 2];
+    for _ in 0..60 {
+        let p: [Vec3<f64>; 9] = std::array::from_fn(|_| random.vector(1.0));
+        let far = Vec3::new(1.5, 0.4, 0.2) * random.below(2) as f64;
+        let a = Tetrahedron::new(p[0], p[1], p[2], p[3]);
+        let b = Tetrahedron::new(p[4] + far, p[5] + far, p[6] + far, p[7] + far);
+        let (s, t) = (Triangle3::new(a.a, a.b, a.c), Triangle3::new(b.a, b.b, b.c));
+        let link = Capsule3::new(b.a, b.b, 0.1);
+        let block = Obb3::new(p[8], size, turned(p[0]));
+        let gap = signed_distance(a, b);
+        kinds[usize::from(gap < 0.0)] += 1;
+        bends!(a, b, Tetrahedron, Tetrahedron, "tetrahedra");
+        bends!(s, t, Triangle3, Triangle3, "triangles");
+        bends!(block, link, Obb3, Capsule3, "box and capsule");
+        bends!(t, block, Triangle3, Obb3, "triangle and box");
+    }
+    assert!(kinds.iter().all(|&kind| kind > 10), "{kinds:?}");
     let hat = Cone::new(Vec3::new(0.0, 0.0, 2.0), Vec3::new(0.1, 0.0, 0.0), 1.0);
     let can = Cylinder::new(Vec3::new(0.0, 0.0, 2.0), Vec3::new(0.1, 0.0, 0.0), 1.0);
     for (point, told) in [

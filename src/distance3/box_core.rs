@@ -1,0 +1,251 @@
+//! Boxes of any orientation as cores.
+use super::core::Core;
+use super::deep::{PartingPlane, box_faces};
+use super::near::{Edge, Found, Nearest, square_of};
+use super::place::{self, Place, Pull, fixed, fixed_vector, part};
+use crate::arrays::Each;
+use crate::distance::share::Best;
+use crate::scalar::largest;
+use crate::{Scalar, Vec3};
+
+/// A box of any orientation.
+#[derive(Clone, Copy, Debug)]
+pub struct BoxCore<S> {
+    /// The centre.
+    pub center: Vec3<S>,
+    /// Half the size along its own axes.
+    pub half: [S; 3],
+    /// The same of sides of length zero, zero of all others. Corners at both ends of such a side are one place: which
+    /// of them comes closer as it grows only the direction to the other shape tells.
+    pub flat: [S; 3],
+    /// Its own axes, of length one.
+    pub axes: [Vec3<S>; 3],
+}
+
+impl<S: Scalar> BoxCore<S> {
+    /// A point as its own axes see it, from the centre.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn seen(&self, point: Vec3<S>) -> [S; 3] {
+        let arm = point - self.center;
+        self.axes.each_as(|axis| axis.dot(arm))
+    }
+    /// The ways from the centre to the faces.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn arms(&self) -> [Vec3<S>; 3] {
+        let [x, y, z] = self.axes;
+        [x * self.half[0], y * self.half[1], z * self.half[2]]
+    }
+}
+
+/// The corners that begin an edge along each of the three axes: its number in `corners()` without the axis' bit.
+const STARTS: [[usize; 4]; 3] = [[0, 2, 4, 6], [0, 1, 4, 5], [0, 1, 2, 3]];
+
+impl<S: Scalar> Core<S> for BoxCore<S> {
+    type Plain = BoxCore<S::Primal>;
+    type Corners = [Vec3<S>; 8];
+    type Edges = [Edge<S>; 12];
+    type Ways = [Vec3<S>; 3];
+    const DIMENSION: usize = 3;
+    const CENTERED: bool = true;
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn as_box(&self) -> Option<BoxCore<S>> {
+        Some(*self)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn anchor(&self) -> Vec3<S> {
+        self.center
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn extent(&self, from: Vec3<S>) -> S::Primal {
+        let arm = self.center - from;
+        let half = self.half.each_as(S::primal);
+        largest([arm.x, arm.y, arm.z]) + (half[0] + half[1] + half[2])
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn seen_from(self, from: Vec3<S>) -> Self {
+        BoxCore {
+            center: self.center - from,
+            ..self
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn placed(self, from: Vec3<S>, scale: S) -> Self {
+        let zero = S::zero();
+        let sides = self.half.each_as(|half| {
+            let (half, flat) = (half * scale, half.equals(zero));
+            (S::select(flat, zero, half), S::select(flat, half, zero))
+        });
+        BoxCore {
+            center: (self.center - from) * scale,
+            half: sides.each_as(|(half, _)| half),
+            flat: sides.each_as(|(_, flat)| flat),
+            axes: self.axes,
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn growth(&self, normal: Vec3<S>) -> S {
+        let along = |k: usize| normal.dot(self.axes[k]).magnitude() * self.flat[k];
+        along(0) + along(1) + along(2)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn plain(&self) -> BoxCore<S::Primal> {
+        BoxCore {
+            center: place::plain(self.center),
+            half: self.half.each_as(S::primal),
+            flat: self.flat.each_as(S::primal),
+            axes: self.axes.each_as(place::plain),
+        }
+    }
+    /// Sides that are fixed grow with the box.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn point(&self, place: Place<S::Primal>) -> Vec3<S> {
+        (0..3).fold(self.center, |sum, k| {
+            let at = place.parts[1 + k];
+            let part = fixed::<S>(part(at, self.half[k].primal()));
+            sum + self.axes[k] * (self.half[k] * part).with_primal(at.primal())
+        })
+    }
+    /// The feature has a bit for every axis along which it is free.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn free(&self, place: Place<S::Primal>) -> ([Vec3<S>; 2], S::Primal) {
+        let lit = S::Primal::lit;
+        let mut rest = place.feature;
+        let mut found = ([Vec3::zero(); 2], S::Primal::zero());
+        for k in [2, 1, 0] {
+            let bit = lit((1 << k) as f64);
+            let here = rest.at_least(bit);
+            rest = S::Primal::select(here, rest - bit, rest);
+            found.0[1] = Vec3::select(here, found.0[0], found.0[1]);
+            found.0[0] = Vec3::select(here, self.axes[k], found.0[0]);
+            found.1 += S::Primal::select(here, lit(1.0), lit(0.0));
+        }
+        found
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn at_corner(&self, n: usize) -> Place<S> {
+        let side = |k: usize| {
+            if n >> k & 1 == 1 {
+                self.half[k]
+            } else {
+                -self.half[k]
+            }
+        };
+        Place {
+            parts: [S::one(), side(0), side(1), side(2)],
+            feature: S::zero(),
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn at_edge(&self, k: usize, t: S) -> Place<S> {
+        let axis = k / 4;
+        let mut place = self.at_corner(STARTS[axis][k % 4]);
+        place.parts[1 + axis] = self.half[axis] * ((t + t) - S::one());
+        place.feature = S::lit((1 << axis) as f64);
+        place
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn pull(&self, place: Place<S>, normal: Vec3<S>) -> Pull<S> {
+        Pull {
+            parts: place.parts.each_as(|part| normal * part),
+            half: [0, 1, 2]
+                .each_as(|k| normal.dot(self.axes[k]) * part(place.parts[1 + k], self.half[k])),
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn height(&self, pull: Pull<S::Primal>) -> S {
+        let [x, y, z] = self.axes;
+        let mut sum = S::zero();
+        for (pull, vector) in pull.parts.into_iter().zip([self.center, x, y, z]) {
+            sum += fixed_vector::<S>(pull).dot(vector);
+        }
+        for (pull, half) in pull.half.into_iter().zip(self.half) {
+            sum += half * fixed::<S>(pull);
+        }
+        sum
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn corners(&self) -> [Vec3<S>; 8] {
+        let ([x, y, z], c) = (self.arms(), self.center);
+        let (low, high) = (c - z, c + z);
+        let [a, b, c, d] = [low - y, low + y, high - y, high + y];
+        [a - x, a + x, b - x, b + x, c - x, c + x, d - x, d + x]
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn edges(&self) -> [Edge<S>; 12] {
+        let (corners, ways) = (self.corners(), self.ways());
+        std::array::from_fn(|k| {
+            let (axis, start) = (k / 4, STARTS[k / 4][k % 4]);
+            Edge {
+                from: corners[start],
+                to: corners[start + (1 << axis)],
+                along: ways[axis],
+            }
+        })
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn ways(&self) -> [Vec3<S>; 3] {
+        self.arms().each_as(|arm| arm + arm)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn near<B: Core<S>>(&self, other: &B) -> Best<S, Found<S>> {
+        let (zero, corners) = (S::zero(), other.corners());
+        let corners = corners.as_ref().iter().enumerate();
+        Best::least(corners.map(|(n, &corner)| {
+            let at = self.seen(corner);
+            let out: [S; 3] = std::array::from_fn(|k| {
+                let (x, half) = (at[k], self.half[k]);
+                let beyond = x.magnitude() - half;
+                S::select(beyond.above(zero), beyond.signed_as(x), zero)
+            });
+            let [x, y, z] = self.axes;
+            let apart = x * out[0] + y * out[1] + z * out[2];
+            let place = |k: usize| {
+                let side = self.half[k].signed_as(at[k]);
+                S::select(out[k].equals(zero), at[k], side)
+            };
+            let bit = |k: usize| S::select(out[k].equals(zero), S::lit((1 << k) as f64), zero);
+            let here = Place {
+                parts: [S::one(), place(0), place(1), place(2)],
+                feature: bit(0) + bit(1) + bit(2),
+            };
+            let near = Best {
+                value: square_of(out),
+                ..Nearest::of(apart, corner - apart, corner)
+            };
+            near.at(here, other.at_corner(n))
+        }))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Place<S>) {
+        let arms = self.arms();
+        let mut found = (self.center, Place::corner(0));
+        for k in (0..3).filter(|&k| k != way) {
+            let up = normal.dot(arms[k]).above(S::zero());
+            found.0 += Vec3::select(up, -arms[k], arms[k]);
+            found.1.parts[1 + k] = S::select(up, -self.half[k], self.half[k]);
+        }
+        found
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn along(&self, mut place: Place<S>, way: usize, t: S) -> Place<S> {
+        let half = self.half[way];
+        place.parts[1 + way] += (half + half) * t;
+        place.feature = S::lit((1 << way) as f64);
+        place
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>) {
+        let (zero, mut found) = (S::zero(), (normal.dot(self.center), self.center));
+        for k in 0..3 {
+            let slope = normal.dot(self.axes[k]);
+            let side = S::select(slope.equals(zero), zero, S::one().signed_as(slope));
+            found.0 -= slope.magnitude() * self.half[k];
+            found.1 -= self.axes[k] * (self.half[k] * side);
+        }
+        found
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn deep<B: Core<S>>(&self, other: &B) -> Option<PartingPlane<S>> {
+        Some(box_faces(self, other))
+    }
+}

@@ -1,0 +1,145 @@
+//! Points of cores by numbers without derivatives: which features are nearest, and where on them.
+use crate::arrays::Each;
+use crate::distance::share::Carry;
+use crate::{Scalar, Vec3};
+
+/// A point of a core, or of the plane of one of its faces, as a core with derivatives can find it again.
+#[derive(Clone, Copy, Debug)]
+pub struct Place<P> {
+    /// Of the hull of some corners their shares; of a box one, and how far it is from the centre along the axes.
+    pub parts: [P; 4],
+    /// 0 at a corner, else the number of the edge or face along which it is free, as [`Core::free`] reads it.
+    pub feature: P,
+}
+
+impl<P: Scalar> Place<P> {
+    /// A corner of a hull.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn corner(k: usize) -> Self {
+        let mut parts = [P::zero(); 4];
+        parts[k] = P::one();
+        Place {
+            parts,
+            feature: P::zero(),
+        }
+    }
+    /// On a feature where a condition holds, else at a corner.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn on(self, free: P::Mask, feature: usize) -> Self {
+        Place {
+            feature: P::select(free, P::lit(feature as f64), P::zero()),
+            ..self
+        }
+    }
+}
+
+impl<P: Scalar> Carry<P> for Place<P> {
+    /// Sums have the feature of the first.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn join(self, other: Self, keep: P::Mask, tie: P::Mask) -> Self {
+        Place {
+            parts: [0, 1, 2, 3].each_as(|k| self.parts[k].join(other.parts[k], keep, tie)),
+            feature: P::select(keep | tie, self.feature, other.feature),
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn times(self, factor: P) -> Self {
+        Place {
+            parts: self.parts.each_as(|part| part * factor),
+            ..self
+        }
+    }
+}
+
+/// The derivative of the height of a point of a core along a direction, by the numbers of the core.
+#[derive(Clone, Copy, Debug)]
+pub struct Pull<P> {
+    /// By the corners of a hull; by the centre and the axes of a box.
+    pub parts: [Vec3<P>; 4],
+    /// By half the size of a box.
+    pub half: [P; 3],
+}
+
+impl<P: Scalar> Carry<P> for Pull<P> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn join(self, other: Self, keep: P::Mask, tie: P::Mask) -> Self {
+        let vector = |a: Vec3<P>, b: Vec3<P>| {
+            let one = |a: P, b: P| a.join(b, keep, tie);
+            Vec3::new(one(a.x, b.x), one(a.y, b.y), one(a.z, b.z))
+        };
+        Pull {
+            parts: [0, 1, 2, 3].each_as(|k| vector(self.parts[k], other.parts[k])),
+            half: [0, 1, 2].each_as(|k| self.half[k].join(other.half[k], keep, tie)),
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn times(self, factor: P) -> Self {
+        Pull {
+            parts: self.parts.each_as(|part| part * factor),
+            half: self.half.each_as(|half| half * factor),
+        }
+    }
+}
+
+/// The features of two cores from which their relation is computed.
+pub(super) struct Chosen<P: Scalar> {
+    /// The signed distance.
+    pub gap: P,
+    /// The square of the distance.
+    pub square: P,
+    /// The direction from a to b.
+    pub normal: Vec3<P>,
+    /// The way from the point of a to that of b.
+    pub apart: Vec3<P>,
+    /// The point of a.
+    pub on_a: Vec3<P>,
+    /// The point of b.
+    pub on_b: Vec3<P>,
+    /// The point of a as its core finds it.
+    pub at_a: Place<P>,
+    /// The point of b as its core finds it.
+    pub at_b: Place<P>,
+    /// `true` if a plane parts the cores, which overlap or touch.
+    pub inside: P::Mask,
+    /// `true` if several planes or points do so equally.
+    pub tied: P::Mask,
+    /// The derivative of the height of a over all of them.
+    pub pull_a: Pull<P>,
+    /// That of b.
+    pub pull_b: Pull<P>,
+}
+
+/// A length's part of another one, from -1 to 1.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn part<P: Scalar>(x: P, whole: P) -> P {
+    let (zero, one) = (P::zero(), P::one());
+    let x = x.over(P::select(whole.equals(zero), one, whole));
+    let x = P::select(one.below(x), one, x);
+    P::select(x.below(-one), -one, x)
+}
+
+/// A constant of a number with derivatives.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn fixed<S: Scalar>(x: S::Primal) -> S {
+    S::from_primal(x.primal())
+}
+
+/// The vector of constants.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn fixed_vector<S: Scalar>(v: Vec3<S::Primal>) -> Vec3<S> {
+    Vec3::new(fixed(v.x), fixed(v.y), fixed(v.z))
+}
+
+/// The vector with other values and the same derivatives.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn valued<S: Scalar>(v: Vec3<S>, value: Vec3<S::Primal>) -> Vec3<S> {
+    let one = |x: S, value: S::Primal| x.with_primal(value.primal());
+    Vec3::new(one(v.x, value.x), one(v.y, value.y), one(v.z, value.z))
+}
+
+/// The vector without derivatives.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn plain<S: Scalar>(v: Vec3<S>) -> Vec3<S::Primal> {
+    Vec3::new(v.x.primal(), v.y.primal(), v.z.primal())
+}

@@ -1,0 +1,230 @@
+//! Hulls of a few corners: segments, triangles, tetrahedra.
+use super::core::Core;
+use super::deep::{PartingPlane, triangle_face};
+use super::near::{Edge, Found, Low, edge_near, face_near};
+use super::place::{self, Place, Pull, fixed, fixed_vector};
+use super::straight::Straight;
+use crate::arrays::Each;
+use crate::distance::share::{Best, Carry};
+use crate::scalar::largest;
+use crate::{Scalar, Vec3};
+
+/// How far points are from another one at most.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn extent_of<S: Scalar, const N: usize>(
+    points: [Vec3<S>; N],
+    from: Vec3<S>,
+) -> S::Primal {
+    let sizes = points.each_as(|p| {
+        let arm = p - from;
+        S::from_primal(largest([arm.x, arm.y, arm.z]))
+    });
+    largest(sizes)
+}
+
+/// The hull of `C` corners with `E` edges and `F` triangles as faces: a segment, a triangle or a tetrahedron.
+#[derive(Clone, Copy, Debug)]
+pub struct SimplexCore<S, const C: usize, const E: usize, const F: usize>(pub [Vec3<S>; C]);
+
+/// A segment.
+pub type SegmentCore<S> = SimplexCore<S, 2, 1, 0>;
+/// A triangle, which has two sides.
+pub type TriangleCore<S> = SimplexCore<S, 3, 3, 1>;
+/// A tetrahedron.
+pub type TetrahedronCore<S> = SimplexCore<S, 4, 6, 4>;
+
+/// The corners of edges: of a segment the first, of a triangle the first three.
+const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
+/// The corners of faces, and the corner that is not in it: of a triangle the first face.
+const FACES: [[usize; 4]; 4] = [[0, 1, 2, 3], [0, 3, 1, 2], [1, 3, 2, 0], [2, 3, 0, 1]];
+/// The number of the first face as a feature, after those of six edges.
+const FACE: usize = 8;
+
+/// A place in the plane of a face by shares of its corners.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn on_face<S: Scalar>(k: usize, shares: [S; 3]) -> Place<S> {
+    let mut parts = [S::zero(); 4];
+    for (&corner, share) in FACES[k].iter().zip(shares) {
+        parts[corner] = share;
+    }
+    Place {
+        parts,
+        feature: S::lit((FACE + k) as f64),
+    }
+}
+
+impl<S: Scalar, const C: usize, const E: usize, const F: usize> SimplexCore<S, C, E, F> {
+    /// The corners of a face.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn face(&self, k: usize) -> [Vec3<S>; 3] {
+        [0, 1, 2].each_as(|i| self.0[FACES[k][i]])
+    }
+}
+
+impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
+    for SimplexCore<S, C, E, F>
+{
+    type Plain = SimplexCore<S::Primal, C, E, F>;
+    type Corners = [Vec3<S>; C];
+    type Edges = [Edge<S>; E];
+    type Ways = [Vec3<S>; E];
+    const DIMENSION: usize = C - 1;
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn straight(&self) -> Option<Straight<S>> {
+        (C == 2).then(|| Straight::segment([self.0[0], self.0[C - 1]]))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn anchor(&self) -> Vec3<S> {
+        self.0[0]
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn extent(&self, from: Vec3<S>) -> S::Primal {
+        extent_of(self.0, from)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn seen_from(self, from: Vec3<S>) -> Self {
+        SimplexCore(self.0.each_as(|corner| corner - from))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn placed(self, from: Vec3<S>, scale: S) -> Self {
+        SimplexCore(self.0.each_as(|corner| (corner - from) * scale))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn plain(&self) -> SimplexCore<S::Primal, C, E, F> {
+        SimplexCore(self.0.each_as(place::plain))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn point(&self, place: Place<S::Primal>) -> Vec3<S> {
+        let corner = |k: usize| self.0[k] * fixed::<S>(place.parts[k]);
+        (1..C).fold(corner(0), |sum, k| sum + corner(k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn free(&self, place: Place<S::Primal>) -> ([Vec3<S>; 2], S::Primal) {
+        let (zero, one) = (S::Primal::zero(), S::Primal::one());
+        let mut found = ([Vec3::zero(); 2], zero);
+        let is = |feature: usize| place.feature.equals(S::Primal::lit(feature as f64));
+        for (k, edge) in self.edges().into_iter().enumerate() {
+            let here = is(1 + k);
+            found.0[0] = Vec3::select(here, edge.along, found.0[0]);
+            found.1 = S::Primal::select(here, one, found.1);
+        }
+        for k in 0..F {
+            let here = is(FACE + k);
+            let [from, to, last] = self.face(k);
+            for (found, way) in found.0.iter_mut().zip([to - from, last - from]) {
+                *found = Vec3::select(here, way, *found);
+            }
+            found.1 = S::Primal::select(here, one + one, found.1);
+        }
+        found
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn at_corner(&self, k: usize) -> Place<S> {
+        Place::corner(k)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn at_edge(&self, k: usize, t: S) -> Place<S> {
+        let mut parts = [S::zero(); 4];
+        let [from, to] = EDGES[k];
+        (parts[from], parts[to]) = (S::one() - t, t);
+        Place {
+            parts,
+            feature: S::lit((1 + k) as f64),
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn pull(&self, place: Place<S>, normal: Vec3<S>) -> Pull<S> {
+        let mut parts = [Vec3::zero(); 4];
+        for (pull, part) in parts.iter_mut().zip(place.parts).take(C) {
+            *pull = normal * part;
+        }
+        Pull {
+            parts,
+            half: [S::zero(); 3],
+        }
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn height(&self, pull: Pull<S::Primal>) -> S {
+        let corner = |k: usize| fixed_vector::<S>(pull.parts[k]).dot(self.0[k]);
+        (1..C).fold(corner(0), |sum, k| sum + corner(k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn corners(&self) -> [Vec3<S>; C] {
+        self.0
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn edges(&self) -> [Edge<S>; E] {
+        std::array::from_fn(|k| {
+            let [i, j] = EDGES[k];
+            Edge::between(self.0[i], self.0[j])
+        })
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn ways(&self) -> [Vec3<S>; E] {
+        self.edges().each_as(|edge| edge.along)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn near<B: Core<S>>(&self, other: &B) -> Best<S, Found<S>> {
+        let (corners, edges) = (other.corners(), self.edges());
+        let corners = corners.as_ref().iter().enumerate();
+        Best::least(corners.map(|(n, &corner)| {
+            let there = other.at_corner(n);
+            let edges = edges.iter().enumerate();
+            let mut best = Best::least(edges.map(|(k, &edge)| {
+                let (near, t, free) = edge_near(edge, corner);
+                near.at(self.at_edge(k, t).on(free, 1 + k), there)
+            }));
+            for k in 0..F {
+                let (near, shares, clear) = face_near(self.face(k), corner);
+                let here = on_face(k, shares).on(clear, FACE + k);
+                best = best.less(near.at(here, there));
+            }
+            best
+        }))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Place<S>) {
+        let [start, end] = EDGES[way];
+        let others = (0..C).filter(|&k| k != start && k != end);
+        let height = |point: Vec3<S>| normal.dot(point - self.0[0]);
+        others.fold((self.0[start], Place::corner(start)), |low, k| {
+            let lower = height(self.0[k]).below(height(low.0));
+            let none = lower & !lower;
+            let corner = Place::corner(k);
+            (
+                Vec3::select(lower, self.0[k], low.0),
+                corner.join(low.1, lower, none),
+            )
+        })
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn along(&self, mut place: Place<S>, way: usize, t: S) -> Place<S> {
+        let [start, end] = EDGES[way];
+        place.parts[start] -= t;
+        place.parts[end] += t;
+        place.feature = S::lit((1 + way) as f64);
+        place
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>) {
+        let from = self.0[0];
+        let arms = self.0.iter().map(|&corner| {
+            let arm = corner - from;
+            let height = normal.dot(arm);
+            Best::of(height, Low(height, arm))
+        });
+        let Low(height, arm) = Best::least(arms).mean();
+        (normal.dot(from) + height, from + arm)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn deep<B: Core<S>>(&self, other: &B) -> Option<PartingPlane<S>> {
+        let mut best = None;
+        for (k, ends) in FACES.iter().enumerate().take(F) {
+            let behind = (C == 4).then(|| self.0[ends[3]]);
+            let place = |shares: [S; 3]| on_face(k, shares);
+            let face = triangle_face(self, other, self.face(k), behind, place);
+            best = Some(best.map_or(face, |best: PartingPlane<S>| best.most(face)));
+        }
+        best
+    }
+}
