@@ -1,16 +1,16 @@
 //! Lists of fixed size, element by element.
 
 /// Arrays with a function of every element.
-pub(crate) trait Each<T> {
+pub trait Each<T> {
     /// The same list of other elements.
-    type Of<U>;
+    type Of<U: Copy>: Copy + AsRef<[U]>;
     /// The results of a function of every element, first element first. Builds without optimisation compile some 300
     /// lines of LLVM's for every use of the standard library's `map`, and a tenth of that for this loop.
     fn each_as<U: Copy>(self, f: impl FnMut(T) -> U) -> Self::Of<U>;
 }
 
 impl<T: Copy, const N: usize> Each<T> for [T; N] {
-    type Of<U> = [U; N];
+    type Of<U: Copy> = [U; N];
     #[inline(always)]
     fn each_as<U: Copy>(self, mut f: impl FnMut(T) -> U) -> [U; N] {
         if const { N == 0 } {

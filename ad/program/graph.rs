@@ -298,8 +298,11 @@ impl Graph {
         let live = self.live(outputs, false);
         let mut graph = Graph::new(self.format);
         let mut names = vec![0; self.nodes.len()];
+        let mut vanish = vec![false; self.nodes.len()];
         for (i, &node) in self.nodes.iter().enumerate().filter(|(i, _)| live[*i]) {
+            vanish[i] = self.vanishes(node, &vanish);
             names[i] = match node.renamed(|x| names[x as usize]) {
+                _ if vanish[i] => graph.lit(0.0),
                 Node::Graft { value, .. } => value,
                 Node::Unsigned(x) => graph.make(Node::Magnitude(x)),
                 node => graph.make(node),
@@ -307,6 +310,25 @@ impl Graph {
         }
         let outputs: Vec<Id> = outputs.iter().map(|&x| names[x as usize]).collect();
         graph.depth_first(&outputs)
+    }
+
+    /// `true` if the value is zero because a function said so of a number with derivatives
+    /// ([`with_primal`](crate::Scalar::with_primal)): then its products are zero, too.
+    fn vanishes(&self, node: Node, vanish: &[bool]) -> bool {
+        use Node::*;
+        let zero = |x: Id| vanish[x as usize];
+        let none = |x: Id| zero(x) || self.constant(x) == Some(0.0);
+        match node {
+            Graft {
+                value,
+                derivative: Some(_),
+                ..
+            } => none(value),
+            Neg(x) | Div(x, _) | Canonical(x) => zero(x),
+            Mul(x, y) => zero(x) || zero(y),
+            Add(x, y) | Sub(x, y) | Select(_, x, y) => none(x) && none(y) && (zero(x) || zero(y)),
+            _ => false,
+        }
     }
 
     /// The live nodes, ordered depth-first from the first output.

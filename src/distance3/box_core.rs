@@ -1,10 +1,9 @@
 //! Boxes of any orientation as cores.
 use super::core::Core;
 use super::deep::{PartingPlane, box_faces};
-use super::near::{Edge, Found, Nearest, square_of};
+use super::near::{Candidate, Edge, Nearest, square_of};
 use super::place::{self, Place, Pull, fixed, fixed_vector, part};
 use crate::arrays::Each;
-use crate::distance::share::Best;
 use crate::scalar::largest;
 use crate::{Scalar, Vec3};
 
@@ -45,6 +44,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
     type Corners = [Vec3<S>; 8];
     type Edges = [Edge<S>; 12];
     type Ways = [Vec3<S>; 3];
+    type Faces = [usize; 3];
     const DIMENSION: usize = 3;
     const CENTERED: bool = true;
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -144,11 +144,13 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         place
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, place: Place<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, place: Place<S>, less: Place<S>, normal: Vec3<S>) -> Pull<S> {
         Pull {
-            parts: place.parts.each_as(|part| normal * part),
-            half: [0, 1, 2]
-                .each_as(|k| normal.dot(self.axes[k]) * part(place.parts[1 + k], self.half[k])),
+            parts: [0, 1, 2, 3].each_as(|k| normal * (place.parts[k] - less.parts[k])),
+            half: [0, 1, 2].each_as(|k| {
+                let part = |place: Place<S>| part(place.parts[1 + k], self.half[k]);
+                normal.dot(self.axes[k]) * (part(place) - part(less))
+            }),
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -187,33 +189,31 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         self.arms().each_as(|arm| arm + arm)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn near<B: Core<S>>(&self, other: &B) -> Best<S, Found<S>> {
-        let (zero, corners) = (S::zero(), other.corners());
-        let corners = corners.as_ref().iter().enumerate();
-        Best::least(corners.map(|(n, &corner)| {
-            let at = self.seen(corner);
-            let out: [S; 3] = std::array::from_fn(|k| {
-                let (x, half) = (at[k], self.half[k]);
-                let beyond = x.magnitude() - half;
-                S::select(beyond.above(zero), beyond.signed_as(x), zero)
-            });
-            let [x, y, z] = self.axes;
-            let apart = x * out[0] + y * out[1] + z * out[2];
-            let place = |k: usize| {
-                let side = self.half[k].signed_as(at[k]);
-                S::select(out[k].equals(zero), at[k], side)
-            };
-            let bit = |k: usize| S::select(out[k].equals(zero), S::lit((1 << k) as f64), zero);
-            let here = Place {
-                parts: [S::one(), place(0), place(1), place(2)],
-                feature: bit(0) + bit(1) + bit(2),
-            };
-            let near = Best {
-                value: square_of(out),
-                ..Nearest::of(apart, corner - apart, corner)
-            };
-            near.at(here, other.at_corner(n))
-        }))
+    fn faces(&self) -> [usize; 3] {
+        [0, 1, 2]
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn near(&self, corner: Vec3<S>, there: Place<S>) -> Candidate<S> {
+        let (zero, at) = (S::zero(), self.seen(corner));
+        let out: [S; 3] = std::array::from_fn(|k| {
+            let (x, half) = (at[k], self.half[k]);
+            let beyond = x.magnitude() - half;
+            S::select(beyond.above(zero), beyond.signed_as(x), zero)
+        });
+        let [x, y, z] = self.axes;
+        let apart = x * out[0] + y * out[1] + z * out[2];
+        let within = out.each_as(|out| out.equals(zero));
+        let place = |k: usize| S::select(within[k], at[k], self.half[k].signed_as(at[k]));
+        let bit = |k: usize| S::select(within[k], S::lit((1 << k) as f64), zero);
+        let here = Place {
+            parts: [S::one(), place(0), place(1), place(2)],
+            feature: bit(0) + bit(1) + bit(2),
+        };
+        let near = Nearest::of(apart, corner - apart, corner);
+        Candidate {
+            square: square_of(out),
+            ..Candidate::new(near, here, there)
+        }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Place<S>) {
@@ -245,7 +245,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         found
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn deep<B: Core<S>>(&self, other: &B) -> Option<PartingPlane<S>> {
-        Some(box_faces(self, other))
+    fn parting<B: Core<S>>(&self, face: usize, other: &B) -> PartingPlane<S> {
+        box_faces(self, face, other)
     }
 }

@@ -1,11 +1,11 @@
 //! The cores that convex shapes of space are made of: a point, a segment, a triangle, a tetrahedron, a box.
 use super::box_core::BoxCore;
 use super::deep::PartingPlane;
-use super::near::{Edge, Found, Nearest};
+use super::near::{Candidate, Edge, Nearest};
 use super::place::{self, Place, Pull, fixed_vector};
 use super::simplex::extent_of;
 use super::straight::Straight;
-use crate::distance::share::Best;
+use crate::arrays::Each;
 use crate::{Scalar, Vec3};
 
 /// The core of a convex shape of space: the hull of some corners.
@@ -17,11 +17,13 @@ pub trait Core<S: Scalar>: Copy {
     /// The core without derivatives.
     type Plain: Core<S::Primal>;
     /// The corners, in an array.
-    type Corners: AsRef<[Vec3<S>]>;
+    type Corners: AsRef<[Vec3<S>]> + Each<Vec3<S>>;
     /// The edges, in an array.
-    type Edges: AsRef<[Edge<S>]>;
+    type Edges: AsRef<[Edge<S>]> + Each<Edge<S>>;
     /// The ways along edges, parallel ones once, in an array.
-    type Ways: AsRef<[Vec3<S>]>;
+    type Ways: AsRef<[Vec3<S>]> + Each<Vec3<S>>;
+    /// A number for each of its faces, in an array.
+    type Faces: Each<usize>;
     /// 0 for a point, 1 for a segment, 2 for a triangle, 3 for what has a volume.
     const DIMENSION: usize;
     /// `true` if corners are computed from a centre, to which a distance from the origin would cost digits. Corners
@@ -47,8 +49,8 @@ pub trait Core<S: Scalar>: Copy {
     fn at_corner(&self, k: usize) -> Place<S>;
     /// The place on an edge, from 0 to 1, whose ends are not counted among its points.
     fn at_edge(&self, k: usize, t: S) -> Place<S>;
-    /// The derivative of the height of a place along a direction.
-    fn pull(&self, place: Place<S>, normal: Vec3<S>) -> Pull<S>;
+    /// The derivative of the height of a place along a direction, less that of another place.
+    fn pull(&self, place: Place<S>, less: Place<S>, normal: Vec3<S>) -> Pull<S>;
     /// The height that has that derivative, but for a constant.
     fn height(&self, pull: Pull<S::Primal>) -> S;
     /// The corners.
@@ -57,8 +59,10 @@ pub trait Core<S: Scalar>: Copy {
     fn edges(&self) -> Self::Edges;
     /// The ways from end to end of edges, parallel ones once.
     fn ways(&self) -> Self::Ways;
-    /// The point of the core, or of its surface, that is nearest to a corner of another one.
-    fn near<B: Core<S>>(&self, other: &B) -> Best<S, Found<S>>;
+    /// The numbers of its faces.
+    fn faces(&self) -> Self::Faces;
+    /// The point of the core, or of its surface, that is nearest to a corner of another one, at a place there.
+    fn near(&self, corner: Vec3<S>, there: Place<S>) -> Candidate<S>;
     /// A point of the edge that is farthest against a direction, given that this is orthogonal to one of the
     /// [ways](Core::ways): of both ends of an edge along it one counts, lest rounding decides between them.
     fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Place<S>);
@@ -82,8 +86,8 @@ pub trait Core<S: Scalar>: Copy {
     fn straight(&self) -> Option<Straight<S>> {
         None
     }
-    /// The face that parts the core best from another one; `None` where it has no faces.
-    fn deep<B: Core<S>>(&self, other: &B) -> Option<PartingPlane<S>>;
+    /// How a face parts the core from another one.
+    fn parting<B: Core<S>>(&self, face: usize, other: &B) -> PartingPlane<S>;
 }
 
 /// One point.
@@ -95,6 +99,7 @@ impl<S: Scalar> Core<S> for PointCore<S> {
     type Corners = [Vec3<S>; 1];
     type Edges = [Edge<S>; 0];
     type Ways = [Vec3<S>; 0];
+    type Faces = [usize; 0];
     const DIMENSION: usize = 0;
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn straight(&self) -> Option<Straight<S>> {
@@ -137,9 +142,9 @@ impl<S: Scalar> Core<S> for PointCore<S> {
         Place::corner(0)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, _: Place<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, place: Place<S>, less: Place<S>, normal: Vec3<S>) -> Pull<S> {
         let mut parts = [Vec3::zero(); 4];
-        parts[0] = normal;
+        parts[0] = normal * (place.parts[0] - less.parts[0]);
         Pull {
             parts,
             half: [S::zero(); 3],
@@ -162,13 +167,13 @@ impl<S: Scalar> Core<S> for PointCore<S> {
         []
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn near<B: Core<S>>(&self, other: &B) -> Best<S, Found<S>> {
-        let corners = other.corners();
-        let corners = corners.as_ref().iter().enumerate();
-        Best::least(corners.map(|(k, &corner)| {
-            let near = Nearest::of(corner - self.0, self.0, corner);
-            near.at(Place::corner(0), other.at_corner(k))
-        }))
+    fn faces(&self) -> [usize; 0] {
+        []
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn near(&self, corner: Vec3<S>, there: Place<S>) -> Candidate<S> {
+        let near = Nearest::of(corner - self.0, self.0, corner);
+        Candidate::new(near, Place::corner(0), there)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn lowest(&self, _: Vec3<S>, _: usize) -> (Vec3<S>, Place<S>) {
@@ -183,7 +188,7 @@ impl<S: Scalar> Core<S> for PointCore<S> {
         (normal.dot(self.0), self.0)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn deep<B: Core<S>>(&self, _: &B) -> Option<PartingPlane<S>> {
-        None
+    fn parting<B: Core<S>>(&self, _: usize, _: &B) -> PartingPlane<S> {
+        PartingPlane::none()
     }
 }

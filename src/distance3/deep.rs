@@ -6,37 +6,35 @@ use super::box_core::BoxCore;
 use super::core::Core;
 use super::near::normal;
 use super::place::{Place, Pull};
+use crate::arrays::Each;
 use crate::distance::share::Carry;
 use crate::{Scalar, Vec3};
 
-/// A plane between two cores, and the points that it touches.
-///
-/// Planes that tie share the derivative. Of corners and of faces that tie, those share whose foot is on the other
-/// face: they are the corners of what faces each other.
+/// A plane between two cores, and points of them along it; of two sides that tie, those of the first.
 #[derive(Clone, Copy, Debug)]
 pub struct PartingPlane<P> {
     /// How far b begins beyond a; negative where they overlap.
     pub value: P,
-    /// How many planes and points of theirs tie.
-    pub count: P,
     /// One where the foot is on the other face, else zero.
     pub faces: P,
     /// The plane's normal, of length one, from a to b.
     pub normal: Vec3<P>,
-    /// How many of the points have the same normal as the first.
+    /// How many points tie.
     pub points: P,
-    /// The sum of their points of a.
+    /// How many do so of the other side.
+    pub behind: P,
+    /// The sum of the points of a.
     pub on_a: Vec3<P>,
-    /// The sum of their points of b.
+    /// The sum of the points of b.
     pub on_b: Vec3<P>,
     /// The sum of the places of those of a.
     pub at_a: Place<P>,
     /// The sum of those of b.
     pub at_b: Place<P>,
-    /// The sum of the derivatives of the height of a, over all that tie.
-    pub pull_a: Pull<P>,
-    /// That of b.
-    pub pull_b: Pull<P>,
+    /// The sum of the places of a on the other side, where that ties.
+    pub behind_a: Place<P>,
+    /// The sum of those of b.
+    pub behind_b: Place<P>,
 }
 
 /// By so many roundings of the unit, in which all is of a size of at most four, heights and ways differ.
@@ -46,50 +44,46 @@ pub(super) const SLACK: f64 = 64.0;
 const MORE: f64 = 8.0;
 
 impl<P: Scalar> PartingPlane<P> {
-    /// A plane that touches two points.
+    /// One that parts nothing.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn new<A: Core<P>, B: Core<P>>(a: &A, b: &B, normal: Vec3<P>, touch: Touch<P>) -> Self {
+    pub fn none() -> Self {
+        let zero = P::zero();
         PartingPlane {
-            value: touch.ahead,
-            count: touch.count,
-            faces: touch.faces,
-            normal,
-            points: touch.count,
-            on_a: touch.on_a,
-            on_b: touch.on_b,
-            at_a: touch.at_a,
-            at_b: touch.at_b,
-            pull_a: a.pull(touch.at_a, normal),
-            pull_b: b.pull(touch.at_b, normal),
+            value: P::lit(-P::LARGEST),
+            faces: zero,
+            normal: Vec3::zero(),
+            points: zero,
+            behind: zero,
+            on_a: Vec3::zero(),
+            on_b: Vec3::zero(),
+            at_a: Place::none(),
+            at_b: Place::none(),
+            behind_a: Place::none(),
+            behind_b: Place::none(),
         }
     }
+    /// The side that parts more; of equal ones those whose foot is on a face, or else both.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pick(self, other: Self, keep: P::Mask, tie: P::Mask) -> Self {
-        let first = keep | tie;
-        let both = tie & self.normal.dot(other.normal).above(P::lit(0.5));
-        let sums = |a: Vec3<P>, b: Vec3<P>| Vec3::select(both, a + b, Vec3::select(first, a, b));
+    fn of_sides([one, other]: [Self; 2]) -> Self {
+        let same = one.value.equals(other.value);
+        let tie = same & one.faces.equals(other.faces);
+        let keep = tie | other.value.below(one.value) | same & other.faces.below(one.faces);
+        let none = tie & !tie;
+        let pick = |a: Vec3<P>, b: Vec3<P>| Vec3::select(keep, a, b);
+        let behind = |place: Place<P>| place.join(Place::none(), tie, none);
         PartingPlane {
-            value: P::select(first, self.value, other.value),
-            count: self.count.join(other.count, keep, tie),
-            faces: P::select(first, self.faces, other.faces),
-            normal: Vec3::select(first, self.normal, other.normal),
-            points: self.points.join(other.points, first, both),
-            on_a: sums(self.on_a, other.on_a),
-            on_b: sums(self.on_b, other.on_b),
-            at_a: self.at_a.join(other.at_a, first, both),
-            at_b: self.at_b.join(other.at_b, first, both),
-            pull_a: self.pull_a.join(other.pull_a, keep, tie),
-            pull_b: self.pull_b.join(other.pull_b, keep, tie),
+            value: one.value.most(other.value),
+            faces: P::select(keep, one.faces, other.faces),
+            normal: pick(one.normal, other.normal),
+            points: P::select(keep, one.points, other.points),
+            behind: P::select(tie, other.points, P::zero()),
+            on_a: pick(one.on_a, other.on_a),
+            on_b: pick(one.on_b, other.on_b),
+            at_a: one.at_a.join(other.at_a, keep, none),
+            at_b: one.at_b.join(other.at_b, keep, none),
+            behind_a: behind(other.at_a),
+            behind_b: behind(other.at_b),
         }
-    }
-    /// The larger of two; of equal ones those whose feet are on the other face, or else both.
-    #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn most(self, other: Self) -> Self {
-        let same = self.value.equals(other.value);
-        let tie = same & self.faces.equals(other.faces);
-        let keep = other.value.below(self.value) | same & other.faces.below(self.faces);
-        self.pick(other, keep, tie)
     }
     /// With a and b exchanged.
     #[must_use]
@@ -101,24 +95,8 @@ impl<P: Scalar> PartingPlane<P> {
             on_b: self.on_a,
             at_a: self.at_b,
             at_b: self.at_a,
-            pull_a: self.pull_b.times(-P::one()),
-            pull_b: self.pull_a.times(-P::one()),
-            ..self
-        }
-    }
-    /// The mean of all that tie.
-    #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn mean(self) -> Self {
-        let one = P::one();
-        let (share, all) = (one.over(self.points), one.over(self.count));
-        PartingPlane {
-            on_a: self.on_a * share,
-            on_b: self.on_b * share,
-            at_a: self.at_a.times(share),
-            at_b: self.at_b.times(share),
-            pull_a: self.pull_a.times(all),
-            pull_b: self.pull_b.times(all),
+            behind_a: self.behind_b,
+            behind_b: self.behind_a,
             ..self
         }
     }
@@ -132,194 +110,256 @@ impl<P: Scalar> PartingPlane<P> {
     }
 }
 
-/// Points of both cores along one normal, and how far that of b is beyond that of a; sums of those that tie.
+/// A corner over a face, and the place of its foot there.
 #[derive(Clone, Copy, Debug)]
-struct Touch<P> {
+struct Over<P: Scalar> {
     ahead: P,
-    faces: P,
-    count: P,
-    on_a: Vec3<P>,
-    on_b: Vec3<P>,
-    at_a: Place<P>,
-    at_b: Place<P>,
+    /// `true` if the foot is on the face.
+    on_face: P::Mask,
+    corner: Vec3<P>,
+    foot: Place<P>,
+    there: Place<P>,
 }
 
-impl<P: Scalar> Touch<P> {
-    /// The smaller of two corners over one face; of equal ones those whose foot is on it, or else both.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn least(self, other: Self) -> Self {
-        let same = self.ahead.equals(other.ahead);
-        let tie = same & self.faces.equals(other.faces);
-        let keep = self.ahead.below(other.ahead) | same & other.faces.below(self.faces);
-        let sums = |a: Vec3<P>, b: Vec3<P>| Vec3::select(tie, a + b, Vec3::select(keep, a, b));
-        Touch {
-            ahead: P::select(keep | tie, self.ahead, other.ahead),
-            faces: P::select(keep | tie, self.faces, other.faces),
-            count: self.count.join(other.count, keep, tie),
-            on_a: sums(self.on_a, other.on_a),
-            on_b: sums(self.on_b, other.on_b),
-            at_a: self.at_a.join(other.at_a, keep, tie),
-            at_b: self.at_b.join(other.at_b, keep, tie),
-        }
-    }
-    /// A corner over a face, at places of both.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn corner(
-        ahead: P,
-        over: P::Mask,
-        normal: Vec3<P>,
-        corner: Vec3<P>,
-        (at_a, at_b): (Place<P>, Place<P>),
-    ) -> Self {
-        Touch {
-            ahead,
-            faces: P::select(over, P::one(), P::zero()),
-            count: P::one(),
-            on_a: corner - normal * ahead,
-            on_b: corner,
-            at_a,
-            at_b,
-        }
-    }
-}
-
-/// The least over the corners of a core.
+/// The corners of b that are least ahead of a face of a; of equal ones those whose foot is on it, if any are.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn least<P: Scalar, B: Core<P>>(
+    normal: Vec3<P>,
     b: &B,
-    mut touch: impl FnMut(Vec3<P>, Place<P>) -> Touch<P>,
-) -> Touch<P> {
-    let corners = b.corners();
-    let corners = corners.as_ref().iter().enumerate();
-    let all = corners.map(|(k, &corner)| touch(corner, b.at_corner(k)));
-    all.reduce(Touch::least)
-        .expect("a core has at least one corner")
+    over: impl Fn(Vec3<P>) -> (P, P::Mask, Place<P>),
+) -> PartingPlane<P> {
+    let zero = P::zero();
+    let mut k = 0;
+    let all = b.corners().each_as(|corner| {
+        let (ahead, on_face, foot) = over(corner);
+        let there = b.at_corner(k);
+        k += 1;
+        Over {
+            ahead,
+            on_face,
+            corner,
+            foot,
+            there,
+        }
+    });
+    let all = all.as_ref();
+    let values = all.iter().map(|over| over.ahead);
+    let value = values.reduce(P::least).unwrap_or_else(P::zero);
+    let mut any = zero.below(zero);
+    for over in all {
+        any = any | over.ahead.equals(value) & over.on_face;
+    }
+    let mut found = PartingPlane {
+        value,
+        faces: P::select(any, P::one(), zero),
+        normal,
+        ..PartingPlane::none()
+    };
+    for over in all {
+        let counts = over.ahead.equals(value) & (over.on_face | !any);
+        found.points += P::select(counts, P::one(), zero);
+        found.on_b += Vec3::select(counts, over.corner, Vec3::zero());
+        let foot = over.corner - normal * over.ahead;
+        found.on_a += Vec3::select(counts, foot, Vec3::zero());
+        found.at_a.add(counts, over.foot, counts);
+        found.at_b.add(counts, over.there, counts);
+    }
+    // The feature is the face, whichever corner it is.
+    if let Some(over) = all.first() {
+        found.at_a.feature = over.foot.feature;
+    }
+    found
 }
 
-/// The face of a box that parts it best from another core.
+/// Both faces of a box across an axis, against another core.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn box_faces<P: Scalar, B: Core<P>>(a: &BoxCore<P>, b: &B) -> PartingPlane<P> {
-    let face = |k: usize, low: bool| {
+pub(super) fn box_faces<P: Scalar, B: Core<P>>(
+    a: &BoxCore<P>,
+    axis: usize,
+    b: &B,
+) -> PartingPlane<P> {
+    PartingPlane::of_sides([false, true].each_as(|low| {
         let turned = |x: P| if low { -x } else { x };
-        let axis = a.axes[k];
-        let normal = if low { -axis } else { axis };
-        let touch = least(b, |corner, there| {
+        let normal = if low { -a.axes[axis] } else { a.axes[axis] };
+        least(normal, b, |corner| {
             let at = a.seen(corner);
             let within = |k: usize| at[k].unsigned().at_most(a.half[k]);
-            let over = within((k + 1) % 3) & within((k + 2) % 3);
+            let on_face = within((axis + 1) % 3) & within((axis + 2) % 3);
             let mut parts = [P::one(), at[0], at[1], at[2]];
-            parts[1 + k] = turned(a.half[k]);
-            let feature = P::lit((7 - (1 << k)) as f64);
-            let here = Place { parts, feature };
-            Touch::corner(
-                turned(at[k]) - a.half[k],
-                over,
-                normal,
-                corner,
-                (here, there),
-            )
-        });
-        PartingPlane::new(a, b, normal, touch)
-    };
-    let axis = |k: usize| face(k, false).most(face(k, true));
-    axis(0).most(axis(1)).most(axis(2))
+            parts[1 + axis] = turned(a.half[axis]);
+            let feature = P::lit((7 - (1 << axis)) as f64);
+            let foot = Place { parts, feature };
+            (turned(at[axis]) - a.half[axis], on_face, foot)
+        })
+    }))
 }
 
-/// A triangle, the face of a solid with a corner behind it or alone, against another core. A place on it is one of the
-/// shares of its corners.
+/// Both sides of a triangle, the face of a solid with a corner behind it or alone, against another core. A place on it is
+/// one of the shares of its corners.
 ///
 /// Both sides count: a solid without volume has two, and of any other one the side within parts nothing.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn triangle_face<P: Scalar, A: Core<P>, B: Core<P>>(
-    a: &A,
-    b: &B,
+pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
     face: [Vec3<P>; 3],
     behind: Option<Vec3<P>>,
+    b: &B,
     place: impl Fn([P; 3]) -> Place<P>,
 ) -> PartingPlane<P> {
     let (u, v) = (face[1] - face[0], face[2] - face[0]);
     let normal = normal(u, v);
-    let side = |unit: Vec3<P>| {
+    let over = P::one().over(normal.square);
+    let sides = [normal.unit, -normal.unit].each_as(|unit| {
         // The corner behind is not beyond, whatever the side.
         let top = behind.map_or(P::zero(), |behind| {
             unit.dot(behind - face[0]).most(P::zero())
         });
-        let touch = least(b, |corner, there| {
+        let plane = least(unit, b, |corner| {
             let arm = corner - face[0];
-            let weight = |w: Vec3<P>| w.dot(normal.long).over(normal.square);
-            let (s, t) = (weight(arm.cross(v)), weight(u.cross(arm)));
-            let (zero, one) = (P::zero(), P::one());
-            let over = zero.at_most(s) & zero.at_most(t) & (s + t).at_most(one);
-            let here = place([(one - s) - t, s, t]);
-            Touch::corner(unit.dot(arm) - top, over, unit, corner, (here, there))
+            let (s, t) = (arm.cross(v).dot(normal.long), u.cross(arm).dot(normal.long));
+            let zero = P::zero();
+            let on_face = zero.at_most(s) & zero.at_most(t) & (s + t).at_most(normal.square);
+            let (s, t) = (s * over, t * over);
+            let foot = place([(P::one() - s) - t, s, t]);
+            (unit.dot(arm) - top, on_face, foot)
         });
-        PartingPlane::new(a, b, unit, touch).unless(normal.none)
-    };
-    side(normal.unit).most(side(-normal.unit))
+        plane.unless(normal.none)
+    });
+    PartingPlane::of_sides(sides)
 }
 
-/// The normals of an edge of each core: that which parts them best; `None` where one of them has no edges.
+/// Both sides of the normal of an edge of each core.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn edges_deep<P: Scalar, A: Core<P>, B: Core<P>>(
-    a: &A,
-    b: &B,
-) -> Option<PartingPlane<P>> {
-    let mut best: Option<PartingPlane<P>> = None;
-    for (i, &u) in a.ways().as_ref().iter().enumerate() {
-        for (j, &v) in b.ways().as_ref().iter().enumerate() {
-            let normal = normal(u, v);
-            for unit in [normal.unit, -normal.unit] {
-                let ((on_a, at_a), (on_b, at_b)) = (a.lowest(-unit, i), b.lowest(unit, j));
-                let way = on_b - on_a;
-                let ahead = unit.dot(way);
-                // Where the edges through both corners cross, seen along the normal.
-                let one = P::one();
-                let crossing = |w: Vec3<P>| {
-                    let part = w.dot(normal.long).over(normal.square);
-                    part.clamp(-one, one)
-                };
-                let (s, t) = (crossing(way.cross(v)), crossing(way.cross(u)));
-                let on_a = on_a + u * s;
-                let touch = Touch {
-                    ahead,
-                    faces: P::zero(),
-                    count: one,
-                    on_a,
-                    on_b: on_a + unit * ahead,
-                    at_a: a.along(at_a, i, s),
-                    at_b: b.along(at_b, j, t),
-                };
-                let found = PartingPlane::new(a, b, unit, touch).unless(normal.none);
-                best = Some(best.map_or(found, |best| best.most(found)));
-            }
-        }
-    }
-    best
+fn across_edges<P: Scalar, A: Core<P>, B: Core<P>>(
+    (a, i, u): (&A, usize, Vec3<P>),
+    (b, j, v): (&B, usize, Vec3<P>),
+) -> PartingPlane<P> {
+    let normal = normal(u, v);
+    let over = P::one().over(normal.square);
+    let sides = [normal.unit, -normal.unit].each_as(|unit| {
+        let ((on_a, at_a), (on_b, at_b)) = (a.lowest(-unit, i), b.lowest(unit, j));
+        let way = on_b - on_a;
+        let (ahead, one) = (unit.dot(way), P::one());
+        // Where the edges through both corners cross, seen along the normal.
+        let crossing = |w: Vec3<P>| {
+            let part = w.dot(normal.long) * over;
+            part.clamp(-one, one)
+        };
+        let (s, t) = (crossing(way.cross(v)), crossing(way.cross(u)));
+        let on_a = on_a + u * s;
+        let plane = PartingPlane {
+            value: ahead,
+            faces: P::zero(),
+            normal: unit,
+            points: one,
+            on_a,
+            on_b: on_a + unit * ahead,
+            at_a: a.along(at_a, i, s),
+            at_b: b.along(at_b, j, t),
+            ..PartingPlane::none()
+        };
+        plane.unless(normal.none)
+    });
+    PartingPlane::of_sides(sides)
 }
 
-/// The plane that parts two cores best; `None` where their difference has no volume.
+/// The planes that part two cores best.
+///
+/// Planes that tie share the derivative. Of corners and of faces that tie, those share whose foot is on the other
+/// face: they are the corners of what faces each other. Direction and points are those of the first plane and of others
+/// with its normal.
+pub(super) struct Deepest<P> {
+    /// How far b begins beyond a; negative where they overlap.
+    pub value: P,
+    /// How many planes and points of theirs tie.
+    pub count: P,
+    /// The direction from a to b.
+    pub normal: Vec3<P>,
+    /// The point of a.
+    pub on_a: Vec3<P>,
+    /// The point of b.
+    pub on_b: Vec3<P>,
+    /// The place of that of a.
+    pub at_a: Place<P>,
+    /// The place of that of b.
+    pub at_b: Place<P>,
+    /// The derivative of the height of a, in the mean of all that tie.
+    pub pull_a: Pull<P>,
+    /// That of b.
+    pub pull_b: Pull<P>,
+}
+
+/// The planes that part two cores best; `None` where their difference has no volume.
 ///
 /// Edges count where they part the cores by more than rounding more than faces do: the normal of edges that are all
 /// but parallel turns too fast with them for a derivative.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option<PartingPlane<P>> {
+pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option<Deepest<P>> {
     if A::DIMENSION + B::DIMENSION < 3 {
         return None;
     }
-    let (of_a, of_b) = (a.deep(b), b.deep(a).map(PartingPlane::flipped));
-    let faces = match (of_a, of_b) {
-        (Some(of_a), Some(of_b)) => Some(of_a.most(of_b).mean()),
-        (one, other) => one.or(other).map(PartingPlane::mean),
-    };
-    let edges = edges_deep(a, b).map(PartingPlane::mean);
-    match (faces, edges) {
-        (Some(faces), Some(edges)) => {
-            let more = faces.value + P::lit(MORE * P::EPSILON);
-            let never = P::one().below(P::zero());
-            let mut found = faces.pick(edges, edges.value.at_most(more), never);
-            found.value = faces.value.most(edges.value);
-            Some(found)
-        }
-        (one, other) => one.or(other),
+    let of_a = a.faces().each_as(|face| a.parting(face, b));
+    let of_b = b.faces().each_as(|face| b.parting(face, a).flipped());
+    let mut i = 0;
+    let edges = a.ways().each_as(|u| {
+        let mut j = 0;
+        let planes = b.ways().each_as(|v| {
+            let planes = across_edges((a, i, u), (b, j, v));
+            j += 1;
+            planes
+        });
+        i += 1;
+        planes
+    });
+    let faces = || of_a.as_ref().iter().chain(of_b.as_ref());
+    let edges = || edges.as_ref().iter().flat_map(AsRef::as_ref);
+    let never = P::lit(-P::LARGEST);
+    let best = |value: P, plane: &PartingPlane<P>| value.most(plane.value);
+    let (by_face, by_edge) = (faces().fold(never, best), edges().fold(never, best));
+    let is_edge = by_edge.above(by_face + P::lit(MORE * P::EPSILON));
+    let mut any = is_edge & !is_edge;
+    for plane in faces() {
+        any = any | plane.value.equals(by_face) & plane.faces.above(P::zero());
     }
+    let on_face = P::select(any, P::one(), P::zero());
+    let of_faces = faces().map(|plane| {
+        let counts = plane.value.equals(by_face) & plane.faces.equals(on_face) & !is_edge;
+        (plane, counts)
+    });
+    let of_edges = edges().map(|plane| (plane, plane.value.equals(by_edge) & is_edge));
+    let mut found = Deepest {
+        value: by_face.most(by_edge),
+        count: P::zero(),
+        normal: Vec3::zero(),
+        on_a: Vec3::zero(),
+        on_b: Vec3::zero(),
+        at_a: Place::none(),
+        at_b: Place::none(),
+        pull_a: Pull::none(),
+        pull_b: Pull::none(),
+    };
+    let mut points = P::zero();
+    for (plane, counts) in of_faces.chain(of_edges) {
+        let (zero, first) = (Vec3::zero(), counts & found.count.equals(P::zero()));
+        found.count += P::select(counts, plane.points + plane.behind, P::zero());
+        found.normal = Vec3::select(first, plane.normal, found.normal);
+        let same = counts & plane.normal.dot(found.normal).above(P::lit(0.5));
+        points += P::select(same, plane.points, P::zero());
+        found.on_a += Vec3::select(same, plane.on_a, zero);
+        found.on_b += Vec3::select(same, plane.on_b, zero);
+        found.at_a.add(same, plane.at_a, first);
+        found.at_b.add(same, plane.at_b, first);
+        let normal = Vec3::select(counts, plane.normal, zero);
+        found.pull_a.add(a.pull(plane.at_a, plane.behind_a, normal));
+        found.pull_b.add(b.pull(plane.at_b, plane.behind_b, normal));
+    }
+    let (share, all) = (P::one().over(points), P::one().over(found.count));
+    Some(Deepest {
+        on_a: found.on_a * share,
+        on_b: found.on_b * share,
+        at_a: found.at_a.times(share),
+        at_b: found.at_b.times(share),
+        pull_a: found.pull_a.times(all),
+        pull_b: found.pull_b.times(all),
+        ..found
+    })
 }

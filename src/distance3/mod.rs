@@ -13,11 +13,11 @@
 //! assert_eq!(signed_distance(Vec3::new(1.5, 0.0, 0.75), shape), -0.25);
 //! ```
 //!
-//! Every shape is the hull of a few corners, inflated by a radius ([`Cored`]). Two of them are compared corner by face,
-//! corner by edge and edge by edge where they are apart; by the normals of faces and of pairs of edges where they
-//! overlap. Two boxes decide by plain numbers and then compute one distance, that of the features which they chose. No
-//! tolerance decides: a candidate for the distance is the distance of two points that exist, a candidate for the depth a
-//! gap along a direction of length one, so that wrong decisions cost roundings.
+//! Every shape is the hull of a few corners, inflated by a radius ([`Cored`]). Plain numbers say which features are
+//! nearest: two shapes are compared corner by face, corner by edge and edge by edge where they are apart, by the normals
+//! of faces and of pairs of edges where they overlap. The distance of the chosen features is then computed once, with
+//! derivatives. No tolerance decides: a candidate for the distance is the distance of two points that exist, a candidate
+//! for the depth a gap along a direction of length one, so that wrong decisions cost roundings.
 //!
 //! | function | gives |
 //! | --- | --- |

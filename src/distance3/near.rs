@@ -67,29 +67,92 @@ impl<S: Scalar> Nearest<S> {
     }
 }
 
-/// The nearest points, and where cores of the same numbers with derivatives find them.
-pub type Found<S> = (Nearest<S>, (Place<S>, Place<S>));
-
-impl<S: Scalar> Best<S, Nearest<S>> {
-    /// With the places of both points.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn at(self, here: Place<S>, there: Place<S>) -> Best<S, Found<S>> {
-        Best {
-            value: self.value,
-            sum: (self.sum, (here, there)),
-            count: self.count,
-        }
-    }
+/// The nearest points of two features, and their places.
+#[derive(Clone, Copy, Debug)]
+pub struct Candidate<P> {
+    /// The square of the way; the largest number where the features have no nearest points between their ends.
+    pub square: P,
+    /// The points.
+    pub near: Nearest<P>,
+    /// The place of the one on a.
+    pub at_a: Place<P>,
+    /// The place of the one on b.
+    pub at_b: Place<P>,
 }
 
-impl<S: Scalar> Best<S, Found<S>> {
+impl<P: Scalar> Candidate<P> {
+    /// The nearest points at places.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn new(near: Best<P, Nearest<P>>, at_a: Place<P>, at_b: Place<P>) -> Self {
+        Candidate {
+            square: near.value,
+            near: near.sum,
+            at_a,
+            at_b,
+        }
+    }
     /// With a and b exchanged.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(self) -> Self {
-        let (near, (here, there)) = self.sum;
-        Best {
-            sum: (near.flipped(), (there, here)),
+        Candidate {
+            near: self.near.flipped(),
+            at_a: self.at_b,
+            at_b: self.at_a,
+            ..self
+        }
+    }
+    /// The nearer of two; of equal ones the first.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn less(self, other: Self) -> Self {
+        let first = self.square.at_most(other.square);
+        let none = first & !first;
+        Candidate {
+            square: P::select(first, self.square, other.square),
+            near: self.near.join(other.near, first, none),
+            at_a: self.at_a.join(other.at_a, first, none),
+            at_b: self.at_b.join(other.at_b, first, none),
+        }
+    }
+    /// Added up with another one where that is as near as the least is.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn add(&mut self, other: &Self) -> P {
+        let ties = other.square.equals(self.square);
+        let sum = |sum: Vec3<P>, v: Vec3<P>| sum + Vec3::select(ties, v, Vec3::zero());
+        self.near = Nearest {
+            apart: sum(self.near.apart, other.near.apart),
+            on_a: sum(self.near.on_a, other.near.on_a),
+            on_b: sum(self.near.on_b, other.near.on_b),
+            normal: sum(self.near.normal, other.near.normal),
+        };
+        self.at_a.add(ties, other.at_a, ties);
+        self.at_b.add(ties, other.at_b, ties);
+        P::select(ties, P::one(), P::zero())
+    }
+    /// All nothing, with the least of some squares.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn none(square: P) -> Self {
+        let zero = Vec3::zero();
+        Candidate {
+            square,
+            near: Nearest {
+                apart: zero,
+                on_a: zero,
+                on_b: zero,
+                normal: zero,
+            },
+            at_a: Place::none(),
+            at_b: Place::none(),
+        }
+    }
+    /// A part of it.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn times(self, share: P) -> Self {
+        Candidate {
+            near: self.near.times(share),
+            at_a: self.at_a.times(share),
+            at_b: self.at_b.times(share),
             ..self
         }
     }

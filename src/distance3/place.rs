@@ -23,6 +23,23 @@ impl<P: Scalar> Place<P> {
             feature: P::zero(),
         }
     }
+    /// No point: all parts zero.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn none() -> Self {
+        let zero = P::zero();
+        Place {
+            parts: [zero; 4],
+            feature: zero,
+        }
+    }
+    /// Adds the parts of another place where a condition holds, and takes over its feature where another one does.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn add(&mut self, parts: P::Mask, other: Self, feature: P::Mask) {
+        for (sum, part) in self.parts.iter_mut().zip(other.parts) {
+            *sum += P::select(parts, part, P::zero());
+        }
+        self.feature = P::select(feature, other.feature, self.feature);
+    }
     /// On a feature where a condition holds, else at a corner.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -61,23 +78,32 @@ pub struct Pull<P> {
     pub half: [P; 3],
 }
 
-impl<P: Scalar> Carry<P> for Pull<P> {
+impl<P: Scalar> Pull<P> {
+    /// None.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn join(self, other: Self, keep: P::Mask, tie: P::Mask) -> Self {
-        let vector = |a: Vec3<P>, b: Vec3<P>| {
-            let one = |a: P, b: P| a.join(b, keep, tie);
-            Vec3::new(one(a.x, b.x), one(a.y, b.y), one(a.z, b.z))
-        };
+    pub fn none() -> Self {
         Pull {
-            parts: [0, 1, 2, 3].each_as(|k| vector(self.parts[k], other.parts[k])),
-            half: [0, 1, 2].each_as(|k| self.half[k].join(other.half[k], keep, tie)),
+            parts: [Vec3::zero(); 4],
+            half: [P::zero(); 3],
         }
     }
+    /// Adds another one.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn times(self, factor: P) -> Self {
+    pub fn add(&mut self, other: Self) {
+        for (sum, part) in self.parts.iter_mut().zip(other.parts) {
+            *sum += part;
+        }
+        for (sum, half) in self.half.iter_mut().zip(other.half) {
+            *sum += half;
+        }
+    }
+    /// A part of it.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn times(self, share: P) -> Self {
         Pull {
-            parts: self.parts.each_as(|part| part * factor),
-            half: self.half.each_as(|half| half * factor),
+            parts: self.parts.each_as(|part| part * share),
+            half: self.half.each_as(|half| half * share),
         }
     }
 }
@@ -90,8 +116,6 @@ pub(super) struct Chosen<P: Scalar> {
     pub square: P,
     /// The direction from a to b.
     pub normal: Vec3<P>,
-    /// The way from the point of a to that of b.
-    pub apart: Vec3<P>,
     /// The point of a.
     pub on_a: Vec3<P>,
     /// The point of b.
@@ -136,6 +160,18 @@ pub(super) fn fixed_vector<S: Scalar>(v: Vec3<S::Primal>) -> Vec3<S> {
 pub(super) fn valued<S: Scalar>(v: Vec3<S>, value: Vec3<S::Primal>) -> Vec3<S> {
     let one = |x: S, value: S::Primal| x.with_primal(value.primal());
     Vec3::new(one(v.x, value.x), one(v.y, value.y), one(v.z, value.z))
+}
+
+/// The number that is zero but for rounding, as zero with its derivatives.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn vanish<S: Scalar>(x: S) -> S {
+    x.with_primal(S::Primal::zero())
+}
+
+/// The vector that is zero but for rounding, as zero with its derivatives.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn vanishing<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
+    Vec3::new(vanish(v.x), vanish(v.y), vanish(v.z))
 }
 
 /// The vector without derivatives.

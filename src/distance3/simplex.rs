@@ -1,7 +1,7 @@
 //! Hulls of a few corners: segments, triangles, tetrahedra.
 use super::core::Core;
 use super::deep::{PartingPlane, triangle_face};
-use super::near::{Edge, Found, Low, edge_near, face_near};
+use super::near::{Candidate, Edge, Low, edge_near, face_near};
 use super::place::{self, Place, Pull, fixed, fixed_vector};
 use super::straight::Straight;
 use crate::arrays::Each;
@@ -68,6 +68,7 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
     type Corners = [Vec3<S>; C];
     type Edges = [Edge<S>; E];
     type Ways = [Vec3<S>; E];
+    type Faces = [usize; F];
     const DIMENSION: usize = C - 1;
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn straight(&self) -> Option<Straight<S>> {
@@ -133,10 +134,10 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, place: Place<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, place: Place<S>, less: Place<S>, normal: Vec3<S>) -> Pull<S> {
         let mut parts = [Vec3::zero(); 4];
-        for (pull, part) in parts.iter_mut().zip(place.parts).take(C) {
-            *pull = normal * part;
+        for (k, pull) in parts.iter_mut().enumerate().take(C) {
+            *pull = normal * (place.parts[k] - less.parts[k]);
         }
         Pull {
             parts,
@@ -164,23 +165,22 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
         self.edges().each_as(|edge| edge.along)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn near<B: Core<S>>(&self, other: &B) -> Best<S, Found<S>> {
-        let (corners, edges) = (other.corners(), self.edges());
-        let corners = corners.as_ref().iter().enumerate();
-        Best::least(corners.map(|(n, &corner)| {
-            let there = other.at_corner(n);
-            let edges = edges.iter().enumerate();
-            let mut best = Best::least(edges.map(|(k, &edge)| {
-                let (near, t, free) = edge_near(edge, corner);
-                near.at(self.at_edge(k, t).on(free, 1 + k), there)
-            }));
-            for k in 0..F {
-                let (near, shares, clear) = face_near(self.face(k), corner);
-                let here = on_face(k, shares).on(clear, FACE + k);
-                best = best.less(near.at(here, there));
-            }
-            best
-        }))
+    fn faces(&self) -> [usize; F] {
+        std::array::from_fn(|k| k)
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn near(&self, corner: Vec3<S>, there: Place<S>) -> Candidate<S> {
+        let edge = |k: usize| {
+            let [from, to] = EDGES[k];
+            let (near, t, free) = edge_near(Edge::between(self.0[from], self.0[to]), corner);
+            Candidate::new(near, self.at_edge(k, t).on(free, 1 + k), there)
+        };
+        let face = |k: usize| {
+            let (near, shares, clear) = face_near(self.face(k), corner);
+            Candidate::new(near, on_face(k, shares).on(clear, FACE + k), there)
+        };
+        let best = (1..E).fold(edge(0), |best, k| best.less(edge(k)));
+        (0..F).fold(best, |best, k| best.less(face(k)))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Place<S>) {
@@ -217,14 +217,9 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
         (normal.dot(from) + height, from + arm)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn deep<B: Core<S>>(&self, other: &B) -> Option<PartingPlane<S>> {
-        let mut best = None;
-        for (k, ends) in FACES.iter().enumerate().take(F) {
-            let behind = (C == 4).then(|| self.0[ends[3]]);
-            let place = |shares: [S; 3]| on_face(k, shares);
-            let face = triangle_face(self, other, self.face(k), behind, place);
-            best = Some(best.map_or(face, |best: PartingPlane<S>| best.most(face)));
-        }
-        best
+    fn parting<B: Core<S>>(&self, face: usize, other: &B) -> PartingPlane<S> {
+        let behind = (C == 4).then(|| self.0[FACES[face][3]]);
+        let place = |shares: [S; 3]| on_face(face, shares);
+        triangle_face(self.face(face), behind, other, place)
     }
 }

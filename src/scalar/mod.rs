@@ -316,6 +316,9 @@ pub trait Scalar:
         value + (self - value) * Self::from_primal(share)
     }
     /// The same derivatives with another value, to correct rounding of the value alone.
+    ///
+    /// The literal zero as value says that products with it are zero: programs do not compute them, but their
+    /// derivatives.
     #[inline(always)]
     fn with_primal(self, value: Self::Primal) -> Self {
         (self - Self::from_primal(self.primal())) + Self::from_primal(value)
