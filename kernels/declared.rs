@@ -107,3 +107,15 @@ pub enum Extremes {
     /// Identical shapes score 1, or 0 where they count as empty.
     One,
 }
+
+/// The source of an operation's derivatives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Derivative {
+    /// [`Op::adjoint`](crate::kernels::Op::adjoint), written by hand.
+    ByHand,
+    /// The recorded function, differentiated backwards.
+    Reverse,
+    /// The recorded function, differentiated forwards, one number of the input after the other. For functions whose
+    /// derivatives lose digits backwards, because large terms meet before they cancel.
+    Forward,
+}

@@ -38,9 +38,11 @@ mod bounds;
 pub mod check;
 pub mod cpu;
 #[forbid(unsafe_code)]
+mod decision;
+#[forbid(unsafe_code)]
 mod declared;
 #[forbid(unsafe_code)]
-pub mod directions;
+mod directions;
 #[forbid(unsafe_code)]
 pub mod dynamic;
 #[forbid(unsafe_code)]
@@ -54,6 +56,8 @@ pub mod gpu;
 mod grouped;
 #[forbid(unsafe_code)]
 pub mod item;
+#[forbid(unsafe_code)]
+mod modes;
 #[forbid(unsafe_code)]
 pub mod op;
 #[forbid(unsafe_code)]
@@ -72,6 +76,9 @@ pub mod real;
 pub mod recording;
 #[forbid(unsafe_code)]
 pub mod reduce;
+#[cfg(feature = "gpu")]
+#[forbid(unsafe_code)]
+mod replayed;
 #[cfg(feature = "gpu")]
 #[doc(hidden)]
 #[forbid(unsafe_code)]

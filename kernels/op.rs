@@ -26,29 +26,19 @@
 //! # Ok::<(), geograd::Error>(())
 //! ```
 pub use crate::ad::declared::{Answer, Invariance, Jumps, Motion};
-pub use crate::ad::program::{Jacobian, OneNumber};
-use crate::ad::program::{Plain, Program};
+use crate::ad::program::recorded::Recorded;
+use crate::ad::program::{Plain, Program, Sym};
 use crate::error::Error;
 use crate::kernels::cpu::plan::Compiled;
 use crate::kernels::cpu::rings::Measure;
-pub use crate::kernels::declared::{Extremes, Finite, Limits, Range};
-use crate::kernels::directions::{Hvp, Jvp};
-use crate::kernels::item::{Item, Results, WithJacobian};
-use crate::kernels::recording::{Call, Mode, Recording, program_of};
+pub use crate::kernels::declared::{Derivative, Extremes, Finite, Limits, Range};
+use crate::kernels::item::{Item, leaves_of};
+pub use crate::kernels::modes::{Hvp, Jacobian, Jvp, OneNumber, Runs, ValueGrad, Vjp};
+use crate::kernels::recording::{Call, Line, Mode, Parts, Recording, widths};
 use crate::{Fixed, Pack, Scalar, Vec2};
+use std::any::TypeId;
 use std::fmt::Debug;
-
-/// The source of an operation's derivatives.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Derivative {
-    /// [`Op::adjoint`], written by hand.
-    ByHand,
-    /// The recorded function, differentiated backwards.
-    Reverse,
-    /// The recorded function, differentiated forwards, one number of the input after the other. For functions whose
-    /// derivatives lose digits backwards, because large terms meet before they cancel.
-    Forward,
-}
+use std::sync::Arc;
 
 /// A generic function of fixed size, its invariances, and the source of its derivatives.
 ///
@@ -191,92 +181,6 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     }
 }
 
-/// An operation with its gradient; see [`Op::value_grad`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct ValueGrad<O>(pub(crate) O);
-
-/// The adjoint of an operation; see [`Op::vjp`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Vjp<O>(pub(crate) O);
-
-impl<O> ValueGrad<O> {
-    /// The same as [`Op::value_grad`], for code that is generic over what runs.
-    #[must_use]
-    pub const fn of(function: O) -> Self {
-        ValueGrad(function)
-    }
-    /// The value, the gradient, and the Jacobian of both: the gradient again, and the Hessian.
-    ///
-    /// ```
-    /// use geograd::kernels::Cpu;
-    /// use geograd::prelude::*;
-    /// let points = [Vec2::new(3.0_f64, 4.0)];
-    /// let origin = One(Vec2::new(0.0, 0.0));
-    /// let (first, second) = Cpu::new().aligned(Distance.value_grad().jacobian(), (&points, origin))?;
-    /// let (distance, (by_point, _)) = first;
-    /// assert_eq!(distance[0], 5.0);
-    /// assert!(by_point[0].distance(Vec2::new(0.6, 0.8)) < 1e-15);
-    /// // The Hessian: in the place of every number of the gradient its own gradient.
-    /// let (_, (hessian, _)) = second[0];
-    /// assert!((hessian.x.0.x - 16.0 / 125.0).abs() < 1e-15);
-    /// # Ok::<(), geograd::Error>(())
-    /// ```
-    #[must_use]
-    pub const fn jacobian(self) -> Jacobian<Self> {
-        Jacobian(self)
-    }
-    /// The adjoint of the value with its gradient: cotangents of a value of 0 and of a gradient that is a direction give
-    /// the Hessian times that direction.
-    #[must_use]
-    pub const fn vjp(self) -> Vjp<Self> {
-        Vjp(self)
-    }
-}
-impl<O> Jacobian<O> {
-    /// The same as [`Op::jacobian`], for code that is generic over what runs.
-    #[must_use]
-    pub const fn of(function: O) -> Self {
-        Jacobian(function)
-    }
-}
-impl<O> Vjp<O> {
-    /// The same as [`Op::vjp`], for code that is generic over what runs.
-    #[must_use]
-    pub const fn of(function: O) -> Self {
-        Vjp(function)
-    }
-    /// The adjoint of the adjoint: second derivatives of functions of any result.
-    #[must_use]
-    pub const fn vjp(self) -> Vjp<Self> {
-        Vjp(self)
-    }
-    /// The cotangents of the arguments with their Jacobian by arguments and cotangents.
-    #[must_use]
-    pub const fn jacobian(self) -> Jacobian<Self> {
-        Jacobian(self)
-    }
-}
-
-/// A function that a batch runs on items: a verb, its gradient, Jacobian or adjoint, a program.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` does not run on these columns",
-    label = "does not run on items of `{R}`",
-    note = "`.value_grad()` needs one number as result; `.jacobian()` gives the gradient of each of several",
-    note = "an operation of two shapes takes two columns, `(&a, &b)`, made of its shapes and of one format",
-    note = "`search(s)` runs a search (`Search`)"
-)]
-pub trait Runs<R: Item> {
-    /// The result per item.
-    type Out: Results<Scalar = R::Scalar>;
-    /// The function without its types, and the derivative of it.
-    ///
-    /// # Errors
-    ///
-    /// Errors of recording it, as far as that happens here.
-    #[doc(hidden)]
-    fn call(&self) -> Result<Call<R::Scalar>, Error>;
-}
-
 impl<O, R: Item> Runs<R> for O
 where
     O: Op<In<<R as Pack>::Scalar> = R>,
@@ -284,51 +188,68 @@ where
 {
     type Out = O::Out<R::Scalar>;
     fn call(&self) -> Result<Call<R::Scalar>, Error> {
-        Ok(Call::of(Recording::of::<O, R>()))
+        Ok(Call::of(recording_of::<O, R>()))
     }
 }
 
-impl<F, R: Item> Runs<R> for ValueGrad<F>
-where
-    F: Runs<R>,
-    F::Out: OneNumber,
-    R::Scalar: Item<Scalar = R::Scalar>,
-{
-    type Out = (R::Scalar, R);
-    fn call(&self) -> Result<Call<R::Scalar>, Error> {
-        self.0.call()?.derived(Mode::ValueGrad)
+/// The straight line of an operation.
+const fn line_of<O: Op, T: Plain>() -> Line<T> {
+    Line {
+        id: TypeId::of::<O>,
+        derivatives: O::DERIVATIVE,
+        inputs: O::In::<Sym<T>>::LEN,
+        outputs: O::Out::<Sym<T>>::LEN,
+        codes: O::In::<Sym<T>>::CODES + O::Out::<Sym<T>>::CODES,
+        // Functions and no closures, of which each would be compiled twice for every operation.
+        eval: eval::<O, T>,
+        adjoint: match O::DERIVATIVE {
+            Derivative::ByHand => adjoint::<O, T>,
+            Derivative::Reverse | Derivative::Forward => nothing::<T>,
+        },
     }
 }
 
-impl<F, R: Item> Runs<R> for Jacobian<F>
-where
-    F: Runs<R>,
-    F::Out: Item<Scalar = R::Scalar> + Pack<With<R>: Send>,
-{
-    type Out = WithJacobian<F::Out, R>;
-    fn call(&self) -> Result<Call<R::Scalar>, Error> {
-        self.0.call()?.derived(Mode::Jacobian)
+/// The result.
+fn eval<O: Op, T: Plain>(input: &[Sym<T>]) -> Vec<Sym<T>> {
+    O::eval(O::In::<Sym<T>>::load(input)).scalars()
+}
+fn nothing<T>(_input: &[Sym<T>], _out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
+    Vec::new()
+}
+
+/// The result and the derivatives by hand. Without them they are NaN: the program fails to be finite, which nothing
+/// then hides.
+fn adjoint<O: Op, T: Plain>(input: &[Sym<T>], out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
+    let out_bar = O::Out::<Sym<T>>::load(out_bar);
+    match O::adjoint(O::In::<Sym<T>>::load(input), out_bar) {
+        Some((value, derivatives)) => [value.scalars(), derivatives.scalars()].concat(),
+        None => vec![Sym::lit(f64::NAN); O::Out::<Sym<T>>::LEN + O::In::<Sym<T>>::LEN],
     }
 }
 
-impl<F, R: Item> Runs<R> for &Jacobian<F>
+/// The recording of an operation, the same one at every call.
+pub(crate) fn recording_of<O, R: Item>() -> Arc<Recording<R::Scalar>>
 where
-    Jacobian<F>: Runs<R>,
+    O: Op<In<<R as Pack>::Scalar> = R>,
+    O::Out<R::Scalar>: Item<Scalar = R::Scalar>,
 {
-    type Out = <Jacobian<F> as Runs<R>>::Out;
-    fn call(&self) -> Result<Call<R::Scalar>, Error> {
-        (**self).call()
-    }
+    Recording::of_line(
+        TypeId::of::<O>(),
+        const {
+            &Parts {
+                compiled: O::compiled,
+                takes: leaves_of::<R>,
+                outputs: widths::<O::Out<R::Scalar>>,
+                arguments: O::ARGUMENTS,
+                line: const { &line_of::<O, R::Scalar>() },
+            }
+        },
+    )
 }
 
-impl<F, R: Item, Y: Item<Scalar = R::Scalar>> Runs<(R, Y)> for Vjp<F>
-where
-    F: Runs<R, Out = Y>,
-{
-    type Out = R;
-    fn call(&self) -> Result<Call<R::Scalar>, Error> {
-        self.0.call()?.derived(Mode::Vjp)
-    }
+/// The program of a mode of an operation.
+pub(crate) fn program_of<O: Op, T: Plain>(mode: Mode) -> Result<Arc<Recorded>, Error> {
+    const { &line_of::<O, T>() }.program(mode)
 }
 
 /// A function of a ring of run-time length, for ragged batches.

@@ -320,14 +320,14 @@ macro_rules! __derivatives {
             /// The function with its derivative along a direction: batches take the arguments and then as many directions, and
             /// return the result and its derivative.
             #[must_use]
-            pub const fn jvp(self) -> $crate::kernels::directions::Jvp<Self> {
-                $crate::kernels::directions::Jvp::of(self)
+            pub const fn jvp(self) -> $crate::kernels::op::Jvp<Self> {
+                $crate::kernels::op::Jvp::of(self)
             }
             /// The Hessian times a direction: batches take the arguments and then as many directions, and return the derivative
             /// of the gradient along them. The result is one number.
             #[must_use]
-            pub const fn hvp(self) -> $crate::kernels::directions::Hvp<Self> {
-                $crate::kernels::directions::Hvp::of(self)
+            pub const fn hvp(self) -> $crate::kernels::op::Hvp<Self> {
+                $crate::kernels::op::Hvp::of(self)
             }
             /// The function with its gradient and Hessian: [`value_grad`](Self::value_grad) with its Jacobian.
             #[must_use]

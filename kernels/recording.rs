@@ -8,11 +8,10 @@ use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
 use crate::error::Error;
 use crate::kernels::cpu::plan::{Compiled, Face};
-use crate::kernels::directions::Order;
+use crate::kernels::declared::Derivative;
 use crate::kernels::item::{Item, Leaf, leaves_of};
-use crate::kernels::op::{Derivative, Op};
 use crate::kernels::real::Real;
-use crate::{Fixed, Pack, Scalar, Unrecordable};
+use crate::{Scalar, Unrecordable};
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::fmt;
@@ -55,56 +54,29 @@ impl Mode {
     }
 }
 
+/// The order of a derivative along a direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Order {
+    /// The result, and its derivative.
+    First,
+    /// The derivative of the gradient.
+    Second,
+}
+
 /// A straight line as functions of lists of symbols: all that is made of one is compiled once.
 pub(crate) struct Line<T: 'static> {
     /// The type of its operation.
-    id: fn() -> TypeId,
+    pub(crate) id: fn() -> TypeId,
     /// The source of its derivatives.
     pub(crate) derivatives: Derivative,
     /// Numbers of its input and of its result, and codes of both.
-    inputs: usize,
-    outputs: usize,
-    codes: usize,
+    pub(crate) inputs: usize,
+    pub(crate) outputs: usize,
+    pub(crate) codes: usize,
     /// The function.
-    eval: fn(&[Sym<T>]) -> Vec<Sym<T>>,
+    pub(crate) eval: fn(&[Sym<T>]) -> Vec<Sym<T>>,
     /// The result and then the derivatives, by hand, from the input and the cotangent.
-    adjoint: fn(&[Sym<T>], &[Sym<T>]) -> Vec<Sym<T>>,
-}
-
-impl<T: Plain> Line<T> {
-    const fn of<O: Op>() -> Self {
-        Line {
-            id: TypeId::of::<O>,
-            derivatives: O::DERIVATIVE,
-            inputs: O::In::<Sym<T>>::LEN,
-            outputs: O::Out::<Sym<T>>::LEN,
-            codes: O::In::<Sym<T>>::CODES + O::Out::<Sym<T>>::CODES,
-            // Functions and no closures, of which each would be compiled twice for every operation.
-            eval: eval::<O, T>,
-            adjoint: match O::DERIVATIVE {
-                Derivative::ByHand => adjoint::<O, T>,
-                Derivative::Reverse | Derivative::Forward => nothing::<T>,
-            },
-        }
-    }
-}
-
-/// The result.
-fn eval<O: Op, T: Plain>(input: &[Sym<T>]) -> Vec<Sym<T>> {
-    O::eval(O::In::<Sym<T>>::load(input)).scalars()
-}
-fn nothing<T>(_input: &[Sym<T>], _out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
-    Vec::new()
-}
-
-/// The result and the derivatives by hand. Without them they are NaN: the program fails to be finite, which nothing
-/// then hides.
-fn adjoint<O: Op, T: Plain>(input: &[Sym<T>], out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
-    let out_bar = O::Out::<Sym<T>>::load(out_bar);
-    match O::adjoint(O::In::<Sym<T>>::load(input), out_bar) {
-        Some((value, derivatives)) => [value.scalars(), derivatives.scalars()].concat(),
-        None => vec![Sym::lit(f64::NAN); O::Out::<Sym<T>>::LEN + O::In::<Sym<T>>::LEN],
-    }
+    pub(crate) adjoint: fn(&[Sym<T>], &[Sym<T>]) -> Vec<Sym<T>>,
 }
 
 /// A search, by what machines need of it.
@@ -190,12 +162,12 @@ pub struct Recording<T: Real> {
 type Made = Arc<dyn Any + Send + Sync>;
 
 /// The parts of a recording of a straight line.
-struct Parts<T: Real> {
-    compiled: fn() -> Option<Compiled>,
-    takes: fn() -> Vec<Leaf<T>>,
-    outputs: fn() -> Vec<usize>,
-    arguments: &'static [&'static str],
-    line: &'static Line<T>,
+pub(crate) struct Parts<T: Real> {
+    pub(crate) compiled: fn() -> Option<Compiled>,
+    pub(crate) takes: fn() -> Vec<Leaf<T>>,
+    pub(crate) outputs: fn() -> Vec<usize>,
+    pub(crate) arguments: &'static [&'static str],
+    pub(crate) line: &'static Line<T>,
 }
 
 impl<T: Real> fmt::Debug for Recording<T> {
@@ -261,26 +233,7 @@ impl<T: Real> Recording<T> {
     }
 
     /// The recording of an operation, the same one at every call.
-    pub(crate) fn of<O, R: Item<Scalar = T>>() -> Arc<Self>
-    where
-        O: Op<In<T> = R>,
-        O::Out<T>: Item<Scalar = T>,
-    {
-        Self::of_line(
-            TypeId::of::<O>(),
-            const {
-                &Parts {
-                    compiled: O::compiled,
-                    takes: leaves_of::<R>,
-                    outputs: widths::<O::Out<T>>,
-                    arguments: O::ARGUMENTS,
-                    line: const { &Line::of::<O>() },
-                }
-            },
-        )
-    }
-    /// The same without the types of the operation.
-    fn of_line(operation: TypeId, parts: &Parts<T>) -> Arc<Self> {
+    pub(crate) fn of_line(operation: TypeId, parts: &Parts<T>) -> Arc<Self> {
         let made = known_by(operation, &|| {
             Ok(Recording {
                 compiled: (parts.compiled)(),
@@ -365,14 +318,9 @@ pub(crate) fn derived(value: &Recorded, mode: Mode) -> Recorded {
 /// The programs of a straight line in a format.
 struct Programs<T>(Kept, PhantomData<fn() -> T>);
 
-/// The program of a mode of an operation.
-pub(crate) fn program_of<O: Op, T: Plain>(mode: Mode) -> Result<Arc<Recorded>, Error> {
-    const { &Line::<T>::of::<O>() }.program(mode)
-}
-
 impl<T: Plain> Line<T> {
     /// The program of a mode, by the source that the row says.
-    fn program(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
+    pub(crate) fn program(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
         if self.codes > 0 {
             return Err(Error::Program(Unrecordable::Codes));
         }

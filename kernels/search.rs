@@ -5,48 +5,12 @@
 //! the result is smooth; where a decision changes, its derivatives are those of the one that was taken.
 use crate::error::Error;
 use crate::kernels::cpu::plan::{Face, of_items};
+pub use crate::kernels::decision::Search;
 use crate::kernels::item::{Item, by_kind, by_shape, get, leaves_of, width};
-use crate::kernels::op::{
-    Extremes, Finite, Invariance, Jacobian, Jumps, Limits, Range, Runs, ValueGrad, Vjp,
-};
-use crate::kernels::recording::{Body, Call, Mode, Recording, known, widths};
+use crate::kernels::op::{Jacobian, Runs, ValueGrad, Vjp};
+use crate::kernels::recording::{self, Body, Call, Mode, Recording, known, widths};
 use crate::{Fixed, Jet, Pack, Scalar};
-use std::fmt::Debug;
-use std::hash::Hash;
 use std::sync::Arc;
-
-/// An operation with a search.
-///
-/// [`search`] makes it a function of batches; [`check_search_with`](crate::kernels::check::check_search_with) checks its
-/// derivatives.
-pub trait Search: Copy + Debug + Default + Send + Sync + 'static {
-    /// The name of the function, letter for letter.
-    const NAME: &'static str;
-    /// The arguments, made of any scalar.
-    type In<S: Scalar>: Fixed<Scalar = S>;
-    /// The result, made of the same scalar.
-    type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// The decisions. Items of the same record are replayed alike: a GPU gets every replay once.
-    type Record: Copy + Eq + Hash + Send + Sync + 'static;
-    /// Its invariances under motions; `&[]` declares none.
-    const INVARIANCES: &'static [Invariance];
-    /// Places at which its value may jump.
-    const JUMPS: Jumps;
-    /// Inputs whose values and derivatives are finite.
-    const FINITE: Finite = Finite::Within(Limits::ORDINARY);
-    /// The range of every number of its result.
-    const RANGE: Range = Range::ANY;
-    /// The scores of identical shapes and of shapes apart.
-    const EXTREMES: Extremes = Extremes::Undeclared;
-    /// The names of its arguments, one for each; empty without names of their own.
-    const ARGUMENTS: &'static [&'static str] = &[];
-    /// Documentation in Markdown: the doc comment of its row, empty without one.
-    const DOC: &'static str = "";
-    /// The search.
-    fn decide<S: Scalar<Mask = bool>>(input: Self::In<S>) -> Self::Record;
-    /// The result, given the decisions.
-    fn replay<S: Scalar>(input: Self::In<S>, record: Self::Record) -> Self::Out<S>;
-}
 
 /// Numbers of the input whose derivatives are taken at a time.
 const AT_A_TIME: usize = 4;
@@ -151,10 +115,10 @@ where
     D::Out<R::Scalar>: Item,
 {
     let made = known::<Searched<D>, _>(|| {
-        let body = Body::Search(crate::kernels::recording::Searched {
+        let body = Body::Search(recording::Searched {
             plan: plan::<D, R>,
             #[cfg(feature = "gpu")]
-            replays: crate::kernels::replays::of::<D, R>,
+            replays: crate::kernels::replayed::of::<D, R>,
         });
         let (takes, outputs) = (leaves_of::<R>(), widths::<D::Out<R::Scalar>>());
         Ok(Recording::new(takes, outputs, D::ARGUMENTS, body))

@@ -1,24 +1,12 @@
 //! A check of closures as a subject, near one of its points.
 use crate::Pack;
+use crate::ad::check::near::Near;
 use crate::ad::check::second_order::{Wide, bends, transposed};
 use crate::ad::check::subject::{Conventions, Subject, default_scales};
 use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::{Number, Trace};
 use crate::ad::check::witness::{Precision, axis};
-use crate::ad::check::{Check, narrow};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-
-/// A check near one of its points.
-pub(crate) struct Near<'c, 'a, X: Pack> {
-    pub(crate) check: &'c Check<'a, X>,
-    pub(crate) near: &'c X,
-}
-
-impl<S: Number, X: Pack<Scalar = S>> Near<'_, '_, X> {
-    fn made(&self, x: &[f64]) -> X {
-        self.near.refill(&narrow::<S>(x))
-    }
-}
 
 impl<S: Number, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
     fn precision(&self) -> Precision {

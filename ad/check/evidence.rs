@@ -6,7 +6,7 @@ use crate::ad::check::tolerances::{
     COMBINATIONS, FEW_INPUTS, FEW_OUTPUTS, NOISE_ROUNDS, ROUNDINGS, ROUNDS,
 };
 use crate::ad::check::trace::Trace;
-use crate::ad::check::verdict::{Reason, Witness};
+use crate::ad::check::verdict::{Nearest, Numbers, Reason, Witness};
 use crate::ad::check::witness::{Precision, beside, combined, dot};
 use crate::ad::sample::Draw;
 use std::cell::{Cell, RefCell};
@@ -339,5 +339,17 @@ impl Evidence<'_> {
         self.subject.precision() == Precision::F32
             && most >= LARGEST
             && (one > 0.0) == (other > 0.0)
+    }
+}
+
+/// A comparison at an output and an input, before it is known how near to refusal it is.
+pub(crate) fn comparison(row: &Item, input: usize, numbers: Numbers, tolerance: f64) -> Nearest {
+    Nearest {
+        output: row.output,
+        input,
+        numbers,
+        tolerance,
+        provoked: row.provoked.get(),
+        ..Nearest::default()
     }
 }

@@ -220,6 +220,7 @@ pub(crate) mod examine;
 mod json;
 pub mod judge;
 mod macros;
+mod near;
 pub mod noise;
 mod notes;
 pub mod picture;

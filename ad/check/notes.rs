@@ -1,5 +1,4 @@
 //! The notes of a comparison of witnesses at one input. Only [`judge`](crate::ad::check::judge) refuses.
-use crate::ad::check::evidence::Item;
 use crate::ad::check::verdict::{Fault, Nearest, Numbers, PAIRS, Place, Reason, Witness, Worst};
 
 /// The findings of one comparison, or of several.
@@ -104,17 +103,5 @@ impl Notes {
         self.switched += other.switched;
         self.told.extend(other.told);
         self.plain |= other.plain;
-    }
-}
-
-/// A comparison at an output and an input, before it is known how near to refusal it is.
-pub(crate) fn comparison(row: &Item, input: usize, numbers: Numbers, tolerance: f64) -> Nearest {
-    Nearest {
-        output: row.output,
-        input,
-        numbers,
-        tolerance,
-        provoked: row.provoked.get(),
-        ..Nearest::default()
     }
 }

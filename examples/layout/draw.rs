@@ -1,5 +1,6 @@
 //! The picture: the container before and after.
-use crate::pack::{CONTAINER, Layout, Place, Placed};
+use crate::forms::{CONTAINER, Place, Placed};
+use crate::pack::Layout;
 use geograd::Vec2;
 use std::fmt::Write as _;
 

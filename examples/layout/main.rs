@@ -3,10 +3,12 @@
 //!
 //! | file | what it holds |
 //! | --- | --- |
-//! | `pack.rs` | the shapes, how far they are apart, the steps |
+//! | `forms.rs` | the shapes, and how far they are apart |
+//! | `pack.rs` | the steps |
 //! | `judge.rs` | the loss with its derivatives by every pose: recorded functions in batches, on the CPU or a GPU |
 //! | `draw.rs` | the picture |
 mod draw;
+mod forms;
 mod judge;
 mod pack;
 

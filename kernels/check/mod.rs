@@ -42,7 +42,7 @@ use crate::kernels::fold::Fold;
 use crate::kernels::fuzz::{self, Fuzzed, Job};
 use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::{Item, Single};
-use crate::kernels::op::{Derivative, Invariance, Jumps, Op, RingOp, inside_of};
+use crate::kernels::op::{Derivative, Invariance, Jumps, Op, RingOp, inside_of, recording_of};
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Mode, Recording};
 use crate::kernels::search::Search;
@@ -129,7 +129,7 @@ impl<S: Judged> Examined<S> {
         O::Out<S>: Item<Scalar = S>,
     {
         Examined {
-            recording: Recording::of::<O, O::In<S>>(),
+            recording: recording_of::<O, O::In<S>>(),
             code: const { ScalarCode::of::<O>() },
         }
     }

@@ -14,7 +14,9 @@ use crate::kernels::bounds::{Bound, bounds};
 use crate::kernels::fold::Fold;
 use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::{Item, Leaf, leaves_of};
-use crate::kernels::op::{Derivative, Extremes, Finite, Invariance, Jumps, Op, Range, inside_of};
+use crate::kernels::op::{
+    Derivative, Extremes, Finite, Invariance, Jumps, Op, Range, inside_of, recording_of,
+};
 use crate::kernels::ops;
 use crate::kernels::ops::list::{Walk, Written};
 use crate::kernels::real::Real;
@@ -430,7 +432,7 @@ where
         Of {
             takes: leaves_of::<O::In<T>>,
             gives: leaves_of::<O::Out<T>>,
-            body: Body::Fixed(Recording::of::<O, O::In<T>>),
+            body: Body::Fixed(recording_of::<O, O::In<T>>),
         }
     }
     said!(

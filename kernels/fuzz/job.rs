@@ -1,5 +1,5 @@
 //! An operation of any sort on plain numbers, so that what fuzzes it is compiled once.
-use super::inputs::Inputs;
+use super::columns::Inputs;
 use super::rules::Rules;
 use crate::ad::declared::{Answer, Invariance, Kind, Motion};
 use crate::ad::program::recorded::Recorded;
@@ -13,7 +13,7 @@ use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{Compiled, Face};
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Column, Item, Leaf, Target, by_kind, by_shape, get, leaves_of};
-use crate::kernels::op::{Extremes, Finite, Jumps, Op, Range, RingOp, inside_of};
+use crate::kernels::op::{Extremes, Finite, Jumps, Op, Range, RingOp, inside_of, recording_of};
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Call, Mode, Recording};
 use crate::kernels::search::{self, Search};
@@ -238,7 +238,7 @@ impl<T: Real> Job<T> {
             range: O::RANGE,
             extremes: O::EXTREMES,
             domain: inside_of::<O>(),
-            recording: Recording::of::<O, O::In<T>>(),
+            recording: recording_of::<O, O::In<T>>(),
             alone: |x| O::eval(O::In::<T>::load(x)).scalars(),
             by_hand: |x, out_bar| {
                 let (value, bars) = O::adjoint(O::In::<T>::load(x), O::Out::<T>::load(out_bar))?;

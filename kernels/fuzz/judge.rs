@@ -1,5 +1,5 @@
 //! Tests of many inputs of an operation at a time.
-use super::inputs::Inputs;
+use super::columns::Inputs;
 use super::job::{Job, Lists};
 use super::numbers::{Family, limits_of, power};
 use super::{Finding, Property};

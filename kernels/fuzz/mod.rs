@@ -20,6 +20,7 @@
 //! ```
 //!
 //! An operation of any kind becomes a job on plain numbers, so that drawing, judging and shrinking are compiled once.
+mod columns;
 mod inputs;
 mod job;
 mod judge;
@@ -39,7 +40,7 @@ use crate::kernels::item::Item;
 use crate::kernels::op::{Op, RingOp};
 use crate::kernels::real::Real;
 use crate::kernels::search::Search;
-use inputs::Inputs;
+use columns::Inputs;
 use judge::Thorough;
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -1,5 +1,6 @@
 //! Properties of pairs of shapes: apart, identical, exchanged.
-use super::inputs::{Inputs, is_inside};
+use super::columns::Inputs;
+use super::inputs::is_inside;
 use super::job::Job;
 use super::judge::{Found, Outcome, first_where, unless};
 use super::{Finding, Property};

@@ -1,5 +1,6 @@
 //! A simpler input that breaks the same property.
-use super::inputs::{Inputs, is_valid};
+use super::columns::Inputs;
+use super::inputs::is_valid;
 use super::job::{Job, Lists};
 use super::judge::Thorough;
 use super::numbers::limits_of;

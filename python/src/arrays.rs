@@ -1,11 +1,12 @@
 //! Arrays as rows of numbers, and arrays for results.
-use crate::call::Number;
+use crate::column::{Column, NUMBERS};
+use crate::number::Number;
 use crate::shapes::{Content, Shape, array};
-use crate::table::{Column, NUMBERS, table};
+use crate::table::table;
 use geograd::kernels::dynamic::Rows;
 use numpy::{
-    PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn,
-    PyUntypedArray, PyUntypedArrayMethods,
+    PyArray1, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn,
+    PyReadwriteArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
 };
 use pyo3::exceptions::{PyMemoryError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -342,4 +343,26 @@ pub fn written<'a, T: Number>(guard: &'a mut PyReadwriteArrayDyn<'_, T>) -> PyRe
     guard
         .as_slice_mut()
         .map_err(|error| PyValueError::new_err(error.to_string()))
+}
+
+/// Offsets of groups or of paths: whole numbers, none of them negative.
+pub fn offsets(py: Python<'_>, x: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<usize>> {
+    let array = py.import("numpy")?.call_method1("asarray", (x,))?;
+    let dtype = array.getattr("dtype")?;
+    let kind: String = dtype.getattr("kind")?.extract()?;
+    let axes: usize = array.getattr("ndim")?.extract()?;
+    let size: usize = array.getattr("size")?.extract()?;
+    if axes != 1 || !(kind == "i" || kind == "u" || size == 0) {
+        return Err(PyTypeError::new_err(format!(
+            "{name}: a list of whole numbers is needed, not an array of {dtype} with {axes} axes"
+        )));
+    }
+    let whole = array.call_method1("astype", (numpy::dtype::<i64>(py),))?;
+    let whole = whole.cast_into::<PyArray1<i64>>()?;
+    let whole = whole.readonly();
+    let offset = |(item, &x): (usize, &i64)| {
+        usize::try_from(x)
+            .map_err(|_| PyValueError::new_err(format!("{name}: offset {item} is negative")))
+    };
+    whole.as_array().iter().enumerate().map(offset).collect()
 }

@@ -1,114 +1,17 @@
 //! Callables: a row of the table, or a traced function, with everything that is derived of it.
-use crate::machine::OnMachine;
+use crate::column::{Column, Kind, NUMBERS};
+use crate::number::{Form, Made, Number};
 use crate::raised;
-use crate::symbol::{Any, mixed};
-use crate::table::{Column, Kind, NUMBERS};
-use crate::traced::Traced;
-use geograd::kernels::dynamic::{
-    Format, Function, Mode, OnPaths, Operation, Program, Sort, Symbol,
-};
-use numpy::Element;
+use crate::tracing::Traced;
+use geograd::kernels::dynamic::{Function, Mode, OnPaths, Operation, Program, Sort};
 use pyo3::PyResult;
 use pyo3::exceptions::PyTypeError;
 use std::sync::OnceLock;
 
-/// The functions of a callable that run item by item.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    Value,
-    ValueGrad,
-    Vjp,
-    Jacobian,
-    Jvp,
-    Hvp,
-    Hessian,
-}
-
-impl Form {
-    pub const ALL: [(&'static str, Form); 7] = [
-        ("value", Form::Value),
-        ("value_grad", Form::ValueGrad),
-        ("vjp", Form::Vjp),
-        ("jacobian", Form::Jacobian),
-        ("jvp", Form::Jvp),
-        ("hvp", Form::Hvp),
-        ("hessian", Form::Hessian),
-    ];
-    pub fn named(name: &str) -> Option<Form> {
-        Form::ALL
-            .iter()
-            .find(|form| form.0 == name)
-            .map(|form| form.1)
-    }
-}
-
-/// The two formats of arrays.
-pub trait Number: Format + Element + OnMachine {
-    const IS_DOUBLE: bool;
-    fn cache(cache: &Cache) -> &InFormat<Self>;
-    fn narrowed(x: f64) -> Self;
-    fn any(symbol: Symbol<Self>) -> Any;
-    fn symbol(any: Any) -> PyResult<Symbol<Self>>;
-}
-impl Number for f32 {
-    const IS_DOUBLE: bool = false;
-    fn cache(cache: &Cache) -> &InFormat<f32> {
-        &cache.single
-    }
-    fn narrowed(x: f64) -> f32 {
-        x as f32
-    }
-    fn any(symbol: Symbol<f32>) -> Any {
-        Any::Single(symbol)
-    }
-    fn symbol(any: Any) -> PyResult<Symbol<f32>> {
-        match any {
-            Any::Single(symbol) => Ok(symbol),
-            Any::Double(_) => Err(mixed()),
-        }
-    }
-}
-impl Number for f64 {
-    const IS_DOUBLE: bool = true;
-    fn cache(cache: &Cache) -> &InFormat<f64> {
-        &cache.double
-    }
-    fn narrowed(x: f64) -> f64 {
-        x
-    }
-    fn any(symbol: Symbol<f64>) -> Any {
-        Any::Double(symbol)
-    }
-    fn symbol(any: Any) -> PyResult<Symbol<f64>> {
-        match any {
-            Any::Double(symbol) => Ok(symbol),
-            Any::Single(_) => Err(mixed()),
-        }
-    }
-}
-
-/// The functions and programs made in one format. Reading takes no lock, which a forked child might find held.
-pub struct InFormat<T: Number> {
-    functions: [OnceLock<Function<T>>; 7],
-    programs: [OnceLock<Program<T>>; 7],
-    on_paths: OnceLock<Option<OnPaths<T>>>,
-}
-
-impl<T: Number> Default for InFormat<T> {
-    fn default() -> Self {
-        InFormat {
-            functions: [const { OnceLock::new() }; 7],
-            programs: [const { OnceLock::new() }; 7],
-            on_paths: OnceLock::new(),
-        }
-    }
-}
-
 #[derive(Default)]
-pub struct Cache {
+struct Cache {
     signatures: [OnceLock<Signature>; 7],
-    single: InFormat<f32>,
-    double: InFormat<f64>,
+    made: Made,
 }
 
 enum Body {
@@ -252,7 +155,7 @@ impl Callable {
 
     /// The program of a form.
     pub fn program<T: Number>(&self, form: Form) -> PyResult<&Program<T>> {
-        let kept = &T::cache(&self.cache).programs[form as usize];
+        let kept = &T::made(&self.cache.made).programs[form as usize];
         if let Some(program) = kept.get() {
             return Ok(program);
         }
@@ -288,7 +191,7 @@ impl Callable {
 
     /// The function of a form.
     pub fn function<T: Number>(&self, form: Form) -> PyResult<&Function<T>> {
-        let kept = &T::cache(&self.cache).functions[form as usize];
+        let kept = &T::made(&self.cache.made).functions[form as usize];
         if let Some(function) = kept.get() {
             return Ok(function);
         }
@@ -313,7 +216,7 @@ impl Callable {
 
     /// The function of paths.
     pub fn on_paths<T: Number>(&self) -> PyResult<&OnPaths<T>> {
-        let kept = T::cache(&self.cache)
+        let kept = T::made(&self.cache.made)
             .on_paths
             .get_or_init(|| self.operation()?.on_paths::<T>());
         kept.as_ref()

@@ -1,7 +1,8 @@
 //! Checks of gradients by the harness.
-use crate::call::Number;
+use crate::column::Column;
+use crate::number::Number;
 use crate::raised;
-use crate::table::{Column, table};
+use crate::table::table;
 use crate::traced::Recorded;
 use geograd::ad::check::trace::Number as Judged;
 use geograd::check::{Conventions, Jumps, Report as Found, Sampling};
@@ -209,7 +210,7 @@ pub fn check_recorded<'py>(
     of: &Recorded,
     asked: Asked<'py>,
 ) -> PyResult<Vec<Report>> {
-    use crate::call::Form;
+    use crate::number::Form;
     let double = of.call.program::<f64>(Form::Value)?.clone();
     let single = of.call.program::<f32>(Form::Value)?.clone();
     let (inputs, jumps) = (inputs(&of.call.takes), asked.jumps()?);

@@ -1,11 +1,13 @@
 //! The forms of a call, for rows of the table and traced functions alike.
-use crate::arrays::{Given, Lent, Target, aligned, broadcast, is_double, with_fields, written};
-use crate::call::{Callable, Form, Number};
-use crate::grouped::offsets;
+use crate::arrays::{
+    Given, Lent, Target, aligned, broadcast, is_double, offsets, with_fields, written,
+};
+use crate::call::Callable;
+use crate::column::{Column, NUMBERS};
 use crate::machine::Machine;
+use crate::number::{Form, Number};
 use crate::raised;
 use crate::shapes::{Paths, dressed};
-use crate::table::{Column, NUMBERS};
 use crate::threads::on_threads;
 use geograd::kernels::dynamic::Rows;
 use geograd::kernels::reduce::{Best, Found};

@@ -1,37 +1,15 @@
 //! Pairs within groups, and suppression.
-use crate::arrays::{Given, Lent, is_double};
-use crate::call::{Form, Number};
+use crate::arrays::{Given, Lent, is_double, offsets};
+use crate::column::{Column, NUMBERS};
 use crate::forms::{Call, Object};
-use crate::table::{Column, NUMBERS};
+use crate::number::{Form, Number};
 use geograd::kernels::Groups;
 use geograd::kernels::dynamic::Rows;
 use geograd::kernels::reduce::{Best, Found};
 use geograd::suppression::Rules;
-use numpy::{PyArray1, PyArrayMethods};
+use numpy::PyArray1;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-
-/// Offsets of groups or of paths: whole numbers, none of them negative.
-pub fn offsets(py: Python<'_>, x: &Object<'_>, name: &str) -> PyResult<Vec<usize>> {
-    let array = py.import("numpy")?.call_method1("asarray", (x,))?;
-    let dtype = array.getattr("dtype")?;
-    let kind: String = dtype.getattr("kind")?.extract()?;
-    let axes: usize = array.getattr("ndim")?.extract()?;
-    let size: usize = array.getattr("size")?.extract()?;
-    if axes != 1 || !(kind == "i" || kind == "u" || size == 0) {
-        return Err(PyTypeError::new_err(format!(
-            "{name}: a list of whole numbers is needed, not an array of {dtype} with {axes} axes"
-        )));
-    }
-    let whole = array.call_method1("astype", (numpy::dtype::<i64>(py),))?;
-    let whole = whole.cast_into::<PyArray1<i64>>()?;
-    let whole = whole.readonly();
-    let offset = |(item, &x): (usize, &i64)| {
-        usize::try_from(x)
-            .map_err(|_| PyValueError::new_err(format!("{name}: offset {item} is negative")))
-    };
-    whole.as_array().iter().enumerate().map(offset).collect()
-}
 
 /// The offsets of both lists.
 pub fn both(py: Python<'_>, groups: &Object<'_>) -> PyResult<[Vec<usize>; 2]> {

@@ -2,17 +2,21 @@
 #![forbid(unsafe_code)]
 mod arrays;
 mod call;
+mod catalogue;
 mod check;
+mod column;
 mod forms;
 mod grouped;
 mod machine;
 mod metric;
+mod number;
 mod samples;
 mod shapes;
 mod symbol;
 mod table;
 mod threads;
 mod traced;
+mod tracing;
 mod verb;
 
 use geograd::Error;

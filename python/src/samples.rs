@@ -1,12 +1,12 @@
 //! Inputs of rows, as the harness draws them: for tests.
-use crate::table::table;
+use crate::catalogue::verbs;
 use geograd::check::Sampling;
 use geograd::kernels::dynamic::{Inputs, Operation};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 
 fn row(verb: &str, place: usize) -> PyResult<&'static Operation> {
-    let verb = table().verbs.iter().find(|one| one.name == verb);
+    let verb = verbs().iter().find(|one| one.name == verb);
     let row = verb
         .and_then(|verb| verb.rows.get(place))
         .and_then(|row| row.call.operation());

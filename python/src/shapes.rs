@@ -1,6 +1,7 @@
 //! Shapes over arrays or symbols, and paths.
+use crate::column::{CLOUD3, Kind, NUMBERS, POLYLINE, POLYLINE3, RING};
 use crate::symbol::Symbol;
-use crate::table::{CLOUD3, Kind, NUMBERS, POLYLINE, POLYLINE3, RING, table};
+use crate::table::table;
 use numpy::{PyArrayDescrMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;

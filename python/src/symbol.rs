@@ -1,5 +1,5 @@
 //! Symbols with Python's operators and NumPy's functions.
-use crate::call::Number;
+use crate::number::{Any, Number, mixed};
 use crate::raised;
 use geograd::kernels::dynamic::symbol::{self as f, Made};
 use geograd::kernels::dynamic::{Symbol as Of, Truth as TruthOf};
@@ -8,27 +8,12 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-/// A symbol of either format.
-#[derive(Clone, Copy)]
-pub enum Any {
-    Single(Of<f32>),
-    Double(Of<f64>),
-}
-
 /// A truth of either format.
 #[derive(Clone, Copy)]
 enum AnyTruth {
     Single(TruthOf<f32>),
     Double(TruthOf<f64>),
 }
-
-pub fn mixed() -> PyErr {
-    PyTypeError::new_err(FOREIGN)
-}
-
-/// Why a symbol is refused where it means nothing.
-const FOREIGN: &str = "this symbol belongs to a recording that is over, or to another one: a traced function may use its own \
-                       arguments and numbers only, and must not keep symbols";
 
 /// An error of the library about symbols.
 fn refused(error: geograd::Error) -> PyErr {

@@ -1,24 +1,12 @@
-//! The table of rows: shapes by number, verbs with their rows, and what every call takes and gives.
-use crate::call::Callable;
+//! The table of rows: shapes by number, and what every row takes and gives.
+use crate::column::{Column, Kind, NUMBER, NUMBERS, RING};
 use geograd::kernels::dynamic::{Bound, Layout, Operation, Sampler, Sort, names};
 use geograd_rows::operations;
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
-/// The place of a shape in the table.
-pub type Kind = u16;
-/// A lone number, which has no axis of its own.
-pub const NUMBER: Kind = 0;
-/// Paths, which have vertices and offsets: in the plane, and in space.
-pub const RING: Kind = 1;
-pub const POLYLINE: Kind = 2;
-pub const POLYLINE3: Kind = 3;
-pub const CLOUD3: Kind = 4;
 /// The names of numbers and paths, in the order of their kinds.
 const FIRST: [&str; 5] = ["number", "ring", "polyline", "polyline3", "cloud3"];
-/// Numbers without a shape.
-pub const NUMBERS: Kind = Kind::MAX;
-
 /// A shape of the table.
 pub struct Shape {
     pub name: String,
@@ -32,38 +20,20 @@ pub struct Shape {
     layout: Option<(usize, usize)>,
 }
 
-/// An argument or a result.
-#[derive(Clone, Debug)]
-pub struct Column {
-    pub name: String,
-    pub kind: Kind,
-    /// Axes of the numbers of a row: none of a lone number, two of a matrix.
-    pub axes: Vec<usize>,
-}
-
-impl Column {
-    /// Numbers of a row.
-    pub fn fields(&self) -> usize {
-        self.axes.iter().product()
-    }
-}
-
 /// A row: a verb of certain shapes.
-pub struct Row {
-    pub takes: Vec<Kind>,
-    pub call: Callable,
+pub struct Listed {
+    pub verb: String,
+    pub kinds: Vec<Kind>,
+    pub operation: &'static Operation,
+    /// The arguments, but for paths.
+    pub takes: Vec<Column>,
+    pub gives: Vec<Column>,
 }
 
-/// A verb with all its rows.
-pub struct Verb {
-    pub name: String,
-    pub rows: Vec<Row>,
-}
-
-/// All shapes and verbs.
+/// All shapes and rows.
 pub struct Table {
     pub shapes: Vec<Shape>,
-    pub verbs: Vec<Verb>,
+    pub rows: Vec<Listed>,
     by_name: HashMap<String, Kind>,
 }
 
@@ -103,7 +73,7 @@ impl Table {
     fn new() -> Self {
         let mut table = Table {
             shapes: Vec::new(),
-            verbs: Vec::new(),
+            rows: Vec::new(),
             by_name: HashMap::new(),
         };
         for name in FIRST {
@@ -115,7 +85,6 @@ impl Table {
                 layout: None,
             });
         }
-        let mut places: HashMap<String, usize> = HashMap::new();
         for (place, (operation, name)) in operations().iter().zip(names_in_order()).enumerate() {
             let mut takes: Vec<Column> = Vec::new();
             let mut gives: Vec<Column> = Vec::new();
@@ -136,18 +105,13 @@ impl Table {
                 let path = FIRST.iter().position(|&path| name.shapes == [path]);
                 kinds.push(path.map_or(RING, |path| path as Kind));
             }
-            let row = Row {
-                takes: kinds,
-                call: Callable::of_row(operation, takes, gives),
-            };
-            let verb = *places.entry(name.verb.clone()).or_insert_with(|| {
-                table.verbs.push(Verb {
-                    name: name.verb.clone(),
-                    rows: Vec::new(),
-                });
-                table.verbs.len() - 1
+            table.rows.push(Listed {
+                verb: name.verb,
+                kinds,
+                operation,
+                takes,
+                gives,
             });
-            table.verbs[verb].rows.push(row);
         }
         table
     }

@@ -1,13 +1,15 @@
 //! Verbs: a row for every choice of shapes.
-use crate::arrays::symbolic;
-use crate::call::{Form, Number};
+use crate::arrays::{offsets, symbolic};
+use crate::catalogue::{self, Row};
+use crate::column::{CLOUD3, Column, Kind, NUMBER, NUMBERS, POLYLINE, POLYLINE3, RING};
 use crate::forms::Call;
-use crate::grouped::{Asked, offsets};
+use crate::grouped::Asked;
 use crate::machine::Machine;
+use crate::number::{Any, Form, Number};
 use crate::raised;
 use crate::shapes::{Content, Paths, Shape, dressed_items};
-use crate::symbol::{Any, Symbol, number};
-use crate::table::{CLOUD3, Column, Kind, NUMBER, NUMBERS, POLYLINE, POLYLINE3, RING, Row, table};
+use crate::symbol::{Symbol, number};
+use crate::table::table;
 use crate::traced::{Program, listed};
 use geograd::kernels::dynamic::Sort;
 use numpy::{PyArray2, PyUntypedArray, PyUntypedArrayMethods};
@@ -127,8 +129,8 @@ fn further(row: &Row, form: &str) -> usize {
 }
 
 impl Verb {
-    fn of(&self) -> &'static crate::table::Verb {
-        &table().verbs[self.place]
+    fn of(&self) -> &'static catalogue::Verb {
+        &catalogue::verbs()[self.place]
     }
     /// The row for the arguments of a form.
     fn row(
@@ -419,7 +421,7 @@ macro_rules! of_pairs {
 impl Verb {
     #[new]
     fn new(name: &str) -> PyResult<Self> {
-        let place = table().verbs.iter().position(|verb| verb.name == name);
+        let place = catalogue::verbs().iter().position(|verb| verb.name == name);
         place
             .map(|place| Verb { place })
             .ok_or_else(|| PyKeyError::new_err(name.to_owned()))
@@ -875,8 +877,7 @@ pub fn valid_samples<'py>(
 /// The names of all verbs.
 #[pyfunction]
 pub fn verbs() -> Vec<&'static str> {
-    table()
-        .verbs
+    catalogue::verbs()
         .iter()
         .map(|verb| verb.name.as_str())
         .collect()
@@ -885,8 +886,7 @@ pub fn verbs() -> Vec<&'static str> {
 /// The entries of the table for the rows of a verb.
 #[pyfunction]
 pub fn rows<'py>(py: Python<'py>, verb: &str) -> PyResult<Vec<Bound<'py, PyDict>>> {
-    let verb = table()
-        .verbs
+    let verb = catalogue::verbs()
         .iter()
         .find(|one| one.name == verb)
         .ok_or_else(|| PyKeyError::new_err(verb.to_owned()))?;

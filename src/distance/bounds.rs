@@ -1,9 +1,9 @@
 //! The core of an axis-aligned box: its bounds.
+use super::beam::{Beam, Inside};
 use super::convex::Core;
 use super::cores::{BoxCore, Upright};
 use super::edge::size_of;
 use super::share::{Ahead, Best, Deepest, Nearest};
-use crate::intersection::span::{Beam, Inside};
 use crate::{Scalar, Vec2};
 
 /// A box by its bounds.

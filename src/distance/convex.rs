@@ -1,8 +1,7 @@
 //! Convex shapes as distances take them: a core of few corners, inflated by a radius.
+use super::beam::{Beam, Inside};
 use super::edge::{Edge, reach, size_of};
-use super::pair::PairFormula;
 use super::share::{Ahead, Best, Deepest, Nearest};
-use crate::intersection::span::{Beam, Inside};
 use crate::{Aabb2, Obb2, Scalar, Vec2};
 
 /// A convex shape: every point at most [`radius`](Convex::radius) from its [`core`](Convex::core).
@@ -118,6 +117,23 @@ pub trait Convex<S: Scalar>: Copy {
     fn take_formula_after_obb2<F: PairFormula<S>>(self, first: Obb2<S>) -> F::Out {
         F::cores(first, self)
     }
+}
+
+/// A function of two convex shapes, with a formula for each kind of pair.
+pub trait PairFormula<S: Scalar> {
+    /// Its result.
+    type Out;
+    /// The result for any two shapes, by their cores.
+    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Self::Out;
+    /// The result for two points.
+    #[inline]
+    fn points(a: Vec2<S>, b: Vec2<S>) -> Self::Out {
+        Self::cores(a, b)
+    }
+    /// The result for two axis-aligned boxes.
+    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> Self::Out;
+    /// The result for two rotated boxes.
+    fn obb2(a: Obb2<S>, b: Obb2<S>) -> Self::Out;
 }
 
 /// The core of a convex shape: the hull of some corners and of some directions in which it has no
@@ -240,14 +256,4 @@ pub(super) fn face_deep<S: Scalar, B: Core<S>>(
         },
         count: first.count,
     }
-}
-
-/// The vector with length one; zero for a vector so short that it counts as none.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn unit<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
-    let square = v.length_squared();
-    let none = square.at_most(S::lit(S::EPSILON.powi(4)));
-    let length = S::select(none, S::one(), square).root();
-    let unit = Vec2::new(v.x.over(length), v.y.over(length));
-    Vec2::select(none, Vec2::zero(), unit)
 }

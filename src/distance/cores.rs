@@ -1,9 +1,9 @@
 //! The cores that shapes are made of: a point, a piece of a line, a polygon, a box.
-use super::convex::{Core, edge_near, face_deep, unit};
-use super::edge::{Edge, scale_of, size_of};
+use super::beam::{Beam, Inside};
+use super::convex::{Core, edge_near, face_deep};
+use super::edge::{Edge, scale_of, size_of, unit};
 use super::share::{Ahead, Best, Deepest, Nearest};
 use crate::arrays::Each;
-use crate::intersection::span::{Beam, Inside};
 use crate::{Rotation2, Scalar, Vec2};
 
 /// One point.

@@ -188,3 +188,13 @@ pub fn edge_winding<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S 
 pub(crate) fn winding_of<S: Scalar>(up: S::Mask, down: S::Mask) -> S {
     S::select(up, S::one(), S::select(down, -S::one(), S::zero()))
 }
+
+/// The vector with length one; zero for a vector so short that it counts as none.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn unit<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
+    let square = v.length_squared();
+    let none = square.at_most(S::lit(S::EPSILON.powi(4)));
+    let length = S::select(none, S::one(), square).root();
+    let unit = Vec2::new(v.x.over(length), v.y.over(length));
+    Vec2::select(none, Vec2::zero(), unit)
+}

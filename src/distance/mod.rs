@@ -39,10 +39,12 @@
 //! of their ends. Faces that are equally deep share the derivative, and the direction is that of the first.
 use crate::{Scalar, Vec2};
 
+pub mod beam;
 pub mod bounds;
 pub mod convex;
 pub mod cores;
 pub mod edge;
+mod edge_fold;
 pub mod pair;
 pub(crate) mod relation;
 pub mod ring;

@@ -3,28 +3,11 @@
 //! Two points and two axis-aligned boxes have formulas of their own ([`upright`]), two rotated boxes, too
 //! ([`turned`]); all other pairs are compared by their cores. Function, method and batch come through here, so that
 //! they agree to the bit.
-use super::convex::{self, Convex, Core};
+use super::convex::{self, Convex, Core, PairFormula};
 use super::relation::{LENGTH, NORMAL, POINTS, relate};
 use super::{Contact, PointPair, edge, turned, upright};
 use crate::arrays::Each;
 use crate::{Aabb2, Obb2, Scalar, Vec2};
-
-/// A function of two convex shapes, with a formula for each kind of pair.
-pub trait PairFormula<S: Scalar> {
-    /// Its result.
-    type Out;
-    /// The result for any two shapes, by their cores.
-    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Self::Out;
-    /// The result for two points.
-    #[inline]
-    fn points(a: Vec2<S>, b: Vec2<S>) -> Self::Out {
-        Self::cores(a, b)
-    }
-    /// The result for two axis-aligned boxes.
-    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> Self::Out;
-    /// The result for two rotated boxes.
-    fn obb2(a: Obb2<S>, b: Obb2<S>) -> Self::Out;
-}
 
 /// [`signed_distance`](super::signed_distance).
 pub(super) struct Signed;

@@ -1,6 +1,6 @@
 //! The nearest of many edges, found in plain numbers side by side, for slices.
 use super::edge::{edge_distance, winding_of};
-use super::ring::EdgeFold;
+use super::edge_fold::EdgeFold;
 use crate::{Scalar, Vec2};
 
 /// Edges worked on side by side, in arrays that the compiler turns into SIMD.

@@ -1,8 +1,8 @@
 //! Every shape as an inflated core.
 use super::bounds::BoundsCore;
 use super::convex::Convex;
+use super::convex::PairFormula;
 use super::cores::{BoxCore, EdgeCore, PointCore, PolygonCore};
-use super::pair::PairFormula;
 use crate::{
     Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Rotation2, Scalar, Segment2, Triangle2, Vec2,
 };

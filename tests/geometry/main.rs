@@ -32,5 +32,6 @@ mod solid_scores;
 mod solids;
 mod source;
 mod space;
+mod structure;
 mod ties;
 mod toolbox;

@@ -1,5 +1,6 @@
 //! Every row, checked by the harness: hard cases first, then random inputs, in both formats; in `f32` with batches on
 //! a GPU as further witnesses where there is one.
+use crate::witness::{self, HOT};
 use geograd::ad::check::Sampling;
 use geograd::kernels::Backend;
 use geograd_tests::list::{self, Tested};
@@ -7,19 +8,6 @@ use geograd_tests::list::{self, Tested};
 /// Random inputs per operation and format. Hard cases come on top.
 const SAMPLES: usize = 100;
 const SEED: u64 = 1;
-
-/// Rows whose kernels, on the processor and on a GPU, are by hand.
-pub const HOT: [&str; 9] = [
-    "intersection_area_obb2",
-    "iou_obb2",
-    "iof_obb2",
-    "intersection_area_aabb2",
-    "iou_aabb2",
-    "iof_aabb2",
-    "signed_area",
-    "perimeter",
-    "centroid",
-];
 
 /// So many operations of a program take fewer inputs.
 const LONG: usize = 5000;
@@ -54,7 +42,7 @@ fn double() {
 
 #[test]
 fn single() {
-    let gpu = crate::witness::gpu();
+    let gpu = witness::gpu();
     let backend = gpu.as_ref().map(Backend::Gpu);
     list::each(&list::checked(), |row| {
         let report = row.check::<f32>(&plan(row), backend).unwrap();

@@ -1,6 +1,5 @@
 //! Batches as witnesses: those of the CPU, and of a GPU where there is one, agree with everybody
 //! else; a batch that is wrong is refused.
-use crate::adjoint::HOT;
 use geograd::ad::check::subject::{Conventions, Jumps};
 use geograd::ad::check::verdict::{Reason, Witness};
 use geograd::ad::check::{Check, Sampling, examine};
@@ -13,6 +12,19 @@ use geograd::{Error, GpuFault};
 use geograd::{Obb2, Pack, ad};
 use geograd_tests::list;
 use geograd_tests::rows::IouObb2;
+
+/// Rows whose kernels, on the processor and on a GPU, are by hand.
+pub const HOT: [&str; 9] = [
+    "intersection_area_obb2",
+    "iou_obb2",
+    "iof_obb2",
+    "intersection_area_aabb2",
+    "iou_aabb2",
+    "iof_aabb2",
+    "signed_area",
+    "perimeter",
+    "centroid",
+];
 
 /// Every so many hard cases, and random inputs on top.
 fn plan() -> Sampling<'static> {

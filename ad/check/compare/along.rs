@@ -2,8 +2,8 @@
 use crate::ad::check::compare::derivative_test::DerivativeTest;
 use crate::ad::check::compare::opinion::Opinion;
 use crate::ad::check::compare::projection::worst_input;
-use crate::ad::check::evidence::{Evidence, Item};
-use crate::ad::check::notes::{Notes, comparison};
+use crate::ad::check::evidence::{Evidence, Item, comparison};
+use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Jumps;
 use crate::ad::check::symmetry::Kind;
 use crate::ad::check::tolerances::{

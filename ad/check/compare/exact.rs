@@ -1,7 +1,7 @@
 //! The adjoint against duals and further witnesses: no steps, so hardly any tolerance.
 use crate::ad::check::compare::values::another;
-use crate::ad::check::evidence::{Evidence, Item};
-use crate::ad::check::notes::{Notes, comparison};
+use crate::ad::check::evidence::{Evidence, Item, comparison};
+use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{CONVENTION_BORDER, DECIDED, FEW_INPUTS, SAFETY};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
 use crate::ad::check::witness::dot;

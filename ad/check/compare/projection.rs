@@ -7,8 +7,8 @@
 //! is refused from 32 n roundings of the largest derivative on: 10⁻¹¹ of it for a thousand numbers in
 //! double precision. A direction along which they disagree is halved until the number at fault is found.
 use crate::ad::check::compare::exact::conventional_border;
-use crate::ad::check::evidence::{Evidence, Item};
-use crate::ad::check::notes::{Notes, comparison};
+use crate::ad::check::evidence::{Evidence, Item, comparison};
+use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{FEW_INPUTS, PARTS, PROJECTIONS, ROUNDINGS, SAFETY};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};

@@ -1,6 +1,6 @@
 //! A function of `f32` against itself in `f64`, as far as single precision can tell.
-use crate::ad::check::evidence::{Evidence, Item, finite};
-use crate::ad::check::notes::{Notes, comparison};
+use crate::ad::check::evidence::{Evidence, Item, comparison, finite};
+use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{FEW_INPUTS, ROUNDINGS, SAFETY, SCATTER};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};

@@ -1,6 +1,7 @@
 //! Every level of vector instructions that the machine has, next to powerboxesrs' best call, in one run.
 //!
 //! Everything is run by turns and the fastest run counts: on a shared machine all else is noise.
+use super::timed::Timed;
 use super::{Dice, N, flat, narrow, on_threads};
 use geograd::Obb2;
 use geograd::kernels::cpu::simd::Simd;
@@ -8,7 +9,6 @@ use geograd::kernels::real::Real;
 use geograd::kernels::{Cpu, Iou, Single, Table};
 use std::fmt::Write;
 use std::hint::black_box;
-use std::time::Instant;
 
 /// Boxes of the sparse scene.
 const STREET: usize = 3000;
@@ -40,45 +40,6 @@ fn street(dice: &mut Dice) -> Vec<Obb2<f64>> {
         Obb2::new(x, side + dice.within(-1.0, 1.0), length, width, turn)
     };
     (0..STREET).map(&mut place).collect()
-}
-
-/// Something that is timed again and again.
-pub(super) struct Timed<'a> {
-    pub items: usize,
-    run: Box<dyn FnMut() + Send + 'a>,
-    best: f64,
-}
-
-impl<'a> Timed<'a> {
-    pub fn new(pairs: usize, run: impl FnMut() + Send + 'a) -> Self {
-        Timed {
-            items: pairs,
-            run: Box::new(run),
-            best: f64::INFINITY,
-        }
-    }
-    /// At least a few milliseconds of runs.
-    pub fn turn(&mut self) {
-        let start = Instant::now();
-        let mut now = start;
-        loop {
-            (self.run)();
-            let end = Instant::now();
-            self.best = self.best.min((end - now).as_secs_f64());
-            now = end;
-            if (end - start).as_secs_f64() > 0.01 {
-                return;
-            }
-        }
-    }
-    /// The fastest run in microseconds.
-    pub fn microseconds(&self) -> f64 {
-        self.best * 1e6
-    }
-    /// Million pairs a second.
-    pub fn rate(&self) -> f64 {
-        self.items as f64 / self.best / 1e6
-    }
 }
 
 /// The lists of one format.

@@ -20,6 +20,7 @@ mod programs;
 mod shapes;
 mod space;
 mod suppress;
+mod timed;
 
 use common::cli::{Failure, Machine, Wish, say};
 use geo::{Area, BooleanOps, Centroid, Coord, Euclidean, Length, LineString, Polygon};

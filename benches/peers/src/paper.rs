@@ -1,7 +1,7 @@
 //! The paper's experiment: the IoU loss forward, and forward and backward, against the number of boxes, in
 //! the plane and in space, drawn. With `--backend gpu` the GPU's curves beside the CPU's: boxes, results and
 //! derivatives stay there, as in training, and a call is over when the GPU is done.
-use super::levels::Timed;
+use super::timed::Timed;
 use super::{Dice, flat, narrow, on_threads};
 use common::cli::Machine;
 use geograd::kernels::gpu::Gpu;

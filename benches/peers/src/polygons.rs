@@ -1,5 +1,5 @@
 //! Distances of points from rings and clipping of convex polygons.
-use super::levels::Timed;
+use super::timed::Timed;
 use super::{Dice, on_threads};
 use geo::{Coord, Distance, Euclidean, LineString, Point, Polygon};
 use geograd::clipping::clip;

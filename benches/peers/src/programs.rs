@@ -1,7 +1,6 @@
 //! Times of the interpreter of programs, next to compiled kernels and to copying.
 use super::N;
-use super::levels::Timed;
-use super::shapes::{Line, PART, Ratio, aligned};
+use super::timed::{Line, PART, Ratio, Timed, aligned};
 use geograd::kernels::{Cpu, Distance, Iou, Op};
 use geograd::{Obb2, Segment2, Vec2};
 use std::hint::black_box;

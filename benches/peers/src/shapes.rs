@@ -1,29 +1,15 @@
 //! Losses, boxes in space and quadrilaterals by level of vector instructions, next to the fastest peers.
 //!
 //! Everything is run by turns and the fastest run counts.
-use super::levels::Timed;
+use super::timed::{Line, PART, Ratio, Timed, aligned, derivatives, matrix};
 use super::{Dice, N, by_parry, flat, narrow, on_threads, points, programs};
 use geograd::kernels::cpu::simd::Simd;
-use geograd::kernels::op::ValueGrad;
-use geograd::kernels::{
-    Cpu, Distance, Giou, IntersectionArea, Iou, IouBev, Item, Runs, Single, Table,
-};
+use geograd::kernels::{Cpu, Distance, Giou, IntersectionArea, Iou, IouBev, Table};
 use geograd::{Obb2, Obb3, Rotation3, Segment2, Vec2, Vec3, YawBox3};
 use std::hint::black_box;
 
-/// Rows and columns of all pairs: short enough to run without interruption now and then.
-pub const PART: usize = 200;
 /// How often all takes its turn.
 const ROUNDS: usize = 12;
-
-/// One line of the table: its name, and its timing at the level in use.
-pub struct Line<'a> {
-    pub name: &'static str,
-    pub timed: Timed<'a>,
-}
-
-/// A ratio of two lines: its name, the numerator, the denominator.
-pub struct Ratio(pub &'static str, pub &'static str, pub &'static str);
 
 /// The reported ratios: the first line's rate over the second one's.
 const RATIOS: [Ratio; 10] = [
@@ -94,54 +80,6 @@ fn solids(flat: &[Obb2<f32>], dice: &mut Dice) -> (Vec<YawBox3<f32>>, Vec<Obb3<f
         (upright, tilted)
     };
     flat.iter().map(&mut solid).unzip()
-}
-
-/// Aligned items of an operation, as values.
-pub fn aligned<'a, O, A, B, T>(name: &'static str, op: O, a: &'a [A], b: &'a [B]) -> Line<'a>
-where
-    O: Runs<(A, B), Out = T> + Copy + Send + 'a,
-    A: Single<Scalar = T>,
-    B: Single<Scalar = T>,
-    T: geograd::kernels::real::Real + Single<Scalar = T>,
-    (A, B): Item<Scalar = T>,
-{
-    let (cpu, mut values) = (Cpu::new(), vec![T::default(); a.len()]);
-    let timed = Timed::new(a.len(), move || {
-        cpu.aligned_into(op, (a, b), &mut values[..]).unwrap();
-    });
-    Line { name, timed }
-}
-
-/// The same with derivatives.
-fn derivatives<'a, O, A, B, T>(name: &'static str, op: O, a: &'a [A], b: &'a [B]) -> Line<'a>
-where
-    O: Runs<(A, B), Out = T> + Copy + Send + 'a,
-    A: Single<Scalar = T>,
-    B: Single<Scalar = T>,
-    T: geograd::kernels::real::Real + Single<Scalar = T>,
-    (A, B): Item<Scalar = T>,
-{
-    let (cpu, mut values) = (Cpu::new(), vec![T::default(); a.len()]);
-    let (mut p, mut q) = (a.to_vec(), b.to_vec());
-    let timed = Timed::new(a.len(), move || {
-        let into = (&mut values[..], (&mut p[..], &mut q[..]));
-        cpu.aligned_into(ValueGrad::of(op), (a, b), into).unwrap();
-    });
-    Line { name, timed }
-}
-
-/// All pairs of an operation, as values.
-fn matrix<'a, O, A>(name: &'static str, cpu: Cpu, op: O, a: &'a [A], b: &'a [A]) -> Line<'a>
-where
-    O: Runs<(A, A), Out = f32> + Copy + Send + 'a,
-    A: Single<Scalar = f32>,
-    (A, A): Item<Scalar = f32>,
-{
-    let mut values = vec![0.0; a.len() * b.len()];
-    let timed = Timed::new(values.len(), move || {
-        cpu.all_pairs_planes(op, a, b, &mut values).unwrap();
-    });
-    Line { name, timed }
 }
 
 /// The inputs of all lines.

@@ -1,5 +1,5 @@
 //! Suppression of rotated boxes next to the plain loop over powerboxesrs, and of large scenes.
-use super::levels::Timed;
+use super::timed::Timed;
 use super::{Dice, flat, narrow, on_threads};
 use geograd::kernels::{Cpu, Iou, IouBev};
 use geograd::suppression::Rules;

@@ -127,3 +127,32 @@ fn finish<F: Fold, T: Scalar>(shared: &[T], state: &[T], out: &mut [T]) {
     )
     .store(out);
 }
+
+/// The cotangents of context and reference, and of the states of all edges one after another, from that of a result.
+/// `before` has the joined states before every edge, and after the last one.
+pub(crate) fn backwards<S: Scalar>(
+    sizes: &Sizes,
+    programs: &Programs,
+    shared: &[S],
+    [states, before]: [&[S]; 2],
+    winding: Option<S>,
+    out_bar: &[S],
+) -> (Vec<S>, Vec<S>) {
+    let (inner, last) = before.split_at(before.len() - sizes.state);
+    let mut last = last.to_vec();
+    sizes.wind(&mut last, winding);
+    let bars = programs
+        .finish_vjp
+        .run_on(&[shared, &last, out_bar].concat());
+    let (shared_bar, bar) = bars.split_at(shared.len());
+    let mut bar = bar.to_vec();
+    let mut state_bars = vec![S::zero(); states.len()];
+    let edges = sizes.states(inner).zip(sizes.states(states));
+    let places = state_bars.chunks_exact_mut(sizes.state.max(1));
+    for ((before, state), place) in edges.zip(places).rev() {
+        let bars = programs.join_vjp.run_on(&[before, state, &bar].concat());
+        bar.copy_from_slice(&bars[..sizes.state]);
+        place.copy_from_slice(&bars[sizes.state..]);
+    }
+    (shared_bar.to_vec(), state_bars)
+}

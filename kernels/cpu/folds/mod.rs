@@ -17,12 +17,13 @@ use crate::kernels::item::{Columns, Leaf, STRETCH, Target};
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Key, Mode};
 use crate::{Error, Fixed, Pack};
+pub(crate) use folding::backwards;
 use folding::{Folding, Sizes};
 pub use paths::Input;
 use paths::{Paths, paths, told};
+pub(crate) use programs::Programs;
 #[cfg(any(feature = "gpu", feature = "check"))]
 pub(crate) use programs::programs;
-pub(crate) use programs::{Programs, backwards};
 use std::ops::Range;
 use std::sync::Arc;
 

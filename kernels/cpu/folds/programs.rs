@@ -1,11 +1,10 @@
 //! The bodies of a fold as programs, and its adjoint from the result to every edge.
+use crate::Error;
 use crate::ad::program::record::record;
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
-use crate::kernels::cpu::folds::folding::Sizes;
 use crate::kernels::fold::Fold;
 use crate::kernels::recording::{Kept, known};
-use crate::{Error, Scalar};
 use std::sync::Arc;
 
 /// The recording of a fold in a format: its bodies as programs.
@@ -55,33 +54,4 @@ pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs>, Error> {
             made: Kept::default(),
         })
     })
-}
-
-/// The cotangents of context and reference, and of the states of all edges one after another, from that of a result.
-/// `before` has the joined states before every edge, and after the last one.
-pub(crate) fn backwards<S: Scalar>(
-    sizes: &Sizes,
-    programs: &Programs,
-    shared: &[S],
-    [states, before]: [&[S]; 2],
-    winding: Option<S>,
-    out_bar: &[S],
-) -> (Vec<S>, Vec<S>) {
-    let (inner, last) = before.split_at(before.len() - sizes.state);
-    let mut last = last.to_vec();
-    sizes.wind(&mut last, winding);
-    let bars = programs
-        .finish_vjp
-        .run_on(&[shared, &last, out_bar].concat());
-    let (shared_bar, bar) = bars.split_at(shared.len());
-    let mut bar = bar.to_vec();
-    let mut state_bars = vec![S::zero(); states.len()];
-    let edges = sizes.states(inner).zip(sizes.states(states));
-    let places = state_bars.chunks_exact_mut(sizes.state.max(1));
-    for ((before, state), place) in edges.zip(places).rev() {
-        let bars = programs.join_vjp.run_on(&[before, state, &bar].concat());
-        bar.copy_from_slice(&bars[..sizes.state]);
-        place.copy_from_slice(&bars[sizes.state..]);
-    }
-    (shared_bar.to_vec(), state_bars)
 }

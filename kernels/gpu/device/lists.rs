@@ -5,7 +5,7 @@
 use super::data::Boxes;
 use super::generated::held::HeldColumn;
 use super::generated::operation::Generated;
-use super::generated::pairs::Sides;
+use super::generated::sides::Sides;
 use super::pairs::Mirrored;
 use super::seed::Seed;
 use super::table::Table;

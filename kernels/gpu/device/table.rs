@@ -3,7 +3,7 @@
 use super::block::Block;
 use super::data::Piece;
 use super::generated::operation::Generated;
-use super::generated::pairs::Sides;
+use super::generated::sides::Sides;
 use super::pairs::Mirrored;
 use super::source::{ANY, Kernel, STRIP, Source, Take};
 use super::work::{Params, groups};

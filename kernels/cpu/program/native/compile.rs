@@ -4,32 +4,15 @@
 //! it is stored where it makes room for another one, or where a later run reads it. Inputs and results are read and
 //! written where they lie, if all that reads or makes them is in runs ([`Far`]).
 use super::encode::{AT_MOST, EQUAL, Encoder, LESS, Masked, NOT_LESS, Operand, Two};
+use super::events::{Events, events, sizes};
 use super::far::Far;
 use crate::kernels::cpu::program::instructions::{Code, Op};
 use crate::kernels::cpu::program::rows::AHEAD;
 use crate::kernels::cpu::program::{Run, Tape};
 use crate::kernels::item::STRETCH;
-use std::collections::HashMap;
 
 /// Fewer instructions than this are left to the interpreter.
 const SHORTEST: usize = 3;
-
-/// The operands of an instruction, and its results.
-pub(super) fn sizes(op: Op) -> [usize; 2] {
-    macro_rules! listed {
-        ($($name:ident($($x:ident),*) = $value:expr;)*) => {
-            match op {
-                $(Op::$name => [[$(stringify!($x)),*].len(), 1],)*
-                Op::Parts => [1, 4],
-                Op::SinCos => [1, 2],
-                Op::Turn => [4, 2],
-                Op::SumSub => [2, 2],
-                Op::SkipIfAll | Op::SkipIfNone => [1, 0],
-            }
-        };
-    }
-    crate::kernels::cpu::program::instructions::instructions! { listed!() }
-}
 
 /// `true` if an instruction stays with the interpreter.
 fn is_left(op: Op) -> bool {
@@ -68,23 +51,6 @@ enum Next {
     /// After the run.
     Later,
     Never,
-}
-
-/// Reads (`true`) and writes of slots, instruction by instruction.
-pub(super) type Events = HashMap<u16, Vec<(usize, bool)>>;
-
-fn events(code: &[Code]) -> Events {
-    let mut all = Events::new();
-    for (i, own) in code.iter().enumerate() {
-        let [operands, results] = sizes(own.op);
-        for &slot in &own.from[..operands] {
-            all.entry(slot).or_default().push((i, true));
-        }
-        for &slot in &own.to[..results] {
-            all.entry(slot).or_default().push((i, false));
-        }
-    }
-    all
 }
 
 /// Registers and the run that is compiled.

@@ -1,5 +1,5 @@
 //! Inputs and results that machine code reads and writes where they lie, in place of their slots.
-use super::compile::Events;
+use super::events::Events;
 use crate::kernels::cpu::program::Tape;
 use crate::kernels::cpu::program::instructions::Op;
 use std::collections::HashMap;

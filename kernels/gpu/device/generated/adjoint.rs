@@ -1,6 +1,6 @@
 //! The adjoint of all pairs: derivatives summed for every shape, in a fixed order.
 use super::operation::Generated;
-use super::pairs::Sides;
+use super::sides::Sides;
 use super::text::{Form, GROUP, STRIP};
 use crate::Error;
 use crate::error::Argument;

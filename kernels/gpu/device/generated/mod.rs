@@ -5,8 +5,10 @@ mod columns;
 mod folds;
 pub(crate) mod held;
 pub(crate) mod operation;
-pub(super) mod pairs;
+mod pairs;
 mod replays;
+mod shader;
+pub(super) mod sides;
 mod suppress;
 mod text;
 
@@ -15,7 +17,7 @@ use super::{Inner, locked};
 use crate::kernels::Fold;
 use crate::kernels::dynamic::Operation;
 use crate::kernels::item::Item;
-use crate::kernels::op::Op;
+use crate::kernels::op::{Op, recording_of};
 use crate::kernels::recording::{Call, Mode, Recording};
 use crate::{Error, Unrecordable};
 use operation::{Generated, Name};
@@ -58,7 +60,7 @@ where
     O::In<f32>: Item<Scalar = f32>,
     O::Out<f32>: Item<Scalar = f32>,
 {
-    sources(O::NAME, Recording::of::<O, O::In<f32>>())
+    sources(O::NAME, recording_of::<O, O::In<f32>>())
 }
 
 /// Every shader a straight line can need, those by hand included.

@@ -8,7 +8,7 @@ use crate::kernels::cpu::lane::TILE;
 use crate::kernels::gpu::device::data::Boxes;
 use crate::kernels::gpu::device::generated::aligned::tiles;
 use crate::kernels::gpu::device::generated::operation::Generated;
-use crate::kernels::gpu::device::generated::pairs::Side;
+use crate::kernels::gpu::device::generated::sides::Side;
 use crate::kernels::gpu::device::generated::text::{GROUP, MOST_GROUPS};
 use crate::kernels::gpu::device::source::Kind;
 use crate::kernels::gpu::device::{Gpu, Inner, Pending, locked};

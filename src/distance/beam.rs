@@ -1,0 +1,217 @@
+//! The range of a line inside convex pieces: discs, strips, polygons.
+use super::edge::unit;
+use super::share::{Best, Carry};
+use crate::{Scalar, Vec2};
+
+/// A parameter and the normal at it. If several tie, the parameter shares the derivative and the first normal is
+/// taken.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Border<S> {
+    pub t: S,
+    pub normal: Vec2<S>,
+}
+
+impl<S: Scalar> Carry<S> for Border<S> {
+    #[inline(always)]
+    fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
+        Border {
+            t: self.t.join(other.t, keep, tie),
+            normal: Vec2::select(keep | tie, self.normal, other.normal),
+        }
+    }
+    #[inline(always)]
+    fn times(self, factor: S) -> Self {
+        Border {
+            t: self.t * factor,
+            normal: self.normal,
+        }
+    }
+}
+
+/// A line with a direction of length one, seen from the shape's anchor in units of its extent.
+#[derive(Clone, Copy, Debug)]
+pub struct Beam<S> {
+    pub(crate) from: Vec2<S>,
+    pub(crate) along: Vec2<S>,
+}
+
+/// The range of a beam inside a convex piece: where it enters and where it leaves. It is empty if the beam enters
+/// at the largest number and leaves at the smallest.
+#[derive(Clone, Copy, Debug)]
+pub struct Inside<S> {
+    pub(crate) enter: Best<S, Border<S>>,
+    pub(crate) exit: Best<S, Border<S>>,
+}
+
+impl<S: Scalar> Inside<S> {
+    #[inline(always)]
+    fn new(enter: Border<S>, exit: Border<S>) -> Self {
+        Inside {
+            enter: Best::of(enter.t, enter),
+            exit: Best::of(exit.t, exit),
+        }
+    }
+    /// From one end of the line to the other.
+    #[inline(always)]
+    pub fn everywhere() -> Self {
+        let end = |t: f64| Border {
+            t: S::lit(t),
+            normal: Vec2::zero(),
+        };
+        Inside::new(end(-S::LARGEST), end(S::LARGEST))
+    }
+    /// Nowhere where the mask says so, or where it would leave before it enters.
+    #[inline(always)]
+    fn unless(mut self, empty: S::Mask) -> Self {
+        let empty = empty | self.exit.value.below(self.enter.value);
+        let large = S::lit(S::LARGEST);
+        self.enter.value = S::select(empty, large, self.enter.value);
+        self.exit.value = S::select(empty, -large, self.exit.value);
+        self
+    }
+    #[inline(always)]
+    pub(crate) fn is_empty(&self) -> S::Mask {
+        self.exit.value.below(self.enter.value)
+    }
+    /// Cut by the half-plane behind a face; a face without a normal cuts nothing.
+    #[inline(always)]
+    pub fn behind(self, beam: Beam<S>, point: Vec2<S>, normal: Vec2<S>) -> Self {
+        let ahead = normal.dot(beam.from - point);
+        let rate = normal.dot(beam.along);
+        let parallel = rate.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
+        let safe = S::select(parallel, S::one(), rate);
+        let t = (-ahead).over(safe);
+        let large = S::lit(S::LARGEST);
+        let enters = !parallel & rate.below(S::zero());
+        let leaves = !parallel & S::zero().below(rate);
+        let border = Border { t, normal };
+        let mut enter = Best::of(t, border);
+        enter.value = S::select(enters, t, -large);
+        let mut exit = Best::of(t, border);
+        exit.value = S::select(leaves, t, large);
+        Inside {
+            enter: self.enter.most(enter),
+            exit: self.exit.less(exit),
+        }
+        .unless(self.is_empty() | (parallel & ahead.above(S::zero())))
+    }
+    /// Both pieces of a convex whole.
+    #[inline(always)]
+    pub fn joined(self, other: Self) -> Self {
+        Inside {
+            enter: self.enter.less(other.enter),
+            exit: self.exit.most(other.exit),
+        }
+    }
+    /// In a disc.
+    #[inline(always)]
+    pub fn disc(beam: Beam<S>, center: Vec2<S>, radius: S) -> Self {
+        let arm = beam.from - center;
+        let aside = beam.along.perp_dot(arm);
+        let square = (radius - aside) * (radius + aside);
+        let (middle, half) = (-arm.dot(beam.along), square.root());
+        let point = radius.at_most(S::zero());
+        let safe = S::select(point, S::one(), radius);
+        let border = |t: S| {
+            let out = arm + beam.along * t;
+            let normal = Vec2::new(out.x.over(safe), out.y.over(safe));
+            Border {
+                t,
+                normal: Vec2::select(point, Vec2::zero(), normal),
+            }
+        };
+        Inside::new(border(middle - half), border(middle + half)).unless(square.below(S::zero()))
+    }
+    /// In the rectangle over an edge, that far to both sides. The edge may lack its start or its end.
+    #[inline(always)]
+    pub fn strip(
+        beam: Beam<S>,
+        from: Vec2<S>,
+        along: Vec2<S>,
+        radius: S,
+        starts: bool,
+        ends: bool,
+    ) -> Self {
+        let ahead = unit(along);
+        let normal = ahead.perp();
+        let none = ahead.x.equals(S::zero()) & ahead.y.equals(S::zero());
+        let mut inside = Inside::everywhere()
+            .behind(beam, from + normal * radius, normal)
+            .behind(beam, from - normal * radius, -normal);
+        if starts {
+            inside = inside.behind(beam, from, -ahead);
+        }
+        if ends {
+            inside = inside.behind(beam, from + along, ahead);
+        }
+        inside.unless(none)
+    }
+    /// In a convex polygon, counter-clockwise, or in what is left of it where it is flat.
+    #[inline(always)]
+    pub fn polygon(beam: Beam<S>, corners: &[Vec2<S>]) -> Self {
+        let n = corners.len();
+        let mut inside = Inside::everywhere();
+        for i in 0..n {
+            let along = corners[(i + 1) % n] - corners[i];
+            let normal = -unit(along.perp());
+            inside = inside.behind(beam, corners[i], normal);
+        }
+        // The faces of a flat polygon do not say where it ends; its bounds do. The bounds of other polygons would
+        // share the derivative of faces along an axis.
+        let (mut twice, mut reach) = (S::zero(), S::zero());
+        for i in 1..n {
+            let way = corners[i] - corners[0];
+            reach += way.length_squared();
+            twice += way.perp_dot(corners[(i + 1) % n] - corners[0]);
+        }
+        let flat = twice.at_most(reach * S::lit(4.0 * S::EPSILON));
+        let bounds = |pick: fn(Vec2<S>, Vec2<S>) -> Vec2<S>| {
+            corners[1..].iter().fold(corners[0], |x, &y| pick(x, y))
+        };
+        let (min, max) = (bounds(Vec2::least), bounds(Vec2::most));
+        let one = S::select(flat, S::one(), S::zero());
+        let (right, up) = (Vec2::new(one, S::zero()), Vec2::new(S::zero(), one));
+        let bounded = inside
+            .behind(beam, max, right)
+            .behind(beam, max, up)
+            .behind(beam, min, -right)
+            .behind(beam, min, -up);
+        // If both are equal, the faces count: the line crosses these.
+        let crossed = |faces: Best<S, Border<S>>, bounds: Best<S, Border<S>>| {
+            let same = faces.value.equals(bounds.value);
+            let never = S::one().below(S::zero());
+            Best {
+                value: bounds.value,
+                sum: faces.sum.join(bounds.sum, same, never),
+                count: S::select(same, faces.count, bounds.count),
+            }
+        };
+        // A point has no face at all: it is where its projection is.
+        let point = reach.equals(S::zero());
+        let middle = corners.iter().fold(Vec2::zero(), |sum, &c| sum + c) * S::lit(1.0 / n as f64);
+        let middle = beam.along.dot(middle - beam.from);
+        let projected = |mut best: Best<S, Border<S>>| {
+            best.sum.t = S::select(point, middle * best.count, best.sum.t);
+            best
+        };
+        Inside {
+            enter: projected(crossed(inside.enter, bounded.enter)),
+            exit: projected(crossed(inside.exit, bounded.exit)),
+        }
+    }
+    /// In a hull of corners, inflated by a radius.
+    #[inline(always)]
+    pub fn round(self, beam: Beam<S>, corners: &[Vec2<S>], radius: S) -> Self {
+        let n = corners.len();
+        let mut inside = self;
+        for i in 0..n {
+            let along = corners[(i + 1) % n] - corners[i];
+            if n > 2 {
+                let strip = Inside::strip(beam, corners[i], along, radius, true, true);
+                inside = inside.joined(strip);
+            }
+            inside = inside.joined(Inside::disc(beam, corners[i], radius));
+        }
+        inside
+    }
+}

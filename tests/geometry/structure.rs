@@ -1,0 +1,235 @@
+//! The order of the source, read from its `mod` and `use` lines: no file imports itself on a way over others.
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
+}
+
+/// All source files from a folder on, from the root of the repository; what is built and what is hidden left out.
+fn sources(folder: &Path, found: &mut BTreeSet<String>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_str().unwrap();
+        if path.is_dir() && name != "target" && !name.starts_with('.') {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|kind| kind == "rs") {
+            let path = path.strip_prefix(root()).unwrap().to_str().unwrap();
+            found.insert(path.replace('\\', "/"));
+        }
+    }
+}
+
+/// The code of a file without comments.
+fn code(file: &str) -> String {
+    let text = std::fs::read_to_string(root().join(file)).unwrap();
+    let lines = text.lines().map(|line| line.split("//").next().unwrap());
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// A file that declares modules and passes names on: how it is imported says nothing of what is meant.
+fn is_face(file: &str) -> bool {
+    ["mod.rs", "lib.rs", "main.rs"].contains(&file.rsplit('/').next().unwrap())
+}
+
+/// The modules of a crate by their paths, beginning with its root.
+fn modules(file: &str, path: &str, found: &mut BTreeMap<String, String>) {
+    found.insert(path.to_owned(), file.to_owned());
+    let (at, text) = (Path::new(file), code(file));
+    let folder = match is_face(file) || path == "crate" {
+        true => at.parent().unwrap().to_owned(),
+        false => at.with_extension(""),
+    };
+    let lines: Vec<&str> = text.lines().map(str::trim).collect();
+    for (i, line) in lines.iter().enumerate() {
+        let Some(name) = line.strip_suffix(';').and_then(|x| x.rsplit_once("mod ")) else {
+            continue;
+        };
+        let above = lines[..i].iter().rev().take_while(|x| x.starts_with("#["));
+        let given = above.filter_map(|x| x.strip_prefix("#[path = \"")?.strip_suffix("\"]"));
+        let next = match given.last() {
+            Some(given) => folder_of(at).join(given),
+            None => {
+                let flat = folder.join(name.1).with_extension("rs");
+                match root().join(&flat).exists() {
+                    true => flat,
+                    false => folder.join(name.1).join("mod.rs"),
+                }
+            }
+        };
+        let next = simple(&next);
+        if root().join(&next).exists() {
+            modules(&next, &format!("{path}::{}", name.1), found);
+        }
+    }
+}
+
+fn folder_of(file: &Path) -> &Path {
+    file.parent().unwrap()
+}
+
+/// A path without steps back.
+fn simple(path: &Path) -> String {
+    let mut parts: Vec<&str> = Vec::new();
+    for part in path.iter().map(|part| part.to_str().unwrap()) {
+        match part {
+            ".." => drop(parts.pop()),
+            part => parts.push(part),
+        }
+    }
+    parts.join("/")
+}
+
+/// The paths that a `use` of several names stands for.
+fn spread(tree: &str) -> Vec<String> {
+    let Some((head, rest)) = tree.split_once('{') else {
+        return vec![tree.trim().to_owned()];
+    };
+    let inner = rest
+        .trim()
+        .trim_end_matches(',')
+        .strip_suffix('}')
+        .unwrap_or(rest);
+    let (mut parts, mut depth, mut from) = (Vec::new(), 0, 0);
+    for (i, c) in inner.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            ',' if depth == 0 => {
+                parts.push(&inner[from..i]);
+                from = i + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(&inner[from..]);
+    let parts = parts.into_iter().filter(|part| !part.trim().is_empty());
+    let whole = |part: &str| spread(&format!("{}{}", head.trim(), part.trim()));
+    parts.flat_map(whole).collect()
+}
+
+/// The paths that a file names: those of its `use` lines, and those that begin with `crate` or `super` elsewhere.
+fn named(file: &str) -> Vec<String> {
+    let (text, mut all) = (code(file), Vec::new());
+    for (at, _) in text.match_indices("use ") {
+        let before = text[..at].lines().last().unwrap_or("").trim();
+        if before.is_empty() || before.starts_with("pub") {
+            let end = text[at..].find(';').unwrap_or(0);
+            all.extend(spread(&text[at..at + end][4..].replace('\n', " ")));
+        }
+    }
+    for start in ["crate::", "super::"] {
+        for (at, _) in text.match_indices(start) {
+            let before = text[..at].chars().next_back();
+            if before.is_none_or(|c| !c.is_alphanumeric() && !"_$:".contains(c)) {
+                let end = |c: char| !c.is_alphanumeric() && !"_:".contains(c);
+                let end = text[at..].find(end).unwrap_or(text.len() - at);
+                all.push(text[at..at + end].to_owned());
+            }
+        }
+    }
+    all
+}
+
+/// The file that a path leads to from a module: the last of its parts that is one.
+fn target<'a>(path: &str, from: &str, modules: &'a BTreeMap<String, String>) -> Option<&'a str> {
+    let mut parts = path.split("::").map(str::trim).peekable();
+    let mut at = match parts.peek() {
+        Some(&"crate") => {
+            parts.next();
+            "crate".to_owned()
+        }
+        Some(&("super" | "self")) => from.to_owned(),
+        _ => return None,
+    };
+    for part in parts {
+        match part {
+            "self" => {}
+            "super" => at = at.rsplit_once("::")?.0.to_owned(),
+            part => {
+                let next = format!("{at}::{part}");
+                if !modules.contains_key(&next) {
+                    break;
+                }
+                at = next;
+            }
+        }
+    }
+    modules.get(&at).map(String::as_str)
+}
+
+/// The files that every file of a crate imports, faces left out.
+fn imports(start: &str) -> BTreeMap<String, BTreeSet<String>> {
+    let mut found = BTreeMap::new();
+    modules(start, "crate", &mut found);
+    let mut all = BTreeMap::new();
+    for (module, file) in &found {
+        let used: BTreeSet<String> = named(file)
+            .iter()
+            .filter_map(|path| target(path, module, &found))
+            .filter(|&other| other != file && !is_face(other))
+            .filter(|&other| !HELD.contains(&(file, other)))
+            .map(str::to_owned)
+            .collect();
+        all.insert(file.clone(), used);
+    }
+    all
+}
+
+/// The files that a file leads to.
+fn beyond<'a>(file: &str, imports: &'a BTreeMap<String, BTreeSet<String>>) -> BTreeSet<&'a str> {
+    let (mut found, mut next) = (BTreeSet::new(), vec![file]);
+    while let Some(file) = next.pop() {
+        for other in &imports[file] {
+            if found.insert(other.as_str()) {
+                next.push(other);
+            }
+        }
+    }
+    found
+}
+
+/// Imports that may close a circle: a number type names what the library has compiled for it, as a value does by a table
+/// of functions.
+const HELD: [(&str, &str); 1] = [("kernels/real.rs", "kernels/cpu/drivers.rs")];
+
+/// Imports, file by file, that are part of a circle.
+fn circles(imports: &BTreeMap<String, BTreeSet<String>>) -> Vec<String> {
+    let beyond: BTreeMap<&str, BTreeSet<&str>> = imports
+        .keys()
+        .map(|file| (file.as_str(), beyond(file, imports)))
+        .collect();
+    let arrows = imports
+        .iter()
+        .flat_map(|(file, of)| of.iter().map(move |to| (file, to)));
+    let closed = arrows.filter(|(file, to)| beyond[to.as_str()].contains(file.as_str()));
+    closed
+        .map(|(file, to)| format!("{file} imports {to}"))
+        .collect()
+}
+
+/// No circle of imports in any crate of the repository.
+#[test]
+fn no_file_imports_itself() {
+    let mut all = BTreeSet::new();
+    sources(root(), &mut all);
+    let starts = all.iter().filter(|file| {
+        let name = file.rsplit('/').next().unwrap();
+        ["lib.rs", "main.rs"].contains(&name)
+    });
+    let (mut files, mut arrows, mut found) = (0, 0, Vec::new());
+    for start in starts {
+        let imports = imports(start);
+        files += imports.len();
+        arrows += imports.values().map(BTreeSet::len).sum::<usize>();
+        // Distances in space are being parted: their circles are counted elsewhere.
+        let in_space = |found: &String| found.starts_with("src/distance3/");
+        found.extend(circles(&imports).into_iter().filter(|one| !in_space(one)));
+    }
+    assert!(found.is_empty(), "{found:#?}");
+    // The reading itself: a library of some hundred files, and imports of each.
+    assert!(
+        files > 500 && arrows > 1500,
+        "{files} files, {arrows} imports"
+    );
+}
