@@ -1,7 +1,7 @@
 //! Derivatives along directions: functions of the arguments and of as many directions.
 use crate::error::Error;
-use crate::kernels::declared::Derivative;
 use crate::kernels::item::Leaf;
+use crate::kernels::limits::Derivative;
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Body, Call, Key, Mode, Order, Recording};
 use std::sync::Arc;

@@ -40,8 +40,6 @@ pub mod cpu;
 #[forbid(unsafe_code)]
 mod decision;
 #[forbid(unsafe_code)]
-mod declared;
-#[forbid(unsafe_code)]
 mod directions;
 #[forbid(unsafe_code)]
 pub mod dynamic;
@@ -56,6 +54,8 @@ pub mod gpu;
 mod grouped;
 #[forbid(unsafe_code)]
 pub mod item;
+#[forbid(unsafe_code)]
+mod limits;
 #[forbid(unsafe_code)]
 mod modes;
 #[forbid(unsafe_code)]
@@ -97,9 +97,6 @@ mod targets;
 pub mod tested;
 #[forbid(unsafe_code)]
 pub mod verbs;
-#[cfg(feature = "check")]
-#[forbid(unsafe_code)]
-pub mod witness;
 
 pub use backend::Backend;
 pub use cpu::{Cpu, Single, Table};

@@ -17,7 +17,7 @@ use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::{Item, by_kind, get};
 use crate::kernels::op::{Op, RingOp};
 use crate::kernels::ops;
-use crate::kernels::ops::list::{Walk, Written};
+use crate::kernels::ops::walk::{Walk, Written};
 use crate::kernels::search::Search;
 use crate::{Fixed, Pack, Vec2};
 use std::fmt;

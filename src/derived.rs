@@ -3,7 +3,7 @@
 //! The derive (package `geograd-derive`) reads a struct's tokens without a parser of Rust. The code that it writes
 //! names this module only, so it needs no feature or dependency of its user's crate.
 pub use crate::ad::declared::Kind;
-pub use crate::ad::sample::derived::{
+pub use crate::ad::sample::several::{
     all, as_angle, as_directions, as_non_negative, as_positive, as_rotation_vectors, combined,
     drawn, hard, in_order, joined, mingled, one_of, together,
 };

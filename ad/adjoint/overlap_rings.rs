@@ -4,7 +4,7 @@
 use super::overlap_polygon::pair_derivatives;
 use crate::overlap::{ratio_of_first, ratio_of_union};
 use crate::overlap_polygon::between;
-use crate::overlap_polygon::rings::Pair;
+use crate::overlap_polygon::holed::Pair;
 use crate::polygon::Rings;
 use crate::{Scalar, Vec2};
 
@@ -94,7 +94,7 @@ fn pulled<'a, S: Scalar<Mask = bool>>(
     found.value
 }
 
-/// Adjoint of [`intersection_area`](crate::overlap_polygon::rings::intersection_area).
+/// Adjoint of [`intersection_area`](crate::overlap_polygon::holed::intersection_area).
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, ad::adjoint::overlap_rings::intersection_area_vjp};
@@ -124,7 +124,7 @@ pub fn intersection_area_vjp<'a, S: Scalar<Mask = bool>>(
     })
 }
 
-/// Adjoint of [`union_area`](crate::overlap_polygon::rings::union_area).
+/// Adjoint of [`union_area`](crate::overlap_polygon::holed::union_area).
 ///
 /// # Panics
 ///
@@ -143,7 +143,7 @@ pub fn union_area_vjp<'a, S: Scalar<Mask = bool>>(
     })
 }
 
-/// Adjoint of [`iou`](crate::overlap_polygon::rings::iou). With `r = I / U`: `∂I = (1 + r) / U`,
+/// Adjoint of [`iou`](crate::overlap_polygon::holed::iou). With `r = I / U`: `∂I = (1 + r) / U`,
 /// `∂A = ∂B = −r / U`.
 ///
 /// # Panics
@@ -179,7 +179,7 @@ pub fn iou_vjp<'a, S: Scalar<Mask = bool>>(
     )
 }
 
-/// Adjoint of [`iof`](crate::overlap_polygon::rings::iof). With `r = I / A`: `∂I = 1 / A`, `∂A = −r / A`.
+/// Adjoint of [`iof`](crate::overlap_polygon::holed::iof). With `r = I / A`: `∂I = 1 / A`, `∂A = −r / A`.
 ///
 /// # Panics
 ///

@@ -1,5 +1,5 @@
 //! A check of closures, put together step by step.
-use crate::ad::check::near::Near;
+use crate::ad::check::placed::Near;
 use crate::ad::check::second_order::{BentFn, TracedBentFn};
 use crate::ad::check::subject::Conventions;
 use crate::ad::check::symmetry::{Invariance, Kind};

@@ -1,7 +1,7 @@
 //! The generic source of a checked function on duals of duals: second derivatives, and what a
 //! function of `f32` is in double precision.
 use crate::ad::check::Check;
-use crate::ad::check::near::Near;
+use crate::ad::check::placed::Near;
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::tolerances::FEW_INPUTS;
 use crate::ad::check::trace::{Number, Trace, Traced, trace};

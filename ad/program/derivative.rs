@@ -1,7 +1,7 @@
 //! The derivative of every operation, written once for both directions.
 //!
 //! An operation's derivative with respect to an operand is never a number by itself: it is what a tangent
-//! of the operand becomes ([forward](super::forward)), or what a cotangent of the operation becomes
+//! of the operand becomes ([forward](super::tangent)), or what a cotangent of the operation becomes
 //! ([reverse](super::reverse)). Both are the same product.
 use super::graph::{Graph, Id, Node};
 

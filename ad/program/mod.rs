@@ -46,26 +46,22 @@
 mod cost;
 mod derivative;
 pub(crate) mod evaluate;
-mod forward;
 pub(crate) mod graph;
+mod in_progress;
 pub(crate) mod opened;
+mod packed;
 pub(crate) mod print;
-#[expect(
-    clippy::module_inception,
-    reason = "the type is called as the module is"
-)]
-mod program;
 pub(crate) mod record;
 pub(crate) mod recorded;
-mod recording;
 mod reverse;
-mod shapes;
 mod simplify;
-mod symbol;
+mod sym;
+mod tangent;
+mod typed;
 pub(crate) mod wgsl;
 
 pub use cost::Cost;
 pub use graph::Format;
-pub use program::{Jacobian, Program};
-pub use symbol::{OneNumber, Plain, Sym, SymMask};
+pub use sym::{OneNumber, Plain, Sym, SymMask};
+pub use typed::{Jacobian, Program};
 pub use wgsl::WGSL;

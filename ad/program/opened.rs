@@ -1,9 +1,9 @@
 //! Recordings that are opened and finished by calls, for functions that are not Rust's.
 use super::graph::Node;
+use super::in_progress::Recording;
 use super::record::places;
 use super::recorded::Recorded;
-use super::recording::Recording;
-use super::symbol::{Plain, Sym, SymMask};
+use super::sym::{Plain, Sym, SymMask};
 use crate::Unrecordable;
 use std::marker::PhantomData;
 

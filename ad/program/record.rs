@@ -1,9 +1,9 @@
 //! How a function is recorded, and how it is found out whether the recording is that function.
 use super::graph::{Id, Node};
+use super::in_progress::Recording;
+use super::packed::numbers;
 use super::recorded::Recorded;
-use super::recording::Recording;
-use super::shapes::numbers;
-use super::symbol::{Plain, Sym};
+use super::sym::{Plain, Sym};
 use crate::{Error, Fixed, Scalar, Unrecordable};
 
 /// How many inputs a function that asks for hints is tried on.

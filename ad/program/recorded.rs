@@ -1,8 +1,8 @@
 //! Programs without the shapes of what goes in and out: lists of numbers.
 use super::evaluate::evaluate;
-use super::forward::forward;
 use super::graph::{Format, Graph, Id, Node};
 use super::reverse::reverse;
+use super::tangent::forward;
 use crate::{Scalar, Unrecordable};
 
 /// A recorded function of a list of numbers with a list of numbers as result.

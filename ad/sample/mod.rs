@@ -5,14 +5,14 @@
 //! near ties come up without being asked for; whole inputs are moved far away and scaled, because
 //! that is where digits are lost.
 mod clouds;
-pub(crate) mod derived;
 #[cfg_attr(
     not(feature = "check"),
     expect(dead_code, reason = "only the harness asks for all of it")
 )]
 pub(crate) mod drawn;
-mod shapes;
-mod solids;
+mod own_shapes;
+pub(crate) mod several;
+mod solid_boxes;
 #[cfg(feature = "proptest")]
 pub mod strategy;
 

@@ -2,7 +2,7 @@
 use crate::target::{Shape, Target};
 use geograd::ad::adjoint::overlap_rings::iou_vjp;
 use geograd::distance::ring::distance_to_ring;
-use geograd::overlap_polygon::rings::iou;
+use geograd::overlap_polygon::holed::iou;
 use geograd::predicate::{Turn, turn};
 use geograd::shape::edges;
 use geograd::{Pack, Polygon, Scalar, Vec2};

@@ -19,6 +19,7 @@ mod of;
 pub(crate) mod recorded_subject;
 mod source;
 pub(crate) mod subject;
+pub mod witness;
 
 pub use of::OfOperation;
 pub use source::{Folded, Replayed, Ringed, Source, Straight};
@@ -37,6 +38,7 @@ use crate::ad::sample::drawn::{Drawn, Kinship};
 use crate::error::Field;
 use crate::kernels::Backend;
 use crate::kernels::check::recorded_subject::{ByHand, Computations, RecordedSubject};
+use crate::kernels::check::witness::{Ask, Batch, ask_any, ask_gradient, ask_pairs, ask_rings};
 use crate::kernels::dynamic::Function;
 use crate::kernels::fold::Fold;
 use crate::kernels::fuzz::{self, Fuzzed, Job};
@@ -46,7 +48,6 @@ use crate::kernels::op::{Derivative, Invariance, Jumps, Op, RingOp, inside_of, r
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Mode, Recording};
 use crate::kernels::search::Search;
-use crate::kernels::witness::{Ask, Batch, ask_any, ask_gradient, ask_pairs, ask_rings};
 use crate::{Error, Fixed, Pack, Vec2};
 use std::any::Any;
 use std::sync::Arc;

@@ -11,9 +11,9 @@ use crate::ad::sample::drawn::Near;
 use crate::kernels::check::Judged;
 use crate::kernels::check::jets::{self, moving, nearest, noisy_list, widened};
 use crate::kernels::check::subject::Path;
+use crate::kernels::check::witness::Batch;
 use crate::kernels::dynamic::{Function, Rows};
 use crate::kernels::op::Jumps;
-use crate::kernels::witness::Batch;
 use crate::{Jet, Scalar};
 use std::sync::Arc;
 

@@ -10,7 +10,7 @@ use crate::ad::sample::Sample;
 use crate::ad::sample::drawn::Near;
 use crate::kernels::check::Source;
 use crate::kernels::check::jets::{self, moving, nearest, noisy_list, widened};
-use crate::kernels::witness::Batch;
+use crate::kernels::check::witness::Batch;
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::fmt;
 

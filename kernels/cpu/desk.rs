@@ -2,7 +2,7 @@
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles, planes, tiles, with_lanes};
 use crate::kernels::cpu::plan::{Face, Preparation};
 use crate::kernels::cpu::program::Interpreted;
-use crate::kernels::cpu::program::rows::{Given, Wanted};
+use crate::kernels::cpu::program::rowwise::{Given, Wanted};
 use crate::kernels::cpu::work::spread;
 use crate::kernels::item::{Column, Piece, STRETCH, Target};
 use crate::kernels::real::Real;

@@ -4,11 +4,11 @@
 //! that is large enough for a tree or for threads of its own goes through the code of ungrouped lists. Neither moves a
 //! bit of a result.
 use crate::kernels::cpu::arch::flat;
-use crate::kernels::cpu::boxes::BOUNDS;
 use crate::kernels::cpu::greedy::{self, Greed};
 use crate::kernels::cpu::lane::{
     BLOCK, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
 };
+use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{Face, List};
 use crate::kernels::cpu::reductions::{self, raise, start};

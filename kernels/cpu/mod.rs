@@ -51,8 +51,6 @@ pub(crate) mod arch;
 #[forbid(unsafe_code)]
 mod blocks;
 #[forbid(unsafe_code)]
-mod boxes;
-#[forbid(unsafe_code)]
 mod boxes3;
 #[forbid(unsafe_code)]
 pub(crate) mod checked;
@@ -70,6 +68,8 @@ pub(crate) mod grouped;
 pub(crate) mod lane;
 #[forbid(unsafe_code)]
 pub(crate) mod nearest;
+#[forbid(unsafe_code)]
+mod overlaps;
 #[forbid(unsafe_code)]
 pub(crate) mod pairs;
 #[forbid(unsafe_code)]
@@ -98,7 +98,7 @@ mod table;
 #[forbid(unsafe_code)]
 mod tree;
 #[forbid(unsafe_code)]
-pub(crate) mod upright;
+pub(crate) mod upright_boxes;
 #[forbid(unsafe_code)]
 pub(crate) mod work;
 

@@ -2,13 +2,13 @@
 use crate::ad::adjoint::overlap_rings;
 use crate::error::{Argument, Error, Flaw, VertexFault};
 use crate::kernels::cpu::Cpu;
-use crate::kernels::cpu::boxes::BOUNDS;
 use crate::kernels::cpu::checked::{check_upstream, expect, numbers};
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles, tiles};
+use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::ragged::check_offsets;
 use crate::kernels::cpu::work::{rows_per_piece, spread};
 use crate::kernels::real::Real;
-use crate::overlap_polygon::rings;
+use crate::overlap_polygon::holed;
 use crate::reference::bounds_of;
 use crate::{Aabb2, Vec2};
 
@@ -40,21 +40,21 @@ impl<'a, T> RingList<'a, T> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum RingScore {
-    /// The [area](crate::overlap_polygon::rings::intersection_area) that both share, in squared units of
+    /// The [area](crate::overlap_polygon::holed::intersection_area) that both share, in squared units of
     /// length.
     IntersectionArea,
-    /// [Intersection over union](crate::overlap_polygon::rings::iou), in `[0, 1]`.
+    /// [Intersection over union](crate::overlap_polygon::holed::iou), in `[0, 1]`.
     Iou,
-    /// The [share](crate::overlap_polygon::rings::iof) of the first that lies in the second, in `[0, 1]`.
+    /// The [share](crate::overlap_polygon::holed::iof) of the first that lies in the second, in `[0, 1]`.
     Iof,
 }
 
 impl RingScore {
     fn value<T: Real>(self, a: &[Vec2<T>], b: &[Vec2<T>]) -> T {
         match self {
-            RingScore::IntersectionArea => rings::intersection_area(a, b),
-            RingScore::Iou => rings::iou(a, b),
-            RingScore::Iof => rings::iof(a, b),
+            RingScore::IntersectionArea => holed::intersection_area(a, b),
+            RingScore::Iou => holed::iou(a, b),
+            RingScore::Iof => holed::iof(a, b),
         }
     }
     /// Writes derivatives times a cotangent; the value.

@@ -3,8 +3,8 @@
 //! Compiled in this library only, by the entries in `arch`.
 use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
 use crate::kernels::cpu::arch::{LARGE, Vector};
-use crate::kernels::cpu::boxes::{lanes_of, put, seed};
 use crate::kernels::cpu::lane::{PLANE, Results, Tiles};
+use crate::kernels::cpu::overlaps::{lanes_of, put, seed};
 use crate::kernels::real::Real;
 use crate::overlap_polygon::intersection_area_quads;
 use crate::{Fixed, Scalar, Vec2};

@@ -4,10 +4,10 @@
 //! and computed tile by tile. A consumer gets the results with their columns. Results do not depend on which
 //! pairs were left out.
 use crate::kernels::cpu::arch::flat;
-use crate::kernels::cpu::boxes::BOUNDS;
 use crate::kernels::cpu::lane::{
     BLOCK, Kept, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
 };
+use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::plan::{Face, List, Maker, Rare};
 use crate::kernels::cpu::tree::Tree;
 use crate::kernels::real::Real;

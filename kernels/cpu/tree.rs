@@ -1,6 +1,6 @@
 //! A tree of bounds, to find the few of a long list that a row may overlap.
-use crate::kernels::cpu::boxes::BOUNDS;
 use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::real::Real;
 
 /// Bounds in tiles of sixteen, each tile bounded by one of a level above, up to a single tile.

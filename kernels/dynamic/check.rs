@@ -1,6 +1,6 @@
 //! Checks by the harness of functions whose shapes are known at run time.
 use super::Mode;
-use super::function::Function;
+use super::forms::Function;
 use super::program::Program;
 use super::rows::named;
 use crate::ad::check::subject::Conventions;
@@ -8,8 +8,8 @@ use crate::ad::check::trace::Number;
 use crate::ad::check::{Check, Report, Sampling, examine};
 use crate::ad::declared::Kind;
 use crate::ad::program::Format;
-use crate::ad::sample::derived::{TUPLES, combinations, mingle, together, units};
 use crate::ad::sample::drawn::Near;
+use crate::ad::sample::several::{TUPLES, combinations, mingle, together, units};
 use crate::ad::sample::{Draw, Sampler, moved};
 use crate::error::{Argument, Error};
 use crate::kernels::check::Judged;

@@ -1,5 +1,5 @@
 //! Groups of rows, and suppression, on columns of numbers.
-use super::function::Function;
+use super::forms::Function;
 use super::rows::{Rows, renamed};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::check;

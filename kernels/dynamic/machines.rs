@@ -1,5 +1,5 @@
 //! Functions of `f32` on the processor or on a GPU.
-use super::function::Function;
+use super::forms::Function;
 use super::rows::Rows;
 use crate::error::Error;
 use crate::kernels::backend::Backend;

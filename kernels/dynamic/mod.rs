@@ -32,11 +32,11 @@
 //! ```
 //!
 //! A program that calls [`operations`] or [`operation`] compiles every row in both formats; other programs do not.
+mod catalogue;
 #[cfg(feature = "check")]
 mod check;
-mod function;
+mod forms;
 mod grouped;
-mod list;
 mod machines;
 mod names;
 mod nodes;
@@ -49,12 +49,12 @@ pub use crate::ad::sample::Sampler;
 pub use crate::kernels::bounds::Bound;
 pub use crate::kernels::cpu::work::on_this_thread;
 pub use crate::kernels::recording::Mode;
+pub use catalogue::{Format, Number, Operation, Parameter, Shape, Sort, operation, operations};
+#[doc(hidden)]
+pub use catalogue::{fold, ring, search, straight};
 #[cfg(feature = "check")]
 pub use check::Inputs;
-pub use function::Function;
-pub use list::{Format, Number, Operation, Parameter, Shape, Sort, operation, operations};
-#[doc(hidden)]
-pub use list::{fold, ring, search, straight};
+pub use forms::Function;
 pub use names::{Name, Unnamed, named_rows, names};
 pub use nodes::{Elementary, Nodes, Step};
 pub use paths::OnPaths;

@@ -1,6 +1,6 @@
 //! Programs whose shapes are known at run time, and how functions of other languages become such.
 use super::Mode;
-use super::function::Function;
+use super::forms::Function;
 use super::nodes::{Nodes, nodes};
 use super::rows::{Layout, Rows, named};
 use super::symbol::Symbol;

@@ -1,7 +1,7 @@
 //! Lists of inputs, and how they are drawn.
-use super::columns::Inputs;
+use super::arguments::Inputs;
+use super::families::{Family, is_angle_within, limited, limits_of, power};
 use super::job::Job;
-use super::numbers::{Family, is_angle_within, limited, limits_of, power};
 use super::{Finding, Property};
 use crate::ad::declared::Kind;
 use crate::ad::sample::Draw;

@@ -1,5 +1,5 @@
 //! An operation of any sort on plain numbers, so that what fuzzes it is compiled once.
-use super::columns::Inputs;
+use super::arguments::Inputs;
 use super::rules::Rules;
 use crate::ad::declared::{Answer, Invariance, Kind, Motion};
 use crate::ad::program::recorded::Recorded;

@@ -20,14 +20,14 @@
 //! ```
 //!
 //! An operation of any kind becomes a job on plain numbers, so that drawing, judging and shrinking are compiled once.
-mod columns;
+mod arguments;
+mod couples;
+mod families;
 mod inputs;
 mod job;
-mod judge;
-mod numbers;
-mod pairs;
+mod properties;
 mod rules;
-mod shrink;
+mod smaller;
 
 #[doc(hidden)]
 pub use job::Job;
@@ -40,8 +40,8 @@ use crate::kernels::item::Item;
 use crate::kernels::op::{Op, RingOp};
 use crate::kernels::real::Real;
 use crate::kernels::search::Search;
-use columns::Inputs;
-use judge::Thorough;
+use arguments::Inputs;
+use properties::Thorough;
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -222,7 +222,8 @@ pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
                 if first.as_ref().is_none_or(|(at, _)| i < *at) {
                     let bars = bars.iter().zip(&job.outputs);
                     let bars = bars.flat_map(|(list, &n)| list[at * n..][..n].to_vec());
-                    let found = shrink::shrunk(job, inputs.item(job, at), bars.collect(), property);
+                    let found =
+                        smaller::shrunk(job, inputs.item(job, at), bars.collect(), property);
                     *first = Some((i, found));
                 }
                 next.store(chunks, Ordering::Relaxed);
@@ -239,7 +240,7 @@ pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
     let broken = broken.into_inner().unwrap_or_else(PoisonError::into_inner);
     Fuzzed {
         op: job.name,
-        format: if numbers::is_wide::<T>() {
+        format: if families::is_wide::<T>() {
             "f64"
         } else {
             "f32"

@@ -1,6 +1,6 @@
 //! Images of points, and angles between rotations, as operations with domains.
 use crate::camera::{BrownConrady, Fisheye, Pinhole};
-use crate::kernels::ops::rows::table;
+use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Angle, Project};
 use crate::{Rotation3, Vec2, Vec3};
 

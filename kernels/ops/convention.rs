@@ -7,7 +7,7 @@ use crate::convention::{
     Detectron2Box, ImageBox, KittiBox, Le90, Le135, LidarBox, NuScenesBox, OpenCvBox, Xyxyr,
 };
 use crate::kernels::ops::noun::{Number, Quad};
-use crate::kernels::ops::rows::table;
+use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Convert, Corners, FlipY};
 use crate::{Obb2, Obb3, Pack, Scalar, YawBox3};
 

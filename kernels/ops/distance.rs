@@ -13,7 +13,7 @@ use crate::distance::{
     Contact, PointPair, depth, closest_points, distance, farthest_distance, penetration,
     signed_distance, squared_distance,
 };
-use crate::kernels::ops::rows::table;
+use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{
     self, Depth, Distance, FarthestDistance, SignedDistance, SquaredDistance,
 };

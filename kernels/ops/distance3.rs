@@ -3,7 +3,7 @@ use crate::distance3::{
     Contact3, PointPair3, closest_points, distance, farthest_distance, penetration, signed_distance,
     squared_distance,
 };
-use crate::kernels::ops::rows::table;
+use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{self, Distance, FarthestDistance, SignedDistance, SquaredDistance};
 use crate::{
     Aabb3, Capsule3, Cone, Cylinder, Line3, Obb3, Plane3, Ray3, RoundBox3, Segment3, Sphere, Tetrahedron,

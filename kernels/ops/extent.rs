@@ -1,5 +1,5 @@
 //! Extents of convex polygons, and what is smallest around them, as operations.
-use crate::kernels::ops::rows::searches;
+use crate::kernels::ops::tables::searches;
 use crate::kernels::verbs::{Diameter, MinimumCircle, MinimumRectangle, Width};
 use crate::measure::circle::{Support, circle_search, circle_replay};
 use crate::measure::extent::{

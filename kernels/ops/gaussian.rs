@@ -5,7 +5,7 @@ use crate::gaussian::{
     bhattacharyya, jeffreys, kfiou, kullback_leibler, probiou, solid, wasserstein,
     wasserstein_squared,
 };
-use crate::kernels::ops::rows::table;
+use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{
     Bhattacharyya, Jeffreys, Kfiou, KullbackLeibler, Probiou, SquaredWasserstein, Wasserstein,
 };

@@ -4,7 +4,7 @@ use crate::intersection::{
     span,
 };
 use crate::kernels::op::Limits;
-use crate::kernels::ops::rows::table;
+use crate::kernels::ops::tables::table;
 use crate::kernels::verbs;
 use crate::{Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Segment2, Triangle2};
 

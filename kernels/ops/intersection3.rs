@@ -5,7 +5,7 @@ use crate::intersection3::{
     first_hit_of_segment, first_hit_triangle, length_inside, span,
 };
 use crate::kernels::op::Limits;
-use crate::kernels::ops::rows::table;
+use crate::kernels::ops::tables::table;
 use crate::kernels::verbs;
 use crate::{
     Aabb3, Capsule3, Cone, Cylinder, Line3, Obb3, Plane3, Ray3, RoundBox3, Segment3, Sphere, Tetrahedron,

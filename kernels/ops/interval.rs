@@ -1,7 +1,7 @@
 //! Intervals of the number line as operations.
 use crate::Interval;
 use crate::kernels::ops::noun::Number;
-use crate::kernels::ops::rows::table;
+use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Distance, IntersectionLength, Iou, SignedDistance};
 
 table! {

@@ -4,7 +4,7 @@ use crate::clip::frame;
 use crate::iou;
 use crate::iou::Exponent;
 use crate::kernels::cpu::plan::Compiled;
-use crate::kernels::ops::rows::table;
+use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{
     AlphaIou, Ciou, CiouAabb, CiouFixedWeight, CiouHull, Diou, DiouAabb, DiouHull, Eiou, EiouAabb,
     EiouHull, Giou, GiouAabb, GiouHull, HullArea,

@@ -4,7 +4,7 @@
 use crate::ad::adjoint::iou3::score_obb3_vjp;
 use crate::iou::separation_aware_obb2;
 use crate::iou3::{Enclosing, Score, alpha_iou, ciou, diou, eiou, giou, separation_aware};
-use crate::kernels::ops::rows::table;
+use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{
     AlphaIou, Ciou, CiouAabb, CiouRectangle, Diou, DiouAabb, DiouRectangle, Eiou, EiouAabb,
     EiouRectangle, Giou, GiouAabb, GiouRectangle, SeparationAware,

@@ -1,8 +1,8 @@
 //! The rows: every operation of the library, a family a file.
 pub(crate) mod class;
-pub mod list;
 pub(crate) mod noun;
-mod rows;
+mod tables;
+pub mod walk;
 
 /// The families, and the list of all their rows.
 macro_rules! families {
@@ -11,12 +11,12 @@ macro_rules! families {
 
         /// Walks through every row of the library, with its types.
         #[inline]
-        pub fn each<W: list::Walk>(walk: &mut W) {
+        pub fn each<W: walk::Walk>(walk: &mut W) {
             $($family::each(walk);)*
         }
 
         /// The names of all rows, in the same order.
-        pub fn written() -> impl Iterator<Item = &'static list::Written> {
+        pub fn written() -> impl Iterator<Item = &'static walk::Written> {
             let families = [$($family::NAMES),*].into_iter().flatten();
             families.flat_map(|rows| rows.iter())
         }
@@ -25,5 +25,5 @@ macro_rules! families {
 families! {
     overlap iou interval distance intersection shape gaussian convention
     overlap3 iou3 distance3 intersection3 camera
-    polygon extent ring fold fold3 solid
+    polygon extent ring path path3 solid
 }

@@ -4,7 +4,7 @@ use crate::ad::adjoint::overlap_quad::intersection_area_quads_vjp;
 use crate::clip::frame;
 use crate::kernels::cpu::plan::Compiled;
 use crate::kernels::ops::noun::Quad;
-use crate::kernels::ops::rows::table;
+use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{IntersectionArea, Iof, Iou};
 use crate::overlap::{Denominator, score_aabb2, score_framed};
 use crate::overlap_polygon::intersection_area_quads;

@@ -4,7 +4,7 @@ use crate::hull::{MergeTrace, merge_search, merge_replay};
 use crate::iou::{
     FarthestCorners, diou_polygons_search, diou_polygons_replay, giou_polygons_replay,
 };
-use crate::kernels::ops::rows::searches;
+use crate::kernels::ops::tables::searches;
 use crate::kernels::verbs::{Diou, Giou, HullArea, IntersectionArea, Iof, Iou};
 use crate::overlap_polygon::{intersection_area_polygons, iof_polygons, iou_polygons};
 use crate::{ConvexPolygon, Scalar};

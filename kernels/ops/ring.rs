@@ -2,8 +2,8 @@
 use crate::kernels::cpu::rings::Measure;
 use crate::kernels::op::{Finite, Jumps, Invariance, Range, RingOp};
 use crate::kernels::ops::class::invariances;
-use crate::kernels::ops::list::Written;
-use crate::kernels::ops::rows::listed;
+use crate::kernels::ops::walk::Written;
+use crate::kernels::ops::tables::listed;
 use crate::kernels::verbs::{Centroid, Perimeter, SignedArea};
 use crate::{Scalar, Vec2, ad, ring};
 

@@ -1,6 +1,6 @@
 //! Measures of shapes, and what makes shapes of shapes, as operations.
 use crate::kernels::ops::noun::Quad;
-use crate::kernels::ops::rows::table;
+use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Area, Centroid, Circumcircle, Incircle, Move, Perimeter, SignedArea};
 use crate::shape::circumcircle;
 use crate::{Circle, Pose2, Segment2, Triangle2, Vec2, ring};

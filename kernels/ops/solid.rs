@@ -1,5 +1,5 @@
 //! Measures of solids as operations.
-use crate::kernels::ops::rows::table;
+use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Centroid, Inertia, Surface, Volume};
 use crate::{Capsule3, Cone, Cylinder, RoundBox3, Sphere, Symmetric3, Tetrahedron, Vec3};
 

@@ -67,12 +67,12 @@ mod held;
 mod matrix;
 mod numbers;
 mod pairs;
-mod ring;
+mod rings;
 
 pub use held::{Held, HeldColumns};
 #[doc(hidden)]
 pub use numbers::HeldNumbers;
-pub use ring::Rings;
+pub use rings::Rings;
 
 /// Handles: name, what is kept on the CPU and on a GPU, what comes back and how.
 macro_rules! handles {

@@ -33,7 +33,7 @@
 //! other, two vertices at one place become one, with the mean of their derivatives.
 //!
 //! For the area of what polygons share nothing need be clipped: see
-//! [`overlap_polygon::rings`](crate::overlap_polygon::rings).
+//! [`overlap_polygon::holed`](crate::overlap_polygon::holed).
 //!
 //! ```
 //! # #[cfg(feature = "boolean")] {
@@ -58,26 +58,26 @@ mod corner;
 #[cfg(feature = "boolean")]
 mod cut;
 #[cfg(feature = "boolean")]
-mod decide;
-#[cfg(feature = "boolean")]
 mod faces;
 #[cfg(feature = "boolean")]
 mod grid;
+#[cfg(feature = "boolean")]
+mod pieces;
+mod records;
 mod replay;
 #[cfg(feature = "boolean")]
 mod shortcut;
 #[cfg(feature = "boolean")]
 mod snap;
-mod trace;
 #[cfg(feature = "boolean")]
 mod valid;
 
 #[cfg(feature = "boolean")]
-pub use decide::overlay_search;
+pub use pieces::overlay_search;
+pub use records::{EdgeId, IouTrace, Operation, Origin, OverlayTrace, Owner, ValidTrace, VertexId};
 pub(crate) use replay::{foot, input_edge, input_vertex};
 pub use replay::{iou_replay, overlay_replay, valid_replay};
 #[cfg(feature = "boolean")]
 pub use shortcut::{difference, intersection, iou_search, symmetric_difference, union};
-pub use trace::{EdgeId, IouTrace, Operation, Origin, OverlayTrace, Owner, ValidTrace, VertexId};
 #[cfg(feature = "boolean")]
 pub use valid::{valid, valid_search};

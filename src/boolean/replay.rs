@@ -1,5 +1,5 @@
 //! The result of a boolean operation from its inputs and its record.
-use super::trace::Made;
+use super::records::Made;
 use super::{EdgeId, IouTrace, Origin, OverlayTrace, ValidTrace, VertexId};
 use crate::clipping::crossing::crossing;
 use crate::overlap::ratio_of_first;

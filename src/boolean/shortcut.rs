@@ -1,5 +1,5 @@
 //! Results without their record, and intersection over union with it.
-use super::decide::Pieces;
+use super::pieces::Pieces;
 use super::{IouTrace, Operation, iou_replay, overlay_replay, overlay_search};
 use crate::Scalar;
 use crate::error::Error;

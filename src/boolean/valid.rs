@@ -1,8 +1,8 @@
 //! Results that are valid by the OGC's rules.
 use super::corner::{Border, origins};
-use super::decide::Pieces;
 use super::faces::{Piece, is_straight, parts};
-use super::trace::Made;
+use super::pieces::Pieces;
+use super::records::Made;
 use super::{Operation, ValidTrace, valid_replay};
 use crate::Scalar;
 use crate::error::Error;

@@ -12,13 +12,13 @@
 //!
 //! For the area of what two polygons share nothing need be clipped: see
 //! [`overlap_polygon`](crate::overlap_polygon).
+mod convex_pair;
 pub(crate) mod crossing;
 mod half_plane;
 mod meeting;
-mod pair;
 
+pub use convex_pair::{clip, clip_replay, clip_search};
 pub use half_plane::{half_plane_replay, half_plane_search};
-pub use pair::{clip, clip_replay, clip_search};
 
 /// The origin of a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

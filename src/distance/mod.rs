@@ -40,15 +40,15 @@
 use crate::{Scalar, Vec2};
 
 pub mod beam;
-pub mod bounds;
+pub mod box_core;
 pub mod convex;
 pub mod cores;
 pub mod edge;
 mod edge_fold;
+mod nearest_edge;
 pub mod pair;
 pub(crate) mod relation;
 pub mod ring;
-mod search;
 pub mod segments;
 pub mod shapes;
 pub mod share;

@@ -7,7 +7,7 @@
 //! [`Fill::EvenOdd`], either way round).
 use super::edge::edge_winding;
 pub use super::edge_fold::{EdgeFold, Fill};
-use super::search::nearest;
+use super::nearest_edge::nearest;
 use crate::{Scalar, Vec2};
 
 /// The distance from a point to the edges of a polyline, not negative; 0 with derivative zero on it. For a

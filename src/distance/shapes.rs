@@ -1,5 +1,5 @@
 //! Every shape as an inflated core.
-use super::bounds::BoundsCore;
+use super::box_core::BoundsCore;
 use super::convex::Convex;
 use super::convex::PairFormula;
 use super::cores::{BoxCore, EdgeCore, PointCore, PolygonCore};

@@ -48,13 +48,13 @@ use crate::overlap3::{iou_aabb3, iou_obb3, iou_yaw};
 use crate::shape::{Aabb3, Obb3, YawBox3};
 use crate::{Scalar, Vec3};
 
+mod around;
 mod enclosing;
-mod rectangle;
+mod ground;
 mod separation;
-mod turned;
 
 pub use enclosing::Enclosing;
-pub use rectangle::smallest_rectangle;
+pub use ground::smallest_rectangle;
 pub use separation::{penetration_or_gap, separation_aware};
 
 /// Terms of scores that come from an overlap: numbers without a unit, by the shape around two boxes.
@@ -122,7 +122,7 @@ impl<S: Scalar> Solid<S> for Obb3<S> {
     }
     #[inline]
     fn terms(self, other: Self, iou: S, kind: Enclosing) -> Terms<S> {
-        turned::of_any(self, other, iou, kind)
+        around::of_any(self, other, iou, kind)
     }
 }
 

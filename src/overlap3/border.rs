@@ -29,8 +29,8 @@
 //! and by a turn its first moment; both come from the pieces of the faces' integrals. Derivatives by K's size
 //! come from the parts of the integrals that are clamped to K's faces. Moving or turning both boxes
 //! together changes nothing, which gives the rest.
-use super::edge::{Bounds, Cut, clamped, cut, less_signed, signed, turn};
-use super::face::{Face, face};
+use super::edge_clamp::{Bounds, Cut, clamped, cut, less_signed, signed, turn};
+use super::face_integral::{Face, face};
 use super::relate::Relative3;
 use super::volume_from_half;
 use crate::{Mask, Scalar};

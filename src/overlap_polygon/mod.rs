@@ -31,8 +31,8 @@
 //!
 //! Kinks: edges lying along each other (where both are exactly on one line on either ray, the derivative
 //! is shared half and half), and polygons that begin to touch (derivative zero).
+pub mod holed;
 mod quad;
-pub mod rings;
 mod wedge;
 
 use crate::overlap::{ratio_of_first, ratio_of_union};

@@ -5,7 +5,7 @@
 //! reference to a [`Polygon`]. Which rings are holes is not stored. It follows from where they lie:
 //!
 //! * [`area`], [`centroid`], [`second_moments`] and the overlap of
-//!   [`overlap_polygon::rings`](crate::overlap_polygon::rings) take rings that do not cross, nested to any
+//!   [`overlap_polygon::holed`](crate::overlap_polygon::holed) take rings that do not cross, nested to any
 //!   depth and each of either orientation. Points that an odd number of rings enclose are inside.
 //!   [`Sides`] is that decision, made once and kept.
 //! * [`locate`](Rings::locate), [`contains`](Rings::contains), [`depth`](Rings::depth) and
@@ -13,12 +13,12 @@
 //!   are inside.
 //!
 //! The vertices of all rings are numbered one ring after the other: so are their cotangents.
+mod located;
 mod measure;
-mod place;
-mod rings;
+mod parts;
 mod sides;
 
 pub use crate::distance::ring::Fill;
 pub use measure::{area, centroid, perimeter, second_moments, signed_area};
-pub use rings::{Polygon, Rings};
+pub use parts::{Polygon, Rings};
 pub use sides::Sides;

@@ -21,11 +21,11 @@ use crate::scalar::Scalar;
 use std::cmp::Ordering;
 
 mod hard;
-mod matrix;
+mod matrix_nms;
 mod soft;
 
 pub use hard::{cluster, hard};
-pub use matrix::matrix;
+pub use matrix_nms::matrix;
 pub use soft::{Decayed, soft, soft_replay, soft_search, soft_vjp};
 
 /// Two things of a list, or one of each of two lists, and how much they overlap.

@@ -1,7 +1,7 @@
 //! Same bits, signs of zeros included: of the scalar code, at every level of vector instructions, at
 //! every position of a batch, for any number of threads, with the filter of all pairs and without.
 use geograd::kernels::check::{Ringed, Source, Straight};
-use geograd::kernels::cpu::program::face::compile_after;
+use geograd::kernels::cpu::program::measured::compile_after;
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::op::RingOp;
 use geograd::kernels::reduce::Matrix;

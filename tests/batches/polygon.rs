@@ -3,7 +3,7 @@ use geograd::ad::adjoint::overlap_rings::{intersection_area_vjp, iou_vjp};
 use geograd::error::{Argument, Flaw, VertexFault};
 use geograd::kernels::Cpu;
 use geograd::kernels::cpu::polygons::{RingList, RingScore};
-use geograd::overlap_polygon::rings::{intersection_area, iou};
+use geograd::overlap_polygon::holed::{intersection_area, iou};
 use geograd::{Error, Vec2};
 use geograd_tests::Dice;
 use std::f64::consts::TAU;

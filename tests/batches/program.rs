@@ -3,7 +3,7 @@
 use crate::bits::Turn;
 use geograd::ad::adjoint::overlap::iou_obb2_grad;
 use geograd::ad::program::{Plain, Program, Sym};
-use geograd::kernels::cpu::program::face::{Ready, Trial, Way};
+use geograd::kernels::cpu::program::measured::{Ready, Trial, Way};
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::real::Real;
 use geograd::overlap::iou_obb2;

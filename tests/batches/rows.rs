@@ -2,7 +2,7 @@
 //! instructions and at every position of a batch.
 use crate::bits::Turn;
 use geograd::ad::check::sample::Draw;
-use geograd::kernels::cpu::program::face::compile_after;
+use geograd::kernels::cpu::program::measured::compile_after;
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::dynamic::{Bound, Function, Mode, Rows, Sort, names, operations};
 use geograd::kernels::op::Finite;

@@ -1,7 +1,7 @@
 //! An independent oracle for boxes as Gaussians: covariance matrices and the formulas of the papers, in
 //! fixed-point numbers of 256 fractional bits from the exact values of the floats. It shares no code with the
 //! library, and no formula: inverses, determinants and eigenvalues, where the library has closed forms.
-use super::oracle::{BITS, Fixed};
+use super::oracle_boxes::{BITS, Fixed};
 use super::pairs::{FAMILIES, Random, pair};
 use geograd::gaussian::{self, solid};
 use geograd::{Jet, Obb2, Obb3, Rotation3, Scalar, Vec3};

@@ -1,7 +1,7 @@
 //! An independent oracle for volumes of intersection: the faces of both boxes, each clipped by the other
 //! box's planes (Sutherland-Hodgman), and the divergence theorem, in fixed-point numbers of 256 fractional
 //! bits from the exact values of the floats. It shares no code and no method with the library.
-use super::oracle::{BITS, Fixed};
+use super::oracle_boxes::{BITS, Fixed};
 use geograd::Obb3;
 use geograd::shape::FACES;
 use num_bigint::BigInt;

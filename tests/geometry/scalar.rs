@@ -1,5 +1,5 @@
 //! Every scalar on every kink, and its elementary functions against the platform's.
-use super::oracle::Fixed;
+use super::oracle_boxes::Fixed;
 use geograd::{Jet, Lanes, Mask, Scalar};
 use num_dual::{Dual, Dual2, Dual3, HyperDual, HyperHyperDual, Real};
 

@@ -1,4 +1,5 @@
-//! The order of the source, read from its `mod` and `use` lines: no file imports itself on a way over others.
+//! The order of the source, read from its files' names and their `mod` and `use` lines: no file imports itself on a way
+//! over others, and no two files of a crate have one name without a reason.
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -232,4 +233,118 @@ fn no_file_imports_itself() {
         files > 500 && arrows > 1500,
         "{files} files, {arrows} imports"
     );
+}
+
+/// Parts of the library: the folder that a file is in, the innermost first.
+const PARTS: [&str; 15] = [
+    "src",
+    "ad/adjoint",
+    "ad/check",
+    "ad/program",
+    "ad/sample",
+    "ad",
+    "kernels/check",
+    "kernels/cpu",
+    "kernels/dynamic",
+    "kernels/fuzz",
+    "kernels/gpu",
+    "kernels/ops",
+    "kernels/resident",
+    "kernels/verbs",
+    "kernels",
+];
+
+/// Parts whose files of one name speak of one thing: a formula, its adjoint and its rows; a call and how each machine
+/// and the calls by name run it; the harness, and the harness of rows.
+const MIRRORS: [&[&str]; 3] = [
+    &["src", "ad/adjoint", "kernels/ops"],
+    &[
+        "kernels",
+        "kernels/cpu",
+        "kernels/gpu",
+        "kernels/resident",
+        "kernels/dynamic",
+    ],
+    &["ad/check", "kernels/check"],
+];
+
+fn part(file: &str) -> Option<&'static str> {
+    let holds = |part: &&&str| {
+        file.strip_prefix(**part)
+            .is_some_and(|x| x.starts_with('/'))
+    };
+    PARTS.iter().find(holds).copied()
+}
+
+/// The folder of `src/` that a file is in; empty for a file beside them.
+fn family(file: &str) -> &str {
+    let inner = file.strip_prefix("src/").unwrap_or(file);
+    inner.split_once('/').map_or("", |(family, _)| family)
+}
+
+/// `true` for two files whose one name is on purpose.
+fn are_mirrors(a: &str, b: &str) -> bool {
+    let (Some(own), Some(other)) = (part(a), part(b)) else {
+        // Beside the library: folders side by side, such as tests of the plane and of space.
+        let folders = |file: &str| {
+            let mut parts: Vec<String> = file.split('/').map(str::to_owned).collect();
+            parts.truncate(parts.len() - 1);
+            (parts.pop(), parts)
+        };
+        let ((own, above), (other, over)) = (folders(a), folders(b));
+        return own != other && above == over && above.len() > 1;
+    };
+    if own != other {
+        return MIRRORS
+            .iter()
+            .any(|parts| parts.contains(&own) && parts.contains(&other));
+    }
+    // Two families of formulas: of the plane and of space, or what both have for one shape.
+    let (own, other) = (family(a), family(b));
+    let stem = a.rsplit('/').next().unwrap();
+    // A ring is a slice of points, and so has no file among shapes.
+    let is_of_shape = stem == "ring.rs" || root().join("src/shape").join(stem).exists();
+    let are_dimensions = format!("{own}3") == other || format!("{other}3") == own;
+    a.starts_with("src/") && own != other && (is_of_shape || are_dimensions)
+}
+
+/// Within a crate a file's name is its own.
+#[test]
+fn no_name_twice() {
+    let mut all = BTreeSet::new();
+    sources(root(), &mut all);
+    let mut stems: BTreeMap<(String, &str), Vec<&str>> = BTreeMap::new();
+    let starts: Vec<&String> = all.iter().filter(|file| is_face(file)).collect();
+    for file in all.iter().filter(|file| !is_face(file)) {
+        let name = file.rsplit('/').next().unwrap();
+        let crate_of = match part(file) {
+            Some(_) => "library".to_owned(),
+            // The innermost folder with a root, or the file's own.
+            None => {
+                let within = |start: &&&String| {
+                    let folder = start.rsplit_once('/').map_or("", |x| x.0);
+                    !start.ends_with("/mod.rs") && file.starts_with(&format!("{folder}/"))
+                };
+                let start = starts.iter().filter(within).max_by_key(|start| start.len());
+                start.map_or_else(|| file.clone(), |start| (*start).clone())
+            }
+        };
+        stems.entry((crate_of, name)).or_default().push(file);
+    }
+    let mut doubled = Vec::new();
+    for files in stems.values() {
+        for (i, a) in files.iter().enumerate() {
+            let others = files[i + 1..].iter().filter(|b| !are_mirrors(a, b));
+            doubled.extend(others.map(|b| format!("{a} and {b}")));
+        }
+    }
+    assert!(doubled.is_empty(), "{doubled:#?}");
+    // The reading itself: mirrors exist, and what is none is told apart.
+    assert!(stems.values().filter(|files| files.len() > 1).count() > 20);
+    assert!(are_mirrors("src/overlap.rs", "ad/adjoint/overlap.rs"));
+    assert!(!are_mirrors("src/overlap.rs", "kernels/cpu/overlap.rs"));
+    assert!(!are_mirrors(
+        "kernels/cpu/plan/face.rs",
+        "kernels/cpu/program/face.rs"
+    ));
 }

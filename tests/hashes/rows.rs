@@ -5,7 +5,7 @@ use geograd::ad::check::sample::Sample;
 #[cfg(feature = "gpu")]
 use geograd::ad::program::WGSL as PRELUDE;
 use geograd::kernels::gpu::GpuRing;
-use geograd::kernels::ops::list::{Walk, Written};
+use geograd::kernels::ops::walk::{Walk, Written};
 use geograd::kernels::{Fold, Item, Op, Search, ops};
 use geograd::{Fixed, Pack, Vec2};
 

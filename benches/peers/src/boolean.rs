@@ -4,7 +4,7 @@ use geo::{Area, BooleanOps, Coord, LineString, Polygon};
 use geograd::ad::adjoint::overlap_polygon::intersection_area_polygons_vjp;
 use geograd::ad::adjoint::overlap_rings::intersection_area_vjp;
 use geograd::boolean::{Operation, overlay_replay, overlay_search};
-use geograd::overlap_polygon::{intersection_area_polygons, rings::intersection_area};
+use geograd::overlap_polygon::{holed::intersection_area, intersection_area_polygons};
 use geograd::polygon::{Fill, area};
 use geograd::{ConvexPolygon, Vec2};
 use std::hint::black_box;

@@ -1,7 +1,7 @@
 //! The parts of scores of two simple polygons: lengths and areas, with their derivatives by all vertices.
 //!
 //! The area of intersection is the library's
-//! ([`intersection_area`](geograd::overlap_polygon::rings::intersection_area), with its adjoint).
+//! ([`intersection_area`](geograd::overlap_polygon::holed::intersection_area), with its adjoint).
 use super::Polygon;
 use crate::number::Number;
 use geograd::Vec2;
@@ -9,7 +9,7 @@ use geograd::ad::adjoint::overlap_rings::intersection_area_vjp;
 use geograd::ad::adjoint::ring::signed_area_vjp;
 use geograd::hull::hull_area_search;
 use geograd::measure::extent::diameter_search;
-use geograd::overlap_polygon::rings::intersection_area;
+use geograd::overlap_polygon::holed::intersection_area;
 
 /// Derivatives by the vertices of two polygons, in the order of their vertices.
 #[derive(Clone, Debug)]

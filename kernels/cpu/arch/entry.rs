@@ -3,16 +3,16 @@
 use crate::Vec2;
 use crate::kernels::cpu::arch::Bound;
 use crate::kernels::cpu::blocks;
-use crate::kernels::cpu::boxes::{self, BOUNDS, View};
 use crate::kernels::cpu::boxes3;
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles};
 use crate::kernels::cpu::nearest;
+use crate::kernels::cpu::overlaps::{self, BOUNDS, View};
 use crate::kernels::cpu::program::instructions::Code;
-use crate::kernels::cpu::program::rows::{Rows, Wanted};
+use crate::kernels::cpu::program::rowwise::{Rows, Wanted};
 use crate::kernels::cpu::program::{self, Memory, Pass, Tape};
 use crate::kernels::cpu::quads;
 use crate::kernels::cpu::rings::{self, Measure};
-use crate::kernels::cpu::upright;
+use crate::kernels::cpu::upright_boxes;
 use crate::overlap::Denominator;
 
 /// Lists kernels: a name, arguments, and the generic function, of a format `T` and a vector `V`.
@@ -83,31 +83,31 @@ macro_rules! entries {
 
 entries! {
     /// Rotated boxes with their trigonometry done.
-    obb2_frames(shapes: Tiles<'_, T>, view: View, frames: &mut [Lane<T>]) = boxes::obb2_frames::<T, V>;
+    obb2_frames(shapes: Tiles<'_, T>, view: View, frames: &mut [Lane<T>]) = overlaps::obb2_frames::<T, V>;
     /// Bounds of prepared rotated boxes.
-    obb2_bounds(frames: Tiles<'_, T>, bounds: &mut [Lane<T>]) = boxes::obb2_bounds::<T, V>;
+    obb2_bounds(frames: Tiles<'_, T>, bounds: &mut [Lane<T>]) = overlaps::obb2_bounds::<T, V>;
     /// `true` if rotated boxes are valid and of ordinary size.
-    all_ordinary_obb2(numbers: &[T]) -> bool = boxes::all_ordinary_obb2::<T, V>;
+    all_ordinary_obb2(numbers: &[T]) -> bool = overlaps::all_ordinary_obb2::<T, V>;
     /// Scores of prepared rotated boxes.
-    obb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::obb2_scores::<T, V>;
+    obb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = overlaps::obb2_scores::<T, V>;
     /// Scores of prepared rotated boxes with ten derivatives each.
-    obb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::obb2_derivatives::<T, V>;
+    obb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = overlaps::obb2_derivatives::<T, V>;
     /// `true` if rotated boxes are valid and of common size, or zero size.
-    all_common_obb2(numbers: &[T]) -> bool = boxes::all_common_obb2::<T, V>;
+    all_common_obb2(numbers: &[T]) -> bool = overlaps::all_common_obb2::<T, V>;
     /// Generalised IoU of prepared rotated boxes.
-    giou_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::giou_scores::<T, V>;
+    giou_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = overlaps::giou_scores::<T, V>;
     /// Generalised IoU of prepared rotated boxes with ten derivatives each.
-    giou_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::giou_derivatives::<T, V>;
+    giou_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = overlaps::giou_derivatives::<T, V>;
     /// Areas that convex quadrilaterals share.
     quad_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = quads::quad_scores::<T, V>;
     /// Areas that convex quadrilaterals share with sixteen derivatives each.
     quad_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = quads::quad_derivatives::<T, V>;
     /// `true` if upright boxes are valid and of common size, or zero size.
-    all_common_upright(numbers: &[T]) -> bool = boxes::all_common_upright::<T, V>;
+    all_common_upright(numbers: &[T]) -> bool = overlaps::all_common_upright::<T, V>;
     /// Scores of upright boxes from what they share seen from above.
-    upright_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = upright::scores::<T, V>;
+    upright_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = upright_boxes::scores::<T, V>;
     /// The same with fourteen derivatives each, from the ten derivatives of that.
-    upright_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = upright::derivatives::<T, V>;
+    upright_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = upright_boxes::derivatives::<T, V>;
     /// `true` if boxes of any orientation in space are valid and of common size, or zero size.
     all_common_obb3(numbers: &[T]) -> bool = boxes3::all_common::<T, V>;
     /// Scores of boxes of any orientation in space.
@@ -115,9 +115,9 @@ entries! {
     /// Scores of boxes of any orientation in space with twenty derivatives each.
     obb3_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes3::derivatives::<T, V>;
     /// Scores of axis-aligned boxes.
-    aabb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes::aabb2_scores::<T, V>;
+    aabb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = overlaps::aabb2_scores::<T, V>;
     /// Scores of axis-aligned boxes with eight derivatives each.
-    aabb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes::aabb2_derivatives::<T, V>;
+    aabb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = overlaps::aabb2_derivatives::<T, V>;
     /// `true` if axis-aligned boxes are valid.
     all_aabb2(numbers: &[T]) -> bool = blocks::all_aabb2::<T, V>;
     /// Rows of numbers into tiles.
@@ -155,7 +155,7 @@ entries! {
     /// The instructions of a recorded program on numbers in slots.
     carry_out(code: &[Code], memory: Memory<'_, T>, native: Option<&Bound<'_, T>>) = program::carry_out::<T, V>;
     /// Some items by a recorded program, from rows to rows.
-    over_rows(tape: &Tape, part: Rows<'_, T>, wanted: &mut [Wanted<'_, T>]) = program::rows::over_rows::<T, V>;
+    over_rows(tape: &Tape, part: Rows<'_, T>, wanted: &mut [Wanted<'_, T>]) = program::rowwise::over_rows::<T, V>;
     /// The edges of a path that can be nearest to a point, and how often the path winds around it.
     near_edges(point: Vec2<T>, path: &nearest::Edges<T>, limits: nearest::Limits<T>, squares: &mut [Lane<T>], picked: &mut [u32]) -> Option<(usize, T)> = nearest::near_edges::<T, V>;
     /// Measures of rings; false, and any numbers, where a vertex is not finite.

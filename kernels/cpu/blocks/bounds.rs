@@ -1,7 +1,7 @@
 //! Which bounds meet those of a row, one after another or in a tree.
 use crate::kernels::cpu::arch::Vector;
-use crate::kernels::cpu::boxes::BOUNDS;
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
+use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::real::Real;
 
 /// The places of the ones in a byte.

@@ -1,7 +1,7 @@
 //! The plan of a call, made once per function, mode and form.
 use super::compiled::{of_compiled, outline};
-use super::face::{Face, name};
-use super::recorded::of_recorded;
+use super::computation::{Face, name};
+use super::makers::of_recorded;
 use crate::error::Error;
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Body, Call, Key};

@@ -1,5 +1,5 @@
 //! Operations with compiled kernels: which kernels, and the scalar code for what those do not serve.
-use super::face::{Face, Maker, Outline, Preparation, Prepare};
+use super::computation::{Face, Maker, Outline, Preparation, Prepare};
 use crate::ad::adjoint::iou::giou_framed_vjp;
 use crate::ad::adjoint::overlap::{score_aabb2_vjp, score_framed_vjp};
 use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
@@ -7,14 +7,14 @@ use crate::ad::adjoint::upright::score_upright_vjp;
 use crate::error::Validate;
 use crate::iou::giou_framed;
 use crate::kernels::cpu::arch::LARGE;
-use crate::kernels::cpu::boxes::{
-    AABB2, OBB2, SEEN, UPRIGHT, View, is_common_upright, is_solid_obb2,
-};
 use crate::kernels::cpu::boxes3::{OBB3, is_common_obb3};
 use crate::kernels::cpu::lane::{Lane, Results, Tiles};
+use crate::kernels::cpu::overlaps::{
+    AABB2, OBB2, SEEN, UPRIGHT, View, is_common_upright, is_solid_obb2,
+};
 use crate::kernels::cpu::quads::{QUAD2, farthest};
 use crate::kernels::cpu::solids;
-use crate::kernels::cpu::upright;
+use crate::kernels::cpu::upright_boxes;
 use crate::kernels::real::Real;
 use crate::kernels::recording::Mode;
 use crate::overlap::{Denominator, score_framed};
@@ -280,7 +280,7 @@ impl<T: Real> Maker<T> for BirdsEyeDerivatives {
     fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
         let seeds = inputs.get(2).copied();
         (T::kernels().obb2_derivatives)(self.0, inputs[0], inputs[1], seeds, out.again());
-        upright::spread_derivatives(&mut out);
+        upright_boxes::spread_derivatives(&mut out);
     }
 }
 

@@ -1,15 +1,15 @@
 //! How batches compute an operation: what is prepared once per shape, what is computed per pair.
 mod call;
 mod compiled;
-mod face;
-mod list;
-mod recorded;
+mod computation;
+mod makers;
+mod prepared;
 
 pub(crate) use call::plan;
 pub use compiled::Compiled;
-pub(crate) use face::name;
-pub use face::{Face, Maker, Preparation, Rare};
-pub use list::List;
+pub(crate) use computation::name;
+pub use computation::{Face, Maker, Preparation, Rare};
 #[cfg(feature = "gpu")]
-pub(crate) use recorded::prepared;
-pub(crate) use recorded::{of_items, of_recorded};
+pub(crate) use makers::prepared;
+pub(crate) use makers::{of_items, of_recorded};
+pub use prepared::List;

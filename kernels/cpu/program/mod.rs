@@ -8,13 +8,13 @@
 //! After a thousand items the instructions between two calls of elementary functions become machine code (`native`),
 //! where the system allows it.
 mod execute;
-pub mod face;
 mod fuse;
 pub(crate) mod instructions;
 pub(crate) mod lower;
+pub mod measured;
 #[cfg(all(target_arch = "x86_64", feature = "native", not(geograd_portable)))]
 pub(crate) mod native;
-pub(crate) mod rows;
+pub(crate) mod rowwise;
 mod skip;
 mod slots;
 pub(crate) mod split;
@@ -29,7 +29,7 @@ use crate::kernels::real::Real;
 use execute::STRIP;
 pub(crate) use execute::{Memory, Pass, Run, carry_out, interpret};
 pub(crate) use lower::Tape;
-use rows::{Given, Rows, Wanted};
+use rowwise::{Given, Rows, Wanted};
 use std::cell::Cell;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};

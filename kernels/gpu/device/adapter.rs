@@ -105,7 +105,7 @@ pub(super) fn all() -> Vec<(wgpu::Adapter, Adapter)> {
             let flags = adapter.get_downlevel_capabilities().flags;
             flags.contains(wgpu::DownlevelFlags::COMPUTE_SHADERS)
                 && adapter.limits().max_compute_invocations_per_workgroup
-                    >= super::source::GROUP as u32
+                    >= super::written::GROUP as u32
         })
         .enumerate()
         .map(|(index, adapter)| {

@@ -49,7 +49,7 @@ fn blocks(a: &[usize], b: &[usize], most_pairs: usize) -> Vec<Block> {
 }
 
 /// Rows per block: what one dimension of a dispatch may hold.
-const MOST_ROWS: usize = super::work::MOST_GROUPS * super::source::STEP;
+const MOST_ROWS: usize = super::work::MOST_GROUPS * super::written::STEP;
 
 /// Pairs per dispatch: drivers reset a GPU that is busy with one for seconds.
 const MOST_PAIRS: u64 = 1 << 30;

@@ -1,6 +1,6 @@
 //! Boxes as kernels by hand want them, and lists of numbers, in buffers that fit a binding each.
 use super::Inner;
-use super::source::{Kind, TILE};
+use super::written::{Kind, TILE};
 use crate::kernels::cpu::work::spread;
 
 /// A buffer and how many items it holds.

@@ -1,8 +1,8 @@
 //! Compacted lists on the GPU: the pairs whose score is above a threshold.
 use super::download::download;
-use super::source::Take;
 use super::table::Table;
 use super::work::{Params, Work};
+use super::written::Take;
 use super::{Gpu, Matrix, Pending};
 use crate::Error;
 use crate::kernels::reduce::{Found, check_threshold};

@@ -5,8 +5,8 @@
 use super::data::Boxes;
 use super::generated::held::HeldColumn;
 use super::generated::operation::Generated;
-use super::generated::sides::Sides;
-use super::pairs::Mirrored;
+use super::generated::uploaded::Sides;
+use super::mirrored::Mirrored;
 use super::seed::Seed;
 use super::table::Table;
 use super::{Bests, Founds, Gpu, Matrix};

@@ -1,8 +1,8 @@
 //! Matrices that stay on the GPU.
 use super::block::{Block, block_of, place_block};
 use super::download::download;
-use super::source::GROUP;
 use super::work::{MOST_GROUPS, Params, Work, groups};
+use super::written::GROUP;
 use super::{Gpu, Pending};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check_upstream, entries, expect};

@@ -30,14 +30,14 @@ mod found;
 mod generated;
 pub(crate) mod lists;
 mod matrix;
-mod pairs;
+mod mirrored;
 mod plans;
 mod reduce;
-mod ring;
+mod rings;
 pub(crate) mod seed;
-mod source;
 mod table;
 mod work;
+mod written;
 
 pub use adapter::{Adapter, Choice, Options};
 pub(crate) use download::Pending;
@@ -51,15 +51,15 @@ pub use generated::{fold_sources, line_sources, op_sources, replay_source};
 pub(crate) use lists::Lists;
 pub(crate) use matrix::Matrix;
 pub(crate) use reduce::Bests;
-pub(crate) use ring::{RingBars, RingValues, Rings};
-pub use source::{GpuRing, pair_sources, ring_sources};
+pub(crate) use rings::{RingBars, RingValues, Rings};
+pub use written::{GpuRing, pair_sources, ring_sources};
 
 use crate::{Error, GpuFault};
-use source::{GROUP, GROUP_VJP, Source, TILE};
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
+use written::{GROUP, GROUP_VJP, Source, TILE};
 
 /// A GPU ready for work. Cheap to clone; clones share device and compiled shaders.
 #[derive(Clone)]

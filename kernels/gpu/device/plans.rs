@@ -1,6 +1,6 @@
 //! The plans of a call for a GPU, made once per function, mode and form.
 use super::generated::operation::Generated;
-use super::source::Mirror;
+use super::written::Mirror;
 use crate::kernels::recording::{Body, Call, Key, Mode};
 use crate::kernels::replays::Replays;
 use crate::{Error, Unrecordable};

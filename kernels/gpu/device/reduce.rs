@@ -4,9 +4,9 @@
 use super::data::Piece;
 use super::download::{download, parts};
 use super::seed::sum_of;
-use super::source::Take;
 use super::table::Table;
 use super::work::{Work, groups};
+use super::written::Take;
 use super::{Gpu, Matrix, Pending};
 use crate::Error;
 use crate::kernels::reduce::{Best, check_sides, check_threshold};

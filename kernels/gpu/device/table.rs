@@ -3,10 +3,10 @@
 use super::block::Block;
 use super::data::Piece;
 use super::generated::operation::Generated;
-use super::generated::sides::Sides;
-use super::pairs::Mirrored;
-use super::source::{ANY, Kernel, STRIP, Source, Take};
+use super::generated::uploaded::Sides;
+use super::mirrored::Mirrored;
 use super::work::{Params, groups};
+use super::written::{ANY, Kernel, STRIP, Source, Take};
 use super::{Gpu, Inner, Matrix};
 use crate::Error;
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! Running kernels: pipelines, dispatches, error scopes.
 use super::download::State;
-use super::source::{GROUP, Source};
+use super::written::{GROUP, Source};
 use super::{Inner, locked};
 use crate::{Error, GpuFault};
 use std::sync::atomic::Ordering;

@@ -5,7 +5,7 @@ use geograd::ad::adjoint::overlap_rings::{
     intersection_area_vjp, iof_vjp, iou_vjp, union_area_vjp,
 };
 use geograd::error::{Flaw, VertexFault};
-use geograd::overlap_polygon::rings::{intersection_area, iof, iou, union_area};
+use geograd::overlap_polygon::holed::{intersection_area, iof, iou, union_area};
 use geograd::polygon::{self, Fill, Sides};
 use geograd::{Aabb2, Pack, Polygon, Rings, Vec2};
 use geograd_tests::Dice;

@@ -18,7 +18,7 @@ macro_rules! arch {
 }
 
 #[macro_use]
-mod vector;
+mod registers;
 mod exponentials;
 mod items;
 mod sines;

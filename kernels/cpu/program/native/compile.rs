@@ -7,7 +7,7 @@ use super::encode::{AT_MOST, EQUAL, Encoder, LESS, Masked, NOT_LESS, Operand, Tw
 use super::events::{Events, events, sizes};
 use super::far::Far;
 use crate::kernels::cpu::program::instructions::{Code, Op};
-use crate::kernels::cpu::program::rows::AHEAD;
+use crate::kernels::cpu::program::rowwise::AHEAD;
 use crate::kernels::cpu::program::{Run, Tape};
 use crate::kernels::item::STRETCH;
 

@@ -1,7 +1,7 @@
 //! The adjoint of all pairs: derivatives summed for every shape, in a fixed order.
 use super::operation::Generated;
-use super::sides::Sides;
 use super::text::{Form, GROUP, STRIP};
+use super::uploaded::Sides;
 use crate::Error;
 use crate::error::Argument;
 use crate::kernels::Single;

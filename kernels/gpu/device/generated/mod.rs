@@ -8,11 +8,11 @@ pub(crate) mod operation;
 mod pairs;
 mod replays;
 mod shader;
-pub(super) mod sides;
 mod suppress;
 mod text;
+pub(super) mod uploaded;
 
-use super::source::compiled_sources;
+use super::written::compiled_sources;
 use super::{Inner, locked};
 use crate::kernels::Fold;
 use crate::kernels::dynamic::Operation;

@@ -1,5 +1,5 @@
 //! Every row with every column.
-use super::sides::Sides;
+use super::uploaded::Sides;
 use crate::Error;
 use crate::kernels::gpu::device::Gpu;
 use crate::kernels::gpu::device::block::place_block;

@@ -5,8 +5,8 @@
 //! whether it is so near to it that rounding may decide. The processor walks through the rows in order,
 //! and computes those few near pairs itself, if it comes to that, as a batch on the processor would.
 use super::operation::{Body, Generated};
-use super::sides::MOST_OPERATIONS;
 use super::text::{Form, GROUP, MOST_GROUPS, both, bound, call};
+use super::uploaded::MOST_OPERATIONS;
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::all_pairs::pairs;
 use crate::kernels::cpu::arch::flat;

@@ -1,6 +1,6 @@
-//! Overlap scores: right values by an independent oracle, ranges, symmetry,
+//! Overlap scores: right values by an independent oracle_boxes, ranges, symmetry,
 //! invariance, exact answers for identical and separate boxes, finite results everywhere.
-use crate::oracle;
+use crate::oracle_boxes;
 
 use geograd::ad::adjoint::overlap::{iou_aabb2_grad, iou_obb2_grad};
 use geograd::ad::check::strategy::{self, ordinary, thin, touching};
@@ -49,7 +49,7 @@ fn f64_agrees_with_the_oracle_on_random_boxes() {
     let mut dice = Dice(1);
     for _ in 0..3000 {
         let (a, b) = (dice.obb(), dice.obb());
-        let (got, exact) = (iou_obb2(a, b), oracle::iou(a, b));
+        let (got, exact) = (iou_obb2(a, b), oracle_boxes::iou(a, b));
         assert!(
             (got - exact).abs() < 1e-12,
             "{a} and {b}: {got}, exactly {exact}"
@@ -62,7 +62,7 @@ fn f32_agrees_with_the_oracle_on_random_boxes() {
     let mut dice = Dice(2);
     for _ in 0..3000 {
         let (a, b) = (narrow(dice.obb()), narrow(dice.obb()));
-        let (got, exact) = (iou_obb2(a, b), oracle::iou(widen(a), widen(b)));
+        let (got, exact) = (iou_obb2(a, b), oracle_boxes::iou(widen(a), widen(b)));
         assert!(
             (f64::from(got) - exact).abs() < 2e-6,
             "{a} and {b}: {got}, exactly {exact}"
@@ -70,7 +70,7 @@ fn f32_agrees_with_the_oracle_on_random_boxes() {
     }
 }
 
-/// A million pairs, against f64 (which the oracle vouches for above).
+/// A million pairs, against f64 (which the oracle_boxes vouches for above).
 #[test]
 fn f32_agrees_with_f64_on_a_million_pairs() {
     use geograd_tests::rows::IouObb2;
@@ -101,7 +101,7 @@ fn far_and_small_boxes_keep_their_digits() {
         let (w, h, p, q) = (size(), size(), size(), size());
         let a = narrow(Obb2::new(x, y, w, h, dice.within(-5.0, 5.0)));
         let b = narrow(Obb2::new(u, v, p, q, dice.within(-5.0, 5.0)));
-        let exact = oracle::iou(widen(a), widen(b));
+        let exact = oracle_boxes::iou(widen(a), widen(b));
         assert!(
             (f64::from(iou_obb2(a, b)) - exact).abs() < 2e-6,
             "{a} and {b}"
@@ -111,7 +111,7 @@ fn far_and_small_boxes_keep_their_digits() {
     }
     let a = Obb2::new(1e5, -1e5, 1e-4, 2e-4, 0.3);
     let b = Obb2::new(1e5 + 3e-5, -1e5, 1e-4, 2e-4, 0.4);
-    assert!((iou_obb2(a, b) - oracle::iou(a, b)).abs() < 1e-12);
+    assert!((iou_obb2(a, b) - oracle_boxes::iou(a, b)).abs() < 1e-12);
 }
 
 /// Thin boxes a hair's breadth from parallel, shifted along and across each other, at any heading,
@@ -147,7 +147,7 @@ fn thin_nearly_parallel_boxes() {
         let a = Obb2::new(x0 as f32, y0 as f32, 50.0, thin as f32, heading);
         let (x, y) = ((x0 + x) as f32, (y0 + y) as f32);
         let b = Obb2::new(x, y, w, h, heading + apart + quarter);
-        let exact = oracle::iou(widen(a), widen(b));
+        let exact = oracle_boxes::iou(widen(a), widen(b));
         for (a, b) in [(a, b), (b, a)] {
             let got = f64::from(iou_obb2(a, b));
             assert!(
@@ -196,14 +196,14 @@ fn hard_pairs_agree_with_the_oracle() {
     for (i, &a) in hard().iter().enumerate() {
         // Every pair would be 46,656 exact clippings; a stride prime to all factors samples them.
         for &b in hard().iter().skip(i % 7).step_by(7) {
-            let exact = oracle::iou(a, b);
+            let exact = oracle_boxes::iou(a, b);
             let got = iou_obb2(a, b);
             assert!(
                 (got - exact).abs() < 1e-10,
                 "{a} and {b}: {got}, exactly {exact}"
             );
             let (a, b) = (narrow(a), narrow(b));
-            let exact = oracle::iou(widen(a), widen(b));
+            let exact = oracle_boxes::iou(widen(a), widen(b));
             let got = f64::from(iou_obb2(a, b));
             assert!(
                 (got - exact).abs() < 1e-4,

@@ -3,8 +3,8 @@ use crate::distance::ring::{EdgeFold, Fill};
 use crate::kernels::fold::Fold;
 use crate::kernels::op::{Jumps, Invariance};
 use crate::kernels::ops::class::invariances;
-use crate::kernels::ops::list::Written;
-use crate::kernels::ops::rows::listed;
+use crate::kernels::ops::walk::Written;
+use crate::kernels::ops::tables::listed;
 use crate::kernels::verbs::{
     self, Depth, Distance, Length, OverPolyline, OverRing, SignedDistance, Winding,
 };
@@ -175,10 +175,10 @@ macro_rules! folds {
     )*
     listed! {
         names [$([Written {
-            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[crate::kernels::ops::fold::path_name!($Over)],
+            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[crate::kernels::ops::path::path_name!($Over)],
         }]),*]
         each |walk| { $(walk.fold::<$By>(Written {
-            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[crate::kernels::ops::fold::path_name!($Over)],
+            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[crate::kernels::ops::path::path_name!($Over)],
         });)* }
     } };
 }

@@ -1,6 +1,6 @@
 //! Every operation of the library, by name.
 use super::Mode;
-use super::function::Function;
+use super::forms::Function;
 use super::paths::{Code, OnPaths, fold_double, fold_single, ring_double, ring_single};
 use super::program::Program;
 use super::rows::{Layout, named};
@@ -18,7 +18,7 @@ use crate::kernels::op::{
     Derivative, Extremes, Finite, Invariance, Jumps, Op, Range, inside_of, recording_of,
 };
 use crate::kernels::ops;
-use crate::kernels::ops::list::{Walk, Written};
+use crate::kernels::ops::walk::{Walk, Written};
 use crate::kernels::real::Real;
 use crate::kernels::recording::Recording;
 use crate::kernels::search::{self, Search};

@@ -1,8 +1,8 @@
 //! Properties of pairs of shapes: apart, identical, exchanged.
-use super::columns::Inputs;
+use super::arguments::Inputs;
 use super::inputs::is_inside;
 use super::job::Job;
-use super::judge::{Found, Outcome, first_where, unless};
+use super::properties::{Found, Outcome, first_where, unless};
 use super::{Finding, Property};
 use crate::ad::declared::Kind;
 use crate::kernels::op::Extremes;

@@ -1,5 +1,5 @@
 //! Derivatives by hand of the overlap of boxes of any orientation.
-use super::obb::{far_apart, related, shared_within};
+use super::obb3::{far_apart, related, shared_within};
 use super::precise::to_about_half;
 use super::relate::{Relative3, relate3};
 use super::score;

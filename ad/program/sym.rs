@@ -1,6 +1,6 @@
 //! A scalar that records what is done with it.
 use super::graph::{Format, Node};
-use super::recording::Symbol;
+use super::in_progress::Symbol;
 use crate::pack::leaf;
 use crate::scalar::float::Float;
 use crate::{Mask, Scalar};

@@ -1,7 +1,7 @@
 //! Tests of many inputs of an operation at a time.
-use super::columns::Inputs;
+use super::arguments::Inputs;
+use super::families::{Family, limits_of, power};
 use super::job::{Job, Lists};
-use super::numbers::{Family, limits_of, power};
 use super::{Finding, Property};
 use crate::ad::declared::Kind;
 use crate::ad::forward::First;

@@ -1,5 +1,5 @@
 //! One face of a box integrated over what of it is above and below another box.
-use super::edge::{Bounds, Cut, Edge, clamped, edge, edge_term, less_signed, signed, tiny};
+use super::edge_clamp::{Bounds, Cut, Edge, clamped, edge, edge_term, less_signed, signed, tiny};
 use crate::Scalar;
 
 /// A face of b: its part of the volume, and its area and first moment inside a.

@@ -3,9 +3,9 @@ use super::block::{Block, block_of};
 use super::data::{Boxes, Piece};
 use super::download::parts;
 use super::seed::{Seed, sum_of};
-use super::source::{ANY, Kernel, Mirror, STEP, STRIP_VJP, Source, TILE, pair_source};
 use super::work::{Params, Work, groups};
-use super::{Gpu, Inner, Matrix, source};
+use super::written::{ANY, Kernel, Mirror, STEP, STRIP_VJP, Source, TILE, pair_source};
+use super::{Gpu, Inner, Matrix, written};
 use crate::Error;
 
 impl Inner {
@@ -106,8 +106,8 @@ struct Sweep<'a> {
 impl<'a> Sweep<'a> {
     fn new(inner: &'a Inner, of: &'a Mirrored, seed: &Seed<'_>) -> Result<Self, Error> {
         let seed = match seed {
-            Seed::Numbers(_) | Seed::Matrix(_) => source::Seed::Matrix,
-            Seed::Factor(_) => source::Seed::Factor,
+            Seed::Numbers(_) | Seed::Matrix(_) => written::Seed::Matrix,
+            Seed::Factor(_) => written::Seed::Factor,
         };
         let source = Source {
             slots: inner.slots,

@@ -3,9 +3,9 @@ use crate::distance3::polyline::NearestEdge3;
 use crate::kernels::fold::Fold;
 use crate::kernels::op::{Invariance, Jumps};
 use crate::kernels::ops::class::invariances;
-use crate::kernels::ops::fold::folds;
-use crate::kernels::ops::list::Written;
-use crate::kernels::ops::rows::listed;
+use crate::kernels::ops::path::folds;
+use crate::kernels::ops::walk::Written;
+use crate::kernels::ops::tables::listed;
 use crate::kernels::verbs::{
     Centroid, Distance, Length, OverCloud3, OverPolyline3, SecondMoments,
 };

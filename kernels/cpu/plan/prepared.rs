@@ -1,7 +1,7 @@
 //! A list of shapes made ready for kernels.
-use super::face::Preparation;
-use crate::kernels::cpu::boxes::BOUNDS;
+use super::computation::Preparation;
 use crate::kernels::cpu::lane::{Kept, Lane, Lent, TILE, Tiles};
+use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::real::Real;
 
 /// A list of shapes, prepared.

@@ -1,6 +1,6 @@
 //! How the library's own shapes are drawn, what is hard about them, and pairs of them.
 use crate::ad::declared::Kind;
-use crate::ad::sample::derived::{together, units};
+use crate::ad::sample::several::{together, units};
 use crate::ad::sample::{Draw, Sample, Sampler};
 use crate::error::Validate;
 use crate::{Aabb2, ConvexPolygon, Obb2, Rotation2, Vec2};

@@ -1,9 +1,9 @@
 //! A simpler input that breaks the same property.
-use super::columns::Inputs;
+use super::arguments::Inputs;
+use super::families::limits_of;
 use super::inputs::is_valid;
 use super::job::{Job, Lists};
-use super::judge::Thorough;
-use super::numbers::limits_of;
+use super::properties::Thorough;
 use super::{Broken, Property};
 use crate::kernels::real::Real;
 
@@ -33,7 +33,7 @@ fn fits<T: Real>(job: &Job<T>, x: T) -> bool {
         return true;
     };
     let size = x.widen().abs();
-    size == 0.0 || (super::numbers::power(least)..=super::numbers::power(most)).contains(&size)
+    size == 0.0 || (super::families::power(least)..=super::families::power(most)).contains(&size)
 }
 
 /// Simpler numbers, the simplest first.
@@ -121,7 +121,7 @@ pub(super) fn shrunk<T: Real>(job: &Job<T>, x: Vec<T>, bars: Vec<T>, property: P
         }
     }
     // Shortest decimals of the format.
-    let plain = |x: &T| match super::numbers::is_wide::<T>() {
+    let plain = |x: &T| match super::families::is_wide::<T>() {
         true => x.widen(),
         false => (x.widen() as f32)
             .to_string()

@@ -1,5 +1,5 @@
 //! Recorded programs, and functions that are computed item by item, as makers of blocks.
-use super::face::{Face, Maker, Preparation, Prepare};
+use super::computation::{Face, Maker, Preparation, Prepare};
 use crate::ad::program::graph::{Graph, Id};
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;

@@ -155,7 +155,7 @@ impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
 /// the [module](self).
 ///
 /// ```
-/// use geograd::{Aabb2, overlap_polygon::rings::intersection_area};
+/// use geograd::{Aabb2, overlap_polygon::holed::intersection_area};
 /// let (outer, hole) = (Aabb2::new(0.0, 0.0, 4.0, 4.0).corners(), Aabb2::new(1.0, 1.0, 3.0, 3.0).corners());
 /// let frame = [outer.as_slice(), &hole];
 /// let half = Aabb2::new(0.0, 0.0, 2.0, 4.0).corners();
@@ -172,7 +172,7 @@ pub fn intersection_area<'a, S: Scalar<Mask = bool>>(
 /// The area that two polygons cover together, in squared units of length. See the [module](self).
 ///
 /// ```
-/// use geograd::{Aabb2, overlap_polygon::rings::union_area};
+/// use geograd::{Aabb2, overlap_polygon::holed::union_area};
 /// let (a, b) = (Aabb2::new(0.0, 0.0, 2.0, 2.0).corners(), Aabb2::new(1.0, 1.0, 3.0, 3.0).corners());
 /// assert!((union_area(&a, &b) - 7.0_f64).abs() < 1e-14);
 /// ```
@@ -192,7 +192,7 @@ pub fn union_area<'a, S: Scalar<Mask = bool>>(
 /// bounds overlap it is zero to a few roundings, and so are its derivatives. See the [module](self).
 ///
 /// ```
-/// use geograd::{Aabb2, Polygon, overlap_polygon::rings::iou};
+/// use geograd::{Aabb2, Polygon, overlap_polygon::holed::iou};
 /// let (outer, hole) = (Aabb2::new(0.0, 0.0, 4.0, 4.0).corners(), Aabb2::new(1.0, 1.0, 3.0, 3.0).corners());
 /// let frame = Polygon::from_rings([&outer[..], &hole]);
 /// assert!((iou(&frame, &outer) - 0.75_f64).abs() < 1e-15);

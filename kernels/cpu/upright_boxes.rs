@@ -4,8 +4,10 @@
 use crate::ad::adjoint::upright::{Upright, score_from_area_vjp};
 use crate::clip::area_from_half;
 use crate::kernels::cpu::arch::Vector;
-use crate::kernels::cpu::boxes::{OBB2, SEEN, UPRIGHT, frame_fields, framed, lanes_of, put, seed};
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
+use crate::kernels::cpu::overlaps::{
+    OBB2, SEEN, UPRIGHT, frame_fields, framed, lanes_of, put, seed,
+};
 use crate::kernels::real::Real;
 use crate::overlap::Denominator;
 use crate::overlap3::{Scales, heights, score_of_columns};

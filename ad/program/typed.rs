@@ -1,11 +1,11 @@
 //! Programs with the types of their argument and result.
 use super::cost::Cost;
 use super::graph::Format;
+use super::packed::numbers;
 use super::print::print;
 use super::record::record;
 use super::recorded::Recorded;
-use super::shapes::numbers;
-use super::symbol::{OneNumber, Plain, Sym};
+use super::sym::{OneNumber, Plain, Sym};
 use super::wgsl;
 use crate::{Error, Fixed, Scalar};
 use std::any::Any;

@@ -1,7 +1,7 @@
 //! Batches of rings on the GPU.
 use super::download::download;
-use super::source::{ANY, GpuRing, Kernel, LONG, ROW, SPAN, Source, ring_source};
 use super::work::{Params, Work, groups};
+use super::written::{ANY, GpuRing, Kernel, LONG, ROW, SPAN, Source, ring_source};
 use super::{Gpu, Inner, Pending};
 use crate::Error;
 use crate::error::Argument;

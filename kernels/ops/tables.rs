@@ -31,7 +31,7 @@ macro_rules! table {
         $(relative_resolution $share:literal)?
         derivative $derivative:ident
         { $($rows:tt)* }
-    )*) => { $( crate::kernels::ops::rows::table! {
+    )*) => { $( crate::kernels::ops::tables::table! {
         @rows [concat!($($title),+)] $Verb, $arguments, $out, $formula, $class,
         [
             $(crate::kernels::op::Finite::$finite $(($limits))?,)?
@@ -42,9 +42,9 @@ macro_rules! table {
         $jumps, [$($domain)?], [0.0 $(+ $absolute)?, 0.0 $(+ $share)?], $derivative;
         $($rows)*
     } )*
-    crate::kernels::ops::rows::listed! {
-        names [$(crate::kernels::ops::rows::table!(@list names [] $Verb; $($rows)*)),*]
-        each |walk| { $(crate::kernels::ops::rows::table!(@list each [walk] $Verb; $($rows)*);)* }
+    crate::kernels::ops::tables::listed! {
+        names [$(crate::kernels::ops::tables::table!(@list names [] $Verb; $($rows)*)),*]
+        each |walk| { $(crate::kernels::ops::tables::table!(@list each [walk] $Verb; $($rows)*);)* }
     } };
     (
         @list $what:ident $walk:tt $Verb:ty;
@@ -63,7 +63,7 @@ macro_rules! table {
             $(=> compiled { $compiled:expr })?;
         )*
     ) => {
-        [$(crate::kernels::ops::rows::line!($what $walk straight $Verb, $name, [$($Shape)+] ($($Shape<f64>),+))),*]
+        [$(crate::kernels::ops::tables::line!($what $walk straight $Verb, $name, [$($Shape)+] ($($Shape<f64>),+))),*]
     };
     (
         @rows [$title:expr] $Verb:ty, $arguments:tt, $out:ty, $formula:block, $class:tt, $finite:tt, $range:tt,
@@ -92,13 +92,13 @@ macro_rules! table {
         impl crate::kernels::op::Op for Item {
             const NAME: &'static str = $name;
             const ARGUMENTS: &'static [&'static str] =
-                &crate::kernels::ops::rows::arguments!($arguments $($Shape)+);
+                &crate::kernels::ops::tables::arguments!($arguments $($Shape)+);
             const DOC: &'static str =
-                crate::kernels::ops::rows::text!($title, concat!($($own_title)?), $($Shape<f64>),+);
+                crate::kernels::ops::tables::text!($title, concat!($($own_title)?), $($Shape<f64>),+);
             type In<S: crate::Scalar> = ($($Shape<S>),+);
             type Out<S: crate::Scalar> = $out;
             const INVARIANCES: &'static [crate::kernels::op::Invariance] = {
-                crate::kernels::ops::rows::first!(@class [$([$($own_class)*])? $class] $($Shape<f64>),+)
+                crate::kernels::ops::tables::first!(@class [$([$($own_class)*])? $class] $($Shape<f64>),+)
             };
             const FINITE: crate::kernels::op::Finite =
                 [$(crate::kernels::op::Finite::$own_finite,)? $finite[0]][0];
@@ -112,7 +112,7 @@ macro_rules! table {
                 [$(crate::kernels::op::Derivative::$own_derivative,)? crate::kernels::op::Derivative::$derivative][0];
             #[allow(unused_variables)]
             const DOMAIN: Option<fn(Self::In<f64>) -> bool> =
-                crate::kernels::ops::rows::domain!($arguments [$($own_domain)?] $domain);
+                crate::kernels::ops::tables::domain!($arguments [$($own_domain)?] $domain);
             const RESOLUTION: [f64; 2] = {
                 let own = [0.0 $(+ $own_absolute)?, 0.0 $(+ $own_share)?];
                 let head: [f64; 2] = $resolution;
@@ -120,7 +120,7 @@ macro_rules! table {
             };
             #[inline]
             fn eval<S: crate::Scalar>($arguments: Self::In<S>) -> Self::Out<S> {
-                crate::kernels::ops::rows::first!($($own_formula)? $formula)
+                crate::kernels::ops::tables::first!($($own_formula)? $formula)
             }
             $($(
                 #[inline]
@@ -144,7 +144,7 @@ macro_rules! table {
 /// A row in the list of its file: its names, or a call of what walks the list.
 macro_rules! line {
     (names [] $sort:ident $Verb:ty, $name:literal, [$($shape:tt)+] $input:ty) => {
-        crate::kernels::ops::list::Written {
+        crate::kernels::ops::walk::Written {
             name: $name,
             verb: stringify!($Verb),
             shapes: &[$(stringify!($shape)),+],
@@ -152,12 +152,12 @@ macro_rules! line {
     };
     (each [$walk:ident] search $Verb:ty, $name:literal, [$($shape:tt)+] $input:ty) => {
         $walk.search::<<<$Verb as crate::kernels::verbs::Takes<$input>>::By as crate::kernels::search::Searches>::Search>(
-            crate::kernels::ops::rows::line!(names [] search $Verb, $name, [$($shape)+] $input),
+            crate::kernels::ops::tables::line!(names [] search $Verb, $name, [$($shape)+] $input),
         )
     };
     (each [$walk:ident] $sort:ident $Verb:ty, $name:literal, [$($shape:tt)+] $input:ty) => {
         $walk.$sort::<<$Verb as crate::kernels::verbs::Takes<$input>>::By>(
-            crate::kernels::ops::rows::line!(names [] $sort $Verb, $name, [$($shape)+] $input),
+            crate::kernels::ops::tables::line!(names [] $sort $Verb, $name, [$($shape)+] $input),
         )
     };
 }
@@ -166,13 +166,13 @@ macro_rules! line {
 macro_rules! listed {
     (names [$($names:expr),* $(,)?] each |$walk:ident| $each:block) => {
         /// The names of the rows of this file, a list for every verb.
-        pub(super) const NAMES: &[&[crate::kernels::ops::list::Written]] = &[$(&$names),*];
+        pub(super) const NAMES: &[&[crate::kernels::ops::walk::Written]] = &[$(&$names),*];
 
         /// Walks through every row of this file.
         // A lone argument needs no parentheses.
         #[allow(unused_parens)]
         #[inline]
-        pub(super) fn each<W: crate::kernels::ops::list::Walk>($walk: &mut W) {
+        pub(super) fn each<W: crate::kernels::ops::walk::Walk>($walk: &mut W) {
             // The scalar of a verb that names its result, as conversions do.
             #[allow(dead_code)]
             type S = f64;
@@ -267,23 +267,23 @@ macro_rules! searches {
                 $replay
             }
         }
-        crate::kernels::ops::rows::finds!($Verb<$($N),+> ($($arg),+));
+        crate::kernels::ops::tables::finds!($Verb<$($N),+> ($($arg),+));
     }; )*
-    crate::kernels::ops::rows::listed! {
-        names [$([crate::kernels::ops::rows::capacity!(names [] $Verb, $name, ($($arg),+))]),*]
-        each |walk| { $(crate::kernels::ops::rows::capacity!(each [walk] $Verb, $name, ($($arg),+));)* }
+    crate::kernels::ops::tables::listed! {
+        names [$([crate::kernels::ops::tables::capacity!(names [] $Verb, $name, ($($arg),+))]),*]
+        each |walk| { $(crate::kernels::ops::tables::capacity!(each [walk] $Verb, $name, ($($arg),+));)* }
     } };
 }
 
 /// The row of a search in the list: of polygons of up to six corners, or of two of up to five.
 macro_rules! capacity {
     ($what:ident $walk:tt $Verb:ident, $name:literal, ($polygon:ident)) => {
-        crate::kernels::ops::rows::line!(
+        crate::kernels::ops::tables::line!(
             $what $walk search $Verb, $name, [ConvexPolygon6] crate::ConvexPolygon<f64, 6>
         )
     };
     ($what:ident $walk:tt $Verb:ident, $name:literal, ($a:ident, $b:ident)) => {
-        crate::kernels::ops::rows::line!(
+        crate::kernels::ops::tables::line!(
             $what $walk search $Verb, $name, [ConvexPolygon5 ConvexPolygon5]
             (crate::ConvexPolygon<f64, 5>, crate::ConvexPolygon<f64, 5>)
         )
@@ -307,16 +307,16 @@ macro_rules! finds {
         }
     };
     ($Verb:ident<N> ($a:ident, $b:ident)) => {
-        crate::kernels::ops::rows::finds!(@two [const N: usize] $Verb, N, <N>);
+        crate::kernels::ops::tables::finds!(@two [const N: usize] $Verb, N, <N>);
     };
     // The hull of both has up to as many corners as both together, which the type must say.
     ($Verb:ident<N, K> ($a:ident, $b:ident)) => {
-        crate::kernels::ops::rows::finds!(@two [] $Verb, 3, <3, 6>);
-        crate::kernels::ops::rows::finds!(@two [] $Verb, 4, <4, 8>);
-        crate::kernels::ops::rows::finds!(@two [] $Verb, 5, <5, 10>);
-        crate::kernels::ops::rows::finds!(@two [] $Verb, 6, <6, 12>);
-        crate::kernels::ops::rows::finds!(@two [] $Verb, 7, <7, 14>);
-        crate::kernels::ops::rows::finds!(@two [] $Verb, 8, <8, 16>);
+        crate::kernels::ops::tables::finds!(@two [] $Verb, 3, <3, 6>);
+        crate::kernels::ops::tables::finds!(@two [] $Verb, 4, <4, 8>);
+        crate::kernels::ops::tables::finds!(@two [] $Verb, 5, <5, 10>);
+        crate::kernels::ops::tables::finds!(@two [] $Verb, 6, <6, 12>);
+        crate::kernels::ops::tables::finds!(@two [] $Verb, 7, <7, 14>);
+        crate::kernels::ops::tables::finds!(@two [] $Verb, 8, <8, 16>);
     };
     (@two [$($constant:tt)*] $Verb:ident, $N:tt, <$($capacity:tt),+>) => {
         impl<S: crate::Scalar<Mask = bool>, $($constant)*>

@@ -5,7 +5,7 @@ use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::lane::{BLOCK, Lane, Planes, Results, TILE, Tiles, planes, tiles};
 use crate::kernels::cpu::plan::Maker;
 use crate::kernels::cpu::program::Interpreted;
-use crate::kernels::cpu::program::rows::{Given, Wanted};
+use crate::kernels::cpu::program::rowwise::{Given, Wanted};
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::real::Real;
 
