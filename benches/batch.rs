@@ -158,7 +158,7 @@ fn main() {
         match row.operation.sort {
             _ if SCORES.contains(&row.name()) => pairs(&row.operation),
             Sort::Straight | Sort::Search => aligned(row),
-            Sort::Fold | Sort::Ring => paths(row),
+            Sort::Fold => paths(row),
         }
     }
 }

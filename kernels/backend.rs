@@ -2,12 +2,12 @@
 use crate::Error;
 #[cfg(feature = "gpu")]
 use crate::GpuFault;
-use crate::kernels::gpu::{Gpu, GpuRing};
+use crate::Pack;
+use crate::kernels::gpu::Gpu;
 use crate::kernels::item::Results;
-use crate::kernels::op::{RingOp, Runs};
+use crate::kernels::op::Runs;
 use crate::kernels::reduce::{Best, Found};
 use crate::kernels::{Columns, Cpu, Fold, Single, Table, Targets};
-use crate::{Pack, Vec2};
 
 /// The machine on which batches run. There is no silent fallback from one to the other.
 ///
@@ -250,18 +250,21 @@ impl Backend<'_> {
         on_either!(self, fold_vjp(fold, context, vertices, offsets, upstream))
     }
 
-    /// One result per ring: [`Cpu::ragged`].
+    /// One result per path of a fold that takes nothing else: [`Cpu::ragged`].
     ///
     /// # Errors
     ///
     /// The errors of the CPU, and [`Error::Gpu`].
-    pub fn ragged<O: GpuRing>(
+    pub fn ragged<F>(
         self,
-        ring: O,
-        vertices: &[Vec2<f32>],
+        fold: F,
+        vertices: &[F::Element<f32>],
         offsets: &[usize],
-    ) -> Result<Vec<<O as RingOp>::Out<f32>>, Error> {
-        on_either!(self, ragged(ring, vertices, offsets))
+    ) -> Result<Vec<F::Out<f32>>, Error>
+    where
+        F: Fold<Context<f32> = [f32; 0]>,
+    {
+        on_either!(self, ragged(fold, vertices, offsets))
     }
 
     /// The adjoint of [`ragged`](Backend::ragged), one cotangent per vertex: [`Cpu::ragged_vjp`].
@@ -269,13 +272,16 @@ impl Backend<'_> {
     /// # Errors
     ///
     /// As [`ragged`](Backend::ragged), and for cotangents of another number or not finite.
-    pub fn ragged_vjp<O: GpuRing>(
+    pub fn ragged_vjp<F>(
         self,
-        ring: O,
-        vertices: &[Vec2<f32>],
+        fold: F,
+        vertices: &[F::Element<f32>],
         offsets: &[usize],
-        upstream: &[<O as RingOp>::Out<f32>],
-    ) -> Result<Vec<Vec2<f32>>, Error> {
-        on_either!(self, ragged_vjp(ring, vertices, offsets, upstream))
+        upstream: &[F::Out<f32>],
+    ) -> Result<Vec<F::Element<f32>>, Error>
+    where
+        F: Fold<Context<f32> = [f32; 0]>,
+    {
+        on_either!(self, ragged_vjp(fold, vertices, offsets, upstream))
     }
 }

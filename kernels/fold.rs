@@ -2,8 +2,10 @@
 //!
 //! A fold is what happens at one edge, how two results are joined, and how it ends. Edges may be
 //! computed in any order and side by side; batches run their body as a program.
+use crate::ad::adjoint::ring::measure_vjp;
 use crate::kernels::op::{Finite, Invariance, Jumps, Limits, Range};
-use crate::{Fixed, Scalar, Vec2};
+use crate::ring::Measure;
+use crate::{Fixed, Pack, Scalar, Vec2};
 use std::fmt::Debug;
 
 /// An operation over the edges of a path.
@@ -80,10 +82,19 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     /// fold no other edges.
     #[doc(hidden)]
     const WINDING: Option<usize> = None;
-    /// The path as points of the plane, for a fold with a winding number.
+    /// The measure of rings that the fold is, if it is one of those with kernels and adjoints by hand. These run in
+    /// place of its edges, and see the path as points of the plane.
+    #[doc(hidden)]
+    const MEASURE: Option<Measure> = None;
+    /// The path as points of the plane, for a fold with a winding number or a measure of rings.
     #[doc(hidden)]
     fn in_plane<S: Scalar>(_path: &[Self::Element<S>]) -> &[Vec2<S>] {
         &[]
+    }
+    /// The same for cotangents, of a measure of rings.
+    #[doc(hidden)]
+    fn in_plane_mut<S: Scalar>(_path: &mut [Self::Element<S>]) -> &mut [Vec2<S>] {
+        &mut []
     }
     /// An element of a path: a point of the plane or of space, or any other shape. Batches ask no more of it than
     /// finite numbers.
@@ -131,6 +142,18 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
 /// assert_eq!(fold::<Row, f64>(Vec2::new(1.0, 0.5), &square), -0.5);
 /// ```
 pub fn fold<F: Fold, S: Scalar>(context: F::Context<S>, path: &[F::Element<S>]) -> F::Out<S> {
+    match F::MEASURE {
+        Some(measure) => F::Out::load(&measure.of(F::in_plane(path))),
+        None => edge_by_edge::<F, S>(context, path),
+    }
+}
+
+/// [`fold`] without formulas for the whole path.
+#[doc(hidden)]
+pub fn edge_by_edge<F: Fold, S: Scalar>(
+    context: F::Context<S>,
+    path: &[F::Element<S>],
+) -> F::Out<S> {
     let reference = F::reference(context, path);
     let mut state = F::empty();
     for k in 0..edges::<F>(path.len()) {
@@ -147,4 +170,13 @@ pub(crate) fn edges<F: Fold>(vertices: usize) -> usize {
     } else {
         vertices.saturating_sub(1)
     }
+}
+
+/// The numbers of the cotangents of a path's vertices by hand, if the fold has them.
+#[doc(hidden)]
+pub fn by_hand<F: Fold, S: Scalar>(path: &[F::Element<S>], out_bar: F::Out<S>) -> Option<Vec<S>> {
+    let measure = F::MEASURE?;
+    let mut bars = vec![Vec2::zero(); path.len()];
+    measure_vjp(measure, F::in_plane(path), &out_bar.scalars(), &mut bars);
+    Some(bars.scalars())
 }

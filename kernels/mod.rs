@@ -103,7 +103,7 @@ pub use cpu::{Cpu, Single, Table};
 pub use fold::Fold;
 pub use grouped::Groups;
 pub use item::{Column, Columns, Item, One, Target};
-pub use op::{Op, RingOp, Runs};
+pub use op::{Op, Runs};
 pub use search::Search;
 pub use targets::{Skip, Targets};
 pub use verbs::*;

@@ -30,12 +30,11 @@ use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Program, Sym};
 use crate::error::Error;
 use crate::kernels::cpu::plan::Compiled;
-use crate::kernels::cpu::rings::Measure;
 use crate::kernels::item::{Item, leaves_of};
 pub use crate::kernels::limits::{Derivative, Extremes, Finite, Limits, Range};
 pub use crate::kernels::modes::{Hvp, Jacobian, Jvp, OneNumber, Runs, ValueGrad, Vjp};
 use crate::kernels::recording::{Call, Line, Mode, Parts, Recording, widths};
-use crate::{Fixed, Pack, Scalar, Vec2};
+use crate::{Fixed, Pack, Scalar};
 use std::any::TypeId;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -250,33 +249,6 @@ where
 /// The program of a mode of an operation.
 pub(crate) fn program_of<O: Op, T: Plain>(mode: Mode) -> Result<Arc<Recorded>, Error> {
     const { &line_of::<O, T>() }.program(mode)
-}
-
-/// A function of a ring of run-time length, for ragged batches.
-pub trait RingOp: Copy + Debug + Default + Send + Sync + 'static {
-    /// The name of the function, letter for letter.
-    const NAME: &'static str;
-    /// The result.
-    type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// Motions of the argument and their effect on the result; `&[]` declares none.
-    const INVARIANCES: &'static [Invariance];
-    /// Places at which the value may jump.
-    const JUMPS: Jumps;
-    /// Inputs whose values and derivatives are finite.
-    const FINITE: Finite = Finite::Within(Limits::ORDINARY);
-    /// The range of every number of the result.
-    const RANGE: Range = Range::ANY;
-    /// Documentation in Markdown: the doc comment of its row, empty without one.
-    const DOC: &'static str = "";
-    /// The result.
-    fn value<S: Scalar>(ring: &[Vec2<S>]) -> Self::Out<S>;
-    /// The adjoint, one cotangent per vertex, written into the caller's slice of the same length.
-    fn ring_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: Self::Out<S>, ring_bar: &mut [Vec2<S>]);
-    /// Kernels that the library has compiled for it.
-    #[doc(hidden)]
-    fn compiled() -> Option<Measure> {
-        None
-    }
 }
 
 /// The domain of an operation on plain numbers, if it states one.

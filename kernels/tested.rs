@@ -7,19 +7,18 @@ use crate::ad::sample::{Draw, Family, Sample, random};
 use crate::error::{Error, Field};
 use crate::kernels::Backend;
 use crate::kernels::check::{
-    Examined, Folded, Judged, ScalarCode, Source, Stated, check_fold_with, check_ring_on,
-    check_ring_with, check_search_with, examined,
+    Examined, Folded, Judged, ScalarCode, Source, Stated, check_fold_on, check_fold_with,
+    check_search_with, examined,
 };
 use crate::kernels::dynamic::{self, Format, Operation};
-use crate::kernels::fold::Fold;
+use crate::kernels::fold::{Fold, by_hand, fold};
 use crate::kernels::fuzz::{self, Fuzzed, Job, Straight};
-use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::{Item, by_kind, get};
-use crate::kernels::op::{Op, RingOp};
+use crate::kernels::op::Op;
 use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
 use crate::kernels::search::Search;
-use crate::{Fixed, Pack, Vec2};
+use crate::{Fixed, Pack};
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -240,11 +239,6 @@ impl Inputs {
     }
 }
 
-fn path<S: Copy>(numbers: &[S]) -> Vec<Vec2<S>> {
-    let vertices = numbers.chunks_exact(2);
-    vertices.map(|v| Vec2 { x: v[0], y: v[1] }).collect()
-}
-
 /// Rows as values.
 struct Values(Vec<Tested>);
 
@@ -327,7 +321,9 @@ impl Walk for Values {
         Vec<F::Element<f64>>: Sample,
         F::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        const fn formed<F: Fold, S: Both>() -> Formed<S>
+        const fn formed<F: Fold, S: Both>(
+            check: fn(&Tested, &Sampling<'_>, Option<Backend<'_>>) -> Result<Report, Error>,
+        ) -> Formed<S>
         where
             F::Context<S>: Item<Scalar = S>,
             F::Context<f64>: Item<Scalar = f64> + Sample,
@@ -343,55 +339,32 @@ impl Walk for Values {
                         let path = path.map(F::Element::<S>::load).collect();
                         Folded::<F>::eval::<S>(&(F::Context::load(context), path)).scalars()
                     },
-                    by_hand: |_, _| None,
+                    by_hand: |x, out_bar| {
+                        let (context, vertices) = x.split_at(F::Context::<S>::LEN);
+                        let path = vertices.chunks_exact(F::Element::<S>::LEN);
+                        let path: Vec<F::Element<S>> = path.map(F::Element::<S>::load).collect();
+                        let bars = by_hand::<F, S>(&path, F::Out::<S>::load(out_bar))?;
+                        let value = fold::<F, S>(F::Context::load(context), &path);
+                        Some((value.scalars(), bars))
+                    },
                     num_dual: None,
                 },
-                check: |_, plan, _| Ok(check_fold_with::<F, S>(plan)),
+                check,
                 fuzz: |_, count, seed| fuzz::fold::<F, S>(count, seed),
             }
         }
         self.0.push(Tested {
             operation: const { dynamic::fold::<F>() }.written(row),
             inputs: const { Inputs::of_path::<(F::Context<f64>, Vec<F::Element<f64>>)>() },
-            single: const { formed::<F, f32>() },
-            double: const { formed::<F, f64>() },
+            single: const {
+                formed::<F, f32>(|_, plan, backend| match backend {
+                    Some(backend) => check_fold_on::<F>(backend, plan),
+                    None => Ok(check_fold_with::<F, f32>(plan)),
+                })
+            },
+            double: const { formed::<F, f64>(|_, plan, _| Ok(check_fold_with::<F, f64>(plan))) },
             #[cfg(feature = "gpu")]
             shaders: |_| crate::kernels::gpu::fold_sources(F::default()),
-        });
-    }
-    fn ring<O: GpuRing>(&mut self, row: Written)
-    where
-        O::Out<f32>: Item<Scalar = f32>,
-        O::Out<f64>: Item<Scalar = f64> + Sample,
-    {
-        const fn formed<O: RingOp, S: Both>(
-            check: fn(&Tested, &Sampling<'_>, Option<Backend<'_>>) -> Result<Report, Error>,
-        ) -> Formed<S> {
-            Formed {
-                code: ScalarCode {
-                    alone: |x| O::value(&path(x)).scalars(),
-                    by_hand: |x, out_bar| {
-                        let ring = path(x);
-                        let mut bars = vec![Vec2::zero(); ring.len()];
-                        O::ring_vjp(&ring, O::Out::<S>::load(out_bar), &mut bars);
-                        Some((O::value(&ring).scalars(), bars.scalars()))
-                    },
-                    num_dual: None,
-                },
-                check,
-                fuzz: |_, count, seed| fuzz::ring::<O, S>(count, seed),
-            }
-        }
-        self.0.push(Tested {
-            operation: const { dynamic::ring::<O>() }.written(row),
-            inputs: const { Inputs::of_path::<Vec<Vec2<f64>>>() },
-            single: formed::<O, f32>(|_, plan, backend| match backend {
-                Some(backend) => check_ring_on::<O>(backend, plan),
-                None => Ok(check_ring_with::<O, f32>(plan)),
-            }),
-            double: formed::<O, f64>(|_, plan, _| Ok(check_ring_with::<O, f64>(plan))),
-            #[cfg(feature = "gpu")]
-            shaders: |_| Ok(crate::kernels::gpu::ring_sources::<O>()),
         });
     }
 }

@@ -250,7 +250,7 @@ def stubs():
     for name in sorted(_core.verbs()):
         lines.append(f"\nclass _{name}(Verb):\n" + documented(describe(name), "    "))
         for row in ordered(name):
-            names = [argument for argument, _, _ in row["takes"]] + (["paths"] if row["sort"] in ("fold", "ring") else [])
+            names = [argument for argument, _, _ in row["takes"]] + (["paths"] if row["sort"] == "fold" else [])
             kinds = [{"number": "ArrayLike", **dict.fromkeys(("ring", "polyline", "polyline3", "cloud3"), "Paths")}.get(kind, kind) for kind in row["kinds"]]
             takes = ", ".join(f"{argument}: {kind}" for argument, kind in zip(names, kinds))
             (_, gives, size), *more = row["gives"]

@@ -361,3 +361,39 @@ pub(crate) fn centroid_of<S: Scalar>(ring: impl Vertices<S>) -> Measured<S> {
         flat: flat.above(S::zero()),
     }
 }
+
+/// The measures that kernels of the library serve.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Measure {
+    /// [`signed_area`].
+    SignedArea,
+    /// [`perimeter`].
+    Perimeter,
+    /// [`centroid`].
+    Centroid,
+}
+
+impl Measure {
+    /// Numbers per result.
+    #[must_use]
+    pub const fn fields(self) -> usize {
+        match self {
+            Measure::SignedArea | Measure::Perimeter => 1,
+            Measure::Centroid => 2,
+        }
+    }
+    /// The numbers of the result; those that it does not have are zero.
+    #[must_use]
+    #[inline]
+    pub fn of<S: Scalar>(self, ring: &[Vec2<S>]) -> [S; 2] {
+        match self {
+            Measure::SignedArea => [signed_area(ring), S::zero()],
+            Measure::Perimeter => [perimeter(ring), S::zero()],
+            Measure::Centroid => {
+                let center = centroid(ring);
+                [center.x, center.y]
+            }
+        }
+    }
+}

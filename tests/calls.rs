@@ -1,7 +1,7 @@
 //! Batches of two lists, spelled for tests: results as separate values, operations as types.
 use geograd::kernels::real::Real;
 use geograd::kernels::reduce::{Best, Found};
-use geograd::kernels::{Cpu, Op, RingOp, Single, Table};
+use geograd::kernels::{Cpu, Fold, Op, Single, Table};
 use geograd::{Error, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -154,16 +154,20 @@ pub fn mean_grad<O: Pair<T>, T: Number>(
 ) -> Result<(f64, Vec<O::A>, Vec<O::B>), Error> {
     cpu().mean_grad(O::default(), a, b)
 }
-pub fn ragged<O: RingOp, T: Number>(
+/// A fold over rings that takes nothing else.
+pub trait OfRings<T: Number>: Fold<Context<T> = [T; 0], Element<T> = Vec2<T>> {}
+impl<F, T: Number> OfRings<T> for F where F: Fold<Context<T> = [T; 0], Element<T> = Vec2<T>> {}
+
+pub fn ragged<F: OfRings<T>, T: Number>(
     vertices: &[Vec2<T>],
     offsets: &[usize],
-) -> Result<Vec<O::Out<T>>, Error> {
-    cpu().ragged(O::default(), vertices, offsets)
+) -> Result<Vec<F::Out<T>>, Error> {
+    cpu().ragged(F::default(), vertices, offsets)
 }
-pub fn ragged_vjp<O: RingOp, T: Number>(
+pub fn ragged_vjp<F: OfRings<T>, T: Number>(
     vertices: &[Vec2<T>],
     offsets: &[usize],
-    up: &[O::Out<T>],
+    up: &[F::Out<T>],
 ) -> Result<Vec<Vec2<T>>, Error> {
-    cpu().ragged_vjp(O::default(), vertices, offsets, up)
+    cpu().ragged_vjp(F::default(), vertices, offsets, up)
 }

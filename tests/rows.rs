@@ -230,6 +230,9 @@ folds! {
     WindingOfRing = Winding OverRing;
     LengthOfPolyline = Length OverPolyline;
     SecondMomentsOfRing = SecondMoments OverRing;
+    SignedAreaOfRing = SignedArea OverRing;
+    PerimeterOfRing = Perimeter OverRing;
+    CentroidOfRing = Centroid OverRing;
     DistancePointPolyline3 = Distance OverPolyline3;
     LengthOfPolyline3 = Length OverPolyline3;
     CentroidOfCloud3 = Centroid OverCloud3;
@@ -293,5 +296,7 @@ pub mod overlap3 {
     };
 }
 pub mod ring {
-    pub use geograd::kernels::{Centroid, Perimeter, SignedArea};
+    pub use super::{
+        CentroidOfRing as Centroid, PerimeterOfRing as Perimeter, SignedAreaOfRing as SignedArea,
+    };
 }

@@ -1,7 +1,7 @@
 //! A user's program: every batch form of three operations in both formats.
 use geograd::kernels::op::{ValueGrad, Vjp};
 use geograd::kernels::real::Real;
-use geograd::kernels::{Centroid, Cpu, Iof, Iou, RingOp, Runs, Single};
+use geograd::kernels::{Centroid, Cpu, Fold, Iof, Iou, Item, Runs, Single};
 use geograd::{Aabb2, Error, Obb2, Vec2};
 
 fn pairs<O, P, T>(op: O, a: &[P]) -> Result<f64, Error>
@@ -27,12 +27,15 @@ where
     Ok(sum + mean + (derivatives + best.len() + other.len() + found.len()) as f64 + count as f64)
 }
 
-fn rings<O: RingOp, T: Real>(op: O, vertices: &[Vec2<T>], offsets: &[usize]) -> Result<f64, Error> {
+fn rings<F, T>(fold: F, vertices: &[Vec2<T>], offsets: &[usize]) -> Result<f64, Error>
+where
+    F: Fold<Context<T> = [T; 0], Element<T> = Vec2<T>>,
+    T: Real + Item,
+{
     let cpu = Cpu::new();
-    let values = cpu.ragged(op, vertices, offsets)?;
-    let bars = cpu.ragged_vjp(op, vertices, offsets, &values)?;
-    let grads = cpu.ragged_grad(op, vertices, offsets, &values)?;
-    Ok((bars.len() + grads.0.len()) as f64)
+    let values = cpu.ragged(fold, vertices, offsets)?;
+    let bars = cpu.ragged_vjp(fold, vertices, offsets, &values)?;
+    Ok((bars.len() + values.len()) as f64)
 }
 
 fn main() -> Result<(), Error> {
@@ -47,9 +50,9 @@ fn main() -> Result<(), Error> {
     total += pairs(Iou, &straight)?;
     total += pairs(Iou, &straight_single)?;
     let corner = [(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)].map(|(x, y)| Vec2::new(x, y));
-    total += rings::<_, f64>(Centroid, &corner, &[0, 3])?;
+    total += rings::<_, f64>(Centroid.over_ring(), &corner, &[0, 3])?;
     let corner = [(0.0, 0.0), (4.0, 0.0), (0.0, 3.0)].map(|(x, y)| Vec2::new(x, y));
-    total += rings::<_, f32>(Centroid, &corner, &[0, 3])?;
+    total += rings::<_, f32>(Centroid.over_ring(), &corner, &[0, 3])?;
     println!("{total}");
     Ok(())
 }

@@ -1,5 +1,5 @@
 //! Adjoints of the measures of a ring: one cotangent per vertex, written into the caller's slice.
-use crate::ring::{Local, SIDE};
+use crate::ring::{Local, Measure, SIDE};
 use crate::{Mask, Scalar, Vec2};
 
 /// A vertex's derivatives at the nearest finite numbers.
@@ -154,5 +154,24 @@ impl<S: Scalar> Vec2<S> {
     #[inline(always)]
     fn halved(self) -> Self {
         Vec2::new(self.x.halved(), self.y.halved())
+    }
+}
+
+/// Adjoint of a [`Measure`] for the cotangents of its numbers; writes one cotangent per vertex.
+///
+/// # Panics
+///
+/// When `ring_bar` is shorter than `ring`, or there are fewer cotangents than numbers.
+#[inline(always)]
+pub fn measure_vjp<S: Scalar>(
+    measure: Measure,
+    ring: &[Vec2<S>],
+    out_bar: &[S],
+    ring_bar: &mut [Vec2<S>],
+) {
+    match measure {
+        Measure::SignedArea => signed_area_vjp(ring, out_bar[0], ring_bar),
+        Measure::Perimeter => perimeter_vjp(ring, out_bar[0], ring_bar),
+        Measure::Centroid => centroid_vjp(ring, Vec2::new(out_bar[0], out_bar[1]), ring_bar),
     }
 }

@@ -22,7 +22,8 @@ pub(crate) mod subject;
 pub mod witness;
 
 pub use of::OfOperation;
-pub use source::{Folded, Replayed, Ringed, Source, Straight};
+use source::context_and_path;
+pub use source::{Folded, Replayed, Source, Straight};
 pub use subject::{Fused, OpSubject, Path};
 
 use crate::ad::check::candidate::{Candidate, Meet, Untyped};
@@ -38,17 +39,16 @@ use crate::ad::sample::drawn::{Drawn, Kinship};
 use crate::error::Field;
 use crate::kernels::Backend;
 use crate::kernels::check::recorded_subject::{ByHand, Computations, RecordedSubject};
-use crate::kernels::check::witness::{Ask, Batch, ask_any, ask_gradient, ask_pairs, ask_rings};
+use crate::kernels::check::witness::{Ask, Batch, ask_any, ask_folds, ask_gradient, ask_pairs};
 use crate::kernels::dynamic::Function;
-use crate::kernels::fold::Fold;
+use crate::kernels::fold::{Fold, edge_by_edge};
 use crate::kernels::fuzz::{self, Fuzzed, Job};
-use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::{Item, Single};
-use crate::kernels::op::{Derivative, Invariance, Jumps, Op, RingOp, inside_of, recording_of};
+use crate::kernels::op::{Derivative, Invariance, Jumps, Op, inside_of, recording_of};
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Mode, Recording};
 use crate::kernels::search::Search;
-use crate::{Error, Fixed, Pack, Vec2};
+use crate::{Error, Fixed, Pack};
 use std::any::Any;
 use std::sync::Arc;
 
@@ -204,10 +204,10 @@ impl Stated {
     }
 }
 
-/// The value of a ring that is a slice.
-fn ring_value<O: RingOp, S: Number>(x: &[S]) -> Vec<S> {
-    let ring: Vec<Vec2<S>> = x.chunks(2).map(|p| Vec2::new(p[0], p[1])).collect();
-    O::value(&ring).scalars()
+/// The value of a fold edge by edge.
+fn value_by_edges<F: Fold, S: Number>(x: &[S]) -> Vec<S> {
+    let (context, path) = context_and_path::<F, S>(x);
+    edge_by_edge::<F, S>(context, &path).scalars()
 }
 
 /// How often a random input is drawn anew while it is outside the domain.
@@ -495,66 +495,53 @@ fn recorded<S: Judged>(
     })
 }
 
-/// Runs every check of an operation of a ring.
-pub fn check_ring<O: RingOp, S: Judged>(samples: usize, seed: u64) -> Report
-where
-    O::Out<f64>: Sample,
-{
-    check_ring_with::<O, S>(&Sampling::new(samples, seed))
-}
-
-/// The same by a sampling.
-pub fn check_ring_with<O: RingOp, S: Judged>(sampling: &Sampling<'_>) -> Report
-where
-    O::Out<f64>: Sample,
-{
-    without_batch(ring::<O, S>(sampling, Vec::new()))
-}
-
-/// The same in `f32`, with batches on a backend as a further witness; see [`check_on`].
-///
-/// # Errors
-///
-/// The backend's.
-pub fn check_ring_on<O: GpuRing>(
-    backend: Backend<'_>,
-    sampling: &Sampling<'_>,
-) -> Result<Report, Error>
-where
-    <O as RingOp>::Out<f64>: Sample,
-{
-    ring::<O, f32>(sampling, vec![&|inputs| ask_rings::<O>(backend, inputs)])
-}
-
-fn ring<O: RingOp, S: Judged>(sampling: &Sampling<'_>, asks: Vec<Ask<'_>>) -> Result<Report, Error>
-where
-    O::Out<f64>: Sample,
-{
-    let kinship = const { Kinship::of::<Vec<Vec2<f64>>>() };
-    let inputs = Inputs::of(kinship, sampling, Precision::of::<S>());
-    judged(O::NAME, sampling, inputs, asks, &|x, batch, judge| {
-        let paths: [Path<S>; 1] = [ring_value::<O, S>];
-        judge(&OpSubject::<S>::of::<Ringed<O>>(typed(x), &paths, None).with_batch(batch));
-    })
-}
-
 /// Runs every check of a fold over paths.
 pub fn check_fold_with<F: Fold, S: Judged>(sampling: &Sampling<'_>) -> Report
 where
     (F::Context<f64>, Vec<F::Element<f64>>): Sample,
     F::Out<f64>: Sample,
 {
+    without_batch(folded::<F, S>(sampling, Vec::new()))
+}
+
+/// The same in `f32`, with batches of measures of rings on a backend as a further witness; see [`check_on`].
+///
+/// # Errors
+///
+/// The backend's.
+pub fn check_fold_on<F: Fold>(
+    backend: Backend<'_>,
+    sampling: &Sampling<'_>,
+) -> Result<Report, Error>
+where
+    (F::Context<f64>, Vec<F::Element<f64>>): Sample,
+    F::Out<f64>: Sample,
+    F::Context<f32>: Item<Scalar = f32>,
+{
+    let ask = |inputs: &[Vec<f32>]| ask_folds::<F>(backend, inputs);
+    let asks: Vec<Ask<'_>> = match F::MEASURE {
+        Some(_) => vec![&ask],
+        None => Vec::new(),
+    };
+    folded::<F, f32>(sampling, asks)
+}
+
+fn folded<F: Fold, S: Judged>(sampling: &Sampling<'_>, asks: Vec<Ask<'_>>) -> Result<Report, Error>
+where
+    (F::Context<f64>, Vec<F::Element<f64>>): Sample,
+    F::Out<f64>: Sample,
+{
     let kinship = const { Kinship::of::<(F::Context<f64>, Vec<F::Element<f64>>)>() };
     let inputs = Inputs::of(kinship, sampling, Precision::of::<S>());
-    without_batch(judged(
-        F::NAME,
-        sampling,
-        inputs,
-        Vec::new(),
-        &|x, _, judge| {
-            judge(&OpSubject::<S>::of::<Folded<F>>(typed(x), &[], None));
-        },
-    ))
+    judged(F::NAME, sampling, inputs, asks, &|x, batch, judge| {
+        // A measure by hand is the fold of its edges, too.
+        let by_edges: [Path<S>; 1] = [value_by_edges::<F, S>];
+        let paths = match F::MEASURE {
+            Some(_) => &by_edges[..],
+            None => &[],
+        };
+        judge(&OpSubject::<S>::of::<Folded<F>>(typed(x), paths, None).with_batch(batch));
+    })
 }
 
 /// Runs every check of an operation with a search.

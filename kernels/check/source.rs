@@ -2,12 +2,12 @@
 use crate::ad::check::trace::Number;
 use crate::kernels::cpu::folds::folding::Sizes;
 use crate::kernels::cpu::folds::{Programs, backwards, programs};
-use crate::kernels::fold::{Fold, fold};
+use crate::kernels::fold::{Fold, by_hand, fold};
 use crate::kernels::op::program_of;
-use crate::kernels::op::{Derivative, Invariance, Jumps, Op, RingOp};
+use crate::kernels::op::{Derivative, Invariance, Jumps, Op};
 use crate::kernels::recording::Mode;
 use crate::kernels::search::Search;
-use crate::{Fixed, Jet, Pack, Scalar, Vec2};
+use crate::{Fixed, Jet, Pack, Scalar};
 use std::sync::Arc;
 
 /// An operation as a subject of the harness.
@@ -80,32 +80,6 @@ impl<O: Op> Source for Straight<O> {
     }
 }
 
-/// An operation of a ring as a subject of the harness.
-#[derive(Clone, Copy, Debug)]
-pub struct Ringed<O>(std::marker::PhantomData<O>);
-
-impl<O: RingOp> Source for Ringed<O> {
-    const NAME: &'static str = O::NAME;
-    type In<S: Scalar> = Vec<Vec2<S>>;
-    type Out<S: Scalar> = O::Out<S>;
-    const INVARIANCES: &'static [Invariance] = O::INVARIANCES;
-    const JUMPS: Jumps = O::JUMPS;
-    fn eval<S: Scalar<Mask = bool>>(ring: &Vec<Vec2<S>>) -> O::Out<S> {
-        O::value(ring)
-    }
-    fn pulled<S: Scalar<Mask = bool>>(ring: &Vec<Vec2<S>>, out_bar: O::Out<S>) -> Vec<S> {
-        let mut ring_bar = vec![Vec2::zero(); ring.len()];
-        O::ring_vjp(ring, out_bar, &mut ring_bar);
-        ring_bar.scalars()
-    }
-    fn on_num_dual<S: Number>(ring: &Vec<Vec2<S::NumDual>>) -> Option<O::Out<S::NumDual>> {
-        Some(O::value(ring))
-    }
-    fn made<T: Scalar>(_like: &Vec<Vec2<f64>>, numbers: &[T]) -> Vec<Vec2<T>> {
-        points(numbers)
-    }
-}
-
 /// The decisions, which derivatives have no part in: a search is compiled for plain numbers alone.
 fn decided<D: Search, S: Scalar<Mask = bool>>(input: D::In<S>) -> D::Record {
     let mut numbers = Vec::new();
@@ -172,6 +146,9 @@ impl<F: Fold> Source for Folded<F> {
         fold::<F, S>(*context, path)
     }
     fn pulled<S: Scalar<Mask = bool>>((context, path): &Self::In<S>, out_bar: F::Out<S>) -> Vec<S> {
+        if let Some(bars) = by_hand::<F, S>(path, out_bar) {
+            return bars;
+        }
         let reference = F::reference(*context, path);
         let shared = [context.scalars(), reference.scalars()].concat();
         let (sizes, empty) = (Sizes::of::<F>(), F::empty::<S>().scalars());
@@ -188,13 +165,20 @@ impl<F: Fold> Source for Folded<F> {
             None => vec![S::lit(f64::NAN); sizes.own + path.len() * sizes.element],
         }
     }
+    fn on_num_dual<S: Number>(
+        (context, path): &Self::In<S::NumDual>,
+    ) -> Option<Self::Out<S::NumDual>> {
+        F::MEASURE.map(|_| fold::<F, S::NumDual>(*context, path))
+    }
     fn made<T: Scalar>(_like: &Self::In<f64>, numbers: &[T]) -> Self::In<T> {
         context_and_path::<F, T>(numbers)
     }
 }
 
 /// The context and the path that a list of numbers makes up.
-fn context_and_path<F: Fold, S: Scalar>(numbers: &[S]) -> (F::Context<S>, Vec<F::Element<S>>) {
+pub(super) fn context_and_path<F: Fold, S: Scalar>(
+    numbers: &[S],
+) -> (F::Context<S>, Vec<F::Element<S>>) {
     let (context, rest) = numbers.split_at(F::Context::<S>::LEN);
     // A loop, since every adapter of an iterator is compiled for every fold.
     let mut path = Vec::new();
@@ -202,11 +186,6 @@ fn context_and_path<F: Fold, S: Scalar>(numbers: &[S]) -> (F::Context<S>, Vec<F:
         path.push(F::Element::load(element));
     }
     (F::Context::load(context), path)
-}
-
-/// The points that a list of coordinates makes up.
-fn points<T: Scalar>(numbers: &[T]) -> Vec<Vec2<T>> {
-    numbers.chunks_exact(2).map(Vec2::load).collect()
 }
 
 /// The programs of a fold, in the format that a scalar has.

@@ -11,13 +11,14 @@
 //! assert!(report.passed(), "{report}");
 //! # Ok::<(), geograd::Error>(())
 //! ```
+use super::source::context_and_path;
 use crate::Error;
 use crate::kernels::Backend;
 use crate::kernels::dynamic::{Function, Layout, Rows};
-use crate::kernels::gpu::GpuRing;
-use crate::kernels::op::RingOp;
+use crate::kernels::fold::Fold;
+use crate::kernels::item::Item;
 use crate::kernels::recording::{Mode, Recording};
-use crate::{Fixed, Pack, Vec2};
+use crate::{Fixed, Pack};
 use std::cell::Cell;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -238,18 +239,24 @@ pub(crate) fn ask_gradient(
     Ok(all.into_iter().map(answer).collect())
 }
 
-/// Asks a backend about rings, one call per output for the derivatives.
-pub(crate) fn ask_rings<O: GpuRing>(
+/// Asks a backend about paths, one call per output for the derivatives.
+pub(crate) fn ask_folds<F: Fold>(
     backend: Backend<'_>,
     inputs: &[Vec<f32>],
-) -> Result<Vec<Answer>, Error> {
+) -> Result<Vec<Answer>, Error>
+where
+    F::Context<f32>: Item<Scalar = f32>,
+{
+    let own = F::Context::<f32>::LEN;
     let mut offsets = vec![0];
-    let mut vertices = Vec::new();
+    let (mut contexts, mut vertices) = (Vec::new(), Vec::new());
     for x in inputs {
-        vertices.extend(x.chunks_exact(2).map(|p| Vec2::new(p[0], p[1])));
+        let (context, path) = context_and_path::<F, f32>(x);
+        contexts.push(context);
+        vertices.extend(path);
         offsets.push(vertices.len());
     }
-    let values = backend.ragged(O::default(), &vertices, &offsets)?;
+    let values = backend.fold(F::default(), &contexts, &vertices, &offsets)?;
     let mut answers: Vec<Answer> = values
         .iter()
         .map(|value| Answer {
@@ -257,16 +264,19 @@ pub(crate) fn ask_rings<O: GpuRing>(
             rows: Vec::new(),
         })
         .collect();
-    let outputs = <O as RingOp>::Out::<f32>::LEN;
+    let outputs = F::Out::<f32>::LEN;
     for j in 0..outputs {
         let seed: Vec<f32> = (0..outputs).map(|k| f32::from(u8::from(j == k))).collect();
-        let seeds = vec![<O as RingOp>::Out::<f32>::load(&seed); inputs.len()];
-        let bars = backend.ragged_vjp(O::default(), &vertices, &offsets, &seeds)?;
-        for (answer, bounds) in answers.iter_mut().zip(offsets.windows(2)) {
-            let ring = bars[bounds[0]..bounds[1]].iter();
-            answer
-                .rows
-                .push(ring.flat_map(|p| [p.x.into(), p.y.into()]).collect());
+        let seeds = vec![F::Out::<f32>::load(&seed); inputs.len()];
+        let (by_context, by_vertex) =
+            backend.fold_vjp(F::default(), &contexts, &vertices, &offsets, &seeds)?;
+        for (i, answer) in answers.iter_mut().enumerate() {
+            let mut row = by_context.get(i).map_or(Vec::new(), Pack::scalars);
+            row.truncate(own);
+            for bar in &by_vertex[offsets[i]..offsets[i + 1]] {
+                row.extend(bar.scalars());
+            }
+            answer.rows.push(widened(&row));
         }
     }
     Ok(answers)

@@ -216,7 +216,14 @@ pub enum Spans<'a> {
     Shared(usize, usize),
 }
 
-impl Spans<'_> {
+impl<'a> Spans<'a> {
+    /// The offsets of paths, or of one path that is all that is shared, between its ends.
+    pub(crate) const fn offsets(&self, ends: &'a [usize; 2]) -> &'a [usize] {
+        match *self {
+            Spans::Ragged(offsets) => offsets,
+            Spans::Shared(..) => ends,
+        }
+    }
     /// How many paths there are.
     pub(crate) fn count(&self) -> usize {
         match *self {

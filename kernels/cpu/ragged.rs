@@ -1,20 +1,24 @@
-//! Ragged batches: rings of any number of vertices.
+//! Ragged batches: paths of any number of vertices, and the measures of rings by kernels of their own.
 use crate::error::{Argument, Error, Validate};
+use crate::kernels::One;
 use crate::kernels::cpu::Cpu;
-use crate::kernels::cpu::checked::{expect, fill, numbers};
+use crate::kernels::cpu::checked::{check_upstream, expect, numbers};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::op::RingOp;
+use crate::kernels::fold::Fold;
+use crate::kernels::item::Item;
 use crate::kernels::real::Real;
-use crate::{Fixed, Pack, Vec2};
+use crate::ring::Measure;
+use crate::{Fixed, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Vertices, or rings, per piece of work.
 const STRETCH: usize = 2048;
 
 impl Cpu {
-    /// One result per ring. Ring i has the vertices `offsets[i]..offsets[i + 1]`; there is one offset
-    /// more than there are rings, from 0 to the number of vertices. Empty rings are valid.
+    /// One result per path of a fold that takes nothing else: [`fold`](Cpu::fold) without contexts. Path i has the
+    /// vertices `offsets[i]..offsets[i + 1]`; there is one offset more than there are paths, from 0 to the number of
+    /// vertices. Empty paths are valid.
     ///
     /// # Errors
     ///
@@ -26,50 +30,19 @@ impl Cpu {
     /// use geograd::kernels::{Cpu, SignedArea};
     /// let v = |x, y| Vec2::new(x, y);
     /// let vertices = [v(0.0, 0.0), v(4.0, 0.0), v(0.0, 3.0), v(0.0, 0.0), v(0.0, 1.0), v(1.0, 0.0)];
-    /// assert_eq!(Cpu::new().ragged(SignedArea, &vertices, &[0, 3, 6])?, [6.0, -0.5]);
+    /// assert_eq!(Cpu::new().ragged(SignedArea.over_ring(), &vertices, &[0, 3, 6])?, [6.0, -0.5]);
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn ragged<T: Real, O: RingOp>(
+    pub fn ragged<F, V: Fixed<Scalar: Real + Item>>(
         &self,
-        _ring: O,
-        vertices: &[Vec2<T>],
+        fold: F,
+        vertices: &[V],
         offsets: &[usize],
-    ) -> Result<Vec<O::Out<T>>, Error> {
-        check_offsets::<T>(vertices.len(), offsets)?;
-        let mut all = vec![O::Out::<T>::filled(T::default()); offsets.len() - 1];
-        let mut rest = &mut all[..];
-        let mut work = Vec::new();
-        for cut in cuts(offsets).windows(2) {
-            let (values, after) = rest.split_at_mut(cut[1] - cut[0]);
-            rest = after;
-            work.push((&offsets[cut[0]..=cut[1]], values));
-        }
-        // Vertices are looked at while they are at hand.
-        let sound = AtomicBool::new(true);
-        spread(work, |(offsets, values): (&[usize], &mut [O::Out<T>])| {
-            let own = &vertices[offsets[0]..offsets[offsets.len() - 1]];
-            let done = match O::compiled() {
-                Some(measure) => fill(values, |values| {
-                    (T::kernels().ring_values)(measure, vertices, offsets, values)
-                }),
-                None => {
-                    let finite = (T::kernels().all_finite)(&numbers(own));
-                    if finite {
-                        for (ring, value) in offsets.windows(2).zip(values) {
-                            *value = O::value(&vertices[ring[0]..ring[1]]);
-                        }
-                    }
-                    finite
-                }
-            };
-            if !done {
-                sound.store(false, Ordering::Relaxed);
-            }
-        });
-        match sound.into_inner() {
-            true => Ok(all),
-            false => check_vertices(vertices).map(|()| all),
-        }
+    ) -> Result<Vec<F::Out<V::Scalar>>, Error>
+    where
+        F: Fold<Context<V::Scalar> = [V::Scalar; 0], Element<V::Scalar> = V>,
+    {
+        self.fold(fold, One([]), vertices, offsets)
     }
 
     /// [`ragged`](Cpu::ragged) into the caller's buffer.
@@ -78,62 +51,48 @@ impl Cpu {
     ///
     /// As [`ragged`](Cpu::ragged), and [`Error::Length`] for a buffer of another length. The buffer is then as it
     /// was.
-    pub fn ragged_into<T: Real, O: RingOp>(
+    pub fn ragged_into<F, V: Fixed<Scalar: Real + Item>>(
         &self,
-        ring: O,
-        vertices: &[Vec2<T>],
+        fold: F,
+        vertices: &[V],
         offsets: &[usize],
-        values: &mut [O::Out<T>],
-    ) -> Result<(), Error> {
-        let all = self.ragged(ring, vertices, offsets)?;
+        values: &mut [F::Out<V::Scalar>],
+    ) -> Result<(), Error>
+    where
+        F: Fold<Context<V::Scalar> = [V::Scalar; 0], Element<V::Scalar> = V>,
+    {
+        let all = self.ragged(fold, vertices, offsets)?;
         expect(Argument::Values, all.len(), values.len())?;
         values.copy_from_slice(&all);
         Ok(())
     }
 
-    /// [`ragged`](Cpu::ragged) with the adjoint for the given upstream, one derivative per result: results, and one
-    /// cotangent per vertex.
+    /// The adjoint of [`ragged`](Cpu::ragged) for one cotangent per result: one cotangent per vertex.
     ///
     /// # Errors
     ///
-    /// As [`ragged`](Cpu::ragged), and for an upstream of another length or one that is not finite.
-    pub fn ragged_grad<T: Real, O: RingOp>(
-        &self,
-        ring: O,
-        vertices: &[Vec2<T>],
-        offsets: &[usize],
-        upstream: &[O::Out<T>],
-    ) -> Result<(Vec<O::Out<T>>, Vec<Vec2<T>>), Error> {
-        Ok((
-            self.ragged(ring, vertices, offsets)?,
-            self.ragged_vjp(ring, vertices, offsets, upstream)?,
-        ))
-    }
-
-    /// The adjoint of [`ragged`](Cpu::ragged): one cotangent per vertex.
-    ///
-    /// # Errors
-    ///
-    /// As [`ragged`](Cpu::ragged), and for an upstream of another length or one that is not finite.
+    /// As [`ragged`](Cpu::ragged), and for cotangents of another number or that are not finite.
     ///
     /// ```
     /// use geograd::Vec2;
     /// use geograd::kernels::{Cpu, SignedArea};
     /// let v = |x, y| Vec2::new(x, y);
     /// let vertices = [v(0.0, 0.0), v(4.0, 0.0), v(0.0, 3.0)];
-    /// let bars = Cpu::new().ragged_vjp(SignedArea, &vertices, &[0, 3], &[1.0])?;
+    /// let bars = Cpu::new().ragged_vjp(SignedArea.over_ring(), &vertices, &[0, 3], &[1.0])?;
     /// assert_eq!(bars, [v(-1.5, -2.0), v(1.5, 0.0), v(0.0, 2.0)]);
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn ragged_vjp<T: Real, O: RingOp>(
+    pub fn ragged_vjp<F, V: Fixed<Scalar: Real + Item>>(
         &self,
-        ring: O,
-        vertices: &[Vec2<T>],
+        fold: F,
+        vertices: &[V],
         offsets: &[usize],
-        upstream: &[O::Out<T>],
-    ) -> Result<Vec<Vec2<T>>, Error> {
-        let mut bars = vec![Vec2::new(T::default(), T::default()); vertices.len()];
-        self.ragged_vjp_into(ring, vertices, offsets, upstream, &mut bars)?;
+        upstream: &[F::Out<V::Scalar>],
+    ) -> Result<Vec<V>, Error>
+    where
+        F: Fold<Context<V::Scalar> = [V::Scalar; 0], Element<V::Scalar> = V>,
+    {
+        let (_, bars) = self.fold_vjp(fold, One([]), vertices, offsets, upstream)?;
         Ok(bars)
     }
 
@@ -143,45 +102,83 @@ impl Cpu {
     ///
     /// As [`ragged_vjp`](Cpu::ragged_vjp), and [`Error::Length`] for a buffer of another length. The buffer is then as
     /// it was.
-    pub fn ragged_vjp_into<T: Real, O: RingOp>(
+    pub fn ragged_vjp_into<F, V: Fixed<Scalar: Real + Item>>(
         &self,
-        ring: O,
-        vertices: &[Vec2<T>],
+        fold: F,
+        vertices: &[V],
         offsets: &[usize],
-        upstream: &[O::Out<T>],
-        bars: &mut [Vec2<T>],
-    ) -> Result<(), Error> {
-        check_ragged(vertices, offsets)?;
-        expect(Argument::Upstream, offsets.len() - 1, upstream.len())?;
-        expect(Argument::GradVertices, vertices.len(), bars.len())?;
-        for (row, out_bar) in upstream.iter().enumerate() {
-            for derivative in out_bar.scalars() {
-                derivative.validate().map_err(|flaw| Error::Invalid {
-                    argument: Argument::Upstream,
-                    item: row,
-                    flaw,
-                })?;
-            }
+        upstream: &[F::Out<V::Scalar>],
+        bars: &mut [V],
+    ) -> Result<(), Error>
+    where
+        F: Fold<Context<V::Scalar> = [V::Scalar; 0], Element<V::Scalar> = V>,
+    {
+        if let Some(measure) = F::MEASURE {
+            expect(Argument::GradVertices, vertices.len(), bars.len())?;
+            let (given, bars) = (numbers(upstream), F::in_plane_mut(bars));
+            let given = (upstream.len(), &*given);
+            return measured_vjp(measure, F::in_plane(vertices), offsets, given, bars);
         }
-        let mut rest = bars;
-        let mut work = Vec::new();
-        for cut in cuts(offsets).windows(2) {
-            let (bars, after) = rest.split_at_mut(offsets[cut[1]] - offsets[cut[0]]);
-            rest = after;
-            work.push((&offsets[cut[0]..=cut[1]], &upstream[cut[0]..cut[1]], bars));
-        }
-        spread(
-            work,
-            |(offsets, upstream, bars): (&[usize], &[O::Out<T>], &mut [Vec2<T>])| {
-                let Some(measure) = O::compiled() else {
-                    return bars_of(ring, vertices, offsets, upstream, bars);
-                };
-                let upstream = numbers(upstream);
-                (T::kernels().ring_bars)(measure, vertices, offsets, &upstream, bars);
-            },
-        );
+        let all = self.ragged_vjp(fold, vertices, offsets, upstream)?;
+        expect(Argument::GradVertices, all.len(), bars.len())?;
+        bars.copy_from_slice(&all);
         Ok(())
     }
+}
+
+/// Measures every ring into numbers of results.
+pub(crate) fn measured<T: Real>(
+    measure: Measure,
+    vertices: &[Vec2<T>],
+    offsets: &[usize],
+    out: &mut [T],
+) -> Result<(), Error> {
+    let mut rest = out;
+    let mut work = Vec::new();
+    for cut in cuts(offsets).windows(2) {
+        let (values, after) = rest.split_at_mut((cut[1] - cut[0]) * measure.fields());
+        rest = after;
+        work.push((&offsets[cut[0]..=cut[1]], values));
+    }
+    // Vertices are looked at while they are at hand.
+    let sound = AtomicBool::new(true);
+    spread(work, |(offsets, values): (&[usize], &mut [T])| {
+        if !(T::kernels().ring_values)(measure, vertices, offsets, values) {
+            sound.store(false, Ordering::Relaxed);
+        }
+    });
+    match sound.into_inner() {
+        true => Ok(()),
+        false => check_vertices(vertices),
+    }
+}
+
+/// The cotangents of vertices, for the numbers of those of so many results.
+pub(crate) fn measured_vjp<T: Real>(
+    measure: Measure,
+    vertices: &[Vec2<T>],
+    offsets: &[usize],
+    (results, upstream): (usize, &[T]),
+    bars: &mut [Vec2<T>],
+) -> Result<(), Error> {
+    check_ragged(vertices, offsets)?;
+    expect(Argument::Upstream, offsets.len() - 1, results)?;
+    check_upstream(upstream, measure.fields())?;
+    let mut rest = bars;
+    let mut work = Vec::new();
+    for cut in cuts(offsets).windows(2) {
+        let own = cut[0] * measure.fields()..cut[1] * measure.fields();
+        let (bars, after) = rest.split_at_mut(offsets[cut[1]] - offsets[cut[0]]);
+        rest = after;
+        work.push((&offsets[cut[0]..=cut[1]], &upstream[own], bars));
+    }
+    spread(
+        work,
+        |(offsets, upstream, bars): (&[usize], &[T], &mut [Vec2<T>])| {
+            (T::kernels().ring_bars)(measure, vertices, offsets, upstream, bars);
+        },
+    );
+    Ok(())
 }
 
 /// Checks offsets and vertices.
@@ -238,17 +235,4 @@ pub(crate) fn cuts(offsets: &[usize]) -> Vec<usize> {
         cuts.push(start);
     }
     cuts
-}
-
-fn bars_of<T: Real, O: RingOp>(
-    _ring: O,
-    vertices: &[Vec2<T>],
-    offsets: &[usize],
-    upstream: &[O::Out<T>],
-    bars: &mut [Vec2<T>],
-) {
-    for (ring, &out_bar) in offsets.windows(2).zip(upstream) {
-        let bars = &mut bars[ring[0] - offsets[0]..ring[1] - offsets[0]];
-        O::ring_vjp(&vertices[ring[0]..ring[1]], out_bar, bars);
-    }
 }

@@ -5,29 +5,9 @@ use crate::kernels::cpu::arch::{Vector, numbers};
 use crate::kernels::cpu::blocks::all_finite;
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::kernels::real::Real;
+pub use crate::ring::Measure;
 use crate::ring::{Measured, Vertices};
 use crate::{Mask, Vec2, ad, ring};
-
-/// A measure of a ring.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Measure {
-    /// [`signed_area`](crate::ring::signed_area).
-    SignedArea,
-    /// [`perimeter`](crate::ring::perimeter).
-    Perimeter,
-    /// [`centroid`](crate::ring::centroid).
-    Centroid,
-}
-
-impl Measure {
-    /// Numbers per result.
-    pub const fn fields(self) -> usize {
-        match self {
-            Measure::SignedArea | Measure::Perimeter => 1,
-            Measure::Centroid => 2,
-        }
-    }
-}
 
 /// Rings of at most so many vertices are measured side by side. Longer ones keep sixteen sums, which
 /// would make the order of additions another.
@@ -85,7 +65,7 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
         if !finite::<T, V>(own) {
             return false;
         }
-        one::<T>(measure, own, out);
+        out[..fields].copy_from_slice(&measure.of(own)[..fields]);
         first += 1;
     }
     true
@@ -97,19 +77,6 @@ fn finite<T: Real, V: Vector<T>>(vertices: &[Vec2<T>]) -> bool {
     match numbers(vertices) {
         Some(numbers) => all_finite::<T, V>(numbers),
         None => vertices.iter().all(|v| v.x.finite() && v.y.finite()),
-    }
-}
-
-/// The result of one ring.
-#[inline(always)]
-fn one<T: Real>(measure: Measure, vertices: &[Vec2<T>], out: &mut [T]) {
-    match measure {
-        Measure::SignedArea => out[0] = ring::signed_area(vertices),
-        Measure::Perimeter => out[0] = ring::perimeter(vertices),
-        Measure::Centroid => {
-            let center = ring::centroid(vertices);
-            (out[0], out[1]) = (center.x, center.y);
-        }
     }
 }
 
@@ -266,13 +233,7 @@ pub(crate) fn bars<T: Real, V: Vector<T>>(
     for (ring, out_bar) in offsets.windows(2).zip(upstream) {
         let bars = &mut bars[ring[0] - base..ring[1] - base];
         let ring = &vertices[ring[0]..ring[1]];
-        match measure {
-            Measure::SignedArea => ad::adjoint::ring::signed_area_vjp(ring, out_bar[0], bars),
-            Measure::Perimeter => ad::adjoint::ring::perimeter_vjp(ring, out_bar[0], bars),
-            Measure::Centroid => {
-                ad::adjoint::ring::centroid_vjp(ring, Vec2::new(out_bar[0], out_bar[1]), bars);
-            }
-        }
+        ad::adjoint::ring::measure_vjp(measure, ring, out_bar, bars);
     }
 }
 

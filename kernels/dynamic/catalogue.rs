@@ -1,7 +1,7 @@
 //! Every operation of the library, by name.
 use super::Mode;
 use super::forms::Function;
-use super::paths::{Code, OnPaths, fold_double, fold_single, ring_double, ring_single};
+use super::paths::{Code, OnPaths, fold_double, fold_single};
 use super::program::Program;
 use super::rows::{Layout, named};
 use super::symbol::Symbol;
@@ -12,7 +12,6 @@ use crate::ad::sample::{Sample, Sampler};
 use crate::error::{Argument, Error, Field, Unrecordable};
 use crate::kernels::bounds::{Bound, bounds};
 use crate::kernels::fold::Fold;
-use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::{Item, Leaf, leaves_of};
 use crate::kernels::op::{
     Derivative, Extremes, Finite, Invariance, Jumps, Op, Range, inside_of, recording_of,
@@ -33,8 +32,6 @@ pub enum Sort {
     Search,
     /// A fold over a path of any length.
     Fold,
-    /// A measure of a ring of any length.
-    Ring,
 }
 
 /// An operation of the library, without its types.
@@ -519,37 +516,6 @@ where
     )
 }
 
-/// A measure of rings.
-#[doc(hidden)]
-#[must_use]
-pub const fn ring<O: GpuRing>() -> Operation
-where
-    O::Out<f32>: Item<Scalar = f32>,
-    O::Out<f64>: Item<Scalar = f64> + Sample,
-{
-    said!(
-        O,
-        Ring,
-        &[],
-        None,
-        Extremes::Undeclared,
-        [0.0; 2],
-        None,
-        [Vec::new, kinds_of::<O::Out<f64>>],
-        Vec::new,
-        Of {
-            takes: Vec::new,
-            gives: leaves_of::<O::Out<f32>>,
-            body: Body::Path(ring_single::<O>()),
-        },
-        Of {
-            takes: Vec::new,
-            gives: leaves_of::<O::Out<f64>>,
-            body: Body::Path(ring_double::<O>()),
-        }
-    )
-}
-
 /// Rows as values.
 struct Values(Vec<Operation>);
 
@@ -582,13 +548,6 @@ impl Walk for Values {
         F::Out<f64>: Item<Scalar = f64> + Sample,
     {
         self.0.push(const { fold::<F>() }.written(row));
-    }
-    fn ring<O: GpuRing>(&mut self, row: Written)
-    where
-        O::Out<f32>: Item<Scalar = f32>,
-        O::Out<f64>: Item<Scalar = f64> + Sample,
-    {
-        self.0.push(const { ring::<O>() }.written(row));
     }
 }
 

@@ -5,7 +5,7 @@
 //! | --- | --- |
 //! | every operation, with the names of its arguments, fields and rules | [`operations`], [`operation`] |
 //! | its value, gradient and adjoint on columns of numbers, in every form of a batch | [`Function`] |
-//! | folds and measures of rings | [`OnPaths`] |
+//! | folds | [`OnPaths`] |
 //! | a function of any arguments and results, recorded call by call | [`Tracing`], [`symbol`] |
 //! | its derivatives, and its operations as data | [`Program`], [`Nodes`] |
 //! | its check by the harness, and that of any two functions of lists | [`Program::check`], [`Inputs`] |
@@ -51,7 +51,7 @@ pub use crate::kernels::cpu::work::on_this_thread;
 pub use crate::kernels::recording::Mode;
 pub use catalogue::{Format, Number, Operation, Parameter, Shape, Sort, operation, operations};
 #[doc(hidden)]
-pub use catalogue::{fold, ring, search, straight};
+pub use catalogue::{fold, search, straight};
 #[cfg(feature = "check")]
 pub use check::Inputs;
 pub use forms::Function;

@@ -1,27 +1,26 @@
-//! Folds over paths and measures of rings on plain numbers.
+//! Folds over paths on plain numbers.
 use super::rows::{Layout, Rows, named, renamed};
+use crate::Fixed;
 use crate::ad::program::Sym;
 use crate::error::{Argument, Error};
 use crate::kernels::backend::Backend;
 use crate::kernels::cpu::checked::{expect, numbers};
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Column, Columns, Item, Leaf};
-use crate::kernels::op::RingOp;
 use crate::kernels::real::Real;
-use crate::{Fixed, Vec2};
 use std::marker::PhantomData;
 
 /// Numbers of contexts and of vertices.
 type Derivatives<T> = (Vec<T>, Vec<T>);
 
-/// A fold or a measure of rings without its types.
+/// A fold without its types.
 #[derive(Debug)]
 pub(super) struct Code<T: 'static> {
     pub(super) values: fn(Backend<'_>, &[Rows<'_, T>], &[T], &[usize]) -> Result<Vec<T>, Error>,
     pub(super) derivatives:
         fn(Backend<'_>, &[Rows<'_, T>], &[T], &[usize], &[T]) -> Result<Derivatives<T>, Error>,
-    /// The same for one path that all contexts share; `None` for rings, which have no contexts.
-    pub(super) shared: Option<Shared<T>>,
+    /// The same for one path that all contexts share.
+    pub(super) shared: Shared<T>,
     /// Numbers of a vertex.
     pub(super) vertex: usize,
     /// The result of one path from the numbers of its context and then of its vertices.
@@ -100,7 +99,7 @@ macro_rules! fold_in {
                     numbers(&vertices).into_owned(),
                 ))
             },
-            shared: Some(Shared {
+            shared: Shared {
                 values: |rows, path| {
                     let contexts = Contexts::<F::Context<$format>>::new(rows);
                     let path = loaded::<F::Element<$format>>(path);
@@ -118,7 +117,7 @@ macro_rules! fold_in {
                         numbers(&vertices).into_owned(),
                     ))
                 },
-            }),
+            },
             vertex: F::Element::<$format>::LEN,
             symbols: |x| {
                 let (context, vertices) = x.split_at(F::Context::<Sym<$format>>::LEN);
@@ -130,34 +129,9 @@ macro_rules! fold_in {
         }
     };
 }
-/// A measure of rings in one format.
-macro_rules! ring_in {
-    ($format:ty, |$backend:pat_param| $machine:expr) => {
-        Code {
-            values: |$backend, _, vertices, offsets| {
-                let vertices = loaded::<Vec2<$format>>(vertices);
-                let values = $machine.ragged(O::default(), &vertices, offsets)?;
-                Ok(numbers(&values).into_owned())
-            },
-            derivatives: |$backend, _, vertices, offsets, upstream| {
-                let upstream = loaded::<O::Out<$format>>(upstream);
-                let vertices = loaded::<Vec2<$format>>(vertices);
-                let vertices = $machine.ragged_vjp(O::default(), &vertices, offsets, &upstream)?;
-                Ok((Vec::new(), numbers(&vertices).into_owned()))
-            },
-            shared: None,
-            vertex: 2,
-            symbols: |x| {
-                let ring = loaded::<Vec2<Sym<$format>>>(x);
-                crate::Pack::scalars(&O::value::<Sym<$format>>(&ring))
-            },
-        }
-    };
-}
 
 use crate::kernels::cpu::Cpu;
 use crate::kernels::fold::fold;
-use crate::kernels::gpu::GpuRing;
 
 pub(super) const fn fold_single<F: Fold>() -> Code<f32>
 where
@@ -171,14 +145,7 @@ where
 {
     fold_in!(f64, |_| Cpu::new())
 }
-pub(super) const fn ring_single<O: GpuRing>() -> Code<f32> {
-    ring_in!(f32, |backend| backend)
-}
-pub(super) const fn ring_double<O: RingOp>() -> Code<f64> {
-    ring_in!(f64, |_| Cpu::new())
-}
-
-/// A function of paths: a fold, or a measure of rings.
+/// A fold over paths.
 ///
 /// Paths are vertices, two numbers each in the plane and three in space, and offsets: path i has the vertices `offsets[i]..offsets[i + 1]`. Further
 /// arguments of a fold are columns with a row per path; one row stands for all paths, and, on the processor, one path
@@ -369,8 +336,7 @@ impl<T: Real> OnPaths<T> {
     ) -> Option<(Shared<T>, usize)> {
         let is_one = *offsets == [0, vertices] && matches!(backend, Backend::Cpu);
         let count = contexts.iter().find_map(Rows::count)?;
-        let shared = self.code.shared.filter(|_| is_one && count != 1)?;
-        Some((shared, count))
+        (is_one && count != 1).then_some((self.code.shared, count))
     }
 
     /// The number of vertices, where there are as many columns, as wide, as there should be.

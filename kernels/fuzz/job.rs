@@ -11,13 +11,13 @@ use crate::kernels::cpu::aligned::{checked, compute};
 use crate::kernels::cpu::checked::numbers;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{Compiled, Face};
-use crate::kernels::fold::Fold;
+use crate::kernels::fold::{Fold, by_hand, fold};
 use crate::kernels::item::{Column, Item, Leaf, Target, by_kind, by_shape, get, leaves_of};
-use crate::kernels::op::{Extremes, Finite, Jumps, Op, Range, RingOp, inside_of, recording_of};
+use crate::kernels::op::{Extremes, Finite, Jumps, Op, Range, inside_of, recording_of};
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Call, Mode, Recording};
 use crate::kernels::search::{self, Search};
-use crate::{Fixed, Pack, Vec2};
+use crate::{Fixed, Pack};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -336,48 +336,6 @@ impl<T: Real> Job<T> {
         }
     }
 
-    /// The job of a measure of rings.
-    pub(super) fn of_ring<O: RingOp>() -> Self {
-        Job {
-            name: O::NAME,
-            op: short(std::any::type_name::<O>()),
-            shapes: Vec::new(),
-            kinds: Vec::new(),
-            vertex: kinds_of::<Vec2<f64>>(),
-            outputs: vec![O::Out::<T>::LEN],
-            declared: Declared::new(
-                (O::INVARIANCES, O::JUMPS),
-                O::FINITE,
-                O::RANGE,
-                Extremes::Undeclared,
-            ),
-            domain: None,
-            values: Box::new(|inputs, []| {
-                let vertices = loaded::<Vec2<T>>(&inputs.vertices);
-                let values = Cpu::new().ragged(O::default(), &vertices, &inputs.offsets)?;
-                Ok(vec![numbers(&values).into_owned()])
-            }),
-            derivatives: Box::new(|inputs, [bars]| {
-                let bars = loaded::<O::Out<T>>(&bars[0]);
-                let (vertices, offsets) = (loaded::<Vec2<T>>(&inputs.vertices), &inputs.offsets);
-                let derivatives = Cpu::new().ragged_vjp(O::default(), &vertices, offsets, &bars)?;
-                Ok(vec![numbers(&derivatives).into_owned()])
-            }),
-            both: None,
-            square: None,
-            alone: |x| O::value(&loaded::<Vec2<T>>(x)).scalars(),
-            by_hand: |x, out_bar| {
-                let ring = loaded::<Vec2<T>>(x);
-                let mut bars = vec![Vec2::new(T::zero(), T::zero()); ring.len()];
-                O::ring_vjp(&ring, O::Out::<T>::load(out_bar), &mut bars);
-                Some((O::value(&ring).scalars(), bars.scalars()))
-            },
-            recorded: None,
-            sample: |draw| random::<Vec<Vec2<f64>>>(draw).scalars(),
-            show: |x| format!("vec!{:?}", loaded::<Vec2<f64>>(x)),
-        }
-    }
-
     /// The job of a fold over a path.
     pub(super) fn of_fold<F: Fold>() -> Self
     where
@@ -428,7 +386,11 @@ impl<T: Real> Job<T> {
                 let path = loaded::<F::Element<T>>(vertices);
                 Folded::<F>::eval::<T>(&(F::Context::load(context), path)).scalars()
             },
-            by_hand: |_, _| None,
+            by_hand: |x, out_bar| {
+                let path = loaded::<F::Element<T>>(x.get(F::Context::<T>::LEN..)?);
+                let bars = by_hand::<F, T>(&path, F::Out::load(out_bar))?;
+                Some((fold::<F, T>(F::Context::load(x), &path).scalars(), bars))
+            },
             recorded: None,
             sample: |draw| random::<(F::Context<f64>, Vec<F::Element<f64>>)>(draw).scalars(),
             show: |x| {

@@ -37,7 +37,7 @@ use crate::ad::sample::{Draw, Sample};
 use crate::kernels::check::Judged;
 use crate::kernels::fold::Fold;
 use crate::kernels::item::Item;
-use crate::kernels::op::{Op, RingOp};
+use crate::kernels::op::Op;
 use crate::kernels::real::Real;
 use crate::kernels::search::Search;
 use arguments::Inputs;
@@ -168,12 +168,6 @@ where
     D::In<f64>: Sample + Item<Scalar = f64>,
 {
     T::fuzzed(&Job::of_search::<D>(), count, seed)
-}
-
-/// Fuzzes a measure of rings.
-#[must_use]
-pub fn ring<O: RingOp, T: Judged>(count: u64, seed: u64) -> Fuzzed {
-    T::fuzzed(&Job::of_ring::<O>(), count, seed)
 }
 
 /// Fuzzes a fold over paths.

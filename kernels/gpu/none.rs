@@ -1,6 +1,5 @@
 //! The stand-in of the GPU in a build without the feature `gpu`: types without values, so that
 //! [`Backend`](crate::kernels::Backend) is the same in both.
-use crate::kernels::op::RingOp;
 use crate::{Error, GpuFault};
 use std::marker::PhantomData;
 
@@ -24,12 +23,6 @@ impl std::fmt::Display for Gpu {
         match *self {}
     }
 }
-
-/// An operation of a ring that a GPU serves.
-pub trait GpuRing: RingOp {}
-impl GpuRing for crate::kernels::SignedArea {}
-impl GpuRing for crate::kernels::Perimeter {}
-impl GpuRing for crate::kernels::Centroid {}
 
 /// Handles without values.
 macro_rules! none {

@@ -1,48 +1,101 @@
-//! The measures of a ring as operations.
-use crate::kernels::cpu::rings::Measure;
-use crate::kernels::op::{Finite, Jumps, Invariance, Range, RingOp};
+//! The measures of a ring as folds.
+use crate::kernels::fold::Fold;
+use crate::kernels::op::{Finite, Invariance, Jumps, Range};
 use crate::kernels::ops::class::invariances;
-use crate::kernels::ops::walk::Written;
+use crate::kernels::ops::path::folds;
 use crate::kernels::ops::tables::listed;
-use crate::kernels::verbs::{Centroid, Perimeter, SignedArea};
-use crate::{Scalar, Vec2, ad, ring};
+use crate::kernels::ops::walk::Written;
+use crate::kernels::verbs::{Centroid, OverRing, Perimeter, SignedArea};
+use crate::reference::Reference;
+use crate::ring::Measure;
+use crate::{Fixed, Scalar, Vec2};
 
-/// Measures of a ring with compiled kernels: the macro lists them.
+/// Measures of a ring: sums over edges that are seen from the first vertex. Each has kernels by hand.
 macro_rules! measures {
-    ($($(#[doc = $doc:literal])* $name:ident = $function:ident, $vjp:ident: $out:ty, $class:tt, $jumps:ident, $range:ident;)*) => { $(
-        impl RingOp for $name {
-            const NAME: &'static str = stringify!($function);
-            const DOC: &'static str = concat!($($doc),*);
-            type Out<S: Scalar> = $out;
+    ($(
+        $(#[$($doc:tt)*])*
+        $Name:ident = $name:literal, $measure:ident: $Out:ty, $class:tt, jumps $jumps:ident, range $range:ident;
+        state $State:ty,
+        edge |$from:ident, $to:ident| $edge:expr,
+        finish |$seen:ident, $sums:pat_param| $finish:expr;
+    )*) => { $(
+        $(#[$($doc)*])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        pub struct $Name;
+
+        impl Fold for $Name {
+            const NAME: &'static str = $name;
+            const DOC: &'static str = crate::__doc!([] $([$($doc)*])*);
+            const CLOSED: bool = true;
             const INVARIANCES: &'static [Invariance] = invariances!($class Vec2<f64>);
             const JUMPS: Jumps = Jumps::$jumps;
             const FINITE: Finite = Finite::Always;
             const RANGE: Range = Range::$range;
-            #[inline(always)]
-            fn value<S: Scalar>(ring: &[Vec2<S>]) -> $out {
-                ring::$function(ring)
+            const MEASURE: Option<Measure> = Some(Measure::$measure);
+            type Element<S: Scalar> = Vec2<S>;
+            type Context<S: Scalar> = [S; 0];
+            type Reference<S: Scalar> = Reference<S>;
+            type State<S: Scalar> = $State;
+            type Out<S: Scalar> = $Out;
+            fn in_plane<S: Scalar>(path: &[Vec2<S>]) -> &[Vec2<S>] {
+                path
             }
-            #[inline(always)]
-            fn ring_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: $out, ring_bar: &mut [Vec2<S>]) {
-                ad::adjoint::ring::$vjp(ring, out_bar, ring_bar);
+            fn in_plane_mut<S: Scalar>(path: &mut [Vec2<S>]) -> &mut [Vec2<S>] {
+                path
             }
-            fn compiled() -> Option<Measure> {
-                Some(Measure::$name)
+            fn reference<S: Scalar>(_: [S; 0], ring: &[Vec2<S>]) -> Reference<S> {
+                let seen = Reference::of_ring(ring);
+                match ring.first() {
+                    Some(&first) => seen.shifted(seen.place(first)),
+                    None => seen,
+                }
+            }
+            fn empty<S: Scalar>() -> $State {
+                <$State as Fixed>::filled(S::zero())
+            }
+            fn edge<S: Scalar>(_: [S; 0], seen: Reference<S>, from: Vec2<S>, to: Vec2<S>) -> $State {
+                let ($from, $to) = (seen.place(from), seen.place(to));
+                $edge
+            }
+            fn join<S: Scalar>(one: $State, other: $State) -> $State {
+                std::array::from_fn(|k| one[k] + other[k])
+            }
+            fn finish<S: Scalar>(_: [S; 0], $seen: Reference<S>, $sums: $State) -> $Out {
+                $finish
             }
         }
-    )*
-    listed! {
-        names [$([Written { name: stringify!($function), verb: stringify!($name), shapes: &["ring"] }]),*]
-        each |walk| { $(walk.ring::<$name>(Written {
-            name: stringify!($function), verb: stringify!($name), shapes: &["ring"],
-        });)* }
-    } };
+    )* };
 }
 measures! {
     /// The signed area of a ring: positive where it turns counter-clockwise.
-    SignedArea = signed_area, signed_area_vjp: S, [rigid(2)], Never, ANY;
+    SignedAreaOfRing = "signed_area", SignedArea: S, [rigid(2)], jumps Never, range ANY;
+        state [S; 1],
+        edge |from, to| [from.perp_dot(to)],
+        finish |seen, [twice]| seen.outer(seen.outer(twice.halved())).saturated().canonical();
     /// The perimeter of a ring.
-    Perimeter = perimeter, perimeter_vjp: S, [rigid(1)], Never, NOT_NEGATIVE;
+    PerimeterOfRing = "perimeter", Perimeter: S, [rigid(1)], jumps Never, range NOT_NEGATIVE;
+        state [S; 1],
+        edge |from, to| [(to - from).length()],
+        finish |seen, [sum]| seen.outer(sum).saturated().canonical();
     /// The centroid of the area of a ring; its value jumps where the area is zero.
-    Centroid = centroid, centroid_vjp: Vec2<S>, [follows], Anywhere, ANY;
+    CentroidOfRing = "centroid", Centroid: Vec2<S>, [follows], jumps Anywhere, range ANY;
+        state [S; 6],
+        edge |from, to| {
+            let cross = from.perp_dot(to);
+            let moment = (from + to) * cross;
+            [cross, moment.x, moment.y, from.x, from.y, S::one()]
+        },
+        finish |seen, [twice, moment_x, moment_y, sum_x, sum_y, count]| {
+            // Without an area the mean of the vertices stands for it; without vertices the origin.
+            let (flat, none) = (twice.equals(S::zero()), count.equals(S::zero()));
+            let thrice = S::lit(3.0) * S::select(flat, S::one(), twice);
+            let count = S::select(none, S::one(), count);
+            let mean = |sum: S, moment: S| S::select(flat, sum.over(count), moment.over(thrice));
+            seen.outer_place(Vec2::new(mean(sum_x, moment_x), mean(sum_y, moment_y))).canonical()
+        };
+}
+folds! {
+    SignedArea, OverRing over_ring by SignedAreaOfRing;
+    Perimeter, OverRing over_ring by PerimeterOfRing;
+    Centroid, OverRing over_ring by CentroidOfRing;
 }

@@ -1,7 +1,6 @@
 //! The list of rows: what the tables hand over, and who takes it.
 use crate::ad::sample::Sample;
 use crate::kernels::fold::Fold;
-use crate::kernels::gpu::GpuRing;
 use crate::kernels::item::Item;
 use crate::kernels::op::Op;
 use crate::kernels::search::Search;
@@ -43,9 +42,4 @@ pub trait Walk {
         F::Element<f64>: Sample,
         Vec<F::Element<f64>>: Sample,
         F::Out<f64>: Item<Scalar = f64> + Sample;
-    /// Takes a measure of rings.
-    fn ring<O: GpuRing>(&mut self, row: Written)
-    where
-        O::Out<f32>: Item<Scalar = f32>,
-        O::Out<f64>: Item<Scalar = f64> + Sample;
 }

@@ -5,8 +5,8 @@ use crate::Vec2;
 use crate::error::Argument;
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::cpu::checked::expect;
-use crate::kernels::gpu::{self, GpuRing};
-use crate::kernels::op::RingOp;
+use crate::kernels::fold::Fold;
+use crate::kernels::gpu;
 use crate::kernels::{Backend, Cpu};
 
 /// Vertices, and where each ring begins among them.
@@ -38,15 +38,25 @@ impl Resident<'_> {
 }
 
 impl Rings {
-    /// [`Cpu::ragged`](crate::kernels::Cpu::ragged).
+    /// [`Cpu::ragged`](crate::kernels::Cpu::ragged) of a measure of rings with kernels by hand: signed area, perimeter,
+    /// centroid.
     ///
     /// # Errors
     ///
     /// The errors of the device.
-    pub fn ragged<O: GpuRing>(&self, op: O) -> Result<RingValues<<O as RingOp>::Out<f32>>, Error> {
+    pub fn ragged<F>(&self, measure: F) -> Result<RingValues<F::Out<f32>>, Error>
+    where
+        F: Fold<Element<f32> = Vec2<f32>, Context<f32> = [f32; 0]>,
+    {
+        const {
+            assert!(
+                F::MEASURE.is_some(),
+                "resident rings have areas, perimeters and centroids"
+            )
+        };
         on!(own = &self.0;
-            Ok(RingValues(Side::Cpu(Cpu::new().ragged(op, &own.0, &own.1)?)));
-            Ok(RingValues(Side::Gpu(own.gpu().ragged_of(op, own)?))))
+            Ok(RingValues(Side::Cpu(Cpu::new().ragged(measure, &own.0, &own.1)?)));
+            Ok(RingValues(Side::Gpu(own.gpu().ragged_of(const { F::MEASURE.expect("by hand") }, own)?))))
     }
 
     /// [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
@@ -55,14 +65,19 @@ impl Rings {
     ///
     /// The input's for an upstream of another length or one that is not finite, or what the
     /// device says.
-    pub fn ragged_vjp<O: GpuRing>(
-        &self,
-        op: O,
-        upstream: &[<O as RingOp>::Out<f32>],
-    ) -> Result<RingBars, Error> {
+    pub fn ragged_vjp<F>(&self, measure: F, upstream: &[F::Out<f32>]) -> Result<RingBars, Error>
+    where
+        F: Fold<Element<f32> = Vec2<f32>, Context<f32> = [f32; 0]>,
+    {
+        const {
+            assert!(
+                F::MEASURE.is_some(),
+                "resident rings have areas, perimeters and centroids"
+            )
+        };
         on!(own = &self.0;
-            Ok(RingBars(Side::Cpu(Cpu::new().ragged_vjp(op, &own.0, &own.1, upstream)?)));
-            Ok(RingBars(Side::Gpu(own.gpu().ragged_vjp_of(op, own, upstream)?))))
+            Ok(RingBars(Side::Cpu(Cpu::new().ragged_vjp(measure, &own.0, &own.1, upstream)?)));
+            Ok(RingBars(Side::Gpu(own.gpu().ragged_vjp_of(const { F::MEASURE.expect("by hand") }, own, upstream)?))))
     }
 
     /// Replaces the vertices; each ring keeps its number of them.

@@ -60,8 +60,7 @@ impl Callable {
         }
     }
     pub fn is_of_paths(&self) -> bool {
-        self.operation()
-            .is_some_and(|row| matches!(row.sort, Sort::Fold | Sort::Ring))
+        self.operation().is_some_and(|row| row.sort == Sort::Fold)
     }
     /// True if its result is a tuple, even of one.
     pub fn is_tuple(&self) -> bool {

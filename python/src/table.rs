@@ -101,7 +101,7 @@ impl Table {
                 gives.push(column("result".to_owned(), kind, shape.fields.len()));
             }
             let mut kinds: Vec<Kind> = takes.iter().map(|column| column.kind).collect();
-            if matches!(operation.sort, Sort::Fold | Sort::Ring) {
+            if operation.sort == Sort::Fold {
                 let path = FIRST.iter().position(|&path| name.shapes == [path]);
                 kinds.push(path.map_or(RING, |path| path as Kind));
             }

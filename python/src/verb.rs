@@ -904,7 +904,6 @@ pub fn rows<'py>(py: Python<'py>, verb: &str) -> PyResult<Vec<Bound<'py, PyDict>
                 Sort::Straight => "straight",
                 Sort::Search => "search",
                 Sort::Fold => "fold",
-                Sort::Ring => "ring",
             },
         )?;
         let kinds: Vec<&str> = row.takes.iter().map(|&kind| table().name(kind)).collect();

@@ -1,14 +1,16 @@
 //! Same bits, signs of zeros included: of the scalar code, at every level of vector instructions, at
 //! every position of a batch, for any number of threads, with the filter of all pairs and without.
-use geograd::kernels::check::{Ringed, Source, Straight};
+use geograd::kernels::check::{Folded, Source, Straight};
 use geograd::kernels::cpu::program::measured::compile_after;
 use geograd::kernels::cpu::simd::Simd;
-use geograd::kernels::op::RingOp;
+use geograd::kernels::fold::fold;
 use geograd::kernels::reduce::Matrix;
 use geograd::scalar::float::Float;
 use geograd::{Aabb2, Aabb3, Obb2, Obb3, Pack, Rotation3, Scalar, Vec2, Vec3, YawBox3};
 use geograd_tests::Dice;
+use geograd_tests::calls::OfRings;
 use geograd_tests::calls::{self, Number, Pair};
+use geograd_tests::rows::ring;
 use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -377,7 +379,7 @@ where
 type Ring<T> = Vec<Vec2<T>>;
 
 /// Rings of all small sizes, and some long ones, against the scalar code.
-fn rings<O: RingOp, T: Number>(
+fn rings<O: OfRings<T>, T: Number>(
     eval: fn(&[Vec2<T>]) -> O::Out<T>,
     vjp: fn(&Ring<T>, O::Out<T>) -> Ring<T>,
 ) {
@@ -492,11 +494,17 @@ fn of_long_lists() {
 
 #[test]
 fn of_rings() {
-    fn of<O: RingOp>() {
-        rings::<O, f32>(O::value, <Ringed<O> as Source>::vjp);
-        rings::<O, f64>(O::value, <Ringed<O> as Source>::vjp);
+    fn of<F: OfRings<f32> + OfRings<f64>>() {
+        fn alone<F: OfRings<T>, T: Number>() {
+            rings::<F, T>(
+                |ring| fold::<F, T>([], ring),
+                |ring, out_bar| <Folded<F> as Source>::vjp(&([], ring.clone()), out_bar).1,
+            );
+        }
+        alone::<F, f32>();
+        alone::<F, f64>();
     }
-    of::<geograd::kernels::SignedArea>();
-    of::<geograd::kernels::Perimeter>();
-    of::<geograd::kernels::Centroid>();
+    of::<ring::SignedArea>();
+    of::<ring::Perimeter>();
+    of::<ring::Centroid>();
 }

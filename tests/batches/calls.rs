@@ -1,10 +1,12 @@
 //! Batches: every form gives the numbers of the single call; bad input is refused with its place, and
 //! buffers are left alone.
 use geograd::error::{Argument, Field};
-use geograd::kernels::check::{Ringed, Source};
-use geograd::kernels::{Centroid, Op, Perimeter, RingOp, SignedArea};
+use geograd::kernels::Op;
+use geograd::kernels::check::{Folded, Source};
+use geograd::kernels::fold::fold;
 use geograd::{Aabb2, Error, Flaw, Obb2, Pack, Vec2};
 use geograd_tests::calls::{self, Number};
+use geograd_tests::rows::ring::{Centroid, Perimeter, SignedArea};
 use geograd_tests::rows::{IofAabb2, IouAabb2, IouObb2};
 
 fn boxes(n: usize, seed: u64) -> Vec<Obb2<f64>> {
@@ -310,12 +312,12 @@ fn ragged_batches_agree_with_single_calls() {
     let ups: Vec<Vec2<f64>> = (0..area.len()).map(|i| Vec2::new(i as f64, 1.0)).collect();
     let bars = calls::ragged_vjp::<Centroid, f64>(&vertices, &offsets, &ups).unwrap();
     for (i, ring) in rings().enumerate() {
-        assert_eq!(area[i], SignedArea::value(&ring));
-        assert_eq!(perimeter[i], Perimeter::value(&ring));
-        assert_eq!(centroid[i], Centroid::value(&ring));
+        assert_eq!(area[i], fold::<SignedArea, f64>([], &ring));
+        assert_eq!(perimeter[i], fold::<Perimeter, f64>([], &ring));
+        assert_eq!(centroid[i], fold::<Centroid, f64>([], &ring));
         assert_eq!(
             bars[offsets[i]..offsets[i + 1]],
-            <Ringed<Centroid> as Source>::vjp(&ring, ups[i])
+            <Folded<Centroid> as Source>::vjp(&([], ring), ups[i]).1
         );
     }
     for (bad, row) in [

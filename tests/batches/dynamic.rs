@@ -6,7 +6,7 @@ use geograd::kernels::dynamic::{
     Bound, Elementary, Format, Function, Layout, Mode, Program, Rows, Symbol, Tracing, operation,
     operations, symbol,
 };
-use geograd::kernels::{Cpu, Op, RingOp, SignedArea, fold::fold};
+use geograd::kernels::{Cpu, Op, fold::fold};
 use geograd::{
     Error, Fixed, Flaw, Jet, Obb2, Pack, Pose2, Scalar, Segment2, Unrecordable, Vec2, ad,
 };
@@ -702,7 +702,7 @@ fn operations_of_symbols_are_the_operations() {
         };
         let ring = path(&x[13..]);
         let distance = fold::<SignedDistancePointRing, S>(moved.from, &ring);
-        IouObb2::eval((other, shape)) + distance * SignedArea::value(&ring)
+        IouObb2::eval((other, shape)) + distance * geograd::ring::signed_area(&ring)
     }
     let x = [
         0.3, -0.2, 0.8, 0.6, 1.0, 0.5, 0.4, 2.0, 0.1, 0.4, 1.5, 2.0, 0.3, -1.0, -1.0, 2.0, -1.0,

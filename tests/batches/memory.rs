@@ -5,10 +5,12 @@
 use super::bits::{Drawn, MILD, Turn, far_apart, list, on_threads, results};
 use geograd::kernels::cpu::polygons::{RingList, RingScore};
 use geograd::kernels::cpu::simd::Simd;
-use geograd::kernels::{Centroid, Cpu, Op, Perimeter, RingOp, SignedArea};
+use geograd::kernels::{Cpu, Op};
 use geograd::{Obb2, Vec2};
 use geograd_tests::Dice;
+use geograd_tests::calls::OfRings;
 use geograd_tests::calls::{self, Number, Pair};
+use geograd_tests::rows::ring::{Centroid, Perimeter, SignedArea};
 use geograd_tests::rows::{
     DiouObb2, GiouObb2, IntersectionAreaQuads, IofObb2, IouAabb2, IouObb2, IouObb3, IouYaw,
     SignedDistancePointRing,
@@ -60,7 +62,7 @@ fn vertices<T: Number>(count: usize, seed: u64) -> Vec<Vec2<T>> {
     (0..count).map(|_| Vec2::new(number(), number())).collect()
 }
 
-fn ring<O: RingOp, T: Number>() {
+fn ring<O: OfRings<T>, T: Number>() {
     let ends = vec![0, 0, 1, 4, 21, 37, 108];
     let vertices = vertices::<T>(109, 3);
     let values = calls::ragged::<O, T>(&vertices[1..], &ends).unwrap();

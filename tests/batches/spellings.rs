@@ -249,7 +249,8 @@ fn rings<T: Number>() -> (Vec<Vec2<T>>, Vec<Vec2<T>>, Vec<usize>) {
 
 fn folds_and_rings_are_the_same<T: Number>() {
     use geograd::distance::ring as to;
-    use geograd::kernels::{Centroid, One, Perimeter, RingOp, SignedArea};
+    use geograd::kernels::{Centroid, One, Perimeter, SignedArea, fold::fold};
+    use geograd_tests::rows::ring as ring_rows;
     use geograd_tests::rows::{
         DistancePointPolyline, DistancePointRing, SecondMomentsOfRing, SignedDistancePointRing,
         WindingOfRing,
@@ -266,9 +267,15 @@ fn folds_and_rings_are_the_same<T: Number>() {
     let windings = fold!(WindingOfRing, &points);
     let to_paths = fold!(DistancePointPolyline, &points);
     let moments = fold!(SecondMomentsOfRing, One([]));
-    let areas = cpu.ragged(SignedArea, &vertices, &offsets).unwrap();
-    let perimeters = cpu.ragged(Perimeter, &vertices, &offsets).unwrap();
-    let centroids = cpu.ragged(Centroid, &vertices, &offsets).unwrap();
+    let areas = cpu
+        .ragged(SignedArea.over_ring(), &vertices, &offsets)
+        .unwrap();
+    let perimeters = cpu
+        .ragged(Perimeter.over_ring(), &vertices, &offsets)
+        .unwrap();
+    let centroids = cpu
+        .ragged(Centroid.over_ring(), &vertices, &offsets)
+        .unwrap();
     for (i, at) in offsets.windows(2).enumerate() {
         let (point, path) = (points[i], &vertices[at[0]..at[1]]);
         let mut polygon = ConvexPolygon::<T, 9> {
@@ -290,7 +297,7 @@ fn folds_and_rings_are_the_same<T: Number>() {
         equal!(
             areas,
             ring::signed_area(path),
-            SignedArea::value(path),
+            fold::<ring_rows::SignedArea, T>([], path),
             polygon.area()
         );
         equal!(perimeters, ring::perimeter(path), polygon.perimeter());

@@ -149,7 +149,8 @@ fn the_untyped_face_has_the_bits_of_the_typed_one() {
         .expect("is a ring");
     assert_eq!(
         perimeter.values_on(on, &[], &ring, &[0, 4]).unwrap(),
-        gpu.ragged(Perimeter, &vertices, &[0, 4]).unwrap()
+        gpu.ragged(Perimeter.over_ring(), &vertices, &[0, 4])
+            .unwrap()
     );
     let distance = operation("signed_distance_point_ring")
         .expect("is listed")

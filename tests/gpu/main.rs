@@ -18,13 +18,15 @@ mod rings;
 mod shapes;
 mod suppress;
 
+use geograd::kernels::Op;
 use geograd::kernels::dynamic::Sort;
-use geograd::kernels::gpu::{Gpu, GpuRing, Options};
-use geograd::kernels::{Centroid, Op, Perimeter, SignedArea};
+use geograd::kernels::gpu::{Gpu, Options};
 use geograd_tests::adapter::{any_gpu, validate};
+use geograd_tests::calls::OfRings;
 use geograd_tests::forms::agree;
 use geograd_tests::list::{self, Tested};
 use geograd_tests::rows::overlap;
+use geograd_tests::rows::ring::{Centroid, Perimeter, SignedArea};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// One context for all tests, one test at a time: drivers in software use all cores anyway.
@@ -128,7 +130,7 @@ fn all_shaders_by_hand_are_tested() {
 
 #[test]
 fn measures_of_rings() {
-    fn of<O: GpuRing>() {
+    fn of<O: OfRings<f32> + OfRings<f64>>() {
         if let Some((_turn, gpu)) = gpu() {
             rings::rings_agree::<O>(gpu);
             rings::rings_agree::<O>(&small());

@@ -2,9 +2,10 @@
 use crate::bounds::{EPSILON, ROUNDINGS};
 use crate::shapes::{Draws, fields, shape_of};
 use geograd::kernels::Backend;
-use geograd::kernels::gpu::{Gpu, GpuRing, Options};
+use geograd::kernels::gpu::{Gpu, Options};
+use geograd::ring::Measure;
 use geograd::{Pack, Vec2};
-use geograd_tests::calls;
+use geograd_tests::calls::{self, OfRings};
 
 fn rings() -> (Vec<Vec2<f32>>, Vec<usize>) {
     let mut draws = Draws(5);
@@ -40,7 +41,7 @@ fn rings() -> (Vec<Vec2<f32>>, Vec<usize>) {
     (vertices, offsets)
 }
 
-pub fn rings_agree<O: GpuRing>(gpu: &Gpu) {
+pub fn rings_agree<O: OfRings<f32>>(gpu: &Gpu) {
     let (vertices, offsets) = rings();
     let found = gpu.ragged(O::default(), &vertices, &offsets).unwrap();
     let expected = Backend::Cpu
@@ -100,7 +101,7 @@ fn coastlines(counts: &[usize]) -> (Vec<Vec2<f32>>, Vec<usize>) {
 /// taken relative to the first one: that moves the area by ε·E·P, and the length of each edge by
 /// twice ε·E. Sums have terms of together less than 2·E·P and a depth of less than 64: 8 vertices a
 /// thread, 8 halvings, 20 spans.
-pub fn long_rings_agree<O: GpuRing>(gpu: &Gpu, counts: &[usize]) {
+pub fn long_rings_agree<O: OfRings<f32> + OfRings<f64>>(gpu: &Gpu, counts: &[usize]) {
     let (vertices, offsets) = coastlines(counts);
     let wide: Vec<Vec2<f64>> = vertices
         .iter()
@@ -122,7 +123,7 @@ pub fn long_rings_agree<O: GpuRing>(gpu: &Gpu, counts: &[usize]) {
         let corners = &wide[ring.clone()];
         let edge = |i: usize| (corners[(i + 1) % corners.len()] - corners[i]).length();
         let shortest = (0..corners.len()).map(edge).fold(f64::MAX, f64::min);
-        let lengths = if O::LENGTHS {
+        let lengths = if O::MEASURE == Some(Measure::Perimeter) {
             2.0 * extent * corners.len() as f64
         } else {
             0.0
@@ -137,7 +138,7 @@ pub fn long_rings_agree<O: GpuRing>(gpu: &Gpu, counts: &[usize]) {
             );
         }
         // Directions of edges turn by their displacement over their length.
-        let bound = match O::LENGTHS {
+        let bound = match O::MEASURE == Some(Measure::Perimeter) {
             true => 1.5 * 8.0 * EPSILON * extent / shortest,
             false => ROUNDINGS * EPSILON * 2.0 * extent,
         };
@@ -157,7 +158,7 @@ pub fn long_rings_agree<O: GpuRing>(gpu: &Gpu, counts: &[usize]) {
     }
 }
 
-pub fn long_rings<O: GpuRing>() {
+pub fn long_rings<O: OfRings<f32> + OfRings<f64>>() {
     let Some((_turn, gpu)) = crate::gpu() else {
         return;
     };
@@ -170,7 +171,7 @@ pub fn long_rings<O: GpuRing>() {
 }
 
 /// Rings that stay and move: the same bits as of rings that are new.
-pub fn moved_rings_agree<O: GpuRing>() {
+pub fn moved_rings_agree<O: OfRings<f32>>() {
     let Some((_turn, gpu)) = crate::gpu() else {
         return;
     };

@@ -55,10 +55,10 @@ mod alarms {
     use super::*;
     use geograd::ad::check::sample::Sample;
     use geograd::ad::check::{self, Report, examine};
-    use geograd::kernels::Centroid;
+    use geograd::kernels::check::{Folded, Source, Straight};
     use geograd::kernels::check::{OpSubject, check_with};
-    use geograd::kernels::check::{Ringed, Source, Straight};
     use geograd::{Aabb2, Obb2, Vec2};
+    use geograd_tests::rows::ring::Centroid;
     use geograd_tests::rows::{IntersectionAreaObb2, IofAabb2, IofObb2, IouObb2};
 
     /// By the random directions of the sample at which it was refused.
@@ -160,8 +160,8 @@ mod alarms {
         ];
         let ring: Vec<Vec2<f64>> = ring.iter().map(|&(x, y)| Vec2::new(x, y)).collect();
         let plan = Sampling::new(1, check::SEED ^ 23144);
-        let report = examine("centroid", &plan, &[ring], 1, |x, judge| {
-            judge(&OpSubject::<f32>::of::<Ringed<Centroid>>(x, &[], None));
+        let report = examine("centroid", &plan, &[([0.0; 0], ring)], 1, |x, judge| {
+            judge(&OpSubject::<f32>::of::<Folded<Centroid>>(x, &[], None));
         });
         assert!(report.passed(), "{report}");
     }

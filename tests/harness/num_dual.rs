@@ -4,9 +4,9 @@ use crate::planted;
 
 use geograd::ad::check::verdict::{PAIRS, Reason, Witness};
 use geograd::check::{Check, Report};
-use geograd::kernels::SignedArea;
-use geograd::kernels::check::{check, check_ring};
+use geograd::kernels::check::{check, check_fold_with};
 use geograd::{Jet, Program, Scalar, Sym, Vec2, generic_check, operation};
+use geograd_tests::rows::ring::SignedArea;
 use geograd_tests::rows::{AreaTriangle, IofAabb2};
 use planted::{BY_DUALS, points, refused, smooth, smooth_derivatives};
 use std::any::TypeId;
@@ -123,7 +123,7 @@ fn a_scalar_that_differs_is_found() {
 fn derivatives_by_hand_are_asked() {
     let report = check::<IofAabb2, f64>(5, 1);
     assert!(report.passed() && compared(&report) > 0, "{report}");
-    let report = check_ring::<SignedArea, f32>(5, 1);
+    let report = check_fold_with::<SignedArea, f32>(&geograd::ad::check::Sampling::new(5, 1));
     assert!(report.passed() && compared(&report) > 0, "{report}");
     // A recorded operation has no derivative by hand.
     assert_eq!(compared(&check::<AreaTriangle, f64>(5, 1)), 0);

@@ -3,18 +3,10 @@ use crate::forms::{Batch, Flat, Format, Found, Given, OfItem, flat, jacobian, lo
 use geograd::ad::forward::First;
 use geograd::kernels::check::Folded;
 use geograd::kernels::check::Source;
-use geograd::kernels::fold::fold;
-use geograd::kernels::{Cpu, Fold, Item, RingOp};
-use geograd::{Fixed, Pack, Scalar, Vec2};
+use geograd::kernels::fold::{by_hand, fold};
+use geograd::kernels::{Cpu, Fold, Item};
+use geograd::{Fixed, Pack, Scalar};
 
-fn path<S: Scalar>(numbers: &[S]) -> Vec<Vec2<S>> {
-    let vertices = numbers.chunks_exact(2);
-    vertices.map(|p| Vec2::new(p[0], p[1])).collect()
-}
-fn path_of<S: Scalar>(numbers: &[f64]) -> Vec<Vec2<S>> {
-    let numbers: Vec<S> = numbers.iter().map(|&x| S::lit(x)).collect();
-    path(&numbers)
-}
 fn numbers<S: Format, V: Fixed<Scalar = S>>(vertices: &[V]) -> Vec<f64> {
     vertices.iter().flat_map(flat).collect()
 }
@@ -37,34 +29,34 @@ fn ragged<S: Format, V: Fixed<Scalar = S>>(given: &Given, behind: usize) -> (Vec
     (vertices, offsets)
 }
 
-pub fn ring_items<O: RingOp, S: Format>() -> Vec<(&'static str, OfItem)> {
-    vec![
-        ("scalar", |x, _| flat(&O::value::<S>(&path_of(x)))),
-        ("duals", |x, _| {
-            jacobian::<S>(x, &|x| O::value::<First<S>>(&path(x)).scalars())
-        }),
-        ("by_hand", |x, bar| {
-            let ring = path_of::<S>(x);
-            let mut bars = vec![Vec2::zero(); ring.len()];
-            O::ring_vjp(&ring, load::<O::Out<S>>(bar), &mut bars);
-            numbers(&bars)
-        }),
-    ]
+/// Those of a measure of rings, whose adjoint is by hand.
+pub fn measure_items<F: Fold, S: Format>() -> Vec<(&'static str, OfItem)> {
+    let mut items = fold_items::<F, S>();
+    items.truncate(2);
+    items.push(("by_hand", |x, bar| {
+        let bars = by_hand::<F, S>(&elements_of::<S, F::Element<S>>(x), load(bar));
+        bars.expect("is by hand")
+            .iter()
+            .map(|x| x.widen())
+            .collect()
+    }));
+    items
 }
 
-pub fn ring_batch<O: RingOp, S: Format>(given: &Given) -> Vec<Found> {
-    let (vertices, offsets) = ragged::<S, Vec2<S>>(given, 0);
-    let (run, cpu) = (O::default(), Cpu::new());
-    let bars: Vec<O::Out<S>> = load_all(&given.cotangents);
-    let values = cpu.ragged(run, &vertices, &offsets);
-    let derivatives = cpu.ragged_vjp(run, &vertices, &offsets, &bars);
-    vec![
-        (
-            "ragged",
-            values.map(|all| all.iter().flat_map(flat).collect()),
-        ),
-        ("ragged_vjp", derivatives.map(|bars| numbers(&bars))),
-    ]
+/// The batches of a measure of rings by the names that its calls had when its hashes were recorded.
+pub fn measure_batch<F: Fold, S: Format>() -> Batch
+where
+    F::Context<S>: Item<Scalar = S>,
+{
+    |given| {
+        let all = fold_batch::<F, S>()(given);
+        let named = [("fold", "ragged"), ("fold_vjp", "ragged_vjp")];
+        let of = |(name, found): Found| {
+            let name = named.iter().find(|own| own.0 == name)?.1;
+            Some((name, found))
+        };
+        all.into_iter().filter_map(of).collect()
+    }
 }
 
 pub fn fold_items<F: Fold, S: Format>() -> Vec<(&'static str, OfItem)> {

@@ -4,7 +4,6 @@ use crate::{paths, print};
 use geograd::ad::check::sample::Sample;
 #[cfg(feature = "gpu")]
 use geograd::ad::program::WGSL as PRELUDE;
-use geograd::kernels::gpu::GpuRing;
 use geograd::kernels::ops::walk::{Walk, Written};
 use geograd::kernels::{Fold, Item, Op, Search, ops};
 use geograd::{Fixed, Pack, Vec2};
@@ -69,15 +68,6 @@ where
         forms::batches::<S>,
     )
 }
-fn ring<O: GpuRing, S: Format>(row: &'static str) -> Entry {
-    entry::<S>(
-        row,
-        || print::inputs::<Vec<Vec2<f64>>>(round::<S>, Pack::scalars),
-        O::Out::<S>::LEN,
-        paths::ring_items::<O, S>(),
-        paths::ring_batch::<O, S>,
-    )
-}
 fn fold<F: Fold, S: Format>(row: &'static str) -> Entry
 where
     F::Context<f64>: Sample,
@@ -85,10 +75,19 @@ where
 {
     entry::<S>(
         row,
-        || print::inputs::<(F::Context<f64>, Vec<Vec2<f64>>)>(round::<S>, Pack::scalars),
+        || match F::MEASURE {
+            Some(_) => print::inputs::<Vec<Vec2<f64>>>(round::<S>, Pack::scalars),
+            None => print::inputs::<(F::Context<f64>, Vec<Vec2<f64>>)>(round::<S>, Pack::scalars),
+        },
         F::Out::<S>::LEN,
-        paths::fold_items::<F, S>(),
-        paths::fold_batch::<F, S>(),
+        match F::MEASURE {
+            Some(_) => paths::measure_items::<F, S>(),
+            None => paths::fold_items::<F, S>(),
+        },
+        match F::MEASURE {
+            Some(_) => paths::measure_batch::<F, S>(),
+            None => paths::fold_batch::<F, S>(),
+        },
     )
 }
 
@@ -164,16 +163,6 @@ impl Walk for Rows {
         self.0.extend([fold::<F, f64>(row), fold::<F, f32>(row)]);
         #[cfg(feature = "gpu")]
         self.shaders(row, || geograd::kernels::gpu::fold_sources(F::default()));
-    }
-    fn ring<O: GpuRing>(&mut self, row: Written)
-    where
-        O::Out<f32>: Item<Scalar = f32>,
-        O::Out<f64>: Item<Scalar = f64> + Sample,
-    {
-        let row = row.name;
-        self.0.extend([ring::<O, f64>(row), ring::<O, f32>(row)]);
-        #[cfg(feature = "gpu")]
-        self.shaders(row, || Ok(geograd::kernels::gpu::ring_sources::<O>()));
     }
 }
 

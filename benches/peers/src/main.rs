@@ -24,7 +24,7 @@ mod timed;
 
 use common::cli::{Failure, Machine, Wish, say};
 use geo::{Area, BooleanOps, Centroid, Coord, Euclidean, Length, LineString, Polygon};
-use geograd::kernels::{self, Cpu, Iou, RingOp, Table};
+use geograd::kernels::{self, Cpu, Fold, Iou, Table};
 use geograd::{Obb2, Pack, Vec2, ad};
 use parry2d_f64::math::Vector2;
 use parry2d_f64::transformation::convex_polygons_intersection_points;
@@ -272,11 +272,16 @@ fn rings(vertices: usize) {
     println!(
         "\n| {count} rings of {vertices} vertices, f64, one thread | M vertices/s |\n| --- | ---: |"
     );
-    ring(kernels::SignedArea, "signed area", &list, &offsets);
+    ring(
+        kernels::SignedArea.over_ring(),
+        "signed area",
+        &list,
+        &offsets,
+    );
     line("geo, signed area", total, || {
         black_box(polygons.iter().map(Area::signed_area).sum::<f64>());
     });
-    ring(kernels::Perimeter, "perimeter", &list, &offsets);
+    ring(kernels::Perimeter.over_ring(), "perimeter", &list, &offsets);
     line("geo, perimeter", total, || {
         black_box(
             polygons
@@ -285,13 +290,13 @@ fn rings(vertices: usize) {
                 .sum::<f64>(),
         );
     });
-    ring(kernels::Centroid, "centroid", &list, &offsets);
+    ring(kernels::Centroid.over_ring(), "centroid", &list, &offsets);
     line("geo, centroid", total, || {
         for polygon in &polygons {
             black_box(polygon.centroid());
         }
     });
-    let ours = Cpu::new().ragged(kernels::Centroid, &list, &offsets);
+    let ours = Cpu::new().ragged(kernels::Centroid.over_ring(), &list, &offsets);
     let ours: Vec<Vec2<f64>> = ours.unwrap();
     for (ours, theirs) in ours.iter().zip(&polygons) {
         let theirs = theirs.centroid().unwrap();
@@ -303,7 +308,12 @@ fn rings(vertices: usize) {
 }
 
 /// Our two lines of one measure of rings.
-fn ring<O: RingOp>(op: O, name: &str, list: &[Vec2<f64>], offsets: &[usize]) {
+fn ring<F: Fold<Context<f64> = [f64; 0], Element<f64> = Vec2<f64>>>(
+    op: F,
+    name: &str,
+    list: &[Vec2<f64>],
+    offsets: &[usize],
+) {
     let cpu = Cpu::new();
     let mut values = cpu.ragged(op, list, offsets).unwrap();
     line(&format!("geograd, {name}"), list.len(), || {

@@ -53,7 +53,7 @@ impl Listed {
     /// as result.
     pub fn forms(&self) -> Vec<Form> {
         let operation = &self.row.operation;
-        if let Sort::Fold | Sort::Ring = operation.sort {
+        if operation.sort == Sort::Fold {
             return vec![Form::Paths, Form::PathsAdjoint];
         }
         let is_number = operation.value_grad::<f32>().is_some();

@@ -5,11 +5,11 @@ mod programs;
 
 use crate::error::{Argument, Field, Flaw};
 use crate::kernels::cpu::Cpu;
-use crate::kernels::cpu::checked::{check_argument, check_upstream, expect, numbers};
+use crate::kernels::cpu::checked::{check_argument, check_upstream, expect, fill, numbers};
 use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::nearest::Spans;
 use crate::kernels::cpu::plan::{Face, of_recorded};
-use crate::kernels::cpu::ragged::check_offsets;
+use crate::kernels::cpu::ragged::{check_offsets, measured, measured_vjp};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::fold::Fold;
@@ -189,6 +189,14 @@ fn folded<F: Fold, C: Columns, T: Real>(
 where
     C::Item: Pack<Scalar = T>,
 {
+    if let Some(measure) = F::MEASURE {
+        let (plane, ends) = (F::in_plane(vertices), [0, vertices.len()]);
+        let offsets = spans.offsets(&ends);
+        check_offsets::<T>(vertices.len(), offsets)?;
+        let mut out = vec![F::Out::filled(T::default()); spans.count()];
+        fill(&mut out, |out| measured(measure, plane, offsets, out))?;
+        return Ok(out);
+    }
     on::<F, C, T, _>(context, vertices, spans, |folding, input| {
         let numbers = (T::drivers().folded)(folding, input)?;
         let mut out = vec![F::Out::filled(T::default()); spans.count()];
@@ -212,6 +220,14 @@ where
     C::Item: Pack<Scalar = T>,
 {
     let seeds = numbers(upstream);
+    if let Some(measure) = F::MEASURE {
+        let (plane, ends) = (F::in_plane(vertices), [0, vertices.len()]);
+        let given = (upstream.len(), &*seeds);
+        let mut bars = vec![F::Element::filled(T::default()); vertices.len()];
+        let own = F::in_plane_mut(&mut bars);
+        measured_vjp(measure, plane, spans.offsets(&ends), given, own)?;
+        return Ok((vec![F::Context::filled(T::default()); upstream.len()], bars));
+    }
     on::<F, C, T, _>(context, vertices, spans, |folding, input| {
         let (by_context, by_vertex) =
             (T::drivers().pulled_back)(folding, input, upstream.len(), &seeds)?;

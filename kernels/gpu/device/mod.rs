@@ -52,7 +52,7 @@ pub(crate) use lists::Lists;
 pub(crate) use matrix::Matrix;
 pub(crate) use reduce::Bests;
 pub(crate) use rings::{RingBars, RingValues, Rings};
-pub use written::{GpuRing, pair_sources, ring_sources};
+pub use written::pair_sources;
 
 use crate::{Error, GpuFault};
 use std::collections::HashMap;

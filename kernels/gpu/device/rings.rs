@@ -1,12 +1,15 @@
 //! Batches of rings on the GPU.
 use super::download::download;
 use super::work::{Params, Work, groups};
-use super::written::{ANY, GpuRing, Kernel, LONG, ROW, SPAN, Source, ring_source};
+use super::written::{ANY, Kernel, LONG, ROW, SPAN, Source, ring_source};
 use super::{Gpu, Inner, Pending};
 use crate::Error;
 use crate::error::Argument;
+use crate::kernels::One;
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::cpu::checked::{check_upstream, expect};
+use crate::kernels::fold::Fold;
+use crate::ring::Measure;
 use crate::{Fixed, Vec2};
 use std::marker::PhantomData;
 
@@ -154,24 +157,23 @@ download! {
     [] RingBars => Vec<Vec2<f32>>;
 }
 
-/// A result of an operation of rings.
-pub type OutOf<O> = <O as crate::kernels::op::RingOp>::Out<f32>;
-
 impl Gpu {
-    /// One result per ring, as [`Cpu::ragged`](crate::kernels::Cpu::ragged).
+    /// One result per path of a fold that takes nothing else, as [`Cpu::ragged`](crate::kernels::Cpu::ragged).
     ///
     /// # Errors
     ///
-    /// As on the processor; [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a ring that fits no buffer, or what
+    /// As on the processor; [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a path that fits no buffer, or what
     /// the device says.
-    pub fn ragged<O: GpuRing>(
+    pub fn ragged<F>(
         &self,
-        ring: O,
-        vertices: &[Vec2<f32>],
+        fold: F,
+        vertices: &[F::Element<f32>],
         offsets: &[usize],
-    ) -> Result<Vec<OutOf<O>>, Error> {
-        let rings = self.upload_rings(vertices, offsets)?;
-        self.ragged_of(ring, &rings)?.download()
+    ) -> Result<Vec<F::Out<f32>>, Error>
+    where
+        F: Fold<Context<f32> = [f32; 0]>,
+    {
+        self.fold(fold, One([]), vertices, offsets)
     }
 
     /// Its adjoint, one cotangent per vertex, as [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
@@ -179,15 +181,18 @@ impl Gpu {
     /// # Errors
     ///
     /// As [`ragged`](Gpu::ragged), and for cotangents of another number or not finite.
-    pub fn ragged_vjp<O: GpuRing>(
+    pub fn ragged_vjp<F>(
         &self,
-        ring: O,
-        vertices: &[Vec2<f32>],
+        fold: F,
+        vertices: &[F::Element<f32>],
         offsets: &[usize],
-        upstream: &[OutOf<O>],
-    ) -> Result<Vec<Vec2<f32>>, Error> {
-        let rings = self.upload_rings(vertices, offsets)?;
-        self.ragged_vjp_of(ring, &rings, upstream)?.download()
+        upstream: &[F::Out<f32>],
+    ) -> Result<Vec<F::Element<f32>>, Error>
+    where
+        F: Fold<Context<f32> = [f32; 0]>,
+    {
+        let (_, bars) = self.fold_vjp(fold, One([]), vertices, offsets, upstream)?;
+        Ok(bars)
     }
 
     /// Checks rings and brings them to the GPU. Ring i has the vertices
@@ -248,24 +253,24 @@ impl Gpu {
     /// # Errors
     ///
     /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or what the device says.
-    pub(crate) fn ragged_of<O: GpuRing>(
+    pub(crate) fn ragged_of<T: Fixed<Scalar = f32>>(
         &self,
-        _op: O,
+        measure: Measure,
         rings: &Rings,
-    ) -> Result<RingValues<OutOf<O>>, Error> {
+    ) -> Result<RingValues<T>, Error> {
         self.owns(&rings.gpu)?;
         let inner = &self.inner;
-        let fields = OutOf::<O>::LEN;
+        let fields = measure.fields();
         inner.guarded(|| {
             let mut work = Work::new(inner);
             let mut parts = Vec::new();
             for run in &rings.runs {
                 let values = inner.storage(run.rings * fields);
-                run.dispatch::<O>(&mut work, "ragged_main", &[(4, &values)]);
+                run.dispatch(measure, &mut work, "ragged_main", &[(4, &values)]);
                 if let Some(long) = &run.long {
-                    let wholes = run.sum_up::<O>(&mut work, long);
+                    let wholes = run.sum_up(measure, &mut work, long);
                     let bound = [(4, &values), (7, &long.longs), (9, &wholes)];
-                    run.over::<O>(&mut work, long, "long_main", Over::Longs, &bound);
+                    run.over(measure, &mut work, long, "long_main", Over::Longs, &bound);
                 }
                 parts.push((values, 4 * (run.rings * fields) as u64));
             }
@@ -284,15 +289,15 @@ impl Gpu {
     ///
     /// As [`ragged`](Gpu::ragged), and The input's for an upstream of another length or
     /// one that is not finite.
-    pub(crate) fn ragged_vjp_of<O: GpuRing>(
+    pub(crate) fn ragged_vjp_of<T: Fixed<Scalar = f32>>(
         &self,
-        _op: O,
+        measure: Measure,
         rings: &Rings,
-        upstream: &[OutOf<O>],
+        upstream: &[T],
     ) -> Result<RingBars, Error> {
         self.owns(&rings.gpu)?;
         expect(Argument::Upstream, rings.len, upstream.len())?;
-        let fields = OutOf::<O>::LEN;
+        let fields = measure.fields();
         let mut numbers = vec![0.0; upstream.len() * fields];
         for (out_bar, numbers) in upstream.iter().zip(numbers.chunks_exact_mut(fields)) {
             out_bar.store(numbers);
@@ -308,9 +313,9 @@ impl Gpu {
                 rest = after;
                 let (upstream, bars) = (inner.stored(own), inner.storage(2 * run.corners));
                 let bound = [(3, &upstream), (5, &bars)];
-                run.dispatch::<O>(&mut work, "ragged_vjp_main", &bound);
+                run.dispatch(measure, &mut work, "ragged_vjp_main", &bound);
                 if let Some(long) = &run.long {
-                    let wholes = run.sum_up::<O>(&mut work, long);
+                    let wholes = run.sum_up(measure, &mut work, long);
                     let bound = [
                         (3, &upstream),
                         (5, &bars),
@@ -318,7 +323,14 @@ impl Gpu {
                         (7, &long.longs),
                         (9, &wholes),
                     ];
-                    run.over::<O>(&mut work, long, "long_vjp_main", Over::Spans, &bound);
+                    run.over(
+                        measure,
+                        &mut work,
+                        long,
+                        "long_vjp_main",
+                        Over::Spans,
+                        &bound,
+                    );
                 }
                 parts.push((bars, 8 * run.corners as u64));
             }
@@ -335,22 +347,24 @@ impl Gpu {
 
 impl Run {
     /// The kernel of short rings: a thread each.
-    fn dispatch<O: GpuRing>(
+    fn dispatch(
         &self,
+        measure: Measure,
         work: &mut Work<'_>,
         entry: &'static str,
         bound: &[(u32, &wgpu::Buffer)],
     ) {
         let mut buffers = vec![(1, &self.vertices), (2, &self.offsets)];
         buffers.extend(bound);
-        let pipeline = ring_pipeline::<O>(work.inner, entry);
+        let pipeline = ring_pipeline(measure, work.inner, entry);
         let size = [groups(self.rings), 1];
         work.dispatch(&pipeline, counted(self.rings), &buffers, size);
     }
 
     /// A kernel of long rings.
-    fn over<O: GpuRing>(
+    fn over(
         &self,
+        measure: Measure,
         work: &mut Work<'_>,
         long: &LongRings,
         entry: &'static str,
@@ -371,12 +385,12 @@ impl Run {
             _ => vec![(1, &self.vertices), (2, &self.offsets)],
         };
         buffers.extend(bound);
-        let pipeline = ring_pipeline::<O>(work.inner, entry);
+        let pipeline = ring_pipeline(measure, work.inner, entry);
         work.dispatch(&pipeline, counted(count), &buffers, size);
     }
 
     /// The scale and the sums of every long ring.
-    fn sum_up<O: GpuRing>(&self, work: &mut Work<'_>, long: &LongRings) -> wgpu::Buffer {
+    fn sum_up(&self, measure: Measure, work: &mut Work<'_>, long: &LongRings) -> wgpu::Buffer {
         let inner = work.inner;
         let parts = inner.storage(long.span_count * PART_BYTES / 4);
         let wholes = inner.storage(long.long_count * WHOLE_BYTES / 4);
@@ -388,15 +402,15 @@ impl Run {
             ("sums_main", Over::Spans, &[spans, longs, parts, sums]),
             ("whole_main", Over::Longs, &[longs, parts, sums]),
         ] {
-            self.over::<O>(work, long, entry, over, bound);
+            self.over(measure, work, long, entry, over, bound);
         }
         wholes
     }
 }
 
-fn ring_pipeline<O: GpuRing>(inner: &Inner, entry: &'static str) -> wgpu::ComputePipeline {
-    let source = Source::of(Kernel::Ragged(O::NAME), ANY);
-    inner.pipeline(source, entry, ring_source::<O>)
+fn ring_pipeline(measure: Measure, inner: &Inner, entry: &'static str) -> wgpu::ComputePipeline {
+    let source = Source::of(Kernel::Ragged(measure), ANY);
+    inner.pipeline(source, entry, || ring_source(measure))
 }
 
 fn counted(count: usize) -> Params {

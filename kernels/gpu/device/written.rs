@@ -4,9 +4,9 @@
 //! alone.
 use crate::clip::{FAR, LARGEST_INVERSE, frame, is_ordinary};
 use crate::kernels::cpu::plan::Compiled;
-use crate::kernels::op::{Op, RingOp};
-use crate::kernels::verbs::{Centroid, Perimeter, SignedArea};
+use crate::kernels::op::Op;
 use crate::overlap::Denominator;
+use crate::ring::Measure;
 use crate::scalar::float::Float;
 use crate::{Aabb2, Fixed, Obb2, Scalar};
 use std::fmt::Write;
@@ -132,30 +132,14 @@ pub(super) const ANY: Mirror = Mirror {
     over: Denominator::Union,
 };
 
-/// An operation of a ring that has a mirror in WGSL.
-pub trait GpuRing: RingOp {
-    /// `true` if it sums moments of edges.
-    const MOMENTS: bool;
-    /// `true` if it sums lengths of edges.
-    const LENGTHS: bool;
-    /// The measure of a ring and its derivative at a vertex, in WGSL.
-    const WGSL: &'static str;
-}
-
-impl GpuRing for SignedArea {
-    const MOMENTS: bool = false;
-    const LENGTHS: bool = false;
-    const WGSL: &'static str = include_str!("../wgsl/signed_area.wgsl");
-}
-impl GpuRing for Perimeter {
-    const MOMENTS: bool = false;
-    const LENGTHS: bool = true;
-    const WGSL: &'static str = include_str!("../wgsl/perimeter.wgsl");
-}
-impl GpuRing for Centroid {
-    const MOMENTS: bool = true;
-    const LENGTHS: bool = false;
-    const WGSL: &'static str = include_str!("../wgsl/centroid.wgsl");
+/// What the kernels of a measure of rings sum beside products of vertices (moments, lengths), and the measure of a ring
+/// with its derivative at a vertex, in WGSL.
+const fn mirror_of(measure: Measure) -> (bool, bool, &'static str) {
+    match measure {
+        Measure::SignedArea => (false, false, include_str!("../wgsl/signed_area.wgsl")),
+        Measure::Perimeter => (false, true, include_str!("../wgsl/perimeter.wgsl")),
+        Measure::Centroid => (true, false, include_str!("../wgsl/centroid.wgsl")),
+    }
 }
 
 /// The task of a shader.
@@ -169,8 +153,8 @@ pub(super) enum Kernel {
     /// A reduction of a matrix that is there already.
     ReduceMatrix(Take),
     Gather,
-    /// A measure of rings, by the operation's name.
-    Ragged(&'static str),
+    /// A measure of rings.
+    Ragged(Measure),
 }
 
 /// The factors of derivatives.
@@ -328,20 +312,21 @@ pub(super) fn pair_source(source: Source) -> String {
     text
 }
 
-/// The shader of an operation of rings.
-pub(super) fn ring_source<O: GpuRing>() -> String {
+/// The shader of a measure of rings.
+pub(super) fn ring_source(measure: Measure) -> String {
+    let (moments, lengths, body) = mirror_of(measure);
     let mut text = constants(GROUP, STEP, STRIP);
     let _ = writeln!(
         text,
         "const MOMENTS: bool = {};\nconst LENGTHS: bool = {};\nconst FIELDS: u32 = {}u;",
-        O::MOMENTS,
-        O::LENGTHS,
-        <O as RingOp>::Out::<f32>::LEN,
+        moments,
+        lengths,
+        measure.fields(),
     );
     for file in [
         PRELUDE,
         include_str!("../wgsl/ring.wgsl"),
-        O::WGSL,
+        body,
         include_str!("../wgsl/ragged.wgsl"),
         include_str!("../wgsl/ragged_long.wgsl"),
     ] {
@@ -385,11 +370,4 @@ pub(super) fn compiled_sources(compiled: Option<Compiled>) -> Vec<(String, Strin
         }
     }
     all
-}
-
-/// Every shader an operation of rings can need.
-#[doc(hidden)]
-#[must_use]
-pub fn ring_sources<O: GpuRing>() -> Vec<(String, String)> {
-    vec![(O::NAME.to_owned(), ring_source::<O>())]
 }

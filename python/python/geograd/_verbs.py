@@ -28,7 +28,7 @@ def describe(verb):
     rows = ordered(verb)
     lines = [rows[0]["summary"], "", "Rows:"]
     for row in rows:
-        names = [name for name, _, _ in row["takes"]] + (["paths"] if row["sort"] in ("fold", "ring") else [])
+        names = [name for name, _, _ in row["takes"]] + (["paths"] if row["sort"] == "fold" else [])
         takes = ", ".join(f"{name}: {kind}" for name, kind in zip(names, row["kinds"]))
         gives = ", ".join(_spelled(column) for column in row["gives"])
         lines.append(f"    {verb}({takes}) -> {gives}")

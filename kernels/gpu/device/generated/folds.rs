@@ -290,6 +290,10 @@ impl Gpu {
         F: Fold<Context<f32> = C::Item>,
         C::Item: Pack<Scalar = f32>,
     {
+        if let Some(measure) = F::MEASURE {
+            let rings = self.upload_rings(F::in_plane(vertices), offsets)?;
+            return self.ragged_of(measure, &rings)?.download();
+        }
         let made = made::<F>()?;
         let shared = folds::shared::<F, f32, C>(&context, vertices, offsets)?;
         let points = numbers(vertices);
@@ -339,6 +343,13 @@ impl Gpu {
         F: Fold<Context<f32> = C::Item>,
         C::Item: Pack<Scalar = f32>,
     {
+        if let Some(measure) = F::MEASURE {
+            let rings = self.upload_rings(F::in_plane(vertices), offsets)?;
+            let found = self.ragged_vjp_of(measure, &rings, upstream)?.download()?;
+            let mut bars = vec![F::Element::filled(0.0); vertices.len()];
+            F::in_plane_mut(&mut bars).copy_from_slice(&found);
+            return Ok((vec![F::Context::<f32>::filled(0.0); upstream.len()], bars));
+        }
         let made = made::<F>()?;
         let shared = folds::shared::<F, f32, C>(&context, vertices, offsets)?;
         let points = numbers(vertices);

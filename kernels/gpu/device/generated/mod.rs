@@ -12,7 +12,7 @@ mod suppress;
 mod text;
 pub(super) mod uploaded;
 
-use super::written::compiled_sources;
+use super::written::{compiled_sources, ring_source};
 use super::{Inner, locked};
 use crate::kernels::Fold;
 use crate::kernels::dynamic::Operation;
@@ -123,6 +123,9 @@ fn is_of_one_list(made: &Generated<f32>) -> bool {
 /// The errors of recording it.
 #[doc(hidden)]
 pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
+    if let Some(measure) = F::MEASURE {
+        return Ok(vec![(F::NAME.to_owned(), ring_source(measure))]);
+    }
     let made = folds::made::<F>()?;
     Ok([Form::Fold, Form::FoldDerivatives]
         .map(|form| (format!("{form:?}"), made.text(form)))
