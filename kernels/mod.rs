@@ -7,6 +7,7 @@
 //! | [`Cpu::row_max`], [`Cpu::column_max`] | the same | the best match of every row or column |
 //! | [`Cpu::above`], [`Cpu::count_above`] | the same | the pairs above a threshold |
 //! | [`Cpu::above_grouped`], [`Cpu::row_max_grouped`] | two lists in [`Groups`] | the same within every group |
+//! | [`Cpu::greedy_grouped`], [`Cpu::outcomes_grouped`] | pairs in [`Groups`] | one-to-one pairs, outcomes of detections |
 //! | [`Cpu::sum`], [`Cpu::mean`], [`Cpu::sum_grad`] | the same | a loss, and its gradient |
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
@@ -54,6 +55,8 @@ pub mod gpu;
 mod grouped;
 #[forbid(unsafe_code)]
 pub mod item;
+#[forbid(unsafe_code)]
+mod judge;
 #[forbid(unsafe_code)]
 mod limits;
 #[forbid(unsafe_code)]

@@ -1,7 +1,10 @@
 //! Matches of detections and truths, and how good detections are. `geograd.metric` and `geograd.assignment` call these with
 //! arrays of the right formats.
+use crate::grouped::both;
 use crate::raised;
+use crate::threads::on_threads;
 use geograd::assignment;
+use geograd::kernels::{Cpu, Groups};
 use geograd::metric::nuscenes::{self, Object, TruePositive};
 use geograd::metric::{self, Frame, Outcome, Point, Recalls, kitti};
 use geograd::suppression::Pair;
@@ -56,26 +59,39 @@ fn triple<'py>(py: Python<'py>, pairs: &[Pair<f64>]) -> Triple<'py> {
     )
 }
 
-/// One-to-one pairs: greedy, or of the largest sum.
+/// The offsets of both lists, where there are any.
+fn offsets(py: Python<'_>, groups: Option<&Bound<'_, PyAny>>) -> PyResult<Option<[Vec<usize>; 2]>> {
+    groups.map(|groups| both(py, groups)).transpose()
+}
+
+/// One-to-one pairs: greedy, or of the largest sum; of every group, where there are groups.
 #[pyfunction]
+#[pyo3(signature = (first, second, overlap, is_greedy, groups=None))]
 pub fn assigned<'py>(
     py: Python<'py>,
     first: Places<'py>,
     second: Places<'py>,
     overlap: Numbers<'py>,
     is_greedy: bool,
+    groups: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Triple<'py>> {
     let pairs = pairs(&first, &second, &overlap)?;
-    let chosen = py.detach(|| match is_greedy {
-        true => Ok(assignment::greedy(&pairs)),
-        false => assignment::largest(&pairs),
-    });
+    let groups = offsets(py, groups.as_ref())?;
+    let chosen = on_threads(py, pairs.len(), || {
+        let own = groups.as_ref().map(|[a, b]| Groups::new(a, b));
+        match (own, is_greedy) {
+            (None, true) => Ok(assignment::greedy(&pairs)),
+            (None, false) => assignment::largest(&pairs),
+            (Some(own), true) => Cpu::new().greedy_grouped(&pairs, own),
+            (Some(own), false) => Cpu::new().largest_grouped(&pairs, own),
+        }
+    })?;
     Ok(triple(py, &chosen.map_err(raised)?))
 }
 
 /// The outcome of every detection: the truth that it found, -1 if it is wrong, -2 if it does not count.
 #[pyfunction]
-#[pyo3(signature = (scores, truths, first, second, overlap, threshold, ignored_truths, ignored_detections))]
+#[pyo3(signature = (scores, truths, first, second, overlap, threshold, ignored_truths, ignored_detections, groups=None))]
 #[allow(clippy::too_many_arguments)] // The wrapper in Python has a pair in place of three.
 pub fn outcomes<'py>(
     py: Python<'py>,
@@ -87,10 +103,12 @@ pub fn outcomes<'py>(
     threshold: f64,
     ignored_truths: Vec<bool>,
     ignored_detections: Vec<bool>,
+    groups: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Array<'py, i64>> {
     let pairs = pairs(&first, &second, &overlap)?;
+    let groups = offsets(py, groups.as_ref())?;
     let scores = scores.as_slice()?;
-    let found = py.detach(|| {
+    let found = on_threads(py, pairs.len(), || {
         let frame = Frame {
             scores,
             truths,
@@ -98,8 +116,11 @@ pub fn outcomes<'py>(
             ignored_truths: &ignored_truths,
             ignored_detections: &ignored_detections,
         };
-        metric::outcomes(&frame, threshold)
-    });
+        match &groups {
+            None => metric::outcomes(&frame, threshold),
+            Some([a, b]) => Cpu::new().outcomes_grouped(&frame, Groups::new(a, b), threshold),
+        }
+    })?;
     let number = |outcome: Outcome| match outcome {
         Outcome::Right(truth) => truth as i64,
         Outcome::Wrong => WRONG,
@@ -212,10 +233,10 @@ pub fn judge_kitti<'py>(
             detections: detections.as_slice()?,
         }),
     };
-    let judged = py.detach(|| match own {
-        None => kitti::judge(&[frame], threshold),
-        Some(own) => kitti::judge_oriented(&[frame], &[own], threshold),
-    });
+    let judged = on_threads(py, pairs.len(), || {
+        let own = own.as_ref().map(std::slice::from_ref);
+        Cpu::new().judge_kitti(&[frame], own, threshold)
+    })?;
     let judged = judged.map_err(raised)?;
     Ok((
         judged.average_precision(at),
@@ -269,13 +290,12 @@ pub fn judge_nuscenes<'py>(
         truth_offsets: &groups.1,
         period,
     };
-    py.detach(|| {
-        let judged = |&threshold: &f64| {
-            let judged = nuscenes::judge(&frames, threshold)?;
-            let errors = TruePositive::ALL.map(|which| judged.error(which));
-            Ok((judged.average_precision(), errors))
-        };
-        thresholds.iter().map(judged).collect::<Result<Vec<_>, _>>()
-    })
-    .map_err(raised)
+    let judged = on_threads(py, detections.len(), || {
+        Cpu::new().judge_nuscenes(&frames, &thresholds)
+    })?;
+    let one = |judged: &nuscenes::Judged| {
+        let errors = TruePositive::ALL.map(|which| judged.error(which));
+        (judged.average_precision(), errors)
+    };
+    Ok(judged.map_err(raised)?.iter().map(one).collect())
 }

@@ -115,6 +115,34 @@ def test_assignment_of_all_frames_is_that_of_each():
         geograd.assignment.greedy(3)
 
 
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_threads_across_groups_change_nothing(threads):
+    groups = offsets(RNG.integers(0, 20, 900)), offsets(RNG.integers(0, 20, 900))
+    a, b = boxes(groups[0][-1]), boxes(groups[1][-1])
+    pairs = geograd.iou.above(a, b, 0.05, groups=groups, kind="Obb2")
+    assert len(pairs[0]) > 20_000
+    scores = RNG.integers(0, 50, len(a)) / 50
+    ignored = {"ignored_truths": RNG.random(len(b)) < 0.1, "ignored_detections": RNG.random(len(a)) < 0.1}
+    before = geograd.get_num_threads()
+    try:
+        geograd.set_num_threads(threads)
+        own = [
+            geograd.assignment.greedy(pairs, groups), geograd.assignment.largest(pairs, groups),
+            geograd.metric.outcomes(scores, len(b), pairs, 0.3, groups=groups, **ignored),
+        ]
+    finally:
+        geograd.set_num_threads(before)
+    # Greedy pairs come group by group, in each the largest overlap first.
+    greedy = np.array(geograd.assignment.greedy(pairs))
+    group = np.searchsorted(groups[0], greedy[0], side="right")
+    np.testing.assert_array_equal(own[0], greedy[:, np.argsort(group, kind="stable")])
+    np.testing.assert_array_equal(own[1], geograd.assignment.largest(pairs))
+    np.testing.assert_array_equal(own[2], geograd.metric.outcomes(scores, len(b), pairs, 0.3, **ignored))
+    crossing = [np.append(x, y) for x, y in zip(pairs, (0, len(b) - 1, 0.5))]
+    with pytest.raises(ValueError, match="is in another group"):
+        geograd.assignment.greedy(crossing, groups)
+
+
 def test_metrics_of_all_frames():
     # Two frames: a hit, a hit with a second detection of it, a miss.
     scores, pairs = [0.9, 0.8, 0.7], ([0, 1, 2], [0, 1, 1], [0.8, 0.7, 0.9])

@@ -9,6 +9,7 @@
 //! The caller leaves out what the benchmark leaves out: truths without points, objects beyond the range of their class.
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::suppression::{check_groups, invalid};
+use std::ops::Range;
 
 /// Distances at which the benchmark matches, in metres. It takes the mean of the average precisions.
 pub const THRESHOLDS: [f64; 4] = [0.5, 1.0, 2.0, 4.0];
@@ -232,7 +233,7 @@ fn between(at: f64, places: &[f64], values: &[f64], beyond: f64) -> f64 {
     }
 }
 
-fn check(frames: &Frames<'_>) -> Result<(), Error> {
+pub(crate) fn check(frames: &Frames<'_>) -> Result<(), Error> {
     let lists = [
         (
             "detections",
@@ -307,33 +308,65 @@ fn check(frames: &Frames<'_>) -> Result<(), Error> {
 /// ```
 pub fn judge(frames: &Frames<'_>, threshold: f64) -> Result<Judged, Error> {
     check(frames)?;
-    let truths = frames.truths.len();
-    let mut frame = vec![0; frames.detections.len()];
-    for (f, own) in frames.detection_offsets.windows(2).enumerate() {
-        frame[own[0]..own[1]].fill(f);
+    let mut found = vec![None; frames.detections.len()];
+    found_truths(frames, 0..frames.count(), threshold, &mut found);
+    Ok(judged(frames, &ranked(frames, 0..found.len()), &found))
+}
+
+impl Frames<'_> {
+    pub(crate) fn count(&self) -> usize {
+        self.detection_offsets.len().saturating_sub(1)
     }
-    let mut order: Vec<usize> = (0..frames.scores.len()).collect();
-    let scores = frames.scores;
+}
+
+/// Detections of a range, the highest score first, of equal ones the later one.
+pub(crate) fn ranked(frames: &Frames<'_>, range: Range<usize>) -> Vec<usize> {
+    let (mut order, scores): (Vec<usize>, _) = (range.collect(), frames.scores);
     order.sort_unstable_by(|&i, &j| scores[j].total_cmp(&scores[i]).then(j.cmp(&i)));
-    let mut taken = vec![false; truths];
+    order
+}
+
+/// The truths that the detections of some frames find, `found[0]` for the first of them.
+pub(crate) fn found_truths(
+    frames: &Frames<'_>,
+    range: Range<usize>,
+    threshold: f64,
+    found: &mut [Option<usize>],
+) {
+    let start = frames.detection_offsets[range.start];
+    for f in range {
+        let own = frames.detection_offsets[f]..frames.detection_offsets[f + 1];
+        let first = frames.truth_offsets[f];
+        let truths = &frames.truths[first..frames.truth_offsets[f + 1]];
+        let mut taken = vec![false; truths.len()];
+        for i in ranked(frames, own) {
+            let mut nearest: Option<(f64, usize)> = None;
+            for (k, truth) in truths.iter().enumerate().filter(|(k, _)| !taken[*k]) {
+                let distance = frames.detections[i].distance(truth);
+                if nearest.is_none_or(|(least, _)| distance < least) {
+                    nearest = Some((distance, k));
+                }
+            }
+            let nearest = nearest.filter(|(distance, _)| *distance < threshold);
+            found[i - start] = nearest.map(|(_, k)| {
+                taken[k] = true;
+                first + k
+            });
+        }
+    }
+}
+
+/// The curve of ranked detections, given the truth that each found.
+pub(crate) fn judged(frames: &Frames<'_>, order: &[usize], found: &[Option<usize>]) -> Judged {
+    let (truths, scores) = (frames.truths.len(), frames.scores);
     // Precision, recall and score after every detection; scores and errors of those that are right.
     let (mut precision, mut recall, mut score) = (Vec::new(), Vec::new(), Vec::new());
     let (mut right_scores, mut right_errors) = (Vec::new(), Vec::new());
     for (place, &i) in order.iter().enumerate() {
-        let detection = &frames.detections[i];
-        let mut nearest: Option<(f64, usize)> = None;
-        let first = frames.truth_offsets[frame[i]];
-        let own = &frames.truths[first..frames.truth_offsets[frame[i] + 1]];
-        for (k, truth) in own.iter().enumerate() {
-            let (distance, t) = (detection.distance(truth), first + k);
-            if !taken[t] && nearest.is_none_or(|(least, _)| distance < least) {
-                nearest = Some((distance, t));
-            }
-        }
-        if let Some((_, truth)) = nearest.filter(|(distance, _)| *distance < threshold) {
-            taken[truth] = true;
+        if let Some(truth) = found[i] {
             right_scores.push(scores[i]);
-            right_errors.push(errors(detection, &frames.truths[truth], frames.period));
+            let (own, truth) = (&frames.detections[i], &frames.truths[truth]);
+            right_errors.push(errors(own, truth, frames.period));
         }
         let right = right_scores.len() as f64;
         precision.push(right / (place + 1) as f64);
@@ -341,7 +374,7 @@ pub fn judge(frames: &Frames<'_>, threshold: f64) -> Result<Judged, Error> {
         score.push(scores[i]);
     }
     if right_scores.is_empty() {
-        return Ok(Judged::nothing(truths));
+        return Judged::nothing(truths);
     }
     let at = |k: usize| {
         if k + 1 == RECALLS {
@@ -366,10 +399,10 @@ pub fn judge(frames: &Frames<'_>, threshold: f64) -> Result<Judged, Error> {
         let read = |&at: &f64| between(at, &right_scores, &means, last);
         score.iter().map(read).collect()
     });
-    Ok(Judged {
+    Judged {
         precision,
         score,
         errors,
         truths,
-    })
+    }
 }

@@ -8,6 +8,7 @@ mod flat;
 mod gaussian;
 mod gaussian_extremes;
 mod iou3;
+mod judge;
 mod kitti;
 mod kitti_labels;
 mod libraries;

@@ -21,11 +21,17 @@ def _pairs(pairs):
     )
 
 
-def greedy(pairs):
-    """The largest overlap first, then the largest one of those whose two ends are free, and so on."""
-    return _core.assigned(*_pairs(pairs), True)
+def greedy(pairs, groups=None):
+    """The largest overlap first, then the largest one of those whose two ends are free, and so on.
+
+    With ``groups``, the offsets of both lists, the pairs of one group come after those of another; groups run on all threads.
+    """
+    return _core.assigned(*_pairs(pairs), True, groups)
 
 
-def largest(pairs):
-    """The one-to-one pairs with the largest sum of overlaps, by first place; overlaps of zero or less are left out."""
-    return _core.assigned(*_pairs(pairs), False)
+def largest(pairs, groups=None):
+    """The one-to-one pairs with the largest sum of overlaps, by first place; overlaps of zero or less are left out.
+
+    ``groups``, the offsets of both lists, change no result: groups run on all threads.
+    """
+    return _core.assigned(*_pairs(pairs), False, groups)

@@ -23,14 +23,14 @@ def _flags(x):
     return [] if x is None else np.asarray(x, bool).tolist()
 
 
-def outcomes(scores, truths, pairs, threshold, *, ignored_truths=None, ignored_detections=None):
+def outcomes(scores, truths, pairs, threshold, *, ignored_truths=None, ignored_detections=None, groups=None):
     """The truth that every detection found; -1 for a wrong detection, -2 for one that does not count.
 
     By descending score a detection takes the truth that it overlaps most, if by at least the threshold. ``truths`` is the
-    number of truths.
+    number of truths. ``groups``, the offsets of both lists, change no result: groups run on all threads.
     """
     ignored = _flags(ignored_truths), _flags(ignored_detections)
-    return _core.outcomes(_numbers(scores), truths, *_pairs(pairs), float(threshold), *ignored)
+    return _core.outcomes(_numbers(scores), truths, *_pairs(pairs), float(threshold), *ignored, groups)
 
 
 def curve(scores, outcomes, truths):

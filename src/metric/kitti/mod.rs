@@ -14,9 +14,13 @@
 //!
 //! Compared with public copies of the kit's source. They differ in one thing: newer ones ignore a truth whose
 //! height equals the limit, as is done here, older ones do not.
-use super::{Outcome, Point, Recalls};
+use super::{Point, Recalls};
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::suppression::{Pair, invalid};
+
+mod judging;
+
+pub(crate) use judging::Judging;
 
 /// A difficulty of the benchmark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -192,129 +196,6 @@ fn average(values: impl Iterator<Item = f64>, recalls: Recalls) -> f64 {
     }
 }
 
-/// The outcomes of the detections of a frame of at least a score, and the number of truths missed.
-struct Matched {
-    outcomes: Vec<Outcome>,
-    missed: usize,
-}
-
-/// Overlaps of every truth above the threshold, with the detections in their order.
-fn near(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Vec<(usize, f64)>>, Error> {
-    let counts = [
-        ("detections", frame.detections.len(), frame.scores.len()),
-        ("unlabelled", frame.unlabelled.len(), frame.scores.len()),
-    ];
-    for (name, found, expected) in counts {
-        if found != expected && !(name == "unlabelled" && found == 0) {
-            let argument = Argument::Named(name);
-            return Err(Error::Length {
-                argument,
-                expected,
-                found,
-            });
-        }
-    }
-    for (name, numbers) in [("scores", frame.scores), ("unlabelled", frame.unlabelled)] {
-        if let Some(row) = numbers.iter().position(|x| !x.is_finite()) {
-            return Err(invalid(name, row, Flaw::NotFinite(Field::VALUE)));
-        }
-    }
-    let mut near = vec![Vec::new(); frame.truths.len()];
-    for (row, pair) in frame.pairs.iter().enumerate() {
-        let ends = [
-            ("first", pair.first, frame.scores.len()),
-            ("second", pair.second, frame.truths.len()),
-        ];
-        for (name, place, end) in ends {
-            if place >= end {
-                let flaw = Flaw::Broken(Field::new(name), "is beyond its list");
-                return Err(invalid("pairs", row, flaw));
-            }
-        }
-        if !pair.overlap.is_finite() {
-            let flaw = Flaw::NotFinite(Field::new("overlap"));
-            return Err(invalid("pairs", row, flaw));
-        }
-        if pair.overlap > threshold {
-            near[pair.second].push((pair.first, pair.overlap));
-        }
-    }
-    near.iter_mut()
-        .for_each(|list| list.sort_by_key(|&(detection, _)| detection));
-    Ok(near)
-}
-
-/// Which detections the truths take, one after the other. With `least`, of detections of at least this score
-/// the one of the largest overlap, ignored ones only where no other is left; without, of all the one of the
-/// highest score.
-fn matched(frame: &Frame<'_>, near: &[Vec<(usize, f64)>], least: Option<f64>) -> Matched {
-    let mut outcomes = vec![Outcome::Wrong; frame.scores.len()];
-    let mut is_taken = vec![false; frame.scores.len()];
-    let mut missed = 0;
-    for (truth, near) in near.iter().enumerate() {
-        if frame.truths[truth] == Counts::Not {
-            continue;
-        }
-        let mut best: Option<(usize, f64)> = None;
-        for &(detection, overlap) in near {
-            let counts = frame.detections[detection];
-            let score = frame.scores[detection];
-            if counts == Counts::Not
-                || is_taken[detection]
-                || least.is_some_and(|least| score < least)
-            {
-                continue;
-            }
-            let is_ignored = counts == Counts::Ignored;
-            let is_better = match (least, best) {
-                (None, Some((other, _))) => score > frame.scores[other],
-                (Some(_), Some((other, most))) => {
-                    let other_is_ignored = frame.detections[other] == Counts::Ignored;
-                    !is_ignored && (other_is_ignored || overlap > most)
-                }
-                (_, None) => true,
-            };
-            if is_better {
-                best = Some((detection, overlap));
-            }
-        }
-        let must = frame.truths[truth] == Counts::Fully;
-        match best {
-            None => missed += usize::from(must),
-            Some((detection, _)) => {
-                is_taken[detection] = true;
-                let is_right = must && frame.detections[detection] == Counts::Fully;
-                outcomes[detection] = match is_right {
-                    true => Outcome::Right(truth),
-                    false => Outcome::Ignored,
-                };
-            }
-        }
-    }
-    Matched { outcomes, missed }
-}
-
-/// The scores of right detections, the highest first, at which recall passes the next fortieth.
-fn thresholds(mut right: Vec<f64>, truths: usize) -> Vec<f64> {
-    right.sort_unstable_by(|a, b| b.total_cmp(a));
-    let (mut recall, mut out) = (0.0, Vec::new());
-    for (i, &score) in right.iter().enumerate() {
-        let is_last = i + 1 == right.len();
-        let left = (i + 1) as f64 / truths as f64;
-        let next = if is_last {
-            left
-        } else {
-            (i + 2) as f64 / truths as f64
-        };
-        if next - recall < recall - left && !is_last {
-            continue;
-        }
-        out.push(score);
-        recall += 1.0 / 40.0;
-    }
-    out
-}
-
 /// Judges the detections of all frames together, of one class and difficulty: overlaps above the threshold
 /// are right (0.7 for cars, 0.5 for pedestrians and cyclists).
 ///
@@ -343,7 +224,7 @@ fn thresholds(mut right: Vec<f64>, truths: usize) -> Vec<f64> {
 /// # Ok::<(), geograd::Error>(())
 /// ```
 pub fn judge(frames: &[Frame<'_>], threshold: f64) -> Result<Judged, Error> {
-    judged(frames, &[], threshold)
+    Ok(Judging::new(frames, None, threshold)?.judged())
 }
 
 /// [`judge`] with the angles of every frame, for the similarity of orientation.
@@ -374,6 +255,10 @@ pub fn judge_oriented(
     angles: &[Angles<'_>],
     threshold: f64,
 ) -> Result<Judged, Error> {
+    Ok(Judging::new(frames, Some(angles), threshold)?.judged())
+}
+
+fn check_angles(frames: &[Frame<'_>], angles: &[Angles<'_>]) -> Result<(), Error> {
     let length = |name, expected, found| match expected == found {
         true => Ok(()),
         false => Err(Error::Length {
@@ -399,67 +284,5 @@ pub fn judge_oriented(
             }
         }
     }
-    judged(frames, angles, threshold)
-}
-
-fn judged(frames: &[Frame<'_>], angles: &[Angles<'_>], threshold: f64) -> Result<Judged, Error> {
-    let near = frames
-        .iter()
-        .map(|frame| near(frame, threshold))
-        .collect::<Result<Vec<_>, _>>()?;
-    let all = || frames.iter().zip(&near);
-    let must = |frame: &Frame<'_>| frame.truths.iter().filter(|c| **c == Counts::Fully).count();
-    let truths: usize = frames.iter().map(must).sum();
-    let mut right = Vec::new();
-    for (frame, near) in all() {
-        let found = matched(frame, near, None);
-        let is_right = |i: &usize| matches!(found.outcomes[*i], Outcome::Right(_));
-        right.extend(
-            (0..frame.scores.len())
-                .filter(is_right)
-                .map(|i| frame.scores[i]),
-        );
-    }
-    let read = |score: f64| {
-        let (mut right, mut wrong, mut missed) = (0_usize, 0_usize, 0_usize);
-        let mut similar = 0.0;
-        for (f, (frame, near)) in all().enumerate() {
-            let found = matched(frame, near, Some(score));
-            missed += found.missed;
-            for (i, outcome) in found.outcomes.iter().enumerate() {
-                let is_unlabelled = || frame.unlabelled.get(i).is_some_and(|x| *x > threshold);
-                match outcome {
-                    Outcome::Right(truth) => {
-                        right += 1;
-                        if let Some(angles) = angles.get(f) {
-                            let turn = angles.truths[*truth] - angles.detections[i];
-                            similar += 0.5 * (1.0 + turn.cos());
-                        }
-                    }
-                    Outcome::Wrong if frame.detections[i] == Counts::Fully => {
-                        wrong += usize::from(frame.scores[i] >= score && !is_unlabelled());
-                    }
-                    _ => {}
-                }
-            }
-        }
-        let point = Point {
-            score,
-            precision: right as f64 / (right + wrong).max(1) as f64,
-            recall: right as f64 / (right + missed).max(1) as f64,
-        };
-        (point, similar / (right + wrong).max(1) as f64)
-    };
-    let (curve, mut similarity): (Vec<Point>, Vec<f64>) = thresholds(right, truths.max(1))
-        .into_iter()
-        .map(read)
-        .unzip();
-    if angles.is_empty() {
-        similarity.clear();
-    }
-    Ok(Judged {
-        curve,
-        similarity,
-        truths,
-    })
+    Ok(())
 }

@@ -1,0 +1,236 @@
+//! How truths choose detections, and precision at the scores where it is read.
+use super::{Angles, Counts, Frame, Judged, check_angles};
+use crate::error::{Argument, Error, Field, Flaw};
+use crate::metric::{Outcome, Point};
+use crate::suppression::invalid;
+
+/// The outcomes of the detections of a frame of at least a score, and the number of truths missed.
+struct Matched {
+    outcomes: Vec<Outcome>,
+    missed: usize,
+}
+
+/// Overlaps of every truth above the threshold, with the detections in their order.
+struct Near {
+    all: Vec<(usize, f64)>,
+    /// Truth t has the entries `starts[t]..starts[t + 1]`.
+    starts: Vec<usize>,
+}
+
+fn near(frame: &Frame<'_>, threshold: f64) -> Result<Near, Error> {
+    let counts = [
+        ("detections", frame.detections.len(), frame.scores.len()),
+        ("unlabelled", frame.unlabelled.len(), frame.scores.len()),
+    ];
+    for (name, found, expected) in counts {
+        if found != expected && !(name == "unlabelled" && found == 0) {
+            let argument = Argument::Named(name);
+            return Err(Error::Length {
+                argument,
+                expected,
+                found,
+            });
+        }
+    }
+    for (name, numbers) in [("scores", frame.scores), ("unlabelled", frame.unlabelled)] {
+        if let Some(row) = numbers.iter().position(|x| !x.is_finite()) {
+            return Err(invalid(name, row, Flaw::NotFinite(Field::VALUE)));
+        }
+    }
+    let mut starts = vec![0; frame.truths.len() + 1];
+    for (row, pair) in frame.pairs.iter().enumerate() {
+        let ends = [
+            ("first", pair.first, frame.scores.len()),
+            ("second", pair.second, frame.truths.len()),
+        ];
+        for (name, place, end) in ends {
+            if place >= end {
+                let flaw = Flaw::Broken(Field::new(name), "is beyond its list");
+                return Err(invalid("pairs", row, flaw));
+            }
+        }
+        if !pair.overlap.is_finite() {
+            let flaw = Flaw::NotFinite(Field::new("overlap"));
+            return Err(invalid("pairs", row, flaw));
+        }
+        starts[pair.second + 1] += usize::from(pair.overlap > threshold);
+    }
+    for truth in 0..frame.truths.len() {
+        starts[truth + 1] += starts[truth];
+    }
+    let (mut all, mut next) = (vec![(0, 0.0); starts[frame.truths.len()]], starts.clone());
+    for pair in frame.pairs.iter().filter(|pair| pair.overlap > threshold) {
+        all[next[pair.second]] = (pair.first, pair.overlap);
+        next[pair.second] += 1;
+    }
+    for own in starts.windows(2) {
+        all[own[0]..own[1]].sort_by_key(|&(detection, _)| detection);
+    }
+    Ok(Near { all, starts })
+}
+
+/// Which detections the truths take, one after the other. With `least`, of detections of at least this score
+/// the one of the largest overlap, ignored ones only where no other is left; without, of all the one of the
+/// highest score.
+fn matched(frame: &Frame<'_>, near: &Near, least: Option<f64>) -> Matched {
+    let mut outcomes = vec![Outcome::Wrong; frame.scores.len()];
+    let mut is_taken = vec![false; frame.scores.len()];
+    let mut missed = 0;
+    for (truth, own) in near.starts.windows(2).enumerate() {
+        if frame.truths[truth] == Counts::Not {
+            continue;
+        }
+        let mut best: Option<(usize, f64)> = None;
+        for &(detection, overlap) in &near.all[own[0]..own[1]] {
+            let counts = frame.detections[detection];
+            let score = frame.scores[detection];
+            if counts == Counts::Not
+                || is_taken[detection]
+                || least.is_some_and(|least| score < least)
+            {
+                continue;
+            }
+            let is_ignored = counts == Counts::Ignored;
+            let is_better = match (least, best) {
+                (None, Some((other, _))) => score > frame.scores[other],
+                (Some(_), Some((other, most))) => {
+                    let other_is_ignored = frame.detections[other] == Counts::Ignored;
+                    !is_ignored && (other_is_ignored || overlap > most)
+                }
+                (_, None) => true,
+            };
+            if is_better {
+                best = Some((detection, overlap));
+            }
+        }
+        let must = frame.truths[truth] == Counts::Fully;
+        match best {
+            None => missed += usize::from(must),
+            Some((detection, _)) => {
+                is_taken[detection] = true;
+                let is_right = must && frame.detections[detection] == Counts::Fully;
+                outcomes[detection] = match is_right {
+                    true => Outcome::Right(truth),
+                    false => Outcome::Ignored,
+                };
+            }
+        }
+    }
+    Matched { outcomes, missed }
+}
+
+/// The scores of right detections, the highest first, at which recall passes the next fortieth.
+fn thresholds(mut right: Vec<f64>, truths: usize) -> Vec<f64> {
+    right.sort_unstable_by(|a, b| b.total_cmp(a));
+    let (mut recall, mut out) = (0.0, Vec::new());
+    for (i, &score) in right.iter().enumerate() {
+        let is_last = i + 1 == right.len();
+        let left = (i + 1) as f64 / truths as f64;
+        let next = if is_last {
+            left
+        } else {
+            (i + 2) as f64 / truths as f64
+        };
+        if next - recall < recall - left && !is_last {
+            continue;
+        }
+        out.push(score);
+        recall += 1.0 / 40.0;
+    }
+    out
+}
+
+/// Frames that are judged: what is read at every score on its own.
+pub(crate) struct Judging<'a> {
+    frames: &'a [Frame<'a>],
+    /// Empty where none were given.
+    angles: &'a [Angles<'a>],
+    threshold: f64,
+    near: Vec<Near>,
+    /// The truths that have to be found.
+    truths: usize,
+    /// The scores at which precision is read, the highest one first.
+    pub(crate) scores: Vec<f64>,
+}
+
+impl<'a> Judging<'a> {
+    pub(crate) fn new(
+        frames: &'a [Frame<'a>],
+        angles: Option<&'a [Angles<'a>]>,
+        threshold: f64,
+    ) -> Result<Self, Error> {
+        if let Some(angles) = angles {
+            check_angles(frames, angles)?;
+        }
+        let near = frames.iter().map(|frame| near(frame, threshold));
+        let near = near.collect::<Result<Vec<_>, _>>()?;
+        let must = |frame: &Frame<'_>| frame.truths.iter().filter(|c| **c == Counts::Fully).count();
+        let truths: usize = frames.iter().map(must).sum();
+        let mut right = Vec::new();
+        for (frame, near) in frames.iter().zip(&near) {
+            let found = matched(frame, near, None).outcomes;
+            let scores = found.iter().zip(frame.scores);
+            let is_right = |pair: &(&Outcome, &f64)| matches!(pair.0, Outcome::Right(_));
+            right.extend(scores.filter(is_right).map(|(_, score)| *score));
+        }
+        Ok(Judging {
+            frames,
+            angles: angles.unwrap_or_default(),
+            threshold,
+            near,
+            truths,
+            scores: thresholds(right, truths.max(1)),
+        })
+    }
+
+    /// Precision, recall and the similarity of orientation of all detections of at least a score.
+    pub(crate) fn at(&self, score: f64) -> (Point, f64) {
+        let (mut right, mut wrong, mut missed) = (0_usize, 0_usize, 0_usize);
+        let mut similar = 0.0;
+        for (f, (frame, near)) in self.frames.iter().zip(&self.near).enumerate() {
+            let found = matched(frame, near, Some(score));
+            missed += found.missed;
+            for (i, outcome) in found.outcomes.iter().enumerate() {
+                let share = frame.unlabelled.get(i);
+                let is_unlabelled = || share.is_some_and(|x| *x > self.threshold);
+                match outcome {
+                    Outcome::Right(truth) => {
+                        right += 1;
+                        if let Some(angles) = self.angles.get(f) {
+                            let turn = angles.truths[*truth] - angles.detections[i];
+                            similar += 0.5 * (1.0 + turn.cos());
+                        }
+                    }
+                    Outcome::Wrong if frame.detections[i] == Counts::Fully => {
+                        wrong += usize::from(frame.scores[i] >= score && !is_unlabelled());
+                    }
+                    _ => {}
+                }
+            }
+        }
+        let point = Point {
+            score,
+            precision: right as f64 / (right + wrong).max(1) as f64,
+            recall: right as f64 / (right + missed).max(1) as f64,
+        };
+        (point, similar / (right + wrong).max(1) as f64)
+    }
+
+    /// All scores, one after the other.
+    pub(super) fn judged(&self) -> Judged {
+        self.collect(self.scores.iter().map(|&score| self.at(score)))
+    }
+
+    /// The result of what was read at every score.
+    pub(crate) fn collect(&self, read: impl Iterator<Item = (Point, f64)>) -> Judged {
+        let (curve, mut similarity): (Vec<Point>, Vec<f64>) = read.unzip();
+        if self.angles.is_empty() {
+            similarity.clear();
+        }
+        Judged {
+            curve,
+            similarity,
+            truths: self.truths,
+        }
+    }
+}
