@@ -1,7 +1,7 @@
 //! Arrays as rows of numbers, and arrays for results.
 use crate::column::{Column, NUMBERS};
 use crate::number::Number;
-use crate::shapes::{Content, Shape, array};
+use crate::shapes::{Content, Shape, array, stacked};
 use crate::table::table;
 use geograd::kernels::dynamic::Rows;
 use numpy::{
@@ -15,6 +15,8 @@ use pyo3::types::{PyDict, PyTuple};
 /// An argument as it was given.
 pub enum Given<'py> {
     Array(Bound<'py, PyUntypedArray>),
+    /// Arrays of one axis, of one length and format: a field each.
+    Columns(Vec<Py<PyUntypedArray>>),
     Number(f64),
 }
 
@@ -33,6 +35,12 @@ impl<'py> Given<'py> {
             }
             return match &shape.content {
                 Content::Array(array) => Ok(Given::Array(array.bind(x.py()).clone())),
+                Content::Columns(columns) if column.kind == shape.kind => Ok(Given::Columns(
+                    columns.iter().map(|own| own.clone_ref(x.py())).collect(),
+                )),
+                Content::Columns(columns) => {
+                    Ok(Given::Array(stacked(x.py(), columns)?.into_bound(x.py())))
+                }
                 Content::Items(_) => Err(symbolic(&column.name)),
             };
         }
@@ -53,8 +61,12 @@ impl<'py> Given<'py> {
         Ok(Given::Array(array))
     }
     /// True if it is an array of `f32`, or says nothing.
-    fn format(&self) -> Option<bool> {
+    fn format(&self, py: Python<'_>) -> Option<bool> {
         match self {
+            Given::Columns(columns) => {
+                let first = columns.first()?.bind(py);
+                Some(first.dtype().itemsize() == 8)
+            }
             Given::Array(array) if array.ndim() > 0 => Some(array.dtype().itemsize() == 8),
             _ => None,
         }
@@ -69,8 +81,8 @@ pub fn symbolic(name: &str) -> PyErr {
 }
 
 /// True if a call is in `f64`: not if all arrays are `f32`.
-pub fn is_double(given: &[Given<'_>]) -> bool {
-    let mut formats = given.iter().filter_map(Given::format).peekable();
+pub fn is_double(py: Python<'_>, given: &[Given<'_>]) -> bool {
+    let mut formats = given.iter().filter_map(|own| own.format(py)).peekable();
     formats.peek().is_none() || formats.any(|is_double| is_double)
 }
 
@@ -86,6 +98,7 @@ impl<'py, T: Number> Lent<'py, T> {
     pub fn new(py: Python<'py>, given: Given<'py>, column: &Column) -> PyResult<Self> {
         let array = match given {
             Given::Array(array) => array.into_any(),
+            Given::Columns(columns) => stacked(py, &columns)?.into_bound(py).into_any(),
             Given::Number(x) => PyArrayDyn::<T>::from_owned_array(
                 py,
                 numpy::ndarray::arr0(T::narrowed(x)).into_dyn(),
@@ -136,6 +149,35 @@ impl<'py, T: Number> Lent<'py, T> {
             lead: lead.to_vec(),
             fields: self.fields,
         })
+    }
+}
+
+/// An argument whose fields are lent one by one, or as rows.
+pub enum Apart<'py, T: Number> {
+    Rows(Lent<'py, T>),
+    Columns(Vec<PyReadonlyArrayDyn<'py, T>>),
+}
+
+impl<'py, T: Number> Apart<'py, T> {
+    pub fn new(py: Python<'py>, given: Given<'py>, column: &Column) -> PyResult<Self> {
+        let Given::Columns(columns) = given else {
+            return Ok(Apart::Rows(Lent::new(py, given, column)?));
+        };
+        let mut lent = Vec::with_capacity(columns.len());
+        for own in columns {
+            let own = plain::<T>(own.into_bound(py).into_any())?;
+            lent.push(own.try_readonly().map_err(|_| in_use(&column.name))?);
+        }
+        Ok(Apart::Columns(lent))
+    }
+    /// The numbers of every field.
+    pub fn columns(&self) -> PyResult<Vec<&[T]>> {
+        let Apart::Columns(columns) = self else {
+            return Ok(Vec::new());
+        };
+        let failed = |error: numpy::AsSliceError| PyValueError::new_err(error.to_string());
+        let slices = columns.iter().map(|own| own.as_slice().map_err(failed));
+        slices.collect()
     }
 }
 

@@ -1,6 +1,6 @@
 //! The forms of a call, for rows of the table and traced functions alike.
 use crate::arrays::{
-    Given, Lent, Target, aligned, broadcast, is_double, offsets, with_fields, written,
+    Apart, Given, Lent, Target, aligned, broadcast, is_double, offsets, with_fields, written,
 };
 use crate::call::Callable;
 use crate::column::{Column, NUMBERS};
@@ -9,7 +9,7 @@ use crate::number::{Form, Number};
 use crate::raised;
 use crate::shapes::{Paths, dressed};
 use crate::threads::on_threads;
-use geograd::kernels::dynamic::Rows;
+use geograd::kernels::dynamic::{Fields, Rows};
 use geograd::kernels::reduce::{Best, Found};
 use numpy::{PyArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -31,7 +31,7 @@ pub struct Call<'a, 'py> {
 /// Runs a call in the format of its arguments.
 macro_rules! in_format {
     ($call:expr, $given:expr, $run:ident $(, $more:expr)*) => {
-        match is_double(&$given) {
+        match is_double($call.py, &$given) {
             true if $call.machine.is_gpu() => Err(PyTypeError::new_err(
                 "backend=\"gpu\" computes in float32: pass arrays of float32",
             )),
@@ -105,17 +105,67 @@ impl<'py> Call<'_, 'py> {
         in_format!(self, given, items, form)
     }
     fn items<T: Number>(&self, given: Vec<Given<'py>>, form: Form) -> PyResult<Object<'py>> {
-        let signature = self.of.signature(form)?;
+        let takes = &self.of.signature(form)?.takes;
         let function = self.of.function::<T>(form)?;
-        let (takes, gives) = (&signature.takes, &signature.gives);
+        if let Some(count) = self.apart(&given, takes) {
+            let lent = given.into_iter().zip(takes);
+            let lent = lent.map(|(x, column)| Apart::<T>::new(self.py, x, column));
+            let lent = lent.collect::<PyResult<Vec<_>>>()?;
+            let columns = lent.iter().map(Apart::columns);
+            let columns = columns.collect::<PyResult<Vec<_>>>()?;
+            let fields = lent.iter().zip(&columns).map(|(own, columns)| match own {
+                Apart::Rows(own) => Ok(Fields::Rows(own.rows(true)?)),
+                Apart::Columns(_) => Ok(Fields::Apart(columns)),
+            });
+            let fields = fields.collect::<PyResult<Vec<_>>>()?;
+            return self.filled::<T>(form, &[count], count, |slices| {
+                function.aligned_fields_into(&fields, slices)
+            });
+        }
         let lent = self.lent::<T>(given, takes)?;
         let (lead, count) = broadcast(&lent, takes)?;
         let lent = aligned(self.py, lent, takes, &lead, count)?;
-        let rows = lent
-            .iter()
-            .map(|x| x.rows(true))
-            .collect::<PyResult<Vec<_>>>()?;
-        let targets = self.targets::<T>(&lead, gives)?;
+        let rows = lent.iter().map(|x| x.rows(true));
+        let rows = rows.collect::<PyResult<Vec<_>>>()?;
+        let (machine, is_new) = (&self.machine, self.out.is_none());
+        self.filled::<T>(form, &lead, count, |slices| {
+            T::aligned(function, machine, &rows, slices, is_new)
+        })
+    }
+    /// The number of items of arguments of which some are lent field by field; `None` where all have to be rows.
+    fn apart(&self, given: &[Given<'py>], takes: &[Column]) -> Option<usize> {
+        if self.machine.is_gpu() || self.out.is_some() {
+            return None;
+        }
+        let mut count = None;
+        for own in given {
+            if let Given::Columns(columns) = own {
+                let found = columns.first()?.bind(self.py).len();
+                if *count.get_or_insert(found) != found {
+                    return None;
+                }
+            }
+        }
+        let is_alike = |(own, column): (&Given<'py>, &Column)| match own {
+            Given::Array(array) => match array.ndim() + usize::from(column.axes.is_empty()) {
+                1 => true,
+                2 => array.shape()[0] == 1 || Some(array.shape()[0]) == count,
+                _ => false,
+            },
+            _ => true,
+        };
+        count.filter(|_| given.iter().zip(takes).all(is_alike))
+    }
+    /// Results that a call writes, of so many items.
+    fn filled<T: Number>(
+        &self,
+        form: Form,
+        lead: &[usize],
+        count: usize,
+        run: impl FnOnce(&mut [Option<&mut [T]>]) -> Result<(), geograd::Error> + Send,
+    ) -> PyResult<Object<'py>> {
+        let gives = &self.of.signature(form)?.gives;
+        let targets = self.targets::<T>(lead, gives)?;
         let mut guards = Vec::with_capacity(targets.len());
         for (target, column) in targets.iter().zip(gives) {
             guards.push(
@@ -129,10 +179,7 @@ impl<'py> Call<'_, 'py> {
         for guard in &mut guards {
             slices.push(guard.as_mut().map(written).transpose()?);
         }
-        let (machine, is_new) = (&self.machine, self.out.is_none());
-        self.run(count, || {
-            T::aligned(function, machine, &rows, &mut slices, is_new)
-        })?;
+        self.run(count, || run(&mut slices))?;
         drop(slices);
         drop(guards);
         let mut results = Vec::with_capacity(gives.len());
@@ -497,6 +544,10 @@ impl<'py> Call<'_, 'py> {
     fn shapes_of(&self, given: &[Given<'py>]) -> Vec<Vec<usize>> {
         let shape = |given: &Given<'py>| match given {
             Given::Array(array) => array.shape().to_vec(),
+            Given::Columns(columns) => {
+                let count = columns.first().map_or(0, |own| own.bind(self.py).len());
+                vec![count, columns.len()]
+            }
             Given::Number(_) => Vec::new(),
         };
         given.iter().map(shape).collect()

@@ -48,7 +48,7 @@ impl<'py> Call<'_, 'py> {
     pub fn above_grouped(&self, threshold: f64, groups: &Object<'py>) -> PyResult<Object<'py>> {
         self.on_processor()?;
         let (given, groups) = (self.two()?, both(self.py, groups)?);
-        match is_double(&given) {
+        match is_double(self.py, &given) {
             true => self.found_grouped::<f64>(given, threshold, &groups),
             false => self.found_grouped::<f32>(given, threshold, &groups),
         }
@@ -75,7 +75,7 @@ impl<'py> Call<'_, 'py> {
     pub fn most_grouped(&self, of_rows: bool, groups: &Object<'py>) -> PyResult<Object<'py>> {
         self.on_processor()?;
         let (given, groups) = (self.two()?, both(self.py, groups)?);
-        match is_double(&given) {
+        match is_double(self.py, &given) {
             true => self.best_grouped::<f64>(given, of_rows, &groups),
             false => self.best_grouped::<f32>(given, of_rows, &groups),
         }
@@ -110,7 +110,7 @@ impl<'py> Call<'_, 'py> {
     pub fn suppress(&self, asked: &Asked<'_, 'py>) -> PyResult<Object<'py>> {
         self.on_processor()?;
         let given = self.two()?;
-        match is_double(&given) {
+        match is_double(self.py, &given) {
             true => self.kept::<f64>(given, asked),
             false => self.kept::<f32>(given, asked),
         }

@@ -40,6 +40,7 @@ pub(crate) fn raised(error: Error) -> PyErr {
 fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add("__version__", env!("CARGO_PKG_VERSION"))?;
     m.add_class::<shapes::Shape>()?;
+    m.add_class::<shapes::Columns>()?;
     m.add_class::<shapes::Paths>()?;
     m.add_class::<symbol::Symbol>()?;
     m.add_class::<symbol::Truth>()?;

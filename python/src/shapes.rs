@@ -12,8 +12,42 @@ use pyo3::types::{PyDict, PyList, PyTuple, PyType};
 pub enum Content {
     /// An array whose last axis has the fields.
     Array(Py<PyUntypedArray>),
+    /// Arrays of one axis, of one length and format: a field each.
+    Columns(Vec<Py<PyUntypedArray>>),
     /// Symbols and numbers, a field each.
     Items(Vec<Py<PyAny>>),
+}
+
+/// Arrays of one axis, of one length and format, as which the fields of shapes are lent.
+#[pyclass(frozen, module = "geograd")]
+pub struct Columns(Vec<Py<PyUntypedArray>>);
+
+#[pymethods]
+impl Columns {
+    #[new]
+    fn new(columns: Vec<Bound<'_, PyUntypedArray>>) -> PyResult<Self> {
+        let is_like = |own: &Bound<'_, PyUntypedArray>| {
+            let first = &columns[0];
+            let same = own.shape() == first.shape() && own.dtype().is_equiv_to(&first.dtype());
+            same && own.ndim() == 1 && own.is_c_contiguous() && is_format(own)
+        };
+        match columns.iter().all(is_like) {
+            true => Ok(Columns(columns.into_iter().map(Bound::unbind).collect())),
+            false => Err(PyValueError::new_err(
+                "columns: arrays of one axis, of one length and format, are needed",
+            )),
+        }
+    }
+}
+
+/// Arrays of fields as one array of rows, a copy.
+pub fn stacked(py: Python<'_>, columns: &[Py<PyUntypedArray>]) -> PyResult<Py<PyUntypedArray>> {
+    let axis = PyDict::new(py);
+    axis.set_item("axis", -1)?;
+    let columns = PyList::new(py, columns.iter().map(|own| own.bind(py)))?;
+    let numpy = py.import("numpy")?;
+    let made = numpy.call_method("stack", (columns,), Some(&axis))?;
+    Ok(made.cast_into::<PyUntypedArray>()?.unbind())
 }
 
 /// Shapes of one kind: an array whose last axis has their numbers, or symbols.
@@ -135,6 +169,14 @@ impl Shape {
                     .cast::<PyUntypedArray>()
                     .is_ok_and(|array| array.shape().last() == Some(&1))
         };
+        if let Some(lent) = one.as_ref().and_then(|one| one.cast::<Columns>().ok()) {
+            let columns = lent.get().0.iter().map(|own| own.clone_ref(py));
+            let content = Content::Columns(columns.collect());
+            return match lent.get().0.len() == fields.len() {
+                true => Ok(Shape { kind, content }),
+                false => Err(wrong()),
+            };
+        }
         if let Some(one) = one.filter(is_row) {
             if let Ok(shape) = one.cast::<Shape>() {
                 return match shape.get() {
@@ -148,7 +190,10 @@ impl Shape {
                     ))),
                 };
             }
-            if let Ok(list) = one.extract::<Vec<Bound<'_, PyAny>>>()
+            // An array of numbers has no symbols, and its rows as objects cost more than a call.
+            let is_array = one.cast::<PyUntypedArray>().is_ok_and(is_format);
+            if !is_array
+                && let Ok(list) = one.extract::<Vec<Bound<'_, PyAny>>>()
                 && list.iter().any(|x| x.cast::<Symbol>().is_ok())
             {
                 return match list.len() == fields.len() {
@@ -201,12 +246,10 @@ impl Shape {
         }
         let numpy = py.import("numpy")?;
         let columns = numpy.call_method1("broadcast_arrays", PyTuple::new(py, columns)?)?;
-        let axis = PyDict::new(py);
-        axis.set_item("axis", -1)?;
-        let stacked = numpy.call_method("stack", (columns,), Some(&axis))?;
+        let columns: Vec<Py<PyUntypedArray>> = columns.extract()?;
         Ok(Shape {
             kind,
-            content: Content::Array(stacked.cast_into::<PyUntypedArray>()?.unbind()),
+            content: Content::Array(stacked(py, &columns)?),
         })
     }
 
@@ -215,6 +258,7 @@ impl Shape {
     fn array(&self, py: Python<'_>) -> PyResult<Py<PyUntypedArray>> {
         match &self.content {
             Content::Array(array) => Ok(array.clone_ref(py)),
+            Content::Columns(columns) => stacked(py, columns),
             Content::Items(_) => Err(PyTypeError::new_err(format!(
                 "a {} of symbols is no array: the function is recorded once for all inputs",
                 table().name(self.kind)
@@ -236,6 +280,10 @@ impl Shape {
                 let key = (py.Ellipsis(), place);
                 Ok(array.bind(py).as_any().get_item(key)?.unbind())
             }
+            Content::Columns(columns) => columns
+                .get(place)
+                .map(|own| own.clone_ref(py).into_any())
+                .ok_or_else(|| PyTypeError::new_err("no such field")),
             Content::Items(items) => items
                 .get(place)
                 .map(|item| item.clone_ref(py))
@@ -265,6 +313,9 @@ impl Shape {
             .unbind())
     }
     fn __len__(&self, py: Python<'_>) -> PyResult<usize> {
+        if let Content::Columns(columns) = &self.content {
+            return Ok(columns.first().map_or(0, |own| own.bind(py).len()));
+        }
         let array = self.array(py)?;
         let array = array.bind(py);
         match array.ndim() {
@@ -300,7 +351,9 @@ impl Shape {
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         let name = table().name(self.kind);
         Ok(match &self.content {
-            Content::Array(array) => format!("{name}({})", array.bind(py).as_any().str()?),
+            Content::Array(_) | Content::Columns(_) => {
+                format!("{name}({})", self.array(py)?.bind(py).as_any().str()?)
+            }
             Content::Items(_) => format!("<{name} of symbols: {}>", fields(self.kind).join(", ")),
         })
     }
@@ -316,6 +369,9 @@ impl Content {
     fn shared(&self, py: Python<'_>) -> Content {
         match self {
             Content::Array(array) => Content::Array(array.clone_ref(py)),
+            Content::Columns(columns) => {
+                Content::Columns(columns.iter().map(|x| x.clone_ref(py)).collect())
+            }
             Content::Items(items) => {
                 Content::Items(items.iter().map(|x| x.clone_ref(py)).collect())
             }

@@ -52,6 +52,73 @@ def test_structs_by_the_names_of_fields():
         arrow.fields(table, "Obb2", "truth.")
 
 
+def structs(x, dtype=np.float64):
+    """A column of structs, fields in another order than the shape's."""
+    names = arrow._FIELDS["Obb2"]
+    order = [3, 0, 4, 1, 2]
+    return pa.StructArray.from_arrays([pa.array(x[:, k].astype(dtype)) for k in order], [names[k] for k in order])
+
+
+def test_structs_are_lent_field_by_field():
+    column = structs(A)
+    lent = arrow.shapes(column, "Obb2")
+    for name in arrow._FIELDS["Obb2"]:
+        assert address(getattr(lent, name)) == column.field(name).buffers()[1].address
+    assert len(lent) == 60 and lent[3].width == A[3, 2] and "Obb2" in repr(lent)
+    np.testing.assert_array_equal(lent.array, A)
+    np.testing.assert_array_equal(arrow.shapes(column.slice(7, 20), "Obb2").array, A[7:27])
+    table = pa.table({f"box.{name}": A[:, k].copy() for k, name in enumerate(arrow._FIELDS["Obb2"])})
+    assert address(arrow.fields(table, "Obb2", "box.").y) == table["box.y"].chunk(0).buffers()[1].address
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("count", [0, 1, 60, 5000])
+def test_lent_fields_have_the_bits_of_rows(count, dtype):
+    a, b = (np.resize(x, (count, 5)).astype(dtype) for x in (A, B))
+    lent = [arrow.shapes(structs(x, dtype), "Obb2") for x in (a, b)]
+    rows = [geograd.Obb2(x) for x in (a, b)]
+    same = lambda x, y: np.testing.assert_array_equal(np.asarray(x), np.asarray(y), strict=True)
+    same(geograd.iou(*lent), geograd.iou(*rows))
+    same(geograd.iou(lent[0], rows[1]), geograd.iou(*rows))
+    same(geograd.iou(rows[0], lent[1]), geograd.iou(*rows))
+    for one in (b[:1], b[:1].reshape(-1)):
+        if one.size:
+            same(geograd.iou(lent[0], geograd.Obb2(one)), geograd.iou(rows[0], geograd.Obb2(one)))
+    same(geograd.corners(lent[0]), geograd.corners(rows[0]))
+    (value, by), (wanted, by_rows) = geograd.iou.value_grad(*lent), geograd.iou.value_grad(*rows)
+    for own, other in zip((value, *by), (wanted, *by_rows)):
+        same(own, other)
+    bars = np.linspace(0, 1, count, dtype=dtype)
+    for own, other in zip(geograd.iou.vjp(*lent, bars), geograd.iou.vjp(*rows, bars)):
+        same(own, other)
+    out = np.empty(count, dtype)
+    assert geograd.iou(*lent, out=out) is out
+    same(out, wanted)
+    # Calls that need rows, and shapes of broadcasting.
+    if count == 60:
+        same(geograd.iou.all_pairs(*lent), geograd.iou.all_pairs(*rows))
+        for own, other in zip(geograd.iou.above(*lent, 0.3), geograd.iou.above(*rows, 0.3)):
+            same(own, other)
+        same(geograd.iou(lent[0], geograd.Obb2(b[:, None])), geograd.iou(rows[0], geograd.Obb2(b[:, None])))
+        with pytest.raises(ValueError, match="`b`"):
+            geograd.iou(lent[0], geograd.Obb2(b[:7]))
+
+
+def test_flaws_of_lent_fields_are_named():
+    bad = np.resize(A, (5000, 5)).copy()
+    bad[4321, 2] = -1
+    with pytest.raises(ValueError, match="item 4321.*width is negative"):
+        geograd.iou(arrow.shapes(structs(bad), "Obb2"), geograd.Obb2(np.resize(B, (5000, 5))))
+    mixed = pa.StructArray.from_arrays(
+        [pa.array(A[:, k].astype(np.float32 if k else np.float64)) for k in range(5)], arrow._FIELDS["Obb2"]
+    )
+    np.testing.assert_allclose(arrow.shapes(mixed, "Obb2").array, A, rtol=1e-6)
+    with pytest.raises(ValueError, match="columns"):
+        geograd._core.Columns([np.zeros(3), np.zeros(4)])
+    with pytest.raises(TypeError, match="Obb2 is made of"):
+        geograd.Obb2(geograd._core.Columns([np.zeros(3)] * 4))
+
+
 def test_polars():
     polars = pytest.importorskip("polars")
     series = polars.Series("box", A, dtype=polars.Array(polars.Float64, 5))

@@ -3,6 +3,7 @@ mod bits;
 mod calls;
 mod declared;
 mod dynamic;
+mod fields;
 mod fold;
 mod fold_space;
 mod fuzz;

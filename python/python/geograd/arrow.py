@@ -1,7 +1,8 @@
 """Columns of Arrow in and out: shapes, groups, verbs on tables, the grouped join.
 
-A column of ``FixedSizeList`` is lent without a copy, and so is a result. A column of structs, whose fields lie apart, is put
-into rows once. Fields of structs have the names of the shape's fields, in any order.
+A column of ``FixedSizeList`` is lent without a copy, and so is a result. Shapes of a column of structs, or of columns of a table,
+are lent field by field: calls item by item read them where they lie, other calls put them into rows once. Fields of structs have
+the names of the shape's fields, in any order.
 """
 
 import numpy as np
@@ -45,6 +46,19 @@ def _lane(column, name):
     return numbers if numbers.dtype in (np.float32, np.float64) else numbers.astype(np.float64)
 
 
+def _struct(column, wanted, name):
+    """The numbers of fields of a column of structs, each without a copy."""
+    return [_lane(column.field(field), f"{name}.{field}") for field in wanted]
+
+
+def _apart(kind, lanes):
+    """Shapes of numbers that lie apart: lent where they have one format."""
+    made = getattr(geograd, kind)
+    if len({lane.dtype for lane in lanes}) > 1 or len(lanes) == 1:
+        return made(np.stack(lanes, axis=-1))
+    return made(_core.Columns([np.ascontiguousarray(lane) for lane in lanes]))
+
+
 def array(column, kind=None, name="column"):
     """The numbers of a column as an array of shape (N, fields), or (N,) of lone numbers."""
     column = _plain(column)
@@ -67,7 +81,7 @@ def array(column, kind=None, name="column"):
         missing = [field for field in wanted if field not in own]
         if missing:
             raise TypeError(f"`{name}`: the struct has no field {', '.join(missing)}; it has {', '.join(own)}")
-        return np.stack([_lane(column.field(field), f"{name}.{field}") for field in wanted], axis=-1)
+        return np.stack(_struct(column, wanted, name), axis=-1)
     if pa.types.is_list(column.type) or pa.types.is_large_list(column.type):
         raise TypeError(f"`{name}`: lists of any length; cast the column to a fixed_size_list")
     numbers = _lane(column, name)
@@ -75,7 +89,12 @@ def array(column, kind=None, name="column"):
 
 
 def shapes(column, kind, name="column"):
-    """Shapes of a kind from a column."""
+    """Shapes of a kind from a column, lent without a copy."""
+    column = _plain(column)
+    fields = _FIELDS.get(kind)
+    if fields and pa.types.is_struct(column.type) and set(fields) <= {field.name for field in column.type}:
+        _whole(column, name)
+        return _apart(kind, _struct(column, fields, name))
     return getattr(geograd, kind)(array(column, kind, name))
 
 
@@ -85,7 +104,7 @@ def fields(table, kind, prefix=""):
     missing = [field for field in wanted if field not in table.column_names]
     if missing:
         raise KeyError(f"no column {', '.join(missing)}; there are {', '.join(table.column_names)}")
-    return getattr(geograd, kind)(np.stack([_lane(_plain(table[field]), field) for field in wanted], axis=-1))
+    return _apart(kind, [_lane(_plain(table[field]), field) for field in wanted])
 
 
 def column(x, layout="list", element="element"):
