@@ -49,6 +49,17 @@ impl Wish {
     }
 }
 
+/// `true` for the value `f64` of `--precision`, `false` for `f32`.
+pub fn is_double(name: &str) -> Result<bool, Failure> {
+    match name {
+        "f32" => Ok(false),
+        "f64" => Ok(true),
+        other => Err(Failure::Usage(format!(
+            "`--precision {other}`: it is f32 or f64"
+        ))),
+    }
+}
+
 /// Why there is no GPU in a build without the feature.
 const UNSUPPORTED: &str =
     "this program was built without GPU support (`cargo run --features gpu` adds it)";

@@ -12,7 +12,7 @@
 //! | file | what it holds |
 //! | --- | --- |
 //! | `options.rs`, `metric.rs` | the command line and its words |
-//! | `input.rs`, `output.rs` | tables |
+//! | `input.rs` | tables of shapes; `common/csv.rs` reads and writes rows, here and for `table` |
 //! | `boxes/`, `number.rs` | boxes of the plane and of space, in both formats of numbers |
 //! | `polygon/` | polygons |
 mod boxes;
@@ -20,18 +20,19 @@ mod input;
 mod metric;
 mod number;
 mod options;
-mod output;
 mod polygon;
 
 use boxes::{Boxes, Pairs};
 use common::cli::{Failure, Machine, Wish, on_the_cpu, say};
+use common::csv::Writer;
+use common::file;
+use common::output::Output;
+use common::progress::bar;
 use geograd::{Obb2, Obb3, YawBox3};
-use indicatif::{ProgressBar, ProgressStyle};
 use input::Shape;
 use metric::Format;
 use number::Number;
-use options::{HELP, Options, options, same_file};
-use output::Sink;
+use options::{HELP, Options, options};
 use polygon::{Derivatives, Polygon};
 use std::process::ExitCode;
 
@@ -64,7 +65,7 @@ fn read<P: Shape>(options: &Options) -> Result<(Vec<P>, Vec<P>), Failure> {
     let (a, b) = match (a, b) {
         (Ok(a), Ok(b)) => (a, b),
         (Err(why), Ok(_)) | (Ok(_), Err(why)) => return Err(Failure::Work(why)),
-        (Err(why), Err(_)) if same_file(&options.a, &options.b) => {
+        (Err(why), Err(_)) if file::same(&options.a, &options.b) => {
             return Err(Failure::Work(why));
         }
         (Err(a), Err(b)) => return Err(Failure::Work(format!("{a}\n{b}"))),
@@ -96,7 +97,8 @@ fn boxes<P: Boxes>(options: &Options) -> Result<(), Failure> {
     let (a, b) = read::<P>(options)?;
     let machine = machine::<P::Scalar>(options)?;
     let by: Vec<String> = P::DERIVATIVE.iter().map(|name| name.to_string()).collect();
-    let mut sink = Sink::create(options.out.as_deref(), &columns(options, [&by, &by]))?;
+    let output = Output::create(options.out.as_deref())?;
+    let mut sink = Writer::new(output, &columns(options, [&by, &by]));
     let mut block = |pairs: Pairs<'_, P>| {
         let scores = P::scores(options.metric, machine.backend(), pairs, options.grad)?;
         let shapes = |i: usize| match pairs {
@@ -114,7 +116,7 @@ fn boxes<P: Boxes>(options: &Options) -> Result<(), Failure> {
     if options.all_pairs {
         // An empty B has no pairs, but still a number of rows that fits a block.
         let rows = (BLOCK / b.len().max(1)).max(1);
-        let progress = progress(a.len() as u64 * b.len() as u64);
+        let progress = bar(PROGRAM, a.len() as u64 * b.len() as u64);
         for a in a.chunks(rows) {
             if block(Pairs::All(a, &b))? {
                 break;
@@ -123,7 +125,7 @@ fn boxes<P: Boxes>(options: &Options) -> Result<(), Failure> {
         }
         progress.finish_and_clear();
     } else {
-        let progress = progress(a.len() as u64);
+        let progress = bar(PROGRAM, a.len() as u64);
         for (a, b) in a.chunks(BLOCK).zip(b.chunks(BLOCK)) {
             if block(Pairs::Aligned(a, b))? {
                 break;
@@ -149,7 +151,7 @@ fn polygons<T: Number>(options: &Options) -> Result<(), Failure> {
         names.collect::<Vec<_>>()
     });
     let columns = columns(options, [&names[0], &names[1]]);
-    let mut sink = Sink::create(options.out.as_deref(), &columns)?;
+    let mut sink = Writer::new(Output::create(options.out.as_deref())?, &columns);
     let all = if options.all_pairs {
         a.len() * b.len()
     } else {
@@ -159,7 +161,7 @@ fn polygons<T: Number>(options: &Options) -> Result<(), Failure> {
         true => (&a[i / b.len()], &b[i % b.len()]),
         false => (&a[i], &b[i]),
     };
-    let progress = progress(all as u64);
+    let progress = bar(PROGRAM, all as u64);
     for start in (0..all).step_by(STRIDE) {
         let count = STRIDE.min(all - start);
         sink.rows(count, |i, fields| {
@@ -196,12 +198,6 @@ fn run<T: Number>(options: &Options) -> Result<(), Failure> {
         Format::Yaw3 => boxes::<YawBox3<T>>(options),
         Format::Obb3 => boxes::<Obb3<T>>(options),
     }
-}
-
-/// Shows itself only where stderr is a terminal.
-fn progress(pairs: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} pairs, {eta} left");
-    ProgressBar::new(pairs).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 fn main() -> ExitCode {

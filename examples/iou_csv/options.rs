@@ -1,7 +1,8 @@
 //! The command line.
 use crate::metric::{Enclosing, Format, Metric};
-use common::cli::{Failure, Wish};
-use std::path::{Path, PathBuf};
+use common::cli::{Failure, Wish, is_double};
+use common::file;
+use std::path::PathBuf;
 
 pub const HELP: &str = "\
 Overlap (intersection over union) of rotated boxes, and its derivatives. Also other scores, and
@@ -95,16 +96,7 @@ pub fn options() -> Result<Option<Options>, Failure> {
             }
             Long("all-pairs") => all_pairs = true,
             Long("grad") => grad = true,
-            Long("precision") => {
-                double = match parser.value()?.string()?.as_str() {
-                    "f32" => false,
-                    "f64" => true,
-                    other => {
-                        let why = format!("`--precision {other}`: it is f32 or f64");
-                        return Err(Failure::Usage(why));
-                    }
-                }
-            }
+            Long("precision") => double = is_double(&parser.value()?.string()?)?,
             Long("backend") => wish = Wish::from_name(&parser.value()?.string()?)?,
             Long("out") => out = Some(parser.value()?.into()),
             Long("help") | Short('h') => return Ok(None),
@@ -117,7 +109,7 @@ pub fn options() -> Result<Option<Options>, Failure> {
         && [&a, &b]
             .into_iter()
             .flatten()
-            .any(|input| same_file(input, out))
+            .any(|input| file::same(input, out))
     {
         return usage("`--out` is an input as well");
     }
@@ -165,9 +157,4 @@ pub fn options() -> Result<Option<Options>, Failure> {
         wish,
         out,
     }))
-}
-
-/// `true` if both are names of one existing file.
-pub fn same_file(a: &Path, b: &Path) -> bool {
-    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b && a.is_file())
 }

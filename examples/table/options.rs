@@ -1,7 +1,8 @@
 //! The command line, and the row of the verb that it means.
-use common::cli::{Failure, Wish};
+use common::cli::{Failure, Wish, is_double};
+use common::file;
 use geograd::kernels::dynamic::{Operation, Sort};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 pub const HELP: &str = "\
 Any verb of geograd on tables: CSV or Parquet in, CSV or Parquet out.
@@ -97,13 +98,7 @@ pub fn options() -> Result<Asked, Failure> {
             Long("all-pairs") => all_pairs = true,
             Long("grad") => grad = true,
             Long("backend") => wish = Wish::from_name(&parser.value()?.string()?)?,
-            Long("precision") => {
-                double = match parser.value()?.string()?.as_str() {
-                    "f32" => false,
-                    "f64" => true,
-                    other => return usage(format!("`--precision {other}`: it is f32 or f64")),
-                }
-            }
+            Long("precision") => double = is_double(&parser.value()?.string()?)?,
             Long("help") | Short('h') => return Ok(Asked::Help),
             Long(name) if letter(name).is_some() => {
                 let (k, name) = (letter(name).unwrap_or(0), name.to_owned());
@@ -162,7 +157,7 @@ pub fn options() -> Result<Asked, Failure> {
         return usage("`--above` needs a finite number");
     }
     if let Some(out) = &out
-        && inputs.iter().any(|input| same_file(&input.path, out))
+        && inputs.iter().any(|input| file::same(&input.path, out))
     {
         return usage("`--out` is an input as well");
     }
@@ -176,11 +171,6 @@ pub fn options() -> Result<Asked, Failure> {
         wish,
         out,
     }))
-}
-
-/// `true` if both are names of one existing file.
-fn same_file(a: &Path, b: &Path) -> bool {
-    matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b && a.is_file())
 }
 
 /// Rows of fixed size, which tables hold.

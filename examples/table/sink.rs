@@ -1,165 +1,94 @@
 //! The result: block by block, and under its name only when it is complete.
-use arrow::array::RecordBatch;
-use arrow::csv::WriterBuilder;
+use crate::number::Number;
+use arrow::array::{ArrayRef, RecordBatch, UInt64Array};
 use arrow::datatypes::SchemaRef;
-use arrow::error::ArrowError;
 use common::cli::Failure;
+use common::csv;
+use common::output::Output;
 use parquet::arrow::ArrowWriter;
-use parquet::errors::ParquetError;
-use std::fs::File;
-use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
-/// An open output.
-type Output = BufWriter<Box<dyn Write + Send>>;
-
-enum Writer {
-    Csv(Box<arrow::csv::Writer<Output>>),
-    Parquet(Box<ArrowWriter<Output>>),
+pub enum Sink {
+    Csv(csv::Writer),
+    Parquet(Box<Parquet>),
 }
 
-pub struct Sink {
-    writer: Option<Writer>,
+pub struct Parquet {
+    writer: ArrowWriter<Output>,
     schema: SchemaRef,
-    /// `true` once there is a row or a header.
-    is_begun: bool,
     name: String,
-    pending: Pending,
-    /// `true` if the reader has closed the output: the rest need not be written.
-    pub is_closed: bool,
 }
 
-/// The file that is written, and the name that it gets when it is complete. It is removed before.
-struct Pending(Option<(PathBuf, PathBuf)>);
-
-impl Drop for Pending {
-    fn drop(&mut self) {
-        if let Some((part, _)) = &self.0 {
-            let _ = std::fs::remove_file(part);
-        }
+impl Parquet {
+    fn failed(&self, error: impl std::fmt::Display) -> Failure {
+        Failure::Work(format!("{}: {error}", self.name))
     }
 }
 
 impl Sink {
     /// The file of that name, or standard output, for columns of a schema.
     pub fn create(out: Option<&Path>, schema: SchemaRef) -> Result<Self, Failure> {
-        let (to, name, pending): (Box<dyn Write + Send>, _, _) = match out {
-            None => (
-                Box::new(io::stdout()),
-                "standard output".to_owned(),
-                Pending(None),
-            ),
-            Some(path) => {
-                let name = path.display().to_string();
-                let failed = |error: io::Error| Failure::Work(format!("{name}: {error}"));
-                // Through links, so that the file behind one is replaced and not the link.
-                let target = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
-                if target.exists() && !target.is_file() {
-                    // A device or a pipe is written to; it must not be replaced.
-                    let file = File::options().write(true).open(&target).map_err(failed)?;
-                    (Box::new(file), name, Pending(None))
-                } else {
-                    let mut part = target.clone().into_os_string();
-                    part.push(format!(".{}.part", std::process::id()));
-                    let part = PathBuf::from(part);
-                    let file = File::create_new(&part).map_err(failed)?;
-                    (Box::new(file), name, Pending(Some((part, target))))
-                }
-            }
-        };
-        let to = BufWriter::with_capacity(1 << 16, to);
+        let output = Output::create(out)?;
         let is_parquet =
             out.is_some_and(|path| path.extension().is_some_and(|end| end == "parquet"));
-        let writer = if is_parquet {
-            let writer = ArrowWriter::try_new(to, Arc::clone(&schema), None);
-            Writer::Parquet(Box::new(
-                writer.map_err(|error| Failure::Work(format!("{name}: {error}")))?,
-            ))
-        } else {
-            Writer::Csv(Box::new(WriterBuilder::new().with_header(true).build(to)))
-        };
-        Ok(Sink {
-            writer: Some(writer),
+        if !is_parquet {
+            let names: Vec<_> = schema.fields().iter().map(|field| field.name()).collect();
+            return Ok(Sink::Csv(csv::Writer::new(output, &names)));
+        }
+        let name = output.name().to_owned();
+        let writer = ArrowWriter::try_new(output, Arc::clone(&schema), None);
+        let writer = writer.map_err(|error| Failure::Work(format!("{name}: {error}")))?;
+        Ok(Sink::Parquet(Box::new(Parquet {
+            writer,
             schema,
-            is_begun: false,
             name,
-            pending,
-            is_closed: false,
-        })
+        })))
     }
 
-    pub fn write(&mut self, batch: &RecordBatch) -> Result<(), Failure> {
-        self.is_begun = true;
-        let written = match &mut self.writer {
-            Some(Writer::Csv(writer)) => writer.write(batch).map_err(Why::from),
-            Some(Writer::Parquet(writer)) => writer.write(batch).map_err(Why::from),
-            None => Ok(()),
-        };
-        self.check(written)
-    }
-
-    fn check(&mut self, written: Result<(), Why>) -> Result<(), Failure> {
-        match written {
-            // As `| head` does: the reader has all it wants, which is no failure.
-            Err(Why::Closed) => {
-                self.is_closed = true;
-                Ok(())
+    /// Rows: columns of whole numbers, then those of results.
+    pub fn write<T: Number>(
+        &mut self,
+        ids: Vec<Vec<u64>>,
+        columns: Vec<Vec<T>>,
+    ) -> Result<(), Failure> {
+        match self {
+            Sink::Csv(writer) => {
+                let count = columns.first().map_or(0, Vec::len);
+                writer.rows(count, |i, fields| {
+                    ids.iter().for_each(|own| fields.number(own[i]));
+                    columns.iter().for_each(|own| fields.number(own[i]));
+                })
             }
-            Err(Why::Other(why)) => Err(Failure::Work(format!("{}: {why}", self.name))),
-            Ok(()) => Ok(()),
+            Sink::Parquet(own) => {
+                let ids = ids.into_iter();
+                let ids = ids.map(|ids| Arc::new(UInt64Array::from(ids)) as ArrayRef);
+                let all = ids.chain(columns.into_iter().map(T::column)).collect();
+                let batch = RecordBatch::try_new(Arc::clone(&own.schema), all);
+                let batch = batch.map_err(|error| own.failed(error))?;
+                own.writer.write(&batch).map_err(|error| own.failed(error))
+            }
+        }
+    }
+
+    /// `true` if the reader has closed the output: the rest need not be written.
+    pub fn is_closed(&self) -> bool {
+        match self {
+            Sink::Csv(writer) => writer.is_closed(),
+            Sink::Parquet(own) => own.writer.inner().is_closed(),
         }
     }
 
     /// Gives the result its name.
-    pub fn finish(mut self) -> Result<(), Failure> {
-        if !self.is_begun {
-            // Without any row there is a header, too.
-            self.write(&RecordBatch::new_empty(Arc::clone(&self.schema)))?;
-        }
-        let flushed = match self.writer.take() {
-            Some(Writer::Csv(writer)) => writer.into_inner().flush().map_err(Why::from),
-            Some(Writer::Parquet(writer)) => {
-                let inner = writer.into_inner().map_err(Why::from);
-                inner.and_then(|mut to| to.flush().map_err(Why::from))
+    pub fn finish(self) -> Result<(), Failure> {
+        match self {
+            Sink::Csv(writer) => writer.finish(),
+            Sink::Parquet(own) => {
+                let Parquet { writer, name, .. } = *own;
+                let output = writer.into_inner();
+                let output = output.map_err(|error| Failure::Work(format!("{name}: {error}")));
+                output?.finish()
             }
-            None => Ok(()),
-        };
-        self.check(flushed)?;
-        if let Some((part, target)) = &self.pending.0 {
-            let synced = File::open(part).and_then(|file| file.sync_all());
-            let named = synced.and_then(|()| std::fs::rename(part, target));
-            named.map_err(|error| Failure::Work(format!("{}: {error}", self.name)))?;
-            self.pending.0 = None;
         }
-        Ok(())
-    }
-}
-
-/// Why something is not written.
-enum Why {
-    Closed,
-    Other(String),
-}
-
-impl From<io::Error> for Why {
-    fn from(error: io::Error) -> Self {
-        match error.kind() {
-            io::ErrorKind::BrokenPipe => Why::Closed,
-            _ => Why::Other(error.to_string()),
-        }
-    }
-}
-impl From<ArrowError> for Why {
-    fn from(error: ArrowError) -> Self {
-        match error {
-            ArrowError::IoError(_, error) => error.into(),
-            other => Why::Other(other.to_string()),
-        }
-    }
-}
-impl From<ParquetError> for Why {
-    fn from(error: ParquetError) -> Self {
-        Why::Other(error.to_string())
     }
 }

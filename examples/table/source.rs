@@ -1,23 +1,22 @@
 //! A table as rows of numbers, block by block.
 use crate::PROGRAM;
+use crate::csv::Table;
 use crate::number::Number;
 use crate::options::Input;
-use arrow::array::{Array, ArrayRef, AsArray, RecordBatch, StringArray};
+use arrow::array::{Array, ArrayRef, AsArray, RecordBatch};
 use arrow::compute::cast;
-use arrow::csv::ReaderBuilder;
-use arrow::csv::reader::Format;
 use arrow::datatypes::{DataType, Field, Int64Type, Schema};
 use arrow::error::ArrowError;
 use common::cli::Failure;
+use common::csv::Reader;
+use common::progress;
 use geograd::Error;
 use geograd::kernels::dynamic::{Layout, Parameter};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use std::fs::File;
-use std::io::{self, Read};
 use std::path::PathBuf;
-use std::sync::Arc;
 
 /// Rows that are read at a time.
 const READ: usize = 1 << 15;
@@ -47,41 +46,23 @@ enum Place {
     Structs(String, Vec<String>),
 }
 
+/// The rows of a file.
+enum Rows {
+    /// With the places of the columns of the shape, and of the groups.
+    Csv(Box<Table>, Vec<usize>, Option<usize>),
+    Parquet(Box<dyn Iterator<Item = Result<RecordBatch, ArrowError>>>),
+}
+
 pub struct Source<T: Number> {
     path: PathBuf,
-    batches: Box<dyn Iterator<Item = Result<RecordBatch, ArrowError>>>,
-    is_csv: bool,
+    rows: Rows,
     place: Place,
     layout: Layout<T>,
     group: Option<String>,
     /// The row that comes next.
     row: usize,
-    /// Grows with what is read.
+    /// Grows with what is read: with bytes of CSV, with rows of Parquet.
     pub bar: ProgressBar,
-    /// `true` if the bar counts rows; it counts bytes of CSV.
-    counts_rows: bool,
-}
-
-/// A file whose bytes move a bar.
-struct Watched {
-    file: File,
-    bar: ProgressBar,
-}
-
-impl Read for Watched {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.file.read(buffer)?;
-        self.bar.inc(count as u64);
-        Ok(count)
-    }
-}
-
-fn bar(length: u64) -> ProgressBar {
-    let bar = ProgressBar::new(length);
-    let style = ProgressStyle::with_template("{prefix} {wide_bar} {percent} % {eta}");
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    bar.set_prefix(PROGRAM);
-    bar
 }
 
 impl<T: Number> Source<T> {
@@ -94,65 +75,44 @@ impl<T: Number> Source<T> {
     ) -> Result<Self, Failure> {
         let name = input.path.display();
         let failed = |why: &dyn std::fmt::Display| Failure::Work(format!("{name}: {why}"));
-        let open = || File::open(&input.path).map_err(|error| failed(&error));
         let is_csv = input.path.extension().is_none_or(|end| end != "parquet");
-        let file = open()?;
-        let length = file.metadata().map_err(|error| failed(&error))?.len();
-        let fields: Vec<String> = shape
-            .shape
-            .fields
-            .iter()
-            .map(|field| field.name.to_string())
-            .collect();
-        let (batches, place, bar): (Box<dyn Iterator<Item = _>>, _, _);
+        let fields = shape.shape.fields.iter();
+        let fields: Vec<String> = fields.map(|field| field.name.to_string()).collect();
+        let (rows, place, bar);
         if is_csv {
-            let header = Format::default()
-                .with_header(true)
-                .infer_schema(file, Some(0));
-            let (schema, _) = header.map_err(|error| failed(&error))?;
-            let names = schema.fields().iter();
-            // Text, so that an error can say which row and field are no number.
-            let field = |name: &str| {
-                Field::new(
-                    name.trim_start_matches('\u{feff}').trim(),
-                    DataType::Utf8,
-                    true,
-                )
-            };
-            let schema = Schema::new(names.map(|old| field(old.name())).collect::<Vec<_>>());
+            let reader = Reader::open(&input.path, PROGRAM)?;
+            bar = reader.bar.clone();
+            let table = Table::new(reader)?;
+            let names = table.names.iter();
+            let schema: Vec<_> = names
+                .map(|name| Field::new(name, DataType::Utf8, true))
+                .collect();
+            let schema = Schema::new(schema);
             place = find(&schema, fields, input.column.as_deref()).map_err(|why| failed(&why))?;
-            let wanted = columns(&schema, &place, group).map_err(|why| failed(&why))?;
-            bar = self::bar(length);
-            let watched = Watched {
-                file: open()?,
-                bar: bar.clone(),
-            };
-            let reader = ReaderBuilder::new(Arc::new(schema))
-                .with_header(true)
-                .with_batch_size(READ);
-            let reader = reader.with_projection(wanted).build(watched);
-            batches = Box::new(reader.map_err(|error| failed(&error))?);
+            let wanted = columns(&schema, &place, None).map_err(|why| failed(&why))?;
+            let group = group.map(|name| index(&schema, name)).transpose();
+            rows = Rows::Csv(Box::new(table), wanted, group.map_err(|why| failed(&why))?);
         } else {
+            let file = File::open(&input.path).map_err(|error| failed(&error))?;
             let builder =
                 ParquetRecordBatchReaderBuilder::try_new(file).map_err(|error| failed(&error))?;
             place = find(builder.schema(), fields, input.column.as_deref())
                 .map_err(|why| failed(&why))?;
             let wanted = columns(builder.schema(), &place, group).map_err(|why| failed(&why))?;
             let mask = ProjectionMask::roots(builder.parquet_schema(), wanted);
-            bar = self::bar(builder.metadata().file_metadata().num_rows().unsigned_abs());
+            let count = builder.metadata().file_metadata().num_rows();
+            bar = progress::bar(PROGRAM, count.unsigned_abs());
             let reader = builder.with_projection(mask).with_batch_size(READ).build();
-            batches = Box::new(reader.map_err(|error| failed(&error))?);
+            rows = Rows::Parquet(Box::new(reader.map_err(|error| failed(&error))?));
         }
         Ok(Source {
             path: input.path.clone(),
-            batches,
-            is_csv,
+            rows,
             place,
             layout,
             group: group.map(str::to_owned),
             row: 0,
             bar,
-            counts_rows: !is_csv,
         })
     }
 
@@ -171,8 +131,14 @@ impl<T: Number> Source<T> {
 
     /// The next rows, checked; `None` at the end.
     pub fn next(&mut self) -> Result<Option<Block<T>>, Failure> {
-        let Some(batch) = self.batches.next() else {
-            return Ok(None);
+        let batch = match &mut self.rows {
+            Rows::Csv(table, columns, group) => {
+                return table.next(READ, self.layout, columns, *group);
+            }
+            Rows::Parquet(batches) => match batches.next() {
+                Some(batch) => batch,
+                None => return Ok(None),
+            },
         };
         let batch = batch.map_err(|error| {
             Failure::Work(format!("{}: after row {}: {error}", self.name(), self.row))
@@ -227,17 +193,14 @@ impl<T: Number> Source<T> {
             None => Vec::new(),
         };
         self.row += batch.num_rows();
-        if self.counts_rows {
-            self.bar.set_position(self.row as u64);
-        }
+        self.bar.set_position(self.row as u64);
         Ok(Some(Block { numbers, keys }))
     }
 
     fn no_null(&self, column: &ArrayRef, name: &str) -> Result<(), Failure> {
         match (0..column.len()).find(|&row| column.is_null(row)) {
             Some(row) if column.null_count() > 0 => {
-                let why = if self.is_csv { "empty" } else { "null" };
-                Err(self.at(self.row + row, &format!("{name} is {why}")))
+                Err(self.at(self.row + row, &format!("{name} is null")))
             }
             _ => Ok(()),
         }
@@ -246,15 +209,6 @@ impl<T: Number> Source<T> {
     /// The numbers of a column.
     fn lane(&self, column: &ArrayRef, name: &str) -> Result<Vec<T>, Failure> {
         self.no_null(column, name)?;
-        if self.is_csv {
-            let texts: &StringArray = column.as_string();
-            let parse = |(row, text): (usize, Option<&str>)| {
-                let text = text.unwrap_or_default().trim();
-                text.parse::<T>()
-                    .map_err(|_| self.at(self.row + row, &format!("{name} is no number: `{text}`")))
-            };
-            return texts.iter().enumerate().map(parse).collect();
-        }
         if !column.data_type().is_numeric() {
             let why = format!(
                 "{}: {name} is a column of {}, not of numbers",
@@ -329,16 +283,7 @@ impl<T: Number> Source<T> {
             )));
         }
         let keys = cast(column, &DataType::Utf8).map_err(failed)?;
-        let key = |text: Option<&str>| {
-            let text = text.unwrap_or_default();
-            // CSV does not say which columns are numbers.
-            let number = if self.is_csv {
-                text.trim().parse().ok()
-            } else {
-                None
-            };
-            number.map_or_else(|| Key::Text(text.to_owned()), Key::Number)
-        };
+        let key = |text: Option<&str>| Key::Text(text.unwrap_or_default().to_owned());
         Ok(keys.as_string::<i32>().iter().map(key).collect())
     }
 }
@@ -388,6 +333,15 @@ fn find(schema: &Schema, fields: Vec<String>, column: Option<&str>) -> Result<Pl
     ))
 }
 
+/// The place of a column in a file.
+fn index(schema: &Schema, name: &str) -> Result<usize, String> {
+    schema.index_of(name).map_err(|_| {
+        let there = schema.fields().iter();
+        let there: Vec<_> = there.map(|field| field.name().as_str()).collect();
+        format!("no column {name}; there are {}", there.join(", "))
+    })
+}
+
 /// The places of columns in a file.
 fn columns(schema: &Schema, place: &Place, group: Option<&str>) -> Result<Vec<usize>, String> {
     let names: Vec<&str> = match place {
@@ -396,14 +350,7 @@ fn columns(schema: &Schema, place: &Place, group: Option<&str>) -> Result<Vec<us
     };
     let mut places = Vec::new();
     for name in names.into_iter().chain(group) {
-        let place = schema.index_of(name).map_err(|_| {
-            let there: Vec<_> = schema
-                .fields()
-                .iter()
-                .map(|field| field.name().as_str())
-                .collect();
-            format!("no column {name}; there are {}", there.join(", "))
-        })?;
+        let place = index(schema, name)?;
         if !places.contains(&place) {
             places.push(place);
         }

@@ -307,14 +307,24 @@ fn bad_rows_name_file_row_and_field() {
     )
     .unwrap();
     let cases = [
-        ("0,0,1,1,0\n1,x,1,1,0\n", "row 1: y is no number: `x`"),
-        ("0,0,1,1,0\n1,0,-1,1,0\n", "row 1: width is negative"),
+        (
+            "0,0,1,1,0\n1,x,1,1,0\n",
+            "row 1 (line 3): y is not a number: `x`",
+        ),
+        (
+            "0,0,1,1,0\n1,0,-1,1,0\n",
+            "row 1 (line 3): width is negative",
+        ),
         (
             "0,0,1,NaN,0\n1,0,1,1,0\n",
-            "row 0: height is not a finite number",
+            "row 0 (line 2): height is not a finite number",
         ),
-        ("0,0,1,,0\n1,0,1,1,0\n", "row 0: height is empty"),
-        ("0,0,1,1\n", "bad.csv: after row 0: "),
+        ("0,0,1,,0\n1,0,1,1,0\n", "row 0 (line 2): height is empty"),
+        (
+            "0,0,1,1\n",
+            "row 0 (line 2): 4 fields where the header has 5",
+        ),
+        ("0,0,1,1,0\n\n1,0,1,1,0\n", "row 1 (line 3): is empty"),
         ("0,0,1,1,0\n", "bad.csv has 1 rows and good.csv has more"),
     ];
     for (rows, why) in cases {
@@ -416,6 +426,76 @@ fn bad_tables_are_named() {
 }
 
 #[test]
+fn fields_in_quotes_and_groups_by_text() {
+    let at = folder("quotes");
+    let header = FIELDS.join(",");
+    let plain = format!("{header},name\n0,0,1,1,0,a b\n1,0,1,1,0,c\n");
+    std::fs::write(at.join("a.csv"), &plain).unwrap();
+    // A byte order mark, quotes, commas, quotes and line breaks in quotes, spaces, CRLF, empty lines at the end.
+    let quoted = format!(
+        "\u{feff}{header}, \"name\",more\r\n\"0\", 0,1 ,1,0,\"a b\",\"x, \"\"y\"\"\n z\"\r\n1,0,1,1,0,c,\r\n\r\n \r\n"
+    );
+    std::fs::write(at.join("b.csv"), quoted).unwrap();
+    let files = "--verb iou --a obb2:a.csv --b obb2:b.csv";
+    assert_eq!(good(&at, files), "iou\n1\n1\n");
+    let grouped = good(&at, &format!("{files} --group name"));
+    assert_eq!(grouped, "a_row,b_row,iou\n0,0,1\n1,1,1\n");
+    std::fs::write(
+        at.join("b.csv"),
+        format!("{header}\n\"0,0,1,1,0\n1,0,1,1,0\n"),
+    )
+    .unwrap();
+    assert!(bad(&at, 1, files).contains("b.csv: row 0 (line 2): 1 fields where the header has 5"));
+}
+
+#[cfg(feature = "gpu")]
+#[test]
+fn a_gpu_computes_what_the_cpu_does() {
+    let at = folder("gpu");
+    csv(&at.join("a.csv"), &boxes(0.0));
+    csv(&at.join("b.csv"), &boxes(0.2));
+    let files = "--verb iou --a obb2:a.csv --b obb2:b.csv --precision f32";
+    let first = run(&at, &format!("{files} --backend gpu"));
+    if first.status.code() != Some(0) {
+        let said = String::from_utf8_lossy(&first.stderr).into_owned();
+        assert!(std::env::var("GEOGRAD_REQUIRE_GPU").is_err(), "{said}");
+        eprintln!("SKIPPED: {said}");
+        return;
+    }
+    for more in [
+        "",
+        "--grad",
+        "--all-pairs",
+        "--all-pairs --above 0.3",
+        "--above 0.5 --grad",
+    ] {
+        let wanted = good(&at, &format!("{files} {more}"));
+        let done = run(&at, &format!("{files} {more} --backend gpu"));
+        assert_eq!(done.status.code(), Some(0), "{more}");
+        let said = String::from_utf8_lossy(&done.stderr);
+        assert!(said.starts_with("table: computing on "), "{said}");
+        let text = String::from_utf8(done.stdout).unwrap();
+        let (own, cpu) = (parsed(&text), parsed(&wanted));
+        assert_eq!((own.0, own.1.len()), (cpu.0, cpu.1.len()), "{more}");
+        assert!(cpu.1.len() > 20, "{more}");
+        for (own, cpu) in own.1.iter().flatten().zip(cpu.1.iter().flatten()) {
+            assert!((own - cpu).abs() < 2e-5, "{more}: {own} {cpu}");
+        }
+    }
+    // Another verb and shape, without and with a format that GPUs lack.
+    let far = "--verb distance --a obb2:a.csv --b obb2:b.csv --backend gpu";
+    assert_eq!(
+        run(&at, &format!("{far} --precision f32")).status.code(),
+        Some(0)
+    );
+    assert!(bad(&at, 2, far).contains("GPUs have no f64"));
+    assert!(
+        bad(&at, 2, &format!("{far} --precision f32 --group frame"))
+            .contains("groups run on the CPU")
+    );
+}
+
+#[test]
 fn a_full_disk_is_said() {
     if !Path::new("/dev/full").exists() {
         eprintln!("SKIPPED: there is no /dev/full");
@@ -466,7 +546,7 @@ fn command_lines_that_make_no_sense() {
         ),
         (
             "--verb corners --a obb2:a.csv --backend gpu",
-            "--backend gpu",
+            "`--backend gpu`",
         ),
     ];
     for (arguments, why) in cases {

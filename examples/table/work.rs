@@ -4,8 +4,7 @@ use crate::number::Number;
 use crate::options::{LETTERS, Options, Which};
 use crate::sink::Sink;
 use crate::source::Source;
-use arrow::array::{ArrayRef, RecordBatch, UInt64Array};
-use arrow::datatypes::{DataType, Field, Schema, SchemaRef};
+use arrow::datatypes::{DataType, Field, Schema};
 use common::cli::{Failure, Machine};
 use geograd::kernels::Groups;
 use geograd::kernels::dynamic::{Function, Mode, Rows};
@@ -30,7 +29,6 @@ struct Work<'a, T: Number> {
     /// How many numbers every column of `wanted` has, and how many of them are told.
     gives: Vec<[usize; 2]>,
     sink: Sink,
-    schema: SchemaRef,
 }
 
 /// Does what a command line says.
@@ -115,8 +113,7 @@ impl<'a, T: Number> Work<'a, T> {
                 }
             }
         }
-        let schema = Arc::new(Schema::new(fields));
-        let sink = Sink::create(options.out.as_deref(), Arc::clone(&schema))?;
+        let sink = Sink::create(options.out.as_deref(), Arc::new(Schema::new(fields)))?;
         Ok(Work {
             options,
             machine,
@@ -124,7 +121,6 @@ impl<'a, T: Number> Work<'a, T> {
             wanted,
             gives,
             sink,
-            schema,
         })
     }
 
@@ -144,18 +140,8 @@ impl<'a, T: Number> Work<'a, T> {
         Ok(columns)
     }
 
-    fn write(&mut self, ids: Vec<Vec<u64>>, columns: Vec<Vec<T>>) -> Result<(), Failure> {
-        let ids = ids
-            .into_iter()
-            .map(|ids| Arc::new(UInt64Array::from(ids)) as ArrayRef);
-        let all = ids.chain(columns.into_iter().map(T::column)).collect();
-        let batch = RecordBatch::try_new(Arc::clone(&self.schema), all);
-        let batch = batch.map_err(|error| Failure::Work(error.to_string()))?;
-        self.sink.write(&batch)
-    }
-
     fn aligned(&mut self, buffers: &mut [Buffer<T>]) -> Result<(), Failure> {
-        while !self.sink.is_closed {
+        while !self.sink.is_closed() {
             for buffer in &mut *buffers {
                 buffer.fill(BLOCK)?;
             }
@@ -195,7 +181,7 @@ impl<'a, T: Number> Work<'a, T> {
                         .collect(),
                 );
             }
-            self.write(ids, columns)?;
+            self.sink.write(ids, columns)?;
             buffers
                 .iter_mut()
                 .for_each(|buffer| buffer.drop_rows(count));
@@ -207,7 +193,7 @@ impl<'a, T: Number> Work<'a, T> {
     fn pairs(&mut self, [a, b]: [&Buffer<T>; 2], pairs: Pairs<T>) -> Result<(), Failure> {
         let count = pairs.rows[0].len();
         for start in (0..count).step_by(BLOCK) {
-            if self.sink.is_closed {
+            if self.sink.is_closed() {
                 break;
             }
             let span = start..count.min(start + BLOCK);
@@ -231,7 +217,7 @@ impl<'a, T: Number> Work<'a, T> {
                     ])?
                 }
             };
-            self.write(ids.into(), columns)?;
+            self.sink.write(ids.into(), columns)?;
         }
         Ok(())
     }
@@ -241,7 +227,7 @@ impl<'a, T: Number> Work<'a, T> {
         loop {
             a.fill(BLOCK)?;
             let count = a.len().min(BLOCK);
-            if count == 0 || self.sink.is_closed {
+            if count == 0 || self.sink.is_closed() {
                 return Ok(());
             }
             match self.options.above {
@@ -281,7 +267,7 @@ impl<'a, T: Number> Work<'a, T> {
                     values: None,
                 },
             )?;
-            if self.sink.is_closed {
+            if self.sink.is_closed() {
                 break;
             }
         }
@@ -290,7 +276,7 @@ impl<'a, T: Number> Work<'a, T> {
 
     fn groups(&mut self, a: &mut Buffer<T>, b: &mut Buffer<T>) -> Result<(), Failure> {
         let mut wanted = BLOCK;
-        while !self.sink.is_closed {
+        while !self.sink.is_closed() {
             a.fill(wanted)?;
             b.fill(wanted)?;
             let is_last = a.open().is_none() && b.open().is_none();

@@ -36,8 +36,8 @@ pub trait Boxes: Single<Scalar: Number> + Send + Sync {
 }
 
 impl<P: Boxes> Shape for P {
-    fn is_header(names: &[String], line: &str) -> Result<bool, String> {
-        input::names_columns(names, P::COLUMNS, line)
+    fn is_header(names: &[String]) -> Result<bool, String> {
+        input::names_columns(names, P::COLUMNS)
     }
 
     fn parse(fields: &[&str]) -> Result<Self, String> {

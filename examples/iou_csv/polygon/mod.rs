@@ -106,7 +106,7 @@ fn unit<T: Number>(bounds: Aabb2<T>) -> T {
 }
 
 impl<T: Number> Shape for Polygon<T> {
-    fn is_header(names: &[String], line: &str) -> Result<bool, String> {
+    fn is_header(names: &[String]) -> Result<bool, String> {
         let count = names.len().div_ceil(2);
         let columns: Vec<String> = (1..=count)
             .flat_map(|k| [format!("x{k}"), format!("y{k}")])
@@ -114,7 +114,7 @@ impl<T: Number> Shape for Polygon<T> {
         let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
         // How long a header is says nothing about the rows.
         match names.len() == columns.len() {
-            true => input::names_columns(names, &columns, line),
+            true => input::names_columns(names, &columns),
             false => Ok(true),
         }
     }
