@@ -145,22 +145,26 @@ def overlay_layers(folder):
     sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "examples"))
     import map_overlay
 
-    return map_overlay, [map_overlay.layer(str(folder / f"{name}.parquet")) for name in "ab"]
+    return map_overlay, [map_overlay.whole(str(folder / f"{name}.parquet"), "") for name in "ab"]
 
 
 def overlay_geograd(folder):
+    import contextlib
+    import io
+
+    import pyarrow.parquet as parquet
+
     import geograd
 
     geograd.set_num_threads(1)
-    job, (a, b) = overlay_layers(folder)
-    import shapely
-
+    job, _ = overlay_layers(folder)
     start = time.process_time()
-    bounds = np.array([shapely.total_bounds(own[0]) for own in (a, b)])
-    origin = np.floor(bounds[:, :2].min(axis=0))
-    rows = int((bounds[:, 3].max() - origin[1]) // 1000) + 1
-    found = [job.overlaps(a[0], b[0], origin, 1000.0, row, 0.01) for row in range(rows)]
-    return sum(len(x[0]) for x in found), sum(float(x[2].sum()) for x in found), time.process_time() - start
+    with contextlib.redirect_stdout(io.StringIO()):
+        layers = [f"--{name}={folder / name}.parquet" for name in "ab"]
+        job.main([*layers, "--tile", "1000", "--out", tempfile.mkdtemp(dir=folder)])
+    took = time.process_time() - start
+    found = parquet.read_table(max(folder.glob("*/overlaps.parquet"), key=lambda path: path.stat().st_mtime_ns))
+    return found.num_rows, sum(found["square_metres"].to_pylist()), took
 
 
 def overlay_geopandas(folder):

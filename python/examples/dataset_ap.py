@@ -18,12 +18,13 @@ import argparse
 import json
 import os
 import pathlib
-import resource
 import sys
 import tempfile
 import time
 
 import numpy as np
+
+from jobs import each, peak, said, write_whole
 
 import geograd
 import geograd.metric
@@ -41,18 +42,6 @@ CLASSES = {"Car": ("Van", 0.7), "Pedestrian": ("Person_sitting", 0.5), "Cyclist"
 # Least height in the image, most occlusion and truncation that count.
 DIFFICULTIES = {"easy": (40, 0, 0.15), "moderate": (25, 1, 0.3), "hard": (25, 2, 0.5)}
 FULLY, IGNORED, NOT = 0, 1, 2
-
-
-def write_whole(path, write):
-    """Writes a file under another name and renames it, so that no reader and no later run finds half of one."""
-    part = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        write(part)
-        with open(part, "rb") as file:
-            os.fsync(file.fileno())
-        os.replace(part, path)
-    finally:
-        part.unlink(missing_ok=True)
 
 
 # Data sets.
@@ -231,7 +220,7 @@ def task(folder, out, sequence, skip):
                 raise
             return {"path": sequence, "why": str(error), "peak": 0}
         write_whole(path, lambda part: part.write_text(json.dumps(result)))
-    return {"path": sequence, "why": "", "peak": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss}
+    return {"path": sequence, "why": "", "peak": peak()}
 
 
 # All sequences.
@@ -290,21 +279,9 @@ def main(arguments=None):
 
     start, before = time.perf_counter(), sum(os.times()[:4])
     try:
-        if options.ray:
-            try:
-                import ray
-            except ImportError as error:
-                raise SystemExit(f"{error}: pip install 'ray[data]'") from None
-            import geograd.ray
-
-            ray.init(num_cpus=options.ray, include_dashboard=False, logging_level="error", log_to_driver=False)
-            ray.data.DataContext.get_current().enable_progress_bars = False
-            done = geograd.ray.Files(lambda sequence: task(data, out, sequence, options.skip)).run(sequences)
-        else:
-            done = [task(data, out, sequence, options.skip) for sequence in sequences]
+        done = each(lambda sequence: task(data, out, sequence, options.skip), sequences, options.ray)
     except (ValueError, OSError) as error:
-        # The message of a worker is the last line of its traceback.
-        raise SystemExit(f"dataset_ap: {str(error).strip().splitlines()[-1]}") from None
+        raise SystemExit(f"dataset_ap: {said(error)}") from None
     wall, cpu = time.perf_counter() - start, sum(os.times()[:4]) - before
 
     skipped = [row for row in done if row["why"]]

@@ -196,7 +196,13 @@ def test_a_full_disk_leaves_nothing_half_written(data, tmp_path):
         resource.setrlimit(resource.RLIMIT_FSIZE, (4000, 4000))
 
     said = run("dataset_ap", "--data", data, "--out", tmp_path, code=1, preexec_fn=small)
-    assert "dataset_ap: " in said and list(tmp_path.iterdir()) == []
+    assert f"dataset_ap: {tmp_path}/00000.json: " in said and list(tmp_path.iterdir()) == []
+    pytest.importorskip("geopandas")
+    run("map_overlay", *MAP, "--out", tmp_path / "a")
+    layers = ["--a", tmp_path / "a" / "a.parquet", "--b", tmp_path / "a" / "b.parquet", "--tile", 120]
+    said = run("map_overlay", *layers, "--out", tmp_path / "b", code=1, preexec_fn=small)
+    assert f"map_overlay: {tmp_path}/b/parts/a/000000.parquet: " in said
+    assert [path.name for path in (tmp_path / "b").rglob("*") if path.is_file()] == ["job.json"]
 
 
 MAP = ["--count", 300, "--tile", 120]
@@ -244,3 +250,58 @@ def test_a_bad_layer_is_named(tmp_path):
     assert "bad.parquet" in said
     said = run("map_overlay", "--a", tmp_path / "none.parquet", "--out", tmp_path / "other", code=1)
     assert "none.parquet" in said
+
+
+def test_blocks_of_a_map_are_read_one_after_another(tmp_path):
+    geopandas = pytest.importorskip("geopandas")
+    run("map_overlay", *MAP, "--out", tmp_path / "a")
+    own = overlaps(tmp_path / "a")
+    # Row groups of 64 buildings, and a file without any.
+    whole = geopandas.read_parquet(tmp_path / "a" / "a.parquet")
+    whole.to_parquet(tmp_path / "a.parquet", row_group_size=64)
+    whole = geopandas.read_parquet(tmp_path / "a" / "b.parquet")
+    whole.to_file(tmp_path / "b.gpkg")
+    layers = ["--a", tmp_path / "a.parquet", "--b", tmp_path / "b.gpkg", "--tile", 120]
+    run("map_overlay", *layers, "--block", 50, "--out", tmp_path / "b", "--check")
+    assert len(list((tmp_path / "b" / "parts" / "a").iterdir())) == 5 and len(list((tmp_path / "b" / "parts" / "b").iterdir())) == 6
+    assert overlaps(tmp_path / "b").equals(own)
+    # Blocks that are there stay; one that is gone comes again.
+    part = tmp_path / "b" / "parts" / "a" / "000003.parquet"
+    before, kept = part.read_bytes(), part.with_name("000002.parquet").stat().st_mtime_ns
+    part.unlink()
+    run("map_overlay", *layers, "--block", 50, "--out", tmp_path / "b")
+    assert part.read_bytes() == before and part.with_name("000002.parquet").stat().st_mtime_ns == kept
+
+
+def test_degrees_and_geometries_of_all_kinds(tmp_path):
+    geopandas = pytest.importorskip("geopandas")
+    shapely = pytest.importorskip("shapely")
+    # A hundredth of a degree at 45 N: 788 m by 1111 m. Two of one feature, a bow tie, a point, nothing.
+    square = lambda x, y, side=0.01: shapely.box(9 + x, 45 + y, 9 + x + side, 45 + y + side)
+    bow = shapely.Polygon([(9, 45), (9.01, 45.01), (9.01, 45), (9, 45.01)])
+    a = [shapely.MultiPolygon([square(0, 0), square(0.03, 0)]), bow, shapely.Point(9, 45), None, square(0.06, 0)]
+    b = [square(0.005, 0.005), square(0.005, 0, 0.05)]
+    for name, own in (("a", a), ("b", b)):
+        geopandas.GeoDataFrame(geometry=own, crs="EPSG:4326").to_parquet(tmp_path / f"{name}.parquet", row_group_size=2)
+    layers = ["--a", tmp_path / "a.parquet", "--b", tmp_path / "b.parquet", "--tile", 300]
+    said = run("map_overlay", *layers, "--out", tmp_path / "out", "--check")
+    assert "3 polygons of a.parquet, 3 geometries left out" in said
+    found = overlaps(tmp_path / "out")
+    assert found["a"].to_pylist() == [0, 0, 0] and found["b"].to_pylist() == [0, 1, 1]
+    np.testing.assert_allclose(found["square_metres"], [0.25 * 876e3, 0.5 * 876e3, 876e3], rtol=2e-3)
+
+
+def test_a_corrupt_block_is_named_and_the_others_stay(tmp_path):
+    geopandas = pytest.importorskip("geopandas")
+    run("map_overlay", *MAP, "--out", tmp_path / "a")
+    path = tmp_path / "a.parquet"
+    geopandas.read_parquet(tmp_path / "a" / "a.parquet").to_parquet(path, row_group_size=64, compression=None)
+    group = parquet.read_metadata(path).row_group(3).column(1)
+    with open(path, "r+b") as file:
+        file.seek(group.data_page_offset)
+        file.write(b"\xa5" * 300)
+    layers = ["--a", path, "--b", tmp_path / "a" / "b.parquet", "--tile", 120]
+    said = run("map_overlay", *layers, "--out", tmp_path / "out", code=1)
+    assert f"{path}: " in said
+    there = [path.name for path in sorted((tmp_path / "out" / "parts" / "a").iterdir())]
+    assert there == ["000000.parquet", "000001.parquet", "000002.parquet"] and not (tmp_path / "out" / "overlaps.parquet").exists()
