@@ -56,9 +56,9 @@ mod grouped;
 #[forbid(unsafe_code)]
 pub mod item;
 #[forbid(unsafe_code)]
-mod judge;
-#[forbid(unsafe_code)]
 mod limits;
+#[forbid(unsafe_code)]
+mod matches;
 #[forbid(unsafe_code)]
 mod modes;
 #[forbid(unsafe_code)]

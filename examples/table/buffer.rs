@@ -1,6 +1,7 @@
 //! Rows of a source that wait for being computed.
+use crate::block::Key;
 use crate::number::Number;
-use crate::source::{Key, Source};
+use crate::source::Source;
 use common::cli::Failure;
 use geograd::kernels::dynamic::Rows;
 

@@ -1,6 +1,6 @@
 //! Rows of CSV as numbers.
+use crate::block::{Block, Key};
 use crate::number::Number;
-use crate::source::{Block, Key};
 use common::cli::Failure;
 use common::csv::{Reader, Record, number};
 use geograd::Error;

@@ -12,11 +12,12 @@
 //! | --- | --- |
 //! | `options.rs` | the command line, and the row of the verb that it means |
 //! | `number.rs` | both formats of numbers |
-//! | `csv.rs`, `source.rs`, `buffer.rs` | tables as rows of numbers, block by block and group by group |
+//! | `csv.rs`, `source.rs`, `block.rs`, `buffer.rs` | tables as rows of numbers, block by block and group by group |
 //! | `work.rs` | rows, pairs, derivatives |
 //! | `sink.rs` | the result |
 //!
 //! `common/csv.rs` and `common/output.rs` read and write text here and for `iou_csv`.
+mod block;
 mod buffer;
 mod csv;
 mod number;

@@ -1,5 +1,6 @@
 //! A table as rows of numbers, block by block.
 use crate::PROGRAM;
+use crate::block::{Block, Key};
 use crate::csv::Table;
 use crate::number::Number;
 use crate::options::Input;
@@ -20,21 +21,6 @@ use std::path::PathBuf;
 
 /// Rows that are read at a time.
 const READ: usize = 1 << 15;
-
-/// The group of a row.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Key {
-    Number(i64),
-    Text(String),
-}
-
-/// Rows of a block.
-pub struct Block<T> {
-    /// The shapes, one after another.
-    pub numbers: Vec<T>,
-    /// The group of every row, where one is asked for.
-    pub keys: Vec<Key>,
-}
 
 /// The columns that have the numbers of a shape.
 enum Place {
@@ -356,13 +342,4 @@ fn columns(schema: &Schema, place: &Place, group: Option<&str>) -> Result<Vec<us
         }
     }
     Ok(places)
-}
-
-impl std::fmt::Display for Key {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Key::Number(x) => write!(f, "{x}"),
-            Key::Text(text) => write!(f, "{text}"),
-        }
-    }
 }
