@@ -41,6 +41,9 @@ table! {
         "distance_segment_line3": Segment3, Line3;
         "distance_segment_ray3": Segment3, Ray3;
         "distance_capsule_line3": Capsule3, Line3;
+        "distance_segment_obb3": Segment3, Obb3;
+        "distance_line_triangle3": Line3, Triangle3;
+        "distance_ray_triangle3": Ray3, Triangle3;
         "distance_line_obb3": Line3, Obb3;
         "distance_ray_obb3": Ray3, Obb3;
         /// It jumps where they become parallel.
@@ -76,12 +79,18 @@ table! {
         "signed_distance_capsule_sphere": Capsule3, Sphere;
         "signed_distance_capsule_obb3": Capsule3, Obb3;
         "signed_distance_sphere_obb3": Sphere, Obb3;
-        "signed_distance_triangles3": Triangle3, Triangle3 derivative Forward;
+        "signed_distance_sphere_triangle3": Sphere, Triangle3;
+        "signed_distance_capsule_triangle3": Capsule3, Triangle3;
+        "signed_distance_sphere_tetrahedron": Sphere, Tetrahedron;
+        "signed_distance_sphere_round_box": Sphere, RoundBox3;
+        "signed_distance_triangles3": Triangle3, Triangle3;
         "signed_distance_aabb3": Aabb3, Aabb3;
         "signed_distance_obb3": Obb3, Obb3;
         "signed_distance_plane_point": Plane3, Vec3;
         "signed_distance_plane_sphere": Plane3, Sphere;
         "signed_distance_plane_capsule": Plane3, Capsule3;
+        "signed_distance_plane_triangle3": Plane3, Triangle3;
+        "signed_distance_plane_tetrahedron": Plane3, Tetrahedron;
         "signed_distance_plane_obb3": Plane3, Obb3;
         "signed_distance_plane_cylinder": Plane3, Cylinder;
         "signed_distance_plane_cone": Plane3, Cone;

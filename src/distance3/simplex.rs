@@ -96,8 +96,15 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn point(&self, place: Place<S::Primal>) -> Vec3<S> {
-        let corner = |k: usize| self.0[k] * fixed::<S>(place.parts[k]);
-        (1..C).fold(corner(0), |sum, k| sum + corner(k))
+        // Seen from a corner of the face: shares beyond a needle are large, and their sum is not one but for rounding.
+        let last = place.feature.equals(S::Primal::lit((FACE + 2) as f64));
+        let from = match F > 2 {
+            true => Vec3::select(last, self.0[1], self.0[0]),
+            false => self.0[0],
+        };
+        let arm = |k: usize| (self.0[k] - from) * fixed::<S>(place.parts[k]);
+        let first = if F > 2 { 0 } else { 1 };
+        (first..C).fold(from, |sum, k| sum + arm(k))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn free(&self, place: Place<S::Primal>) -> ([Vec3<S>; 2], S::Primal) {

@@ -130,7 +130,8 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
     let all = edges.iter().flatten();
     let least = all.fold(corners, |least, edges| smaller(least, edges.square));
     let deep = Deepest::new(gaps);
-    let inside = deep.value.below(zero) | least.equals(zero);
+    // Flat boxes in one plane can cross where no candidate is: no gap says that they meet.
+    let inside = deep.value.at_most(zero) | least.equals(zero);
 
     // Corners that are nearest, and the points that they are nearest to.
     let ((y_b, count_b), (x_a, count_a)) = (of_b.tied(least), of_a.tied(least));
