@@ -1,19 +1,15 @@
-//! One front for batches in `f32`: the same calls on the CPU and on a GPU.
-use crate::Error;
-#[cfg(feature = "gpu")]
-use crate::GpuFault;
-use crate::Pack;
+//! The machine chosen at run time: the calls of [`Machine`] on the CPU or on a GPU, in `f32`.
+use crate::kernels::cpu::Cpu;
 use crate::kernels::gpu::Gpu;
-use crate::kernels::item::Results;
-use crate::kernels::op::Runs;
-use crate::kernels::reduce::{Best, Found};
-use crate::kernels::{Columns, Cpu, Fold, Single, Table, Targets};
+use crate::kernels::machine::{Engine, Machine};
+use crate::kernels::{Columns, Fold, One};
+use crate::{Error, GpuFault, Pack};
+use std::ops::Deref;
 
 /// The machine on which batches run. There is no silent fallback from one to the other.
 ///
-/// The calls are those of [`Cpu`], for any operation and any program, in `f32`: they take slices and return vectors.
-/// [`resident`](Backend::resident) has the same calls on handles, whose data stay on the machine between
-/// calls; see the [module](crate::kernels::resident).
+/// The calls are those of every [`Machine`], for any operation and any program, in `f32`. Columns are slices, or arrays
+/// that stay on the machine between calls; see [`resident`](crate::kernels::resident).
 ///
 /// ```
 /// use geograd::Obb2;
@@ -48,11 +44,31 @@ impl Backend<'_> {
     #[must_use]
     pub fn auto() -> Auto {
         match Gpu::new() {
-            #[cfg(feature = "gpu")]
             Ok(gpu) if !gpu.is_worth_it() => Auto::Cpu(Error::Gpu(GpuFault::OnlySoftware)),
             Ok(gpu) => Auto::Gpu(gpu),
             Err(error) => Auto::Cpu(error),
         }
+    }
+}
+
+/// The CPU of every backend.
+static CPU: Cpu = Cpu::new();
+
+impl Deref for Backend<'_> {
+    type Target = Machine<dyn Engine<f32>>;
+    fn deref(&self) -> &Self::Target {
+        match *self {
+            Backend::Cpu => &CPU,
+            Backend::Gpu(gpu) => gpu,
+        }
+    }
+}
+
+impl<'a> Backend<'a> {
+    /// The same machine: its calls take arrays that stay there, too.
+    #[must_use]
+    pub const fn resident(self) -> Backend<'a> {
+        self
     }
 }
 
@@ -74,129 +90,6 @@ impl std::fmt::Display for Auto {
             Auto::Gpu(gpu) => gpu.fmt(f),
         }
     }
-}
-
-/// Calls the method of this name and these arguments on the machine of a backend.
-macro_rules! on_either {
-    ($backend:expr, $name:ident($($arg:expr),*)) => {
-        match $backend {
-            Backend::Cpu => Cpu::new().$name($($arg),*),
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => gpu.$name($($arg),*),
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu(gpu) => match *gpu {},
-        }
-    };
-}
-pub(crate) use on_either;
-
-/// Aligned batches.
-impl Backend<'_> {
-    /// Computes item i of every column, as [`Cpu::aligned`].
-    ///
-    /// ```
-    /// use geograd::kernels::{Backend, Distance};
-    /// use geograd::{Circle, Vec2};
-    /// let circle = |x| Circle::new(Vec2::new(x, 0.0_f32), 1.0);
-    /// let (a, b) = ([circle(0.0)], [circle(5.0)]);
-    /// assert_eq!(Backend::Cpu.aligned(Distance, (&a, &b))?, [3.0]);
-    /// # Ok::<(), geograd::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// The errors of the CPU, and [`Error::Gpu`].
-    pub fn aligned<C: Columns, R: Runs<C::Item>>(
-        self,
-        run: R,
-        columns: C,
-    ) -> Result<<R::Out as Results>::Many, Error>
-    where
-        C::Item: Pack<Scalar = f32>,
-    {
-        on_either!(self, aligned(run, columns))
-    }
-
-    /// Computes item i of every column into the caller's slices, as [`Cpu::aligned_into`].
-    ///
-    /// # Errors
-    ///
-    /// As [`aligned`](Backend::aligned), and [`Error::Length`] for a slice of another length.
-    pub fn aligned_into<C: Columns, R: Runs<C::Item>>(
-        self,
-        run: R,
-        columns: C,
-        targets: impl Targets<R::Out>,
-    ) -> Result<(), Error>
-    where
-        C::Item: Pack<Scalar = f32>,
-    {
-        on_either!(self, aligned_into(run, columns, targets))
-    }
-}
-
-/// All pairs of two lists. A GPU refuses searches
-/// ([`Unrecordable::Search`](crate::Unrecordable::Search)).
-impl Backend<'_> {
-    /// Computes every shape of `a` with every shape of `b`, as [`Cpu::all_pairs`].
-    ///
-    /// # Errors
-    ///
-    /// The errors of the CPU, and [`Error::Gpu`].
-    pub fn all_pairs<A, B, R>(self, run: R, a: &[A], b: &[B]) -> Result<Table<R::Out>, Error>
-    where
-        A: Single<Scalar = f32>,
-        B: Single<Scalar = f32>,
-        R: Runs<(A, B)>,
-    {
-        on_either!(self, all_pairs(run, a, b))
-    }
-}
-
-/// Calls of two lists for results of one number: the macro lists them.
-macro_rules! of_pairs {
-    ($($(#[$doc:meta])* $name:ident($($arg:ident: $type:ty)?) -> $out:ty;)*) => {
-        impl Backend<'_> { $(
-            $(#[$doc])*
-            ///
-            /// # Errors
-            ///
-            /// The errors of the CPU, and [`Error::Gpu`].
-            pub fn $name<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
-                self,
-                run: R,
-                a: &[A],
-                b: &[B],
-                $($arg: $type,)?
-            ) -> Result<$out, Error>
-            where
-                R: Runs<(A, B), Out = f32>,
-            {
-                on_either!(self, $name(run, a, b $(, $arg)?))
-            }
-        )* }
-    };
-}
-
-of_pairs! {
-    /// The adjoint of [`all_pairs`](Backend::all_pairs): [`Cpu::all_pairs_vjp`].
-    all_pairs_vjp(upstream: &[f32]) -> (Vec<A>, Vec<B>);
-    /// The sum of all results and its gradient: [`Cpu::sum_grad`].
-    sum_grad() -> (f64, Vec<A>, Vec<B>);
-    /// The mean of all results and its gradient: [`Cpu::mean_grad`].
-    mean_grad() -> (f64, Vec<A>, Vec<B>);
-    /// The largest result of every row: [`Cpu::row_max`].
-    row_max() -> Vec<Best>;
-    /// The largest result of every column: [`Cpu::column_max`].
-    column_max() -> Vec<Best>;
-    /// Every pair whose result is above a threshold: [`Cpu::above`].
-    above(threshold: f32) -> Vec<Found>;
-    /// The number of pairs whose result is above a threshold: [`Cpu::count_above`].
-    count_above(threshold: f32) -> u64;
-    /// The sum of all results: [`Cpu::sum`].
-    sum() -> f64;
-    /// The mean of all results: [`Cpu::mean`].
-    mean() -> f64;
 }
 
 /// Folds over paths, and measures of rings.
@@ -227,7 +120,10 @@ impl Backend<'_> {
         F: Fold<Context<f32> = C::Item>,
         C::Item: Pack<Scalar = f32>,
     {
-        on_either!(self, fold(fold, context, vertices, offsets))
+        match self {
+            Backend::Cpu => CPU.fold(fold, context, vertices, offsets),
+            Backend::Gpu(gpu) => gpu.fold(fold, context, vertices, offsets),
+        }
     }
 
     /// The adjoint of [`fold`](Backend::fold), one cotangent per context and one per vertex: [`Cpu::fold_vjp`].
@@ -247,7 +143,10 @@ impl Backend<'_> {
         F: Fold<Context<f32> = C::Item>,
         C::Item: Pack<Scalar = f32>,
     {
-        on_either!(self, fold_vjp(fold, context, vertices, offsets, upstream))
+        match self {
+            Backend::Cpu => CPU.fold_vjp(fold, context, vertices, offsets, upstream),
+            Backend::Gpu(gpu) => gpu.fold_vjp(fold, context, vertices, offsets, upstream),
+        }
     }
 
     /// One result per path of a fold that takes nothing else: [`Cpu::ragged`].
@@ -264,7 +163,7 @@ impl Backend<'_> {
     where
         F: Fold<Context<f32> = [f32; 0]>,
     {
-        on_either!(self, ragged(fold, vertices, offsets))
+        self.fold(fold, One([]), vertices, offsets)
     }
 
     /// The adjoint of [`ragged`](Backend::ragged), one cotangent per vertex: [`Cpu::ragged_vjp`].
@@ -282,6 +181,7 @@ impl Backend<'_> {
     where
         F: Fold<Context<f32> = [f32; 0]>,
     {
-        on_either!(self, ragged_vjp(fold, vertices, offsets, upstream))
+        let (_, bars) = self.fold_vjp(fold, One([]), vertices, offsets, upstream)?;
+        Ok(bars)
     }
 }

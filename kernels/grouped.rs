@@ -1,9 +1,9 @@
 //! All pairs within groups, such as the detections and the truths of every frame: one call for all frames.
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::all_pairs::pairs;
-use crate::kernels::cpu::checked::expect;
+use crate::kernels::cpu::checked::{check, expect};
 use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::cpu::{Cpu, Single};
+use crate::kernels::item::Column;
 use crate::kernels::op::Runs;
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found, check_threshold};
@@ -98,7 +98,8 @@ impl Cpu {
         check_threshold(threshold)?;
         let spans = groups.spans([a.len(), b.len()])?;
         let face = run.call()?.plan(true)?;
-        let mut pairs = pairs(self, &face, a, b)?;
+        let lists = [Column::of(a), Column::of(b)];
+        let mut pairs = self.engine.lists(&face, &lists)?;
         pairs.filter &= threshold >= A::Scalar::default();
         Ok((A::Scalar::drivers().above_grouped)(
             &pairs, spans, threshold,
@@ -168,7 +169,8 @@ impl Cpu {
     {
         let spans = groups.spans([a.len(), b.len()])?;
         let face = run.call()?.plan(true)?;
-        let pairs = pairs(self, &face, a, b)?;
+        let lists = [Column::of(a), Column::of(b)];
+        let pairs = self.engine.lists(&face, &lists)?;
         Ok((A::Scalar::drivers().most_grouped)(&pairs, spans, of_rows))
     }
 
@@ -204,10 +206,12 @@ impl Cpu {
         check_groups(Argument::A, shapes.len(), offsets)?;
         let face = run.call()?.plan(true)?;
         // All shapes are checked, so that errors name the caller's rows.
-        pairs(self, &face, shapes, &[] as &[A])?;
+        let shapes = Column::of(shapes);
+        check(Argument::A, &face.arguments[0], &shapes)?;
         let (order, ends) = ranked_groups(scores, offsets, rules.score)?;
-        let ranked = Ranked::of(order, shapes, &rules);
-        let pairs = pairs(self, &face, &ranked.shapes, &ranked.shapes)?;
+        let ranked = Ranked::of(order, &shapes, &rules);
+        let lists = ranked.lists();
+        let pairs = self.engine.lists(&face, &lists)?;
         let kept = (A::Scalar::drivers().suppress_grouped)(&pairs, &ends, ranked.greed(&rules));
         Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
     }

@@ -5,7 +5,9 @@
 //! batch whose result is a number and a shape gives `(Vec<f64>, Vec<Shape>)`.
 use crate::error::{Field, Flaw, Validate};
 use crate::kernels::cpu::arch;
+use crate::kernels::machine::{Here, Place};
 use crate::kernels::real::Real;
+use crate::kernels::resident::Stays;
 use crate::shape::{Obb3, YawBox3};
 use crate::{Aabb2, Fixed, Obb2, Pack};
 use std::any::TypeId;
@@ -366,6 +368,8 @@ pub struct Column<'a, T> {
     pub fields: usize,
     /// How many items; `None` for one that stands for any number.
     pub count: Option<usize>,
+    /// The column on the machine, if it stays there.
+    pub(crate) held: Option<&'a dyn Stays<T>>,
 }
 
 impl<'a, T: Real> Column<'a, T> {
@@ -384,6 +388,14 @@ impl<'a, T: Real> Column<'a, T> {
             numbers,
             fields: width::<P>(),
             count: Some(shapes.len()),
+            held: None,
+        }
+    }
+    /// A column that stays on a machine, with its numbers if that is the CPU.
+    pub(crate) fn held(own: &'a dyn Stays<T>, count: usize) -> Self {
+        Column {
+            held: Some(own),
+            ..Column::lent(own.here().unwrap_or_default(), own.fields(), Some(count))
         }
     }
     /// Numbers of shapes, one shape after another; `None` items for one that stands for any number.
@@ -392,6 +404,7 @@ impl<'a, T: Real> Column<'a, T> {
             numbers: Numbers::Lent(numbers),
             fields,
             count,
+            held: None,
         }
     }
     /// Numbers that are read when they are needed.
@@ -404,6 +417,7 @@ impl<'a, T: Real> Column<'a, T> {
             numbers: Numbers::Read(Box::new(read)),
             fields,
             count: Some(count),
+            held: None,
         }
     }
     /// Some numbers of every shape of a list.
@@ -421,6 +435,7 @@ impl<'a, T: Real> Column<'a, T> {
             })),
             fields,
             count: Some(shapes.len()),
+            held: None,
         }
     }
     /// How many items it holds itself.
@@ -468,18 +483,28 @@ impl<'a, T: Real> Column<'a, T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct One<P>(pub P);
 
-/// The arguments of a batch: a slice or vector of shapes or numbers, [`One`], or a tuple of such.
+/// The arguments of a batch: a slice or vector of shapes or numbers, [`One`], an array on the machine
+/// ([`Held`](crate::kernels::resident::Held)), or a tuple of such.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a column",
     label = "not a column",
-    note = "a column is a slice, `&a` or `&a[..]`, or one shape for all items, `One(shape)`"
+    note = "a column is a slice, `&a` or `&a[..]`, one shape for all items, `One(shape)`, or an array on the machine"
 )]
 pub trait Columns {
     /// The arguments of one item.
     type Item: Item;
+    /// Where they are, and with them the results.
+    type Place: Place;
     /// The columns, one per shape of a row.
     #[doc(hidden)]
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <Self::Item as Pack>::Scalar>));
+    /// The items, each a shape, as one column: a list of all pairs.
+    #[doc(hidden)]
+    fn list_of_shapes(&self) -> Column<'_, <Self::Item as Pack>::Scalar> {
+        let mut first = None;
+        self.list(&mut |column| first = first.take().or(Some(column)));
+        first.unwrap_or_else(|| Column::lent(&[], 0, Some(0)))
+    }
 }
 
 fn list_slice<'a, P: Item>(shapes: &'a [P], add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
@@ -496,24 +521,37 @@ fn list_slice<'a, P: Item>(shapes: &'a [P], add: &mut dyn FnMut(Column<'a, P::Sc
 
 impl<P: Item> Columns for &[P] {
     type Item = P;
+    type Place = Here;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
         list_slice(self, add);
+    }
+    fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
+        Column::of(self)
     }
 }
 impl<P: Item> Columns for &Vec<P> {
     type Item = P;
+    type Place = Here;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
         list_slice(self, add);
+    }
+    fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
+        Column::of(self)
     }
 }
 impl<P: Item, const N: usize> Columns for &[P; N] {
     type Item = P;
+    type Place = Here;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
         list_slice(&self[..], add);
+    }
+    fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
+        Column::of(&self[..])
     }
 }
 impl<P: Item> Columns for One<P> {
     type Item = P;
+    type Place = Here;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
         list_slice(std::slice::from_ref(&self.0), &mut |column| {
             add(Column {
@@ -522,6 +560,15 @@ impl<P: Item> Columns for One<P> {
             })
         });
     }
+    fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
+        Column::of(std::slice::from_ref(&self.0))
+    }
+}
+
+/// The place of several columns.
+macro_rules! joined {
+    ($last:ident) => { $last::Place };
+    ($first:ident $($name:ident)+) => { <$first::Place as Place>::With<joined!($($name)+)> };
 }
 
 /// Columns of several arguments.
@@ -532,6 +579,7 @@ macro_rules! columns {
             $($name::Item: Fixed<Scalar = <$first::Item as Pack>::Scalar>,)*
         {
             type Item = ($first::Item, $($name::Item,)*);
+            type Place = joined!($first $($name)*);
             #[allow(non_snake_case)]
             fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <$first::Item as Pack>::Scalar>)) {
                 let ($first, $($name,)*) = self;

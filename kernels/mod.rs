@@ -58,6 +58,8 @@ pub mod item;
 #[forbid(unsafe_code)]
 mod limits;
 #[forbid(unsafe_code)]
+pub mod machine;
+#[forbid(unsafe_code)]
 mod matches;
 #[forbid(unsafe_code)]
 mod modes;
@@ -106,6 +108,7 @@ pub use cpu::{Cpu, Single, Table};
 pub use fold::Fold;
 pub use grouped::Groups;
 pub use item::{Column, Columns, Item, One, Target};
+pub use machine::Machine;
 pub use op::{Op, Runs};
 pub use search::Search;
 pub use targets::{Skip, Targets};

@@ -6,7 +6,7 @@
 use crate::ad::program::record::{TRIALS, listed};
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
-use crate::error::Error;
+use crate::error::{Argument, Error};
 use crate::kernels::cpu::plan::{Compiled, Face};
 use crate::kernels::item::{Item, Leaf, leaves_of};
 use crate::kernels::limits::Derivative;
@@ -391,6 +391,15 @@ impl<T: Real> Call<T> {
         match self.mode {
             Mode::Value => Ok(self.recording),
             inner => self.recording.derivative(inner),
+        }
+    }
+    /// The name of a column: an argument, or a cotangent after them.
+    pub(crate) fn argument(&self, k: usize) -> Argument {
+        let (takes, names) = (self.recording.takes.len(), self.recording.arguments);
+        match names.get(k) {
+            _ if k >= takes => Argument::Upstream,
+            Some(name) if names.len() == takes => Argument::named(name),
+            _ => Argument::input(k),
         }
     }
     /// The plan by which the CPU computes it: aligned, or for all pairs with shapes prepared once.

@@ -25,14 +25,6 @@ pub struct Found<T = f32> {
     pub value: T,
 }
 
-/// The loss of all results.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Loss {
-    Sum,
-    /// Zero where there are none.
-    Mean,
-}
-
 /// Refuses to look for the largest of nothing.
 pub(crate) fn check_sides(rows: usize, columns: usize, of_rows: bool) -> Result<(), Error> {
     let (own, other, argument) = match of_rows {

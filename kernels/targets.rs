@@ -1,12 +1,25 @@
 //! Memory for the results of batches.
 use crate::kernels::item::{Item, Results, Target, WithJacobian, jacobians, target};
+use crate::kernels::resident::{Held, Stored};
 
 /// The memory for the results of a batch: a slice or vector for every shape of a result, in a tuple like
-/// the result's; [`Skip`] for what is not wanted.
+/// the result's, with [`Skip`] for what is not wanted; or an array on the machine.
 pub trait Targets<R: Results> {
     /// The targets, one per shape of a result.
     #[doc(hidden)]
     fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>));
+    /// The array on the machine, if the results go there.
+    #[doc(hidden)]
+    fn held(&mut self) -> Option<&mut Stored<R::Scalar>> {
+        None
+    }
+}
+
+impl<R: Results> Targets<R> for &mut Held<R> {
+    fn list<'a>(&'a mut self, _add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>)) {}
+    fn held(&mut self) -> Option<&mut Stored<R::Scalar>> {
+        Some(self.stored_mut())
+    }
 }
 
 /// The place of results that are not wanted.

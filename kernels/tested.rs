@@ -36,7 +36,6 @@ pub struct Tested {
     inputs: Inputs,
     single: Formed<f32>,
     double: Formed<f64>,
-    #[cfg(feature = "gpu")]
     shaders: fn(&Operation) -> Shaders,
 }
 
@@ -150,7 +149,6 @@ impl Tested {
     /// # Errors
     ///
     /// The errors of recording it.
-    #[cfg(feature = "gpu")]
     pub fn shaders(&self) -> Shaders {
         (self.shaders)(&self.operation)
     }
@@ -270,7 +268,6 @@ impl Walk for Values {
                     inputs: Inputs::of::<O::In<f64>>(),
                     single: formed::<O, f32>(),
                     double: formed::<O, f64>(),
-                    #[cfg(feature = "gpu")]
                     shaders: crate::kernels::gpu::line_sources,
                 }
             }
@@ -308,7 +305,6 @@ impl Walk for Values {
             inputs: const { Inputs::of::<D::In<f64>>() },
             single: const { formed::<D, f32>() },
             double: const { formed::<D, f64>() },
-            #[cfg(feature = "gpu")]
             shaders: |_| Ok(Vec::new()),
         });
     }
@@ -363,7 +359,6 @@ impl Walk for Values {
                 })
             },
             double: const { formed::<F, f64>(|_, plan, _| Ok(check_fold_with::<F, f64>(plan))) },
-            #[cfg(feature = "gpu")]
             shaders: |_| crate::kernels::gpu::fold_sources(F::default()),
         });
     }

@@ -6,7 +6,7 @@ use crate::kernels::cpu::arch;
 use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::item::{Column, put, width};
+use crate::kernels::item::{Column, get, put, width};
 use crate::kernels::real::Real;
 use std::borrow::Cow;
 use std::sync::Mutex;
@@ -102,6 +102,26 @@ pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
         *shape = P::load(row).load_codes(&shape.codes());
     }
     out
+}
+
+/// The same for numbers that hold the codes of shapes, too. An error leaves the shapes as they were, if the function
+/// leaves its room so.
+pub(crate) fn fill_whole<T: Real, P: Fixed<Scalar = T>, R>(
+    shapes: &mut [P],
+    run: impl FnOnce(&mut [T]) -> Result<R, Error>,
+) -> Result<R, Error> {
+    if let Some(numbers) = arch::numbers_mut(shapes) {
+        return run(numbers);
+    }
+    let mut rows = vec![T::default(); shapes.len() * width::<P>()];
+    let out = run(&mut rows)?;
+    for (shape, row) in shapes
+        .iter_mut()
+        .zip(rows.chunks_exact(width::<P>().max(1)))
+    {
+        *shape = get(row);
+    }
+    Ok(out)
 }
 
 /// Shapes looked at together: few enough for the innermost cache.

@@ -44,8 +44,6 @@
 //! a level.
 #[forbid(unsafe_code)]
 pub(crate) mod aligned;
-#[forbid(unsafe_code)]
-pub(crate) mod all_pairs;
 #[allow(unsafe_code)]
 pub(crate) mod arch;
 #[forbid(unsafe_code)]
@@ -76,6 +74,8 @@ pub(crate) mod pairs;
 pub(crate) mod plan;
 #[forbid(unsafe_code)]
 pub mod polygons;
+#[forbid(unsafe_code)]
+mod processor;
 #[doc(hidden)]
 #[forbid(unsafe_code)]
 pub mod program;
@@ -102,6 +102,8 @@ pub(crate) mod upright_boxes;
 #[forbid(unsafe_code)]
 pub(crate) mod work;
 
+use crate::kernels::machine::Machine;
+
 pub use crate::kernels::item::Single;
 #[doc(hidden)]
 pub use plan::{Compiled, Face};
@@ -123,22 +125,26 @@ pub use table::Table;
 /// assert_eq!(matrix.values()[0], iou[0]);
 /// # Ok::<(), geograd::Error>(())
 /// ```
+pub type Cpu = Machine<Processor>;
+
+/// The engine of the CPU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Cpu {
+pub struct Processor {
     cull: bool,
 }
 
-impl Default for Cpu {
+impl Default for Processor {
     fn default() -> Self {
-        Cpu::new()
+        Cpu::new().engine
     }
 }
 
-impl Cpu {
+impl Machine<Processor> {
     /// Returns the CPU, with culling of all-pairs batches on.
     #[must_use]
     pub const fn new() -> Self {
-        Cpu { cull: true }
+        let engine = Processor { cull: true };
+        Machine { engine }
     }
     /// Returns the same with culling of all-pairs batches on or off.
     ///
@@ -146,6 +152,7 @@ impl Cpu {
     /// pairs overlap, it costs a few hundredths of the time and stops.
     #[must_use]
     pub const fn culled(self, cull: bool) -> Self {
-        Cpu { cull }
+        let engine = Processor { cull };
+        Machine { engine }
     }
 }

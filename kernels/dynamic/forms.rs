@@ -2,17 +2,15 @@
 use super::Mode;
 use super::rows::{Layout, Rows, renamed};
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::aligned::{checked, compute, compute_unchecked, items};
-use crate::kernels::cpu::all_pairs::Bearable;
-use crate::kernels::cpu::checked::{check, entries, expect};
+use crate::kernels::cpu::checked::{entries, expect};
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::Face;
-use crate::kernels::cpu::sweep::Upstream;
-use crate::kernels::item::Target;
+use crate::kernels::item::{Column, Target};
+use crate::kernels::machine::{Engine, Reduced, Reduction, Seed, count_of};
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Call, Recording};
-use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
-use std::borrow::Cow;
+use crate::kernels::reduce::{Best, Found};
+use crate::kernels::{Backend, Cpu};
 use std::sync::Arc;
 
 /// A function of rows of numbers: an operation in one format, its gradient or its adjoint, or a program.
@@ -79,16 +77,22 @@ impl<T: Real> Function<T> {
     /// [`Error::Arguments`] for another number of columns, [`Error::Fields`] for rows of another number of fields,
     /// [`Error::Length`] for columns of different lengths, [`Error::Invalid`] for a row that is not valid.
     pub fn aligned(&self, rows: &[Rows<'_, T>]) -> Result<Vec<Vec<T>>, Error> {
-        let face = self.plan(false)?;
-        let columns = self.listed(rows)?;
-        let count = self.count(&face, &columns)?;
-        let mut lists = Vec::with_capacity(face.gives.len());
-        for &fields in &face.gives {
+        self.aligned_by(cpu(), rows)
+    }
+    pub(super) fn aligned_by(
+        &self,
+        engine: &dyn Engine<T>,
+        rows: &[Rows<'_, T>],
+    ) -> Result<Vec<Vec<T>>, Error> {
+        let (call, columns) = (self.call()?, self.listed(rows)?);
+        let count = self.named(count_of(&call, &columns))?;
+        let mut lists = Vec::new();
+        for fields in self.gives() {
             lists.push(vec![T::default(); entries(count, 1, fields)?]);
         }
         let mut results: Vec<Option<&mut [T]>> =
             lists.iter_mut().map(|list| Some(&mut list[..])).collect();
-        self.fill_new(&face, (rows, &columns), count, &mut results)?;
+        self.fill(engine, rows, &mut results, true)?;
         drop(results);
         Ok(lists)
     }
@@ -104,32 +108,7 @@ impl<T: Real> Function<T> {
         rows: &[Rows<'_, T>],
         results: &mut [Option<&mut [T]>],
     ) -> Result<(), Error> {
-        let face = self.plan(false)?;
-        let columns = self.listed(rows)?;
-        let count = self.count(&face, &columns)?;
-        self.fill_new(&face, (rows, &columns), count, results)
-    }
-    fn fill_new(
-        &self,
-        face: &Face<T>,
-        (rows, columns): (&[Rows<'_, T>], &[crate::kernels::item::Column<'_, T>]),
-        count: usize,
-        results: &mut [Option<&mut [T]>],
-    ) -> Result<(), Error> {
-        let new = targets(&face.gives, count, results)?;
-        match compute_unchecked(face, columns, count, new) {
-            true => Ok(()),
-            // Whatever is wrong is named, and what needs a look before is computed.
-            false => self.aligned_into(rows, results),
-        }
-    }
-    /// How many items there are.
-    fn count(
-        &self,
-        face: &Face<T>,
-        columns: &[crate::kernels::item::Column<'_, T>],
-    ) -> Result<usize, Error> {
-        items(&face.arguments, columns).map_err(|e| renamed(e, &self.names))
+        self.fill(cpu(), rows, results, true)
     }
 
     /// [`aligned`](Function::aligned) into the caller's slices: one for every column of the result, or `None` for
@@ -144,29 +123,36 @@ impl<T: Real> Function<T> {
         rows: &[Rows<'_, T>],
         results: &mut [Option<&mut [T]>],
     ) -> Result<(), Error> {
-        let face = self.plan(false)?;
-        let (columns, count, rare) = self.columns(&face, rows)?;
-        let targets = targets(&face.gives, count, results)?;
-        compute(&face, &columns, rare, count, targets);
+        self.fill(cpu(), rows, results, false)
+    }
+
+    fn fill(
+        &self,
+        engine: &dyn Engine<T>,
+        rows: &[Rows<'_, T>],
+        results: &mut [Option<&mut [T]>],
+        new: bool,
+    ) -> Result<(), Error> {
+        let (call, columns) = (self.call()?, self.listed(rows)?);
+        let count = self.named(count_of(&call, &columns))?;
+        let gives = self.gives();
+        // Whatever is wrong is named at the second attempt, and what needs a look before is computed.
+        for new in [true, false].into_iter().filter(|&x| new || !x) {
+            let targets = targets(&gives, count, results)?;
+            if self.named(engine.map(&call, &columns, targets, new))? {
+                break;
+            }
+        }
         Ok(())
     }
 
-    /// Columns, checked: how many items there are, and whether some may be too rare for kernels.
-    fn columns<'a>(
-        &self,
-        face: &Face<T>,
-        rows: &[Rows<'a, T>],
-    ) -> Result<(Vec<crate::kernels::item::Column<'a, T>>, usize, bool), Error> {
-        let columns = self.listed(rows)?;
-        let (count, rare) = checked(face, &columns).map_err(|e| renamed(e, &self.names))?;
-        Ok((columns, count, rare))
+    /// An error with the names of arguments.
+    pub(super) fn named<X>(&self, result: Result<X, Error>) -> Result<X, Error> {
+        result.map_err(|error| renamed(error, &self.names))
     }
 
     /// Columns of the right number of fields.
-    pub(super) fn listed<'a>(
-        &self,
-        rows: &[Rows<'a, T>],
-    ) -> Result<Vec<crate::kernels::item::Column<'a, T>>, Error> {
+    pub(super) fn listed<'a>(&self, rows: &[Rows<'a, T>]) -> Result<Vec<Column<'a, T>>, Error> {
         let takes = self.takes();
         if takes.len() != rows.len() {
             return Err(Error::Arguments {
@@ -180,34 +166,12 @@ impl<T: Real> Function<T> {
             .collect()
     }
 
-    /// Both lists, checked.
-    fn pairs<'a>(
-        &self,
-        face: &'a Face<T>,
-        a: &Rows<'a, T>,
-        b: &Rows<'a, T>,
-    ) -> Result<Pairs<'a, T>, Error> {
-        let columns = self.lists(a, b)?;
-        let mut rare = [false; 2];
-        for k in 0..2 {
-            let (plan, column) = (&face.arguments[k], &columns[k]);
-            rare[k] =
-                check(Argument::input(k), plan, column).map_err(|e| renamed(e, &self.names))?;
-        }
-        Ok(Pairs {
-            face,
-            numbers: [Cow::Borrowed(a.numbers()), Cow::Borrowed(b.numbers())],
-            rare,
-            filter: true,
-        })
-    }
-
     /// Both lists as columns of the right number of fields.
     pub(super) fn lists<'a>(
         &self,
         a: &Rows<'a, T>,
         b: &Rows<'a, T>,
-    ) -> Result<[crate::kernels::item::Column<'a, T>; 2], Error> {
+    ) -> Result<[Column<'a, T>; 2], Error> {
         let takes = self.takes();
         let (2, [first, second]) = (self.recording.takes.len(), &takes[..]) else {
             return Err(Error::Arguments {
@@ -236,11 +200,22 @@ impl<T: Real> Function<T> {
     /// As [`aligned`](Function::aligned), and [`Error::TooLarge`] when there are more numbers than memory has
     /// addresses.
     pub fn all_pairs(&self, a: Rows<'_, T>, b: Rows<'_, T>) -> Result<Vec<T>, Error> {
-        let face = self.plan(true)?;
-        let pairs = self.pairs(&face, &a, &b)?;
-        let mut planes = vec![T::default(); planes_of(&pairs)?];
-        (T::drivers().planes)(&pairs, &mut planes);
+        self.all_pairs_by(cpu(), a, b)
+    }
+    pub(super) fn all_pairs_by(
+        &self,
+        engine: &dyn Engine<T>,
+        a: Rows<'_, T>,
+        b: Rows<'_, T>,
+    ) -> Result<Vec<T>, Error> {
+        let lists = self.lists(&a, &b)?;
+        let mut planes = vec![T::default(); self.planes_of(&lists)?];
+        self.named(engine.pairs(&self.call()?, &lists, &mut planes))?;
         Ok(planes)
+    }
+    /// How many numbers all pairs give.
+    fn planes_of(&self, lists: &[Column<'_, T>; 2]) -> Result<usize, Error> {
+        entries(lists[0].len(), lists[1].len(), self.gives().iter().sum())
     }
 
     /// [`all_pairs`](Function::all_pairs) into the caller's numbers.
@@ -255,11 +230,9 @@ impl<T: Real> Function<T> {
         b: Rows<'_, T>,
         planes: &mut [T],
     ) -> Result<(), Error> {
-        let face = self.plan(true)?;
-        let pairs = self.pairs(&face, &a, &b)?;
-        expect(Argument::Values, planes_of(&pairs)?, planes.len())?;
-        (T::drivers().planes)(&pairs, planes);
-        Ok(())
+        let lists = self.lists(&a, &b)?;
+        expect(Argument::Values, self.planes_of(&lists)?, planes.len())?;
+        self.named(cpu().pairs(&self.call()?, &lists, planes))
     }
 
     /// How a result of one number is computed of all pairs.
@@ -270,87 +243,21 @@ impl<T: Real> Function<T> {
         }
     }
 
-    /// The largest result of every row of `a` and its row of `b`, as [`Cpu::row_max`](crate::kernels::Cpu::row_max).
-    ///
-    /// # Errors
-    ///
-    /// As [`all_pairs`](Function::all_pairs), [`Error::NotOneNumber`] for other results, and [`Error::Length`] for rows
-    /// without columns.
-    pub fn row_max(&self, a: Rows<'_, T>, b: Rows<'_, T>) -> Result<Vec<Best<T>>, Error> {
-        self.reduced(&a, &b, |pairs| {
-            let [rows, columns] = pairs.counts();
-            check_sides(rows, columns, true)?;
-            Ok((T::drivers().row_max)(pairs))
-        })
-    }
-
-    /// The largest result of every row of `b` and its row of `a`, as
-    /// [`Cpu::column_max`](crate::kernels::Cpu::column_max).
-    ///
-    /// # Errors
-    ///
-    /// As [`row_max`](Function::row_max), for columns without rows.
-    pub fn column_max(&self, a: Rows<'_, T>, b: Rows<'_, T>) -> Result<Vec<Best<T>>, Error> {
-        self.reduced(&a, &b, |pairs| {
-            let [rows, columns] = pairs.counts();
-            check_sides(rows, columns, false)?;
-            Ok((T::drivers().column_max)(pairs))
-        })
-    }
-
-    /// Every pair whose result is above the threshold, row by row, as [`Cpu::above`](crate::kernels::Cpu::above).
-    ///
-    /// # Errors
-    ///
-    /// As [`row_max`](Function::row_max), and for a threshold that is not finite.
-    pub fn above(
+    /// A reduction of all results.
+    pub(super) fn reduced_by(
         &self,
-        a: Rows<'_, T>,
-        b: Rows<'_, T>,
-        threshold: T,
-    ) -> Result<Vec<Found<T>>, Error> {
-        check_threshold(threshold)?;
-        self.reduced(&a, &b, |pairs| {
-            // Zeros are above a negative threshold, too.
-            pairs.filter &= threshold >= T::default();
-            Ok((T::drivers().above)(pairs, threshold))
-        })
+        engine: &dyn Engine<T>,
+        a: &Rows<'_, T>,
+        b: &Rows<'_, T>,
+        reduction: Reduction<T>,
+    ) -> Result<Reduced<T>, Error> {
+        self.one_number()?;
+        let lists = self.lists(a, b)?;
+        self.named(reduction.check(lists[0].len(), lists[1].len()))?;
+        self.named(engine.reduce(&self.call()?, &lists, reduction))
     }
 
-    /// How many pairs have a result above the threshold, as [`Cpu::count_above`](crate::kernels::Cpu::count_above).
-    ///
-    /// # Errors
-    ///
-    /// As [`above`](Function::above).
-    pub fn count_above(&self, a: Rows<'_, T>, b: Rows<'_, T>, threshold: T) -> Result<u64, Error> {
-        check_threshold(threshold)?;
-        self.reduced(&a, &b, |pairs| {
-            pairs.filter &= threshold >= T::default();
-            Ok((T::drivers().count_above)(pairs, threshold))
-        })
-    }
-
-    /// The sum of all results, as [`Cpu::sum`](crate::kernels::Cpu::sum).
-    ///
-    /// # Errors
-    ///
-    /// As [`row_max`](Function::row_max), but for sides.
-    pub fn sum(&self, a: Rows<'_, T>, b: Rows<'_, T>) -> Result<f64, Error> {
-        self.reduced(&a, &b, |pairs| Ok((T::drivers().sum)(pairs)))
-    }
-
-    /// The mean of all results, zero where there are none, as [`Cpu::mean`](crate::kernels::Cpu::mean).
-    ///
-    /// # Errors
-    ///
-    /// As [`sum`](Function::sum).
-    pub fn mean(&self, a: Rows<'_, T>, b: Rows<'_, T>) -> Result<f64, Error> {
-        self.reduced(&a, &b, |pairs| {
-            let [rows, columns] = pairs.counts();
-            Ok((T::drivers().sum)(pairs) / (rows as f64 * columns as f64).max(1.0))
-        })
-    }
-
+    /// Pairs of both lists on the CPU.
     pub(super) fn reduced<X>(
         &self,
         a: &Rows<'_, T>,
@@ -358,98 +265,150 @@ impl<T: Real> Function<T> {
         reduce: impl FnOnce(&mut Pairs<'_, T>) -> Result<X, Error>,
     ) -> Result<X, Error> {
         self.one_number()?;
-        let face = self.plan(true)?;
-        reduce(&mut self.pairs(&face, a, b)?).map_err(|e| renamed(e, &self.names))
+        let (face, lists) = (self.plan(true)?, self.lists(a, b)?);
+        self.named(
+            Cpu::new()
+                .engine
+                .lists(&face, &lists)
+                .and_then(|mut pairs| reduce(&mut pairs)),
+        )
     }
 
-    /// The sum of all results and its derivatives by both lists, as [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
-    ///
-    /// # Errors
-    ///
-    /// As [`sum`](Function::sum).
-    pub fn sum_grad(&self, a: Rows<'_, T>, b: Rows<'_, T>) -> Result<(f64, Vec<T>, Vec<T>), Error> {
-        let sum = self.sum(a, b)?;
-        let (a_bar, b_bar) =
-            self.pulled(&a, &b, |columns| Ok((vec![T::one(); columns.max(1)], 0)))?;
-        Ok((sum, a_bar, b_bar))
-    }
-
-    /// The mean of all results and its derivatives by both lists, zero where there are none, as
-    /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
-    ///
-    /// # Errors
-    ///
-    /// As [`sum`](Function::sum).
-    pub fn mean_grad(
+    /// The sum of all results where one factor is that of all, and derivatives of both lists.
+    pub(super) fn pulled_by(
         &self,
-        a: Rows<'_, T>,
-        b: Rows<'_, T>,
-    ) -> Result<(f64, Vec<T>, Vec<T>), Error> {
-        let sum = self.sum(a, b)?;
-        let rows = |rows: &Rows<'_, T>| rows.count().unwrap_or(1) as f64;
-        let factor = 1.0 / (rows(&a) * rows(&b)).max(1.0);
-        let (a_bar, b_bar) = self.pulled(&a, &b, |columns| {
-            Ok((vec![T::lit(factor); columns.max(1)], 0))
-        })?;
-        Ok((sum * factor, a_bar, b_bar))
-    }
-
-    /// Derivatives of `Σ upstream[i, j] · result[i, j]` by both lists, as
-    /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp). `upstream` is a matrix, row by row.
-    ///
-    /// # Errors
-    ///
-    /// As [`sum`](Function::sum), and for an upstream of another size or one that is not finite.
-    pub fn all_pairs_vjp(
-        &self,
-        a: Rows<'_, T>,
-        b: Rows<'_, T>,
-        upstream: &[T],
-    ) -> Result<(Vec<T>, Vec<T>), Error> {
-        let rows = a.count().unwrap_or(1);
-        self.pulled(&a, &b, |columns| {
-            let wanted = entries(rows, columns, 1)?;
-            expect(Argument::Upstream, wanted, upstream.len())?;
-            Ok((upstream.to_vec(), columns))
-        })
-    }
-
-    /// Derivatives of both lists; the upstream derivatives for so many columns, and how many a row of them has.
-    fn pulled(
-        &self,
+        engine: &dyn Engine<T>,
         a: &Rows<'_, T>,
         b: &Rows<'_, T>,
-        upstream: impl FnOnce(usize) -> Result<(Vec<T>, usize), Error>,
-    ) -> Result<(Vec<T>, Vec<T>), Error> {
+        seed: &Seed<'_, T>,
+    ) -> Result<Loss<T>, Error> {
         self.one_number()?;
-        let face = self.call()?.derived(Mode::Vjp)?.plan(true)?;
-        let pairs = self.pairs(&face, a, b)?;
-        let (derivatives, step) = upstream(pairs.counts()[1])?;
-        let upstream = Upstream {
-            derivatives: &derivatives,
-            step,
-        };
-        let bearable = Bearable::new(&face, &upstream)?;
-        let mut bars = [a, b].map(|rows| vec![T::default(); rows.numbers().len()]);
-        let [a_bar, b_bar] = &mut bars;
-        bearable.pull_back(&pairs, upstream, a_bar, b_bar);
+        let lists = self.lists(a, b)?;
+        if let Seed::Numbers(numbers) = seed {
+            let wanted = entries(lists[0].len(), lists[1].len(), 1)?;
+            expect(Argument::Upstream, wanted, numbers.len())?;
+        }
+        let [mut a_bar, mut b_bar] = [a, b].map(|rows| vec![T::default(); rows.numbers().len()]);
+        let bars = [&mut a_bar[..], &mut b_bar[..]];
+        let sum = self.named(engine.pull_back(&self.call()?, &lists, seed, bars))?;
         // A gradient has the codes of its shape.
-        for ((bar, rows), leaf) in bars.iter_mut().zip([a, b]).zip(&self.recording.takes) {
+        let bars = [(&mut a_bar, a), (&mut b_bar, b)];
+        for ((bar, rows), leaf) in bars.into_iter().zip(&self.recording.takes) {
             let scalars = leaf.fields - leaf.codes;
             let bars = bar.chunks_exact_mut(leaf.fields);
             for (bar, row) in bars.zip(rows.numbers().chunks_exact(leaf.fields)) {
                 bar[scalars..].copy_from_slice(&row[scalars..]);
             }
         }
-        let [a_bar, b_bar] = bars;
-        Ok((a_bar, b_bar))
+        Ok((sum, a_bar, b_bar))
+    }
+    /// The mean of all results, and derivatives of both lists.
+    pub(super) fn mean_by(
+        &self,
+        engine: &dyn Engine<T>,
+        a: &Rows<'_, T>,
+        b: &Rows<'_, T>,
+    ) -> Result<Loss<T>, Error> {
+        let factor = 1.0 / pairs_of(a, b).max(1.0);
+        let (sum, a_bar, b_bar) = self.pulled_by(engine, a, b, &Seed::Factor(T::lit(factor)))?;
+        Ok((sum * factor, a_bar, b_bar))
     }
 }
 
-/// How many numbers all pairs give.
-fn planes_of<T: Real>(pairs: &Pairs<'_, T>) -> Result<usize, Error> {
-    let [rows, columns] = pairs.counts();
-    entries(rows, columns, pairs.face.gives.iter().sum())
+/// A number, and derivatives of both lists.
+pub(super) type Loss<T> = (f64, Vec<T>, Vec<T>);
+
+/// The engine of the CPU.
+fn cpu<T: Real>() -> &'static dyn Engine<T> {
+    static CPU: Cpu = Cpu::new();
+    &CPU.engine
+}
+
+/// The number of pairs.
+pub(super) fn pairs_of<T: Real>(a: &Rows<'_, T>, b: &Rows<'_, T>) -> f64 {
+    let rows = |rows: &Rows<'_, T>| rows.count().unwrap_or(1) as f64;
+    rows(a) * rows(b)
+}
+
+/// Reductions and losses of all pairs, on the CPU and on a machine: documentation, names, what else they take, and what they
+/// are of a function, an engine and both lists.
+macro_rules! of_pairs {
+    ($($(#[$doc:meta])* $name:ident, $on:ident($($more:ident: $type:ty, $type32:ty)?) -> $out:ty, $out32:ty
+        = |$own:ident, $engine:ident, $a:ident, $b:ident| $do:expr;)*) => {
+        impl<T: Real> Function<T> { $(
+            $(#[$doc])*
+            ///
+            /// # Errors
+            ///
+            /// As [`all_pairs`](Function::all_pairs), [`Error::NotOneNumber`] for other results, and errors of what else
+            /// the call takes.
+            pub fn $name(
+                &self,
+                $a: Rows<'_, T>,
+                $b: Rows<'_, T>,
+                $($more: $type,)?
+            ) -> Result<$out, Error> {
+                let ($own, $engine) = (self, cpu());
+                $do
+            }
+        )* }
+        impl Function<f32> { $(
+            #[doc = concat!("[`", stringify!($name), "`](Function::", stringify!($name), ") on a machine.")]
+            ///
+            /// # Errors
+            ///
+            /// See there; [`Error::Gpu`] are the GPU's.
+            pub fn $on(
+                &self,
+                backend: Backend<'_>,
+                $a: Rows<'_, f32>,
+                $b: Rows<'_, f32>,
+                $($more: $type32,)?
+            ) -> Result<$out32, Error> {
+                let ($own, $engine) = (self, &backend.engine);
+                $do
+            }
+        )* }
+    };
+}
+
+of_pairs! {
+    /// The largest result of every row of `a` and its row of `b`, as [`Cpu::row_max`](crate::kernels::Cpu::row_max).
+    row_max, row_max_on() -> Vec<Best<T>>, Vec<Best>
+        = |own, engine, a, b| own.reduced_by(engine, &a, &b, Reduction::Best { of_rows: true })?.bests().taken();
+    /// The largest result of every row of `b` and its row of `a`, as
+    /// [`Cpu::column_max`](crate::kernels::Cpu::column_max).
+    column_max, column_max_on() -> Vec<Best<T>>, Vec<Best>
+        = |own, engine, a, b| own.reduced_by(engine, &a, &b, Reduction::Best { of_rows: false })?.bests().taken();
+    /// Every pair whose result is above the threshold, row by row, as [`Cpu::above`](crate::kernels::Cpu::above).
+    above, above_on(threshold: T, f32) -> Vec<Found<T>>, Vec<Found>
+        = |own, engine, a, b| own.reduced_by(engine, &a, &b, Reduction::Above(threshold))?.founds().taken();
+    /// How many pairs have a result above the threshold, as [`Cpu::count_above`](crate::kernels::Cpu::count_above).
+    count_above, count_above_on(threshold: T, f32) -> u64, u64
+        = |own, engine, a, b| Ok(own.reduced_by(engine, &a, &b, Reduction::Count(threshold))?.count());
+    /// The sum of all results, as [`Cpu::sum`](crate::kernels::Cpu::sum).
+    sum, sum_on() -> f64, f64
+        = |own, engine, a, b| Ok(own.reduced_by(engine, &a, &b, Reduction::Sum)?.sum());
+    /// The mean of all results, zero where there are none, as [`Cpu::mean`](crate::kernels::Cpu::mean).
+    mean, mean_on() -> f64, f64
+        = |own, engine, a, b| {
+            let sum = own.reduced_by(engine, &a, &b, Reduction::Sum)?.sum();
+            Ok(sum / pairs_of(&a, &b).max(1.0))
+        };
+    /// The sum of all results and its derivatives by both lists, as [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
+    sum_grad, sum_grad_on() -> Loss<T>, Loss<f32>
+        = |own, engine, a, b| own.pulled_by(engine, &a, &b, &Seed::Factor(crate::Scalar::one()));
+    /// The mean of all results and its derivatives by both lists, zero where there are none, as
+    /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
+    mean_grad, mean_grad_on() -> Loss<T>, Loss<f32>
+        = |own, engine, a, b| own.mean_by(engine, &a, &b);
+    /// Derivatives of `Σ upstream[i, j] · result[i, j]` by both lists, as
+    /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp). `upstream` is a matrix, row by row.
+    all_pairs_vjp, all_pairs_vjp_on(upstream: &[T], &[f32]) -> (Vec<T>, Vec<T>), (Vec<f32>, Vec<f32>)
+        = |own, engine, a, b| {
+            let (_, a, b) = own.pulled_by(engine, &a, &b, &Seed::Numbers(upstream))?;
+            Ok((a, b))
+        };
 }
 
 /// The caller's slices as targets, each of so many rows.

@@ -1,15 +1,14 @@
 //! Groups of rows, and suppression, on columns of numbers.
 use super::forms::Function;
-use super::rows::{Rows, renamed};
+use super::rows::Rows;
 use crate::error::{Argument, Error};
+use crate::kernels::Cpu;
 use crate::kernels::cpu::checked::check;
-use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::grouped::{Groups, ranked_groups};
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found, check_threshold};
-use crate::kernels::suppress::{checked, classes_of, greed};
+use crate::kernels::suppress::{Ranked, checked};
 use crate::suppression::{Rules, check_groups};
-use std::borrow::Cow;
 
 impl<T: Real> Function<T> {
     /// Every pair within a group whose result is above the threshold, as
@@ -108,21 +107,12 @@ impl<T: Real> Function<T> {
         check_groups(Argument::A, column.len(), offsets)?;
         let face = self.plan(true)?;
         // All shapes are checked, so that errors name the caller's rows.
-        let rare = check(Argument::A, &face.arguments[0], &column)
-            .map_err(|error| renamed(error, &self.names))?;
+        self.named(check(Argument::A, &face.arguments[0], &column))?;
         let (order, ends) = ranked_groups(scores, offsets, rules.score)?;
-        let fields = shapes.fields();
-        let row = |&i: &usize| &shapes.numbers()[i * fields..(i + 1) * fields];
-        let ranked: Vec<T> = order.iter().flat_map(row).copied().collect();
-        let classes = classes_of(&order, &rules);
-        let pairs = Pairs {
-            face: &face,
-            numbers: [Cow::Borrowed(&ranked), Cow::Borrowed(&ranked)],
-            rare: [rare; 2],
-            filter: true,
-        };
-        let greed = greed(&rules, classes.as_deref());
-        let kept = (T::drivers().suppress_grouped)(&pairs, &ends, greed);
-        Ok(kept.into_iter().map(|place| order[place]).collect())
+        let ranked = Ranked::of(order, &column, &rules);
+        let lists = ranked.lists();
+        let pairs = Cpu::new().engine.lists(&face, &lists)?;
+        let kept = (T::drivers().suppress_grouped)(&pairs, &ends, ranked.greed(&rules));
+        Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
     }
 }

@@ -1,31 +1,13 @@
-//! Functions of `f32` on the processor or on a GPU.
+//! Functions of `f32` on the CPU or on a GPU, and on columns that stay there.
 use super::forms::Function;
 use super::rows::Rows;
 use crate::error::Error;
 use crate::kernels::backend::Backend;
-use crate::kernels::reduce::{Best, Found};
-#[cfg(feature = "gpu")]
-use crate::kernels::{gpu::Lists, reduce::Loss};
+use crate::kernels::item::Column;
+use crate::kernels::machine::{Engine, Machine, Numbers, Seed};
+use crate::kernels::resident::{HeldNumbers, Matrix};
 
-/// The call on one machine or the other.
-macro_rules! on_either {
-    ($backend:expr, $cpu:expr, |$gpu:ident| $on_gpu:expr) => {
-        match $backend {
-            Backend::Cpu => $cpu,
-            #[cfg(feature = "gpu")]
-            Backend::Gpu($gpu) => $on_gpu,
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu($gpu) => match *$gpu {},
-        }
-    };
-}
-
-/// The same calls on the processor or on a GPU, where numbers are `f32`.
-///
-/// # Errors
-///
-/// As the calls without a backend; [`Error::Gpu`] are the GPU's, and all pairs of searches are refused there with
-/// [`Unrecordable::Search`](crate::Unrecordable::Search).
+/// The same calls on a machine, where numbers are `f32`.
 impl Function<f32> {
     /// [`aligned`](Function::aligned) on a machine.
     ///
@@ -37,160 +19,110 @@ impl Function<f32> {
         backend: Backend<'_>,
         rows: &[Rows<'_, f32>],
     ) -> Result<Vec<Vec<f32>>, Error> {
-        on_either!(backend, self.aligned(rows), |gpu| {
-            self.named(gpu.lists(&self.call()?, &self.listed(rows)?))
-        })
+        self.aligned_by(&backend.engine, rows)
     }
 
     /// [`all_pairs`](Function::all_pairs) on a machine.
     ///
     /// # Errors
     ///
-    /// See [there](Function::all_pairs); [`Error::Gpu`] are the GPU's.
+    /// See [there](Function::all_pairs); [`Error::Gpu`] are the GPU's, and searches are refused there with
+    /// [`Unrecordable::Search`](crate::Unrecordable::Search).
     pub fn all_pairs_on(
         &self,
         backend: Backend<'_>,
         a: Rows<'_, f32>,
         b: Rows<'_, f32>,
     ) -> Result<Vec<f32>, Error> {
-        on_either!(backend, self.all_pairs(a, b), |gpu| {
-            let lists = self.lists(&a, &b)?;
-            let [rows, columns] = [lists[0].len(), lists[1].len()];
-            let wanted =
-                crate::kernels::cpu::checked::entries(rows, columns, self.gives().iter().sum())?;
-            let mut planes = vec![0.0; wanted];
-            self.named(gpu.planes(&self.call()?, &lists, &mut planes))?;
-            Ok(planes)
-        })
+        self.all_pairs_by(&backend.engine, a, b)
     }
 }
 
-/// Reductions on either machine: a documentation, a name, what it is on the processor, what else it takes, its result,
-/// and what it is on a GPU.
-macro_rules! reductions {
-    ($($(#[$doc:meta])* $name:ident = $cpu:ident($($more:ident: $type:ty)?) -> $out:ty = |$found:ident| $after:expr;)*) => {
-        impl Function<f32> { $(
-            $(#[$doc])*
-            ///
-            /// # Errors
-            ///
-            /// See there; [`Error::Gpu`] are the GPU's.
-            pub fn $name(
-                &self,
-                backend: Backend<'_>,
-                a: Rows<'_, f32>,
-                b: Rows<'_, f32>,
-                $($more: $type,)?
-            ) -> Result<$out, Error> {
-                on_either!(backend, self.$cpu(a, b $(, $more)?), |gpu| {
-                    self.one_number()?;
-                    let lists = self.lists(&a, &b)?;
-                    let run = || {
-                        let lists = Lists::of_columns(gpu, &self.call()?, &lists)?;
-                        let $found = lists.$cpu($($more)?)?;
-                        $after
-                    };
-                    self.named(run())
-                })
-            }
-        )* }
-    };
+/// The first column of numbers.
+fn list(held: &HeldNumbers) -> Column<'_, f32> {
+    let first = held.columns().next();
+    first.unwrap_or_else(|| Column::lent(&[], 1, Some(0)))
 }
 
-reductions! {
-    /// [`row_max`](Function::row_max) on a machine.
-    row_max_on = row_max() -> Vec<Best> = |found| found.download();
-    /// [`column_max`](Function::column_max) on a machine.
-    column_max_on = column_max() -> Vec<Best> = |found| found.download();
-    /// [`above`](Function::above) on a machine.
-    above_on = above(threshold: f32) -> Vec<Found> = |found| found.download();
-    /// [`count_above`](Function::count_above) on a machine.
-    count_above_on = count_above(threshold: f32) -> u64 = |found| Ok(found);
-    /// [`sum`](Function::sum) on a machine.
-    sum_on = sum() -> f64 = |found| Ok(found);
-    /// [`mean`](Function::mean) on a machine.
-    mean_on = mean() -> f64 = |found| Ok(found);
-}
-
-/// A number, and derivatives of both lists.
-type Loss32 = (f64, Vec<f32>, Vec<f32>);
-
-impl Function<f32> {
-    /// [`sum_grad`](Function::sum_grad) on a machine.
+/// Functions without the types of their shapes, on columns that stay.
+impl Machine<dyn Engine<f32>> {
+    /// Uploads columns of arguments of a function, all of one length; the call that takes them checks them.
     ///
     /// # Errors
     ///
-    /// See [there](Function::sum_grad); [`Error::Gpu`] are the GPU's.
-    pub fn sum_grad_on(
-        &self,
-        backend: Backend<'_>,
-        a: Rows<'_, f32>,
-        b: Rows<'_, f32>,
-    ) -> Result<Loss32, Error> {
-        on_either!(backend, self.sum_grad(a, b), |gpu| {
-            self.loss(gpu, &a, &b, Loss::Sum)
-        })
+    /// The errors of the device.
+    #[doc(hidden)]
+    pub fn upload_rows(&self, columns: &[Rows<'_, f32>]) -> Result<HeldNumbers, Error> {
+        let count = columns.first().and_then(Rows::count).unwrap_or(0);
+        let numbers = columns.iter().map(|rows| Numbers {
+            fields: rows.fields(),
+            rows: rows.numbers().to_vec(),
+        });
+        self.engine.keep(count, numbers.collect())
     }
-    /// [`mean_grad`](Function::mean_grad) on a machine.
+
+    /// Item i of every column, as [`aligned`](Machine::aligned), over results that are there if there are any.
     ///
     /// # Errors
     ///
-    /// See [there](Function::mean_grad); [`Error::Gpu`] are the GPU's.
-    pub fn mean_grad_on(
+    /// As there.
+    #[doc(hidden)]
+    pub fn aligned_rows(
         &self,
-        backend: Backend<'_>,
-        a: Rows<'_, f32>,
-        b: Rows<'_, f32>,
-    ) -> Result<Loss32, Error> {
-        on_either!(backend, self.mean_grad(a, b), |gpu| {
-            self.loss(gpu, &a, &b, Loss::Mean)
-        })
+        run: &Function<f32>,
+        columns: &HeldNumbers,
+        into: Option<HeldNumbers>,
+    ) -> Result<HeldNumbers, Error> {
+        let columns: Vec<_> = columns.columns().collect();
+        self.engine.map_held(&run.call()?, &columns, into.as_ref())
     }
-    /// [`all_pairs_vjp`](Function::all_pairs_vjp) on a machine.
+
+    /// Every row of one column with every row of another, for results of one number, as
+    /// [`all_pairs`](Machine::all_pairs), into an existing matrix if there is one.
     ///
     /// # Errors
     ///
-    /// See [there](Function::all_pairs_vjp); [`Error::Gpu`] are the GPU's.
-    pub fn all_pairs_vjp_on(
+    /// As there, and [`Error::Length`] for a matrix of another size.
+    #[doc(hidden)]
+    pub fn all_pairs_rows(
         &self,
-        backend: Backend<'_>,
-        a: Rows<'_, f32>,
-        b: Rows<'_, f32>,
-        upstream: &[f32],
-    ) -> Result<(Vec<f32>, Vec<f32>), Error> {
-        on_either!(backend, self.all_pairs_vjp(a, b, upstream), |gpu| {
-            self.one_number()?;
-            let lists = self.lists(&a, &b)?;
-            let [a, b] = self.named(gpu.pulled(&self.call()?, &lists, upstream))?;
-            Ok((a, b))
-        })
+        run: &Function<f32>,
+        a: &HeldNumbers,
+        b: &HeldNumbers,
+        into: Option<Matrix>,
+    ) -> Result<Matrix, Error> {
+        let mut matrix = match into {
+            Some(matrix) => matrix,
+            None => self.engine.room(a.len(), b.len())?,
+        };
+        self.engine
+            .pairs_held(&run.call()?, &[list(a), list(b)], &mut matrix)?;
+        Ok(matrix)
     }
-}
 
-#[cfg(feature = "gpu")]
-mod on_gpu {
-    use super::{Function, Loss32, Rows};
-    use crate::error::Error;
-    use crate::kernels::dynamic::rows::renamed;
-    use crate::kernels::gpu::Gpu;
-    use crate::kernels::reduce::Loss;
-
-    impl Function<f32> {
-        /// An error with the names of arguments.
-        pub(super) fn named<X>(&self, result: Result<X, Error>) -> Result<X, Error> {
-            result.map_err(|error| renamed(error, &self.names))
-        }
-        pub(super) fn loss(
-            &self,
-            gpu: &Gpu,
-            a: &Rows<'_, f32>,
-            b: &Rows<'_, f32>,
-            loss: Loss,
-        ) -> Result<Loss32, Error> {
-            self.one_number()?;
-            let lists = self.lists(a, b)?;
-            let (value, [a, b]) = self.named(gpu.loss_of(&self.call()?, &lists, loss))?;
-            Ok((value, a, b))
-        }
+    /// The adjoint of all pairs, as [`all_pairs_vjp`](Machine::all_pairs_vjp).
+    ///
+    /// # Errors
+    ///
+    /// As there.
+    #[doc(hidden)]
+    pub fn all_pairs_vjp_rows(
+        &self,
+        run: &Function<f32>,
+        a: &HeldNumbers,
+        b: &HeldNumbers,
+        upstream: &Matrix,
+    ) -> Result<[HeldNumbers; 2], Error> {
+        let lists = [list(a), list(b)];
+        let room = |list: &Column<'_, f32>| vec![0.0; list.len() * list.fields];
+        let [mut by_a, mut by_b] = lists.each_ref().map(room);
+        let seed = Seed::Matrix(upstream);
+        self.engine
+            .pull_back(&run.call()?, &lists, &seed, [&mut by_a, &mut by_b])?;
+        let kept = |list: &Column<'_, f32>, rows| {
+            let fields = list.fields;
+            self.engine.keep(list.len(), vec![Numbers { fields, rows }])
+        };
+        Ok([kept(&lists[0], by_a)?, kept(&lists[1], by_b)?])
     }
 }

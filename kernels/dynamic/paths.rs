@@ -7,6 +7,7 @@ use crate::kernels::backend::Backend;
 use crate::kernels::cpu::checked::{expect, numbers};
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Column, Columns, Item, Leaf};
+use crate::kernels::machine::Here;
 use crate::kernels::real::Real;
 use std::marker::PhantomData;
 
@@ -64,6 +65,7 @@ impl<'a, R: Item> Contexts<'a, R> {
 
 impl<R: Item> Columns for Contexts<'_, R> {
     type Item = R;
+    type Place = Here;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, R::Scalar>)) {
         for rows in self.rows {
             let fields = rows.fields();

@@ -1,10 +1,17 @@
 //! Batches on a GPU through wgpu: Vulkan, Metal, DX12, GL, or a software driver.
 //!
-//! A [`Gpu`] is a context; cloning it is cheap and clones share everything. It has the calls of
-//! [`Cpu`](crate::kernels::Cpu), for any operation and any program. Columns are slices, vectors or
-//! [`One`](crate::kernels::One), and results are vectors. Numbers are `f32`. [`Backend`](crate::kernels::Backend) is
-//! one front for both machines, and [`Backend::resident`](crate::kernels::Backend::resident) has the same calls on
-//! data that stay on the device until they are downloaded.
+//! A [`Gpu`] is a context; cloning it is cheap and clones share everything. It has the calls of every
+//! [`Machine`](crate::kernels::Machine), for any operation and any program. Columns are slices, vectors,
+//! [`One`](crate::kernels::One), or [arrays](crate::kernels::resident) that stay on the device. Numbers are `f32`; others
+//! do not compile:
+//!
+//! ```compile_fail,E0277
+//! use geograd::{Obb2, kernels::{Iou, gpu::Gpu}};
+//! let boxes = [Obb2::new(0.0_f64, 0.0, 2.0, 2.0, 0.0)];
+//! Gpu::new().unwrap().all_pairs(Iou, &boxes, &boxes); // the device does not compute in `f64`
+//! ```
+//!
+//! [`Backend`](crate::kernels::Backend) chooses the machine at run time.
 //!
 //! Results are the processor's to within rounding, and the same bits on every run: sums are added
 //! in a fixed order, without atomics. More than a dispatch, a binding or a buffer may hold is

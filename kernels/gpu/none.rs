@@ -1,13 +1,25 @@
-//! The stand-in of the GPU in a build without the feature `gpu`: types without values, so that
-//! [`Backend`](crate::kernels::Backend) is the same in both.
-use crate::{Error, GpuFault};
+//! The stand-in of the GPU in a build without the feature `gpu`: types without values, so that all else is the same in
+//! both.
+use crate::kernels::Fold;
+use crate::kernels::dynamic::Operation;
+use crate::kernels::item::{Column, Columns, Target};
+use crate::kernels::machine::{Engine, Machine, Numbers, Reduced, Reduction, Seed};
+use crate::kernels::recording::Call;
+use crate::kernels::resident::{Bests, Downloads, Matrix, Pending, Stored};
+use crate::ring::Measure;
+use crate::suppression::Rules;
+use crate::{Error, GpuFault, Pack, Vec2};
+use std::any::Any;
 use std::marker::PhantomData;
 
 /// A GPU. There is none in a build without the feature `gpu`.
-#[derive(Clone, Copy, Debug)]
-pub enum Gpu {}
+pub type Gpu = Machine<Device>;
 
-impl Gpu {
+/// The engine of a GPU, which a build without the feature `gpu` cannot have.
+#[derive(Clone, Copy, Debug)]
+pub enum Device {}
+
+impl Machine<Device> {
     /// A context, which a build without the feature `gpu` cannot have.
     ///
     /// # Errors
@@ -16,24 +28,197 @@ impl Gpu {
     pub fn new() -> Result<Self, Error> {
         Err(Error::Gpu(GpuFault::NotBuilt))
     }
+    /// Waits until all work is done.
+    ///
+    /// # Errors
+    ///
+    /// None: there is no such GPU.
+    pub fn wait(&self) -> Result<(), Error> {
+        match self.engine {}
+    }
+    pub(crate) fn is_worth_it(&self) -> bool {
+        match self.engine {}
+    }
 }
 
-impl std::fmt::Display for Gpu {
+impl std::fmt::Display for Machine<Device> {
     fn fmt(&self, _: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.engine {}
+    }
+}
+
+impl Engine<f32> for Device {
+    fn keep(&self, _: usize, _: Vec<Numbers<f32>>) -> Result<Stored<f32>, Error> {
+        match *self {}
+    }
+    fn room(&self, _: usize, _: usize) -> Result<Matrix<f32>, Error> {
+        match *self {}
+    }
+    fn map(
+        &self,
+        _: &Call<f32>,
+        _: &[Column<'_, f32>],
+        _: Vec<Option<Target<'_, f32>>>,
+        _: bool,
+    ) -> Result<bool, Error> {
+        match *self {}
+    }
+    fn map_held(
+        &self,
+        _: &Call<f32>,
+        _: &[Column<'_, f32>],
+        _: Option<&Stored<f32>>,
+    ) -> Result<Stored<f32>, Error> {
+        match *self {}
+    }
+    fn pairs(&self, _: &Call<f32>, _: &[Column<'_, f32>; 2], _: &mut [f32]) -> Result<(), Error> {
+        match *self {}
+    }
+    fn pairs_held(
+        &self,
+        _: &Call<f32>,
+        _: &[Column<'_, f32>; 2],
+        _: &mut Matrix<f32>,
+    ) -> Result<(), Error> {
+        match *self {}
+    }
+    fn reduce(
+        &self,
+        _: &Call<f32>,
+        _: &[Column<'_, f32>; 2],
+        _: Reduction<f32>,
+    ) -> Result<Reduced<f32>, Error> {
+        match *self {}
+    }
+    fn pull_back(
+        &self,
+        _: &Call<f32>,
+        _: &[Column<'_, f32>; 2],
+        _: &Seed<'_, f32>,
+        _: [&mut [f32]; 2],
+    ) -> Result<f64, Error> {
+        match *self {}
+    }
+    fn suppress(
+        &self,
+        _: &Call<f32>,
+        _: &Column<'_, f32>,
+        _: &[f32],
+        _: Rules<'_, f32>,
+    ) -> Result<Vec<usize>, Error> {
+        match *self {}
+    }
+    fn pick(&self, _: &Stored<f32>, _: &Bests<f32>) -> Result<Stored<f32>, Error> {
         match *self {}
     }
 }
 
-/// Handles without values.
-macro_rules! none {
-    ($($name:ident)*) => { $(
-        /// Stands for what is on a GPU.
-        #[derive(Clone, Debug)]
-        pub enum $name<T = ()> {
-            /// Never made.
-            #[doc(hidden)]
-            Never(Gpu, PhantomData<fn() -> T>),
-        }
-    )* };
+/// Rings on a GPU.
+#[derive(Clone, Debug)]
+pub enum Rings {}
+
+/// Results of rings on a GPU.
+#[derive(Clone, Debug)]
+pub enum RingValues<T = ()> {
+    /// Never made.
+    #[doc(hidden)]
+    Never(Device, PhantomData<fn() -> T>),
 }
-none! { Matrix Bests Founds Pending HeldColumn Rings RingValues RingBars }
+
+impl<T: 'static> Downloads<Vec<T>> for RingValues<T> {
+    fn started(&self) -> Result<Pending<Vec<T>>, Error> {
+        let RingValues::Never(never, _) = self;
+        match *never {}
+    }
+    fn taken(self: Box<Self>) -> Result<Vec<T>, Error> {
+        let RingValues::Never(never, _) = *self;
+        match never {}
+    }
+    fn boxed(&self) -> Box<dyn Downloads<Vec<T>>> {
+        let RingValues::Never(never, _) = self;
+        match *never {}
+    }
+    fn any(&self) -> &dyn Any {
+        self
+    }
+}
+
+impl Rings {
+    pub(crate) fn gpu(&self) -> &Device {
+        match *self {}
+    }
+    pub(crate) fn update(&mut self, _: &[Vec2<f32>]) -> Result<(), Error> {
+        match *self {}
+    }
+}
+
+impl Device {
+    pub(crate) fn upload_rings(&self, _: &[Vec2<f32>], _: &[usize]) -> Result<Rings, Error> {
+        match *self {}
+    }
+    pub(crate) fn ragged_of<T>(&self, _: Measure, _: &Rings) -> Result<RingValues<T>, Error> {
+        match *self {}
+    }
+    pub(crate) fn ragged_vjp_of<T>(
+        &self,
+        _: Measure,
+        _: &Rings,
+        _: &[T],
+    ) -> Result<RingValues<Vec2<f32>>, Error> {
+        match *self {}
+    }
+}
+
+/// The calls of paths and rings, which are those of the CPU.
+impl Machine<Device> {
+    pub(crate) fn fold<F, C: Columns>(
+        &self,
+        _: F,
+        _: C,
+        _: &[F::Element<f32>],
+        _: &[usize],
+    ) -> Result<Vec<F::Out<f32>>, Error>
+    where
+        F: Fold<Context<f32> = C::Item>,
+        C::Item: Pack<Scalar = f32>,
+    {
+        match self.engine {}
+    }
+    pub(crate) fn fold_vjp<F, C: Columns>(
+        &self,
+        _: F,
+        _: C,
+        _: &[F::Element<f32>],
+        _: &[usize],
+        _: &[F::Out<f32>],
+    ) -> Result<(Vec<F::Context<f32>>, Vec<F::Element<f32>>), Error>
+    where
+        F: Fold<Context<f32> = C::Item>,
+        C::Item: Pack<Scalar = f32>,
+    {
+        match self.engine {}
+    }
+}
+
+/// Texts of shaders, each with a name.
+type Shaders = Result<Vec<(String, String)>, Error>;
+
+/// The shaders of a straight line, which a build without the feature `gpu` does not have.
+///
+/// # Errors
+///
+/// Always [`GpuFault::NotBuilt`](crate::GpuFault::NotBuilt).
+#[doc(hidden)]
+pub fn line_sources(_: &Operation) -> Shaders {
+    Err(Error::Gpu(GpuFault::NotBuilt))
+}
+
+/// The same of a fold.
+///
+/// # Errors
+///
+/// Always [`GpuFault::NotBuilt`](crate::GpuFault::NotBuilt).
+#[doc(hidden)]
+pub fn fold_sources<F: Fold>(_: F) -> Shaders {
+    Err(Error::Gpu(GpuFault::NotBuilt))
+}

@@ -1,51 +1,74 @@
 //! Columns that stay on the machine between calls.
-use super::{Pending, Side};
+use super::Pending;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check, expect};
 use crate::kernels::cpu::plan::Preparation;
-use crate::kernels::gpu;
-use crate::kernels::item::{Column, Columns, Item, One, Single, get, leaves_of, targets_of, width};
+use crate::kernels::item::{Column, Columns, Item, Results, leaves_of, targets_of, width};
+use crate::kernels::machine::{Numbers, There};
+use crate::kernels::real::Real;
+use std::any::Any;
 use std::fmt;
 use std::marker::PhantomData;
 
-/// Numbers of one shape of every item.
-#[doc(hidden)]
-#[derive(Clone, Debug)]
-pub struct Numbers {
-    pub(super) fields: usize,
-    pub(super) rows: Vec<f32>,
+/// Numbers of one shape of every item, on a machine.
+pub trait Stays<T>: fmt::Debug + Send + Sync {
+    /// Numbers of a shape.
+    #[doc(hidden)]
+    fn fields(&self) -> usize;
+    /// The numbers, if they are in the memory of the program.
+    #[doc(hidden)]
+    fn here(&self) -> Option<&[T]>;
+    /// Other numbers, checked, for as many shapes.
+    #[doc(hidden)]
+    fn update(&mut self, rows: Vec<T>);
+    /// Starts the download of columns of the same machine, of which this is one.
+    #[doc(hidden)]
+    fn started(&self, all: &[Box<dyn Stays<T>>]) -> Result<Pending<Vec<Vec<T>>>, Error>;
+    #[doc(hidden)]
+    fn any(&self) -> &dyn Any;
 }
 
-/// A handle of items on the machine: shapes, numbers, or results of several of both.
-///
-/// On the CPU these are plain vectors. On a GPU they lie in buffers; what an operation wants prepared
-/// beforehand (sines of headings, frames of boxes) is computed at its first call and kept.
-pub struct Held<R> {
-    pub(super) count: usize,
-    pub(super) columns: Side<Vec<Numbers>, Vec<gpu::HeldColumn>>,
-    row: PhantomData<fn() -> R>,
-}
-
-impl<R> fmt::Debug for Held<R> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let place = match self.columns {
-            Side::Cpu(_) => "CPU",
-            Side::Gpu(_) => "GPU",
-        };
-        f.debug_struct("Held")
-            .field("count", &self.count)
-            .field("place", &place)
-            .finish()
+impl<T: Real> Stays<T> for Numbers<T> {
+    fn fields(&self) -> usize {
+        self.fields
+    }
+    fn here(&self) -> Option<&[T]> {
+        Some(&self.rows)
+    }
+    fn update(&mut self, rows: Vec<T>) {
+        self.rows = rows;
+    }
+    fn started(&self, all: &[Box<dyn Stays<T>>]) -> Result<Pending<Vec<Vec<T>>>, Error> {
+        let all = all
+            .iter()
+            .map(|own| own.here().unwrap_or_default().to_vec());
+        Ok(Pending::ready(all.collect()))
+    }
+    fn any(&self) -> &dyn Any {
+        self
     }
 }
 
-impl<R> Held<R> {
-    pub(super) fn new(count: usize, columns: Side<Vec<Numbers>, Vec<gpu::HeldColumn>>) -> Self {
-        Held {
-            count,
-            columns,
-            row: PhantomData,
-        }
+/// Columns of a machine, without the types of their items.
+#[derive(Debug)]
+pub struct Stored<T = f32> {
+    count: usize,
+    columns: Vec<Box<dyn Stays<T>>>,
+}
+
+impl<T: Real> Stored<T> {
+    pub(crate) fn new(count: usize, columns: Vec<Box<dyn Stays<T>>>) -> Self {
+        Stored { count, columns }
+    }
+    /// The columns for a call.
+    pub(crate) fn columns(&self) -> impl Iterator<Item = Column<'_, T>> {
+        let own = self.columns.iter();
+        own.map(|own| Column::held(&**own, self.count))
+    }
+    /// The columns of a machine, if all are of that one.
+    pub(crate) fn own<C: 'static>(&self) -> Result<Vec<&C>, Error> {
+        let own = self.columns.iter().map(|own| own.any().downcast_ref());
+        own.collect::<Option<_>>().ok_or(super::FOREIGN)
     }
     /// The number of items.
     #[must_use]
@@ -57,12 +80,77 @@ impl<R> Held<R> {
     pub fn is_empty(&self) -> bool {
         self.count == 0
     }
+    fn started(&self) -> Result<Pending<Vec<Vec<T>>>, Error> {
+        match self.columns.first() {
+            Some(first) => first.started(&self.columns),
+            None => Ok(Pending::ready(Vec::new())),
+        }
+    }
+    /// The numbers of the items: those of the first shape of every item, item by item, then those of the
+    /// second.
+    ///
+    /// # Errors
+    ///
+    /// The errors of the device.
+    pub fn numbers(&self) -> Result<Vec<Vec<T>>, Error> {
+        self.started()?.wait()
+    }
+    /// The first columns, as many as are asked for, and the others.
+    fn cut(self, first: usize) -> [Self; 2] {
+        let (count, mut columns) = (self.count, self.columns);
+        let others = columns.split_off(first.min(columns.len()));
+        [columns, others].map(|columns| Stored { count, columns })
+    }
+}
+
+/// An array on the machine: shapes, numbers, or results of several of both.
+///
+/// On the CPU these are plain vectors. On a GPU they lie in buffers; what an operation wants prepared
+/// beforehand (sines of headings, frames of boxes) is computed at its first call and kept.
+pub struct Held<R: Results> {
+    stored: Stored<R::Scalar>,
+    item: PhantomData<fn() -> R>,
+}
+
+impl<R: Results> fmt::Debug for Held<R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let is_here = self.stored.columns.iter().all(|own| own.here().is_some());
+        f.debug_struct("Held")
+            .field("count", &self.stored.count)
+            .field("place", &if is_here { "CPU" } else { "GPU" })
+            .finish()
+    }
+}
+
+impl<R: Results> Held<R> {
+    pub(crate) fn of(stored: Stored<R::Scalar>) -> Self {
+        Held {
+            stored,
+            item: PhantomData,
+        }
+    }
+    pub(crate) fn stored(&self) -> &Stored<R::Scalar> {
+        &self.stored
+    }
+    pub(crate) fn stored_mut(&mut self) -> &mut Stored<R::Scalar> {
+        &mut self.stored
+    }
+    /// The number of items.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.stored.len()
+    }
+    /// `true` without items.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.stored.is_empty()
+    }
     /// The numbers of the items: those of the first shape of every item, item by item, then those of the
     /// second.
     ///
     /// ```
     /// use geograd::kernels::Backend;
-    /// let held = Backend::Cpu.resident().upload(&[([1.0_f32, 2.0], 3.0_f32), ([4.0, 5.0], 6.0)])?;
+    /// let held = Backend::Cpu.upload(&[([1.0_f32, 2.0], 3.0_f32), ([4.0, 5.0], 6.0)])?;
     /// assert_eq!(held.numbers()?, [vec![1.0, 2.0, 4.0, 5.0], vec![3.0, 6.0]]);
     /// # Ok::<(), geograd::Error>(())
     /// ```
@@ -70,20 +158,14 @@ impl<R> Held<R> {
     /// # Errors
     ///
     /// The errors of the device.
-    pub fn numbers(&self) -> Result<Vec<Vec<f32>>, Error> {
-        match &self.columns {
-            Side::Cpu(own) => Ok(own.iter().map(|own| own.rows.clone()).collect()),
-            #[cfg(feature = "gpu")]
-            Side::Gpu(own) => gpu::held::start_download(own)?.wait(),
-            #[cfg(not(feature = "gpu"))]
-            Side::Gpu(_) => Err(Error::Gpu(crate::GpuFault::NotBuilt)),
-        }
+    pub fn numbers(&self) -> Result<Vec<Vec<R::Scalar>>, Error> {
+        self.stored.numbers()
     }
 }
 
-/// The numbers of rows, checked, shape by shape.
-pub(super) fn numbers_of<R: Item<Scalar = f32>>(rows: &[R]) -> Result<Vec<Numbers>, Error> {
-    let columns = &rows;
+/// The numbers of items, checked, shape by shape.
+pub(crate) fn numbers_of<R: Item>(items: &[R]) -> Result<Vec<Numbers<R::Scalar>>, Error> {
+    let columns = &items;
     let mut all = Vec::new();
     let mut leaves = leaves_of::<R>().into_iter();
     let mut flaw = Ok(());
@@ -101,7 +183,7 @@ pub(super) fn numbers_of<R: Item<Scalar = f32>>(rows: &[R]) -> Result<Vec<Number
 }
 
 /// Results of their numbers, shape by shape.
-fn many_of<R: Item<Scalar = f32>>(count: usize, columns: &[Vec<f32>]) -> R::Many {
+fn many_of<R: Item>(count: usize, columns: &[Vec<R::Scalar>]) -> <R as Item>::Many {
     let mut many = R::many(count);
     for (target, numbers) in targets_of::<R>(&mut many).into_iter().zip(columns) {
         let mut rest = &numbers[..];
@@ -116,14 +198,14 @@ fn many_of<R: Item<Scalar = f32>>(count: usize, columns: &[Vec<f32>]) -> R::Many
     many
 }
 
-impl<R: Item<Scalar = f32>> Held<R> {
+impl<R: Item> Held<R> {
     /// Downloads the items and waits for them: a vector, or one for every shape of a result.
     ///
     /// # Errors
     ///
     /// The errors of the device.
-    pub fn download(&self) -> Result<R::Many, Error> {
-        Ok(many_of::<R>(self.count, &self.numbers()?))
+    pub fn download(&self) -> Result<<R as Item>::Many, Error> {
+        Ok(many_of::<R>(self.len(), &self.numbers()?))
     }
 
     /// Starts the download of the items, which is complete at once on the CPU.
@@ -131,151 +213,57 @@ impl<R: Item<Scalar = f32>> Held<R> {
     /// # Errors
     ///
     /// The errors of the device.
-    pub fn start_download(&self) -> Result<Pending<R::Many>, Error> {
-        match &self.columns {
-            Side::Cpu(_) => Ok(Pending(Side::Cpu(Some(self.download()?)))),
-            #[cfg(feature = "gpu")]
-            Side::Gpu(own) => {
-                let count = self.count;
-                let arriving = gpu::held::start_download(own)?;
-                let made = move |numbers: Vec<Vec<f32>>| many_of::<R>(count, &numbers);
-                Ok(Pending(Side::Gpu(arriving.map(made))))
-            }
-            #[cfg(not(feature = "gpu"))]
-            Side::Gpu(_) => Err(Error::Gpu(crate::GpuFault::NotBuilt)),
-        }
+    pub fn start_download(&self) -> Result<Pending<<R as Item>::Many>, Error>
+    where
+        <R as Item>::Many: 'static,
+    {
+        let count = self.len();
+        let arriving = self.stored.started()?;
+        Ok(arriving.map(move |numbers| many_of::<R>(count, &numbers)))
     }
 
     /// Replaces the items by as many others, as a loop does that moves them. On a GPU it reuses the buffer.
     ///
     /// # Errors
     ///
-    /// The input's for another number of items or one that is not valid (the old ones are then as they
-    /// were), or what the device says.
+    /// [`Error::Length`] for another number of items, [`Error::Invalid`] for one that is not valid (the old ones are
+    /// then as they were), and the errors of the device.
     pub fn update(&mut self, items: &[R]) -> Result<(), Error> {
-        expect(Argument::Shape, self.count, items.len())?;
+        expect(Argument::Shape, self.len(), items.len())?;
         let numbers = numbers_of(items)?;
-        match &mut self.columns {
-            Side::Cpu(own) => *own = numbers,
-            #[cfg(feature = "gpu")]
-            Side::Gpu(own) => {
-                for (own, numbers) in own.iter_mut().zip(numbers) {
-                    own.update(numbers.rows);
-                }
-            }
-            #[cfg(not(feature = "gpu"))]
-            Side::Gpu(_) => return Err(Error::Gpu(crate::GpuFault::NotBuilt)),
+        for (own, numbers) in self.stored.columns.iter_mut().zip(numbers) {
+            own.update(numbers.rows);
         }
         Ok(())
     }
 }
 
-/// Results of several shapes as handles of their own.
+/// Results of several shapes as arrays of their own.
 macro_rules! split {
     ($($first:ident $($name:ident)*;)*) => { $(
-        impl<$first: Item<Scalar = f32>, $($name: Item<Scalar = f32>),*> Held<($first, $($name,)*)> {
-            /// The parts of every item, each as a handle of its own. No data are copied.
+        impl<$first: Item, $($name: Item<Scalar = $first::Scalar>),*> Held<($first, $($name,)*)> {
+            /// The parts of every item, each as an array of its own. No data are copied.
             #[must_use]
             #[allow(non_snake_case)]
             pub fn split(self) -> (Held<$first>, $(Held<$name>,)*) {
-                let count = self.count;
-                let counts = [leaves_of::<$first>().len(), $(leaves_of::<$name>().len(),)*];
-                let mut parts = match self.columns {
-                    Side::Cpu(own) => portions(own, &counts).map(Side::Cpu).collect::<Vec<_>>(),
-                    Side::Gpu(own) => portions(own, &counts).map(Side::Gpu).collect::<Vec<_>>(),
-                }
-                .into_iter();
-                let mut next = || parts.next().unwrap_or(Side::Cpu(Vec::new()));
-                let $first = Held::new(count, next());
-                $(let $name = Held::new(count, next());)*
-                ($first, $($name,)*)
+                let [$first, others] = self.stored.cut(leaves_of::<$first>().len());
+                $(let [$name, others] = others.cut(leaves_of::<$name>().len());)*
+                drop(others);
+                (Held::of($first), $(Held::of($name),)*)
             }
         }
     )* };
 }
 split!(A B; A B C; A B C D; A B C D E; A B C D E F;);
 
-/// A list cut into so many each.
-fn portions<T>(all: Vec<T>, counts: &[usize]) -> impl Iterator<Item = Vec<T>> {
-    let mut all = all.into_iter();
-    counts.iter().map(move |&n| all.by_ref().take(n).collect())
-}
-
-/// One argument of a call: a handle or a shape that all items share.
-#[doc(hidden)]
-#[derive(Debug)]
-pub enum Given<'a> {
-    Cpu(&'a Numbers, usize),
-    Gpu(&'a gpu::HeldColumn),
-    One(Vec<f32>),
-}
-
-/// The arguments of a batch on handles: a handle, [`One`], or a tuple of them.
-pub trait HeldColumns {
-    /// The arguments of one item.
-    type Item: Item<Scalar = f32>;
-    /// The columns, one per shape of a row.
-    #[doc(hidden)]
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Given<'a>));
-}
-
-impl<R: Item<Scalar = f32>> HeldColumns for &Held<R> {
+impl<R: Item> Columns for &Held<R> {
     type Item = R;
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Given<'a>)) {
-        match &self.columns {
-            Side::Cpu(own) => own.iter().for_each(|own| add(Given::Cpu(own, self.count))),
-            Side::Gpu(own) => own.iter().for_each(|own| add(Given::Gpu(own))),
-        }
+    type Place = There;
+    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, R::Scalar>)) {
+        self.stored.columns().for_each(add);
     }
-}
-
-impl<R: Item<Scalar = f32>> HeldColumns for One<R> {
-    type Item = R;
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Given<'a>)) {
-        Columns::list(self, &mut |column| {
-            add(Given::One(column.all().into_owned()))
-        });
+    fn list_of_shapes(&self) -> Column<'_, R::Scalar> {
+        let first = self.stored.columns().next();
+        first.unwrap_or_else(|| Column::lent(&[], width::<R>(), Some(self.len())))
     }
-}
-
-/// Arguments of several columns.
-macro_rules! columns {
-    ($($first:ident $($name:ident)*;)*) => { $(
-        impl<$first: HeldColumns, $($name: HeldColumns),*> HeldColumns for ($first, $($name,)*) {
-            type Item = ($first::Item, $($name::Item,)*);
-            #[allow(non_snake_case)]
-            fn list<'a>(&'a self, add: &mut dyn FnMut(Given<'a>)) {
-                let ($first, $($name,)*) = self;
-                $first.list(add);
-                $($name.list(add);)*
-            }
-        }
-    )* };
-}
-columns!(A B; A B C; A B C D; A B C D E; A B C D E F;);
-
-/// Shapes on the processor.
-pub(super) fn shapes_of<P: Single<Scalar = f32>>(held: &Held<P>) -> Result<Vec<P>, Error> {
-    match &held.columns {
-        Side::Cpu(own) => {
-            let rows = own
-                .iter()
-                .flat_map(|own| own.rows.chunks_exact(width::<P>().max(1)));
-            Ok(rows.map(get::<P>).collect())
-        }
-        Side::Gpu(_) => Err(foreign()),
-    }
-}
-
-pub(super) fn foreign() -> Error {
-    Error::Gpu(crate::GpuFault::ForeignBuffer)
-}
-
-/// Shapes that were computed on the processor.
-pub(super) fn held_of<P: Single<Scalar = f32>>(shapes: &[P]) -> Held<P> {
-    let numbers = Numbers {
-        fields: width::<P>(),
-        rows: Column::of(shapes).all().into_owned(),
-    };
-    Held::new(shapes.len(), Side::Cpu(vec![numbers]))
 }

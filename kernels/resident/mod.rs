@@ -1,13 +1,13 @@
 //! Data that stay on the machine between calls: the same code for the CPU and for a GPU.
 //!
-//! [`Backend::resident`] has the calls of [`Cpu`](crate::kernels::Cpu) for any operation and any program over
-//! handles: columns are uploaded once, results stay as handles, calls chain on handles, and only
-//! [`download`](Held::download) brings data back. On the CPU a handle is the data itself, at no cost.
+//! [`upload`](Machine::upload) makes an array on the machine, a column of every call. Results of such columns
+//! stay there, too, so that calls chain; only [`download`](Held::download) brings data back. Slices and
+//! [`One`](crate::kernels::One) may stand beside arrays. On the CPU an array is the data itself, at no cost.
 //!
 //! ```
 //! use geograd::Obb2;
 //! use geograd::kernels::{Backend, Iou, Op};
-//! let here = Backend::Cpu.resident(); // or of a GPU
+//! let here = Backend::Cpu; // or a GPU
 //! let mut guesses = vec![Obb2::new(0.4, 0.0, 2.0, 2.0, 0.0); 3];
 //! let truths = vec![Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0); 3];
 //!
@@ -30,58 +30,104 @@
 //! assert!(here.aligned(Iou, (&a, &matched))?.download()?[0] > 0.95);
 //! # Ok::<(), geograd::Error>(())
 //! ```
-use crate::GpuFault;
 use crate::error::{Argument, Error};
-use crate::kernels::Backend;
+use crate::kernels::Columns;
 use crate::kernels::cpu::checked::{check_upstream, expect};
-use crate::kernels::gpu;
+use crate::kernels::machine::{Reduced, Reduction, There};
+use crate::kernels::real::Real;
 use crate::kernels::reduce::{self, Best, Found};
-use crate::{Fixed, Vec2};
-use std::future::Future;
-use std::pin::Pin;
-use std::task::{Context, Poll};
+use crate::{Fixed, GpuFault, Vec2};
+use std::any::Any;
+use std::fmt;
 
-/// On the CPU the data, on a GPU a handle.
-#[derive(Clone, Debug)]
-enum Side<C, G> {
-    Cpu(C),
-    #[cfg_attr(not(feature = "gpu"), allow(dead_code))]
-    Gpu(G),
-}
-
-/// Runs the one where all are the CPU's, the other where all are a GPU's, and refuses a mixture.
-macro_rules! on {
-    ($($name:ident = $of:expr),+; $cpu:expr; $gpu:expr) => {
-        match ($($of,)+) {
-            ($(Side::Cpu($name),)+) => $cpu,
-            #[cfg(feature = "gpu")]
-            ($(Side::Gpu($name),)+) => $gpu,
-            #[allow(unreachable_patterns)]
-            _ => Err($crate::Error::Gpu($crate::GpuFault::ForeignBuffer)),
-        }
-    };
-}
-
-mod calls;
 mod held;
-mod matrix;
-mod numbers;
-mod pairs;
+mod pending;
 mod rings;
 
-pub use held::{Held, HeldColumns};
-#[doc(hidden)]
-pub use numbers::HeldNumbers;
+pub(crate) use held::numbers_of;
+pub use held::{Held, Stays, Stored};
+pub use pending::{Later, Pending};
 pub use rings::Rings;
 
-/// Handles: name, what is kept on the CPU and on a GPU, what comes back and how.
-macro_rules! handles {
-    ($($(#[$doc:meta])* $name:ident[$($p:ident: $bound:ident)?] $cpu:ty, $gpu:ty => $out:ty = $get:expr;)*) => { $(
-        $(#[$doc])*
-        #[derive(Clone, Debug)]
-        pub struct $name<$($p: $bound)?>(Side<$cpu, $gpu>);
+#[doc(inline)]
+pub use crate::kernels::Backend as Resident;
+#[cfg(doc)]
+use crate::kernels::machine::Machine;
 
-        impl<$($p: $bound)?> $name<$($p)?> {
+/// Columns of which one at least stays on the machine, so that results stay, too.
+pub trait HeldColumns: Columns<Place = There> {}
+impl<C: Columns<Place = There>> HeldColumns for C {}
+
+/// Columns of plain numbers that stay on the machine.
+pub type HeldNumbers = Stored<f32>;
+
+/// The error for data of another machine.
+pub(crate) const FOREIGN: Error = Error::Gpu(GpuFault::ForeignBuffer);
+
+/// A result that stays on a machine until it is wanted.
+pub trait Downloads<X>: Send + Sync {
+    /// Starts its download.
+    #[doc(hidden)]
+    fn started(&self) -> Result<Pending<X>, Error>;
+    /// The result itself, if it is in the memory of the program.
+    #[doc(hidden)]
+    fn taken(self: Box<Self>) -> Result<X, Error>;
+    #[doc(hidden)]
+    fn boxed(&self) -> Box<dyn Downloads<X>>;
+    #[doc(hidden)]
+    fn any(&self) -> &dyn Any;
+}
+
+/// A result in the memory of the program.
+#[derive(Clone, Debug)]
+pub(crate) struct Ready<X>(pub X);
+
+impl<X: Clone + Send + Sync + 'static> Downloads<X> for Ready<X> {
+    fn started(&self) -> Result<Pending<X>, Error> {
+        Ok(Pending::ready(self.0.clone()))
+    }
+    fn taken(self: Box<Self>) -> Result<X, Error> {
+        Ok(self.0)
+    }
+    fn boxed(&self) -> Box<dyn Downloads<X>> {
+        Box::new(self.clone())
+    }
+    fn any(&self) -> &dyn Any {
+        self
+    }
+}
+
+/// Handles of results: a name, and what comes back.
+macro_rules! handles {
+    ($($(#[$doc:meta])* $name:ident<$p:ident: $bound:ident $(= $default:ty)?> $({ $more:ident: $type:ty })? => $out:ty;)*) => { $(
+        $(#[$doc])*
+        pub struct $name<$p: $bound $(= $default)?> {
+            found: Box<dyn Downloads<$out>>,
+            $(pub(crate) $more: $type,)?
+        }
+
+        impl<$p: $bound> fmt::Debug for $name<$p> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.debug_struct(stringify!($name)).finish_non_exhaustive()
+            }
+        }
+
+        impl<$p: $bound> Clone for $name<$p> {
+            fn clone(&self) -> Self {
+                $name { found: self.found.boxed() $(, $more: self.$more)? }
+            }
+        }
+
+        impl<$p: $bound> $name<$p> {
+            pub(crate) fn new(found: impl Downloads<$out> + 'static $(, $more: $type)?) -> Self {
+                $name { found: Box::new(found) $(, $more)? }
+            }
+            /// The handle of a machine, if it is of that one.
+            #[allow(dead_code)]
+            pub(crate) fn own<D: 'static>(&self) -> Result<&D, Error> {
+                self.found.any().downcast_ref().ok_or(FOREIGN)
+            }
+
             /// Downloads it and waits for it.
             ///
             /// # Errors
@@ -97,152 +143,226 @@ macro_rules! handles {
             ///
             /// The errors of the device.
             pub fn start_download(&self) -> Result<Pending<$out>, Error> {
-                on!(own = &self.0;
-                    Ok(Pending(Side::Cpu(Some($get(own)))));
-                    Ok(Pending(Side::Gpu(own.start_download()?))))
+                self.found.started()
+            }
+
+            /// What comes back, without a copy where it is in the memory of the program.
+            #[allow(dead_code)]
+            pub(crate) fn taken(self) -> Result<$out, Error> {
+                self.found.taken()
             }
         }
     )* };
 }
 
 handles! {
-    /// One number per pair of two lists, row by row.
-    Matrix[] reduce::Matrix, gpu::Matrix => Vec<f32> = |own: &reduce::Matrix| own.values.clone();
-    /// The largest score of every row or column, with its place.
-    Bests[] (Vec<Best>, usize), gpu::Bests => Vec<Best> = |own: &(Vec<Best>, usize)| own.0.clone();
+    /// The largest score of every row or column, with its place among so many.
+    Bests<T: Real = f32> { among: usize } => Vec<Best<T>>;
     /// Pairs whose score is above a threshold, row by row and within a row by column.
-    Founds[] Vec<Found>, gpu::Founds => Vec<Found> = Vec::clone;
+    Founds<T: Real = f32> => Vec<Found<T>>;
     /// One result per ring.
-    RingValues[T: RingResult] Vec<T>, gpu::RingValues<T> => Vec<T> = Vec::clone;
+    RingValues<T: RingResult> => Vec<T>;
     /// One cotangent per vertex.
-    RingBars[] Vec<Vec2<f32>>, gpu::RingBars => Vec<Vec2<f32>> = Vec::clone;
+    RingBars<T: Real = f32> => Vec<Vec2<T>>;
 }
 
 /// A result of an operation of rings.
 pub trait RingResult: Fixed<Scalar = f32> + 'static {}
 impl<T: Fixed<Scalar = f32> + 'static> RingResult for T {}
 
-/// A download that was started: wait for it, or await it.
-#[must_use = "nothing arrives unless waited for"]
-#[derive(Debug)]
-pub struct Pending<T>(Side<Option<T>, gpu::Pending<T>>);
-
-impl<T> Pending<T> {
-    /// Waits for it.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuFault::DeviceLost`], or [`GpuFault::OutOfMemory`] when there is no room for it.
-    pub fn wait(self) -> Result<T, Error> {
-        on!(own = self.0; own.ok_or(Error::Gpu(GpuFault::DeviceLost)); own.wait())
-    }
+/// A matrix of a machine.
+pub trait Matrices<T: Real>: fmt::Debug + Send + Sync {
+    #[doc(hidden)]
+    fn size(&self) -> [usize; 2];
+    #[doc(hidden)]
+    fn update(&mut self, values: &[T]) -> Result<(), Error>;
+    #[doc(hidden)]
+    fn started(&self) -> Result<Pending<Vec<T>>, Error>;
+    /// A reduction, which was checked.
+    #[doc(hidden)]
+    fn reduce(&self, reduction: Reduction<T>) -> Result<Reduced<T>, Error>;
+    #[doc(hidden)]
+    fn duplicate(&self) -> Result<Matrix<T>, Error>;
+    #[doc(hidden)]
+    fn duplicate_into(&self, to: &mut Matrix<T>) -> Result<(), Error>;
+    #[doc(hidden)]
+    fn boxed(&self) -> Matrix<T>;
+    #[doc(hidden)]
+    fn any(&self) -> &dyn Any;
+    #[doc(hidden)]
+    fn any_mut(&mut self) -> &mut dyn Any;
 }
 
-impl<T: Unpin> Future for Pending<T> {
-    type Output = Result<T, Error>;
-
-    #[cfg_attr(not(feature = "gpu"), allow(unused_variables))]
-    fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
-        match &mut self.get_mut().0 {
-            // Polled again after it was ready, it has nothing more to give.
-            Side::Cpu(own) => own.take().map_or(Poll::Pending, |own| Poll::Ready(Ok(own))),
-            #[cfg(feature = "gpu")]
-            Side::Gpu(own) => Pin::new(own).poll(context),
-            #[cfg(not(feature = "gpu"))]
-            Side::Gpu(_) => Poll::Ready(Err(Error::Gpu(GpuFault::NotBuilt))),
-        }
+impl<T: Real> Matrices<T> for reduce::Matrix<T> {
+    fn size(&self) -> [usize; 2] {
+        [self.rows(), self.columns()]
     }
-}
-
-/// The calls of [`Cpu`](crate::kernels::Cpu) on data that stay on the machine: [`Backend::resident`] returns it.
-///
-/// ```
-/// use geograd::kernels::{Backend, Distance, Iou, Op, One};
-/// use geograd::{Obb3, Rotation3, Segment2, Vec2, Vec3};
-/// let resident = Backend::Cpu.resident(); // or of a GPU
-///
-/// let boxes = |turn| {
-///     let size = Vec3::new(4.0, 2.0, 1.5);
-///     [0.0, 5.0].map(|x| Obb3::new(Vec3::new(x, 0.0, 0.0), size, Rotation3::new(1.0, 0.0, 0.0, turn)))
-/// };
-/// let (a, b) = (resident.upload(&boxes(0.0))?, resident.upload(&boxes(0.1))?);
-/// let iou = resident.aligned(Iou, (&a, &b))?; // stays there
-/// let matrix = resident.all_pairs(Iou, &a, &b)?; // of the same boxes: nothing goes up again
-/// assert_eq!(matrix.download()?[3], iou.download()?[1]);
-///
-/// // Results are arguments of what comes next: here derivatives, times those of what is made of the distances.
-/// let points = resident.upload(&[Vec2::new(0.0, 1.0), Vec2::new(3.0, 0.0)])?;
-/// let wall = One(Segment2::new(Vec2::new(0.0, 0.0), Vec2::new(2.0, 0.0)));
-/// let (distances, _) = resident.aligned(Distance.value_grad(), (&points, wall))?.split();
-/// let derivatives = resident.aligned(Distance.vjp(), ((&points, wall), &distances))?;
-/// assert_eq!(derivatives.download()?.0, [Vec2::new(0.0, 1.0), Vec2::new(1.0, 0.0)]);
-/// # Ok::<(), geograd::Error>(())
-/// ```
-#[derive(Clone, Copy, Debug)]
-pub struct Resident<'a>(Backend<'a>);
-
-impl<'a> Backend<'a> {
-    /// The same calls on data that stay on the machine.
-    #[must_use]
-    pub fn resident(self) -> Resident<'a> {
-        Resident(self)
+    fn update(&mut self, values: &[T]) -> Result<(), Error> {
+        self.values.copy_from_slice(values);
+        Ok(())
     }
-}
-
-impl Resident<'_> {
-    /// Uploads a matrix, row by row.
-    ///
-    /// # Errors
-    ///
-    /// The input's for a number that is not finite or a slice of another length than rows
-    /// times columns, or what the device says.
-    pub fn upload_matrix(
-        self,
-        rows: usize,
-        columns: usize,
-        values: &[f32],
-    ) -> Result<Matrix, Error> {
-        Ok(Matrix(match self.0 {
-            Backend::Cpu => {
-                let expected = rows.checked_mul(columns).ok_or(Error::TooLarge)?;
-                expect(Argument::Upstream, expected, values.len())?;
-                check_upstream(values, 1)?;
-                Side::Cpu(reduce::Matrix::new(rows, columns, values.to_vec())?)
+    fn started(&self) -> Result<Pending<Vec<T>>, Error> {
+        Ok(Pending::ready(self.values.clone()))
+    }
+    fn reduce(&self, reduction: Reduction<T>) -> Result<Reduced<T>, Error> {
+        Ok(match reduction {
+            Reduction::Best { of_rows: true } => {
+                Reduced::Bests(Bests::new(Ready(self.row_max()?), self.columns()))
             }
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => Side::Gpu(gpu.upload_matrix(rows, columns, values)?),
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu(gpu) => match *gpu {},
-        }))
+            Reduction::Best { of_rows: false } => {
+                Reduced::Bests(Bests::new(Ready(self.column_max()?), self.rows()))
+            }
+            Reduction::Above(threshold) => {
+                Reduced::Founds(Founds::new(Ready(self.above(threshold)?)))
+            }
+            Reduction::Count(threshold) => Reduced::Count(self.count_above(threshold)?),
+            Reduction::Sum => Reduced::Sum(self.sum()),
+        })
+    }
+    fn duplicate(&self) -> Result<Matrix<T>, Error> {
+        Ok(self.boxed())
+    }
+    fn duplicate_into(&self, to: &mut Matrix<T>) -> Result<(), Error> {
+        let to = to.own_mut::<Self>()?;
+        expect(Argument::Values, self.rows(), to.rows())?;
+        expect(Argument::Values, self.columns(), to.columns())?;
+        to.values.copy_from_slice(&self.values);
+        Ok(())
+    }
+    fn boxed(&self) -> Matrix<T> {
+        Matrix(Box::new(self.clone()))
+    }
+    fn any(&self) -> &dyn Any {
+        self
+    }
+    fn any_mut(&mut self) -> &mut dyn Any {
+        self
     }
 }
 
-impl Matrix {
+/// One number per pair of two lists, row by row, on a machine.
+#[derive(Debug)]
+pub struct Matrix<T: Real = f32>(pub(crate) Box<dyn Matrices<T>>);
+
+impl<T: Real> Clone for Matrix<T> {
+    fn clone(&self) -> Self {
+        self.0.boxed()
+    }
+}
+
+impl<T: Real> Matrix<T> {
+    /// The matrix of a machine, if it is of that one.
+    pub(crate) fn own<M: 'static>(&self) -> Result<&M, Error> {
+        self.0.any().downcast_ref().ok_or(FOREIGN)
+    }
+    pub(crate) fn own_mut<M: 'static>(&mut self) -> Result<&mut M, Error> {
+        self.0.any_mut().downcast_mut().ok_or(FOREIGN)
+    }
+
+    /// The number of rows.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.0.size()[0]
+    }
+    /// The number of columns.
+    #[must_use]
+    pub fn columns(&self) -> usize {
+        self.0.size()[1]
+    }
+
+    /// Downloads it and waits for it.
+    ///
+    /// # Errors
+    ///
+    /// The errors of the device.
+    pub fn download(&self) -> Result<Vec<T>, Error> {
+        self.start_download()?.wait()
+    }
+
+    /// Starts the download, which is complete at once on the CPU.
+    ///
+    /// # Errors
+    ///
+    /// The errors of the device.
+    pub fn start_download(&self) -> Result<Pending<Vec<T>>, Error> {
+        self.0.started()
+    }
+
+    /// Replaces the numbers by as many others, in the same buffers.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] for another number of values, [`Error::Invalid`] for one that is not finite, and the errors of
+    /// the device.
+    pub fn update(&mut self, values: &[T]) -> Result<(), Error> {
+        expect(
+            Argument::Upstream,
+            self.rows() * self.columns(),
+            values.len(),
+        )?;
+        check_upstream(values, 1)?;
+        self.0.update(values)
+    }
+
     /// A copy of the numbers on the same machine.
     ///
     /// # Errors
     ///
     /// The errors of the device.
-    pub fn duplicate(&self) -> Result<Matrix, Error> {
-        on!(own = &self.0;
-            Ok(Matrix(Side::Cpu(own.clone())));
-            Ok(Matrix(Side::Gpu(own.duplicate()?))))
+    pub fn duplicate(&self) -> Result<Matrix<T>, Error> {
+        self.0.duplicate()
     }
 
     /// [`duplicate`](Matrix::duplicate) into another matrix of the same size; it measures the speed of memory.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] for a matrix of another size, [`GpuFault::ForeignBuffer`] for one of another backend, or
+    /// [`Error::Length`] for a matrix of another size, [`GpuFault::ForeignBuffer`] for one of another machine, and
     /// those of the device.
-    pub fn duplicate_into(&self, to: &mut Matrix) -> Result<(), Error> {
-        on!(own = &self.0, to = &mut to.0;
-        {
-            expect(Argument::Values, own.rows(), to.rows())?;
-            expect(Argument::Values, own.columns(), to.columns())?;
-            to.values.copy_from_slice(&own.values);
-            Ok(())
-        };
-        own.duplicate_into(to))
+    pub fn duplicate_into(&self, to: &mut Matrix<T>) -> Result<(), Error> {
+        self.0.duplicate_into(to)
+    }
+}
+
+/// Reductions of a matrix on the machine.
+macro_rules! reductions {
+    ($($(#[$doc:meta])* $name:ident($($arg:ident)?) -> $out:ty = $reduction:expr, $taken:ident;)*) => {
+        impl<T: Real> Matrix<T> { $(
+            $(#[$doc])*
+            ///
+            /// # Errors
+            ///
+            /// [`Error::Length`] for rows or columns of nothing, [`Error::Invalid`] for a threshold that is not finite,
+            /// and the errors of the device.
+            pub fn $name(&self $(, $arg: T)?) -> Result<$out, Error> {
+                let reduction: Reduction<T> = $reduction;
+                reduction.check(self.rows(), self.columns())?;
+                Ok(self.0.reduce(reduction)?.$taken())
+            }
+        )* }
+    };
+}
+
+reductions! {
+    /// The largest number of every row and its column; of several the first.
+    row_max() -> Bests<T> = Reduction::Best { of_rows: true }, bests;
+    /// The largest number of every column and its row; of several the first.
+    column_max() -> Bests<T> = Reduction::Best { of_rows: false }, bests;
+    /// Every number above the threshold, with its place.
+    above(threshold) -> Founds<T> = Reduction::Above(threshold), founds;
+    /// The count of numbers above the threshold.
+    count_above(threshold) -> u64 = Reduction::Count(threshold), count;
+    /// The sum of all numbers.
+    sum() -> f64 = Reduction::Sum, sum;
+}
+
+impl<T: Real> Matrix<T> {
+    /// The mean of all numbers; 0 without any.
+    ///
+    /// # Errors
+    ///
+    /// The errors of the device.
+    pub fn mean(&self) -> Result<f64, Error> {
+        Ok(self.sum()? / (self.rows() as f64 * self.columns() as f64).max(1.0))
     }
 }

@@ -1,22 +1,25 @@
 //! Rings on the machine between calls.
-use super::{Resident, RingBars, RingValues, Side};
-use crate::Error;
+use super::{Ready, RingBars, RingValues};
 use crate::Vec2;
-use crate::error::Argument;
+use crate::error::{Argument, Error};
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::fold::Fold;
 use crate::kernels::gpu;
 use crate::kernels::{Backend, Cpu};
 
-/// Vertices, and where each ring begins among them.
-type Held = (Vec<Vec2<f32>>, Vec<usize>);
-
-/// A handle of rings, which are checked.
+/// Rings on a machine, which are checked.
 #[derive(Clone, Debug)]
-pub struct Rings(Side<Held, gpu::Rings>);
+pub struct Rings(Side);
 
-impl Resident<'_> {
+/// On the CPU vertices, and where each ring begins among them.
+#[derive(Clone, Debug)]
+enum Side {
+    Cpu(Vec<Vec2<f32>>, Vec<usize>),
+    Gpu(gpu::Rings),
+}
+
+impl Backend<'_> {
     /// Checks rings and uploads them. Ring i has the vertices
     /// `offsets[i]..offsets[i + 1]`.
     ///
@@ -24,15 +27,12 @@ impl Resident<'_> {
     ///
     /// The input's as [`Cpu::ragged`](crate::kernels::Cpu::ragged), or what the device says.
     pub fn upload_rings(self, vertices: &[Vec2<f32>], offsets: &[usize]) -> Result<Rings, Error> {
-        Ok(Rings(match self.0 {
+        Ok(Rings(match self {
             Backend::Cpu => {
                 check_ragged(vertices, offsets)?;
-                Side::Cpu((vertices.to_vec(), offsets.to_vec()))
+                Side::Cpu(vertices.to_vec(), offsets.to_vec())
             }
-            #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => Side::Gpu(gpu.upload_rings(vertices, offsets)?),
-            #[cfg(not(feature = "gpu"))]
-            Backend::Gpu(gpu) => match *gpu {},
+            Backend::Gpu(gpu) => Side::Gpu(gpu.engine.upload_rings(vertices, offsets)?),
         }))
     }
 }
@@ -54,9 +54,15 @@ impl Rings {
                 "resident rings have areas, perimeters and centroids"
             )
         };
-        on!(own = &self.0;
-            Ok(RingValues(Side::Cpu(Cpu::new().ragged(measure, &own.0, &own.1)?)));
-            Ok(RingValues(Side::Gpu(own.gpu().ragged_of(const { F::MEASURE.expect("by hand") }, own)?))))
+        Ok(match &self.0 {
+            Side::Cpu(vertices, offsets) => {
+                RingValues::new(Ready(Cpu::new().ragged(measure, vertices, offsets)?))
+            }
+            Side::Gpu(own) => RingValues::new(
+                own.gpu()
+                    .ragged_of(const { F::MEASURE.expect("by hand") }, own)?,
+            ),
+        })
     }
 
     /// [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
@@ -75,9 +81,16 @@ impl Rings {
                 "resident rings have areas, perimeters and centroids"
             )
         };
-        on!(own = &self.0;
-            Ok(RingBars(Side::Cpu(Cpu::new().ragged_vjp(measure, &own.0, &own.1, upstream)?)));
-            Ok(RingBars(Side::Gpu(own.gpu().ragged_vjp_of(const { F::MEASURE.expect("by hand") }, own, upstream)?))))
+        Ok(match &self.0 {
+            Side::Cpu(vertices, offsets) => RingBars::new(Ready(
+                Cpu::new().ragged_vjp(measure, vertices, offsets, upstream)?,
+            )),
+            Side::Gpu(own) => RingBars::new(own.gpu().ragged_vjp_of(
+                const { F::MEASURE.expect("by hand") },
+                own,
+                upstream,
+            )?),
+        })
     }
 
     /// Replaces the vertices; each ring keeps its number of them.
@@ -87,13 +100,14 @@ impl Rings {
     /// The input's for another number of vertices or one that is not finite (the old ones
     /// are then as they were), or what the device says.
     pub fn update(&mut self, vertices: &[Vec2<f32>]) -> Result<(), Error> {
-        on!(own = &mut self.0;
-        {
-            expect(Argument::Vertices, own.0.len(), vertices.len())?;
-            check_ragged(vertices, &own.1)?;
-            own.0.copy_from_slice(vertices);
-            Ok(())
-        };
-        own.update(vertices))
+        match &mut self.0 {
+            Side::Cpu(own, offsets) => {
+                expect(Argument::Vertices, own.len(), vertices.len())?;
+                check_ragged(vertices, offsets)?;
+                own.copy_from_slice(vertices);
+                Ok(())
+            }
+            Side::Gpu(own) => own.update(vertices),
+        }
     }
 }

@@ -322,7 +322,7 @@ fn too_much_is_an_error() {
     let Some((_turn, gpu)) = gpu() else { return };
     // More than any address space: refused before anything is asked of the device.
     let here = Backend::Gpu(gpu).resident();
-    let refused = here.upload_matrix(usize::MAX, 2, &[]);
+    let refused = here.upload_matrix(usize::MAX, 2, &[] as &[f32]);
     assert_eq!(refused.unwrap_err(), Error::TooLarge);
 }
 

@@ -1,6 +1,7 @@
 //! How results come back: at once, later, or awaited.
 use super::data::Piece;
-use super::{Gpu, Inner};
+use super::{Device, Inner};
+use crate::kernels::resident::Later;
 use crate::{Error, GpuFault};
 use std::future::Future;
 use std::pin::Pin;
@@ -11,7 +12,7 @@ use std::time::Duration;
 
 impl Inner {
     /// Starts bringing numbers back.
-    pub fn bring(&self, gpu: &Gpu, parts: &[(&wgpu::Buffer, u64)]) -> Result<Arrival, Error> {
+    pub fn bring(&self, gpu: &Device, parts: &[(&wgpu::Buffer, u64)]) -> Result<Arrival, Error> {
         let whole: Vec<_> = parts
             .iter()
             .map(|&(from, bytes)| (from, 0, bytes))
@@ -22,7 +23,7 @@ impl Inner {
     /// Starts bringing back so many bytes of every buffer, from a byte on.
     pub fn bring_parts(
         &self,
-        gpu: &Gpu,
+        gpu: &Device,
         parts: &[(&wgpu::Buffer, u64, u64)],
     ) -> Result<Arrival, Error> {
         self.guarded(|| {
@@ -112,7 +113,7 @@ const PATIENCE: Duration = Duration::from_millis(50);
 /// Buffers on their way to the processor.
 #[derive(Debug)]
 pub(super) struct Arrival {
-    gpu: Gpu,
+    gpu: Device,
     staged: Vec<(wgpu::Buffer, u64)>,
     state: Arc<State>,
     submission: wgpu::SubmissionIndex,
@@ -172,18 +173,6 @@ impl<T> Pending<T> {
         Pending {
             arrival,
             make: Box::new(make),
-        }
-    }
-
-    /// The same download, with a function of its result.
-    pub(crate) fn map<U>(self, with: impl Fn(T) -> U + Send + 'static) -> Pending<U>
-    where
-        T: 'static,
-    {
-        let mut make = self.make;
-        Pending {
-            arrival: self.arrival,
-            make: Box::new(move |arrival| make(arrival).map(&with)),
         }
     }
 
@@ -250,20 +239,30 @@ pub(super) fn parts(
         .collect()
 }
 
-/// The download that waits, for every handle that has one that does not.
-macro_rules! download {
-    ($([$($generic:tt)*] $name:ty => $out:ty;)*) => { $(
-        impl<$($generic)*> $name {
-            /// Brings it back and waits for it.
-            ///
-            /// # Errors
-            ///
-            /// The errors of the device.
-            pub fn download(&self) -> Result<$out, Error> {
-                self.start_download()?.wait()
-            }
-        }
-    )* };
+impl<T> Later<T> for Pending<T> {
+    fn wait(self: Box<Self>) -> Result<T, Error> {
+        Pending::wait(*self)
+    }
 }
 
-pub(super) use download;
+/// What the interface of machines asks of a handle that has `start_download`.
+macro_rules! downloads {
+    ($out:ty) => {
+        fn started(&self) -> Result<crate::kernels::resident::Pending<$out>, Error> {
+            Ok(crate::kernels::resident::Pending::later(
+                self.start_download()?,
+            ))
+        }
+        fn taken(self: Box<Self>) -> Result<$out, Error> {
+            self.start_download()?.wait()
+        }
+        fn boxed(&self) -> Box<dyn Downloads<$out>> {
+            Box::new(self.clone())
+        }
+        fn any(&self) -> &dyn std::any::Any {
+            self
+        }
+    };
+}
+
+pub(super) use downloads;

@@ -1,16 +1,17 @@
 //! Compacted lists on the GPU: the pairs whose score is above a threshold.
-use super::download::download;
+use super::download::downloads;
 use super::table::Table;
 use super::work::{Params, Work};
 use super::written::Take;
-use super::{Gpu, Matrix, Pending};
+use super::{Device, Pending};
 use crate::Error;
-use crate::kernels::reduce::{Found, check_threshold};
+use crate::kernels::reduce::Found;
+use crate::kernels::resident::Downloads;
 
 /// Pairs whose score is above a threshold, on the GPU.
 #[derive(Clone, Debug)]
 pub struct Founds {
-    gpu: Gpu,
+    gpu: Device,
     /// Triples of row, column and score, and how many.
     lists: Vec<(wgpu::Buffer, usize)>,
     /// `true` if rows come once per piece of columns.
@@ -18,25 +19,14 @@ pub struct Founds {
 }
 
 impl Founds {
-    /// How many pairs.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.lists.iter().map(|list| list.1).sum()
-    }
-
-    /// `true` if there are none.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.lists.is_empty()
-    }
-
     /// Starts bringing them back, row by row and within a row by column.
     ///
     /// # Errors
     ///
     /// The errors of the device.
     pub fn start_download(&self) -> Result<Pending<Vec<Found>>, Error> {
-        let (len, is_mixed) = (self.len(), self.is_mixed);
+        let len = self.lists.iter().map(|list| list.1).sum();
+        let is_mixed = self.is_mixed;
         let lists = self.lists.iter();
         let parts: Vec<_> = lists.map(|(list, n)| (list, BYTES * *n as u64)).collect();
         let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
@@ -57,18 +47,17 @@ impl Founds {
     }
 }
 
-download! {
-    [] Founds => Vec<Found>;
-}
-
 /// Bytes of one pair in a list.
 const BYTES: u64 = 12;
+
+impl Downloads<Vec<Found>> for Founds {
+    downloads!(Vec<Found>);
+}
 
 impl Table<'_> {
     /// Every pair above the threshold: counted first, then written to places that follow from the
     /// counts, so the order is the same every time.
     pub fn above(mut self, threshold: f32) -> Result<Founds, Error> {
-        check_threshold(threshold)?;
         let (gpu, inner) = (self.gpu, &self.gpu.inner);
         let mut all = Founds {
             gpu: gpu.clone(),
@@ -119,16 +108,5 @@ impl Table<'_> {
             all.lists.push((list, found));
         }
         Ok(all)
-    }
-}
-
-impl Matrix {
-    /// Every number above the threshold and where it is, as a list that stays on the GPU.
-    ///
-    /// # Errors
-    ///
-    /// The input's for a threshold that is not finite, or what the device says.
-    pub fn above(&self, threshold: f32) -> Result<Founds, Error> {
-        Table::of_matrix(self, true).above(threshold)
     }
 }

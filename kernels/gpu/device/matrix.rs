@@ -1,49 +1,28 @@
 //! Matrices that stay on the GPU.
 use super::block::{Block, block_of, place_block};
-use super::download::download;
+use super::table::Table;
 use super::work::{MOST_GROUPS, Params, Work, groups};
 use super::written::GROUP;
-use super::{Gpu, Pending};
+use super::{Device, Pending};
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::checked::{check_upstream, entries, expect};
+use crate::kernels::cpu::checked::{entries, expect};
+use crate::kernels::machine::{Reduced, Reduction};
+use crate::kernels::resident::{self, Matrices};
+use std::any::Any;
 
 /// A matrix on the GPU: one number per row of one list and row of another. Clones of a handle are
 /// the same numbers.
 #[derive(Clone, Debug)]
 pub struct Matrix {
-    pub(super) gpu: Gpu,
+    pub(super) gpu: Device,
     pub(super) rows: usize,
     pub(super) columns: usize,
     pub(super) blocks: Vec<(Block, wgpu::Buffer)>,
 }
 
-impl Gpu {
-    /// Brings a matrix to the GPU, such as the upstream gradient of all pairs of two lists.
-    ///
-    /// # Errors
-    ///
-    /// The input's for a number that is not finite or a slice of another length than
-    /// rows times columns, or what the device says.
-    pub fn upload_matrix(
-        &self,
-        rows: usize,
-        columns: usize,
-        values: &[f32],
-    ) -> Result<Matrix, Error> {
-        let expected = rows.checked_mul(columns).ok_or(Error::TooLarge)?;
-        expect(Argument::Upstream, expected, values.len())?;
-        check_upstream(values, 1)?;
-        self.inner.guarded(|| {
-            let made = Matrix::room(self, rows, columns)?;
-            made.write(values);
-            Ok(made)
-        })
-    }
-}
-
 impl Matrix {
     /// Room for a matrix.
-    pub(super) fn room(gpu: &Gpu, rows: usize, columns: usize) -> Result<Self, Error> {
+    pub(super) fn room(gpu: &Device, rows: usize, columns: usize) -> Result<Self, Error> {
         entries(rows, columns, 1)?;
         let blocks = gpu.inner.cut(rows, columns, 4).into_iter().map(|block| {
             let values = gpu.inner.storage(block.rows * block.columns);
@@ -57,6 +36,7 @@ impl Matrix {
         })
     }
 
+    /// Other numbers, checked.
     fn write(&self, values: &[f32]) {
         for (block, buffer) in &self.blocks {
             let inner = &self.gpu.inner;
@@ -64,25 +44,16 @@ impl Matrix {
         }
     }
 
-    /// The same numbers in other buffers, copied by a kernel: also how fast memory can be had.
-    ///
-    /// # Errors
-    ///
-    /// The errors of the device.
-    pub fn duplicate(&self) -> Result<Matrix, Error> {
+    /// The same numbers in other buffers, copied by a kernel.
+    fn copied(&self) -> Result<Matrix, Error> {
         let made = || Matrix::room(&self.gpu, self.rows, self.columns);
-        let mut to = self.gpu.inner.guarded(made)?;
-        self.duplicate_into(&mut to)?;
+        let to = self.gpu.inner.guarded(made)?;
+        self.copied_into(&to)?;
         Ok(to)
     }
 
-    /// [`duplicate`](Matrix::duplicate) over numbers that are there already.
-    ///
-    /// # Errors
-    ///
-    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), [`Error::Length`] for a matrix of another size, or what
-    /// the device says.
-    pub fn duplicate_into(&self, to: &mut Matrix) -> Result<(), Error> {
+    /// The same over numbers that are there already.
+    fn copied_into(&self, to: &Matrix) -> Result<(), Error> {
         self.gpu
             .fits(to, self.rows, self.columns, Argument::Values)?;
         let inner = &self.gpu.inner;
@@ -103,32 +74,6 @@ impl Matrix {
             }
             work.submit().map(drop)
         })
-    }
-
-    /// Puts another matrix of the same size in its place, without a new buffer.
-    ///
-    /// # Errors
-    ///
-    /// The input's for another size or a number that is not finite, or what the device
-    /// says.
-    pub fn update(&mut self, values: &[f32]) -> Result<(), Error> {
-        expect(Argument::Upstream, self.rows * self.columns, values.len())?;
-        check_upstream(values, 1)?;
-        self.gpu.inner.guarded(|| {
-            self.write(values);
-            Ok(())
-        })
-    }
-
-    /// How many rows.
-    #[must_use]
-    pub fn rows(&self) -> usize {
-        self.rows
-    }
-    /// How many columns.
-    #[must_use]
-    pub fn columns(&self) -> usize {
-        self.columns
     }
 
     /// Starts bringing the matrix back, row by row.
@@ -156,10 +101,44 @@ impl Matrix {
     }
 }
 
+impl Matrices<f32> for Matrix {
+    fn size(&self) -> [usize; 2] {
+        [self.rows, self.columns]
+    }
+    fn update(&mut self, values: &[f32]) -> Result<(), Error> {
+        self.gpu.inner.guarded(|| {
+            self.write(values);
+            Ok(())
+        })
+    }
+    fn started(&self) -> Result<resident::Pending<Vec<f32>>, Error> {
+        Ok(resident::Pending::later(self.start_download()?))
+    }
+    fn reduce(&self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
+        let own_rows = reduction != Reduction::Best { of_rows: false };
+        Table::of_matrix(self, own_rows).reduced(reduction)
+    }
+    fn duplicate(&self) -> Result<resident::Matrix, Error> {
+        Ok(self.copied()?.boxed())
+    }
+    fn duplicate_into(&self, to: &mut resident::Matrix) -> Result<(), Error> {
+        self.copied_into(to.own()?)
+    }
+    fn boxed(&self) -> resident::Matrix {
+        resident::Matrix(Box::new(self.clone()))
+    }
+    fn any(&self) -> &dyn Any {
+        self
+    }
+    fn any_mut(&mut self) -> &mut dyn Any {
+        self
+    }
+}
+
 /// Numbers that a dispatch copies at most.
 const MOST_COPIED: usize = MOST_GROUPS * GROUP;
 
-impl Gpu {
+impl Device {
     /// Refuses a matrix of another context or another size.
     pub(super) fn fits(
         &self,
@@ -172,8 +151,4 @@ impl Gpu {
         expect(argument, rows, matrix.rows)?;
         expect(argument, columns, matrix.columns)
     }
-}
-
-download! {
-    [] Matrix => Vec<f32>;
 }

@@ -5,7 +5,7 @@ use super::download::parts;
 use super::seed::{Seed, sum_of};
 use super::work::{Params, Work, groups};
 use super::written::{ANY, Kernel, Mirror, STEP, STRIP_VJP, Source, TILE, pair_source};
-use super::{Gpu, Inner, Matrix, written};
+use super::{Device, Inner, Matrix, written};
 use crate::Error;
 
 impl Inner {
@@ -59,7 +59,11 @@ impl Mirrored {
 
     /// The numbers of the derivatives of both lists, and the sum of all results where one factor is the seed of
     /// all.
-    pub fn derivatives(&self, gpu: &Gpu, seed: &Seed<'_>) -> Result<([Vec<f32>; 2], f64), Error> {
+    pub fn derivatives(
+        &self,
+        gpu: &Device,
+        seed: &Seed<'_>,
+    ) -> Result<([Vec<f32>; 2], f64), Error> {
         let inner = &gpu.inner;
         let sweep = Sweep::new(inner, self, seed)?;
         let mut totals = Vec::new();
@@ -179,7 +183,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// Brings the derivatives of both lists back, box by box.
-    fn bring(&self, gpu: &Gpu) -> Result<[Vec<f32>; 2], Error> {
+    fn bring(&self, gpu: &Device) -> Result<[Vec<f32>; 2], Error> {
         let whole = |items: usize| items.next_multiple_of(TILE) * self.fields;
         let [a, b] = &self.derivatives;
         let both = [parts(a, whole), parts(b, whole)].concat();

@@ -26,34 +26,31 @@ mod adapter;
 mod block;
 mod data;
 mod download;
+mod engine;
 mod found;
 mod generated;
-pub(crate) mod lists;
+mod lists;
 mod matrix;
 mod mirrored;
 mod plans;
 mod reduce;
 mod rings;
-pub(crate) mod seed;
+mod seed;
 mod table;
 mod work;
 mod written;
 
 pub use adapter::{Adapter, Choice, Options};
-pub(crate) use download::Pending;
-pub(crate) use found::Founds;
-pub(crate) use generated::held;
-#[doc(hidden)]
-pub use generated::held::{Given, HeldColumn};
+use download::Pending;
 #[doc(hidden)]
 pub use generated::operation::Generated;
 pub use generated::{fold_sources, line_sources, op_sources, replay_source};
-pub(crate) use lists::Lists;
-pub(crate) use matrix::Matrix;
-pub(crate) use reduce::Bests;
-pub(crate) use rings::{RingBars, RingValues, Rings};
+use matrix::Matrix;
+use reduce::Bests;
+pub(crate) use rings::Rings;
 pub use written::pair_sources;
 
+use crate::kernels::machine::Machine;
 use crate::{Error, GpuFault};
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -62,8 +59,11 @@ use std::time::Duration;
 use written::{GROUP, GROUP_VJP, Source, TILE};
 
 /// A GPU ready for work. Cheap to clone; clones share device and compiled shaders.
+pub type Gpu = Machine<Device>;
+
+/// The engine of a GPU: a context. Clones share device and compiled shaders.
 #[derive(Clone)]
-pub struct Gpu {
+pub struct Device {
     inner: Arc<Inner>,
 }
 
@@ -85,15 +85,15 @@ struct Inner {
     generated: Mutex<generated::Pipelines>,
 }
 
-impl std::fmt::Debug for Gpu {
+impl std::fmt::Debug for Device {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_tuple("Gpu").field(&self.inner.adapter).finish()
+        f.debug_tuple("Device").field(&self.inner.adapter).finish()
     }
 }
 
-impl std::fmt::Display for Gpu {
+impl std::fmt::Display for Machine<Device> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.inner.adapter.fmt(f)
+        self.engine.inner.adapter.fmt(f)
     }
 }
 
@@ -102,7 +102,7 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-impl Gpu {
+impl Machine<Device> {
     /// A context on the best GPU, or the one that the environment variable `GEOGRAD_GPU` names: an
     /// index into [`Gpu::adapters`], a part of a name, or `cpu` for a driver in software.
     ///
@@ -159,7 +159,7 @@ impl Gpu {
         };
         let timing = options.timing && device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
         log::info!("using {adapter}; {chunk} shapes per buffer, subgroup slots {slots}");
-        Ok(Gpu {
+        let engine = Device {
             inner: Arc::new(Inner {
                 device,
                 queue,
@@ -173,7 +173,8 @@ impl Gpu {
                 pipelines: Mutex::new(HashMap::new()),
                 generated: Mutex::new(HashMap::new()),
             }),
-        })
+        };
+        Ok(Machine { engine })
     }
 
     /// `true` if it computes faster than the processor: not so for a driver in software, unless the
@@ -191,35 +192,36 @@ impl Gpu {
     /// The adapter that the context runs on.
     #[must_use]
     pub fn adapter(&self) -> &Adapter {
-        &self.inner.adapter
+        &self.engine.inner.adapter
     }
 
     /// `true` if sums across threads use subgroup operations. Results differ in rounding.
     #[must_use]
     pub fn has_subgroups(&self) -> bool {
-        self.inner.slots > 0
+        self.engine.inner.slots > 0
     }
 
     /// The most bytes of one buffer; larger data is split.
     #[must_use]
     pub fn most_bytes(&self) -> u64 {
-        self.inner.most_bytes
+        self.engine.inner.most_bytes
     }
 
     /// Time that kernels took since the last call; `None` unless asked for by
     /// [`Options::timing`] and supported.
     #[must_use]
     pub fn take_kernel_time(&self) -> Option<Duration> {
-        self.inner
+        self.engine
+            .inner
             .timing
-            .then(|| std::mem::take(&mut *locked(&self.inner.kernel_time)))
+            .then(|| std::mem::take(&mut *locked(&self.engine.inner.kernel_time)))
     }
 
     /// Gives the device up, with everything on it: every later call, of every clone, is
     /// [`GpuFault::DeviceLost`](crate::GpuFault::DeviceLost).
     pub fn destroy(&self) {
-        self.inner.device.destroy();
-        self.inner.lost.store(true, Ordering::Release);
+        self.engine.inner.device.destroy();
+        self.engine.inner.lost.store(true, Ordering::Release);
     }
 
     /// Waits until all work is done.
@@ -228,11 +230,13 @@ impl Gpu {
     ///
     /// [`GpuFault::DeviceLost`](crate::GpuFault::DeviceLost).
     pub fn wait(&self) -> Result<(), Error> {
-        self.inner.wait(None)
+        self.engine.inner.wait(None)
     }
+}
 
+impl Device {
     /// Refuses a handle of another context.
-    fn owns(&self, other: &Gpu) -> Result<(), Error> {
+    fn owns(&self, other: &Device) -> Result<(), Error> {
         if Arc::ptr_eq(&self.inner, &other.inner) {
             Ok(())
         } else {

@@ -2,28 +2,28 @@
 //!
 //! The whole matrix of two lists never exists, so memory stays bounded.
 use super::data::Piece;
-use super::download::{download, parts};
+use super::download::{downloads, parts};
 use super::seed::sum_of;
 use super::table::Table;
 use super::work::{Work, groups};
 use super::written::Take;
-use super::{Gpu, Matrix, Pending};
+use super::{Device, Pending};
 use crate::Error;
-use crate::kernels::reduce::{Best, check_sides, check_threshold};
+use crate::kernels::machine::{Reduced, Reduction};
+use crate::kernels::reduce::Best;
+use crate::kernels::resident::{self, Downloads};
 
 /// The largest score of every row (or column) and where it is, on the GPU.
 #[derive(Clone, Debug)]
 pub struct Bests {
-    gpu: Gpu,
+    gpu: Device,
     values: Vec<Piece>,
     indices: Vec<Piece>,
-    /// How many there were to choose from.
-    pub(crate) among: usize,
 }
 
 impl Bests {
     /// Refuses what is of another context.
-    pub(crate) fn is_of(&self, gpu: &Gpu) -> Result<(), Error> {
+    pub(crate) fn is_of(&self, gpu: &Device) -> Result<(), Error> {
         gpu.owns(&self.gpu)
     }
 
@@ -57,8 +57,8 @@ impl Bests {
     }
 }
 
-download! {
-    [] Bests => Vec<Best>;
+impl Downloads<Vec<Best>> for Bests {
+    downloads!(Vec<Best>);
 }
 
 impl Table<'_> {
@@ -91,7 +91,6 @@ impl Table<'_> {
                 gpu: self.gpu.clone(),
                 values,
                 indices,
-                among: self.walked,
             })
         })
     }
@@ -119,7 +118,6 @@ impl Table<'_> {
     }
 
     pub fn count_above(self, threshold: f32) -> Result<u64, Error> {
-        check_threshold(threshold)?;
         let mut count = 0;
         self.totals(Take::Count, threshold, |numbers| {
             count += numbers.iter().map(|&n| u64::from(n)).sum::<u64>();
@@ -134,52 +132,19 @@ impl Table<'_> {
     }
 }
 
-impl Matrix {
-    /// The largest number of every row and its column; of several the first.
-    ///
-    /// # Errors
-    ///
-    /// The input's for rows without columns, or what the device says.
-    pub fn row_max(&self) -> Result<Bests, Error> {
-        check_sides(self.rows, self.columns, true)?;
-        Table::of_matrix(self, true).best()
-    }
-
-    /// The largest number of every column and its row; of several the first.
-    ///
-    /// # Errors
-    ///
-    /// The input's for columns without rows, or what the device says.
-    pub fn column_max(&self) -> Result<Bests, Error> {
-        check_sides(self.rows, self.columns, false)?;
-        Table::of_matrix(self, false).best()
-    }
-
-    /// How many numbers are above the threshold.
-    ///
-    /// # Errors
-    ///
-    /// The input's for a threshold that is not finite, or what the device says.
-    pub fn count_above(&self, threshold: f32) -> Result<u64, Error> {
-        Table::of_matrix(self, true).count_above(threshold)
-    }
-
-    /// The sum of all numbers, up to 1024 in `f32`, those sums in `f64`, always in the same order.
-    ///
-    /// # Errors
-    ///
-    /// The errors of the device.
-    pub fn sum(&self) -> Result<f64, Error> {
-        Table::of_matrix(self, true).sum()
-    }
-
-    /// The mean of all numbers; zero where there are none.
-    ///
-    /// # Errors
-    ///
-    /// The errors of the device.
-    pub fn mean(&self) -> Result<f64, Error> {
-        let count = self.rows as f64 * self.columns as f64;
-        Ok(self.sum()? / count.max(1.0))
+impl Table<'_> {
+    /// A reduction.
+    pub fn reduced(self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
+        Ok(match reduction {
+            Reduction::Best { .. } => {
+                let among = self.walked;
+                Reduced::Bests(resident::Bests::new(self.best()?, among))
+            }
+            Reduction::Above(threshold) => {
+                Reduced::Founds(resident::Founds::new(self.above(threshold)?))
+            }
+            Reduction::Count(threshold) => Reduced::Count(self.count_above(threshold)?),
+            Reduction::Sum => Reduced::Sum(self.sum()?),
+        })
     }
 }

@@ -1,14 +1,16 @@
 //! Batches of rings on the GPU.
-use super::download::download;
+use super::download::downloads;
 use super::work::{Params, Work, groups};
 use super::written::{ANY, Kernel, LONG, ROW, SPAN, Source, ring_source};
-use super::{Gpu, Inner, Pending};
+use super::{Device, Inner, Pending};
 use crate::Error;
 use crate::error::Argument;
 use crate::kernels::One;
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::cpu::checked::{check_upstream, expect};
 use crate::kernels::fold::Fold;
+use crate::kernels::machine::Machine;
+use crate::kernels::resident::Downloads;
 use crate::ring::Measure;
 use crate::{Fixed, Vec2};
 use std::marker::PhantomData;
@@ -67,15 +69,14 @@ const WHOLE_BYTES: usize = 32;
 /// Rings on the GPU, checked.
 #[derive(Clone, Debug)]
 pub struct Rings {
-    gpu: Gpu,
+    gpu: Device,
     runs: Vec<Run>,
     len: usize,
 }
 
 impl Rings {
     /// The context that they are in.
-    #[must_use]
-    pub fn gpu(&self) -> &Gpu {
+    pub(crate) fn gpu(&self) -> &Device {
         &self.gpu
     }
 
@@ -110,15 +111,9 @@ fn pairs_of(vertices: &[Vec2<f32>]) -> Vec<[f32; 2]> {
 /// One result per ring, on the GPU.
 #[derive(Clone, Debug)]
 pub struct RingValues<T> {
-    gpu: Gpu,
+    gpu: Device,
     parts: Vec<(wgpu::Buffer, u64)>,
     result: PhantomData<fn() -> T>,
-}
-
-/// One derivative per vertex, on the GPU.
-#[derive(Clone, Debug)]
-pub struct RingBars {
-    values: RingValues<Vec2<f32>>,
 }
 
 impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
@@ -141,23 +136,11 @@ impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
     }
 }
 
-impl RingBars {
-    /// Starts bringing the derivatives back, in the order of the vertices.
-    ///
-    /// # Errors
-    ///
-    /// The errors of the device.
-    pub fn start_download(&self) -> Result<Pending<Vec<Vec2<f32>>>, Error> {
-        self.values.start_download()
-    }
+impl<T: Fixed<Scalar = f32> + 'static> Downloads<Vec<T>> for RingValues<T> {
+    downloads!(Vec<T>);
 }
 
-download! {
-    [T: Fixed<Scalar = f32> + 'static] RingValues<T> => Vec<T>;
-    [] RingBars => Vec<Vec2<f32>>;
-}
-
-impl Gpu {
+impl Machine<Device> {
     /// One result per path of a fold that takes nothing else, as [`Cpu::ragged`](crate::kernels::Cpu::ragged).
     ///
     /// # Errors
@@ -194,7 +177,9 @@ impl Gpu {
         let (_, bars) = self.fold_vjp(fold, One([]), vertices, offsets, upstream)?;
         Ok(bars)
     }
+}
 
+impl Device {
     /// Checks rings and brings them to the GPU. Ring i has the vertices
     /// `offsets[i]..offsets[i + 1]`.
     ///
@@ -294,7 +279,7 @@ impl Gpu {
         measure: Measure,
         rings: &Rings,
         upstream: &[T],
-    ) -> Result<RingBars, Error> {
+    ) -> Result<RingValues<Vec2<f32>>, Error> {
         self.owns(&rings.gpu)?;
         expect(Argument::Upstream, rings.len, upstream.len())?;
         let fields = measure.fields();
@@ -335,12 +320,11 @@ impl Gpu {
                 parts.push((bars, 8 * run.corners as u64));
             }
             work.submit()?;
-            let values = RingValues {
+            Ok(RingValues {
                 gpu: self.clone(),
                 parts,
                 result: PhantomData,
-            };
-            Ok(RingBars { values })
+            })
         })
     }
 }

@@ -7,7 +7,7 @@ use super::generated::uploaded::Sides;
 use super::mirrored::Mirrored;
 use super::work::{Params, groups};
 use super::written::{ANY, Kernel, STRIP, Source, Take};
-use super::{Gpu, Inner, Matrix};
+use super::{Device, Inner, Matrix};
 use crate::Error;
 use std::sync::Arc;
 
@@ -82,7 +82,7 @@ impl Sweep {
 
 /// All pairs as a reduction sees them: own rows (or columns) by walked columns (or rows).
 pub(super) struct Table<'a> {
-    pub gpu: &'a Gpu,
+    pub gpu: &'a Device,
     pub own: usize,
     pub walked: usize,
     /// The shader but for what it takes of the scores.
@@ -101,7 +101,7 @@ struct Results<'a> {
 
 impl<'a> Table<'a> {
     /// The table of two lists: the kernels compute the results that they reduce.
-    pub fn of_lists(gpu: &'a Gpu, lists: &Mirrored, own_rows: bool) -> Self {
+    pub fn of_lists(gpu: &'a Device, lists: &Mirrored, own_rows: bool) -> Self {
         let (a, b) = (&lists.a, &lists.b);
         let (own, walked) = if own_rows { (a, b) } else { (b, a) };
         let bound = |own: &Piece, walked: &Piece| {
@@ -133,7 +133,7 @@ impl<'a> Table<'a> {
 
     /// The table of all pairs of two lists of so many shapes: never more than a block of their results exists.
     pub fn of_generated(
-        gpu: &'a Gpu,
+        gpu: &'a Device,
         made: &'a Arc<Generated<f32>>,
         sides: &'a Sides,
         counts: [usize; 2],
@@ -160,7 +160,7 @@ impl<'a> Table<'a> {
     }
 
     fn of_blocks<'b>(
-        gpu: &'a Gpu,
+        gpu: &'a Device,
         blocks: impl Iterator<Item = (Block, &'b wgpu::Buffer)>,
         [rows, columns]: [usize; 2],
         own_rows: bool,

@@ -3,125 +3,13 @@ use super::operation::Generated;
 use super::text::{Form, GROUP, STRIP};
 use super::uploaded::Sides;
 use crate::Error;
-use crate::error::Argument;
-use crate::kernels::Single;
-use crate::kernels::cpu::checked::{check_upstream, entries, expect};
-use crate::kernels::gpu::device::Gpu;
+use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::block::block_of;
-use crate::kernels::gpu::device::lists::{Lists, loss};
 use crate::kernels::gpu::device::seed::Seed;
 use crate::kernels::gpu::device::work::Work;
-use crate::kernels::item::Column;
-use crate::kernels::op::Runs;
-use crate::kernels::recording::{Call, Mode};
-use crate::kernels::reduce::Loss;
 use std::sync::Arc;
 
-impl Gpu {
-    /// The adjoint of [`all_pairs`](Gpu::all_pairs) for one number as result, as
-    /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp).
-    ///
-    /// # Errors
-    ///
-    /// As on the processor; [`Error::Program`] for what searches, [`Error::Gpu`] for what the device says.
-    pub fn all_pairs_vjp<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
-        &self,
-        run: R,
-        a: &[A],
-        b: &[B],
-        upstream: &[f32],
-    ) -> Result<(Vec<A>, Vec<B>), Error>
-    where
-        R: Runs<(A, B), Out = f32>,
-    {
-        let lists = [Column::of(a), Column::of(b)];
-        Ok(shapes(self.pulled(&run.call()?, &lists, upstream)?))
-    }
-
-    /// The adjoint of all pairs of columns of numbers.
-    pub(crate) fn pulled(
-        &self,
-        call: &Call<f32>,
-        columns: &[Column<'_, f32>; 2],
-        upstream: &[f32],
-    ) -> Result<[Vec<f32>; 2], Error> {
-        let [a, b] = columns;
-        expect(
-            Argument::Upstream,
-            entries(a.len(), b.len(), 1)?,
-            upstream.len(),
-        )?;
-        check_upstream(upstream, 1)?;
-        let lists = Lists::of_columns(self, &call.clone().derived(Mode::Vjp)?, columns)?;
-        lists.derivatives(&Seed::Numbers(upstream))
-    }
-
-    /// The sum or the mean of all pairs of columns of numbers, and its derivatives.
-    pub(crate) fn loss_of(
-        &self,
-        call: &Call<f32>,
-        columns: &[Column<'_, f32>; 2],
-        of: Loss,
-    ) -> Result<(f64, [Vec<f32>; 2]), Error> {
-        loss(
-            call.clone(),
-            |call| Lists::of_columns(self, call, columns),
-            of,
-        )
-    }
-
-    /// The sum of all results and its derivatives with respect to every shape of both lists, as
-    /// [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
-    ///
-    /// # Errors
-    ///
-    /// As [`all_pairs_vjp`](Gpu::all_pairs_vjp).
-    pub fn sum_grad<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
-        &self,
-        run: R,
-        a: &[A],
-        b: &[B],
-    ) -> Result<(f64, Vec<A>, Vec<B>), Error>
-    where
-        R: Runs<(A, B), Out = f32>,
-    {
-        self.loss(run, a, b, Loss::Sum)
-    }
-
-    /// The mean of all results and its derivatives, zeros where there are no pairs, as
-    /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
-    ///
-    /// # Errors
-    ///
-    /// As [`all_pairs_vjp`](Gpu::all_pairs_vjp).
-    pub fn mean_grad<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
-        &self,
-        run: R,
-        a: &[A],
-        b: &[B],
-    ) -> Result<(f64, Vec<A>, Vec<B>), Error>
-    where
-        R: Runs<(A, B), Out = f32>,
-    {
-        self.loss(run, a, b, Loss::Mean)
-    }
-
-    fn loss<A: Single<Scalar = f32>, B: Single<Scalar = f32>, R>(
-        &self,
-        run: R,
-        a: &[A],
-        b: &[B],
-        of: Loss,
-    ) -> Result<(f64, Vec<A>, Vec<B>), Error>
-    where
-        R: Runs<(A, B), Out = f32>,
-    {
-        let columns = [Column::of(a), Column::of(b)];
-        let (value, derivatives) = self.loss_of(&run.call()?, &columns, of)?;
-        let (a_bar, b_bar) = shapes(derivatives);
-        Ok((value, a_bar, b_bar))
-    }
-
+impl Device {
     /// The numbers of the derivatives of both lists: strips of pairs are added in `f32`, those sums in `f64`, always
     /// in the same order.
     pub(in crate::kernels::gpu::device) fn derivatives(
@@ -202,14 +90,4 @@ impl Gpu {
         }
         Ok(sums)
     }
-}
-
-/// Shapes from their numbers.
-fn shapes<A: Single<Scalar = f32>, B: Single<Scalar = f32>>(
-    [a, b]: [Vec<f32>; 2],
-) -> (Vec<A>, Vec<B>) {
-    (
-        a.chunks_exact(A::LEN.max(1)).map(A::load).collect(),
-        b.chunks_exact(B::LEN.max(1)).map(B::load).collect(),
-    )
 }

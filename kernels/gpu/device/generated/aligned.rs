@@ -1,91 +1,33 @@
 //! Item i of every column: one thread per item.
 use super::operation::Generated;
 use super::text::{Form, GROUP, MOST_GROUPS};
-use crate::kernels::cpu::aligned::{fitting, items, listed, sound};
+use crate::Error;
+use crate::kernels::cpu::aligned::{items, sound};
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::plan::Face;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::gpu::device::Gpu;
+use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::Inner;
 use crate::kernels::gpu::device::download::Arrival;
 use crate::kernels::gpu::device::work::Work;
-use crate::kernels::item::{Column, Columns, Piece, Results, STRETCH, Target};
-use crate::kernels::op::Runs;
+use crate::kernels::item::{Column, Piece, STRETCH, Target};
 use crate::kernels::recording::Call;
 use crate::kernels::replays::Replays;
-use crate::kernels::targets::Targets;
-use crate::{Error, Pack};
 use std::collections::VecDeque;
 use std::ops::Range;
 use std::sync::Arc;
 
-impl Gpu {
-    /// Item i of every column: one result per item, as [`Cpu::aligned`](crate::kernels::Cpu::aligned).
-    ///
-    /// Searches ([`Search`](crate::kernels::Search)) are decided on the processor and replayed on the GPU; their
-    /// derivatives are taken backwards. Every record that occurs is made a program once, so that pays where many
-    /// items have the same one.
-    ///
-    /// # Errors
-    ///
-    /// As on the processor; [`Error::Program`] for operations that cannot be recorded, such as one with whole
-    /// numbers as result; [`Error::Gpu`] for errors of the device. A program that fits no buffer gives
-    /// [`GpuFault::TooLarge`](crate::GpuFault::TooLarge).
-    pub fn aligned<C: Columns, R: Runs<C::Item>>(
-        &self,
-        run: R,
-        columns: C,
-    ) -> Result<<R::Out as Results>::Many, Error>
-    where
-        C::Item: Pack<Scalar = f32>,
-    {
-        let made = Made::of(&run.call()?)?;
-        let columns = listed(&columns);
-        let count = made.checked(&columns)?;
-        let mut many = R::Out::room(count);
-        let mut targets = Vec::new();
-        R::Out::places(&mut many, &mut |target| targets.push(Some(target)));
-        self.run(&made, &columns, count, targets)?;
-        Ok(many)
-    }
-
-    /// [`aligned`](Gpu::aligned) into the caller's slices, as
-    /// [`Cpu::aligned_into`](crate::kernels::Cpu::aligned_into). If the device fails in the middle, some of
-    /// the results are there.
-    ///
-    /// # Errors
-    ///
-    /// As [`aligned`](Gpu::aligned), and [`Error::Length`] for a slice of another length.
-    pub fn aligned_into<C: Columns, R: Runs<C::Item>>(
-        &self,
-        run: R,
-        columns: C,
-        mut targets: impl Targets<R::Out>,
-    ) -> Result<(), Error>
-    where
-        C::Item: Pack<Scalar = f32>,
-    {
-        let made = Made::of(&run.call()?)?;
-        let columns = listed(&columns);
-        let count = made.checked(&columns)?;
-        let targets = fitting::<R::Out>(&mut targets, count)?;
-        self.run(&made, &columns, count, targets)
-    }
-
-    /// Item i of every column of numbers: a list of numbers for every shape of a result.
-    pub(crate) fn lists(
+impl Device {
+    /// Item i of every column, into targets of the right length.
+    pub(in crate::kernels::gpu::device) fn aligned(
         &self,
         call: &Call<f32>,
         columns: &[Column<'_, f32>],
-    ) -> Result<Vec<Vec<f32>>, Error> {
+        targets: Vec<Option<Target<'_, f32>>>,
+    ) -> Result<(), Error> {
         let made = Made::of(call)?;
         let count = made.checked(columns)?;
-        let lists = made.gives().iter().map(|n| vec![0.0; n * count]);
-        let mut lists: Vec<Vec<f32>> = lists.collect();
-        let targets = lists.iter_mut().zip(made.gives());
-        let targets = targets.map(|(list, &fields)| Some(Target::of_rows(list, fields)));
-        self.run(&made, columns, count, targets.collect())?;
-        Ok(lists)
+        self.run(&made, columns, count, targets)
     }
 
     fn run(
@@ -190,13 +132,6 @@ impl Made {
             Some(replays) => Made::Replays(replays, call.plan(false)?),
             None => Made::Kernel(call.generated(false)?),
         })
-    }
-    /// Numbers of every shape of a result.
-    fn gives(&self) -> &[usize] {
-        match self {
-            Made::Kernel(made) => &made.gives,
-            Made::Replays(_, face) => &face.gives,
-        }
     }
     /// Checks columns; how many items there are.
     fn checked(&self, columns: &[Column<'_, f32>]) -> Result<usize, Error> {

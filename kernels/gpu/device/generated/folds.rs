@@ -8,9 +8,10 @@ use crate::kernels::Fold;
 use crate::kernels::cpu::checked::{check_upstream, expect, numbers};
 use crate::kernels::cpu::folds;
 use crate::kernels::cpu::program::split::Piece;
-use crate::kernels::gpu::device::Gpu;
+use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::item::Columns;
+use crate::kernels::machine::Machine;
 use crate::kernels::recording::{Key, Mode};
 use crate::{Error, Fixed, Pack};
 use std::fmt::Write;
@@ -272,7 +273,7 @@ struct Load {
     vertices: Range<usize>,
 }
 
-impl Gpu {
+impl Machine<Device> {
     /// One result per path, as [`Cpu::fold`](crate::kernels::Cpu::fold).
     ///
     /// # Errors
@@ -291,20 +292,24 @@ impl Gpu {
         C::Item: Pack<Scalar = f32>,
     {
         if let Some(measure) = F::MEASURE {
-            let rings = self.upload_rings(F::in_plane(vertices), offsets)?;
-            return self.ragged_of(measure, &rings)?.download();
+            let rings = self.engine.upload_rings(F::in_plane(vertices), offsets)?;
+            return self
+                .engine
+                .ragged_of(measure, &rings)?
+                .start_download()?
+                .wait();
         }
         let made = made::<F>()?;
         let shared = folds::shared::<F, f32, C>(&context, vertices, offsets)?;
         let points = numbers(vertices);
-        let inner = &self.inner;
+        let inner = &self.engine.inner;
         inner.alive()?;
         let mut all = Vec::with_capacity(offsets.len() - 1);
-        for load in self.loads(&made, offsets, made.element)? {
+        for load in self.engine.loads(&made, offsets, made.element)? {
             let count = load.paths.len();
             let results = inner.guarded(|| {
                 let pipeline = inner.generated(&made.name, Form::Fold, || made.text(Form::Fold));
-                let own = self.bring(&made, &load, &points, offsets, &shared);
+                let own = self.engine.bring(&made, &load, &points, offsets, &shared);
                 let results = inner.storage(count * made.gives);
                 let mut work = Work::new(inner);
                 let [a, b, c] = own.each_ref();
@@ -316,7 +321,7 @@ impl Gpu {
             })?;
             let bytes = 4 * (count * made.gives) as u64;
             inner
-                .bring(self, &[(&results, bytes)])?
+                .bring(&self.engine, &[(&results, bytes)])?
                 .finish(|_, numbers| {
                     let numbers: &[f32] = bytemuck::cast_slice(numbers);
                     all.extend(numbers.chunks_exact(made.gives).map(F::Out::<f32>::load));
@@ -344,8 +349,9 @@ impl Gpu {
         C::Item: Pack<Scalar = f32>,
     {
         if let Some(measure) = F::MEASURE {
-            let rings = self.upload_rings(F::in_plane(vertices), offsets)?;
-            let found = self.ragged_vjp_of(measure, &rings, upstream)?.download()?;
+            let rings = self.engine.upload_rings(F::in_plane(vertices), offsets)?;
+            let found = self.engine.ragged_vjp_of(measure, &rings, upstream)?;
+            let found = found.start_download()?.wait()?;
             let mut bars = vec![F::Element::filled(0.0); vertices.len()];
             F::in_plane_mut(&mut bars).copy_from_slice(&found);
             return Ok((vec![F::Context::<f32>::filled(0.0); upstream.len()], bars));
@@ -356,16 +362,19 @@ impl Gpu {
         expect(Argument::Upstream, offsets.len() - 1, upstream.len())?;
         let seeds: Vec<f32> = upstream.iter().flat_map(Pack::scalars).collect();
         check_upstream(&seeds, made.gives.max(1))?;
-        let inner = &self.inner;
+        let inner = &self.engine.inner;
         inner.alive()?;
         let mut context_bars = Vec::with_capacity(upstream.len());
         let mut path_bars = Vec::with_capacity(vertices.len());
-        for load in self.loads(&made, offsets, made.state().max(made.element))? {
+        for load in self
+            .engine
+            .loads(&made, offsets, made.state().max(made.element))?
+        {
             let (count, own_vertices) = (load.paths.len(), load.vertices.len());
             let form = Form::FoldDerivatives;
             let (by_context, by_vertex) = inner.guarded(|| {
                 let pipeline = inner.generated(&made.name, form, || made.text(form));
-                let own = self.bring(&made, &load, &points, offsets, &shared);
+                let own = self.engine.bring(&made, &load, &points, offsets, &shared);
                 let seeds = &seeds[load.paths.start * made.gives..load.paths.end * made.gives];
                 let seeds = inner.stored(seeds);
                 let before = inner.storage(own_vertices * made.state());
@@ -391,7 +400,7 @@ impl Gpu {
                 (&by_context, 4 * (count * made.own.max(1)) as u64),
                 (&by_vertex, 4 * (made.element * own_vertices) as u64),
             ];
-            inner.bring(self, &parts)?.finish(|part, numbers| {
+            inner.bring(&self.engine, &parts)?.finish(|part, numbers| {
                 let numbers: &[f32] = bytemuck::cast_slice(numbers);
                 match part {
                     0 => {
@@ -408,7 +417,9 @@ impl Gpu {
         }
         Ok((context_bars, path_bars))
     }
+}
 
+impl Device {
     /// How paths are cut, so that so many numbers per vertex fit a buffer.
     fn loads(
         &self,

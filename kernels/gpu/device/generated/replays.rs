@@ -7,7 +7,7 @@ use super::text::{Form, GROUP, MOST_GROUPS};
 use crate::Error;
 use crate::ad::program::WGSL;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::gpu::device::Gpu;
+use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::item::{Column, Piece, STRETCH, Target};
 use crate::kernels::replays::{Replay, Replays, numbers};
@@ -123,7 +123,7 @@ impl Load {
     }
 }
 
-impl Gpu {
+impl Device {
     /// Decides and replays all items.
     pub(super) fn replayed(
         &self,

@@ -7,20 +7,21 @@
 use super::operation::{Body, Generated};
 use super::text::{Form, GROUP, MOST_GROUPS, both, bound, call};
 use super::uploaded::MOST_OPERATIONS;
+use crate::error::Argument;
 use crate::kernels::cpu::Cpu;
-use crate::kernels::cpu::all_pairs::pairs;
 use crate::kernels::cpu::arch::flat;
+use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::greedy::Greed;
 use crate::kernels::cpu::lane::{Planes, TILE};
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::List;
 use crate::kernels::cpu::sweep::{Chooses, Sweep};
-use crate::kernels::gpu::device::Gpu;
+use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::work::Work;
-use crate::kernels::item::Single;
-use crate::kernels::op::Runs;
-use crate::kernels::suppress::{checked, ranked};
-use crate::suppression::Rules;
+use crate::kernels::item::Column;
+use crate::kernels::recording::Call;
+use crate::kernels::suppress::Ranked;
+use crate::suppression::{Rules, order};
 use crate::{Error, Scalar};
 use std::fmt::Write;
 use std::ops::Range;
@@ -39,47 +40,23 @@ const FIRST_ROWS: usize = 256;
 /// Bytes of masks that come back at a time.
 const MOST_MASKS: usize = 1 << 26;
 
-impl Gpu {
+impl Device {
     /// The shapes that no better one, kept itself, overlaps by more than the threshold: their places, the
-    /// best first, as [`Cpu::suppress`](crate::kernels::Cpu::suppress).
-    ///
-    /// The kept shapes are those that the processor keeps. Pairs whose result is within 1/256 of the threshold
-    /// are computed once more, on the processor, if the decision depends on them. So that holds for scores
-    /// between zero and one, such as an IoU of any boxes, which no driver gets wrong by so much.
-    ///
-    /// # Errors
-    ///
-    /// As on the processor; [`Error::Program`] for searches, [`Error::Gpu`] for errors of the device.
-    ///
-    /// ```no_run
-    /// use geograd::kernels::{IouBev, gpu::Gpu};
-    /// use geograd::{Vec3, YawBox3};
-    /// use geograd::suppression::Rules;
-    /// # #[cfg(feature = "gpu")] {
-    /// let boxes = [0.0, 0.2, 9.0].map(|x| YawBox3::new(Vec3::new(x, 0.0, 0.0), Vec3::new(4.0, 2.0, 1.5), 0.1_f32));
-    /// let scores = [0.6, 0.9, 0.5];
-    /// let gpu = Gpu::new()?;
-    /// let kept = gpu.suppress(IouBev, &boxes, &scores, Rules::above(0.5))?;
-    /// assert_eq!(kept, [1, 2]);
-    /// # }
-    /// # Ok::<(), geograd::Error>(())
-    /// ```
-    pub fn suppress<A: Single<Scalar = f32>, R>(
+    /// best first, as [`Machine::suppress`](crate::kernels::Machine::suppress) says.
+    pub(in crate::kernels::gpu::device) fn kept(
         &self,
-        run: R,
-        shapes: &[A],
+        call: &Call<f32>,
+        shapes: &Column<'_, f32>,
         scores: &[f32],
         rules: Rules<'_, f32>,
-    ) -> Result<Vec<usize>, Error>
-    where
-        R: Runs<(A, A), Out = f32>,
-    {
-        checked(shapes.len(), scores, &rules)?;
-        let call = run.call()?;
+    ) -> Result<Vec<usize>, Error> {
         let (face, made) = (call.plan(true)?, call.generated(true)?);
-        let ranked = ranked(&face, shapes, scores, &rules)?;
+        // All shapes are checked, so that errors name the caller's rows.
+        check(Argument::A, &face.arguments[0], shapes)?;
+        let ranked = Ranked::of(order(scores, rules.score)?, shapes, &rules);
         self.inner.alive()?;
-        let pairs = pairs(&Cpu::new(), &face, &ranked.shapes, &ranked.shapes)?;
+        let lists = ranked.lists();
+        let pairs = Cpu::new().engine.lists(&face, &lists)?;
         let kept = suppressed(self, &made, &pairs, ranked.greed(&rules))?;
         Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
     }
@@ -87,7 +64,7 @@ impl Gpu {
 
 /// The shapes of a list, the best first, that are kept.
 fn suppressed(
-    gpu: &Gpu,
+    gpu: &Device,
     made: &Arc<Generated<f32>>,
     pairs: &Pairs<'_, f32>,
     greed: Greed<'_, f32>,
@@ -225,7 +202,7 @@ struct Window {
 
 /// The shapes on the GPU, and the kernel that makes masks of them.
 struct Masks<'a> {
-    gpu: &'a Gpu,
+    gpu: &'a Device,
     made: &'a Arc<Generated<f32>>,
     greed: Greed<'a, f32>,
     /// Both lists, which are the same shapes, each prepared as its argument is.
@@ -237,7 +214,7 @@ struct Masks<'a> {
 
 impl<'a> Masks<'a> {
     fn new(
-        gpu: &'a Gpu,
+        gpu: &'a Device,
         made: &'a Arc<Generated<f32>>,
         greed: Greed<'a, f32>,
         [rows, columns]: [&'a List<'a, f32>; 2],

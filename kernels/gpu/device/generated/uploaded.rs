@@ -1,14 +1,14 @@
 //! Lists of all pairs on a GPU, and the blocks of results that they give: a thread per column and some rows.
-use super::held::HeldColumn;
+use super::held::held;
 use super::operation::Generated;
 use super::text::{Form, GROUP, MOST_GROUPS, ROWS};
 use crate::Error;
 use crate::kernels::cpu::checked::check_argument;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::gpu::device::Inner;
 use crate::kernels::gpu::device::block::Block;
 use crate::kernels::gpu::device::work::Work;
+use crate::kernels::gpu::device::{Device, Inner};
 use crate::kernels::item::{Column, STRETCH};
 use std::ops::Range;
 use std::sync::Arc;
@@ -119,25 +119,23 @@ pub(super) struct Piece<'a> {
 }
 
 impl Sides {
-    pub fn new(
-        inner: &Inner,
+    /// Two lists, checked and prepared; those that stay are prepared once.
+    pub fn of(
+        gpu: &Device,
         made: &Generated<f32>,
-        a: &Column<'_, f32>,
-        b: &Column<'_, f32>,
+        lists: &[Column<'_, f32>; 2],
     ) -> Result<Self, Error> {
-        inner.alive()?;
-        check_argument(0, &made.arguments, a)?;
-        check_argument(1, &made.arguments, b)?;
+        gpu.inner.alive()?;
+        let side = |k: usize| match held(gpu, &lists[k])? {
+            Some(column) => column.for_pairs(made, k),
+            None => {
+                check_argument(k, &made.arguments, &lists[k])?;
+                Side::new(&gpu.inner, made, k, &lists[k])
+            }
+        };
         Ok(Sides {
-            a: Side::new(inner, made, 0, a)?,
-            b: Side::new(inner, made, 1, b)?,
-        })
-    }
-    /// Two columns that stay.
-    pub fn of_held(made: &Generated<f32>, a: &HeldColumn, b: &HeldColumn) -> Result<Self, Error> {
-        Ok(Sides {
-            a: a.for_pairs(made, 0)?,
-            b: b.for_pairs(made, 1)?,
+            a: side(0)?,
+            b: side(1)?,
         })
     }
     /// How many rows and columns there are.

@@ -1,10 +1,10 @@
 //! The calls over columns that stay.
-use super::{Given, HeldColumn, State, Windows, window};
+use super::{HeldColumn, State, Windows, held, window};
 use crate::Error;
-use crate::kernels::cpu::aligned::name_of;
-use crate::kernels::cpu::checked::{check, check_upstream, expect};
+use crate::kernels::cpu::aligned::items;
+use crate::kernels::cpu::checked::{check, check_upstream};
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::gpu::device::Gpu;
+use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::generated::aligned::tiles;
 use crate::kernels::gpu::device::generated::operation::Generated;
 use crate::kernels::gpu::device::generated::text::{Form, GROUP, MOST_GROUPS};
@@ -12,28 +12,39 @@ use crate::kernels::gpu::device::work::Work;
 use crate::kernels::item::Column;
 use std::sync::Arc;
 
-impl Gpu {
+impl Device {
     /// Item i of columns that stay, one result per item, which stays. `over` are results that are there
     /// already and may be written over.
-    pub(crate) fn held_aligned(
+    pub(in crate::kernels::gpu::device) fn held_aligned(
         &self,
         made: &Arc<Generated<f32>>,
-        columns: &[Given<'_>],
-        over: &[HeldColumn],
+        columns: &[Column<'_, f32>],
+        over: &[&HeldColumn],
     ) -> Result<Vec<HeldColumn>, Error> {
         let inner = &self.inner;
         inner.alive()?;
-        let count = self.sound(made, columns)?;
+        let count = items(&made.arguments, columns)?;
         for held in over {
             self.owns(&held.gpu)?;
         }
         let mut lists = Vec::with_capacity(columns.len());
         for (k, column) in columns.iter().enumerate() {
-            lists.push(match column {
-                Given::Held(held) => (held.for_all(made, k)?, true),
-                Given::One(numbers) => {
-                    let column = Column::lent(numbers, numbers.len(), None);
-                    let numbers = tiles(made, k, &column, 0..1);
+            if let Some(held) = held(self, column)? {
+                lists.push((held.for_all(made, k)?, true));
+                continue;
+            }
+            match made.arguments.get(k) {
+                Some(plan) => check(plan.argument(k), plan, column).map(drop)?,
+                None => check_upstream(&column.all(), column.fields.max(1))?,
+            }
+            lists.push(match column.count {
+                // A slice beside columns that stay goes up for this call.
+                Some(_) => {
+                    let own = HeldColumn::new(self, column.fields, column.all().into_owned())?;
+                    (own.for_all(made, k)?, true)
+                }
+                None => {
+                    let numbers = tiles(made, k, column, 0..1);
                     let buffer = inner.guarded(|| Ok(inner.stored(&numbers)))?;
                     let windows = Windows {
                         window: usize::MAX,
@@ -134,48 +145,18 @@ impl Gpu {
         })
     }
 
-    /// How many items columns have.
-    pub(crate) fn held_count(
-        &self,
-        made: &Generated<f32>,
-        columns: &[Given<'_>],
-    ) -> Result<usize, Error> {
-        self.sound(made, columns)
-    }
-
-    /// Checks columns: whose they are, how many items there are, what stands for all.
-    fn sound(&self, made: &Generated<f32>, columns: &[Given<'_>]) -> Result<usize, Error> {
-        let mut count = None;
-        for (k, column) in columns.iter().enumerate() {
-            let argument = name_of(&made.arguments, k);
-            match column {
-                Given::Held(held) => {
-                    self.owns(&held.gpu)?;
-                    expect(argument, *count.get_or_insert(held.count), held.count)?;
-                }
-                Given::One(numbers) => match made.arguments.get(k) {
-                    Some(plan) => {
-                        check(argument, plan, &Column::lent(numbers, plan.fields, None))?;
-                    }
-                    None => check_upstream(numbers, numbers.len().max(1))?,
-                },
-            }
-        }
-        Ok(count.unwrap_or(1))
-    }
-
     /// The buffers of results: present ones, if they lie side by side and nothing is read from them, or new ones.
     fn room(
         &self,
         made: &Generated<f32>,
         count: usize,
-        over: &[HeldColumn],
+        over: &[&HeldColumn],
         read: &[(Windows, bool)],
     ) -> Result<Vec<Windows>, Error> {
         let inner = &self.inner;
         let all: usize = made.gives.iter().sum();
         let window = window(inner, all)?;
-        let there: Option<Vec<Windows>> = over.iter().map(HeldColumn::results).collect();
+        let there: Option<Vec<Windows>> = over.iter().map(|own| own.results()).collect();
         if let Some(there) = there.filter(|there| there.len() == made.gives.len()) {
             let buffers = |windows: &Windows| -> Vec<wgpu::Buffer> {
                 windows

@@ -4,6 +4,7 @@
 //! an operation asks of the processor (sines, frames) is computed once per column, not once per call.
 //! Results are columns, too. They are read where they are by whatever prepares nothing; an operation that
 //! has something computed of them beforehand has them brought to the processor once.
+use crate::Error;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::gpu::device::data::Boxes;
 use crate::kernels::gpu::device::generated::aligned::tiles;
@@ -11,10 +12,11 @@ use crate::kernels::gpu::device::generated::operation::Generated;
 use crate::kernels::gpu::device::generated::text::{GROUP, MOST_GROUPS};
 use crate::kernels::gpu::device::generated::uploaded::Side;
 use crate::kernels::gpu::device::written::Kind;
-use crate::kernels::gpu::device::{Gpu, Inner, Pending, locked};
+use crate::kernels::gpu::device::{Device, Inner, Pending, locked};
 use crate::kernels::item::Column;
 use crate::kernels::reduce::Best;
-use crate::{Error, GpuFault};
+use crate::kernels::resident::{self, FOREIGN, Stays};
+use std::any::Any;
 use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::{Arc, Mutex, Weak};
@@ -25,7 +27,7 @@ mod calls;
 #[doc(hidden)]
 #[derive(Debug)]
 pub struct HeldColumn {
-    gpu: Gpu,
+    gpu: Device,
     fields: usize,
     count: usize,
     state: Mutex<State>,
@@ -105,17 +107,47 @@ fn brought_up(
     Ok(Windows { window, parts })
 }
 
-/// A column of a call: one that is held, or the numbers of one shape that stands for all.
-#[doc(hidden)]
-#[derive(Debug)]
-pub enum Given<'a> {
-    Held(&'a HeldColumn),
-    One(&'a [f32]),
+/// The column of a call that stays on this GPU; `None` of one that does not stay.
+pub(in crate::kernels::gpu::device) fn held<'a>(
+    gpu: &Device,
+    column: &Column<'a, f32>,
+) -> Result<Option<&'a HeldColumn>, Error> {
+    let Some(own) = column.held else {
+        return Ok(None);
+    };
+    let own: &HeldColumn = own.any().downcast_ref().ok_or(FOREIGN)?;
+    gpu.owns(&own.gpu)?;
+    Ok(Some(own))
+}
+
+impl Stays<f32> for HeldColumn {
+    fn fields(&self) -> usize {
+        self.fields
+    }
+    fn here(&self) -> Option<&[f32]> {
+        None
+    }
+    fn update(&mut self, rows: Vec<f32>) {
+        let mut state = locked(&self.state);
+        state.version += 1;
+        state.rows = Some(Arc::new(rows));
+    }
+    fn started(
+        &self,
+        all: &[Box<dyn Stays<f32>>],
+    ) -> Result<resident::Pending<Vec<Vec<f32>>>, Error> {
+        let all = all.iter().map(|own| own.any().downcast_ref());
+        let all: Vec<&HeldColumn> = all.collect::<Option<_>>().ok_or(FOREIGN)?;
+        Ok(resident::Pending::later(start_download(&self.gpu, &all)?))
+    }
+    fn any(&self) -> &dyn Any {
+        self
+    }
 }
 
 impl HeldColumn {
     /// Numbers that were checked, of so many fields per shape.
-    pub(crate) fn new(gpu: &Gpu, fields: usize, rows: Vec<f32>) -> Result<Self, Error> {
+    pub(crate) fn new(gpu: &Device, fields: usize, rows: Vec<f32>) -> Result<Self, Error> {
         gpu.inner.alive()?;
         let count = rows.len() / fields.max(1);
         let state = State {
@@ -125,21 +157,13 @@ impl HeldColumn {
         Ok(Self::of(gpu, fields, count, state))
     }
 
-    fn of(gpu: &Gpu, fields: usize, count: usize, state: State) -> Self {
+    fn of(gpu: &Device, fields: usize, count: usize, state: State) -> Self {
         HeldColumn {
             gpu: gpu.clone(),
             fields,
             count,
             state: Mutex::new(state),
         }
-    }
-
-    pub(crate) fn count(&self) -> usize {
-        self.count
-    }
-    /// How many numbers a shape has.
-    pub(crate) fn fields(&self) -> usize {
-        self.fields
     }
 
     /// The shapes that were found best, in that order. They are put together on the processor, which prepares
@@ -154,11 +178,14 @@ impl HeldColumn {
         )
     }
 
-    /// Other numbers, checked, for as many shapes. They go up when they are next used.
-    pub(crate) fn update(&self, rows: Vec<f32>) {
-        let mut state = locked(&self.state);
-        state.version += 1;
-        state.rows = Some(Arc::new(rows));
+    /// Refuses a column of another context.
+    pub(in crate::kernels::gpu::device) fn is_of(&self, gpu: &Device) -> Result<(), Error> {
+        gpu.owns(&self.gpu)
+    }
+
+    /// The numbers, shape by shape.
+    pub(in crate::kernels::gpu::device) fn numbers(&self) -> Result<Arc<Vec<f32>>, Error> {
+        self.rows(&mut locked(&self.state))
     }
 
     /// The numbers on the processor, where they are kept.
@@ -288,11 +315,6 @@ impl HeldColumn {
         Ok(boxes)
     }
 
-    /// Refuses what is of another context.
-    pub(crate) fn is_of(&self, gpu: &Gpu) -> Result<(), Error> {
-        gpu.owns(&self.gpu)
-    }
-
     /// The buffers that new results may overwrite: whole columns of one buffer. `None` if they lie in another way
     /// or are lent to others.
     fn results(&self) -> Option<Windows> {
@@ -312,10 +334,7 @@ fn untile(lanes: &[f32], fields: usize, rows: &mut [f32]) {
 }
 
 /// Starts bringing columns back: the numbers of each, shape by shape.
-pub(crate) fn start_download(columns: &[HeldColumn]) -> Result<Pending<Vec<Vec<f32>>>, Error> {
-    let Some(first) = columns.first() else {
-        return Err(Error::Gpu(GpuFault::ForeignBuffer));
-    };
+fn start_download(gpu: &Device, columns: &[&HeldColumn]) -> Result<Pending<Vec<Vec<f32>>>, Error> {
     // Rows that the processor has already; for the others the range of their parts.
     let mut known = Vec::new();
     let mut parts = Vec::new();
@@ -335,7 +354,7 @@ pub(crate) fn start_download(columns: &[HeldColumn]) -> Result<Pending<Vec<Vec<f
         parts.extend(own);
     }
     let bytes: Vec<_> = parts.iter().map(|(x, at, n)| (x, *at, *n)).collect();
-    let arrival = first.gpu.inner.bring_parts(&first.gpu, &bytes)?;
+    let arrival = gpu.inner.bring_parts(gpu, &bytes)?;
     Ok(Pending::new(arrival, move |arrival| {
         let mut all: Vec<(Vec<f32>, usize)> = known
             .iter()

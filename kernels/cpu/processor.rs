@@ -1,0 +1,268 @@
+//! The CPU behind the calls of [`Machine`](crate::kernels::machine::Machine).
+use crate::error::{Argument, Error};
+use crate::kernels::cpu::Processor;
+use crate::kernels::cpu::aligned::{checked, compute, compute_unchecked};
+use crate::kernels::cpu::checked::{
+    check, check_argument, check_upstream, entries, expect, restore, tame,
+};
+use crate::kernels::cpu::pairs::Pairs;
+use crate::kernels::cpu::plan::Face;
+use crate::kernels::cpu::sweep::Upstream;
+use crate::kernels::item::{Column, Target};
+use crate::kernels::machine::{Engine, Numbers, Reduced, Reduction, Seed, count_of};
+use crate::kernels::real::Real;
+use crate::kernels::recording::{Call, Mode};
+use crate::kernels::reduce;
+use crate::kernels::resident::{Bests, FOREIGN, Founds, Matrix, Ready, Stays, Stored};
+use crate::kernels::suppress::Ranked;
+use crate::suppression::{Rules, order};
+
+/// Refuses columns of a GPU.
+pub(crate) fn are_here<T: Real>(columns: &[Column<'_, T>]) -> Result<(), Error> {
+    let is_away = |column: &Column<'_, T>| column.held.is_some_and(|own| own.here().is_none());
+    match columns.iter().any(is_away) {
+        true => Err(FOREIGN),
+        false => Ok(()),
+    }
+}
+
+impl Processor {
+    /// Two lists of shapes, checked.
+    pub(crate) fn lists<'a, T: Real>(
+        &self,
+        face: &'a Face<T>,
+        lists: &'a [Column<'_, T>; 2],
+    ) -> Result<Pairs<'a, T>, Error> {
+        are_here(lists)?;
+        if lists.iter().any(|list| list.len() >= u32::MAX as usize) {
+            return Err(Error::TooLarge);
+        }
+        let [a, b] = lists;
+        let rare = [
+            check_argument(0, &face.arguments, a)?,
+            check_argument(1, &face.arguments, b)?,
+        ];
+        Ok(Pairs {
+            face,
+            numbers: [a.all(), b.all()],
+            rare,
+            filter: self.cull,
+        })
+    }
+}
+
+/// Upstream derivatives that kernels bear.
+struct Bearable<T> {
+    /// The smaller derivatives that stand for them, if some are too steep.
+    down: Option<Vec<T>>,
+    /// The factor of the results.
+    by: T,
+}
+
+impl<T: Real> Bearable<T> {
+    /// Divides all by the same power of two where one is too steep for kernels.
+    ///
+    /// # Errors
+    ///
+    /// When one is not finite.
+    fn new(face: &Face<T>, upstream: &Upstream<'_, T>) -> Result<Self, Error> {
+        let steep = tame(upstream.derivatives, face.steepest)?;
+        let by = steep.iter().flatten().map(|x| x.1).fold(T::one(), T::most);
+        let down = steep.map(|_| upstream.derivatives.iter().map(|&x| x.over(by)).collect());
+        Ok(Bearable { down, by })
+    }
+    /// Derivatives of both lists.
+    fn pull_back(
+        &self,
+        pairs: &Pairs<'_, T>,
+        upstream: Upstream<'_, T>,
+        [a_bar, b_bar]: [&mut [T]; 2],
+    ) {
+        let derivatives = self.down.as_deref().unwrap_or(upstream.derivatives);
+        let upstream = Upstream {
+            derivatives,
+            ..upstream
+        };
+        (T::drivers().pull_back)(pairs, upstream, a_bar, b_bar);
+        if self.down.is_some() {
+            restore(a_bar, self.by);
+            restore(b_bar, self.by);
+        }
+    }
+}
+
+impl<T: Real> Engine<T> for Processor {
+    fn keep(&self, count: usize, columns: Vec<Numbers<T>>) -> Result<Stored<T>, Error> {
+        let columns = columns
+            .into_iter()
+            .map(|own| Box::new(own) as Box<dyn Stays<T>>);
+        Ok(Stored::new(count, columns.collect()))
+    }
+
+    fn room(&self, rows: usize, columns: usize) -> Result<Matrix<T>, Error> {
+        let numbers = vec![T::default(); entries(rows, columns, 1)?];
+        Ok(Matrix(Box::new(reduce::Matrix::new(
+            rows, columns, numbers,
+        )?)))
+    }
+
+    fn map(
+        &self,
+        call: &Call<T>,
+        columns: &[Column<'_, T>],
+        targets: Vec<Option<Target<'_, T>>>,
+        new: bool,
+    ) -> Result<bool, Error> {
+        are_here(columns)?;
+        let face = call.plan(false)?;
+        if new {
+            return Ok(compute_unchecked(
+                &face,
+                columns,
+                count_of(call, columns)?,
+                targets,
+            ));
+        }
+        let (count, rare) = checked(&face, columns)?;
+        compute(&face, columns, rare, count, targets);
+        Ok(true)
+    }
+
+    fn map_held(
+        &self,
+        call: &Call<T>,
+        columns: &[Column<'_, T>],
+        over: Option<&Stored<T>>,
+    ) -> Result<Stored<T>, Error> {
+        over.map(Stored::own::<Numbers<T>>).transpose()?;
+        let count = count_of(call, columns)?;
+        let mut found = Vec::new();
+        for &fields in &call.plan(false)?.gives {
+            let rows = vec![T::default(); entries(count, 1, fields)?];
+            found.push(Numbers { fields, rows });
+        }
+        let targets = found.iter_mut();
+        let targets = targets.map(|own| Some(Target::of_rows(&mut own.rows, own.fields)));
+        self.map(call, columns, targets.collect(), false)?;
+        self.keep(count, found)
+    }
+
+    fn pairs(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        planes: &mut [T],
+    ) -> Result<(), Error> {
+        let face = call.plan(true)?;
+        (T::drivers().planes)(&self.lists(&face, lists)?, planes);
+        Ok(())
+    }
+
+    fn pairs_held(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        over: &mut Matrix<T>,
+    ) -> Result<(), Error> {
+        let matrix = over.own_mut::<reduce::Matrix<T>>()?;
+        expect(Argument::Values, lists[0].len(), matrix.rows())?;
+        expect(Argument::Values, lists[1].len(), matrix.columns())?;
+        Engine::pairs(self, call, lists, &mut matrix.values)
+    }
+
+    fn reduce(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        reduction: Reduction<T>,
+    ) -> Result<Reduced<T>, Error> {
+        let face = call.plan(true)?;
+        let mut pairs = self.lists(&face, lists)?;
+        let drivers = T::drivers();
+        if let Reduction::Above(threshold) | Reduction::Count(threshold) = reduction {
+            // Zeros are above a negative threshold, too.
+            pairs.filter &= threshold >= T::default();
+        }
+        Ok(match reduction {
+            Reduction::Best { of_rows } => {
+                let (best, among) = match of_rows {
+                    true => ((drivers.row_max)(&pairs), lists[1].len()),
+                    false => ((drivers.column_max)(&pairs), lists[0].len()),
+                };
+                Reduced::Bests(Bests::new(Ready(best), among))
+            }
+            Reduction::Above(threshold) => {
+                Reduced::Founds(Founds::new(Ready((drivers.above)(&pairs, threshold))))
+            }
+            Reduction::Count(threshold) => Reduced::Count((drivers.count_above)(&pairs, threshold)),
+            Reduction::Sum => Reduced::Sum((drivers.sum)(&pairs)),
+        })
+    }
+
+    fn pull_back(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        seed: &Seed<'_, T>,
+        bars: [&mut [T]; 2],
+    ) -> Result<f64, Error> {
+        let factors;
+        let [rows, columns] = [lists[0].len(), lists[1].len()];
+        let (derivatives, step) = match seed {
+            Seed::Numbers(numbers) => (*numbers, columns),
+            Seed::Matrix(matrix) => {
+                let own = matrix.own::<reduce::Matrix<T>>()?;
+                expect(Argument::Upstream, rows, own.rows())?;
+                expect(Argument::Upstream, columns, own.columns())?;
+                (&own.values[..], columns)
+            }
+            Seed::Factor(factor) => {
+                factors = vec![*factor; columns.max(1)];
+                check_upstream(&factors[..1], 1)?;
+                (&factors[..], 0)
+            }
+        };
+        let upstream = Upstream { derivatives, step };
+        let face = call.clone().derived(Mode::Vjp)?.plan(true)?;
+        let pairs = self.lists(&face, lists)?;
+        let bearable = Bearable::new(&face, &upstream)?;
+        bearable.pull_back(&pairs, upstream, bars);
+        match seed {
+            Seed::Factor(_) => Ok(self.reduce(call, lists, Reduction::Sum)?.sum()),
+            _ => Ok(0.0),
+        }
+    }
+
+    fn suppress(
+        &self,
+        call: &Call<T>,
+        shapes: &Column<'_, T>,
+        scores: &[T],
+        rules: Rules<'_, T>,
+    ) -> Result<Vec<usize>, Error> {
+        let face = call.plan(true)?;
+        are_here(std::slice::from_ref(shapes))?;
+        // All shapes are checked, so that errors name the caller's rows.
+        check(Argument::A, &face.arguments[0], shapes)?;
+        let ranked = Ranked::of(order(scores, rules.score)?, shapes, &rules);
+        let lists = ranked.lists();
+        let pairs = self.lists(&face, &lists)?;
+        let kept = (T::drivers().suppress)(&pairs, ranked.greed(&rules));
+        Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
+    }
+
+    fn pick(&self, list: &Stored<T>, bests: &Bests<T>) -> Result<Stored<T>, Error> {
+        let own = list.own::<Numbers<T>>()?;
+        let found = bests.own::<Ready<Vec<reduce::Best<T>>>>()?;
+        expect(Argument::Shape, bests.among, list.len())?;
+        let columns = own.into_iter().map(|own| {
+            let rows = found.0.iter();
+            let row = |best: &reduce::Best<T>| &own.rows[best.index * own.fields..][..own.fields];
+            Numbers {
+                fields: own.fields,
+                rows: rows.flat_map(row).copied().collect(),
+            }
+        });
+        self.keep(found.0.len(), columns.collect())
+    }
+}

@@ -1,0 +1,149 @@
+//! The GPU behind the calls of [`Machine`](crate::kernels::machine::Machine).
+use super::generated::held::HeldColumn;
+use super::lists::Lists;
+use super::seed::Seed;
+use super::{Bests, Device, Matrix};
+use crate::error::{Argument, Error};
+use crate::kernels::cpu::checked::{check_upstream, expect};
+use crate::kernels::item::{Column, Target};
+use crate::kernels::machine::{self, Engine, Numbers, Reduced, Reduction};
+use crate::kernels::recording::{Call, Mode};
+use crate::kernels::resident::{self, Stays, Stored};
+use crate::suppression::Rules;
+
+/// Columns that stay.
+fn stored(count: usize, columns: impl IntoIterator<Item = HeldColumn>) -> Stored<f32> {
+    let columns = columns.into_iter();
+    Stored::new(
+        count,
+        columns
+            .map(|own| Box::new(own) as Box<dyn Stays<f32>>)
+            .collect(),
+    )
+}
+
+impl Engine<f32> for Device {
+    fn keep(&self, count: usize, columns: Vec<Numbers<f32>>) -> Result<Stored<f32>, Error> {
+        let own = |own: Numbers<f32>| HeldColumn::new(self, own.fields, own.rows);
+        let columns = columns
+            .into_iter()
+            .map(own)
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(stored(count, columns))
+    }
+
+    fn room(&self, rows: usize, columns: usize) -> Result<resident::Matrix, Error> {
+        let made = self.inner.guarded(|| Matrix::room(self, rows, columns))?;
+        Ok(resident::Matrix(Box::new(made)))
+    }
+
+    fn map(
+        &self,
+        call: &Call<f32>,
+        columns: &[Column<'_, f32>],
+        targets: Vec<Option<Target<'_, f32>>>,
+        _new: bool,
+    ) -> Result<bool, Error> {
+        self.aligned(call, columns, targets).map(|()| true)
+    }
+
+    fn map_held(
+        &self,
+        call: &Call<f32>,
+        columns: &[Column<'_, f32>],
+        over: Option<&Stored<f32>>,
+    ) -> Result<Stored<f32>, Error> {
+        let made = call.generated(false)?;
+        let over = over.map(Stored::own).transpose()?.unwrap_or_default();
+        let count = machine::count_of(call, columns)?;
+        Ok(stored(count, self.held_aligned(&made, columns, &over)?))
+    }
+
+    fn pairs(
+        &self,
+        call: &Call<f32>,
+        lists: &[Column<'_, f32>; 2],
+        planes: &mut [f32],
+    ) -> Result<(), Error> {
+        self.planes(call, lists, planes)
+    }
+
+    fn pairs_held(
+        &self,
+        call: &Call<f32>,
+        lists: &[Column<'_, f32>; 2],
+        over: &mut resident::Matrix,
+    ) -> Result<(), Error> {
+        Lists::new(self, call, lists)?.matrix_into(over.own_mut()?)
+    }
+
+    fn reduce(
+        &self,
+        call: &Call<f32>,
+        lists: &[Column<'_, f32>; 2],
+        reduction: Reduction<f32>,
+    ) -> Result<Reduced<f32>, Error> {
+        Lists::new(self, call, lists)?.reduce(reduction)
+    }
+
+    fn pull_back(
+        &self,
+        call: &Call<f32>,
+        lists: &[Column<'_, f32>; 2],
+        seed: &machine::Seed<'_, f32>,
+        bars: [&mut [f32]; 2],
+    ) -> Result<f64, Error> {
+        let seed = match seed {
+            machine::Seed::Numbers(numbers) => {
+                check_upstream(numbers, 1)?;
+                Seed::Numbers(numbers)
+            }
+            machine::Seed::Matrix(matrix) => Seed::Matrix(matrix.own()?),
+            machine::Seed::Factor(factor) => {
+                check_upstream(&[*factor], 1)?;
+                Seed::Factor(*factor)
+            }
+        };
+        let adjoint = call.clone().derived(Mode::Vjp)?;
+        let (found, sum) = Lists::new(self, &adjoint, lists)?.derivatives(&seed)?;
+        let sum = match (seed, sum) {
+            (Seed::Factor(_), Some(sum)) => sum,
+            (Seed::Factor(_), None) => self.reduce(call, lists, Reduction::Sum)?.sum(),
+            _ => 0.0,
+        };
+        for (bar, found) in bars.into_iter().zip(found) {
+            bar.copy_from_slice(&found);
+        }
+        Ok(sum)
+    }
+
+    fn suppress(
+        &self,
+        call: &Call<f32>,
+        shapes: &Column<'_, f32>,
+        scores: &[f32],
+        rules: Rules<'_, f32>,
+    ) -> Result<Vec<usize>, Error> {
+        match super::generated::held::held(self, shapes)? {
+            Some(own) => {
+                let rows = own.numbers()?;
+                let here = Column::lent(&rows, shapes.fields, shapes.count);
+                self.kept(call, &here, scores, rules)
+            }
+            None => self.kept(call, shapes, scores, rules),
+        }
+    }
+
+    fn pick(&self, list: &Stored<f32>, bests: &resident::Bests<f32>) -> Result<Stored<f32>, Error> {
+        let found: &Bests = bests.own()?;
+        found.is_of(self)?;
+        let own = list.own::<HeldColumn>()?;
+        for column in &own {
+            column.is_of(self)?;
+        }
+        expect(Argument::Shape, bests.among, list.len())?;
+        let found = bests.download()?;
+        let picked = own.into_iter().map(|own| own.picked(&found));
+        Ok(stored(found.len(), picked.collect::<Result<Vec<_>, _>>()?))
+    }
+}

@@ -1,0 +1,655 @@
+//! All pairs of two lists, and their reductions.
+use super::{Machine, Number, On, Place, Reduced, Reduction, Seed};
+use crate::error::{Argument, Error};
+use crate::kernels::cpu::arch;
+use crate::kernels::cpu::checked::{entries, expect, fill_whole};
+use crate::kernels::item::{Column, Columns, Item, Results, get, width};
+use crate::kernels::op::Runs;
+use crate::kernels::real::Real;
+use crate::kernels::recording::Call;
+use crate::kernels::resident::Matrix;
+use crate::kernels::suppress::checked;
+use crate::kernels::{Single, Table};
+use crate::suppression::{Pair, Rules};
+
+/// The place of the results of two lists.
+type Both<A, B> = <<A as Columns>::Place as Place>::With<<B as Columns>::Place>;
+
+/// Shapes from their numbers.
+pub(crate) fn shapes<P: Single>(count: usize, numbers: &[P::Scalar]) -> Vec<P> {
+    let mut many = P::many(count);
+    match arch::numbers_mut(&mut many) {
+        Some(to) => to.copy_from_slice(numbers),
+        None => {
+            let rows = numbers.chunks_exact(width::<P>().max(1));
+            many.iter_mut()
+                .zip(rows)
+                .for_each(|(shape, row)| *shape = get(row));
+        }
+    }
+    many
+}
+
+/// The cotangents of all results: a matrix, row by row, as a slice or on the machine.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no list of cotangents",
+    label = "a slice of `{T}`, or a matrix on the machine"
+)]
+pub trait Factors<T: Real> {
+    #[doc(hidden)]
+    fn seed(&self) -> Seed<'_, T>;
+}
+impl<T: Real> Factors<T> for &[T] {
+    fn seed(&self) -> Seed<'_, T> {
+        Seed::Numbers(self)
+    }
+}
+impl<T: Real> Factors<T> for &Vec<T> {
+    fn seed(&self) -> Seed<'_, T> {
+        Seed::Numbers(self)
+    }
+}
+impl<T: Real, const N: usize> Factors<T> for &[T; N] {
+    fn seed(&self) -> Seed<'_, T> {
+        Seed::Numbers(&self[..])
+    }
+}
+impl<T: Real> Factors<T> for &Matrix<T> {
+    fn seed(&self) -> Seed<'_, T> {
+        Seed::Matrix(self)
+    }
+}
+
+/// Memory for results of all pairs.
+#[derive(Debug)]
+pub enum Room<'a, T: Real> {
+    /// Plane after plane for so many rows and columns.
+    Planes([usize; 2], &'a mut [T]),
+    /// A matrix on the machine.
+    Held(&'a mut Matrix<T>),
+}
+
+/// A [`Table`], or a [`Matrix`] on the machine.
+pub trait Rooms<R: Results> {
+    #[doc(hidden)]
+    fn room(&mut self) -> Room<'_, R::Scalar>;
+}
+impl<R: Results> Rooms<R> for &mut Table<R> {
+    fn room(&mut self) -> Room<'_, R::Scalar> {
+        Room::Planes([self.rows(), self.columns()], self.planes_mut())
+    }
+}
+impl<T: Real, R: Results<Scalar = T>> Rooms<R> for &mut Matrix<T> {
+    fn room(&mut self) -> Room<'_, T> {
+        Room::Held(self)
+    }
+}
+
+/// Puts the codes of shapes into their gradients, which have the codes of their shapes.
+fn put_codes<P: Item>(column: &Column<'_, P::Scalar>, bars: &mut [P::Scalar]) {
+    if P::CODES > 0 {
+        let shapes = column.all();
+        let rows = shapes.chunks_exact(width::<P>());
+        for (bar, row) in bars.chunks_exact_mut(width::<P>()).zip(rows) {
+            bar[P::LEN..].copy_from_slice(&row[P::LEN..]);
+        }
+    }
+}
+
+/// A call of two lists: the function, and both as numbers.
+macro_rules! called {
+    ($run:expr, $a:expr, $b:expr => |$call:ident, $lists:ident| $do:expr) => {{
+        let ($call, $lists) = ($run.call()?, [$a.list_of_shapes(), $b.list_of_shapes()]);
+        $do
+    }};
+}
+
+/// All pairs of two lists. A GPU refuses searches
+/// ([`Unrecordable::Search`](crate::Unrecordable::Search)).
+impl<E: ?Sized> Machine<E> {
+    /// Computes every shape of `a` with every shape of `b`: a [`Table`] with a row per shape of `a`; of lists on the
+    /// machine, for results of one number, a [`Matrix`] there.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] for a shape that is not valid, [`Error::TooLarge`] when the table has more
+    /// numbers than memory has addresses, [`Error::NotOneNumber`] for other results of lists on the machine; of a GPU
+    /// also [`Error::Gpu`] and [`Error::Program`].
+    ///
+    /// ```
+    /// use geograd::Obb2;
+    /// use geograd::kernels::{Cpu, Iou, Op};
+    /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
+    /// let b = [Obb2::new(9.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
+    /// let cpu = Cpu::new();
+    /// assert_eq!(cpu.all_pairs(Iou, &a, &b)?.values(), [0.0, 1.0 / 3.0]);
+    ///
+    /// let (_, (_, b_bar)) = cpu.all_pairs(Iou.value_grad(), &a, &b)?.at(0, 1);
+    /// assert!((b_bar.center.x + 4.0_f64 / 9.0).abs() < 1e-15);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn all_pairs<A, B, R>(
+        &self,
+        run: R,
+        a: A,
+        b: B,
+    ) -> Result<<Both<A, B> as Place>::Table<R::Out>, Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item)>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| Both::<A, B>::all_pairs::<R::Out>(self.engine(), &call, &lists))
+    }
+
+    /// [`all_pairs`](Machine::all_pairs) into the caller's [`Table`], or into a [`Matrix`] on the machine, in the same
+    /// buffers.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Machine::all_pairs), and [`Error::Length`] for a table of another size. The table
+    /// is then as it was.
+    pub fn all_pairs_into<A, B, R>(
+        &self,
+        run: R,
+        a: A,
+        b: B,
+        mut table: impl Rooms<R::Out>,
+    ) -> Result<(), Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item)>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| match table.room() {
+            Room::Planes([rows, columns], planes) => {
+                expect(Argument::Values, lists[0].len(), rows)?;
+                expect(Argument::Values, lists[1].len(), columns)?;
+                self.engine().pairs(&call, &lists, planes)
+            }
+            Room::Held(matrix) => self.engine().pairs_held(&call, &lists, matrix),
+        })
+    }
+
+    /// [`all_pairs`](Machine::all_pairs) into the caller's numbers: plane after plane, of results of one
+    /// number a matrix, row by row.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Machine::all_pairs), and [`Error::Length`] for another number of them. They are
+    /// then as they were.
+    pub fn all_pairs_planes<A, B, R>(
+        &self,
+        run: R,
+        a: A,
+        b: B,
+        planes: &mut [Number<A>],
+    ) -> Result<(), Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item)>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| {
+            let wanted = entries(lists[0].len(), lists[1].len(), R::Out::widths().iter().sum())?;
+            expect(Argument::Values, wanted, planes.len())?;
+            self.engine().pairs(&call, &lists, planes)
+        })
+    }
+
+    /// The adjoint of [`all_pairs`](Machine::all_pairs) for one number as result: derivatives of
+    /// `Σ upstream[i, j] · result[i, j]` with respect to every shape of both lists. `upstream` is a
+    /// matrix, row by row: a slice, or a [`Matrix`] on the machine.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Machine::all_pairs), and for an upstream of another size or one that is not finite.
+    ///
+    /// ```
+    /// use geograd::Obb2;
+    /// use geograd::kernels::{Cpu, Iou};
+    /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
+    /// let b = [Obb2::new(9.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
+    /// let (a_bar, b_bar) = Cpu::new().all_pairs_vjp(Iou, &a, &b, &[1.0, 3.0])?;
+    /// assert!((a_bar[0].center.x - 3.0 * 4.0_f64 / 9.0).abs() < 1e-15);
+    /// assert_eq!(b_bar[0].center.x, 0.0);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn all_pairs_vjp<A, B, R>(
+        &self,
+        run: R,
+        a: A,
+        b: B,
+        upstream: impl Factors<Number<A>>,
+    ) -> Result<Lists<A, B>, Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| {
+            Ok(self.bars::<A, B>(&call, &lists, &upstream.seed())?.1)
+        })
+    }
+
+    /// [`all_pairs_vjp`](Machine::all_pairs_vjp) into the caller's slices.
+    ///
+    /// Beside the results the CPU holds one partial gradient of `b` per 16 or more rows of `a`: less than
+    /// the upstream matrix has.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs_vjp`](Machine::all_pairs_vjp), and [`Error::Length`] for a slice of another length.
+    /// The slices are then as they were.
+    pub fn all_pairs_vjp_into<A, B, R>(
+        &self,
+        run: R,
+        a: A,
+        b: B,
+        upstream: impl Factors<Number<A>>,
+        a_bar: &mut [A::Item],
+        b_bar: &mut [B::Item],
+    ) -> Result<(), Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| {
+            self.bars_into::<A, B>(&call, &lists, &upstream.seed(), a_bar, b_bar).map(drop)
+        })
+    }
+
+    /// The largest result of every row and its column; of several the first.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Machine::all_pairs), and [`Error::Length`] for rows without columns.
+    ///
+    /// ```
+    /// use geograd::Obb2;
+    /// use geograd::kernels::{Cpu, Iou};
+    /// let a = [Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0)];
+    /// let b = [Obb2::new(9.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0)];
+    /// let best = Cpu::new().row_max(Iou, &a, &b)?;
+    /// assert_eq!((best[0].value, best[0].index), (1.0 / 3.0, 1));
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn row_max<A, B, R>(
+        &self,
+        run: R,
+        a: A,
+        b: B,
+    ) -> Result<<Both<A, B> as Place>::Bests<Number<A>>, Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| {
+            let best = Reduction::Best { of_rows: true };
+            Both::<A, B>::bests(self.reduced::<A>(&call, &lists, best)?.bests())
+        })
+    }
+
+    /// The largest result of every column and its row; of several the first.
+    ///
+    /// # Errors
+    ///
+    /// As [`row_max`](Machine::row_max), for columns without rows.
+    pub fn column_max<A, B, R>(
+        &self,
+        run: R,
+        a: A,
+        b: B,
+    ) -> Result<<Both<A, B> as Place>::Bests<Number<A>>, Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| {
+            let best = Reduction::Best { of_rows: false };
+            Both::<A, B>::bests(self.reduced::<A>(&call, &lists, best)?.bests())
+        })
+    }
+
+    /// Every pair whose result is above the threshold, row by row and within a row by column.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Machine::all_pairs), and [`Error::Invalid`] for a threshold that is not finite.
+    pub fn above<A, B, R>(
+        &self,
+        run: R,
+        a: A,
+        b: B,
+        threshold: Number<A>,
+    ) -> Result<<Both<A, B> as Place>::Founds<Number<A>>, Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| {
+            Both::<A, B>::founds(self.reduced::<A>(&call, &lists, Reduction::Above(threshold))?.founds())
+        })
+    }
+
+    /// The number of pairs whose result is above the threshold.
+    ///
+    /// # Errors
+    ///
+    /// As [`above`](Machine::above).
+    pub fn count_above<A, B, R>(
+        &self,
+        run: R,
+        a: A,
+        b: B,
+        threshold: Number<A>,
+    ) -> Result<u64, Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| {
+            Ok(self.reduced::<A>(&call, &lists, Reduction::Count(threshold))?.count())
+        })
+    }
+
+    /// The sum of all results, added in `f64`, always in the same order; a GPU adds up to 1024 of them in `f32` before.
+    ///
+    /// # Errors
+    ///
+    /// As [`all_pairs`](Machine::all_pairs).
+    pub fn sum<A, B, R>(&self, run: R, a: A, b: B) -> Result<f64, Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| Ok(self.reduced::<A>(&call, &lists, Reduction::Sum)?.sum()))
+    }
+
+    /// The mean of all results; 0 without pairs, as the loss of a step without matches.
+    ///
+    /// # Errors
+    ///
+    /// As [`sum`](Machine::sum).
+    pub fn mean<A, B, R>(&self, run: R, a: A, b: B) -> Result<f64, Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| {
+            let sum = self.reduced::<A>(&call, &lists, Reduction::Sum)?.sum();
+            Ok(sum / pairs_of(&lists).max(1.0))
+        })
+    }
+
+    /// The sum of all results and its gradient with respect to every shape of both lists: a loss and its
+    /// gradient without a matrix of results or cotangents.
+    ///
+    /// # Errors
+    ///
+    /// As [`sum`](Machine::sum).
+    ///
+    /// ```
+    /// use geograd::Aabb2;
+    /// use geograd::kernels::{Cpu, IntersectionArea};
+    /// let a = [Aabb2::new(0.0, 0.0, 2.0, 2.0)];
+    /// let b = [Aabb2::new(1.0, 0.0, 3.0, 2.0), Aabb2::new(-1.0, 1.0, 3.0, 3.0)];
+    /// let (sum, a_bar, _) = Cpu::new().sum_grad(IntersectionArea, &a, &b)?;
+    /// assert_eq!(sum, 4.0);
+    /// assert_eq!(a_bar[0].max.x, 3.0); // 2 along the one, 1 along the other
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn sum_grad<A, B, R>(&self, run: R, a: A, b: B) -> Result<Loss<A, B>, Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| {
+            let one = Seed::Factor(crate::Scalar::one());
+            let (sum, (a_bar, b_bar)) = self.bars::<A, B>(&call, &lists, &one)?;
+            Ok((sum, a_bar, b_bar))
+        })
+    }
+
+    /// The mean of all results and its gradient, as [`sum_grad`](Machine::sum_grad); zeros without pairs.
+    ///
+    /// # Errors
+    ///
+    /// As [`sum_grad`](Machine::sum_grad).
+    pub fn mean_grad<A, B, R>(&self, run: R, a: A, b: B) -> Result<Loss<A, B>, Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| {
+            let factor = 1.0 / pairs_of(&lists).max(1.0);
+            let each = Seed::Factor(crate::Scalar::lit(factor));
+            let (sum, (a_bar, b_bar)) = self.bars::<A, B>(&call, &lists, &each)?;
+            Ok((sum * factor, a_bar, b_bar))
+        })
+    }
+
+    /// The sum of all results; into the caller's slices the derivatives of the sum times `factor`.
+    ///
+    /// # Errors
+    ///
+    /// As [`sum_grad`](Machine::sum_grad), and for a slice of another length or a factor that is not
+    /// finite. The slices are then as they were.
+    pub fn sum_grad_into<A, B, R>(
+        &self,
+        run: R,
+        a: A,
+        b: B,
+        factor: Number<A>,
+        a_bar: &mut [A::Item],
+        b_bar: &mut [B::Item],
+    ) -> Result<f64, Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
+    {
+        called!(run, a, b => |call, lists| {
+            self.bars_into::<A, B>(&call, &lists, &Seed::Factor(factor), a_bar, b_bar)
+        })
+    }
+
+    /// Every two shapes of a list whose result is above the threshold, each two once: for
+    /// [`suppression`](crate::suppression). The one that comes first in the list is the first argument.
+    ///
+    /// # Errors
+    ///
+    /// As [`above`](Machine::above).
+    pub fn overlaps<A, R>(
+        &self,
+        run: R,
+        shapes: A,
+        threshold: Number<A>,
+    ) -> Result<Vec<Pair<Number<A>>>, Error>
+    where
+        A: Columns<Item: Single>,
+        R: Runs<(A::Item, A::Item), Out = Number<A>>,
+        Number<A>: On<E>,
+    {
+        called!(run, shapes, shapes => |call, lists| {
+            let found = self.reduced::<A>(&call, &lists, Reduction::Above(threshold))?;
+            let found = found.founds().taken()?.into_iter();
+            Ok(found.filter(|pair| pair.row < pair.column).map(Pair::from).collect())
+        })
+    }
+
+    /// The shapes that no better one, kept itself, overlaps by more than the threshold: their places, the
+    /// best first.
+    ///
+    /// The result is that of [`suppression::hard`](crate::suppression::hard) with all
+    /// [`overlaps`](Machine::overlaps). Only pairs with a kept shape are computed. The better one of two shapes is
+    /// the first argument.
+    ///
+    /// A GPU keeps the shapes that the CPU keeps: pairs whose result is within 1/256 of the threshold are computed once
+    /// more, on the CPU, if the decision depends on them. So that holds for scores between zero and one, such as an IoU
+    /// of any boxes, which no driver gets wrong by so much.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] for a shape that is not valid, a score that is not finite or a threshold outside
+    /// `[0, 1]`; [`Error::Length`] for another number of scores or classes than of shapes; of a GPU also
+    /// [`Error::Program`] for searches, [`Error::Gpu`] for errors of the device.
+    ///
+    /// ```
+    /// use geograd::kernels::{Cpu, Iou};
+    /// use geograd::suppression::Rules;
+    /// use geograd::Obb2;
+    ///
+    /// let boxes = [0.0, 0.2, 3.0].map(|x| Obb2::new(x, 0.0, 2.0, 1.0, 0.0_f32));
+    /// let scores = [0.6, 0.9, 0.5];
+    /// let kept = Cpu::new().suppress(Iou, &boxes, &scores, Rules::above(0.5))?;
+    /// assert_eq!(kept, [1, 2]);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn suppress<A, R>(
+        &self,
+        run: R,
+        shapes: A,
+        scores: &[Number<A>],
+        rules: Rules<'_, Number<A>>,
+    ) -> Result<Vec<usize>, Error>
+    where
+        A: Columns<Item: Single>,
+        R: Runs<(A::Item, A::Item), Out = Number<A>>,
+        Number<A>: On<E>,
+    {
+        let list = shapes.list_of_shapes();
+        checked(list.len(), scores, &rules)?;
+        self.engine().suppress(&run.call()?, &list, scores, rules)
+    }
+}
+
+/// Gradients of both lists, where their results are.
+pub(crate) type Lists<A, B> = (
+    <Both<A, B> as Place>::List<<A as Columns>::Item>,
+    <Both<A, B> as Place>::List<<B as Columns>::Item>,
+);
+
+/// A loss, and its gradients of both lists.
+pub(crate) type Loss<A, B> = (
+    f64,
+    <Both<A, B> as Place>::List<<A as Columns>::Item>,
+    <Both<A, B> as Place>::List<<B as Columns>::Item>,
+);
+
+/// The number of pairs.
+fn pairs_of<T: Real>(lists: &[Column<'_, T>; 2]) -> f64 {
+    lists[0].len() as f64 * lists[1].len() as f64
+}
+
+/// Refuses cotangents of another number than pairs.
+fn fits<T: Real>(lists: &[Column<'_, T>; 2], seed: &Seed<'_, T>) -> Result<(), Error> {
+    let [rows, columns] = [lists[0].len(), lists[1].len()];
+    match seed {
+        Seed::Numbers(numbers) => expect(
+            Argument::Upstream,
+            entries(rows, columns, 1)?,
+            numbers.len(),
+        ),
+        _ => Ok(()),
+    }
+}
+
+/// What the calls above share.
+impl<E: ?Sized> Machine<E> {
+    /// A reduction, checked.
+    fn reduced<A: Columns>(
+        &self,
+        call: &Call<Number<A>>,
+        lists: &[Column<'_, Number<A>>; 2],
+        reduction: Reduction<Number<A>>,
+    ) -> Result<Reduced<Number<A>>, Error>
+    where
+        Number<A>: On<E>,
+    {
+        reduction.check(lists[0].len(), lists[1].len())?;
+        self.engine().reduce(call, lists, reduction)
+    }
+
+    /// The sum of all results where one factor is that of all, and cotangents of both lists.
+    fn bars<A, B>(
+        &self,
+        call: &Call<Number<A>>,
+        lists: &[Column<'_, Number<A>>; 2],
+        seed: &Seed<'_, Number<A>>,
+    ) -> Result<(f64, Lists<A, B>), Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        Number<A>: On<E>,
+    {
+        fits(lists, seed)?;
+        let engine = self.engine::<Number<A>>();
+        let [mut a_bar, mut b_bar] = lists
+            .each_ref()
+            .map(|list| vec![Number::<A>::default(); list.len() * list.fields]);
+        let sum = engine.pull_back(call, lists, seed, [&mut a_bar, &mut b_bar])?;
+        put_codes::<A::Item>(&lists[0], &mut a_bar);
+        put_codes::<B::Item>(&lists[1], &mut b_bar);
+        let a_bar = Both::<A, B>::list::<A::Item>(engine, lists[0].len(), a_bar)?;
+        Ok((
+            sum,
+            (
+                a_bar,
+                Both::<A, B>::list::<B::Item>(engine, lists[1].len(), b_bar)?,
+            ),
+        ))
+    }
+
+    /// The same into the caller's slices.
+    fn bars_into<A, B>(
+        &self,
+        call: &Call<Number<A>>,
+        lists: &[Column<'_, Number<A>>; 2],
+        seed: &Seed<'_, Number<A>>,
+        a_bar: &mut [A::Item],
+        b_bar: &mut [B::Item],
+    ) -> Result<f64, Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        Number<A>: On<E>,
+    {
+        fits(lists, seed)?;
+        expect(Argument::GradA, lists[0].len(), a_bar.len())?;
+        expect(Argument::GradB, lists[1].len(), b_bar.len())?;
+        fill_whole(a_bar, |a_bar| {
+            fill_whole(b_bar, |b_bar| {
+                let sum = self
+                    .engine()
+                    .pull_back(call, lists, seed, [&mut *a_bar, &mut *b_bar])?;
+                put_codes::<A::Item>(&lists[0], a_bar);
+                put_codes::<B::Item>(&lists[1], b_bar);
+                Ok(sum)
+            })
+        })
+    }
+}

@@ -1,0 +1,221 @@
+//! Machines and their calls.
+//!
+//! [`Machine`] has every call once: for the CPU, for a GPU, and for a [`Backend`](crate::kernels::Backend) that is either.
+//! Columns are slices, [`One`](crate::kernels::One), or [arrays that stay on the machine](crate::kernels::resident). Results
+//! of slices are vectors; results stay on the machine if one of the columns does.
+mod all_pairs;
+mod place;
+mod primitives;
+
+pub(crate) use all_pairs::shapes;
+pub use all_pairs::{Factors, Room, Rooms};
+pub use place::{Here, Place, There};
+pub use primitives::{Engine, Numbers, On, Reduced, Reduction, Seed};
+
+use crate::Pack;
+use crate::error::{Argument, Error};
+use crate::kernels::Single;
+use crate::kernels::Targets;
+use crate::kernels::cpu::checked::expect;
+use crate::kernels::item::{Column, Columns, Item, Results, Target};
+use crate::kernels::op::Runs;
+use crate::kernels::real::Real;
+use crate::kernels::recording::Call;
+use crate::kernels::resident::{Bests, Held, Matrix, numbers_of};
+use std::fmt;
+
+/// A machine that runs batches: [`Cpu`](crate::kernels::Cpu), [`Gpu`](crate::kernels::gpu::Gpu), or either behind a
+/// [`Backend`](crate::kernels::Backend).
+///
+/// Results of a GPU are those of the CPU to within rounding; its errors include [`Error::Gpu`], and
+/// [`Error::Program`] for functions that cannot be recorded.
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+pub struct Machine<E: ?Sized> {
+    pub(crate) engine: E,
+}
+
+impl<E: fmt::Debug + ?Sized> fmt::Debug for Machine<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.engine.fmt(f)
+    }
+}
+
+/// The number type of columns.
+pub(crate) type Number<C> = <<C as Columns>::Item as Pack>::Scalar;
+
+/// The columns as a list.
+pub(crate) fn listed<C: Columns>(columns: &C) -> Vec<Column<'_, Number<C>>> {
+    let mut all = Vec::new();
+    columns.list(&mut |column| all.push(column));
+    all
+}
+
+/// The number of items of the columns of a call.
+pub(crate) fn count_of<T: Real>(call: &Call<T>, columns: &[Column<'_, T>]) -> Result<usize, Error> {
+    let mut count = None;
+    for (k, column) in columns.iter().enumerate() {
+        match (count, column.count) {
+            (None, found) => count = found,
+            (Some(expected), Some(found)) => expect(call.argument(k), expected, found)?,
+            _ => (),
+        }
+    }
+    Ok(count.unwrap_or(1))
+}
+
+/// The targets as a list, each of so many items.
+pub(crate) fn fitting<R: Results>(
+    targets: &mut impl Targets<R>,
+    count: usize,
+) -> Result<Vec<Option<Target<'_, R::Scalar>>>, Error> {
+    let mut list = Vec::new();
+    let mut fits = Ok(());
+    targets.list(&mut |target| {
+        if let (Some(target), Ok(())) = (&target, &fits) {
+            fits = expect(Argument::Result(list.len()), count, target.count);
+        }
+        list.push(target);
+    });
+    fits.map(|()| list)
+}
+
+/// Aligned batches, and arrays on the machine.
+impl<E: ?Sized> Machine<E> {
+    /// The engine in a number type.
+    pub(crate) fn engine<T: On<E>>(&self) -> &dyn Engine<T> {
+        T::engine(&self.engine)
+    }
+
+    /// Computes item i of every column: one result per item; results of several shapes come as one vector per shape.
+    ///
+    /// `run` is a verb ([`Iou`](crate::kernels::Iou)), its gradient
+    /// ([`value_grad`](crate::kernels::Op::value_grad)) or Jacobian
+    /// ([`jacobian`](crate::kernels::Op::jacobian)), its adjoint ([`vjp`](crate::kernels::Op::vjp)), or a program.
+    ///
+    /// On a GPU searches ([`Search`](crate::kernels::Search)) are decided on the CPU and replayed on the GPU, with their
+    /// derivatives. Every record that occurs is made a program once: that pays if many items have the same one.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] when columns differ in length, [`Error::Invalid`] for a shape that is not
+    /// valid. A GPU also returns [`Error::Gpu`] and, for what cannot be recorded, [`Error::Program`]; a program that fits
+    /// no buffer gives [`GpuFault::TooLarge`](crate::GpuFault::TooLarge). Arrays of another machine give
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer).
+    ///
+    /// ```
+    /// use geograd::Obb2;
+    /// use geograd::kernels::{Cpu, Iou, Op};
+    /// let a = [Obb2::new(0.0_f64, 0.0, 2.0, 2.0, 0.0), Obb2::new(5.0, 5.0, 1.0, 3.0, 0.7)];
+    /// let b = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(5.0, 5.0, 1.0, 3.0, 0.7)];
+    /// let cpu = Cpu::new();
+    /// assert_eq!(cpu.aligned(Iou, (&a, &b))?, [1.0 / 3.0, 1.0]);
+    ///
+    /// let (iou, (a_bar, _)) = cpu.aligned(Iou.value_grad(), (&a, &b))?;
+    /// assert_eq!(iou[0], 1.0 / 3.0);
+    /// assert!((a_bar[0].center.x - 4.0 / 9.0).abs() < 1e-15); // nearer is better
+    ///
+    /// // The adjoint: derivatives times what some loss says about every result.
+    /// let (twice, _) = cpu.aligned(Iou.vjp(), ((&a, &b), &[2.0, 0.0]))?;
+    /// assert_eq!(twice[0].center.x, 2.0 * a_bar[0].center.x);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn aligned<C: Columns, R: Runs<C::Item>>(
+        &self,
+        run: R,
+        columns: C,
+    ) -> Result<<C::Place as Place>::Many<R::Out>, Error>
+    where
+        Number<C>: On<E>,
+    {
+        C::Place::aligned::<R::Out>(self.engine(), &run.call()?, &listed(&columns))
+    }
+
+    /// [`aligned`](Machine::aligned) into the caller's memory: a slice for every shape of a result, in a tuple
+    /// like the result's, with [`Skip`](crate::kernels::Skip) for what is not wanted; or an array on the machine, whose
+    /// buffers are used again.
+    ///
+    /// # Errors
+    ///
+    /// As [`aligned`](Machine::aligned), and [`Error::Length`] for memory of another length. Nothing is
+    /// written then, unless a device fails in the middle.
+    ///
+    /// ```
+    /// use geograd::Aabb2;
+    /// use geograd::kernels::{Cpu, Iou, Op, Skip};
+    /// let boxes = [Aabb2::new(0.0, 0.0, 2.0, 2.0)];
+    /// let mut a_bar = boxes;
+    /// let targets = (Skip, (&mut a_bar, Skip));
+    /// Cpu::new().aligned_into(Iou.value_grad(), (&boxes, &boxes), targets)?;
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    pub fn aligned_into<C: Columns, R: Runs<C::Item>>(
+        &self,
+        run: R,
+        columns: C,
+        mut targets: impl Targets<R::Out>,
+    ) -> Result<(), Error>
+    where
+        Number<C>: On<E>,
+    {
+        let (call, columns) = (run.call()?, listed(&columns));
+        let count = count_of(&call, &columns)?;
+        if let Some(held) = targets.held() {
+            expect(Argument::Values, count, held.len())?;
+            *held = self.engine().map_held(&call, &columns, Some(held))?;
+            return Ok(());
+        }
+        let targets = fitting::<R::Out>(&mut targets, count)?;
+        self.engine().map(&call, &columns, targets, false).map(drop)
+    }
+
+    /// Checks items and uploads them: an array that stays on the machine and is a column of every call.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Invalid`] for a shape that is not valid, and the errors of the device.
+    pub fn upload<R: Item>(&self, items: &[R]) -> Result<Held<R>, Error>
+    where
+        <R as Pack>::Scalar: On<E>,
+    {
+        let stored = self.engine().keep(items.len(), numbers_of(items)?)?;
+        Ok(Held::of(stored))
+    }
+
+    /// Uploads a matrix, row by row.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] for another number of values than rows times columns, [`Error::Invalid`] for one that is not
+    /// finite, and the errors of the device.
+    pub fn upload_matrix<T: On<E>>(
+        &self,
+        rows: usize,
+        columns: usize,
+        values: &[T],
+    ) -> Result<Matrix<T>, Error> {
+        let expected = rows.checked_mul(columns).ok_or(Error::TooLarge)?;
+        expect(Argument::Upstream, expected, values.len())?;
+        let mut matrix = self.engine().room(rows, columns)?;
+        matrix.update(values)?;
+        Ok(matrix)
+    }
+
+    /// The shape of a list that each row (or column) found best: `pick(&b, &row_max)` has as many shapes as
+    /// `a`, ready to be aligned with it.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] for results about a list of another length,
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer) for arrays of other machines, and the errors of the
+    /// device.
+    pub fn pick<P: Single>(
+        &self,
+        list: &Held<P>,
+        bests: &Bests<<P as Pack>::Scalar>,
+    ) -> Result<Held<P>, Error>
+    where
+        <P as Pack>::Scalar: On<E>,
+    {
+        Ok(Held::of(self.engine().pick(list.stored(), bests)?))
+    }
+}

@@ -1,0 +1,212 @@
+//! The interface of machines: calls over numbers, without the types of shapes.
+//!
+//! An engine implements these primitives; [`Machine`](super::Machine) has every named call, once, above them.
+use crate::Error;
+use crate::kernels::cpu::Processor;
+use crate::kernels::gpu::Device;
+use crate::kernels::item::{Column, Target};
+use crate::kernels::real::Real;
+use crate::kernels::recording::Call;
+use crate::kernels::reduce::{check_sides, check_threshold};
+use crate::kernels::resident::{Bests, Founds, Matrix, Stored};
+use crate::suppression::Rules;
+use std::fmt::Debug;
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::Processor {}
+    impl Sealed for super::Device {}
+}
+
+/// Numbers of one shape of every item.
+#[derive(Clone, Debug)]
+pub struct Numbers<T> {
+    /// Numbers of a shape.
+    pub(crate) fields: usize,
+    /// Shape after shape.
+    pub(crate) rows: Vec<T>,
+}
+
+/// A reduction of all results.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Reduction<T> {
+    /// The largest of every row, or of every column.
+    Best {
+        /// `true` for rows.
+        of_rows: bool,
+    },
+    /// The pairs above a threshold.
+    Above(T),
+    /// The number of pairs above a threshold.
+    Count(T),
+    /// The sum.
+    Sum,
+}
+
+impl<T: Real> Reduction<T> {
+    /// Refuses the largest of nothing, and a threshold that is no number.
+    pub(crate) fn check(self, rows: usize, columns: usize) -> Result<(), Error> {
+        match self {
+            Reduction::Best { of_rows } => check_sides(rows, columns, of_rows),
+            Reduction::Above(threshold) | Reduction::Count(threshold) => check_threshold(threshold),
+            Reduction::Sum => Ok(()),
+        }
+    }
+}
+
+/// The result of a reduction, on the machine.
+#[derive(Clone, Debug)]
+pub enum Reduced<T: Real> {
+    /// The largest of every row or column.
+    Bests(Bests<T>),
+    /// The pairs above a threshold.
+    Founds(Founds<T>),
+    /// Their number.
+    Count(u64),
+    /// The sum.
+    Sum(f64),
+}
+
+/// Takes what a reduction gives: one name for every kind.
+macro_rules! taken {
+    ($($name:ident: $kind:ident -> $out:ty;)*) => {
+        impl<T: Real> Reduced<T> { $(
+            pub(crate) fn $name(self) -> $out {
+                match self {
+                    Reduced::$kind(found) => found,
+                    _ => unreachable!("a reduction gives what it is asked for"),
+                }
+            }
+        )* }
+    };
+}
+taken! {
+    bests: Bests -> Bests<T>;
+    founds: Founds -> Founds<T>;
+    count: Count -> u64;
+    sum: Sum -> f64;
+}
+
+/// The cotangents of all results.
+#[derive(Clone, Copy, Debug)]
+pub enum Seed<'a, T: Real> {
+    /// A number for every pair, row by row.
+    Numbers(&'a [T]),
+    /// The same, on the machine.
+    Matrix(&'a Matrix<T>),
+    /// One number for all.
+    Factor(T),
+}
+
+/// An engine that computes in a number type: [`Processor`] in `f32` and `f64`, [`Device`] in `f32`.
+///
+/// Columns come with what errors call them; engines check shapes before they compute.
+pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
+    /// Keeps columns of so many items, whose numbers were checked.
+    #[doc(hidden)]
+    fn keep(&self, count: usize, columns: Vec<Numbers<T>>) -> Result<Stored<T>, Error>;
+
+    /// Makes room for a matrix.
+    #[doc(hidden)]
+    fn room(&self, rows: usize, columns: usize) -> Result<Matrix<T>, Error>;
+
+    /// Computes item i of every column into targets of the right length. `new` targets may be written on an error, and
+    /// may come back unfinished: `false` asks for the same again with targets that are not.
+    #[doc(hidden)]
+    fn map(
+        &self,
+        call: &Call<T>,
+        columns: &[Column<'_, T>],
+        targets: Vec<Option<Target<'_, T>>>,
+        new: bool,
+    ) -> Result<bool, Error>;
+
+    /// The same with results that stay, over others that may be written over.
+    #[doc(hidden)]
+    fn map_held(
+        &self,
+        call: &Call<T>,
+        columns: &[Column<'_, T>],
+        over: Option<&Stored<T>>,
+    ) -> Result<Stored<T>, Error>;
+
+    /// Computes all pairs: plane after plane, each a matrix, row by row.
+    #[doc(hidden)]
+    fn pairs(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        planes: &mut [T],
+    ) -> Result<(), Error>;
+
+    /// The same with results of one number that stay, over a matrix of the same size.
+    #[doc(hidden)]
+    fn pairs_held(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        over: &mut Matrix<T>,
+    ) -> Result<(), Error>;
+
+    /// Reduces all pairs, without the matrix; the reduction was checked.
+    #[doc(hidden)]
+    fn reduce(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        reduction: Reduction<T>,
+    ) -> Result<Reduced<T>, Error>;
+
+    /// Computes the cotangents of both lists from those of all results; with one factor for all also the sum of all
+    /// results, otherwise 0.
+    #[doc(hidden)]
+    fn pull_back(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        seed: &Seed<'_, T>,
+        bars: [&mut [T]; 2],
+    ) -> Result<f64, Error>;
+
+    /// The shapes that no better one, kept itself, overlaps by more than the threshold. Scores and rules were checked.
+    #[doc(hidden)]
+    fn suppress(
+        &self,
+        call: &Call<T>,
+        shapes: &Column<'_, T>,
+        scores: &[T],
+        rules: Rules<'_, T>,
+    ) -> Result<Vec<usize>, Error>;
+
+    /// The shapes that rows or columns found best, in their order.
+    #[doc(hidden)]
+    fn pick(&self, list: &Stored<T>, bests: &Bests<T>) -> Result<Stored<T>, Error>;
+}
+
+/// A number that an engine computes in: `f32` and `f64` on the CPU, `f32` on a GPU.
+#[diagnostic::on_unimplemented(
+    message = "`{E}` does not compute in `{Self}`",
+    label = "`{Self}` is no number of this machine",
+    note = "GPUs compute in `f32`: convert shapes with `cast`, or use `Cpu`"
+)]
+pub trait On<E: ?Sized>: Real {
+    /// The engine, in this number.
+    #[doc(hidden)]
+    fn engine(engine: &E) -> &dyn Engine<Self>;
+}
+
+impl<T: Real> On<Processor> for T {
+    fn engine(engine: &Processor) -> &dyn Engine<T> {
+        engine
+    }
+}
+impl On<Device> for f32 {
+    fn engine(engine: &Device) -> &dyn Engine<f32> {
+        engine
+    }
+}
+impl<T: Real> On<dyn Engine<T>> for T {
+    fn engine(engine: &dyn Engine<T>) -> &dyn Engine<T> {
+        engine
+    }
+}

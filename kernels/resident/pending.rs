@@ -1,0 +1,104 @@
+//! Downloads on their way.
+use crate::GpuFault;
+use crate::error::Error;
+use std::fmt;
+use std::future::Future;
+use std::pin::Pin;
+use std::task::{Context, Poll};
+
+/// A download of a device that was started.
+pub trait Later<X>: Future<Output = Result<X, Error>> + Send + Unpin {
+    /// Waits for it.
+    #[doc(hidden)]
+    fn wait(self: Box<Self>) -> Result<X, Error>;
+}
+
+/// A download that was started: wait for it, or await it.
+#[must_use = "nothing arrives unless waited for"]
+pub struct Pending<X>(State<X>);
+
+enum State<X> {
+    /// It is here; taken when it was given away.
+    Ready(Option<X>),
+    Later(Box<dyn Later<X>>),
+}
+
+impl<X> fmt::Debug for Pending<X> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let is_ready = matches!(self.0, State::Ready(_));
+        f.debug_struct("Pending")
+            .field("is_here", &is_ready)
+            .finish()
+    }
+}
+
+impl<X> Pending<X> {
+    pub(crate) const fn ready(found: X) -> Self {
+        Pending(State::Ready(Some(found)))
+    }
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "only a device is late")
+    )]
+    pub(crate) fn later(download: impl Later<X> + 'static) -> Self {
+        Pending(State::Later(Box::new(download)))
+    }
+    /// The same download, with a function of its result.
+    pub(crate) fn map<Y: 'static>(
+        self,
+        with: impl Fn(X) -> Y + Send + Unpin + 'static,
+    ) -> Pending<Y>
+    where
+        X: 'static,
+    {
+        match self.0 {
+            State::Ready(found) => Pending(State::Ready(found.map(with))),
+            State::Later(download) => Pending(State::Later(Box::new(Mapped { download, with }))),
+        }
+    }
+
+    /// Waits for it.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuFault::DeviceLost`], or [`GpuFault::OutOfMemory`] when there is no room for it.
+    pub fn wait(self) -> Result<X, Error> {
+        match self.0 {
+            State::Ready(found) => found.ok_or(Error::Gpu(GpuFault::DeviceLost)),
+            State::Later(download) => download.wait(),
+        }
+    }
+}
+
+impl<X: Unpin> Future for Pending<X> {
+    type Output = Result<X, Error>;
+
+    fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
+        match &mut self.get_mut().0 {
+            // Polled again after it was ready, it has nothing more to give.
+            State::Ready(own) => own.take().map_or(Poll::Pending, |own| Poll::Ready(Ok(own))),
+            State::Later(own) => Pin::new(&mut **own).poll(context),
+        }
+    }
+}
+
+/// A download with a function of its result.
+struct Mapped<X, F> {
+    download: Box<dyn Later<X>>,
+    with: F,
+}
+
+impl<X, Y, F: Fn(X) -> Y + Send + Unpin> Future for Mapped<X, F> {
+    type Output = Result<Y, Error>;
+
+    fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
+        let own = self.get_mut();
+        let found = Pin::new(&mut *own.download).poll(context);
+        found.map(|found| found.map(&own.with))
+    }
+}
+impl<X, Y, F: Fn(X) -> Y + Send + Unpin> Later<Y> for Mapped<X, F> {
+    fn wait(self: Box<Self>) -> Result<Y, Error> {
+        self.download.wait().map(self.with)
+    }
+}
