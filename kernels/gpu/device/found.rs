@@ -66,7 +66,6 @@ impl Table<'_> {
         };
         self.sweeps.reverse();
         while let Some(sweep) = self.sweeps.pop() {
-            self.compute(&sweep)?;
             let (places, total) = inner.guarded(|| {
                 let count = self.pipeline(Take::Count);
                 let place = inner.gather_pipeline("places_main");
@@ -74,7 +73,7 @@ impl Table<'_> {
                 let total = inner.storage(1);
                 let mut work = Work::new(inner);
                 let buffers = sweep.buffers(&[(7, &places)]);
-                work.dispatch(&count, sweep.params(threshold), &buffers, sweep.size());
+                work.dispatch(&count, sweep.params(threshold), &buffers, self.size(&sweep));
                 let list = Params {
                     own_count: sweep.room() as u32,
                     ..Params::default()
@@ -101,7 +100,7 @@ impl Table<'_> {
                 let list = inner.storage(3 * found);
                 let mut work = Work::new(inner);
                 let buffers = sweep.buffers(&[(4, &list), (7, &places)]);
-                work.dispatch(&write, sweep.params(threshold), &buffers, sweep.size());
+                work.dispatch(&write, sweep.params(threshold), &buffers, self.size(&sweep));
                 work.submit()?;
                 Ok(list)
             })?;

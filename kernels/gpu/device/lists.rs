@@ -91,19 +91,17 @@ impl<'a> Lists<'a> {
     }
 
     /// All pairs as a reduction sees them.
-    fn table(&self, own_rows: bool) -> Result<Table<'_>, Error> {
+    fn table(&self, own_rows: bool) -> Table<'_> {
         match &self.kernels {
-            Kernels::ByHand(lists) => Ok(Table::of_lists(self.gpu, lists, own_rows)),
-            Kernels::Generated(made, sides) => {
-                Table::of_generated(self.gpu, made, sides, self.counts, own_rows)
-            }
+            Kernels::ByHand(lists) => Table::of_lists(self.gpu, lists, own_rows),
+            Kernels::Generated(made, sides) => Table::of_generated(self.gpu, made, sides, own_rows),
         }
     }
 
     /// A reduction of all results.
     pub fn reduce(&self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
         let own_rows = reduction != Reduction::Best { of_rows: false };
-        self.table(own_rows)?.reduced(reduction)
+        self.table(own_rows).reduced(reduction)
     }
 
     /// The numbers of the derivatives of both lists, of lists that were made for adjoints.

@@ -71,12 +71,11 @@ impl Table<'_> {
             let values = inner.pieces(self.own, 1);
             let indices = inner.pieces(self.own, 1);
             for sweep in &self.sweeps {
-                self.compute(sweep)?;
                 let part_values = inner.storage(sweep.room());
                 let part_indices = inner.storage(sweep.room());
                 let mut work = Work::new(inner);
                 let buffers = sweep.buffers(&[(4, &part_values), (7, &part_indices)]);
-                work.dispatch(&pipeline, sweep.params(0.0), &buffers, sweep.size());
+                work.dispatch(&pipeline, sweep.params(0.0), &buffers, self.size(sweep));
                 let buffers = [
                     (3, &part_values),
                     (8, &part_indices),
@@ -100,13 +99,17 @@ impl Table<'_> {
         let inner = &self.gpu.inner;
         let binding = if take == Take::Count { 7 } else { 4 };
         for sweep in &self.sweeps {
-            self.compute(sweep)?;
             let totals = inner.guarded(|| {
                 let pipeline = self.pipeline(take);
                 let totals = inner.storage(sweep.room());
                 let mut work = Work::new(inner);
                 let buffers = sweep.buffers(&[(binding, &totals)]);
-                work.dispatch(&pipeline, sweep.params(threshold), &buffers, sweep.size());
+                work.dispatch(
+                    &pipeline,
+                    sweep.params(threshold),
+                    &buffers,
+                    self.size(sweep),
+                );
                 work.submit()?;
                 Ok(totals)
             })?;

@@ -4,11 +4,11 @@ use super::block::Block;
 use super::data::Piece;
 use super::generated::operation::Generated;
 use super::generated::uploaded::Sides;
+use super::generated::{self, Form};
 use super::mirrored::Mirrored;
-use super::work::{Params, groups};
-use super::written::{ANY, Kernel, STRIP, Source, Take};
+use super::work::Params;
+use super::written::{ANY, GROUP, Kernel, STRIP, Source, Take};
 use super::{Device, Inner, Matrix};
-use crate::Error;
 use std::sync::Arc;
 
 /// One dispatch of a reduction: a run of own rows (or columns) by a run of walked ones.
@@ -22,12 +22,12 @@ pub(super) struct Sweep {
     /// The first one's index in the whole list.
     own_base: usize,
     pub own: usize,
+    /// The index of the first walked one in its buffer, and in the whole list.
+    walked_start: usize,
     pub walked_base: usize,
     walked: usize,
     /// Two lists of shapes or a block of a matrix, and where they are bound.
     pub bound: Vec<(u32, wgpu::Buffer)>,
-    /// Which block of a matrix, where it is one.
-    block: usize,
 }
 
 impl Sweep {
@@ -38,11 +38,6 @@ impl Sweep {
     /// Partial results: one per own row (or column) and strip.
     pub fn room(&self) -> usize {
         self.own * self.strips()
-    }
-
-    /// Workgroups.
-    pub fn size(&self) -> [u32; 2] {
-        [groups(self.own), self.strips() as u32]
     }
 
     /// The same in two, for own rows that found more than a buffer holds.
@@ -65,6 +60,7 @@ impl Sweep {
             out_start: self.out_start as u32,
             own_base: self.own_base as u32,
             loop_count: self.walked as u32,
+            loop_start: self.walked_start as u32,
             loop_base: self.walked_base as u32,
             parts: self.strips() as u32,
             more: u32::from(self.walked_base > 0),
@@ -86,17 +82,16 @@ pub(super) struct Table<'a> {
     pub own: usize,
     pub walked: usize,
     /// The shader but for what it takes of the scores.
-    source: Source,
+    kernels: Kernels<'a>,
     pub sweeps: Vec<Sweep>,
-    results: Option<Results<'a>>,
 }
 
-/// Results that are computed block by block, when a reduction comes to them.
-struct Results<'a> {
-    made: &'a Arc<Generated<f32>>,
-    sides: &'a Sides,
-    blocks: Vec<Block>,
-    buffer: wgpu::Buffer,
+/// The bodies that give the scores.
+enum Kernels<'a> {
+    /// By hand, or a matrix.
+    Written(Source),
+    /// A generated function; `true` if threads stand for rows.
+    Generated(&'a Arc<Generated<f32>>, bool),
 }
 
 impl<'a> Table<'a> {
@@ -115,12 +110,11 @@ impl<'a> Table<'a> {
             gpu,
             own: own.len,
             walked: walked.len,
-            source: Source {
+            kernels: Kernels::Written(Source {
                 own_rows,
                 ..lists.source(Kernel::Reduce(Take::Best))
-            },
+            }),
             sweeps: gpu.inner.sweeps(&own.pieces, &walked.pieces, bound),
-            results: None,
         }
     }
 
@@ -131,32 +125,49 @@ impl<'a> Table<'a> {
         Self::of_blocks(&matrix.gpu, blocks, counts, own_rows)
     }
 
-    /// The table of all pairs of two lists of so many shapes: never more than a block of their results exists.
+    /// The table of two lists of any shapes: kernels around a generated function compute the results that they reduce.
     pub fn of_generated(
         gpu: &'a Device,
         made: &'a Arc<Generated<f32>>,
-        sides: &'a Sides,
-        counts: [usize; 2],
+        sides: &Sides,
         own_rows: bool,
-    ) -> Result<Self, Error> {
-        let inner = &gpu.inner;
-        let blocks = inner.cut(
-            counts[0],
-            counts[1],
-            (inner.most_bytes / MOST_ENTRIES).max(4),
-        );
-        let sizes = blocks.iter().map(|block| block.rows * block.columns);
-        let room = sizes.max().unwrap_or(0);
-        let buffer = inner.guarded(|| Ok(inner.storage(room)))?;
-        let own = blocks.iter().map(|block| (*block, &buffer));
-        let mut table = Self::of_blocks(gpu, own, counts, own_rows);
-        table.results = Some(Results {
-            made,
-            sides,
-            blocks,
-            buffer,
-        });
-        Ok(table)
+    ) -> Self {
+        let (k, inner, counts) = (usize::from(!own_rows), &gpu.inner, sides.counts());
+        let walked: Vec<_> = sides.parts(1 - k, 0..counts[1 - k]).collect();
+        let widest = walked.iter().map(|part| part.2.len()).max().unwrap_or(1);
+        // As a matrix with one column per strip and four numbers per entry; no dispatch of seconds.
+        let most = (inner.most_bytes as usize / 16 / widest.div_ceil(STRIP))
+            .min(made.most_pairs() / widest)
+            .max(1);
+        let mut sweeps = Vec::new();
+        for (out_piece, base) in (0..counts[k]).step_by(inner.chunk).enumerate() {
+            let whole = base..counts[k].min(base + inner.chunk);
+            for (buffer, at, own) in sides.parts(k, whole) {
+                for start in own.clone().step_by(most) {
+                    sweeps.extend(walked.iter().map(|(other, other_at, range)| Sweep {
+                        own_start: at + start - own.start,
+                        out_piece,
+                        out_start: start - base,
+                        own_base: start,
+                        own: most.min(own.end - start),
+                        walked_start: *other_at,
+                        walked_base: range.start,
+                        walked: range.len(),
+                        bound: vec![
+                            (1 + k as u32, buffer.clone()),
+                            (2 - k as u32, (*other).clone()),
+                        ],
+                    }));
+                }
+            }
+        }
+        Table {
+            gpu,
+            own: counts[k],
+            walked: counts[1 - k],
+            kernels: Kernels::Generated(made, own_rows),
+            sweeps,
+        }
     }
 
     fn of_blocks<'b>(
@@ -169,17 +180,17 @@ impl<'a> Table<'a> {
             true => (rows, columns),
             false => (columns, rows),
         };
-        let sweep = |(k, (block, buffer)): (usize, (Block, &wgpu::Buffer))| match own_rows {
+        let sweep = |(block, buffer): (Block, &wgpu::Buffer)| match own_rows {
             true => Sweep {
                 own_start: 0,
                 out_piece: block.row_piece,
                 out_start: block.row_start,
                 own_base: block.row_base,
                 own: block.rows,
+                walked_start: 0,
                 walked_base: block.column_base,
                 walked: block.columns,
                 bound: vec![(3, buffer.clone())],
-                block: k,
             },
             false => Sweep {
                 own_start: 0,
@@ -187,54 +198,50 @@ impl<'a> Table<'a> {
                 out_start: 0,
                 own_base: block.column_base,
                 own: block.columns,
+                walked_start: 0,
                 walked_base: block.row_base,
                 walked: block.rows,
                 bound: vec![(3, buffer.clone())],
-                block: k,
             },
         };
         Table {
             gpu,
             own,
             walked,
-            source: Source {
+            kernels: Kernels::Written(Source {
                 own_rows,
                 ..Source::of(Kernel::ReduceMatrix(Take::Best), ANY)
-            },
-            sweeps: blocks.enumerate().map(sweep).collect(),
-            results: None,
+            }),
+            sweeps: blocks.map(sweep).collect(),
         }
-    }
-
-    /// Computes what a sweep reduces, where that is not there already.
-    pub fn compute(&self, sweep: &Sweep) -> Result<(), Error> {
-        let Some(results) = &self.results else {
-            return Ok(());
-        };
-        let block = &results.blocks[sweep.block];
-        let inner = &self.gpu.inner;
-        results
-            .sides
-            .compute(inner, results.made, block, &results.buffer)
     }
 
     /// The shader that takes this of the scores.
     pub fn pipeline(&self, take: Take) -> wgpu::ComputePipeline {
-        let kernel = match self.source.kernel {
-            Kernel::ReduceMatrix(_) => Kernel::ReduceMatrix(take),
-            _ => Kernel::Reduce(take),
-        };
-        let source = Source {
-            kernel,
-            ..self.source
-        };
         let inner = &self.gpu.inner;
-        inner.pair_pipeline(source, "reduce_main")
+        match self.kernels {
+            Kernels::Written(source) => {
+                let kernel = match source.kernel {
+                    Kernel::ReduceMatrix(_) => Kernel::ReduceMatrix(take),
+                    _ => Kernel::Reduce(take),
+                };
+                inner.pair_pipeline(Source { kernel, ..source }, "reduce_main")
+            }
+            Kernels::Generated(made, own_rows) => {
+                made.pipeline(inner, Form::Reduce(take, own_rows))
+            }
+        }
+    }
+
+    /// Workgroups of a sweep.
+    pub fn size(&self, sweep: &Sweep) -> [u32; 2] {
+        let group = match self.kernels {
+            Kernels::Written(_) => GROUP,
+            Kernels::Generated(..) => generated::GROUP,
+        };
+        [sweep.own.div_ceil(group) as u32, sweep.strips() as u32]
     }
 }
-
-/// Results that exist at a time where a matrix would be too large: 256 MB of them.
-const MOST_ENTRIES: u64 = 1 << 26;
 
 impl Inner {
     /// How a reduction of two lists is cut: own shapes so that partial results fit a buffer.
@@ -259,10 +266,10 @@ impl Inner {
                         out_start: own_start,
                         own_base: out_piece * self.chunk + own_start,
                         own: most.min(own.items - own_start),
+                        walked_start: 0,
                         walked_base: i * self.chunk,
                         walked: walked.items,
                         bound: bound(own, walked),
-                        block: 0,
                     });
                 }
             }

@@ -175,7 +175,8 @@ pub(super) enum Take {
 }
 
 impl Take {
-    fn text(self) -> &'static str {
+    /// What is taken of scores, in WGSL.
+    pub(super) fn text(self) -> &'static str {
         match self {
             Take::Best => include_str!("../wgsl/take_best.wgsl"),
             Take::Count => include_str!("../wgsl/take_count.wgsl"),
@@ -185,7 +186,8 @@ impl Take {
     }
 }
 
-const REDUCE: &str = include_str!("../wgsl/reduce.wgsl");
+/// The walk of a reduction, whatever gives the scores and whatever is taken of them.
+pub(super) const REDUCE: &str = include_str!("../wgsl/reduce.wgsl");
 const PAIRS: &str = include_str!("../wgsl/pairs.wgsl");
 
 /// Everything a shader depends on.
@@ -220,7 +222,7 @@ fn literal(x: f32) -> String {
 }
 
 /// The constants of every shader.
-fn constants(group: usize, step: usize, strip: usize) -> String {
+pub(super) fn constants(group: usize, step: usize, strip: usize) -> String {
     // All ones, without the low half of the significand.
     let high_half = Float::high(f32::from_bits(u32::MAX)).to_bits();
     let mut text = String::new();
@@ -253,6 +255,8 @@ fn constants(group: usize, step: usize, strip: usize) -> String {
 }
 
 const PRELUDE: &str = include_str!("../wgsl/prelude.wgsl");
+/// The parameters of kernels over two lists.
+pub(super) const PARAMS: &str = include_str!("../wgsl/params.wgsl");
 const BATCH: &str = include_str!("../wgsl/batch.wgsl");
 
 /// The shader of all pairs.
@@ -279,7 +283,7 @@ pub(super) fn pair_source(source: Source) -> String {
     );
     let clip = include_str!("../wgsl/clip.wgsl");
     let overlap = include_str!("../wgsl/overlap.wgsl");
-    for file in [PRELUDE, clip, overlap, kind.text(), BATCH] {
+    for file in [PRELUDE, clip, overlap, kind.text(), PARAMS, BATCH] {
         text.push_str(file);
     }
     let files: &[&str] = match source.kernel {

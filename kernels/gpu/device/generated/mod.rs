@@ -3,6 +3,7 @@ mod adjoint;
 mod aligned;
 mod columns;
 mod folds;
+mod fused;
 pub(crate) mod held;
 pub(crate) mod operation;
 mod pairs;
@@ -12,7 +13,7 @@ mod suppress;
 mod text;
 pub(super) mod uploaded;
 
-use super::written::{compiled_sources, ring_source};
+use super::written::{Take, compiled_sources, ring_source};
 use super::{Inner, locked};
 use crate::kernels::Fold;
 use crate::kernels::dynamic::Operation;
@@ -23,7 +24,8 @@ use crate::{Error, Unrecordable};
 use operation::{Generated, Name};
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
-use text::Form;
+pub(super) use text::{Form, GROUP};
+use uploaded::MOST_OPERATIONS;
 
 /// Pipelines of generated kernels, by the number of the program and the form of the kernel.
 pub(super) type Pipelines = HashMap<(u64, Form), (Weak<u64>, wgpu::ComputePipeline)>;
@@ -46,6 +48,17 @@ impl Inner {
         let pipeline = self.compiled("generated", form.entry(), text());
         pipelines.insert(key, (std::sync::Arc::downgrade(&name.0), pipeline.clone()));
         pipeline
+    }
+}
+
+impl Generated<f32> {
+    /// The pipeline of a kernel around it.
+    pub(super) fn pipeline(&self, inner: &Inner, form: Form) -> wgpu::ComputePipeline {
+        inner.generated(&self.name, form, || form.text(self))
+    }
+    /// How many pairs a dispatch computes at most: drivers reset a GPU that is busy with one for seconds.
+    pub(super) fn most_pairs(&self) -> usize {
+        MOST_OPERATIONS / self.bodies[0].operations.max(1)
     }
 }
 
@@ -99,6 +112,11 @@ fn sources(name: &str, recording: Arc<Recording<f32>>) -> Result<Vec<(String, St
             Mode::Value if made.gives == [1] && is_of_one_list(&made) => {
                 add(Form::Pairs, &made);
                 add(Form::Masks, &made);
+                reductions(&mut add, &made);
+            }
+            Mode::Value if made.gives == [1] => {
+                add(Form::Pairs, &made);
+                reductions(&mut add, &made);
             }
             Mode::Value | Mode::ValueGrad | Mode::Jacobian => add(Form::Pairs, &made),
             Mode::Vjp if outputs == 1 => {
@@ -109,6 +127,14 @@ fn sources(name: &str, recording: Arc<Recording<f32>>) -> Result<Vec<(String, St
         }
     }
     Ok(all)
+}
+
+/// The reductions of all pairs.
+fn reductions(add: &mut impl FnMut(Form, &Generated<f32>), made: &Generated<f32>) {
+    for take in [Take::Best, Take::Count, Take::Found, Take::Sum] {
+        add(Form::Reduce(take, true), made);
+    }
+    add(Form::Reduce(Take::Best, false), made);
 }
 
 /// `true` if both arguments may be shapes of one list.

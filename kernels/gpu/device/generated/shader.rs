@@ -13,6 +13,9 @@ impl Form {
     /// The shader.
     pub fn text(self, made: &Generated<f32>) -> String {
         let body = self.body(made);
+        if let Form::Reduce(take, own_rows) = self {
+            return super::fused::text(made, take, own_rows);
+        }
         let kernel = match self {
             Form::RowDerivatives | Form::ColumnDerivatives => derivatives(made, body, self),
             Form::Pairs => pairs(made, body),

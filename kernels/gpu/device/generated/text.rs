@@ -4,8 +4,9 @@ use crate::kernels::cpu::lane::TILE;
 use std::fmt::Write;
 
 /// Threads per workgroup: few, as large programs need many registers.
-pub(super) const GROUP: usize = 64;
+pub(in crate::kernels::gpu::device) const GROUP: usize = 64;
 pub(super) use crate::kernels::gpu::device::work::MOST_GROUPS;
+use crate::kernels::gpu::device::written::Take;
 /// Rows that a thread of all pairs walks through.
 pub(super) const ROWS: usize = 16;
 /// Rows (or columns) that a thread of an adjoint walks through.
@@ -24,6 +25,8 @@ pub(in super::super) enum Form {
     RowDerivatives,
     /// Sums of derivatives of every row of the second list.
     ColumnDerivatives,
+    /// What is taken of every row with every column, by threads that stand for rows or for columns.
+    Reduce(Take, bool),
     /// Which pairs are above a threshold, as bits.
     Masks,
     /// Instructions of every item.
@@ -43,6 +46,7 @@ impl Form {
             Form::Pairs => "pairs_main",
             Form::RowDerivatives => "row_slopes_main",
             Form::ColumnDerivatives => "column_slopes_main",
+            Form::Reduce(..) => "reduce_main",
             Form::Masks => "masks_main",
             Form::Replay => "replay_main",
             Form::Fold => "fold_main",

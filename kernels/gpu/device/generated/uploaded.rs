@@ -142,6 +142,15 @@ impl Sides {
     pub fn counts(&self) -> [usize; 2] {
         [self.a.count, self.b.count]
     }
+    /// The parts of some shapes of a list: the buffer, where in it, and which shapes.
+    pub fn parts(
+        &self,
+        k: usize,
+        range: Range<usize>,
+    ) -> impl Iterator<Item = (&wgpu::Buffer, usize, Range<usize>)> {
+        let side = if k == 0 { &self.a } else { &self.b };
+        side.parts(range)
+    }
     /// The dispatches of a block of results, for a function of so many operations.
     pub(super) fn pieces(&self, block: &Block, operations: usize) -> Vec<Piece<'_>> {
         let mut pieces = Vec::new();
