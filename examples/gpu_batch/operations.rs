@@ -1,6 +1,6 @@
 //! Any operation of the list in all its forms, on a GPU and on the CPU: how long it takes, and whether both
 //! say the same.
-use crate::listed::ready::Ready;
+use crate::listed::parity::compare;
 use crate::listed::{Form, Listed, list};
 use common::cli::Failure;
 use geograd::kernels::gpu::{Gpu, Options};
@@ -10,13 +10,6 @@ use std::time::{Duration, Instant};
 
 /// Items of the full size, and pairs of it.
 const ITEMS: usize = 1_000_000;
-
-/// Results differ where they do by more than this, of themselves and of one.
-const NEAR: f32 = 1e-3;
-/// So many in a thousand may that the processor does not give for inputs a few last digits away, either: of paths,
-/// which are not asked about, and where ties meet. Sides of boxes turned by the same angle tie, and their corners,
-/// too: one of the two ties broken by rounding gives derivatives that no input nearby has.
-const FEW: usize = 5;
 
 /// Verbs and shapes, one to a line.
 pub fn names() -> String {
@@ -131,42 +124,5 @@ fn both(gpu: &Gpu, form: Form, op: &Listed, count: usize) -> Result<bool, Error>
         found.worst,
         found.wrong
     );
-    Ok(1000 * found.wrong <= FEW * found.results)
-}
-
-/// Results of a GPU beside those of the processor.
-#[derive(Default)]
-struct Compared {
-    results: usize,
-    /// So many differ.
-    apart: usize,
-    /// By so much at most.
-    worst: f32,
-    /// So many of them are not what the processor says of inputs a few last digits away, either.
-    wrong: usize,
-}
-
-fn compare(on_cpu: &dyn Ready, found: &[Vec<f32>]) -> Result<Compared, Error> {
-    let mut told = Compared::default();
-    for (list, (found, expected)) in found.iter().zip(&on_cpu.numbers()?).enumerate() {
-        assert_eq!(found.len(), expected.len());
-        for (at, (&x, &y)) in found.iter().zip(expected).enumerate() {
-            let off = (x - y).abs() / (1.0 + y.abs());
-            told.results += 1;
-            // NaN counts as infinitely far off.
-            told.worst = told
-                .worst
-                .max(if off.is_nan() { f32::INFINITY } else { off });
-            if off <= NEAR {
-                continue;
-            }
-            told.apart += 1;
-            let ways = on_cpu.beside(list, at)?.unwrap_or_default();
-            let least = ways.iter().fold(y, |least, way| least.min(*way));
-            let most = ways.iter().fold(y, |most, way| most.max(*way));
-            let slack = NEAR * (1.0 + y.abs());
-            told.wrong += usize::from(!(least - slack..=most + slack).contains(&x));
-        }
-    }
-    Ok(told)
+    Ok(found.is_within())
 }

@@ -1,0 +1,190 @@
+//! One command that runs parity and benches on any GPU, and writes the table of BENCHMARKS.md.
+//!
+//! ```text
+//! cargo run --release -p geograd-tests --features gpu --example gpu_report              # to read
+//! cargo run --release -p geograd-tests --features gpu --example gpu_report -- --write   # into BENCHMARKS.md
+//! GEOGRAD_GPU=cpu cargo run … -- --items 1000 --pairs 40000                             # a driver in software
+//! ```
+#[path = "../../examples/common/listed/mod.rs"]
+mod listed;
+mod rates;
+mod table;
+
+use geograd::kernels::gpu::{Gpu, Options};
+use geograd::kernels::{Backend, dynamic};
+use geograd::{Error, Unrecordable};
+use indicatif::{ProgressBar, ProgressStyle};
+use listed::parity::{Compared, compare};
+use listed::{Form, Listed, list};
+use std::process::ExitCode;
+use std::time::Duration;
+use table::{Parity, Report};
+
+const HELP: &str = "\
+Runs every row of the library on a GPU and on the CPU, and compares: values, gradients, all pairs,
+their adjoints, paths. Then measures the rates of the calls that are on hot paths.
+
+Usage: gpu_report [options]
+
+  --write       puts the tables into BENCHMARKS.md, between its marks
+  --op NAME     parity of rows whose spelling contains NAME, as 'iou(obb2,' [default: all rows]
+  --items N     items of a batch of parity [default: 10000]
+  --pairs N     pairs of a measured batch [default: 16000000]
+  --help        this text
+
+The environment variable GEOGRAD_GPU chooses the GPU: an index, a part of a name, or `cpu`
+for a driver in software. The exit status is 0; 1 if a row differs by more than its bound;
+2 without a GPU or for a wrong argument.
+";
+
+/// What the command line asks for.
+struct Settings {
+    write: bool,
+    op: String,
+    items: usize,
+    pairs: usize,
+}
+
+/// What ends the program early.
+enum Failure {
+    Help,
+    Usage(String),
+    Gpu(Error),
+    File(String),
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Failure::Gpu(error)
+    }
+}
+
+impl Settings {
+    fn new(mut words: impl Iterator<Item = String>) -> Result<Self, Failure> {
+        let mut settings = Settings {
+            write: false,
+            op: String::new(),
+            items: 10_000,
+            pairs: 16_000_000,
+        };
+        while let Some(word) = words.next() {
+            let mut value = || {
+                let value = words.next();
+                value.ok_or_else(|| Failure::Usage(format!("`{word}` needs a value")))
+            };
+            let number = |text: String| match text.parse() {
+                Ok(number @ 64..=1_000_000_000) => Ok(number),
+                _ => Err(Failure::Usage(format!(
+                    "`{text}`: it is from 64 to a billion"
+                ))),
+            };
+            match word.as_str() {
+                "--write" => settings.write = true,
+                "--op" => settings.op = value()?,
+                "--items" => settings.items = number(value()?)?,
+                "--pairs" => settings.pairs = number(value()?)?,
+                "--help" | "-h" => return Err(Failure::Help),
+                _ => return Err(Failure::Usage(format!("`{word}` is not an option"))),
+            }
+        }
+        Ok(settings)
+    }
+}
+
+/// Runs a form of a row on both machines; `None` for what a GPU refuses.
+fn parity(gpu: &Gpu, op: &Listed, form: Form, items: usize) -> Result<Option<Compared>, Error> {
+    let on_gpu = match op.make(form, Backend::Gpu(gpu), items) {
+        Err(Error::Program(Unrecordable::Search)) => return Ok(None),
+        made => made?,
+    };
+    let on_cpu = op.make(form, Backend::Cpu, items)?;
+    compare(&*on_cpu, &on_gpu.numbers()?).map(Some)
+}
+
+/// A bar of so many steps, on the terminal alone.
+fn bar(steps: usize, what: &str) -> ProgressBar {
+    let style = "{prefix} {bar:32} {pos}/{len} {msg} {eta} left";
+    let style = ProgressStyle::with_template(style).expect("a valid template");
+    let bar = ProgressBar::new(steps as u64).with_style(style);
+    bar.set_prefix(what.to_owned());
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}
+
+fn report(settings: &Settings) -> Result<Report, Failure> {
+    let mut options = Options::default();
+    options.timing = true;
+    let gpu = Gpu::with(&options)?;
+    eprintln!("{gpu}");
+    let names = dynamic::names();
+    let spelled: Vec<_> = names
+        .iter()
+        .filter(|x| x.spelling.contains(&settings.op))
+        .collect();
+    let rows: Vec<(Listed, &str)> = list()
+        .into_iter()
+        .filter_map(|op| Some((op, &*spelled.iter().find(|x| x.row == op.name)?.spelling)))
+        .collect();
+    if rows.is_empty() {
+        return Err(Failure::Usage(format!(
+            "`--op {}`: no row has that name",
+            settings.op
+        )));
+    }
+    let progress = bar(rows.len(), "parity");
+    let mut all = Vec::new();
+    for (op, spelling) in &rows {
+        progress.set_message((*spelling).to_owned());
+        for form in op.forms() {
+            let found = parity(&gpu, op, form, settings.items)?;
+            all.push(Parity {
+                row: (*spelling).to_owned(),
+                form: form.title(),
+                found,
+            });
+        }
+        progress.inc(1);
+    }
+    progress.finish_and_clear();
+    let rates = rates::all(&gpu, settings.pairs, bar)?;
+    Ok(Report {
+        adapter: gpu.adapter().clone(),
+        parity: all,
+        rates,
+        items: settings.items,
+    })
+}
+
+fn run() -> Result<bool, Failure> {
+    let settings = Settings::new(std::env::args().skip(1))?;
+    let report = report(&settings)?;
+    let text = report.text();
+    println!("{text}");
+    if settings.write {
+        table::write(&text).map_err(Failure::File)?;
+    }
+    for wrong in report.wrong() {
+        eprintln!("beyond its bound: {wrong}");
+    }
+    Ok(report.wrong().is_empty())
+}
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(Failure::Help) => {
+            println!("{HELP}");
+            ExitCode::SUCCESS
+        }
+        Err(failure) => {
+            let why = match failure {
+                Failure::Usage(why) | Failure::File(why) => why,
+                Failure::Gpu(error) => error.to_string(),
+                Failure::Help => String::new(),
+            };
+            eprintln!("gpu_report: {why}");
+            ExitCode::from(2)
+        }
+    }
+}
