@@ -12,12 +12,12 @@ use geograd::kernels::gpu::Gpu;
 use geograd::kernels::{Backend, Item, Op, Single};
 use std::fmt::Debug;
 
-/// All pairs of a row's ordinary shapes; of rows of other than two shapes nothing.
+/// All pairs of a row's ordinary shapes, in every form or in one; of rows of other than two shapes nothing.
 ///
 /// # Panics
 ///
 /// If the GPU says something else than it should.
-pub fn agree(row: &Tested) {
+pub fn agree(row: &Tested, every: bool) {
     let Some(gpu) = any_gpu() else { return };
     let operation = &row.operation;
     let Some(value) = operation.value::<f32>() else {
@@ -32,6 +32,10 @@ pub fn agree(row: &Tested) {
     let (n, m) = (a_layout.fields(), b_layout.fields());
     let (a, b) = (&columns[0][..20 * n], &columns[1][20 * m..]);
     let (a, b) = (Rows::new(a, n), Rows::new(b, m));
+    if !every {
+        let found = value.all_pairs_on(Backend::Gpu(gpu), a, b).unwrap();
+        return few_differ(row.name(), &found, &value.all_pairs(a, b).unwrap());
+    }
     if list::outputs(row) == 1 {
         numbers_agree(gpu, operation, a, b, Bound::Most);
     } else {

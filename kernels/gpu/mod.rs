@@ -30,7 +30,8 @@
 //!
 //! An operation is recorded once, written as a shader once, and compiled once per context: its kernels are *generated*.
 //! All pairs of boxes in the plane (area of intersection, IoU, IoF), and measures of rings, have kernels by hand
-//! instead, which take fewer instructions. The library chooses between them.
+//! instead, which take fewer instructions. The library chooses between them. Reductions have one template in WGSL
+//! (`reduce.wgsl`) for both: threads compute what they reduce, and no matrix exists.
 //!
 //! Searches (clipping, hulls) are decided on the CPU, item by item, and replayed on the GPU, with their derivatives:
 //! every trace becomes a list of instructions, and one kernel carries out all of them. All pairs of a search would

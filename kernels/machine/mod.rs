@@ -4,12 +4,12 @@
 //! Columns are slices, [`One`](crate::kernels::One), or [arrays that stay on the machine](crate::kernels::resident). Results
 //! of slices are vectors; results stay on the machine if one of the columns does.
 mod all_pairs;
-mod place;
+mod location;
 mod primitives;
 
 pub(crate) use all_pairs::shapes;
 pub use all_pairs::{Factors, Room, Rooms};
-pub use place::{Here, Place, There};
+pub use location::{Here, Place, There};
 pub use primitives::{Engine, Numbers, On, Reduced, Reduction, Seed};
 
 use crate::Pack;

@@ -5,8 +5,8 @@
 //! `generated/operation.rs` cuts a recording into what the processor prepares (for all pairs whatever depends on one
 //! shape, otherwise the sines of its angles) and a body, which `generated/text.rs` writes as a WGSL function with a
 //! kernel around it. Items lie in tiles as on the CPU; one binding holds all inputs, another all outputs. A context
-//! keeps pipelines as long as their program lives. Reductions compute a block of the matrix, reduce it, and go on to
-//! the next. Gradients of all pairs are summed per strip, then on the processor, always in the same order. A fold is a
+//! keeps pipelines as long as their program lives. Reductions are the template of kernels by
+//! hand (`reduce.wgsl`) around the generated body, so no matrix exists. Gradients of all pairs are summed per strip, then on the processor, always in the same order. A fold is a
 //! thread per path. Searches are decided on the processor; each trace becomes a list of instructions, which one kernel
 //! (`replay.wgsl`) carries out. For suppression the GPU writes which pairs are certainly above the threshold and which
 //! are within 1/256 of it; the processor computes the latter. Columns on the device (`generated/held`,

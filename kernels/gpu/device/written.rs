@@ -175,6 +175,8 @@ pub(super) enum Take {
 }
 
 impl Take {
+    /// All of them.
+    pub(super) const ALL: [Take; 4] = [Take::Best, Take::Count, Take::Found, Take::Sum];
     /// What is taken of scores, in WGSL.
     pub(super) fn text(self) -> &'static str {
         match self {
@@ -352,7 +354,6 @@ pub(super) fn compiled_sources(compiled: Option<Compiled>) -> Vec<(String, Strin
     let Some(mirror) = compiled.and_then(Mirror::of) else {
         return all;
     };
-    let takes = [Take::Best, Take::Count, Take::Found, Take::Sum];
     let mut kernels = vec![
         Kernel::Pairs,
         Kernel::Vjp(Seed::Matrix),
@@ -360,8 +361,8 @@ pub(super) fn compiled_sources(compiled: Option<Compiled>) -> Vec<(String, Strin
         Kernel::Fold,
         Kernel::Gather,
     ];
-    kernels.extend(takes.map(Kernel::Reduce));
-    kernels.extend(takes.map(Kernel::ReduceMatrix));
+    kernels.extend(Take::ALL.map(Kernel::Reduce));
+    kernels.extend(Take::ALL.map(Kernel::ReduceMatrix));
     for kernel in kernels {
         for (extreme, own_rows, slots) in [(false, false, 0), (true, true, 8)] {
             let source = Source {

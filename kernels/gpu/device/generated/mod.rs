@@ -73,22 +73,26 @@ where
     O::In<f32>: Item<Scalar = f32>,
     O::Out<f32>: Item<Scalar = f32>,
 {
-    sources(O::NAME, recording_of::<O, O::In<f32>>())
+    sources(O::NAME, recording_of::<O, O::In<f32>>(), &Take::ALL)
 }
 
-/// Every shader a straight line can need, those by hand included.
+/// The shaders of a straight line, those by hand included; of reductions, whose template is the same for all, one.
 #[doc(hidden)]
 pub fn line_sources(operation: &Operation) -> Result<Vec<(String, String)>, Error> {
     let Some(recording) = operation.straight::<f32>() else {
         return Err(Error::Program(Unrecordable::Path));
     };
     let compiled = recording.compiled;
-    let mut all = sources(operation.name, recording)?;
+    let mut all = sources(operation.name, recording, &[Take::Best])?;
     all.extend(compiled_sources(compiled));
     Ok(all)
 }
 
-fn sources(name: &str, recording: Arc<Recording<f32>>) -> Result<Vec<(String, String)>, Error> {
+fn sources(
+    name: &str,
+    recording: Arc<Recording<f32>>,
+    taken: &[Take],
+) -> Result<Vec<(String, String)>, Error> {
     let outputs = recording.outputs.iter().sum();
     let modes: &[Mode] = match outputs {
         1 => &[Mode::Value, Mode::ValueGrad, Mode::Vjp],
@@ -109,14 +113,14 @@ fn sources(name: &str, recording: Arc<Recording<f32>>) -> Result<Vec<(String, St
         }
         let made = call.generated(true)?;
         match mode {
-            Mode::Value if made.gives == [1] && is_of_one_list(&made) => {
-                add(Form::Pairs, &made);
-                add(Form::Masks, &made);
-                reductions(&mut add, &made);
-            }
             Mode::Value if made.gives == [1] => {
                 add(Form::Pairs, &made);
-                reductions(&mut add, &made);
+                for &take in taken {
+                    add(Form::Reduce(take, true), &made);
+                }
+                if is_of_one_list(&made) {
+                    add(Form::Masks, &made);
+                }
             }
             Mode::Value | Mode::ValueGrad | Mode::Jacobian => add(Form::Pairs, &made),
             Mode::Vjp if outputs == 1 => {
@@ -127,14 +131,6 @@ fn sources(name: &str, recording: Arc<Recording<f32>>) -> Result<Vec<(String, St
         }
     }
     Ok(all)
-}
-
-/// The reductions of all pairs.
-fn reductions(add: &mut impl FnMut(Form, &Generated<f32>), made: &Generated<f32>) {
-    for take in [Take::Best, Take::Count, Take::Found, Take::Sum] {
-        add(Form::Reduce(take, true), made);
-    }
-    add(Form::Reduce(Take::Best, false), made);
 }
 
 /// `true` if both arguments may be shapes of one list.
