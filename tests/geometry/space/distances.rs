@@ -365,3 +365,36 @@ fn nothing_moves_distances_along() {
         );
     }
 }
+
+#[test]
+fn flat_boxes_of_one_plane_that_cross_touch() {
+    // No corner is on the other box, and the edges that cross support neither along their normal alone.
+    for (places, sizes, turns) in [
+        (
+            [[1.0, -0.5, -0.5], [1.0, 0.0, -0.5]],
+            [[2.0, 0.0, 0.0], [0.5, 1.0, 0.0]],
+            [-7.98977718015786e-11, -6.659044542329863e-5],
+        ),
+        (
+            [[-0.5, 0.0, 0.5], [-1.0, 1.0, 0.5]],
+            [[2.0, 0.0, 0.0], [2.0, 2.0, 0.0]],
+            [-8.379256135795189e-14, -5.0254422851801336e-9],
+        ),
+        (
+            [[-0.5, -1.0, 0.5], [-1.0, -0.5, 0.5]],
+            [[1.0, 1.0, 0.0], [0.0, 2.0, 0.0]],
+            [2.464623659101225e-6, -1.575691421926374e-8],
+        ),
+    ] {
+        let [a, b] = [0, 1].map(|k| {
+            let vector = |[x, y, z]: [f64; 3]| Vec3::new(x, y, z);
+            let mut turn = Rotation3::identity();
+            turn.z = turns[k];
+            Obb3::new(vector(places[k]), vector(sizes[k]), turn)
+        });
+        for (p, q) in [(a, b), (b, a)] {
+            assert!(signed_distance(p, q).abs() < 1e-15, "{p:?} {q:?}");
+            assert_eq!(distance(p, q), 0.0);
+        }
+    }
+}
