@@ -57,7 +57,6 @@
 //! use geograd::kernels::gpu::Gpu;
 //! use geograd::kernels::{Distance, Iou, One, Op};
 //! use geograd::{Obb2, Segment2, Vec2};
-//! # #[cfg(feature = "gpu")] {
 //! let gpu = Gpu::new()?;
 //! let boxes = [Obb2::new(0.0, 0.0, 4.0, 2.0, 0.3)];
 //! assert_eq!(gpu.row_max(Iou, &boxes, &boxes)?[0].value, 1.0);
@@ -67,7 +66,6 @@
 //! let run = Distance.value_grad();
 //! let (distances, (by_point, _)) = gpu.aligned(run, (&points, segment))?;
 //! assert_eq!((distances[0], by_point[0]), (1.0, Vec2::new(0.0, 1.0)));
-//! # }
 //! # Ok::<(), geograd::Error>(())
 //! ```
 #[cfg(feature = "gpu")]
