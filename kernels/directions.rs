@@ -1,9 +1,10 @@
 //! Derivatives along directions: functions of the arguments and of as many directions.
+use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
 use crate::kernels::item::Leaf;
 use crate::kernels::limits::Derivative;
 use crate::kernels::real::Real;
-use crate::kernels::recording::{Body, Call, Key, Mode, Order, Recording};
+use crate::kernels::recording::{Body, Call, Key, Mode, Order, Recording, Step};
 use std::sync::Arc;
 
 impl<T: Real> Call<T> {
@@ -16,29 +17,33 @@ impl<T: Real> Call<T> {
 impl<T: Real> Recording<T> {
     fn along(&self, order: Order) -> Result<Arc<Recording<T>>, Error> {
         self.made(Key::Along(order), &|| {
-            let value = self.program(Mode::Value)?;
-            let is_number = self.outputs == [1];
-            // The slopes that the row states, where it states its own.
-            let value = match &self.body {
-                Body::Map(line) if is_number && line.derivatives == Derivative::ByHand => {
-                    Arc::new(value.with_gradient_after_result(&*self.program(Mode::ValueGrad)?))
-                }
-                _ => value,
+            let body = match &self.body {
+                Body::Search(search) => Body::Search(search.then(Step::Along(order))),
+                _ => Body::Graph(Arc::new(self.program_along(order)?)),
             };
             let fields: Vec<usize> = self.takes.iter().map(|leaf| leaf.fields).collect();
             // A direction is a list of numbers: one of boxes need not be a box.
             let directions = fields.iter().map(|&n| Leaf::numbers(n));
-            let (program, outputs) = match order {
-                Order::First => (value.jvp(), [&self.outputs[..], &self.outputs].concat()),
-                Order::Second => (value.hvp(), fields.clone()),
+            let outputs = match order {
+                Order::First => [&self.outputs[..], &self.outputs].concat(),
+                Order::Second => fields.clone(),
             };
             let takes = self.takes.iter().cloned().chain(directions).collect();
-            Ok(Recording::new(
-                takes,
-                outputs,
-                &[],
-                Body::Graph(Arc::new(program)),
-            ))
+            Ok(Recording::new(takes, outputs, &[], body))
+        })
+    }
+    fn program_along(&self, order: Order) -> Result<Recorded, Error> {
+        let value = self.program(Mode::Value)?;
+        // The slopes that the row states, where it states its own.
+        let value = match &self.body {
+            Body::Map(line) if self.outputs == [1] && line.derivatives == Derivative::ByHand => {
+                Arc::new(value.with_gradient_after_result(&*self.program(Mode::ValueGrad)?))
+            }
+            _ => value,
+        };
+        Ok(match order {
+            Order::First => value.jvp(),
+            Order::Second => value.hvp(),
         })
     }
 }

@@ -41,6 +41,8 @@ pub mod cpu;
 #[forbid(unsafe_code)]
 mod decision;
 #[forbid(unsafe_code)]
+mod derivation;
+#[forbid(unsafe_code)]
 mod directions;
 #[forbid(unsafe_code)]
 pub mod dynamic;
@@ -81,7 +83,6 @@ pub mod real;
 pub mod recording;
 #[forbid(unsafe_code)]
 pub mod reduce;
-#[cfg(feature = "gpu")]
 #[forbid(unsafe_code)]
 mod replayed;
 #[cfg(feature = "gpu")]

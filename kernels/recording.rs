@@ -8,6 +8,9 @@ use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Plain, Sym};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::plan::{Compiled, Face};
+pub use crate::kernels::derivation::Mode;
+use crate::kernels::derivation::Replays;
+pub(crate) use crate::kernels::derivation::{Order, Step};
 use crate::kernels::item::{Item, Leaf, leaves_of};
 use crate::kernels::limits::Derivative;
 use crate::kernels::real::Real;
@@ -18,50 +21,6 @@ use std::fmt;
 use std::hash::Hash;
 use std::marker::PhantomData;
 use std::sync::{Arc, PoisonError, RwLock};
-
-/// The derivative that is wanted of a function.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Mode {
-    /// The result.
-    Value,
-    /// The result, one number, and its gradient.
-    ValueGrad,
-    /// The result and the gradient of each of its numbers.
-    Jacobian,
-    /// The derivatives times a cotangent of the result.
-    Vjp,
-}
-
-impl Mode {
-    /// Numbers of every shape that comes out, given those of a function's arguments and of its results.
-    pub(crate) fn gives(self, takes: &[usize], outputs: &[usize]) -> Vec<usize> {
-        match self {
-            Mode::Value => outputs.to_vec(),
-            Mode::ValueGrad => [outputs, takes].concat(),
-            Mode::Jacobian => {
-                let all = outputs.iter().sum::<usize>() * takes.iter().sum::<usize>();
-                [outputs, &[all]].concat()
-            }
-            Mode::Vjp => takes.to_vec(),
-        }
-    }
-    /// How many numbers its program gives before those, for results of so many numbers.
-    pub(crate) fn skipped(self, outputs: &[usize]) -> usize {
-        match self {
-            Mode::Value | Mode::ValueGrad | Mode::Jacobian => 0,
-            Mode::Vjp => outputs.iter().sum(),
-        }
-    }
-}
-
-/// The order of a derivative along a direction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Order {
-    /// The result, and its derivative.
-    First,
-    /// The derivative of the gradient.
-    Second,
-}
 
 /// A straight line as functions of lists of symbols: all that is made of one is compiled once.
 pub(crate) struct Line<T: 'static> {
@@ -79,13 +38,43 @@ pub(crate) struct Line<T: 'static> {
     pub(crate) adjoint: fn(&[Sym<T>], &[Sym<T>]) -> Vec<Sym<T>>,
 }
 
-/// A search, by what machines need of it.
+/// A search and what is derived of it, by what machines need of it.
 pub(crate) struct Searched<T> {
-    /// The plan by which the CPU decides and computes item by item.
+    /// The plan by which the CPU decides and computes the search itself, item by item.
     pub(crate) plan: fn(Mode) -> Face<T>,
-    /// The replays for a GPU.
-    #[cfg(feature = "gpu")]
-    pub(crate) replays: fn(Mode) -> Arc<dyn crate::kernels::replays::Replays<T>>,
+    /// Its replays, differentiated by some steps.
+    pub(crate) replays: fn(Vec<Step>) -> Arc<dyn Replays<T>>,
+    /// The steps from the search to the function.
+    pub(crate) steps: Vec<Step>,
+}
+
+impl<T> Searched<T> {
+    /// What is one step further.
+    pub(crate) fn then(&self, step: Step) -> Self {
+        let steps = [&self.steps[..], &[step]].concat();
+        let (plan, replays) = (self.plan, self.replays);
+        Searched {
+            plan,
+            replays,
+            steps,
+        }
+    }
+    /// The replays of a mode of the function.
+    pub(crate) fn replays(&self, mode: Mode) -> Arc<dyn Replays<T>> {
+        (self.replays)(self.then(Step::Mode(mode)).steps)
+    }
+    /// Numbers of every shape that comes out of a mode. A Jacobian has gradients of numbers alone: results of a
+    /// derivative may have codes, which count among `outputs`.
+    pub(crate) fn gives(&self, mode: Mode, takes: &[usize], outputs: &[usize]) -> Vec<usize> {
+        match mode {
+            Mode::Jacobian => {
+                let [numbers, all] = self.replays(mode).sizes();
+                let rows = all / (1 + numbers);
+                [outputs, &[rows * takes.iter().sum::<usize>()]].concat()
+            }
+            _ => mode.gives(takes, outputs),
+        }
+    }
 }
 
 /// The body of a function.
@@ -284,18 +273,26 @@ impl<T: Real> Recording<T> {
     /// A derivative as a function of its own, whose derivatives are of the next order.
     fn derivative(&self, mode: Mode) -> Result<Arc<Recording<T>>, Error> {
         self.made(Key::Derived(mode), &|| {
-            let program = self.program(mode)?;
             let fields: Vec<usize> = self.takes.iter().map(|leaf| leaf.fields).collect();
+            let (body, gives) = match &self.body {
+                Body::Search(search) => (
+                    Body::Search(search.then(Step::Mode(mode))),
+                    search.gives(mode, &fields, &self.outputs),
+                ),
+                _ => {
+                    let program = self.program(mode)?;
+                    let own = program.without_first(mode.skipped(&self.outputs));
+                    (
+                        Body::Graph(Arc::new(own)),
+                        mode.gives(&fields, &self.outputs),
+                    )
+                }
+            };
             let mut takes = self.takes.clone();
             if mode == Mode::Vjp {
                 takes.extend(self.outputs.iter().map(|&n| Leaf::numbers(n)));
             }
-            Ok(Recording::new(
-                takes,
-                mode.gives(&fields, &self.outputs),
-                &[],
-                Body::Graph(Arc::new(program.without_first(mode.skipped(&self.outputs)))),
-            ))
+            Ok(Recording::new(takes, gives, &[], body))
         })
     }
 }

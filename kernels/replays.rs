@@ -7,7 +7,6 @@ use crate::Error;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::program::Tape;
 use crate::kernels::cpu::program::instructions::Op;
-use std::sync::Arc;
 
 /// A replay as instructions of four words each: operation and slot of the result; two operands; two more. If
 /// there are several results, the others stand in the place of operands.
@@ -25,21 +24,6 @@ pub(crate) const CONSTANT: u32 = 0x100;
 pub(crate) const TAKE: u32 = 0x101;
 /// Gives the slot in the second word as the result in the third.
 pub(crate) const GIVE: u32 = 0x102;
-
-/// An operation with a search, as a GPU sees it.
-pub trait Replays<T>: Send + Sync {
-    /// Decides an item, given its numbers shape by shape and those of its cotangent: the replay, and the
-    /// numbers that it takes, which are appended.
-    ///
-    /// # Errors
-    ///
-    /// The errors of recording it.
-    fn decide(&self, numbers: &[T], taken: &mut Vec<T>) -> Result<Arc<Replay>, Error>;
-    /// How many numbers a replay takes, and how many it gives.
-    fn sizes(&self) -> [usize; 2];
-    /// Makes a row of results of what a replay gave for an item.
-    fn put(&self, numbers: &[T], found: &[T], row: &mut [T]);
-}
 
 /// A graph as instructions.
 pub(crate) fn instructions(graph: &Graph, inputs: usize, outputs: &[Id]) -> Result<Replay, Error> {

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::kernels::cpu::plan::{Face, of_items};
 pub use crate::kernels::decision::Search;
 use crate::kernels::item::{Item, by_kind, by_shape, get, leaves_of, width};
-use crate::kernels::op::{Jacobian, Runs, ValueGrad, Vjp};
+use crate::kernels::op::{Hvp, Jacobian, Jvp, Runs, ValueGrad, Vjp};
 use crate::kernels::recording::{self, Body, Call, Mode, Recording, known, widths};
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::sync::Arc;
@@ -117,8 +117,8 @@ where
     let made = known::<Searched<D>, _>(|| {
         let body = Body::Search(recording::Searched {
             plan: plan::<D, R>,
-            #[cfg(feature = "gpu")]
             replays: crate::kernels::replayed::of::<D, R>,
+            steps: Vec::new(),
         });
         let (takes, outputs) = (leaves_of::<R>(), widths::<D::Out<R::Scalar>>());
         Ok(Recording::new(takes, outputs, D::ARGUMENTS, body))
@@ -189,6 +189,17 @@ impl<D: Search> Searched<D> {
     #[must_use]
     pub const fn vjp(self) -> Vjp<Self> {
         Vjp(self)
+    }
+    /// The search with its derivative along a direction: aligned batches take arguments and directions of them. The
+    /// decisions are those at the arguments.
+    #[must_use]
+    pub const fn jvp(self) -> Jvp<Self> {
+        Jvp::of(self)
+    }
+    /// The Hessian of the search times a direction; the result is one number.
+    #[must_use]
+    pub const fn hvp(self) -> Hvp<Self> {
+        Hvp::of(self)
     }
 }
 

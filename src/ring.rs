@@ -385,7 +385,7 @@ impl Measure {
     }
     /// The numbers of the result; those that it does not have are zero.
     #[must_use]
-    #[inline]
+    #[inline(always)]
     pub fn of<S: Scalar>(self, ring: &[Vec2<S>]) -> [S; 2] {
         match self {
             Measure::SignedArea => [signed_area(ring), S::zero()],

@@ -10,7 +10,6 @@ use crate::{Error, Fixed, Scalar, Unrecordable};
 pub(crate) const TRIALS: usize = 192;
 
 /// The same for one of many replays of a function.
-#[cfg(feature = "gpu")]
 const TRIALS_OF_REPLAY: usize = 12;
 
 /// A function of shapes as one of lists of symbols.
@@ -33,7 +32,6 @@ where
 }
 
 /// Records a function of shapes of symbols whose input has these codes.
-#[cfg(feature = "gpu")]
 pub(crate) fn record_with_codes<T, X, Y>(
     codes: &[u32],
     function: impl Fn(X) -> Y,

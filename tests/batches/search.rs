@@ -1,6 +1,5 @@
 //! Searches over shapes with codes (polygons, which count their vertices), all pairs.
-use geograd::kernels::Cpu;
-use geograd::kernels::Iou;
+use geograd::kernels::{Cpu, Iou, MinimumCircle, MinimumRectangle, One, Width};
 use geograd::{ConvexPolygon, Fixed, Pack, Vec2};
 use geograd_tests::Dice;
 use std::f64::consts::TAU;
@@ -65,5 +64,134 @@ fn all_pairs_of_polygons_are_those_of_aligned_pairs() {
     for (i, best) in best.iter().enumerate() {
         let row = (0..b.len()).map(|j| table.at(i, j)).fold(0.0, f64::max);
         assert_eq!(best.value, row);
+    }
+}
+
+/// Polygons as far along a direction, a list of numbers in their shape, as a step says.
+fn moved(
+    shapes: &[ConvexPolygon<f64, 5>],
+    along: &[ConvexPolygon<f64, 5>],
+    step: f64,
+) -> Vec<ConvexPolygon<f64, 5>> {
+    let one = |(x, by): (&ConvexPolygon<f64, 5>, &ConvexPolygon<f64, 5>)| {
+        let mut by = by.scalars().into_iter();
+        x.map(&mut |&x| x + step * by.next().unwrap())
+    };
+    shapes.iter().zip(along).map(one).collect()
+}
+
+/// Directions, whose number of vertices means nothing.
+fn directions(dice: &mut Dice, count: usize) -> Vec<ConvexPolygon<f64, 5>> {
+    let one = || {
+        let mut number = || dice.within(-1.0, 1.0);
+        ConvexPolygon {
+            vertices: [(); 5].map(|()| Vec2::new(number(), number())),
+            count: 0,
+        }
+    };
+    std::iter::repeat_with(one).take(count).collect()
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+#[track_caller]
+fn near(found: f64, expected: f64, tolerance: f64) {
+    let bound = tolerance * (1.0 + expected.abs());
+    assert!((found - expected).abs() <= bound, "{found} for {expected}");
+}
+
+/// A search of two arguments along directions: beside its gradient, its Hessian, and differences of both.
+#[test]
+fn a_search_along_directions() {
+    const COUNT: usize = 60;
+    const STEP: f64 = 1e-5;
+    let mut dice = Dice(11);
+    let (a, b) = (polygons(&mut dice, COUNT), polygons(&mut dice, COUNT));
+    let (to_a, to_b) = (directions(&mut dice, COUNT), directions(&mut dice, COUNT));
+    let columns = ((&a, &b), (&to_a, &to_b));
+    let cpu = Cpu::new();
+    let (values, (by_a, by_b)) = cpu.aligned(Iou.value_grad(), (&a, &b)).unwrap();
+    let (again, slopes) = cpu.aligned(Iou.jvp(), columns).unwrap();
+    let (curved_a, curved_b) = cpu.aligned(Iou.hvp(), columns).unwrap();
+    let ((_, _), second) = cpu.aligned(Iou.hessian(), (&a, &b)).unwrap();
+    let bars = (One(1.0), One(0.0));
+    let (to_values, to_directions) = cpu.aligned(Iou.jvp().vjp(), (columns, bars)).unwrap();
+    let beside = |step: f64| {
+        let columns = (&moved(&a, &to_a, step), &moved(&b, &to_b, step));
+        cpu.aligned(Iou.value_grad(), columns).unwrap()
+    };
+    let (before, after) = (beside(-STEP), beside(STEP));
+    let (mut sloping, mut bent) = (0, 0);
+    for i in 0..COUNT {
+        let direction = [to_a[i].scalars(), to_b[i].scalars()].concat();
+        let gradient = [by_a[i].scalars(), by_b[i].scalars()].concat();
+        assert_eq!(again[i], values[i]);
+        near(slopes[i], dot(&gradient, &direction), 1e-12);
+        near(slopes[i], (after.0[i] - before.0[i]) / (2.0 * STEP), 1e-6);
+        sloping += usize::from(slopes[i] != 0.0);
+        let (own_a, own_b) = (&curved_a[i], &curved_b[i]);
+        assert_eq!((own_a.codes(), own_b.codes()), (a[i].codes(), b[i].codes()));
+        let product = [own_a.scalars(), own_b.scalars()].concat();
+        let gradients =
+            |all: &[ConvexPolygon<f64, 5>; 2]| all.each_ref().map(Pack::scalars).concat();
+        let (low, high) = (
+            gradients(&[before.1.0[i], before.1.1[i]]),
+            gradients(&[after.1.0[i], after.1.1[i]]),
+        );
+        // The Hessian: in the place of every number of the gradient its own gradient.
+        let (_, (of_a, of_b)) = &second[i];
+        let rows: Vec<Vec<f64>> = [of_a.scalars(), of_b.scalars()]
+            .concat()
+            .iter()
+            .map(Pack::scalars)
+            .collect();
+        for (k, &x) in product.iter().enumerate() {
+            near(x, dot(&rows[k], &direction), 1e-10);
+            near(x, (high[k] - low[k]) / (2.0 * STEP), 1e-4);
+            bent += usize::from(x != 0.0);
+        }
+        // The value's own cotangent through the derivative along a direction: the gradient again.
+        let pulled = [to_values.0[i].scalars(), to_values.1[i].scalars()].concat();
+        for (&x, &expected) in pulled.iter().zip(&gradient) {
+            near(x, expected, 1e-12);
+        }
+        assert!(to_directions.0[i].scalars().iter().all(|&x| x == 0.0));
+    }
+    assert!(sloping > COUNT / 3 && bent > 4 * COUNT, "{sloping} {bent}");
+}
+
+/// Searches of one argument whose results are shapes.
+#[test]
+fn shapes_around_polygons_along_directions() {
+    const COUNT: usize = 40;
+    let mut dice = Dice(13);
+    let (all, along) = (polygons(&mut dice, COUNT), directions(&mut dice, COUNT));
+    let cpu = Cpu::new();
+    macro_rules! beside_the_jacobian {
+        ($($Verb:ident)*) => { $({
+            let (values, slopes) = cpu.aligned($Verb.jvp(), (&all, &along)).unwrap();
+            let (own, jacobian) = cpu.aligned($Verb.jacobian(), &all).unwrap();
+            for i in 0..COUNT {
+                assert_eq!(values[i], own[i]);
+                let rows = jacobian[i].scalars();
+                for (slope, row) in slopes[i].scalars().iter().zip(&rows) {
+                    near(*slope, dot(&row.scalars(), &along[i].scalars()), 1e-12);
+                }
+                assert!(slopes[i].scalars().iter().any(|&x| x != 0.0));
+            }
+        })* };
+    }
+    beside_the_jacobian!(MinimumCircle MinimumRectangle);
+    let (widths, slopes) = cpu.aligned(Width.jvp(), (&all, &along)).unwrap();
+    let (own, gradients) = cpu.aligned(Width.value_grad(), &all).unwrap();
+    assert_eq!(widths, own);
+    for i in 0..COUNT {
+        near(
+            slopes[i],
+            dot(&gradients[i].scalars(), &along[i].scalars()),
+            1e-12,
+        );
     }
 }

@@ -154,6 +154,33 @@ fn polygons_of_many_sizes() {
     assert_eq!(lengths, found);
 }
 
+/// Derivatives of a search along directions are replays, too.
+#[test]
+fn along_directions() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let mut draw = Draw::new(7);
+    let mut many = |corners| -> Vec<_> { (0..50).map(|_| ring::<6>(&mut draw, corners)).collect() };
+    let (a, b, to_a, to_b) = (many(6), many(5), many(6), many(4));
+    let columns = ((&a, &b), (&to_a, &to_b));
+    let on = |backend: Backend<'_>| {
+        let (values, slopes) = backend.aligned(Iou.jvp(), columns).unwrap();
+        (
+            values,
+            slopes,
+            backend.aligned(Iou.hvp(), columns).unwrap().flat(),
+        )
+    };
+    let (found, expected) = (on(Backend::Gpu(gpu)), on(Backend::Cpu));
+    let near = |x: f32, y: f32| assert!((x - y).abs() <= 1e-3 * (1.0 + y.abs()), "{x} for {y}");
+    assert!(expected.1.iter().filter(|&&x| x != 0.0).count() > 20);
+    for i in 0..a.len() {
+        near(found.0[i], expected.0[i]);
+        near(found.1[i], expected.1[i]);
+        let rows = found.2[i].iter().zip(&expected.2[i]);
+        rows.for_each(|(&x, &y)| near(x, y));
+    }
+}
+
 #[test]
 fn what_cannot_be_replayed_is_refused() {
     let Some((_turn, gpu)) = gpu() else { return };

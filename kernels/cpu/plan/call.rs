@@ -1,7 +1,7 @@
 //! The plan of a call, made once per function, mode and form.
 use super::compiled::{of_compiled, outline};
 use super::computation::{Face, name};
-use super::makers::of_recorded;
+use super::makers::{of_recorded, of_replays};
 use crate::error::Error;
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Body, Call, Key};
@@ -14,7 +14,8 @@ pub(crate) fn plan<T: Real>(call: &Call<T>, framed: bool) -> Result<Arc<Face<T>>
     let framed = framed && !matches!(recording.body, Body::Search(_));
     recording.made(Key::Cpu(mode, framed), &|| {
         let mut face = match (&recording.body, recording.compiled) {
-            (Body::Search(search), _) => (search.plan)(mode),
+            (Body::Search(search), _) if search.steps.is_empty() => (search.plan)(mode),
+            (Body::Search(search), _) => of_replays(mode, recording, search),
             (_, compiled) => match compiled.and_then(|compiled| of_compiled(compiled, mode)) {
                 Some(face) => face,
                 None => {

@@ -6,9 +6,10 @@ use crate::error::Error;
 use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::split::{Piece, split};
+use crate::kernels::derivation::{Mode, Replays};
 use crate::kernels::item::Leaf;
 use crate::kernels::real::Real;
-use crate::kernels::recording::Mode;
+use crate::kernels::recording::{Recording, Searched};
 use std::sync::Arc;
 
 /// How a recorded program is computed. Its inputs are the numbers of its arguments and then those of
@@ -126,4 +127,65 @@ pub(crate) fn of_items<T: Real>(
     };
     let plans = leaves.into_iter().map(Preparation::plain).collect();
     Face::new(mode, plans, outputs, Box::new(items))
+}
+
+/// Decides item by item, and computes the program of the record.
+struct ReplayedItems<T> {
+    replays: Arc<dyn Replays<T>>,
+    /// Numbers of every shape, direction and cotangent that it takes, and put down per item.
+    fields: Vec<usize>,
+    made: usize,
+}
+
+impl<T: Real> Maker<T> for ReplayedItems<T> {
+    fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
+        let (mut numbers, mut taken) = (Vec::new(), Vec::new());
+        let mut one = vec![T::default(); self.made];
+        for t in 0..out.tiles {
+            for i in 0..TILE {
+                numbers.clear();
+                taken.clear();
+                for (input, &fields) in inputs.iter().zip(&self.fields) {
+                    item(input, t, i, fields, &mut numbers);
+                }
+                match self.replays.decide(&numbers, &mut taken) {
+                    Ok(recorded) => self
+                        .replays
+                        .put(&numbers, &recorded.run_on(&taken), &mut one),
+                    // A replay too long to record has no derivatives.
+                    Err(_) => one.fill(T::lit(f64::NAN)),
+                }
+                for (k, &x) in one.iter().enumerate() {
+                    if let Some(lane) = out.lane(t, k) {
+                        lane.0[i] = x.canonical();
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// How a derivative of a search is computed: by the replays, which give no result before derivatives.
+pub(crate) fn of_replays<T: Real>(
+    mode: Mode,
+    recording: &Recording<T>,
+    search: &Searched<T>,
+) -> Face<T> {
+    let (takes, outputs) = (&recording.takes, &recording.outputs);
+    let mut fields: Vec<usize> = takes.iter().map(|leaf| leaf.fields).collect();
+    let gives = search.gives(mode, &fields, outputs);
+    if mode == Mode::Vjp {
+        fields.extend(outputs);
+    }
+    let items = ReplayedItems {
+        replays: search.replays(mode),
+        fields,
+        made: gives.iter().sum(),
+    };
+    let plans = takes.iter().cloned().map(Preparation::plain).collect();
+    Face {
+        skipped: 0,
+        gives,
+        ..Face::new(mode, plans, outputs.clone(), Box::new(items))
+    }
 }

@@ -1,8 +1,8 @@
 //! The plans of a call for a GPU, made once per function, mode and form.
 use super::generated::operation::Generated;
 use super::written::Mirror;
+use crate::kernels::derivation::Replays;
 use crate::kernels::recording::{Body, Call, Key, Mode};
-use crate::kernels::replays::Replays;
 use crate::{Error, Unrecordable};
 use std::sync::Arc;
 
@@ -34,7 +34,7 @@ impl Call<f32> {
             return None;
         };
         let (key, mode) = (Key::Replays(self.mode), self.mode);
-        let made = self.recording.made(key, &|| Ok((search.replays)(mode)));
+        let made = self.recording.made(key, &|| Ok(search.replays(mode)));
         let made = made.unwrap_or_else(|_: Error| unreachable!("a replay is recorded later"));
         Some(Arc::clone(&made))
     }

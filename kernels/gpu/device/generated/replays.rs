@@ -7,10 +7,11 @@ use super::text::{Form, GROUP, MOST_GROUPS};
 use crate::Error;
 use crate::ad::program::WGSL;
 use crate::kernels::cpu::work::spread;
+use crate::kernels::derivation::Replays;
 use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::item::{Column, Piece, STRETCH, Target};
-use crate::kernels::replays::{Replay, Replays, numbers};
+use crate::kernels::replays::{Replay, numbers};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::ops::Range;
@@ -65,7 +66,7 @@ impl Stretch {
                 let own = &part[at * column.fields..][..column.fields];
                 self.numbers.extend_from_slice(own);
             }
-            match replays.decide(&self.numbers[first..], &mut self.taken) {
+            match replays.instructions(&self.numbers[first..], &mut self.taken) {
                 Ok(replay) => self.replays.push(replay),
                 Err(error) => return self.failed = Some(error),
             }
