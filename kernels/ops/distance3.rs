@@ -42,8 +42,6 @@ table! {
         "distance_segment_ray3": Segment3, Ray3;
         "distance_capsule_line3": Capsule3, Line3;
         "distance_segment_obb3": Segment3, Obb3;
-        "distance_line_triangle3": Line3, Triangle3;
-        "distance_ray_triangle3": Ray3, Triangle3;
         "distance_line_obb3": Line3, Obb3;
         "distance_ray_obb3": Ray3, Obb3;
         /// It jumps where they become parallel.
@@ -81,9 +79,8 @@ table! {
         "signed_distance_sphere_obb3": Sphere, Obb3;
         "signed_distance_sphere_triangle3": Sphere, Triangle3;
         "signed_distance_capsule_triangle3": Capsule3, Triangle3;
-        "signed_distance_sphere_tetrahedron": Sphere, Tetrahedron;
         "signed_distance_sphere_round_box": Sphere, RoundBox3;
-        "signed_distance_triangles3": Triangle3, Triangle3;
+        "signed_distance_triangles3": Triangle3, Triangle3 derivative Forward;
         "signed_distance_aabb3": Aabb3, Aabb3;
         "signed_distance_obb3": Obb3, Obb3;
         "signed_distance_plane_point": Plane3, Vec3;

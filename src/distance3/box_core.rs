@@ -2,7 +2,7 @@
 use super::core::Core;
 use super::deep::{PartingPlane, box_faces};
 use super::near::{Candidate, Edge, Nearest, square_of};
-use super::place::{self, Place, Pull, fixed, fixed_vector, part};
+use super::place::{self, Counted, Place, Pull, fixed, fixed_vector, part};
 use crate::arrays::Each;
 use crate::scalar::largest;
 use crate::{Scalar, Vec3};
@@ -144,11 +144,11 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         place
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, place: Place<S>, less: Place<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, place: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
         Pull {
-            parts: [0, 1, 2, 3].each_as(|k| normal * (place.parts[k] - less.parts[k])),
+            parts: [0, 1, 2, 3].each_as(|k| normal * (place.part(k) - less.part(k))),
             half: [0, 1, 2].each_as(|k| {
-                let part = |place: Place<S>| part(place.parts[1 + k], self.half[k]);
+                let part = |all: Counted<S>| part(all.place.parts[1 + k], self.half[k]) * all.count;
                 normal.dot(self.axes[k]) * (part(place) - part(less))
             }),
         }

@@ -2,7 +2,7 @@
 use super::box_core::BoxCore;
 use super::deep::PartingPlane;
 use super::near::{Candidate, Edge, Nearest};
-use super::place::{self, Place, Pull, fixed_vector};
+use super::place::{self, Counted, Place, Pull, fixed_vector};
 use super::simplex::extent_of;
 use super::straight::Straight;
 use crate::arrays::Each;
@@ -49,8 +49,8 @@ pub trait Core<S: Scalar>: Copy {
     fn at_corner(&self, k: usize) -> Place<S>;
     /// The place on an edge, from 0 to 1, whose ends are not counted among its points.
     fn at_edge(&self, k: usize, t: S) -> Place<S>;
-    /// The derivative of the height of a place along a direction, less that of another place.
-    fn pull(&self, place: Place<S>, less: Place<S>, normal: Vec3<S>) -> Pull<S>;
+    /// The derivative of the heights of places along a direction, less that of others.
+    fn pull(&self, place: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S>;
     /// The height that has that derivative, but for a constant.
     fn height(&self, pull: Pull<S::Primal>) -> S;
     /// The corners.
@@ -142,9 +142,9 @@ impl<S: Scalar> Core<S> for PointCore<S> {
         Place::corner(0)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, place: Place<S>, less: Place<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, place: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
         let mut parts = [Vec3::zero(); 4];
-        parts[0] = normal * (place.parts[0] - less.parts[0]);
+        parts[0] = normal * (place.part(0) - less.part(0));
         Pull {
             parts,
             half: [S::zero(); 3],

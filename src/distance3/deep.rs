@@ -5,7 +5,7 @@
 use super::box_core::BoxCore;
 use super::core::Core;
 use super::near::normal;
-use super::place::{Place, Pull};
+use super::place::{Counted, Place, Pull};
 use crate::arrays::Each;
 use crate::distance::share::Carry;
 use crate::{Scalar, Vec3};
@@ -27,13 +27,13 @@ pub struct PartingPlane<P> {
     pub on_a: Vec3<P>,
     /// The sum of the points of b.
     pub on_b: Vec3<P>,
-    /// The sum of the places of those of a.
+    /// The mean of the places of those of a.
     pub at_a: Place<P>,
-    /// The sum of those of b.
+    /// The mean of those of b.
     pub at_b: Place<P>,
-    /// The sum of the places of a on the other side, where that ties.
+    /// The mean of the places of a on the other side, where that ties.
     pub behind_a: Place<P>,
-    /// The sum of those of b.
+    /// The mean of those of b.
     pub behind_b: Place<P>,
 }
 
@@ -164,6 +164,8 @@ fn least<P: Scalar, B: Core<P>>(
         found.at_a.add(counts, over.foot, counts);
         found.at_b.add(counts, over.there, counts);
     }
+    let share = P::one().over(found.points);
+    (found.at_a, found.at_b) = (found.at_a.times(share), found.at_b.times(share));
     // The feature is the face, whichever corner it is.
     if let Some(over) = all.first() {
         found.at_a.feature = over.foot.feature;
@@ -346,11 +348,17 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
         points += P::select(same, plane.points, P::zero());
         found.on_a += Vec3::select(same, plane.on_a, zero);
         found.on_b += Vec3::select(same, plane.on_b, zero);
-        found.at_a.add(same, plane.at_a, first);
-        found.at_b.add(same, plane.at_b, first);
+        found.at_a.add(same, plane.at_a.times(plane.points), first);
+        found.at_b.add(same, plane.at_b.times(plane.points), first);
         let normal = Vec3::select(counts, plane.normal, zero);
-        found.pull_a.add(a.pull(plane.at_a, plane.behind_a, normal));
-        found.pull_b.add(b.pull(plane.at_b, plane.behind_b, normal));
+        let all = |place: Place<P>, count: P| Counted { place, count };
+        let (of_a, of_b) = (all(plane.at_a, plane.points), all(plane.at_b, plane.points));
+        let (behind_a, behind_b) = (
+            all(plane.behind_a, plane.behind),
+            all(plane.behind_b, plane.behind),
+        );
+        found.pull_a.add(a.pull(of_a, behind_a, normal));
+        found.pull_b.add(b.pull(of_b, behind_b, normal));
     }
     let (share, all) = (P::one().over(points), P::one().over(found.count));
     Some(Deepest {

@@ -69,6 +69,23 @@ impl<P: Scalar> Carry<P> for Place<P> {
     }
 }
 
+/// The mean of some places, and how many they are.
+#[derive(Clone, Copy, Debug)]
+pub struct Counted<P> {
+    /// Their mean.
+    pub place: Place<P>,
+    /// How many they are.
+    pub count: P,
+}
+
+impl<P: Scalar> Counted<P> {
+    /// The sum of one of the parts.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn part(&self, k: usize) -> P {
+        self.place.parts[k] * self.count
+    }
+}
+
 /// The derivative of the height of a point of a core along a direction, by the numbers of the core.
 #[derive(Clone, Copy, Debug)]
 pub struct Pull<P> {

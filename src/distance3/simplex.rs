@@ -2,7 +2,7 @@
 use super::core::Core;
 use super::deep::{PartingPlane, triangle_face};
 use super::near::{Candidate, Edge, Low, edge_near, face_near};
-use super::place::{self, Place, Pull, fixed, fixed_vector};
+use super::place::{self, Counted, Place, Pull, fixed, fixed_vector};
 use super::straight::Straight;
 use crate::arrays::Each;
 use crate::distance::share::{Best, Carry};
@@ -141,10 +141,10 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, place: Place<S>, less: Place<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, place: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
         let mut parts = [Vec3::zero(); 4];
         for (k, pull) in parts.iter_mut().enumerate().take(C) {
-            *pull = normal * (place.parts[k] - less.parts[k]);
+            *pull = normal * (place.part(k) - less.part(k));
         }
         Pull {
             parts,

@@ -197,6 +197,29 @@ fn three_faces_share_in_thirds() {
 }
 
 #[test]
+fn ends_that_are_equally_deep_share() {
+    let room = Obb3::new(
+        Vec3::zero(),
+        Vec3::new(4.0, 4.0, 2.0),
+        Rotation3::identity(),
+    );
+    for reach in [0.0, 0.5] {
+        let link = Capsule3::new(
+            Vec3::new(-reach, 0.0, 0.25),
+            Vec3::new(reach, 0.0, 0.25),
+            0.0,
+        );
+        let (depth, (by_link, by_room)): (f64, (Capsule3<f64>, Obb3<f64>)) = gradient(
+            |(a, b): (Capsule3<_>, Obb3<_>)| signed_distance(a, b),
+            (link, room),
+        );
+        assert_eq!(depth, -0.75);
+        assert_eq!((by_link.start.z, by_link.end.z), (0.5, 0.5));
+        assert_eq!((by_room.size.z, by_room.center.z), (-0.5, -1.0));
+    }
+}
+
+#[test]
 fn touching_keeps_the_signed_slope_and_drops_the_other() {
     let floor = Obb3::new(
         Vec3::zero(),
