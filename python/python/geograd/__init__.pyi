@@ -1831,6 +1831,8 @@ class _distance(Verb):
             The distance of a segment and a point.
         distance(segment: Segment3, line: Line3) -> number
             The distance of a segment of space and a line of space.
+        distance(segment: Segment3, shape: Obb3) -> number
+            The distance of a segment of space and a box of any orientation.
         distance(segment: Segment3, ray: Ray3) -> number
             The distance of a segment of space and a ray of space.
         distance(a: Segment3, b: Segment3) -> number
@@ -1958,6 +1960,8 @@ class _distance(Verb):
     def __call__(self, segment: Segment2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment3, line: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment3, ray: Ray3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2991,6 +2995,8 @@ class _signed_distance(Verb):
             The signed distance of a capsule of space and a box of any orientation.
         signed_distance(capsule: Capsule3, ball: Sphere) -> number
             The signed distance of a capsule of space and a ball.
+        signed_distance(capsule: Capsule3, triangle: Triangle3) -> number
+            The signed distance of a capsule of space and a triangle of space.
         signed_distance(a: Circle, b: Circle) -> number
             The signed distance of two circles.
         signed_distance(circle: Circle, shape: Obb2) -> number
@@ -3025,6 +3031,10 @@ class _signed_distance(Verb):
             The signed distance of a half-space and a box of any orientation.
         signed_distance(plane: Plane3, ball: Sphere) -> number
             The signed distance of a half-space and a ball.
+        signed_distance(plane: Plane3, solid: Tetrahedron) -> number
+            The signed distance of a half-space and a tetrahedron.
+        signed_distance(plane: Plane3, triangle: Triangle3) -> number
+            The signed distance of a half-space and a triangle of space.
         signed_distance(plane: Plane3, point: Vec3) -> number
             The signed distance of a half-space and a point.
         signed_distance(ray: Ray3, ball: Sphere) -> number
@@ -3037,8 +3047,12 @@ class _signed_distance(Verb):
             The signed distance of a segment and a point.
         signed_distance(ball: Sphere, shape: Obb3) -> number
             The signed distance of a ball and a box of any orientation.
+        signed_distance(ball: Sphere, shape: RoundBox3) -> number
+            The signed distance of a ball and a box with round edges.
         signed_distance(a: Sphere, b: Sphere) -> number
             The signed distance of two balls.
+        signed_distance(ball: Sphere, triangle: Triangle3) -> number
+            The signed distance of a ball and a triangle of space.
         signed_distance(a: Triangle2, b: Triangle2) -> number
             The signed distance of two triangles.
         signed_distance(triangle: Triangle2, point: Vec2) -> number
@@ -3099,6 +3113,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, capsule: Capsule3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, capsule: Capsule3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Circle, b: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -3133,6 +3149,10 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, plane: Plane3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, plane: Plane3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, plane: Plane3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, plane: Plane3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, ray: Ray3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -3145,7 +3165,11 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, ball: Sphere, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Sphere, b: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ball: Sphere, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
