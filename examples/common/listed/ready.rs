@@ -280,18 +280,20 @@ pub fn pairs<'a>(
     Ok(Box::new(ready))
 }
 
-/// Stars, one after another, as numbers.
-fn stars(count: usize) -> (Vec<f32>, Vec<usize>) {
+/// Stars, one after another, as numbers: of two or three a vertex.
+fn stars(count: usize, wide: usize) -> (Vec<f32>, Vec<usize>) {
     let mut draw = Draw::new(2);
     let corner = |k: usize| {
         let (radius, angle) = (
             0.5 + draw.unit(),
             k as f64 * std::f64::consts::TAU / CORNERS as f64,
         );
-        [(radius * angle.cos()) as f32, (radius * angle.sin()) as f32]
+        let mut corner = vec![(radius * angle.cos()) as f32, (radius * angle.sin()) as f32];
+        corner.resize_with(wide, || draw.unit() as f32);
+        corner
     };
     let different: Vec<_> = (0..CORNERS * DIFFERENT).map(corner).collect();
-    let vertices = (0..CORNERS * count).flat_map(|k| different[k % different.len()]);
+    let vertices = (0..CORNERS * count).flat_map(|k| different[k % different.len()].clone());
     (
         vertices.collect(),
         (0..=count).map(|i| i * CORNERS).collect(),
@@ -338,8 +340,8 @@ pub fn paths<'a>(
     count: usize,
     derivatives: bool,
 ) -> Result<Box<dyn Ready + 'a>, Error> {
-    let (vertices, offsets) = stars(count);
     let run = row.operation.on_paths::<f32>().expect("takes paths");
+    let (vertices, offsets) = stars(count, run.vertex());
     let mut draw = Draw::new(1);
     let takes = run.takes();
     let wide: usize = takes.iter().map(|(_, layout)| layout.fields()).sum();
