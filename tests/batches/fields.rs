@@ -75,11 +75,11 @@ fn every_row_has_the_bits_of_rows() {
                 let columns = list::columns(row, &items);
                 let expected = function
                     .aligned(&rows_of(&function, &columns))
-                    .expect(row.name());
+                    .unwrap_or_else(|error| panic!("{}: {error}", row.name()));
                 for all in [true, false] {
                     let found = of_fields(&function, &columns, items.len(), |k| all || k == 0);
                     assert_eq!(
-                        bits(&found.expect(row.name())),
+                        bits(&found.unwrap_or_else(|error| panic!("{}: {error}", row.name()))),
                         bits(&expected),
                         "{}",
                         row.name()

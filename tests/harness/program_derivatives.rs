@@ -227,3 +227,21 @@ fn an_adjoint_by_hand_comes_along_into_a_larger_program() {
     // ∂²/∂x² = y · 7, from the derivatives of what was written by hand.
     assert_eq!(larger.hessian::<2>().eval(Vec2::new(1.0, 2.0))[0].x, 14.0);
 }
+
+/// A formula whose first derivative needs less than its second one: what vanishes is left out of the gradient.
+#[test]
+fn what_vanishes_counts_from_the_second_derivative_on() {
+    fn height<S: Scalar>(v: Vec2<S>) -> S {
+        let aside = (v.x - S::lit(2.0)).with_primal(S::Primal::zero());
+        v.y + aside * aside * v.y.exp()
+    }
+    let program = Program::trace(height::<Sym<f64>>).unwrap();
+    let at = Vec2::new(2.0, 0.0);
+    let gradient = program.value_grad();
+    assert_eq!(gradient.eval(at), (0.0, Vec2::new(0.0, 1.0)));
+    let cost = gradient.cost();
+    assert_eq!((cost.multiplications, cost.elementary), (0, 0));
+    let [by_x, by_y]: [Vec2<f64>; 2] = program.hessian().eval(at);
+    assert_eq!((by_x, by_y), (Vec2::new(2.0, 0.0), Vec2::new(0.0, 0.0)));
+    assert_eq!(geograd::hvp(height, at, Vec2::new(1.0, 0.0)).2, by_x);
+}
