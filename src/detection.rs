@@ -31,7 +31,7 @@
 //! | `boxes_overlap_bev_gpu`, `boxes_aligned_overlap_bev_gpu`, `paired_boxes_overlap_bev_gpu` | [`IntersectionArea`](crate::kernels::IntersectionArea) of `Obb2` of [`birds_eye`](crate::shape::YawBox3::birds_eye) |
 //! | `boxes_iou3d_gpu` | [`Cpu::all_pairs`] of [`Iou`](crate::kernels::Iou) of `YawBox3` |
 //! | `boxes_aligned_iou3d_gpu`, `paired_boxes_iou3d_gpu` | [`Cpu::aligned`] of [`Iou`](crate::kernels::Iou) of `YawBox3` |
-//! | `nms_gpu` | [`Backend::suppress`] of [`IouBev`](crate::kernels::IouBev) of `YawBox3`, the same places on CPU and GPU |
+//! | `nms_gpu` | [`Machine::suppress`](crate::kernels::Machine::suppress) of [`IouBev`](crate::kernels::IouBev) of `YawBox3`, the same places on CPU and GPU |
 //! | `nms_normal_gpu` | the same with [`Iou`](crate::kernels::Iou) of `Aabb2` |
 //! | `points_in_boxes_cpu`, `points_in_boxes_gpu` | [`Cpu::first_box`], [`Cpu::boxes_of_points`], [`Cpu::points_per_box`]; no margin of a centimetre |
 //! | `boxes_to_corners_3d` | [`YawBox3::corners`](crate::shape::YawBox3::corners) |

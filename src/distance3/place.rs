@@ -8,7 +8,7 @@ use crate::{Scalar, Vec3};
 pub struct Place<P> {
     /// Of the hull of some corners their shares; of a box one, and how far it is from the centre along the axes.
     pub parts: [P; 4],
-    /// 0 at a corner, else the number of the edge or face along which it is free, as [`Core::free`] reads it.
+    /// 0 at a corner, else the number of the edge or face along which it is free, as [`Core::free`](super::core::Core::free) reads it.
     pub feature: P,
 }
 

@@ -108,8 +108,8 @@ impl Machine<Device> {
     ///
     /// # Errors
     ///
-    /// [`GpuFault::NoAdapter`](crate::GpuFault::NoAdapter), [`GpuFault::NoSuchAdapter`](crate::GpuFault::NoSuchAdapter)
-    /// or [`GpuFault::AdapterRefused`](crate::GpuFault::AdapterRefused).
+    /// [`GpuFault::NoAdapter`], [`GpuFault::NoSuchAdapter`]
+    /// or [`GpuFault::AdapterRefused`].
     pub fn new() -> Result<Self, Error> {
         Self::with(&Options::default())
     }
@@ -118,8 +118,8 @@ impl Machine<Device> {
     ///
     /// # Errors
     ///
-    /// [`GpuFault::NoAdapter`](crate::GpuFault::NoAdapter), [`GpuFault::NoSuchAdapter`](crate::GpuFault::NoSuchAdapter)
-    /// or [`GpuFault::AdapterRefused`](crate::GpuFault::AdapterRefused).
+    /// [`GpuFault::NoAdapter`], [`GpuFault::NoSuchAdapter`]
+    /// or [`GpuFault::AdapterRefused`].
     pub fn with(options: &Options) -> Result<Self, Error> {
         let (chosen, adapter) = adapter::choose(&options.adapter)?;
         let limits = chosen.limits();
@@ -218,7 +218,7 @@ impl Machine<Device> {
     }
 
     /// Gives the device up, with everything on it: every later call, of every clone, is
-    /// [`GpuFault::DeviceLost`](crate::GpuFault::DeviceLost).
+    /// [`GpuFault::DeviceLost`].
     pub fn destroy(&self) {
         self.engine.inner.device.destroy();
         self.engine.inner.lost.store(true, Ordering::Release);
@@ -228,7 +228,7 @@ impl Machine<Device> {
     ///
     /// # Errors
     ///
-    /// [`GpuFault::DeviceLost`](crate::GpuFault::DeviceLost).
+    /// [`GpuFault::DeviceLost`].
     pub fn wait(&self) -> Result<(), Error> {
         self.engine.inner.wait(None)
     }

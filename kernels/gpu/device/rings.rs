@@ -163,7 +163,7 @@ impl Machine<Device> {
     ///
     /// # Errors
     ///
-    /// As [`ragged`](Gpu::ragged), and for cotangents of another number or not finite.
+    /// As `ragged`, and for cotangents of another number or not finite.
     pub fn ragged_vjp<F>(
         &self,
         fold: F,
@@ -268,11 +268,11 @@ impl Device {
         })
     }
 
-    /// The adjoint of [`ragged`](Gpu::ragged): one derivative per vertex.
+    /// The adjoint of `ragged`: one derivative per vertex.
     ///
     /// # Errors
     ///
-    /// As [`ragged`](Gpu::ragged), and The input's for an upstream of another length or
+    /// As `ragged`, and The input's for an upstream of another length or
     /// one that is not finite.
     pub(crate) fn ragged_vjp_of<T: Fixed<Scalar = f32>>(
         &self,

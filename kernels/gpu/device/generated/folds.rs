@@ -330,12 +330,12 @@ impl Machine<Device> {
         Ok(all)
     }
 
-    /// The adjoint of [`fold`](Gpu::fold): one cotangent per context and one per vertex, as
+    /// The adjoint of `fold`: one cotangent per context and one per vertex, as
     /// [`Cpu::fold_vjp`](crate::kernels::Cpu::fold_vjp).
     ///
     /// # Errors
     ///
-    /// As [`fold`](Gpu::fold), and for cotangents of another number or not finite.
+    /// As `fold`, and for cotangents of another number or not finite.
     pub fn fold_vjp<F, C: Columns>(
         &self,
         _fold: F,
