@@ -1,5 +1,5 @@
 //~ Obb2<f64>` is not a column
-//~ or one shape for all items, `One(shape)`
+//~ one shape for all items, `One(shape)`
 use geograd::prelude::*;
 
 pub fn overlaps(shapes: &[Obb2<f64>], goal: Obb2<f64>) -> Result<(), geograd::Error> {
