@@ -493,7 +493,7 @@ pub struct One<P>(pub P);
 pub trait Columns {
     /// The arguments of one item.
     type Item: Item;
-    /// Where they are, and with them the results.
+    /// The side that has them and their results: this machine or the one that computes.
     type Place: Place;
     /// The columns, one per shape of a row.
     #[doc(hidden)]

@@ -245,7 +245,7 @@ impl<T> Later<T> for Pending<T> {
     }
 }
 
-/// What the interface of machines asks of a handle that has `start_download`.
+/// The methods of the interface of machines for a handle that has `start_download`.
 macro_rules! downloads {
     ($out:ty) => {
         fn started(&self) -> Result<crate::kernels::resident::Pending<$out>, Error> {

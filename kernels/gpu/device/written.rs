@@ -132,8 +132,8 @@ pub(super) const ANY: Mirror = Mirror {
     over: Denominator::Union,
 };
 
-/// What the kernels of a measure of rings sum beside products of vertices (moments, lengths), and the measure of a ring
-/// with its derivative at a vertex, in WGSL.
+/// The sums of a measure of rings beside products of vertices (moments, lengths), and in WGSL the measure of a ring with
+/// its derivative at a vertex.
 const fn mirror_of(measure: Measure) -> (bool, bool, &'static str) {
     match measure {
         Measure::SignedArea => (false, false, include_str!("../wgsl/signed_area.wgsl")),
@@ -177,7 +177,7 @@ pub(super) enum Take {
 impl Take {
     /// All of them.
     pub(super) const ALL: [Take; 4] = [Take::Best, Take::Count, Take::Found, Take::Sum];
-    /// What is taken of scores, in WGSL.
+    /// The WGSL that reduces scores.
     pub(super) fn text(self) -> &'static str {
         match self {
             Take::Best => include_str!("../wgsl/take_best.wgsl"),

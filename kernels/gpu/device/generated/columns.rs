@@ -1,7 +1,6 @@
 //! Item i of columns that stay on the GPU: each is read where it lies, in a buffer of its own.
 use super::operation::Generated;
-use super::text::{GROUP, bindings, call, numbers};
-use crate::kernels::cpu::lane::TILE;
+use super::text::{GROUP, bindings, call, numbers, results};
 use std::fmt::Write;
 
 /// The shader: one thread per item. Parameters are how many items; of every column where it begins and
@@ -43,22 +42,5 @@ fn columns_main(@builtin(global_invocation_id) thread: vec3u) {{
         inputs.extend(numbers(&format!("column{k}"), &format!("c{k}"), width));
     }
     let _ = writeln!(text, "    let y = {};", call("body", inputs));
-    let mut first = 0;
-    for (k, &fields) in made.gives.iter().enumerate() {
-        let at = 1 + columns + k;
-        let _ = writeln!(
-            text,
-            "    let r{k} = params[{at}].x + place(item, {fields}u);"
-        );
-        for field in 0..fields {
-            let _ = writeln!(
-                text,
-                "    outputs[r{k} + {}u] = y[{}];",
-                field * TILE,
-                first + field
-            );
-        }
-        first += fields;
-    }
-    text + "}\n"
+    text + &results(&made.gives, 1 + columns) + "}\n"
 }

@@ -1,7 +1,7 @@
 //! The shader of a form: the function, and the kernel around it.
 use super::operation::{Body, Generated};
 use super::suppress::masks;
-use super::text::{Form, GROUP, ROWS, STRIP, bindings, both, bound, call, numbers};
+use super::text::{Form, GROUP, ROWS, STRIP, bindings, both, bound, call, numbers, results};
 use crate::ad::program::WGSL;
 use crate::kernels::cpu::lane::TILE;
 use std::fmt::Write;
@@ -65,24 +65,7 @@ fn aligned_main(@builtin(global_invocation_id) thread: vec3u) {{
         inputs.push("inputs[0] * 0.0".to_owned());
     }
     let _ = writeln!(text, "    let y = {};", call("body", inputs));
-    let mut first = 0;
-    for (k, &fields) in made.gives.iter().enumerate() {
-        let at = 1 + columns + k;
-        let _ = writeln!(
-            text,
-            "    let r{k} = params[{at}].x + place(item, {fields}u);"
-        );
-        for field in 0..fields {
-            let _ = writeln!(
-                text,
-                "    outputs[r{k} + {}u] = y[{}];",
-                field * TILE,
-                first + field
-            );
-        }
-        first += fields;
-    }
-    text + "}\n"
+    text + &results(&made.gives, 1 + columns) + "}\n"
 }
 
 /// Every row with every column: one thread per column, which walks through some rows. Parameters are how

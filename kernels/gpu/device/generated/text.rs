@@ -25,7 +25,7 @@ pub(in super::super) enum Form {
     RowDerivatives,
     /// Sums of derivatives of every row of the second list.
     ColumnDerivatives,
-    /// What is taken of every row with every column, by threads that stand for rows or for columns.
+    /// A reduction of every row with every column, by threads that stand for rows or for columns.
     Reduce(Take, bool),
     /// Which pairs are above a threshold, as bits.
     Masks,
@@ -132,4 +132,26 @@ pub(super) fn bound(made: &Generated<f32>, a: &str, b: &str) -> String {
         .filter(|(_, width)| **width == 0)
         .map(|(name, _)| format!("        _ = {name}[0];\n"))
         .collect()
+}
+
+/// The results `y` of an item to their places, which parameters from this one on say.
+pub(super) fn results(gives: &[usize], parameter: usize) -> String {
+    let (mut text, mut first) = (String::new(), 0);
+    for (k, &fields) in gives.iter().enumerate() {
+        let at = parameter + k;
+        let _ = writeln!(
+            text,
+            "    let r{k} = params[{at}].x + place(item, {fields}u);"
+        );
+        for field in 0..fields {
+            let _ = writeln!(
+                text,
+                "    outputs[r{k} + {}u] = y[{}];",
+                field * TILE,
+                first + field
+            );
+        }
+        first += fields;
+    }
+    text
 }
