@@ -1,51 +1,11 @@
 //! Pairs of shapes of space that have distances.
-use super::box_core::BoxCore;
-use super::boxes::{self, Faces};
 use super::core::{Core, PointCore};
+use super::cored::Cored;
 use super::half_space::{self, Bounded};
-use super::relation::{self, Relation};
-use super::round;
-use super::simplex::{SegmentCore, SimplexCore, TetrahedronCore, TriangleCore};
-use crate::arrays::Each;
-use crate::distance::edge::scale_of;
-use crate::scalar::largest;
-use crate::shape::{
-    Aabb3, Capsule3, Cone, Cylinder, Obb3, Plane3, RoundBox3, Segment3, Sphere, Tetrahedron,
-    Triangle3, YawBox3,
-};
-use crate::{Rotation2, Rotation3, Scalar, Vec3};
-
-/// A convex shape of space: every point at most [`radius`](Cored::radius) from its [`core`](Cored::core).
-///
-/// Points, segments, triangles, tetrahedra, boxes, balls, capsules and boxes with round edges are. Any two of them are
-/// [`Apart`].
-pub trait Cored: Copy {
-    /// Its numbers.
-    type Scalar: Scalar;
-    /// The type of the shape that is inflated.
-    type Core: Core<Self::Scalar>;
-    /// `true` if the radius may be other than zero.
-    const ROUND: bool = false;
-    /// The shape that is inflated.
-    fn core(self) -> Self::Core;
-    /// By how much; not negative.
-    #[inline(always)]
-    fn radius(&self) -> Self::Scalar {
-        Self::Scalar::zero()
-    }
-    /// The bounds, where the core is an axis-aligned box.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn bounds(&self) -> Option<Aabb3<Self::Scalar>> {
-        None
-    }
-    /// How far a point is beyond the faces, where the core is a box.
-    #[doc(hidden)]
-    #[inline(always)]
-    fn beyond(&self, _: Vec3<Self::Scalar>) -> Option<Vec3<Self::Scalar>> {
-        None
-    }
-}
+use super::relation::Relation;
+use super::{between, boxes, round};
+use crate::shape::{Cone, Cylinder, Plane3};
+use crate::{Scalar, Vec3};
 
 /// Two shapes of space that are some distance apart: `a.distance(b)` and alike.
 ///
@@ -120,7 +80,7 @@ impl<A: Cored, B: Cored<Scalar = A::Scalar>> Apart<B> for A {
     fn relation(self, other: B) -> Relation<A::Scalar> {
         let found = match (self.bounds(), other.bounds()) {
             (Some(a), Some(b)) => boxes::upright(a, b),
-            _ => relation::relate(self.core(), other.core()),
+            _ => between::relate(self.core(), other.core()),
         };
         let found = match (A::Core::DIMENSION, B::Core::DIMENSION) {
             (0, _) => from_point(found, self.core().anchor(), &other),
@@ -165,7 +125,7 @@ impl<A: Cored, B: Cored<Scalar = A::Scalar>> Farthest<B> for A {
     fn farthest_distance(self, other: B) -> A::Scalar {
         let longest = match (self.bounds(), other.bounds()) {
             (Some(a), Some(b)) => boxes::farthest_upright(a, b).saturated(),
-            _ => relation::farthest(self.core(), other.core()),
+            _ => between::farthest(self.core(), other.core()),
         };
         (longest + (self.radius() + other.radius())).canonical()
     }
@@ -224,135 +184,3 @@ macro_rules! revolved {
     )* };
 }
 revolved! { Cylinder Cone }
-
-macro_rules! cored {
-    ($($Shape:ident: $Core:ident, |$shape:ident| $core:expr $(, $radius:ident)?;)*) => { $(
-        impl<S: Scalar> Cored for $Shape<S> {
-            type Scalar = S;
-            type Core = $Core<S>;
-            #[inline(always)]
-            fn core(self) -> $Core<S> {
-                let $shape = self;
-                $core
-            }
-            $(
-                const ROUND: bool = true;
-                #[inline(always)]
-                fn radius(&self) -> S {
-                    self.$radius
-                }
-            )?
-        }
-    )* };
-}
-cored! {
-    Vec3: PointCore, |point| PointCore(point);
-    Sphere: PointCore, |ball| PointCore(ball.center), radius;
-    Segment3: SegmentCore, |edge| SimplexCore([edge.start, edge.end]);
-    Capsule3: SegmentCore, |link| SimplexCore([link.start, link.end]), radius;
-    Triangle3: TriangleCore, |face| SimplexCore(face.corners());
-    Tetrahedron: TetrahedronCore, |solid| SimplexCore(solid.corners());
-}
-
-/// The axes of a rotation: quotients by the squared length of its quaternion, so that quarter turns have none but zeros
-/// and ones. The zero quaternion is no rotation.
-#[inline(always)]
-fn axes<S: Scalar>(q: Rotation3<S>) -> [Vec3<S>; 3] {
-    let scale = scale_of::<S>(largest([q.w, q.x, q.y, q.z]));
-    let [w, x, y, z] = [q.w, q.x, q.y, q.z].each_as(|part| part * scale);
-    let square = (w * w + x * x) + (y * y + z * z);
-    let none = square.equals(S::zero());
-    let square = S::select(none, S::one(), square);
-    let w = S::select(none, S::one(), w);
-    let twice = |sum: S| (sum + sum).over(square);
-    let whole = |own: S, others: S| (w * w + own * own - others).over(square);
-    let [xx, yy, zz] = [x * x, y * y, z * z];
-    [
-        Vec3::new(
-            whole(x, yy + zz),
-            twice(x * y + w * z),
-            twice(x * z - w * y),
-        ),
-        Vec3::new(
-            twice(x * y - w * z),
-            whole(y, xx + zz),
-            twice(y * z + w * x),
-        ),
-        Vec3::new(
-            twice(x * z + w * y),
-            twice(y * z - w * x),
-            whole(z, xx + yy),
-        ),
-    ]
-}
-
-/// A box with axes of length one.
-#[inline(always)]
-fn box_core<S: Scalar>(center: Vec3<S>, size: Vec3<S>, axes: [Vec3<S>; 3]) -> BoxCore<S> {
-    BoxCore {
-        center,
-        half: [size.x.halved(), size.y.halved(), size.z.halved()],
-        flat: [S::zero(); 3],
-        axes,
-    }
-}
-
-macro_rules! boxes {
-    ($(
-        $Shape:ident: |$shape:ident| $core:expr, $inner:expr $(, radius $radius:ident)? $(, bounds $bounds:expr)?;
-    )*) => { $(
-        impl<S: Scalar> Cored for $Shape<S> {
-            type Scalar = S;
-            type Core = BoxCore<S>;
-            #[inline(always)]
-            fn core(self) -> BoxCore<S> {
-                let $shape = self;
-                $core
-            }
-            #[inline(always)]
-            fn beyond(&self, point: Vec3<S>) -> Option<Vec3<S>> {
-                let $shape = self;
-                Some(Faces::beyond($inner, point))
-            }
-            $(
-                const ROUND: bool = true;
-                #[inline(always)]
-                fn radius(&self) -> S {
-                    self.$radius
-                }
-            )?
-            $(
-                #[inline(always)]
-                fn bounds(&self) -> Option<Aabb3<S>> {
-                    let $shape = self;
-                    Some($bounds)
-                }
-            )?
-        }
-    )* };
-}
-boxes! {
-    Aabb3: |shape| {
-        let (zero, one) = (S::zero(), S::one());
-        let axes = [
-            Vec3::new(one, zero, zero),
-            Vec3::new(zero, one, zero),
-            Vec3::new(zero, zero, one),
-        ];
-        box_core(shape.center(), shape.size(), axes)
-    }, *shape, bounds *shape;
-    YawBox3: |shape| {
-        let (Rotation2 { cos, sin }, zero) = (Rotation2::from_angle(shape.heading), S::zero());
-        let axes = [
-            Vec3::new(cos, sin, zero),
-            Vec3::new(-sin, cos, zero),
-            Vec3::new(zero, zero, S::one()),
-        ];
-        box_core(shape.center, shape.size, axes)
-    }, *shape;
-    Obb3: |shape| box_core(shape.center, shape.size, axes(shape.rotation)), *shape;
-    RoundBox3: |shape| {
-        let inner = shape.inner;
-        box_core(inner.center, inner.size, axes(inner.rotation))
-    }, shape.inner, radius radius;
-}

@@ -1,33 +1,14 @@
 //! Boxes of any orientation as cores.
-use super::core::Core;
-use super::deep::{PartingPlane, box_faces};
+use super::core::{BoxCore, Core};
+use super::deep::box_faces;
 use super::near::{Candidate, Edge, Nearest, square_of};
-use super::place::{self, Counted, Place, Pull, fixed, fixed_vector, part};
+use super::parting::PartingPlane;
+use super::spot::{self, Counted, Pull, Spot, fixed, fixed_vector, part};
 use crate::arrays::Each;
 use crate::scalar::largest;
 use crate::{Scalar, Vec3};
 
-/// A box of any orientation.
-#[derive(Clone, Copy, Debug)]
-pub struct BoxCore<S> {
-    /// The centre.
-    pub center: Vec3<S>,
-    /// Half the size along its own axes.
-    pub half: [S; 3],
-    /// The same of sides of length zero, zero of all others. Corners at both ends of such a side are one place: which
-    /// of them comes closer as it grows only the direction to the other shape tells.
-    pub flat: [S; 3],
-    /// Its own axes, of length one.
-    pub axes: [Vec3<S>; 3],
-}
-
 impl<S: Scalar> BoxCore<S> {
-    /// A point as its own axes see it, from the centre.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn seen(&self, point: Vec3<S>) -> [S; 3] {
-        let arm = point - self.center;
-        self.axes.each_as(|axis| axis.dot(arm))
-    }
     /// The ways from the centre to the faces.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn arms(&self) -> [Vec3<S>; 3] {
@@ -90,26 +71,26 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn plain(&self) -> BoxCore<S::Primal> {
         BoxCore {
-            center: place::plain(self.center),
+            center: spot::plain(self.center),
             half: self.half.each_as(S::primal),
             flat: self.flat.each_as(S::primal),
-            axes: self.axes.each_as(place::plain),
+            axes: self.axes.each_as(spot::plain),
         }
     }
     /// Sides that are fixed grow with the box.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn point(&self, place: Place<S::Primal>) -> Vec3<S> {
+    fn point(&self, spot: Spot<S::Primal>) -> Vec3<S> {
         (0..3).fold(self.center, |sum, k| {
-            let at = place.parts[1 + k];
+            let at = spot.parts[1 + k];
             let part = fixed::<S>(part(at, self.half[k].primal()));
             sum + self.axes[k] * (self.half[k] * part).with_primal(at.primal())
         })
     }
     /// The feature has a bit for every axis along which it is free.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn free(&self, place: Place<S::Primal>) -> ([Vec3<S>; 2], S::Primal) {
+    fn free(&self, spot: Spot<S::Primal>) -> ([Vec3<S>; 2], S::Primal) {
         let lit = S::Primal::lit;
-        let mut rest = place.feature;
+        let mut rest = spot.feature;
         let mut found = ([Vec3::zero(); 2], S::Primal::zero());
         for k in [2, 1, 0] {
             let bit = lit((1 << k) as f64);
@@ -122,7 +103,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         found
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn at_corner(&self, n: usize) -> Place<S> {
+    fn at_corner(&self, n: usize) -> Spot<S> {
         let side = |k: usize| {
             if n >> k & 1 == 1 {
                 self.half[k]
@@ -130,26 +111,26 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
                 -self.half[k]
             }
         };
-        Place {
+        Spot {
             parts: [S::one(), side(0), side(1), side(2)],
             feature: S::zero(),
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn at_edge(&self, k: usize, t: S) -> Place<S> {
+    fn at_edge(&self, k: usize, t: S) -> Spot<S> {
         let axis = k / 4;
-        let mut place = self.at_corner(STARTS[axis][k % 4]);
-        place.parts[1 + axis] = self.half[axis] * ((t + t) - S::one());
-        place.feature = S::lit((1 << axis) as f64);
-        place
+        let mut spot = self.at_corner(STARTS[axis][k % 4]);
+        spot.parts[1 + axis] = self.half[axis] * ((t + t) - S::one());
+        spot.feature = S::lit((1 << axis) as f64);
+        spot
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, place: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, spot: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
         Pull {
-            parts: [0, 1, 2, 3].each_as(|k| normal * (place.part(k) - less.part(k))),
+            parts: [0, 1, 2, 3].each_as(|k| normal * (spot.part(k) - less.part(k))),
             half: [0, 1, 2].each_as(|k| {
-                let part = |all: Counted<S>| part(all.place.parts[1 + k], self.half[k]) * all.count;
-                normal.dot(self.axes[k]) * (part(place) - part(less))
+                let part = |all: Counted<S>| part(all.spot.parts[1 + k], self.half[k]) * all.count;
+                normal.dot(self.axes[k]) * (part(spot) - part(less))
             }),
         }
     }
@@ -193,7 +174,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         [0, 1, 2]
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn near(&self, corner: Vec3<S>, there: Place<S>) -> Candidate<S> {
+    fn near(&self, corner: Vec3<S>, there: Spot<S>) -> Candidate<S> {
         let (zero, at) = (S::zero(), self.seen(corner));
         let out: [S; 3] = std::array::from_fn(|k| {
             let (x, half) = (at[k], self.half[k]);
@@ -203,10 +184,10 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         let [x, y, z] = self.axes;
         let apart = x * out[0] + y * out[1] + z * out[2];
         let within = out.each_as(|out| out.equals(zero));
-        let place = |k: usize| S::select(within[k], at[k], self.half[k].signed_as(at[k]));
+        let spot = |k: usize| S::select(within[k], at[k], self.half[k].signed_as(at[k]));
         let bit = |k: usize| S::select(within[k], S::lit((1 << k) as f64), zero);
-        let here = Place {
-            parts: [S::one(), place(0), place(1), place(2)],
+        let here = Spot {
+            parts: [S::one(), spot(0), spot(1), spot(2)],
             feature: bit(0) + bit(1) + bit(2),
         };
         let near = Nearest::of(apart, corner - apart, corner);
@@ -216,9 +197,9 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Place<S>) {
+    fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Spot<S>) {
         let arms = self.arms();
-        let mut found = (self.center, Place::corner(0));
+        let mut found = (self.center, Spot::corner(0));
         for k in (0..3).filter(|&k| k != way) {
             let up = normal.dot(arms[k]).above(S::zero());
             found.0 += Vec3::select(up, -arms[k], arms[k]);
@@ -227,11 +208,11 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         found
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn along(&self, mut place: Place<S>, way: usize, t: S) -> Place<S> {
+    fn along(&self, mut spot: Spot<S>, way: usize, t: S) -> Spot<S> {
         let half = self.half[way];
-        place.parts[1 + way] += (half + half) * t;
-        place.feature = S::lit((1 << way) as f64);
-        place
+        spot.parts[1 + way] += (half + half) * t;
+        spot.feature = S::lit((1 << way) as f64);
+        spot
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>) {

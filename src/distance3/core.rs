@@ -1,18 +1,17 @@
 //! The cores that convex shapes of space are made of: a point, a segment, a triangle, a tetrahedron, a box.
-use super::box_core::BoxCore;
-use super::deep::PartingPlane;
 use super::near::{Candidate, Edge, Nearest};
-use super::place::{self, Counted, Place, Pull, fixed_vector};
-use super::simplex::extent_of;
+use super::parting::PartingPlane;
+use super::spot::{self, Counted, Pull, Spot, fixed_vector};
 use super::straight::Straight;
 use crate::arrays::Each;
+use crate::scalar::largest;
 use crate::{Scalar, Vec3};
 
 /// The core of a convex shape of space: the hull of some corners.
 ///
 /// Three families of candidates make every distance: corners of one core against the faces and edges of the other,
 /// the same the other way round, and edges against edges. Cores of plain numbers ([`plain`](Core::plain)) are searched
-/// for the nearest features; the core with derivatives finds these by their [`Place`].
+/// for the nearest features; the core with derivatives finds these by their [`Spot`].
 pub trait Core<S: Scalar>: Copy {
     /// The core without derivatives.
     type Plain: Core<S::Primal>;
@@ -41,16 +40,16 @@ pub trait Core<S: Scalar>: Copy {
     fn placed(self, from: Vec3<S>, scale: S) -> Self;
     /// The core without derivatives.
     fn plain(&self) -> Self::Plain;
-    /// The point at a place, which is fixed on the core.
-    fn point(&self, place: Place<S::Primal>) -> Vec3<S>;
-    /// The ways along the feature of a place, and how many they are; zero for those that there are not.
-    fn free(&self, place: Place<S::Primal>) -> ([Vec3<S>; 2], S::Primal);
-    /// The place of a corner.
-    fn at_corner(&self, k: usize) -> Place<S>;
-    /// The place on an edge, from 0 to 1, whose ends are not counted among its points.
-    fn at_edge(&self, k: usize, t: S) -> Place<S>;
-    /// The derivative of the heights of places along a direction, less that of others.
-    fn pull(&self, place: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S>;
+    /// The point at a spot, which is fixed on the core.
+    fn point(&self, spot: Spot<S::Primal>) -> Vec3<S>;
+    /// The ways along the feature of a spot, and how many they are; zero for those that there are not.
+    fn free(&self, spot: Spot<S::Primal>) -> ([Vec3<S>; 2], S::Primal);
+    /// The spot of a corner.
+    fn at_corner(&self, k: usize) -> Spot<S>;
+    /// The spot on an edge, from 0 to 1, whose ends are not counted among its points.
+    fn at_edge(&self, k: usize, t: S) -> Spot<S>;
+    /// The derivative of the heights of spots along a direction, less that of others.
+    fn pull(&self, spot: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S>;
     /// The height that has that derivative, but for a constant.
     fn height(&self, pull: Pull<S::Primal>) -> S;
     /// The corners.
@@ -61,13 +60,13 @@ pub trait Core<S: Scalar>: Copy {
     fn ways(&self) -> Self::Ways;
     /// The numbers of its faces.
     fn faces(&self) -> Self::Faces;
-    /// The point of the core, or of its surface, that is nearest to a corner of another one, at a place there.
-    fn near(&self, corner: Vec3<S>, there: Place<S>) -> Candidate<S>;
+    /// The point of the core, or of its surface, that is nearest to a corner of another one, at a spot there.
+    fn near(&self, corner: Vec3<S>, there: Spot<S>) -> Candidate<S>;
     /// A point of the edge that is farthest against a direction, given that this is orthogonal to one of the
     /// [ways](Core::ways): of both ends of an edge along it one counts, lest rounding decides between them.
-    fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Place<S>);
-    /// The place at a parameter along a way from that of [`lowest`](Core::lowest).
-    fn along(&self, place: Place<S>, way: usize, t: S) -> Place<S>;
+    fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Spot<S>);
+    /// The spot at a parameter along a way from that of [`lowest`](Core::lowest).
+    fn along(&self, spot: Spot<S>, way: usize, t: S) -> Spot<S>;
     /// The least of `normal · corner`, and the corner; corners that tie share the derivative, and the point is their
     /// mean.
     fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>);
@@ -88,6 +87,42 @@ pub trait Core<S: Scalar>: Copy {
     }
     /// How a face parts the core from another one.
     fn parting<B: Core<S>>(&self, face: usize, other: &B) -> PartingPlane<S>;
+}
+
+/// A box of any orientation.
+#[derive(Clone, Copy, Debug)]
+pub struct BoxCore<S> {
+    /// The centre.
+    pub center: Vec3<S>,
+    /// Half the size along its own axes.
+    pub half: [S; 3],
+    /// The same of sides of length zero, zero of all others. Corners at both ends of such a side are one place: which
+    /// of them comes closer as it grows only the direction to the other shape tells.
+    pub flat: [S; 3],
+    /// Its own axes, of length one.
+    pub axes: [Vec3<S>; 3],
+}
+
+impl<S: Scalar> BoxCore<S> {
+    /// A point as its own axes see it, from the centre.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn seen(&self, point: Vec3<S>) -> [S; 3] {
+        let arm = point - self.center;
+        self.axes.each_as(|axis| axis.dot(arm))
+    }
+}
+
+/// How far points are from another one at most.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn extent_of<S: Scalar, const N: usize>(
+    points: [Vec3<S>; N],
+    from: Vec3<S>,
+) -> S::Primal {
+    let sizes = points.each_as(|p| {
+        let arm = p - from;
+        S::from_primal(largest([arm.x, arm.y, arm.z]))
+    });
+    largest(sizes)
 }
 
 /// One point.
@@ -123,28 +158,28 @@ impl<S: Scalar> Core<S> for PointCore<S> {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn plain(&self) -> PointCore<S::Primal> {
-        PointCore(place::plain(self.0))
+        PointCore(spot::plain(self.0))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn point(&self, _: Place<S::Primal>) -> Vec3<S> {
+    fn point(&self, _: Spot<S::Primal>) -> Vec3<S> {
         self.0
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn free(&self, _: Place<S::Primal>) -> ([Vec3<S>; 2], S::Primal) {
+    fn free(&self, _: Spot<S::Primal>) -> ([Vec3<S>; 2], S::Primal) {
         ([Vec3::zero(); 2], S::Primal::zero())
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn at_corner(&self, _: usize) -> Place<S> {
-        Place::corner(0)
+    fn at_corner(&self, _: usize) -> Spot<S> {
+        Spot::corner(0)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn at_edge(&self, _: usize, _: S) -> Place<S> {
-        Place::corner(0)
+    fn at_edge(&self, _: usize, _: S) -> Spot<S> {
+        Spot::corner(0)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, place: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, spot: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
         let mut parts = [Vec3::zero(); 4];
-        parts[0] = normal * (place.part(0) - less.part(0));
+        parts[0] = normal * (spot.part(0) - less.part(0));
         Pull {
             parts,
             half: [S::zero(); 3],
@@ -171,17 +206,17 @@ impl<S: Scalar> Core<S> for PointCore<S> {
         []
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn near(&self, corner: Vec3<S>, there: Place<S>) -> Candidate<S> {
+    fn near(&self, corner: Vec3<S>, there: Spot<S>) -> Candidate<S> {
         let near = Nearest::of(corner - self.0, self.0, corner);
-        Candidate::new(near, Place::corner(0), there)
+        Candidate::new(near, Spot::corner(0), there)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn lowest(&self, _: Vec3<S>, _: usize) -> (Vec3<S>, Place<S>) {
-        (self.0, Place::corner(0))
+    fn lowest(&self, _: Vec3<S>, _: usize) -> (Vec3<S>, Spot<S>) {
+        (self.0, Spot::corner(0))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn along(&self, place: Place<S>, _: usize, _: S) -> Place<S> {
-        place
+    fn along(&self, spot: Spot<S>, _: usize, _: S) -> Spot<S> {
+        spot
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>) {

@@ -2,40 +2,13 @@
 //!
 //! The gap along any direction of length one is at most the signed distance, and of some face's normal, or some normal
 //! of two edges, it is just that. A direction that is mostly rounding costs nothing.
-use super::box_core::BoxCore;
-use super::core::Core;
+use super::core::{BoxCore, Core};
 use super::near::normal;
-use super::place::{Counted, Place, Pull};
+use super::parting::PartingPlane;
+use super::spot::{Counted, Pull, Spot};
 use crate::arrays::Each;
 use crate::distance::share::Carry;
 use crate::{Scalar, Vec3};
-
-/// A plane between two cores, and points of them along it; of two sides that tie, those of the first.
-#[derive(Clone, Copy, Debug)]
-pub struct PartingPlane<P> {
-    /// How far b begins beyond a; negative where they overlap.
-    pub value: P,
-    /// One where the foot is on the other face, else zero.
-    pub faces: P,
-    /// The plane's normal, of length one, from a to b.
-    pub normal: Vec3<P>,
-    /// How many points tie.
-    pub points: P,
-    /// How many do so of the other side.
-    pub behind: P,
-    /// The sum of the points of a.
-    pub on_a: Vec3<P>,
-    /// The sum of the points of b.
-    pub on_b: Vec3<P>,
-    /// The mean of the places of those of a.
-    pub at_a: Place<P>,
-    /// The mean of those of b.
-    pub at_b: Place<P>,
-    /// The mean of the places of a on the other side, where that ties.
-    pub behind_a: Place<P>,
-    /// The mean of those of b.
-    pub behind_b: Place<P>,
-}
 
 /// By so many roundings of the unit, in which all is of a size of at most four, heights and ways differ.
 pub(super) const SLACK: f64 = 64.0;
@@ -43,82 +16,15 @@ pub(super) const SLACK: f64 = 64.0;
 /// By so many roundings of the unit edges must part cores more than faces do.
 const MORE: f64 = 8.0;
 
-impl<P: Scalar> PartingPlane<P> {
-    /// One that parts nothing.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn none() -> Self {
-        let zero = P::zero();
-        PartingPlane {
-            value: P::lit(-P::LARGEST),
-            faces: zero,
-            normal: Vec3::zero(),
-            points: zero,
-            behind: zero,
-            on_a: Vec3::zero(),
-            on_b: Vec3::zero(),
-            at_a: Place::none(),
-            at_b: Place::none(),
-            behind_a: Place::none(),
-            behind_b: Place::none(),
-        }
-    }
-    /// The side that parts more; of equal ones those whose foot is on a face, or else both.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_sides([one, other]: [Self; 2]) -> Self {
-        let same = one.value.equals(other.value);
-        let tie = same & one.faces.equals(other.faces);
-        let keep = tie | other.value.below(one.value) | same & other.faces.below(one.faces);
-        let none = tie & !tie;
-        let pick = |a: Vec3<P>, b: Vec3<P>| Vec3::select(keep, a, b);
-        let behind = |place: Place<P>| place.join(Place::none(), tie, none);
-        PartingPlane {
-            value: one.value.most(other.value),
-            faces: P::select(keep, one.faces, other.faces),
-            normal: pick(one.normal, other.normal),
-            points: P::select(keep, one.points, other.points),
-            behind: P::select(tie, other.points, P::zero()),
-            on_a: pick(one.on_a, other.on_a),
-            on_b: pick(one.on_b, other.on_b),
-            at_a: one.at_a.join(other.at_a, keep, none),
-            at_b: one.at_b.join(other.at_b, keep, none),
-            behind_a: behind(other.at_a),
-            behind_b: behind(other.at_b),
-        }
-    }
-    /// With a and b exchanged.
-    #[must_use]
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn flipped(self) -> Self {
-        PartingPlane {
-            normal: -self.normal,
-            on_a: self.on_b,
-            on_b: self.on_a,
-            at_a: self.at_b,
-            at_b: self.at_a,
-            behind_a: self.behind_b,
-            behind_b: self.behind_a,
-            ..self
-        }
-    }
-    /// Without value where the mask is true.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn unless(self, none: P::Mask) -> Self {
-        PartingPlane {
-            value: P::select(none, P::lit(-P::LARGEST), self.value),
-            ..self
-        }
-    }
-}
-
-/// A corner over a face, and the place of its foot there.
+/// A corner over a face, and the spot of its foot there.
 #[derive(Clone, Copy, Debug)]
 struct Over<P: Scalar> {
     ahead: P,
     /// `true` if the foot is on the face.
     on_face: P::Mask,
     corner: Vec3<P>,
-    foot: Place<P>,
-    there: Place<P>,
+    foot: Spot<P>,
+    there: Spot<P>,
 }
 
 /// The corners of b that are least ahead of a face of a; of equal ones those whose foot is on it, if any are.
@@ -126,7 +32,7 @@ struct Over<P: Scalar> {
 fn least<P: Scalar, B: Core<P>>(
     normal: Vec3<P>,
     b: &B,
-    over: impl Fn(Vec3<P>) -> (P, P::Mask, Place<P>),
+    over: impl Fn(Vec3<P>) -> (P, P::Mask, Spot<P>),
 ) -> PartingPlane<P> {
     let zero = P::zero();
     let mut k = 0;
@@ -190,13 +96,13 @@ pub(super) fn box_faces<P: Scalar, B: Core<P>>(
             let mut parts = [P::one(), at[0], at[1], at[2]];
             parts[1 + axis] = turned(a.half[axis]);
             let feature = P::lit((7 - (1 << axis)) as f64);
-            let foot = Place { parts, feature };
+            let foot = Spot { parts, feature };
             (turned(at[axis]) - a.half[axis], on_face, foot)
         })
     }))
 }
 
-/// Both sides of a triangle, the face of a solid with a corner behind it or alone, against another core. A place on it is
+/// Both sides of a triangle, the face of a solid with a corner behind it or alone, against another core. A spot on it is
 /// one of the shares of its corners.
 ///
 /// Both sides count: a solid without volume has two, and of any other one the side within parts nothing.
@@ -205,7 +111,7 @@ pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
     face: [Vec3<P>; 3],
     behind: Option<Vec3<P>>,
     b: &B,
-    place: impl Fn([P; 3]) -> Place<P>,
+    spot: impl Fn([P; 3]) -> Spot<P>,
 ) -> PartingPlane<P> {
     let (u, v) = (face[1] - face[0], face[2] - face[0]);
     let normal = normal(u, v);
@@ -221,7 +127,7 @@ pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
             let zero = P::zero();
             let on_face = zero.at_most(s) & zero.at_most(t) & (s + t).at_most(normal.square);
             let (s, t) = (s * over, t * over);
-            let foot = place([(P::one() - s) - t, s, t]);
+            let foot = spot([(P::one() - s) - t, s, t]);
             (unit.dot(arm) - top, on_face, foot)
         });
         plane.unless(normal.none)
@@ -280,10 +186,10 @@ pub(super) struct Deepest<P> {
     pub on_a: Vec3<P>,
     /// The point of b.
     pub on_b: Vec3<P>,
-    /// The place of that of a.
-    pub at_a: Place<P>,
-    /// The place of that of b.
-    pub at_b: Place<P>,
+    /// The spot of that of a.
+    pub at_a: Spot<P>,
+    /// The spot of that of b.
+    pub at_b: Spot<P>,
     /// The derivative of the height of a, in the mean of all that tie.
     pub pull_a: Pull<P>,
     /// That of b.
@@ -334,8 +240,8 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
         normal: Vec3::zero(),
         on_a: Vec3::zero(),
         on_b: Vec3::zero(),
-        at_a: Place::none(),
-        at_b: Place::none(),
+        at_a: Spot::none(),
+        at_b: Spot::none(),
         pull_a: Pull::none(),
         pull_b: Pull::none(),
     };
@@ -351,7 +257,7 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
         found.at_a.add(same, plane.at_a.times(plane.points), first);
         found.at_b.add(same, plane.at_b.times(plane.points), first);
         let normal = Vec3::select(counts, plane.normal, zero);
-        let all = |place: Place<P>, count: P| Counted { place, count };
+        let all = |spot: Spot<P>, count: P| Counted { spot, count };
         let (of_a, of_b) = (all(plane.at_a, plane.points), all(plane.at_b, plane.points));
         let (behind_a, behind_b) = (
             all(plane.behind_a, plane.behind),

@@ -1,6 +1,6 @@
 //! Half-spaces against all that ends: the point of a shape that is farthest behind the plane.
-use super::apart::Cored;
 use super::core::Core;
+use super::cored::Cored;
 use super::near::Low;
 use super::relation::{Relation, direction, square_of_gap};
 use super::round::Revolved;

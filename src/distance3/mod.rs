@@ -74,23 +74,28 @@
 use crate::{Scalar, Vec3};
 
 pub mod apart;
+mod between;
 pub mod box_core;
 pub mod boxes;
 pub mod core;
+pub mod cored;
 pub mod deep;
+mod endless;
 pub mod half_space;
 pub mod near;
 mod pair;
-pub mod place;
+pub mod parting;
 mod point;
 pub mod polyline;
 pub mod relation;
 pub mod round;
 pub mod simplex;
+pub mod spot;
 pub mod straight;
 
-pub use apart::{Apart, Cored, Farthest};
+pub use apart::{Apart, Farthest};
 pub use boxes::Faces;
+pub use cored::Cored;
 
 /// A point of each of two shapes of space.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]

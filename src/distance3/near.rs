@@ -1,5 +1,5 @@
 //! The nearest points of corners, edges and faces that are apart.
-use super::place::Place;
+use super::spot::Spot;
 use crate::arrays::Each;
 use crate::distance::share::{Best, Carry};
 use crate::scalar::largest;
@@ -67,23 +67,23 @@ impl<S: Scalar> Nearest<S> {
     }
 }
 
-/// The nearest points of two features, and their places.
+/// The nearest points of two features, and their spots.
 #[derive(Clone, Copy, Debug)]
 pub struct Candidate<P> {
     /// The square of the way; the largest number where the features have no nearest points between their ends.
     pub square: P,
     /// The points.
     pub near: Nearest<P>,
-    /// The place of the one on a.
-    pub at_a: Place<P>,
-    /// The place of the one on b.
-    pub at_b: Place<P>,
+    /// The spot of the one on a.
+    pub at_a: Spot<P>,
+    /// The spot of the one on b.
+    pub at_b: Spot<P>,
 }
 
 impl<P: Scalar> Candidate<P> {
-    /// The nearest points at places.
+    /// The nearest points at spots.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn new(near: Best<P, Nearest<P>>, at_a: Place<P>, at_b: Place<P>) -> Self {
+    pub fn new(near: Best<P, Nearest<P>>, at_a: Spot<P>, at_b: Spot<P>) -> Self {
         Candidate {
             square: near.value,
             near: near.sum,
@@ -142,8 +142,8 @@ impl<P: Scalar> Candidate<P> {
                 on_b: zero,
                 normal: zero,
             },
-            at_a: Place::none(),
-            at_b: Place::none(),
+            at_a: Spot::none(),
+            at_b: Spot::none(),
         }
     }
     /// A part of it.

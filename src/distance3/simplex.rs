@@ -1,26 +1,13 @@
 //! Hulls of a few corners: segments, triangles, tetrahedra.
-use super::core::Core;
-use super::deep::{PartingPlane, triangle_face};
+use super::core::{Core, extent_of};
+use super::deep::triangle_face;
 use super::near::{Candidate, Edge, Low, edge_near, face_near};
-use super::place::{self, Counted, Place, Pull, fixed, fixed_vector};
+use super::parting::PartingPlane;
+use super::spot::{self, Counted, Pull, Spot, fixed, fixed_vector};
 use super::straight::Straight;
 use crate::arrays::Each;
 use crate::distance::share::{Best, Carry};
-use crate::scalar::largest;
 use crate::{Scalar, Vec3};
-
-/// How far points are from another one at most.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn extent_of<S: Scalar, const N: usize>(
-    points: [Vec3<S>; N],
-    from: Vec3<S>,
-) -> S::Primal {
-    let sizes = points.each_as(|p| {
-        let arm = p - from;
-        S::from_primal(largest([arm.x, arm.y, arm.z]))
-    });
-    largest(sizes)
-}
 
 /// The hull of `C` corners with `E` edges and `F` triangles as faces: a segment, a triangle or a tetrahedron.
 #[derive(Clone, Copy, Debug)]
@@ -40,14 +27,14 @@ const FACES: [[usize; 4]; 4] = [[0, 1, 2, 3], [0, 3, 1, 2], [1, 3, 2, 0], [2, 3,
 /// The number of the first face as a feature, after those of six edges.
 const FACE: usize = 8;
 
-/// A place in the plane of a face by shares of its corners.
+/// A spot in the plane of a face by shares of its corners.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn on_face<S: Scalar>(k: usize, shares: [S; 3]) -> Place<S> {
+fn on_face<S: Scalar>(k: usize, shares: [S; 3]) -> Spot<S> {
     let mut parts = [S::zero(); 4];
     for (&corner, share) in FACES[k].iter().zip(shares) {
         parts[corner] = share;
     }
-    Place {
+    Spot {
         parts,
         feature: S::lit((FACE + k) as f64),
     }
@@ -92,25 +79,25 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn plain(&self) -> SimplexCore<S::Primal, C, E, F> {
-        SimplexCore(self.0.each_as(place::plain))
+        SimplexCore(self.0.each_as(spot::plain))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn point(&self, place: Place<S::Primal>) -> Vec3<S> {
+    fn point(&self, spot: Spot<S::Primal>) -> Vec3<S> {
         // Seen from a corner of the face: shares beyond a needle are large, and their sum is not one but for rounding.
-        let last = place.feature.equals(S::Primal::lit((FACE + 2) as f64));
+        let last = spot.feature.equals(S::Primal::lit((FACE + 2) as f64));
         let from = match F > 2 {
             true => Vec3::select(last, self.0[1], self.0[0]),
             false => self.0[0],
         };
-        let arm = |k: usize| (self.0[k] - from) * fixed::<S>(place.parts[k]);
+        let arm = |k: usize| (self.0[k] - from) * fixed::<S>(spot.parts[k]);
         let first = if F > 2 { 0 } else { 1 };
         (first..C).fold(from, |sum, k| sum + arm(k))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn free(&self, place: Place<S::Primal>) -> ([Vec3<S>; 2], S::Primal) {
+    fn free(&self, spot: Spot<S::Primal>) -> ([Vec3<S>; 2], S::Primal) {
         let (zero, one) = (S::Primal::zero(), S::Primal::one());
         let mut found = ([Vec3::zero(); 2], zero);
-        let is = |feature: usize| place.feature.equals(S::Primal::lit(feature as f64));
+        let is = |feature: usize| spot.feature.equals(S::Primal::lit(feature as f64));
         for (k, edge) in self.edges().into_iter().enumerate() {
             let here = is(1 + k);
             found.0[0] = Vec3::select(here, edge.along, found.0[0]);
@@ -127,24 +114,24 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
         found
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn at_corner(&self, k: usize) -> Place<S> {
-        Place::corner(k)
+    fn at_corner(&self, k: usize) -> Spot<S> {
+        Spot::corner(k)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn at_edge(&self, k: usize, t: S) -> Place<S> {
+    fn at_edge(&self, k: usize, t: S) -> Spot<S> {
         let mut parts = [S::zero(); 4];
         let [from, to] = EDGES[k];
         (parts[from], parts[to]) = (S::one() - t, t);
-        Place {
+        Spot {
             parts,
             feature: S::lit((1 + k) as f64),
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, place: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, spot: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
         let mut parts = [Vec3::zero(); 4];
         for (k, pull) in parts.iter_mut().enumerate().take(C) {
-            *pull = normal * (place.part(k) - less.part(k));
+            *pull = normal * (spot.part(k) - less.part(k));
         }
         Pull {
             parts,
@@ -176,7 +163,7 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
         std::array::from_fn(|k| k)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn near(&self, corner: Vec3<S>, there: Place<S>) -> Candidate<S> {
+    fn near(&self, corner: Vec3<S>, there: Spot<S>) -> Candidate<S> {
         let edge = |k: usize| {
             let [from, to] = EDGES[k];
             let (near, t, free) = edge_near(Edge::between(self.0[from], self.0[to]), corner);
@@ -190,14 +177,14 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
         (0..F).fold(best, |best, k| best.less(face(k)))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Place<S>) {
+    fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Spot<S>) {
         let [start, end] = EDGES[way];
         let others = (0..C).filter(|&k| k != start && k != end);
         let height = |point: Vec3<S>| normal.dot(point - self.0[0]);
-        others.fold((self.0[start], Place::corner(start)), |low, k| {
+        others.fold((self.0[start], Spot::corner(start)), |low, k| {
             let lower = height(self.0[k]).below(height(low.0));
             let none = lower & !lower;
-            let corner = Place::corner(k);
+            let corner = Spot::corner(k);
             (
                 Vec3::select(lower, self.0[k], low.0),
                 corner.join(low.1, lower, none),
@@ -205,12 +192,12 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
         })
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn along(&self, mut place: Place<S>, way: usize, t: S) -> Place<S> {
+    fn along(&self, mut spot: Spot<S>, way: usize, t: S) -> Spot<S> {
         let [start, end] = EDGES[way];
-        place.parts[start] -= t;
-        place.parts[end] += t;
-        place.feature = S::lit((1 + way) as f64);
-        place
+        spot.parts[start] -= t;
+        spot.parts[end] += t;
+        spot.feature = S::lit((1 + way) as f64);
+        spot
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>) {
@@ -226,7 +213,7 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn parting<B: Core<S>>(&self, face: usize, other: &B) -> PartingPlane<S> {
         let behind = (C == 4).then(|| self.0[FACES[face][3]]);
-        let place = |shares: [S; 3]| on_face(face, shares);
-        triangle_face(self.face(face), behind, other, place)
+        let spot = |shares: [S; 3]| on_face(face, shares);
+        triangle_face(self.face(face), behind, other, spot)
     }
 }

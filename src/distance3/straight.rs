@@ -1,17 +1,11 @@
-//! Distances of lines and rays of space from each other, from segments and from points, each inflated by a radius; and
-//! from any other core as those of the part of the line that is near it.
-use super::apart::{Apart, Cored};
-use super::core::Core;
-use super::near::{Nearest, across, normal, size_of};
-use super::relation::{self, Relation, joined};
-use super::simplex::{SegmentCore, SimplexCore};
+//! Straight features: points, segments, rays and lines.
+use super::near::size_of;
 use crate::distance::edge::scale_of;
-use crate::shape::{Line3, Ray3};
 use crate::{Scalar, Vec3};
 
 /// Where the parameters of a straight feature end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Reach {
+pub(super) enum Reach {
     /// At 0 and 0.
     Point,
     /// At 0 and 1.
@@ -25,9 +19,9 @@ enum Reach {
 /// A straight feature: `from + t along`.
 #[derive(Clone, Copy, Debug)]
 pub struct Straight<S> {
-    from: Vec3<S>,
-    along: Vec3<S>,
-    reach: Reach,
+    pub(super) from: Vec3<S>,
+    pub(super) along: Vec3<S>,
+    pub(super) reach: Reach,
 }
 
 impl<S: Scalar> Straight<S> {
@@ -49,50 +43,9 @@ impl<S: Scalar> Straight<S> {
             reach: Reach::Segment,
         }
     }
-    /// The relation of a line or ray to a core, seen from there: far from the origin the ends of a part of the line would
-    /// lose digits.
+    /// How long it is at most, as a constant; zero of a line or ray.
     #[inline(always)]
-    fn relation<B: Core<S>>(self, core: B) -> Relation<S> {
-        let anchor = core.anchor();
-        let seen = Straight {
-            from: self.from - anchor,
-            ..self
-        };
-        let core = core.seen_from(anchor);
-        let found = relation::relate(seen.before(&core), core);
-        Relation {
-            on_a: anchor + found.on_a,
-            on_b: anchor + found.on_b,
-            ..found
-        }
-    }
-    /// The part of a line or ray that is all a core has to do with: it ends where the line's nearest points to the core
-    /// are, and farther by more than the core is large, so that no shift along it is shorter than one across.
-    #[inline(always)]
-    fn before<B: Core<S>>(&self, core: &B) -> SegmentCore<S> {
-        let plain = |x: S::Primal| S::from_primal(x.primal());
-        let way = self.along * scale_of::<S>(size_of(self.along));
-        let square = way.length_squared();
-        let none = square.at_most(S::zero());
-        let square = S::select(none, S::one(), square);
-        let anchor = core.anchor();
-        // No corner is farther from the anchor than √3 extents, and no shift across is longer than another.
-        let margin = (plain(core.extent(anchor)) * S::lit(2.75)).over(square.root());
-        let foot = way.dot(anchor - self.from).over(square);
-        let (low, high) = (foot - margin, foot + margin);
-        let (low, high) = match self.reach {
-            Reach::Line => (low, high),
-            _ => (low.most(S::zero()), high.most(margin)),
-        };
-        // Results do not depend on where an end is, so that it has no derivative of its own.
-        let end = |t: S| self.from + way * plain(t.primal());
-        SimplexCore([end(low), end(high)])
-    }
-}
-
-impl<S: Scalar> Straight<S> {
-    #[inline(always)]
-    fn extent(&self) -> S::Primal {
+    pub(super) fn extent(&self) -> S::Primal {
         match self.reach {
             Reach::Segment => size_of(self.along),
             _ => S::Primal::zero(),
@@ -100,7 +53,7 @@ impl<S: Scalar> Straight<S> {
     }
     /// The way along it: of a segment in the units of both features, else in units of its own size.
     #[inline(always)]
-    fn way(&self, scale: S) -> Vec3<S> {
+    pub(super) fn way(&self, scale: S) -> Vec3<S> {
         match self.reach {
             Reach::Segment => self.along * scale,
             _ => self.along * scale_of::<S>(size_of(self.along)),
@@ -108,7 +61,7 @@ impl<S: Scalar> Straight<S> {
     }
     /// The parameter inside the bounds that is nearest to one, and `true` where it is between them.
     #[inline(always)]
-    fn held(&self, t: S) -> (S, S::Mask) {
+    pub(super) fn held(&self, t: S) -> (S, S::Mask) {
         let (zero, one) = (S::zero(), S::one());
         match self.reach {
             Reach::Point => (zero, one.below(zero)),
@@ -117,133 +70,4 @@ impl<S: Scalar> Straight<S> {
             Reach::Line => (t, zero.below(one)),
         }
     }
-}
-
-/// The relation of two straight features.
-///
-/// The parameter of the first one is that of the common normal; of parallel features it is the middle of what faces
-/// each other, as far as that ends. A sine below eight roundings counts as parallel. The other parameter follows from
-/// it, so that the distance errs by the square only.
-#[inline(always)]
-fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
-    let way = b.from - a.from;
-    let scale = scale_of::<S>(size_of(way).most(a.extent()).most(b.extent()));
-    let (u, v, w) = (a.way(scale), b.way(scale), way * scale);
-    let (zero, one) = (S::zero(), S::one());
-    let safe = |square: S| {
-        let none = square.at_most(S::lit(S::EPSILON.powi(4)));
-        (none, S::select(none, one, square))
-    };
-    let ((point_a, uu), (point_b, vv)) = (safe(u.length_squared()), safe(v.length_squared()));
-    let (mut cross, uv) = (normal(u, v), u.dot(v));
-    // Rounding says where features cross that are all but parallel, and nothing bounds how far that is.
-    let rounding = S::lit((8.0 * S::EPSILON).powi(2));
-    cross.none = cross.none | cross.square.at_most(uu * vv * rounding);
-    // As of parallel features: the ends of b as a sees them.
-    let seen = |end: Vec3<S>| a.held(end.dot(u).over(uu)).0;
-    let start = match b.reach {
-        Reach::Line => zero,
-        _ => seen(w),
-    };
-    let same = uv.above(zero);
-    let end = match (b.reach, a.reach) {
-        (Reach::Segment, _) => seen(w + v),
-        (Reach::Ray, Reach::Segment) => S::select(same, one, zero),
-        (Reach::Ray, Reach::Ray) => S::select(same, start, zero),
-        (Reach::Line, Reach::Segment) => one,
-        _ => start,
-    };
-    let middle = start.halved() + end.halved();
-    let free = w.cross(v).dot(cross.long).over(cross.square);
-    let s = S::select(cross.none, middle, a.held(free).0);
-    let s = S::select(point_a, zero, s);
-    let (t, mut inside) = b.held((uv * s - w.dot(v)).over(vv));
-    let t = S::select(point_b, zero, t);
-    inside = inside & !point_b;
-    let again = a.held((uv * t + w.dot(u)).over(uu)).0;
-    let s = S::select(inside | point_a, s, again);
-    let (_, between) = a.held(s);
-    let crossing = inside & between & !cross.none;
-    // The way of two features that cross is along their normal.
-    let fixed = |x: S| S::from_primal(x.primal());
-    let (straight, direction) = across(cross, w + v * fixed(t) - u * fixed(s));
-    let (on_a, on_b) = (u * s, w + v * t);
-    let near = Nearest {
-        apart: Vec3::select(crossing, straight, on_b - on_a),
-        on_a,
-        on_b,
-        normal: Vec3::select(crossing, direction, Vec3::zero()),
-    };
-    let found = joined(near, None).relation;
-    let back = |v: Vec3<S>| {
-        let v = Vec3::new(v.x.over(scale), v.y.over(scale), v.z.over(scale));
-        a.from + v
-    };
-    Relation {
-        apart: found.apart.over(scale),
-        square: found.square.over(scale).over(scale),
-        normal: found.normal,
-        on_a: back(found.on_a),
-        on_b: back(found.on_b),
-    }
-}
-
-macro_rules! endless {
-    ($($Shape:ident: $field:ident $Reach:ident;)*) => { $(
-        impl<S: Scalar> $Shape<S> {
-            /// The line or ray as a feature.
-            #[inline(always)]
-            fn feature(self) -> Straight<S> {
-                Straight {
-                    from: self.$field,
-                    along: self.direction,
-                    reach: Reach::$Reach,
-                }
-            }
-        }
-        impl<S: Scalar, B: Cored<Scalar = S>> Apart<B> for $Shape<S> {
-            type Scalar = S;
-            #[inline]
-            fn relation(self, other: B) -> Relation<S> {
-                let (line, core) = (self.feature(), other.core());
-                let found = match core.straight() {
-                    Some(straight) => relate(line, straight),
-                    None => line.relation(core),
-                };
-                match B::ROUND {
-                    true => found.inflated(S::zero(), other.radius()),
-                    false => found,
-                }
-            }
-        }
-        impl<S: Scalar, A: Cored<Scalar = S>> Apart<$Shape<S>> for A {
-            type Scalar = S;
-            #[inline]
-            fn relation(self, other: $Shape<S>) -> Relation<S> {
-                other.relation(self).flipped()
-            }
-        }
-    )* };
-}
-endless! {
-    Line3: point Line;
-    Ray3: point Ray;
-}
-
-macro_rules! both_endless {
-    ($($A:ident $B:ident;)*) => { $(
-        impl<S: Scalar> Apart<$B<S>> for $A<S> {
-            type Scalar = S;
-            #[inline]
-            fn relation(self, other: $B<S>) -> Relation<S> {
-                relate(self.feature(), other.feature())
-            }
-        }
-    )* };
-}
-both_endless! {
-    Line3 Line3;
-    Line3 Ray3;
-    Ray3 Line3;
-    Ray3 Ray3;
 }

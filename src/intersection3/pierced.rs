@@ -2,9 +2,8 @@
 use super::inside::{Beam, Border, Inside, Tube, choose, sized};
 use crate::arrays::Each;
 use crate::distance::share::Best;
-use crate::distance3::apart::Cored;
-use crate::distance3::box_core::BoxCore;
-use crate::distance3::core::Core;
+use crate::distance3::core::{BoxCore, Core};
+use crate::distance3::cored::Cored;
 use crate::distance3::near::size_of;
 use crate::shape::{
     Aabb3, Capsule3, Cone, Cylinder, Obb3, Plane3, RoundBox3, Sphere, Tetrahedron, YawBox3,

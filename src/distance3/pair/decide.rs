@@ -1,5 +1,5 @@
 //! Which features of two boxes are nearest, and where on them: numbers without derivatives.
-use super::super::place::part;
+use super::super::spot::part;
 use super::face::Facing;
 use super::features::{Corners, Edges, larger, smaller, turned, weight};
 use super::{Gaps, Seen, column, dot, sign, sign_or_none};

@@ -10,8 +10,7 @@ mod decide;
 mod face;
 mod features;
 
-use super::box_core::BoxCore;
-use super::core::Core;
+use super::core::{BoxCore, Core};
 use super::relation::{Relation, direction};
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;

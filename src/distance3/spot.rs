@@ -5,20 +5,20 @@ use crate::{Scalar, Vec3};
 
 /// A point of a core, or of the plane of one of its faces, as a core with derivatives can find it again.
 #[derive(Clone, Copy, Debug)]
-pub struct Place<P> {
+pub struct Spot<P> {
     /// Of the hull of some corners their shares; of a box one, and how far it is from the centre along the axes.
     pub parts: [P; 4],
     /// 0 at a corner, else the number of the edge or face along which it is free, as [`Core::free`](super::core::Core::free) reads it.
     pub feature: P,
 }
 
-impl<P: Scalar> Place<P> {
+impl<P: Scalar> Spot<P> {
     /// A corner of a hull.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn corner(k: usize) -> Self {
         let mut parts = [P::zero(); 4];
         parts[k] = P::one();
-        Place {
+        Spot {
             parts,
             feature: P::zero(),
         }
@@ -27,12 +27,12 @@ impl<P: Scalar> Place<P> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn none() -> Self {
         let zero = P::zero();
-        Place {
+        Spot {
             parts: [zero; 4],
             feature: zero,
         }
     }
-    /// Adds the parts of another place where a condition holds, and takes over its feature where another one does.
+    /// Adds the parts of another spot where a condition holds, and takes over its feature where another one does.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn add(&mut self, parts: P::Mask, other: Self, feature: P::Mask) {
         for (sum, part) in self.parts.iter_mut().zip(other.parts) {
@@ -44,36 +44,36 @@ impl<P: Scalar> Place<P> {
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn on(self, free: P::Mask, feature: usize) -> Self {
-        Place {
+        Spot {
             feature: P::select(free, P::lit(feature as f64), P::zero()),
             ..self
         }
     }
 }
 
-impl<P: Scalar> Carry<P> for Place<P> {
+impl<P: Scalar> Carry<P> for Spot<P> {
     /// Sums have the feature of the first.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn join(self, other: Self, keep: P::Mask, tie: P::Mask) -> Self {
-        Place {
+        Spot {
             parts: [0, 1, 2, 3].each_as(|k| self.parts[k].join(other.parts[k], keep, tie)),
             feature: P::select(keep | tie, self.feature, other.feature),
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn times(self, factor: P) -> Self {
-        Place {
+        Spot {
             parts: self.parts.each_as(|part| part * factor),
             ..self
         }
     }
 }
 
-/// The mean of some places, and how many they are.
+/// The mean of some spots, and how many they are.
 #[derive(Clone, Copy, Debug)]
 pub struct Counted<P> {
     /// Their mean.
-    pub place: Place<P>,
+    pub spot: Spot<P>,
     /// How many they are.
     pub count: P,
 }
@@ -82,7 +82,7 @@ impl<P: Scalar> Counted<P> {
     /// The sum of one of the parts.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn part(&self, k: usize) -> P {
-        self.place.parts[k] * self.count
+        self.spot.parts[k] * self.count
     }
 }
 
@@ -138,9 +138,9 @@ pub(super) struct Chosen<P: Scalar> {
     /// The point of b.
     pub on_b: Vec3<P>,
     /// The point of a as its core finds it.
-    pub at_a: Place<P>,
+    pub at_a: Spot<P>,
     /// The point of b as its core finds it.
-    pub at_b: Place<P>,
+    pub at_b: Spot<P>,
     /// `true` if a plane parts the cores, which overlap or touch.
     pub inside: P::Mask,
     /// `true` if several planes or points do so equally.

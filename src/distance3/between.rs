@@ -1,0 +1,297 @@
+//! Two cores of space against each other, once for all functions of distance.
+use super::core::Core;
+use super::deep::{Deepest, SLACK, deepest};
+use super::near::{Candidate, Nearest, edges_near};
+use super::pair;
+use super::relation::{Relation, direction};
+use super::spot::{Chosen, Pull, Spot, fixed, fixed_vector, valued, vanish, vanishing};
+use crate::arrays::Each;
+use crate::distance::edge::scale_of;
+use crate::distance::share::{Best, Carry};
+use crate::scalar::speck;
+use crate::{Scalar, Vec3};
+
+/// From where two cores are seen, and the units: those of their extent, so that no product over- or underflows. All
+/// products are of differences, so that corners which are given need not be moved, which would round them.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn view<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
+    let anchor = a.anchor();
+    let origin = match (A::CENTERED, B::CENTERED) {
+        (true, _) => anchor,
+        (_, true) => b.anchor(),
+        _ => Vec3::zero(),
+    };
+    let size = a.extent(anchor).most(b.extent(anchor));
+    (origin, scale_of::<S>(size))
+}
+
+/// The relation of two cores: plain numbers say which features are nearest, and the distance of these is computed once.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<S> {
+    if let (Some(a), Some(b)) = (a.as_box(), b.as_box()) {
+        return pair::relate(a, b);
+    }
+    let (origin, scale) = view(&a, &b);
+    let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
+    let found = derived(&a, &b, &choose(&a.plain(), &b.plain()));
+    let growth = a.growth(found.normal) + b.growth(found.normal);
+    let square = found.square - (found.square.root() * growth + found.square.root() * growth);
+    let back = |v: Vec3<S>| {
+        let v = Vec3::new(v.x.over(scale), v.y.over(scale), v.z.over(scale));
+        origin + v
+    };
+    Relation {
+        apart: (found.apart - growth).over(scale),
+        square: square.over(scale).over(scale),
+        normal: found.normal,
+        on_a: back(found.on_a),
+        on_b: back(found.on_b),
+    }
+}
+
+/// The features that are nearest, or the planes that part two cores of plain numbers best.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
+    let (
+        Candidate {
+            near, at_a, at_b, ..
+        },
+        deep,
+    ) = (nearest(a, b), deepest(a, b));
+    let found = joined(near, deep.as_ref());
+    let chosen = Chosen {
+        gap: found.relation.apart,
+        square: found.relation.square,
+        normal: found.relation.normal,
+        on_a: found.relation.on_a,
+        on_b: found.relation.on_b,
+        at_a,
+        at_b,
+        inside: found.inside,
+        tied: found.inside & !found.inside,
+        pull_a: Pull::none(),
+        pull_b: Pull::none(),
+    };
+    let Some(deep) = deep else {
+        return chosen;
+    };
+    let inside = found.inside;
+    let none = inside & !inside;
+    Chosen {
+        at_a: deep.at_a.join(at_a, inside, none),
+        at_b: deep.at_b.join(at_b, inside, none),
+        tied: inside & deep.count.above(P::one()),
+        pull_a: deep.pull_a,
+        pull_b: deep.pull_b,
+        ..chosen
+    }
+}
+
+/// The relation of the features that were chosen, with derivatives; the values are those that were found with them.
+///
+/// A feature that is free along two ways is in a plane, whose normal turns; along one it is a line, to which the way is
+/// orthogonal; along none the way is that of two fixed points. The height of the way along the normal, held fixed, has
+/// the first derivatives of all three. What is added has derivatives of second order only: it is made of numbers that
+/// vanish, such as the way beside the normal.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
+    a: &A,
+    b: &B,
+    chosen: &Chosen<S::Primal>,
+) -> Relation<S> {
+    let (from, to) = (a.point(chosen.at_a), b.point(chosen.at_b));
+    let ((along_a, free_a), (along_b, free_b)) = (a.free(chosen.at_a), b.free(chosen.at_b));
+    let lit = S::Primal::lit;
+    let (zero, one) = (S::zero(), S::one());
+    let none = Vec3::zero();
+    let (has_a, has_b) = (free_a.above(lit(0.0)), free_b.above(lit(0.0)));
+    let u = Vec3::select(has_a, along_a[0], along_b[0]);
+    let second = Vec3::select(free_b.above(lit(1.0)), along_b[1], along_a[1]);
+    let v = Vec3::select(has_a & has_b, along_b[0], second);
+    let ways = free_a + free_b;
+    let linear = ways.equals(lit(1.0));
+    let normal = fixed_vector::<S>(chosen.normal);
+    let way = to - from;
+    let height = normal.dot(way).with_primal(chosen.gap.primal());
+    let aside = vanishing(way - normal * height);
+
+    // From a line: what is along it does not count.
+    let uu = u.length_squared();
+    let over = one.over(S::select(uu.above(zero), uu, one));
+    let along = vanish(u.dot(way)) * over;
+    let rise = S::select(linear, vanish(normal.dot(u)) * along, zero);
+    let near = height - rise;
+    let across = aside - Vec3::select(linear, u * along - normal * rise, none);
+    let spread = across.length_squared();
+    // Duals of the length of a speck pass through numbers beyond the largest one.
+    let long = chosen.gap.above(lit(speck::<S>())) & !chosen.inside;
+    let sum = (near * near + spread).root() + near;
+    let bend = S::select(long, spread.over(S::select(long, sum, one)), zero) - rise;
+
+    // From a plane: the turn of its normal, where that has digits.
+    let product = u.cross(v);
+    let clear = product
+        .length_squared()
+        .above(uu * v.length_squared() * S::lit(S::EPSILON));
+    let planar = ways.equals(lit(2.0)) & clear;
+    let lead = normal.dot(product);
+    let side = one.signed_as(fixed(lead.primal()));
+    let lead = S::select(planar, lead * side, one);
+    let turn = vanishing((product - normal * normal.dot(product)) * side);
+    let turn = Vec3::select(planar, turn, none);
+    let tilt = turn.length_squared();
+    let size = (lead * lead + tilt).root();
+    let tip = turn.dot(aside).over(size) - (height * tilt).over(size * (size + lead));
+
+    let others = b.height(chosen.pull_b) - a.height(chosen.pull_a);
+    let others = S::select(chosen.tied, vanish(others - normal.dot(way)), zero);
+    let by_plane = planar | chosen.inside;
+    let gap = height + S::select(by_plane, tip, bend) + others;
+    let gap = gap.with_primal(chosen.gap.primal());
+    let square = S::select(by_plane, gap * gap, near * near + spread);
+    let overlap = chosen.inside & chosen.gap.below(lit(0.0));
+    let square = S::select(overlap, zero, square).with_primal(chosen.square.primal());
+    let length = S::select(long, gap, one);
+    let still = normal + Vec3::select(long, across, none) * one.over(length);
+    let bent = still - normal * (bend + rise).over(length);
+    let tilted = (normal * lead + turn) * one.over(size);
+    let direction = Vec3::select(by_plane, tilted, bent);
+    let direction = valued(direction, chosen.normal);
+
+    // Points on two edges slide, others are fixed or the foot of such.
+    let both = planar & has_a & has_b;
+    let off = |x: Vec3<S>| x - u * (u.dot(x) * over);
+    let beside = off(v);
+    let base = S::select(both, beside.length_squared(), one);
+    let t = S::select(both, off(way).dot(beside).over(base), zero);
+    let step = Vec3::select(by_plane, direction * gap, normal * near + across);
+    let foot = has_b & !has_a;
+    let on_b = Vec3::select(foot, from + step, to - v * t);
+    let on_a = Vec3::select(foot, from, on_b - step);
+    Relation {
+        apart: gap,
+        square,
+        normal: direction,
+        on_a: valued(on_a, chosen.on_a),
+        on_b: valued(on_b, chosen.on_b),
+    }
+}
+
+/// The nearest points of two cores that do not overlap, in the mean of all that tie.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn nearest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Candidate<P> {
+    let mut n = 0;
+    // A point is nothing but a corner: the other core's edges have seen it.
+    if A::DIMENSION == 0 {
+        let point = a.anchor();
+        return b.near(point, Spot::corner(0)).flipped();
+    }
+    let of_b = b.corners().each_as(|corner| {
+        n += 1;
+        a.near(corner, b.at_corner(n - 1))
+    });
+    if B::DIMENSION == 0 {
+        return of_b.as_ref()[0];
+    }
+    n = 0;
+    let of_a = a.corners().each_as(|corner| {
+        n += 1;
+        b.near(corner, a.at_corner(n - 1)).flipped()
+    });
+    let mut i = 0;
+    let edges = a.edges().each_as(|first| {
+        let mut j = 0;
+        let row = b.edges().each_as(|second| {
+            let (near, [s, t], clear) = edges_near(first, second);
+            let spots = [a.at_edge(i, s), b.at_edge(j, t)];
+            let [here, there] = spots.each_as(|spot| Spot {
+                feature: P::select(clear, spot.feature, P::zero()),
+                ..spot
+            });
+            j += 1;
+            Candidate::new(near, here, there)
+        });
+        i += 1;
+        row
+    });
+    let edges = edges.as_ref().iter().flat_map(AsRef::as_ref);
+    let all = of_b.as_ref().iter().chain(of_a.as_ref()).chain(edges);
+    let squares = all.clone().map(|one| one.square);
+    let least = squares.fold(P::lit(P::LARGEST), P::least);
+    let mut count = P::zero();
+    let mut sum = Candidate::none(least);
+    for one in all {
+        count += sum.add(one);
+    }
+    sum.times(P::one().over(count))
+}
+
+/// The relation by the nearest points, or by the plane that parts two cores best.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> Joined<S> {
+    let given = near.normal.length_squared().above(S::zero());
+    let length = near.apart.length();
+    // The mean of normals, of which some are none, is shorter than one.
+    let direction = direction(Vec3::select(given, near.normal, near.apart));
+    // Duals of the length of a speck pass through numbers beyond the largest one.
+    let along = near.apart.dot(direction.constant());
+    let along = along.with_primal(length.primal());
+    let length = S::select(length.at_most(S::lit(speck::<S>())), along, length);
+    let none = length.at_most(S::zero());
+    let square = near.apart.length_squared();
+    let Some(deep) = deep else {
+        // Without a volume nothing overlaps.
+        let relation = Relation {
+            apart: length,
+            square,
+            normal: direction,
+            on_a: near.on_a,
+            on_b: near.on_b,
+        };
+        let inside = none & !none;
+        return Joined { relation, inside };
+    };
+    let parted = deep.value.above(S::lit(-S::LARGEST));
+    // Shifted by their depth, cores that overlap touch, and then a corner or an edge of one is on the other: without
+    // the shift it is no farther from there than the depth. Faces too small to count would have parted any others.
+    let reachable = (S::lit(SLACK * S::EPSILON) - deep.value) - deep.value;
+    let behind = deep.value.below(S::zero()) & length.at_most(reachable);
+    let inside = parted & (behind | none);
+    // Cores with a point in common are not apart, however the height over a face was rounded.
+    let rounded = none & deep.value.above(S::zero());
+    let ahead = S::select(rounded, S::zero(), deep.value);
+    let overlap = inside & deep.value.below(S::zero());
+    let relation = Relation {
+        apart: S::select(inside, ahead, length),
+        square: S::select(overlap, S::zero(), square),
+        normal: Vec3::select(inside, deep.normal, direction),
+        on_a: Vec3::select(inside, deep.on_a, near.on_a),
+        on_b: Vec3::select(inside, deep.on_b, near.on_b),
+    };
+    Joined { relation, inside }
+}
+
+/// A relation, and `true` if a plane says it.
+pub(super) struct Joined<S: Scalar> {
+    pub relation: Relation<S>,
+    pub inside: S::Mask,
+}
+
+/// The square of the longest way from a corner of one core to one of another; ties share.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn farthest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> S {
+    if let (Some(a), Some(b)) = (a.as_box(), b.as_box()) {
+        return pair::farthest(a, b);
+    }
+    let (origin, scale) = view(&a, &b);
+    let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
+    let (from, to) = (a.corners(), b.corners());
+    let squares = from.as_ref().iter().flat_map(|&p| {
+        let to = to.as_ref().iter();
+        to.map(move |&q| {
+            let square = (q - p).length_squared();
+            Best::of(square, square)
+        })
+    });
+    Best::most_of(squares).mean().root().over(scale)
+}

@@ -1,0 +1,98 @@
+//! Planes between two cores.
+use super::spot::Spot;
+use crate::distance::share::Carry;
+use crate::{Scalar, Vec3};
+
+/// A plane between two cores, and points of them along it; of two sides that tie, those of the first.
+#[derive(Clone, Copy, Debug)]
+pub struct PartingPlane<P> {
+    /// How far b begins beyond a; negative where they overlap.
+    pub value: P,
+    /// One where the foot is on the other face, else zero.
+    pub faces: P,
+    /// The plane's normal, of length one, from a to b.
+    pub normal: Vec3<P>,
+    /// How many points tie.
+    pub points: P,
+    /// How many do so of the other side.
+    pub behind: P,
+    /// The sum of the points of a.
+    pub on_a: Vec3<P>,
+    /// The sum of the points of b.
+    pub on_b: Vec3<P>,
+    /// The mean of the spots of those of a.
+    pub at_a: Spot<P>,
+    /// The mean of those of b.
+    pub at_b: Spot<P>,
+    /// The mean of the spots of a on the other side, where that ties.
+    pub behind_a: Spot<P>,
+    /// The mean of those of b.
+    pub behind_b: Spot<P>,
+}
+
+impl<P: Scalar> PartingPlane<P> {
+    /// One that parts nothing.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn none() -> Self {
+        let zero = P::zero();
+        PartingPlane {
+            value: P::lit(-P::LARGEST),
+            faces: zero,
+            normal: Vec3::zero(),
+            points: zero,
+            behind: zero,
+            on_a: Vec3::zero(),
+            on_b: Vec3::zero(),
+            at_a: Spot::none(),
+            at_b: Spot::none(),
+            behind_a: Spot::none(),
+            behind_b: Spot::none(),
+        }
+    }
+    /// The side that parts more; of equal ones those whose foot is on a face, or else both.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn of_sides([one, other]: [Self; 2]) -> Self {
+        let same = one.value.equals(other.value);
+        let tie = same & one.faces.equals(other.faces);
+        let keep = tie | other.value.below(one.value) | same & other.faces.below(one.faces);
+        let none = tie & !tie;
+        let pick = |a: Vec3<P>, b: Vec3<P>| Vec3::select(keep, a, b);
+        let behind = |spot: Spot<P>| spot.join(Spot::none(), tie, none);
+        PartingPlane {
+            value: one.value.most(other.value),
+            faces: P::select(keep, one.faces, other.faces),
+            normal: pick(one.normal, other.normal),
+            points: P::select(keep, one.points, other.points),
+            behind: P::select(tie, other.points, P::zero()),
+            on_a: pick(one.on_a, other.on_a),
+            on_b: pick(one.on_b, other.on_b),
+            at_a: one.at_a.join(other.at_a, keep, none),
+            at_b: one.at_b.join(other.at_b, keep, none),
+            behind_a: behind(other.at_a),
+            behind_b: behind(other.at_b),
+        }
+    }
+    /// With a and b exchanged.
+    #[must_use]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub fn flipped(self) -> Self {
+        PartingPlane {
+            normal: -self.normal,
+            on_a: self.on_b,
+            on_b: self.on_a,
+            at_a: self.at_b,
+            at_b: self.at_a,
+            behind_a: self.behind_b,
+            behind_b: self.behind_a,
+            ..self
+        }
+    }
+    /// Without value where the mask is true.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn unless(self, none: P::Mask) -> Self {
+        PartingPlane {
+            value: P::select(none, P::lit(-P::LARGEST), self.value),
+            ..self
+        }
+    }
+}
