@@ -6,6 +6,7 @@ use crate::ad::sample::drawn::Kinship;
 use crate::ad::sample::{Draw, Family, Sample, random};
 use crate::error::{Error, Field};
 use crate::kernels::Backend;
+use crate::kernels::check::proofs::Proofs;
 use crate::kernels::check::{
     Examined, Folded, Judged, ScalarCode, Source, Stated, check_fold_on, check_fold_with,
     check_search_with, examined,
@@ -180,6 +181,13 @@ fn check_straight<S: Both>(
     match (row.examined::<S>(), row.examined::<f64>()) {
         (Some(own), Some(wide)) => {
             let kin = (row.inputs.kinship, row.inputs.name);
+            let others = rows().iter().map(|row| &row.operation);
+            let proofs = Proofs::<S>::of(&row.operation, others);
+            let proof = |x: &[f64]| proofs.as_ref()?.at(x);
+            let plan = &Sampling {
+                proof: plan.proof.or(Some(&proof)),
+                ..*plan
+            };
             examined::<S>(&row.stated(), kin, &own, &wide, (plan, backend, true))
         }
         _ => unreachable!("a straight line is checked as one"),

@@ -1,5 +1,6 @@
 //! A function together with what a sampling says of it: its ties, how far its values may be off, where it is defined.
 use crate::ad::check::Sampling;
+use crate::ad::check::certificate::Proof;
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::Trace;
@@ -65,6 +66,9 @@ impl Subject for Agreed<'_> {
         let subject = Held::Made(self.subject().wide()?);
         let sampling = self.sampling;
         Some(Box::new(Agreed { subject, sampling }))
+    }
+    fn proof(&self, x: &[f64]) -> Option<Proof> {
+        self.sampling.proof.and_then(|proof| proof(x))
     }
     fn inside(&self, x: &[f64]) -> bool {
         self.subject().inside(x) && self.sampling.inside.is_none_or(|inside| inside(x))

@@ -14,6 +14,8 @@ fn who(witness: Witness) -> &'static str {
         Witness::NumDual => "num-dual's numbers",
         Witness::Difference => "differences",
         Witness::Wide => "duals in double precision",
+        Witness::Planes => "planes between the bodies",
+        Witness::Points => "nearest points",
         Witness::Batch => "batch",
         Witness::Further(_) => "other paths",
     }
@@ -21,7 +23,7 @@ fn who(witness: Witness) -> &'static str {
 
 /// Which share of the comparisons differs by how many units of the precision.
 fn write_decades(out: &mut String, worst: &Worst) -> fmt::Result {
-    out.push_str("    units in the last place of the largest derivative:");
+    out.push_str("    units in the last place of the largest one:");
     let total = worst.decades.iter().sum::<u64>().max(1) as f64;
     let mut seen = 0;
     for (decade, count) in (0..).zip(worst.decades) {
@@ -80,9 +82,14 @@ impl Report {
             let count = worst.count;
             writeln!(
                 out,
-                "\n  {} and {}: {count} derivatives compared",
+                "\n  {} and {}: {count} {} compared",
                 who(*a),
-                who(*b)
+                who(*b),
+                if *a == Witness::Value {
+                    "distances"
+                } else {
+                    "derivatives"
+                }
             )?;
             write_decades(out, worst)?;
             let nearest = &worst.nearest;

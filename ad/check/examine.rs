@@ -2,6 +2,7 @@
 use crate::Pack;
 use crate::ad::check::agreed::{Agreed, Held};
 use crate::ad::check::candidate::{Candidate, Typed};
+use crate::ad::check::certificate::Proof;
 use crate::ad::check::judge::judge;
 use crate::ad::check::report::{Failure, Report};
 use crate::ad::check::shrink::shrunk;
@@ -42,6 +43,8 @@ pub struct Sampling<'a> {
     pub inside: Option<&'a dyn Fn(&[f64]) -> bool>,
     /// For each number, the length over which the function may be expected to change, if shapes do not give it.
     pub scales: Option<&'a dyn Fn(&[f64]) -> Vec<f64>>,
+    /// What proves the value at an input, of a distance in space.
+    pub proof: Option<&'a dyn Fn(&[f64]) -> Option<Proof>>,
 }
 
 impl Sampling<'_> {
@@ -59,6 +62,7 @@ impl Sampling<'_> {
             resolution: None,
             inside: None,
             scales: None,
+            proof: None,
         }
     }
     /// The generator of random sample `i`: samples do not depend on each other.

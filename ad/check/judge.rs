@@ -12,6 +12,7 @@ use crate::ad::check::compare::exact::exact;
 use crate::ad::check::compare::invariance::invariances;
 use crate::ad::check::compare::linear::linear;
 use crate::ad::check::compare::projection::projections;
+use crate::ad::check::compare::proof::proof;
 use crate::ad::check::compare::steps::steps;
 use crate::ad::check::compare::values::values;
 use crate::ad::check::compare::wide::wide;
@@ -34,6 +35,7 @@ pub fn judge(subject: &dyn Subject, x: &[f64], seed: u64) -> Findings {
         return findings;
     };
     said.add(values(&evidence));
+    said.add(proof(&evidence));
     if evidence.gather_derivatives(&mut draw, &mut said) {
         compare(&evidence, &mut draw, &mut said);
     }

@@ -212,6 +212,7 @@
 mod agreed;
 mod builder;
 pub(crate) mod candidate;
+pub mod certificate;
 mod closures;
 mod compare;
 mod details;

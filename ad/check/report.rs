@@ -129,7 +129,8 @@ impl Report {
     pub fn legend() -> &'static str {
         "Every gradient of a function was compared with those of other ways to compute it: dual numbers, differences of \
          values,\n\
-         num-dual's numbers (where the gradient is by hand), the same function in double precision, and a batch.\n\
+         num-dual's numbers (where the gradient is by hand), the same function in double precision, and a batch. A distance in\n\
+         space was compared with its proof: the plane that parts the bodies best, and their nearest points.\n\
          A share says how much of the error that both may have was used by the worst of all comparisons; that error is \
          measured\n\
          at every input. More than 100 % is refused; - was not compared. `--details` has the numbers.\n\
@@ -139,11 +140,11 @@ impl Report {
     #[must_use]
     pub fn heading() -> String {
         let groups = format!(
-            "{:<36} {:>6} | {:<31} | {:<45} |",
+            "{:<36} {:>6} | {:<31} | {:<54} |",
             "", "", "inputs", "share of the allowed error, compared with"
         );
         format!(
-            "{groups}\n{:<36} {:>6} | {:>7} {:>7} {:>5} {:>9} | {:>6} {:>11} {:>8} {:>8} {:>8} | verdict",
+            "{groups}\n{:<36} {:>6} | {:>7} {:>7} {:>5} {:>9} | {:>6} {:>11} {:>8} {:>8} {:>8} {:>8} | verdict",
             "function",
             "format",
             "judged",
@@ -155,6 +156,7 @@ impl Report {
             "num-dual",
             "f64",
             "batch",
+            "proof",
         )
     }
     /// One line of a table.
@@ -165,14 +167,29 @@ impl Report {
             share if share > 1.0 => ">100 %".to_owned(),
             share => format!("{:.0} %", 100.0 * share),
         };
-        let [dual, difference, _, wide, _, batch, num_dual] = &self.worst;
+        let [
+            dual,
+            difference,
+            _,
+            wide,
+            _,
+            batch,
+            num_dual,
+            planes,
+            points,
+        ] = &self.worst;
+        let proof = match planes.nearest.share > points.nearest.share {
+            true => planes,
+            false => points,
+        };
+        let proof = if points.count == 0 { planes } else { proof };
         let verdict = if self.passed() {
             "checked".to_owned()
         } else {
             format!("REFUSED ({} samples)", self.refused)
         };
         format!(
-            "{:<36} {:>6} | {:>7} {:>7} {:>5} {:>9} | {:>6} {:>11} {:>8} {:>8} {:>8} | {verdict}",
+            "{:<36} {:>6} | {:>7} {:>7} {:>5} {:>9} | {:>6} {:>11} {:>8} {:>8} {:>8} {:>8} | {verdict}",
             self.name,
             self.precision.name(),
             self.samples,
@@ -184,6 +201,7 @@ impl Report {
             used(num_dual),
             used(wide),
             used(batch),
+            used(proof),
         )
     }
 }

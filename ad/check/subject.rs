@@ -1,4 +1,5 @@
 //! A function under test as the harness sees it: lists of numbers in, lists of numbers out.
+use crate::ad::check::certificate::Proof;
 use crate::ad::check::tolerances::{LEAST_SCALE, NO_UNIT};
 use crate::ad::check::trace::Trace;
 use crate::ad::check::witness::Precision;
@@ -109,6 +110,10 @@ pub trait Subject {
     }
     /// The same function in double precision, when it computes in single.
     fn wide(&self) -> Option<Box<dyn Subject + '_>> {
+        None
+    }
+    /// What proves the value, if it is a distance in space.
+    fn proof(&self, _x: &[f64]) -> Option<Proof> {
         None
     }
     /// `true` if an input is valid.

@@ -10,6 +10,9 @@
 /// How many roundings the last step of a derivative may have more than the other way to get it: a sum of
 /// a few products has about as many.
 pub(crate) const ROUNDINGS: f64 = 16.0;
+/// By how many roundings of the largest coordinate a distance in space may differ from its proof: corners are sums of
+/// a few products, and a height is one more.
+pub(crate) const PROVED_ROUNDINGS: f64 = 4.0 * ROUNDINGS;
 /// By how much estimated errors are multiplied before they count as exceeded. A spread of a dozen draws,
 /// and the change from one extrapolation to the next, estimate an error and do not bound it. A factor off
 /// by 10⁻⁶ is refused all the same.

@@ -17,6 +17,10 @@ pub enum Witness {
     Difference,
     /// Duals through the same source in double precision.
     Wide,
+    /// The plane between two bodies that proves a distance from below.
+    Planes,
+    /// The nearest points of two bodies, which prove a distance from above.
+    Points,
     /// A batch of the same operation, on the CPU or a GPU.
     Batch,
     /// A further witness, by its position in the list that was given: another code path, a GPU.
@@ -219,7 +223,7 @@ impl Worst {
 }
 
 /// The pairs of witnesses a report has a line for.
-pub const PAIRS: [(Witness, Witness); 7] = [
+pub const PAIRS: [(Witness, Witness); 9] = [
     (Witness::Adjoint, Witness::Dual),
     (Witness::Adjoint, Witness::Difference),
     (Witness::Dual, Witness::Difference),
@@ -227,6 +231,8 @@ pub const PAIRS: [(Witness, Witness); 7] = [
     (Witness::Adjoint, Witness::Further(0)),
     (Witness::Adjoint, Witness::Batch),
     (Witness::Adjoint, Witness::NumDual),
+    (Witness::Value, Witness::Planes),
+    (Witness::Value, Witness::Points),
 ];
 
 /// The findings at one sample.

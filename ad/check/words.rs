@@ -13,6 +13,8 @@ impl fmt::Display for Witness {
             Witness::NumDual => "num-dual's numbers",
             Witness::Difference => "the differences",
             Witness::Wide => "double precision",
+            Witness::Planes => "the best plane between the bodies",
+            Witness::Points => "the nearest points",
             Witness::Batch => "the batch",
             Witness::Further(k) => return write!(f, "further witness {k}"),
         })
@@ -138,7 +140,12 @@ fn gap(reason: Reason, numbers: &Numbers) -> Option<f64> {
         Witness::Value | Witness::Adjoint => numbers.adjoint,
         Witness::Dual => numbers.dual,
         Witness::Difference => numbers.difference,
-        Witness::NumDual | Witness::Wide | Witness::Batch | Witness::Further(_) => numbers.other,
+        Witness::NumDual
+        | Witness::Wide
+        | Witness::Planes
+        | Witness::Points
+        | Witness::Batch
+        | Witness::Further(_) => numbers.other,
     };
     let pair = match reason {
         Reason::Disagree(a, b) => of(a).zip(of(b)),

@@ -16,6 +16,7 @@
 //! numbers.
 mod jets;
 mod of;
+pub(crate) mod proofs;
 pub(crate) mod recorded_subject;
 mod source;
 pub(crate) mod subject;

@@ -13,7 +13,7 @@ use crate::{Scalar, Vec3};
 /// By so many roundings of the unit, in which all is of a size of at most four, heights and ways differ.
 pub(super) const SLACK: f64 = 64.0;
 
-/// By so many roundings of the unit edges must part cores more than faces do.
+/// By so many roundings of the unit edges must part cores more than faces do, and corners be ahead of others.
 const MORE: f64 = 8.0;
 
 /// A corner over a face, and the spot of its foot there.
@@ -28,6 +28,9 @@ struct Over<P: Scalar> {
 }
 
 /// The corners of b that are least ahead of a face of a; of equal ones those whose foot is on it, if any are.
+///
+/// Where only corners have a foot on it that rounding may have put ahead of the others, those are taken: an edge that is
+/// parallel to the face meets it there, and not beyond its border.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn least<P: Scalar, B: Core<P>>(
     normal: Vec3<P>,
@@ -51,18 +54,23 @@ fn least<P: Scalar, B: Core<P>>(
     let all = all.as_ref();
     let values = all.iter().map(|over| over.ahead);
     let value = values.reduce(P::least).unwrap_or_else(P::zero);
-    let mut any = zero.below(zero);
+    let (mut any, mut about) = (zero.below(zero), zero.below(zero));
+    let rounded = value + P::lit(MORE * P::EPSILON);
     for over in all {
         any = any | over.ahead.equals(value) & over.on_face;
+        about = about | over.ahead.at_most(rounded) & over.on_face;
     }
+    let about = about & !any;
     let mut found = PartingPlane {
         value,
-        faces: P::select(any, P::one(), zero),
+        faces: P::select(any | about, P::one(), zero),
         normal,
         ..PartingPlane::none()
     };
     for over in all {
-        let counts = over.ahead.equals(value) & (over.on_face | !any);
+        let least = over.ahead.equals(value) & (over.on_face | !any);
+        let beside = over.ahead.at_most(rounded) & over.on_face;
+        let counts = least & !about | beside & about;
         found.points += P::select(counts, P::one(), zero);
         found.on_b += Vec3::select(counts, over.corner, Vec3::zero());
         let foot = over.corner - normal * over.ahead;

@@ -86,6 +86,8 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
         (Reach::Ray, Reach::Segment) => S::select(same, one, zero),
         (Reach::Ray, Reach::Ray) => S::select(same, start, zero),
         (Reach::Line, Reach::Segment) => one,
+        // The middle of both points that are given, whichever line comes first.
+        (Reach::Line, Reach::Line) => seen(w),
         _ => start,
     };
     let middle = start.halved() + end.halved();

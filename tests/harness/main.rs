@@ -16,6 +16,7 @@ mod planted;
 mod program;
 mod program_derivatives;
 mod program_random;
+mod proofs;
 mod scatter;
 mod shrinking;
 mod strategy;

@@ -5,6 +5,7 @@
 //! | file | comparison |
 //! | --- | --- |
 //! | `values` | the value with that of other paths |
+//! | `proof` | a distance in space with the plane and the points that prove it |
 //! | `exact` | the adjoint with duals, ours and num-dual's, batches and further witnesses |
 //! | `wide` | single precision with double |
 //! | `projection` | the adjoint with duals along a direction |
@@ -21,6 +22,7 @@ pub(crate) mod linear;
 pub(crate) mod nearby;
 pub(crate) mod opinion;
 pub(crate) mod projection;
+pub(crate) mod proof;
 pub(crate) mod steps;
 pub(crate) mod values;
 pub(crate) mod wide;
