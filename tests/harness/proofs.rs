@@ -44,9 +44,10 @@ fn nearest((a, b): Pair, wrong: bool) -> [Vec3<f64>; 2] {
     [if wrong { a.start } else { found.on_a }, found.on_b]
 }
 
-fn judged<O: Op<In<f64> = Pair, Out<f64> = f64>>(_: O, wrong_points: bool) -> [Report; 2]
+fn judged<O>(_: O, wrong_points: bool) -> [Report; 2]
 where
-    O: Op<In<f32> = (Segment3<f32>, Segment3<f32>), Out<f32> = f32>,
+    O: Op<In<f64> = Pair, Out<f64> = f64>
+        + Op<In<f32> = (Segment3<f32>, Segment3<f32>), Out<f32> = f32>,
 {
     let proof = |x: &[f64]| {
         let (a, b) = Pair::load(x);
