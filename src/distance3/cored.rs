@@ -13,7 +13,7 @@ use crate::{Rotation2, Rotation3, Scalar, Vec3};
 /// A convex shape of space: every point at most [`radius`](Cored::radius) from its [`core`](Cored::core).
 ///
 /// Points, segments, triangles, tetrahedra, boxes, balls, capsules and boxes with round edges are. Any two of them are
-/// [`Apart`].
+/// [`Apart`](super::Apart).
 pub trait Cored: Copy {
     /// Its numbers.
     type Scalar: Scalar;
