@@ -26,12 +26,12 @@
 //! | paths and rings | [`Gpu::fold`], [`Gpu::fold_vjp`], [`Gpu::ragged`], [`Gpu::ragged_vjp`] |
 //! | suppression, with the processor's result | [`Gpu::suppress`] |
 //!
-//! # Two kinds of kernels
+//! # Bodies and templates
 //!
-//! An operation is recorded once, written as a shader once, and compiled once per context: its kernels are *generated*.
-//! All pairs of boxes in the plane (area of intersection, IoU, IoF), and measures of rings, have kernels by hand
-//! instead, which take fewer instructions. The library chooses between them. Reductions have one template in WGSL
-//! (`reduce.wgsl`) for both: threads compute what they reduce, and no matrix exists.
+//! A kernel is a template (all pairs, a reduction, sums of derivatives) around a body. An operation is recorded once,
+//! written as a body once, and compiled once per context and template. Areas of intersection, IoU and IoF of boxes in the
+//! plane have bodies by hand, which take fewer instructions; so have the measures of rings. The templates are the same.
+//! Reductions compute the scores that they reduce: no matrix exists.
 //!
 //! Searches (clipping, hulls) are decided on the CPU, item by item, and replayed on the GPU, with their derivatives:
 //! every trace becomes a list of instructions, and one kernel carries out all of them. All pairs of a search would

@@ -5,7 +5,7 @@
 use geograd::ad::program::WGSL;
 use geograd::kernels::gpu::{fold_sources, op_sources};
 use geograd::kernels::{Item, Op};
-use geograd_tests::rows::{distance, fold, overlap};
+use geograd_tests::rows::{distance, fold};
 use std::path::PathBuf;
 
 /// Compares a shader with what is kept, or writes it. The functions that all of them call are left out.
@@ -53,8 +53,7 @@ where
 
 #[test]
 fn examples() {
-    kept::<overlap::IouObb2>(&["Value Pairs"]);
-    kept::<distance::DistancePointSegment>(&["ValueGrad Aligned"]);
+    kept::<distance::DistancePointSegment>(&["Value Pairs", "ValueGrad Aligned"]);
     let folds = fold_sources(fold::LengthOfPolyline).unwrap();
     let (form, text) = &folds[0];
     compare(&format!("length_of_polyline {form}"), text);

@@ -20,7 +20,7 @@ mod suppress;
 
 use geograd::kernels::Op;
 use geograd::kernels::dynamic::Sort;
-use geograd::kernels::gpu::{Gpu, Options};
+use geograd::kernels::gpu::{Gpu, Options, common_sources};
 use geograd_tests::adapter::{any_gpu, validate};
 use geograd_tests::calls::OfRings;
 use geograd_tests::forms::agree;
@@ -115,7 +115,10 @@ fn all_shaders_by_hand_are_tested() {
     let by_hand = |row: &&Tested| {
         let shaders = row.shaders().unwrap();
         let is_pairs = row.operation.sort == Sort::Straight;
-        is_pairs && shaders.iter().any(|(name, _)| name.starts_with("Source {"))
+        is_pairs
+            && shaders
+                .iter()
+                .any(|(_, text)| text.contains("fn value_of("))
     };
     let mut found: Vec<_> = list::rows()
         .into_iter()
@@ -146,6 +149,9 @@ fn measures_of_rings() {
 /// Shader text needs no GPU to be judged.
 #[test]
 fn shaders_are_valid() {
+    for (name, text) in common_sources() {
+        validate(&name, &text);
+    }
     list::each(&list::rows(), |row| {
         for (name, text) in row.shaders().unwrap() {
             validate(&name, &text);

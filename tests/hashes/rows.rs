@@ -184,7 +184,7 @@ pub fn all() -> Vec<Entry> {
     #[cfg(feature = "gpu")]
     {
         use geograd::kernels::dynamic::{Sort, operations};
-        use geograd::kernels::gpu::{line_sources, replay_source};
+        use geograd::kernels::gpu::{common_sources, line_sources, replay_source};
         for operation in operations() {
             if operation.sort == Sort::Straight {
                 all.0.push(Entry {
@@ -198,7 +198,9 @@ pub fn all() -> Vec<Entry> {
             row: "all_shaders",
             format: WGSL,
             run: Box::new(|| {
-                let mut all = shaders("", Ok(vec![("replay".to_owned(), replay_source())]));
+                let mut sources = common_sources();
+                sources.push(("replay".to_owned(), replay_source()));
+                let mut all = shaders("", Ok(sources));
                 all.push(("prelude".to_owned(), print::of_text(PRELUDE)));
                 all
             }),

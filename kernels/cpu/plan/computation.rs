@@ -26,6 +26,7 @@ pub type Prepare<T> = Arc<dyn Fn(Tiles<'_, T>, &mut [Lane<T>]) + Send + Sync>;
 pub type Outline<T> = Arc<dyn Fn([Tiles<'_, T>; 2], &mut [Lane<T>]) + Send + Sync>;
 
 /// The preparation of every shape of a column.
+#[derive(Clone)]
 pub struct Preparation<T> {
     /// The operation's name of the argument, if it has one.
     pub name: Option<&'static str>,

@@ -2,7 +2,7 @@
 use super::download::downloads;
 use super::table::Table;
 use super::work::{Params, Work};
-use super::written::Take;
+use super::written::{Kernel, Take};
 use super::{Device, Pending};
 use crate::Error;
 use crate::kernels::reduce::Found;
@@ -68,7 +68,7 @@ impl Table<'_> {
         while let Some(sweep) = self.sweeps.pop() {
             let (places, total) = inner.guarded(|| {
                 let count = self.pipeline(Take::Count);
-                let place = inner.gather_pipeline("places_main");
+                let place = inner.written(Kernel::Gather, "places_main");
                 let places = inner.storage(sweep.room() + 1);
                 let total = inner.storage(1);
                 let mut work = Work::new(inner);

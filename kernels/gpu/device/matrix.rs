@@ -2,7 +2,7 @@
 use super::block::{Block, block_of, place_block};
 use super::table::Table;
 use super::work::{MOST_GROUPS, Params, Work, groups};
-use super::written::GROUP;
+use super::written::{GROUP, Kernel};
 use super::{Device, Pending};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{entries, expect};
@@ -58,7 +58,7 @@ impl Matrix {
             .fits(to, self.rows, self.columns, Argument::Values)?;
         let inner = &self.gpu.inner;
         inner.guarded(|| {
-            let pipeline = inner.gather_pipeline("copy_main");
+            let pipeline = inner.written(Kernel::Gather, "copy_main");
             let mut work = Work::new(inner);
             for ((block, from), (_, to)) in self.blocks.iter().zip(&to.blocks) {
                 let count = block.rows * block.columns;

@@ -1,27 +1,29 @@
 //! The device behind [`Gpu`]: buffers, pipelines, batches.
 //!
-//! # Generated kernels
+//! # Bodies and templates
 //!
-//! `generated/operation.rs` cuts a recording into what the processor prepares (for all pairs whatever depends on one
-//! shape, otherwise the sines of its angles) and a body, which `generated/text.rs` writes as a WGSL function with a
-//! kernel around it. Items lie in tiles as on the CPU; one binding holds all inputs, another all outputs. A context
-//! keeps pipelines as long as their program lives. Reductions are the template of kernels by
-//! hand (`reduce.wgsl`) around the generated body, so no matrix exists. Gradients of all pairs are summed per strip, then on the processor, always in the same order. A fold is a
-//! thread per path. Searches are decided on the processor; each trace becomes a list of instructions, which one kernel
-//! (`replay.wgsl`) carries out. For suppression the GPU writes which pairs are certainly above the threshold and which
-//! are within 1/256 of it; the processor computes the latter. Columns on the device (`generated/held`,
-//! `generated/columns.rs`) are kept as given and as each operation wants them prepared.
+//! A kernel is a template around a body. A body is a function of numbers in WGSL: `generated/operation.rs` writes one from
+//! a recording, `generated/by_hand.rs` has those by hand. The processor prepares its inputs: for all pairs whatever depends
+//! on one shape, otherwise the sines of angles, so that both machines start from the same ones. Items lie in tiles as on
+//! the CPU.
 //!
-//! # Kernels by hand
+//! Templates of all pairs are in `wgsl/`: every row with every column (`pairs.wgsl`), reductions (`reduce.wgsl`, with a
+//! snippet `take_*`), sums of derivatives of one list (`slopes.wgsl`) or of both at once (`vjp.wgsl`, with a snippet
+//! `seed_*`). `generated/template.rs` writes the functions that name a body's numbers. A thread stands for a shape of one
+//! list; shapes of the other one are brought near the threads (`walked.wgsl`). No reduction stores a matrix. Sums of
+//! derivatives are partial sums, which `fold.wgsl` adds in a fixed order. Templates of single items, of suppression and of
+//! folds are in `generated/`.
 //!
-//! All pairs of boxes in the plane, and the measures of rings, have shaders in `wgsl/` that mirror their Rust source,
-//! because they take fewer instructions (BENCHMARKS.md). `lists` decides which kernels compute two lists. Constants
-//! come from Rust, sources are concatenated, and naga validates every combination in a test without a GPU. Frames are
-//! computed on the CPU at upload, so both machines start from the same sines. One thread per column runs over a tile of
-//! rows; sums are added across the subgroup (or workgroup memory) and written as partial sums that a second pass adds
-//! in fixed order. A shader is a template (`pairs.wgsl`, `vjp.wgsl`, `reduce.wgsl`) and one snippet: how scores are
-//! stored (`put_*`), where cotangents come from (`seed_*`), or which reduction runs (`take_*`). Rings have a thread
-//! each, long ones a workgroup per span.
+//! Scores of boxes in the plane have bodies by hand, mirrors of their Rust source, value and adjoint, because they take
+//! fewer instructions (BENCHMARKS.md). Such a body gives the derivatives of both shapes at once: a thread keeps sums for
+//! its columns, those of a row are added across the subgroup (or workgroup memory). Measures of rings have kernels by hand,
+//! too: a thread for each ring, a workgroup for a span of a long one. Constants come from Rust, and naga validates every
+//! combination in a test without a GPU.
+//!
+//! A context keeps pipelines as long as their program lives. Searches are decided on the processor; each trace becomes a
+//! list of instructions, which one kernel (`replay.wgsl`) carries out. For suppression the GPU writes which pairs are
+//! certainly above the threshold and which are within 1/256 of it; the processor computes the latter. Columns on the device
+//! (`generated/held`, `generated/columns.rs`) are kept as given and as each operation wants them prepared.
 mod adapter;
 mod block;
 mod data;
@@ -31,7 +33,6 @@ mod found;
 mod generated;
 mod lists;
 mod matrix;
-mod mirrored;
 mod plans;
 mod reduce;
 mod rings;
@@ -48,15 +49,16 @@ pub use generated::{fold_sources, line_sources, op_sources, replay_source};
 use matrix::Matrix;
 use reduce::Bests;
 pub(crate) use rings::Rings;
-pub use written::pair_sources;
+pub use written::common_sources;
 
+use crate::kernels::cpu::lane::TILE;
 use crate::kernels::machine::Machine;
 use crate::{Error, GpuFault};
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
-use written::{GROUP, GROUP_VJP, Source, TILE};
+use written::{GROUP, GROUP_VJP, Kernel};
 
 /// A GPU ready for work. Cheap to clone; clones share device and compiled shaders.
 pub type Gpu = Machine<Device>;
@@ -81,7 +83,7 @@ struct Inner {
     timing: bool,
     kernel_time: Mutex<Duration>,
     lost: Arc<AtomicBool>,
-    pipelines: Mutex<HashMap<(Source, &'static str), wgpu::ComputePipeline>>,
+    pipelines: Mutex<HashMap<(Kernel, &'static str), wgpu::ComputePipeline>>,
     generated: Mutex<generated::Pipelines>,
 }
 
@@ -149,7 +151,7 @@ impl Machine<Device> {
             .min(limits.max_buffer_size)
             .min(options.most_bytes.unwrap_or(u64::MAX))
             // Indices of numbers stay far from 32 bits.
-            .clamp(MOST_BYTES_PER_SHAPE * TILE as u64, 1 << 31);
+            .clamp(LEAST_BYTES, 1 << 31);
         let threads = u64::from(limits.max_compute_workgroups_per_dimension) * GROUP as u64;
         let chunk = (most_bytes / MOST_BYTES_PER_SHAPE).min(threads) as usize / TILE * TILE;
         let subgroups = options.subgroups && device.features().contains(wgpu::Features::SUBGROUP);
@@ -247,3 +249,5 @@ impl Device {
 
 /// The most bytes of one shape in any buffer, or of one pair in a row of a matrix of derivatives.
 const MOST_BYTES_PER_SHAPE: u64 = 64;
+/// The least bytes of a buffer.
+const LEAST_BYTES: u64 = 4096;

@@ -1,19 +1,11 @@
 //! The plans of a call for a GPU, made once per function, mode and form.
 use super::generated::operation::Generated;
-use super::written::Mirror;
 use crate::kernels::derivation::Replays;
-use crate::kernels::recording::{Body, Call, Key, Mode};
+use crate::kernels::recording::{Body, Call, Key};
 use crate::{Error, Unrecordable};
 use std::sync::Arc;
 
 impl Call<f32> {
-    /// The kernels by hand of all pairs, for a value or its adjoint.
-    pub(in crate::kernels::gpu::device) fn mirror(&self) -> Option<Mirror> {
-        match self.mode {
-            Mode::Value | Mode::Vjp => self.recording.compiled.and_then(Mirror::of),
-            Mode::ValueGrad | Mode::Jacobian => None,
-        }
-    }
     /// The kernels of a call: aligned, or for all pairs with shapes prepared once.
     ///
     /// # Errors
@@ -22,6 +14,9 @@ impl Call<f32> {
     pub(crate) fn generated(&self, framed: bool) -> Result<Arc<Generated<f32>>, Error> {
         let (recording, mode) = (&*self.recording, self.mode);
         recording.made(Key::Gpu(mode, framed), &|| {
+            if framed && let Some(made) = Generated::by_hand(self)? {
+                return Ok(made.named(recording.arguments));
+            }
             let program = recording.program(mode)?;
             let (takes, outputs) = (recording.takes.clone(), recording.outputs.clone());
             let made = Generated::new(mode, takes, outputs, &program, framed)?;

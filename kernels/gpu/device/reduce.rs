@@ -6,7 +6,7 @@ use super::download::{downloads, parts};
 use super::seed::sum_of;
 use super::table::Table;
 use super::work::{Work, groups};
-use super::written::Take;
+use super::written::{Kernel, Take};
 use super::{Device, Pending};
 use crate::Error;
 use crate::kernels::machine::{Reduced, Reduction};
@@ -67,9 +67,9 @@ impl Table<'_> {
         let inner = &self.gpu.inner;
         inner.guarded(|| {
             let pipeline = self.pipeline(Take::Best);
-            let gather = inner.gather_pipeline("best_of_strips_main");
-            let values = inner.pieces(self.own, 1);
-            let indices = inner.pieces(self.own, 1);
+            let gather = inner.written(Kernel::Gather, "best_of_strips_main");
+            let values = inner.pieces(self.own);
+            let indices = inner.pieces(self.own);
             for sweep in &self.sweeps {
                 let part_values = inner.storage(sweep.room());
                 let part_indices = inner.storage(sweep.room());

@@ -1,7 +1,7 @@
 //! Batches of rings on the GPU.
 use super::download::downloads;
 use super::work::{Params, Work, groups};
-use super::written::{ANY, Kernel, LONG, ROW, SPAN, Source, ring_source};
+use super::written::{Kernel, LONG, ROW, SPAN};
 use super::{Device, Inner, Pending};
 use crate::Error;
 use crate::error::Argument;
@@ -393,8 +393,7 @@ impl Run {
 }
 
 fn ring_pipeline(measure: Measure, inner: &Inner, entry: &'static str) -> wgpu::ComputePipeline {
-    let source = Source::of(Kernel::Ragged(measure), ANY);
-    inner.pipeline(source, entry, || ring_source(measure))
+    inner.written(Kernel::Ragged(measure), entry)
 }
 
 fn counted(count: usize) -> Params {

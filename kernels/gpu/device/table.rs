@@ -1,14 +1,12 @@
 //! All pairs as a reduction on the GPU sees them: two lists, blocks of results that are computed one after the
 //! other into the same buffer, or a matrix that is there already.
 use super::block::Block;
-use super::data::Piece;
+use super::generated::Form;
 use super::generated::operation::Generated;
 use super::generated::uploaded::Sides;
-use super::generated::{self, Form};
-use super::mirrored::Mirrored;
 use super::work::Params;
-use super::written::{ANY, GROUP, Kernel, STRIP, Source, Take};
-use super::{Device, Inner, Matrix};
+use super::written::{GROUP, Kernel, STRIP, Take};
+use super::{Device, Matrix};
 use std::sync::Arc;
 
 /// One dispatch of a reduction: a run of own rows (or columns) by a run of walked ones.
@@ -81,43 +79,21 @@ pub(super) struct Table<'a> {
     pub gpu: &'a Device,
     pub own: usize,
     pub walked: usize,
-    /// The shader but for what it takes of the scores.
+    /// `true` if threads stand for rows.
+    own_rows: bool,
     kernels: Kernels<'a>,
     pub sweeps: Vec<Sweep>,
 }
 
-/// The bodies that give the scores.
+/// Where scores come from.
 enum Kernels<'a> {
-    /// By hand, or a matrix.
-    Written(Source),
-    /// A generated function; `true` if threads stand for rows.
-    Generated(&'a Arc<Generated<f32>>, bool),
+    /// Scores out of a matrix.
+    Matrix,
+    /// Scores that a body computes.
+    Lists(&'a Arc<Generated<f32>>),
 }
 
 impl<'a> Table<'a> {
-    /// The table of two lists: the kernels compute the results that they reduce.
-    pub fn of_lists(gpu: &'a Device, lists: &Mirrored, own_rows: bool) -> Self {
-        let (a, b) = (&lists.a, &lists.b);
-        let (own, walked) = if own_rows { (a, b) } else { (b, a) };
-        let bound = |own: &Piece, walked: &Piece| {
-            let (at_own, at_walked) = if own_rows { (1, 2) } else { (2, 1) };
-            vec![
-                (at_own, own.buffer.clone()),
-                (at_walked, walked.buffer.clone()),
-            ]
-        };
-        Table {
-            gpu,
-            own: own.len,
-            walked: walked.len,
-            kernels: Kernels::Written(Source {
-                own_rows,
-                ..lists.source(Kernel::Reduce(Take::Best))
-            }),
-            sweeps: gpu.inner.sweeps(&own.pieces, &walked.pieces, bound),
-        }
-    }
-
     /// The table of a matrix that is there already.
     pub fn of_matrix(matrix: &'a Matrix, own_rows: bool) -> Self {
         let blocks = matrix.blocks.iter().map(|(block, buffer)| (*block, buffer));
@@ -125,8 +101,8 @@ impl<'a> Table<'a> {
         Self::of_blocks(&matrix.gpu, blocks, counts, own_rows)
     }
 
-    /// The table of two lists of any shapes: kernels around a generated function compute the results that they reduce.
-    pub fn of_generated(
+    /// The table of two lists: kernels compute the results that they reduce.
+    pub fn of_lists(
         gpu: &'a Device,
         made: &'a Arc<Generated<f32>>,
         sides: &Sides,
@@ -165,7 +141,8 @@ impl<'a> Table<'a> {
             gpu,
             own: counts[k],
             walked: counts[1 - k],
-            kernels: Kernels::Generated(made, own_rows),
+            own_rows,
+            kernels: Kernels::Lists(made),
             sweeps,
         }
     }
@@ -208,72 +185,27 @@ impl<'a> Table<'a> {
             gpu,
             own,
             walked,
-            kernels: Kernels::Written(Source {
-                own_rows,
-                ..Source::of(Kernel::ReduceMatrix(Take::Best), ANY)
-            }),
+            own_rows,
+            kernels: Kernels::Matrix,
             sweeps: blocks.map(sweep).collect(),
         }
     }
 
     /// The shader that takes this of the scores.
     pub fn pipeline(&self, take: Take) -> wgpu::ComputePipeline {
-        let inner = &self.gpu.inner;
+        let (inner, own_rows) = (&self.gpu.inner, self.own_rows);
         match self.kernels {
-            Kernels::Written(source) => {
-                let kernel = match source.kernel {
-                    Kernel::ReduceMatrix(_) => Kernel::ReduceMatrix(take),
-                    _ => Kernel::Reduce(take),
-                };
-                inner.pair_pipeline(Source { kernel, ..source }, "reduce_main")
-            }
-            Kernels::Generated(made, own_rows) => {
-                made.pipeline(inner, Form::Reduce(take, own_rows))
-            }
+            Kernels::Matrix => inner.written(Kernel::ReduceMatrix(take, own_rows), "reduce_main"),
+            Kernels::Lists(made) => made.pipeline(inner, Form::Reduce(take, own_rows)),
         }
     }
 
     /// Workgroups of a sweep.
     pub fn size(&self, sweep: &Sweep) -> [u32; 2] {
         let group = match self.kernels {
-            Kernels::Written(_) => GROUP,
-            Kernels::Generated(..) => generated::GROUP,
+            Kernels::Matrix => GROUP,
+            Kernels::Lists(made) => made.size(Form::Reduce(Take::Best, self.own_rows)).own,
         };
         [sweep.own.div_ceil(group) as u32, sweep.strips() as u32]
-    }
-}
-
-impl Inner {
-    /// How a reduction of two lists is cut: own shapes so that partial results fit a buffer.
-    fn sweeps(
-        &self,
-        own: &[Piece],
-        walked: &[Piece],
-        bound: impl Fn(&Piece, &Piece) -> Vec<(u32, wgpu::Buffer)>,
-    ) -> Vec<Sweep> {
-        // As a matrix with one column per strip and four numbers per entry; whole workgroups.
-        let widest = walked.first().map_or(1, |piece| piece.items);
-        let pairs =
-            (self.most_bytes as usize / 16 / widest.div_ceil(STRIP)).min((1 << 30) / widest);
-        let most = pairs.max(1);
-        let mut sweeps = Vec::new();
-        for (out_piece, own) in own.iter().enumerate() {
-            for own_start in (0..own.items).step_by(most) {
-                for (i, walked) in walked.iter().enumerate() {
-                    sweeps.push(Sweep {
-                        own_start,
-                        out_piece,
-                        out_start: own_start,
-                        own_base: out_piece * self.chunk + own_start,
-                        own: most.min(own.items - own_start),
-                        walked_start: 0,
-                        walked_base: i * self.chunk,
-                        walked: walked.items,
-                        bound: bound(own, walked),
-                    });
-                }
-            }
-        }
-        sweeps
     }
 }

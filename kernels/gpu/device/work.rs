@@ -1,6 +1,6 @@
 //! Running kernels: pipelines, dispatches, error scopes.
 use super::download::State;
-use super::written::{GROUP, Source};
+use super::written::{GROUP, Kernel};
 use super::{Inner, locked};
 use crate::{Error, GpuFault};
 use std::sync::atomic::Ordering;
@@ -22,10 +22,13 @@ pub(super) struct Params {
     pub factor: f32,
     pub fields: u32,
     pub out_start: u32,
+    /// Numbers of a row of a matrix, and of a whole plane of it.
+    pub stride: u32,
+    pub plane: u32,
 }
 
 /// The bytes of the parameters, rounded up as uniform buffers want them.
-const PARAMS_BYTES: u64 = 48;
+const PARAMS_BYTES: u64 = 64;
 
 /// Commands on their way to the queue.
 pub(super) struct Work<'a> {
@@ -265,27 +268,20 @@ impl Inner {
         )
     }
 
-    /// Writes zeros all over buffers.
-    pub fn clear<'a>(&self, buffers: impl Iterator<Item = &'a wgpu::Buffer>) {
-        let mut encoder = self.encoder();
-        buffers.for_each(|buffer| encoder.clear_buffer(buffer, 0, None));
-        self.queue.submit([encoder.finish()]);
-    }
-
     /// The pipeline of an entry point, compiled the first time it is asked for.
     pub fn pipeline(
         &self,
-        source: Source,
+        kernel: Kernel,
         entry: &'static str,
         text: impl FnOnce() -> String,
     ) -> wgpu::ComputePipeline {
         let mut pipelines = locked(&self.pipelines);
         let make = || {
-            log::debug!("compiling {} of {source:?}", entry);
+            log::debug!("compiling {entry} of {kernel:?}");
             self.compiled(entry, entry, text())
         };
         pipelines
-            .entry((source, entry))
+            .entry((kernel, entry))
             .or_insert_with(make)
             .clone()
     }

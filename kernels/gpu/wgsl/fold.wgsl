@@ -7,13 +7,9 @@ fn fold_main(@builtin(global_invocation_id) thread: vec3u) {
     if item >= params.own_count {
         return;
     }
-    let to = place(params.out_start + item, field, params.fields);
     var sum = 0.0;
-    if params.more == 1u {
-        sum = a_bars[to];
-    }
     for (var part = 0u; part < params.parts; part++) {
         sum += upstream[(part * params.fields + field) * params.own_count + item];
     }
-    a_bars[to] = sum;
+    values[field * params.own_count + item] = sum;
 }

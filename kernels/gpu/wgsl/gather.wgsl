@@ -9,7 +9,7 @@ fn best_of_strips_main(@builtin(global_invocation_id) thread: vec3u) {
     if item >= params.own_count {
         return;
     }
-    var best = -LARGEST;
+    var best = LEAST;
     var best_at = 0u;
     if params.more == 1u {
         best = values[params.out_start + item];

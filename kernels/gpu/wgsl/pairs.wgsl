@@ -1,5 +1,5 @@
-// Every row with every column: one thread per column, which walks through STEP rows. What is put
-// down of a pair (`put_pair`) is in other files.
+// Every row with every column: one thread per column, which walks through a strip of rows. Results of several numbers go
+// plane by plane (`put_pair`, generated).
 
 @compute @workgroup_size(GROUP)
 fn pairs_main(
@@ -7,11 +7,17 @@ fn pairs_main(
     @builtin(local_invocation_index) here: u32,
 ) {
     let column = group.x * GROUP + here;
-    let first = group.y * STEP;
-    let count = min(STEP, params.loop_count - first);
-    bring_walked(first, params.loop_count, here);
-    let b = load_b(params.own_start + min(column, params.own_count - 1u));
-    for (var i = 0u; i < count; i++) {
-        put_pair(walked_frame(i), b, first + i, column);
+    let own = own_at(params.own_start + min(column, params.own_count - 1u));
+    let first = group.y * STRIP;
+    let end = min(first + STRIP, params.loop_count);
+    for (var start = first; start < end; start += STEP) {
+        bring(group.x * GROUP, start, end, here);
+        let count = min(STEP, end - start);
+        for (var i = 0u; i < count; i++) {
+            let y = body_at(own, i);
+            if column < params.own_count {
+                put_pair(y, params.out_start + (start + i) * params.stride + column);
+            }
+        }
     }
 }

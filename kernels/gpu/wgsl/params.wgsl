@@ -1,8 +1,4 @@
-// The layout of a batch: bindings, loads and stores.
-//
-// Frames are stored as quads of four numbers, gradients as single fields; both in tiles of TILE
-// items, quad after quad (field after field) within a tile, so that neighbouring threads read and
-// write neighbouring memory and any run of whole tiles can be bound on its own.
+// The parameters of kernels over two lists, or over a matrix of their pairs.
 
 struct Params {
     // Items of the list that threads stand for.
@@ -18,11 +14,14 @@ struct Params {
     // Partial results to be put together; whether they add to what is there.
     parts: u32,
     more: u32,
-    // What scores are compared with, or slopes multiplied by.
+    // The threshold of scores, or the factor of derivatives.
     factor: f32,
     fields: u32,
-    // Where results of own items begin.
+    // Where results of own items, or numbers of a matrix, begin.
     out_start: u32,
+    // Numbers of a row of a matrix, and of a whole plane of it.
+    stride: u32,
+    plane: u32,
 }
 
 @group(0) @binding(0) var<uniform> params: Params;

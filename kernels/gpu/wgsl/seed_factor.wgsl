@@ -1,10 +1,5 @@
-// Slopes of the sum of all scores, times a factor; the scores are added up beside them, column by
-// column and strip by strip.
+// One factor for the derivatives of all pairs.
 
-fn seed_at(row: u32, column: u32) -> f32 {
+fn seed_at(walked: u32, own: u32) -> f32 {
     return params.factor;
-}
-
-fn put_total(strip: u32, column: u32, total: f32) {
-    values[strip * params.own_count + column] = total;
 }

@@ -1,7 +1,8 @@
-// Slopes are multiplied by an upstream matrix.
+// A factor for every pair, out of a matrix.
 
-fn seed_at(row: u32, column: u32) -> f32 {
-    return upstream[row * params.own_count + column];
+fn seed_at(walked: u32, own: u32) -> f32 {
+    if OWN_ROWS {
+        return upstream[params.out_start + own * params.stride + walked];
+    }
+    return upstream[params.out_start + walked * params.stride + own];
 }
-
-fn put_total(strip: u32, column: u32, total: f32) {}

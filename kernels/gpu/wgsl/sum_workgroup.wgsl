@@ -1,22 +1,20 @@
 // Sums across threads where there are no subgroup operations: halves onto halves.
 
-var<workgroup> thread_quad: array<vec4f, GROUP>;
-var<workgroup> thread_rest: array<f32, GROUP>;
+var<workgroup> thread_sums: array<WalkedBar, GROUP>;
 
-fn row_sum(i: u32, bar: Bar, here: u32, slot: u32, lane: u32) {
+fn row_sum(i: u32, bar: WalkedBar, here: u32, slot: u32, lane: u32) {
     workgroupBarrier();
-    thread_quad[here] = bar.quad;
-    thread_rest[here] = bar.rest;
+    thread_sums[here] = bar;
     for (var half = GROUP / 2u; half > 0u; half /= 2u) {
         workgroupBarrier();
         if here < half {
-            thread_quad[here] += thread_quad[here + half];
-            thread_rest[here] += thread_rest[here + half];
+            var sum = thread_sums[here];
+            add_walked_bar(&sum, thread_sums[here + half]);
+            thread_sums[here] = sum;
         }
     }
     if here == 0u {
-        slot_quad[i * SLOTS] = thread_quad[0];
-        slot_rest[i * SLOTS] = thread_rest[0];
+        put_slot(thread_sums[0], i * SLOTS * WALKED_BAR);
     }
 }
 

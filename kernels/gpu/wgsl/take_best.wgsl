@@ -6,7 +6,7 @@ struct Taken {
 }
 
 fn taken_new(item: u32, first: u32, strip: u32, is_own: bool) -> Taken {
-    return Taken(-LARGEST, first);
+    return Taken(LEAST, first);
 }
 
 fn take(taken: ptr<function, Taken>, score: f32, at: u32) {

@@ -1,19 +1,20 @@
 //! Any operation and any program on a GPU, by functions in WGSL that its recording is written as.
-mod adjoint;
 mod aligned;
+mod by_hand;
 mod columns;
+mod derivatives;
 mod folds;
-mod fused;
 pub(crate) mod held;
 pub(crate) mod operation;
 mod pairs;
 mod replays;
 mod shader;
 mod suppress;
+pub(super) mod template;
 mod text;
 pub(super) mod uploaded;
 
-use super::written::{Take, compiled_sources, ring_source};
+use super::written::{Seed, Take, ring_source};
 use super::{Inner, locked};
 use crate::kernels::Fold;
 use crate::kernels::dynamic::Operation;
@@ -24,7 +25,8 @@ use crate::{Error, Unrecordable};
 use operation::{Generated, Name};
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
-pub(super) use text::{Form, GROUP};
+use template::Of;
+pub(super) use text::Form;
 use uploaded::MOST_OPERATIONS;
 
 /// Pipelines of generated kernels, by the number of the program and the form of the kernel.
@@ -76,16 +78,13 @@ where
     sources(O::NAME, recording_of::<O, O::In<f32>>(), &Take::ALL)
 }
 
-/// The shaders of a straight line, those by hand included; of reductions, whose template is the same for all, one.
+/// The shaders of a straight line; of reductions, whose template is the same for all, one.
 #[doc(hidden)]
 pub fn line_sources(operation: &Operation) -> Result<Vec<(String, String)>, Error> {
     let Some(recording) = operation.straight::<f32>() else {
         return Err(Error::Program(Unrecordable::Path));
     };
-    let compiled = recording.compiled;
-    let mut all = sources(operation.name, recording, &[Take::Best])?;
-    all.extend(compiled_sources(compiled));
-    Ok(all)
+    sources(operation.name, recording, &[Take::Best])
 }
 
 fn sources(
@@ -112,30 +111,44 @@ fn sources(
             continue;
         }
         let made = call.generated(true)?;
-        match mode {
-            Mode::Value if made.gives == [1] => {
-                add(Form::Pairs, &made);
-                for &take in taken {
-                    add(Form::Reduce(take, true), &made);
-                }
-                if is_of_one_list(&made) {
-                    add(Form::Masks, &made);
-                }
+        for (made, which) in [(Some(&made), ""), (made.extreme.as_ref(), " extreme")] {
+            let Some(made) = made else { continue };
+            for form in forms(mode, made, outputs, taken) {
+                all.push((format!("{name} {mode:?} {form:?}{which}"), form.text(made)));
             }
-            Mode::Value | Mode::ValueGrad | Mode::Jacobian => add(Form::Pairs, &made),
-            Mode::Vjp if outputs == 1 => {
-                add(Form::RowDerivatives, &made);
-                add(Form::ColumnDerivatives, &made);
-            }
-            Mode::Vjp => (),
         }
     }
     Ok(all)
 }
 
-/// `true` if both arguments may be shapes of one list.
-fn is_of_one_list(made: &Generated<f32>) -> bool {
-    made.arguments[0].fields == made.arguments[1].fields
+/// The forms of all pairs of a mode. Seeds are a snippet that is the same for all: each is taken once.
+fn forms(mode: Mode, made: &Generated<f32>, outputs: usize, taken: &[Take]) -> Vec<Form> {
+    let mut all = Vec::new();
+    match mode {
+        Mode::Value if made.gives == [1] => {
+            all.push(Form::Pairs);
+            all.extend(taken.iter().map(|&take| Form::Reduce(take, true)));
+            // Both arguments may be shapes of one list.
+            if made.arguments[0].fields == made.arguments[1].fields {
+                all.push(Form::Masks);
+            }
+        }
+        Mode::Value | Mode::ValueGrad | Mode::Jacobian => all.push(Form::Pairs),
+        Mode::Vjp if outputs == 1 && made.kind.is_some() => {
+            for slots in [0, 8] {
+                all.extend(
+                    [Seed::Matrix, Seed::Factor]
+                        .map(|seed| Form::Derivatives(Of::Both(slots), seed)),
+                );
+            }
+        }
+        Mode::Vjp if outputs == 1 => {
+            all.push(Form::Derivatives(Of::Rows, Seed::Factor));
+            all.push(Form::Derivatives(Of::Columns, Seed::Matrix));
+        }
+        Mode::Vjp => (),
+    }
+    all
 }
 
 /// Every shader that a fold can need, with a name.

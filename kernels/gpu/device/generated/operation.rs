@@ -1,5 +1,7 @@
 //! An operation or a program for a GPU: a function in WGSL, and the shapes as the processor prepares them.
+use super::by_hand::Kind;
 use crate::Error;
+use crate::ad::program::WGSL;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::wgsl::{Taken, exact, function_of};
@@ -16,6 +18,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// An operation, or a program, for GPUs: made once, compiled once per context.
 pub struct Generated<T> {
     pub(super) name: Name,
+    /// The boxes of a body by hand.
+    pub(super) kind: Option<Kind>,
+    /// What its functions call.
+    pub(super) head: String,
     /// For every shape that it takes, how it is checked and prepared.
     pub(super) arguments: Vec<Preparation<T>>,
     /// Numbers per item that the function takes of every argument and then of every cotangent.
@@ -24,11 +30,15 @@ pub struct Generated<T> {
     pub(super) gives: Vec<usize>,
     /// Functions in WGSL: the whole, and for all pairs the derivatives with respect to each argument.
     pub(super) bodies: Vec<Body>,
+    /// The same for shapes plain products of whose numbers over- or underflow; `None` where one body serves all.
+    pub(super) extreme: Option<Arc<Self>>,
 }
 
-/// A function in WGSL, called `body`.
+/// A function in WGSL.
 #[derive(Clone, Debug)]
 pub(super) struct Body {
+    /// Its name.
+    pub entry: &'static str,
     pub text: String,
     /// How many operations it has.
     pub operations: usize,
@@ -47,8 +57,9 @@ fn is_sine(node: Node) -> bool {
 }
 
 /// A piece as a function of so many numbers. It takes one at least: there are no arrays of none.
-pub(super) fn body_of(name: &str, piece: &Piece, inputs: usize, taken: &[Taken]) -> Body {
+pub(super) fn body_of(name: &'static str, piece: &Piece, inputs: usize, taken: &[Taken]) -> Body {
     Body {
+        entry: name,
         text: function_of(name, &piece.graph, &piece.outputs, inputs.max(1), taken),
         operations: piece.graph.len(),
         gives: piece.outputs.len(),
@@ -152,11 +163,31 @@ impl<T: Real> Generated<T> {
         let gives = mode.gives(&fields, &outputs);
         Ok(Generated {
             name: Name::default(),
+            kind: None,
+            head: format!("{WGSL}\n"),
             arguments,
             widths,
             gives,
             bodies,
+            extreme: None,
         })
+    }
+
+    /// The key of prepared shapes of an argument, and whose they are. Bodies by hand of the same boxes share them.
+    pub(super) fn prepared(&self, k: usize) -> ((u64, usize), Name) {
+        let (name, k) = match self.kind {
+            Some(kind) => (kind.prepared(), 0),
+            None => (self.name.clone(), k),
+        };
+        ((*name.0, k), name)
+    }
+
+    /// `true` if plain products of numbers of these shapes may over- or underflow, and a body knows of it.
+    pub(super) fn is_extreme(&self, k: usize, numbers: &[T]) -> bool {
+        let plan = &self.arguments[k];
+        self.extreme.is_some()
+            && !(plan.all_ordinary)(numbers)
+            && numbers.chunks_exact(plan.fields).any(plan.is_rare)
     }
 
     /// The prepared numbers of some shapes of an argument or cotangent, in tiles.

@@ -3,7 +3,6 @@ use super::uploaded::Sides;
 use crate::Error;
 use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::block::place_block;
-use crate::kernels::gpu::device::lists::Lists;
 use crate::kernels::item::Column;
 use crate::kernels::recording::Call;
 
@@ -16,13 +15,9 @@ impl Device {
         planes: &mut [f32],
     ) -> Result<(), Error> {
         let inner = &self.inner;
-        if call.mirror().is_some() {
-            let matrix = Lists::new(self, call, lists)?.matrix()?;
-            planes.copy_from_slice(&matrix.start_download()?.wait()?);
-            return Ok(());
-        }
         let made = call.generated(true)?;
         let sides = Sides::of(self, &made, lists)?;
+        let made = sides.body_for(made);
         let [rows, columns] = sides.counts();
         let fields = made.bodies[0].gives;
         let size = rows * columns;

@@ -350,7 +350,7 @@ fn bounds_of(list: &List<'_, f32>, i: usize) -> [f32; 4] {
 /// The kernel: a thread for a row and a word of columns. Parameters are how many rows and columns there are,
 /// the first column's index in the list and the first word that is wanted; where both lists begin; from where
 /// to where results are near to the threshold.
-pub(super) fn masks(made: &Generated<f32>, _body: &Body) -> String {
+pub(super) fn masks(made: &Generated<f32>, body: &Body) -> String {
     let mut text = String::from("@group(0) @binding(0) var<uniform> params: array<vec4u, 3>;\n");
     for (k, (access, name, of)) in [
         ("read", "a_numbers", "f32"),
@@ -371,7 +371,10 @@ pub(super) fn masks(made: &Generated<f32>, _body: &Body) -> String {
         );
     }
     let (outside, inside, inputs) = both(made, 0);
-    let (result, unread) = (call("body", inputs), bound(made, "a_numbers", "b_numbers"));
+    let (result, unread) = (
+        call(body.entry, inputs),
+        bound(made, "a_numbers", "b_numbers"),
+    );
     let _ = write!(
         text,
         "

@@ -1,16 +1,15 @@
 //! Kernels around a generated function: what every thread reads, calls and writes.
 use super::operation::{Body, Generated};
+use super::template::Of;
 use crate::kernels::cpu::lane::TILE;
 use std::fmt::Write;
 
 /// Threads per workgroup: few, as large programs need many registers.
 pub(in crate::kernels::gpu::device) const GROUP: usize = 64;
 pub(super) use crate::kernels::gpu::device::work::MOST_GROUPS;
-use crate::kernels::gpu::device::written::Take;
-/// Rows that a thread of all pairs walks through.
+use crate::kernels::gpu::device::written::{Seed, Take};
+/// Rows that a thread of all pairs walks through at least.
 pub(super) const ROWS: usize = 16;
-/// Rows (or columns) that a thread of an adjoint walks through.
-pub(super) const STRIP: usize = 256;
 
 /// The kernel around the function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -21,10 +20,8 @@ pub(in super::super) enum Form {
     Columns,
     /// Every row with every column.
     Pairs,
-    /// Sums of derivatives of every row of the first list.
-    RowDerivatives,
-    /// Sums of derivatives of every row of the second list.
-    ColumnDerivatives,
+    /// Sums of derivatives of the shapes of lists, with a factor for every pair or one for all.
+    Derivatives(Of, Seed),
     /// A reduction of every row with every column, by threads that stand for rows or for columns.
     Reduce(Take, bool),
     /// Which pairs are above a threshold, as bits.
@@ -44,8 +41,8 @@ impl Form {
             Form::Aligned => "aligned_main",
             Form::Columns => "columns_main",
             Form::Pairs => "pairs_main",
-            Form::RowDerivatives => "row_slopes_main",
-            Form::ColumnDerivatives => "column_slopes_main",
+            Form::Derivatives(Of::Both(_), _) => "pairs_vjp_main",
+            Form::Derivatives(..) => "slopes_main",
             Form::Reduce(..) => "reduce_main",
             Form::Masks => "masks_main",
             Form::Replay => "replay_main",
@@ -56,8 +53,8 @@ impl Form {
     /// The function that it calls.
     pub(super) fn body(self, made: &Generated<f32>) -> &Body {
         match self {
-            Form::RowDerivatives => &made.bodies[1],
-            Form::ColumnDerivatives => &made.bodies[2],
+            Form::Derivatives(Of::Rows, _) => &made.bodies[1],
+            Form::Derivatives(Of::Columns, _) => &made.bodies[2],
             _ => &made.bodies[0],
         }
     }

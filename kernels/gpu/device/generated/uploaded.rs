@@ -1,13 +1,14 @@
 //! Lists of all pairs on a GPU, and the blocks of results that they give: a thread per column and some rows.
 use super::held::held;
 use super::operation::Generated;
-use super::text::{Form, GROUP, MOST_GROUPS, ROWS};
+use super::template::Size;
+use super::text::{Form, MOST_GROUPS, ROWS};
 use crate::Error;
 use crate::kernels::cpu::checked::check_argument;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::block::Block;
-use crate::kernels::gpu::device::work::Work;
+use crate::kernels::gpu::device::work::{Params, Work};
 use crate::kernels::gpu::device::{Device, Inner};
 use crate::kernels::item::{Column, STRETCH};
 use std::ops::Range;
@@ -23,6 +24,8 @@ pub(super) struct Side {
     window: usize,
     buffers: Vec<wgpu::Buffer>,
     count: usize,
+    /// `true` if they need a body for extreme shapes.
+    is_extreme: bool,
 }
 
 impl Side {
@@ -42,28 +45,32 @@ impl Side {
         if window == 0 {
             return Err(inner.too_large(TILE * width));
         }
-        let mut buffers = Vec::new();
+        let (mut buffers, mut is_extreme) = (Vec::new(), false);
         for start in (0..count).step_by(window) {
-            let numbers = frames(made, k, column, start..count.min(start + window));
+            let (numbers, is_so) = frames(made, k, column, start..count.min(start + window));
             buffers.push(inner.guarded(|| Ok(inner.stored(&numbers)))?);
+            is_extreme |= is_so;
         }
         Ok(Side {
             window,
             buffers,
             count,
+            is_extreme,
         })
     }
     /// Puts as many other shapes in their place, without a new buffer.
     pub fn rewrite(
-        &self,
+        &mut self,
         inner: &Inner,
         made: &Generated<f32>,
         k: usize,
         column: &Column<'_, f32>,
     ) -> Result<(), Error> {
+        self.is_extreme = false;
         for (start, buffer) in (0..self.count).step_by(self.window).zip(&self.buffers) {
             let items = start..self.count.min(start + self.window);
-            let numbers = frames(made, k, column, items);
+            let (numbers, is_extreme) = frames(made, k, column, items);
+            self.is_extreme |= is_extreme;
             inner.guarded(|| {
                 inner.write(buffer, &numbers);
                 Ok(())
@@ -85,22 +92,24 @@ impl Side {
     }
 }
 
-/// The prepared numbers of some shapes, in tiles.
+/// The prepared numbers of some shapes, in tiles, and whether any of them is extreme.
 fn frames(
     made: &Generated<f32>,
     k: usize,
     column: &Column<'_, f32>,
     items: Range<usize>,
-) -> Vec<f32> {
+) -> (Vec<f32>, bool) {
     let starts = items.clone().step_by(STRETCH);
-    let mut parts = vec![Vec::new(); starts.len()];
+    let mut parts = vec![(Vec::new(), false); starts.len()];
     let work = starts.zip(&mut parts).collect();
-    spread(work, |(start, part): (usize, &mut Vec<f32>)| {
+    spread(work, |(start, part): (usize, &mut (Vec<f32>, bool))| {
         let mut room = Vec::new();
-        let own = start..items.end.min(start + STRETCH);
-        *part = made.prepare(k, column.numbers(own, &mut room));
+        let numbers = column.numbers(start..items.end.min(start + STRETCH), &mut room);
+        *part = (made.prepare(k, numbers), made.is_extreme(k, numbers));
     });
-    parts.concat()
+    let is_extreme = parts.iter().any(|part| part.1);
+    let numbers: Vec<_> = parts.into_iter().map(|part| part.0).collect();
+    (numbers.concat(), is_extreme)
 }
 
 /// Both lists, checked and brought up.
@@ -112,10 +121,37 @@ pub(in crate::kernels::gpu::device) struct Sides {
 /// One dispatch: where both lists are, what of them, and their place in a block of results.
 pub(super) struct Piece<'a> {
     pub buffers: [&'a wgpu::Buffer; 2],
-    pub rows: usize,
-    pub columns: usize,
-    /// The kernel's parameters.
-    pub params: Vec<[u32; 4]>,
+    /// Rows and columns, and the first ones in their buffers and in their lists.
+    pub counts: [usize; 2],
+    starts: [usize; 2],
+    pub firsts: [usize; 2],
+    /// The first result in the block, and the results of a row and of the block.
+    out_start: usize,
+    stride: usize,
+    plane: usize,
+}
+
+impl Piece<'_> {
+    /// The parameters of a kernel whose threads stand for the shapes of a list.
+    pub fn params(&self, own: usize) -> Params {
+        Params {
+            own_count: self.counts[own] as u32,
+            own_start: self.starts[own] as u32,
+            loop_count: self.counts[1 - own] as u32,
+            loop_start: self.starts[1 - own] as u32,
+            out_start: self.out_start as u32,
+            stride: self.stride as u32,
+            plane: self.plane as u32,
+            ..Params::default()
+        }
+    }
+    /// Workgroups of such a kernel.
+    pub fn groups(&self, own: usize, size: Size) -> [usize; 2] {
+        [
+            self.counts[own].div_ceil(size.own),
+            self.counts[1 - own].div_ceil(size.strip),
+        ]
+    }
 }
 
 impl Sides {
@@ -137,6 +173,13 @@ impl Sides {
             a: side(0)?,
             b: side(1)?,
         })
+    }
+    /// The kernels for these lists: those of a body for extreme shapes where there are any.
+    pub fn body_for(&self, made: Arc<Generated<f32>>) -> Arc<Generated<f32>> {
+        match &made.extreme {
+            Some(extreme) if self.a.is_extreme || self.b.is_extreme => Arc::clone(extreme),
+            _ => made,
+        }
     }
     /// How many rows and columns there are.
     pub fn counts(&self) -> [usize; 2] {
@@ -162,24 +205,18 @@ impl Sides {
             for (a, a_at, rows) in self.a.parts(rows.clone()) {
                 for start in rows.clone().step_by(most) {
                     let own = start..rows.end.min(start + most);
+                    let (row, column) = (
+                        own.start - block.row_base,
+                        columns.start - block.column_base,
+                    );
                     pieces.push(Piece {
                         buffers: [a, b],
-                        rows: own.len(),
-                        columns: columns.len(),
-                        params: vec![
-                            [
-                                own.len() as u32,
-                                columns.len() as u32,
-                                block.columns as u32,
-                                (block.rows * block.columns) as u32,
-                            ],
-                            [
-                                (a_at + own.start - rows.start) as u32,
-                                b_at as u32,
-                                (own.start - block.row_base) as u32,
-                                (columns.start - block.column_base) as u32,
-                            ],
-                        ],
+                        counts: [own.len(), columns.len()],
+                        starts: [a_at + own.start - rows.start, b_at],
+                        firsts: [own.start, columns.start],
+                        out_start: row * block.columns + column,
+                        stride: block.columns,
+                        plane: block.rows * block.columns,
                     });
                 }
             }
@@ -195,16 +232,18 @@ impl Sides {
         to: &wgpu::Buffer,
     ) -> Result<(), Error> {
         inner.guarded(|| {
-            let pipeline = inner.generated(&made.name, Form::Pairs, || Form::Pairs.text(made));
+            let (pipeline, size) = (made.pipeline(inner, Form::Pairs), made.size(Form::Pairs));
             let mut work = Work::new(inner);
             for piece in self.pieces(block, made.bodies[0].operations) {
                 let [a, b] = piece.buffers;
-                let groups = [
-                    piece.columns.div_ceil(GROUP) as u32,
-                    piece.rows.div_ceil(ROWS) as u32,
-                ];
-                let buffers = [(1, a), (2, b), (3, to)];
-                work.dispatch_with(&pipeline, &piece.params, &buffers, groups);
+                let [wide, tall] = piece.groups(1, size);
+                let groups = [wide as u32, tall as u32];
+                work.dispatch(
+                    &pipeline,
+                    piece.params(1),
+                    &[(1, a), (2, b), (4, to)],
+                    groups,
+                );
             }
             work.submit().map(drop)
         })

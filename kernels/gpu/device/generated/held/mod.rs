@@ -6,12 +6,10 @@
 //! has something computed of them beforehand has them brought to the processor once.
 use crate::Error;
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::gpu::device::data::Boxes;
 use crate::kernels::gpu::device::generated::aligned::tiles;
 use crate::kernels::gpu::device::generated::operation::Generated;
 use crate::kernels::gpu::device::generated::text::{GROUP, MOST_GROUPS};
 use crate::kernels::gpu::device::generated::uploaded::Side;
-use crate::kernels::gpu::device::written::Kind;
 use crate::kernels::gpu::device::{Device, Inner, Pending, locked};
 use crate::kernels::item::Column;
 use crate::kernels::reduce::Best;
@@ -44,8 +42,6 @@ struct State {
     /// As operations want them, by whose they are and which argument: for all items, and for all pairs.
     aligned: HashMap<(u64, usize), (Weak<u64>, u64, Windows)>,
     pairs: HashMap<(u64, usize), (Weak<u64>, u64, Side)>,
-    /// As kernels by hand want them.
-    boxes: Option<(u64, Boxes)>,
 }
 
 /// Items in tiles, cut into buffers.
@@ -274,7 +270,7 @@ impl HeldColumn {
         let inner = &self.gpu.inner;
         let mut state = locked(&self.state);
         let version = state.version;
-        let key = (*made.name.0, k);
+        let (key, owner) = made.prepared(k);
         if let Some((_, own, side)) = state.pairs.get(&key)
             && *own == version
         {
@@ -282,37 +278,20 @@ impl HeldColumn {
         }
         let rows = self.rows(&mut state)?;
         let column = Column::lent(&rows, self.fields, Some(self.count));
-        let side = match state.pairs.get(&key) {
-            Some((_, _, side)) => {
+        let there = state.pairs.get(&key).map(|(_, _, side)| side.clone());
+        let side = match there {
+            Some(mut side) => {
                 side.rewrite(inner, made, k, &column)?;
-                side.clone()
+                side
             }
             None => Side::new(inner, made, k, &column)?,
         };
         state
             .pairs
             .retain(|_, (owner, ..)| owner.strong_count() > 0);
-        let owner = Arc::downgrade(&made.name.0);
+        let owner = Arc::downgrade(&owner.0);
         state.pairs.insert(key, (owner, version, side.clone()));
         Ok(side)
-    }
-
-    /// The column as kernels by hand want it.
-    pub(in crate::kernels::gpu::device) fn boxes(&self, kind: Kind) -> Result<Boxes, Error> {
-        let inner = &self.gpu.inner;
-        let mut state = locked(&self.state);
-        let version = state.version;
-        let there = state.boxes.as_ref().filter(|(_, own)| own.kind == kind);
-        if let Some((own, boxes)) = there
-            && *own == version
-        {
-            return Ok(boxes.clone());
-        }
-        let there = there.map(|(_, boxes)| boxes.clone());
-        let rows = self.rows(&mut state)?;
-        let boxes = inner.guarded(|| Ok(inner.boxes(kind, &rows, there.as_ref())))?;
-        state.boxes = Some((version, boxes.clone()));
-        Ok(boxes)
     }
 
     /// The buffers that new results may overwrite: whole columns of one buffer. `None` if they lie in another way

@@ -1,0 +1,110 @@
+//! Bodies by hand: the overlap of boxes in the plane, which mirror their Rust source in WGSL.
+use super::operation::{Body, Generated, Name};
+use crate::Error;
+use crate::kernels::cpu::plan::Compiled;
+use crate::kernels::gpu::device::written::{CLIP, OVERLAP, PRELUDE, policy};
+use crate::kernels::recording::{Call, Mode};
+use crate::overlap::Denominator;
+use std::fmt::Write;
+use std::sync::{Arc, LazyLock};
+
+/// Boxes that have bodies by hand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Kind {
+    /// [`Obb2`](crate::Obb2).
+    Rotated,
+    /// [`Aabb2`](crate::Aabb2).
+    AxisAligned,
+}
+
+impl Kind {
+    /// The boxes of compiled kernels and the divisor of the area of intersection, if they have a body by hand.
+    pub fn of(compiled: Compiled) -> Option<(Self, Denominator)> {
+        match compiled {
+            Compiled::Obb2(over) => Some((Kind::Rotated, over)),
+            Compiled::Aabb2(over) => Some((Kind::AxisAligned, over)),
+            _ => None,
+        }
+    }
+    /// The boxes in WGSL.
+    fn text(self) -> &'static str {
+        match self {
+            Kind::Rotated => include_str!("../../wgsl/obb2.wgsl"),
+            Kind::AxisAligned => include_str!("../../wgsl/aabb2.wgsl"),
+        }
+    }
+    /// The name of its prepared boxes, whatever the score.
+    pub fn prepared(self) -> Name {
+        static NAMES: LazyLock<[Name; 2]> = LazyLock::new(Default::default);
+        NAMES[self as usize].clone()
+    }
+}
+
+/// Operations of a body by hand, for the size of a dispatch.
+const OPERATIONS: usize = 1 << 12;
+
+impl Generated<f32> {
+    /// The body by hand of a call for all pairs, if it has one. Boxes are prepared as for batches on the processor, so
+    /// that both machines start from the same sines, for huge headings and for long thin boxes too.
+    pub(in crate::kernels::gpu::device) fn by_hand(
+        call: &Call<f32>,
+    ) -> Result<Option<Self>, Error> {
+        let Some((kind, over)) = call.recording.compiled.and_then(Kind::of) else {
+            return Ok(None);
+        };
+        let (entry, seeds) = match call.mode {
+            Mode::Value => ("value_of", 0),
+            Mode::Vjp => ("grad_of", 1),
+            Mode::ValueGrad | Mode::Jacobian => return Ok(None),
+        };
+        let made = |is_extreme: bool| {
+            let arguments = call.plan(true)?.arguments.clone();
+            let mut widths: Vec<usize> = arguments.iter().map(|x| x.frame_fields()).collect();
+            widths.extend([1; 1][..seeds].iter());
+            let fields: Vec<usize> = arguments.iter().map(|x| x.fields).collect();
+            let (gives, numbers) = match seeds {
+                0 => (vec![1], 1),
+                _ => (fields.clone(), 1 + fields.iter().sum::<usize>()),
+            };
+            let takes = widths.iter().sum();
+            let body = Body {
+                entry,
+                text: String::new(),
+                operations: OPERATIONS,
+                gives: numbers,
+            };
+            Ok(Generated {
+                name: Name::default(),
+                kind: Some(kind),
+                head: head(kind, over, is_extreme, takes),
+                arguments,
+                widths,
+                gives,
+                bodies: vec![body],
+                extreme: None,
+            })
+        };
+        let mut ordinary = made(false)?;
+        if kind == Kind::Rotated {
+            ordinary.extreme = Some(Arc::new(made(true)?));
+        }
+        Ok(Some(ordinary))
+    }
+}
+
+/// The functions that a body is one of. With `is_extreme` they serve boxes plain products of whose numbers over- or
+/// underflow.
+fn head(kind: Kind, over: Denominator, is_extreme: bool, takes: usize) -> String {
+    let mut text = policy();
+    let _ = writeln!(
+        text,
+        "const TAKES: u32 = {takes}u;\nconst DENOMINATOR: u32 = {}u;\nconst IS_RATIO: bool = {};\n\
+         const EXTREME: bool = {is_extreme};",
+        over as u32,
+        over != Denominator::None,
+    );
+    for file in [PRELUDE, CLIP, OVERLAP, kind.text()] {
+        text.push_str(file);
+    }
+    text
+}

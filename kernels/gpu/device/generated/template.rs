@@ -1,0 +1,274 @@
+//! Templates of all pairs around a body, generated or by hand: the functions that name its numbers, and sizes.
+use super::operation::{Body, Generated};
+use super::text::{Form, GROUP, bound, call, numbers};
+use crate::kernels::gpu::device::written::{
+    self, BINDINGS, GROUP_VJP, PARAMS, REDUCE, STEP, STRIP_VJP, Seed, sizes, step_vjp,
+};
+use std::fmt::Write;
+
+/// The lists whose derivatives a kernel sums.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(in crate::kernels::gpu::device) enum Of {
+    /// The first one.
+    Rows,
+    /// The second one.
+    Columns,
+    /// Both, with so many slots for sums of rows: the most subgroups that a workgroup has; 0 without subgroups.
+    Both(usize),
+}
+
+/// Numbers that are walked and kept near the threads at a time: 8 KiB of the 16 that WebGPU guarantees.
+const NEAR: usize = 2048;
+
+/// Threads and walked shapes of a kernel.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::kernels::gpu::device) struct Size {
+    /// Threads of a workgroup.
+    group: usize,
+    /// Own shapes of a workgroup.
+    pub own: usize,
+    /// Walked shapes near the threads at most.
+    step: usize,
+    /// Walked shapes of a thread.
+    pub strip: usize,
+}
+
+impl Generated<f32> {
+    /// The size of a kernel of all pairs.
+    pub(in crate::kernels::gpu::device) fn size(&self, form: Form) -> Size {
+        // Large programs need many registers: few threads.
+        let (group, step) = match self.kind {
+            Some(_) => (written::GROUP, STEP),
+            None => (GROUP, 16),
+        };
+        let size = Size {
+            group,
+            own: group,
+            step,
+            strip: step,
+        };
+        match form {
+            Form::Reduce(..) => Size {
+                strip: written::STRIP,
+                ..size
+            },
+            Form::Derivatives(Of::Both(slots), _) => Size {
+                group: GROUP_VJP,
+                own: 2 * GROUP_VJP,
+                step: step_vjp(slots),
+                strip: STRIP_VJP,
+            },
+            // A step is summed by itself.
+            Form::Derivatives(..) => Size {
+                step: 16,
+                strip: STRIP_VJP,
+                ..size
+            },
+            _ => size,
+        }
+    }
+    /// The lists whose derivatives each kernel of an adjoint sums: a body by hand gives those of both at once.
+    pub(super) fn passes(&self, slots: usize) -> Vec<Of> {
+        match self.kind {
+            Some(_) => vec![Of::Both(slots)],
+            None => vec![Of::Rows, Of::Columns],
+        }
+    }
+}
+
+/// The kernel of a form of all pairs.
+pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
+    let size = made.size(form);
+    let (own, has_seed, slots) = match form {
+        Form::Reduce(_, own_rows) => (usize::from(!own_rows), false, 0),
+        Form::Derivatives(Of::Rows, _) => (0, true, 0),
+        Form::Derivatives(Of::Columns, _) => (1, true, 0),
+        Form::Derivatives(Of::Both(slots), _) => (1, true, slots),
+        _ => (1, false, 0),
+    };
+    // Arrays of none do not exist.
+    let width = made.widths[1 - own].max(1);
+    let step = (NEAR / width).clamp(1, size.step);
+    let mut text = sizes(size.group, step, size.strip);
+    let _ = writeln!(
+        text,
+        "const WALKED: u32 = {width}u;\nconst OWN_ROWS: bool = {};\nconst SLOTS: u32 = {}u;",
+        own == 0,
+        slots.max(1),
+    );
+    text += PARAMS;
+    text += BINDINGS;
+    text += include_str!("../../wgsl/walked.wgsl");
+    text += &shapes(made, body, own, has_seed);
+    match form {
+        Form::Reduce(take, _) => {
+            for file in [
+                REDUCE,
+                include_str!("../../wgsl/reduce_shapes.wgsl"),
+                take.text(),
+            ] {
+                text += file;
+            }
+        }
+        Form::Derivatives(of, seed) => {
+            text += &bars(made, body, of);
+            text += seed.text();
+            match of {
+                Of::Both(slots) => {
+                    text += match seed {
+                        Seed::Matrix => include_str!("../../wgsl/total_unused.wgsl"),
+                        Seed::Factor => include_str!("../../wgsl/total_kept.wgsl"),
+                    };
+                    text += include_str!("../../wgsl/vjp.wgsl");
+                    text += match slots {
+                        0 => include_str!("../../wgsl/sum_workgroup.wgsl"),
+                        _ => include_str!("../../wgsl/sum_subgroup.wgsl"),
+                    };
+                }
+                _ => text += include_str!("../../wgsl/slopes.wgsl"),
+            }
+        }
+        _ => {
+            text += include_str!("../../wgsl/pairs.wgsl");
+            text += &put_pair(body);
+        }
+    }
+    text
+}
+
+/// The functions that name the numbers of shapes, and call the body.
+fn shapes(made: &Generated<f32>, body: &Body, own: usize, has_seed: bool) -> String {
+    let names = ["a_numbers", "b_numbers"];
+    let [wide, width] = [own, 1 - own].map(|k| made.widths[k]);
+    let mut own_numbers: Vec<String> = numbers(names[own], "at", wide).collect();
+    if own_numbers.is_empty() {
+        own_numbers.push("0.0".to_owned());
+    }
+    let walked_number = match width {
+        0 => "0.0".to_owned(),
+        _ => format!("{}[at]", names[1 - own]),
+    };
+    let mut inputs = Vec::new();
+    for k in [0, 1] {
+        let number = |i: usize| match k == own {
+            true => format!("own[{i}]"),
+            false => format!("near[{i}u * STEP + i]"),
+        };
+        inputs.extend((0..made.widths[k]).map(number));
+    }
+    if has_seed {
+        inputs.push("seed".to_owned());
+    }
+    let seed = if has_seed { ", seed: f32" } else { "" };
+    format!(
+        "
+alias Own = array<f32, {own_count}>;
+
+fn own_at(item: u32) -> Own {{
+{}    let at = place(item, {own_count}u);
+    return Own({});
+}}
+
+fn walked_number(at: u32) -> f32 {{
+    return {walked_number};
+}}
+
+fn body_at(own: Own, i: u32{seed}) -> array<f32, {}> {{
+    return {};
+}}
+",
+        bound(made, names[0], names[1]),
+        own_numbers.join(", "),
+        body.gives,
+        call(body.entry, inputs),
+        own_count = wide.max(1),
+    )
+}
+
+/// The function that puts down the results of a pair.
+fn put_pair(body: &Body) -> String {
+    let gives = body.gives;
+    let lines = (0..gives).map(|k| format!("    values[at + {k}u * params.plane] = y[{k}];\n"));
+    format!(
+        "\nfn put_pair(y: array<f32, {gives}>, at: u32) {{\n{}}}\n",
+        lines.collect::<String>()
+    )
+}
+
+/// The functions that add and put down derivatives.
+fn bars(made: &Generated<f32>, body: &Body, of: Of) -> String {
+    let mut text = String::new();
+    let gives = body.gives;
+    // Where derivatives of own and of walked shapes begin in the results of the body.
+    let (own, own_at, walked) = match of {
+        Of::Rows | Of::Columns => (gives, 0, None),
+        Of::Both(_) => (made.gives[1], 1 + made.gives[0], Some((made.gives[0], 1))),
+    };
+    let lines =
+        |count: usize, line: &dyn Fn(usize) -> String| (0..count).map(line).collect::<String>();
+    let mut adders = |name: &str, bar: &str, fields: usize, at: usize| {
+        let from_y = lines(fields, &|k| format!("    (*sum)[{k}] += y[{}];\n", at + k));
+        let from_bar = lines(fields, &|k| format!("    (*sum)[{k}] += bar[{k}];\n"));
+        let _ = write!(
+            text,
+            "
+alias {bar} = array<f32, {fields}>;
+
+fn add_{name}(sum: ptr<function, {bar}>, y: array<f32, {gives}>) {{
+{from_y}}}
+
+fn add_{name}_bar(sum: ptr<function, {bar}>, bar: {bar}) {{
+{from_bar}}}
+"
+        );
+    };
+    adders("own", "OwnBar", own, own_at);
+    if let Some((fields, at)) = walked {
+        adders("walked", "WalkedBar", fields, at);
+    }
+    let put = lines(own, &|k| {
+        format!("    own_bars[(strip * {own}u + {k}u) * params.own_count + item] = bar[{k}];\n")
+    });
+    let _ = write!(
+        text,
+        "
+fn put_own(bar: OwnBar, item: u32, strip: u32) {{
+{put}}}
+"
+    );
+    if let (Of::Both(slots), Some((fields, _))) = (of, walked) {
+        let put = lines(fields, &|k| {
+            format!("    slot_sums[at + {k}u] = bar[{k}];\n")
+        });
+        let zero: Vec<String> = (0..fields).map(|k| format!("bar[{k}] == 0.0")).collect();
+        let _ = write!(
+            text,
+            "
+const WALKED_BAR: u32 = {fields}u;
+
+fn put_slot(bar: WalkedBar, at: u32) {{
+{put}}}
+
+fn is_zero(bar: WalkedBar) -> bool {{
+    return {};
+}}
+",
+            zero.join(" && ")
+        );
+        if slots > 0 {
+            let sums: Vec<String> = (0..fields)
+                .map(|k| format!("subgroupAdd(bar[{k}])"))
+                .collect();
+            let _ = write!(
+                text,
+                "
+fn subgroup_sums(bar: WalkedBar) -> WalkedBar {{
+    return WalkedBar({});
+}}
+",
+                sums.join(", ")
+            );
+        }
+    }
+    text
+}
