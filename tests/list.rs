@@ -33,6 +33,62 @@ pub fn rows() -> Vec<&'static Tested> {
     }
 }
 
+/// Rows that a slow test judges today, of these: every third one, others each day, and rows that are wanted on all days.
+/// All of them with `GEOGRAD_ALL_ROWS=1`, or if `GEOGRAD_OP` names some.
+///
+/// # Panics
+///
+/// If no row has a name that is wanted on all days.
+#[must_use]
+pub fn todays(rows: Vec<&'static Tested>, always: &[&str]) -> Vec<&'static Tested> {
+    if std::env::var("GEOGRAD_ALL_ROWS").is_ok_and(|x| x == "1")
+        || std::env::var("GEOGRAD_OP").is_ok()
+    {
+        return rows;
+    }
+    for name in always {
+        assert!(
+            rows.iter().any(|row| row.name() == *name),
+            "no row is named {name}"
+        );
+    }
+    let now = std::time::SystemTime::now();
+    let since = now
+        .duration_since(std::time::UNIX_EPOCH)
+        .expect("a clock that is set");
+    let day = (since.as_secs() / 86_400) as usize;
+    let chosen = rows.into_iter().enumerate();
+    let chosen = chosen.filter(|(k, row)| (k + day) % SHARE == 0 || always.contains(&row.name()));
+    let chosen: Vec<_> = chosen.map(|(_, row)| row).collect();
+    eprintln!("{} rows today; GEOGRAD_ALL_ROWS=1 takes all", chosen.len());
+    chosen
+}
+
+/// Rows that have compiled kernels.
+pub const COMPILED: [&str; 18] = [
+    "intersection_area_obb2",
+    "intersection_area_aabb2",
+    "intersection_area_quads",
+    "iou_obb2",
+    "iou_aabb2",
+    "iof_obb2",
+    "iof_aabb2",
+    "giou_obb2",
+    "intersection_volume_aabb3",
+    "intersection_volume_yaw",
+    "intersection_volume_obb3",
+    "iou_aabb3",
+    "iou_yaw",
+    "iou_obb3",
+    "iof_aabb3",
+    "iof_yaw",
+    "iof_obb3",
+    "iou_birds_eye",
+];
+
+/// A slow test judges one row of so many a day.
+const SHARE: usize = 3;
+
 /// The rows that the harness checks.
 #[must_use]
 pub fn checked() -> Vec<&'static Tested> {

@@ -4,7 +4,8 @@ use geograd::kernels::op::{Derivative, Extremes, Finite, Jumps, Limits, Op, Rang
 use geograd::kernels::real::Real;
 use geograd::kernels::{Cpu, Single};
 use geograd::{Aabb2, Fixed, Obb2, Pack, Scalar};
-use geograd_tests::fuzzers::{Fuzzer, walk};
+use geograd_tests::fuzzers::{Fuzzer, fuzzers, walk};
+use geograd_tests::list;
 use geograd_tests::rows::{GiouObb2, IntersectionAreaQuads, IouAabb2, IouAabb3, IouObb2, IouObb3};
 
 /// Inputs of every row in either format; the report takes many more.
@@ -13,7 +14,8 @@ const COUNT: u64 = 512;
 #[test]
 fn every_operation_keeps_its_properties() {
     let mut broken = Vec::new();
-    for fuzzer in geograd_tests::fuzzers::fuzzers() {
+    // The report fuzzes every row.
+    for fuzzer in fuzzers(list::todays(list::rows(), &[])) {
         let fuzzed = (fuzzer.run)(COUNT, 2);
         let Fuzzer { name, wide, .. } = fuzzer;
         assert!(fuzzed.inputs >= COUNT, "{name}, f64: {wide}");

@@ -132,7 +132,7 @@ const UNEVEN: [[usize; 2]; 10] = [
 fn every_row_has_the_bits_of_a_call_per_group() {
     fn of<T: Both + Into<f64>>() {
         let mut rows = 0;
-        for row in list::rows() {
+        for row in list::todays(list::rows(), &[]) {
             let Some(function) = row.operation.value::<T>() else {
                 continue;
             };
@@ -143,7 +143,7 @@ fn every_row_has_the_bits_of_a_call_per_group() {
             agrees(row.name(), &function, &lists, [-0.5, 0.0, 0.3]);
             rows += 1;
         }
-        assert!(rows == 1 || rows > 100, "{rows} rows");
+        assert!(rows == 1 || rows > 30, "{rows} rows");
     }
     of::<f32>();
     of::<f64>();

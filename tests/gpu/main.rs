@@ -146,13 +146,13 @@ fn measures_of_rings() {
     of::<Centroid>();
 }
 
-/// Shader text needs no GPU to be judged.
+/// Shader text needs no GPU to be judged. A row's templates are those of all rows, its bodies are its own.
 #[test]
 fn shaders_are_valid() {
     for (name, text) in common_sources() {
         validate(&name, &text);
     }
-    list::each(&list::rows(), |row| {
+    list::each(&list::todays(list::rows(), &EVERY_FORM), |row| {
         for (name, text) in row.shaders().unwrap() {
             validate(&name, &text);
         }
@@ -161,7 +161,7 @@ fn shaders_are_valid() {
 
 #[test]
 fn searches_are_replayed() {
-    list::each(&list::rows(), replays::agrees);
+    list::each(&list::todays(list::rows(), &[]), replays::agrees);
 }
 
 /// Rows of which every form runs: by hand and generated, of shapes with and without angles, of two lists and of one. Forms
@@ -183,7 +183,7 @@ fn all_pairs_of_every_row() {
     let rows = list::rows();
     let found = rows.iter().filter(|row| EVERY_FORM.contains(&row.name()));
     assert_eq!(found.count(), EVERY_FORM.len(), "a name that no row has");
-    list::each(&rows, |row| {
+    list::each(&list::todays(rows, &EVERY_FORM), |row| {
         if row.operation.sort == Sort::Straight {
             agree(row, EVERY_FORM.contains(&row.name()));
         }

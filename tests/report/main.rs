@@ -90,7 +90,7 @@ fn options() -> Result<Option<Options>, String> {
 
 /// Fuzzes every chosen operation and prints a line of each.
 fn fuzz_all(options: &Options, count: u64) -> ExitCode {
-    let jobs: Vec<Fuzzer> = fuzzers::fuzzers()
+    let jobs: Vec<Fuzzer> = fuzzers::fuzzers(geograd_tests::list::rows())
         .into_iter()
         .filter(|fuzzer| options.wants(fuzzer.name, fuzzer.wide))
         .collect();

@@ -16,7 +16,7 @@ where
 {
     let mut random = Random(0x1234_5678_9abc);
     let mut hits = 0;
-    for _ in 0..3000 {
+    for round in 0..3000 {
         let shape = make(&mut random);
         let ray = Ray3::new(random.vector(2.0), random.vector(1.0));
         let depth = |t: f64| signed_distance(ray.point_at(t), shape);
@@ -61,7 +61,12 @@ where
             let t = hit.parameter * f64::from(k) / 50.0;
             assert_eq!(depth(t) < 0.0, starts_inside, "{told}: {ray:?} {shape:?}");
         }
-        // What a segment has inside: by counting.
+        let chord = span(ray.line(), shape);
+        assert!(chord.enter == hit.parameter || chord.exit == hit.parameter);
+        // The length that a segment has inside: by counting, which takes long.
+        if round % 10 != 0 {
+            continue;
+        }
         let wire = Segment3::new(ray.point, ray.point_at(3.0));
         let inside = (0..2000)
             .filter(|&k| depth((f64::from(k) + 0.5) * 0.0015) < 0.0)
@@ -72,8 +77,6 @@ where
             (found - counted).abs() < 2e-3 * wire.length(),
             "{told}: {found} {counted}"
         );
-        let chord = span(ray.line(), shape);
-        assert!(chord.enter == hit.parameter || chord.exit == hit.parameter);
     }
     assert!(hits > 50, "{told}: {hits}");
 }
@@ -487,7 +490,7 @@ where
 {
     let mut random = Random(0x51_9417);
     let (mut apart, mut through) = (0, 0);
-    for _ in 0..1000 {
+    for _ in 0..300 {
         let (solid, corners, is_deep) = make(&mut random);
         let (from, way) = sight(&mut random, &corners);
         if way.length() < 1e-3 {
@@ -554,8 +557,8 @@ where
             close(best, depth, 0.05);
         }
     }
-    assert!(apart > 200, "{told} {apart}");
-    assert!(through > 50 || told == "triangle", "{told} {through}");
+    assert!(apart > 60, "{told} {apart}");
+    assert!(through > 15 || told == "triangle", "{told} {through}");
 }
 
 #[test]
