@@ -3,7 +3,8 @@ use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check, expect};
 use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::cpu::{Cpu, Single};
-use crate::kernels::item::Column;
+use crate::kernels::item::{Column, Columns};
+use crate::kernels::machine::{Machine, Number, On};
 use crate::kernels::op::Runs;
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found, check_threshold};
@@ -76,34 +77,34 @@ pub(crate) fn ranked_groups<T: Real>(
     Ok((order, ends))
 }
 
-impl Cpu {
+/// Pairs within groups. A GPU takes all groups together; it refuses searches
+/// ([`Unrecordable::Search`](crate::Unrecordable::Search)).
+impl<E: ?Sized> Machine<E> {
     /// Every pair within a group whose result is above the threshold, row by row and within a row by column:
-    /// [`above`](Cpu::above) of every group, with the places that shapes have in the whole lists.
+    /// [`above`](Machine::above) of every group, with the places that shapes have in the whole lists.
     ///
     /// # Errors
     ///
-    /// As [`above`](Cpu::above); [`Error::GroupsOf`] for offsets that decrease or do not cover their list, and
+    /// As [`above`](Machine::above); [`Error::GroupsOf`] for offsets that decrease or do not cover their list, and
     /// [`Error::Length`] for lists of different numbers of groups.
-    pub fn above_grouped<A: Single, B: Single<Scalar = A::Scalar>, R>(
+    pub fn above_grouped<A, B, R>(
         &self,
         run: R,
-        a: &[A],
-        b: &[B],
+        a: A,
+        b: B,
         groups: Groups<'_>,
-        threshold: A::Scalar,
-    ) -> Result<Vec<Found<A::Scalar>>, Error>
+        threshold: Number<A>,
+    ) -> Result<Vec<Found<Number<A>>>, Error>
     where
-        R: Runs<(A, B), Out = A::Scalar>,
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
     {
         check_threshold(threshold)?;
-        let spans = groups.spans([a.len(), b.len()])?;
-        let face = run.call()?.plan(true)?;
-        let lists = [Column::of(a), Column::of(b)];
-        let mut pairs = self.engine.lists(&face, &lists)?;
-        pairs.filter &= threshold >= A::Scalar::default();
-        Ok((A::Scalar::drivers().above_grouped)(
-            &pairs, spans, threshold,
-        ))
+        let (call, lists) = (run.call()?, [a.list_of_shapes(), b.list_of_shapes()]);
+        let spans = groups.spans(lists.each_ref().map(Column::len))?;
+        self.engine().above_grouped(&call, &lists, spans, threshold)
     }
 
     /// The largest result of every row within its group, and its column in the whole list; of several the first. `None`
@@ -111,7 +112,7 @@ impl Cpu {
     ///
     /// # Errors
     ///
-    /// As [`above_grouped`](Cpu::above_grouped), but for a threshold.
+    /// As [`above_grouped`](Machine::above_grouped), but for a threshold.
     ///
     /// ```
     /// use geograd::kernels::{Cpu, Groups, Iou};
@@ -123,17 +124,20 @@ impl Cpu {
     /// assert_eq!(best[1].map(|best| best.index), Some(1));
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn row_max_grouped<A: Single, B: Single<Scalar = A::Scalar>, R>(
+    pub fn row_max_grouped<A, B, R>(
         &self,
         run: R,
-        a: &[A],
-        b: &[B],
+        a: A,
+        b: B,
         groups: Groups<'_>,
-    ) -> Result<Vec<Option<Best<A::Scalar>>>, Error>
+    ) -> Result<Vec<Option<Best<Number<A>>>>, Error>
     where
-        R: Runs<(A, B), Out = A::Scalar>,
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
     {
-        self.most_grouped(run, a, b, groups, true)
+        self.most_grouped(&run, &a, &b, groups, true)
     }
 
     /// The largest result of every column within its group, and its row in the whole list; of several the first. `None`
@@ -141,39 +145,46 @@ impl Cpu {
     ///
     /// # Errors
     ///
-    /// As [`row_max_grouped`](Cpu::row_max_grouped).
-    pub fn column_max_grouped<A: Single, B: Single<Scalar = A::Scalar>, R>(
+    /// As [`row_max_grouped`](Machine::row_max_grouped).
+    pub fn column_max_grouped<A, B, R>(
         &self,
         run: R,
-        a: &[A],
-        b: &[B],
+        a: A,
+        b: B,
         groups: Groups<'_>,
-    ) -> Result<Vec<Option<Best<A::Scalar>>>, Error>
+    ) -> Result<Vec<Option<Best<Number<A>>>>, Error>
     where
-        R: Runs<(A, B), Out = A::Scalar>,
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
     {
-        self.most_grouped(run, a, b, groups, false)
+        self.most_grouped(&run, &a, &b, groups, false)
     }
 
     /// The largest result of every row, or of every column, within its group.
-    fn most_grouped<A: Single, B: Single<Scalar = A::Scalar>, R>(
+    fn most_grouped<A, B, R>(
         &self,
-        run: R,
-        a: &[A],
-        b: &[B],
+        run: &R,
+        a: &A,
+        b: &B,
         groups: Groups<'_>,
         of_rows: bool,
-    ) -> Result<Vec<Option<Best<A::Scalar>>>, Error>
+    ) -> Result<Vec<Option<Best<Number<A>>>>, Error>
     where
-        R: Runs<(A, B), Out = A::Scalar>,
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        Number<A>: On<E>,
     {
-        let spans = groups.spans([a.len(), b.len()])?;
-        let face = run.call()?.plan(true)?;
-        let lists = [Column::of(a), Column::of(b)];
-        let pairs = self.engine.lists(&face, &lists)?;
-        Ok((A::Scalar::drivers().most_grouped)(&pairs, spans, of_rows))
+        let (call, lists) = (run.call()?, [a.list_of_shapes(), b.list_of_shapes()]);
+        let spans = groups.spans(lists.each_ref().map(Column::len))?;
+        self.engine().most_grouped(&call, &lists, spans, of_rows)
     }
+}
 
+/// Suppression within groups. It decides shape by shape, on the CPU alone.
+impl Cpu {
     /// The shapes that no better one of their group, kept itself, overlaps by more than the threshold: their places in
     /// the whole list, group by group and in a group the best first. Each group keeps at most as many as the rules say.
     ///

@@ -27,18 +27,17 @@ mod source;
 mod work;
 
 use common::cli::{Failure, Machine, Wish, on_the_cpu, say};
-use options::{Asked, HELP, Options, Which, list, options};
+use options::{Asked, HELP, Options, list, options};
 use std::process::ExitCode;
 
 const PROGRAM: &str = "table";
 
-/// The machine asked for, as far as it has the format and the form.
+/// The machine asked for, as far as it has the format.
 fn machine(options: &Options) -> Result<Machine, Failure> {
-    let why = match (&options.which, options.double) {
-        (_, true) => "GPUs have no f64; `--precision f32` allows one",
-        (Which::Groups(_), _) => "groups run on the CPU",
-        _ => return options.wish.machine(PROGRAM),
-    };
+    if !options.double {
+        return options.wish.machine(PROGRAM);
+    }
+    let why = "GPUs have no f64; `--precision f32` allows one";
     match options.wish {
         Wish::Cpu => Ok(Machine::Cpu),
         Wish::Auto => Ok(on_the_cpu(PROGRAM, why)),

@@ -3,6 +3,7 @@ use arrow::array::{ArrayRef, ArrowPrimitiveType, PrimitiveArray};
 use arrow::datatypes::{ArrowNativeType, DataType, Float32Type, Float64Type};
 use common::cli::Machine;
 use geograd::Error;
+use geograd::kernels::Groups;
 use geograd::kernels::dynamic::{Format, Function, Rows};
 use geograd::kernels::reduce::Found;
 use std::str::FromStr;
@@ -26,6 +27,15 @@ pub trait Number: Format + FromStr + ArrowNativeType {
         function: &Function<Self>,
         machine: &Machine,
         rows: [Rows<'_, Self>; 2],
+        threshold: Self,
+    ) -> Result<Vec<Found<Self>>, Error>;
+
+    /// The same within groups.
+    fn found_grouped(
+        function: &Function<Self>,
+        machine: &Machine,
+        rows: [Rows<'_, Self>; 2],
+        groups: Groups<'_>,
         threshold: Self,
     ) -> Result<Vec<Found<Self>>, Error>;
 
@@ -60,6 +70,15 @@ impl Number for f32 {
     ) -> Result<Vec<Found>, Error> {
         function.above_on(machine.backend(), a, b, threshold)
     }
+    fn found_grouped(
+        function: &Function<f32>,
+        machine: &Machine,
+        [a, b]: [Rows<'_, f32>; 2],
+        groups: Groups<'_>,
+        threshold: f32,
+    ) -> Result<Vec<Found>, Error> {
+        function.above_grouped_on(machine.backend(), a, b, groups, threshold)
+    }
 }
 
 impl Number for f64 {
@@ -82,5 +101,14 @@ impl Number for f64 {
         threshold: f64,
     ) -> Result<Vec<Found<f64>>, Error> {
         function.above(a, b, threshold)
+    }
+    fn found_grouped(
+        function: &Function<f64>,
+        _: &Machine,
+        [a, b]: [Rows<'_, f64>; 2],
+        groups: Groups<'_>,
+        threshold: f64,
+    ) -> Result<Vec<Found<f64>>, Error> {
+        function.above_grouped(a, b, groups, threshold)
     }
 }

@@ -21,8 +21,8 @@ Usage: table --verb VERB --a SHAPE:FILE [--b SHAPE:FILE] [--c ...] [--d ...] [op
   --grad                   also the derivatives by every number of the arguments; of results of one number
   --to SHAPE               the shape of the result, where a verb gives several
   --precision f32|f64      the format to compute in [default: f64]
-  --backend cpu|gpu|auto   the machine to compute on [default: cpu]. A GPU needs a build with `--features gpu`,
-                           --precision f32, and no groups.
+  --backend cpu|gpu|auto   the machine to compute on [default: cpu]. A GPU needs a build with `--features gpu`
+                           and --precision f32.
   --out FILE               the result, by its name Parquet or CSV [default: CSV to standard output]
   --help                   this text
 

@@ -468,6 +468,9 @@ fn a_gpu_computes_what_the_cpu_does() {
         "--all-pairs",
         "--all-pairs --above 0.3",
         "--above 0.5 --grad",
+        "--group frame",
+        "--group frame --above 0.3",
+        "--group frame --above 0.3 --grad",
     ] {
         let wanted = good(&at, &format!("{files} {more}"));
         let done = run(&at, &format!("{files} {more} --backend gpu"));
@@ -489,10 +492,6 @@ fn a_gpu_computes_what_the_cpu_does() {
         Some(0)
     );
     assert!(bad(&at, 2, far).contains("GPUs have no f64"));
-    assert!(
-        bad(&at, 2, &format!("{far} --precision f32 --group frame"))
-            .contains("groups run on the CPU")
-    );
 }
 
 #[test]

@@ -304,10 +304,9 @@ impl<'a, T: Number> Work<'a, T> {
             match self.options.above {
                 Some(threshold) => {
                     let groups = Groups::new(&offsets[0], &offsets[1]);
-                    let (rows, columns) = (a.rows(ends[0]), b.rows(ends[1]));
-                    let found =
-                        self.value
-                            .above_grouped(rows, columns, groups, T::near(threshold))?;
+                    let rows = [a.rows(ends[0]), b.rows(ends[1])];
+                    let (of, on, threshold) = (&self.value, self.machine, T::near(threshold));
+                    let found = T::found_grouped(of, on, rows, groups, threshold)?;
                     self.pairs([a, b], listed(&found))?;
                 }
                 None => {

@@ -5,6 +5,7 @@ use crate::kernels::cpu::aligned::{checked, compute, compute_unchecked};
 use crate::kernels::cpu::checked::{
     check, check_argument, check_upstream, entries, expect, restore, tame,
 };
+use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::Face;
 use crate::kernels::cpu::sweep::Upstream;
@@ -12,7 +13,7 @@ use crate::kernels::item::{Column, Target};
 use crate::kernels::machine::{Engine, Numbers, Reduced, Reduction, Seed, count_of};
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Call, Mode};
-use crate::kernels::reduce;
+use crate::kernels::reduce::{self, Best, Found};
 use crate::kernels::resident::{Bests, FOREIGN, Founds, Matrix, Ready, Stays, Stored};
 use crate::kernels::suppress::Ranked;
 use crate::suppression::{Rules, order};
@@ -197,6 +198,32 @@ impl<T: Real> Engine<T> for Processor {
             Reduction::Count(threshold) => Reduced::Count((drivers.count_above)(&pairs, threshold)),
             Reduction::Sum => Reduced::Sum((drivers.sum)(&pairs)),
         })
+    }
+
+    fn above_grouped(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        groups: Spans<'_>,
+        threshold: T,
+    ) -> Result<Vec<Found<T>>, Error> {
+        let face = call.plan(true)?;
+        let mut pairs = self.lists(&face, lists)?;
+        // Zeros are above a negative threshold, too.
+        pairs.filter &= threshold >= T::default();
+        Ok((T::drivers().above_grouped)(&pairs, groups, threshold))
+    }
+
+    fn most_grouped(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        groups: Spans<'_>,
+        of_rows: bool,
+    ) -> Result<Vec<Option<Best<T>>>, Error> {
+        let face = call.plan(true)?;
+        let pairs = self.lists(&face, lists)?;
+        Ok((T::drivers().most_grouped)(&pairs, groups, of_rows))
     }
 
     fn pull_back(

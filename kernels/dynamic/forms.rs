@@ -3,7 +3,6 @@ use super::Mode;
 use super::rows::{Layout, Rows, renamed};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{entries, expect};
-use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::Face;
 use crate::kernels::item::{Column, Target};
 use crate::kernels::machine::{Engine, Reduced, Reduction, Seed, count_of};
@@ -257,23 +256,6 @@ impl<T: Real> Function<T> {
         self.named(engine.reduce(&self.call()?, &lists, reduction))
     }
 
-    /// Pairs of both lists on the CPU.
-    pub(super) fn reduced<X>(
-        &self,
-        a: &Rows<'_, T>,
-        b: &Rows<'_, T>,
-        reduce: impl FnOnce(&mut Pairs<'_, T>) -> Result<X, Error>,
-    ) -> Result<X, Error> {
-        self.one_number()?;
-        let (face, lists) = (self.plan(true)?, self.lists(a, b)?);
-        self.named(
-            Cpu::new()
-                .engine
-                .lists(&face, &lists)
-                .and_then(|mut pairs| reduce(&mut pairs)),
-        )
-    }
-
     /// The sum of all results where one factor is that of all, and derivatives of both lists.
     pub(super) fn pulled_by(
         &self,
@@ -319,7 +301,7 @@ impl<T: Real> Function<T> {
 pub(super) type Loss<T> = (f64, Vec<T>, Vec<T>);
 
 /// The engine of the CPU.
-fn cpu<T: Real>() -> &'static dyn Engine<T> {
+pub(super) fn cpu<T: Real>() -> &'static dyn Engine<T> {
     static CPU: Cpu = Cpu::new();
     &CPU.engine
 }

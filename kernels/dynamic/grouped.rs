@@ -1,15 +1,18 @@
 //! Groups of rows, and suppression, on columns of numbers.
-use super::forms::Function;
+use super::forms::{Function, cpu};
 use super::rows::Rows;
 use crate::error::{Argument, Error};
-use crate::kernels::Cpu;
 use crate::kernels::cpu::checked::check;
 use crate::kernels::grouped::{Groups, ranked_groups};
+use crate::kernels::item::Column;
+use crate::kernels::machine::Engine;
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found, check_threshold};
 use crate::kernels::suppress::{Ranked, checked};
+use crate::kernels::{Backend, Cpu};
 use crate::suppression::{Rules, check_groups};
 
+/// Pairs within groups.
 impl<T: Real> Function<T> {
     /// Every pair within a group whose result is above the threshold, as
     /// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped).
@@ -35,12 +38,7 @@ impl<T: Real> Function<T> {
         groups: Groups<'_>,
         threshold: T,
     ) -> Result<Vec<Found<T>>, Error> {
-        check_threshold(threshold)?;
-        self.reduced(&a, &b, |pairs| {
-            let spans = groups.spans(pairs.counts())?;
-            pairs.filter &= threshold >= T::default();
-            Ok((T::drivers().above_grouped)(pairs, spans, threshold))
-        })
+        self.above_grouped_by(cpu(), &a, &b, groups, threshold)
     }
 
     /// The largest result of every row within its group, as
@@ -55,7 +53,7 @@ impl<T: Real> Function<T> {
         b: Rows<'_, T>,
         groups: Groups<'_>,
     ) -> Result<Vec<Option<Best<T>>>, Error> {
-        self.most_grouped(&a, &b, groups, true)
+        self.most_grouped_by(cpu(), &a, &b, groups, true)
     }
 
     /// The largest result of every column within its group, as
@@ -70,23 +68,91 @@ impl<T: Real> Function<T> {
         b: Rows<'_, T>,
         groups: Groups<'_>,
     ) -> Result<Vec<Option<Best<T>>>, Error> {
-        self.most_grouped(&a, &b, groups, false)
+        self.most_grouped_by(cpu(), &a, &b, groups, false)
+    }
+
+    fn above_grouped_by(
+        &self,
+        engine: &dyn Engine<T>,
+        a: &Rows<'_, T>,
+        b: &Rows<'_, T>,
+        groups: Groups<'_>,
+        threshold: T,
+    ) -> Result<Vec<Found<T>>, Error> {
+        check_threshold(threshold)?;
+        self.one_number()?;
+        let lists = self.lists(a, b)?;
+        let spans = self.named(groups.spans(lists.each_ref().map(Column::len)))?;
+        self.named(engine.above_grouped(&self.call()?, &lists, spans, threshold))
     }
 
     /// The largest result of every row, or of every column, within its group.
-    fn most_grouped(
+    fn most_grouped_by(
         &self,
+        engine: &dyn Engine<T>,
         a: &Rows<'_, T>,
         b: &Rows<'_, T>,
         groups: Groups<'_>,
         of_rows: bool,
     ) -> Result<Vec<Option<Best<T>>>, Error> {
-        self.reduced(a, b, |pairs| {
-            let spans = groups.spans(pairs.counts())?;
-            Ok((T::drivers().most_grouped)(pairs, spans, of_rows))
-        })
+        self.one_number()?;
+        let lists = self.lists(a, b)?;
+        let spans = self.named(groups.spans(lists.each_ref().map(Column::len)))?;
+        self.named(engine.most_grouped(&self.call()?, &lists, spans, of_rows))
+    }
+}
+
+/// Pairs within groups on a machine.
+impl Function<f32> {
+    /// [`above_grouped`](Function::above_grouped) on a machine.
+    ///
+    /// # Errors
+    ///
+    /// See there; [`Error::Gpu`] are the GPU's.
+    pub fn above_grouped_on(
+        &self,
+        backend: Backend<'_>,
+        a: Rows<'_, f32>,
+        b: Rows<'_, f32>,
+        groups: Groups<'_>,
+        threshold: f32,
+    ) -> Result<Vec<Found>, Error> {
+        self.above_grouped_by(&backend.engine, &a, &b, groups, threshold)
     }
 
+    /// [`row_max_grouped`](Function::row_max_grouped) on a machine.
+    ///
+    /// # Errors
+    ///
+    /// See there; [`Error::Gpu`] are the GPU's.
+    pub fn row_max_grouped_on(
+        &self,
+        backend: Backend<'_>,
+        a: Rows<'_, f32>,
+        b: Rows<'_, f32>,
+        groups: Groups<'_>,
+    ) -> Result<Vec<Option<Best>>, Error> {
+        self.most_grouped_by(&backend.engine, &a, &b, groups, true)
+    }
+
+    /// [`column_max_grouped`](Function::column_max_grouped) on a machine.
+    ///
+    /// # Errors
+    ///
+    /// See there; [`Error::Gpu`] are the GPU's.
+    pub fn column_max_grouped_on(
+        &self,
+        backend: Backend<'_>,
+        a: Rows<'_, f32>,
+        b: Rows<'_, f32>,
+        groups: Groups<'_>,
+    ) -> Result<Vec<Option<Best>>, Error> {
+        self.most_grouped_by(&backend.engine, &a, &b, groups, false)
+    }
+}
+
+/// Suppression, on the CPU.
+impl<T: Real> Function<T> {
     /// The rows that no better one of their group, kept itself, suppresses, as
     /// [`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped). The offsets of a list without groups are zero and
     /// its length.

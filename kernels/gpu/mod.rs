@@ -22,6 +22,7 @@
 //! | item i of every column | [`Gpu::aligned`], of [`value_grad`](crate::kernels::Op::value_grad) and [`vjp`](crate::kernels::Op::vjp), too |
 //! | every row with every row | [`Gpu::all_pairs`], [`Gpu::all_pairs_vjp`] |
 //! | the same, reduced on the device | [`Gpu::row_max`], [`Gpu::column_max`], [`Gpu::above`], [`Gpu::count_above`], [`Gpu::sum`] |
+//! | the same within groups such as frames, all in one call | [`Gpu::above_grouped`], [`Gpu::row_max_grouped`], [`Gpu::column_max_grouped`] |
 //! | a loss with its gradient | [`Gpu::sum_grad`], [`Gpu::mean_grad`] |
 //! | paths and rings | [`Gpu::fold`], [`Gpu::fold_vjp`], [`Gpu::ragged`], [`Gpu::ragged_vjp`] |
 //! | suppression, with the processor's result | [`Gpu::suppress`] |
@@ -32,6 +33,10 @@
 //! written as a body once, and compiled once per context and template. Areas of intersection, IoU and IoF of boxes in the
 //! plane have bodies by hand, which take fewer instructions; so have the measures of rings. The templates are the same.
 //! Reductions compute the scores that they reduce: no matrix exists.
+//!
+//! Suppression within groups, assignment and average precision decide one after the other, on the CPU alone
+//! ([`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped), [`greedy_grouped`](crate::assignment::greedy_grouped),
+//! [`metric`](crate::metric)).
 //!
 //! Searches (clipping, hulls) are decided on the CPU, item by item, and replayed on the GPU, with their derivatives:
 //! every trace becomes a list of instructions, and one kernel carries out all of them. All pairs of a search would

@@ -1,10 +1,12 @@
 //! The stand-in of the GPU in a build without the feature `gpu`: types without values, so that all else is the same in
 //! both.
 use crate::kernels::Fold;
+use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::dynamic::Operation;
 use crate::kernels::item::{Column, Columns, Target};
 use crate::kernels::machine::{Engine, Machine, Numbers, Reduced, Reduction, Seed};
 use crate::kernels::recording::Call;
+use crate::kernels::reduce::{Best, Found};
 use crate::kernels::resident::{Bests, Downloads, Matrix, Pending, Stored};
 use crate::ring::Measure;
 use crate::suppression::Rules;
@@ -88,6 +90,24 @@ impl Engine<f32> for Device {
         _: &[Column<'_, f32>; 2],
         _: Reduction<f32>,
     ) -> Result<Reduced<f32>, Error> {
+        match *self {}
+    }
+    fn above_grouped(
+        &self,
+        _: &Call<f32>,
+        _: &[Column<'_, f32>; 2],
+        _: Spans<'_>,
+        _: f32,
+    ) -> Result<Vec<Found>, Error> {
+        match *self {}
+    }
+    fn most_grouped(
+        &self,
+        _: &Call<f32>,
+        _: &[Column<'_, f32>; 2],
+        _: Spans<'_>,
+        _: bool,
+    ) -> Result<Vec<Option<Best>>, Error> {
         match *self {}
     }
     fn pull_back(

@@ -3,11 +3,12 @@
 //! An engine implements these primitives; [`Machine`](super::Machine) has every named call, once, above them.
 use crate::Error;
 use crate::kernels::cpu::Processor;
+use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::gpu::Device;
 use crate::kernels::item::{Column, Target};
 use crate::kernels::real::Real;
 use crate::kernels::recording::Call;
-use crate::kernels::reduce::{check_sides, check_threshold};
+use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
 use crate::kernels::resident::{Bests, Founds, Matrix, Stored};
 use crate::suppression::Rules;
 use std::fmt::Debug;
@@ -156,6 +157,28 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         lists: &[Column<'_, T>; 2],
         reduction: Reduction<T>,
     ) -> Result<Reduced<T>, Error>;
+
+    /// The pairs within groups whose result is above a threshold, row by row and within a row by column. Offsets and
+    /// threshold were checked.
+    #[doc(hidden)]
+    fn above_grouped(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        groups: Spans<'_>,
+        threshold: T,
+    ) -> Result<Vec<Found<T>>, Error>;
+
+    /// The largest result of every row, or of every column, within its group; `None` where the group has nothing on the
+    /// other side. Offsets were checked.
+    #[doc(hidden)]
+    fn most_grouped(
+        &self,
+        call: &Call<T>,
+        lists: &[Column<'_, T>; 2],
+        groups: Spans<'_>,
+        of_rows: bool,
+    ) -> Result<Vec<Option<Best<T>>>, Error>;
 
     /// Computes the cotangents of both lists from those of all results; with one factor for all also the sum of all
     /// results, otherwise 0.

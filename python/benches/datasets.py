@@ -3,7 +3,8 @@
     python python/benches/datasets.py join               10^6 by 10^6 rotated boxes in 20,000 frames, four ways
     python python/benches/datasets.py join --boxes 1e7 --ways read,geograd
     python python/benches/datasets.py overlay            two maps of 10^5 buildings, beside geopandas.overlay
-    python python/benches/datasets.py ray                what Ray costs a task
+    python python/benches/datasets.py groups             one call of groups and a call a group, on the CPU and on a GPU
+    python python/benches/datasets.py ray                what Ray costs a task, and a job of a minute by Ray and here
 
 Every way runs in a process of its own, `--runs` times in turn; figures are medians.
 """
@@ -221,6 +222,43 @@ def compare(ways, folder, runs):
         print(f"| {WAYS[way][0]} | {cpu:.2f} | {wall:.1f} | {peak:.0f} | {own[0]['count']} | {own[0]['total']:.1f} |")
 
 
+def groups(count, runs):
+    """Rotated boxes in frames of 50: the pairs above a threshold by one call, and by a call a frame."""
+    import geograd
+
+    rng = np.random.default_rng(1)
+    a = np.c_[rng.uniform(0, 100, (count, 2)), rng.uniform(3, 5, count), rng.uniform(1.5, 2.5, count), rng.uniform(-3, 3, count)]
+    b = a + rng.normal(0, 1, a.shape) * [0.3, 0.3, 0.1, 0.1, 0.05]
+    a, b = (geograd.Obb2(x.astype(np.float32)) for x in (a, b))
+    offsets = np.append(np.arange(0, count, 50), count)
+
+    def one_call(backend):
+        return len(geograd.iou.above(a, b, THRESHOLD, groups=(offsets, offsets), backend=backend)[2])
+
+    def calls(backend):
+        frames = [slice(*own) for own in zip(offsets, offsets[1:])]
+        return sum(len(geograd.iou.above(a[own], b[own], THRESHOLD, backend=backend)[2]) for own in frames)
+
+    geograd.set_num_threads(1)
+    print(f"{count} by {count} boxes in {len(offsets) - 1} frames, one thread\n")
+    print("| machine | one call: wall ms | a call a frame: wall ms | pairs |\n| --- | ---: | ---: | ---: |")
+    for backend in ("cpu", "gpu"):
+        try:
+            found = [form(backend) for form in (one_call, calls)]
+        except RuntimeError as error:
+            print(f"| {backend} | {error} |")
+            continue
+        walls = []
+        for form in (one_call, calls):
+            own = []
+            for _ in range(runs):
+                start = time.perf_counter()
+                form(backend)
+                own.append(1000 * (time.perf_counter() - start))
+            walls.append(statistics.median(own))
+        print(f"| {backend} | {walls[0]:.1f} | {walls[1]:.1f} | {found[0]}, {found[1]} |")
+
+
 def tasks(count):
     import ray
 
@@ -244,7 +282,7 @@ def tasks(count):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["join", "overlay", "ray", "one"])
+    parser.add_argument("what", choices=["join", "overlay", "groups", "ray", "one"])
     parser.add_argument("--ways", default="read,geograd,calls,inside,datafusion,geopandas")
     parser.add_argument("--boxes", type=float, default=1e6)
     parser.add_argument("--frames", type=float, help="default: 50 boxes a frame")
@@ -255,6 +293,8 @@ def main():
     options = parser.parse_args()
     if options.what == "one":
         return one(options.ways, options.data)
+    if options.what == "groups":
+        return groups(int(options.boxes), options.runs)
     if options.what == "ray":
         return tasks(options.tasks)
     with tempfile.TemporaryDirectory() as folder:

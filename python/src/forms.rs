@@ -41,6 +41,8 @@ macro_rules! in_format {
     };
 }
 
+pub(crate) use in_format;
+
 /// Results of a list by their places: what `out` has there.
 fn flattened<'py>(out: &Object<'py>, into: &mut Vec<Option<Object<'py>>>) -> PyResult<()> {
     if out.cast::<PyTuple>().is_ok() || out.cast::<PyList>().is_ok() {

@@ -1,7 +1,7 @@
 //! Pairs within groups, and suppression.
 use crate::arrays::{Given, Lent, is_double, offsets};
 use crate::column::{Column, NUMBERS};
-use crate::forms::{Call, Object};
+use crate::forms::{Call, Object, in_format};
 use crate::number::{Form, Number};
 use geograd::kernels::Groups;
 use geograd::kernels::dynamic::Rows;
@@ -36,22 +36,10 @@ pub struct Asked<'a, 'py> {
 }
 
 impl<'py> Call<'_, 'py> {
-    fn on_processor(&self) -> PyResult<()> {
-        match self.machine.is_gpu() {
-            true => Err(PyTypeError::new_err(
-                "groups and suppression run on the processor: backend=\"cpu\"",
-            )),
-            false => Ok(()),
-        }
-    }
     /// Every pair of a group above a threshold: rows, columns, values.
     pub fn above_grouped(&self, threshold: f64, groups: &Object<'py>) -> PyResult<Object<'py>> {
-        self.on_processor()?;
         let (given, groups) = (self.two()?, both(self.py, groups)?);
-        match is_double(self.py, &given) {
-            true => self.found_grouped::<f64>(given, threshold, &groups),
-            false => self.found_grouped::<f32>(given, threshold, &groups),
-        }
+        in_format!(self, given, found_grouped, threshold, &groups)
     }
     fn found_grouped<T: Number>(
         &self,
@@ -59,10 +47,10 @@ impl<'py> Call<'_, 'py> {
         threshold: f64,
         groups: &[Vec<usize>; 2],
     ) -> PyResult<Object<'py>> {
-        let function = self.of.function::<T>(Form::Value)?;
-        let all: Vec<Found<T>> = self.reduced::<T, _>(given, |[a, b]| {
+        let (function, machine) = (self.of.function::<T>(Form::Value)?, &self.machine);
+        let all: Vec<Found<T>> = self.reduced::<T, _>(given, |lists| {
             let groups = Groups::new(&groups[0], &groups[1]);
-            function.above_grouped(a, b, groups, T::narrowed(threshold))
+            T::above_grouped(function, machine, lists, groups, T::narrowed(threshold))
         })?;
         let rows = PyArray1::from_iter(self.py, all.iter().map(|found| found.row as isize));
         let columns = PyArray1::from_iter(self.py, all.iter().map(|found| found.column as isize));
@@ -73,12 +61,8 @@ impl<'py> Call<'_, 'py> {
     /// The largest result of every row or column of a group, and where it is: -inf and -1 where the group has nothing
     /// on the other side.
     pub fn most_grouped(&self, of_rows: bool, groups: &Object<'py>) -> PyResult<Object<'py>> {
-        self.on_processor()?;
         let (given, groups) = (self.two()?, both(self.py, groups)?);
-        match is_double(self.py, &given) {
-            true => self.best_grouped::<f64>(given, of_rows, &groups),
-            false => self.best_grouped::<f32>(given, of_rows, &groups),
-        }
+        in_format!(self, given, best_grouped, of_rows, &groups)
     }
     fn best_grouped<T: Number>(
         &self,
@@ -86,12 +70,12 @@ impl<'py> Call<'_, 'py> {
         of_rows: bool,
         groups: &[Vec<usize>; 2],
     ) -> PyResult<Object<'py>> {
-        let function = self.of.function::<T>(Form::Value)?;
-        let all: Vec<Option<Best<T>>> = self.reduced::<T, _>(given, |[a, b]| {
+        let (function, machine) = (self.of.function::<T>(Form::Value)?, &self.machine);
+        let all: Vec<Option<Best<T>>> = self.reduced::<T, _>(given, |lists| {
             let groups = Groups::new(&groups[0], &groups[1]);
             match of_rows {
-                true => function.row_max_grouped(a, b, groups),
-                false => function.column_max_grouped(a, b, groups),
+                true => T::row_max_grouped(function, machine, lists, groups),
+                false => T::column_max_grouped(function, machine, lists, groups),
             }
         })?;
         let nothing = T::narrowed(f64::NEG_INFINITY);
@@ -106,9 +90,8 @@ impl<'py> Call<'_, 'py> {
         Ok((values, places).into_pyobject(self.py)?.into_any())
     }
 
-    /// The places of the shapes that suppression keeps.
+    /// The places of the shapes that suppression keeps. It decides shape by shape, on the processor alone.
     pub fn suppress(&self, asked: &Asked<'_, 'py>) -> PyResult<Object<'py>> {
-        self.on_processor()?;
         let given = self.two()?;
         match is_double(self.py, &given) {
             true => self.kept::<f64>(given, asked),

@@ -1,5 +1,6 @@
 //! The processor or a GPU.
 use crate::raised;
+use geograd::kernels::Groups;
 use geograd::kernels::dynamic::{Function, OnPaths, Rows};
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::reduce::{Best, Found};
@@ -95,6 +96,25 @@ pub trait OnMachine: geograd::kernels::real::Real {
         lists: [Rows<'_, Self>; 2],
         threshold: Self,
     ) -> Result<Vec<Found<Self>>, Error>;
+    fn above_grouped(
+        f: &Function<Self>,
+        on: &Machine,
+        lists: [Rows<'_, Self>; 2],
+        groups: Groups<'_>,
+        threshold: Self,
+    ) -> Result<Vec<Found<Self>>, Error>;
+    fn row_max_grouped(
+        f: &Function<Self>,
+        on: &Machine,
+        lists: [Rows<'_, Self>; 2],
+        groups: Groups<'_>,
+    ) -> Result<Vec<Option<Best<Self>>>, Error>;
+    fn column_max_grouped(
+        f: &Function<Self>,
+        on: &Machine,
+        lists: [Rows<'_, Self>; 2],
+        groups: Groups<'_>,
+    ) -> Result<Vec<Option<Best<Self>>>, Error>;
     fn count_above(
         f: &Function<Self>,
         on: &Machine,
@@ -139,7 +159,7 @@ pub trait OnMachine: geograd::kernels::real::Real {
 /// The same calls in a format; `$on` of a machine gives the method and what it takes first.
 macro_rules! on_machine {
     ($T:ty, $on:ident => $all_pairs:expr, $aligned:expr, $($backend:expr)?; $row_max:ident $column_max:ident $above:ident
-     $count_above:ident $sum:ident $mean:ident $sum_grad:ident $mean_grad:ident $all_pairs_vjp:ident $values:ident $vjp:ident) => {
+     $above_grouped:ident $row_max_grouped:ident $column_max_grouped:ident $count_above:ident $sum:ident $mean:ident $sum_grad:ident $mean_grad:ident $all_pairs_vjp:ident $values:ident $vjp:ident) => {
         impl OnMachine for $T {
             fn aligned(f: &Function<$T>, $on: &Machine, rows: &[Rows<'_, $T>], out: &mut [Option<&mut [$T]>], is_new: bool) -> Result<(), Error> {
                 $aligned(f, $on, rows, out, is_new)
@@ -155,6 +175,31 @@ macro_rules! on_machine {
             }
             fn pairs_above(f: &Function<$T>, $on: &Machine, [a, b]: [Rows<'_, $T>; 2], threshold: $T) -> Result<Vec<Found<$T>>, Error> {
                 f.$above($($backend,)? a, b, threshold)
+            }
+            fn above_grouped(
+                f: &Function<$T>,
+                $on: &Machine,
+                [a, b]: [Rows<'_, $T>; 2],
+                groups: Groups<'_>,
+                threshold: $T,
+            ) -> Result<Vec<Found<$T>>, Error> {
+                f.$above_grouped($($backend,)? a, b, groups, threshold)
+            }
+            fn row_max_grouped(
+                f: &Function<$T>,
+                $on: &Machine,
+                [a, b]: [Rows<'_, $T>; 2],
+                groups: Groups<'_>,
+            ) -> Result<Vec<Option<Best<$T>>>, Error> {
+                f.$row_max_grouped($($backend,)? a, b, groups)
+            }
+            fn column_max_grouped(
+                f: &Function<$T>,
+                $on: &Machine,
+                [a, b]: [Rows<'_, $T>; 2],
+                groups: Groups<'_>,
+            ) -> Result<Vec<Option<Best<$T>>>, Error> {
+                f.$column_max_grouped($($backend,)? a, b, groups)
             }
             fn count_above(f: &Function<$T>, $on: &Machine, [a, b]: [Rows<'_, $T>; 2], threshold: $T) -> Result<u64, Error> {
                 f.$count_above($($backend,)? a, b, threshold)
@@ -192,9 +237,9 @@ macro_rules! on_machine {
 }
 on_machine!(f64, _on => |f: &Function<f64>, _: &Machine, [a, b]: [Rows<'_, f64>; 2], out: &mut [f64]| f.all_pairs_into(a, b, out),
     |f: &Function<f64>, _: &Machine, rows: &[Rows<'_, f64>], out: &mut [Option<&mut [f64]>], is_new: bool| aligned_on_cpu(f, rows, out, is_new), ;
-    row_max column_max above count_above sum mean sum_grad mean_grad all_pairs_vjp values vjp);
+    row_max column_max above above_grouped row_max_grouped column_max_grouped count_above sum mean sum_grad mean_grad all_pairs_vjp values vjp);
 on_machine!(f32, on => pairs_of_singles, aligned_singles, on.backend();
-    row_max_on column_max_on above_on count_above_on sum_on mean_on sum_grad_on mean_grad_on all_pairs_vjp_on values_on vjp_on);
+    row_max_on column_max_on above_on above_grouped_on row_max_grouped_on column_max_grouped_on count_above_on sum_on mean_on sum_grad_on mean_grad_on all_pairs_vjp_on values_on vjp_on);
 
 /// Into arrays of the caller, or into new ones, which an error may leave written.
 fn aligned_on_cpu<T: geograd::kernels::real::Real>(

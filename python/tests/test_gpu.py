@@ -34,6 +34,17 @@ def test_calls_on_a_gpu():
     np.testing.assert_allclose(geograd.iou.all_pairs(a, b, backend="gpu"), matrix, **near)
     np.testing.assert_allclose(geograd.iou.row_max(a, b, backend="gpu")[0], matrix.max(1), **near)
     np.testing.assert_allclose(geograd.iou.sum(a, b, backend="gpu"), matrix.sum(), rtol=1e-4)
+    # Groups: pairs of the matrix that are in one, an empty one among them.
+    groups = [0, 100, 100, 120, 300], [0, 70, 90, 90, 300]
+    i, j, _ = geograd.iou.above(a, b, 0.5, groups=groups, backend="gpu")
+    wanted = geograd.iou.above(a, b, 0.5, groups=groups)
+    assert len(i) > 100 and (i == wanted[0]).all() and (j == wanted[1]).all()
+    for form in (geograd.iou.row_max, geograd.iou.column_max):
+        (best, at), wanted = form(a, b, groups=groups, backend="gpu"), form(a, b, groups=groups)
+        np.testing.assert_allclose(best, wanted[0], **near)
+        assert ((at == -1) == (wanted[1] == -1)).all() and (at == -1).any()
+    with pytest.raises(ValueError, match="groups of `a`: offset 1"):
+        geograd.iou.above(a, b, 0.5, groups=([0, 3], [0, 300]), backend="gpu")
     total, derivatives = geograd.iou.sum_grad(a, b, backend="gpu")
     np.testing.assert_allclose(derivatives[0], geograd.iou.sum_grad(a, b)[1][0], rtol=1e-2, atol=1e-2)
     rings = geograd.Rings(A[:, :2], np.arange(0, 301, 4))

@@ -9,6 +9,7 @@ mod dynamic;
 mod faults;
 mod folds;
 mod generated;
+mod groups;
 mod held;
 mod parity;
 mod program;

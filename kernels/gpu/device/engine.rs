@@ -5,9 +5,11 @@ use super::seed::Seed;
 use super::{Bests, Device, Matrix};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check_upstream, expect};
+use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::item::{Column, Target};
 use crate::kernels::machine::{self, Engine, Numbers, Reduced, Reduction};
 use crate::kernels::recording::{Call, Mode};
+use crate::kernels::reduce::{Best, Found};
 use crate::kernels::resident::{self, Stays, Stored};
 use crate::suppression::Rules;
 
@@ -84,6 +86,26 @@ impl Engine<f32> for Device {
         reduction: Reduction<f32>,
     ) -> Result<Reduced<f32>, Error> {
         Lists::new(self, call, lists)?.reduce(reduction)
+    }
+
+    fn above_grouped(
+        &self,
+        call: &Call<f32>,
+        lists: &[Column<'_, f32>; 2],
+        groups: Spans<'_>,
+        threshold: f32,
+    ) -> Result<Vec<Found>, Error> {
+        Lists::new(self, call, lists)?.above_grouped(groups, threshold)
+    }
+
+    fn most_grouped(
+        &self,
+        call: &Call<f32>,
+        lists: &[Column<'_, f32>; 2],
+        groups: Spans<'_>,
+        of_rows: bool,
+    ) -> Result<Vec<Option<Best>>, Error> {
+        Lists::new(self, call, lists)?.most_grouped(groups, of_rows)
     }
 
     fn pull_back(

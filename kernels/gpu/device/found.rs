@@ -62,7 +62,7 @@ impl Table<'_> {
         let mut all = Founds {
             gpu: gpu.clone(),
             lists: Vec::new(),
-            is_mixed: self.sweeps.iter().any(|sweep| sweep.walked_base > 0),
+            is_mixed: self.sweeps.iter().any(|sweep| sweep.more),
         };
         self.sweeps.reverse();
         while let Some(sweep) = self.sweeps.pop() {

@@ -1,14 +1,17 @@
 //! Two lists on the GPU and the kernels of their pairs.
 use super::generated::operation::Generated;
 use super::generated::uploaded::Sides;
+use super::groups::Part;
 use super::seed::Seed;
 use super::table::Table;
 use super::{Device, Matrix};
 use crate::Error;
 use crate::error::Argument;
+use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::item::Column;
 use crate::kernels::machine::{Reduced, Reduction};
 use crate::kernels::recording::Call;
+use crate::kernels::reduce::{Best, Found};
 use std::sync::Arc;
 
 /// Two lists on the GPU and the kernels of their pairs.
@@ -42,10 +45,72 @@ impl<'a> Lists<'a> {
         Ok(())
     }
 
+    /// All pairs as a reduction sees them.
+    fn table(&self, own_rows: bool) -> Table<'_> {
+        Table::of_lists(self.gpu, &self.made, &self.sides, own_rows)
+    }
+
     /// A reduction of all results.
     pub fn reduce(&self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
         let own_rows = reduction != Reduction::Best { of_rows: false };
-        Table::of_lists(self.gpu, &self.made, &self.sides, own_rows).reduced(reduction)
+        self.table(own_rows).reduced(reduction)
+    }
+
+    /// The runs of a list that are in one buffer each, and have their results in one.
+    fn parts(&self, k: usize) -> Vec<Part> {
+        let (chunk, count) = (self.gpu.inner.chunk, self.sides.counts()[k]);
+        let pieces = (0..count)
+            .step_by(chunk)
+            .map(|base| base..count.min(base + chunk));
+        let all = pieces.flat_map(|piece| self.sides.parts(k, piece));
+        let part = |(buffer, at, shapes): (&wgpu::Buffer, usize, _)| Part {
+            buffer: buffer.clone(),
+            binding: 1 + k as u32,
+            at,
+            shapes,
+        };
+        all.map(part).collect()
+    }
+
+    /// All pairs within groups as a reduction sees them.
+    fn grouped(&self, groups: Spans<'_>, own_rows: bool) -> Result<Table<'_>, Error> {
+        let [a, b] = [self.parts(0), self.parts(1)];
+        let table = self.table(own_rows);
+        match own_rows {
+            true => table.within([&a, &b], [groups.a, groups.b]),
+            false => table.within([&b, &a], [groups.b, groups.a]),
+        }
+    }
+
+    /// The pairs within groups above a threshold.
+    pub fn above_grouped(&self, groups: Spans<'_>, threshold: f32) -> Result<Vec<Found>, Error> {
+        let found = self.grouped(groups, true)?.above(threshold)?;
+        found.start_download()?.wait()
+    }
+
+    /// The largest of every row, or of every column, within its group; `None` where there is nothing on the other side.
+    pub fn most_grouped(
+        &self,
+        groups: Spans<'_>,
+        of_rows: bool,
+    ) -> Result<Vec<Option<Best>>, Error> {
+        let found = self.grouped(groups, of_rows)?.best()?;
+        let mut best: Vec<_> = found
+            .start_download()?
+            .wait()?
+            .into_iter()
+            .map(Some)
+            .collect();
+        let (own, others) = match of_rows {
+            true => (groups.a, groups.b),
+            false => (groups.b, groups.a),
+        };
+        for (own, others) in own.windows(2).zip(others.windows(2)) {
+            if others[0] == others[1] {
+                best[own[0]..own[1]].fill(None);
+            }
+        }
+        Ok(best)
     }
 
     /// The numbers of the derivatives of both lists, of lists that were made for adjoints.

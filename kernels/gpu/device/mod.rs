@@ -31,6 +31,7 @@ mod download;
 mod engine;
 mod found;
 mod generated;
+mod groups;
 mod lists;
 mod matrix;
 mod plans;

@@ -1,41 +1,43 @@
 //! All pairs as a reduction on the GPU sees them: two lists, blocks of results that are computed one after the
 //! other into the same buffer, or a matrix that is there already.
-use super::block::Block;
+use super::block::{Block, MOST_PAIRS};
 use super::generated::Form;
 use super::generated::operation::Generated;
 use super::generated::uploaded::Sides;
+use super::groups::Part;
 use super::work::Params;
 use super::written::{GROUP, Kernel, STRIP, Take};
 use super::{Device, Matrix};
+use crate::Error;
 use std::sync::Arc;
 
 /// One dispatch of a reduction: a run of own rows (or columns) by a run of walked ones.
 #[derive(Clone, Debug)]
 pub(super) struct Sweep {
     /// The index of the first own one in its buffer.
-    own_start: usize,
+    pub own_start: usize,
     /// The piece of their results.
     pub out_piece: usize,
-    out_start: usize,
+    pub out_start: usize,
     /// The first one's index in the whole list.
-    own_base: usize,
+    pub own_base: usize,
     pub own: usize,
     /// The index of the first walked one in its buffer, and in the whole list.
-    walked_start: usize,
+    pub walked_start: usize,
     pub walked_base: usize,
-    walked: usize,
+    pub walked: usize,
+    /// Strips of walked ones.
+    pub strips: usize,
+    /// `true` if own ones have results of others already.
+    pub more: bool,
     /// Two lists of shapes or a block of a matrix, and where they are bound.
     pub bound: Vec<(u32, wgpu::Buffer)>,
 }
 
 impl Sweep {
-    pub fn strips(&self) -> usize {
-        self.walked.div_ceil(STRIP)
-    }
-
     /// Partial results: one per own row (or column) and strip.
     pub fn room(&self) -> usize {
-        self.own * self.strips()
+        self.own * self.strips
     }
 
     /// The same in two, for own rows that found more than a buffer holds.
@@ -60,8 +62,8 @@ impl Sweep {
             loop_count: self.walked as u32,
             loop_start: self.walked_start as u32,
             loop_base: self.walked_base as u32,
-            parts: self.strips() as u32,
-            more: u32::from(self.walked_base > 0),
+            parts: self.strips as u32,
+            more: u32::from(self.more),
             factor: threshold,
             ..Params::default()
         }
@@ -82,6 +84,8 @@ pub(super) struct Table<'a> {
     /// `true` if threads stand for rows.
     own_rows: bool,
     kernels: Kernels<'a>,
+    /// `true` if own ones walk through ranges of their own.
+    is_grouped: bool,
     pub sweeps: Vec<Sweep>,
 }
 
@@ -94,6 +98,19 @@ enum Kernels<'a> {
 }
 
 impl<'a> Table<'a> {
+    /// The same table within groups, given by the offsets of both lists: dispatches over the parts of both.
+    pub fn within(mut self, parts: [&[Part]; 2], offsets: [&[usize]; 2]) -> Result<Self, Error> {
+        let pairs = match self.kernels {
+            Kernels::Matrix => MOST_PAIRS as usize,
+            Kernels::Lists(made) => made.most_pairs(),
+        };
+        let inner = &self.gpu.inner;
+        let [own, walked] = parts;
+        self.sweeps = inner.guarded(|| Ok(inner.group_sweeps(own, walked, offsets, pairs)))?;
+        self.is_grouped = true;
+        Ok(self)
+    }
+
     /// The table of a matrix that is there already.
     pub fn of_matrix(matrix: &'a Matrix, own_rows: bool) -> Self {
         let blocks = matrix.blocks.iter().map(|(block, buffer)| (*block, buffer));
@@ -129,6 +146,8 @@ impl<'a> Table<'a> {
                         walked_start: *other_at,
                         walked_base: range.start,
                         walked: range.len(),
+                        strips: range.len().div_ceil(STRIP),
+                        more: range.start > 0,
                         bound: vec![
                             (1 + k as u32, buffer.clone()),
                             (2 - k as u32, (*other).clone()),
@@ -143,6 +162,7 @@ impl<'a> Table<'a> {
             walked: counts[1 - k],
             own_rows,
             kernels: Kernels::Lists(made),
+            is_grouped: false,
             sweeps,
         }
     }
@@ -167,6 +187,8 @@ impl<'a> Table<'a> {
                 walked_start: 0,
                 walked_base: block.column_base,
                 walked: block.columns,
+                strips: block.columns.div_ceil(STRIP),
+                more: block.column_base > 0,
                 bound: vec![(3, buffer.clone())],
             },
             false => Sweep {
@@ -178,6 +200,8 @@ impl<'a> Table<'a> {
                 walked_start: 0,
                 walked_base: block.row_base,
                 walked: block.rows,
+                strips: block.rows.div_ceil(STRIP),
+                more: block.row_base > 0,
                 bound: vec![(3, buffer.clone())],
             },
         };
@@ -187,6 +211,7 @@ impl<'a> Table<'a> {
             walked,
             own_rows,
             kernels: Kernels::Matrix,
+            is_grouped: false,
             sweeps: blocks.map(sweep).collect(),
         }
     }
@@ -196,7 +221,13 @@ impl<'a> Table<'a> {
         let (inner, own_rows) = (&self.gpu.inner, self.own_rows);
         match self.kernels {
             Kernels::Matrix => inner.written(Kernel::ReduceMatrix(take, own_rows), "reduce_main"),
-            Kernels::Lists(made) => made.pipeline(inner, Form::Reduce(take, own_rows)),
+            Kernels::Lists(made) => {
+                let form = match self.is_grouped {
+                    true => Form::ReduceGroups(take, own_rows),
+                    false => Form::Reduce(take, own_rows),
+                };
+                made.pipeline(inner, form)
+            }
         }
     }
 
@@ -206,6 +237,6 @@ impl<'a> Table<'a> {
             Kernels::Matrix => GROUP,
             Kernels::Lists(made) => made.size(Form::Reduce(Take::Best, self.own_rows)).own,
         };
-        [sweep.own.div_ceil(group) as u32, sweep.strips() as u32]
+        [sweep.own.div_ceil(group) as u32, sweep.strips as u32]
     }
 }

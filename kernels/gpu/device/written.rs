@@ -90,6 +90,8 @@ pub(super) enum Take {
 impl Take {
     /// All of them.
     pub(super) const ALL: [Take; 4] = [Take::Best, Take::Count, Take::Found, Take::Sum];
+    /// Those of groups.
+    pub(super) const OF_GROUPS: [Take; 3] = [Take::Best, Take::Count, Take::Found];
     /// The WGSL that reduces scores.
     pub(super) fn text(self) -> &'static str {
         match self {

@@ -128,6 +128,10 @@ fn forms(mode: Mode, made: &Generated<f32>, outputs: usize, taken: &[Take]) -> V
         Mode::Value if made.gives == [1] => {
             all.push(Form::Pairs);
             all.extend(taken.iter().map(|&take| Form::Reduce(take, true)));
+            // The template around the same body: once for all.
+            if taken.len() > 1 {
+                all.extend(Take::OF_GROUPS.map(|take| Form::ReduceGroups(take, true)));
+            }
             // Both arguments may be shapes of one list.
             if made.arguments[0].fields == made.arguments[1].fields {
                 all.push(Form::Masks);

@@ -11,7 +11,7 @@ impl Form {
     pub fn text(self, made: &Generated<f32>) -> String {
         let body = self.body(made);
         let kernel = match self {
-            Form::Pairs | Form::Reduce(..) | Form::Derivatives(..) => {
+            Form::Pairs | Form::Reduce(..) | Form::ReduceGroups(..) | Form::Derivatives(..) => {
                 return format!(
                     "{}{}\n{}",
                     made.head,

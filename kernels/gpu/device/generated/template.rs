@@ -1,6 +1,7 @@
 //! Templates of all pairs around a body, generated or by hand: the functions that name its numbers, and sizes.
 use super::operation::{Body, Generated};
 use super::text::{Form, GROUP, bound, call, numbers};
+use crate::kernels::cpu::lane::TILE;
 use crate::kernels::gpu::device::written::{
     self, BINDINGS, GROUP_VJP, PARAMS, REDUCE, STEP, STRIP_VJP, Seed, sizes, step_vjp,
 };
@@ -48,7 +49,7 @@ impl Generated<f32> {
             strip: step,
         };
         match form {
-            Form::Reduce(..) => Size {
+            Form::Reduce(..) | Form::ReduceGroups(..) => Size {
                 strip: written::STRIP,
                 ..size
             },
@@ -80,7 +81,9 @@ impl Generated<f32> {
 pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
     let size = made.size(form);
     let (own, has_seed, slots) = match form {
-        Form::Reduce(_, own_rows) => (usize::from(!own_rows), false, 0),
+        Form::Reduce(_, own_rows) | Form::ReduceGroups(_, own_rows) => {
+            (usize::from(!own_rows), false, 0)
+        }
         Form::Derivatives(Of::Rows, _) => (0, true, 0),
         Form::Derivatives(Of::Columns, _) => (1, true, 0),
         Form::Derivatives(Of::Both(slots), _) => (1, true, slots),
@@ -98,13 +101,25 @@ pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
     );
     text += PARAMS;
     text += BINDINGS;
-    text += include_str!("../../wgsl/walked.wgsl");
-    text += &shapes(made, body, own, has_seed);
+    let is_near = !matches!(form, Form::ReduceGroups(..));
+    if is_near {
+        text += include_str!("../../wgsl/walked.wgsl");
+    }
+    text += &shapes(made, body, own, has_seed, is_near);
     match form {
         Form::Reduce(take, _) => {
             for file in [
                 REDUCE,
                 include_str!("../../wgsl/reduce_shapes.wgsl"),
+                take.text(),
+            ] {
+                text += file;
+            }
+        }
+        Form::ReduceGroups(take, _) => {
+            for file in [
+                include_str!("../../wgsl/reduce_groups.wgsl"),
+                include_str!("../../wgsl/groups_shapes.wgsl"),
                 take.text(),
             ] {
                 text += file;
@@ -136,8 +151,9 @@ pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
     text
 }
 
-/// The functions that name the numbers of shapes, and call the body.
-fn shapes(made: &Generated<f32>, body: &Body, own: usize, has_seed: bool) -> String {
+/// The functions that name the numbers of shapes, and call the body. Walked shapes are near the threads, or read where
+/// they lie.
+fn shapes(made: &Generated<f32>, body: &Body, own: usize, has_seed: bool, is_near: bool) -> String {
     let names = ["a_numbers", "b_numbers"];
     let [wide, width] = [own, 1 - own].map(|k| made.widths[k]);
     let mut own_numbers: Vec<String> = numbers(names[own], "at", wide).collect();
@@ -152,7 +168,8 @@ fn shapes(made: &Generated<f32>, body: &Body, own: usize, has_seed: bool) -> Str
     for k in [0, 1] {
         let number = |i: usize| match k == own {
             true => format!("own[{i}]"),
-            false => format!("near[{i}u * STEP + i]"),
+            false if is_near => format!("near[{i}u * STEP + i]"),
+            false => format!("{}[i + {}u]", names[1 - own], i * TILE),
         };
         inputs.extend((0..made.widths[k]).map(number));
     }

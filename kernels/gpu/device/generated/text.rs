@@ -24,6 +24,8 @@ pub(in super::super) enum Form {
     Derivatives(Of, Seed),
     /// A reduction of every row with every column, by threads that stand for rows or for columns.
     Reduce(Take, bool),
+    /// The same within groups.
+    ReduceGroups(Take, bool),
     /// Which pairs are above a threshold, as bits.
     Masks,
     /// Instructions of every item.
@@ -43,7 +45,7 @@ impl Form {
             Form::Pairs => "pairs_main",
             Form::Derivatives(Of::Both(_), _) => "pairs_vjp_main",
             Form::Derivatives(..) => "slopes_main",
-            Form::Reduce(..) => "reduce_main",
+            Form::Reduce(..) | Form::ReduceGroups(..) => "reduce_main",
             Form::Masks => "masks_main",
             Form::Replay => "replay_main",
             Form::Fold => "fold_main",

@@ -1,0 +1,184 @@
+//! Pairs within groups on the GPU: every own row (or column) walks through a range of the others, in one dispatch for as
+//! many groups as possible.
+use super::Inner;
+use super::table::Sweep;
+use super::written::STRIP;
+use std::ops::Range;
+
+/// Where the ranges of own rows are bound.
+const RANGES: u32 = 9;
+
+/// A run of a list in one buffer.
+pub(super) struct Part {
+    pub buffer: wgpu::Buffer,
+    /// The binding of its list.
+    pub binding: u32,
+    /// The index of its first shape in the buffer.
+    pub at: usize,
+    /// Its shapes, by their places in the list.
+    pub shapes: Range<usize>,
+}
+
+/// A dispatch: own shapes of one part by the walked shapes of one part.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Run {
+    own_part: usize,
+    own: Range<usize>,
+    walked_part: usize,
+    /// The strips of the own shape that has most.
+    strips: usize,
+    /// `true` if other parts before it have partial results of the same own shapes.
+    more: bool,
+}
+
+/// The most that a dispatch may have.
+#[derive(Clone, Copy, Debug)]
+struct Limits {
+    /// Partial results, one for each own shape and strip.
+    room: usize,
+    pairs: usize,
+}
+
+/// Own shapes and strips without work that a dispatch may have beside as many that have some.
+const SPARE: usize = 1 << 16;
+
+/// The dispatches of groups, given by their ranges of both lists: in the order of own shapes, and each of as many
+/// groups as fit. A group whose walked shapes are in several parts has dispatches of its own.
+fn runs(
+    own: &[Range<usize>],
+    walked: &[Range<usize>],
+    groups: impl Iterator<Item = [Range<usize>; 2]>,
+    limits: Limits,
+) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    // Of the last run, if more may be added to it: own shapes with their strips, and pairs.
+    let mut open: Option<(usize, usize)> = None;
+    let (mut own_part, mut first_part) = (0, 0);
+    for [rows, others] in groups {
+        while walked
+            .get(first_part)
+            .is_some_and(|part| part.end <= others.start)
+        {
+            first_part += 1;
+        }
+        let parts = walked.iter().enumerate().skip(first_part);
+        let parts: Vec<(usize, usize)> = parts
+            .map(|(k, part)| {
+                (
+                    k,
+                    others
+                        .end
+                        .min(part.end)
+                        .saturating_sub(others.start.max(part.start)),
+                )
+            })
+            .take_while(|(_, count)| *count > 0)
+            .collect();
+        let strips = |count: usize| count.div_ceil(STRIP).max(1);
+        let most = parts.iter().map(|(_, count)| *count).max().unwrap_or(0);
+        let at_once = (limits.room / strips(most)).min(limits.pairs / most.max(1));
+        let mut start = rows.start;
+        while start < rows.end {
+            while own[own_part].end <= start {
+                own_part += 1;
+            }
+            let end = rows.end.min(own[own_part].end);
+            let stretch = start..end.min(start + at_once.max(1));
+            start = stretch.end;
+            if let [] | [_] = parts[..] {
+                let (k, count) = parts.first().copied().unwrap_or((first_part, 0));
+                let last = runs.last_mut().zip(open.as_mut());
+                if let Some((run, (needed, pairs))) = last
+                    && (run.walked_part == k || count == 0)
+                    && run.own_part == own_part
+                {
+                    let more = stretch.len() * strips(count);
+                    let all = (run.own.len() + stretch.len()) * run.strips.max(strips(count));
+                    let work = *pairs + stretch.len() * count;
+                    let is_dense = all <= 2 * (*needed + more) + SPARE;
+                    if all <= limits.room && work <= limits.pairs && is_dense {
+                        run.own.end = stretch.end;
+                        run.strips = run.strips.max(strips(count));
+                        (*needed, *pairs) = (*needed + more, work);
+                        continue;
+                    }
+                }
+                if count == 0 {
+                    // Nothing to compute; what follows begins a run of its own.
+                    open = None;
+                    continue;
+                }
+                open = Some((stretch.len() * strips(count), stretch.len() * count));
+            } else {
+                open = None;
+            }
+            for (i, &(walked_part, count)) in parts.iter().enumerate() {
+                runs.push(Run {
+                    own_part,
+                    own: stretch.clone(),
+                    walked_part,
+                    strips: strips(count),
+                    more: i > 0,
+                });
+            }
+        }
+    }
+    runs
+}
+
+impl Inner {
+    /// The dispatches of groups, given by the offsets of own and walked shapes, of at most so many pairs.
+    pub fn group_sweeps(
+        &self,
+        own: &[Part],
+        walked: &[Part],
+        offsets: [&[usize]; 2],
+        pairs: usize,
+    ) -> Vec<Sweep> {
+        let spans = offsets.map(|all| all.windows(2).map(|span| span[0]..span[1]));
+        let [own_spans, walked_spans] = spans;
+        let groups = own_spans
+            .zip(walked_spans)
+            .map(|(own, walked)| [own, walked]);
+        let shapes =
+            |parts: &[Part]| -> Vec<_> { parts.iter().map(|part| part.shapes.clone()).collect() };
+        let limits = Limits {
+            // Four numbers per entry, as in other reductions.
+            room: self.most_bytes as usize / 16,
+            pairs,
+        };
+        let runs = runs(&shapes(own), &shapes(walked), groups.clone(), limits);
+        // The range of every own shape, piece by piece of results.
+        let mut ranges = Vec::new();
+        for [own, walked] in groups {
+            let range = [walked.start as u32, walked.end as u32];
+            ranges.resize(ranges.len() + own.len(), range);
+        }
+        let ranges: Vec<_> = ranges
+            .chunks(self.chunk)
+            .map(|piece| self.stored(piece))
+            .collect();
+        let sweep = |run: Run| {
+            let (from, to) = (&own[run.own_part], &walked[run.walked_part]);
+            let out_piece = run.own.start / self.chunk;
+            Sweep {
+                own_start: from.at + run.own.start - from.shapes.start,
+                out_piece,
+                out_start: run.own.start - out_piece * self.chunk,
+                own_base: run.own.start,
+                own: run.own.len(),
+                walked_start: to.at,
+                walked_base: to.shapes.start,
+                walked: to.shapes.len(),
+                strips: run.strips,
+                more: run.more,
+                bound: vec![
+                    (from.binding, from.buffer.clone()),
+                    (to.binding, to.buffer.clone()),
+                    (RANGES, ranges[out_piece].clone()),
+                ],
+            }
+        };
+        runs.into_iter().map(sweep).collect()
+    }
+}
