@@ -52,7 +52,7 @@ fn long() -> Vec<[usize; 2]> {
 }
 
 /// Compares grouped calls with the matrix of all pairs, given by slices and by arrays that stay.
-fn agree<O: Op, A, B>(gpu: &Gpu, a: &[A], b: &[B], sizes: &[[usize; 2]], threshold: f32)
+fn agree<O, A, B>(gpu: &Gpu, a: &[A], b: &[B], sizes: &[[usize; 2]], threshold: f32)
 where
     O: Op<In<f32> = (A, B), Out<f32> = f32>,
     A: Single<Scalar = f32>,
