@@ -1,5 +1,8 @@
 """Spark's ``mapInArrow`` calls a verb on columns of structs, with the bits of a call in process."""
 
+import os
+import sys
+
 import numpy as np
 import pytest
 
@@ -17,6 +20,8 @@ FIELDS = ["x", "y", "width", "height", "heading"]
 
 @pytest.fixture(scope="module")
 def spark():
+    # Workers are started by name: `python3`, which may be another installation.
+    os.environ.setdefault("PYSPARK_PYTHON", sys.executable)
     build = SparkSession.builder.master("local[2]")
     for name, value in {
         "spark.ui.enabled": "false",
