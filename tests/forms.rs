@@ -44,8 +44,9 @@ pub fn agree(row: &Tested, every: bool) {
     }
     // One shape for all.
     let on = |rows: &[Rows<'_, f32>]| value.aligned_on(Backend::Gpu(gpu), rows).unwrap().concat();
-    let (one, other) = (&a.numbers()[3 * n..4 * n], &b.numbers()[3 * m..4 * m]);
-    let first = Rows::new(&b.numbers()[..20 * m], m);
+    let (of_a, of_b) = (a.numbers(), b.numbers());
+    let (one, other) = (&of_a[3 * n..4 * n], &of_b[3 * m..4 * m]);
+    let first = Rows::new(&of_b[..20 * m], m);
     let found = on(&[Rows::one(one), first]);
     let expected = on(&[Rows::new(&one.repeat(20), n), first]);
     assert_eq!(bits(&found), bits(&expected), "{}", row.name());

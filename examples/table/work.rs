@@ -205,9 +205,10 @@ impl<'a, T: Number> Work<'a, T> {
                 Some(values) if !self.options.grad => vec![values[span].to_vec()],
                 _ => {
                     let picked = [(a, 0), (b, 1)].map(|(buffer, k): (&Buffer<T>, usize)| {
-                        let (all, fields) = (buffer.rows(buffer.len()), buffer.source.fields());
+                        let all = buffer.rows(buffer.len()).numbers();
+                        let fields = buffer.source.fields();
                         let rows = pairs.rows[k][span.clone()].iter();
-                        rows.flat_map(|&row| &all.numbers()[row * fields..(row + 1) * fields])
+                        rows.flat_map(|&row| &all[row * fields..(row + 1) * fields])
                             .copied()
                             .collect::<Vec<T>>()
                     });

@@ -16,7 +16,6 @@ use crate::kernels::cpu::sweep::LONG;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{Best, Found};
-use std::borrow::Cow;
 use std::ops::Range;
 
 /// Work of a piece, in pairs that are looked at: a millisecond or less. A group of more is a piece of its own.
@@ -76,13 +75,9 @@ impl<'a> Spans<'a> {
 
 /// Pairs of some rows and columns alone.
 fn part<'p, T: Real>(pairs: &'p Pairs<'_, T>, spans: &[Range<usize>; 2]) -> Pairs<'p, T> {
-    let numbers = [0, 1].map(|k| {
-        let fields = pairs.face.arguments[k].fields;
-        Cow::Borrowed(&pairs.numbers[k][spans[k].start * fields..spans[k].end * fields])
-    });
     Pairs {
         face: pairs.face,
-        numbers,
+        shapes: [0, 1].map(|k| pairs.shapes[k].part(&spans[k])),
         rare: pairs.rare,
         filter: pairs.filter,
     }
@@ -164,10 +159,11 @@ impl<T: Real> Desk<'_, T> {
         if a.rare.is_empty() && b.rare.is_empty() {
             return;
         }
+        let (mut own, mut other) = (Vec::new(), Vec::new());
         for (place, (&row, &column)) in self.rows.iter().zip(&self.columns).enumerate() {
             let (row, column) = (row as usize, column as usize);
             if a.is_rare(row) || b.is_rare(column) {
-                let shapes = [a.shape(row), b.shape(column)];
+                let shapes = [a.shape(row, &mut own), b.shape(column, &mut other)];
                 rare(&shapes, &[T::one()], &mut self.one);
                 for (k, &x) in self.one.iter().enumerate() {
                     self.results[k * PLANE + place / TILE].0[place % TILE] = x;
@@ -236,7 +232,7 @@ fn sweep<T: Real>(
 }
 
 /// A piece of work: groups, the pairs of their rows and columns alone, and where these begin.
-struct Piece<'p, T: Clone> {
+struct Piece<'p, T> {
     groups: Range<usize>,
     pairs: Pairs<'p, T>,
     from: [usize; 2],

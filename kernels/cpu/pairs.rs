@@ -2,19 +2,18 @@
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::blocks::QUAD;
 use crate::kernels::cpu::lane::{BLOCK, Lane, TILE, tiles};
-use crate::kernels::cpu::plan::{Face, List};
+use crate::kernels::cpu::plan::{Face, List, Shapes};
 use crate::kernels::cpu::sweep::{Chooses, Columns, Part, Sweep, Upstream};
 use crate::kernels::cpu::work::{rows_per_piece, spread};
 use crate::kernels::real::Real;
-use std::borrow::Cow;
 use std::ops::Range;
 
 /// An operation and both lists as numbers, checked.
-pub struct Pairs<'a, T: Clone> {
+pub struct Pairs<'a, T> {
     /// How it is computed.
     pub face: &'a Face<T>,
     /// The shapes of both lists.
-    pub numbers: [Cow<'a, [T]>; 2],
+    pub shapes: [Shapes<'a, T>; 2],
     /// `true` if some shapes of a list are too rare for kernels.
     pub rare: [bool; 2],
     /// `true` if pairs that are apart for certain may be left out.
@@ -24,7 +23,7 @@ pub struct Pairs<'a, T: Clone> {
 impl<T: Real> Pairs<'_, T> {
     /// How many shapes each list has.
     pub fn counts(&self) -> [usize; 2] {
-        [0, 1].map(|k| self.numbers[k].len() / self.face.arguments[k].fields)
+        self.shapes.each_ref().map(Shapes::len)
     }
     /// `true` if pairs whose bounds do not meet may be left out.
     pub fn is_filtered(&self) -> bool {
@@ -34,12 +33,9 @@ impl<T: Real> Pairs<'_, T> {
     pub fn lists(&self) -> [List<'_, T>; 2] {
         let bounded = self.is_filtered();
         [0, 1].map(|k| {
-            List::new(
-                &self.face.arguments[k],
-                &self.numbers[k],
-                self.rare[k],
-                bounded,
-            )
+            let own = &self.shapes[k];
+            let whole = own.part(&(0..own.len()));
+            List::new(&self.face.arguments[k], whole, self.rare[k], bounded)
         })
     }
     /// Computes all pairs piece by piece, on all threads: each piece is some rows and its own entry of `work`.

@@ -7,7 +7,7 @@ use crate::kernels::cpu::checked::{
 };
 use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::plan::Face;
+use crate::kernels::cpu::plan::{Face, Shapes};
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::item::{Column, Target};
 use crate::kernels::machine::{Engine, Numbers, Reduced, Reduction, Seed, count_of};
@@ -45,7 +45,7 @@ impl Processor {
         ];
         Ok(Pairs {
             face,
-            numbers: [a.all(), b.all()],
+            shapes: [Shapes::of(a), Shapes::of(b)],
             rare,
             filter: self.cull,
         })

@@ -480,7 +480,8 @@ impl<'a, T: Real> Desk<'a, T> {
             let out_bar = self
                 .upstream()
                 .map_or(T::one(), |upstream| upstream[column]);
-            let shapes = [a.shape(self.row), b.shape(column)];
+            let (mut own, mut other) = (Vec::new(), Vec::new());
+            let shapes = [a.shape(self.row, &mut own), b.shape(column, &mut other)];
             rare(&shapes, &[out_bar], &mut self.one);
             for (k, &x) in self.one.iter().enumerate() {
                 self.results[k * PLANE + place / TILE].0[place % TILE] = x;

@@ -107,7 +107,10 @@ impl<T: Real> Function<T> {
         rows: &[Rows<'_, T>],
         results: &mut [Option<&mut [T]>],
     ) -> Result<(), Error> {
-        self.fill(cpu(), rows, results, true)
+        match rows.iter().any(Rows::is_apart) {
+            true => self.by_stretches(rows, results),
+            false => self.fill(cpu(), rows, results, true),
+        }
     }
 
     /// [`aligned`](Function::aligned) into the caller's slices: one for every column of the result, or `None` for
@@ -270,12 +273,17 @@ impl<T: Real> Function<T> {
             let wanted = entries(lists[0].len(), lists[1].len(), 1)?;
             expect(Argument::Upstream, wanted, numbers.len())?;
         }
-        let [mut a_bar, mut b_bar] = [a, b].map(|rows| vec![T::default(); rows.numbers().len()]);
+        let [mut a_bar, mut b_bar] = lists
+            .each_ref()
+            .map(|list| vec![T::default(); list.len() * list.fields]);
         let bars = [&mut a_bar[..], &mut b_bar[..]];
         let sum = self.named(engine.pull_back(&self.call()?, &lists, seed, bars))?;
         // A gradient has the codes of its shape.
         let bars = [(&mut a_bar, a), (&mut b_bar, b)];
         for ((bar, rows), leaf) in bars.into_iter().zip(&self.recording.takes) {
+            if leaf.codes == 0 {
+                continue;
+            }
             let scalars = leaf.fields - leaf.codes;
             let bars = bar.chunks_exact_mut(leaf.fields);
             for (bar, row) in bars.zip(rows.numbers().chunks_exact(leaf.fields)) {

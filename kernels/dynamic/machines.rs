@@ -56,7 +56,7 @@ impl Machine<dyn Engine<f32>> {
         let count = columns.first().and_then(Rows::count).unwrap_or(0);
         let numbers = columns.iter().map(|rows| Numbers {
             fields: rows.fields(),
-            rows: rows.numbers().to_vec(),
+            rows: rows.numbers().into_owned(),
         });
         self.engine.keep(count, numbers.collect())
     }

@@ -55,7 +55,6 @@ pub use catalogue::{Format, Number, Operation, Parameter, Shape, Sort, operation
 pub use catalogue::{fold, search, straight};
 #[cfg(feature = "check")]
 pub use check::Inputs;
-pub use fields::Fields;
 pub use forms::Function;
 pub use names::{Name, Unnamed, named_rows, names};
 pub use nodes::{Elementary, Nodes, Step};

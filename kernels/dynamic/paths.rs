@@ -68,8 +68,7 @@ impl<R: Item> Columns for Contexts<'_, R> {
     type Place = Here;
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, R::Scalar>)) {
         for rows in self.rows {
-            let fields = rows.fields();
-            add(Column::lent(rows.numbers(), fields, rows.count()));
+            add(rows.lent());
         }
     }
 }

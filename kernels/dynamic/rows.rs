@@ -4,11 +4,22 @@ use crate::error::{Argument, Error, Field, Validate};
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::item::{Column, Item, Leaf, leaf};
 use crate::kernels::real::Real;
+use std::borrow::Cow;
+use std::ops::Range;
 
-/// One argument of every item as plain numbers: rows of so many fields, one after another.
+/// The numbers of rows.
+#[derive(Clone, Copy, Debug)]
+enum Numbers<'a, T> {
+    /// Row by row.
+    Together(&'a [T]),
+    /// Every field on its own.
+    Apart(&'a [&'a [T]]),
+}
+
+/// One argument of every item as plain numbers: rows of so many fields, one after another, or a slice for every field.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<'a, T> {
-    numbers: &'a [T],
+    numbers: Numbers<'a, T>,
     fields: usize,
     is_one: bool,
 }
@@ -18,7 +29,7 @@ impl<'a, T: Real> Rows<'a, T> {
     #[must_use]
     pub const fn new(numbers: &'a [T], fields: usize) -> Self {
         Rows {
-            numbers,
+            numbers: Numbers::Together(numbers),
             fields,
             is_one: false,
         }
@@ -27,25 +38,76 @@ impl<'a, T: Real> Rows<'a, T> {
     #[must_use]
     pub const fn one(row: &'a [T]) -> Self {
         Rows {
-            numbers: row,
+            numbers: Numbers::Together(row),
             fields: row.len(),
             is_one: true,
         }
     }
-    /// The numbers, row by row.
+    /// Rows whose fields lie apart in memory, such as the structs of Arrow: a slice for every field. Calls read them where
+    /// they lie, a few thousand rows at a time.
+    ///
+    /// ```
+    /// use geograd::kernels::dynamic::{Rows, operation};
+    /// let iou = operation("iou_aabb2").and_then(|iou| iou.value::<f64>()).expect("is listed");
+    /// let (low, right, zero) = ([0.0, 1.0], [2.0, 3.0], [0.0, 0.0]);
+    /// let fields: [&[f64]; 4] = [&low, &zero, &right, &[2.0, 2.0]];
+    /// let boxes = Rows::apart(&fields);
+    /// assert_eq!(iou.all_pairs(boxes, boxes)?, [1.0, 1.0 / 3.0, 1.0 / 3.0, 1.0]);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
     #[must_use]
-    pub const fn numbers(&self) -> &'a [T] {
-        self.numbers
+    pub const fn apart(fields: &'a [&'a [T]]) -> Self {
+        Rows {
+            numbers: Numbers::Apart(fields),
+            fields: fields.len(),
+            is_one: false,
+        }
+    }
+    /// The numbers, row by row; a copy of those whose fields lie apart.
+    #[must_use]
+    pub fn numbers(&self) -> Cow<'a, [T]> {
+        match self.numbers {
+            Numbers::Together(numbers) => Cow::Borrowed(numbers),
+            Numbers::Apart(fields) => {
+                let count = self.count().unwrap_or(0);
+                let mut rows = vec![T::default(); count * fields.len()];
+                gather(fields, 0..count, &mut rows);
+                Cow::Owned(rows)
+            }
+        }
     }
     /// How many rows there are; `None` for one that stands for all.
     #[must_use]
     pub fn count(&self) -> Option<usize> {
-        (!self.is_one).then(|| self.numbers.len().checked_div(self.fields).unwrap_or(0))
+        let numbers = match self.numbers {
+            Numbers::Together(numbers) => numbers.len().checked_div(self.fields).unwrap_or(0),
+            Numbers::Apart(fields) => fields.iter().map(|field| field.len()).min().unwrap_or(0),
+        };
+        (!self.is_one).then_some(numbers)
     }
     /// Numbers of a row.
     #[must_use]
     pub const fn fields(&self) -> usize {
         self.fields
+    }
+    /// `true` if every field is on its own.
+    pub(super) const fn is_apart(&self) -> bool {
+        matches!(self.numbers, Numbers::Apart(_))
+    }
+    /// Some rows, in the caller's memory where they have to be put together; one that stands for all as it is.
+    pub(super) fn some<'s>(&'s self, items: Range<usize>, room: &'s mut Vec<T>) -> Rows<'s, T> {
+        match self.numbers {
+            Numbers::Together(_) if self.is_one => *self,
+            Numbers::Together(numbers) => {
+                let fields = self.fields;
+                Rows::new(&numbers[items.start * fields..items.end * fields], fields)
+            }
+            Numbers::Apart(fields) => {
+                room.resize(items.len() * fields.len(), T::default());
+                gather(fields, items, room);
+                Rows::new(room, fields.len())
+            }
+        }
     }
     /// As a column of rows of so many fields.
     pub(super) fn column(
@@ -60,9 +122,38 @@ impl<'a, T: Real> Rows<'a, T> {
                 found: self.fields,
             });
         }
-        let whole = self.numbers.len() - self.numbers.len() % expected.max(1);
-        expect(argument, whole, self.numbers.len())?;
-        Ok(Column::lent(self.numbers, self.fields, self.count()))
+        match self.numbers {
+            Numbers::Together(numbers) => {
+                let whole = numbers.len() - numbers.len() % expected.max(1);
+                expect(argument, whole, numbers.len())?;
+            }
+            Numbers::Apart(fields) => {
+                let count = fields.first().map_or(0, |field| field.len());
+                let mut lengths = fields.iter().map(|field| field.len());
+                lengths.try_for_each(|found| expect(argument, count, found))?;
+            }
+        }
+        Ok(self.lent())
+    }
+    /// As a column of whatever rows.
+    pub(super) fn lent(&self) -> Column<'a, T> {
+        match self.numbers {
+            Numbers::Together(numbers) => Column::lent(numbers, self.fields, self.count()),
+            Numbers::Apart(fields) => {
+                let read = |items: Range<usize>, rows: &mut [T]| gather(fields, items, rows);
+                Column::read(self.fields, self.count().unwrap_or(0), read)
+            }
+        }
+    }
+}
+
+/// Rows of fields that lie apart.
+fn gather<T: Real>(fields: &[&[T]], items: Range<usize>, rows: &mut [T]) {
+    for (k, field) in fields.iter().enumerate() {
+        let places = rows.iter_mut().skip(k).step_by(fields.len());
+        places
+            .zip(&field[items.clone()])
+            .for_each(|(place, &x)| *place = x);
     }
 }
 

@@ -10,7 +10,7 @@ use crate::kernels::check::{Folded, Source};
 use crate::kernels::cpu::aligned::{checked, compute};
 use crate::kernels::cpu::checked::numbers;
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::plan::{Compiled, Face};
+use crate::kernels::cpu::plan::{Compiled, Face, Shapes};
 use crate::kernels::fold::{Fold, by_hand, fold};
 use crate::kernels::item::{Column, Item, Leaf, Target, by_kind, by_shape, get, leaves_of};
 use crate::kernels::op::{Extremes, Finite, Jumps, Op, Range, inside_of, recording_of};
@@ -18,7 +18,6 @@ use crate::kernels::real::Real;
 use crate::kernels::recording::{Call, Mode, Recording};
 use crate::kernels::search::{self, Search};
 use crate::{Fixed, Pack};
-use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Numbers of results, a list for each of their shapes.
@@ -209,9 +208,11 @@ fn squared<T: Real>(face: impl Fn() -> Result<Arc<Face<T>>, Error> + Sync + 'sta
             let n = face.arguments[k].fields;
             &inputs.columns[k][items.start * n..items.end * n]
         };
+        let columns =
+            [0, 1].map(|k| Column::lent(part(k), face.arguments[k].fields, Some(items.len())));
         let pairs = Pairs {
             face: &face,
-            numbers: [0, 1].map(|k| Cow::Borrowed(part(k))),
+            shapes: columns.each_ref().map(Shapes::of),
             rare: [true; 2],
             filter: true,
         };

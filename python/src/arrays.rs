@@ -86,9 +86,10 @@ pub fn is_double(py: Python<'_>, given: &[Given<'_>]) -> bool {
     formats.peek().is_none() || formats.any(|is_double| is_double)
 }
 
-/// An argument, its numbers one after another.
+/// An argument, lent: its numbers one after another, or an array for every field.
 pub struct Lent<'py, T: Number> {
-    numbers: PyReadonlyArrayDyn<'py, T>,
+    parts: Vec<PyReadonlyArrayDyn<'py, T>>,
+    is_apart: bool,
     lead: Vec<usize>,
     fields: usize,
 }
@@ -98,6 +99,14 @@ impl<'py, T: Number> Lent<'py, T> {
     pub fn new(py: Python<'py>, given: Given<'py>, column: &Column) -> PyResult<Self> {
         let array = match given {
             Given::Array(array) => array.into_any(),
+            Given::Columns(columns) if columns.len() == column.fields() => {
+                let count = columns.first().map_or(0, |own| own.bind(py).len());
+                // One row may stand for all, as rows do.
+                if count != 1 {
+                    return Lent::apart(py, columns, column, count);
+                }
+                stacked(py, &columns)?.into_bound(py).into_any()
+            }
             Given::Columns(columns) => stacked(py, &columns)?.into_bound(py).into_any(),
             Given::Number(x) => PyArrayDyn::<T>::from_owned_array(
                 py,
@@ -107,10 +116,36 @@ impl<'py, T: Number> Lent<'py, T> {
         };
         let array = plain::<T>(array)?;
         let lead = lead(array.shape(), column)?.to_vec();
+        Lent::whole(array, lead, column)
+    }
+    fn whole(
+        array: Bound<'py, PyArrayDyn<T>>,
+        lead: Vec<usize>,
+        column: &Column,
+    ) -> PyResult<Self> {
         let numbers = array.try_readonly().map_err(|_| in_use(&column.name))?;
         Ok(Lent {
-            numbers,
+            parts: vec![numbers],
+            is_apart: false,
             lead,
+            fields: column.fields(),
+        })
+    }
+    fn apart(
+        py: Python<'py>,
+        columns: Vec<Py<PyUntypedArray>>,
+        column: &Column,
+        count: usize,
+    ) -> PyResult<Self> {
+        let mut parts = Vec::with_capacity(columns.len());
+        for own in columns {
+            let own = plain::<T>(own.into_bound(py).into_any())?;
+            parts.push(own.try_readonly().map_err(|_| in_use(&column.name))?);
+        }
+        Ok(Lent {
+            parts,
+            is_apart: true,
+            lead: vec![count],
             fields: column.fields(),
         })
     }
@@ -118,18 +153,26 @@ impl<'py, T: Number> Lent<'py, T> {
     pub fn lead(&self) -> &[usize] {
         &self.lead
     }
+    /// The numbers of an argument that is no shape.
     pub fn numbers(&self) -> PyResult<&[T]> {
-        self.numbers
-            .as_slice()
-            .map_err(|error| PyValueError::new_err(error.to_string()))
+        match (&self.parts[..], self.is_apart) {
+            ([whole], false) => slice(whole),
+            _ => Err(PyTypeError::new_err(
+                "an array of numbers is needed, not the columns of a shape",
+            )),
+        }
+    }
+    /// What [`rows`](Lent::rows) are made of: all numbers, or those of every field.
+    pub fn slices(&self) -> PyResult<Vec<&[T]>> {
+        self.parts.iter().map(slice).collect()
     }
     /// As rows, of which one stands for all if it may.
-    pub fn rows(&self, may_be_one: bool) -> PyResult<Rows<'_, T>> {
-        let numbers = self.numbers()?;
-        Ok(match may_be_one && self.count() == 1 {
-            true => Rows::one(numbers),
-            false => Rows::new(numbers, self.fields),
-        })
+    pub fn rows<'s>(&self, slices: &'s [&'s [T]], may_be_one: bool) -> Rows<'s, T> {
+        match slices {
+            [numbers] if !self.is_apart && may_be_one && self.count() == 1 => Rows::one(numbers),
+            [numbers] if !self.is_apart => Rows::new(numbers, self.fields),
+            _ => Rows::apart(slices),
+        }
     }
     pub fn count(&self) -> usize {
         self.lead.iter().product()
@@ -138,47 +181,24 @@ impl<'py, T: Number> Lent<'py, T> {
     pub fn repeated(self, py: Python<'py>, lead: &[usize], column: &Column) -> PyResult<Self> {
         let shape = with_fields(lead, column);
         let numpy = py.import("numpy")?;
-        let array = numpy.call_method1(
-            "broadcast_to",
-            (self.numbers.as_any(), PyTuple::new(py, &shape)?),
-        )?;
-        let array = plain::<T>(array)?;
-        let numbers = array.try_readonly().map_err(|_| in_use(&column.name))?;
-        Ok(Lent {
-            numbers,
-            lead: lead.to_vec(),
-            fields: self.fields,
-        })
+        let own: Vec<_> = self.parts.iter().map(|own| own.as_any().clone()).collect();
+        let array = match (&own[..], self.is_apart) {
+            ([whole], false) => whole.clone(),
+            _ => {
+                let axis = PyDict::new(py);
+                axis.set_item("axis", -1)?;
+                numpy.call_method("stack", (own,), Some(&axis))?
+            }
+        };
+        let array = numpy.call_method1("broadcast_to", (array, PyTuple::new(py, &shape)?))?;
+        Lent::whole(plain::<T>(array)?, lead.to_vec(), column)
     }
 }
 
-/// An argument whose fields are lent one by one, or as rows.
-pub enum Apart<'py, T: Number> {
-    Rows(Lent<'py, T>),
-    Columns(Vec<PyReadonlyArrayDyn<'py, T>>),
-}
-
-impl<'py, T: Number> Apart<'py, T> {
-    pub fn new(py: Python<'py>, given: Given<'py>, column: &Column) -> PyResult<Self> {
-        let Given::Columns(columns) = given else {
-            return Ok(Apart::Rows(Lent::new(py, given, column)?));
-        };
-        let mut lent = Vec::with_capacity(columns.len());
-        for own in columns {
-            let own = plain::<T>(own.into_bound(py).into_any())?;
-            lent.push(own.try_readonly().map_err(|_| in_use(&column.name))?);
-        }
-        Ok(Apart::Columns(lent))
-    }
-    /// The numbers of every field.
-    pub fn columns(&self) -> PyResult<Vec<&[T]>> {
-        let Apart::Columns(columns) = self else {
-            return Ok(Vec::new());
-        };
-        let failed = |error: numpy::AsSliceError| PyValueError::new_err(error.to_string());
-        let slices = columns.iter().map(|own| own.as_slice().map_err(failed));
-        slices.collect()
-    }
+/// The numbers of an array, one after another.
+fn slice<'s, T: Number>(own: &'s PyReadonlyArrayDyn<'_, T>) -> PyResult<&'s [T]> {
+    let failed = |error: numpy::AsSliceError| PyValueError::new_err(error.to_string());
+    own.as_slice().map_err(failed)
 }
 
 fn in_use(name: &str) -> PyErr {
@@ -265,7 +285,10 @@ pub fn broadcast<T: Number>(
 }
 
 fn shapes_of<T: Number>(lent: &[Lent<'_, T>]) -> String {
-    let one = |x: &Lent<'_, T>| format!("{:?}", x.numbers.shape());
+    let one = |x: &Lent<'_, T>| match x.is_apart {
+        true => format!("{:?}", [x.count(), x.fields]),
+        false => format!("{:?}", x.parts[0].shape()),
+    };
     lent.iter().map(one).collect::<Vec<_>>().join(" and ")
 }
 

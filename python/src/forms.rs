@@ -1,6 +1,6 @@
 //! The forms of a call, for rows of the table and traced functions alike.
 use crate::arrays::{
-    Apart, Given, Lent, Target, aligned, broadcast, is_double, offsets, with_fields, written,
+    Given, Lent, Target, aligned, broadcast, is_double, offsets, with_fields, written,
 };
 use crate::call::Callable;
 use crate::column::{Column, NUMBERS};
@@ -9,7 +9,7 @@ use crate::number::{Form, Number};
 use crate::raised;
 use crate::shapes::{Paths, dressed};
 use crate::threads::on_threads;
-use geograd::kernels::dynamic::{Fields, Rows};
+use geograd::kernels::dynamic::Rows;
 use geograd::kernels::reduce::{Best, Found};
 use numpy::{PyArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -109,54 +109,17 @@ impl<'py> Call<'_, 'py> {
     fn items<T: Number>(&self, given: Vec<Given<'py>>, form: Form) -> PyResult<Object<'py>> {
         let takes = &self.of.signature(form)?.takes;
         let function = self.of.function::<T>(form)?;
-        if let Some(count) = self.apart(&given, takes) {
-            let lent = given.into_iter().zip(takes);
-            let lent = lent.map(|(x, column)| Apart::<T>::new(self.py, x, column));
-            let lent = lent.collect::<PyResult<Vec<_>>>()?;
-            let columns = lent.iter().map(Apart::columns);
-            let columns = columns.collect::<PyResult<Vec<_>>>()?;
-            let fields = lent.iter().zip(&columns).map(|(own, columns)| match own {
-                Apart::Rows(own) => Ok(Fields::Rows(own.rows(true)?)),
-                Apart::Columns(_) => Ok(Fields::Apart(columns)),
-            });
-            let fields = fields.collect::<PyResult<Vec<_>>>()?;
-            return self.filled::<T>(form, &[count], count, |slices| {
-                function.aligned_fields_into(&fields, slices)
-            });
-        }
         let lent = self.lent::<T>(given, takes)?;
         let (lead, count) = broadcast(&lent, takes)?;
         let lent = aligned(self.py, lent, takes, &lead, count)?;
-        let rows = lent.iter().map(|x| x.rows(true));
-        let rows = rows.collect::<PyResult<Vec<_>>>()?;
+        let slices = lent.iter().map(Lent::slices);
+        let slices = slices.collect::<PyResult<Vec<_>>>()?;
+        let rows = lent.iter().zip(&slices);
+        let rows: Vec<_> = rows.map(|(x, slices)| x.rows(slices, true)).collect();
         let (machine, is_new) = (&self.machine, self.out.is_none());
         self.filled::<T>(form, &lead, count, |slices| {
             T::aligned(function, machine, &rows, slices, is_new)
         })
-    }
-    /// The number of items of arguments of which some are lent field by field; `None` where all have to be rows.
-    fn apart(&self, given: &[Given<'py>], takes: &[Column]) -> Option<usize> {
-        if self.machine.is_gpu() || self.out.is_some() {
-            return None;
-        }
-        let mut count = None;
-        for own in given {
-            if let Given::Columns(columns) = own {
-                let found = columns.first()?.bind(self.py).len();
-                if *count.get_or_insert(found) != found {
-                    return None;
-                }
-            }
-        }
-        let is_alike = |(own, column): (&Given<'py>, &Column)| match own {
-            Given::Array(array) => match array.ndim() + usize::from(column.axes.is_empty()) {
-                1 => true,
-                2 => array.shape()[0] == 1 || Some(array.shape()[0]) == count,
-                _ => false,
-            },
-            _ => true,
-        };
-        count.filter(|_| given.iter().zip(takes).all(is_alike))
     }
     /// Results that a call writes, of so many items.
     fn filled<T: Number>(
@@ -339,17 +302,20 @@ impl<'py> Call<'_, 'py> {
     fn each<'a, T: Number>(
         &self,
         batches: &[usize],
-        lists: &'a [Lent<'py, T>; 2],
-    ) -> PyResult<(Vec<[Rows<'a, T>; 2]>, [usize; 2])> {
+        lists: &[Lent<'py, T>; 2],
+        slices: &'a [Vec<&'a [T]>; 2],
+    ) -> (Vec<[Rows<'a, T>; 2]>, [usize; 2]) {
         let count: usize = batches.iter().product();
         let rows = [0, 1].map(|k| lists[k].lead().last().copied().unwrap_or(1));
-        let fields = [0, 1].map(|k| self.of.takes[k].fields());
-        let numbers = [lists[0].numbers()?, lists[1].numbers()?];
         let of = |k: usize, i: usize| {
-            let size = rows[k] * fields[k];
-            Rows::new(&numbers[k][i * size..(i + 1) * size], fields[k])
+            if batches.is_empty() {
+                return lists[k].rows(&slices[k], false);
+            }
+            let fields = self.of.takes[k].fields();
+            let size = rows[k] * fields;
+            Rows::new(&slices[k][0][i * size..(i + 1) * size], fields)
         };
-        Ok(((0..count).map(|i| [of(0, i), of(1, i)]).collect(), rows))
+        ((0..count).map(|i| [of(0, i), of(1, i)]).collect(), rows)
     }
     fn one_number(&self) -> PyResult<()> {
         self.of.signature(Form::Value)?;
@@ -366,7 +332,8 @@ impl<'py> Call<'_, 'py> {
         self.one_number()?;
         let [a, b] = self.lists::<T>(given)?;
         let items = a.count().saturating_mul(b.count());
-        let lists = [a.rows(false)?, b.rows(false)?];
+        let slices = [a.slices()?, b.slices()?];
+        let lists = [a.rows(&slices[0], false), b.rows(&slices[1], false)];
         self.run(items, || reduce(lists))
     }
 
@@ -379,7 +346,8 @@ impl<'py> Call<'_, 'py> {
     fn pairs<T: Number>(&self, given: Vec<Given<'py>>) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
         let (batches, lists) = self.batched::<T>(given)?;
-        let (each, [rows, columns]) = self.each(&batches, &lists)?;
+        let slices = [lists[0].slices()?, lists[1].slices()?];
+        let (each, [rows, columns]) = self.each(&batches, &lists, &slices);
         let numbers = self.of.outputs();
         let planes = (numbers != 1).then_some(numbers);
         let mut shape = batches.clone();
@@ -417,7 +385,8 @@ impl<'py> Call<'_, 'py> {
         self.one_number()?;
         let function = self.of.function::<T>(Form::Value)?;
         let (batches, lists) = self.batched::<T>(given)?;
-        let (each, [rows, columns]) = self.each(&batches, &lists)?;
+        let slices = [lists[0].slices()?, lists[1].slices()?];
+        let (each, [rows, columns]) = self.each(&batches, &lists, &slices);
         let machine = &self.machine;
         let items = rows.saturating_mul(columns).saturating_mul(each.len());
         let found: Vec<Best<T>> = self.run(items, || {
@@ -531,11 +500,9 @@ impl<'py> Call<'_, 'py> {
                 upstream.lead()
             )));
         }
-        let (lists, numbers, machine) = (
-            [a.rows(false)?, b.rows(false)?],
-            upstream.numbers()?,
-            &self.machine,
-        );
+        let slices = [a.slices()?, b.slices()?];
+        let lists = [a.rows(&slices[0], false), b.rows(&slices[1], false)];
+        let (numbers, machine) = (upstream.numbers()?, &self.machine);
         let (a, b) = self.run(wanted[0].saturating_mul(wanted[1]), || {
             T::all_pairs_vjp(function, machine, lists, numbers)
         })?;
@@ -655,10 +622,10 @@ impl<'py> Call<'_, 'py> {
         for (lent, column) in lent.into_iter().zip(takes) {
             contexts.push(self.full::<T>(lent, column, count)?);
         }
-        let rows = contexts
-            .iter()
-            .map(|x| x.rows(false))
-            .collect::<PyResult<Vec<_>>>()?;
+        let slices = contexts.iter().map(Lent::slices);
+        let slices = slices.collect::<PyResult<Vec<_>>>()?;
+        let rows = contexts.iter().zip(&slices);
+        let rows: Vec<_> = rows.map(|(x, slices)| x.rows(slices, false)).collect();
         let (numbers, machine) = (vertices.numbers()?, &self.machine);
         let items = numbers.len();
         let gives = self.of.gives();

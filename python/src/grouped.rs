@@ -119,7 +119,8 @@ impl<'py> Call<'_, 'py> {
                 "suppress takes a list of shapes, of shape (N, fields), and a list of scores, of shape (N,)",
             ));
         }
-        let rows: Rows<'_, T> = shapes.rows(false)?;
+        let slices = shapes.slices()?;
+        let rows: Rows<'_, T> = shapes.rows(&slices, false);
         let whole = vec![0, shapes.count()];
         let offsets = asked.offsets.as_ref().unwrap_or(&whole);
         let all = Rules::above(T::narrowed(asked.overlap));

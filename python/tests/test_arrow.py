@@ -1,5 +1,9 @@
 """Columns of Arrow in and out, without copies; groups; the grouped join."""
 
+import os
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 
@@ -94,14 +98,68 @@ def test_lent_fields_have_the_bits_of_rows(count, dtype):
     out = np.empty(count, dtype)
     assert geograd.iou(*lent, out=out) is out
     same(out, wanted)
-    # Calls that need rows, and shapes of broadcasting.
+    # Calls of two lists, and shapes of broadcasting.
     if count == 60:
-        same(geograd.iou.all_pairs(*lent), geograd.iou.all_pairs(*rows))
-        for own, other in zip(geograd.iou.above(*lent, 0.3), geograd.iou.above(*rows, 0.3)):
-            same(own, other)
+        matrix = np.empty((60, 60), dtype)
+        groups = ([0, 20, 20, 60], [0, 10, 30, 60])
+        upstream = np.linspace(0, 1, 3600, dtype=dtype).reshape(60, 60)
+        for x, y in (lent, (lent[0], rows[1]), (rows[0], lent[1])):
+            same(geograd.iou.all_pairs(x, y), geograd.iou.all_pairs(*rows))
+            same(geograd.iou.all_pairs(x, y, out=matrix), geograd.iou.all_pairs(*rows))
+            for form in (
+                lambda *of: geograd.iou.above(*of, 0.3), lambda *of: geograd.iou.above(*of, 0.3, groups=groups),
+                geograd.iou.row_max, lambda *of: geograd.iou.column_max(*of, groups=groups),
+                lambda *of: geograd.iou.all_pairs_vjp(*of, upstream), lambda *of: geograd.iou.sum_grad(*of)[1],
+            ):
+                for own, other in zip(form(x, y), form(*rows)):
+                    same(own, other)
+        scores = np.arange(60, dtype=dtype)
+        same(geograd.iou.suppress(lent[0], scores, 0.2), geograd.iou.suppress(rows[0], scores, 0.2))
         same(geograd.iou(lent[0], geograd.Obb2(b[:, None])), geograd.iou(rows[0], geograd.Obb2(b[:, None])))
         with pytest.raises(ValueError, match="`b`"):
             geograd.iou(lent[0], geograd.Obb2(b[:7]))
+
+
+NO_COPY = """
+import re, sys
+import numpy as np
+import geograd
+from geograd import _core
+geograd.set_num_threads(1)
+count, (form, layout) = 400_000, sys.argv[1:]
+rng = np.random.default_rng(1)
+lanes = [np.sort(rng.uniform(0, 1e6, count)), *(rng.uniform(1, 2, count) for _ in range(4))]
+a = geograd.Obb2(_core.Columns(lanes) if layout == "apart" else np.stack(lanes, axis=-1))
+b = a if form != "all_pairs" else geograd.Obb2(np.array([[1.0, 1, 2, 2, 0]]))
+offsets, out = np.arange(0, count + 1, 50), np.zeros(count)
+calls = {
+    "items": lambda: geograd.iou(a, b),
+    "out": lambda: geograd.iou(a, b, out=out),
+    "all_pairs": lambda: geograd.iou.all_pairs(a, b),
+    "above": lambda: geograd.iou.above(a, b, 0.999),
+    "groups": lambda: geograd.iou.above(a, b, 0.9, groups=(offsets, offsets)),
+    "row_max": lambda: geograd.iou.row_max(a, b, groups=(offsets, offsets)),
+}
+status = lambda name: int(re.search(name + r":\\s+(\\d+)", open("/proc/self/status").read())[1]) / 1024
+geograd.iou(geograd.Obb2(np.ones((1, 5))), geograd.Obb2(np.ones((1, 5))))
+open("/proc/self/clear_refs", "w").write("5")
+before = status("VmRSS")
+calls[form]()
+print(status("VmHWM") - before)
+"""
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/clear_refs"), reason="peaks of memory are Linux's")
+@pytest.mark.parametrize("form", ["items", "out", "all_pairs", "above", "groups", "row_max"])
+def test_no_call_copies_lent_fields(form):
+    # A copy of one argument is 15 MiB: the peak of a call on fields apart is that on rows, which are lent as they lie.
+    def peak(layout):
+        environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+        done = subprocess.run([sys.executable, "-c", NO_COPY, form, layout], capture_output=True, text=True, env=environment)
+        assert done.returncode == 0, done.stderr
+        return float(done.stdout)
+
+    assert peak("apart") < peak("together") + 8
 
 
 def test_flaws_of_lent_fields_are_named():

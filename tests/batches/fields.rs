@@ -1,6 +1,7 @@
 //! Arguments whose fields lie apart give the bits of rows, for every row of shapes of fixed size.
 use geograd::error::Error;
-use geograd::kernels::dynamic::{Fields, Format, Function, Mode, Rows, operation};
+use geograd::kernels::Groups;
+use geograd::kernels::dynamic::{Format, Function, Mode, Rows, operation};
 use geograd_tests::list::{self, Both};
 
 /// Rows of so many fields, field by field.
@@ -35,10 +36,10 @@ fn of_fields<T: Format>(
         .iter()
         .map(|own| own.iter().map(Vec::as_slice).collect())
         .collect();
-    let arguments: Vec<Fields<'_, T>> = (0..columns.len())
+    let arguments: Vec<Rows<'_, T>> = (0..columns.len())
         .map(|k| match is_apart(k) {
-            true => Fields::Apart(&slices[k]),
-            false => Fields::Rows(Rows::new(&columns[k], sizes[k])),
+            true => Rows::apart(&slices[k]),
+            false => Rows::new(&columns[k], sizes[k]),
         })
         .collect();
     let mut lists: Vec<Vec<T>> = function
@@ -48,7 +49,7 @@ fn of_fields<T: Format>(
         .collect();
     let mut results: Vec<Option<&mut [T]>> =
         lists.iter_mut().map(|own| Some(&mut own[..])).collect();
-    function.aligned_fields_into(&arguments, &mut results)?;
+    function.aligned_into_new(&arguments, &mut results)?;
     drop(results);
     Ok(lists)
 }
@@ -129,11 +130,11 @@ fn many_stretches_are_one() {
     let lanes = apart(&own, 5);
     let lanes: Vec<&[f64]> = lanes.iter().map(Vec::as_slice).collect();
     let one = [0.1, 0.2, 1.5, 1.0, 0.3];
-    let arguments = [Fields::Apart(&lanes), Fields::Rows(Rows::one(&one))];
+    let arguments = [Rows::apart(&lanes), Rows::one(&one)];
     let mut by_second = vec![0.0; 25_000];
     let mut results = [None, None, Some(&mut by_second[..])];
     function
-        .aligned_fields_into(&arguments, &mut results)
+        .aligned_into_new(&arguments, &mut results)
         .expect("is valid");
     let expected = function
         .aligned(&[Rows::new(&own, 5), Rows::one(&one)])
@@ -158,10 +159,10 @@ fn what_is_wrong_is_named() {
     // Another number of fields, of items, of arguments, of results.
     let lanes = apart(&good, 5);
     let lanes: Vec<&[f64]> = lanes.iter().map(Vec::as_slice).collect();
-    let rows = Fields::Rows(Rows::new(&good, 5));
+    let rows = Rows::new(&good, 5);
     let said = |a: &[&[f64]], count: usize| {
         let mut ious = vec![0.0; count];
-        function.aligned_fields_into(&[Fields::Apart(a), rows], &mut [Some(&mut ious)])
+        function.aligned_into_new(&[Rows::apart(a), rows], &mut [Some(&mut ious)])
     };
     assert!(matches!(
         said(&lanes[..4], 6000),
@@ -180,5 +181,109 @@ fn what_is_wrong_is_named() {
     let fewer: Vec<&[f64]> = lanes.iter().map(|own| &own[..10]).collect();
     assert!(matches!(said(&fewer, 6000), Err(Error::Length { .. })));
     assert!(matches!(said(&lanes, 5999), Err(Error::Length { .. })));
-    assert!(function.aligned_fields_into(&[rows], &mut [None]).is_err());
+    assert!(function.aligned_into_new(&[rows], &mut [None]).is_err());
+}
+
+/// All pairs and their reductions, groups, losses, results in the caller's memory.
+#[test]
+fn calls_of_two_lists_have_the_bits_of_rows() {
+    fn of<T: Both + Into<f64>>() {
+        let mut rows = 0;
+        // Columns are read by one code for all: a few rows will do.
+        for row in list::rows().into_iter().step_by(9) {
+            let Some(function) = row.operation.value::<T>() else {
+                continue;
+            };
+            let takes = function.takes();
+            if takes.len() != 2 || function.gives() != [1] {
+                continue;
+            }
+            let items = list::inputs::<T>(row, 40, |draw| row.random(draw));
+            let columns = list::columns(row, &items);
+            let fields: Vec<usize> = takes.iter().map(|(_, layout)| layout.fields()).collect();
+            let whole = [0, 1].map(|k| Rows::new(&columns[k], fields[k]));
+            let lanes = [0, 1].map(|k| apart(&columns[k], fields[k]));
+            let slices = [0, 1].map(|k| lanes[k].iter().map(Vec::as_slice).collect::<Vec<&[T]>>());
+            let lent = [0, 1].map(|k| Rows::apart(&slices[k]));
+            let name = row.name();
+            assert_eq!(
+                bits(&[lent[0].numbers().into_owned()]),
+                bits(&columns[..1]),
+                "{name}"
+            );
+            let zero = T::default();
+            let groups = [0, 7, 7, 30, 40];
+            let groups = Groups::new(&groups, &groups);
+            let run = |[a, b]: [Rows<'_, T>; 2]| {
+                let matrix = function.all_pairs(a, b).expect(name);
+                let mut into = vec![zero; matrix.len()];
+                function.all_pairs_into(a, b, &mut into).expect(name);
+                let mut aligned = vec![zero; 40];
+                let results = &mut [Some(&mut aligned[..])];
+                function.aligned_into(&[a, b], results).expect(name);
+                let found = function.above(a, b, zero).expect(name);
+                let grouped = function.above_grouped(a, b, groups, zero).expect(name);
+                let best = function.row_max(a, b).expect(name);
+                let most = function.column_max_grouped(a, b, groups).expect(name);
+                let (_, by_a, by_b) = function.sum_grad(a, b).expect(name);
+                let bars = bits(&[by_a, by_b]);
+                (
+                    bits(&[matrix, into, aligned]),
+                    bars,
+                    found,
+                    grouped,
+                    best,
+                    most,
+                )
+            };
+            let wanted = run(whole);
+            for own in [lent, [lent[0], whole[1]], [whole[0], lent[1]]] {
+                assert!(run(own) == wanted, "{name}");
+            }
+            rows += 1;
+        }
+        assert!(rows <= 1 || rows > 20, "{rows} rows");
+    }
+    of::<f32>();
+    of::<f64>();
+}
+
+/// Shapes that kernels do not serve are computed by themselves, and flaws are named.
+#[test]
+fn rare_and_flawed_shapes_of_two_lists() {
+    let function = iou(Mode::Value);
+    let mut own = boxes(3000);
+    for i in (0..3000).step_by(97) {
+        own[5 * i + 2] = 1e180;
+        own[5 * i + 1] = 1e-200;
+    }
+    let lanes = apart(&own, 5);
+    let slices: Vec<&[f64]> = lanes.iter().map(Vec::as_slice).collect();
+    let (whole, lent) = (Rows::new(&own, 5), Rows::apart(&slices));
+    let few = Rows::new(&own[5 * 90..5 * 110], 5);
+    assert_eq!(
+        bits(&[function.all_pairs(lent, few).expect("is valid")]),
+        bits(&[function.all_pairs(whole, few).expect("is valid")])
+    );
+    let offsets: Vec<usize> = (0..=3000).step_by(10).collect();
+    let groups = Groups::new(&offsets, &offsets);
+    let found = function.above_grouped(lent, lent, groups, 0.1);
+    assert_eq!(found, function.above_grouped(whole, whole, groups, 0.1));
+    own[5 * 2500 + 3] = -1.0;
+    let lanes = apart(&own, 5);
+    let slices: Vec<&[f64]> = lanes.iter().map(Vec::as_slice).collect();
+    let (whole, lent) = (Rows::new(&own, 5), Rows::apart(&slices));
+    let mut ious = [7.0; 3000];
+    for [a, b] in [[lent, lent], [whole, lent]] {
+        let error = function.above(a, b, 0.5).expect_err("is flawed");
+        let wanted = function.above(whole, whole, 0.5).expect_err("is flawed");
+        assert!(
+            matches!(error, Error::Invalid { item: 2500, .. }),
+            "{error}"
+        );
+        assert_eq!(error.to_string().replace("`b`", "`a`"), wanted.to_string());
+        // Nothing is written.
+        let refused = function.aligned_into(&[a, b], &mut [Some(&mut ious)]);
+        assert!(refused.is_err() && ious.iter().all(|&x| x == 7.0));
+    }
 }

@@ -238,6 +238,24 @@ fn by_name() {
             }
             assert!(200 * far <= found.len(), "{name}: {far}");
         }
+        // Fields that lie apart are the same rows.
+        let numbers = a.numbers();
+        let lane = |k: usize| numbers.iter().skip(k).step_by(fields[0]).copied().collect();
+        let lanes: Vec<Vec<f32>> = (0..fields[0]).map(lane).collect();
+        let lanes: Vec<&[f32]> = lanes.iter().map(Vec::as_slice).collect();
+        assert_eq!(
+            run.row_max_grouped_on(on, Rows::apart(&lanes), b, groups),
+            run.row_max_grouped_on(on, a, b, groups),
+            "{name}"
+        );
+        assert_eq!(
+            run.aligned_on(
+                on,
+                &[Rows::apart(&lanes), Rows::one(&b.numbers()[..fields[1]])]
+            ),
+            run.aligned_on(on, &[a, Rows::one(&b.numbers()[..fields[1]])]),
+            "{name}"
+        );
         // A threshold between two results: the very pairs of the processor.
         let mut scores: Vec<f32> = run
             .above_grouped(a, b, groups, -1e9)

@@ -12,4 +12,4 @@ pub use computation::{Face, Maker, Preparation, Rare};
 #[cfg(feature = "gpu")]
 pub(crate) use makers::prepared;
 pub(crate) use makers::{of_items, of_recorded};
-pub use prepared::List;
+pub use prepared::{List, Shapes};

@@ -2,14 +2,46 @@
 use super::computation::Preparation;
 use crate::kernels::cpu::lane::{Kept, Lane, Lent, TILE, Tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
+use crate::kernels::item::{Column, STRETCH};
 use crate::kernels::real::Real;
+use std::ops::Range;
+
+/// Some shapes of a column, which are read where they lie.
+pub struct Shapes<'a, T> {
+    column: &'a Column<'a, T>,
+    items: Range<usize>,
+}
+
+impl<'a, T: Real> Shapes<'a, T> {
+    /// All shapes of a column.
+    pub fn of(column: &'a Column<'a, T>) -> Self {
+        Shapes {
+            column,
+            items: 0..column.len(),
+        }
+    }
+    /// Some of these shapes, counted from the first.
+    pub fn part(&self, items: &Range<usize>) -> Self {
+        let from = self.items.start;
+        Shapes {
+            column: self.column,
+            items: from + items.start..from + items.end,
+        }
+    }
+    /// How many shapes.
+    pub fn len(&self) -> usize {
+        self.items.len()
+    }
+    /// The numbers of some shapes, as they lie in memory or written into `room`.
+    pub fn numbers<'r>(&'r self, items: Range<usize>, room: &'r mut Vec<T>) -> &'r [T] {
+        self.column.numbers(self.part(&items).items, room)
+    }
+}
 
 /// A list of shapes, prepared.
 pub struct List<'a, T: Kept> {
-    /// The shapes' numbers.
-    pub numbers: &'a [T],
-    /// Numbers per shape.
-    pub fields: usize,
+    /// The shapes.
+    pub shapes: Shapes<'a, T>,
     /// How many shapes.
     pub count: usize,
     /// Prepared shapes in tiles.
@@ -25,36 +57,40 @@ pub struct List<'a, T: Kept> {
 
 impl<'a, T: Real> List<'a, T> {
     /// Prepares shapes. `rare` says whether some may be too rare for kernels.
-    pub fn new(plan: &Preparation<T>, numbers: &'a [T], rare: bool, bounded: bool) -> Self {
-        let fields = plan.fields;
-        let count = numbers.len() / fields;
+    pub fn new(plan: &Preparation<T>, shapes: Shapes<'a, T>, rare: bool, bounded: bool) -> Self {
+        let (fields, count) = (plan.fields, shapes.len());
         let tiles = count.div_ceil(TILE);
-        let mut shapes = Lent::new(tiles * fields);
-        (T::kernels().bring)(numbers, fields, &mut shapes);
+        let mut lanes = Lent::new(tiles * fields);
+        let (mut room, mut rare_ones) = (Vec::new(), Vec::new());
+        for start in (0..count).step_by(STRETCH) {
+            let items = start..count.min(start + STRETCH);
+            let to = start / TILE * fields..items.end.div_ceil(TILE) * fields;
+            let numbers = shapes.numbers(items, &mut room);
+            (T::kernels().bring)(numbers, fields, &mut lanes[to]);
+            if rare {
+                let all = numbers.chunks_exact(fields).enumerate();
+                let found = all.filter(|(_, shape)| (plan.is_rare)(shape));
+                rare_ones.extend(found.map(|(i, _)| (start + i) as u32));
+            }
+        }
         let frame_fields = plan.frame_fields();
         let mut frames = Lent::new(0);
         if let Some((_, make)) = &plan.frame {
             frames = Lent::new(tiles * frame_fields);
-            make(Tiles::new(&shapes, fields), &mut frames);
+            make(Tiles::new(&lanes, fields), &mut frames);
         }
         let mut list = List {
-            numbers,
-            fields,
+            shapes,
             count,
             frames,
             frame_fields,
             bounds: None,
-            rare: Vec::new(),
+            rare: rare_ones,
         };
-        if rare {
-            let all = numbers.chunks_exact(fields).enumerate();
-            let rare = all.filter(|(_, shape)| (plan.is_rare)(shape));
-            list.rare = rare.map(|(i, _)| i as u32).collect();
-        }
         if let (Some(make), true) = (&plan.bounds, bounded) {
             let mut bounds = Lent::new(tiles * BOUNDS);
             let frames = Tiles::new(&list.frames, frame_fields);
-            make([Tiles::new(&shapes, fields), frames], &mut bounds);
+            make([Tiles::new(&lanes, fields), frames], &mut bounds);
             // Finite, so that not even everything meets what is nowhere.
             let everything = [T::lit(-T::LARGEST), T::lit(T::LARGEST)];
             let nowhere = [T::lit(f64::INFINITY), T::lit(f64::NEG_INFINITY)];
@@ -72,7 +108,7 @@ impl<'a, T: Real> List<'a, T> {
             list.bounds = Some(bounds);
         }
         if plan.frame.is_none() {
-            list.frames = shapes;
+            list.frames = lanes;
         }
         list
     }
@@ -96,9 +132,9 @@ impl<'a, T: Real> List<'a, T> {
         }
         picking
     }
-    /// A shape's numbers.
-    pub fn shape(&self, i: usize) -> &'a [T] {
-        &self.numbers[i * self.fields..][..self.fields]
+    /// A shape's numbers, as they lie in memory or written into `room`.
+    pub fn shape<'r>(&'r self, i: usize, room: &'r mut Vec<T>) -> &'r [T] {
+        self.shapes.numbers(i..i + 1, room)
     }
     /// A prepared shape in every place of a tile.
     pub fn spread(&self, i: usize, tile: &mut [Lane<T>]) {

@@ -6,9 +6,9 @@ use crate::ad::program::graph::{Graph, Id, Node};
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::wgsl::{Taken, exact, function_of};
 use crate::error::Field;
-use crate::kernels::cpu::plan::{List, Preparation, name, prepared};
+use crate::kernels::cpu::plan::{List, Preparation, Shapes, name, prepared};
 use crate::kernels::cpu::program::split::{Piece, split};
-use crate::kernels::item::Leaf;
+use crate::kernels::item::{Column, Leaf};
 use crate::kernels::real::Real;
 use crate::kernels::recording::Mode;
 use std::iter::repeat;
@@ -207,7 +207,10 @@ impl<T: Real> Generated<T> {
                 &plain
             }
         };
-        crate::kernels::cpu::arch::flat(&List::new(plan, numbers, false, false).frames).to_vec()
+        let count = numbers.len().checked_div(plan.fields).unwrap_or(0);
+        let column = Column::lent(numbers, plan.fields, Some(count));
+        let list = List::new(plan, Shapes::of(&column), false, false);
+        crate::kernels::cpu::arch::flat(&list.frames).to_vec()
     }
 }
 

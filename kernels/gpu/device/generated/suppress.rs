@@ -243,10 +243,10 @@ impl<'a> Masks<'a> {
             windows: Vec::new(),
             most_rows,
         };
+        let mut room = Vec::new();
         for start in (0..count).step_by(window) {
             let own = start..count.min(start + window);
-            let shapes = &columns.numbers[own.start * columns.fields..own.end * columns.fields];
-            let prepared = made.prepare(1, shapes);
+            let prepared = made.prepare(1, columns.shapes.numbers(own.clone(), &mut room));
             let bounds: Vec<[f32; 4]> = own.clone().map(|j| bounds_of(columns, j)).collect();
             let ids: Vec<[u32; 2]> = own.clone().map(|j| masks.ids(columns, j)).collect();
             masks.windows.push(inner.guarded(|| {
@@ -272,8 +272,11 @@ impl<'a> Masks<'a> {
     fn of(&self, rows: Vec<u32>) -> Result<Block, Error> {
         let (inner, made, list) = (&self.gpu.inner, self.made, self.rows);
         let first = rows[0] as usize / WORD;
-        let shapes = rows.iter().flat_map(|&row| list.shape(row as usize));
-        let numbers = made.prepare(0, &shapes.copied().collect::<Vec<f32>>());
+        let (mut shapes, mut room) = (Vec::new(), Vec::new());
+        for &row in &rows {
+            shapes.extend_from_slice(list.shape(row as usize, &mut room));
+        }
+        let numbers = made.prepare(0, &shapes);
         let bounds: Vec<[f32; 4]> = rows.iter().map(|&i| bounds_of(list, i as usize)).collect();
         let ids = rows.iter().map(|&row| {
             let [class, rare] = self.ids(list, row as usize);
