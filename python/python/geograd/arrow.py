@@ -1,8 +1,7 @@
 """Columns of Arrow in and out: shapes, groups, verbs on tables, the grouped join.
 
 A column of ``FixedSizeList`` is lent without a copy, and so is a result. Shapes of a column of structs, or of columns of a table,
-are lent field by field: calls item by item read them where they lie, other calls put them into rows once. Fields of structs have
-the names of the shape's fields, in any order.
+are lent field by field: calls read them where they lie. Fields of structs have the names of the shape's fields, in any order.
 """
 
 import numpy as np
