@@ -35,7 +35,7 @@
 //! Reductions compute the scores that they reduce: no matrix exists.
 //!
 //! Suppression within groups, assignment and average precision decide one after the other, on the CPU alone
-//! ([`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped), [`greedy_grouped`](crate::assignment::greedy_grouped),
+//! ([`suppress_grouped`](crate::kernels::Cpu::suppress_grouped), [`greedy_grouped`](crate::kernels::Cpu::greedy_grouped),
 //! [`metric`](crate::metric)).
 //!
 //! Searches (clipping, hulls) are decided on the CPU, item by item, and replayed on the GPU, with their derivatives:
