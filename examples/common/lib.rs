@@ -1,5 +1,6 @@
 //! Shared code of the examples.
 pub mod cli;
+pub mod compute;
 pub mod csv;
 mod failure;
 pub mod file;

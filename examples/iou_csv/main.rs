@@ -13,7 +13,7 @@
 //! | --- | --- |
 //! | `options.rs`, `metric.rs` | the command line and its words |
 //! | `input.rs` | tables of shapes; `common/csv.rs` reads and writes rows, here and for `table` |
-//! | `boxes/`, `number.rs` | boxes of the plane and of space, in both formats of numbers |
+//! | `boxes/`, `number.rs` | boxes of the plane and of space, in both formats; `common/compute.rs` computes, here and for `table` |
 //! | `polygon/` | polygons |
 mod boxes;
 mod input;
@@ -22,12 +22,14 @@ mod number;
 mod options;
 mod polygon;
 
-use boxes::{Boxes, Pairs};
+use boxes::{Boxes, Pairs, Which};
 use common::cli::{Failure, Machine, Wish, on_the_cpu, say};
+use common::compute::{self, BLOCK};
 use common::csv::Writer;
 use common::file;
 use common::output::Output;
 use common::progress::bar;
+use geograd::kernels::dynamic::Rows;
 use geograd::{Obb2, Obb3, YawBox3};
 use input::Shape;
 use metric::Format;
@@ -37,10 +39,6 @@ use polygon::{Derivatives, Polygon};
 use std::process::ExitCode;
 
 const PROGRAM: &str = "iou_csv";
-
-/// Results computed and written at a time: enough to keep all threads busy, few enough that memory
-/// does not grow with the job.
-const BLOCK: usize = 1 << 18;
 
 /// The machine asked for, as far as it has the format and computes the metric.
 fn machine<T: Number>(options: &Options) -> Result<Machine, Failure> {
@@ -99,38 +97,39 @@ fn boxes<P: Boxes>(options: &Options) -> Result<(), Failure> {
     let by: Vec<String> = P::DERIVATIVE.iter().map(|name| name.to_string()).collect();
     let output = Output::create(options.out.as_deref())?;
     let mut sink = Writer::new(output, &columns(options, [&by, &by]));
-    let mut block = |pairs: Pairs<'_, P>| {
-        let scores = P::scores(options.metric, machine.backend(), pairs, options.grad)?;
-        let shapes = |i: usize| match pairs {
-            Pairs::Aligned(a, b) => [a[i], b[i]],
-            Pairs::All(a, b) => [a[i / b.len()], b[i % b.len()]],
-        };
+    let numbers = [&a, &b].map(|all| all.iter().flat_map(|own| own.scalars()).collect::<Vec<_>>());
+    let lists = numbers.each_ref().map(|own| Rows::new(own, P::LEN));
+    let mut block = |which: Which| {
+        let pairs = Pairs { lists, which };
+        let scores = P::scores(options.metric, &machine, &pairs, options.grad)?;
+        let places = pairs.places();
         sink.rows(scores.values.len(), |i, fields| {
             fields.number(scores.values[i]);
-            for (by, shape) in scores.derivatives.iter().flatten().zip(shapes(i)) {
+            let shapes = [a[places[0][i]], b[places[1][i]]];
+            for (by, shape) in scores.derivatives.iter().flatten().zip(shapes) {
                 shape.derivatives(by[i], &mut |derivative| fields.number(derivative));
             }
         })?;
         Ok::<bool, Failure>(sink.is_closed())
     };
     if options.all_pairs {
-        // An empty B has no pairs, but still a number of rows that fits a block.
-        let rows = (BLOCK / b.len().max(1)).max(1);
         let progress = bar(PROGRAM, a.len() as u64 * b.len() as u64);
-        for a in a.chunks(rows) {
-            if block(Pairs::All(a, &b))? {
+        for own in compute::blocks(0..a.len(), 0..b.len()) {
+            let pairs = own[0].len() * own[1].len();
+            if block(Which::All(own))? {
                 break;
             }
-            progress.inc((a.len() * b.len()) as u64);
+            progress.inc(pairs as u64);
         }
         progress.finish_and_clear();
     } else {
         let progress = bar(PROGRAM, a.len() as u64);
-        for (a, b) in a.chunks(BLOCK).zip(b.chunks(BLOCK)) {
-            if block(Pairs::Aligned(a, b))? {
+        for start in (0..a.len()).step_by(BLOCK) {
+            let rows = start..a.len().min(start + BLOCK);
+            if block(Which::Aligned(rows.clone()))? {
                 break;
             }
-            progress.inc(a.len() as u64);
+            progress.inc(rows.len() as u64);
         }
         progress.finish_and_clear();
     }

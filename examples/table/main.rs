@@ -16,7 +16,7 @@
 //! | `work.rs` | rows, pairs, derivatives |
 //! | `sink.rs` | the result |
 //!
-//! `common/csv.rs` and `common/output.rs` read and write text here and for `iou_csv`.
+//! `common/csv.rs` and `common/output.rs` read and write text, `common/compute.rs` computes, here and for `iou_csv`.
 mod block;
 mod buffer;
 mod csv;

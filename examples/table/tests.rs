@@ -297,6 +297,194 @@ fn many_blocks_are_one() {
     assert_eq!(read(&at.join("all.parquet")), table);
 }
 
+/// Squares in a row, each alone, as columns; what changes a number of them.
+fn squares(
+    count: usize,
+    change: impl Fn(usize, usize) -> Option<Option<f64>>,
+) -> Vec<(&'static str, ArrayRef)> {
+    let names = ["min.x", "min.y", "max.x", "max.y"];
+    let columns = names.into_iter().enumerate().map(|(k, name)| {
+        let number = |row: usize| {
+            let x = 4.0 * row as f64;
+            let own = [x, 0.0, x + 2.0, 2.0][k];
+            change(row, k).unwrap_or(Some(own))
+        };
+        let numbers = (0..count).map(number).collect::<Float64Array>();
+        (name, Arc::new(numbers) as ArrayRef)
+    });
+    columns.collect()
+}
+
+/// Columns as one of structs, in another order than the shape's; one row may be null.
+fn as_structs(columns: &[(&str, ArrayRef)], null: Option<usize>) -> ArrayRef {
+    let order = [2, 0, 3, 1];
+    let fields: Fields = order
+        .iter()
+        .map(|&k| Field::new(columns[k].0, DataType::Float64, true))
+        .collect();
+    let valid = null.map(|null| {
+        let rows = 0..columns[0].1.len();
+        arrow::buffer::NullBuffer::from_iter(rows.map(|row| row != null))
+    });
+    let own = order.map(|k| Arc::clone(&columns[k].1)).to_vec();
+    Arc::new(StructArray::new(fields, own, valid))
+}
+
+#[test]
+fn rows_of_later_blocks_are_named() {
+    let at = folder("later");
+    let same = |_: usize, _: usize| None;
+    let good = squares(300_000, same);
+    write(&at.join("good.parquet"), good.clone());
+    let said = |name: &str, more: &str| {
+        let one =
+            format!("--verb distance --a aabb2:{name} --b aabb2:good.parquet {more} --out out.csv");
+        bad(&at, 1, &one)
+    };
+    let at_row = |row: usize, field: usize, number: Option<f64>| {
+        move |own: usize, k: usize| ((own, k) == (row, field)).then_some(number)
+    };
+    let flawed = squares(300_000, at_row(290_001, 3, Some(f64::NAN)));
+    write(&at.join("flawed.parquet"), flawed);
+    let why = said("flawed.parquet", "");
+    assert!(
+        why.contains("flawed.parquet: row 290001: max.y is not a finite number"),
+        "{why}"
+    );
+    write(
+        &at.join("null.parquet"),
+        squares(300_000, at_row(290_002, 0, None)),
+    );
+    let why = said("null.parquet", "");
+    assert!(
+        why.contains("null.parquet: row 290002: min.x is null"),
+        "{why}"
+    );
+    // Structs: one that is null, and a field of one.
+    write(
+        &at.join("structs.parquet"),
+        vec![("box", as_structs(&good, Some(33_000)))],
+    );
+    let why = said("structs.parquet", "--column-a box");
+    assert!(
+        why.contains("structs.parquet: row 33000: box is null"),
+        "{why}"
+    );
+    let inner = squares(40_000, at_row(33_001, 2, None));
+    write(
+        &at.join("inner.parquet"),
+        vec![("box", as_structs(&inner, None))],
+    );
+    let why = said("inner.parquet", "--column-a box");
+    assert!(
+        why.contains("inner.parquet: row 33001: box.max.x is null"),
+        "{why}"
+    );
+    // Groups: out of order, and null.
+    let keyed = |key: &dyn Fn(i32) -> Option<i32>| {
+        let keys: ArrayRef = Arc::new((0..300_000).map(key).collect::<Int32Array>());
+        let mut columns = good.clone();
+        columns.push(("frame", keys));
+        columns
+    };
+    write(&at.join("good.parquet"), keyed(&|k| Some(k / 100)));
+    let late = keyed(&|k| Some(if k == 280_050 { 7 } else { k / 100 }));
+    write(&at.join("mixed.parquet"), late);
+    let why = said("mixed.parquet", "--group frame --above 1");
+    assert!(
+        why.contains("mixed.parquet: row 280050: group 7 comes after 2800"),
+        "{why}"
+    );
+    write(
+        &at.join("keyless.parquet"),
+        keyed(&|k| (k != 270_000).then_some(k / 100)),
+    );
+    let why = said("keyless.parquet", "--group frame --above 1");
+    assert!(
+        why.contains("keyless.parquet: row 270000: frame is null"),
+        "{why}"
+    );
+    // Text.
+    let mut text = String::from("min.x,min.y,max.x,max.y\n");
+    (0..40_000).for_each(|row| {
+        text += if row == 39_999 {
+            "0,0,1,y\n"
+        } else {
+            "0,0,1,1\n"
+        }
+    });
+    std::fs::write(at.join("text.csv"), text).unwrap();
+    let why = said("text.csv", "");
+    assert!(
+        why.contains("text.csv: row 39999 (line 40001): max.y is not a number: `y`"),
+        "{why}"
+    );
+}
+
+#[test]
+fn lists_and_structs_of_many_batches() {
+    let at = folder("batches");
+    let count = 70_000;
+    let columns = squares(count, |_, _| None);
+    write(
+        &at.join("structs.parquet"),
+        vec![("box", as_structs(&columns, None))],
+    );
+    let lane = |k: usize| columns[k].1.as_primitive::<Float64Type>();
+    let all: Vec<f64> = (0..4 * count).map(|i| lane(i % 4).value(i / 4)).collect();
+    let element = Arc::new(Field::new("element", DataType::Float64, false));
+    let values = Arc::new(Float64Array::from(all));
+    let fixed = FixedSizeListArray::new(Arc::clone(&element), 4, values.clone(), None);
+    let offsets = arrow::buffer::OffsetBuffer::from_lengths(std::iter::repeat_n(4, count));
+    let free = arrow::array::ListArray::new(element, offsets, values, None);
+    write(&at.join("fixed.parquet"), vec![("box", Arc::new(fixed))]);
+    write(&at.join("free.parquet"), vec![("box", Arc::new(free))]);
+    // The same box in every row of both: any other row or field would be another number.
+    for (a, b) in [("structs", "fixed"), ("fixed", "free"), ("free", "structs")] {
+        let files =
+            format!("--a aabb2:{a}.parquet --column-a box --b aabb2:{b}.parquet --column-b box");
+        let text = good(&at, &format!("--verb iou {files}"));
+        assert_eq!(text.lines().count(), count + 1, "{a} {b}");
+        assert!(text.lines().skip(1).all(|line| line == "1"), "{a} {b}");
+    }
+    // Only what is above: a score at the threshold is not.
+    let files = "--a aabb2:fixed.parquet --column-a box --b aabb2:fixed.parquet --column-b box";
+    for which in ["", "--all-pairs"] {
+        let text = good(&at, &format!("--verb iou {files} {which} --above 1"));
+        assert_eq!(text.lines().count(), 1, "{which}");
+    }
+    let told = good(&at, &format!("--verb iou {files} --above 0.5"));
+    let last = told.lines().last().unwrap();
+    assert_eq!((told.lines().count(), last), (count + 1, "69999,1"));
+}
+
+/// More pairs than a block has: bands of rows, and a row of more columns than a block.
+#[test]
+fn all_pairs_of_many_blocks() {
+    let at = folder("pairs");
+    for [rows, columns] in [[600, 1000], [2, 300_000]] {
+        write(&at.join("a.parquet"), squares(rows, |_, _| None));
+        write(&at.join("b.parquet"), squares(columns, |_, _| None));
+        let files = "--a aabb2:a.parquet --b aabb2:b.parquet --all-pairs --out c.parquet";
+        good(&at, &format!("--verb distance {files}"));
+        let table = read(&at.join("c.parquet"));
+        assert_eq!(table.num_rows(), rows * columns);
+        let ids = [0, 1].map(|k| {
+            table
+                .column(k)
+                .as_primitive::<UInt64Type>()
+                .values()
+                .clone()
+        });
+        let far = table.column(2).as_primitive::<Float64Type>().values();
+        for (k, &far) in far.iter().enumerate() {
+            let [i, j] = [k / columns, k % columns];
+            assert_eq!([ids[0][k] as usize, ids[1][k] as usize], [i, j]);
+            assert_eq!(far, (4.0 * i.abs_diff(j) as f64 - 2.0).max(0.0), "{i} {j}");
+        }
+    }
+}
+
 #[test]
 fn bad_rows_name_file_row_and_field() {
     let at = folder("bad_rows");

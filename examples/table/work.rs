@@ -6,19 +6,12 @@ use crate::sink::Sink;
 use crate::source::Source;
 use arrow::datatypes::{DataType, Field, Schema};
 use common::cli::{Failure, Machine};
+use common::compute::{self, BLOCK};
 use geograd::kernels::Groups;
-use geograd::kernels::dynamic::{Function, Mode, Rows};
+use geograd::kernels::dynamic::{Function, Mode};
+use geograd::kernels::reduce::Found;
 use std::cmp::Ordering;
 use std::sync::Arc;
-
-/// Rows of a file, and results, that are in memory at a time.
-const BLOCK: usize = 1 << 18;
-
-/// Pairs of rows and, where they are known, their results.
-struct Pairs<T> {
-    rows: [Vec<usize>; 2],
-    values: Option<Vec<T>>,
-}
 
 struct Work<'a, T: Number> {
     options: &'a Options,
@@ -124,9 +117,8 @@ impl<'a, T: Number> Work<'a, T> {
         })
     }
 
-    /// The results of rows, as columns of a table.
-    fn columns(&self, rows: &[Rows<'_, T>]) -> Result<Vec<Vec<T>>, Failure> {
-        let lists = T::aligned(&self.wanted, self.machine, rows)?;
+    /// Results as columns of a table.
+    fn columns(&self, lists: Vec<Vec<T>>) -> Vec<Vec<T>> {
         let mut columns = Vec::new();
         for (list, &[fields, told]) in lists.into_iter().zip(&self.gives) {
             columns.extend((0..told).map(|k| {
@@ -137,7 +129,7 @@ impl<'a, T: Number> Work<'a, T> {
                     .collect::<Vec<T>>()
             }));
         }
-        Ok(columns)
+        columns
     }
 
     fn aligned(&mut self, buffers: &mut [Buffer<T>]) -> Result<(), Failure> {
@@ -166,7 +158,7 @@ impl<'a, T: Number> Work<'a, T> {
                 };
             }
             let rows: Vec<_> = buffers.iter().map(|buffer| buffer.rows(count)).collect();
-            let mut columns = self.columns(&rows)?;
+            let mut columns = self.columns(T::aligned(&self.wanted, self.machine, &rows)?);
             let mut ids = Vec::new();
             if let Some(threshold) = self.options.above {
                 let told: Vec<usize> = (0..count)
@@ -189,36 +181,33 @@ impl<'a, T: Number> Work<'a, T> {
         Ok(())
     }
 
-    /// Writes pairs of rows that wait in both buffers.
-    fn pairs(&mut self, [a, b]: [&Buffer<T>; 2], pairs: Pairs<T>) -> Result<(), Failure> {
-        let count = pairs.rows[0].len();
-        for start in (0..count).step_by(BLOCK) {
+    /// The numbers of rows of both files, counted from those that wait.
+    fn ids([a, b]: [&Buffer<T>; 2], places: [&[usize]; 2]) -> Vec<Vec<u64>> {
+        let ids = [(a, places[0]), (b, places[1])].map(|(buffer, places)| {
+            let all = places.iter().map(|&row| (buffer.first + row) as u64);
+            all.collect()
+        });
+        ids.into()
+    }
+
+    /// Writes pairs that were found among rows that wait in both buffers.
+    fn found(&mut self, buffers: [&Buffer<T>; 2], found: &[Found<T>]) -> Result<(), Failure> {
+        for found in found.chunks(BLOCK) {
             if self.sink.is_closed() {
                 break;
             }
-            let span = start..count.min(start + BLOCK);
-            let ids = [(a, 0), (b, 1)].map(|(buffer, k): (&Buffer<T>, usize)| {
-                let rows = pairs.rows[k][span.clone()].iter();
-                rows.map(|&row| (buffer.first + row) as u64).collect()
-            });
-            let columns = match &pairs.values {
-                Some(values) if !self.options.grad => vec![values[span].to_vec()],
-                _ => {
-                    let picked = [(a, 0), (b, 1)].map(|(buffer, k): (&Buffer<T>, usize)| {
-                        let all = buffer.rows(buffer.len()).numbers();
-                        let fields = buffer.source.fields();
-                        let rows = pairs.rows[k][span.clone()].iter();
-                        rows.flat_map(|&row| &all[row * fields..(row + 1) * fields])
-                            .copied()
-                            .collect::<Vec<T>>()
-                    });
-                    self.columns(&[
-                        Rows::new(&picked[0], a.source.fields()),
-                        Rows::new(&picked[1], b.source.fields()),
-                    ])?
+            let rows: Vec<usize> = found.iter().map(|pair| pair.row).collect();
+            let columns: Vec<usize> = found.iter().map(|pair| pair.column).collect();
+            let places = [&rows[..], &columns[..]];
+            let results = match self.options.grad {
+                false => vec![found.iter().map(|pair| pair.value).collect()],
+                true => {
+                    let lists = buffers.map(|buffer| buffer.rows(buffer.len()));
+                    let of = compute::of_places(&self.wanted, self.machine, lists, places)?;
+                    self.columns(of)
                 }
             };
-            self.sink.write(ids.into(), columns)?;
+            self.sink.write(Self::ids(buffers, places), results)?;
         }
         Ok(())
     }
@@ -235,7 +224,7 @@ impl<'a, T: Number> Work<'a, T> {
                 Some(threshold) => {
                     let rows = [a.rows(count), b.rows(b.len())];
                     let found = T::found(&self.value, self.machine, rows, T::near(threshold))?;
-                    self.pairs([a, b], listed(&found))?;
+                    self.found([a, b], &found)?;
                 }
                 None => self.product([a, b], 0..count, 0..b.len())?,
             }
@@ -250,27 +239,15 @@ impl<'a, T: Number> Work<'a, T> {
         rows: std::ops::Range<usize>,
         columns: std::ops::Range<usize>,
     ) -> Result<(), Failure> {
-        if columns.is_empty() {
-            return Ok(());
-        }
-        let count = rows.len() * columns.len();
-        for start in (0..count).step_by(BLOCK) {
-            let places = start..count.min(start + BLOCK);
-            let of_rows = places
-                .clone()
-                .map(|k| rows.start + k / columns.len())
-                .collect();
-            let of_columns = places.map(|k| columns.start + k % columns.len()).collect();
-            self.pairs(
-                buffers,
-                Pairs {
-                    rows: [of_rows, of_columns],
-                    values: None,
-                },
-            )?;
+        for block in compute::blocks(rows, columns) {
             if self.sink.is_closed() {
                 break;
             }
+            let [of_rows, of_columns] = compute::places(&block[0], &block[1]);
+            let lists = buffers.map(|buffer| buffer.rows(buffer.len()));
+            let results = compute::of_all(&self.wanted, self.machine, lists, &block)?;
+            let ids = Self::ids(buffers, [&of_rows, &of_columns]);
+            self.sink.write(ids, self.columns(results))?;
         }
         Ok(())
     }
@@ -308,7 +285,7 @@ impl<'a, T: Number> Work<'a, T> {
                     let rows = [a.rows(ends[0]), b.rows(ends[1])];
                     let (of, on, threshold) = (&self.value, self.machine, T::near(threshold));
                     let found = T::found_grouped(of, on, rows, groups, threshold)?;
-                    self.pairs([a, b], listed(&found))?;
+                    self.found([a, b], &found)?;
                 }
                 None => {
                     for (own, other) in offsets[0].windows(2).zip(offsets[1].windows(2)) {
@@ -323,16 +300,6 @@ impl<'a, T: Number> Work<'a, T> {
             }
         }
         Ok(())
-    }
-}
-
-fn listed<T: Number>(found: &[geograd::kernels::reduce::Found<T>]) -> Pairs<T> {
-    Pairs {
-        rows: [
-            found.iter().map(|pair| pair.row).collect(),
-            found.iter().map(|pair| pair.column).collect(),
-        ],
-        values: Some(found.iter().map(|pair| pair.value).collect()),
     }
 }
 

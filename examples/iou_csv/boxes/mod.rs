@@ -5,11 +5,13 @@ mod space;
 use crate::input::{self, Shape};
 use crate::metric::Metric;
 use crate::number::Number;
-use geograd::kernels::Runs;
+use common::cli::{Failure, Machine};
+use common::compute;
+use geograd::Program;
+use geograd::kernels::Cpu;
+use geograd::kernels::dynamic::{Mode, Operation, Rows};
 use geograd::kernels::item::Single;
-use geograd::kernels::op::ValueGrad;
-use geograd::kernels::{Backend, Cpu, Table};
-use geograd::{Error, Program};
+use std::ops::Range;
 
 /// A kind of box.
 pub trait Boxes: Single<Scalar: Number> + Send + Sync {
@@ -29,10 +31,10 @@ pub trait Boxes: Single<Scalar: Number> + Send + Sync {
     /// The scores of pairs, with derivatives if they are wanted.
     fn scores(
         metric: Metric,
-        backend: Backend<'_>,
-        pairs: Pairs<'_, Self>,
+        machine: &Machine,
+        pairs: &Pairs<'_, Self::Scalar>,
         grad: bool,
-    ) -> Result<Scores<Self>, Error>;
+    ) -> Result<Scores<Self>, Failure>;
 }
 
 impl<P: Boxes> Shape for P {
@@ -60,25 +62,39 @@ impl<P: Boxes> Shape for P {
     }
 }
 
-/// Which boxes go with which.
-#[derive(Clone, Copy, Debug)]
-pub enum Pairs<'a, P> {
-    /// Box i of both lists.
-    Aligned(&'a [P], &'a [P]),
-    /// Every one of the first list with every one of the second.
-    All(&'a [P], &'a [P]),
+/// The rows that go together.
+#[derive(Clone, Debug)]
+pub enum Which {
+    /// Row i of both lists, of some rows.
+    Aligned(Range<usize>),
+    /// Every one of some rows of the first list with every one of some of the second.
+    All([Range<usize>; 2]),
 }
 
-impl<P: Copy> Pairs<'_, P> {
-    /// The pairs one after another, as two lists.
-    fn listed(self) -> (Vec<P>, Vec<P>) {
-        match self {
-            Pairs::Aligned(a, b) => (a.to_vec(), b.to_vec()),
-            Pairs::All(a, b) => (
-                a.iter().flat_map(|x| b.iter().map(|_| *x)).collect(),
-                a.iter().flat_map(|_| b).copied().collect(),
-            ),
+/// Pairs of two lists of boxes as numbers.
+#[derive(Clone, Debug)]
+pub struct Pairs<'a, T> {
+    pub lists: [Rows<'a, T>; 2],
+    pub which: Which,
+}
+
+impl<T: Number> Pairs<'_, T> {
+    /// The places of the pairs in both lists.
+    pub fn places(&self) -> [Vec<usize>; 2] {
+        match &self.which {
+            Which::Aligned(rows) => [rows.clone().collect(), rows.clone().collect()],
+            Which::All([rows, columns]) => compute::places(rows, columns),
         }
+    }
+    /// The boxes of the pairs, as two lists.
+    fn listed<P: Boxes<Scalar = T>>(&self) -> [Vec<P>; 2] {
+        let places = self.places();
+        [0, 1].map(|k| {
+            let (all, fields) = (self.lists[k].numbers(), self.lists[k].fields());
+            let own = places[k].iter();
+            own.map(|&row| P::load(&all[row * fields..(row + 1) * fields]))
+                .collect()
+        })
     }
 }
 
@@ -103,53 +119,58 @@ impl<P: Boxes> Scores<P> {
             derivatives: Some([a_bar, b_bar]),
         }
     }
-
-    pub fn from_table(table: &Table<(P::Scalar, (P, P))>) -> Self {
-        let mut scores = Self::with_derivatives(Vec::new(), Vec::new(), Vec::new());
-        let Some([a_bar, b_bar]) = &mut scores.derivatives else {
-            return scores;
-        };
-        for row in 0..table.rows() {
-            for column in 0..table.columns() {
-                let (value, (by_a, by_b)) = table.at(row, column);
-                scores.values.push(value);
-                a_bar.push(by_a);
-                b_bar.push(by_b);
-            }
-        }
-        scores
-    }
 }
 
-/// The scores of an operation of two boxes.
-pub fn on_cpu<P: Boxes, O>(op: O, pairs: Pairs<'_, P>, grad: bool) -> Result<Scores<P>, Error>
-where
-    O: Runs<(P, P), Out = P::Scalar> + Copy,
-{
-    let cpu = Cpu::new();
-    match pairs {
-        Pairs::Aligned(a, b) if grad => {
-            let (values, (a_bar, b_bar)) = cpu.aligned(ValueGrad::of(op), (a, b))?;
-            Ok(Scores::with_derivatives(values, a_bar, b_bar))
+/// The scores of a row of two boxes.
+pub fn of_row<P: Boxes>(
+    row: &Operation,
+    machine: &Machine,
+    pairs: &Pairs<'_, P::Scalar>,
+    grad: bool,
+) -> Result<Scores<P>, Failure> {
+    let mode = if grad { Mode::ValueGrad } else { Mode::Value };
+    let Some(function) = row.function::<P::Scalar>(mode) else {
+        return Err(Failure::Work(format!("{} takes paths", row.name)));
+    };
+    let lists = match &pairs.which {
+        Which::Aligned(rows) => compute::of_rows(&function, machine, pairs.lists, rows)?,
+        Which::All(block) => compute::of_all(&function, machine, pairs.lists, block)?,
+    };
+    let shapes =
+        |numbers: &[P::Scalar]| -> Vec<P> { numbers.chunks_exact(P::LEN).map(P::load).collect() };
+    let mut lists = lists.into_iter();
+    let values = lists.next().unwrap_or_default();
+    Ok(match (lists.next(), lists.next()) {
+        (Some(a_bar), Some(b_bar)) => {
+            Scores::with_derivatives(values, shapes(&a_bar), shapes(&b_bar))
         }
-        Pairs::Aligned(a, b) => Ok(Scores::new(cpu.aligned(op, (a, b))?)),
-        Pairs::All(a, b) if grad => Ok(Scores::from_table(&cpu.all_pairs(
-            ValueGrad::of(op),
-            a,
-            b,
-        )?)),
-        Pairs::All(a, b) => Ok(Scores::new(cpu.all_pairs(op, a, b)?.into_planes())),
-    }
+        _ => Scores::new(values),
+    })
 }
+
+/// The row of a verb for two boxes of a kind.
+macro_rules! row {
+    ($verb:ident, $shape:ident) => {
+        const {
+            geograd::kernels::dynamic::straight::<
+                geograd::kernels::RowOf<
+                    geograd::kernels::$verb,
+                    (geograd::$shape<f64>, geograd::$shape<f64>),
+                >,
+            >()
+        }
+    };
+}
+use row;
 
 /// The scores of a program of two boxes and a score of theirs that is known, with its derivatives.
 fn on_scores<P: Boxes>(
     program: &Program<(P, P, P::Scalar), P::Scalar>,
-    pairs: Pairs<'_, P>,
+    pairs: &Pairs<'_, P::Scalar>,
     known: Scores<P>,
-) -> Result<Scores<P>, Error> {
+) -> Result<Scores<P>, Failure> {
     let cpu = Cpu::new();
-    let (a, b) = pairs.listed();
+    let [a, b] = pairs.listed::<P>();
     let columns = (&a, &b, &known.values);
     let Some([mut known_a, mut known_b]) = known.derivatives else {
         return Ok(Scores::new(cpu.aligned(program, columns)?));

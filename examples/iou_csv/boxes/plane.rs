@@ -1,10 +1,10 @@
 //! Rotated boxes of the plane.
-use super::{Boxes, Pairs, Scores, on_cpu, on_scores};
+use super::{Boxes, Pairs, Scores, of_row, on_scores, row};
 use crate::metric::{Enclosing, Metric};
 use crate::number::Number;
+use common::cli::{Failure, Machine};
 use geograd::iou3::smallest_rectangle;
-use geograd::kernels::{Backend, Ciou, CiouAabb, Diou, DiouAabb, Eiou, EiouAabb, Giou, GiouAabb};
-use geograd::{Error, Obb2, Program, Scalar, Sym};
+use geograd::{Obb2, Program, Scalar, Sym};
 
 /// GIoU with the rectangle of least area around both, from their IoU.
 fn giou_in_rectangle<S: Scalar>(a: Obb2<S>, b: Obb2<S>, iou: S) -> S {
@@ -37,28 +37,29 @@ impl<T: Number> Boxes for Obb2<T> {
 
     fn scores(
         metric: Metric,
-        backend: Backend<'_>,
-        pairs: Pairs<'_, Self>,
+        machine: &Machine,
+        pairs: &Pairs<'_, T>,
         grad: bool,
-    ) -> Result<Scores<Self>, Error> {
-        match metric {
-            Metric::Iou => T::iou(backend, pairs, grad),
-            Metric::Iof => T::iof(backend, pairs, grad),
-            Metric::Giou(Enclosing::Hull) => on_cpu(Giou, pairs, grad),
-            Metric::Giou(Enclosing::Aabb) => on_cpu(GiouAabb, pairs, grad),
+    ) -> Result<Scores<Self>, Failure> {
+        let row = match metric {
+            Metric::Iou => row!(Iou, Obb2),
+            Metric::Iof => row!(Iof, Obb2),
+            Metric::Giou(Enclosing::Hull) => row!(Giou, Obb2),
+            Metric::Giou(Enclosing::Aabb) => row!(GiouAabb, Obb2),
             Metric::Giou(Enclosing::Rect) => {
-                let ious = T::iou(Backend::Cpu, pairs, grad)?;
+                let ious = of_row(&row!(Iou, Obb2), machine, pairs, grad)?;
                 type Known<T> = (Obb2<Sym<T>>, Obb2<Sym<T>>, Sym<T>);
                 let giou = |(a, b, iou): Known<T>| giou_in_rectangle(a, b, iou);
-                on_scores(&Program::trace(giou)?, pairs, ious)
+                return on_scores(&Program::trace(giou)?, pairs, ious);
             }
             // The command line has no rectangle for these.
-            Metric::Diou(Enclosing::Hull | Enclosing::Rect) => on_cpu(Diou, pairs, grad),
-            Metric::Diou(Enclosing::Aabb) | Metric::DiouBox => on_cpu(DiouAabb, pairs, grad),
-            Metric::Ciou(Enclosing::Hull | Enclosing::Rect) => on_cpu(Ciou, pairs, grad),
-            Metric::Ciou(Enclosing::Aabb) => on_cpu(CiouAabb, pairs, grad),
-            Metric::Eiou(Enclosing::Hull | Enclosing::Rect) => on_cpu(Eiou, pairs, grad),
-            Metric::Eiou(Enclosing::Aabb) => on_cpu(EiouAabb, pairs, grad),
-        }
+            Metric::Diou(Enclosing::Hull | Enclosing::Rect) => row!(Diou, Obb2),
+            Metric::Diou(Enclosing::Aabb) | Metric::DiouBox => row!(DiouAabb, Obb2),
+            Metric::Ciou(Enclosing::Hull | Enclosing::Rect) => row!(Ciou, Obb2),
+            Metric::Ciou(Enclosing::Aabb) => row!(CiouAabb, Obb2),
+            Metric::Eiou(Enclosing::Hull | Enclosing::Rect) => row!(Eiou, Obb2),
+            Metric::Eiou(Enclosing::Aabb) => row!(EiouAabb, Obb2),
+        };
+        of_row(&row, machine, pairs, grad)
     }
 }

@@ -1,13 +1,13 @@
 //! Boxes of space.
 //!
 //! IoU and IoF are the library's operations; the other scores are recorded as what they add to IoU.
-use super::{Boxes, Pairs, Scores, on_cpu, on_scores};
+use super::{Boxes, Pairs, Scores, of_row, on_scores, row};
 use crate::metric::{Enclosing, Metric};
 use crate::number::Number;
+use common::cli::{Failure, Machine};
 use common::known::known;
 use geograd::ad::program::Plain;
 use geograd::iou3::{self, Solid};
-use geograd::kernels::{Backend, Iof, Iou};
 use geograd::{Error, Fixed, Obb3, Program, Sym, YawBox3};
 
 /// The recorded score of two boxes, with their IoU as an argument.
@@ -61,16 +61,17 @@ impl<T: Number> Boxes for YawBox3<T> {
 
     fn scores(
         metric: Metric,
-        _backend: Backend<'_>,
-        pairs: Pairs<'_, Self>,
+        machine: &Machine,
+        pairs: &Pairs<'_, T>,
         grad: bool,
-    ) -> Result<Scores<Self>, Error> {
+    ) -> Result<Scores<Self>, Failure> {
+        let of = |row| of_row(&row, machine, pairs, grad);
         match metric {
-            Metric::Iou => on_cpu(Iou, pairs, grad),
-            Metric::Iof => on_cpu(Iof, pairs, grad),
+            Metric::Iou => of(row!(Iou, YawBox3)),
+            Metric::Iof => of(row!(Iof, YawBox3)),
             _ => {
                 let added = program::<T, Self, YawBox3<Sym<T>>>(metric)?;
-                on_scores(&added, pairs, on_cpu(Iou, pairs, grad)?)
+                on_scores(&added, pairs, of(row!(Iou, YawBox3))?)
             }
         }
     }
@@ -101,16 +102,17 @@ impl<T: Number> Boxes for Obb3<T> {
 
     fn scores(
         metric: Metric,
-        _backend: Backend<'_>,
-        pairs: Pairs<'_, Self>,
+        machine: &Machine,
+        pairs: &Pairs<'_, T>,
         grad: bool,
-    ) -> Result<Scores<Self>, Error> {
+    ) -> Result<Scores<Self>, Failure> {
+        let of = |row| of_row(&row, machine, pairs, grad);
         match metric {
-            Metric::Iou => on_cpu(Iou, pairs, grad),
-            Metric::Iof => on_cpu(Iof, pairs, grad),
+            Metric::Iou => of(row!(Iou, Obb3)),
+            Metric::Iof => of(row!(Iof, Obb3)),
             _ => {
                 let added = program::<T, Self, Obb3<Sym<T>>>(metric)?;
-                on_scores(&added, pairs, on_cpu(Iou, pairs, grad)?)
+                on_scores(&added, pairs, of(row!(Iou, Obb3))?)
             }
         }
     }
