@@ -74,6 +74,19 @@ def test_structs_are_lent_field_by_field():
     table = pa.table({f"box.{name}": A[:, k].copy() for k, name in enumerate(arrow._FIELDS["Obb2"])})
     assert address(arrow.fields(table, "Obb2", "box.").y) == table["box.y"].chunk(0).buffers()[1].address
 
+    # A struct that is null has numbers below it, which mean nothing; a number may be null, too.
+    lanes = [column.field(k) for k in range(5)]
+    null = pa.StructArray.from_arrays(lanes, fields=list(column.type), mask=pa.array(np.arange(60) == 17))
+    lanes[2] = pa.array([None if k == 23 else 1.5 for k in range(60)])
+    inner = pa.StructArray.from_arrays(lanes, [field.name for field in column.type])
+    for form in (arrow.shapes, arrow.array):
+        with pytest.raises(ValueError, match="`column` item 17: is null"):
+            form(null, "Obb2")
+        with pytest.raises(ValueError, match="`box` item 7: is null"):
+            form(null.slice(10), "Obb2", "box")
+        with pytest.raises(ValueError, match=f"`column.{inner.type.field(2).name}` item 23: is null"):
+            form(inner, "Obb2")
+
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 @pytest.mark.parametrize("count", [0, 1, 60, 5000])
