@@ -265,6 +265,17 @@ fn rare_and_flawed_shapes_of_two_lists() {
         bits(&[function.all_pairs(lent, few).expect("is valid")]),
         bits(&[function.all_pairs(whole, few).expect("is valid")])
     );
+    // A rare one of a later stretch is the rare one that it is alone.
+    let matrix = function.all_pairs(lent, few).expect("is valid");
+    let alone = |row: usize| Rows::new(&own[5 * row..5 * row + 5], 5);
+    for row in (0..3000).step_by(97) {
+        let wanted = function.all_pairs(alone(row), few).expect("is valid");
+        assert_eq!(
+            bits(&[matrix[20 * row..20 * row + 20].to_vec()]),
+            bits(&[wanted]),
+            "{row}"
+        );
+    }
     let offsets: Vec<usize> = (0..=3000).step_by(10).collect();
     let groups = Groups::new(&offsets, &offsets);
     let found = function.above_grouped(lent, lent, groups, 0.1);
