@@ -10,22 +10,23 @@ use std::any::TypeId;
 
 /// The volume that two related boxes share, in units of `1 / scale³`.
 ///
-/// Plain numbers take the value alone. For numbers with derivatives the derivatives g come from the formula for
-/// derivatives, because those of the value's own arithmetic are lost where edges are parallel to faces. With
-/// `x₀` the value of an input x without its derivatives,
+/// Floats take the value alone. For numbers with derivatives, and symbols of programs to be differentiated, the
+/// derivatives g come from the formula for derivatives, because those of the value's own arithmetic are lost where
+/// edges are parallel to faces. With `x₀` the value of an input x without its derivatives,
 ///
 /// ```text
 /// V(x₀) + Σ ½ (g(x) + g(x₀)) · (x − x₀)
 /// ```
 ///
 /// has the first derivative g and the second derivative g′. (Higher ones are not those of the volume.) The
-/// rotation enters by the entries of its matrix R: a turn ω changes them by `ω × R`, so the derivative τ by a
-/// turn is `½ τ × R` by the entries.
+/// differences are zero as a value, so that a program of the value has none of it. The rotation enters by the entries
+/// of its matrix R: a turn ω changes them by `ω × R`, so the derivative τ by a turn is `½ τ × R` by the entries.
 #[inline(always)]
 fn volume<S: Scalar, const PIECES: bool>(pair: &Relative3<S>) -> S {
     // In one piece there are only plain vectors. Said as a constant: what follows is not compiled for them then.
     if PIECES {
-        if TypeId::of::<S>() == TypeId::of::<S::Primal>() {
+        let number = TypeId::of::<S>();
+        if number == TypeId::of::<f32>() || number == TypeId::of::<f64>() {
             return shared_volume::<S, false, PIECES>(pair).volume;
         }
         volume_and_curvature(pair)
@@ -40,7 +41,7 @@ fn volume_and_curvature<S: Scalar>(pair: &Relative3<S>) -> S {
     let g = shared_volume::<S, true, true>(&without_curvature(pair));
     let mut volume = S::from_primal(g.volume.primal());
     let mean = |g: S| (g + S::from_primal(g.primal())).halved();
-    let moved = |x: S| x - S::from_primal(x.primal());
+    let moved = |x: S| x.with_primal(S::Primal::zero());
     for i in 0..3 {
         volume += mean(g.center[i]) * moved(pair.center[i]);
         volume += mean(g.half_a[i]) * moved(pair.half_a[i]);

@@ -3,7 +3,7 @@ use super::pairs::{FAMILIES, Random, pair, single};
 use geograd::ad::program::{Program, Sym};
 use geograd::iou3::{Enclosing, giou, separation_aware};
 use geograd::overlap3::{intersection_volume_obb3, iou_aabb3, iou_obb3, iou_obb3_vjp, iou_yaw};
-use geograd::{Aabb3, Obb3, YawBox3};
+use geograd::{Aabb3, Obb3, Rotation3, Vec3, YawBox3};
 use geograd::{Fixed, Lanes, Pack, gaussian::solid};
 
 type Pair<B> = (B, B);
@@ -36,6 +36,28 @@ fn overlap_of_turned_boxes_is_a_program() {
         assert_eq!(adjoint.eval((a, b)), iou_obb3_vjp(a, b, 1.0));
         let (a, b) = (single(a), single(b));
         assert_eq!(narrow.eval((a, b)), intersection_volume_obb3(a, b));
+    }
+}
+
+#[test]
+fn programs_of_overlaps_have_the_derivatives_by_hand() {
+    // Parallel edges: derivatives of the value's own arithmetic have no digits there.
+    let mut random = Random(104);
+    let program = Program::trace(|(a, b): Pair<Obb3<Sym<f64>>>| iou_obb3(a, b)).unwrap();
+    let gradient = program.value_grad();
+    let size = Vec3::new(2.0, 1.0, 1.5);
+    let none = Rotation3::identity();
+    let cut = Obb3::new(Vec3::new(0.0, 0.125, 0.0), Vec3::new(4.0, 0.5, 9.0), none);
+    let aligned = (Obb3::new(Vec3::new(0.25, 0.0, 0.0), size, none), cut);
+    let mut turned = aligned;
+    turned.0.rotation = Rotation3::new(0.5_f64.sqrt(), 0.0, 0.0, 0.5_f64.sqrt());
+    for (a, b) in [aligned, turned].into_iter().chain(solids(&mut random)) {
+        let (_, by_hand) = iou_obb3_vjp(a, b, 1.0);
+        let (found, by_hand) = (gradient.eval((a, b)).1.scalars(), by_hand.scalars());
+        let largest = by_hand.iter().fold(1e-9_f64, |most, x| most.max(x.abs()));
+        for (x, y) in found.into_iter().zip(by_hand) {
+            assert!((x - y).abs() < 1e-9 * largest, "{a:?} {b:?}: {x:e}, {y:e}");
+        }
     }
 }
 
