@@ -7,8 +7,10 @@ use super::cored::Cored;
 use super::near::{Nearest, across, normal, size_of};
 use super::relation::Relation;
 use super::simplex::{SegmentCore, SimplexCore};
+use super::spot::vanish;
 use super::straight::{Reach, Straight};
 use crate::distance::edge::scale_of;
+use crate::scalar::speck;
 use crate::shape::{Line3, Ray3};
 use crate::{Scalar, Vec3};
 
@@ -103,7 +105,8 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
     let crossing = inside & between & !cross.none;
     // The way of two features that cross is along their normal.
     let fixed = |x: S| S::from_primal(x.primal());
-    let (straight, direction) = across(cross, w + v * fixed(t) - u * fixed(s));
+    let way = w + v * fixed(t) - u * fixed(s);
+    let (straight, direction) = across(cross, way);
     let (on_a, on_b) = (u * s, w + v * t);
     let near = Nearest {
         apart: Vec3::select(crossing, straight, on_b - on_a),
@@ -111,7 +114,10 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
         on_b,
         normal: Vec3::select(crossing, direction, Vec3::zero()),
     };
-    let found = joined(near, None).relation;
+    let slides = crossing & !cross.clear;
+    let (r, q) = (vanish(u.dot(way)), vanish(v.dot(way)));
+    let less = (v * r - u * q).length_squared().over(cross.square);
+    let found = bent(joined(near, None).relation, slides, less);
     let back = |v: Vec3<S>| {
         let v = Vec3::new(v.x.over(scale), v.y.over(scale), v.z.over(scale));
         a.from + v
@@ -122,6 +128,22 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
         normal: found.normal,
         on_a: back(found.on_a),
         on_b: back(found.on_b),
+    }
+}
+
+/// The relation of two features that cross, with second derivatives where their normal has few digits.
+///
+/// The way between two points held fixed has the first derivatives alone. Both slide: with the residuals r and q of
+/// orthogonality to u and v, which are zero, the square of the shortest way is less by `|v r − u q|² / |u × v|²`.
+#[inline(always)]
+fn bent<S: Scalar>(found: Relation<S>, slides: S::Mask, less: S) -> Relation<S> {
+    let slides = slides & found.apart.above(S::lit(speck::<S>()));
+    let less = S::select(slides, less, S::zero());
+    let length = S::select(slides, found.apart, S::one());
+    Relation {
+        apart: found.apart - less.over(length).halved(),
+        square: found.square - less,
+        ..found
     }
 }
 

@@ -138,6 +138,45 @@ fn second_derivatives_at_contacts_of_every_kind() {
 }
 
 #[test]
+fn lines_that_are_nearly_parallel_have_second_derivatives() {
+    // Their normal has fewer than half the digits of single precision, and most of double precision.
+    let mut random = Random(93);
+    for _ in 0..50 {
+        let way = random.vector(1.0) + Vec3::new(1.5, 0.0, 0.0);
+        let (at, beside) = (random.vector(1e-3), random.vector(1e-4));
+        let lines = [Line3::new(Vec3::zero(), way), Line3::new(at, way + beside)];
+        let [a, b] = lines.map(|line: Line3<f64>| line.cast::<f32>());
+        let sine = {
+            let [u, v] = [a, b].map(|line| line.direction.cast::<f64>());
+            (u.cross(v).length_squared() / u.length_squared() / v.length_squared()).sqrt()
+        };
+        let along = [random.vector(1.0), random.vector(1.0)];
+        let (p, q) = (
+            Line3::new(along[0], Vec3::zero()),
+            Line3::new(along[1], Vec3::zero()),
+        );
+        let (p, q): (Line3<f32>, Line3<f32>) = (p.cast(), q.cast());
+        let narrow = geograd::hvp(
+            |(a, b): (Line3<_>, Line3<_>)| distance(a, b),
+            (a, b),
+            (p, q),
+        );
+        let wide = geograd::hvp(
+            |(a, b): (Line3<_>, Line3<_>)| distance(a, b),
+            (a.cast::<f64>(), b.cast::<f64>()),
+            (p.cast::<f64>(), q.cast::<f64>()),
+        );
+        let (narrow, wide) = (narrow.2.scalars(), wide.2.scalars());
+        let largest = wide.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        for (x, y) in narrow.into_iter().zip(wide) {
+            // A few roundings over the sine, as the normal of the directions has.
+            let error = (f64::from(x) - y).abs() / largest;
+            assert!(error < 4e-6 / sine, "{a:?} {b:?}: {x} {y}, sine {sine:e}");
+        }
+    }
+}
+
+#[test]
 fn parallel_segments_share_the_middle() {
     let wire = Segment3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(8.0, 0.0, 0.0));
     let rail = Segment3::new(Vec3::new(2.0, 0.0, 3.0), Vec3::new(4.0, 0.0, 3.0));
