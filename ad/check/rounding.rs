@@ -31,6 +31,27 @@ impl Evidence<'_> {
         self.spread_if(base, sizes, |beside| beside != Beside::Loose, f)
     }
 
+    /// The largest change of an output under provoked rounding as far as derivatives explain it: beside a tie every
+    /// input takes another branch, and the value changes by no more than the derivative there times the move. A jump is
+    /// larger.
+    pub(crate) fn explained(&self, output: usize) -> f64 {
+        let mut weights = vec![0.0; self.y.len()];
+        weights[output] = 1.0;
+        let explained = |there: &Vec<f64>| {
+            let change = (self.subject.value(there).get(output)? - self.y[output]).abs();
+            let derivatives = self.subject.adjoint(there, &weights)?;
+            let moves = there.iter().zip(self.x).map(|(to, from)| (to - from).abs());
+            let reach = derivatives
+                .iter()
+                .zip(moves)
+                .map(|(by, far)| by.abs() * far);
+            let reach: f64 = reach.sum();
+            (change.is_finite() && reach.is_finite()).then_some(change.min(reach))
+        };
+        let places = self.around.iter().map(|(there, _)| there);
+        places.filter_map(explained).fold(0.0, f64::max)
+    }
+
     /// The same of many more inputs beside this one, whatever branches they take.
     pub(crate) fn spread_of_many(
         &self,

@@ -101,6 +101,7 @@ impl Along<'_> {
                 // Rounding within a branch is no jump.
                 let none = vec![0.0; e.y.len()];
                 unrest = e.spread(&e.y, Some(&none), |x| Some(e.subject.value(x)));
+                unrest[j] = unrest[j].max(e.explained(j));
             }
             let noise = e.eps * size + unrest.get(j).unwrap_or(&0.0) + reach;
             let noise = noise.max(e.resolution[j]);
