@@ -152,11 +152,12 @@ fn on_threads(threads: usize, run: impl FnOnce() + Send) {
 const HELP: &str = "\
 Usage: peers [--levels | --shapes | --suppress] [--csv FILE]
        peers --paper SVG [--csv FILE] [--backend cpu|gpu|auto]
-       peers --polygons | --boolean | --space
+       peers --polygons | --boolean
+       peers --space [--pairs FILE]
 
 Without arguments: rotated boxes and rings next to other libraries. --paper draws the IoU loss against the
 number of boxes; --backend gpu adds a GPU's curves and needs a build with `--features gpu`, auto adds them
-where there is one. The environment variable GEOGRAD_GPU chooses among GPUs.
+where there is one. --pairs writes pairs of solids for `coal.cpp`. The environment variable GEOGRAD_GPU chooses among GPUs.
 ";
 
 fn main() -> ExitCode {
@@ -199,6 +200,7 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
         words[..],
         [] | ["--levels" | "--shapes" | "--suppress" | "--polygons" | "--boolean" | "--space"]
             | ["--levels" | "--shapes" | "--suppress", "--csv", _]
+            | ["--space", "--pairs", _]
             | ["--paper", _]
             | ["--paper", _, "--csv", _]
     );
@@ -229,6 +231,7 @@ fn run(arguments: &[String], machine: &Machine) -> Result<(), Failure> {
         ["--paper", picture] => write(picture, &paper::paper(machine).0)?,
         ["--polygons"] => polygons::polygons(),
         ["--space"] => space::space(1_000_000),
+        ["--space", "--pairs", file] => write(file, &space::pairs(10_000))?,
         ["--boolean"] => on_threads(1, boolean::polygons),
         ["--suppress"] => drop(suppress::suppress()),
         ["--suppress", "--csv", file] => write(file, &suppress::suppress())?,

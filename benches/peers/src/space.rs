@@ -3,7 +3,7 @@ use super::{fastest, on_threads};
 use draw::{FAMILIES, Random, boxed};
 use geograd::kernels::{Cpu, Distance, SignedDistance};
 use geograd::prelude::*;
-use geograd::{Obb3, Pack, Segment3, Triangle3, Vec3};
+use geograd::{Capsule3, Obb3, Pack, Segment3, Triangle3, Vec3};
 use std::hint::black_box;
 
 #[path = "../../../tests/geometry/space/draw.rs"]
@@ -16,6 +16,66 @@ mod oracle;
 /// Pairs of a list.
 const PAIRS: usize = 4096;
 
+/// Boxes of which those at the same place are apart, or overlap.
+fn solids(random: &mut Random, apart: bool) -> [Vec<Obb3<f64>>; 2] {
+    let mut lists = [vec![], vec![]];
+    while lists[0].len() < PAIRS {
+        let (a, b) = (random.solid(0), random.solid(0));
+        if (a.signed_distance(b) > 0.0) == apart {
+            lists[0].push(a);
+            lists[1].push(b);
+        }
+    }
+    lists
+}
+
+/// Capsules of which some overlap.
+fn capsules() -> [Vec<Capsule3<f64>>; 2] {
+    let mut random = Random(0xcafe_cafe_cafe_cafe);
+    [(); 2].map(|()| {
+        let one = |_| {
+            let (start, end) = (random.vector(1.5), random.vector(1.5));
+            Capsule3::new(start, end, random.within(0.05, 0.5))
+        };
+        (0..PAIRS).map(one).collect()
+    })
+}
+
+/// Pairs for `coal.cpp`: a line of numbers each, the kind first (0 boxes apart, 1 boxes that overlap, 2 capsules, 3 and
+/// more hard boxes by family), then the numbers of both solids, then the signed distance by the oracle or, of capsules,
+/// by geograd.
+pub fn pairs(hard: usize) -> String {
+    let mut text = String::new();
+    let mut line = |kind: usize, numbers: Vec<f64>, distance: f64| {
+        text += &kind.to_string();
+        for x in numbers.into_iter().chain([distance]) {
+            text += &format!(" {x:e}");
+        }
+        text.push('\n');
+    };
+    let mut boxes = |kind, a: Obb3<f64>, b: Obb3<f64>| {
+        let truth = oracle::boxes(&boxed(&a), &boxed(&b));
+        line(kind, [a.scalars(), b.scalars()].concat(), truth);
+    };
+    let mut random = Random(0x5eed_5eed_5eed_5eed);
+    for (kind, apart) in [true, false].into_iter().enumerate() {
+        let [a, b] = solids(&mut random, apart);
+        a.into_iter().zip(b).for_each(|(a, b)| boxes(kind, a, b));
+    }
+    let mut random = Random(0xdead_beef_dead_beef);
+    for family in 0..FAMILIES.len() {
+        for _ in 0..hard {
+            let (a, b) = (random.solid(family), random.solid(family));
+            boxes(3 + family, a, b);
+        }
+    }
+    let [a, b] = capsules();
+    for (a, b) in a.into_iter().zip(b) {
+        line(2, [a.scalars(), b.scalars()].concat(), a.signed_distance(b));
+    }
+    text
+}
+
 /// The lists of a format next to one of parry's two packages.
 macro_rules! in_format {
     ($name:ident, $T:ident, $parry:ident, $error:expr) => {
@@ -23,7 +83,7 @@ macro_rules! in_format {
             use super::*;
             use $parry::math::{Pose, Rotation, Vector};
             use $parry::query;
-            use $parry::shape::{Cuboid, Segment, Triangle};
+            use $parry::shape::{Capsule, Cuboid, Segment, Triangle};
 
             fn vector(v: Vec3<$T>) -> Vector {
                 Vector::new(v.x, v.y, v.z)
@@ -98,6 +158,18 @@ macro_rules! in_format {
                 theirs!("segments, distance", a, &b, |x, y| query::distance(
                     &still, x, &still, y
                 ));
+                let rods: [Vec<Capsule3<$T>>; 2] =
+                    capsules().map(|rods| rods.iter().map(Capsule3::cast).collect());
+                ours!("capsules, signed", SignedDistance, &rods[0], &rods[1]);
+                let [a, b] = rods.map(|rods| {
+                    let rods = rods
+                        .iter()
+                        .map(|x| Capsule::new(vector(x.start), vector(x.end), x.radius));
+                    rods.collect::<Vec<_>>()
+                });
+                theirs!("capsules, contact", a, &b, |x, y| query::contact(
+                    &still, x, &still, y, 1e4
+                ));
                 let faces = [points(3), points(3)].map(|points| {
                     let faces = points.chunks(3).map(|p| Triangle3::new(p[0], p[1], p[2]));
                     faces.collect::<Vec<_>>()
@@ -114,14 +186,8 @@ macro_rules! in_format {
                     &still, x, &still, y
                 ));
                 for apart in [true, false] {
-                    let mut lists: [Vec<Obb3<$T>>; 2] = [vec![], vec![]];
-                    while lists[0].len() < PAIRS {
-                        let (a, b) = (random.solid(0), random.solid(0));
-                        if (a.signed_distance(b) > 0.0) == apart {
-                            lists[0].push(a.cast());
-                            lists[1].push(b.cast());
-                        }
-                    }
+                    let lists: [Vec<Obb3<$T>>; 2] = solids(&mut random, apart)
+                        .map(|list| list.iter().map(Obb3::cast).collect());
                     let [a, b] = [0, 1].map(|k| lists[k].iter().map(cuboid).collect::<Vec<_>>());
                     if apart {
                         ours!("boxes apart, signed", SignedDistance, &lists[0], &lists[1]);
