@@ -1,7 +1,7 @@
 //! Derivatives of distances in space: ties, and second ones at contacts of every kind.
 use super::draw::Random;
 use geograd::ad::gradient;
-use geograd::distance3::{closest_points, distance, signed_distance};
+use geograd::distance3::{PointPair3, closest_points, distance, signed_distance};
 use geograd::prelude::*;
 
 /// The largest difference of a Hessian, row by row, from central differences of gradients.
@@ -143,7 +143,10 @@ fn lines_that_are_nearly_parallel_have_second_derivatives() {
     let mut random = Random(93);
     for _ in 0..50 {
         let way = random.vector(1.0) + Vec3::new(1.5, 0.0, 0.0);
-        let (at, beside) = (random.vector(1e-3), random.vector(1e-4));
+        let beside = random.vector(1e-4);
+        // Nearest points near the given ones: far along the lines roundings are as large as the distance.
+        let across = way.cross(beside);
+        let at = across * (1e-3 / across.length()) + way * random.within(-1e-3, 1e-3);
         let lines = [Line3::new(Vec3::zero(), way), Line3::new(at, way + beside)];
         let [a, b] = lines.map(|line: Line3<f64>| line.cast::<f32>());
         let sine = {
@@ -256,6 +259,90 @@ fn ends_that_are_equally_deep_share() {
         assert_eq!((by_link.start.z, by_link.end.z), (0.5, 0.5));
         assert_eq!((by_room.size.z, by_room.center.z), (-0.5, -1.0));
     }
+}
+
+#[test]
+fn planes_that_part_alike_share() {
+    // A corner is as deep behind each of three faces.
+    let wedge = Tetrahedron::new(
+        Vec3::zero(),
+        Vec3::new(1.0, 0.0, 0.0),
+        Vec3::new(0.0, 1.0, 0.0),
+        Vec3::new(0.0, 0.0, 1.0),
+    );
+    let room = Obb3::new(
+        Vec3::new(-0.4, -0.4, -0.4),
+        Vec3::new(1.0, 1.0, 1.0),
+        Rotation3::identity(),
+    );
+    let f = |(a, b): (Tetrahedron<_>, Obb3<_>)| signed_distance(a, b);
+    let (depth, (_, by_room)) = gradient(f, (wedge, room));
+    assert!((depth + 0.1_f64).abs() < 1e-15);
+    for (size, center) in [
+        (by_room.size.x, by_room.center.x),
+        (by_room.size.y, by_room.center.y),
+        (by_room.size.z, by_room.center.z),
+    ] {
+        assert!((size + 1.0 / 6.0).abs() < 1e-15 && (center + 1.0 / 3.0).abs() < 1e-15);
+    }
+}
+
+/// The derivatives of both nearest points against central differences of them.
+macro_rules! points_move {
+    ($a:expr, $b:expr, $A:ident, $B:ident, $told:expr) => {{
+        let x = ($a, $b).scalars();
+        let numbers = |p: PointPair3<f64>| p.scalars();
+        for j in 0..x.len() {
+            let moved = |by: f64| {
+                let mut y = x.clone();
+                y[j] += by;
+                let (a, b) = <($A<f64>, $B<f64>)>::load(&y);
+                numbers(closest_points(a, b))
+            };
+            let mut along = vec![0.0; x.len()];
+            along[j] = 1.0;
+            let along = <($A<f64>, $B<f64>)>::load(&along);
+            let found = |axis: usize| {
+                let f = |(a, b): ($A<_>, $B<_>)| {
+                    let p = closest_points(a, b);
+                    [p.on_a.x, p.on_a.y, p.on_a.z, p.on_b.x, p.on_b.y, p.on_b.z][axis]
+                };
+                geograd::jvp(f, ($a, $b), along).1
+            };
+            let (ahead, back) = (moved(1e-6), moved(-1e-6));
+            for axis in 0..6 {
+                let difference = (ahead[axis] - back[axis]) / 2e-6;
+                let error = (found(axis) - difference).abs();
+                assert!(error < 1e-7, "{}: number {j}, {axis}: {error:e}", $told);
+            }
+        }
+    }};
+}
+
+#[test]
+fn nearest_points_move_as_their_derivatives_say() {
+    let flat = Triangle3::new(
+        Vec3::new(0.0, 0.0, 0.0),
+        Vec3::new(2.0, 0.1, 0.0),
+        Vec3::new(0.1, 2.0, 0.3),
+    );
+    let tip = Triangle3::new(
+        Vec3::new(0.5, 0.6, 0.9),
+        Vec3::new(0.4, 0.7, 2.0),
+        Vec3::new(0.9, 0.3, 2.0),
+    );
+    points_move!(flat, tip, Triangle3, Triangle3, "corner over a face of a");
+    points_move!(tip, flat, Triangle3, Triangle3, "corner over a face of b");
+    let size = Vec3::new(1.0, 1.2, 0.8);
+    let turned = Rotation3::from_rotation_vector(Vec3::new(0.2, 0.8, 0.9));
+    let a = Obb3::new(Vec3::zero(), size, Rotation3::new(1.0, 0.05, -0.1, 0.07));
+    let b = Obb3::new(Vec3::new(0.0, 1.3, 1.1), size, turned);
+    points_move!(a, b, Obb3, Obb3, "edge beside edge");
+    let (s, t) = (
+        Capsule3::new(Vec3::new(-1.0, 0.1, 0.0), Vec3::new(1.0, 0.0, 0.2), 0.1),
+        Capsule3::new(Vec3::new(0.1, -1.0, 1.0), Vec3::new(0.0, 1.0, 1.3), 0.2),
+    );
+    points_move!(s, t, Capsule3, Capsule3, "edges that cross");
 }
 
 #[test]
