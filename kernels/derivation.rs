@@ -57,7 +57,7 @@ pub(crate) enum Step {
 }
 
 /// The replays of a search, differentiated by some steps, without its types.
-pub trait Replays<T>: Send + Sync {
+pub(crate) trait Replays<T>: Send + Sync {
     /// Decides an item, given its numbers shape by shape and those of directions and cotangents: the program of its
     /// record, and the numbers that it takes, which are appended.
     ///

@@ -205,7 +205,7 @@ impl<D: Search> Searched<D> {
 
 /// A function of batches that is a search.
 #[doc(hidden)]
-pub trait Searches {
+pub(crate) trait Searches {
     /// The search.
     type Search: Search;
 }

@@ -66,7 +66,7 @@ pub enum Columns<'a> {
 }
 
 /// A choice of rows, and of the later columns whose results with a row are wanted.
-pub trait Chooses<T> {
+pub(crate) trait Chooses<T> {
     /// The next row.
     fn next(&mut self) -> Option<usize>;
     /// `true` if the row's result with a column is wanted.

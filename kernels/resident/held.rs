@@ -11,7 +11,7 @@ use std::fmt;
 use std::marker::PhantomData;
 
 /// Numbers of one shape of every item, on a machine.
-pub trait Stays<T>: fmt::Debug + Send + Sync {
+pub(crate) trait Stays<T>: fmt::Debug + Send + Sync {
     /// Numbers of a shape.
     #[doc(hidden)]
     fn fields(&self) -> usize;

@@ -44,9 +44,11 @@ mod held;
 mod pending;
 mod rings;
 
+pub(crate) use held::Stays;
 pub(crate) use held::numbers_of;
-pub use held::{Held, Stays, Stored};
-pub use pending::{Later, Pending};
+pub use held::{Held, Stored};
+pub(crate) use pending::Later;
+pub use pending::Pending;
 pub use rings::Rings;
 
 #[doc(inline)]
@@ -65,7 +67,7 @@ pub type HeldNumbers = Stored<f32>;
 pub(crate) const FOREIGN: Error = Error::Gpu(GpuFault::ForeignBuffer);
 
 /// A result that stays on a machine until it is wanted.
-pub trait Downloads<X>: Send + Sync {
+pub(crate) trait Downloads<X>: Send + Sync {
     /// Starts its download.
     #[doc(hidden)]
     fn started(&self) -> Result<Pending<X>, Error>;
@@ -171,7 +173,7 @@ pub trait RingResult: Fixed<Scalar = f32> + 'static {}
 impl<T: Fixed<Scalar = f32> + 'static> RingResult for T {}
 
 /// A matrix of a machine.
-pub trait Matrices<T: Real>: fmt::Debug + Send + Sync {
+pub(crate) trait Matrices<T: Real>: fmt::Debug + Send + Sync {
     #[doc(hidden)]
     fn size(&self) -> [usize; 2];
     #[doc(hidden)]

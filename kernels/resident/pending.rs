@@ -7,7 +7,7 @@ use std::pin::Pin;
 use std::task::{Context, Poll};
 
 /// A download of a device that was started.
-pub trait Later<X>: Future<Output = Result<X, Error>> + Send + Unpin {
+pub(crate) trait Later<X>: Future<Output = Result<X, Error>> + Send + Unpin {
     /// Waits for it.
     #[doc(hidden)]
     fn wait(self: Box<Self>) -> Result<X, Error>;

@@ -9,7 +9,7 @@ use std::sync::Arc;
 /// Something that computes blocks of items from one or more arguments.
 ///
 /// Compiled kernels and interpreted programs are makers. A maker does not depend on batches.
-pub trait Maker<T>: Send + Sync {
+pub(crate) trait Maker<T>: Send + Sync {
     /// Computes as many tiles of results as are asked for. Each input has at least as many tiles, or
     /// one that stands for all.
     fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>);

@@ -7,8 +7,9 @@ mod prepared;
 
 pub(crate) use call::plan;
 pub use compiled::Compiled;
+pub(crate) use computation::Maker;
 pub(crate) use computation::name;
-pub use computation::{Face, Maker, Preparation, Rare};
+pub use computation::{Face, Preparation, Rare};
 #[cfg(feature = "gpu")]
 pub(crate) use makers::prepared;
 pub(crate) use makers::{of_items, of_recorded};
