@@ -76,92 +76,98 @@ impl Device {
         };
         let form = Form::Derivatives(of, seed);
         let own = usize::from(of != Of::Rows);
-        let counts = [own, 1 - own].map(|k| piece.counts[k]);
         let [wide, tall] = piece.groups(own, made.size(form));
-        // Own shapes have a partial sum per strip.
-        let mut lists = vec![(own, tall, counts[0])];
-        if let Of::Both(_) = of {
-            lists.push((1 - own, wide, counts[1]));
-        }
-        let (folded, totals) = inner.guarded(|| {
+        let partial = |list: usize, parts: usize| Partial {
+            list,
+            count: piece.counts[list],
+            fields: made.gives[list],
+            parts,
+        };
+        let partials = match of {
+            Of::Both(_) => vec![partial(own, tall), partial(1 - own, wide)],
+            _ => vec![partial(own, tall)],
+        };
+        let rooms = inner.guarded(|| {
             let pipeline = made.pipeline(inner, form);
-            let parts: Vec<_> = lists
+            let parts: Vec<_> = partials
                 .iter()
-                .map(|&(k, parts, count)| inner.storage(parts * made.gives[k] * count))
+                .map(|x| inner.storage(x.parts * x.numbers()))
                 .collect();
             let mut buffers = vec![(1, piece.buffers[0]), (2, piece.buffers[1])];
             buffers.extend((5..).zip(&parts));
             buffers.extend(upstream.map(|upstream| (3, upstream)));
-            let totals = match (of, upstream) {
-                (Of::Both(_), None) => Some(inner.storage(tall * counts[0])),
-                _ => None,
-            };
-            buffers.extend(totals.as_ref().map(|totals| (4, totals)));
+            // Bodies that give results beside derivatives add these up, column by column.
+            let has_totals = matches!((of, upstream), (Of::Both(_), None));
+            let totals = has_totals.then(|| {
+                let numbers = tall * piece.counts[own];
+                (inner.storage(numbers), numbers)
+            });
+            buffers.extend(totals.as_ref().map(|(totals, _)| (4, totals)));
             let params = Params {
                 factor,
                 ..piece.params(own)
             };
             let mut work = Work::new(inner);
             work.dispatch(&pipeline, params, &buffers, [wide as u32, tall as u32]);
-            let fold = inner.written(Kernel::Fold, "fold_main");
-            let folded = lists.iter().zip(&parts).map(|(&(k, parts, count), from)| {
-                let fields = made.gives[k];
-                let to = inner.storage(fields * count);
-                let params = Params {
-                    own_count: count as u32,
-                    parts: parts as u32,
-                    fields: fields as u32,
-                    ..Params::default()
-                };
-                let size = [groups(count), fields as u32];
-                work.dispatch(&fold, params, &[(3, from), (4, &to)], size);
-                to
-            });
-            let folded: Vec<_> = folded.collect();
+            let folded = partials.iter().zip(&parts);
+            let mut rooms: Vec<_> = folded
+                .map(|(x, parts)| (x.folded(&mut work, parts), x.numbers()))
+                .collect();
             work.submit()?;
-            Ok((folded, totals))
+            rooms.extend(totals);
+            Ok(rooms)
         })?;
-        self.add(
-            made,
-            piece,
-            &lists,
-            &folded,
-            totals.map(|x| (x, tall * counts[0])),
-            sums,
-        )
+        let parts = rooms
+            .iter()
+            .map(|(room, numbers)| (room, 4 * *numbers as u64));
+        let arrival = inner.bring(self, &parts.collect::<Vec<_>>())?;
+        arrival.finish(|part, numbers| match partials.get(part) {
+            Some(x) => x.add(
+                numbers,
+                &mut sums.bars[x.list][piece.firsts[x.list] * x.fields..],
+            ),
+            None => sums.total += sum_of(numbers),
+        })
+    }
+}
+
+/// Partial sums of derivatives of so many shapes of a list: part by part, and of each field by field.
+struct Partial {
+    list: usize,
+    count: usize,
+    fields: usize,
+    parts: usize,
+}
+
+impl Partial {
+    /// Numbers of a part.
+    fn numbers(&self) -> usize {
+        self.fields * self.count
     }
 
-    /// Brings the sums of a dispatch back and adds them to those of others.
-    fn add(
-        &self,
-        made: &Generated<f32>,
-        piece: &Piece<'_>,
-        lists: &[(usize, usize, usize)],
-        folded: &[wgpu::Buffer],
-        totals: Option<(wgpu::Buffer, usize)>,
-        sums: &mut Sums,
-    ) -> Result<(), Error> {
-        let mut parts: Vec<(&wgpu::Buffer, u64)> = Vec::new();
-        for (&(k, _, count), buffer) in lists.iter().zip(folded) {
-            parts.push((buffer, 4 * (made.gives[k] * count) as u64));
-        }
-        parts.extend(
-            totals
-                .as_ref()
-                .map(|(buffer, numbers)| (buffer, 4 * *numbers as u64)),
-        );
-        self.inner.bring(self, &parts)?.finish(|part, numbers| {
-            let Some(&(k, _, count)) = lists.get(part) else {
-                sums.total += sum_of(numbers);
-                return;
-            };
-            let fields = made.gives[k];
-            let bars = sums.bars[k][piece.firsts[k] * fields..].chunks_exact_mut(fields.max(1));
-            for (i, bar) in bars.take(count).enumerate() {
-                for (field, sum) in bar.iter_mut().enumerate() {
-                    *sum += f64::from(f32::from_bits(numbers[field * count + i]));
-                }
+    /// Their sums, in a new buffer.
+    fn folded(&self, work: &mut Work<'_>, parts: &wgpu::Buffer) -> wgpu::Buffer {
+        let inner = work.inner;
+        let pipeline = inner.written(Kernel::Fold, "fold_main");
+        let to = inner.storage(self.numbers());
+        let params = Params {
+            own_count: self.count as u32,
+            parts: self.parts as u32,
+            fields: self.fields as u32,
+            ..Params::default()
+        };
+        let size = [groups(self.count), self.fields as u32];
+        work.dispatch(&pipeline, params, &[(3, parts), (4, &to)], size);
+        to
+    }
+
+    /// Adds sums that came back to those of others, which lie shape by shape.
+    fn add(&self, numbers: &[u32], sums: &mut [f64]) {
+        let shapes = sums.chunks_exact_mut(self.fields.max(1)).take(self.count);
+        for (i, shape) in shapes.enumerate() {
+            for (field, sum) in shape.iter_mut().enumerate() {
+                *sum += f64::from(f32::from_bits(numbers[field * self.count + i]));
             }
-        })
+        }
     }
 }
