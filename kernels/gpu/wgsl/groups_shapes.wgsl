@@ -1,5 +1,5 @@
-// The score of an own shape with one that is read where it lies.
+// The score of an own shape with a walked one.
 
-fn score_of(own: Own, item: u32) -> f32 {
-    return body_at(own, place(item, WALKED))[0];
+fn score_of(own: Own, i: u32) -> f32 {
+    return body_at(own, walked_of(i))[0];
 }

@@ -7,17 +7,13 @@ fn pairs_main(
     @builtin(local_invocation_index) here: u32,
 ) {
     let column = group.x * GROUP + here;
-    let own = own_at(params.own_start + min(column, params.own_count - 1u));
+    if column >= params.own_count {
+        return;
+    }
+    let own = own_at(params.own_start + column);
     let first = group.y * STRIP;
     let end = min(first + STRIP, params.loop_count);
-    for (var start = first; start < end; start += STEP) {
-        bring(group.x * GROUP, start, end, here);
-        let count = min(STEP, end - start);
-        for (var i = 0u; i < count; i++) {
-            let y = body_at(own, i);
-            if column < params.own_count {
-                put_pair(y, params.out_start + (start + i) * params.stride + column);
-            }
-        }
+    for (var i = first; i < end; i++) {
+        put_pair(body_at(own, walked_of(i)), params.out_start + i * params.stride + column);
     }
 }

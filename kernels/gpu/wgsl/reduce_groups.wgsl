@@ -21,7 +21,7 @@ fn reduce_main(
     let own = own_at(params.own_start + item);
     var taken = taken_new(item, first, group.y, true);
     for (var at = first; at < end; at++) {
-        take(&taken, score_of(own, params.loop_start + at), at);
+        take(&taken, score_of(own, at), at);
     }
     step_done(&taken);
     put(taken, item, group.y);

@@ -8,23 +8,20 @@ fn slopes_main(
     @builtin(local_invocation_index) here: u32,
 ) {
     let item = group.x * GROUP + here;
-    let own = own_at(params.own_start + min(item, params.own_count - 1u));
+    if item >= params.own_count {
+        return;
+    }
+    let own = own_at(params.own_start + item);
     let first = group.y * STRIP;
     let end = min(first + STRIP, params.loop_count);
     var total = OwnBar();
     for (var start = first; start < end; start += STEP) {
-        bring(group.x * GROUP, start, end, here);
-        let count = min(STEP, end - start);
         // A step by itself, so that rounding grows slowly.
         var sum = OwnBar();
-        if item < params.own_count {
-            for (var i = 0u; i < count; i++) {
-                add_own(&sum, body_at(own, i, seed_at(start + i, item)));
-            }
+        for (var i = start; i < min(start + STEP, end); i++) {
+            add_own(&sum, body_at(own, walked_of(i), seed_at(i, item)));
         }
         add_own_bar(&total, sum);
     }
-    if item < params.own_count {
-        put_own(total, item, group.y);
-    }
+    put_own(total, item, group.y);
 }

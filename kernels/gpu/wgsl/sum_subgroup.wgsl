@@ -7,7 +7,7 @@ fn row_sum(i: u32, bar: WalkedBar, here: u32, slot: u32, lane: u32) {
         sums = subgroup_sums(bar);
     }
     if lane == 0u && slot < SLOTS {
-        put_slot(sums, (i * SLOTS + slot) * WALKED_BAR);
+        slot_sums[i * SLOTS + slot] = sums;
     }
 }
 
@@ -19,8 +19,8 @@ fn pairs_vjp_main(
     @builtin(subgroup_invocation_id) lane: u32,
 ) {
     // A device may use fewer, larger subgroups than it could: what nobody fills must be zero.
-    for (var k = here; k < STEP * SLOTS * WALKED_BAR; k += GROUP) {
-        slot_sums[k] = 0.0;
+    for (var k = here; k < STEP * SLOTS; k += GROUP) {
+        slot_sums[k] = WalkedBar();
     }
     workgroupBarrier();
     sweep_vjp(group, here, slot, lane);

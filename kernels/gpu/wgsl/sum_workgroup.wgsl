@@ -14,7 +14,7 @@ fn row_sum(i: u32, bar: WalkedBar, here: u32, slot: u32, lane: u32) {
         }
     }
     if here == 0u {
-        put_slot(thread_sums[0], i * SLOTS * WALKED_BAR);
+        slot_sums[i * SLOTS] = thread_sums[0];
     }
 }
 

@@ -6,68 +6,60 @@
 // columns, one per workgroup for rows, which `fold_main` adds in a fixed order. The factor of a pair's derivatives
 // (`seed_at`) is in other files.
 
-var<workgroup> slot_sums: array<f32, STEP * SLOTS * WALKED_BAR>;
+var<workgroup> slot_sums: array<WalkedBar, STEP * SLOTS>;
 
-// What a thread knows of one column.
-struct Column {
-    own: Own,
-    index: u32,
-    sum: OwnBar,
-    total: f32,
-}
-
-fn column_at(index: u32) -> Column {
-    let own = own_at(params.own_start + min(index, params.own_count - 1u));
-    return Column(own, index, OwnBar(), 0.0);
-}
-
-// One pair: adds to the column, and to what belongs to the row.
-fn pull(row: u32, i: u32, column: ptr<function, Column>, bar: ptr<function, WalkedBar>) {
-    if (*column).index >= params.own_count {
-        return;
+fn put_column(strip: u32, column: u32, sum: OwnBar, total: f32) {
+    if column < params.own_count {
+        put_total(strip, column, total);
+        put_own(sum, column, strip);
     }
-    let y = body_at((*column).own, i, seed_at(row, (*column).index));
-    (*column).total += y[0];
-    var sum = (*column).sum;
-    add_own(&sum, y);
-    (*column).sum = sum;
-    add_walked(bar, y);
-}
-
-fn put_column(strip: u32, column: Column) {
-    if column.index >= params.own_count {
-        return;
-    }
-    put_total(strip, column.index, column.total);
-    put_own(column.sum, column.index, strip);
 }
 
 fn sweep_vjp(group: vec3u, here: u32, slot: u32, lane: u32) {
     let rows = params.loop_count;
     let first = group.y * STRIP;
     let end = min(first + STRIP, rows);
-    var left = column_at(group.x * 2u * GROUP + here);
-    var right = column_at(group.x * 2u * GROUP + GROUP + here);
+    let column = group.x * 2u * GROUP + here;
+    let other_column = column + GROUP;
+    let own = own_at(params.own_start + min(column, params.own_count - 1u));
+    let other = own_at(params.own_start + min(other_column, params.own_count - 1u));
+    var sum = OwnBar();
+    var other_sum = OwnBar();
+    var total = 0.0;
+    var other_total = 0.0;
     for (var start = first; start < end; start += STEP) {
         let count = min(STEP, end - start);
-        bring(group.x * 2u * GROUP, start, end, here);
         for (var i = 0u; i < count; i++) {
+            let row = start + i;
+            let walked = walked_of(row);
             var bar = WalkedBar();
-            pull(start + i, i, &left, &bar);
-            pull(start + i, i, &right, &bar);
+            if column < params.own_count {
+                let y = body_at(own, walked, seed_at(row, column));
+                total += y[0];
+                add_own(&sum, y);
+                add_walked(&bar, y);
+            }
+            if other_column < params.own_count {
+                let y = body_at(other, walked, seed_at(row, other_column));
+                other_total += y[0];
+                add_own(&other_sum, y);
+                add_walked(&bar, y);
+            }
             row_sum(i, bar, here, slot, lane);
         }
         workgroupBarrier();
         for (var k = here; k < count * WALKED_BAR; k += GROUP) {
             let i = k / WALKED_BAR;
             let field = k % WALKED_BAR;
-            var sum = 0.0;
+            var sum_of_row = 0.0;
             for (var s = 0u; s < SLOTS; s++) {
-                sum += slot_sums[(i * SLOTS + s) * WALKED_BAR + field];
+                sum_of_row += slot_sums[i * SLOTS + s][field];
             }
-            walked_bars[(group.x * WALKED_BAR + field) * rows + start + i] = sum;
+            walked_bars[(group.x * WALKED_BAR + field) * rows + start + i] = sum_of_row;
         }
+        // The next step writes to the slots.
+        workgroupBarrier();
     }
-    put_column(group.y, left);
-    put_column(group.y, right);
+    put_column(group.y, column, sum, total);
+    put_column(group.y, other_column, other_sum, other_total);
 }

@@ -1,7 +1,6 @@
 //! Templates of all pairs around a body, generated or by hand: the functions that name its numbers, and sizes.
 use super::operation::{Body, Generated};
-use super::text::{Form, GROUP, bound, call, numbers};
-use crate::kernels::cpu::lane::TILE;
+use super::text::{Form, GROUP, call, numbers};
 use crate::kernels::gpu::device::written::{
     self, BINDINGS, GROUP_VJP, PARAMS, REDUCE, STEP, STRIP_VJP, Seed, sizes, step_vjp,
 };
@@ -18,9 +17,6 @@ pub(in crate::kernels::gpu::device) enum Of {
     Both(usize),
 }
 
-/// Numbers that are walked and kept near the threads at a time: 8 KiB of the 16 that WebGPU guarantees.
-const NEAR: usize = 2048;
-
 /// Threads and walked shapes of a kernel.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::kernels::gpu::device) struct Size {
@@ -28,7 +24,7 @@ pub(in crate::kernels::gpu::device) struct Size {
     group: usize,
     /// Own shapes of a workgroup.
     pub own: usize,
-    /// Walked shapes near the threads at most.
+    /// Walked shapes that are taken together.
     step: usize,
     /// Walked shapes of a thread.
     pub strip: usize,
@@ -89,23 +85,17 @@ pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
         Form::Derivatives(Of::Both(slots), _) => (1, true, slots),
         _ => (1, false, 0),
     };
-    // Arrays of none do not exist.
-    let width = made.widths[1 - own].max(1);
-    let step = (NEAR / width).clamp(1, size.step);
-    let mut text = sizes(size.group, step, size.strip);
+    let mut text = sizes(size.group, size.step, size.strip);
     let _ = writeln!(
         text,
-        "const WALKED: u32 = {width}u;\nconst OWN_ROWS: bool = {};\nconst SLOTS: u32 = {}u;",
+        "const OWN_ROWS: bool = {};\nconst SLOTS: u32 = {}u;",
         own == 0,
         slots.max(1),
     );
     text += PARAMS;
     text += BINDINGS;
-    let is_near = !matches!(form, Form::ReduceGroups(..));
-    if is_near {
-        text += include_str!("../../wgsl/walked.wgsl");
-    }
-    text += &shapes(made, body, own, has_seed, is_near);
+    text += include_str!("../../wgsl/walked.wgsl");
+    text += &shapes(made, body, own, has_seed);
     match form {
         Form::Reduce(take, _) => {
             for file in [
@@ -151,55 +141,51 @@ pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
     text
 }
 
-/// The functions that name the numbers of shapes, and call the body. Walked shapes are near the threads, or read where
-/// they lie.
-fn shapes(made: &Generated<f32>, body: &Body, own: usize, has_seed: bool, is_near: bool) -> String {
+/// The functions that name the numbers of shapes, and call the body.
+fn shapes(made: &Generated<f32>, body: &Body, own: usize, has_seed: bool) -> String {
     let names = ["a_numbers", "b_numbers"];
-    let [wide, width] = [own, 1 - own].map(|k| made.widths[k]);
-    let mut own_numbers: Vec<String> = numbers(names[own], "at", wide).collect();
-    if own_numbers.is_empty() {
-        own_numbers.push("0.0".to_owned());
+    let mut text = String::new();
+    for (k, shape, function) in [(own, "Own", "own_at"), (1 - own, "Walked", "walked_at")] {
+        let mut all: Vec<String> = numbers(names[k], "at", made.widths[k]).collect();
+        if all.is_empty() {
+            // Arrays of none do not exist, and a binding that nothing uses would be none.
+            all.push(format!("{}[at] * 0.0", names[k]));
+        }
+        let count = all.len();
+        let _ = write!(
+            text,
+            "
+alias {shape} = array<f32, {count}>;
+
+fn {function}(item: u32) -> {shape} {{
+    let at = place(item, {count}u);
+    return {shape}({});
+}}
+",
+            all.join(", ")
+        );
     }
-    let walked_number = match width {
-        0 => "0.0".to_owned(),
-        _ => format!("{}[at]", names[1 - own]),
-    };
     let mut inputs = Vec::new();
     for k in [0, 1] {
-        let number = |i: usize| match k == own {
-            true => format!("own[{i}]"),
-            false if is_near => format!("near[{i}u * STEP + i]"),
-            false => format!("{}[i + {}u]", names[1 - own], i * TILE),
-        };
-        inputs.extend((0..made.widths[k]).map(number));
+        let shape = if k == own { "own" } else { "walked" };
+        inputs.extend((0..made.widths[k]).map(|i| format!("{shape}[{i}]")));
     }
+    let mut seed = "";
     if has_seed {
         inputs.push("seed".to_owned());
+        seed = ", seed: f32";
     }
-    let seed = if has_seed { ", seed: f32" } else { "" };
-    format!(
+    let _ = write!(
+        text,
         "
-alias Own = array<f32, {own_count}>;
-
-fn own_at(item: u32) -> Own {{
-{}    let at = place(item, {own_count}u);
-    return Own({});
-}}
-
-fn walked_number(at: u32) -> f32 {{
-    return {walked_number};
-}}
-
-fn body_at(own: Own, i: u32{seed}) -> array<f32, {}> {{
+fn body_at(own: Own, walked: Walked{seed}) -> array<f32, {}> {{
     return {};
 }}
 ",
-        bound(made, names[0], names[1]),
-        own_numbers.join(", "),
         body.gives,
         call(body.entry, inputs),
-        own_count = wide.max(1),
-    )
+    );
+    text
 }
 
 /// The function that puts down the results of a pair.
@@ -254,17 +240,11 @@ fn put_own(bar: OwnBar, item: u32, strip: u32) {{
 "
     );
     if let (Of::Both(slots), Some((fields, _))) = (of, walked) {
-        let put = lines(fields, &|k| {
-            format!("    slot_sums[at + {k}u] = bar[{k}];\n")
-        });
         let zero: Vec<String> = (0..fields).map(|k| format!("bar[{k}] == 0.0")).collect();
         let _ = write!(
             text,
             "
 const WALKED_BAR: u32 = {fields}u;
-
-fn put_slot(bar: WalkedBar, at: u32) {{
-{put}}}
 
 fn is_zero(bar: WalkedBar) -> bool {{
     return {};
