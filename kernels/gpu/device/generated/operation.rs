@@ -190,6 +190,15 @@ impl<T: Real> Generated<T> {
             && numbers.chunks_exact(plan.fields).any(plan.is_rare)
     }
 
+    /// The prepared numbers of some shapes of an argument, shape by shape, each a multiple of four.
+    pub(super) fn prepare_rows(&self, k: usize, numbers: &[T]) -> Vec<T> {
+        let plan = &self.arguments[k];
+        let count = numbers.len().checked_div(plan.fields).unwrap_or(0);
+        let column = Column::lent(numbers, plan.fields, Some(count));
+        let list = List::new(plan, Shapes::of(&column), false, false);
+        crate::kernels::cpu::arch::flat(&list.picking()).to_vec()
+    }
+
     /// The prepared numbers of some shapes of an argument or cotangent, in tiles.
     pub(super) fn prepare(&self, k: usize, numbers: &[T]) -> Vec<T> {
         let plain;

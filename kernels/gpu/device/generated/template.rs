@@ -1,6 +1,6 @@
 //! Templates of all pairs around a body, generated or by hand: the functions that name its numbers, and sizes.
 use super::operation::{Body, Generated};
-use super::text::{Form, GROUP, call, numbers};
+use super::text::{Form, GROUP, call};
 use crate::kernels::gpu::device::written::{
     self, BINDINGS, GROUP_VJP, PARAMS, REDUCE, STEP, STRIP_VJP, Seed, sizes, step_vjp,
 };
@@ -143,26 +143,25 @@ pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
 
 /// The functions that name the numbers of shapes, and call the body.
 fn shapes(made: &Generated<f32>, body: &Body, own: usize, has_seed: bool) -> String {
-    let names = ["a_numbers", "b_numbers"];
     let mut text = String::new();
     for (k, shape, function) in [(own, "Own", "own_at"), (1 - own, "Walked", "walked_at")] {
-        let mut all: Vec<String> = numbers(names[k], "at", made.widths[k]).collect();
-        if all.is_empty() {
-            // Arrays of none do not exist, and a binding that nothing uses would be none.
-            all.push(format!("{}[at] * 0.0", names[k]));
-        }
-        let count = all.len();
+        let (list, width) = (["a_quads", "b_quads"][k], made.widths[k]);
+        // Arrays of none do not exist, and a binding that nothing uses would be none.
+        let quads = width.div_ceil(4).max(1);
+        let read = (0..quads).map(|q| format!("    let q{q} = {list}[item * {quads}u + {q}u];\n"));
+        let number = |i: usize| format!("q{}.{}", i / 4, ["x", "y", "z", "w"][i % 4]);
+        let count = width.max(1);
         let _ = write!(
             text,
             "
 alias {shape} = array<f32, {count}>;
 
 fn {function}(item: u32) -> {shape} {{
-    let at = place(item, {count}u);
-    return {shape}({});
+{}    return {shape}({});
 }}
 ",
-            all.join(", ")
+            read.collect::<String>(),
+            (0..count).map(number).collect::<Vec<_>>().join(", ")
         );
     }
     let mut inputs = Vec::new();

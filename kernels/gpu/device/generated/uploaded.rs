@@ -38,7 +38,10 @@ impl Side {
     ) -> Result<Self, Error> {
         let count = column.len();
         // Sums of derivatives, which have the numbers of a shape, must fit a binding, too.
-        let width = made.widths[k].max(made.arguments[k].fields).max(1);
+        let width = made.widths[k]
+            .next_multiple_of(4)
+            .max(made.arguments[k].fields)
+            .max(1);
         let window = inner.most_bytes as usize / 4 / width;
         // So that no dispatch has more workgroups than it may have.
         let window = window.min(MOST_GROUPS * ROWS) / TILE * TILE;
@@ -92,7 +95,7 @@ impl Side {
     }
 }
 
-/// The prepared numbers of some shapes, in tiles, and whether any of them is extreme.
+/// The prepared numbers of some shapes, and whether any of them is extreme.
 fn frames(
     made: &Generated<f32>,
     k: usize,
@@ -105,7 +108,7 @@ fn frames(
     spread(work, |(start, part): (usize, &mut (Vec<f32>, bool))| {
         let mut room = Vec::new();
         let numbers = column.numbers(start..items.end.min(start + STRETCH), &mut room);
-        *part = (made.prepare(k, numbers), made.is_extreme(k, numbers));
+        *part = (made.prepare_rows(k, numbers), made.is_extreme(k, numbers));
     });
     let is_extreme = parts.iter().any(|part| part.1);
     let numbers: Vec<_> = parts.into_iter().map(|part| part.0).collect();

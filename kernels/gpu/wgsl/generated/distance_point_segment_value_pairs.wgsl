@@ -98,7 +98,6 @@ const GROUP: u32 = 64u;
 const STEP: u32 = 16u;
 const STRIP: u32 = 16u;
 const LEAST: f32 = -3.4028235e38f;
-const WALKED: u32 = 5u;
 const OWN_ROWS: bool = false;
 const SLOTS: u32 = 1u;
 // The parameters of kernels over two lists, or over a matrix of their pairs.
@@ -128,49 +127,40 @@ struct Params {
 }
 
 @group(0) @binding(0) var<uniform> params: Params;
-// What kernels over two lists, or over a matrix, read and write.
-//
-// Shapes are numbers in tiles of 16 items, field after field within a tile, so that neighbouring threads read neighbouring
-// memory.
+// What kernels over two lists, or over a matrix, read and write. Shapes are rows of quads of numbers.
 
-@group(0) @binding(1) var<storage, read> a_numbers: array<f32>;
-@group(0) @binding(2) var<storage, read> b_numbers: array<f32>;
+@group(0) @binding(1) var<storage, read> a_quads: array<vec4f>;
+@group(0) @binding(2) var<storage, read> b_quads: array<vec4f>;
 @group(0) @binding(3) var<storage, read> upstream: array<f32>;
 @group(0) @binding(4) var<storage, read_write> values: array<f32>;
 @group(0) @binding(5) var<storage, read_write> own_bars: array<f32>;
 @group(0) @binding(6) var<storage, read_write> walked_bars: array<f32>;
 @group(0) @binding(7) var<storage, read_write> indices: array<u32>;
+// Two lists of shapes, around any `body`. All threads read the same walked shape, where it lies: one access serves all,
+// and no thread waits for others. The functions that name single numbers (`own_at`, `walked_at`, `body_at`) are generated.
 
-fn place(item: u32, fields: u32) -> u32 {
-    return item / 16u * 16u * fields + item % 16u;
-}
-// Two lists of shapes, around any `body`. Walked shapes are near the threads, number after number, so that neighbours read
-// neighbours. The functions that name single numbers (`own_at`, `walked_number`, `body_at`) are generated.
-
-var<workgroup> near: array<f32, STEP * WALKED>;
-
-fn bring(own: u32, start: u32, end: u32, here: u32) {
-    workgroupBarrier();
-    for (var k = here; k < STEP * WALKED; k += GROUP) {
-        let item = params.loop_start + min(start + k % STEP, end - 1u);
-        near[k] = walked_number(place(item, WALKED) + k / STEP * 16u);
-    }
-    workgroupBarrier();
+fn walked_of(i: u32) -> Walked {
+    return walked_at(params.loop_start + i);
 }
 
 alias Own = array<f32, 6>;
 
 fn own_at(item: u32) -> Own {
-    let at = place(item, 6u);
-    return Own(b_numbers[at + 0u], b_numbers[at + 16u], b_numbers[at + 32u], b_numbers[at + 48u], b_numbers[at + 64u], b_numbers[at + 80u]);
+    let q0 = b_quads[item * 2u + 0u];
+    let q1 = b_quads[item * 2u + 1u];
+    return Own(q0.x, q0.y, q0.z, q0.w, q1.x, q1.y);
 }
 
-fn walked_number(at: u32) -> f32 {
-    return a_numbers[at];
+alias Walked = array<f32, 5>;
+
+fn walked_at(item: u32) -> Walked {
+    let q0 = a_quads[item * 2u + 0u];
+    let q1 = a_quads[item * 2u + 1u];
+    return Walked(q0.x, q0.y, q0.z, q0.w, q1.x);
 }
 
-fn body_at(own: Own, i: u32) -> array<f32, 1> {
-    return body(array<f32, 11>(near[0u * STEP + i], near[1u * STEP + i], near[2u * STEP + i], near[3u * STEP + i], near[4u * STEP + i], own[0], own[1], own[2], own[3], own[4], own[5]));
+fn body_at(own: Own, walked: Walked) -> array<f32, 1> {
+    return body(array<f32, 11>(walked[0], walked[1], walked[2], walked[3], walked[4], own[0], own[1], own[2], own[3], own[4], own[5]));
 }
 // Every row with every column: one thread per column, which walks through a strip of rows. Results of several numbers go
 // plane by plane (`put_pair`, generated).
@@ -181,18 +171,14 @@ fn pairs_main(
     @builtin(local_invocation_index) here: u32,
 ) {
     let column = group.x * GROUP + here;
-    let own = own_at(params.own_start + min(column, params.own_count - 1u));
+    if column >= params.own_count {
+        return;
+    }
+    let own = own_at(params.own_start + column);
     let first = group.y * STRIP;
     let end = min(first + STRIP, params.loop_count);
-    for (var start = first; start < end; start += STEP) {
-        bring(group.x * GROUP, start, end, here);
-        let count = min(STEP, end - start);
-        for (var i = 0u; i < count; i++) {
-            let y = body_at(own, i);
-            if column < params.own_count {
-                put_pair(y, params.out_start + (start + i) * params.stride + column);
-            }
-        }
+    for (var i = first; i < end; i++) {
+        put_pair(body_at(own, walked_of(i)), params.out_start + i * params.stride + column);
     }
 }
 
