@@ -1,23 +1,12 @@
 //! Pairs within groups on the GPU: every own row (or column) walks through a range of the others, in one dispatch for as
 //! many groups as possible.
 use super::Inner;
-use super::table::Sweep;
+use super::table::{Part, Sweep};
 use super::written::STRIP;
 use std::ops::Range;
 
 /// Where the ranges of own rows are bound.
 const RANGES: u32 = 9;
-
-/// A run of a list in one buffer.
-pub(super) struct Part {
-    pub buffer: wgpu::Buffer,
-    /// The binding of its list.
-    pub binding: u32,
-    /// The index of its first shape in the buffer.
-    pub at: usize,
-    /// Its shapes, by their places in the list.
-    pub shapes: Range<usize>,
-}
 
 /// A dispatch: own shapes of one part by the walked shapes of one part.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,9 +1,8 @@
 //! Two lists on the GPU and the kernels of their pairs.
 use super::generated::operation::Generated;
 use super::generated::uploaded::Sides;
-use super::groups::Part;
 use super::seed::Seed;
-use super::table::Table;
+use super::table::{Part, Table};
 use super::{Device, Matrix};
 use crate::Error;
 use crate::error::Argument;

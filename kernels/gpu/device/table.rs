@@ -4,11 +4,11 @@ use super::block::{Block, MOST_PAIRS};
 use super::generated::Form;
 use super::generated::operation::Generated;
 use super::generated::uploaded::Sides;
-use super::groups::Part;
 use super::work::Params;
 use super::written::{GROUP, Kernel, STRIP, Take};
 use super::{Device, Matrix};
 use crate::Error;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// One dispatch of a reduction: a run of own rows (or columns) by a run of walked ones.
@@ -74,6 +74,17 @@ impl Sweep {
         let own = self.bound.iter().map(|(at, buffer)| (*at, buffer));
         own.chain(more.iter().copied()).collect()
     }
+}
+
+/// A run of a list in one buffer.
+pub(super) struct Part {
+    pub buffer: wgpu::Buffer,
+    /// The binding of its list.
+    pub binding: u32,
+    /// The index of its first shape in the buffer.
+    pub at: usize,
+    /// Its shapes, by their places in the list.
+    pub shapes: Range<usize>,
 }
 
 /// All pairs as a reduction sees them: own rows (or columns) by walked columns (or rows).

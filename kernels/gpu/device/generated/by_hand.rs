@@ -1,42 +1,27 @@
 //! Bodies by hand: the overlap of boxes in the plane, which mirror their Rust source in WGSL.
-use super::operation::{Body, Generated, Name};
+use super::operation::{Body, Generated, Kind, Name};
 use crate::Error;
 use crate::kernels::cpu::plan::Compiled;
 use crate::kernels::gpu::device::written::{CLIP, OVERLAP, PRELUDE, policy};
 use crate::kernels::recording::{Call, Mode};
 use crate::overlap::Denominator;
 use std::fmt::Write;
-use std::sync::{Arc, LazyLock};
+use std::sync::Arc;
 
-/// Boxes that have bodies by hand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Kind {
-    /// [`Obb2`](crate::Obb2).
-    Rotated,
-    /// [`Aabb2`](crate::Aabb2).
-    AxisAligned,
+/// The boxes of compiled kernels and the divisor of the area of intersection, if they have a body by hand.
+fn kind_of(compiled: Compiled) -> Option<(Kind, Denominator)> {
+    match compiled {
+        Compiled::Obb2(over) => Some((Kind::Rotated, over)),
+        Compiled::Aabb2(over) => Some((Kind::AxisAligned, over)),
+        _ => None,
+    }
 }
 
-impl Kind {
-    /// The boxes of compiled kernels and the divisor of the area of intersection, if they have a body by hand.
-    pub fn of(compiled: Compiled) -> Option<(Self, Denominator)> {
-        match compiled {
-            Compiled::Obb2(over) => Some((Kind::Rotated, over)),
-            Compiled::Aabb2(over) => Some((Kind::AxisAligned, over)),
-            _ => None,
-        }
-    }
-    /// The boxes in WGSL.
-    fn text(self) -> &'static str {
-        match self {
-            Kind::Rotated => include_str!("../../wgsl/obb2.wgsl"),
-            Kind::AxisAligned => include_str!("../../wgsl/aabb2.wgsl"),
-        }
-    }
-    /// The name of its prepared boxes, whatever the score.
-    pub fn prepared(self) -> Name {
-        static NAMES: LazyLock<[Name; 2]> = LazyLock::new(Default::default);
-        NAMES[self as usize].clone()
+/// The boxes in WGSL.
+fn text_of(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Rotated => include_str!("../../wgsl/obb2.wgsl"),
+        Kind::AxisAligned => include_str!("../../wgsl/aabb2.wgsl"),
     }
 }
 
@@ -49,7 +34,7 @@ impl Generated<f32> {
     pub(in crate::kernels::gpu::device) fn by_hand(
         call: &Call<f32>,
     ) -> Result<Option<Self>, Error> {
-        let Some((kind, over)) = call.recording.compiled.and_then(Kind::of) else {
+        let Some((kind, over)) = call.recording.compiled.and_then(kind_of) else {
             return Ok(None);
         };
         let (entry, seeds) = match call.mode {
@@ -103,7 +88,7 @@ fn head(kind: Kind, over: Denominator, is_extreme: bool, takes: usize) -> String
         over as u32,
         over != Denominator::None,
     );
-    for file in [PRELUDE, CLIP, OVERLAP, kind.text()] {
+    for file in [PRELUDE, CLIP, OVERLAP, text_of(kind)] {
         text.push_str(file);
     }
     text

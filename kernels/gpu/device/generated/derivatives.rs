@@ -1,7 +1,6 @@
 //! The adjoint of all pairs: derivatives summed for every shape, in a fixed order.
 use super::operation::Generated;
-use super::template::Of;
-use super::text::Form;
+use super::text::{Form, Of};
 use super::uploaded::{Piece, Sides};
 use crate::Error;
 use crate::kernels::gpu::device::Device;

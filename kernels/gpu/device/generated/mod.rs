@@ -25,8 +25,8 @@ use crate::{Error, Unrecordable};
 use operation::{Generated, Name};
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
-use template::Of;
 pub(super) use text::Form;
+use text::Of;
 use uploaded::MOST_OPERATIONS;
 
 /// Pipelines of generated kernels, by the number of the program and the form of the kernel.

@@ -1,5 +1,4 @@
 //! An operation or a program for a GPU: a function in WGSL, and the shapes as the processor prepares them.
-use super::by_hand::Kind;
 use crate::Error;
 use crate::ad::program::WGSL;
 use crate::ad::program::graph::{Graph, Id, Node};
@@ -12,8 +11,25 @@ use crate::kernels::item::{Column, Leaf};
 use crate::kernels::real::Real;
 use crate::kernels::recording::Mode;
 use std::iter::repeat;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, LazyLock};
+
+/// Boxes that have bodies by hand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Kind {
+    /// [`Obb2`](crate::Obb2).
+    Rotated,
+    /// [`Aabb2`](crate::Aabb2).
+    AxisAligned,
+}
+
+impl Kind {
+    /// The name of its prepared boxes, whatever the score.
+    fn prepared(self) -> Name {
+        static NAMES: LazyLock<[Name; 2]> = LazyLock::new(Default::default);
+        NAMES[self as usize].clone()
+    }
+}
 
 /// An operation, or a program, for GPUs: made once, compiled once per context.
 pub struct Generated<T> {

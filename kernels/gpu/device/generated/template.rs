@@ -1,21 +1,10 @@
 //! Templates of all pairs around a body, generated or by hand: the functions that name its numbers, and sizes.
 use super::operation::{Body, Generated};
-use super::text::{Form, GROUP, call};
+use super::text::{Form, GROUP, Of, call};
 use crate::kernels::gpu::device::written::{
     self, BINDINGS, GROUP_VJP, PARAMS, REDUCE, STEP, STRIP_VJP, Seed, sizes, step_vjp,
 };
 use std::fmt::Write;
-
-/// The lists whose derivatives a kernel sums.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in crate::kernels::gpu::device) enum Of {
-    /// The first one.
-    Rows,
-    /// The second one.
-    Columns,
-    /// Both, with so many slots for sums of rows: the most subgroups that a workgroup has; 0 without subgroups.
-    Both(usize),
-}
 
 /// Threads and walked shapes of a kernel.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,5 @@
 //! Kernels around a generated function: what every thread reads, calls and writes.
 use super::operation::{Body, Generated};
-use super::template::Of;
 use crate::kernels::cpu::lane::TILE;
 use std::fmt::Write;
 
@@ -10,6 +9,17 @@ pub(super) use crate::kernels::gpu::device::work::MOST_GROUPS;
 use crate::kernels::gpu::device::written::{Seed, Take};
 /// Rows that a thread of all pairs walks through at least.
 pub(super) const ROWS: usize = 16;
+
+/// The lists whose derivatives a kernel sums.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(in crate::kernels::gpu::device) enum Of {
+    /// The first one.
+    Rows,
+    /// The second one.
+    Columns,
+    /// Both, with so many slots for sums of rows: the most subgroups that a workgroup has; 0 without subgroups.
+    Both(usize),
+}
 
 /// The kernel around the function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
