@@ -47,6 +47,7 @@ mod rings;
 pub(crate) use held::Stays;
 pub(crate) use held::numbers_of;
 pub use held::{Held, Stored};
+#[cfg(feature = "gpu")]
 pub(crate) use pending::Later;
 pub use pending::Pending;
 pub use rings::Rings;
