@@ -52,7 +52,7 @@ fn blocks(a: &[usize], b: &[usize], most_pairs: usize) -> Vec<Block> {
 const MOST_ROWS: usize = super::work::MOST_GROUPS * super::written::STEP;
 
 /// Pairs per dispatch: drivers reset a GPU that is busy with one for seconds.
-pub(super) const MOST_PAIRS: u64 = 1 << 30;
+const MOST_PAIRS: u64 = 1 << 30;
 
 impl Inner {
     /// How a list is cut: the items of each piece.

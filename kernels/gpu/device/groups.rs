@@ -5,7 +5,7 @@ use super::table::{Part, Sweep};
 use super::written::STRIP;
 use std::ops::Range;
 
-/// Where the ranges of own rows are bound.
+/// The binding of the ranges of own rows.
 const RANGES: u32 = 9;
 
 /// A dispatch: own shapes of one part by the walked shapes of one part.
@@ -40,7 +40,7 @@ fn runs(
     limits: Limits,
 ) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
-    // Of the last run, if more may be added to it: own shapes with their strips, and pairs.
+    // The own shapes, with their strips, and the pairs of the last run, if more may be added to it.
     let mut open: Option<(usize, usize)> = None;
     let (mut own_part, mut first_part) = (0, 0);
     for [rows, others] in groups {

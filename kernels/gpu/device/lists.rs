@@ -75,9 +75,10 @@ impl<'a> Lists<'a> {
     fn grouped(&self, groups: Spans<'_>, own_rows: bool) -> Result<Table<'_>, Error> {
         let [a, b] = [self.parts(0), self.parts(1)];
         let table = self.table(own_rows);
+        let most = self.made.most_pairs();
         match own_rows {
-            true => table.within([&a, &b], [groups.a, groups.b]),
-            false => table.within([&b, &a], [groups.b, groups.a]),
+            true => table.within([&a, &b], [groups.a, groups.b], most),
+            false => table.within([&b, &a], [groups.b, groups.a], most),
         }
     }
 

@@ -1,6 +1,6 @@
 //! All pairs as a reduction on the GPU sees them: two lists, blocks of results that are computed one after the
 //! other into the same buffer, or a matrix that is there already.
-use super::block::{Block, MOST_PAIRS};
+use super::block::Block;
 use super::generated::Form;
 use super::generated::operation::Generated;
 use super::generated::uploaded::Sides;
@@ -100,7 +100,7 @@ pub(super) struct Table<'a> {
     pub sweeps: Vec<Sweep>,
 }
 
-/// Where scores come from.
+/// The source of scores.
 enum Kernels<'a> {
     /// Scores out of a matrix.
     Matrix,
@@ -109,12 +109,14 @@ enum Kernels<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// The same table within groups, given by the offsets of both lists: dispatches over the parts of both.
-    pub fn within(mut self, parts: [&[Part]; 2], offsets: [&[usize]; 2]) -> Result<Self, Error> {
-        let pairs = match self.kernels {
-            Kernels::Matrix => MOST_PAIRS as usize,
-            Kernels::Lists(made) => made.most_pairs(),
-        };
+    /// The same table within groups, given by the offsets of both lists: dispatches over the parts of both, of at most so
+    /// many pairs.
+    pub fn within(
+        mut self,
+        parts: [&[Part]; 2],
+        offsets: [&[usize]; 2],
+        pairs: usize,
+    ) -> Result<Self, Error> {
         let inner = &self.gpu.inner;
         let [own, walked] = parts;
         self.sweeps = inner.guarded(|| Ok(inner.group_sweeps(own, walked, offsets, pairs)))?;

@@ -90,7 +90,7 @@ pub(super) enum Take {
 impl Take {
     /// All of them.
     pub(super) const ALL: [Take; 4] = [Take::Best, Take::Count, Take::Found, Take::Sum];
-    /// Those of groups.
+    /// The ones that groups have.
     pub(super) const OF_GROUPS: [Take; 3] = [Take::Best, Take::Count, Take::Found];
     /// The WGSL that reduces scores.
     pub(super) fn text(self) -> &'static str {
@@ -152,7 +152,7 @@ pub(super) const CLIP: &str = include_str!("../wgsl/clip.wgsl");
 pub(super) const OVERLAP: &str = include_str!("../wgsl/overlap.wgsl");
 /// The parameters of kernels over two lists.
 pub(super) const PARAMS: &str = include_str!("../wgsl/params.wgsl");
-/// What they read and write.
+/// The buffers that they read and write.
 pub(super) const BINDINGS: &str = include_str!("../wgsl/bindings.wgsl");
 
 impl Kernel {

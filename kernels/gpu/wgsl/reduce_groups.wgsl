@@ -1,6 +1,6 @@
 // Reductions within groups: one thread per own row (or column), which walks through its own range of the others, strip
 // by strip. Ranges differ between threads, so that what is walked is read where it lies and nobody waits for others.
-// The score of a pair (`score_of`) and what is taken of it (`take`, `put`) are in other files.
+// The score of a pair (`score_at`) and the result taken of it (`take`, `put`) are in other files.
 
 // The first of the whole other list, and the one after the last, for every own row that has results in the bound piece.
 @group(0) @binding(9) var<storage, read> ranges: array<vec2u>;
@@ -21,7 +21,7 @@ fn reduce_main(
     let own = own_at(params.own_start + item);
     var taken = taken_new(item, first, group.y, true);
     for (var at = first; at < end; at++) {
-        take(&taken, score_of(own, at), at);
+        take(&taken, score_at(own, at, 0u, here), at);
     }
     step_done(&taken);
     put(taken, item, group.y);

@@ -37,19 +37,20 @@ impl Generated<f32> {
         let Some((kind, over)) = call.recording.compiled.and_then(kind_of) else {
             return Ok(None);
         };
-        let (entry, seeds) = match call.mode {
-            Mode::Value => ("value_of", 0),
-            Mode::Vjp => ("grad_of", 1),
+        let (entry, has_seed) = match call.mode {
+            Mode::Value => ("value_of", false),
+            Mode::Vjp => ("grad_of", true),
             Mode::ValueGrad | Mode::Jacobian => return Ok(None),
         };
         let made = |is_extreme: bool| {
             let arguments = call.plan(true)?.arguments.clone();
             let mut widths: Vec<usize> = arguments.iter().map(|x| x.frame_fields()).collect();
-            widths.extend([1; 1][..seeds].iter());
+            widths.extend(has_seed.then_some(1));
             let fields: Vec<usize> = arguments.iter().map(|x| x.fields).collect();
-            let (gives, numbers) = match seeds {
-                0 => (vec![1], 1),
-                _ => (fields.clone(), 1 + fields.iter().sum::<usize>()),
+            // The result comes before its derivatives.
+            let (gives, numbers) = match has_seed {
+                false => (vec![1], 1),
+                true => (fields.clone(), 1 + fields.iter().sum::<usize>()),
             };
             let takes = widths.iter().sum();
             let body = Body {

@@ -36,7 +36,7 @@ pub struct Generated<T> {
     pub(super) name: Name,
     /// The boxes of a body by hand.
     pub(super) kind: Option<Kind>,
-    /// What its functions call.
+    /// The WGSL functions that its bodies call.
     pub(super) head: String,
     /// For every shape that it takes, how it is checked and prepared.
     pub(super) arguments: Vec<Preparation<T>>,

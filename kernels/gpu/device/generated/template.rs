@@ -1,10 +1,13 @@
 //! Templates of all pairs around a body, generated or by hand: the functions that name its numbers, and sizes.
 use super::operation::{Body, Generated};
-use super::text::{Form, GROUP, Of, call};
+use super::text::{Form, GROUP, Of, ROWS, call};
 use crate::kernels::gpu::device::written::{
     self, BINDINGS, GROUP_VJP, PARAMS, REDUCE, STEP, STRIP_VJP, Seed, sizes, step_vjp,
 };
 use std::fmt::Write;
+
+/// Derivatives that are summed by themselves, so that rounding grows slowly.
+const STEP_SLOPES: usize = 16;
 
 /// Threads and walked shapes of a kernel.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +28,7 @@ impl Generated<f32> {
         // Large programs need many registers: few threads.
         let (group, step) = match self.kind {
             Some(_) => (written::GROUP, STEP),
-            None => (GROUP, 16),
+            None => (GROUP, ROWS),
         };
         let size = Size {
             group,
@@ -44,9 +47,8 @@ impl Generated<f32> {
                 step: step_vjp(slots),
                 strip: STRIP_VJP,
             },
-            // A step is summed by itself.
             Form::Derivatives(..) => Size {
-                step: 16,
+                step: STEP_SLOPES,
                 strip: STRIP_VJP,
                 ..size
             },
@@ -86,23 +88,13 @@ pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
     text += include_str!("../../wgsl/walked.wgsl");
     text += &shapes(made, body, own, has_seed);
     match form {
-        Form::Reduce(take, _) => {
-            for file in [
-                REDUCE,
-                include_str!("../../wgsl/reduce_shapes.wgsl"),
-                take.text(),
-            ] {
-                text += file;
-            }
-        }
-        Form::ReduceGroups(take, _) => {
-            for file in [
-                include_str!("../../wgsl/reduce_groups.wgsl"),
-                include_str!("../../wgsl/groups_shapes.wgsl"),
-                take.text(),
-            ] {
-                text += file;
-            }
+        Form::Reduce(take, _) | Form::ReduceGroups(take, _) => {
+            text += match form {
+                Form::Reduce(..) => REDUCE,
+                _ => include_str!("../../wgsl/reduce_groups.wgsl"),
+            };
+            text += include_str!("../../wgsl/reduce_shapes.wgsl");
+            text += take.text();
         }
         Form::Derivatives(of, seed) => {
             text += &bars(made, body, of);
@@ -190,7 +182,7 @@ fn put_pair(body: &Body) -> String {
 fn bars(made: &Generated<f32>, body: &Body, of: Of) -> String {
     let mut text = String::new();
     let gives = body.gives;
-    // Where derivatives of own and of walked shapes begin in the results of the body.
+    // Own and walked shapes: how many derivatives, and from which result of the body on.
     let (own, own_at, walked) = match of {
         Of::Rows | Of::Columns => (gives, 0, None),
         Of::Both(_) => (made.gives[1], 1 + made.gives[0], Some((made.gives[0], 1))),

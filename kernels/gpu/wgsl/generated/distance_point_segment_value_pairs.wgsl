@@ -127,7 +127,7 @@ struct Params {
 }
 
 @group(0) @binding(0) var<uniform> params: Params;
-// What kernels over two lists, or over a matrix, read and write. Shapes are rows of quads of numbers.
+// The buffers of kernels over two lists, or over a matrix. Shapes are rows of quads of numbers.
 
 @group(0) @binding(1) var<storage, read> a_quads: array<vec4f>;
 @group(0) @binding(2) var<storage, read> b_quads: array<vec4f>;
