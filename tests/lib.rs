@@ -14,6 +14,8 @@ pub mod fuzzers;
 pub mod lines;
 #[cfg(feature = "list")]
 pub mod list;
+#[cfg(all(feature = "gpu", feature = "list"))]
+pub mod listed;
 pub mod rows;
 
 /// A small reproducible source of numbers.

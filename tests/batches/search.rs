@@ -22,12 +22,12 @@ fn polygons(dice: &mut Dice, count: usize) -> Vec<ConvexPolygon<f64, 5>> {
 #[test]
 fn all_pairs_of_polygons_are_those_of_aligned_pairs() {
     let mut dice = Dice(5);
-    let (a, b) = (polygons(&mut dice, 23), polygons(&mut dice, 37));
+    let (a, b) = (polygons(&mut dice, 11), polygons(&mut dice, 19));
     let run = Iou;
     let cpu = Cpu::new();
     let table = cpu.all_pairs(run, &a, &b).unwrap();
     let derivatives = cpu.all_pairs(run.value_grad(), &a, &b).unwrap();
-    let upstream: Vec<f64> = (0..a.len() * b.len()).map(|k| k as f64 - 400.0).collect();
+    let upstream: Vec<f64> = (0..a.len() * b.len()).map(|k| k as f64 - 100.0).collect();
     let (a_bar, b_bar) = cpu.all_pairs_vjp(run, &a, &b, &upstream).unwrap();
     let mut sums = [vec![vec![0.0; 10]; a.len()], vec![vec![0.0; 10]; b.len()]];
     let mut meeting = 0;
@@ -47,7 +47,7 @@ fn all_pairs_of_polygons_are_those_of_aligned_pairs() {
             }
         }
     }
-    assert!(meeting > 100, "{meeting}");
+    assert!(meeting > 25, "{meeting}");
     for (list, bars, shapes) in [(0, &a_bar, &a), (1, &b_bar, &b)] {
         for (i, bar) in bars.iter().enumerate() {
             assert_eq!(

@@ -268,7 +268,7 @@ fn no_more_memory_is_an_error_and_everything_goes_on() {
     }
     let name = "faults::no_more_memory_is_an_error_and_everything_goes_on";
     let done = std::process::Command::new("sh")
-        .args(["-c", "ulimit -v 3500000; exec \"$0\" \"$@\""])
+        .args(["-c", "ulimit -v 2500000; exec \"$0\" \"$@\""])
         .arg(std::env::current_exe().unwrap())
         .args([name, "--exact", "--nocapture"])
         .env(STARVED, "1")

@@ -25,7 +25,7 @@ use geograd::kernels::gpu::{Gpu, Options, common_sources};
 use geograd_tests::adapter::{any_gpu, validate};
 use geograd_tests::calls::OfRings;
 use geograd_tests::forms::agree;
-use geograd_tests::list::{self, Tested};
+use geograd_tests::list;
 use geograd_tests::rows::overlap;
 use geograd_tests::rows::ring::{Centroid, Perimeter, SignedArea};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -110,28 +110,6 @@ fn boxes_bad_input() {
     of_boxes(|boxes| boxes.bad_input);
 }
 
-/// Whoever has shaders by hand is in the list above.
-#[test]
-fn all_shaders_by_hand_are_tested() {
-    let by_hand = |row: &&Tested| {
-        let shaders = row.shaders().unwrap();
-        let is_pairs = row.operation.sort == Sort::Straight;
-        is_pairs
-            && shaders
-                .iter()
-                .any(|(_, text)| text.contains("fn value_of("))
-    };
-    let mut found: Vec<_> = list::rows()
-        .into_iter()
-        .filter(by_hand)
-        .map(Tested::name)
-        .collect();
-    let mut tested = BOXES.map(|boxes| boxes.name);
-    found.sort_unstable();
-    tested.sort_unstable();
-    assert_eq!(found, tested);
-}
-
 #[test]
 fn measures_of_rings() {
     fn of<O: OfRings<f32> + OfRings<f64>>() {
@@ -147,16 +125,24 @@ fn measures_of_rings() {
     of::<Centroid>();
 }
 
-/// Shader text needs no GPU to be judged. A row's templates are those of all rows, its bodies are its own.
+/// Shader text needs no GPU to be judged. A row's templates are those of all rows, its bodies are its own. Rows with a
+/// body by hand are those of boxes above.
 #[test]
 fn shaders_are_valid() {
     for (name, text) in common_sources() {
         validate(&name, &text);
     }
-    list::each(&list::todays(list::rows(), &EVERY_FORM), |row| {
-        for (name, text) in row.shaders().unwrap() {
-            validate(&name, &text);
+    let boxes = BOXES.map(|boxes| boxes.name);
+    let always = [&EVERY_FORM[..], &boxes].concat();
+    list::each(&list::todays(list::rows(), &always), |row| {
+        let shaders = row.shaders().unwrap();
+        for (name, text) in &shaders {
+            validate(name, text);
         }
+        let mut texts = shaders.iter().map(|(_, text)| text);
+        let is_by_hand =
+            row.operation.sort == Sort::Straight && texts.any(|text| text.contains("fn value_of("));
+        assert_eq!(is_by_hand, boxes.contains(&row.name()), "{}", row.name());
     });
 }
 

@@ -9,32 +9,29 @@ use geograd::{Aabb2, Fixed, Obb2, Pack};
 use geograd_tests::calls;
 use geograd_tests::rows::overlap;
 
-/// Derivatives of every pair, the fields of b after those of a: from the diagonals of squares in which the shorter
-/// list is repeated until it is as long as the other.
+/// Pairs of a square whose diagonal is asked for.
+const SQUARE: usize = 64;
+
+/// Derivatives of every pair, the fields of b after those of a: from the diagonals of squares, whose shapes are pairs
+/// one after the other.
 fn derivatives_of_pairs<O: Score>(gpu: &Gpu, a: &[O::Shape], b: &[O::Shape]) -> Vec<Vec<f64>> {
-    let (rows, columns) = (a.len(), b.len());
-    let (longer, shorter) = (rows.max(columns), rows.min(columns));
-    let mut diagonal = vec![0.0; longer * longer];
-    diagonal
-        .iter_mut()
-        .step_by(longer + 1)
-        .for_each(|x| *x = 1.0);
-    let mut all = vec![Vec::new(); rows * columns];
-    for shift in 0..shorter {
-        let place = |k: usize| match rows < columns {
-            true => ((k + shift) % rows, k),
-            false => (k, (k + shift) % columns),
-        };
-        let of_a: Vec<O::Shape> = (0..longer).map(|k| a[place(k).0]).collect();
-        let of_b: Vec<O::Shape> = (0..longer).map(|k| b[place(k).1]).collect();
+    let places: Vec<(usize, usize)> = (0..a.len())
+        .flat_map(|i| (0..b.len()).map(move |j| (i, j)))
+        .collect();
+    let of_square = |places: &[(usize, usize)]| {
+        let side = places.len();
+        let mut diagonal = vec![0.0; side * side];
+        let ones = diagonal.iter_mut().step_by(side + 1);
+        ones.for_each(|x| *x = 1.0);
+        let of_a: Vec<O::Shape> = places.iter().map(|&(i, _)| a[i]).collect();
+        let of_b: Vec<O::Shape> = places.iter().map(|&(_, j)| b[j]).collect();
         let bars = gpu.all_pairs_vjp(O::default(), &of_a, &of_b, &diagonal);
         let (by_a, by_b) = bars.unwrap();
-        for k in 0..longer {
-            let (i, j) = place(k);
-            all[i * columns + j] = [fields(by_a[k]), fields(by_b[k])].concat();
-        }
-    }
-    all
+        let both = by_a.into_iter().zip(by_b);
+        both.map(|(a, b)| [fields(a), fields(b)].concat())
+            .collect::<Vec<_>>()
+    };
+    places.chunks(SQUARE).flat_map(of_square).collect()
 }
 
 /// Every hard box with every other, and others at random, against bounds that are derived.

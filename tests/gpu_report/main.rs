@@ -5,17 +5,16 @@
 //! cargo run --release -p geograd-tests --features gpu --example gpu_report -- --write   # into BENCHMARKS.md
 //! GEOGRAD_GPU=cpu cargo run … -- --items 1000 --pairs 40000                             # a driver in software
 //! ```
-#[path = "../../examples/common/listed/mod.rs"]
-mod listed;
+mod forms;
 mod rates;
 mod table;
 
 use geograd::kernels::gpu::{Gpu, Options};
 use geograd::kernels::{Backend, dynamic};
 use geograd::{Error, Unrecordable};
+use geograd_tests::listed::parity::{Compared, compare};
+use geograd_tests::listed::{Form, Listed, list};
 use indicatif::{ProgressBar, ProgressStyle};
-use listed::parity::{Compared, compare};
-use listed::{Form, Listed, list};
 use std::process::ExitCode;
 use std::time::Duration;
 use table::{Parity, Report};
@@ -28,6 +27,8 @@ Usage: gpu_report [options]
 
   --write       puts the tables into BENCHMARKS.md, between its marks
   --op NAME     parity of rows whose spelling contains NAME, as 'iou(obb2,' [default: all rows]
+  --forms       instead of the tables: rates of every form of these rows on both machines
+  --list        instead: the rows, a line each
   --items N     items of a batch of parity [default: 10000]
   --pairs N     pairs of a measured batch [default: 16000000]
   --help        this text
@@ -41,6 +42,8 @@ for a driver in software. The exit status is 0; 1 if a row differs by more than 
 struct Settings {
     write: bool,
     op: String,
+    forms: bool,
+    list: bool,
     items: usize,
     pairs: usize,
 }
@@ -64,6 +67,8 @@ impl Settings {
         let mut settings = Settings {
             write: false,
             op: String::new(),
+            forms: false,
+            list: false,
             items: 10_000,
             pairs: 16_000_000,
         };
@@ -80,6 +85,8 @@ impl Settings {
             };
             match word.as_str() {
                 "--write" => settings.write = true,
+                "--forms" => settings.forms = true,
+                "--list" => settings.list = true,
                 "--op" => settings.op = value()?,
                 "--items" => settings.items = number(value()?)?,
                 "--pairs" => settings.pairs = number(value()?)?,
@@ -111,32 +118,31 @@ fn bar(steps: usize, what: &str) -> ProgressBar {
     bar
 }
 
-fn report(settings: &Settings) -> Result<Report, Failure> {
-    let mut options = Options::default();
-    options.timing = true;
-    let gpu = Gpu::with(&options)?;
-    eprintln!("{gpu}");
-    let names = dynamic::names();
-    let spelled: Vec<_> = names
-        .iter()
-        .filter(|x| x.spelling.contains(&settings.op))
-        .collect();
+/// The rows that are asked for, with their spellings.
+fn rows<'a>(names: &'a [dynamic::Name], asked: &str) -> Result<Vec<(Listed, &'a str)>, Failure> {
     let rows: Vec<(Listed, &str)> = list()
         .into_iter()
-        .filter_map(|op| Some((op, &*spelled.iter().find(|x| x.row == op.name)?.spelling)))
+        .filter_map(|op| {
+            let mut own = names.iter().filter(|x| x.row == op.name);
+            let name = own.find(|x| x.spelling.contains(asked))?;
+            Some((op, &*name.spelling))
+        })
         .collect();
-    if rows.is_empty() {
-        return Err(Failure::Usage(format!(
-            "`--op {}`: no row has that name",
-            settings.op
-        )));
+    match rows.is_empty() {
+        true => Err(Failure::Usage(format!(
+            "`--op {asked}`: no row has that name"
+        ))),
+        false => Ok(rows),
     }
+}
+
+fn report(gpu: &Gpu, rows: &[(Listed, &str)], settings: &Settings) -> Result<Report, Failure> {
     let progress = bar(rows.len(), "parity");
     let mut all = Vec::new();
-    for (op, spelling) in &rows {
+    for (op, spelling) in rows {
         progress.set_message((*spelling).to_owned());
         for form in op.forms() {
-            let found = parity(&gpu, op, form, settings.items)?;
+            let found = parity(gpu, op, form, settings.items)?;
             all.push(Parity {
                 row: (*spelling).to_owned(),
                 form: form.title(),
@@ -146,7 +152,7 @@ fn report(settings: &Settings) -> Result<Report, Failure> {
         progress.inc(1);
     }
     progress.finish_and_clear();
-    let rates = rates::all(&gpu, settings.pairs, bar)?;
+    let rates = rates::all(gpu, settings.pairs, bar)?;
     Ok(Report {
         adapter: gpu.adapter().clone(),
         parity: all,
@@ -157,7 +163,20 @@ fn report(settings: &Settings) -> Result<Report, Failure> {
 
 fn run() -> Result<bool, Failure> {
     let settings = Settings::new(std::env::args().skip(1))?;
-    let report = report(&settings)?;
+    let names = dynamic::names();
+    let rows = rows(&names, &settings.op)?;
+    if settings.list {
+        rows.iter().for_each(|(_, spelling)| println!("{spelling}"));
+        return Ok(true);
+    }
+    let mut options = Options::default();
+    options.timing = true;
+    let gpu = Gpu::with(&options)?;
+    eprintln!("{gpu}");
+    if settings.forms {
+        return Ok(forms::run(&gpu, &rows, settings.items)?);
+    }
+    let report = report(&gpu, &rows, &settings)?;
     let text = report.text();
     println!("{text}");
     if settings.write {

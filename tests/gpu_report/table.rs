@@ -1,7 +1,7 @@
 //! The tables, as text and in BENCHMARKS.md.
-use crate::listed::parity::{Compared, FEW, NEAR};
 use crate::rates::Rate;
 use geograd::kernels::gpu::Adapter;
+use geograd_tests::listed::parity::{Compared, FEW, NEAR};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;

@@ -31,7 +31,7 @@ fn plan(row: &Tested) -> Sampling<'static> {
     }
 }
 
-/// Optimised builds check every row; unoptimised ones a third of them a day, and hot ones every day.
+/// Optimised builds check every row; unoptimised ones a sixth of them a day, and hot ones every day.
 fn rows() -> Vec<&'static Tested> {
     match cfg!(debug_assertions) {
         true => list::todays(list::checked(), &HOT),

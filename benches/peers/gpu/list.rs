@@ -1,12 +1,12 @@
 //! The whole list by generated kernels over data that stay: kernel time, bytes and counted instructions of
 //! every form, and what share of the machine that is.
 use crate::count::count;
-use crate::listed::ready::CORNERS;
-use crate::listed::{Form, Listed, list};
 use crate::{Settings, fastest};
 use geograd::kernels::Backend;
 use geograd::kernels::gpu::Gpu;
 use geograd::{Error, Program, Scalar, Sym, Unrecordable};
+use geograd_tests::listed::ready::CORNERS;
+use geograd_tests::listed::{Form, Listed, list};
 use std::fmt::Write;
 use std::time::Instant;
 

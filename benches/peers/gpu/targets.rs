@@ -1,12 +1,12 @@
 //! Targets of a large card, measured: `cargo bench -p peers --features gpu -- targets`.
 use crate::list::Roofs;
-use crate::listed::{Form, list};
 use crate::{Draw, Settings, fastest};
 use geograd::Error;
 use geograd::Obb2;
 use geograd::kernels::gpu::{Gpu, op_sources};
 use geograd::kernels::{Backend, Distance, Iou, Op, RowOf};
 use geograd::{Segment2, Vec2};
+use geograd_tests::listed::{Form, list};
 
 /// Prints one line: the target's name, the wanted rate, the measured rate.
 fn told(what: &str, unit: &str, wanted: f64, found: f64) {

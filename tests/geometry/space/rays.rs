@@ -16,7 +16,7 @@ where
 {
     let mut random = Random(0x1234_5678_9abc);
     let mut hits = 0;
-    for round in 0..3000 {
+    for round in 0..800 {
         let shape = make(&mut random);
         let ray = Ray3::new(random.vector(2.0), random.vector(1.0));
         let depth = |t: f64| signed_distance(ray.point_at(t), shape);
@@ -78,7 +78,7 @@ where
             "{told}: {found} {counted}"
         );
     }
-    assert!(hits > 50, "{told}: {hits}");
+    assert!(hits > 10, "{told}: {hits}");
 }
 
 #[test]
@@ -490,7 +490,7 @@ where
 {
     let mut random = Random(0x51_9417);
     let (mut apart, mut through) = (0, 0);
-    for _ in 0..300 {
+    for _ in 0..100 {
         let (solid, corners, is_deep) = make(&mut random);
         let (from, way) = sight(&mut random, &corners);
         if way.length() < 1e-3 {
@@ -557,8 +557,8 @@ where
             close(best, depth, 0.05);
         }
     }
-    assert!(apart > 60, "{told} {apart}");
-    assert!(through > 15 || told == "triangle", "{told} {through}");
+    assert!(apart > 30, "{told} {apart}");
+    assert!(through > 5 || told == "triangle", "{told} {through}");
 }
 
 #[test]

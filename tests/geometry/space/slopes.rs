@@ -108,7 +108,7 @@ fn second_derivatives_at_contacts_of_every_kind() {
     }
     // Solids of corners, and a box with others: apart, and as deep as they come.
     let mut kinds = [0; 2];
-    for _ in 0..60 {
+    for _ in 0..25 {
         let p: [Vec3<f64>; 9] = std::array::from_fn(|_| random.vector(1.0));
         let far = Vec3::new(1.5, 0.4, 0.2) * random.below(2) as f64;
         let a = Tetrahedron::new(p[0], p[1], p[2], p[3]);
@@ -123,7 +123,7 @@ fn second_derivatives_at_contacts_of_every_kind() {
         bends!(block, link, Obb3, Capsule3, "box and capsule");
         bends!(t, block, Triangle3, Obb3, "triangle and box");
     }
-    assert!(kinds.iter().all(|&kind| kind > 10), "{kinds:?}");
+    assert!(kinds.iter().all(|&kind| kind > 4), "{kinds:?}");
     let hat = Cone::new(Vec3::new(0.0, 0.0, 2.0), Vec3::new(0.1, 0.0, 0.0), 1.0);
     let can = Cylinder::new(Vec3::new(0.0, 0.0, 2.0), Vec3::new(0.1, 0.0, 0.0), 1.0);
     for (point, told) in [

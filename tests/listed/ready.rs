@@ -1,10 +1,10 @@
 //! Batches with all that they take, on any machine.
+use crate::list::Tested;
 use geograd::Error;
 use geograd::ad::check::sample::Draw;
 use geograd::kernels::Backend;
 use geograd::kernels::dynamic::{Function, Layout, Mode, OnPaths, Rows};
 use geograd::kernels::resident::{HeldNumbers, Matrix, Resident};
-use geograd::kernels::tested::Tested;
 
 /// Corners of the paths.
 pub const CORNERS: usize = 16;

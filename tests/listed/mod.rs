@@ -1,13 +1,12 @@
 //! Every operation of the library in every form, on any machine: shapes are drawn and brought up once, then it
 //! runs as often as it is asked to.
-#[allow(dead_code)] // Of three programs one compares nothing.
 pub mod parity;
 pub mod ready;
 
+use crate::list::{Tested, rows};
 use geograd::Error;
 use geograd::kernels::Backend;
 use geograd::kernels::dynamic::{Mode, Sort};
-use geograd::kernels::tested::{Tested, rows};
 use ready::{Ready, aligned, pairs, paths};
 
 /// The forms of an operation that can be run.
@@ -89,7 +88,6 @@ impl Listed {
         }
     }
     /// The texts of its shaders, with names.
-    #[allow(dead_code)] // Of two programs one does not count instructions.
     pub fn shaders(&self) -> Result<Vec<(String, String)>, Error> {
         self.row.shaders()
     }
@@ -101,5 +99,5 @@ pub fn list() -> Vec<Listed> {
         name: row.name(),
         row,
     };
-    rows().iter().map(listed).collect()
+    rows().into_iter().map(listed).collect()
 }

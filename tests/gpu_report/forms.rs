@@ -1,57 +1,22 @@
-//! Any operation of the list in all its forms, on a GPU and on the CPU: how long it takes, and whether both
-//! say the same.
-use crate::listed::parity::compare;
-use crate::listed::{Form, Listed, list};
-use common::cli::Failure;
-use geograd::kernels::gpu::{Gpu, Options};
-use geograd::kernels::{Backend, dynamic};
+//! Every form of rows on a GPU and on the CPU: how fast each is, and whether both give the same results.
+use geograd::kernels::Backend;
+use geograd::kernels::gpu::Gpu;
 use geograd::{Error, Unrecordable};
+use geograd_tests::listed::parity::compare;
+use geograd_tests::listed::{Form, Listed};
 use std::time::{Duration, Instant};
 
-/// Items of the full size, and pairs of it.
-const ITEMS: usize = 1_000_000;
-
-/// Verbs and shapes, one to a line.
-pub fn names() -> String {
-    let listed = list();
-    let all = dynamic::names().into_iter();
-    let here = all.filter(|name| listed.iter().any(|op| op.name == name.row));
-    here.map(|name| format!("{}\n", name.spelling)).collect()
-}
-
-/// Runs the operation of a name, or all.
-pub fn run(name: &str, size: f64) -> Result<(), Failure> {
-    let mut wanted = list();
-    let asked = if name == "all" { "" } else { name };
-    let rows = dynamic::named_rows(asked)
-        .map_err(|error| Failure::Usage(format!("`--op {name}`: {error}")))?;
-    wanted.retain(|op| rows.contains(&op.name));
-    if wanted.is_empty() {
-        let why = format!("`--op {name}`: not in this list (`--list` has its names)");
-        return Err(Failure::Usage(why));
-    }
-    let mut options = Options::default();
-    options.timing = true;
-    let gpu = Gpu::with(&options)?;
-    println!("{name} on {gpu}");
-    let copied = copying(&gpu, 1 << 22)?;
-    if let Some(copied) = copied {
+/// Prints a line for every form of these rows; `true` if both machines give the same results.
+pub fn run(gpu: &Gpu, rows: &[(Listed, &str)], items: usize) -> Result<bool, Error> {
+    if let Some(copied) = copying(gpu, 1 << 22)? {
         println!("copy {:.1} GB/s, read and write", copied / 1e9);
     }
-    let count = (ITEMS as f64 * size) as usize;
-    let mut wrong = Vec::new();
-    for op in wanted {
-        if !agrees(&gpu, &op, count)? {
-            wrong.push(op.name);
-        }
+    let mut agree = true;
+    for (op, spelling) in rows {
+        println!("{spelling}");
+        agree &= agrees(gpu, op, items)?;
     }
-    match wrong.is_empty() {
-        true => Ok(()),
-        false => Err(Failure::Work(format!(
-            "the GPU says something else than the CPU: {}",
-            wrong.join(", ")
-        ))),
-    }
+    Ok(agree)
 }
 
 /// Bytes a second of a kernel that copies: what memory gives at best.
@@ -71,18 +36,14 @@ fn copying(gpu: &Gpu, numbers: usize) -> Result<Option<f64>, Error> {
     Ok(best)
 }
 
-/// Runs every form of an operation on both machines; whether both say the same.
+/// Runs every form of a row on both machines; `true` if both give the same results.
 fn agrees(gpu: &Gpu, op: &Listed, count: usize) -> Result<bool, Error> {
-    println!("{}", op.name);
     let mut agree = true;
     for form in op.forms() {
         match both(gpu, form, op, count) {
             Ok(same) => agree &= same,
             Err(Error::Program(Unrecordable::Search)) => {
-                println!(
-                    "  {}: searches, which GPUs do not: it is for the CPU",
-                    form.title()
-                );
+                println!("  {}: a search, which only the CPU runs", form.title());
             }
             Err(error) => return Err(error),
         }
@@ -90,7 +51,7 @@ fn agrees(gpu: &Gpu, op: &Listed, count: usize) -> Result<bool, Error> {
     Ok(agree)
 }
 
-/// Runs a form on both machines, tells how fast they are, and compares.
+/// Runs a form on both machines, prints its rates, and compares the results.
 fn both(gpu: &Gpu, form: Form, op: &Listed, count: usize) -> Result<bool, Error> {
     let start = Instant::now();
     // The first call brings everything up, and compiles.
