@@ -12,7 +12,7 @@
 //! | --- | --- |
 //! | `options.rs` | the command line, and the row of the verb that it means |
 //! | `number.rs` | both formats of numbers |
-//! | `csv.rs`, `source.rs`, `block.rs`, `buffer.rs` | tables as rows of numbers, block by block and group by group |
+//! | `csv.rs`, `source.rs`, `lists.rs`, `block.rs`, `buffer.rs` | tables as rows of numbers, block by block and group by group |
 //! | `work.rs` | rows, pairs, derivatives |
 //! | `sink.rs` | the result |
 //!
@@ -20,6 +20,7 @@
 mod block;
 mod buffer;
 mod csv;
+mod lists;
 mod number;
 mod options;
 mod sink;

@@ -2,6 +2,7 @@
 use crate::PROGRAM;
 use crate::block::{Block, Key};
 use crate::csv::Table;
+use crate::lists::{self, Wrong};
 use crate::number::Number;
 use crate::options::Input;
 use arrow::array::{Array, ArrayRef, AsArray, RecordBatch};
@@ -212,38 +213,15 @@ impl<T: Number> Source<T> {
     fn lists(&self, column: &ArrayRef, name: &str) -> Result<Vec<T>, Failure> {
         self.no_null(column, name)?;
         let fields = self.fields();
-        let wrong = |row: usize, found: usize| {
-            Err(self.at(
+        let values = lists::values(column, fields).map_err(|wrong| match wrong {
+            Wrong::Width { row, found } => self.at(
                 self.row + row,
                 &format!("{name} has {found} numbers, not {fields}"),
-            ))
-        };
-        let values = match column.data_type() {
-            DataType::FixedSizeList(_, size) if *size as usize != fields => {
-                return wrong(0, *size as usize);
+            ),
+            Wrong::Null { row, field } => {
+                self.at(self.row + row, &format!("{name}[{field}] is null"))
             }
-            DataType::FixedSizeList(_, _) => {
-                let list = column.as_fixed_size_list();
-                list.values()
-                    .slice(list.value_offset(0) as usize, list.len() * fields)
-            }
-            _ => {
-                let list = column.as_list::<i32>();
-                if let Some(row) =
-                    (0..list.len()).find(|&row| list.value_length(row) as usize != fields)
-                {
-                    return wrong(row, list.value_length(row) as usize);
-                }
-                let first = list.value_offsets()[0] as usize;
-                list.values().slice(first, list.len() * fields)
-            }
-        };
-        if let Some(k) = (0..values.len()).find(|&k| values.is_null(k)) {
-            return Err(self.at(
-                self.row + k / fields,
-                &format!("{name}[{}] is null", k % fields),
-            ));
-        }
+        })?;
         self.lane(&values, name)
     }
 

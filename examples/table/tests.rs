@@ -1,7 +1,9 @@
 //! `table` as its users meet it: files in, files and exit status out.
 use arrow::array::{
-    ArrayRef, AsArray, FixedSizeListArray, Float64Array, Int32Array, RecordBatch, StructArray,
+    Array, ArrayRef, AsArray, FixedSizeListArray, Float64Array, Int32Array, ListArray, RecordBatch,
+    StructArray,
 };
+use arrow::buffer::OffsetBuffer;
 use arrow::datatypes::{DataType, Field, Fields, Float64Type, UInt64Type};
 use geograd::prelude::*;
 use parquet::arrow::ArrowWriter;
@@ -10,6 +12,10 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::Arc;
+
+mod lists;
+
+use lists::Wrong;
 
 /// A folder of a test's own, empty at the start.
 fn folder(test: &str) -> PathBuf {
@@ -746,4 +752,42 @@ fn command_lines_that_make_no_sense() {
         list.contains("\niou obb2 obb2\n")
             && list.contains("\nobb2: x, y, width, height, heading\n")
     );
+}
+
+/// A part of a column begins in the middle of the values that it shares.
+#[test]
+fn parts_of_columns_of_lists() {
+    let numbers: Vec<f64> = (0..12).map(f64::from).collect();
+    let values: ArrayRef = Arc::new(Float64Array::from(numbers));
+    let field = Arc::new(Field::new("item", DataType::Float64, false));
+    let fixed: ArrayRef = Arc::new(FixedSizeListArray::new(
+        field.clone(),
+        3,
+        values.clone(),
+        None,
+    ));
+    let offsets = OffsetBuffer::from_lengths([3; 4]);
+    let free: ArrayRef = Arc::new(ListArray::new(field.clone(), offsets, values, None));
+    for column in [fixed, free] {
+        for first in 0..3 {
+            let part = column.slice(first, 2);
+            let found = lists::values(&part, 3).unwrap();
+            let found = found.as_primitive::<Float64Type>().values().to_vec();
+            let expected: Vec<f64> = (3 * first..3 * first + 6).map(|x| x as f64).collect();
+            assert_eq!(found, expected);
+        }
+        let found = lists::values(&column.slice(1, 2), 4);
+        assert_eq!(found.unwrap_err(), Wrong::Width { row: 0, found: 3 });
+    }
+    // The second of lists of 3, 2 and 3 numbers is wrong; without it the last one has a null.
+    let holes = Float64Array::from(vec![Some(0.0); 7].into_iter().chain([None]).collect::<Vec<_>>());
+    let field = Arc::new(Field::new("item", DataType::Float64, true));
+    let offsets = OffsetBuffer::from_lengths([3, 2, 3]);
+    let column: ArrayRef = Arc::new(ListArray::new(field, offsets, Arc::new(holes), None));
+    let found = lists::values(&column, 3);
+    assert_eq!(found.unwrap_err(), Wrong::Width { row: 1, found: 2 });
+    let found = lists::values(&column.slice(2, 1), 3);
+    assert_eq!(found.unwrap_err(), Wrong::Null { row: 0, field: 2 });
+    assert_eq!(lists::values(&column.slice(0, 1), 3).unwrap().len(), 3);
+    assert_eq!(lists::values(&column.slice(0, 0), 3).unwrap().len(), 0);
 }

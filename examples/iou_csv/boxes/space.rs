@@ -1,53 +1,9 @@
-//! Boxes of space.
-//!
-//! IoU and IoF are the library's operations; the other scores are recorded as what they add to IoU.
-use super::{Boxes, Pairs, Scores, of_row, on_scores, row};
+//! Boxes of space: every score is a row of the library.
+use super::{Boxes, Pairs, Scores, of_row, row};
 use crate::metric::{Enclosing, Metric};
 use crate::number::Number;
 use common::cli::{Failure, Machine};
-use common::known::known;
-use geograd::ad::program::Plain;
-use geograd::iou3::{self, Solid};
-use geograd::{Error, Fixed, Obb3, Program, Sym, YawBox3};
-
-/// The recorded score of two boxes, with their IoU as an argument.
-fn program<T, P, Q>(metric: Metric) -> Result<Program<(P, P, T), T>, Error>
-where
-    T: Number + Plain,
-    P: Boxes<Scalar = T> + Fixed<Of<Sym<T>> = Q>,
-    Q: Fixed<Scalar = Sym<T>, Of<T> = P> + Solid<Sym<T>>,
-{
-    type Known<Q> = (Q, Q, <Q as geograd::Pack>::Scalar);
-    let around = |around: Enclosing| match around {
-        Enclosing::Aabb => iou3::Enclosing::Aabb,
-        Enclosing::Rect => iou3::Enclosing::Rectangle,
-        Enclosing::Hull => iou3::Enclosing::Hull,
-    };
-    let pair = |(a, b, iou): Known<Q>| known(a, b, iou);
-    match metric {
-        Metric::Iou | Metric::Iof => Program::trace(|(_, _, iou): Known<Q>| iou),
-        Metric::Giou(kind) => Program::trace(|x: Known<Q>| {
-            let [a, b] = pair(x);
-            iou3::giou(a, b, around(kind))
-        }),
-        Metric::Diou(kind) => Program::trace(|x: Known<Q>| {
-            let [a, b] = pair(x);
-            iou3::diou(a, b, around(kind))
-        }),
-        Metric::DiouBox => Program::trace(|x: Known<Q>| {
-            let [a, b] = pair(x);
-            iou3::diou(a, b, iou3::Enclosing::Aabb)
-        }),
-        Metric::Ciou(kind) => Program::trace(|x: Known<Q>| {
-            let [a, b] = pair(x);
-            iou3::ciou(a, b, around(kind))
-        }),
-        Metric::Eiou(kind) => Program::trace(|x: Known<Q>| {
-            let [a, b] = pair(x);
-            iou3::eiou(a, b, around(kind))
-        }),
-    }
-}
+use geograd::{Obb3, YawBox3};
 
 impl<T: Number> Boxes for YawBox3<T> {
     const COLUMNS: &'static [&'static str] = &["x", "y", "z", "dx", "dy", "dz", "heading"];
@@ -65,15 +21,23 @@ impl<T: Number> Boxes for YawBox3<T> {
         pairs: &Pairs<'_, T>,
         grad: bool,
     ) -> Result<Scores<Self>, Failure> {
-        let of = |row| of_row(&row, machine, pairs, grad);
-        match metric {
-            Metric::Iou => of(row!(Iou, YawBox3)),
-            Metric::Iof => of(row!(Iof, YawBox3)),
-            _ => {
-                let added = program::<T, Self, YawBox3<Sym<T>>>(metric)?;
-                on_scores(&added, pairs, of(row!(Iou, YawBox3))?)
-            }
-        }
+        let row = match metric {
+            Metric::Iou => row!(Iou, YawBox3),
+            Metric::Iof => row!(Iof, YawBox3),
+            Metric::Giou(Enclosing::Hull) => row!(Giou, YawBox3),
+            Metric::Giou(Enclosing::Rect) => row!(GiouRectangle, YawBox3),
+            Metric::Giou(Enclosing::Aabb) => row!(GiouAabb, YawBox3),
+            Metric::Diou(Enclosing::Hull) => row!(Diou, YawBox3),
+            Metric::Diou(Enclosing::Rect) => row!(DiouRectangle, YawBox3),
+            Metric::Diou(Enclosing::Aabb) | Metric::DiouBox => row!(DiouAabb, YawBox3),
+            Metric::Ciou(Enclosing::Hull) => row!(Ciou, YawBox3),
+            Metric::Ciou(Enclosing::Rect) => row!(CiouRectangle, YawBox3),
+            Metric::Ciou(Enclosing::Aabb) => row!(CiouAabb, YawBox3),
+            Metric::Eiou(Enclosing::Hull) => row!(Eiou, YawBox3),
+            Metric::Eiou(Enclosing::Rect) => row!(EiouRectangle, YawBox3),
+            Metric::Eiou(Enclosing::Aabb) => row!(EiouAabb, YawBox3),
+        };
+        of_row(&row, machine, pairs, grad)
     }
 }
 
@@ -106,14 +70,19 @@ impl<T: Number> Boxes for Obb3<T> {
         pairs: &Pairs<'_, T>,
         grad: bool,
     ) -> Result<Scores<Self>, Failure> {
-        let of = |row| of_row(&row, machine, pairs, grad);
-        match metric {
-            Metric::Iou => of(row!(Iou, Obb3)),
-            Metric::Iof => of(row!(Iof, Obb3)),
-            _ => {
-                let added = program::<T, Self, Obb3<Sym<T>>>(metric)?;
-                on_scores(&added, pairs, of(row!(Iou, Obb3))?)
-            }
-        }
+        // The command line has no hull for these.
+        let row = match metric {
+            Metric::Iou => row!(Iou, Obb3),
+            Metric::Iof => row!(Iof, Obb3),
+            Metric::Giou(Enclosing::Hull | Enclosing::Rect) => row!(Giou, Obb3),
+            Metric::Giou(Enclosing::Aabb) => row!(GiouAabb, Obb3),
+            Metric::Diou(Enclosing::Hull | Enclosing::Rect) => row!(Diou, Obb3),
+            Metric::Diou(Enclosing::Aabb) | Metric::DiouBox => row!(DiouAabb, Obb3),
+            Metric::Ciou(Enclosing::Hull | Enclosing::Rect) => row!(Ciou, Obb3),
+            Metric::Ciou(Enclosing::Aabb) => row!(CiouAabb, Obb3),
+            Metric::Eiou(Enclosing::Hull | Enclosing::Rect) => row!(Eiou, Obb3),
+            Metric::Eiou(Enclosing::Aabb) => row!(EiouAabb, Obb3),
+        };
+        of_row(&row, machine, pairs, grad)
     }
 }
