@@ -2,8 +2,7 @@
 use crate::kernels::cpu::Cpu;
 use crate::kernels::gpu::Gpu;
 use crate::kernels::machine::{Engine, Machine};
-use crate::kernels::{Columns, Fold, One};
-use crate::{Error, GpuFault, Pack};
+use crate::{Error, GpuFault};
 use std::ops::Deref;
 
 /// The machine on which batches run. There is no silent fallback from one to the other.
@@ -89,99 +88,5 @@ impl std::fmt::Display for Auto {
             Auto::Cpu(reason) => write!(f, "the CPU ({reason})"),
             Auto::Gpu(gpu) => gpu.fmt(f),
         }
-    }
-}
-
-/// Folds over paths, and measures of rings.
-impl Backend<'_> {
-    /// One result per path: [`Cpu::fold`].
-    ///
-    /// ```
-    /// use geograd::kernels::{Backend, One, SignedDistance};
-    /// use geograd::Vec2;
-    /// let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
-    /// let point = One(Vec2::new(1.0_f32, 0.5));
-    /// let distances = Backend::Cpu.fold(SignedDistance.over_ring(), point, &square, &[0, 4])?;
-    /// assert_eq!(distances, [-0.5]);
-    /// # Ok::<(), geograd::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// The errors of the CPU, and [`Error::Gpu`].
-    pub fn fold<F, C: Columns>(
-        self,
-        fold: F,
-        context: C,
-        vertices: &[F::Element<f32>],
-        offsets: &[usize],
-    ) -> Result<Vec<F::Out<f32>>, Error>
-    where
-        F: Fold<Context<f32> = C::Item>,
-        C::Item: Pack<Scalar = f32>,
-    {
-        match self {
-            Backend::Cpu => CPU.fold(fold, context, vertices, offsets),
-            Backend::Gpu(gpu) => gpu.fold(fold, context, vertices, offsets),
-        }
-    }
-
-    /// The adjoint of [`fold`](Backend::fold), one cotangent per context and one per vertex: [`Cpu::fold_vjp`].
-    ///
-    /// # Errors
-    ///
-    /// As [`fold`](Backend::fold), and for cotangents of another number or not finite.
-    pub fn fold_vjp<F, C: Columns>(
-        self,
-        fold: F,
-        context: C,
-        vertices: &[F::Element<f32>],
-        offsets: &[usize],
-        upstream: &[F::Out<f32>],
-    ) -> Result<(Vec<F::Context<f32>>, Vec<F::Element<f32>>), Error>
-    where
-        F: Fold<Context<f32> = C::Item>,
-        C::Item: Pack<Scalar = f32>,
-    {
-        match self {
-            Backend::Cpu => CPU.fold_vjp(fold, context, vertices, offsets, upstream),
-            Backend::Gpu(gpu) => gpu.fold_vjp(fold, context, vertices, offsets, upstream),
-        }
-    }
-
-    /// One result per path of a fold that takes nothing else: [`Cpu::ragged`].
-    ///
-    /// # Errors
-    ///
-    /// The errors of the CPU, and [`Error::Gpu`].
-    pub fn ragged<F>(
-        self,
-        fold: F,
-        vertices: &[F::Element<f32>],
-        offsets: &[usize],
-    ) -> Result<Vec<F::Out<f32>>, Error>
-    where
-        F: Fold<Context<f32> = [f32; 0]>,
-    {
-        self.fold(fold, One([]), vertices, offsets)
-    }
-
-    /// The adjoint of [`ragged`](Backend::ragged), one cotangent per vertex: [`Cpu::ragged_vjp`].
-    ///
-    /// # Errors
-    ///
-    /// As [`ragged`](Backend::ragged), and for cotangents of another number or not finite.
-    pub fn ragged_vjp<F>(
-        self,
-        fold: F,
-        vertices: &[F::Element<f32>],
-        offsets: &[usize],
-        upstream: &[F::Out<f32>],
-    ) -> Result<Vec<F::Element<f32>>, Error>
-    where
-        F: Fold<Context<f32> = [f32; 0]>,
-    {
-        let (_, bars) = self.fold_vjp(fold, One([]), vertices, offsets, upstream)?;
-        Ok(bars)
     }
 }

@@ -780,7 +780,12 @@ fn parts_of_columns_of_lists() {
         assert_eq!(found.unwrap_err(), Wrong::Width { row: 0, found: 3 });
     }
     // The second of lists of 3, 2 and 3 numbers is wrong; without it the last one has a null.
-    let holes = Float64Array::from(vec![Some(0.0); 7].into_iter().chain([None]).collect::<Vec<_>>());
+    let holes = Float64Array::from(
+        vec![Some(0.0); 7]
+            .into_iter()
+            .chain([None])
+            .collect::<Vec<_>>(),
+    );
     let field = Arc::new(Field::new("item", DataType::Float64, true));
     let offsets = OffsetBuffer::from_lengths([3, 2, 3]);
     let column: ArrayRef = Arc::new(ListArray::new(field, offsets, Arc::new(holes), None));

@@ -98,7 +98,9 @@ pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
     }
     let mut rows = vec![T::default(); shapes.len() * width::<P>()];
     let out = run(&mut rows);
-    for (shape, row) in shapes.iter_mut().zip(rows.chunks_exact(width::<P>())) {
+    // Shapes may have no numbers at all.
+    let rows = rows.chunks_exact(width::<P>().max(1));
+    for (shape, row) in shapes.iter_mut().zip(rows) {
         *shape = P::load(row).load_codes(&shape.codes());
     }
     out

@@ -35,13 +35,13 @@ drivers! {
     aligned: fn(Aligned<'_, T>) -> bool = desk::compute;
     planes: fn(&Pairs<'_, T>, &mut [T]) = pairs::planes;
     pull_back: fn(&Pairs<'_, T>, Upstream<'_, T>, &mut [T], &mut [T]) = pairs::pull_back;
-    row_max: fn(&Pairs<'_, T>) -> Vec<Best<T>> = reductions::row_max;
-    column_max: fn(&Pairs<'_, T>) -> Vec<Best<T>> = reductions::column_max;
+    most_of_rows: fn(&Pairs<'_, T>) -> Vec<Best<T>> = reductions::most_of_rows;
+    most_of_columns: fn(&Pairs<'_, T>) -> Vec<Best<T>> = reductions::most_of_columns;
     above: fn(&Pairs<'_, T>, T) -> Vec<Found<T>> = reductions::above;
     count_above: fn(&Pairs<'_, T>, T) -> u64 = reductions::count_above;
     sum: fn(&Pairs<'_, T>) -> f64 = reductions::sum;
     folded: fn(&Folding<T>, &Paths<'_, T>) -> Result<Vec<T>, Error> = folds::values;
-    pulled_back: fn(&Folding<T>, &Paths<'_, T>, usize, &[T]) -> Result<(Vec<T>, Vec<T>), Error> = folds::cotangents;
+    pulled_back: fn(&Folding<T>, &Paths<'_, T>, &[T]) -> Result<(Vec<T>, Vec<T>), Error> = folds::cotangents;
     ring_scores: fn(RingPairs<'_, T>) -> Vec<T> = polygons::scores;
     ring_derivatives: fn(RingPairs<'_, T>, &[T]) -> Pulled<T> = polygons::derivatives;
     above_grouped: fn(&Pairs<'_, T>, Groups<'_>, T) -> Vec<Found<T>> = grouped::above;

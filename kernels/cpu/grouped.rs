@@ -323,8 +323,8 @@ pub fn most<T: Real>(
                 return;
             }
             let all = match of_rows {
-                true => reductions::row_max(&piece.pairs),
-                false => reductions::column_max(&piece.pairs),
+                true => reductions::most_of_rows(&piece.pairs),
+                false => reductions::most_of_columns(&piece.pairs),
             };
             for (slot, Best { value, index }) in best.iter_mut().zip(all) {
                 let index = index + from;

@@ -107,7 +107,7 @@ use crate::kernels::machine::Machine;
 pub use crate::kernels::item::Single;
 #[doc(hidden)]
 pub use plan::{Compiled, Face};
-pub(crate) use ragged::check_ragged;
+pub(crate) use ragged::{check_offsets, check_ragged};
 pub use table::Table;
 
 /// The CPU as a machine: all SIMD lanes, and all threads of rayon's current pool.

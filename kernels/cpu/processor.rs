@@ -5,9 +5,11 @@ use crate::kernels::cpu::aligned::{checked, compute, compute_unchecked};
 use crate::kernels::cpu::checked::{
     check, check_argument, check_upstream, entries, expect, restore, tame,
 };
+use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
 use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{Face, Shapes};
+use crate::kernels::cpu::ragged::{measured, measured_vjp};
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::item::{Column, Target};
 use crate::kernels::machine::{Engine, Numbers, Reduced, Reduction, Seed, count_of};
@@ -100,6 +102,39 @@ impl<T: Real> Engine<T> for Processor {
         Ok(Stored::new(count, columns.collect()))
     }
 
+    fn fold(&self, folding: &Folding<T>, input: &Input<'_, T>, out: &mut [T]) -> Result<(), Error> {
+        if let Some(measure) = folding.measure {
+            let ends = [0, input.plane.len()];
+            return measured(measure, input.plane, input.spans.offsets(&ends), out);
+        }
+        out.copy_from_slice(&(T::drivers().folded)(folding, input)?);
+        Ok(())
+    }
+
+    fn fold_back(
+        &self,
+        folding: &Folding<T>,
+        input: &Input<'_, T>,
+        upstream: &[T],
+        by_context: &mut [T],
+        by_vertex: VertexBars<'_, T>,
+    ) -> Result<(), Error> {
+        match (folding.measure, by_vertex) {
+            (Some(measure), VertexBars::Plane(bars)) => {
+                let ends = [0, input.plane.len()];
+                let offsets = input.spans.offsets(&ends);
+                measured_vjp(measure, input.plane, offsets, upstream, bars)
+            }
+            (None, VertexBars::Numbers(bars)) => {
+                let (own, path) = (T::drivers().pulled_back)(folding, input, upstream)?;
+                by_context.copy_from_slice(&own);
+                bars.copy_from_slice(&path);
+                Ok(())
+            }
+            _ => unreachable!("a measure of rings has points of the plane, another fold numbers"),
+        }
+    }
+
     fn room(&self, rows: usize, columns: usize) -> Result<Matrix<T>, Error> {
         let numbers = vec![T::default(); entries(rows, columns, 1)?];
         Ok(Matrix(Box::new(reduce::Matrix::new(
@@ -187,8 +222,8 @@ impl<T: Real> Engine<T> for Processor {
         Ok(match reduction {
             Reduction::Best { of_rows } => {
                 let (best, among) = match of_rows {
-                    true => ((drivers.row_max)(&pairs), lists[1].len()),
-                    false => ((drivers.column_max)(&pairs), lists[0].len()),
+                    true => ((drivers.most_of_rows)(&pairs), lists[1].len()),
+                    false => ((drivers.most_of_columns)(&pairs), lists[0].len()),
                 };
                 Reduced::Bests(Bests::new(Ready(best), among))
             }

@@ -48,7 +48,7 @@ pub fn raise<T: Real>(best: &mut Best<T>, value: T, index: usize) {
 }
 
 /// The largest score of every row and its column; of several the first.
-pub fn row_max<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
+pub fn most_of_rows<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     let [rows, columns] = pairs.counts();
     let mut best = vec![start(false, 0); rows];
     if columns == 0 {
@@ -80,7 +80,7 @@ pub fn row_max<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
 }
 
 /// The largest score of every column and its row; of several the first.
-pub fn column_max<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
+pub fn most_of_columns<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     let [rows, columns] = pairs.counts();
     let mut best = vec![start(false, 0); columns];
     if rows == 0 || columns == 0 {

@@ -1,16 +1,17 @@
 //! The stand-in of the GPU in a build without the feature `gpu`: types without values, so that all else is the same in
 //! both.
 use crate::kernels::Fold;
+use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
 use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::dynamic::Operation;
-use crate::kernels::item::{Column, Columns, Target};
+use crate::kernels::item::{Column, Target};
 use crate::kernels::machine::{Engine, Machine, Numbers, Reduced, Reduction, Seed};
 use crate::kernels::recording::Call;
 use crate::kernels::reduce::{Best, Found};
 use crate::kernels::resident::{Bests, Downloads, Matrix, Pending, Stored};
 use crate::ring::Measure;
 use crate::suppression::Rules;
-use crate::{Error, GpuFault, Pack, Vec2};
+use crate::{Error, GpuFault, Vec2};
 use std::any::Any;
 use std::marker::PhantomData;
 
@@ -119,6 +120,19 @@ impl Engine<f32> for Device {
     ) -> Result<f64, Error> {
         match *self {}
     }
+    fn fold(&self, _: &Folding<f32>, _: &Input<'_, f32>, _: &mut [f32]) -> Result<(), Error> {
+        match *self {}
+    }
+    fn fold_back(
+        &self,
+        _: &Folding<f32>,
+        _: &Input<'_, f32>,
+        _: &[f32],
+        _: &mut [f32],
+        _: VertexBars<'_, f32>,
+    ) -> Result<(), Error> {
+        match *self {}
+    }
     fn suppress(
         &self,
         _: &Call<f32>,
@@ -179,44 +193,13 @@ impl Device {
     pub(crate) fn ragged_of<T>(&self, _: Measure, _: &Rings) -> Result<RingValues<T>, Error> {
         match *self {}
     }
-    pub(crate) fn ragged_vjp_of<T>(
+    pub(crate) fn ragged_vjp_of(
         &self,
         _: Measure,
         _: &Rings,
-        _: &[T],
+        _: (usize, &[f32]),
     ) -> Result<RingValues<Vec2<f32>>, Error> {
         match *self {}
-    }
-}
-
-/// The calls of paths and rings, which are those of the CPU.
-impl Machine<Device> {
-    pub(crate) fn fold<F, C: Columns>(
-        &self,
-        _: F,
-        _: C,
-        _: &[F::Element<f32>],
-        _: &[usize],
-    ) -> Result<Vec<F::Out<f32>>, Error>
-    where
-        F: Fold<Context<f32> = C::Item>,
-        C::Item: Pack<Scalar = f32>,
-    {
-        match self.engine {}
-    }
-    pub(crate) fn fold_vjp<F, C: Columns>(
-        &self,
-        _: F,
-        _: C,
-        _: &[F::Element<f32>],
-        _: &[usize],
-        _: &[F::Out<f32>],
-    ) -> Result<(Vec<F::Context<f32>>, Vec<F::Element<f32>>), Error>
-    where
-        F: Fold<Context<f32> = C::Item>,
-        C::Item: Pack<Scalar = f32>,
-    {
-        match self.engine {}
     }
 }
 

@@ -4,6 +4,7 @@
 //! Columns are slices, [`One`](crate::kernels::One), or [arrays that stay on the machine](crate::kernels::resident). Results
 //! of slices are vectors; results stay on the machine if one of the columns does.
 mod all_pairs;
+mod folds;
 mod location;
 mod primitives;
 

@@ -3,6 +3,7 @@
 //! An engine implements these primitives; [`Machine`](super::Machine) has every named call, once, above them.
 use crate::Error;
 use crate::kernels::cpu::Processor;
+use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
 use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::gpu::Device;
 use crate::kernels::item::{Column, Target};
@@ -190,6 +191,21 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         seed: &Seed<'_, T>,
         bars: [&mut [T]; 2],
     ) -> Result<f64, Error>;
+
+    /// Writes the numbers of the result of every path, whose offsets were checked.
+    #[doc(hidden)]
+    fn fold(&self, folding: &Folding<T>, input: &Input<'_, T>, out: &mut [T]) -> Result<(), Error>;
+
+    /// Writes the numbers of the cotangents of every context and every vertex, for those of every result.
+    #[doc(hidden)]
+    fn fold_back(
+        &self,
+        folding: &Folding<T>,
+        input: &Input<'_, T>,
+        upstream: &[T],
+        by_context: &mut [T],
+        by_vertex: VertexBars<'_, T>,
+    ) -> Result<(), Error>;
 
     /// The shapes that no better one, kept itself, overlaps by more than the threshold. Scores and rules were checked.
     #[doc(hidden)]

@@ -3,7 +3,7 @@ use super::{Ready, RingBars, RingValues};
 use crate::Vec2;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::check_ragged;
-use crate::kernels::cpu::checked::expect;
+use crate::kernels::cpu::checked::{expect, numbers};
 use crate::kernels::fold::Fold;
 use crate::kernels::gpu;
 use crate::kernels::{Backend, Cpu};
@@ -88,7 +88,7 @@ impl Rings {
             Side::Gpu(own) => RingBars::new(own.gpu().ragged_vjp_of(
                 const { F::MEASURE.expect("by hand") },
                 own,
-                upstream,
+                (upstream.len(), &numbers(upstream)),
             )?),
         })
     }

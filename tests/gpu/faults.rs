@@ -80,9 +80,16 @@ pub fn empty_batches_are_valid<O: Score>() {
 fn rings_may_be_missing_or_bad() {
     let Some((_turn, gpu)) = gpu() else { return };
     let backend = Backend::Gpu(gpu);
-    assert_eq!(backend.ragged(ring::SignedArea, &[], &[0]).unwrap(), []);
     assert_eq!(
-        backend.ragged(ring::SignedArea, &[], &[0, 0]).unwrap(),
+        backend
+            .ragged(ring::SignedArea, &[] as &[Vec2<f32>], &[0])
+            .unwrap(),
+        []
+    );
+    assert_eq!(
+        backend
+            .ragged(ring::SignedArea, &[] as &[Vec2<f32>], &[0, 0])
+            .unwrap(),
         [0.0]
     );
     for (vertices, offsets) in [

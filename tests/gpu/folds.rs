@@ -36,6 +36,44 @@ pub fn paths() -> (Vec<Vec2<f32>>, Vec<usize>) {
     (vertices, offsets)
 }
 
+/// A path that contexts share, beside the same on the CPU.
+#[test]
+fn one_path_for_all_contexts() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let (vertices, offsets) = paths();
+    let points: Vec<Vec2<f32>> = (0..70)
+        .map(|k| Vec2::new(0.05 * k as f32 - 1.5, 0.3))
+        .collect();
+    let upstream: Vec<f32> = (0..70).map(|k| 1.0 - 0.03 * k as f32).collect();
+    let run = fold::SignedDistancePointRing;
+    let cpu = Cpu::new();
+    // With small buffers contexts go up in several loads.
+    for gpu in [gpu, &small()] {
+        for path in [5, 6] {
+            let path = &vertices[offsets[path]..offsets[path + 1]];
+            let found = gpu.fold_one(run, &points, path).unwrap();
+            let expected = cpu.fold_one(run, &points, path).unwrap();
+            near("one path", &found, &expected, 1e-5);
+            let found = gpu.fold_one_vjp(run, &points, path, &upstream).unwrap();
+            let expected = cpu.fold_one_vjp(run, &points, path, &upstream).unwrap();
+            near("contexts", &numbers(&found.0), &numbers(&expected.0), 1e-4);
+            near("vertices", &numbers(&found.1), &numbers(&expected.1), 1e-4);
+        }
+        let none: [Vec2<f32>; 0] = [];
+        assert_eq!(
+            gpu.fold_one(run, &points, &none),
+            cpu.fold_one(run, &points, &none)
+        );
+        let ring = &vertices[offsets[6]..offsets[7]];
+        let found = gpu.fold_one(fold::SecondMomentsOfRing, One([]), ring);
+        assert_eq!(found.unwrap().len(), 1);
+    }
+}
+
+fn numbers<P: Pack<Scalar = f32>>(shapes: &[P]) -> Vec<f32> {
+    shapes.iter().flat_map(Pack::scalars).collect()
+}
+
 #[test]
 fn folds() {
     let Some((_turn, gpu)) = gpu() else { return };

@@ -26,7 +26,7 @@ their adjoints, paths. Then measures the rates of the calls that are on hot path
 Usage: gpu_report [options]
 
   --write       puts the tables into BENCHMARKS.md, between its marks
-  --op NAME     parity of rows whose spelling contains NAME, as 'iou(obb2,' [default: all rows]
+  --op NAME     parity of the row NAME, or of rows whose spelling contains it, as 'iou(obb2,' [default: all rows]
   --forms       instead of the tables: rates of every form of these rows on both machines
   --list        instead: the rows, a line each
   --items N     items of a batch of parity [default: 10000]
@@ -118,13 +118,18 @@ fn bar(steps: usize, what: &str) -> ProgressBar {
     bar
 }
 
-/// The rows that are asked for, with their spellings.
+/// The row of a spelling, or else all rows whose spelling contains the text; with their spellings.
 fn rows<'a>(names: &'a [dynamic::Name], asked: &str) -> Result<Vec<(Listed, &'a str)>, Failure> {
+    let is_whole = names.iter().any(|x| x.spelling == asked);
+    let is_asked = |x: &&dynamic::Name| match is_whole {
+        true => x.spelling == asked,
+        false => x.spelling.contains(asked),
+    };
     let rows: Vec<(Listed, &str)> = list()
         .into_iter()
         .filter_map(|op| {
             let mut own = names.iter().filter(|x| x.row == op.name);
-            let name = own.find(|x| x.spelling.contains(asked))?;
+            let name = own.find(is_asked)?;
             Some((op, &*name.spelling))
         })
         .collect();

@@ -5,6 +5,7 @@ use crate::kernels::cpu::plan::{Preparation, name};
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Item, Leaf, leaves_of};
 use crate::kernels::real::Real;
+use crate::ring::Measure;
 use crate::{Error, Fixed, Pack, Scalar};
 use std::sync::Arc;
 
@@ -41,10 +42,6 @@ impl Sizes {
     pub(crate) fn states<'a, S>(&self, numbers: &'a [S]) -> std::slice::ChunksExact<'a, S> {
         numbers.chunks_exact(self.state.max(1))
     }
-    /// The results of a list of numbers.
-    pub(crate) fn results<'a, S>(&self, numbers: &'a [S]) -> std::slice::ChunksExact<'a, S> {
-        numbers.chunks_exact(self.out.max(1))
-    }
     /// Puts the winding number of all edges in a state, where that is known.
     pub(crate) fn wind<S: Copy>(&self, state: &mut [S], winding: Option<S>) {
         if let (Some(place), Some(winding)) = (self.winding, winding) {
@@ -62,14 +59,16 @@ impl Sizes {
 
 /// A fold in a format.
 pub struct Folding<T: 'static> {
-    pub(super) sizes: Sizes,
+    pub(crate) sizes: Sizes,
+    /// The kernels by hand of a measure of rings.
+    pub(crate) measure: Option<Measure>,
     arguments: &'static [&'static str],
     leaves: fn() -> Vec<Leaf<T>>,
     /// The name of a number of an element.
     pub(super) field: fn(usize) -> Field,
-    pub(super) programs: fn() -> Result<Arc<Programs>, Error>,
+    pub(crate) programs: fn() -> Result<Arc<Programs>, Error>,
     /// Joins a list of states in order.
-    pub(super) joined: fn(&[T], &mut [T]),
+    pub(crate) joined: fn(&[T], &mut [T]),
     /// The joined states before every one of a list, and after the last.
     pub(super) before: fn(&[T]) -> Vec<T>,
     /// From context and reference, and a state, to the result.
@@ -77,9 +76,10 @@ pub struct Folding<T: 'static> {
 }
 
 impl<T: Real> Folding<T> {
-    pub(super) const fn of<F: Fold, R: Item<Scalar = T>>() -> Self {
+    pub(crate) const fn of<F: Fold, R: Item<Scalar = T>>() -> Self {
         Folding {
             sizes: Sizes::of::<F>(),
+            measure: F::MEASURE,
             arguments: F::ARGUMENTS,
             leaves: leaves_of::<R>,
             field: F::Element::<T>::name,

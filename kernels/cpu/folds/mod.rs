@@ -4,21 +4,18 @@ mod paths;
 mod programs;
 
 use crate::error::{Argument, Field, Flaw};
-use crate::kernels::cpu::Cpu;
-use crate::kernels::cpu::checked::{check_argument, check_upstream, expect, fill, numbers};
+use crate::kernels::cpu::checked::{check_argument, check_upstream, expect};
 use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::nearest::Spans;
 use crate::kernels::cpu::plan::{Face, of_recorded};
-use crate::kernels::cpu::ragged::{check_offsets, measured, measured_vjp};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::fold::Fold;
-use crate::kernels::item::{Columns, Leaf, STRETCH, Target};
+use crate::kernels::item::{Leaf, STRETCH, Target};
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Key, Mode};
-use crate::{Error, Fixed, Pack};
+use crate::{Error, Vec2};
 pub(crate) use folding::backwards;
-use folding::{Folding, Sizes};
+pub use folding::{Folding, Sizes};
 pub use paths::Input;
 use paths::{Paths, paths, told};
 pub(crate) use programs::Programs;
@@ -27,227 +24,20 @@ pub(crate) use programs::programs;
 use std::ops::Range;
 use std::sync::Arc;
 
+/// Cotangents of vertices.
+#[derive(Debug)]
+pub enum VertexBars<'a, T: 'static> {
+    /// Their numbers.
+    Numbers(&'a mut [T]),
+    /// Points of the plane, of a measure of rings.
+    Plane(&'a mut [Vec2<T>]),
+}
+
 /// Checks paths; of every one its context and then its reference, as numbers.
 #[cfg(feature = "gpu")]
-pub(crate) fn shared<F: Fold, T: Real, C: Columns>(
-    context: &C,
-    vertices: &[F::Element<T>],
-    offsets: &[usize],
-) -> Result<Vec<T>, Error>
-where
-    C::Item: Pack<Scalar = T>,
-{
-    on::<F, C, T, _>(
-        context,
-        vertices,
-        Spans::Ragged(offsets),
-        |folding, input| {
-            folding.checked(input)?;
-            Ok(paths(folding, input)?.shared)
-        },
-    )
-}
-
-impl Cpu {
-    /// One result per path. Path i has the vertices `offsets[i]..offsets[i + 1]`; there is one offset
-    /// more than there are paths, from 0 to the number of vertices. `context` is what else the fold
-    /// takes, one per path or [`One`](crate::kernels::One) for all.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Offsets`] for offsets that decrease or do not cover the vertices, [`Error::Length`] for
-    /// another number of contexts than paths, [`Error::Invalid`] for a vertex or context that is not
-    /// valid.
-    pub fn fold<F, C: Columns, V: Fixed<Scalar: Real>>(
-        &self,
-        _fold: F,
-        context: C,
-        vertices: &[V],
-        offsets: &[usize],
-    ) -> Result<Vec<F::Out<V::Scalar>>, Error>
-    where
-        F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
-        C::Item: Pack<Scalar = V::Scalar>,
-    {
-        folded::<F, C, V::Scalar>(&context, vertices, Spans::Ragged(offsets))
-    }
-
-    /// [`fold`](Cpu::fold) for one path that all contexts share: one result per context; a single one where one
-    /// context stands for all, or contexts have no numbers.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Invalid`] for a vertex or context that is not valid, [`Error::Length`] for contexts of different
-    /// numbers.
-    ///
-    /// ```
-    /// use geograd::kernels::{Cpu, SignedDistance};
-    /// use geograd::{Aabb2, Vec2};
-    /// let square = Aabb2::new(0.0_f64, 0.0, 4.0, 4.0).corners();
-    /// let points = [Vec2::new(1.0, 2.0), Vec2::new(7.0, 8.0)];
-    /// let cpu = Cpu::new();
-    /// assert_eq!(cpu.fold_one(SignedDistance.over_ring(), &points, &square)?, [-1.0, 5.0]);
-    /// let (by_point, by_vertex) = cpu.fold_one_vjp(SignedDistance.over_ring(), &points, &square, &[1.0, 1.0])?;
-    /// assert_eq!(by_point[0].x, -1.0);
-    /// assert!((by_vertex[2].x + 0.6).abs() < 1e-15);
-    /// # Ok::<(), geograd::Error>(())
-    /// ```
-    pub fn fold_one<F, C: Columns, V: Fixed<Scalar: Real>>(
-        &self,
-        _fold: F,
-        contexts: C,
-        path: &[V],
-    ) -> Result<Vec<F::Out<V::Scalar>>, Error>
-    where
-        F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
-        C::Item: Pack<Scalar = V::Scalar>,
-    {
-        let count = contexts_of(&contexts);
-        folded::<F, C, V::Scalar>(&contexts, path, Spans::Shared(count, path.len()))
-    }
-
-    /// The adjoint of [`fold`](Cpu::fold): one cotangent per context and one per vertex, for one of
-    /// every result.
-    ///
-    /// # Errors
-    ///
-    /// As [`fold`](Cpu::fold), and for cotangents of another number or not finite.
-    pub fn fold_vjp<F, C: Columns, V: Fixed<Scalar: Real>>(
-        &self,
-        _fold: F,
-        context: C,
-        vertices: &[V],
-        offsets: &[usize],
-        upstream: &[F::Out<V::Scalar>],
-    ) -> Result<(Vec<C::Item>, Vec<V>), Error>
-    where
-        F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
-        C::Item: Pack<Scalar = V::Scalar>,
-    {
-        pulled_back::<F, C, V::Scalar>(&context, vertices, Spans::Ragged(offsets), upstream)
-    }
-
-    /// The adjoint of [`fold_one`](Cpu::fold_one): one cotangent per context, and one per vertex, added up over all
-    /// contexts.
-    ///
-    /// # Errors
-    ///
-    /// As [`fold_one`](Cpu::fold_one), and for cotangents of another number or not finite.
-    pub fn fold_one_vjp<F, C: Columns, V: Fixed<Scalar: Real>>(
-        &self,
-        _fold: F,
-        contexts: C,
-        path: &[V],
-        upstream: &[F::Out<V::Scalar>],
-    ) -> Result<(Vec<C::Item>, Vec<V>), Error>
-    where
-        F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
-        C::Item: Pack<Scalar = V::Scalar>,
-    {
-        let spans = Spans::Shared(contexts_of(&contexts), path.len());
-        pulled_back::<F, C, V::Scalar>(&contexts, path, spans, upstream)
-    }
-}
-
-/// How many contexts there are: one where one stands for all.
-fn contexts_of<C: Columns>(contexts: &C) -> usize {
-    let mut count = None;
-    contexts.list(&mut |column| count = count.or(column.count));
-    count.unwrap_or(1)
-}
-
-/// Runs something on a fold, contexts and paths without their types.
-fn on<F: Fold, C: Columns, T: Real, R>(
-    context: &C,
-    vertices: &[F::Element<T>],
-    spans: Spans<'_>,
-    run: impl FnOnce(&Folding<T>, &Input<'_, T>) -> Result<R, Error>,
-) -> Result<R, Error>
-where
-    C::Item: Pack<Scalar = T>,
-{
-    let mut contexts = Vec::new();
-    context.list(&mut |column| contexts.push(column));
-    let input = Input {
-        contexts,
-        vertices: numbers(vertices),
-        plane: F::in_plane(vertices),
-        spans,
-        refer: &|context, path, reference| {
-            F::reference(F::Context::load(context), &vertices[path]).store(reference);
-        },
-    };
-    run(&Folding::of::<F, C::Item>(), &input)
-}
-
-/// The result of every path.
-fn folded<F: Fold, C: Columns, T: Real>(
-    context: &C,
-    vertices: &[F::Element<T>],
-    spans: Spans<'_>,
-) -> Result<Vec<F::Out<T>>, Error>
-where
-    C::Item: Pack<Scalar = T>,
-{
-    if let Some(measure) = F::MEASURE {
-        let (plane, ends) = (F::in_plane(vertices), [0, vertices.len()]);
-        let offsets = spans.offsets(&ends);
-        check_offsets::<T>(vertices.len(), offsets)?;
-        let mut out = vec![F::Out::filled(T::default()); spans.count()];
-        fill(&mut out, |out| measured(measure, plane, offsets, out))?;
-        return Ok(out);
-    }
-    on::<F, C, T, _>(context, vertices, spans, |folding, input| {
-        let numbers = (T::drivers().folded)(folding, input)?;
-        let mut out = vec![F::Out::filled(T::default()); spans.count()];
-        for (out, numbers) in out.iter_mut().zip(folding.sizes.results(&numbers)) {
-            *out = F::Out::load(numbers);
-        }
-        Ok(out)
-    })
-}
-
-/// Cotangents of every context and every vertex.
-type Pulled<F, T> = (Vec<<F as Fold>::Context<T>>, Vec<<F as Fold>::Element<T>>);
-
-fn pulled_back<F: Fold, C: Columns, T: Real>(
-    context: &C,
-    vertices: &[F::Element<T>],
-    spans: Spans<'_>,
-    upstream: &[F::Out<T>],
-) -> Result<Pulled<F, T>, Error>
-where
-    C::Item: Pack<Scalar = T>,
-{
-    let seeds = numbers(upstream);
-    if let Some(measure) = F::MEASURE {
-        let (plane, ends) = (F::in_plane(vertices), [0, vertices.len()]);
-        let given = (upstream.len(), &*seeds);
-        let mut bars = vec![F::Element::filled(T::default()); vertices.len()];
-        let own = F::in_plane_mut(&mut bars);
-        measured_vjp(measure, plane, spans.offsets(&ends), given, own)?;
-        return Ok((vec![F::Context::filled(T::default()); upstream.len()], bars));
-    }
-    on::<F, C, T, _>(context, vertices, spans, |folding, input| {
-        let (by_context, by_vertex) =
-            (T::drivers().pulled_back)(folding, input, upstream.len(), &seeds)?;
-        // Loops, since every adapter of an iterator is compiled for every fold.
-        let mut context_bars = vec![F::Context::filled(T::default()); upstream.len()];
-        for (bar, numbers) in context_bars
-            .iter_mut()
-            .zip(by_context.chunks_exact(folding.sizes.own.max(1)))
-        {
-            *bar = F::Context::load(numbers);
-        }
-        let mut path_bars = vec![F::Element::filled(T::default()); vertices.len()];
-        for (bar, numbers) in path_bars
-            .iter_mut()
-            .zip(by_vertex.chunks_exact(folding.sizes.element.max(1)))
-        {
-            *bar = F::Element::load(numbers);
-        }
-        Ok((context_bars, path_bars))
-    })
+pub(crate) fn shared<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec<T>, Error> {
+    folding.checked(input)?;
+    Ok(paths(folding, input)?.shared)
 }
 
 /// The numbers of the result of every path.
@@ -280,16 +70,15 @@ pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec
     Ok(out)
 }
 
-/// The numbers of the cotangents of every context and every vertex, for so many of results.
+/// The numbers of the cotangents of every context and every vertex, for those of results.
 pub fn cotangents<T: Real>(
     folding: &Folding<T>,
     input: &Input<'_, T>,
-    results: usize,
     upstream: &[T],
 ) -> Result<(Vec<T>, Vec<T>), Error> {
     folding.checked(input)?;
     let (sizes, programs) = (&folding.sizes, (folding.programs)()?);
-    expect(Argument::Upstream, input.spans.count(), results)?;
+    let results = input.spans.count();
     check_upstream(upstream, sizes.out.max(1))?;
     let paths = paths(folding, input)?;
     let states = states(sizes, &programs, &paths)?;
@@ -374,7 +163,8 @@ impl<T: Real> Folding<T> {
         let (spans, winding) = (input.spans, self.sizes.winding);
         let vertices = input.vertices.len() / self.sizes.element.max(1);
         match spans {
-            Spans::Ragged(offsets) => check_offsets::<T>(vertices, offsets)?,
+            // Whoever made the input has checked its offsets.
+            Spans::Ragged(_) => (),
             Spans::Shared(..) => {
                 Simd::current()?;
             }

@@ -24,14 +24,14 @@ pub(super) struct Paths<'a, T> {
 
 /// Paths and all that is asked of their types.
 pub struct Input<'a, T: Clone> {
-    pub(super) contexts: Vec<Column<'a, T>>,
+    pub(crate) contexts: Vec<Column<'a, T>>,
     /// The numbers of all vertices.
-    pub(super) vertices: Cow<'a, [T]>,
+    pub(crate) vertices: Cow<'a, [T]>,
     /// The vertices as points of the plane, for a fold with a winding number.
-    pub(super) plane: &'a [Vec2<T>],
-    pub(super) spans: Spans<'a>,
+    pub(crate) plane: &'a [Vec2<T>],
+    pub(crate) spans: Spans<'a>,
     /// Writes the reference of a context and of some vertices.
-    pub(super) refer: &'a dyn Fn(&[T], Range<usize>, &mut [T]),
+    pub(crate) refer: &'a dyn Fn(&[T], Range<usize>, &mut [T]),
 }
 
 /// Lists the edges of checked paths.

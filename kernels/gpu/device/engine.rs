@@ -5,6 +5,7 @@ use super::seed::Seed;
 use super::{Bests, Device, Matrix};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check_upstream, expect};
+use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
 use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::item::{Column, Target};
 use crate::kernels::machine::{self, Engine, Numbers, Reduced, Reduction};
@@ -32,6 +33,26 @@ impl Engine<f32> for Device {
             .map(own)
             .collect::<Result<Vec<_>, _>>()?;
         Ok(stored(count, columns))
+    }
+
+    fn fold(
+        &self,
+        folding: &Folding<f32>,
+        input: &Input<'_, f32>,
+        out: &mut [f32],
+    ) -> Result<(), Error> {
+        self.folded(folding, input, out)
+    }
+
+    fn fold_back(
+        &self,
+        folding: &Folding<f32>,
+        input: &Input<'_, f32>,
+        upstream: &[f32],
+        by_context: &mut [f32],
+        by_vertex: VertexBars<'_, f32>,
+    ) -> Result<(), Error> {
+        self.folded_back(folding, input, upstream, by_context, by_vertex)
     }
 
     fn room(&self, rows: usize, columns: usize) -> Result<resident::Matrix, Error> {

@@ -5,11 +5,8 @@ use super::written::{Kernel, LONG, ROW, SPAN};
 use super::{Device, Inner, Pending};
 use crate::Error;
 use crate::error::Argument;
-use crate::kernels::One;
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::cpu::checked::{check_upstream, expect};
-use crate::kernels::fold::Fold;
-use crate::kernels::machine::Machine;
 use crate::kernels::resident::Downloads;
 use crate::ring::Measure;
 use crate::{Fixed, Vec2};
@@ -140,45 +137,6 @@ impl<T: Fixed<Scalar = f32> + 'static> Downloads<Vec<T>> for RingValues<T> {
     downloads!(Vec<T>);
 }
 
-impl Machine<Device> {
-    /// One result per path of a fold that takes nothing else, as [`Cpu::ragged`](crate::kernels::Cpu::ragged).
-    ///
-    /// # Errors
-    ///
-    /// As on the processor; [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a path that fits no buffer, or what
-    /// the device says.
-    pub fn ragged<F>(
-        &self,
-        fold: F,
-        vertices: &[F::Element<f32>],
-        offsets: &[usize],
-    ) -> Result<Vec<F::Out<f32>>, Error>
-    where
-        F: Fold<Context<f32> = [f32; 0]>,
-    {
-        self.fold(fold, One([]), vertices, offsets)
-    }
-
-    /// Its adjoint, one cotangent per vertex, as [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
-    ///
-    /// # Errors
-    ///
-    /// As `ragged`, and for cotangents of another number or not finite.
-    pub fn ragged_vjp<F>(
-        &self,
-        fold: F,
-        vertices: &[F::Element<f32>],
-        offsets: &[usize],
-        upstream: &[F::Out<f32>],
-    ) -> Result<Vec<F::Element<f32>>, Error>
-    where
-        F: Fold<Context<f32> = [f32; 0]>,
-    {
-        let (_, bars) = self.fold_vjp(fold, One([]), vertices, offsets, upstream)?;
-        Ok(bars)
-    }
-}
-
 impl Device {
     /// Checks rings and brings them to the GPU. Ring i has the vertices
     /// `offsets[i]..offsets[i + 1]`.
@@ -268,31 +226,27 @@ impl Device {
         })
     }
 
-    /// The adjoint of `ragged`: one derivative per vertex.
+    /// The adjoint of `ragged`, for the numbers of the cotangents of so many results: one derivative per vertex.
     ///
     /// # Errors
     ///
     /// As `ragged`, and The input's for an upstream of another length or
     /// one that is not finite.
-    pub(crate) fn ragged_vjp_of<T: Fixed<Scalar = f32>>(
+    pub(crate) fn ragged_vjp_of(
         &self,
         measure: Measure,
         rings: &Rings,
-        upstream: &[T],
+        (results, numbers): (usize, &[f32]),
     ) -> Result<RingValues<Vec2<f32>>, Error> {
         self.owns(&rings.gpu)?;
-        expect(Argument::Upstream, rings.len, upstream.len())?;
+        expect(Argument::Upstream, rings.len, results)?;
         let fields = measure.fields();
-        let mut numbers = vec![0.0; upstream.len() * fields];
-        for (out_bar, numbers) in upstream.iter().zip(numbers.chunks_exact_mut(fields)) {
-            out_bar.store(numbers);
-        }
-        check_upstream(&numbers, fields)?;
+        check_upstream(numbers, fields)?;
         let inner = &self.inner;
         inner.guarded(|| {
             let mut work = Work::new(inner);
             let mut parts = Vec::new();
-            let mut rest = &numbers[..];
+            let mut rest = numbers;
             for run in &rings.runs {
                 let (own, after) = rest.split_at(run.rings * fields);
                 rest = after;

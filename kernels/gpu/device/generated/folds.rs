@@ -3,17 +3,15 @@ use super::operation::{Body, Name, body_of, part};
 use super::text::{Form, GROUP, MOST_GROUPS, call};
 use crate::ad::program::WGSL;
 use crate::ad::program::recorded::Recorded;
-use crate::error::Argument;
-use crate::kernels::Fold;
-use crate::kernels::cpu::checked::{check_upstream, expect, numbers};
-use crate::kernels::cpu::folds;
+use crate::kernels::cpu::checked::{check_upstream, numbers};
+use crate::kernels::cpu::folds::{self, Folding, Input, Programs, Sizes, VertexBars};
+use crate::kernels::cpu::nearest::Spans;
 use crate::kernels::cpu::program::split::Piece;
 use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::work::Work;
-use crate::kernels::item::Columns;
-use crate::kernels::machine::Machine;
 use crate::kernels::recording::{Key, Mode};
-use crate::{Error, Fixed, Pack};
+use crate::{Error, Vec2};
+use std::borrow::Cow;
 use std::fmt::Write;
 use std::ops::Range;
 use std::sync::Arc;
@@ -39,9 +37,12 @@ pub(super) struct GeneratedFold {
     gives: usize,
 }
 
-/// The kernels of a fold for a GPU.
-pub(super) fn made<F: Fold>() -> Result<Arc<GeneratedFold>, Error> {
-    let programs = folds::programs::<F, f32>()?;
+/// The kernels of a fold for a GPU, whose state after no edge is `empty`.
+pub(super) fn made(
+    programs: &Programs,
+    sizes: &Sizes,
+    empty: Vec<f32>,
+) -> Result<Arc<GeneratedFold>, Error> {
     programs.made.made(Key::Gpu(Mode::Value, false), &|| {
         let piece = |recorded: &Recorded| Piece {
             graph: recorded.value.graph.clone(),
@@ -50,8 +51,7 @@ pub(super) fn made<F: Fold>() -> Result<Arc<GeneratedFold>, Error> {
         let whole =
             |name, recorded: &Recorded| body_of(name, &piece(recorded), recorded.inputs, &[]);
         let edge_vjp = piece(&programs.edge_vjp);
-        let derivatives = part(&edge_vjp, &edge_vjp.outputs[F::State::<f32>::LEN..]);
-        let own = F::Context::<f32>::LEN;
+        let derivatives = part(&edge_vjp, &edge_vjp.outputs[sizes.state..]);
         Ok(GeneratedFold {
             name: Name::default(),
             edge: whole("fold_edge", &programs.edge),
@@ -60,14 +60,21 @@ pub(super) fn made<F: Fold>() -> Result<Arc<GeneratedFold>, Error> {
             edge_vjp: body_of("fold_edge_vjp", &derivatives, programs.edge_vjp.inputs, &[]),
             join_vjp: whole("fold_join_vjp", &programs.join_vjp),
             finish_vjp: whole("fold_finish_vjp", &programs.finish_vjp),
-            empty: F::empty::<f32>().scalars(),
-            is_closed: F::CLOSED,
-            element: F::Element::<f32>::LEN,
-            own,
-            wide: own + F::Reference::<f32>::LEN,
-            gives: F::Out::<f32>::LEN,
+            empty: empty.clone(),
+            is_closed: sizes.closed,
+            element: sizes.element,
+            own: sizes.own,
+            wide: sizes.wide,
+            gives: sizes.out,
         })
     })
+}
+
+/// The kernels of a fold of a call.
+fn made_of(folding: &Folding<f32>) -> Result<Arc<GeneratedFold>, Error> {
+    let mut empty = vec![0.0; folding.sizes.state];
+    (folding.joined)(&[], &mut empty);
+    made(&*(folding.programs)()?, &folding.sizes, empty)
 }
 
 /// So many names with a number each.
@@ -273,43 +280,78 @@ struct Load {
     vertices: Range<usize>,
 }
 
-impl Machine<Device> {
-    /// One result per path, as [`Cpu::fold`](crate::kernels::Cpu::fold).
-    ///
-    /// # Errors
-    ///
-    /// As on the processor; [`Error::Gpu`] for what the device says, of which
-    /// [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) is for a path that fits no buffer.
-    pub fn fold<F, C: Columns>(
-        &self,
-        _fold: F,
-        context: C,
-        vertices: &[F::Element<f32>],
-        offsets: &[usize],
-    ) -> Result<Vec<F::Out<f32>>, Error>
-    where
-        F: Fold<Context<f32> = C::Item>,
-        C::Item: Pack<Scalar = f32>,
-    {
-        if let Some(measure) = F::MEASURE {
-            let rings = self.engine.upload_rings(F::in_plane(vertices), offsets)?;
-            return self
-                .engine
-                .ragged_of(measure, &rings)?
-                .start_download()?
-                .wait();
+/// Paths one after another, as a GPU walks them: a path that all share is repeated.
+struct Listed<'a> {
+    offsets: Cow<'a, [usize]>,
+    numbers: &'a [f32],
+    /// Vertices of a path that all share.
+    shared: Option<usize>,
+}
+
+impl<'a> Listed<'a> {
+    fn new(input: &'a Input<'_, f32>) -> Result<Self, Error> {
+        let numbers = &input.vertices[..];
+        Ok(match input.spans {
+            Spans::Ragged(offsets) => Listed {
+                offsets: offsets.into(),
+                numbers,
+                shared: None,
+            },
+            Spans::Shared(paths, length) => {
+                paths.checked_mul(length).ok_or(Error::TooLarge)?;
+                Listed {
+                    offsets: (0..=paths).map(|k| k * length).collect(),
+                    numbers,
+                    shared: Some(length),
+                }
+            }
+        })
+    }
+    /// The numbers of vertices of so many numbers each.
+    fn vertices(&self, vertices: &Range<usize>, element: usize) -> Cow<'a, [f32]> {
+        match self.shared {
+            Some(0) => Cow::Borrowed(&[]),
+            Some(length) => self.numbers.repeat(vertices.len() / length).into(),
+            None => self.numbers[vertices.start * element..vertices.end * element].into(),
         }
-        let made = made::<F>()?;
-        let shared = folds::shared::<F, f32, C>(&context, vertices, offsets)?;
-        let points = numbers(vertices);
-        let inner = &self.engine.inner;
+    }
+}
+
+impl Device {
+    /// The numbers of the result of every path.
+    pub(crate) fn folded(
+        &self,
+        folding: &Folding<f32>,
+        input: &Input<'_, f32>,
+        out: &mut [f32],
+    ) -> Result<(), Error> {
+        if let Some(measure) = folding.measure {
+            let ends = [0, input.plane.len()];
+            let rings = self.upload_rings(input.plane, input.spans.offsets(&ends))?;
+            // A measure has one number, or the two of a point.
+            return match measure.fields() {
+                1 => {
+                    let found = self.ragged_of::<f32>(measure, &rings)?;
+                    out.copy_from_slice(&found.start_download()?.wait()?);
+                    Ok(())
+                }
+                _ => {
+                    let found = self.ragged_of::<Vec2<f32>>(measure, &rings)?;
+                    out.copy_from_slice(&numbers(&found.start_download()?.wait()?));
+                    Ok(())
+                }
+            };
+        }
+        let made = made_of(folding)?;
+        let shared = folds::shared(folding, input)?;
+        let listed = Listed::new(input)?;
+        let inner = &self.inner;
         inner.alive()?;
-        let mut all = Vec::with_capacity(offsets.len() - 1);
-        for load in self.engine.loads(&made, offsets, made.element)? {
+        for load in self.loads(&made, &listed.offsets, made.element)? {
             let count = load.paths.len();
             let results = inner.guarded(|| {
                 let pipeline = inner.generated(&made.name, Form::Fold, || made.text(Form::Fold));
-                let own = self.engine.bring(&made, &load, &points, offsets, &shared);
+                let own = self.bring(&made, &load, &listed, &shared);
                 let results = inner.storage(count * made.gives);
                 let mut work = Work::new(inner);
                 let [a, b, c] = own.each_ref();
@@ -320,62 +362,47 @@ impl Machine<Device> {
                 Ok(results)
             })?;
             let bytes = 4 * (count * made.gives) as u64;
+            let own = &mut out[load.paths.start * made.gives..load.paths.end * made.gives];
             inner
-                .bring(&self.engine, &[(&results, bytes)])?
-                .finish(|_, numbers| {
-                    let numbers: &[f32] = bytemuck::cast_slice(numbers);
-                    all.extend(numbers.chunks_exact(made.gives).map(F::Out::<f32>::load));
-                })?;
+                .bring(self, &[(&results, bytes)])?
+                .finish(|_, numbers| own.copy_from_slice(bytemuck::cast_slice(numbers)))?;
         }
-        Ok(all)
+        Ok(())
     }
 
-    /// The adjoint of `fold`: one cotangent per context and one per vertex, as
-    /// [`Cpu::fold_vjp`](crate::kernels::Cpu::fold_vjp).
-    ///
-    /// # Errors
-    ///
-    /// As `fold`, and for cotangents of another number or not finite.
-    pub fn fold_vjp<F, C: Columns>(
+    /// The numbers of the cotangents of every context and every vertex, for those of every result.
+    pub(crate) fn folded_back(
         &self,
-        _fold: F,
-        context: C,
-        vertices: &[F::Element<f32>],
-        offsets: &[usize],
-        upstream: &[F::Out<f32>],
-    ) -> Result<(Vec<F::Context<f32>>, Vec<F::Element<f32>>), Error>
-    where
-        F: Fold<Context<f32> = C::Item>,
-        C::Item: Pack<Scalar = f32>,
-    {
-        if let Some(measure) = F::MEASURE {
-            let rings = self.engine.upload_rings(F::in_plane(vertices), offsets)?;
-            let found = self.engine.ragged_vjp_of(measure, &rings, upstream)?;
-            let found = found.start_download()?.wait()?;
-            let mut bars = vec![F::Element::filled(0.0); vertices.len()];
-            F::in_plane_mut(&mut bars).copy_from_slice(&found);
-            return Ok((vec![F::Context::<f32>::filled(0.0); upstream.len()], bars));
-        }
-        let made = made::<F>()?;
-        let shared = folds::shared::<F, f32, C>(&context, vertices, offsets)?;
-        let points = numbers(vertices);
-        expect(Argument::Upstream, offsets.len() - 1, upstream.len())?;
-        let seeds: Vec<f32> = upstream.iter().flat_map(Pack::scalars).collect();
-        check_upstream(&seeds, made.gives.max(1))?;
-        let inner = &self.engine.inner;
+        folding: &Folding<f32>,
+        input: &Input<'_, f32>,
+        upstream: &[f32],
+        context_bars: &mut [f32],
+        vertex_bars: VertexBars<'_, f32>,
+    ) -> Result<(), Error> {
+        let path_bars = match (folding.measure, vertex_bars) {
+            (Some(measure), VertexBars::Plane(bars)) => {
+                let ends = [0, input.plane.len()];
+                let rings = self.upload_rings(input.plane, input.spans.offsets(&ends))?;
+                let found = self.ragged_vjp_of(measure, &rings, (input.spans.count(), upstream))?;
+                bars.copy_from_slice(&found.start_download()?.wait()?);
+                return Ok(());
+            }
+            (None, VertexBars::Numbers(bars)) => bars,
+            _ => unreachable!("a measure of rings has points of the plane, another fold numbers"),
+        };
+        let made = made_of(folding)?;
+        let shared = folds::shared(folding, input)?;
+        check_upstream(upstream, made.gives.max(1))?;
+        let listed = Listed::new(input)?;
+        let inner = &self.inner;
         inner.alive()?;
-        let mut context_bars = Vec::with_capacity(upstream.len());
-        let mut path_bars = Vec::with_capacity(vertices.len());
-        for load in self
-            .engine
-            .loads(&made, offsets, made.state().max(made.element))?
-        {
+        for load in self.loads(&made, &listed.offsets, made.state().max(made.element))? {
             let (count, own_vertices) = (load.paths.len(), load.vertices.len());
             let form = Form::FoldDerivatives;
             let (by_context, by_vertex) = inner.guarded(|| {
                 let pipeline = inner.generated(&made.name, form, || made.text(form));
-                let own = self.engine.bring(&made, &load, &points, offsets, &shared);
-                let seeds = &seeds[load.paths.start * made.gives..load.paths.end * made.gives];
+                let own = self.bring(&made, &load, &listed, &shared);
+                let seeds = &upstream[load.paths.start * made.gives..load.paths.end * made.gives];
                 let seeds = inner.stored(seeds);
                 let before = inner.storage(own_vertices * made.state());
                 let by_context = inner.storage(count * made.own.max(1));
@@ -400,26 +427,33 @@ impl Machine<Device> {
                 (&by_context, 4 * (count * made.own.max(1)) as u64),
                 (&by_vertex, 4 * (made.element * own_vertices) as u64),
             ];
-            inner.bring(&self.engine, &parts)?.finish(|part, numbers| {
+            let of_contexts =
+                &mut context_bars[load.paths.start * made.own..load.paths.end * made.own];
+            inner.bring(self, &parts)?.finish(|part, numbers| {
                 let numbers: &[f32] = bytemuck::cast_slice(numbers);
-                match part {
-                    0 => {
-                        let bars = numbers.chunks_exact(made.own.max(1));
-                        context_bars.extend(bars.map(F::Context::<f32>::load));
+                match (part, listed.shared) {
+                    (0, _) => {
+                        let all = of_contexts.len();
+                        of_contexts.copy_from_slice(&numbers[..all]);
                     }
-                    _ => {
-                        let numbers: Vec<f32> = numbers.iter().map(|x| x + 0.0).collect();
-                        let bars = numbers.chunks_exact(made.element);
-                        path_bars.extend(bars.map(F::Element::<f32>::load));
+                    (_, Some(length)) => {
+                        for bars in numbers.chunks_exact((made.element * length).max(1)) {
+                            let sums = path_bars.iter_mut().zip(bars);
+                            sums.for_each(|(sum, x)| *sum += x);
+                        }
+                    }
+                    (_, None) => {
+                        let first = made.element * load.vertices.start;
+                        let own = &mut path_bars[first..first + numbers.len()];
+                        let bars = own.iter_mut().zip(numbers);
+                        bars.for_each(|(bar, x)| *bar = x + 0.0);
                     }
                 }
             })?;
         }
-        Ok((context_bars, path_bars))
+        Ok(())
     }
-}
 
-impl Device {
     /// How paths are cut, so that so many numbers per vertex fit a buffer.
     fn loads(
         &self,
@@ -459,19 +493,17 @@ impl Device {
         &self,
         made: &GeneratedFold,
         load: &Load,
-        points: &[f32],
-        offsets: &[usize],
+        listed: &Listed<'_>,
         shared: &[f32],
     ) -> [wgpu::Buffer; 3] {
         let inner = &self.inner;
         let (paths, base) = (&load.paths, load.vertices.start);
-        let own = &offsets[paths.start..=paths.end];
+        let own = &listed.offsets[paths.start..=paths.end];
         let own: Vec<u32> = own.iter().map(|&at| (at - base) as u32).collect();
-        let n = made.element;
-        let points = &points[load.vertices.start * n..load.vertices.end * n];
+        let points = listed.vertices(&load.vertices, made.element);
         [
             inner.stored(&own),
-            inner.stored(points),
+            inner.stored(&points[..]),
             inner.stored(&shared[paths.start * made.wide..paths.end * made.wide]),
         ]
     }

@@ -17,11 +17,12 @@ pub(super) mod uploaded;
 use super::written::{Seed, Take, ring_source};
 use super::{Inner, locked};
 use crate::kernels::Fold;
+use crate::kernels::cpu::folds as cpu_folds;
 use crate::kernels::dynamic::Operation;
 use crate::kernels::item::Item;
 use crate::kernels::op::{Op, recording_of};
 use crate::kernels::recording::{Call, Mode, Recording};
-use crate::{Error, Unrecordable};
+use crate::{Error, Pack, Unrecordable};
 use operation::{Generated, Name};
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
@@ -165,7 +166,12 @@ pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
     if let Some(measure) = F::MEASURE {
         return Ok(vec![(F::NAME.to_owned(), ring_source(measure))]);
     }
-    let made = folds::made::<F>()?;
+    let programs = cpu_folds::programs::<F, f32>()?;
+    let made = folds::made(
+        &programs,
+        &cpu_folds::Sizes::of::<F>(),
+        F::empty::<f32>().scalars(),
+    )?;
     Ok([Form::Fold, Form::FoldDerivatives]
         .map(|form| (format!("{form:?}"), made.text(form)))
         .into())
