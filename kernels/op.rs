@@ -71,6 +71,9 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     const DOMAIN: Option<fn(Self::In<f64>) -> bool> = None;
     /// The error of values beyond rounding: in the unit of the result, and relative to each of its numbers.
     const RESOLUTION: [f64; 2] = [0.0; 2];
+    /// How many roundings of the format a value may be off where terms cancel, times the size of these terms in the
+    /// unit of the result; `None` for none. Derivatives may be off by as much over the units of the arguments' numbers.
+    const ROUNDINGS: Option<fn(Self::In<f64>) -> f64> = None;
     /// The names of its arguments, one for each; empty without names of their own.
     const ARGUMENTS: &'static [&'static str] = &[];
     /// Documentation in Markdown: the doc comment of its row, empty without one.
@@ -249,6 +252,14 @@ where
 /// The program of a mode of an operation.
 pub(crate) fn program_of<O: Op, T: Plain>(mode: Mode) -> Result<Arc<Recorded>, Error> {
     const { &line_of::<O, T>() }.program(mode)
+}
+
+/// The [`ROUNDINGS`](Op::ROUNDINGS) of an operation on plain numbers, if it states some.
+pub(crate) const fn roundings_of<O: Op>() -> Option<fn(&[f64]) -> f64> {
+    match O::ROUNDINGS.is_some() {
+        true => Some(|x| O::ROUNDINGS.map_or(0.0, |roundings| roundings(O::In::<f64>::load(x)))),
+        false => None,
+    }
 }
 
 /// The domain of an operation on plain numbers, if it states one.

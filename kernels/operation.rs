@@ -18,6 +18,7 @@
 /// | `jumps` | `Never`, `FromZero` (where the value leaves zero), `Anywhere` |
 /// | \[`domain { … }`\] | a condition of the arguments outside of which nothing is checked |
 /// | \[`resolution x`\], \[`relative_resolution x`\] | the error of a value beyond rounding |
+/// | \[`roundings { … }`\] | the error of a value where terms cancel, in roundings of the format: [`ROUNDINGS`](crate::kernels::op::Op::ROUNDINGS) |
 /// | `derivative` | `Reverse`; `Forward`, where large terms cancel backwards; <code>ByHand &#124;(a, b), out_bar&#124; { … }</code> |
 ///
 /// ```
@@ -153,6 +154,7 @@ macro_rules! operation {
         $(domain $domain:block)?
         $(resolution $absolute:literal)?
         $(relative_resolution $share:literal)?
+        $(roundings $roundings:block)?
         derivative $derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
         $(=> compiled { $compiled:expr })?
     )+) => { $(
@@ -171,6 +173,7 @@ macro_rules! operation {
             $(domain $domain)?
             $(resolution $absolute)?
             $(relative_resolution $share)?
+            $(roundings $roundings)?
             derivative $derivative $(|$input, $out_bar| $adjoint)?
             $(=> compiled { $compiled })?
         }
@@ -187,6 +190,7 @@ macro_rules! operation {
         $(domain $domain:block)?
         $(resolution $absolute:literal)?
         $(relative_resolution $share:literal)?
+        $(roundings $roundings:block)?
         derivative $derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
     )+) => { $(
         const _: () = {
@@ -224,6 +228,7 @@ macro_rules! operation {
                 $(domain $domain)?
                 $(resolution $absolute)?
                 $(relative_resolution $share)?
+            $(roundings $roundings)?
                 derivative $derivative $(|$input, $out_bar| $adjoint)?
             }
             $crate::__takes!($Verb, ($($type),+), This, Item(::core::marker::PhantomData));
@@ -240,6 +245,7 @@ macro_rules! operation {
         $(domain $domain:block)?
         $(resolution $absolute:literal)?
         $(relative_resolution $share:literal)?
+        $(roundings $roundings:block)?
         derivative $derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
         $(=> compiled { $compiled:expr })?
     ) => {
@@ -268,6 +274,9 @@ macro_rules! operation {
             const DOMAIN: ::core::option::Option<fn(Self::In<f64>) -> bool> =
                 $crate::__domain!(($($arg),+) $($domain)?);
             const RESOLUTION: [f64; 2] = [0.0 $(+ $absolute)?, 0.0 $(+ $share)?];
+            #[allow(unused_parens, unused_variables)]
+            const ROUNDINGS: ::core::option::Option<fn(Self::In<f64>) -> f64> =
+                $crate::__domain!(($($arg),+) $($roundings)?);
             #[allow(unused_imports, unused_parens)]
             fn eval<S: $crate::Scalar>(($($arg),+): Self::In<S>) -> Self::Out<S> {
                 use $crate::{Mask as _, Scalar as _};

@@ -161,6 +161,7 @@ impl Tested {
             jumps: self.operation.jumps,
             inside: self.operation.inside,
             resolution: self.operation.resolution,
+            roundings: self.operation.roundings,
             output_kinds: self.operation.kinds[1],
         }
     }

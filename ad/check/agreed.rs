@@ -94,6 +94,11 @@ impl Subject for Agreed<'_> {
         }
         all
     }
+    fn roundings(&self, x: &[f64]) -> f64 {
+        self.sampling
+            .roundings
+            .map_or(0.0, |roundings| roundings(x))
+    }
     fn conventions(&self) -> Conventions {
         let own = self.subject().conventions();
         Conventions {

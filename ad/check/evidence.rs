@@ -79,6 +79,8 @@ pub(crate) struct Evidence<'a> {
     pub(crate) eps: f64,
     /// How far each output is off by what the function itself says of its values.
     pub(crate) resolution: Vec<f64>,
+    /// How far outputs are off by terms that cancel, as the function says; only another format can tell.
+    pub(crate) cancelled: f64,
     /// Outputs that single precision holds with fewer than all digits, or as its largest number: of their values
     /// the size is judged ([`resolution`](Evidence::resolution)); derivatives that are pulled back through them have no
     /// digits that could be.
@@ -138,14 +140,17 @@ impl<'a> Evidence<'a> {
             })
         });
         let around = around.collect();
+        let eps = subject.precision().epsilon();
+        let cancelled = eps * subject.roundings(x);
         Some(Evidence {
             subject,
             wide,
             x,
             scales: subject.scales(x),
             units: subject.units(x),
-            eps: subject.precision().epsilon(),
+            eps,
             resolution: resolution(subject, &y, &off_scale),
+            cancelled,
             off_scale,
             y,
             trace,
@@ -302,7 +307,7 @@ impl<'a> Evidence<'a> {
 }
 
 /// The smallest number of single precision that has all digits.
-const SMALLEST: f64 = f32::MIN_POSITIVE as f64;
+pub(crate) const SMALLEST: f64 = f32::MIN_POSITIVE as f64;
 /// Its largest number.
 const LARGEST: f64 = f32::MAX as f64;
 

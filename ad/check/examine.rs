@@ -38,6 +38,9 @@ pub struct Sampling<'a> {
     /// How far values may be off, absolutely and as a share: see
     /// [`Check::resolution`](crate::check::Check::resolution). `None` takes the operation's own resolution.
     pub resolution: Option<[f64; 2]>,
+    /// How many roundings of the format values may be off by terms that cancel, in the unit of the result. `None`
+    /// takes what the operation says.
+    pub roundings: Option<&'a dyn Fn(&[f64]) -> f64>,
     /// The domain, beside the rules of the shapes: inputs outside are not judged, no step leads there. `None` takes
     /// the operation's own domain.
     pub inside: Option<&'a dyn Fn(&[f64]) -> bool>,
@@ -60,6 +63,7 @@ impl Sampling<'_> {
             tick: None,
             shared_ties: false,
             resolution: None,
+            roundings: None,
             inside: None,
             scales: None,
             proof: None,

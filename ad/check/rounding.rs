@@ -52,7 +52,8 @@ impl Evidence<'_> {
         places.filter_map(explained).fold(0.0, f64::max)
     }
 
-    /// The same of many more inputs beside this one, whatever branches they take.
+    /// The same of many more inputs beside this one, whatever branches they take; at one of them numbers below the
+    /// rounding of their unit are zero, which no draw hits: edges that are parallel but for 10⁻¹⁷.
     pub(crate) fn spread_of_many(
         &self,
         base: &[f64],
@@ -61,8 +62,10 @@ impl Evidence<'_> {
         let precision = self.subject.precision();
         let rounding = self.subject.rounding(self.x);
         let mut spread = vec![0.0_f64; base.len()];
-        for round in 0..DRAWS {
-            let there = beside(precision, self.x, &rounding, round);
+        let vanished = self.x.iter().zip(&rounding);
+        let vanished = vanished.map(|(x, rounding)| if x.abs() > *rounding { *x } else { 0.0 });
+        let drawn = (0..DRAWS).map(|round| beside(precision, self.x, &rounding, round));
+        for there in drawn.chain([vanished.collect()]) {
             if !self.subject.inside(&there) {
                 continue;
             }

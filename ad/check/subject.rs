@@ -156,6 +156,12 @@ pub trait Subject {
     fn resolution(&self, y: &[f64]) -> Vec<f64> {
         vec![0.0; y.len()]
     }
+    /// How many roundings of the format the results at `x` may be off by terms that cancel, times the size of these
+    /// terms; derivatives by as much over the [units](Subject::units).
+    fn roundings(&self, x: &[f64]) -> f64 {
+        let _ = x;
+        0.0
+    }
     /// The kind of each number; only invariances need it.
     fn kinds(&self) -> Vec<Kind> {
         Vec::new()

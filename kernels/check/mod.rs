@@ -45,7 +45,9 @@ use crate::kernels::dynamic::Function;
 use crate::kernels::fold::{Fold, edge_by_edge};
 use crate::kernels::fuzz::{self, Fuzzed, Job};
 use crate::kernels::item::{Item, Single};
-use crate::kernels::op::{Derivative, Invariance, Jumps, Op, inside_of, recording_of};
+use crate::kernels::op::{
+    Derivative, Invariance, Jumps, Op, inside_of, recording_of, roundings_of,
+};
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Mode, Recording};
 use crate::kernels::search::Search;
@@ -186,6 +188,8 @@ pub(crate) struct Stated {
     /// Its domain, if it states one.
     pub(crate) inside: Option<fn(&[f64]) -> bool>,
     pub(crate) resolution: [f64; 2],
+    /// How many roundings values may be off, if it states so.
+    pub(crate) roundings: Option<fn(&[f64]) -> f64>,
     pub(crate) output_kinds: fn() -> Vec<Kind>,
 }
 
@@ -200,6 +204,7 @@ impl Stated {
             jumps: O::JUMPS,
             inside: inside_of::<O>(),
             resolution: O::RESOLUTION,
+            roundings: roundings_of::<O>(),
             output_kinds: || O::Out::<f64>::filled(1.0).kinds(),
         }
     }
@@ -408,9 +413,14 @@ pub(crate) fn examined<S: Judged>(
         .inside
         .as_ref()
         .map(|inside| inside as &dyn Fn(&[f64]) -> bool);
+    let roundings = stated
+        .roundings
+        .as_ref()
+        .map(|roundings| roundings as &dyn Fn(&[f64]) -> f64);
     let sampling = &Sampling {
         inside: sampling.inside.or(domain),
         resolution: sampling.resolution.or(Some(stated.resolution)),
+        roundings: sampling.roundings.or(roundings),
         ..*sampling
     };
     let wide = match Precision::of::<S>() {

@@ -15,6 +15,7 @@ use crate::kernels::fold::Fold;
 use crate::kernels::item::{Item, Leaf, leaves_of};
 use crate::kernels::op::{
     Derivative, Extremes, Finite, Invariance, Jumps, Op, Range, inside_of, recording_of,
+    roundings_of,
 };
 use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
@@ -61,6 +62,8 @@ pub struct Operation {
     pub extremes: Extremes,
     /// Largest error of a value beyond rounding, in the unit of the result and as a share of it.
     pub resolution: [f64; 2],
+    /// How many roundings a value may be off by terms that cancel: of the numbers of its arguments.
+    pub roundings: Option<fn(&[f64]) -> f64>,
     /// True at valid inputs for which the row is stated.
     pub(crate) inside: Option<fn(&[f64]) -> bool>,
     /// The kinds of the scalars of its arguments, and of its result.
@@ -384,7 +387,7 @@ fn kinds_of<P: Fixed<Scalar = f64> + Sample>() -> Vec<Kind> {
 
 /// The description of an operation of any sort.
 macro_rules! said {
-    ($op:ty, $sort:ident, $names:expr, $derivatives:expr, $extremes:expr, $resolution:expr, $inside:expr, $kinds:expr, $samplers:expr, $single:expr, $double:expr) => {
+    ($op:ty, $sort:ident, $names:expr, $derivatives:expr, $extremes:expr, $resolution:expr, $roundings:expr, $inside:expr, $kinds:expr, $samplers:expr, $single:expr, $double:expr) => {
         Operation {
             name: <$op>::NAME,
             row: Written {
@@ -402,6 +405,7 @@ macro_rules! said {
             range: <$op>::RANGE,
             extremes: $extremes,
             resolution: $resolution,
+            roundings: $roundings,
             inside: $inside,
             kinds: $kinds,
             samplers: $samplers,
@@ -439,6 +443,7 @@ where
         Some(O::DERIVATIVE),
         O::EXTREMES,
         O::RESOLUTION,
+        roundings_of::<O>(),
         inside_of::<O>(),
         [kinds_of::<O::In<f64>>, kinds_of::<O::Out<f64>>],
         O::In::<f64>::samplers,
@@ -476,6 +481,7 @@ where
         D::EXTREMES,
         [0.0; 2],
         None,
+        None,
         [kinds_of::<D::In<f64>>, kinds_of::<D::Out<f64>>],
         D::In::<f64>::samplers,
         of::<f32, D>(),
@@ -500,6 +506,7 @@ where
         None,
         Extremes::Undeclared,
         [0.0; 2],
+        None,
         None,
         [kinds_of::<F::Context<f64>>, kinds_of::<F::Out<f64>>],
         F::Context::<f64>::samplers,

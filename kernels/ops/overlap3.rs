@@ -26,6 +26,24 @@ fn birds_eye_vjp<S: Scalar>(
     (iou_birds_eye(a, b), (upright(a_bar), upright(b_bar)))
 }
 
+/// How many roundings of the smaller box's surface times its longest side a volume shared may be off: the integral over
+/// a border has terms as large as that, however little is shared. Of 200,000 pairs of sides from 0.1 to 1.1 the worst ratio
+/// was off by 0.7 roundings.
+const CANCELLED: f64 = 1.0 / 32.0;
+
+/// The same in the unit of volume.
+fn lost(a: impl Into<Obb3<f64>>, b: impl Into<Obb3<f64>>) -> f64 {
+    let (a, b): (Obb3<f64>, Obb3<f64>) = (a.into(), b.into());
+    let small = if a.volume() < b.volume() { a } else { b };
+    let size = small.size;
+    CANCELLED * small.surface() * size.x.max(size.y).max(size.z)
+}
+
+/// The same as a share of a volume.
+fn lost_of(whole: f64, lost: f64) -> f64 {
+    if whole > 0.0 { lost / whole } else { 0.0 }
+}
+
 table! {
     /// [Volume](crate::overlap3::intersection_volume_obb3) that {} share.
     IntersectionVolume: (a, b) -> S { intersection_volume_aabb3(a, b) }
@@ -37,6 +55,7 @@ table! {
             derivative ByHand |(a, b), out_bar| { intersection_volume_yaw_vjp(a, b, out_bar) }
             => compiled { Compiled::Upright(Denominator::None) };
         "intersection_volume_obb3": Obb3, Obb3 { intersection_volume_obb3(a, b) }
+            roundings { lost(a, b) }
             derivative ByHand |(a, b), out_bar| { intersection_volume_obb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Obb3(Denominator::None) };
     }
@@ -47,20 +66,21 @@ table! {
             => compiled { Compiled::Aabb3 };
         "iou_yaw": YawBox3, YawBox3 { iou_yaw(a, b) } derivative ByHand |(a, b), out_bar| { iou_yaw_vjp(a, b, out_bar) }
             => compiled { Compiled::Upright(Denominator::Union) };
-        "iou_obb3": Obb3, Obb3 { iou_obb3(a, b) } derivative ByHand |(a, b), out_bar| { iou_obb3_vjp(a, b, out_bar) }
+        "iou_obb3": Obb3, Obb3 { iou_obb3(a, b) } roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) }
+            derivative ByHand |(a, b), out_bar| { iou_obb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Obb3(Denominator::Union) };
     }
     /// [Intersection over union](crate::overlap3::Overlaps::iou_with) of {}, 0 to 1.
     Iou: (a, b) -> S { a.iou_with(b) } [similar] range RATIO extremes Shared jumps FromZero derivative Forward {
         "iou_aabb3_yaw": Aabb3, YawBox3;
-        "iou_aabb3_obb3": Aabb3, Obb3 finite Always
+        "iou_aabb3_obb3": Aabb3, Obb3 finite Always roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) }
             derivative ByHand |(a, b), out_bar| { iou_aabb3_obb3_vjp(a, b, out_bar) };
-        "iou_yaw_obb3": YawBox3, Obb3 finite Always
+        "iou_yaw_obb3": YawBox3, Obb3 finite Always roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) }
             derivative ByHand |(a, b), out_bar| { iou_yaw_obb3_vjp(a, b, out_bar) };
         "iou_yaw_aabb3": YawBox3, Aabb3;
-        "iou_obb3_aabb3": Obb3, Aabb3
+        "iou_obb3_aabb3": Obb3, Aabb3 roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) }
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iou_obb3_vjp(a, b, out_bar)) };
-        "iou_obb3_yaw": Obb3, YawBox3
+        "iou_obb3_yaw": Obb3, YawBox3 roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) }
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iou_obb3_vjp(a, b, out_bar)) };
     }
     /// [Volume](crate::overlap3::Overlaps::volume_shared_with) that {} share.
@@ -68,26 +88,26 @@ table! {
     [rigid(3)] range NOT_NEGATIVE jumps Never derivative Forward {
         "intersection_volume_aabb3_yaw": Aabb3, YawBox3;
         "intersection_volume_yaw_aabb3": YawBox3, Aabb3;
-        "intersection_volume_aabb3_obb3": Aabb3, Obb3
+        "intersection_volume_aabb3_obb3": Aabb3, Obb3 roundings { lost(a, b) }
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| intersection_volume_obb3_vjp(a, b, out_bar)) };
-        "intersection_volume_obb3_aabb3": Obb3, Aabb3
+        "intersection_volume_obb3_aabb3": Obb3, Aabb3 roundings { lost(a, b) }
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| intersection_volume_obb3_vjp(a, b, out_bar)) };
-        "intersection_volume_yaw_obb3": YawBox3, Obb3
+        "intersection_volume_yaw_obb3": YawBox3, Obb3 roundings { lost(a, b) }
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| intersection_volume_obb3_vjp(a, b, out_bar)) };
-        "intersection_volume_obb3_yaw": Obb3, YawBox3
+        "intersection_volume_obb3_yaw": Obb3, YawBox3 roundings { lost(a, b) }
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| intersection_volume_obb3_vjp(a, b, out_bar)) };
     }
     /// The [part of the first](crate::overlap3::Overlaps::iof_with) of {} that lies in the second, 0 to 1.
     Iof: (a, b) -> S { a.iof_with(b) } [similar] range RATIO jumps FromZero derivative Forward {
         "iof_aabb3_yaw": Aabb3, YawBox3;
         "iof_yaw_aabb3": YawBox3, Aabb3;
-        "iof_aabb3_obb3": Aabb3, Obb3
+        "iof_aabb3_obb3": Aabb3, Obb3 roundings { lost_of(a.volume(), lost(a, b)) }
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iof_obb3_vjp(a, b, out_bar)) };
-        "iof_obb3_aabb3": Obb3, Aabb3
+        "iof_obb3_aabb3": Obb3, Aabb3 roundings { lost_of(a.volume(), lost(a, b)) }
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iof_obb3_vjp(a, b, out_bar)) };
-        "iof_yaw_obb3": YawBox3, Obb3
+        "iof_yaw_obb3": YawBox3, Obb3 roundings { lost_of(a.volume(), lost(a, b)) }
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iof_obb3_vjp(a, b, out_bar)) };
-        "iof_obb3_yaw": Obb3, YawBox3
+        "iof_obb3_yaw": Obb3, YawBox3 roundings { lost_of(a.volume(), lost(a, b)) }
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iof_obb3_vjp(a, b, out_bar)) };
     }
     /// The [part of the first](crate::overlap3::iof_obb3) of {} that lies in the second, 0 to 1.
@@ -97,7 +117,8 @@ table! {
             => compiled { Compiled::Aabb3 };
         "iof_yaw": YawBox3, YawBox3 { iof_yaw(a, b) } derivative ByHand |(a, b), out_bar| { iof_yaw_vjp(a, b, out_bar) }
             => compiled { Compiled::Upright(Denominator::First) };
-        "iof_obb3": Obb3, Obb3 { iof_obb3(a, b) } derivative ByHand |(a, b), out_bar| { iof_obb3_vjp(a, b, out_bar) }
+        "iof_obb3": Obb3, Obb3 { iof_obb3(a, b) } roundings { lost_of(a.volume(), lost(a, b)) }
+            derivative ByHand |(a, b), out_bar| { iof_obb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Obb3(Denominator::First) };
     }
     /// [Intersection over union](crate::overlap3::iou_birds_eye) of {}, seen from above, 0 to 1.

@@ -13,7 +13,7 @@
 ///
 /// * The head has the documentation, arguments, result, formula, [class](crate::kernels::ops::class::Class) of
 ///   invariance, jumps and derivatives; before the jumps come `finite`, `range` and `extremes`, where they are not
-///   the default, after them `domain`, `resolution` and `relative_resolution`.
+///   the default, after them `domain`, `resolution`, `relative_resolution` and `roundings`.
 /// * A line has the name of the row and its shapes, then what differs from the head, in the same order.
 /// * `{}` in the documentation stands for the shapes: "two segments". A comment before a line follows it.
 /// * Arguments `(a, b)` of two kinds take the [names](crate::kernels::ops::noun::Noun) of these: `point`, `circle`.
@@ -29,6 +29,7 @@ macro_rules! table {
         $(domain $domain:block)?
         $(resolution $absolute:literal)?
         $(relative_resolution $share:literal)?
+        $(roundings $roundings:block)?
         derivative $derivative:ident
         { $($rows:tt)* }
     )*) => { $( crate::kernels::ops::tables::table! {
@@ -39,7 +40,8 @@ macro_rules! table {
         ],
         [$(crate::kernels::op::Range::$range,)? crate::kernels::op::Range::ANY],
         [$(crate::kernels::op::Extremes::$extremes,)? crate::kernels::op::Extremes::Undeclared],
-        $jumps, [$($domain)?], [0.0 $(+ $absolute)?, 0.0 $(+ $share)?], $derivative;
+        $jumps, [$($domain)?], [0.0 $(+ $absolute)?, 0.0 $(+ $share)?], [$($roundings)?],
+        $derivative;
         $($rows)*
     } )*
     crate::kernels::ops::tables::listed! {
@@ -59,6 +61,7 @@ macro_rules! table {
             $(domain $own_domain:block)?
             $(resolution $own_absolute:literal)?
             $(relative_resolution $own_share:literal)?
+            $(roundings $own_roundings:block)?
             $(derivative $own_derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?)?
             $(=> compiled { $compiled:expr })?;
         )*
@@ -67,7 +70,7 @@ macro_rules! table {
     };
     (
         @rows [$title:expr] $Verb:ty, $arguments:tt, $out:ty, $formula:block, $class:tt, $finite:tt, $range:tt,
-        $extremes:tt, $jumps:ident, $domain:tt, $resolution:expr, $derivative:ident;
+        $extremes:tt, $jumps:ident, $domain:tt, $resolution:expr, $roundings:tt, $derivative:ident;
         $(
             $(#[doc = $own_title:literal])?
             $name:literal: $($Shape:ident),+ $($own_formula:block)?
@@ -79,6 +82,7 @@ macro_rules! table {
             $(domain $own_domain:block)?
             $(resolution $own_absolute:literal)?
             $(relative_resolution $own_share:literal)?
+            $(roundings $own_roundings:block)?
             $(derivative $own_derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?)?
             $(=> compiled { $compiled:expr })?;
         )*
@@ -118,6 +122,9 @@ macro_rules! table {
                 let head: [f64; 2] = $resolution;
                 [if own[0] > 0.0 { own[0] } else { head[0] }, if own[1] > 0.0 { own[1] } else { head[1] }]
             };
+            #[allow(unused_variables)]
+            const ROUNDINGS: Option<fn(Self::In<f64>) -> f64> =
+                crate::kernels::ops::tables::domain!($arguments [$($own_roundings)?] $roundings);
             #[inline]
             fn eval<S: crate::Scalar>($arguments: Self::In<S>) -> Self::Out<S> {
                 crate::kernels::ops::tables::first!($($own_formula)? $formula)

@@ -47,6 +47,43 @@ operation! {
     resolution 1e-7
     derivative Reverse
 
+    /// The square of a number, of which a larger one leaves few digits.
+    pub Left = "left": (x: S, y: S) -> S { (x * x + y * y) - y * y }
+    invariances []
+    jumps Never
+    roundings { x * x + y * y }
+    derivative ByHand |(x, y), out_bar| {
+        ((x * x + y * y) - y * y, (((x + y) + (x - y)) * out_bar, S::zero()))
+    }
+
+    /// The same, of which nothing is said.
+    pub LeftUnsaid = "left_unsaid": (x: S, y: S) -> S { (x * x + y * y) - y * y }
+    invariances []
+    jumps Never
+    derivative ByHand |(x, y), out_bar| {
+        ((x * x + y * y) - y * y, (((x + y) + (x - y)) * out_bar, S::zero()))
+    }
+
+    /// The same, with a value that is off by more than rounding.
+    pub LeftOff = "left_off": (x: S, y: S) -> S {
+        let wrong = if S::COMPENSATED { S::lit(1.0 + 1e-5) } else { S::one() };
+        (x * x * wrong + y * y) - y * y
+    }
+    invariances []
+    jumps Never
+    roundings { x * x + y * y }
+    derivative Reverse
+
+    /// The same, with a derivative that is off by more than rounding.
+    pub LeftSteep = "left_steep": (x: S, y: S) -> S { (x * x + y * y) - y * y }
+    invariances []
+    jumps Never
+    roundings { x * x + y * y }
+    derivative ByHand |(x, y), out_bar| {
+        let wrong = S::lit(1.0 + 1e-5);
+        ((x * x + y * y) - y * y, (((x + y) + (x - y)) * wrong * out_bar, S::zero()))
+    }
+
     /// The logarithm of a ratio, which is smaller than one.
     pub Loss = "loss": (part: S, whole: S) -> S { part.over(whole).ln() }
     invariances [Scaling Stays]
@@ -152,6 +189,29 @@ fn a_resolution_is_the_rows() {
         "{single}"
     );
     assert!(double.passed(), "{double}");
+}
+
+#[test]
+fn terms_that_cancel_are_the_rows() {
+    Check::of(Left).assert();
+    assert!(LeftUnsaid::ROUNDINGS.is_none());
+    let [single, double] = Check::of(LeftUnsaid).run();
+    assert!(
+        single.refused_for(Reason::ValuesDisagree(Witness::Wide)),
+        "{single}"
+    );
+    assert!(double.passed(), "{double}");
+    let [single, _] = Check::of(LeftOff).run();
+    assert!(
+        single.refused_for(Reason::ValuesDisagree(Witness::Wide)),
+        "{single}"
+    );
+    for report in Check::of(LeftSteep).run() {
+        assert!(
+            report.refused_for(Reason::Disagree(Witness::Adjoint, Witness::Dual)),
+            "{report}"
+        );
+    }
 }
 
 #[test]

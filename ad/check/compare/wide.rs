@@ -1,5 +1,5 @@
 //! A function of `f32` against itself in `f64`, as far as single precision can tell.
-use crate::ad::check::evidence::{Evidence, Item, comparison, finite};
+use crate::ad::check::evidence::{Evidence, Item, SMALLEST, comparison, finite};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{FEW_INPUTS, ROUNDINGS, SAFETY, SCATTER};
@@ -11,8 +11,9 @@ use crate::ad::check::witness::{combined, dot};
 /// The value of an operation may be off by the change of the exact function when inputs move by twice their rounding
 /// (that of numbers of one unit is the rounding of the largest). The change of the value in single precision does
 /// not count: a formula that scatters its results is wrong by as much as it scatters. Edges a millionth from parallel
-/// are no such case, since there the function itself moves. A derivative may scatter a hundred times as much. A
-/// closure does not tell which of its numbers are of one unit; it may be as rough as it is.
+/// are no such case, since there the function itself moves. Terms that cancel may take as much more as the row says
+/// ([`roundings`](Subject::roundings)). A derivative may scatter a hundred times as much. A closure does not tell which
+/// of its numbers are of one unit; it may be as rough as it is.
 pub(crate) fn wide(e: &Evidence<'_>) -> Notes {
     let mut said = Notes::new(e.x.len());
     let Some(wide) = e.wide.as_deref() else {
@@ -54,7 +55,8 @@ fn values(e: &Evidence<'_>, wide: &dyn Subject, value: &[f64]) -> Notes {
     }
     for j in 0..count {
         let (narrow, value) = (e.y[j], value[j]);
-        let off = spread[j].max(e.resolution[j]).max(reach(e, j));
+        let own = e.resolution[j].max(e.cancelled);
+        let off = spread[j].max(own).max(reach(e, j));
         let tolerance = plain(j) + SAFETY * off;
         if e.both_saturated(narrow, value) {
             continue;
@@ -100,6 +102,8 @@ fn derivatives(e: &Evidence<'_>, wide: &dyn Subject, row: &Item) -> Notes {
     if !finite(&exact) {
         return said;
     }
+    let weight: f64 = row.weights.iter().map(|weight| weight.abs()).sum();
+    let cancelled = |i: usize| SAFETY * weight * e.cancelled / e.units[i];
     let mut tolerance = row.plain.clone();
     let outside =
         |tolerance: &[f64]| (0..exact.len()).any(|i| (exact[i] - adjoint[i]).abs() > tolerance[i]);
@@ -122,10 +126,11 @@ fn derivatives(e: &Evidence<'_>, wide: &dyn Subject, row: &Item) -> Notes {
             let each = (0..exact.len()).map(|i| {
                 let function = plain(i) + SAFETY * theirs[i];
                 let formula = SAFETY * own[i].max(rough[i]);
-                match e.subject.comparable() && !lost {
+                let both = match e.subject.comparable() && !lost {
                     true => function + formula.min(SCATTER * function),
                     false => function + formula,
-                }
+                };
+                both + cancelled(i)
             });
             each.collect()
         };
@@ -134,6 +139,10 @@ fn derivatives(e: &Evidence<'_>, wide: &dyn Subject, row: &Item) -> Notes {
             tolerance = with(&e.spread_of_many(&exact, by_duals));
         }
     }
+    // Below the smallest number of single precision there are no digits.
+    tolerance
+        .iter_mut()
+        .for_each(|tolerance| *tolerance = tolerance.max(SMALLEST));
     for i in 0..exact.len() {
         said.covered[i] = true;
         let gap = (exact[i] - adjoint[i]).abs();
