@@ -256,7 +256,10 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
     // the shift it is no farther from there than the depth. Faces too small to count would have parted any others.
     let reachable = (S::lit(SLACK * S::EPSILON) - deep.value) - deep.value;
     let behind = deep.value.below(S::zero()) & length.at_most(reachable);
-    let inside = parted & (behind | none);
+    // Which side of a face a point on it is on, its height says with other roundings than the plane does.
+    let beside = length.at_most(S::lit(SLACK * S::EPSILON)) & !deep.value.below(S::zero());
+    let opposite = beside & direction.dot(deep.normal).below(S::zero());
+    let inside = parted & (behind | none | opposite);
     // Cores with a point in common are not apart, however the height over a face was rounded.
     let rounded = none & deep.value.above(S::zero());
     let ahead = S::select(rounded, S::zero(), deep.value);

@@ -232,13 +232,16 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
     let best = |value: P, plane: &PartingPlane<P>| value.most(plane.value);
     let (by_face, by_edge) = (faces().fold(never, best), edges().fold(never, best));
     let is_edge = by_edge.above(by_face + P::lit(MORE * P::EPSILON));
-    let mut any = is_edge & !is_edge;
-    for plane in faces() {
-        any = any | plane.value.equals(by_face) & plane.faces.above(P::zero());
-    }
+    // Of a sliver the plane of a face beside the foot may be ahead by rounding.
+    let by_foot = faces().fold(never, |value, plane| {
+        let over = plane.faces.above(P::zero());
+        value.most(P::select(over, plane.value, never))
+    });
+    let any = by_foot.above(never) & by_face.at_most(by_foot + P::lit(MORE * P::EPSILON));
     let on_face = P::select(any, P::one(), P::zero());
+    let ahead = P::select(any, by_foot, by_face);
     let of_faces = faces().map(|plane| {
-        let counts = plane.value.equals(by_face) & plane.faces.equals(on_face) & !is_edge;
+        let counts = plane.value.equals(ahead) & plane.faces.equals(on_face) & !is_edge;
         (plane, counts)
     });
     let of_edges = edges().map(|plane| (plane, plane.value.equals(by_edge) & is_edge));

@@ -1,6 +1,6 @@
 //! Which features of two boxes are nearest, and where on them: numbers without derivatives.
 use super::super::spot::part;
-use super::face::Facing;
+use super::face::{Facing, overlap};
 use super::features::{Corners, Edges, larger, smaller, turned, weight};
 use super::{Gaps, Seen, column, dot, sign, sign_or_none};
 use crate::Scalar;
@@ -106,14 +106,6 @@ impl<P: Scalar> Deepest<P> {
         };
         P::one().over((count(&self.a) + count(&self.b)) + count(&self.edges))
     }
-}
-
-/// Where an interval about zero and one about a centre overlap: the middle, as a part of the first one's half.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn overlap<P: Scalar>(half: P, center: P, other: P) -> P {
-    let low = larger(-half, center - other);
-    let high = smaller(half, center + other);
-    part((low + high).halved(), half)
 }
 
 /// The features that are nearest, or the planes that part the boxes best, and the points there.

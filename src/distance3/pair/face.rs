@@ -1,7 +1,17 @@
 //! Two faces, or a face and an edge, that are parallel: the middle of what faces each other.
+use super::super::spot::part;
 use super::dot;
+use super::features::{larger, smaller};
 use crate::Scalar;
 use crate::arrays::Each;
+
+/// Where an interval about zero and one about a centre overlap: the middle, as a part of the first one's half.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn overlap<P: Scalar>(half: P, center: P, other: P) -> P {
+    let low = larger(-half, center - other);
+    let high = smaller(half, center + other);
+    part((low + high).halved(), half)
+}
 
 /// A face of one box and what of the other one faces it.
 pub(super) struct Facing<P> {
@@ -47,8 +57,8 @@ pub(super) struct Middle<P: Scalar> {
 
 impl<P: Scalar> Facing<P> {
     /// The mean of the corners of what faces each other: corners over the face, corners of the face below the other
-    /// one, and crossings of edges. Where there are none it is the corner, or the middle of the edge or face, that is
-    /// nearest to the plane of the face.
+    /// one, and crossings of edges. Where rounding leaves none, the shapes meet beside each other: it is the middle of
+    /// what their extents along both sides of the face share.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn middle(&self) -> Middle<P> {
         let (zero, one) = (P::zero(), P::one());
@@ -112,14 +122,15 @@ impl<P: Scalar> Facing<P> {
         }
         let none = mean.count.equals(zero);
         let count = P::select(none, one, mean.count);
-        let at = [0, 1].each_as(|k| P::select(none, q[k], mean.sum[k].over(count)));
+        let beside = |k: usize| {
+            let extent = u[k].unsigned() + v[k].unsigned();
+            overlap(half[k], q[k], extent) * half[k]
+        };
+        let at = [0, 1].each_as(|k| P::select(none, beside(k), mean.sum[k].over(count)));
         let way = [at[0] - q[0], at[1] - q[1]];
         let other = [0, 1, 2].each_as(|j| {
-            // Without the length of a side that is none.
-            let long = self.other[j];
-            let long = P::select(long.equals(zero), one, long);
-            let part = (way[0] * first[j] + way[1] * second[j]).over(long);
-            P::select(free[j], part, near[j])
+            let along = way[0] * first[j] + way[1] * second[j];
+            P::select(free[j], part(along, self.other[j]), near[j])
         });
         Middle {
             at,

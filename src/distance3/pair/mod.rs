@@ -159,7 +159,10 @@ fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (Seen<S>, S) {
     // Axes of a are orthogonal: of equal ones of b only the difference is left, which is exactly zero.
     let turn = |i: usize, j: usize| {
         let (u, v) = (a.axes[i], b.axes[j]);
-        u.dot(if i == j { v } else { v - a.axes[j] })
+        let sine = u.dot(if i == j { v } else { v - a.axes[j] });
+        // What is left of half a turn is rounding, which sums absorb and signs do not.
+        let none = sine.unsigned().below(S::lit(S::PARALLEL));
+        S::select(none, sine.with_primal(S::Primal::zero()), sine)
     };
     let seen = Seen {
         c: a.axes.each_as(|axis| axis.dot(way)),

@@ -398,3 +398,33 @@ fn flat_boxes_of_one_plane_that_cross_touch() {
         }
     }
 }
+
+#[test]
+fn points_of_boxes_that_meet_along_an_edge_are_on_both() {
+    // Rounding parts or joins them by a unit in the last place, whichever face or edge is said to meet.
+    let mut random = Random(0x005e_ed0f_ed6e);
+    for k in 0..2000 {
+        let turn = random.vector(1.0);
+        let turn = Rotation3::new(random.within(-1.0, 1.0), turn.x, turn.y, turn.z);
+        let mut size =
+            || Vec3::new(1.0, 1.0, 1.0) * 0.1 + random.vector(0.5) + Vec3::new(0.5, 0.5, 0.5);
+        let (first, second) = (size(), size());
+        let reach = (first + second) * 0.5;
+        let beside = random.within(-1.0, 1.0) * if k % 2 == 0 { 1.0 } else { 0.0 };
+        let way = match k % 3 {
+            0 => Vec3::new(-reach.x, reach.y, reach.z * beside),
+            1 => Vec3::new(reach.x, reach.y, -reach.z),
+            _ => Vec3::new(reach.x * beside, reach.y, -reach.z),
+        };
+        let a = Obb3::new(random.vector(1.0), first, turn).cast::<f32>();
+        let center = a.center.cast::<f64>() + a.rotation.cast::<f64>() * way;
+        let b = Obb3::new(center, second, turn).cast::<f32>();
+        let found = closest_points(a, b);
+        for (shape, point) in [(a, found.on_a), (b, found.on_b)] {
+            let beyond = signed_distance(point, shape);
+            assert!(beyond < 4e-6, "{beyond}: {found:?} {a:?} {b:?}");
+        }
+        let way = (found.on_b - found.on_a).length();
+        assert!(way < 4e-6, "{way}: {found:?} {a:?} {b:?}");
+    }
+}
