@@ -44,6 +44,18 @@ table! {
         "distance_segment_obb3": Segment3, Obb3;
         "distance_line_obb3": Line3, Obb3;
         "distance_ray_obb3": Ray3, Obb3;
+        "distance_point_sphere": Vec3, Sphere;
+        "distance_segment_tetrahedron": Segment3, Tetrahedron;
+        "distance_segment_round_box": Segment3, RoundBox3;
+        "distance_triangle_obb3": Triangle3, Obb3;
+        "distance_triangle_round_box": Triangle3, RoundBox3;
+        "distance_line_triangle3": Line3, Triangle3;
+        "distance_line_tetrahedron": Line3, Tetrahedron;
+        "distance_line_round_box": Line3, RoundBox3;
+        "distance_ray_capsule3": Ray3, Capsule3;
+        "distance_ray_triangle3": Ray3, Triangle3;
+        "distance_ray_tetrahedron": Ray3, Tetrahedron;
+        "distance_ray_round_box": Ray3, RoundBox3;
         /// It jumps where they become parallel.
         "distance_lines3": Line3, Line3 jumps Anywhere;
         /// It jumps where they become parallel.
@@ -93,6 +105,17 @@ table! {
         "signed_distance_plane_cone": Plane3, Cone;
         "signed_distance_line_sphere": Line3, Sphere;
         "signed_distance_ray_sphere": Ray3, Sphere;
+        "signed_distance_sphere_segment3": Sphere, Segment3;
+        "signed_distance_sphere_tetrahedron": Sphere, Tetrahedron;
+        "signed_distance_sphere_cylinder": Sphere, Cylinder;
+        "signed_distance_sphere_cone": Sphere, Cone;
+        "signed_distance_segment_capsule3": Segment3, Capsule3;
+        "signed_distance_capsule_tetrahedron": Capsule3, Tetrahedron;
+        "signed_distance_capsule_round_box": Capsule3, RoundBox3;
+        "signed_distance_obb3_round_box": Obb3, RoundBox3;
+        "signed_distance_round_boxes": RoundBox3, RoundBox3;
+        "signed_distance_plane_segment3": Plane3, Segment3;
+        "signed_distance_plane_round_box": Plane3, RoundBox3;
     }
     /// The [longest distance](crate::distance3::farthest_distance) of {}.
     FarthestDistance: (a, b) -> S { farthest_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {

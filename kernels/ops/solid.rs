@@ -1,7 +1,7 @@
 //! Measures of solids as operations.
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Centroid, Inertia, Surface, Volume};
-use crate::{Capsule3, Cone, Cylinder, RoundBox3, Sphere, Symmetric3, Tetrahedron, Vec3};
+use crate::{Capsule3, Cone, Cylinder, Obb3, RoundBox3, Sphere, Symmetric3, Tetrahedron, Vec3};
 
 table! {
     /// The volume of {}.
@@ -36,5 +36,6 @@ table! {
         "inertia_cone": Cone;
         "inertia_tetrahedron": Tetrahedron;
         "inertia_round_box": RoundBox3;
+        "inertia_obb3": Obb3;
     }
 }

@@ -37,20 +37,21 @@
 //!
 //! | | point | ball | segment | capsule | triangle | tetrahedron | box | round box |
 //! | --- | --- | --- | --- | --- | --- | --- | --- | --- |
-//! | point | D q s c p f | d q S c p f | D Q s C p f | D q S c p f | D Q s C p f | D q S c p f | D q S c p F | d q S c p f |
-//! | ball | | D q S c P f | d q s c p f | D q S c p f | d q S c p f | d q s c p f | D q S C P f | d q S c p f |
-//! | segment | | | D Q s C p f | d q s c p f | D q s c p f | d q s c p f | D q s c p f | d q s c p f |
-//! | capsule | | | | D q S C P F | d q S c p f | d q s c p f | D q S C P f | d q s c p f |
-//! | triangle | | | | | D Q S C p f | d q s c p f | d q s c p f | d q s c p f |
+//! | point | D q s c p f | D q S c p f | D Q s C p f | D q S c p f | D Q s C p f | D q S c p f | D q S c p F | d q S c p f |
+//! | ball | | D q S c P f | d q S c p f | D q S c p f | d q S c p f | d q S c p f | D q S C P f | d q S c p f |
+//! | segment | | | D Q s C p f | d q S c p f | D q s c p f | D q s c p f | D q s c p f | D q s c p f |
+//! | capsule | | | | D q S C P F | d q S c p f | d q S c p f | D q S C P f | d q S c p f |
+//! | triangle | | | | | D Q S C p f | d q s c p f | D q s c p f | D q s c p f |
 //! | tetrahedron | | | | | | d q s c p f | d q s c p f | d q s c p f |
-//! | box | | | | | | | D Q S C P F | d q s c p f |
+//! | box | | | | | | | D Q S C P F | d q S c p f |
 //! | upright box, two | | | | | | | D Q S C P F | |
-//! | half-space | d q S c p - | d q S c p - | d q s c p - | d q S c P - | d q S c p - | d q S c p - | d q S c P - | d q s c p - |
-//! | cylinder | D q S c p f | d q s c p f | - | - | - | - | - | - |
-//! | cone | D q S c p f | d q s c p f | - | - | - | - | - | - |
+//! | round box | | | | | | | | d q S c p f |
+//! | half-space | d q S c p - | d q S c p - | d q S c p - | d q S c P - | d q S c p - | d q S c p - | d q S c P - | d q S c p - |
+//! | cylinder | D q S c p f | d q S c p f | - | - | - | - | - | - |
+//! | cone | D q S c p f | d q S c p f | - | - | - | - | - | - |
 //!
-//! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | d q s c p - | d q s c p - | D q s c p - | d q s c p - |
-//! | ray | D q s c p - | d q S c p - | D q s c p - | d q s c p - | d q s c p - | d q s c p - | D q s c p - | d q s c p - |
+//! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
+//! | ray | D q s c p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //!
 //! A half-space and a cylinder or a cone have d q S c p; lines and rays have d q s c p among themselves, of two lines
 //! D and C, of two rays D. Of a solid they see the part that is near it, whose ends are rounded as

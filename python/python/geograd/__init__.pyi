@@ -1805,6 +1805,12 @@ class _distance(Verb):
             The distance of two lines of space. It jumps where they become parallel.
         distance(line: Line3, shape: Obb3) -> number
             The distance of a line of space and a box of any orientation.
+        distance(line: Line3, shape: RoundBox3) -> number
+            The distance of a line of space and a box with round edges.
+        distance(line: Line3, solid: Tetrahedron) -> number
+            The distance of a line of space and a tetrahedron.
+        distance(line: Line3, triangle: Triangle3) -> number
+            The distance of a line of space and a triangle of space.
         distance(shape: Obb2, circle: Circle) -> number
             The distance of a rotated box and a circle.
         distance(a: Obb2, b: Obb2) -> number
@@ -1817,10 +1823,18 @@ class _distance(Verb):
             The distance of two boxes of any orientation.
         distance(shape: Obb3, point: Vec3) -> number
             The distance of a box of any orientation and a point.
+        distance(ray: Ray3, capsule: Capsule3) -> number
+            The distance of a ray of space and a capsule of space.
         distance(ray: Ray3, shape: Obb3) -> number
             The distance of a ray of space and a box of any orientation.
         distance(a: Ray3, b: Ray3) -> number
             The distance of two rays of space. It jumps where they become parallel.
+        distance(ray: Ray3, shape: RoundBox3) -> number
+            The distance of a ray of space and a box with round edges.
+        distance(ray: Ray3, solid: Tetrahedron) -> number
+            The distance of a ray of space and a tetrahedron.
+        distance(ray: Ray3, triangle: Triangle3) -> number
+            The distance of a ray of space and a triangle of space.
         distance(segment: Segment2, circle: Circle) -> number
             The distance of a segment and a circle.
         distance(segment: Segment2, shape: Obb2) -> number
@@ -1835,8 +1849,12 @@ class _distance(Verb):
             The distance of a segment of space and a box of any orientation.
         distance(segment: Segment3, ray: Ray3) -> number
             The distance of a segment of space and a ray of space.
+        distance(segment: Segment3, shape: RoundBox3) -> number
+            The distance of a segment of space and a box with round edges.
         distance(a: Segment3, b: Segment3) -> number
             The distance of two segments of space.
+        distance(segment: Segment3, solid: Tetrahedron) -> number
+            The distance of a segment of space and a tetrahedron.
         distance(segment: Segment3, triangle: Triangle3) -> number
             The distance of a segment of space and a triangle of space.
         distance(ball: Sphere, shape: Obb3) -> number
@@ -1847,6 +1865,10 @@ class _distance(Verb):
             The distance of two triangles.
         distance(triangle: Triangle2, point: Vec2) -> number
             The distance of a triangle and a point.
+        distance(triangle: Triangle3, shape: Obb3) -> number
+            The distance of a triangle of space and a box of any orientation.
+        distance(triangle: Triangle3, shape: RoundBox3) -> number
+            The distance of a triangle of space and a box with round edges.
         distance(a: Triangle3, b: Triangle3) -> number
             The distance of two triangles of space.
         distance(point: Vec2, shape: Aabb2) -> number
@@ -1883,6 +1905,8 @@ class _distance(Verb):
             The distance of a point and a ray of space.
         distance(point: Vec3, segment: Segment3) -> number
             The distance of a point and a segment of space.
+        distance(point: Vec3, ball: Sphere) -> number
+            The distance of a point and a ball.
         distance(point: Vec3, solid: Tetrahedron) -> number
             The distance of a point and a tetrahedron.
         distance(point: Vec3, triangle: Triangle3) -> number
@@ -1935,6 +1959,12 @@ class _distance(Verb):
     @overload
     def __call__(self, line: Line3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, line: Line3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, line: Line3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, line: Line3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: Obb2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1947,9 +1977,17 @@ class _distance(Verb):
     @overload
     def __call__(self, shape: Obb3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, ray: Ray3, capsule: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, ray: Ray3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Ray3, b: Ray3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ray: Ray3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ray: Ray3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ray: Ray3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1965,7 +2003,11 @@ class _distance(Verb):
     @overload
     def __call__(self, segment: Segment3, ray: Ray3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, segment: Segment3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Segment3, b: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, segment: Segment3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -1976,6 +2018,10 @@ class _distance(Verb):
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, triangle: Triangle2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, triangle: Triangle3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, triangle: Triangle3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Triangle3, b: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2012,6 +2058,8 @@ class _distance(Verb):
     def __call__(self, point: Vec3, ray: Ray3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, segment: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2364,6 +2412,8 @@ class _inertia(Verb):
             The inertia of a cone about its centroid, by unit density.
         inertia(shape: Cylinder) -> Symmetric3
             The inertia of a cylinder about its centroid, by unit density.
+        inertia(shape: Obb3) -> Symmetric3
+            The inertia of a box of any orientation about its centroid, by unit density.
         inertia(shape: RoundBox3) -> Symmetric3
             The inertia of a box with round edges about its centroid, by unit density.
         inertia(shape: Sphere) -> Symmetric3
@@ -2377,6 +2427,8 @@ class _inertia(Verb):
     def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
     @overload
     def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
+    @overload
+    def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
     @overload
     def __call__(self, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Symmetric3: ...
     @overload
@@ -2993,8 +3045,12 @@ class _signed_distance(Verb):
             The signed distance of two capsules of space.
         signed_distance(capsule: Capsule3, shape: Obb3) -> number
             The signed distance of a capsule of space and a box of any orientation.
+        signed_distance(capsule: Capsule3, shape: RoundBox3) -> number
+            The signed distance of a capsule of space and a box with round edges.
         signed_distance(capsule: Capsule3, ball: Sphere) -> number
             The signed distance of a capsule of space and a ball.
+        signed_distance(capsule: Capsule3, solid: Tetrahedron) -> number
+            The signed distance of a capsule of space and a tetrahedron.
         signed_distance(capsule: Capsule3, triangle: Triangle3) -> number
             The signed distance of a capsule of space and a triangle of space.
         signed_distance(a: Circle, b: Circle) -> number
@@ -3019,6 +3075,8 @@ class _signed_distance(Verb):
             The signed distance of a rotated box and a point.
         signed_distance(a: Obb3, b: Obb3) -> number
             The signed distance of two boxes of any orientation.
+        signed_distance(a: Obb3, b: RoundBox3) -> number
+            The signed distance of a box of any orientation and a box with round edges.
         signed_distance(shape: Obb3, point: Vec3) -> number
             The signed distance of a box of any orientation and a point.
         signed_distance(plane: Plane3, capsule: Capsule3) -> number
@@ -3029,6 +3087,10 @@ class _signed_distance(Verb):
             The signed distance of a half-space and a cylinder.
         signed_distance(plane: Plane3, shape: Obb3) -> number
             The signed distance of a half-space and a box of any orientation.
+        signed_distance(plane: Plane3, shape: RoundBox3) -> number
+            The signed distance of a half-space and a box with round edges.
+        signed_distance(plane: Plane3, segment: Segment3) -> number
+            The signed distance of a half-space and a segment of space.
         signed_distance(plane: Plane3, ball: Sphere) -> number
             The signed distance of a half-space and a ball.
         signed_distance(plane: Plane3, solid: Tetrahedron) -> number
@@ -3039,18 +3101,30 @@ class _signed_distance(Verb):
             The signed distance of a half-space and a point.
         signed_distance(ray: Ray3, ball: Sphere) -> number
             The signed distance of a ray of space and a ball.
+        signed_distance(a: RoundBox3, b: RoundBox3) -> number
+            The signed distance of two boxes with round edges.
         signed_distance(segment: Segment2, circle: Circle) -> number
             The signed distance of a segment and a circle.
         signed_distance(segment: Segment2, shape: Obb2) -> number
             The signed distance of a segment and a rotated box.
         signed_distance(segment: Segment2, point: Vec2) -> number
             The signed distance of a segment and a point.
+        signed_distance(segment: Segment3, capsule: Capsule3) -> number
+            The signed distance of a segment of space and a capsule of space.
+        signed_distance(ball: Sphere, cone: Cone) -> number
+            The signed distance of a ball and a cone.
+        signed_distance(ball: Sphere, cylinder: Cylinder) -> number
+            The signed distance of a ball and a cylinder.
         signed_distance(ball: Sphere, shape: Obb3) -> number
             The signed distance of a ball and a box of any orientation.
         signed_distance(ball: Sphere, shape: RoundBox3) -> number
             The signed distance of a ball and a box with round edges.
+        signed_distance(ball: Sphere, segment: Segment3) -> number
+            The signed distance of a ball and a segment of space.
         signed_distance(a: Sphere, b: Sphere) -> number
             The signed distance of two balls.
+        signed_distance(ball: Sphere, solid: Tetrahedron) -> number
+            The signed distance of a ball and a tetrahedron.
         signed_distance(ball: Sphere, triangle: Triangle3) -> number
             The signed distance of a ball and a triangle of space.
         signed_distance(a: Triangle2, b: Triangle2) -> number
@@ -3111,7 +3185,11 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, capsule: Capsule3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, capsule: Capsule3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, capsule: Capsule3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, capsule: Capsule3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, capsule: Capsule3, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3137,6 +3215,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, a: Obb3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: Obb3, b: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: Obb3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, plane: Plane3, capsule: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -3146,6 +3226,10 @@ class _signed_distance(Verb):
     def __call__(self, plane: Plane3, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, plane: Plane3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, plane: Plane3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, plane: Plane3, segment: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, plane: Plane3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3157,17 +3241,29 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, ray: Ray3, ball: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, a: RoundBox3, b: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, segment: Segment2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, segment: Segment2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, segment: Segment3, capsule: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ball: Sphere, cone: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ball: Sphere, cylinder: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, ball: Sphere, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, ball: Sphere, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, ball: Sphere, segment: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Sphere, b: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, ball: Sphere, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, ball: Sphere, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
