@@ -9,7 +9,6 @@ mod location;
 mod primitives;
 
 pub(crate) use all_pairs::shapes;
-pub use all_pairs::{Factors, Room, Rooms};
 pub use location::{Here, Place, There};
 pub use primitives::{Engine, Numbers, On, Reduced, Reduction, Seed};
 

@@ -32,7 +32,7 @@ mod function;
 mod list;
 pub mod methods;
 
-pub use function::{Arguments, Function, Traced, function};
+pub use function::{Arguments, Function, function};
 pub use list::*;
 
 use crate::Fixed;

@@ -39,19 +39,19 @@
 //! of their ends. Faces that are equally deep share the derivative, and the direction is that of the first.
 use crate::{Scalar, Vec2};
 
-pub mod beam;
-pub mod box_core;
-pub mod convex;
-pub mod cores;
-pub mod edge;
+pub(crate) mod beam;
+pub(crate) mod box_core;
+pub(crate) mod convex;
+pub(crate) mod cores;
+pub(crate) mod edge;
 mod edge_fold;
 mod nearest_edge;
-pub mod pair;
+pub(crate) mod pair;
 pub(crate) mod relation;
 pub mod ring;
 pub mod segments;
 pub mod shapes;
-pub mod share;
+pub(crate) mod share;
 pub mod turned;
 pub mod upright;
 

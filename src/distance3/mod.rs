@@ -13,7 +13,7 @@
 //! assert_eq!(signed_distance(Vec3::new(1.5, 0.0, 0.75), shape), -0.25);
 //! ```
 //!
-//! Every shape is the hull of a few corners, inflated by a radius ([`Cored`]). Plain numbers say which features are
+//! Every shape is the hull of a few corners, inflated by a radius (`Cored`). Plain numbers say which features are
 //! nearest: two shapes are compared corner by face, corner by edge and edge by edge where they are apart, by the normals
 //! of faces and of pairs of edges where they overlap. The distance of the chosen features is then computed once, with
 //! derivatives. No tolerance decides: a candidate for the distance is the distance of two points that exist, a candidate
@@ -74,29 +74,27 @@
 //! is not. Pairs without a volume between them, such as two segments, have no depth.
 use crate::{Scalar, Vec3};
 
-pub mod apart;
+pub(crate) mod apart;
 mod between;
-pub mod box_core;
-pub mod boxes;
-pub mod core;
-pub mod cored;
-pub mod deep;
+pub(crate) mod box_core;
+pub(crate) mod boxes;
+pub(crate) mod core;
+pub(crate) mod cored;
+pub(crate) mod deep;
 mod endless;
-pub mod half_space;
-pub mod near;
+pub(crate) mod half_space;
+pub(crate) mod near;
 mod pair;
-pub mod parting;
+pub(crate) mod parting;
 mod point;
 pub mod polyline;
-pub mod relation;
-pub mod round;
-pub mod simplex;
-pub mod spot;
-pub mod straight;
+pub(crate) mod relation;
+pub(crate) mod round;
+pub(crate) mod simplex;
+pub(crate) mod spot;
+pub(crate) mod straight;
 
 pub use apart::{Apart, Farthest};
-pub use boxes::Faces;
-pub use cored::Cored;
 
 /// A point of each of two shapes of space.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
