@@ -13,16 +13,14 @@ pub enum Wrong {
 
 /// The values of a column of lists that have `fields` numbers each, one list after another.
 pub fn values(column: &ArrayRef, fields: usize) -> Result<ArrayRef, Wrong> {
-    // A column may be a part of a longer one, whose values it shares.
     let values = match column.data_type() {
         DataType::FixedSizeList(_, size) if *size as usize != fields => {
             let found = *size as usize;
             return Err(Wrong::Width { row: 0, found });
         }
         DataType::FixedSizeList(_, _) => {
-            let list = column.as_fixed_size_list();
-            let first = list.value_offset(0) as usize;
-            list.values().slice(first, list.len() * fields)
+            // A part of it has a part of the values.
+            column.as_fixed_size_list().values().clone()
         }
         _ => {
             let list = column.as_list::<i32>();
@@ -31,6 +29,7 @@ pub fn values(column: &ArrayRef, fields: usize) -> Result<ArrayRef, Wrong> {
                 let found = width(row);
                 return Err(Wrong::Width { row, found });
             }
+            // A part of a longer column shares its values.
             let first = list.value_offsets()[0] as usize;
             list.values().slice(first, list.len() * fields)
         }
