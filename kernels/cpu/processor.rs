@@ -119,19 +119,18 @@ impl<T: Real> Engine<T> for Processor {
         by_context: &mut [T],
         by_vertex: VertexBars<'_, T>,
     ) -> Result<(), Error> {
-        match (folding.measure, by_vertex) {
-            (Some(measure), VertexBars::Plane(bars)) => {
+        match by_vertex {
+            VertexBars::Plane(measure, bars) => {
                 let ends = [0, input.plane.len()];
                 let offsets = input.spans.offsets(&ends);
                 measured_vjp(measure, input.plane, offsets, upstream, bars)
             }
-            (None, VertexBars::Numbers(bars)) => {
+            VertexBars::Numbers(bars) => {
                 let (own, path) = (T::drivers().pulled_back)(folding, input, upstream)?;
                 by_context.copy_from_slice(&own);
                 bars.copy_from_slice(&path);
                 Ok(())
             }
-            _ => unreachable!("a measure of rings has points of the plane, another fold numbers"),
         }
     }
 

@@ -38,7 +38,7 @@ pub(crate) fn measured<T: Real>(
     }
 }
 
-/// The cotangents of vertices, for the numbers of those of results.
+/// The cotangents of vertices, for the numbers of those of results. Offsets were checked.
 pub(crate) fn measured_vjp<T: Real>(
     measure: Measure,
     vertices: &[Vec2<T>],
@@ -46,7 +46,7 @@ pub(crate) fn measured_vjp<T: Real>(
     upstream: &[T],
     bars: &mut [Vec2<T>],
 ) -> Result<(), Error> {
-    check_ragged(vertices, offsets)?;
+    check_finite(vertices)?;
     check_upstream(upstream, measure.fields())?;
     let mut rest = bars;
     let mut work = Vec::new();
@@ -68,6 +68,10 @@ pub(crate) fn measured_vjp<T: Real>(
 /// Checks offsets and vertices.
 pub(crate) fn check_ragged<T: Real>(vertices: &[Vec2<T>], offsets: &[usize]) -> Result<(), Error> {
     check_offsets::<T>(vertices.len(), offsets)?;
+    check_finite(vertices)
+}
+
+fn check_finite<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error> {
     match (T::kernels().all_finite)(&numbers(vertices)) {
         true => Ok(()),
         false => check_vertices(vertices),

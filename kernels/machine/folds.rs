@@ -281,8 +281,8 @@ impl<E: ?Sized> Machine<E> {
             let (engine, seeds) = (self.engine(), numbers(upstream));
             let mut by_context = vec![C::Item::filled(V::Scalar::default()); upstream.len()];
             fill(&mut by_context, |by_context| match F::MEASURE {
-                Some(_) => {
-                    let bars = VertexBars::Plane(F::in_plane_mut(bars));
+                Some(measure) => {
+                    let bars = VertexBars::Plane(measure, F::in_plane_mut(bars));
                     engine.fold_back(folding, input, &seeds, by_context, bars)
                 }
                 None => fill(bars, |bars| {
@@ -319,9 +319,8 @@ where
     F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
     C::Item: Pack<Scalar = V::Scalar>,
 {
-    if let Spans::Ragged(offsets) = spans {
-        check_offsets::<V::Scalar>(vertices.len(), offsets)?;
-    }
+    let ends = [0, vertices.len()];
+    check_offsets::<V::Scalar>(vertices.len(), spans.offsets(&ends))?;
     let mut contexts = Vec::new();
     context.list(&mut |column| contexts.push(column));
     let input = Input {

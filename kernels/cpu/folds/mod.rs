@@ -8,11 +8,11 @@ use crate::kernels::cpu::checked::{check_argument, check_upstream, expect};
 use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::nearest::Spans;
 use crate::kernels::cpu::plan::{Face, of_recorded};
-use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::item::{Leaf, STRETCH, Target};
 use crate::kernels::real::Real;
 use crate::kernels::recording::{Key, Mode};
+use crate::ring::Measure;
 use crate::{Error, Vec2};
 pub(crate) use folding::backwards;
 pub use folding::{Folding, Sizes};
@@ -30,7 +30,7 @@ pub enum VertexBars<'a, T: 'static> {
     /// Their numbers.
     Numbers(&'a mut [T]),
     /// Points of the plane, of a measure of rings.
-    Plane(&'a mut [Vec2<T>]),
+    Plane(Measure, &'a mut [Vec2<T>]),
 }
 
 /// Checks paths; of every one its context and then its reference, as numbers.
@@ -158,17 +158,10 @@ pub fn cotangents<T: Real>(
 }
 
 impl<T: Real> Folding<T> {
-    /// Checks paths and their contexts. Whoever looks at every vertex anyway finds those that are not finite itself.
+    /// Checks paths, whose offsets were checked, and their contexts. Whoever looks at every vertex anyway finds those that are not finite itself.
     fn checked(&self, input: &Input<'_, T>) -> Result<(), Error> {
         let (spans, winding) = (input.spans, self.sizes.winding);
         let vertices = input.vertices.len() / self.sizes.element.max(1);
-        match spans {
-            // Whoever made the input has checked its offsets.
-            Spans::Ragged(_) => (),
-            Spans::Shared(..) => {
-                Simd::current()?;
-            }
-        }
         if winding.is_none() && !(T::kernels().all_finite)(&input.vertices) {
             return Err(self.first_flaw(&input.vertices));
         }

@@ -379,16 +379,15 @@ impl Device {
         context_bars: &mut [f32],
         vertex_bars: VertexBars<'_, f32>,
     ) -> Result<(), Error> {
-        let path_bars = match (folding.measure, vertex_bars) {
-            (Some(measure), VertexBars::Plane(bars)) => {
+        let path_bars = match vertex_bars {
+            VertexBars::Plane(measure, bars) => {
                 let ends = [0, input.plane.len()];
                 let rings = self.upload_rings(input.plane, input.spans.offsets(&ends))?;
                 let found = self.ragged_vjp_of(measure, &rings, (input.spans.count(), upstream))?;
                 bars.copy_from_slice(&found.start_download()?.wait()?);
                 return Ok(());
             }
-            (None, VertexBars::Numbers(bars)) => bars,
-            _ => unreachable!("a measure of rings has points of the plane, another fold numbers"),
+            VertexBars::Numbers(bars) => bars,
         };
         let made = made_of(folding)?;
         let shared = folds::shared(folding, input)?;
