@@ -2,7 +2,7 @@
 use arrow::array::{Array, ArrayRef, AsArray};
 use arrow::datatypes::DataType;
 
-/// What is wrong with a list, at a row of the column.
+/// A fault of a list, at a row of the column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wrong {
     /// It has so many numbers.

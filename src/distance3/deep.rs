@@ -232,7 +232,7 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
     let best = |value: P, plane: &PartingPlane<P>| value.most(plane.value);
     let (by_face, by_edge) = (faces().fold(never, best), edges().fold(never, best));
     let is_edge = by_edge.above(by_face + P::lit(MORE * P::EPSILON));
-    // Of a sliver the plane of a face beside the foot may be ahead by rounding.
+    // The plane of a sliver's face beside the foot may be ahead by rounding.
     let by_foot = faces().fold(never, |value, plane| {
         let over = plane.faces.above(P::zero());
         value.most(P::select(over, plane.value, never))

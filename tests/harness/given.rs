@@ -92,7 +92,7 @@ fn wrong_derivatives_of_every_row_are_refused() {
     let rows: Vec<_> = rows()
         .into_iter()
         .filter(|row| row.operation.jumps != Jumps::Anywhere)
-        // What is refused is made simple, which takes seconds a row.
+        // A refused input is made simple, which takes seconds a row.
         .step_by(4)
         .collect();
     each(&rows, |row| {

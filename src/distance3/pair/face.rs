@@ -5,7 +5,7 @@ use super::features::{larger, smaller};
 use crate::Scalar;
 use crate::arrays::Each;
 
-/// Where an interval about zero and one about a centre overlap: the middle, as a part of the first one's half.
+/// The middle of what an interval about zero and one about a centre share, as a part of the first one's half.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn overlap<P: Scalar>(half: P, center: P, other: P) -> P {
     let low = larger(-half, center - other);

@@ -160,7 +160,7 @@ fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (Seen<S>, S) {
     let turn = |i: usize, j: usize| {
         let (u, v) = (a.axes[i], b.axes[j]);
         let sine = u.dot(if i == j { v } else { v - a.axes[j] });
-        // What is left of half a turn is rounding, which sums absorb and signs do not.
+        // The rest of half a turn is rounding, which sums absorb and signs do not.
         let none = sine.unsigned().below(S::lit(S::PARALLEL));
         S::select(none, sine.with_primal(S::Primal::zero()), sine)
     };
