@@ -132,11 +132,28 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     ) -> Self::Out<S>;
 }
 
+/// Closed paths of points of the plane, a kind of [`OverPath`](crate::kernels::OverPath).
+#[derive(Clone, Copy, Debug)]
+pub enum Ring {}
+
+/// Open paths of points of the plane, a kind of [`OverPath`](crate::kernels::OverPath).
+#[derive(Clone, Copy, Debug)]
+pub enum Polyline {}
+
+/// Open paths of points of space, a kind of [`OverPath`](crate::kernels::OverPath).
+#[derive(Clone, Copy, Debug)]
+pub enum Polyline3 {}
+
+/// Points of space without an order, a kind of [`OverPath`](crate::kernels::OverPath).
+#[derive(Clone, Copy, Debug)]
+pub enum Cloud3 {}
+
 /// The result of a fold for one path.
 ///
 /// ```
-/// use geograd::kernels::{OverRing, SignedDistance, fold::fold};
-/// type Row = <SignedDistance as OverRing>::By;
+/// use geograd::kernels::fold::{Ring, fold};
+/// use geograd::kernels::{OverPath, SignedDistance};
+/// type Row = <SignedDistance as OverPath<Ring>>::By;
 /// use geograd::Vec2;
 /// let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)].map(|(x, y)| Vec2::new(x, y));
 /// assert_eq!(fold::<Row, f64>(Vec2::new(1.0, 0.5), &square), -0.5);

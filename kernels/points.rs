@@ -14,30 +14,13 @@ const FEW: usize = 8;
 /// Points per piece of work.
 const PIECE: usize = 1024;
 
-/// A point of the plane or of space.
-pub trait Place: Copy + Validate + Sync {
-    /// Its coordinates; the third one is zero in the plane.
-    #[doc(hidden)]
-    fn place(self) -> [f64; 3];
-}
-
-impl<T: Real> Place for Vec2<T> {
-    #[inline]
-    fn place(self) -> [f64; 3] {
-        [self.x.widen(), self.y.widen(), 0.0]
-    }
-}
-impl<T: Real> Place for Vec3<T> {
-    #[inline]
-    fn place(self) -> [f64; 3] {
-        [self.x.widen(), self.y.widen(), self.z.widen()]
-    }
-}
-
 /// A kind of box that points can lie in.
 pub trait Container: Copy + Validate + Sync {
     /// A point of its space.
-    type Point: Place;
+    type Point: Copy + Validate + Sync;
+    /// The coordinates of a point; the third one is zero in the plane.
+    #[doc(hidden)]
+    fn place(point: Self::Point) -> [f64; 3];
     /// `true` if the point is in the box; the border belongs to it.
     #[must_use]
     fn holds(self, point: Self::Point) -> bool;
@@ -53,10 +36,23 @@ fn with_room(low: [f64; 3], high: [f64; 3], epsilon: f64) -> [[f64; 3]; 2] {
     [low.map(|x| x - room), high.map(|x| x + room)]
 }
 
+#[inline]
+fn in_plane<T: Real>(point: Vec2<T>) -> [f64; 3] {
+    [point.x.widen(), point.y.widen(), 0.0]
+}
+#[inline]
+fn in_space<T: Real>(point: Vec3<T>) -> [f64; 3] {
+    [point.x.widen(), point.y.widen(), point.z.widen()]
+}
+
 macro_rules! containers {
-    ($($shape:ident of $point:ident: $own:ident => $bounds:expr;)*) => { $(
+    ($($shape:ident of $point:ident at $place:ident: $own:ident => $bounds:expr;)*) => { $(
         impl<T: Real> Container for $shape<T> {
             type Point = $point<T>;
+            #[inline]
+            fn place(point: $point<T>) -> [f64; 3] {
+                $place(point)
+            }
             #[inline]
             fn holds(self, point: $point<T>) -> bool {
                 self.contains(point)
@@ -64,17 +60,17 @@ macro_rules! containers {
             fn ends(self) -> [[f64; 3]; 2] {
                 let $own = self;
                 let bounds = $bounds;
-                with_room(bounds.min.place(), bounds.max.place(), T::EPSILON)
+                with_room($place(bounds.min), $place(bounds.max), T::EPSILON)
             }
         }
     )* };
 }
 containers! {
-    Aabb2 of Vec2: own => own;
-    Obb2 of Vec2: own => own.bounding();
-    Aabb3 of Vec3: own => own;
-    YawBox3 of Vec3: own => own.bounding();
-    Obb3 of Vec3: own => own.bounding();
+    Aabb2 of Vec2 at in_plane: own => own;
+    Obb2 of Vec2 at in_plane: own => own.bounding();
+    Aabb3 of Vec3 at in_space: own => own;
+    YawBox3 of Vec3 at in_space: own => own.bounding();
+    Obb3 of Vec3 at in_space: own => own.bounding();
 }
 
 /// Bounds of some boxes that are near each other.
@@ -149,7 +145,7 @@ impl Tree {
         stack: &mut Vec<usize>,
         mut found: impl FnMut(usize) -> usize,
     ) {
-        let at = point.place();
+        let at = B::place(point);
         let mut below = usize::MAX;
         stack.clear();
         stack.extend(self.nodes.len().checked_sub(1));

@@ -4,6 +4,7 @@ use crate::kernels::cpu::arch::Kernels;
 use crate::kernels::cpu::drivers::Drivers;
 use crate::kernels::cpu::lane::Kept;
 use crate::{Pack, Scalar};
+use std::any::Any;
 
 /// `f32` or `f64`: the formats that batches serve.
 pub trait Real:
@@ -36,4 +37,10 @@ impl Real for f64 {
     fn drivers() -> &'static Drivers<f64> {
         &crate::kernels::cpu::drivers::F64
     }
+}
+
+/// The one of two values, in `f32` and in `f64`, that has the type of the format in question.
+pub(crate) fn in_format<X: 'static>(both: [&dyn Any; 2]) -> &X {
+    let found = both.into_iter().find_map(|one| one.downcast_ref());
+    found.unwrap_or_else(|| unreachable!("there are two formats"))
 }

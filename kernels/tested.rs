@@ -11,13 +11,14 @@ use crate::kernels::check::{
     Examined, Folded, Judged, ScalarCode, Source, Stated, check_fold_on, check_fold_with,
     check_search_with, examined,
 };
-use crate::kernels::dynamic::{self, Format, Operation};
+use crate::kernels::dynamic::{self, Operation};
 use crate::kernels::fold::{Fold, by_hand, fold};
 use crate::kernels::fuzz::{self, Fuzzed, Job, Straight};
 use crate::kernels::item::{Item, by_kind, get};
 use crate::kernels::op::Op;
 use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
+use crate::kernels::real::in_format;
 use crate::kernels::search::Search;
 use crate::{Fixed, Pack};
 use std::fmt;
@@ -71,26 +72,6 @@ impl<S: Judged> Clone for Formed<S> {
 }
 impl<S: Judged> Copy for Formed<S> {}
 
-/// `f32` or `f64`, in both of which a row is tested.
-pub trait Both: Format + Judged {
-    #[doc(hidden)]
-    fn formed(row: &Tested) -> FormedIn<'_, Self>;
-}
-/// A row in one format.
-#[doc(hidden)]
-pub struct FormedIn<'a, S: Judged>(&'a Formed<S>);
-
-impl Both for f32 {
-    fn formed(row: &Tested) -> FormedIn<'_, f32> {
-        FormedIn(&row.single)
-    }
-}
-impl Both for f64 {
-    fn formed(row: &Tested) -> FormedIn<'_, f64> {
-        FormedIn(&row.double)
-    }
-}
-
 impl Tested {
     /// The name of its function.
     #[must_use]
@@ -103,27 +84,27 @@ impl Tested {
     /// # Errors
     ///
     /// The backend's.
-    pub fn check<S: Both>(
+    pub fn check<S: Judged>(
         &self,
         plan: &Sampling<'_>,
         backend: Option<Backend<'_>>,
     ) -> Result<Report, Error> {
-        (S::formed(self).0.check)(self, plan, backend)
+        (self.formed::<S>().check)(self, plan, backend)
     }
     /// Fuzzes it with so many inputs from a seed.
     #[must_use]
-    pub fn fuzz<S: Both>(&self, count: u64, seed: u64) -> Fuzzed {
-        (S::formed(self).0.fuzz)(self, count, seed)
+    pub fn fuzz<S: Judged>(&self, count: u64, seed: u64) -> Fuzzed {
+        (self.formed::<S>().fuzz)(self, count, seed)
     }
     /// The result of one input by the function itself.
     #[must_use]
-    pub fn alone<S: Both>(&self, x: &[S]) -> Vec<S> {
-        (S::formed(self).0.code.alone)(x)
+    pub fn alone<S: Judged>(&self, x: &[S]) -> Vec<S> {
+        (self.formed::<S>().code.alone)(x)
     }
     /// The result and the derivatives of a cotangent by hand; `None` where there are none.
     #[must_use]
-    pub fn by_hand<S: Both>(&self, x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
-        (S::formed(self).0.code.by_hand)(x, out_bar)
+    pub fn by_hand<S: Judged>(&self, x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
+        (self.formed::<S>().code.by_hand)(x, out_bar)
     }
     /// A random input.
     #[must_use]
@@ -154,6 +135,9 @@ impl Tested {
         (self.shaders)(&self.operation)
     }
 
+    fn formed<S: Judged>(&self) -> &Formed<S> {
+        in_format([&self.single, &self.double])
+    }
     fn stated(&self) -> Stated {
         Stated {
             name: self.operation.name,
@@ -165,16 +149,16 @@ impl Tested {
             output_kinds: self.operation.kinds[1],
         }
     }
-    fn examined<S: Both>(&self) -> Option<Examined<S>> {
+    fn examined<S: Judged>(&self) -> Option<Examined<S>> {
         Some(Examined {
             recording: self.operation.straight::<S>()?,
-            code: S::formed(self).0.code,
+            code: self.formed::<S>().code,
         })
     }
 }
 
 /// Checks a straight line.
-fn check_straight<S: Both>(
+fn check_straight<S: Judged>(
     row: &Tested,
     plan: &Sampling<'_>,
     backend: Option<Backend<'_>>,
@@ -196,7 +180,7 @@ fn check_straight<S: Both>(
 }
 
 /// Fuzzes a straight line.
-fn fuzz_straight<S: Both>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
+fn fuzz_straight<S: Judged>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
     let Some(Examined { recording, code }) = row.examined::<S>() else {
         unreachable!("a straight line is fuzzed as one")
     };
@@ -257,7 +241,7 @@ impl Walk for Values {
         O::In<f64>: Item<Scalar = f64> + Sample,
         O::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        const fn formed<O: Op, S: Both>() -> Formed<S>
+        const fn formed<O: Op, S: Judged>() -> Formed<S>
         where
             O::In<S>: Item<Scalar = S>,
             O::Out<S>: Item<Scalar = S>,
@@ -289,7 +273,7 @@ impl Walk for Values {
         D::In<f64>: Item<Scalar = f64> + Sample,
         D::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        const fn formed<D: Search, S: Both>() -> Formed<S>
+        const fn formed<D: Search, S: Judged>() -> Formed<S>
         where
             D::In<S>: Item<Scalar = S>,
             D::Out<S>: Item<Scalar = S>,
@@ -326,7 +310,7 @@ impl Walk for Values {
         Vec<F::Element<f64>>: Sample,
         F::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        const fn formed<F: Fold, S: Both>(
+        const fn formed<F: Fold, S: Judged>(
             check: fn(&Tested, &Sampling<'_>, Option<Backend<'_>>) -> Result<Report, Error>,
         ) -> Formed<S>
         where

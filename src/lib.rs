@@ -224,7 +224,7 @@ pub mod check {
 pub mod prelude {
     pub use crate::ad::forward::{gradient, jacobian, value};
     pub use crate::distance::Convex as _;
-    pub use crate::distance3::{Apart as _, Farthest as _};
+    pub use crate::distance3::Apart as _;
     pub use crate::kernels::verbs::methods::{
         Bhattacharyya as _, Ciou as _, CiouAabb as _, CiouFixedWeight as _, CiouHull as _,
         CiouRectangle as _, Crossing as _, Diameter as _, Diou as _, DiouAabb as _, DiouHull as _,

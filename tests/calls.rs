@@ -9,6 +9,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub trait Number: Real + Single<Scalar = Self> {}
 impl<T: Real + Single<Scalar = T>> Number for T {}
 
+/// A number as `f64`, exactly.
+pub fn wide<T: Number>(x: T) -> f64 {
+    x.widen()
+}
+
 /// An operation of two shapes with one number as result.
 pub trait Pair<T: Number>: Op<In<T> = (Self::A, Self::B), Out<T> = T> {
     /// The first shape.

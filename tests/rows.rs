@@ -3,7 +3,8 @@ use geograd::convention::{
     Detectron2Box, ImageBox, KittiBox, Le90, Le135, LidarBox, NuScenesBox, OpenCvBox, Xyxyr,
 };
 use geograd::iou::Exponent;
-use geograd::kernels::verbs::{self, OverCloud3, OverPolyline, OverPolyline3, OverRing, Takes};
+use geograd::kernels::fold::{Cloud3, Polyline, Polyline3, Ring};
+use geograd::kernels::verbs::{self, OverPath, Takes};
 use geograd::{
     Aabb2, Aabb3, Capsule2, Circle, Interval, Line2, Obb2, Obb3, Pose2, Ray2, Segment2, Triangle2,
     Vec2, Vec3, YawBox3,
@@ -216,27 +217,27 @@ rows! {
 
 /// Folds over paths.
 macro_rules! folds {
-    ($($Name:ident = $verb:ident $Over:ident;)*) => { $(
-        pub type $Name = <verbs::$verb as $Over>::By;
+    ($($Name:ident = $verb:ident $Path:ident;)*) => { $(
+        pub type $Name = <verbs::$verb as OverPath<$Path>>::By;
         #[allow(non_upper_case_globals)]
-        pub const $Name: $Name = <verbs::$verb as $Over>::BY;
+        pub const $Name: $Name = <verbs::$verb as OverPath<$Path>>::BY;
     )* };
 }
 folds! {
-    DistancePointPolyline = Distance OverPolyline;
-    DistancePointRing = Distance OverRing;
-    SignedDistancePointRing = SignedDistance OverRing;
-    DepthPointRing = Depth OverRing;
-    WindingOfRing = Winding OverRing;
-    LengthOfPolyline = Length OverPolyline;
-    SecondMomentsOfRing = SecondMoments OverRing;
-    SignedAreaOfRing = SignedArea OverRing;
-    PerimeterOfRing = Perimeter OverRing;
-    CentroidOfRing = Centroid OverRing;
-    DistancePointPolyline3 = Distance OverPolyline3;
-    LengthOfPolyline3 = Length OverPolyline3;
-    CentroidOfCloud3 = Centroid OverCloud3;
-    CovarianceOfCloud3 = SecondMoments OverCloud3;
+    DistancePointPolyline = Distance Polyline;
+    DistancePointRing = Distance Ring;
+    SignedDistancePointRing = SignedDistance Ring;
+    DepthPointRing = Depth Ring;
+    WindingOfRing = Winding Ring;
+    LengthOfPolyline = Length Polyline;
+    SecondMomentsOfRing = SecondMoments Ring;
+    SignedAreaOfRing = SignedArea Ring;
+    PerimeterOfRing = Perimeter Ring;
+    CentroidOfRing = Centroid Ring;
+    DistancePointPolyline3 = Distance Polyline3;
+    LengthOfPolyline3 = Length Polyline3;
+    CentroidOfCloud3 = Centroid Cloud3;
+    CovarianceOfCloud3 = SecondMoments Cloud3;
 }
 
 pub mod distance {

@@ -3,8 +3,9 @@ use crate::ad::check::placed::Near;
 use crate::ad::check::second_order::{BentFn, TracedBentFn};
 use crate::ad::check::subject::Conventions;
 use crate::ad::check::symmetry::{Invariance, Kind};
-use crate::ad::check::trace::{Number, Trace, Traced, of_num_duals, trace};
+use crate::ad::check::trace::{Trace, Traced, of_num_duals, trace};
 use crate::ad::check::{Report, SEED, Sampling, examine, narrow};
+use crate::ad::program::Plain;
 use crate::ad::sample::{Draw, Sample, hard_cases, random};
 use crate::{Jet, Pack};
 use std::fmt::Debug;
@@ -52,11 +53,11 @@ pub struct Check<'a, X: Pack> {
 }
 
 /// A pack of floats as a list.
-fn wide<S: Number, X: Pack<Scalar = S>>(x: &X) -> Vec<f64> {
+fn wide<S: Plain, X: Pack<Scalar = S>>(x: &X) -> Vec<f64> {
     x.scalars().iter().map(|x| x.widen()).collect()
 }
 
-impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
+impl<'a, S: Plain, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     /// At a point. Everything else is added with the other methods.
     #[must_use]
     pub fn at(point: X) -> Self {

@@ -1,7 +1,7 @@
 //! Inputs that a function is judged at, without their types.
 use crate::Pack;
 use crate::ad::check::subject::Subject;
-use crate::ad::check::trace::Number;
+use crate::ad::program::Plain;
 use crate::ad::sample::drawn::{Drawn, code};
 use std::fmt::Debug;
 
@@ -29,7 +29,7 @@ pub(crate) struct Typed<'a, X, F> {
 
 impl<'a, S, X, F> Candidate<'a> for Typed<'a, X, F>
 where
-    S: Number,
+    S: Plain,
     X: Pack<Scalar = S> + Debug + 'a,
     F: Fn(&X, &mut dyn FnMut(&dyn Subject)),
 {

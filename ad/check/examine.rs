@@ -8,9 +8,9 @@ use crate::ad::check::report::{Failure, Report};
 use crate::ad::check::shrink::shrunk;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{ENOUGH, INSIDE_ONE_IN, KEPT, SMOOTH_ONE_IN};
-use crate::ad::check::trace::Number;
 use crate::ad::check::verdict::{Findings, Place, Reason};
 use crate::ad::check::witness::Precision;
+use crate::ad::program::Plain;
 use crate::ad::sample::Draw;
 use std::fmt::Debug;
 
@@ -81,7 +81,7 @@ impl Sampling<'_> {
 
 /// Judges a function at many inputs. `meet` hands the function near an input to its argument;
 /// `random_from` is the number of the first input that was drawn at random.
-pub fn examine<S: Number, X: Pack<Scalar = S> + Debug>(
+pub fn examine<S: Plain, X: Pack<Scalar = S> + Debug>(
     name: &str,
     sampling: &Sampling<'_>,
     inputs: &[X],

@@ -1,7 +1,7 @@
 //! A check near one of its points.
 use crate::Pack;
-use crate::ad::check::trace::Number;
 use crate::ad::check::{Check, narrow};
+use crate::ad::program::Plain;
 
 /// A check near one of its points.
 pub(crate) struct Near<'c, 'a, X: Pack> {
@@ -9,7 +9,7 @@ pub(crate) struct Near<'c, 'a, X: Pack> {
     pub(crate) near: &'c X,
 }
 
-impl<S: Number, X: Pack<Scalar = S>> Near<'_, '_, X> {
+impl<S: Plain, X: Pack<Scalar = S>> Near<'_, '_, X> {
     pub(crate) fn made(&self, x: &[f64]) -> X {
         self.near.refill(&narrow::<S>(x))
     }

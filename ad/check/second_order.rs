@@ -4,8 +4,9 @@ use crate::ad::check::Check;
 use crate::ad::check::placed::Near;
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::tolerances::FEW_INPUTS;
-use crate::ad::check::trace::{Number, Trace, Traced, trace};
+use crate::ad::check::trace::{Trace, Traced, trace};
 use crate::ad::check::witness::{Precision, axis, combined, dot};
+use crate::ad::program::Plain;
 use crate::{Jet, Pack, Scalar};
 use std::fmt::Debug;
 
@@ -51,7 +52,7 @@ fn straight<T: Scalar, Y: Pack<Scalar = Bent<T>>>(y: &Y, of: impl Fn(T) -> f64) 
     numbers.iter().map(bent).collect()
 }
 
-impl<'a, S: Number, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
+impl<'a, S: Plain, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     /// The generic source, called with duals of duals: a witness for [`hessian_times`].
     ///
     /// ```
@@ -147,7 +148,7 @@ impl<X: Pack> Wide<'_, '_, X> {
     }
 }
 
-impl<S: Number, X: Pack<Scalar = S>> Subject for Wide<'_, '_, X> {
+impl<S: Plain, X: Pack<Scalar = S>> Subject for Wide<'_, '_, X> {
     fn precision(&self) -> Precision {
         Precision::F64
     }

@@ -15,8 +15,8 @@
 //! assert_ne!(here.hash, larger(1.0, 2.0).1.hash); // another one
 //! assert_eq!(larger(1.0, 1.0).1.margin, 0.0); // a tie
 //! ```
-use crate::scalar::float::Float;
-use crate::{Pack, Scalar};
+use crate::Scalar;
+use crate::ad::program::Plain;
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -75,51 +75,21 @@ pub struct Traced<T>(
     pub T,
 );
 
-/// `f32` or `f64`: what a function is checked in.
-pub trait Number: Scalar<Mask = bool, Primal = Self> + Float + Pack<With<Self> = Self> {
-    /// num-dual's own dual number over it.
-    type NumDual: Scalar<Mask = bool>;
-    /// Nearest number to an `f64`.
-    fn nearest(x: f64) -> Self {
-        <Self as Scalar>::lit(x)
-    }
-    /// A dual number of num-dual's.
-    fn num_dual(value: Self, derivative: Self) -> Self::NumDual;
-    /// Its value and its derivative.
-    fn of_num_dual(dual: Self::NumDual) -> (Self, Self);
-}
-macro_rules! number {
-    ($($float:ident)*) => { $(
-        impl Number for $float {
-            type NumDual = num_dual::Dual<$float>;
-            #[inline]
-            fn num_dual(value: Self, derivative: Self) -> Self::NumDual {
-                num_dual::Dual::new(value, derivative)
-            }
-            #[inline]
-            fn of_num_dual(dual: Self::NumDual) -> (Self, Self) {
-                (dual.re, dual.eps)
-            }
-        }
-    )* };
-}
-number!(f32 f64);
-
 /// A list of num-dual's dual numbers: values and derivatives along a direction.
-pub(crate) fn num_duals<S: Number>(x: &[f64], direction: &[f64]) -> Vec<S::NumDual> {
+pub(crate) fn num_duals<S: Plain>(x: &[f64], direction: &[f64]) -> Vec<S::NumDual> {
     let each = x.iter().zip(direction);
     each.map(|(&x, &d)| S::num_dual(S::nearest(x), S::nearest(d)))
         .collect()
 }
 /// Its values and its derivatives.
-pub(crate) fn of_num_duals<S: Number>(list: Vec<S::NumDual>) -> (Vec<f64>, Vec<f64>) {
+pub(crate) fn of_num_duals<S: Plain>(list: Vec<S::NumDual>) -> (Vec<f64>, Vec<f64>) {
     let parts = list.into_iter().map(S::of_num_dual);
     parts
         .map(|(y, derivative)| (y.widen(), derivative.widen()))
         .unzip()
 }
 
-impl<T: Number> Traced<T> {
+impl<T: Plain> Traced<T> {
     /// Records a comparison and hands its outcome on.
     #[inline(always)]
     fn note(self, other: Self, outcome: bool) -> bool {
@@ -180,25 +150,25 @@ macro_rules! wrapped {
 /// The operators of a wrapper that follow from others.
 macro_rules! wrapped_operators {
     ($wrapper:ident) => {
-        impl<T: Number> AddAssign for $wrapper<T> {
+        impl<T: Plain> AddAssign for $wrapper<T> {
             #[inline(always)]
             fn add_assign(&mut self, other: Self) {
                 *self = *self + other;
             }
         }
-        impl<T: Number> SubAssign for $wrapper<T> {
+        impl<T: Plain> SubAssign for $wrapper<T> {
             #[inline(always)]
             fn sub_assign(&mut self, other: Self) {
                 *self = *self - other;
             }
         }
-        impl<T: Number> MulAssign for $wrapper<T> {
+        impl<T: Plain> MulAssign for $wrapper<T> {
             #[inline(always)]
             fn mul_assign(&mut self, other: Self) {
                 *self = *self * other;
             }
         }
-        impl<T: Number> Neg for $wrapper<T> {
+        impl<T: Plain> Neg for $wrapper<T> {
             type Output = Self;
             #[inline(always)]
             fn neg(self) -> Self {
@@ -206,7 +176,7 @@ macro_rules! wrapped_operators {
             }
         }
         crate::pack::leaf! {
-            [T: Number] $wrapper<T>,
+            [T: Plain] $wrapper<T>,
         }
     };
 }
@@ -215,7 +185,7 @@ pub(crate) use {wrapped, wrapped_operators};
 /// Operators that only concern the value.
 macro_rules! forward {
     ($($operator:ident $method:ident;)*) => { $(
-        impl<T: Number> $operator for Traced<T> {
+        impl<T: Plain> $operator for Traced<T> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
@@ -232,7 +202,7 @@ forward! {
 }
 wrapped_operators!(Traced);
 
-impl<T: Number> Scalar for Traced<T> {
+impl<T: Plain> Scalar for Traced<T> {
     wrapped!(Traced of T);
 
     #[inline(always)]

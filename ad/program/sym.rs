@@ -13,6 +13,7 @@ use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub
     label = "the result is `{Self}`",
     note = "`.jacobian()` gives the gradient of every number of a result, `.vjp()` that of their sum times cotangents"
 )]
+#[doc(hidden)]
 pub trait OneNumber {}
 
 impl OneNumber for f32 {}
@@ -22,14 +23,36 @@ impl OneNumber for f64 {}
 pub trait Plain: OneNumber + Float + Scalar<Mask = bool, Primal = Self> {
     /// Its format.
     const FORMAT: Format;
+    /// num-dual's own dual number over it.
+    type NumDual: Scalar<Mask = bool>;
+    /// A dual number of num-dual's.
+    fn num_dual(value: Self, derivative: Self) -> Self::NumDual;
+    /// Its value and its derivative.
+    fn of_num_dual(dual: Self::NumDual) -> (Self, Self);
+    /// Nearest number to an `f64`.
+    #[inline]
+    fn nearest(x: f64) -> Self {
+        Self::lit(x)
+    }
 }
 
-impl Plain for f32 {
-    const FORMAT: Format = Format::F32;
+macro_rules! plain {
+    ($($float:ident is $format:ident)*) => { $(
+        impl Plain for $float {
+            const FORMAT: Format = Format::$format;
+            type NumDual = num_dual::Dual<$float>;
+            #[inline]
+            fn num_dual(value: Self, derivative: Self) -> Self::NumDual {
+                num_dual::Dual::new(value, derivative)
+            }
+            #[inline]
+            fn of_num_dual(dual: Self::NumDual) -> (Self, Self) {
+                (dual.re, dual.eps)
+            }
+        }
+    )* };
 }
-impl Plain for f64 {
-    const FORMAT: Format = Format::F64;
-}
+plain!(f32 is F32 f64 is F64);
 
 /// A number of a program that is being recorded: it stands for every `T` that it will be.
 ///

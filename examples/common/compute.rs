@@ -1,7 +1,8 @@
 //! Results of rows and of pairs of rows, on a machine: the one place where `table` and `iou_csv` compute.
 use crate::cli::Machine;
 use geograd::kernels::Groups;
-use geograd::kernels::dynamic::{Format, Function, Rows};
+use geograd::kernels::dynamic::{Function, Rows};
+use geograd::kernels::real::Real;
 use geograd::kernels::reduce::Found;
 use geograd::{Error, Unrecordable};
 use std::borrow::Cow;
@@ -13,7 +14,7 @@ use std::str::FromStr;
 pub const BLOCK: usize = 1 << 18;
 
 /// A format of numbers that machines compute in. A GPU has no `f64`: command lines refuse it.
-pub trait Number: Format + FromStr {
+pub trait Number: Real + FromStr {
     /// The number nearest to one of f64.
     fn near(x: f64) -> Self;
     /// Results of item i of every column.

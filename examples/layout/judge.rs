@@ -147,7 +147,7 @@ fn compute<'f, C, In, Out>(
     found: &'f mut Option<Held<Out>>,
 ) -> Result<&'f Held<Out>, Error>
 where
-    C: geograd::kernels::resident::HeldColumns<Item = In>,
+    C: geograd::kernels::Columns<Item = In, Place = geograd::kernels::machine::There>,
     In: geograd::kernels::Item<Scalar = f32>,
     Out: geograd::kernels::Item<Scalar = f32>,
 {

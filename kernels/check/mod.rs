@@ -30,11 +30,11 @@ pub use subject::{Fused, OpSubject, Path};
 use crate::ad::check::candidate::{Candidate, Meet, Untyped};
 use crate::ad::check::picture;
 use crate::ad::check::subject::Subject;
-use crate::ad::check::trace::Number;
 use crate::ad::check::verdict::Reason;
 use crate::ad::check::witness::Precision;
 use crate::ad::check::{Report, Sampling, examine};
 use crate::ad::declared::Kind;
+use crate::ad::program::Plain;
 use crate::ad::sample::Sample;
 use crate::ad::sample::drawn::{Drawn, Kinship};
 use crate::error::Field;
@@ -59,7 +59,7 @@ use std::sync::Arc;
 ///
 /// The methods of a concrete format are compiled in this library, with its optimisation; generic functions would be
 /// compiled anew wherever an operation is checked.
-pub trait Judged: Number + Real {
+pub trait Judged: Real {
     /// Hands a recorded operation to whoever judges it.
     #[doc(hidden)]
     fn judged(subject: &RecordedSubject<'_, Self>, judge: &mut dyn FnMut(&dyn Subject));
@@ -175,7 +175,7 @@ fn by_hand<O: Op, S: Real>(x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
 }
 
 /// The function itself on num-dual's numbers.
-fn on_num_dual<O: Op, S: Number>(x: &[S::NumDual]) -> Vec<S::NumDual> {
+fn on_num_dual<O: Op, S: Plain>(x: &[S::NumDual]) -> Vec<S::NumDual> {
     O::eval(O::In::<S::NumDual>::load(x)).scalars()
 }
 
@@ -211,7 +211,7 @@ impl Stated {
 }
 
 /// The value of a fold edge by edge.
-fn value_by_edges<F: Fold, S: Number>(x: &[S]) -> Vec<S> {
+fn value_by_edges<F: Fold, S: Plain>(x: &[S]) -> Vec<S> {
     let (context, path) = context_and_path::<F, S>(x);
     edge_by_edge::<F, S>(context, &path).scalars()
 }

@@ -1,5 +1,5 @@
 //! Operations, searches and folds as the harness takes them: one function, generic over the scalar, and its adjoint.
-use crate::ad::check::trace::Number;
+use crate::ad::program::Plain;
 use crate::kernels::cpu::folds::folding::Sizes;
 use crate::kernels::cpu::folds::{Programs, backwards, programs};
 use crate::kernels::fold::{Fold, by_hand, fold};
@@ -11,6 +11,7 @@ use crate::{Fixed, Jet, Pack, Scalar};
 use std::sync::Arc;
 
 /// An operation as a subject of the harness.
+#[doc(hidden)]
 pub trait Source: 'static {
     /// The name of the forward function, letter for letter.
     const NAME: &'static str;
@@ -33,7 +34,7 @@ pub trait Source: 'static {
         input.refill(&Self::pulled(input, out_bar))
     }
     /// The function on num-dual's numbers; only for operations with an adjoint by hand, as a witness of it.
-    fn on_num_dual<S: Number>(_input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
+    fn on_num_dual<S: Plain>(_input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
         None
     }
     /// An input like another one, made of the numbers of a list.
@@ -41,6 +42,7 @@ pub trait Source: 'static {
 }
 
 /// An operation of fixed size as a subject of the harness.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Straight<O>(std::marker::PhantomData<O>);
 
@@ -69,7 +71,7 @@ impl<O: Op> Source for Straight<O> {
             Err(_) => vec![S::lit(f64::NAN); Self::In::<S>::LEN],
         }
     }
-    fn on_num_dual<S: Number>(&input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
+    fn on_num_dual<S: Plain>(&input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
         match const { matches!(O::DERIVATIVE, Derivative::ByHand) } {
             true => Some(O::eval(input)),
             false => None,
@@ -97,6 +99,7 @@ fn along<S: Scalar>(result: &[Jet<S, 1>], out_bar: &[S]) -> S {
 }
 
 /// An operation with a search, as the harness sees it.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Replayed<D>(std::marker::PhantomData<D>);
 
@@ -133,6 +136,7 @@ impl<D: Search> Source for Replayed<D> {
 }
 
 /// A fold, as the harness sees it.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Folded<F>(std::marker::PhantomData<F>);
 
@@ -165,7 +169,7 @@ impl<F: Fold> Source for Folded<F> {
             None => vec![S::lit(f64::NAN); sizes.own + path.len() * sizes.element],
         }
     }
-    fn on_num_dual<S: Number>(
+    fn on_num_dual<S: Plain>(
         (context, path): &Self::In<S::NumDual>,
     ) -> Option<Self::Out<S::NumDual>> {
         F::MEASURE.map(|_| fold::<F, S::NumDual>(*context, path))

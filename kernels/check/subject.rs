@@ -2,10 +2,11 @@
 //! does on purpose.
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::subject::{Conventions, Subject};
-use crate::ad::check::trace::{Number, Trace, Traced, num_duals, of_num_duals, trace};
+use crate::ad::check::trace::{Trace, Traced, num_duals, of_num_duals, trace};
 use crate::ad::check::witness::Precision;
 use crate::ad::declared::{Invariance, Kind};
 use crate::ad::forward::{Along, First};
+use crate::ad::program::Plain;
 use crate::ad::sample::Sample;
 use crate::ad::sample::drawn::Near;
 use crate::kernels::check::Source;
@@ -20,7 +21,7 @@ pub type Path<S> = fn(&[S]) -> Vec<S>;
 pub type Fused<S> = fn(&[S]) -> (Vec<S>, Vec<S>);
 
 /// An operation near an input, in one format.
-pub struct OpSubject<'a, S: Number> {
+pub struct OpSubject<'a, S: Plain> {
     near: &'a dyn Near,
     code: Box<dyn Code<S> + 'a>,
     paths: &'a [Path<S>],
@@ -29,7 +30,7 @@ pub struct OpSubject<'a, S: Number> {
     stated: Stated,
 }
 
-impl<S: Number> fmt::Debug for OpSubject<'_, S> {
+impl<S: Plain> fmt::Debug for OpSubject<'_, S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("OpSubject").finish_non_exhaustive()
     }
@@ -46,7 +47,7 @@ struct Stated {
 
 /// A source near an input, as functions of lists of every kind of number that the harness asks: what asks is compiled
 /// once, whatever the source.
-trait Code<S: Number> {
+trait Code<S: Plain> {
     fn value(&self, x: &[S]) -> Vec<S>;
     fn first(&self, x: &[First<S>]) -> Vec<First<S>>;
     fn jets(&self, x: &[Jet<S, 1>]) -> Vec<Jet<S, 1>>;
@@ -85,7 +86,7 @@ where
     }
 }
 
-impl<O: Source, S: Number> Code<S> for At<'_, O>
+impl<O: Source, S: Plain> Code<S> for At<'_, O>
 where
     O::In<f64>: Sample,
     O::Out<f64>: Sample,
@@ -129,7 +130,7 @@ where
     }
 }
 
-impl<'a, S: Number> OpSubject<'a, S> {
+impl<'a, S: Plain> OpSubject<'a, S> {
     /// A source near an input, which says how many numbers there are.
     #[must_use]
     pub fn of<O: Source>(
@@ -168,7 +169,7 @@ impl<'a, S: Number> OpSubject<'a, S> {
     }
 }
 
-impl<S: Number> Subject for OpSubject<'_, S> {
+impl<S: Plain> Subject for OpSubject<'_, S> {
     fn precision(&self) -> Precision {
         Precision::of::<S>()
     }

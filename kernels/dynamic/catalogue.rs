@@ -19,7 +19,7 @@ use crate::kernels::op::{
 };
 use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
-use crate::kernels::real::Real;
+use crate::kernels::real::{Real, in_format};
 use crate::kernels::recording::Recording;
 use crate::kernels::search::{self, Search};
 use std::sync::{Arc, OnceLock};
@@ -102,23 +102,6 @@ impl<T: Real> Clone for Body<T> {
 }
 impl<T: Real> Copy for Body<T> {}
 
-/// `f32` or `f64`, in which every operation of the list is.
-pub trait Format: Real {
-    /// The operation in this format.
-    #[doc(hidden)]
-    fn of(operation: &Operation) -> &Of<Self>;
-}
-impl Format for f32 {
-    fn of(operation: &Operation) -> &Of<f32> {
-        &operation.single
-    }
-}
-impl Format for f64 {
-    fn of(operation: &Operation) -> &Of<f64> {
-        &operation.double
-    }
-}
-
 /// A shape that an operation takes or gives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
@@ -183,18 +166,22 @@ impl Operation {
     pub fn is_inside(&self, input: &[f64]) -> bool {
         self.inside.is_none_or(|inside| inside(input))
     }
+    /// The operation in a format.
+    fn of<T: Real>(&self) -> &Of<T> {
+        in_format([&self.single, &self.double])
+    }
     /// The layouts of its arguments in a format, to trace functions of the same shapes.
     #[must_use]
-    pub fn layouts<T: Format>(&self) -> Vec<Layout<T>> {
-        let leaves = (T::of(self).takes)().into_iter();
+    pub fn layouts<T: Real>(&self) -> Vec<Layout<T>> {
+        let leaves = (self.of::<T>().takes)().into_iter();
         leaves.map(|leaf| Layout { leaf }).collect()
     }
 
     /// The operation on columns: its value, its gradient or its adjoint; `None` for folds and rings, which run
     /// [on paths](Operation::on_paths).
     #[must_use]
-    pub fn function<T: Format>(&self, mode: Mode) -> Option<Function<T>> {
-        let Body::Fixed(recording) = T::of(self).body else {
+    pub fn function<T: Real>(&self, mode: Mode) -> Option<Function<T>> {
+        let Body::Fixed(recording) = self.of::<T>().body else {
             return None;
         };
         let recording = recording();
@@ -206,24 +193,24 @@ impl Operation {
     }
     /// The value on columns.
     #[must_use]
-    pub fn value<T: Format>(&self) -> Option<Function<T>> {
+    pub fn value<T: Real>(&self) -> Option<Function<T>> {
         self.function(Mode::Value)
     }
     /// The value, one number, and its gradient on columns; `None` also for other results.
     #[must_use]
-    pub fn value_grad<T: Format>(&self) -> Option<Function<T>> {
+    pub fn value_grad<T: Real>(&self) -> Option<Function<T>> {
         let function = self.function(Mode::ValueGrad)?;
         (function.recording.outputs.iter().sum::<usize>() == 1).then_some(function)
     }
     /// The adjoint on columns, of which cotangents come last.
     #[must_use]
-    pub fn vjp<T: Format>(&self) -> Option<Function<T>> {
+    pub fn vjp<T: Real>(&self) -> Option<Function<T>> {
         self.function(Mode::Vjp)
     }
     /// The operation on paths; `None` for those of fixed size.
     #[must_use]
-    pub fn on_paths<T: Format>(&self) -> Option<OnPaths<T>> {
-        let own = T::of(self);
+    pub fn on_paths<T: Real>(&self) -> Option<OnPaths<T>> {
+        let own = self.of::<T>();
         let Body::Path(code) = own.body else {
             return None;
         };
@@ -237,7 +224,7 @@ impl Operation {
     ///
     /// [`Error::Program`]: searches are no programs ([`Unrecordable::Search`]), folds and rings only those of paths of a
     /// given length ([`Unrecordable::Path`]; see [`program_of_path`](Operation::program_of_path)).
-    pub fn program<T: Format>(&self) -> Result<Program<T>, Error> {
+    pub fn program<T: Real>(&self) -> Result<Program<T>, Error> {
         let Some(recording) = self.straight::<T>() else {
             return Err(self.refused());
         };
@@ -259,8 +246,8 @@ impl Operation {
     /// # Errors
     ///
     /// The errors of recording it, and [`Unrecordable::Path`] for an operation that takes no path.
-    pub fn program_of_path<T: Format>(&self, vertices: usize) -> Result<Program<T>, Error> {
-        let own = T::of(self);
+    pub fn program_of_path<T: Real>(&self, vertices: usize) -> Result<Program<T>, Error> {
+        let own = self.of::<T>();
         let Body::Path(code) = own.body else {
             return Err(Error::Program(Unrecordable::Path));
         };
@@ -286,11 +273,8 @@ impl Operation {
     ///
     /// [`Error::Arguments`] and [`Error::Fields`] for other numbers of them; [`Error::Program`] for searches, and for
     /// symbols that are not of the recording that is open on this thread.
-    pub fn on_symbols<T: Format>(
-        &self,
-        arguments: &[&[Symbol<T>]],
-    ) -> Result<Vec<Symbol<T>>, Error> {
-        let program = match T::of(self).body {
+    pub fn on_symbols<T: Real>(&self, arguments: &[&[Symbol<T>]]) -> Result<Vec<Symbol<T>>, Error> {
+        let program = match self.of::<T>().body {
             Body::Path(code) => {
                 let numbers = arguments.last().map_or(0, |path| path.len());
                 self.program_of_path::<T>(numbers / code.vertex)?
@@ -301,8 +285,8 @@ impl Operation {
     }
 
     /// The recording of a straight line.
-    pub(crate) fn straight<T: Format>(&self) -> Option<Arc<Recording<T>>> {
-        match (self.sort, T::of(self).body) {
+    pub(crate) fn straight<T: Real>(&self) -> Option<Arc<Recording<T>>> {
+        match (self.sort, self.of::<T>().body) {
             (Sort::Straight, Body::Fixed(recording)) => Some(recording()),
             _ => None,
         }

@@ -4,10 +4,10 @@ use super::forms::Function;
 use super::program::Program;
 use super::rows::named;
 use crate::ad::check::subject::Conventions;
-use crate::ad::check::trace::Number;
 use crate::ad::check::{Check, Report, Sampling, examine};
 use crate::ad::declared::Kind;
 use crate::ad::program::Format;
+use crate::ad::program::Plain;
 use crate::ad::sample::drawn::Near;
 use crate::ad::sample::several::{TUPLES, combinations, mingle, together, units};
 use crate::ad::sample::{Draw, Sampler, moved};
@@ -133,7 +133,7 @@ impl Inputs {
 
     /// The inputs of a sampling, rounded to a format; how many of them are no random ones; and how many more were drawn
     /// outside the domain.
-    fn points<S: Number>(&self, sampling: &Sampling<'_>) -> (Vec<Vec<f64>>, usize, u64) {
+    fn points<S: Plain>(&self, sampling: &Sampling<'_>) -> (Vec<Vec<f64>>, usize, u64) {
         let inside = |x: &[f64]| sampling.inside.is_none_or(|inside| inside(x));
         let rounded =
             |x: Vec<f64>| -> Vec<f64> { x.into_iter().map(|x| S::nearest(x).widen()).collect() };
@@ -171,11 +171,7 @@ impl Inputs {
     /// A check at the inputs of a sampling, rounded to the format, to which a function is added; by
     /// [these conventions](Inputs::CONVENTIONS), unless others are set.
     #[must_use]
-    pub fn check<'a, S: Number>(
-        &'a self,
-        name: &str,
-        sampling: &Sampling<'a>,
-    ) -> Check<'a, Vec<S>> {
+    pub fn check<'a, S: Plain>(&'a self, name: &str, sampling: &Sampling<'a>) -> Check<'a, Vec<S>> {
         let (own_inside, own_scales) = (sampling.inside, sampling.scales);
         let inside = move |x: &[f64]| self.inside(x) && own_inside.is_none_or(|inside| inside(x));
         let wide = |x: &Vec<S>| -> Vec<f64> { x.iter().map(|x| x.widen()).collect() };

@@ -50,7 +50,7 @@ pub use crate::ad::sample::Sampler;
 pub use crate::kernels::bounds::Bound;
 pub use crate::kernels::cpu::work::on_this_thread;
 pub use crate::kernels::recording::Mode;
-pub use catalogue::{Format, Number, Operation, Parameter, Shape, Sort, operation, operations};
+pub use catalogue::{Number, Operation, Parameter, Shape, Sort, operation, operations};
 #[doc(hidden)]
 pub use catalogue::{fold, search, straight};
 #[cfg(feature = "check")]

@@ -70,7 +70,7 @@ table! {
             derivative ByHand |(a, b), out_bar| { iou_obb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Obb3(Denominator::Union) };
     }
-    /// [Intersection over union](crate::overlap3::Overlaps::iou_with) of {}, 0 to 1.
+    /// [Intersection over union](crate::Obb3::iou) of {}, 0 to 1.
     Iou: (a, b) -> S { a.iou_with(b) } [similar] range RATIO extremes Shared jumps FromZero derivative Forward {
         "iou_aabb3_yaw": Aabb3, YawBox3;
         "iou_aabb3_obb3": Aabb3, Obb3 finite Always roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) }
@@ -83,7 +83,7 @@ table! {
         "iou_obb3_yaw": Obb3, YawBox3 roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) }
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iou_obb3_vjp(a, b, out_bar)) };
     }
-    /// [Volume](crate::overlap3::Overlaps::volume_shared_with) that {} share.
+    /// [Volume](crate::Obb3::intersection_volume) that {} share.
     IntersectionVolume: (a, b) -> S { a.volume_shared_with(b) }
     [rigid(3)] range NOT_NEGATIVE jumps Never derivative Forward {
         "intersection_volume_aabb3_yaw": Aabb3, YawBox3;
@@ -97,7 +97,7 @@ table! {
         "intersection_volume_obb3_yaw": Obb3, YawBox3 roundings { lost(a, b) }
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| intersection_volume_obb3_vjp(a, b, out_bar)) };
     }
-    /// The [part of the first](crate::overlap3::Overlaps::iof_with) of {} that lies in the second, 0 to 1.
+    /// The [part of the first](crate::Obb3::iof) of {} that lies in the second, 0 to 1.
     Iof: (a, b) -> S { a.iof_with(b) } [similar] range RATIO jumps FromZero derivative Forward {
         "iof_aabb3_yaw": Aabb3, YawBox3;
         "iof_yaw_aabb3": YawBox3, Aabb3;

@@ -6,7 +6,7 @@ use crate::kernels::ops::class::invariances;
 use crate::kernels::ops::walk::Written;
 use crate::kernels::ops::tables::listed;
 use crate::kernels::verbs::{
-    self, Depth, Distance, Length, OverPolyline, OverRing, SignedDistance, Winding,
+    self, Depth, Distance, Length, SignedDistance, Winding,
 };
 use crate::measure::moments::{AreaMoments, Sums, finish, of_edge};
 use crate::reference::{Reference, bounds_of};
@@ -160,8 +160,8 @@ of_point_and_path! {
 
 /// Joins verbs to the folds that serve paths.
 macro_rules! folds {
-    ($($Verb:ty, $Over:ident $method:ident by $By:ident;)*) => { $(
-        impl $Over for $Verb {
+    ($($Verb:ty, $Path:ident $method:ident by $By:ident;)*) => { $(
+        impl crate::kernels::verbs::OverPath<crate::kernels::fold::$Path> for $Verb {
             type By = $By;
             const BY: $By = $By;
         }
@@ -175,36 +175,36 @@ macro_rules! folds {
     )*
     listed! {
         names [$([Written {
-            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[crate::kernels::ops::path::path_name!($Over)],
+            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[crate::kernels::ops::path::path_name!($Path)],
         }]),*]
         each |walk| { $(walk.fold::<$By>(Written {
-            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[crate::kernels::ops::path::path_name!($Over)],
+            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[crate::kernels::ops::path::path_name!($Path)],
         });)* }
     } };
 }
 
 /// The name of a path.
 macro_rules! path_name {
-    (OverRing) => {
+    (Ring) => {
         "ring"
     };
-    (OverPolyline) => {
+    (Polyline) => {
         "polyline"
     };
-    (OverPolyline3) => {
+    (Polyline3) => {
         "polyline3"
     };
-    (OverCloud3) => {
+    (Cloud3) => {
         "cloud3"
     };
 }
 pub(crate) use {folds, path_name};
 folds! {
-    Distance, OverRing over_ring by DistancePointRing;
-    Distance, OverPolyline over_polyline by DistancePointPolyline;
-    SignedDistance, OverRing over_ring by SignedDistancePointRing;
-    Depth, OverRing over_ring by DepthPointRing;
-    Winding, OverRing over_ring by WindingOfRing;
-    Length, OverPolyline over_polyline by LengthOfPolyline;
-    verbs::SecondMoments, OverRing over_ring by SecondMomentsOfRing;
+    Distance, Ring over_ring by DistancePointRing;
+    Distance, Polyline over_polyline by DistancePointPolyline;
+    SignedDistance, Ring over_ring by SignedDistancePointRing;
+    Depth, Ring over_ring by DepthPointRing;
+    Winding, Ring over_ring by WindingOfRing;
+    Length, Polyline over_polyline by LengthOfPolyline;
+    verbs::SecondMoments, Ring over_ring by SecondMomentsOfRing;
 }

@@ -7,7 +7,7 @@ use crate::kernels::ops::path::folds;
 use crate::kernels::ops::walk::Written;
 use crate::kernels::ops::tables::listed;
 use crate::kernels::verbs::{
-    Centroid, Distance, Length, OverCloud3, OverPolyline3, SecondMoments,
+    Centroid, Distance, Length, SecondMoments,
 };
 use crate::measure::cloud::{CloudSums, place_of};
 use crate::{Scalar, Symmetric3, Vec3};
@@ -109,8 +109,8 @@ in_space! {
         finish |_, sums| sums.covariance();
 }
 folds! {
-    Length, OverPolyline3 over_polyline3 by LengthOfPolyline3;
-    Distance, OverPolyline3 over_polyline3 by DistancePointPolyline3;
-    Centroid, OverCloud3 over_cloud3 by CentroidOfCloud3;
-    SecondMoments, OverCloud3 over_cloud3 by CovarianceOfCloud3;
+    Length, Polyline3 over_polyline3 by LengthOfPolyline3;
+    Distance, Polyline3 over_polyline3 by DistancePointPolyline3;
+    Centroid, Cloud3 over_cloud3 by CentroidOfCloud3;
+    SecondMoments, Cloud3 over_cloud3 by CovarianceOfCloud3;
 }

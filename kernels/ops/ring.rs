@@ -5,7 +5,7 @@ use crate::kernels::ops::class::invariances;
 use crate::kernels::ops::path::folds;
 use crate::kernels::ops::tables::listed;
 use crate::kernels::ops::walk::Written;
-use crate::kernels::verbs::{Centroid, OverRing, Perimeter, SignedArea};
+use crate::kernels::verbs::{Centroid, Perimeter, SignedArea};
 use crate::reference::Reference;
 use crate::ring::Measure;
 use crate::{Fixed, Scalar, Vec2};
@@ -95,7 +95,7 @@ measures! {
         };
 }
 folds! {
-    SignedArea, OverRing over_ring by SignedAreaOfRing;
-    Perimeter, OverRing over_ring by PerimeterOfRing;
-    Centroid, OverRing over_ring by CentroidOfRing;
+    SignedArea, Ring over_ring by SignedAreaOfRing;
+    Perimeter, Ring over_ring by PerimeterOfRing;
+    Centroid, Ring over_ring by CentroidOfRing;
 }

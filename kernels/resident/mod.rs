@@ -31,9 +31,8 @@
 //! # Ok::<(), geograd::Error>(())
 //! ```
 use crate::error::{Argument, Error};
-use crate::kernels::Columns;
 use crate::kernels::cpu::checked::{check_upstream, expect};
-use crate::kernels::machine::{Reduced, Reduction, There};
+use crate::kernels::machine::{Reduced, Reduction};
 use crate::kernels::real::Real;
 use crate::kernels::reduce::{self, Best, Found};
 use crate::{Fixed, GpuFault, Vec2};
@@ -56,10 +55,6 @@ pub use rings::Rings;
 pub use crate::kernels::Backend as Resident;
 #[cfg(doc)]
 use crate::kernels::machine::Machine;
-
-/// Columns of which one at least stays on the machine, so that results stay, too.
-pub trait HeldColumns: Columns<Place = There> {}
-impl<C: Columns<Place = There>> HeldColumns for C {}
 
 /// Columns of plain numbers that stay on the machine.
 pub type HeldNumbers = Stored<f32>;
@@ -102,26 +97,26 @@ impl<X: Clone + Send + Sync + 'static> Downloads<X> for Ready<X> {
 
 /// Handles of results: a name, and what comes back.
 macro_rules! handles {
-    ($($(#[$doc:meta])* $name:ident<$p:ident: $bound:ident $(= $default:ty)?> $({ $more:ident: $type:ty })? => $out:ty;)*) => { $(
+    ($($(#[$doc:meta])* $name:ident<$p:ident: [$($bound:tt)+] $(= $default:ty)?> $({ $more:ident: $type:ty })? => $out:ty;)*) => { $(
         $(#[$doc])*
-        pub struct $name<$p: $bound $(= $default)?> {
+        pub struct $name<$p: $($bound)+ $(= $default)?> {
             found: Box<dyn Downloads<$out>>,
             $(pub(crate) $more: $type,)?
         }
 
-        impl<$p: $bound> fmt::Debug for $name<$p> {
+        impl<$p: $($bound)+> fmt::Debug for $name<$p> {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.debug_struct(stringify!($name)).finish_non_exhaustive()
             }
         }
 
-        impl<$p: $bound> Clone for $name<$p> {
+        impl<$p: $($bound)+> Clone for $name<$p> {
             fn clone(&self) -> Self {
                 $name { found: self.found.boxed() $(, $more: self.$more)? }
             }
         }
 
-        impl<$p: $bound> $name<$p> {
+        impl<$p: $($bound)+> $name<$p> {
             pub(crate) fn new(found: impl Downloads<$out> + 'static $(, $more: $type)?) -> Self {
                 $name { found: Box::new(found) $(, $more)? }
             }
@@ -160,18 +155,14 @@ macro_rules! handles {
 
 handles! {
     /// The largest score of every row or column, with its place among so many.
-    Bests<T: Real = f32> { among: usize } => Vec<Best<T>>;
+    Bests<T: [Real] = f32> { among: usize } => Vec<Best<T>>;
     /// Pairs whose score is above a threshold, row by row and within a row by column.
-    Founds<T: Real = f32> => Vec<Found<T>>;
+    Founds<T: [Real] = f32> => Vec<Found<T>>;
     /// One result per ring.
-    RingValues<T: RingResult> => Vec<T>;
+    RingValues<T: [Fixed<Scalar = f32> + 'static]> => Vec<T>;
     /// One cotangent per vertex.
-    RingBars<T: Real = f32> => Vec<Vec2<T>>;
+    RingBars<T: [Real] = f32> => Vec<Vec2<T>>;
 }
-
-/// A result of an operation of rings.
-pub trait RingResult: Fixed<Scalar = f32> + 'static {}
-impl<T: Fixed<Scalar = f32> + 'static> RingResult for T {}
 
 /// A matrix of a machine.
 pub(crate) trait Matrices<T: Real>: fmt::Debug + Send + Sync {

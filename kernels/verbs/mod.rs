@@ -321,32 +321,9 @@ macro_rules! __verb_runs {
     };
 }
 
-/// Verbs that a batch runs over the edges of rings: [`Cpu::fold`](crate::kernels::Cpu::fold).
-pub trait OverRing {
-    /// The operation.
-    type By: crate::kernels::Fold;
-    /// The operation, as a value.
-    const BY: Self::By;
-}
-
-/// Verbs that a batch runs over the edges of polylines of space: [`Cpu::fold`](crate::kernels::Cpu::fold).
-pub trait OverPolyline3 {
-    /// The operation.
-    type By: crate::kernels::Fold;
-    /// The operation, as a value.
-    const BY: Self::By;
-}
-
-/// Verbs that a batch runs over clouds of points of space: [`Cpu::fold`](crate::kernels::Cpu::fold).
-pub trait OverCloud3 {
-    /// The operation.
-    type By: crate::kernels::Fold;
-    /// The operation, as a value.
-    const BY: Self::By;
-}
-
-/// Verbs that a batch runs over the edges of polylines: [`Cpu::fold`](crate::kernels::Cpu::fold).
-pub trait OverPolyline {
+/// Verbs that a batch folds over a kind of path: `Distance: OverPath<Ring>` says that `Distance.over_ring()` is an
+/// operation for [`Cpu::fold`](crate::kernels::Cpu::fold). The kinds are in [`fold`](crate::kernels::fold).
+pub trait OverPath<P> {
     /// The operation.
     type By: crate::kernels::Fold;
     /// The operation, as a value.

@@ -4,7 +4,6 @@ use crate::number::Number;
 use crate::raised;
 use crate::table::table;
 use crate::traced::Recorded;
-use geograd::ad::check::trace::Number as Judged;
 use geograd::check::{Conventions, Jumps, Report as Found, Sampling};
 use geograd::kernels::dynamic::{Inputs, Sampler};
 use numpy::{PyArray1, PyArrayMethods};
@@ -258,7 +257,7 @@ pub fn check_callables<'py>(
     })
 }
 
-fn judged<T: Number + Judged>(
+fn judged<T: Number>(
     [value, gradient]: [&Bound<'_, PyAny>; 2],
     name: &str,
     inputs: &Inputs,

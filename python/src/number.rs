@@ -1,6 +1,7 @@
 //! The two formats of numbers, and what is made in each.
 use crate::machine::OnMachine;
-use geograd::kernels::dynamic::{Format, Function, OnPaths, Program, Symbol};
+use geograd::kernels::dynamic::{Function, OnPaths, Program, Symbol};
+use geograd::kernels::real::Real;
 use numpy::Element;
 use pyo3::exceptions::PyTypeError;
 use pyo3::{PyErr, PyResult};
@@ -53,7 +54,7 @@ const FOREIGN: &str = "this symbol belongs to a recording that is over, or to an
                        arguments and numbers only, and must not keep symbols";
 
 /// The two formats of arrays.
-pub trait Number: Format + Element + OnMachine {
+pub trait Number: Real + Element + OnMachine {
     const IS_DOUBLE: bool;
     fn made(made: &Made) -> &InFormat<Self>;
     fn narrowed(x: f64) -> Self;

@@ -33,6 +33,12 @@ pub trait Apart<B>: Copy {
     /// The relation of the shapes to each other.
     #[doc(hidden)]
     fn relation(self, other: B) -> Relation<Self::Scalar>;
+    /// The longest distance: [`farthest_distance`](super::farthest_distance). By default that of a shape without end.
+    #[must_use]
+    #[inline]
+    fn farthest_distance(self, _other: B) -> Self::Scalar {
+        Self::Scalar::lit(Self::Scalar::LARGEST)
+    }
     /// The distance, 0 where the shapes touch or overlap: [`distance`](super::distance()).
     #[must_use]
     #[inline]
@@ -65,15 +71,6 @@ pub trait Apart<B>: Copy {
     }
 }
 
-/// Two bounded shapes of space: `a.farthest_distance(b)`.
-pub trait Farthest<B>: Copy {
-    /// Their numbers.
-    type Scalar: Scalar;
-    /// The longest distance: [`farthest_distance`](super::farthest_distance).
-    #[must_use]
-    fn farthest_distance(self, other: B) -> Self::Scalar;
-}
-
 impl<A: Cored, B: Cored<Scalar = A::Scalar>> Apart<B> for A {
     type Scalar = A::Scalar;
     #[inline(always)]
@@ -91,6 +88,14 @@ impl<A: Cored, B: Cored<Scalar = A::Scalar>> Apart<B> for A {
             true => found.inflated(self.radius(), other.radius()),
             false => found,
         }
+    }
+    #[inline]
+    fn farthest_distance(self, other: B) -> A::Scalar {
+        let longest = match (self.bounds(), other.bounds()) {
+            (Some(a), Some(b)) => boxes::farthest_upright(a, b).saturated(),
+            _ => between::farthest(self.core(), other.core()),
+        };
+        (longest + (self.radius() + other.radius())).canonical()
     }
 }
 
@@ -116,18 +121,6 @@ fn from_point<B: Cored>(
             ..found
         },
         None => found,
-    }
-}
-
-impl<A: Cored, B: Cored<Scalar = A::Scalar>> Farthest<B> for A {
-    type Scalar = A::Scalar;
-    #[inline]
-    fn farthest_distance(self, other: B) -> A::Scalar {
-        let longest = match (self.bounds(), other.bounds()) {
-            (Some(a), Some(b)) => boxes::farthest_upright(a, b).saturated(),
-            _ => between::farthest(self.core(), other.core()),
-        };
-        (longest + (self.radius() + other.radius())).canonical()
     }
 }
 
@@ -159,6 +152,10 @@ macro_rules! revolved {
                     false => found,
                 }
             }
+            #[inline]
+            fn farthest_distance(self, other: $Shape<S>) -> S {
+                (round::farthest(self.core().0, other) + Cored::radius(&self)).canonical()
+            }
         }
         impl<S: Scalar, B: Cored<Scalar = S, Core = PointCore<S>>> Apart<B> for $Shape<S> {
             type Scalar = S;
@@ -166,16 +163,6 @@ macro_rules! revolved {
             fn relation(self, other: B) -> Relation<S> {
                 other.relation(self).flipped()
             }
-        }
-        impl<S: Scalar, A: Cored<Scalar = S, Core = PointCore<S>>> Farthest<$Shape<S>> for A {
-            type Scalar = S;
-            #[inline]
-            fn farthest_distance(self, other: $Shape<S>) -> S {
-                (round::farthest(self.core().0, other) + Cored::radius(&self)).canonical()
-            }
-        }
-        impl<S: Scalar, B: Cored<Scalar = S, Core = PointCore<S>>> Farthest<B> for $Shape<S> {
-            type Scalar = S;
             #[inline]
             fn farthest_distance(self, other: B) -> S {
                 other.farthest_distance(self)

@@ -94,7 +94,7 @@ pub(crate) mod simplex;
 pub(crate) mod spot;
 pub(crate) mod straight;
 
-pub use apart::{Apart, Farthest};
+pub use apart::Apart;
 
 /// A point of each of two shapes of space.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
@@ -219,7 +219,8 @@ pub fn penetration<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Contact
 
 /// The longest distance of a point of one shape of space from a point of the other, in the unit of length.
 ///
-/// Pairs of corners that are equally far share the derivative; two equal points have derivative zero.
+/// Pairs of corners that are equally far share the derivative; two equal points have derivative zero. A shape without
+/// end has the largest finite number, with derivative zero.
 ///
 /// ```
 /// use geograd::{Sphere, Tetrahedron, Vec3, distance3::farthest_distance};
@@ -229,6 +230,6 @@ pub fn penetration<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Contact
 /// ```
 #[must_use]
 #[inline]
-pub fn farthest_distance<S: Scalar, A: Farthest<B, Scalar = S>, B>(a: A, b: B) -> S {
+pub fn farthest_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
     a.farthest_distance(b)
 }

@@ -8,16 +8,6 @@ use crate::{Pack, Scalar};
 
 /// Boxes that overlap another kind of box: every pair of [`Aabb3`], [`YawBox3`] and [`Obb3`]. The pair is
 /// measured as boxes of the more general kind.
-///
-/// ```
-/// use geograd::{Aabb3, Obb3, Rotation3, Vec3, YawBox3, overlap3::Overlaps};
-/// let room = Aabb3::new(Vec3::new(-1.0_f64, -1.0, 0.0), Vec3::new(1.0, 1.0, 2.0));
-/// let car = YawBox3::new(Vec3::new(1.0, 0.0, 1.0), Vec3::new(2.0, 2.0, 2.0), 0.0);
-/// assert_eq!(room.volume_shared_with(car), 4.0);
-/// let tilted = Obb3 { rotation: Rotation3::new(0.9, 0.1, 0.2, 0.3), ..Obb3::from(car) };
-/// assert!((car.iou_with(tilted) - tilted.iou_with(car)).abs() < 1e-15);
-/// assert!(room.iof_with(tilted) < 1.0);
-/// ```
 pub trait Overlaps<B> {
     /// The numbers that boxes are made of.
     type Scalar: Scalar;

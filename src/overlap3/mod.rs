@@ -1,7 +1,7 @@
 //! How much two boxes in space overlap: volume of intersection, intersection over union, intersection
 //! over the first box; and the same seen from above.
 //!
-//! Pairs of different kinds are measured as the more general kind: [`Overlaps`]. Each kind has its own formula:
+//! Pairs of different kinds are measured as the more general kind. Each kind has its own formula:
 //! bounds for [`Aabb3`](crate::shape::Aabb3), the overlap in the plane times that of the heights for
 //! [`YawBox3`](crate::shape::YawBox3), and for [`Obb3`](crate::shape::Obb3) the integral over the clamped [`border`].
 //!
@@ -12,6 +12,16 @@
 //! Values and derivatives are finite for all finite valid input, for upstream derivatives of any size; derivatives by
 //! duals, and of an axis-aligned box with an upright one, where every length and coordinate is zero or of a magnitude
 //! from 2⁻²⁰ to 2²⁰ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//!
+//! ```
+//! use geograd::{Aabb3, Obb3, Rotation3, Vec3, YawBox3};
+//! let room = Aabb3::new(Vec3::new(-1.0_f64, -1.0, 0.0), Vec3::new(1.0, 1.0, 2.0));
+//! let car = YawBox3::new(Vec3::new(1.0, 0.0, 1.0), Vec3::new(2.0, 2.0, 2.0), 0.0);
+//! assert_eq!(room.intersection_volume(car), 4.0);
+//! let tilted = Obb3 { rotation: Rotation3::new(0.9, 0.1, 0.2, 0.3), ..Obb3::from(car) };
+//! assert!((car.iou(tilted) - tilted.iou(car)).abs() < 1e-15);
+//! assert!(room.iof(tilted) < 1.0);
+//! ```
 //!
 //! Kinks: faces lying in each other's planes (the derivative is the mean of both sides of the kink), and boxes
 //! that begin to touch (derivative zero). A corner on a face, or an edge on an edge, is no kink.
@@ -33,8 +43,9 @@ mod yaw;
 
 pub(crate) use aabb3::{SharedBounds, share3};
 pub use aabb3::{intersection_volume_aabb3, iof_aabb3, iou_aabb3};
+pub(crate) use mixed::Overlaps;
 pub(crate) use mixed::mixed_vjp;
-pub use mixed::{Overlaps, iou_aabb3_obb3_vjp, iou_yaw_obb3_vjp};
+pub use mixed::{iou_aabb3_obb3_vjp, iou_yaw_obb3_vjp};
 pub use obb3::{intersection_volume_obb3, iof_obb3, iou_obb3};
 pub(crate) use obb3::{score_obb3, score_obb3_here};
 pub use slopes::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};

@@ -29,7 +29,7 @@ pub mod dual;
 #[cfg(feature = "nalgebra")]
 mod dual_vector;
 pub(crate) mod exponential;
-pub mod float;
+pub(crate) mod float;
 pub mod jet;
 pub mod lanes;
 mod polynomial;

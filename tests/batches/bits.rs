@@ -5,11 +5,10 @@ use geograd::kernels::cpu::program::measured::compile_after;
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::fold::fold;
 use geograd::kernels::reduce::Matrix;
-use geograd::scalar::float::Float;
 use geograd::{Aabb2, Aabb3, Obb2, Obb3, Pack, Rotation3, Scalar, Vec2, Vec3, YawBox3};
 use geograd_tests::Dice;
 use geograd_tests::calls::OfRings;
-use geograd_tests::calls::{self, Number, Pair};
+use geograd_tests::calls::{self, Number, Pair, wide};
 use geograd_tests::rows::ring;
 use std::ops::Range;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -59,12 +58,12 @@ where
     shapes
         .into_iter()
         .flat_map(Pack::scalars)
-        .map(|x| x.widen().to_bits())
+        .map(|x| wide(x).to_bits())
         .collect()
 }
 
 fn bits<T: Number>(numbers: &[T]) -> Vec<u64> {
-    numbers.iter().map(|x| x.widen().to_bits()).collect()
+    numbers.iter().map(|&x| wide(x).to_bits()).collect()
 }
 
 /// Shapes of a kind, ordinary and hard ones.
@@ -297,21 +296,21 @@ pub fn results<O: Pair<T>, T: Number>(a: &[O::A], b: &[O::B]) -> Vec<u64> {
     assert_eq!(rows, matrix.row_max().unwrap());
     all.extend(
         rows.iter()
-            .flat_map(|x| [x.value.widen().to_bits(), x.index as u64]),
+            .flat_map(|x| [wide(x.value).to_bits(), x.index as u64]),
     );
     let columns = calls::column_max::<O, T>(a, b).unwrap();
     assert_eq!(columns, matrix.column_max().unwrap());
     all.extend(
         columns
             .iter()
-            .flat_map(|x| [x.value.widen().to_bits(), x.index as u64]),
+            .flat_map(|x| [wide(x.value).to_bits(), x.index as u64]),
     );
     for threshold in [0.0, 0.1] {
         let found = calls::above::<O, T>(a, b, T::lit(threshold)).unwrap();
         all.extend(
             found
                 .iter()
-                .flat_map(|x| [x.row as u64, x.column as u64, x.value.widen().to_bits()]),
+                .flat_map(|x| [x.row as u64, x.column as u64, wide(x.value).to_bits()]),
         );
     }
     let (loss, p, q) = calls::mean_grad::<O, T>(a, b).unwrap();

@@ -3,9 +3,10 @@ use crate::rows::{Number, bits};
 use geograd::ad::check::sample::Draw;
 use geograd::error::{Argument, Field};
 use geograd::kernels::dynamic::{
-    Bound, Elementary, Format, Function, Layout, Mode, Program, Rows, Symbol, Tracing, operation,
+    Bound, Elementary, Function, Layout, Mode, Program, Rows, Symbol, Tracing, operation,
     operations, symbol,
 };
+use geograd::kernels::real::Real;
 use geograd::kernels::{Cpu, Op, fold::fold};
 use geograd::{
     Error, Fixed, Flaw, Jet, Obb2, Pack, Pose2, Scalar, Segment2, Unrecordable, Vec2, ad,
@@ -468,7 +469,7 @@ fn errors_name_argument_row_and_field_and_nothing_is_written() {
 }
 
 /// A function of three arguments with two results, traced.
-fn traced<T: Format>() -> Program<T> {
+fn traced<T: Real>() -> Program<T> {
     use symbol::*;
     let layouts = [
         Layout::of::<Vec2<T>>(),

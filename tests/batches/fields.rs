@@ -1,8 +1,9 @@
 //! Arguments whose fields lie apart give the bits of rows, for every row of shapes of fixed size.
 use geograd::error::Error;
 use geograd::kernels::Groups;
-use geograd::kernels::dynamic::{Format, Function, Mode, Rows, operation};
-use geograd_tests::list::{self, Both};
+use geograd::kernels::dynamic::{Function, Mode, Rows, operation};
+use geograd::kernels::real::Real;
+use geograd_tests::list::{self, Judged};
 
 /// Rows of so many fields, field by field.
 fn apart<T: Copy>(rows: &[T], fields: usize) -> Vec<Vec<T>> {
@@ -16,7 +17,7 @@ fn bits<T: Into<f64> + Copy>(lists: &[Vec<T>]) -> Vec<u64> {
 }
 
 /// The results of arguments of which some lie apart.
-fn of_fields<T: Format>(
+fn of_fields<T: Real>(
     function: &Function<T>,
     columns: &[Vec<T>],
     count: usize,
@@ -54,7 +55,7 @@ fn of_fields<T: Format>(
     Ok(lists)
 }
 
-fn rows_of<'a, T: Format>(function: &Function<T>, columns: &'a [Vec<T>]) -> Vec<Rows<'a, T>> {
+fn rows_of<'a, T: Real>(function: &Function<T>, columns: &'a [Vec<T>]) -> Vec<Rows<'a, T>> {
     let takes = function.takes();
     columns
         .iter()
@@ -65,7 +66,7 @@ fn rows_of<'a, T: Format>(function: &Function<T>, columns: &'a [Vec<T>]) -> Vec<
 
 #[test]
 fn every_row_has_the_bits_of_rows() {
-    fn of<T: Both + Into<f64>>() {
+    fn of<T: Judged + Into<f64>>() {
         let mut rows = 0;
         for row in list::todays(list::rows(), &[]) {
             for mode in [Mode::Value, Mode::ValueGrad] {
@@ -187,7 +188,7 @@ fn what_is_wrong_is_named() {
 /// All pairs and their reductions, groups, losses, results in the caller's memory.
 #[test]
 fn calls_of_two_lists_have_the_bits_of_rows() {
-    fn of<T: Both + Into<f64>>() {
+    fn of<T: Judged + Into<f64>>() {
         let mut rows = 0;
         // Columns are read by one code for all: a few rows will do.
         for row in list::rows().into_iter().step_by(27) {

@@ -1,13 +1,14 @@
 //! Groups of two lists: the bits of a call per group, for every row of two shapes and one number.
 
 use geograd::error::{Argument, Error};
-use geograd::kernels::dynamic::{Format, Function, Rows};
+use geograd::kernels::dynamic::{Function, Rows};
+use geograd::kernels::real::Real;
 use geograd::kernels::reduce::{Best, Found};
 use geograd::kernels::{Cpu, Groups, Iou};
 use geograd::suppression::Rules;
 use geograd::{Obb2, Pack};
 use geograd_tests::Dice;
-use geograd_tests::list::{self, Both, Tested};
+use geograd_tests::list::{self, Judged, Tested};
 
 /// Lists of numbers of both arguments, with the offsets of their groups.
 struct Lists<T> {
@@ -16,7 +17,7 @@ struct Lists<T> {
     offsets: [Vec<usize>; 2],
 }
 
-impl<T: Format> Lists<T> {
+impl<T: Real> Lists<T> {
     fn rows(&self, k: usize) -> Rows<'_, T> {
         Rows::new(&self.numbers[k], self.fields[k])
     }
@@ -32,13 +33,13 @@ impl<T: Format> Lists<T> {
     }
 }
 
-fn same_bits<T: Format + Into<f64>>(x: T, y: T) -> bool {
+fn same_bits<T: Real + Into<f64>>(x: T, y: T) -> bool {
     let bits = |x: T| (x.into() + 0.0).to_bits();
     bits(x) == bits(y)
 }
 
 /// Compares grouped calls with a call per group.
-fn agrees<T: Format + Into<f64>>(
+fn agrees<T: Real + Into<f64>>(
     name: &str,
     of: &Function<T>,
     lists: &Lists<T>,
@@ -90,7 +91,7 @@ fn agrees<T: Format + Into<f64>>(
 }
 
 /// Groups of such sizes, of random inputs of a row: of every size, and near each other.
-fn drawn<T: Both>(row: &Tested, sizes: &[[usize; 2]]) -> Lists<T> {
+fn drawn<T: Judged>(row: &Tested, sizes: &[[usize; 2]]) -> Lists<T> {
     let mut is_ordinary = false;
     let items = list::inputs::<T>(row, 180, |draw| {
         is_ordinary = !is_ordinary;
@@ -130,7 +131,7 @@ const UNEVEN: [[usize; 2]; 10] = [
 
 #[test]
 fn every_row_has_the_bits_of_a_call_per_group() {
-    fn of<T: Both + Into<f64>>() {
+    fn of<T: Judged + Into<f64>>() {
         let mut rows = 0;
         for row in list::todays(list::rows(), &[]) {
             let Some(function) = row.operation.value::<T>() else {

@@ -7,7 +7,7 @@ use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::dynamic::{Bound, Function, Mode, Rows, Sort, names, operations};
 use geograd::kernels::op::Finite;
 use geograd::{Error, Unrecordable};
-use geograd_tests::list::{self, Both, Tested, each};
+use geograd_tests::list::{self, Judged, Tested, each};
 use std::collections::HashMap;
 
 /// Lengths of batches: less than any vector, not a whole number of them, several pieces.
@@ -26,8 +26,8 @@ pub fn bits<T: Into<f64> + Copy>(numbers: &[T]) -> Vec<u64> {
 }
 
 /// A number of a batch.
-pub trait Number: Both + Into<f64> {}
-impl<T: Both + Into<f64>> Number for T {}
+pub trait Number: Judged + Into<f64> {}
+impl<T: Judged + Into<f64>> Number for T {}
 
 /// The results of every item alone, as bits.
 struct Known<T> {

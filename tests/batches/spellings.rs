@@ -6,7 +6,6 @@ use geograd::error::Validate;
 use geograd::kernels::op::Op;
 use geograd::kernels::{Cpu, Item};
 use geograd::measure::moments::second_moments;
-use geograd::overlap3::Overlaps;
 use geograd::{
     ConvexPolygon, Scalar, Triangle2, Vec2, distance, distance3, gaussian, intersection, iou, iou3,
     overlap, overlap3, ring,
@@ -61,19 +60,19 @@ spellings! {
         HullAreaAabb2 |(a, b)| iou::hull_area_aabb2(a, b);
     }
     overlap_in_space {
-        IntersectionVolumeAabb3 |(a, b)| overlap3::intersection_volume_aabb3(a, b), a.volume_shared_with(b);
-        IouAabb3 |(a, b)| overlap3::iou_aabb3(a, b), a.iou(b), a.iou_with(b);
-        IofAabb3 |(a, b)| overlap3::iof_aabb3(a, b), a.iof_with(b);
-        IntersectionVolumeYaw |(a, b)| overlap3::intersection_volume_yaw(a, b), a.volume_shared_with(b);
-        IouYaw |(a, b)| overlap3::iou_yaw(a, b), a.iou(b), a.iou_with(b);
-        IofYaw |(a, b)| overlap3::iof_yaw(a, b), a.iof_with(b);
+        IntersectionVolumeAabb3 |(a, b)| overlap3::intersection_volume_aabb3(a, b), a.intersection_volume(b);
+        IouAabb3 |(a, b)| overlap3::iou_aabb3(a, b), a.iou(b);
+        IofAabb3 |(a, b)| overlap3::iof_aabb3(a, b), a.iof(b);
+        IntersectionVolumeYaw |(a, b)| overlap3::intersection_volume_yaw(a, b), a.intersection_volume(b);
+        IouYaw |(a, b)| overlap3::iou_yaw(a, b), a.iou(b);
+        IofYaw |(a, b)| overlap3::iof_yaw(a, b), a.iof(b);
         IouBirdsEye |(a, b)| overlap3::iou_birds_eye(a, b), a.birds_eye().iou(b.birds_eye());
-        IntersectionVolumeObb3 |(a, b)| overlap3::intersection_volume_obb3(a, b), a.volume_shared_with(b);
-        IouObb3 |(a, b)| overlap3::iou_obb3(a, b), a.iou(b), a.iou_with(b);
-        IofObb3 |(a, b)| overlap3::iof_obb3(a, b), a.iof_with(b);
-        IouAabb3Yaw |(a, b)| a.iou_with(b);
-        IouAabb3Obb3 |(a, b)| a.iou_with(b);
-        IouYawObb3 |(a, b)| a.iou_with(b);
+        IntersectionVolumeObb3 |(a, b)| overlap3::intersection_volume_obb3(a, b), a.intersection_volume(b);
+        IouObb3 |(a, b)| overlap3::iou_obb3(a, b), a.iou(b);
+        IofObb3 |(a, b)| overlap3::iof_obb3(a, b), a.iof(b);
+        IouAabb3Yaw |(a, b)| a.iou(b);
+        IouAabb3Obb3 |(a, b)| a.iou(b);
+        IouYawObb3 |(a, b)| a.iou(b);
     }
     scores {
         GiouObb2 |(a, b)| iou::giou_obb2(a, b), a.giou(b);

@@ -2,9 +2,8 @@
 use geograd::ad::check::sample::{Draw, Sample, random};
 use geograd::kernels::Cpu;
 use geograd::kernels::op::Op;
-use geograd::scalar::float::Float;
 use geograd::{Fixed, Pack};
-use geograd_tests::calls::Number;
+use geograd_tests::calls::{Number, wide};
 
 /// Results of a batch, item by item.
 pub trait Items {
@@ -28,7 +27,7 @@ items! { (A.0, B.1) (A.0, B.1, C.2) }
 
 pub fn bits<A: Pack<Scalar: Number>>(shape: &A) -> Vec<u64> {
     let numbers = shape.scalars().into_iter();
-    numbers.map(|x| x.widen().to_bits()).collect()
+    numbers.map(|x| wide(x).to_bits()).collect()
 }
 
 /// Hard inputs, then random ones, in a format.
@@ -77,7 +76,6 @@ fn cotangents_of_all_pairs_are_taken_as_they_are() {
 /// Boxes of two kinds: the same as boxes of one kind, whose derivatives are by other numbers.
 #[test]
 fn overlaps_of_boxes_of_two_kinds() {
-    use geograd::overlap3::Overlaps;
     use geograd::{Aabb3, Obb3, Rotation3, Vec3, YawBox3};
     use geograd_tests::rows::{IouAabb3Obb3, IouYawObb3};
     let aligned = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 1.0, 1.5_f64));
@@ -86,7 +84,7 @@ fn overlaps_of_boxes_of_two_kinds() {
     let turned = Obb3::new(center, size, Rotation3::new(0.9, 0.1, 0.2, -0.3));
     let cpu = Cpu::new();
     let own = cpu.aligned(IouAabb3Obb3, (&[aligned][..], &[turned][..]));
-    assert_eq!(own.unwrap(), [aligned.iou_with(turned)]);
+    assert_eq!(own.unwrap(), [aligned.iou(turned)]);
     let of_aligned = cpu.aligned(IouAabb3Obb3.value_grad(), (&[aligned][..], &[turned][..]));
     let of_upright = cpu.aligned(IouYawObb3.value_grad(), (&[upright][..], &[turned][..]));
     let ((iou, (by_bounds, _)), (other, (by_box, _))) = (of_aligned.unwrap(), of_upright.unwrap());

@@ -7,7 +7,7 @@ use geograd::iou::separation_aware_obb2;
 use geograd::iou3::{Enclosing, diou, giou};
 use geograd::kernels::Cpu;
 use geograd::kernels::points::Container;
-use geograd::overlap3::{Overlaps, iou_obb3};
+use geograd::overlap3::iou_obb3;
 use geograd::{Aabb2, Aabb3, Obb2, Obb3, Pack, Plane3, Vec2, Vec3, YawBox3, distance3};
 
 fn relative(a: f64, b: f64) -> f64 {
@@ -217,15 +217,15 @@ fn boxes_of_two_kinds() {
         );
         let (a, b) = (Obb3::from(upright), Obb3::from(bounds));
         let near = |x: f64, y: f64| assert!((x - y).abs() < 1e-12, "{x} {y}");
-        near(upright.iou_with(turned), iou_obb3(a, turned));
-        near(turned.iou_with(upright), iou_obb3(turned, a));
-        near(bounds.iou_with(turned), iou_obb3(b, turned));
-        near(upright.iou_with(bounds), iou_obb3(a, b));
+        near(upright.iou(turned), iou_obb3(a, turned));
+        near(turned.iou(upright), iou_obb3(turned, a));
+        near(bounds.iou(turned), iou_obb3(b, turned));
+        near(upright.iou(bounds), iou_obb3(a, b));
         near(
-            bounds.iof_with(upright) * bounds.volume(),
-            bounds.volume_shared_with(upright),
+            bounds.iof(upright) * bounds.volume(),
+            bounds.intersection_volume(upright),
         );
-        near(Overlaps::iou_with(bounds, bounds), 1.0);
+        near(bounds.iou(bounds), 1.0);
     }
 }
 

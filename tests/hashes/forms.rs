@@ -3,13 +3,14 @@
 //! Code generic over an operation only loads, calls and flattens: it is compiled for every row and format.
 use crate::print;
 use geograd::ad::forward::First;
-use geograd::kernels::dynamic::{self, Mode, Operation, Rows, Sort, operation};
+use geograd::kernels::dynamic::{Mode, Operation, Rows, Sort, operation};
+use geograd::kernels::real::Real;
 use geograd::kernels::reduce::Best;
 use geograd::kernels::{Op, Search, Single};
 use geograd::{Error, Fixed, Jet, Pack, Scalar};
 
 /// A format that batches serve.
-pub trait Format: dynamic::Format + Single<Scalar = Self> + Into<f64> {
+pub trait Format: Real + Single<Scalar = Self> + Into<f64> {
     const NAME: &'static str;
 }
 impl Format for f32 {

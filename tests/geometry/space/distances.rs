@@ -2,7 +2,7 @@
 use super::draw::{FAMILIES, Random, boxed, wide};
 use super::oracle::{boxes, hulls};
 use geograd::distance3::{
-    Apart, Farthest, closest_points, distance, penetration, signed_distance, squared_distance,
+    Apart, closest_points, distance, penetration, signed_distance, squared_distance,
 };
 use geograd::prelude::*;
 
@@ -230,6 +230,27 @@ fn radii_take_away_from_the_distance_of_cores() {
             (p[2] - p[0]).length().max((p[2] - p[1]).length()) + r + s,
         );
     }
+}
+
+#[test]
+fn shapes_without_end_are_as_far_as_numbers_go() {
+    fn all<S: Scalar>() -> Vec<S> {
+        let [origin, along] = [Vec3::zero(), Vec3::new(S::one(), S::zero(), S::zero())];
+        let ball = Sphere::new(origin, S::one());
+        let floor = Plane3::new(along, S::zero());
+        let line = Line3::new(origin, along);
+        let ray = Ray3::new(origin, along);
+        vec![
+            floor.farthest_distance(ball),
+            ball.farthest_distance(floor),
+            line.farthest_distance(ball),
+            ball.farthest_distance(line),
+            ray.farthest_distance(origin),
+            ray.farthest_distance(line),
+        ]
+    }
+    assert_eq!(all::<f64>(), [f64::MAX; 6]);
+    assert_eq!(all::<f32>(), [f32::MAX; 6]);
 }
 
 /// A point at random on the surface of a solid that turns, from its section.
