@@ -31,8 +31,8 @@ pub(super) struct Code<T: 'static> {
 /// A fold over one path for many contexts: values, and derivatives for a cotangent of every one.
 #[derive(Debug)]
 pub(super) struct Shared<T: 'static> {
-    values: fn(&[Rows<'_, T>], &[T]) -> Result<Vec<T>, Error>,
-    derivatives: fn(&[Rows<'_, T>], &[T], &[T]) -> Result<Derivatives<T>, Error>,
+    values: fn(Backend<'_>, &[Rows<'_, T>], &[T]) -> Result<Vec<T>, Error>,
+    derivatives: fn(Backend<'_>, &[Rows<'_, T>], &[T], &[T]) -> Result<Derivatives<T>, Error>,
 }
 
 impl<T> Clone for Shared<T> {
@@ -101,18 +101,18 @@ macro_rules! fold_in {
                 ))
             },
             shared: Shared {
-                values: |rows, path| {
+                values: |$backend, rows, path| {
                     let contexts = Contexts::<F::Context<$format>>::new(rows);
                     let path = loaded::<F::Element<$format>>(path);
-                    let values = Cpu::new().fold_one(F::default(), contexts, &path)?;
+                    let values = $machine.fold_one(F::default(), contexts, &path)?;
                     Ok(numbers(&values).into_owned())
                 },
-                derivatives: |rows, path, upstream| {
+                derivatives: |$backend, rows, path, upstream| {
                     let contexts = Contexts::<F::Context<$format>>::new(rows);
                     let upstream = loaded::<F::Out<$format>>(upstream);
                     let path = loaded::<F::Element<$format>>(path);
                     let (contexts, vertices) =
-                        Cpu::new().fold_one_vjp(F::default(), contexts, &path, &upstream)?;
+                        $machine.fold_one_vjp(F::default(), contexts, &path, &upstream)?;
                     Ok((
                         numbers(&contexts).into_owned(),
                         numbers(&vertices).into_owned(),
@@ -148,9 +148,9 @@ where
 }
 /// A fold over paths.
 ///
-/// Paths are vertices, two numbers each in the plane and three in space, and offsets: path i has the vertices `offsets[i]..offsets[i + 1]`. Further
-/// arguments of a fold are columns with a row per path; one row stands for all paths, and, on the processor, one path
-/// for all rows.
+/// Paths are vertices, two numbers each in the plane and three in space, and offsets: path i has the vertices
+/// `offsets[i]..offsets[i + 1]`. Further arguments of a fold are columns with a row per path; one row stands for all
+/// paths, and one path for all rows.
 ///
 /// ```
 /// use geograd::kernels::dynamic::{Rows, operation};
@@ -284,8 +284,8 @@ impl<T: Real> OnPaths<T> {
         offsets: &[usize],
     ) -> Result<Vec<T>, Error> {
         let count = self.checked(contexts, vertices)?;
-        let values = match self.shared(backend, contexts, count, offsets) {
-            Some((shared, _)) => (shared.values)(contexts, vertices),
+        let values = match self.shared(contexts, count, offsets) {
+            Some((shared, _)) => (shared.values)(backend, contexts, vertices),
             None => (self.code.values)(backend, contexts, vertices, offsets),
         };
         values.map_err(|e| renamed(e, &self.names))
@@ -300,7 +300,7 @@ impl<T: Real> OnPaths<T> {
         upstream: &[T],
     ) -> Result<(Vec<Vec<T>>, Vec<T>), Error> {
         let count = self.checked(contexts, vertices)?;
-        let shared = self.shared(backend, contexts, count, offsets);
+        let shared = self.shared(contexts, count, offsets);
         let results = match shared {
             Some((_, contexts)) => contexts,
             None => offsets.len().saturating_sub(1),
@@ -311,7 +311,7 @@ impl<T: Real> OnPaths<T> {
             upstream.len(),
         )?;
         let derivatives = match shared {
-            Some((shared, _)) => (shared.derivatives)(contexts, vertices, upstream),
+            Some((shared, _)) => (shared.derivatives)(backend, contexts, vertices, upstream),
             None => (self.code.derivatives)(backend, contexts, vertices, offsets, upstream),
         };
         let (all, vertices) = derivatives.map_err(|e| renamed(e, &self.names))?;
@@ -330,12 +330,11 @@ impl<T: Real> OnPaths<T> {
     /// How many contexts share the only path, and what runs them, if they do.
     fn shared(
         &self,
-        backend: Backend<'_>,
         contexts: &[Rows<'_, T>],
         vertices: usize,
         offsets: &[usize],
     ) -> Option<(Shared<T>, usize)> {
-        let is_one = *offsets == [0, vertices] && matches!(backend, Backend::Cpu);
+        let is_one = *offsets == [0, vertices];
         let count = contexts.iter().find_map(Rows::count)?;
         (is_one && count != 1).then_some((self.code.shared, count))
     }

@@ -173,4 +173,28 @@ fn the_untyped_face_has_the_bits_of_the_typed_one() {
         (by_point, by_vertex),
         (vec![expected.0.scalars()], expected.1.scalars())
     );
+
+    // One ring for all points.
+    let points = [1.0, 0.5, 3.0, 1.0, -1.0, 0.25];
+    let many: Vec<Vec2<f32>> = points.chunks_exact(2).map(Vec2::load).collect();
+    let (contexts, upstream) = ([Rows::new(&points, 2)], [1.0, -2.0, 0.5]);
+    assert_eq!(
+        distance.values_on(on, &contexts, &ring, &[0, 4]).unwrap(),
+        gpu.fold_one(SignedDistancePointRing, &many, &vertices)
+            .unwrap()
+    );
+    let (by_points, by_vertex) = distance
+        .vjp_on(on, &contexts, &ring, &[0, 4], &upstream)
+        .unwrap();
+    let expected = gpu
+        .fold_one_vjp(SignedDistancePointRing, &many, &vertices, &upstream)
+        .unwrap();
+    assert_eq!(
+        (by_points, by_vertex),
+        (vec![numbers_of(&expected.0)], numbers_of(&expected.1))
+    );
+}
+
+fn numbers_of(points: &[Vec2<f32>]) -> Vec<f32> {
+    points.iter().flat_map(|point| [point.x, point.y]).collect()
 }
