@@ -160,7 +160,11 @@ pub enum Cloud3 {}
 /// ```
 pub fn fold<F: Fold, S: Scalar>(context: F::Context<S>, path: &[F::Element<S>]) -> F::Out<S> {
     match F::MEASURE {
-        Some(measure) => F::Out::load(&measure.of(F::in_plane(path))),
+        Some(measure) => {
+            let mut numbers = [S::zero(); 2];
+            measure.write(F::in_plane(path), &mut numbers);
+            F::Out::load(&numbers)
+        }
         None => edge_by_edge::<F, S>(context, path),
     }
 }

@@ -383,16 +383,15 @@ impl Measure {
             Measure::Centroid => 2,
         }
     }
-    /// The numbers of the result; those that it does not have are zero.
-    #[must_use]
+    /// Writes the numbers of the result to the first [`fields`](Measure::fields) places.
     #[inline(always)]
-    pub fn of<S: Scalar>(self, ring: &[Vec2<S>]) -> [S; 2] {
+    pub fn write<S: Scalar>(self, ring: &[Vec2<S>], out: &mut [S]) {
         match self {
-            Measure::SignedArea => [signed_area(ring), S::zero()],
-            Measure::Perimeter => [perimeter(ring), S::zero()],
+            Measure::SignedArea => out[0] = signed_area(ring),
+            Measure::Perimeter => out[0] = perimeter(ring),
             Measure::Centroid => {
                 let center = centroid(ring);
-                [center.x, center.y]
+                (out[0], out[1]) = (center.x, center.y);
             }
         }
     }

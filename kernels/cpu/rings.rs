@@ -65,7 +65,7 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
         if !finite::<T, V>(own) {
             return false;
         }
-        out[..fields].copy_from_slice(&measure.of(own)[..fields]);
+        measure.write(own, out);
         first += 1;
     }
     true

@@ -14,6 +14,15 @@ use std::cell::Cell;
 /// How many bytes ahead results are prefetched: own functions of 6 to 14 columns with gradients take a fifth to a third
 /// less time (`BENCHMARKS.md`, Python).
 pub(crate) const AHEAD: usize = 1 << 10;
+/// Rows of fewer bytes lie in a core's own cache after their check; prefetching them took a twentieth of the time of a
+/// short program.
+const NEAR: usize = 1 << 18;
+
+/// `true` for rows that are prefetched.
+#[inline(always)]
+const fn is_far<T>(rows: &[T]) -> bool {
+    size_of_val(rows) > NEAR
+}
 
 /// An argument of a batch: one row for every item, or one that stands for all.
 #[derive(Clone, Copy, Debug)]
@@ -90,10 +99,11 @@ pub(crate) fn over_rows<T: Real, V: Vector<T>>(
     let mut first = part.skipped;
     for (rows, fields) in wanted {
         let slots = tape.outputs.get(first..first + *fields);
+        let far = rows.as_deref().is_some_and(is_far);
         if let (Some(slots), false) = (slots, is_lent(first, *fields))
             && let Some(rows) = part.of(rows, *fields)
         {
-            take::<T, V>(memory, slots, rows);
+            take::<T, V>(memory, slots, rows, far);
         }
         first += *fields;
     }
@@ -185,7 +195,8 @@ fn bring<T: Real, V: Vector<T>>(
     };
     let whole = rows.chunks_exact(TILE * fields);
     let rest = whole.remainder();
-    by_fields!(fields, N => bring_tiles::<T, V, N>(memory, slots, whole));
+    let far = is_far(given.rows);
+    by_fields!(fields, N => bring_tiles::<T, V, N>(memory, slots, whole, far));
     let first = part.items / TILE;
     if first == memory.width {
         return;
@@ -211,10 +222,13 @@ fn bring_tiles<'r, T: Real, V: Vector<T>, const N: usize>(
     memory: Memory<'_, T>,
     slots: &[Option<u16>],
     tiles: impl Iterator<Item = &'r [T]>,
+    far: bool,
 ) {
     let fields = if N == 0 { slots.len() } else { N };
     for (t, rows) in tiles.enumerate() {
-        prefetch(rows, STRETCH * fields);
+        if far {
+            prefetch(rows, STRETCH * fields);
+        }
         if N == 1 {
             if let (&[Some(slot)], Some(numbers)) = (slots, rows.first_chunk()) {
                 lanes_of(memory, slot)[t].set(Lane(*numbers));
@@ -273,12 +287,12 @@ fn canonical<T: Real, V: Vector<T>>(from: &Lane<T>) -> Lane<T> {
 
 /// Slots of fields into rows.
 #[inline(always)]
-fn take<T: Real, V: Vector<T>>(memory: Memory<'_, T>, slots: &[u16], rows: &mut [T]) {
+fn take<T: Real, V: Vector<T>>(memory: Memory<'_, T>, slots: &[u16], rows: &mut [T], far: bool) {
     let fields = slots.len();
     if fields == 0 {
         return;
     }
-    let whole = by_fields!(fields, N => take_tiles::<T, V, N>(memory, slots, rows));
+    let whole = by_fields!(fields, N => take_tiles::<T, V, N>(memory, slots, rows, far));
     let rest = &mut rows[whole * TILE * fields..];
     for (k, &slot) in slots.iter().enumerate() {
         let Some(lane) = lanes_of(memory, slot).get(whole) else {
@@ -297,13 +311,16 @@ fn take_tiles<T: Real, V: Vector<T>, const N: usize>(
     memory: Memory<'_, T>,
     slots: &[u16],
     rows: &mut [T],
+    far: bool,
 ) -> usize {
     let fields = if N == 0 { slots.len() } else { N };
     let mut tiles = 0;
     for rows in rows.chunks_exact_mut(TILE * fields) {
         let t = tiles;
         tiles += 1;
-        prefetch(rows, AHEAD / size_of::<T>());
+        if far {
+            prefetch(rows, AHEAD / size_of::<T>());
+        }
         let lane = |k: usize| canonical::<T, V>(&lanes_of(memory, slots[k])[t].get());
         if N == 1 {
             if let Some(numbers) = rows.first_chunk_mut() {
