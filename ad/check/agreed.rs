@@ -52,6 +52,7 @@ impl Subject for Agreed<'_> {
         fn along(&self, x: &[f64], direction: &[f64]) -> Option<Vec<f64>>;
         fn num_dual(&self, x: &[f64], direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)>;
         fn traced(&self, x: &[f64]) -> Option<(Vec<f64>, Trace)>;
+        fn traced_all(&self, inputs: &[Vec<f64>]) -> Option<Vec<(Vec<f64>, Trace)>>;
         fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>>;
         fn noisy_curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64], seed: u64) -> Option<Vec<f64>>;
         fn second_order(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>>;

@@ -235,6 +235,7 @@ pub mod subject;
 pub mod symmetry;
 pub(crate) mod tolerances;
 pub mod trace;
+pub(crate) mod trace_lanes;
 pub mod verdict;
 pub mod witness;
 mod words;

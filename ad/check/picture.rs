@@ -18,13 +18,14 @@ pub fn derivatives_of_witnesses(subject: &dyn Subject, x: &[f64]) -> [Vec<f64>; 
     let dual = (0..x.len())
         .map(|i| jacobian.iter().map(|row| row[i]).sum())
         .collect();
-    let probe = |there: &[f64]| {
+    let probe = |there: &Vec<f64>| {
         let inside = on.inside(there);
         inside.then(|| match on.traced(there) {
             Some((values, trace)) => (values, Some(trace)),
             None => (on.value(there), None),
         })
     };
+    let probe = |places: &[Vec<f64>]| places.iter().map(probe).collect();
     let trace = on.traced(x).map(|(_, trace)| trace);
     let scales = on.scales(x);
     let difference = (0..x.len())

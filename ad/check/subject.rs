@@ -90,6 +90,10 @@ pub trait Subject {
     fn traced(&self, _x: &[f64]) -> Option<(Vec<f64>, Trace)> {
         None
     }
+    /// The same at many inputs; nothing if one of them has none.
+    fn traced_all(&self, inputs: &[Vec<f64>]) -> Option<Vec<(Vec<f64>, Trace)>> {
+        inputs.iter().map(|x| self.traced(x)).collect()
+    }
     /// The Hessian of `y_bar · value` times a direction, through the adjoint.
     fn curvature(&self, _x: &[f64], _y_bar: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
         None

@@ -34,14 +34,14 @@ pub struct Trace {
 
 impl Trace {
     /// Nothing recorded yet.
-    const EMPTY: Trace = Trace {
+    pub(crate) const EMPTY: Trace = Trace {
         hash: 0xcbf2_9ce4_8422_2325,
         count: 0,
         margin: f64::INFINITY,
     };
     /// One more comparison.
     #[inline]
-    fn record(&mut self, outcome: bool, x: f64, y: f64) {
+    pub(crate) fn record(&mut self, outcome: bool, x: f64, y: f64) {
         // FNV-1a, one byte per comparison.
         self.hash = (self.hash ^ u64::from(outcome)).wrapping_mul(0x0100_0000_01b3);
         self.count += 1;

@@ -105,7 +105,9 @@ pub struct Rung {
 }
 
 /// A value and, if there is a traced source, its branches; `None` outside the domain.
-pub type Probe<'a> = &'a dyn Fn(&[f64]) -> Option<(Vec<f64>, Option<Trace>)>;
+pub type Probed = Option<(Vec<f64>, Option<Trace>)>;
+/// What is found at each of some inputs.
+pub type Probe<'a> = &'a dyn Fn(&[Vec<f64>]) -> Vec<Probed>;
 
 /// Values along a direction on both sides of a point.
 #[derive(Clone, Debug)]
@@ -135,26 +137,32 @@ impl Ladder {
         let main = (0..x.len())
             .max_by(|&i, &j| direction[i].abs().total_cmp(&direction[j].abs()))
             .unwrap_or(0);
-        let side = |sign: f64| {
+        // Steps that are lost in rounding say nothing.
+        let place = |sign: f64, k: i32| {
+            let wanted = first * RATIO.powi(-k);
+            let there: Vec<f64> = x
+                .iter()
+                .zip(direction)
+                .map(|(&x, &d)| precision.round(x + sign * wanted * d))
+                .collect();
+            let step = sign * (there[main] - x[main]) / direction[main];
+            (step > 0.0).then_some((step, there))
+        };
+        let side = |sign: f64| (0..RUNGS).filter_map(move |k| place(sign, k));
+        let ((mut steps, mut places), behind): ((Vec<f64>, Vec<Vec<f64>>), (Vec<f64>, Vec<_>)) =
+            (side(1.0).unzip(), side(-1.0).unzip());
+        let count = steps.len();
+        steps.extend(behind.0);
+        places.extend(behind.1);
+        let mut found = steps.into_iter().zip(probe(&places));
+        let mut side = |count: usize| {
             let mut rungs: Vec<Rung> = Vec::with_capacity(RUNGS as usize);
-            for k in 0..RUNGS {
-                let wanted = first * RATIO.powi(-k);
-                let there: Vec<f64> = x
-                    .iter()
-                    .zip(direction)
-                    .map(|(&x, &d)| precision.round(x + sign * wanted * d))
-                    .collect();
-                let step = sign * (there[main] - x[main]) / direction[main];
-                // Steps lost in rounding, or no smaller than the one before, say nothing.
-                if step.is_nan()
-                    || step <= 0.0
-                    || rungs
-                        .last()
-                        .is_some_and(|last| last.step < SAME_STEP * step)
-                {
-                    continue;
-                }
-                let Some((values, there)) = probe(&there) else {
+            for (step, probed) in found.by_ref().take(count) {
+                // Steps no smaller than the one before say nothing.
+                let Some((values, there)) = probed.filter(|_| {
+                    let last = rungs.last();
+                    last.is_none_or(|last| last.step >= SAME_STEP * step)
+                }) else {
                     continue;
                 };
                 let same = match (trace, there) {
@@ -172,8 +180,8 @@ impl Ladder {
             rungs
         };
         Ladder {
-            ahead: side(1.0),
-            behind: side(-1.0),
+            ahead: side(count),
+            behind: side(usize::MAX),
             center: center.to_vec(),
             traced: trace.is_some(),
         }

@@ -2,24 +2,24 @@
 use super::graph::{Graph, Id, Node};
 use crate::Scalar;
 
-/// A node's number, or its truth; the other one means nothing.
+/// The result of a node. No truth is made up beside a number: a traced scalar counts every comparison.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Slot<S: Scalar> {
-    pub(crate) number: S,
-    pub(crate) mask: S::Mask,
+pub(crate) enum Slot<S: Scalar> {
+    Number(S),
+    Mask(S::Mask),
 }
 
 impl<S: Scalar> Slot<S> {
-    pub(crate) fn number(number: S) -> Self {
-        Slot {
-            number,
-            mask: S::zero().below(S::zero()),
+    fn number(self) -> S {
+        match self {
+            Slot::Number(number) => number,
+            Slot::Mask(_) => unreachable!("an operand of numbers is no truth"),
         }
     }
-    pub(crate) fn mask(mask: S::Mask) -> Self {
-        Slot {
-            number: S::zero(),
-            mask,
+    fn mask(self) -> S::Mask {
+        match self {
+            Slot::Mask(mask) => mask,
+            Slot::Number(_) => unreachable!("an operand of truths is no number"),
         }
     }
 }
@@ -30,19 +30,19 @@ impl<S: Scalar> Slot<S> {
 /// that the recorded function has on them.
 pub(crate) fn apply<S: Scalar>(node: Node, inputs: &[S], slot: impl Fn(Id) -> Slot<S>) -> Slot<S> {
     use Node::*;
-    let n = |x| slot(x).number;
-    let m = |x| slot(x).mask;
-    Slot::number(match node {
+    let n = |x| slot(x).number();
+    let m = |x| slot(x).mask();
+    Slot::Number(match node {
         Bool(truth) => {
             let no = S::zero().below(S::zero());
-            return Slot::mask(if truth { !no } else { no });
+            return Slot::Mask(if truth { !no } else { no });
         }
-        Lt(a, b) => return Slot::mask(n(a).below(n(b))),
-        Le(a, b) => return Slot::mask(n(a).at_most(n(b))),
-        Eq(a, b) => return Slot::mask(n(a).equals(n(b))),
-        And(a, b) => return Slot::mask(m(a) & m(b)),
-        Or(a, b) => return Slot::mask(m(a) | m(b)),
-        Not(a) => return Slot::mask(!m(a)),
+        Lt(a, b) => return Slot::Mask(n(a).below(n(b))),
+        Le(a, b) => return Slot::Mask(n(a).at_most(n(b))),
+        Eq(a, b) => return Slot::Mask(n(a).equals(n(b))),
+        And(a, b) => return Slot::Mask(m(a) & m(b)),
+        Or(a, b) => return Slot::Mask(m(a) | m(b)),
+        Not(a) => return Slot::Mask(!m(a)),
         Const(bits) => S::lit(f64::from_bits(bits)),
         Input(place) => inputs[place as usize],
         Neg(x) => -n(x),
@@ -95,10 +95,24 @@ pub(crate) fn apply<S: Scalar>(node: Node, inputs: &[S], slot: impl Fn(Id) -> Sl
 
 /// The outputs of a graph at an input, which must have every number that the graph asks for.
 pub(crate) fn evaluate<S: Scalar>(graph: &Graph, outputs: &[Id], inputs: &[S]) -> Vec<S> {
+    evaluate_needed(graph, |_| true, outputs, inputs)
+}
+
+/// The same, without the nodes that no output needs.
+pub(crate) fn evaluate_needed<S: Scalar>(
+    graph: &Graph,
+    needed: impl Fn(usize) -> bool,
+    outputs: &[Id],
+    inputs: &[S],
+) -> Vec<S> {
     let mut slots: Vec<Slot<S>> = Vec::with_capacity(graph.len());
-    for &node in graph.nodes() {
-        let slot = apply(node, inputs, |x| slots[x as usize]);
+    for (i, &node) in graph.nodes().iter().enumerate() {
+        let slot = match needed(i) {
+            true => apply(node, inputs, |x| slots[x as usize]),
+            false => Slot::Number(S::zero()),
+        };
         slots.push(slot);
     }
-    outputs.iter().map(|&x| slots[x as usize].number).collect()
+    let number = |&x: &Id| slots[x as usize].number();
+    outputs.iter().map(number).collect()
 }

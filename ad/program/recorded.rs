@@ -1,5 +1,5 @@
 //! Programs without the shapes of what goes in and out: lists of numbers.
-use super::evaluate::evaluate;
+use super::evaluate::{evaluate, evaluate_needed};
 use super::graph::{Format, Graph, Id, Node};
 use super::reverse::reverse;
 use super::tangent::forward;
@@ -10,6 +10,8 @@ use crate::{Scalar, Unrecordable};
 pub(crate) struct Recorded {
     /// The recorded graph, with the nodes that only derivatives need.
     graph: Graph,
+    /// Which of its nodes results and their derivatives need.
+    needed: Vec<bool>,
     /// How many numbers go in.
     pub(crate) inputs: usize,
     /// The results, none a zero with a sign.
@@ -40,6 +42,7 @@ impl Recorded {
                 graph: lowered,
                 outputs: results,
             },
+            needed: graph.live(&outputs, true),
             graph,
             inputs,
             outputs,
@@ -71,7 +74,9 @@ impl Recorded {
 
     /// The results for an input on any scalar, with its derivatives.
     pub(crate) fn run_on<S: Scalar>(&self, inputs: &[S]) -> Vec<S> {
-        evaluate(&self.graph, &self.outputs, inputs)
+        // Nodes that came later belong to a gradient.
+        let needed = |i| self.needed.get(i) == Some(&true);
+        evaluate_needed(&self.graph, needed, &self.outputs, inputs)
     }
 
     /// `true` if gradients by hand are parts of it, whose own derivatives duals of duals do not see.

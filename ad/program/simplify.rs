@@ -93,21 +93,17 @@ impl Graph {
         if operands.is_empty() || !operands.iter().all(known) {
             return None;
         }
-        let (number, truth) = match self.format {
-            Format::F32 => {
-                let slot = self.outcome::<f32>(node);
-                (f64::from(slot.number), slot.mask)
-            }
-            Format::F64 => {
-                let slot = self.outcome::<f64>(node);
-                (slot.number, slot.mask)
-            }
+        let number = match self.format {
+            Format::F32 => match self.outcome::<f32>(node) {
+                Slot::Number(number) => f64::from(number),
+                Slot::Mask(truth) => return Some(Node::Bool(truth)),
+            },
+            Format::F64 => match self.outcome::<f64>(node) {
+                Slot::Number(number) => number,
+                Slot::Mask(truth) => return Some(Node::Bool(truth)),
+            },
         };
-        if node.is_mask() {
-            Some(Node::Bool(truth))
-        } else {
-            (self.plain || number.is_finite()).then(|| Node::Const(number.to_bits()))
-        }
+        (self.plain || number.is_finite()).then(|| Node::Const(number.to_bits()))
     }
 
     /// `true` if one is the negation of the other.
@@ -118,8 +114,8 @@ impl Graph {
     /// The result of an operation on constants.
     fn outcome<T: crate::Scalar<Mask = bool>>(&self, node: Node) -> Slot<T> {
         apply::<T>(node, &[], |x| match self.at(x) {
-            Node::Bool(truth) => Slot::mask(truth),
-            _ => Slot::number(T::lit(self.constant(x).unwrap_or(f64::NAN))),
+            Node::Bool(truth) => Slot::Mask(truth),
+            _ => Slot::Number(T::lit(self.constant(x).unwrap_or(f64::NAN))),
         })
     }
 

@@ -8,6 +8,9 @@ const INK: &str = "#212529";
 const FAINT: &str = "#868e96";
 const RED: &str = "#c92a2a";
 const BLUE: &str = "#1864ab";
+/// Outlines of what is red and blue.
+const DEEP_RED: &str = "#5c0f0f";
+const DEEP_BLUE: &str = "#0b3054";
 const WOOD: &str = "#b08968";
 
 /// Pixels of a metre, and the margin.
@@ -17,7 +20,9 @@ const TOP: f64 = 100.0;
 /// Pieces between two points of a path where clearance is looked at.
 const PIECES: usize = 8;
 /// Arms drawn along a path.
-const ARMS: usize = 9;
+const ARMS: usize = 7;
+/// Pixels of an outline.
+const OUTLINE: f64 = 0.9;
 
 /// A path with its clearance, at its points and between them.
 pub struct Way {
@@ -100,6 +105,10 @@ impl Panel {
         )
     }
     fn rod(self, page: &mut String, rod: Capsule3<f64>, colour: &str) {
+        self.wider_rod(page, rod, colour, 0.0);
+    }
+    /// A rod with so many more pixels all around.
+    fn wider_rod(self, page: &mut String, rod: Capsule3<f64>, colour: &str, more: f64) {
         let [a, b] = [rod.start, rod.end].map(|end| self.place(end));
         let _ = writeln!(
             page,
@@ -108,7 +117,7 @@ impl Panel {
             a.y,
             b.x,
             b.y,
-            2.0 * rod.radius * SCALE
+            2.0 * (rod.radius * SCALE + more)
         );
     }
     /// All six faces: together they cover what the box does.
@@ -140,14 +149,38 @@ impl Panel {
             r#"<path d="{path}" stroke-linejoin="round" {style}/>"#
         );
     }
-    fn arm(self, page: &mut String, joints: Joints<f64>, colour: &str, opacity: f64) {
+    /// The arm with an outline, so that arms which cover each other can be told apart.
+    fn arm(self, page: &mut String, joints: Joints<f64>, colour: [&str; 2], opacity: f64) {
         let Solids { links, hand } = solids(joints, RADIUS);
+        let [fill, edge] = colour;
         let _ = writeln!(page, r#"<g opacity="{opacity}">"#);
         for link in links {
-            self.rod(page, link, colour);
+            self.wider_rod(page, link, edge, OUTLINE);
         }
-        self.solid(page, hand, &format!(r#"fill="{colour}" stroke="none""#));
+        let style = format!(
+            r#"fill="{edge}" stroke="{edge}" stroke-width="{}""#,
+            2.0 * OUTLINE
+        );
+        self.solid(page, hand, &style);
+        for link in links {
+            self.rod(page, link, fill);
+        }
+        self.solid(page, hand, &format!(r#"fill="{fill}" stroke="none""#));
         page.push_str("</g>\n");
+    }
+    /// The names of what is around, where the view from the front has room for them.
+    fn names(self, page: &mut String) {
+        let names = [
+            ("pipe", [-0.74, 1.035], "#fff"),
+            ("bench", [-0.67, 0.03], INK),
+            ("crate", [0.045, 0.325], INK),
+            ("post", [-0.435, 0.325], INK),
+        ];
+        for (name, [right, up], colour) in names {
+            let at = self.place(Vec3::new(0.0, right, up));
+            let style = format!(r#"font-size="11.5" fill="{colour}""#);
+            text(page, (at.x, at.y), &style, name);
+        }
     }
     fn draw(self, page: &mut String, way: &Way) {
         let (Vec2 { x: left, y: top }, around) = (self.corner, scene::<f64>());
@@ -181,8 +214,13 @@ impl Panel {
         let last = way.fine.len() - 1;
         for i in 0..ARMS {
             let k = i * last / (ARMS - 1);
-            let colour = if way.clearances[k] < 0.0 { RED } else { BLUE };
-            let opacity = if i == 0 || i == ARMS - 1 { 0.75 } else { 0.3 };
+            let collides = way.clearances[k] < 0.0;
+            let colour = if collides {
+                [RED, DEEP_RED]
+            } else {
+                [BLUE, DEEP_BLUE]
+            };
+            let opacity = if i == 0 || i == ARMS - 1 { 0.8 } else { 0.32 };
             self.arm(page, way.fine[k], colour, opacity);
         }
         let hand = |joints: &Joints<f64>| self.place(solids(*joints, RADIUS).hand.center);
@@ -192,6 +230,9 @@ impl Panel {
             page.push_str("<g opacity=\"0.6\">");
             self.rod(page, pipe, WOOD);
             page.push_str("</g>\n");
+        }
+        if self.view.name.starts_with("front") {
+            self.names(page);
         }
         let base = self.place(Vec3::new(0.0, 0.0, MOUNT));
         let _ = writeln!(
@@ -267,6 +308,10 @@ fn plot(page: &mut String, ways: &[Way; 2], corner: Vec2<f64>, size: Vec2<f64>) 
         from.x, from.y, to.x, to.y
     );
     text(page, (to.x + 6.0, to.y + 4.0), &small, "wanted");
+    let below = corner.y + size.y + 17.0;
+    text(page, (corner.x, below), &small, "start");
+    let style = format!(r#"{small} text-anchor="end""#);
+    text(page, (corner.x + size.x, below), &style, "end");
     for ((way, colour), words) in ways.iter().zip([RED, BLUE]).zip(["before", "after"]) {
         let last = way.clearances.len() - 1;
         let points = way.clearances.iter().enumerate();
@@ -306,7 +351,7 @@ pub fn page(ways: &[Way; 2]) -> String {
         .fold(0.0, f64::max)
         + 44.0;
     let chart = TOP + 2.0 * row + 26.0;
-    let (tall, chart_height) = (chart + 250.0, 220.0);
+    let (tall, chart_height) = (chart + 262.0, 220.0);
     let mut page = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {tall:.0}\" width=\"{width:.0}\" \
          height=\"{tall:.0}\" font-family=\"Helvetica, Arial, sans-serif\">\n\
@@ -333,8 +378,8 @@ pub fn page(ways: &[Way; 2]) -> String {
             left += view.size.x * SCALE + MARGINS;
         }
     }
-    let size = Vec2::new(width - 2.0 * MARGINS - 76.0, chart_height);
-    plot(&mut page, ways, Vec2::new(MARGINS + 26.0, chart), size);
+    let size = Vec2::new(width - 2.0 * MARGINS - 92.0, chart_height);
+    plot(&mut page, ways, Vec2::new(MARGINS + 42.0, chart), size);
     page.push_str("</svg>\n");
     page
 }

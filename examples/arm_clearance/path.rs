@@ -6,7 +6,7 @@ use geograd::kernels::{Cpu, One, function};
 /// The clearance that a path shall have, in metres.
 pub const MARGIN: f64 = 0.04;
 /// How much a lack of clearance weighs against the velocity of the joints.
-const WEIGHT: f64 = 4000.0;
+const WEIGHT: f64 = 12000.0;
 /// The share of a full step.
 const RATE: f64 = 0.01;
 /// The longest way of one joint in one step, in radians.

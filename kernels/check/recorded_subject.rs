@@ -3,6 +3,7 @@
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::trace::{Trace, Traced, num_duals, of_num_duals, trace};
+use crate::ad::check::trace_lanes::{LANES, TracedLanes, trace_lanes};
 use crate::ad::check::witness::Precision;
 use crate::ad::declared::{Invariance, Kind};
 use crate::ad::forward::{Along, First};
@@ -190,6 +191,23 @@ impl<S: Judged> Subject for RecordedSubject<'_, S> {
         let input: Vec<Traced<S>> = x.iter().map(|&x| Traced(S::nearest(x))).collect();
         let (out, trace) = trace(|| self.recording.value.run_on(&input));
         Some((out.iter().map(|y| y.0.widen()).collect(), trace))
+    }
+    fn traced_all(&self, inputs: &[Vec<f64>]) -> Option<Vec<(Vec<f64>, Trace)>> {
+        let mut all = Vec::with_capacity(inputs.len());
+        for block in inputs.chunks(LANES) {
+            // Lanes without an input repeat the last one.
+            let lane = |i: usize| &block[i.min(block.len() - 1)];
+            let numbers = 0..lane(0).len();
+            let input: Vec<TracedLanes<S>> = numbers
+                .map(|k| TracedLanes(std::array::from_fn(|i| S::nearest(lane(i)[k]))))
+                .collect();
+            let (out, traces) = trace_lanes(|| self.recording.value.run_on(&input));
+            all.extend((0..block.len()).map(|i| {
+                let values = out.iter().map(|y| y.0[i].widen());
+                (values.collect(), traces[i])
+            }));
+        }
+        Some(all)
     }
     fn curvature(&self, x: &[f64], y_bar: &[f64], direction: &[f64]) -> Option<Vec<f64>> {
         let bends = self.recording.bends(x, y_bar, direction, |x| x);

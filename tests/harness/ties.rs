@@ -3,7 +3,8 @@ use crate::planted;
 
 use geograd::ad::check::verdict::Reason;
 use geograd::check::Check;
-use geograd::{Capsule2, Jet, Scalar, Vec2, operation};
+use geograd::kernels::Area;
+use geograd::{Capsule2, Jet, Scalar, Triangle2, Vec2, operation};
 use planted::{BY_DUALS, refused};
 
 type Input<S> = (Vec2<S>, Capsule2<S>);
@@ -116,4 +117,11 @@ fn an_element_need_not_be_the_same_exchanged() {
         reasons.iter().any(|&reason| double.refused_for(reason)),
         "{double}"
     );
+}
+
+/// A recorded row counts its own comparisons alone: inputs drawn at random are no ties of it.
+#[test]
+fn no_comparison_is_made_up() {
+    let [_, double] = Check::of(Area.row::<Triangle2<f64>>()).hard(0).run();
+    assert!(double.margin > 0.0 && double.margin.is_finite(), "{double}");
 }

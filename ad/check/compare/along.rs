@@ -309,6 +309,9 @@ impl Along<'_> {
                     } else {
                         (Place::Undefined, true)
                     }
+                } else if agree && self.here.still() {
+                    // Values of which cancellation leaves no digit say nothing of a derivative that two witnesses know.
+                    (Place::Undefined, true)
                 } else if witness == Witness::Dual && e.tie_of_duals() {
                     said.convention = true;
                     (Place::Smooth, false)

@@ -4,9 +4,8 @@ use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{
     COMBINATIONS, CURVATURE_ROUNDINGS, FEW_INPUTS, FIRST, INFORMATIVE, ROUNDINGS, SAFETY,
 };
-use crate::ad::check::trace::Trace;
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
-use crate::ad::check::witness::{Estimate, Ladder, Probe, axis, dot};
+use crate::ad::check::witness::{Estimate, Ladder, Probe, Probed, axis, dot};
 use crate::ad::sample::Draw;
 use std::cell::OnceCell;
 
@@ -224,7 +223,7 @@ impl<'e> Bend<'e> {
             return said;
         };
         let subject = e.subject;
-        let probe = |there: &[f64]| -> Option<(Vec<f64>, Option<Trace>)> {
+        let probe = |there: &Vec<f64>| -> Probed {
             if !subject.inside(there) {
                 return None;
             }
@@ -232,7 +231,7 @@ impl<'e> Bend<'e> {
             let usable = derivatives.len() == n && derivatives.iter().all(|y| y.is_finite());
             usable.then(|| (derivatives, subject.traced(there).map(|(_, trace)| trace)))
         };
-        let probe: Probe<'_> = &probe;
+        let probe: Probe<'_> = &|places| places.iter().map(probe).collect();
         let climb =
             |first| Ladder::climb(probe, subject.precision(), e.x, adjoint, e.trace, v, first);
         let ladder = climb(FIRST[0]);

@@ -121,11 +121,12 @@ impl Evidence<'_> {
     ) -> Option<Estimate> {
         let on = self.on();
         let center = on.value(there);
-        let probe = |x: &[f64]| {
+        let probe = |x: &Vec<f64>| {
             let values = on.inside(x).then(|| on.value(x))?;
             let usable = values.len() == center.len() && finite(&values);
             usable.then_some((values, None))
         };
+        let probe = |places: &[Vec<f64>]| places.iter().map(probe).collect();
         let first = FIRST[0] * far;
         let ladder = Ladder::climb(
             &probe,

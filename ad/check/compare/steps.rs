@@ -1,12 +1,12 @@
 //! Adjoint and duals against differences, and against both sides at a kink.
 use crate::ad::check::compare::along::Along;
-use crate::ad::check::evidence::Evidence;
+use crate::ad::check::evidence::{Evidence, finite};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{
     BORDER, FEW_INPUTS, FIRST, KINK_DIRECTIONS, LONG_DIRECTIONS, TIED_DIRECTIONS, WIDE_NOISE,
 };
 use crate::ad::check::trace::Trace;
-use crate::ad::check::witness::{Ladder, axis};
+use crate::ad::check::witness::{Ladder, Probed, axis};
 use crate::ad::sample::Draw;
 
 /// Derivatives against differences along every direction. A long input that is `refused` already, by itself or
@@ -22,15 +22,25 @@ pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: 
     if n == 0 || center.len() != e.y.len() || center.iter().any(|y| !y.is_finite()) {
         return said;
     }
-    let anywhere = |there: &[f64]| -> Option<(Vec<f64>, Option<Trace>)> {
-        let (values, trace) = match on.traced(there) {
-            Some((values, trace)) => (values, Some(trace)),
-            None => (on.value(there), None),
+    let usable = |values: &Vec<f64>| values.len() == center.len() && finite(values);
+    let anywhere = |places: &[Vec<f64>]| -> Vec<Probed> {
+        let found: Vec<(Vec<f64>, Option<Trace>)> = match on.traced_all(places) {
+            Some(all) => all.into_iter().map(|(y, trace)| (y, Some(trace))).collect(),
+            None => places.iter().map(|x| (on.value(x), None)).collect(),
         };
-        let usable = values.len() == center.len() && values.iter().all(|y| y.is_finite());
-        usable.then_some((values, trace))
+        let found = found.into_iter();
+        found
+            .map(|it| Some(it).filter(|it| usable(&it.0)))
+            .collect()
     };
-    let probe = |there: &[f64]| on.inside(there).then(|| anywhere(there)).flatten();
+    let probe = |places: &[Vec<f64>]| -> Vec<Probed> {
+        let inside: Vec<bool> = places.iter().map(|x| on.inside(x)).collect();
+        let asked = places.iter().zip(&inside).filter(|(_, inside)| **inside);
+        let asked: Vec<Vec<f64>> = asked.map(|(x, _)| x.clone()).collect();
+        let mut found = anywhere(&asked).into_iter();
+        let next = |inside: bool| if inside { found.next().flatten() } else { None };
+        inside.into_iter().map(next).collect()
+    };
     let climb = |direction: &[f64], first: f64| {
         Ladder::climb(
             &probe,
