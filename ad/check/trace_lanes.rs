@@ -1,7 +1,8 @@
 //! Branch tracing of several inputs side by side: a program reads each of its nodes once for all of them.
 //!
 //! Values and traces are those of [`Traced`](crate::ad::check::trace::Traced) one by one, to the bit.
-use crate::ad::check::trace::{Number, Trace};
+use crate::ad::check::trace::Trace;
+use crate::ad::program::Plain;
 use crate::{Mask, Scalar};
 use std::cell::RefCell;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
@@ -62,7 +63,7 @@ fn lanes<U>(of: impl FnMut(usize) -> U) -> [U; LANES] {
     std::array::from_fn(of)
 }
 
-impl<T: Number> TracedLanes<T> {
+impl<T: Plain> TracedLanes<T> {
     #[inline(always)]
     fn each(self, of: impl Fn(T) -> T) -> Self {
         TracedLanes(lanes(|i| of(self.0[i])))
@@ -101,7 +102,7 @@ impl<T: Number> TracedLanes<T> {
 /// Operators that only concern the values.
 macro_rules! operators {
     ($($operator:ident $method:ident;)*) => { $(
-        impl<T: Number> $operator for TracedLanes<T> {
+        impl<T: Plain> $operator for TracedLanes<T> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
@@ -118,7 +119,7 @@ operators! {
 }
 macro_rules! assigned {
     ($($operator:ident $method:ident $by:tt;)*) => { $(
-        impl<T: Number> $operator for TracedLanes<T> {
+        impl<T: Plain> $operator for TracedLanes<T> {
             #[inline(always)]
             fn $method(&mut self, other: Self) {
                 *self = *self $by other;
@@ -131,7 +132,7 @@ assigned! {
     SubAssign sub_assign -;
     MulAssign mul_assign *;
 }
-impl<T: Number> Neg for TracedLanes<T> {
+impl<T: Plain> Neg for TracedLanes<T> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -139,10 +140,10 @@ impl<T: Number> Neg for TracedLanes<T> {
     }
 }
 crate::pack::leaf! {
-    [T: Number] TracedLanes<T>,
+    [T: Plain] TracedLanes<T>,
 }
 
-impl<T: Number> Scalar for TracedLanes<T> {
+impl<T: Plain> Scalar for TracedLanes<T> {
     type Mask = Outcomes;
     type Primal = Self;
     const COMPENSATED: bool = T::COMPENSATED;
