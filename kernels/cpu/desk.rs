@@ -2,7 +2,7 @@
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles, planes, tiles, with_lanes};
 use crate::kernels::cpu::plan::{Face, Preparation};
 use crate::kernels::cpu::program::Interpreted;
-use crate::kernels::cpu::program::rowwise::{Given, Wanted};
+use crate::kernels::cpu::program::rowwise::{Given, NEAR, Wanted};
 use crate::kernels::cpu::work::spread;
 use crate::kernels::item::{Column, Piece, STRETCH, Target};
 use crate::kernels::real::Real;
@@ -44,6 +44,9 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
         }
     }
     let (face, columns, rare, count) = (work.face, work.columns, work.rare, work.count);
+    let fields = columns.iter().map(|column| column.fields);
+    let numbers = fields.chain(face.gives.iter().copied()).sum::<usize>() * count;
+    let far = numbers * size_of::<T>() > NEAR;
     let (unchecked, is_doubtful) = (work.unchecked, AtomicBool::new(false));
     let work = pieces.into_iter().enumerate().collect();
     spread(
@@ -69,6 +72,7 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
                 fields: columns.iter().map(|column| column.fields).collect(),
                 numbers,
                 rare,
+                far,
             };
             if unchecked && !stretch.is_sound() {
                 is_doubtful.store(true, Ordering::Relaxed);
@@ -89,6 +93,8 @@ struct Stretch<'a, T> {
     fields: Vec<usize>,
     numbers: Vec<&'a [T]>,
     rare: bool,
+    /// `true` if rows are prefetched.
+    far: bool,
 }
 
 impl<T: Real> Stretch<'_, T> {
@@ -161,7 +167,7 @@ impl<T: Real> Stretch<'_, T> {
         let mut wanted: Vec<Wanted<'_, T>> = places
             .map(|(place, &fields)| (place.as_deref_mut(), fields))
             .collect();
-        program.over_rows(&given, count, self.face.skipped, &mut wanted);
+        program.over_rows(&given, count, self.face.skipped, &mut wanted, self.far);
     }
     /// The numbers of a column for some items.
     fn of(&self, k: usize, items: &Range<usize>) -> &[T] {

@@ -162,7 +162,7 @@ impl Ready {
         let mut all = vec![vec![T::default(); count + 1]; self.results];
         let mut wanted: Vec<Wanted<'_, T>> =
             all.iter_mut().map(|x| (Some(&mut x[1..]), 1)).collect();
-        self.body.over_rows(&given, count, 0, &mut wanted);
+        self.body.over_rows(&given, count, 0, &mut wanted, false);
         all.iter_mut().for_each(|x| x.rotate_left(1));
         all.iter_mut().for_each(|x| x.truncate(count));
         all

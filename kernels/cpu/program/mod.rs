@@ -186,13 +186,15 @@ impl Interpreted {
 }
 
 impl Interpreted {
-    /// Computes so many items from rows to rows. The results are those of the program but for the first ones.
+    /// Computes so many items from rows to rows, which are prefetched if they are `far`. The results are those of the
+    /// program but for the first ones.
     pub(crate) fn over_rows<T: Real>(
         &self,
         given: &[Given<'_, T>],
         items: usize,
         skipped: usize,
         wanted: &mut [Wanted<'_, T>],
+        far: bool,
     ) {
         let width = self.width::<T>();
         let native = self.native::<T>(items.div_ceil(TILE), true);
@@ -207,6 +209,7 @@ impl Interpreted {
                     first,
                     items: (width * TILE).min(items - first),
                     skipped,
+                    far,
                     native,
                 };
                 (T::kernels().over_rows)(&self.tape, part, wanted);

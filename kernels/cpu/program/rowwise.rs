@@ -14,15 +14,9 @@ use std::cell::Cell;
 /// How many bytes ahead results are prefetched: own functions of 6 to 14 columns with gradients take a fifth to a third
 /// less time (`BENCHMARKS.md`, Python).
 pub(crate) const AHEAD: usize = 1 << 10;
-/// Rows of fewer bytes lie in a core's own cache after their check; prefetching them took a twentieth of the time of a
-/// short program.
-const NEAR: usize = 1 << 18;
-
-/// `true` for rows that are prefetched.
-#[inline(always)]
-const fn is_far<T>(rows: &[T]) -> bool {
-    size_of_val(rows) > NEAR
-}
+/// Arguments and results of a batch of no more bytes stay in a core's own cache; prefetching them took a twentieth of the
+/// time of a short program.
+pub(crate) const NEAR: usize = 1 << 18;
 
 /// An argument of a batch: one row for every item, or one that stands for all.
 #[derive(Clone, Copy, Debug)]
@@ -48,6 +42,8 @@ pub(crate) struct Rows<'a, T> {
     pub(crate) items: usize,
     /// Results of the program that come before those that are wanted.
     pub(crate) skipped: usize,
+    /// `true` if rows are prefetched.
+    pub(crate) far: bool,
     pub(crate) native: Option<&'a Native>,
 }
 
@@ -99,11 +95,10 @@ pub(crate) fn over_rows<T: Real, V: Vector<T>>(
     let mut first = part.skipped;
     for (rows, fields) in wanted {
         let slots = tape.outputs.get(first..first + *fields);
-        let far = rows.as_deref().is_some_and(is_far);
         if let (Some(slots), false) = (slots, is_lent(first, *fields))
             && let Some(rows) = part.of(rows, *fields)
         {
-            take::<T, V>(memory, slots, rows, far);
+            take::<T, V>(memory, slots, rows, part.far);
         }
         first += *fields;
     }
@@ -195,8 +190,7 @@ fn bring<T: Real, V: Vector<T>>(
     };
     let whole = rows.chunks_exact(TILE * fields);
     let rest = whole.remainder();
-    let far = is_far(given.rows);
-    by_fields!(fields, N => bring_tiles::<T, V, N>(memory, slots, whole, far));
+    by_fields!(fields, N => bring_tiles::<T, V, N>(memory, slots, whole, part.far));
     let first = part.items / TILE;
     if first == memory.width {
         return;
@@ -321,16 +315,21 @@ fn take_tiles<T: Real, V: Vector<T>, const N: usize>(
         if far {
             prefetch(rows, AHEAD / size_of::<T>());
         }
-        let lane = |k: usize| canonical::<T, V>(&lanes_of(memory, slots[k])[t].get());
+        // A closure would not be inlined, and so would be compiled for the baseline.
+        macro_rules! lane {
+            ($k:expr) => {
+                canonical::<T, V>(&lanes_of(memory, slots[$k])[t].get())
+            };
+        }
         if N == 1 {
             if let Some(numbers) = rows.first_chunk_mut() {
-                *numbers = lane(0).0;
+                *numbers = lane!(0).0;
             }
             continue;
         }
         if fields < QUAD {
             for k in 0..fields {
-                for (row, x) in rows.chunks_exact_mut(fields).zip(lane(k).0) {
+                for (row, x) in rows.chunks_exact_mut(fields).zip(lane!(k).0) {
                     row[k] = x;
                 }
             }
@@ -340,10 +339,10 @@ fn take_tiles<T: Real, V: Vector<T>, const N: usize>(
         while quad * QUAD < fields {
             let start = quad_start(quad, fields);
             let own = [
-                lane(start),
-                lane(start + 1),
-                lane(start + 2),
-                lane(start + 3),
+                lane!(start),
+                lane!(start + 1),
+                lane!(start + 2),
+                lane!(start + 3),
             ];
             let mut at = 0;
             while at < TILE {
