@@ -49,6 +49,10 @@ table! {
         "distance_segment_round_box": Segment3, RoundBox3;
         "distance_triangle_obb3": Triangle3, Obb3;
         "distance_triangle_round_box": Triangle3, RoundBox3;
+        "distance_triangle_tetrahedron": Triangle3, Tetrahedron;
+        "distance_tetrahedra": Tetrahedron, Tetrahedron;
+        "distance_tetrahedron_obb3": Tetrahedron, Obb3;
+        "distance_tetrahedron_round_box": Tetrahedron, RoundBox3;
         "distance_line_triangle3": Line3, Triangle3;
         "distance_line_tetrahedron": Line3, Tetrahedron;
         "distance_line_round_box": Line3, RoundBox3;
@@ -58,6 +62,8 @@ table! {
         "distance_ray_round_box": Ray3, RoundBox3;
         /// It jumps where they become parallel.
         "distance_lines3": Line3, Line3 jumps Anywhere;
+        /// It jumps where they become parallel.
+        "distance_line_ray3": Line3, Ray3 jumps Anywhere;
         /// It jumps where they become parallel.
         "distance_rays3": Ray3, Ray3 jumps Anywhere;
     }
@@ -111,6 +117,9 @@ table! {
         "signed_distance_sphere_cone": Sphere, Cone;
         "signed_distance_segment_capsule3": Segment3, Capsule3;
         "signed_distance_capsule_tetrahedron": Capsule3, Tetrahedron;
+        "signed_distance_tetrahedra": Tetrahedron, Tetrahedron;
+        "signed_distance_tetrahedron_obb3": Tetrahedron, Obb3;
+        "signed_distance_tetrahedron_round_box": Tetrahedron, RoundBox3;
         "signed_distance_capsule_round_box": Capsule3, RoundBox3;
         "signed_distance_obb3_round_box": Obb3, RoundBox3;
         "signed_distance_round_boxes": RoundBox3, RoundBox3;

@@ -41,8 +41,8 @@
 //! | ball | | D q S c P f | d q S c p f | D q S c p f | d q S c p f | d q S c p f | D q S C P f | d q S c p f |
 //! | segment | | | D Q s C p f | d q S c p f | D q s c p f | D q s c p f | D q s c p f | D q s c p f |
 //! | capsule | | | | D q S C P F | d q S c p f | d q S c p f | D q S C P f | d q S c p f |
-//! | triangle | | | | | D Q S C p f | d q s c p f | D q s c p f | D q s c p f |
-//! | tetrahedron | | | | | | d q s c p f | d q s c p f | d q s c p f |
+//! | triangle | | | | | D Q S C p f | D q s c p f | D q s c p f | D q s c p f |
+//! | tetrahedron | | | | | | D q S c p f | D q S c p f | D q S c p f |
 //! | box | | | | | | | D Q S C P F | d q S c p f |
 //! | upright box, two | | | | | | | D Q S C P F | |
 //! | round box | | | | | | | | d q S c p f |
@@ -53,8 +53,8 @@
 //! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //! | ray | D q s c p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //!
-//! A half-space and a cylinder or a cone have d q S c p; lines and rays have d q s c p among themselves, of two lines
-//! D and C, of two rays D. Of a solid they see the part that is near it, whose ends are rounded as
+//! A half-space and a cylinder or a cone have d q S c p; lines and rays have d q s c p among themselves, any two D,
+//! two lines C, too. Of a solid they see the part that is near it, whose ends are rounded as
 //! the solid's corners are. Rays, lines and segments against solids: [`intersection3`](crate::intersection3).
 //!
 //! # Derivatives

@@ -312,6 +312,9 @@ impl Along<'_> {
                 } else if agree && self.here.still() {
                     // Values of which cancellation leaves no digit say nothing of a derivative that two witnesses know.
                     (Place::Undefined, true)
+                } else if agree && self.seen_nearer(&test) {
+                    // A feature that is smaller than the smallest step: lines that are parallel but for 1e-11.
+                    (Place::Undefined, true)
                 } else if witness == Witness::Dual && e.tie_of_duals() {
                     said.convention = true;
                     (Place::Smooth, false)
@@ -420,6 +423,17 @@ impl Along<'_> {
         };
         let said = there.first();
         !said.undefined() && !said.complains()
+    }
+
+    /// `true` if far smaller steps confirm the derivative.
+    fn seen_nearer(&self, test: &DerivativeTest<'_>) -> bool {
+        let here = (self.climb)(self.direction, NEAR_JUMP);
+        let said = DerivativeTest {
+            here: &here,
+            ..*test
+        }
+        .first();
+        matches!(said, Opinion::Fine { .. }) && !said.undefined()
     }
 
     /// `true` if there is no gradient at the input: the derivative along the sum of two directions is not the sum of

@@ -142,12 +142,20 @@ fn derivatives_balance(
     let speed = velocity(invariance.motion, kinds, e.x);
     let wanted = dot(&row.weights, &answer(invariance, &outputs(e), &e.y));
     let balance = dot(derivatives, &speed);
+    // The answer is as far off as the value is.
+    let off = SAFETY
+        * row.noise
+        * match invariance.answer {
+            Answer::Stays => 0.0,
+            Answer::Power(p) => f64::from(p).abs(),
+            Answer::Follows => 1.0,
+        };
     let tolerance = || -> f64 {
         let own = |i: usize| {
             let own = ROUNDINGS * e.eps * derivatives[i].abs() + row.allowed(i);
             own * speed[i].abs()
         };
-        (0..e.x.len()).map(own).sum::<f64>() + ROUNDINGS * e.eps * wanted.abs()
+        (0..e.x.len()).map(own).sum::<f64>() + ROUNDINGS * e.eps * wanted.abs() + off
     };
     if (balance - wanted).abs() > tolerance() {
         e.provoke(row);

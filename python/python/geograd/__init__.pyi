@@ -1805,6 +1805,8 @@ class _distance(Verb):
             The distance of two lines of space. It jumps where they become parallel.
         distance(line: Line3, shape: Obb3) -> number
             The distance of a line of space and a box of any orientation.
+        distance(line: Line3, ray: Ray3) -> number
+            The distance of a line of space and a ray of space. It jumps where they become parallel.
         distance(line: Line3, shape: RoundBox3) -> number
             The distance of a line of space and a box with round edges.
         distance(line: Line3, solid: Tetrahedron) -> number
@@ -1861,6 +1863,12 @@ class _distance(Verb):
             The distance of a ball and a box of any orientation.
         distance(a: Sphere, b: Sphere) -> number
             The distance of two balls.
+        distance(solid: Tetrahedron, shape: Obb3) -> number
+            The distance of a tetrahedron and a box of any orientation.
+        distance(solid: Tetrahedron, shape: RoundBox3) -> number
+            The distance of a tetrahedron and a box with round edges.
+        distance(a: Tetrahedron, b: Tetrahedron) -> number
+            The distance of two tetrahedra.
         distance(a: Triangle2, b: Triangle2) -> number
             The distance of two triangles.
         distance(triangle: Triangle2, point: Vec2) -> number
@@ -1869,6 +1877,8 @@ class _distance(Verb):
             The distance of a triangle of space and a box of any orientation.
         distance(triangle: Triangle3, shape: RoundBox3) -> number
             The distance of a triangle of space and a box with round edges.
+        distance(triangle: Triangle3, solid: Tetrahedron) -> number
+            The distance of a triangle of space and a tetrahedron.
         distance(a: Triangle3, b: Triangle3) -> number
             The distance of two triangles of space.
         distance(point: Vec2, shape: Aabb2) -> number
@@ -1959,6 +1969,8 @@ class _distance(Verb):
     @overload
     def __call__(self, line: Line3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, line: Line3, ray: Ray3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, line: Line3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, line: Line3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2015,6 +2027,12 @@ class _distance(Verb):
     @overload
     def __call__(self, a: Sphere, b: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, solid: Tetrahedron, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, solid: Tetrahedron, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Tetrahedron, b: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, triangle: Triangle2, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2022,6 +2040,8 @@ class _distance(Verb):
     def __call__(self, triangle: Triangle3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, triangle: Triangle3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, triangle: Triangle3, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Triangle3, b: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3127,6 +3147,12 @@ class _signed_distance(Verb):
             The signed distance of a ball and a tetrahedron.
         signed_distance(ball: Sphere, triangle: Triangle3) -> number
             The signed distance of a ball and a triangle of space.
+        signed_distance(solid: Tetrahedron, shape: Obb3) -> number
+            The signed distance of a tetrahedron and a box of any orientation.
+        signed_distance(solid: Tetrahedron, shape: RoundBox3) -> number
+            The signed distance of a tetrahedron and a box with round edges.
+        signed_distance(a: Tetrahedron, b: Tetrahedron) -> number
+            The signed distance of two tetrahedra.
         signed_distance(a: Triangle2, b: Triangle2) -> number
             The signed distance of two triangles.
         signed_distance(triangle: Triangle2, point: Vec2) -> number
@@ -3266,6 +3292,12 @@ class _signed_distance(Verb):
     def __call__(self, ball: Sphere, solid: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, ball: Sphere, triangle: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, solid: Tetrahedron, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, solid: Tetrahedron, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Tetrahedron, b: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Triangle2, b: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
