@@ -173,7 +173,7 @@ impl Panel {
         let names = [
             ("pipe", [-0.74, 1.035], "#fff"),
             ("bench", [-0.67, 0.03], INK),
-            ("crate", [0.045, 0.325], INK),
+            ("crate", [0.03, 0.325], INK),
             ("post", [-0.435, 0.325], INK),
         ];
         for (name, [right, up], colour) in names {
