@@ -83,6 +83,16 @@ impl Evidence<'_> {
         spread
     }
 
+    /// `true` if something holds at an input within the rounding of this one: decisions there may fall otherwise.
+    pub(crate) fn holds_beside(&self, holds: impl Fn(&[f64]) -> bool) -> bool {
+        let precision = self.subject.precision();
+        let rounding = self.subject.rounding(self.x);
+        let drawn = (0..DRAWS).map(|round| beside(precision, self.x, &rounding, round));
+        let near = self.around.iter().map(|(there, _)| there.clone());
+        near.chain(drawn)
+            .any(|there| self.subject.inside(&there) && holds(&there))
+    }
+
     /// The same; `decides` says beside which inputs a change that is no rounding may count all the same.
     fn spread_if(
         &self,

@@ -4,6 +4,7 @@ use crate::intersection3::{
     CommonLine3, CommonPoint3, Hit3, crossing_of_three_planes, crossing_of_two_planes, first_hit,
     first_hit_of_segment, first_hit_triangle, length_inside, span,
 };
+use crate::intersection3::planes::triple_terms;
 use crate::kernels::op::Limits;
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs;
@@ -11,6 +12,16 @@ use crate::{
     Aabb3, Capsule3, Cone, Cylinder, Line3, Obb3, Plane3, Ray3, RoundBox3, Segment3, Sphere, Tetrahedron,
     Triangle3, YawBox3,
 };
+
+/// As many roundings as make 1 where single precision cannot tell whether three planes meet, otherwise none.
+fn meet_in_doubt(a: Plane3<f64>, b: Plane3<f64>, c: Plane3<f64>) -> f64 {
+    let (l, m, n) = (a.normal, b.normal, c.normal);
+    let (epsilon, volume) = (f64::from(f32::EPSILON), l.dot(m.cross(n)).abs());
+    match volume <= 8.0 * epsilon * triple_terms(l, m, n) {
+        true => epsilon.recip(),
+        false => 0.0,
+    }
+}
 
 // What is found jumps at silhouettes, where a ray grazes a shape, and where another face is hit; motions round, and at
 // an edge let another face be hit. A length inside is continuous, but for a segment along a face. A parameter of a line
@@ -63,6 +74,6 @@ table! {
     /// The [point](crate::intersection3::crossing_of_three_planes) of three planes.
     verbs::Crossing: (a, b, c) -> CommonPoint3<S> { crossing_of_three_planes(a, b, c) } [follows, about_origin]
     finite Within(Limits::new([-8, 8], [-150, 150])) jumps Anywhere derivative Reverse {
-        "crossing_of_three_planes": Plane3, Plane3, Plane3;
+        "crossing_of_three_planes": Plane3, Plane3, Plane3 roundings { meet_in_doubt(a, b, c) };
     }
 }

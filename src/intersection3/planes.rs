@@ -80,9 +80,17 @@ pub fn crossing_of_two_planes<S: Scalar>(a: Plane3<S>, b: Plane3<S>) -> CommonLi
     }
 }
 
+/// The sum of the sizes of the terms of a triple product.
+#[inline(always)]
+pub(crate) fn triple_terms<S: Scalar>(l: Vec3<S>, m: Vec3<S>, n: Vec3<S>) -> S {
+    let size = |v: Vec3<S>| Vec3::new(v.x.magnitude(), v.y.magnitude(), v.z.magnitude());
+    let (l, m, n) = (size(l), size(m), size(n));
+    l.x * (m.y * n.z + m.z * n.y) + l.y * (m.z * n.x + m.x * n.z) + l.z * (m.x * n.y + m.y * n.x)
+}
+
 /// The point in which three planes meet.
 ///
-/// Planes whose normals have a triple product below ε², in units of the normals' own sizes, count as without one point.
+/// Planes whose normals have a triple product within its own rounding, four ε of its terms, count as without one point.
 /// Derivatives and where they are finite: as of [two planes](crossing_of_two_planes), by the triple product.
 ///
 /// ```
@@ -101,7 +109,10 @@ pub fn crossing_of_three_planes<S: Scalar>(
     let ((l, p), (m, q), (n, r)) = (sized(a), sized(b), sized(c));
     let [mn, nl, lm] = [m.cross(n), n.cross(l), l.cross(m)];
     let volume = l.dot(mn);
-    let meet = volume.magnitude().above(S::lit(S::EPSILON.powi(2)));
+    // Five roundings, each half an ε, reach every term.
+    let meet = volume
+        .magnitude()
+        .above(triple_terms(l, m, n) * S::lit(4.0 * S::EPSILON));
     let volume = S::select(meet, volume, S::one());
     let point = mn * p.over(volume) + nl * q.over(volume) + lm * r.over(volume);
     CommonPoint3 {
