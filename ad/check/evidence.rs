@@ -184,9 +184,9 @@ impl<'a> Evidence<'a> {
             }
         }
         for (output, weights) in self.combinations(draw).into_iter().enumerate() {
+            // Other results are judged: a line through a half-space enters it and never leaves.
             let mut used = weights.iter().zip(&self.off_scale);
             if used.any(|(weight, off)| *off && *weight != 0.0) {
-                said.directions[2] += 1;
                 continue;
             }
             let adjoint = self.subject.adjoint(self.x, &weights);

@@ -25,6 +25,40 @@ operation! {
     invariances []
     jumps Never
     derivative ByHand |(x, y), bar| { (x * y, (scattered(y * bar), scattered(x * bar))) }
+
+    /// A step of which single precision cannot tell that it is not at 1.
+    pub Step = "step": (x: S) -> S { x + S::select((x + S::lit(1e-9)).above(S::one()), S::one(), S::zero()) }
+    invariances []
+    jumps Anywhere
+    derivative Reverse
+
+    /// A step that single precision does not have.
+    pub NoStep = "no_step": (x: S) -> S {
+        let height = S::lit(if S::EPSILON > 1e-10 { 0.0 } else { 1.0 });
+        x + S::select(x.above(S::one()), height, S::zero())
+    }
+    invariances []
+    jumps Anywhere
+    derivative Reverse
+
+    /// The size of a number, whose derivative at zero each format takes from another side.
+    pub Size = "size": (x: S) -> S { x.magnitude() }
+    invariances []
+    jumps Never
+    derivative ByHand |x, bar| {
+        let none = S::lit(if S::EPSILON > 1e-10 { 1.0 } else { -1.0 });
+        let side = S::select(x.equals(S::zero()), none, S::select(x.above(S::zero()), S::one(), -S::one()));
+        (x.magnitude(), side * bar)
+    }
+}
+
+#[test]
+fn decisions_of_single_precision_are_those_beside_an_input() {
+    Check::of(Step).and(1.0).assert();
+    Check::of(Size).and(0.0).assert();
+    let [single, double] = Check::of(NoStep).samples(40).run();
+    refused(&single, Reason::ValuesDisagree(Witness::Wide));
+    assert!(double.passed(), "{double}");
 }
 
 #[test]

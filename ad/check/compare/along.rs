@@ -315,6 +315,9 @@ impl Along<'_> {
                 } else if agree && self.seen_nearer(&test) {
                     // A feature that is smaller than the smallest step: lines that are parallel but for 1e-11.
                     (Place::Undefined, true)
+                } else if agree && self.left_at_once() {
+                    // A line through a ball of 1e-13 misses it after the smallest step.
+                    (Place::Undefined, true)
                 } else if witness == Witness::Dual && e.tie_of_duals() {
                     said.convention = true;
                     (Place::Smooth, false)
@@ -423,6 +426,13 @@ impl Along<'_> {
         };
         let said = there.first();
         !said.undefined() && !said.complains()
+    }
+
+    /// `true` if the function may jump anywhere, and no step takes the branches of the input.
+    fn left_at_once(&self) -> bool {
+        let mut rungs = self.here.ahead.iter().chain(&self.here.behind);
+        let jumps = self.e.subject.conventions().jumps == Jumps::Anywhere;
+        jumps && self.here.traced && rungs.all(|rung| !rung.same)
     }
 
     /// `true` if far smaller steps confirm the derivative.

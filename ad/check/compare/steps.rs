@@ -59,7 +59,9 @@ pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: 
     let (mut directions, more) = directions(e, draw);
     // Differences in double precision have the rounding of its numbers.
     let wide_noise = e.wide.as_ref().map(|_| {
-        let sizes: f64 = center.iter().map(|y| y.abs()).sum();
+        // Results that the format does not hold are not judged.
+        let held = center.iter().zip(&e.off_scale).filter(|(_, off)| !**off);
+        let sizes: f64 = held.map(|(y, _)| y.abs()).sum();
         let own: f64 = e.resolution.iter().sum();
         (WIDE_NOISE * f64::EPSILON * sizes).max(own)
     });

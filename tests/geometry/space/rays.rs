@@ -373,10 +373,19 @@ fn planes_meet_in_points_of_all_of_them() {
                 "{height}"
             );
         }
-        assert_eq!(
-            crossing_of_two_planes(a, Plane3::new(a.normal * 4.0, 1.0)).found,
-            0.0
-        );
+        let parallel = Plane3::new(a.normal * 4.0, 1.0);
+        assert_eq!(crossing_of_two_planes(a, parallel).found, 0.0);
+        // The third normal may lie between the others, too.
+        let between = Plane3::new(a.normal + b.normal, 1.0);
+        for planes in [[a, a, c], [a, c, a], [c, parallel, a], [a, b, between]] {
+            let none = |point: Vec3<f64>, found: f64| (point, found) == (Vec3::zero(), 0.0);
+            let [a, b, c] = planes;
+            let found = crossing_of_three_planes(a, b, c);
+            assert!(none(found.point, found.found), "{planes:?}");
+            let [a, b, c] = planes.map(|plane| plane.cast::<f32>());
+            let found = crossing_of_three_planes(a, b, c);
+            assert!(none(found.point.cast(), found.found.into()), "{planes:?}");
+        }
     }
 }
 
