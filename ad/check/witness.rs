@@ -106,7 +106,7 @@ pub struct Rung {
 
 /// A value and, if there is a traced source, its branches; `None` outside the domain.
 pub type Probed = Option<(Vec<f64>, Option<Trace>)>;
-/// What is found at each of some inputs.
+/// Looks a function up at several inputs.
 pub type Probe<'a> = &'a dyn Fn(&[Vec<f64>]) -> Vec<Probed>;
 
 /// Values along a direction on both sides of a point.
