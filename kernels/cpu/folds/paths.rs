@@ -93,6 +93,15 @@ impl<T: Real> Paths<'_, T> {
         }
         self.starts.push(self.edges.len());
     }
+    /// The numbers of both ends of some edges, `N` an end; any number for `N = 0`.
+    fn ends<const N: usize>(&self, edges: Range<usize>, rows: &mut [T]) {
+        let n = if N == 0 { self.element } else { N };
+        for (edge, row) in self.edges[edges].iter().zip(rows.chunks_exact_mut(2 * n)) {
+            let (from, to) = row.split_at_mut(n);
+            from.copy_from_slice(&self.vertices[edge.1 as usize * n..][..n]);
+            to.copy_from_slice(&self.vertices[edge.2 as usize * n..][..n]);
+        }
+    }
     /// The arguments of the body, edge by edge, as columns.
     pub(super) fn columns<'a>(
         &'a self,
@@ -107,9 +116,11 @@ impl<T: Real> Paths<'_, T> {
                 }
             }),
             Column::read(2 * n, count, move |edges, rows| {
-                for (edge, row) in self.edges[edges].iter().zip(rows.chunks_exact_mut(2 * n)) {
-                    row[..n].copy_from_slice(&self.vertices[edge.1 as usize * n..][..n]);
-                    row[n..].copy_from_slice(&self.vertices[edge.2 as usize * n..][..n]);
+                // Points have a loop of a constant length.
+                match n {
+                    2 => self.ends::<2>(edges, rows),
+                    3 => self.ends::<3>(edges, rows),
+                    _ => self.ends::<0>(edges, rows),
                 }
             }),
         ];
