@@ -59,13 +59,11 @@ impl Evidence<'_> {
         base: &[f64],
         f: impl Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
-        let precision = self.subject.precision();
         let rounding = self.subject.rounding(self.x);
         let mut spread = vec![0.0_f64; base.len()];
         let vanished = self.x.iter().zip(&rounding);
         let vanished = vanished.map(|(x, rounding)| if x.abs() > *rounding { *x } else { 0.0 });
-        let drawn = (0..DRAWS).map(|round| beside(precision, self.x, &rounding, round));
-        for there in drawn.chain([vanished.collect()]) {
+        for there in self.drawn_beside().chain([vanished.collect()]) {
             if !self.subject.inside(&there) {
                 continue;
             }
@@ -83,13 +81,17 @@ impl Evidence<'_> {
         spread
     }
 
-    /// `true` if something holds at an input within the rounding of this one: decisions there may fall otherwise.
-    pub(crate) fn holds_beside(&self, holds: impl Fn(&[f64]) -> bool) -> bool {
+    /// Many inputs within the rounding of this one.
+    fn drawn_beside(&self) -> impl Iterator<Item = Vec<f64>> {
         let precision = self.subject.precision();
         let rounding = self.subject.rounding(self.x);
-        let drawn = (0..DRAWS).map(|round| beside(precision, self.x, &rounding, round));
+        (0..DRAWS).map(move |round| beside(precision, self.x, &rounding, round))
+    }
+
+    /// `true` if something holds at an input within the rounding of this one: decisions there may fall otherwise.
+    pub(crate) fn holds_beside(&self, holds: impl Fn(&[f64]) -> bool) -> bool {
         let near = self.around.iter().map(|(there, _)| there.clone());
-        near.chain(drawn)
+        near.chain(self.drawn_beside())
             .any(|there| self.subject.inside(&there) && holds(&there))
     }
 

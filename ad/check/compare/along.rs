@@ -309,14 +309,7 @@ impl Along<'_> {
                     } else {
                         (Place::Undefined, true)
                     }
-                } else if agree && self.here.still() {
-                    // Values of which cancellation leaves no digit say nothing of a derivative that two witnesses know.
-                    (Place::Undefined, true)
-                } else if agree && self.seen_nearer(&test) {
-                    // A feature that is smaller than the smallest step: lines that are parallel but for 1e-11.
-                    (Place::Undefined, true)
-                } else if agree && self.left_at_once() {
-                    // A line through a ball of 1e-13 misses it after the smallest step.
+                } else if agree && self.tell_nothing(&test) {
                     (Place::Undefined, true)
                 } else if witness == Witness::Dual && e.tie_of_duals() {
                     said.convention = true;
@@ -426,6 +419,12 @@ impl Along<'_> {
         };
         let said = there.first();
         !said.undefined() && !said.complains()
+    }
+
+    /// `true` if steps say nothing of a derivative that two witnesses know: cancellation leaves values no digit, or the
+    /// feature is smaller than the smallest step, as of lines that are parallel but for 1e-11 and of a ball of 1e-13.
+    fn tell_nothing(&self, test: &DerivativeTest<'_>) -> bool {
+        self.here.still() || self.seen_nearer(test) || self.left_at_once()
     }
 
     /// `true` if the function may jump anywhere, and no step takes the branches of the input.
