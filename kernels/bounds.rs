@@ -1,8 +1,8 @@
 //! Rules of a shape's numbers, found by asking what it refuses.
+use crate::Real;
 use crate::ad::declared::Kind;
 use crate::error::Flaw;
 use crate::kernels::item::Leaf;
-use crate::kernels::real::Real;
 
 /// A rule of a shape's numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! Derivatives along directions: functions of the arguments and of as many directions.
+use crate::Real;
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
 use crate::kernels::item::Leaf;
 use crate::kernels::limits::Derivative;
-use crate::kernels::real::Real;
 use crate::kernels::recording::{Body, Call, Key, Mode, Order, Recording, Step};
 use std::sync::Arc;
 

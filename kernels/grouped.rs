@@ -1,12 +1,13 @@
 //! All pairs within groups, such as the detections and the truths of every frame: one call for all frames.
+use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check, expect};
 use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::cpu::{Cpu, Single};
 use crate::kernels::item::{Column, Columns};
-use crate::kernels::machine::{Machine, Number, On};
-use crate::kernels::op::Runs;
-use crate::kernels::real::Real;
+use crate::kernels::machine::{GroupedReduction, Machine, Number, On};
+use crate::kernels::op::Function;
+use crate::kernels::real::drivers_in;
 use crate::kernels::reduce::{Best, Found, check_threshold};
 use crate::kernels::suppress::{Ranked, checked};
 use crate::suppression::{Rules, better, check_groups, check_scores};
@@ -98,13 +99,15 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         check_threshold(threshold)?;
         let (call, lists) = (run.call()?, [a.list_of_shapes(), b.list_of_shapes()]);
         let spans = groups.spans(lists.each_ref().map(Column::len))?;
-        self.engine().above_grouped(&call, &lists, spans, threshold)
+        let above = GroupedReduction::Above(threshold);
+        let found = self.engine().reduce_grouped(&call, &lists, spans, above)?;
+        found.founds().taken()
     }
 
     /// The largest result of every row within its group, and its column in the whole list; of several the first. `None`
@@ -134,7 +137,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         self.most_grouped(&run, &a, &b, groups, true)
@@ -156,7 +159,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         self.most_grouped(&run, &a, &b, groups, false)
@@ -174,12 +177,14 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         let (call, lists) = (run.call()?, [a.list_of_shapes(), b.list_of_shapes()]);
         let spans = groups.spans(lists.each_ref().map(Column::len))?;
-        self.engine().most_grouped(&call, &lists, spans, of_rows)
+        let best = GroupedReduction::Best { of_rows };
+        let found = self.engine().reduce_grouped(&call, &lists, spans, best)?;
+        Ok(found.bests_grouped())
     }
 }
 
@@ -210,7 +215,7 @@ impl Cpu {
         rules: Rules<'_, A::Scalar>,
     ) -> Result<Vec<usize>, Error>
     where
-        R: Runs<(A, A), Out = A::Scalar>,
+        R: Function<(A, A), Out = A::Scalar>,
         A::Scalar: crate::Scalar<Mask = bool>,
     {
         checked(shapes.len(), scores, &rules)?;
@@ -223,7 +228,8 @@ impl Cpu {
         let ranked = Ranked::of(order, &shapes, &rules);
         let lists = ranked.lists();
         let pairs = self.engine.lists(&face, &lists)?;
-        let kept = (A::Scalar::drivers().suppress_grouped)(&pairs, &ends, ranked.greed(&rules));
+        let kept =
+            (drivers_in::<A::Scalar>().suppress_grouped)(&pairs, &ends, ranked.greed(&rules));
         Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
     }
 }

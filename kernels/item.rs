@@ -6,10 +6,10 @@
 use crate::error::{Field, Flaw, Validate};
 use crate::kernels::cpu::arch;
 use crate::kernels::machine::{Here, Place};
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
 use crate::kernels::resident::Stays;
 use crate::shape::{Obb3, YawBox3};
-use crate::{Aabb2, Fixed, Obb2, Pack};
+use crate::{Aabb2, Fixed, Obb2, Pack, Real};
 use std::any::TypeId;
 use std::borrow::Cow;
 use std::marker::PhantomData;
@@ -59,7 +59,7 @@ impl<T: Real> Leaf<T> {
                     })
                 },
             },
-            all_valid: |x| (T::kernels().all_finite)(x),
+            all_valid: |x| (kernels_in::<T>().all_finite)(x),
         }
     }
 }
@@ -257,15 +257,15 @@ pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
 fn all_valid<P: Item + Validate>() -> fn(&[P::Scalar]) -> bool {
     let is = |shape: TypeId| TypeId::of::<P>() == shape;
     if P::FINITE_SUFFICES {
-        |x| (P::Scalar::kernels().all_finite)(x)
+        |x| (kernels_in::<P::Scalar>().all_finite)(x)
     } else if is(TypeId::of::<Obb2<P::Scalar>>()) {
-        |x| (P::Scalar::kernels().all_ordinary_obb2)(x)
+        |x| (kernels_in::<P::Scalar>().all_ordinary_obb2)(x)
     } else if is(TypeId::of::<Aabb2<P::Scalar>>()) {
-        |x| (P::Scalar::kernels().all_aabb2)(x)
+        |x| (kernels_in::<P::Scalar>().all_aabb2)(x)
     } else if is(TypeId::of::<YawBox3<P::Scalar>>()) {
-        |x| (P::Scalar::kernels().all_common_upright)(x)
+        |x| (kernels_in::<P::Scalar>().all_common_upright)(x)
     } else if is(TypeId::of::<Obb3<P::Scalar>>()) {
-        |x| (P::Scalar::kernels().all_common_obb3)(x)
+        |x| (kernels_in::<P::Scalar>().all_common_obb3)(x)
     } else {
         |_| false
     }

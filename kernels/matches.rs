@@ -1,14 +1,13 @@
 //! Assignment and metrics of many groups, such as the frames of a data set, on all threads: the results of one group
 //! after another.
-use crate::Scalar;
 use crate::assignment;
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::kernels::Groups;
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::real::Real;
 use crate::metric::{self, Frame, Outcome, kitti, nuscenes};
 use crate::suppression::{Pair, invalid};
+use crate::{Real, Scalar};
 use std::borrow::Cow;
 use std::ops::Range;
 

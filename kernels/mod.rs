@@ -77,7 +77,7 @@ pub mod points;
 #[forbid(unsafe_code)]
 mod program;
 #[forbid(unsafe_code)]
-pub mod real;
+mod real;
 #[doc(hidden)]
 #[forbid(unsafe_code)]
 pub mod recording;
@@ -110,7 +110,7 @@ pub use fold::Fold;
 pub use grouped::Groups;
 pub use item::{Column, Columns, Item, One, Target};
 pub use machine::Machine;
-pub use op::{Op, Runs};
+pub use op::{Function, Op};
 pub use search::Search;
 pub use targets::{Skip, Targets};
 pub use verbs::*;

@@ -1,9 +1,10 @@
-//! What batches run ([`Runs`]), and derivatives of it as functions of their own.
+//! What batches run ([`Function`]), and derivatives of it as functions of their own.
 use crate::Pack;
-pub use crate::ad::program::{Jacobian, OneNumber};
+pub use crate::ad::program::Jacobian;
 use crate::error::Error;
 use crate::kernels::item::{Item, Results, WithJacobian};
 use crate::kernels::recording::{Call, Mode, Order};
+pub use crate::scalar::real::OneNumber;
 
 /// A function that a batch runs on items: a verb, its gradient, Jacobian or adjoint, a program.
 #[diagnostic::on_unimplemented(
@@ -13,7 +14,7 @@ use crate::kernels::recording::{Call, Mode, Order};
     note = "an operation of two shapes takes two columns, `(&a, &b)`, made of its shapes and of one format",
     note = "`search(s)` runs a search (`Search`)"
 )]
-pub trait Runs<R: Item> {
+pub trait Function<R: Item> {
     /// The result per item.
     type Out: Results<Scalar = R::Scalar>;
     /// The function without its types, and the derivative of it.
@@ -133,9 +134,9 @@ impl<O> ValueGrad<O> {
     }
 }
 
-impl<F, R: Item> Runs<(R, R)> for Jvp<F>
+impl<F, R: Item> Function<(R, R)> for Jvp<F>
 where
-    F: Runs<R>,
+    F: Function<R>,
     F::Out: Item<Scalar = R::Scalar>,
 {
     type Out = (F::Out, F::Out);
@@ -144,9 +145,9 @@ where
     }
 }
 
-impl<F, R: Item> Runs<(R, R)> for Hvp<F>
+impl<F, R: Item> Function<(R, R)> for Hvp<F>
 where
-    F: Runs<R>,
+    F: Function<R>,
     F::Out: OneNumber,
 {
     type Out = R;
@@ -155,9 +156,9 @@ where
     }
 }
 
-impl<F, R: Item> Runs<R> for ValueGrad<F>
+impl<F, R: Item> Function<R> for ValueGrad<F>
 where
-    F: Runs<R>,
+    F: Function<R>,
     F::Out: OneNumber,
     R::Scalar: Item<Scalar = R::Scalar>,
 {
@@ -167,9 +168,9 @@ where
     }
 }
 
-impl<F, R: Item> Runs<R> for Jacobian<F>
+impl<F, R: Item> Function<R> for Jacobian<F>
 where
-    F: Runs<R>,
+    F: Function<R>,
     F::Out: Item<Scalar = R::Scalar> + Pack<With<R>: Send>,
 {
     type Out = WithJacobian<F::Out, R>;
@@ -178,19 +179,19 @@ where
     }
 }
 
-impl<F, R: Item> Runs<R> for &Jacobian<F>
+impl<F, R: Item> Function<R> for &Jacobian<F>
 where
-    Jacobian<F>: Runs<R>,
+    Jacobian<F>: Function<R>,
 {
-    type Out = <Jacobian<F> as Runs<R>>::Out;
+    type Out = <Jacobian<F> as Function<R>>::Out;
     fn call(&self) -> Result<Call<R::Scalar>, Error> {
         (**self).call()
     }
 }
 
-impl<F, R: Item, Y: Item<Scalar = R::Scalar>> Runs<(R, Y)> for Vjp<F>
+impl<F, R: Item, Y: Item<Scalar = R::Scalar>> Function<(R, Y)> for Vjp<F>
 where
-    F: Runs<R, Out = Y>,
+    F: Function<R, Out = Y>,
 {
     type Out = R;
     fn call(&self) -> Result<Call<R::Scalar>, Error> {

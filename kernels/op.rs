@@ -27,14 +27,14 @@
 //! ```
 pub use crate::ad::declared::{Answer, Invariance, Jumps, Motion};
 use crate::ad::program::recorded::Recorded;
-use crate::ad::program::{Plain, Program, Sym};
+use crate::ad::program::{Program, Sym};
 use crate::error::Error;
 use crate::kernels::cpu::plan::Compiled;
 use crate::kernels::item::{Item, leaves_of};
 pub use crate::kernels::limits::{Derivative, Extremes, Finite, Limits, Range};
-pub use crate::kernels::modes::{Hvp, Jacobian, Jvp, OneNumber, Runs, ValueGrad, Vjp};
+pub use crate::kernels::modes::{Function, Hvp, Jacobian, Jvp, OneNumber, ValueGrad, Vjp};
 use crate::kernels::recording::{Call, Line, Mode, Parts, Recording, widths};
-use crate::{Fixed, Pack, Scalar};
+use crate::{Fixed, Pack, Real, Scalar};
 use std::any::TypeId;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -110,7 +110,7 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     /// # Errors
     ///
     /// The errors of recording it: [`Error::Program`].
-    fn program<T: Plain>(self) -> Result<Program<Self::In<T>, Self::Out<T>>, Error> {
+    fn program<T: Real>(self) -> Result<Program<Self::In<T>, Self::Out<T>>, Error> {
         let value = program_of::<Self, T>(Mode::Value)?;
         if Self::DERIVATIVE != Derivative::ByHand || Self::Out::<T>::LEN != 1 {
             return Ok(Program::of((*value).clone()));
@@ -183,7 +183,7 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     }
 }
 
-impl<O, R: Item> Runs<R> for O
+impl<O, R: Item> Function<R> for O
 where
     O: Op<In<<R as Pack>::Scalar> = R>,
     O::Out<R::Scalar>: Item,
@@ -195,7 +195,7 @@ where
 }
 
 /// The straight line of an operation.
-const fn line_of<O: Op, T: Plain>() -> Line<T> {
+const fn line_of<O: Op, T: Real>() -> Line<T> {
     Line {
         id: TypeId::of::<O>,
         derivatives: O::DERIVATIVE,
@@ -212,7 +212,7 @@ const fn line_of<O: Op, T: Plain>() -> Line<T> {
 }
 
 /// The result.
-fn eval<O: Op, T: Plain>(input: &[Sym<T>]) -> Vec<Sym<T>> {
+fn eval<O: Op, T: Real>(input: &[Sym<T>]) -> Vec<Sym<T>> {
     O::eval(O::In::<Sym<T>>::load(input)).scalars()
 }
 fn nothing<T>(_input: &[Sym<T>], _out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
@@ -221,7 +221,7 @@ fn nothing<T>(_input: &[Sym<T>], _out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
 
 /// The result and the derivatives by hand. Without them they are NaN: the program fails to be finite, which nothing
 /// then hides.
-fn adjoint<O: Op, T: Plain>(input: &[Sym<T>], out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
+fn adjoint<O: Op, T: Real>(input: &[Sym<T>], out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
     let out_bar = O::Out::<Sym<T>>::load(out_bar);
     match O::adjoint(O::In::<Sym<T>>::load(input), out_bar) {
         Some((value, derivatives)) => [value.scalars(), derivatives.scalars()].concat(),
@@ -250,7 +250,7 @@ where
 }
 
 /// The program of a mode of an operation.
-pub(crate) fn program_of<O: Op, T: Plain>(mode: Mode) -> Result<Arc<Recorded>, Error> {
+pub(crate) fn program_of<O: Op, T: Real>(mode: Mode) -> Result<Arc<Recorded>, Error> {
     const { &line_of::<O, T>() }.program(mode)
 }
 

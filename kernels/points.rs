@@ -5,9 +5,8 @@
 //! number of threads.
 use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::Cpu;
-use crate::kernels::real::Real;
 use crate::shape::{Aabb3, Obb3, YawBox3};
-use crate::{Aabb2, Obb2, Vec2, Vec3};
+use crate::{Aabb2, Obb2, Real, Vec2, Vec3};
 
 /// Boxes of a leaf, and children of a node.
 const FEW: usize = 8;

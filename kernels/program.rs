@@ -1,9 +1,9 @@
 //! Recorded programs in batches.
-use crate::Error;
-use crate::ad::program::{Plain, Program};
+use crate::ad::program::Program;
 use crate::kernels::item::{Item, Results, leaves_of};
-use crate::kernels::op::Runs;
+use crate::kernels::op::Function;
 use crate::kernels::recording::{Body, Call, Recording};
+use crate::{Error, Real};
 use std::sync::Arc;
 
 /// Batches run programs as they run operations. The interpreter of a program is made once, for all its runs.
@@ -20,9 +20,9 @@ use std::sync::Arc;
 /// assert!(by_point[0].distance(Vec2::new(0.6, 0.8)) < 1e-15);
 /// # Ok::<(), geograd::Error>(())
 /// ```
-impl<In: Item, Out: Item<Scalar = In::Scalar>> Runs<In> for &Program<In, Out>
+impl<In: Item, Out: Item<Scalar = In::Scalar>> Function<In> for &Program<In, Out>
 where
-    In::Scalar: Plain,
+    In::Scalar: Real,
 {
     type Out = Out;
     fn call(&self) -> Result<Call<In::Scalar>, Error> {
@@ -42,9 +42,9 @@ where
     }
 }
 
-impl<In: Item, Out: Item<Scalar = In::Scalar>> Runs<In> for Program<In, Out>
+impl<In: Item, Out: Item<Scalar = In::Scalar>> Function<In> for Program<In, Out>
 where
-    In::Scalar: Plain,
+    In::Scalar: Real,
 {
     type Out = Out;
     fn call(&self) -> Result<Call<In::Scalar>, Error> {

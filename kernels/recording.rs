@@ -3,9 +3,9 @@
 //! A [`Recording`] has the layouts of what a function takes and gives, its body, and all that machines have made of it. A
 //! [`Call`] is a recording with the derivative that is wanted. Whatever a batch runs (a verb, an operation, a search, a plain
 //! function, a program, a derivative of one) yields a call and nothing else.
+use crate::ad::program::Sym;
 use crate::ad::program::record::{TRIALS, listed};
 use crate::ad::program::recorded::Recorded;
-use crate::ad::program::{Plain, Sym};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::plan::{Compiled, Face};
 pub use crate::kernels::derivation::Mode;
@@ -13,8 +13,8 @@ use crate::kernels::derivation::Replays;
 pub(crate) use crate::kernels::derivation::{Order, Step};
 use crate::kernels::item::{Item, Leaf, leaves_of};
 use crate::kernels::limits::Derivative;
-use crate::kernels::real::Real;
-use crate::{Scalar, Unrecordable};
+use crate::kernels::real::drivers_in;
+use crate::{Real, Scalar, Unrecordable};
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::fmt;
@@ -315,7 +315,7 @@ pub(crate) fn derived(value: &Recorded, mode: Mode) -> Recorded {
 /// The programs of a straight line in a format.
 struct Programs<T>(Kept, PhantomData<fn() -> T>);
 
-impl<T: Plain> Line<T> {
+impl<T: Real> Line<T> {
     /// The program of a mode, by the source that the row says.
     pub(crate) fn program(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
         if self.codes > 0 {
@@ -405,6 +405,6 @@ impl<T: Real> Call<T> {
     ///
     /// Errors of recording it.
     pub(crate) fn plan(&self, framed: bool) -> Result<Arc<Face<T>>, Error> {
-        (T::drivers().plan)(self, framed)
+        (drivers_in::<T>().plan)(self, framed)
     }
 }

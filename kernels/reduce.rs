@@ -1,9 +1,10 @@
 //! Reductions on the CPU, of all pairs without the matrix or of a [`Matrix`] that is there already:
 //! what `gpu` reduces where it is.
+use crate::Real;
 use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::checked::{entries, expect};
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
 
 /// The largest score of a row or column, and where in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,7 +116,7 @@ impl<T: Real> Matrix<T> {
     pub fn row_max(&self) -> Result<Vec<Best<T>>, Error> {
         check_sides(self.rows, self.columns, true)?;
         let best = self.rows_of().map(|row| {
-            let value = (T::kernels().largest)(row);
+            let value = (kernels_in::<T>().largest)(row);
             let index = row.iter().position(|&x| x == value).unwrap_or(0);
             Best { value, index }
         });
@@ -150,7 +151,7 @@ impl<T: Real> Matrix<T> {
         let mut found = Vec::new();
         for (row, values) in self.rows_of().enumerate() {
             // Most rows of most matrices have nothing.
-            if (T::kernels().largest)(values).above(threshold) {
+            if (kernels_in::<T>().largest)(values).above(threshold) {
                 let above = values
                     .iter()
                     .enumerate()
@@ -168,7 +169,7 @@ impl<T: Real> Matrix<T> {
     /// As [`above`](Matrix::above).
     pub fn count_above(&self, threshold: T) -> Result<u64, Error> {
         check_threshold(threshold)?;
-        Ok((T::kernels().count_above)(&self.values, threshold))
+        Ok((kernels_in::<T>().count_above)(&self.values, threshold))
     }
 
     /// The sum of all numbers, added in `f64`, always in the same order.
@@ -176,7 +177,7 @@ impl<T: Real> Matrix<T> {
     pub fn sum(&self) -> f64 {
         let mut sums = [0.0; TILE];
         for row in self.rows_of() {
-            (T::kernels().add_up)(row, &mut sums);
+            (kernels_in::<T>().add_up)(row, &mut sums);
         }
         sums.iter().sum()
     }

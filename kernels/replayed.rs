@@ -6,11 +6,10 @@ use crate::ad::program::recorded::Recorded;
 use crate::kernels::decision::Search;
 use crate::kernels::derivation::{Mode, Order, Replays, Step};
 use crate::kernels::item::{Item, by_kind, by_shape, get, width};
-use crate::kernels::real::Real;
 use crate::kernels::recording::derived;
 #[cfg(feature = "gpu")]
 use crate::kernels::replays::{Replay, instructions};
-use crate::{Fixed, Pack};
+use crate::{Fixed, Pack, Real};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
 

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::kernels::cpu::plan::{Face, of_items};
 pub use crate::kernels::decision::Search;
 use crate::kernels::item::{Item, by_kind, by_shape, get, leaves_of, width};
-use crate::kernels::op::{Hvp, Jacobian, Jvp, Runs, ValueGrad, Vjp};
+use crate::kernels::op::{Function, Hvp, Jacobian, Jvp, ValueGrad, Vjp};
 use crate::kernels::recording::{self, Body, Call, Mode, Recording, known, widths};
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::sync::Arc;
@@ -213,7 +213,7 @@ impl<D: Search> Searches for Searched<D> {
     type Search = D;
 }
 
-impl<D, R: Item> Runs<R> for Searched<D>
+impl<D, R: Item> Function<R> for Searched<D>
 where
     D: Search<In<<R as Pack>::Scalar> = R>,
     D::Out<R::Scalar>: Item,

@@ -1,11 +1,10 @@
 //! Suppression: shapes of one list, the best first, and the rules by which one takes another's place.
-use crate::Error;
 use crate::error::Argument;
 use crate::kernels::cpu::greedy::Greed;
 use crate::kernels::item::Column;
-use crate::kernels::real::Real;
 use crate::kernels::reduce::{Found, check_threshold};
 use crate::suppression::{Pair, Rules, check_rules};
+use crate::{Error, Real};
 
 impl<T> From<Found<T>> for Pair<T> {
     /// The same pair.

@@ -8,7 +8,7 @@ use crate::error::{Error, Field};
 use crate::kernels::Backend;
 use crate::kernels::check::proofs::Proofs;
 use crate::kernels::check::{
-    Examined, Folded, Judged, ScalarCode, Source, Stated, check_fold_on, check_fold_with,
+    Examined, Folded, Harness, ScalarCode, Source, Stated, check_fold_on, check_fold_with,
     check_search_with, examined,
 };
 use crate::kernels::dynamic::{self, Operation};
@@ -18,9 +18,9 @@ use crate::kernels::item::{Item, by_kind, get};
 use crate::kernels::op::Op;
 use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
-use crate::kernels::real::in_format;
 use crate::kernels::search::Search;
-use crate::{Fixed, Pack};
+use crate::scalar::real::in_format;
+use crate::{Fixed, Pack, Real};
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -59,18 +59,18 @@ struct Inputs {
 }
 
 /// A row in one format.
-struct Formed<S: Judged> {
+struct Formed<S: Real> {
     code: ScalarCode<S>,
     check: fn(&Tested, &Sampling<'_>, Option<Backend<'_>>) -> Result<Report, Error>,
     fuzz: fn(&Tested, u64, u64) -> Fuzzed,
 }
 
-impl<S: Judged> Clone for Formed<S> {
+impl<S: Real> Clone for Formed<S> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<S: Judged> Copy for Formed<S> {}
+impl<S: Real> Copy for Formed<S> {}
 
 impl Tested {
     /// The name of its function.
@@ -84,7 +84,7 @@ impl Tested {
     /// # Errors
     ///
     /// The backend's.
-    pub fn check<S: Judged>(
+    pub fn check<S: Real>(
         &self,
         plan: &Sampling<'_>,
         backend: Option<Backend<'_>>,
@@ -93,17 +93,17 @@ impl Tested {
     }
     /// Fuzzes it with so many inputs from a seed.
     #[must_use]
-    pub fn fuzz<S: Judged>(&self, count: u64, seed: u64) -> Fuzzed {
+    pub fn fuzz<S: Real>(&self, count: u64, seed: u64) -> Fuzzed {
         (self.formed::<S>().fuzz)(self, count, seed)
     }
     /// The result of one input by the function itself.
     #[must_use]
-    pub fn alone<S: Judged>(&self, x: &[S]) -> Vec<S> {
+    pub fn alone<S: Real>(&self, x: &[S]) -> Vec<S> {
         (self.formed::<S>().code.alone)(x)
     }
     /// The result and the derivatives of a cotangent by hand; `None` where there are none.
     #[must_use]
-    pub fn by_hand<S: Judged>(&self, x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
+    pub fn by_hand<S: Real>(&self, x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
         (self.formed::<S>().code.by_hand)(x, out_bar)
     }
     /// A random input.
@@ -135,7 +135,7 @@ impl Tested {
         (self.shaders)(&self.operation)
     }
 
-    fn formed<S: Judged>(&self) -> &Formed<S> {
+    fn formed<S: Real>(&self) -> &Formed<S> {
         in_format([&self.single, &self.double])
     }
     fn stated(&self) -> Stated {
@@ -149,7 +149,7 @@ impl Tested {
             output_kinds: self.operation.kinds[1],
         }
     }
-    fn examined<S: Judged>(&self) -> Option<Examined<S>> {
+    fn examined<S: Real>(&self) -> Option<Examined<S>> {
         Some(Examined {
             recording: self.operation.straight::<S>()?,
             code: self.formed::<S>().code,
@@ -158,7 +158,7 @@ impl Tested {
 }
 
 /// Checks a straight line.
-fn check_straight<S: Judged>(
+fn check_straight<S: Real>(
     row: &Tested,
     plan: &Sampling<'_>,
     backend: Option<Backend<'_>>,
@@ -180,7 +180,7 @@ fn check_straight<S: Judged>(
 }
 
 /// Fuzzes a straight line.
-fn fuzz_straight<S: Judged>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
+fn fuzz_straight<S: Real>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
     let Some(Examined { recording, code }) = row.examined::<S>() else {
         unreachable!("a straight line is fuzzed as one")
     };
@@ -201,7 +201,7 @@ fn fuzz_straight<S: Judged>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
         sample: row.inputs.random,
         show: row.inputs.show,
     });
-    S::fuzzed(&job, count, seed)
+    (Harness::<S>::get().fuzzed)(&job, count, seed)
 }
 
 impl Inputs {
@@ -241,7 +241,7 @@ impl Walk for Values {
         O::In<f64>: Item<Scalar = f64> + Sample,
         O::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        const fn formed<O: Op, S: Judged>() -> Formed<S>
+        const fn formed<O: Op, S: Real>() -> Formed<S>
         where
             O::In<S>: Item<Scalar = S>,
             O::Out<S>: Item<Scalar = S>,
@@ -273,7 +273,7 @@ impl Walk for Values {
         D::In<f64>: Item<Scalar = f64> + Sample,
         D::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        const fn formed<D: Search, S: Judged>() -> Formed<S>
+        const fn formed<D: Search, S: Real>() -> Formed<S>
         where
             D::In<S>: Item<Scalar = S>,
             D::Out<S>: Item<Scalar = S>,
@@ -310,7 +310,7 @@ impl Walk for Values {
         Vec<F::Element<f64>>: Sample,
         F::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        const fn formed<F: Fold, S: Judged>(
+        const fn formed<F: Fold, S: Real>(
             check: fn(&Tested, &Sampling<'_>, Option<Backend<'_>>) -> Result<Report, Error>,
         ) -> Formed<S>
         where

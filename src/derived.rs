@@ -2,6 +2,7 @@
 //!
 //! The derive (package `geograd-derive`) reads a struct's tokens without a parser of Rust. The code that it writes
 //! names this module only, so it needs no feature or dependency of its user's crate.
+pub use crate::Real;
 pub use crate::ad::declared::Kind;
 pub use crate::ad::sample::several::{
     all, as_angle, as_directions, as_non_negative, as_positive, as_rotation_vectors, combined,
@@ -10,7 +11,6 @@ pub use crate::ad::sample::several::{
 pub use crate::ad::sample::{Draw, Sample};
 pub use crate::error::{Field, Flaw, Validate};
 pub use crate::kernels::item::Item;
-pub use crate::kernels::real::Real;
 pub use crate::product::{
     load, load_code, load_codes, name, no_code, store, store_code, store_codes, valid,
 };

@@ -259,7 +259,7 @@ pub use error::{Error, Flaw, GpuFault, Unrecordable, Validate, VertexFault};
 pub use pack::{Fixed, Pack};
 pub use polygon::{Polygon, Rings};
 pub use product::Code;
-pub use scalar::{Jet, Lanes, Mask, Scalar};
+pub use scalar::{Jet, Lanes, Mask, Real, Scalar};
 pub use shape::{
     Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, EulerOrder, Interval,
     Line2, Line3, Obb2, Obb3, Plane3, Pose2, Pose3, Ray2, Ray3, Rotation2, Rotation3, RoundBox3,

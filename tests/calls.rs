@@ -1,8 +1,7 @@
 //! Batches of two lists, spelled for tests: results as separate values, operations as types.
-use geograd::kernels::real::Real;
 use geograd::kernels::reduce::{Best, Found};
 use geograd::kernels::{Cpu, Fold, Op, Single, Table};
-use geograd::{Error, Vec2};
+use geograd::{Error, Real, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A format that batches serve.

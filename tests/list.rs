@@ -1,6 +1,6 @@
 //! Rows of the library with all that judges them, compiled here once for tests and reports.
+use geograd::Real;
 use geograd::ad::check::sample::Draw;
-pub use geograd::kernels::check::Judged;
 use geograd::kernels::dynamic::{Mode, named_rows};
 use geograd::kernels::tested;
 pub use geograd::kernels::tested::Tested;
@@ -140,7 +140,7 @@ pub fn each(rows: &[&'static Tested], work: impl Fn(&'static Tested) + Sync) {
 
 /// Items as a column of numbers for every argument of a row.
 #[must_use]
-pub fn columns<T: Judged>(row: &Tested, items: &[Vec<T>]) -> Vec<Vec<T>> {
+pub fn columns<T: Real>(row: &Tested, items: &[Vec<T>]) -> Vec<Vec<T>> {
     let mut from = 0;
     let layouts = row.operation.layouts::<T>().into_iter();
     let column = |fields: usize| {
@@ -156,7 +156,7 @@ pub fn columns<T: Judged>(row: &Tested, items: &[Vec<T>]) -> Vec<Vec<T>> {
 /// # Panics
 ///
 /// If none is.
-pub fn inputs<T: Judged>(
+pub fn inputs<T: Real>(
     row: &Tested,
     count: usize,
     mut drawn: impl FnMut(&mut Draw) -> Vec<f64>,

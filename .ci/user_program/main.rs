@@ -1,12 +1,11 @@
 //! A user's program: every batch form of three operations in both formats.
 use geograd::kernels::op::{ValueGrad, Vjp};
-use geograd::kernels::real::Real;
-use geograd::kernels::{Centroid, Cpu, Fold, Iof, Iou, Item, Runs, Single};
-use geograd::{Aabb2, Error, Obb2, Vec2};
+use geograd::kernels::{Centroid, Cpu, Fold, Function, Iof, Iou, Item, Single};
+use geograd::{Aabb2, Error, Obb2, Real, Vec2};
 
 fn pairs<O, P, T>(op: O, a: &[P]) -> Result<f64, Error>
 where
-    O: Runs<(P, P), Out = T> + Copy,
+    O: Function<(P, P), Out = T> + Copy,
     P: Single<Scalar = T>,
     T: Real + Single<Scalar = T>,
 {

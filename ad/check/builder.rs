@@ -5,9 +5,8 @@ use crate::ad::check::subject::Conventions;
 use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::{Trace, Traced, of_num_duals, trace};
 use crate::ad::check::{Report, SEED, Sampling, examine, narrow};
-use crate::ad::program::Plain;
 use crate::ad::sample::{Draw, Sample, hard_cases, random};
-use crate::{Jet, Pack};
+use crate::{Jet, Pack, Real};
 use std::fmt::Debug;
 
 type InsideFn<'a, X> = Box<dyn Fn(&X) -> bool + 'a>;
@@ -53,11 +52,11 @@ pub struct Check<'a, X: Pack> {
 }
 
 /// A pack of floats as a list.
-fn wide<S: Plain, X: Pack<Scalar = S>>(x: &X) -> Vec<f64> {
+fn wide<S: Real, X: Pack<Scalar = S>>(x: &X) -> Vec<f64> {
     x.scalars().iter().map(|x| x.widen()).collect()
 }
 
-impl<'a, S: Plain, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
+impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     /// At a point. Everything else is added with the other methods.
     #[must_use]
     pub fn at(point: X) -> Self {

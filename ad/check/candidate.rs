@@ -1,8 +1,7 @@
 //! Inputs that a function is judged at, without their types.
-use crate::Pack;
 use crate::ad::check::subject::Subject;
-use crate::ad::program::Plain;
 use crate::ad::sample::drawn::{Drawn, code};
+use crate::{Pack, Real};
 use std::fmt::Debug;
 
 /// Inputs one by one: all those of a long list at once would fill the memory.
@@ -29,7 +28,7 @@ pub(crate) struct Typed<'a, X, F> {
 
 impl<'a, S, X, F> Candidate<'a> for Typed<'a, X, F>
 where
-    S: Plain,
+    S: Real,
     X: Pack<Scalar = S> + Debug + 'a,
     F: Fn(&X, &mut dyn FnMut(&dyn Subject)),
 {

@@ -1,15 +1,14 @@
 //! A check of closures as a subject, near one of its points.
-use crate::Pack;
 use crate::ad::check::placed::Near;
 use crate::ad::check::second_order::{Wide, bends, transposed};
 use crate::ad::check::subject::{Conventions, Subject, default_scales};
 use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::Trace;
 use crate::ad::check::witness::{Precision, axis};
-use crate::ad::program::Plain;
+use crate::{Pack, Real};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-impl<S: Plain, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
+impl<S: Real, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
     fn precision(&self) -> Precision {
         Precision::of::<S>()
     }

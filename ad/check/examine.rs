@@ -1,5 +1,4 @@
 //! Judging a function at many inputs.
-use crate::Pack;
 use crate::ad::check::agreed::{Agreed, Held};
 use crate::ad::check::candidate::{Candidate, Typed};
 use crate::ad::check::certificate::Proof;
@@ -10,8 +9,8 @@ use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{ENOUGH, INSIDE_ONE_IN, KEPT, SMOOTH_ONE_IN};
 use crate::ad::check::verdict::{Findings, Place, Reason};
 use crate::ad::check::witness::Precision;
-use crate::ad::program::Plain;
 use crate::ad::sample::Draw;
+use crate::{Pack, Real};
 use std::fmt::Debug;
 
 /// The seed of everything random, unless another one is given.
@@ -81,7 +80,7 @@ impl Sampling<'_> {
 
 /// Judges a function at many inputs. `meet` hands the function near an input to its argument;
 /// `random_from` is the number of the first input that was drawn at random.
-pub fn examine<S: Plain, X: Pack<Scalar = S> + Debug>(
+pub fn examine<S: Real, X: Pack<Scalar = S> + Debug>(
     name: &str,
     sampling: &Sampling<'_>,
     inputs: &[X],

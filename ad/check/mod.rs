@@ -249,6 +249,6 @@ pub use crate::ad::sample;
 pub use crate::ad::sample::strategy;
 
 /// A list as floats.
-pub(crate) fn narrow<S: crate::ad::program::Plain>(list: &[f64]) -> Vec<S> {
+pub(crate) fn narrow<S: crate::Real>(list: &[f64]) -> Vec<S> {
     list.iter().map(|&x| S::nearest(x)).collect()
 }

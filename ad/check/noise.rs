@@ -6,11 +6,10 @@
 //! stochastic arithmetic (Vignes): each result moves by one unit in its last place up, down, or not
 //! at all, and the spread of a few runs is the error of one. Exact results stay, and equal ones move
 //! alike, so that most ties stay ties.
-use crate::Scalar;
 use crate::ad::check::trace::{wrapped, wrapped_operators};
 use crate::ad::check::witness::Precision;
-use crate::ad::program::Plain;
 use crate::ad::sample::Draw;
+use crate::{Real, Scalar};
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -32,7 +31,7 @@ pub struct Noisy<T>(
     pub T,
 );
 
-impl<T: Plain> Noisy<T> {
+impl<T: Real> Noisy<T> {
     /// A result, rounded otherwise.
     fn rounded(x: T) -> Self {
         let x = x.widen();
@@ -49,7 +48,7 @@ impl<T: Plain> Noisy<T> {
 /// Operators, each with a rounding of its own.
 macro_rules! rounded {
     ($($operator:ident $method:ident |$a:ident, $b:ident, $x:ident| $exact:expr;)*) => { $(
-        impl<T: Plain> $operator for Noisy<T> {
+        impl<T: Real> $operator for Noisy<T> {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
                 let out = self.0.$method(other.0);
@@ -67,7 +66,7 @@ rounded! {
 }
 wrapped_operators!(Noisy);
 
-impl<T: Plain> Scalar for Noisy<T> {
+impl<T: Real> Scalar for Noisy<T> {
     wrapped!(Noisy of T);
 
     fn below(self, other: Self) -> bool {

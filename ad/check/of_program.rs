@@ -2,9 +2,9 @@
 use crate::ad::check::second_order::Bent;
 use crate::ad::check::trace::{Traced, num_duals, of_num_duals, trace};
 use crate::ad::check::{Check, narrow};
+use crate::ad::program::Program;
 use crate::ad::program::recorded::Recorded;
-use crate::ad::program::{Plain, Program};
-use crate::{Fixed, Jet, Scalar};
+use crate::{Fixed, Jet, Real, Scalar};
 use std::fmt::Debug;
 use std::rc::Rc;
 
@@ -43,7 +43,7 @@ fn unbent<T: Scalar>(y: Vec<Bent<T>>, of: impl Fn(T) -> f64) -> Vec<Bent<f64>> {
     all.collect()
 }
 
-impl<'a, S: Plain + Plain, X: Fixed<Scalar = S> + Debug + 'a> Check<'a, X> {
+impl<'a, S: Real, X: Fixed<Scalar = S> + Debug + 'a> Check<'a, X> {
     /// A recorded function, with its derivatives: those by hand, if it [has](Program::with_adjoint) some, or
     /// those of its recording backwards. Witnesses are the recording on duals, on traced numbers, in
     /// double precision, and of one result on duals of duals.

@@ -1,7 +1,6 @@
 //! A check near one of its points.
-use crate::Pack;
 use crate::ad::check::{Check, narrow};
-use crate::ad::program::Plain;
+use crate::{Pack, Real};
 
 /// A check near one of its points.
 pub(crate) struct Near<'c, 'a, X: Pack> {
@@ -9,7 +8,7 @@ pub(crate) struct Near<'c, 'a, X: Pack> {
     pub(crate) near: &'c X,
 }
 
-impl<S: Plain, X: Pack<Scalar = S>> Near<'_, '_, X> {
+impl<S: Real, X: Pack<Scalar = S>> Near<'_, '_, X> {
     pub(crate) fn made(&self, x: &[f64]) -> X {
         self.near.refill(&narrow::<S>(x))
     }

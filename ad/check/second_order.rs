@@ -6,8 +6,7 @@ use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::tolerances::FEW_INPUTS;
 use crate::ad::check::trace::{Trace, Traced, trace};
 use crate::ad::check::witness::{Precision, axis, combined, dot};
-use crate::ad::program::Plain;
-use crate::{Jet, Pack, Scalar};
+use crate::{Jet, Pack, Real, Scalar};
 use std::fmt::Debug;
 
 /// A number with its derivatives along two directions, and how the one changes along the other.
@@ -52,7 +51,7 @@ fn straight<T: Scalar, Y: Pack<Scalar = Bent<T>>>(y: &Y, of: impl Fn(T) -> f64) 
     numbers.iter().map(bent).collect()
 }
 
-impl<'a, S: Plain, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
+impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     /// The generic source, called with duals of duals: a witness for [`hessian_times`].
     ///
     /// ```
@@ -148,7 +147,7 @@ impl<X: Pack> Wide<'_, '_, X> {
     }
 }
 
-impl<S: Plain, X: Pack<Scalar = S>> Subject for Wide<'_, '_, X> {
+impl<S: Real, X: Pack<Scalar = S>> Subject for Wide<'_, '_, X> {
     fn precision(&self) -> Precision {
         Precision::F64
     }

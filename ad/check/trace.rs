@@ -15,8 +15,7 @@
 //! assert_ne!(here.hash, larger(1.0, 2.0).1.hash); // another one
 //! assert_eq!(larger(1.0, 1.0).1.margin, 0.0); // a tie
 //! ```
-use crate::Scalar;
-use crate::ad::program::Plain;
+use crate::{Real, Scalar};
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -76,20 +75,20 @@ pub struct Traced<T>(
 );
 
 /// A list of num-dual's dual numbers: values and derivatives along a direction.
-pub(crate) fn num_duals<S: Plain>(x: &[f64], direction: &[f64]) -> Vec<S::NumDual> {
+pub(crate) fn num_duals<S: Real>(x: &[f64], direction: &[f64]) -> Vec<S::NumDual> {
     let each = x.iter().zip(direction);
     each.map(|(&x, &d)| S::num_dual(S::nearest(x), S::nearest(d)))
         .collect()
 }
 /// Its values and its derivatives.
-pub(crate) fn of_num_duals<S: Plain>(list: Vec<S::NumDual>) -> (Vec<f64>, Vec<f64>) {
+pub(crate) fn of_num_duals<S: Real>(list: Vec<S::NumDual>) -> (Vec<f64>, Vec<f64>) {
     let parts = list.into_iter().map(S::of_num_dual);
     parts
         .map(|(y, derivative)| (y.widen(), derivative.widen()))
         .unzip()
 }
 
-impl<T: Plain> Traced<T> {
+impl<T: Real> Traced<T> {
     /// Records a comparison and hands its outcome on.
     #[inline(always)]
     fn note(self, other: Self, outcome: bool) -> bool {
@@ -150,25 +149,25 @@ macro_rules! wrapped {
 /// The operators of a wrapper that follow from others.
 macro_rules! wrapped_operators {
     ($wrapper:ident) => {
-        impl<T: Plain> AddAssign for $wrapper<T> {
+        impl<T: Real> AddAssign for $wrapper<T> {
             #[inline(always)]
             fn add_assign(&mut self, other: Self) {
                 *self = *self + other;
             }
         }
-        impl<T: Plain> SubAssign for $wrapper<T> {
+        impl<T: Real> SubAssign for $wrapper<T> {
             #[inline(always)]
             fn sub_assign(&mut self, other: Self) {
                 *self = *self - other;
             }
         }
-        impl<T: Plain> MulAssign for $wrapper<T> {
+        impl<T: Real> MulAssign for $wrapper<T> {
             #[inline(always)]
             fn mul_assign(&mut self, other: Self) {
                 *self = *self * other;
             }
         }
-        impl<T: Plain> Neg for $wrapper<T> {
+        impl<T: Real> Neg for $wrapper<T> {
             type Output = Self;
             #[inline(always)]
             fn neg(self) -> Self {
@@ -176,7 +175,7 @@ macro_rules! wrapped_operators {
             }
         }
         crate::pack::leaf! {
-            [T: Plain] $wrapper<T>,
+            [T: Real] $wrapper<T>,
         }
     };
 }
@@ -185,7 +184,7 @@ pub(crate) use {wrapped, wrapped_operators};
 /// Operators that only concern the value.
 macro_rules! forward {
     ($($operator:ident $method:ident;)*) => { $(
-        impl<T: Plain> $operator for Traced<T> {
+        impl<T: Real> $operator for Traced<T> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
@@ -202,7 +201,7 @@ forward! {
 }
 wrapped_operators!(Traced);
 
-impl<T: Plain> Scalar for Traced<T> {
+impl<T: Real> Scalar for Traced<T> {
     wrapped!(Traced of T);
 
     #[inline(always)]

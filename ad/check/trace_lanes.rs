@@ -2,8 +2,7 @@
 //!
 //! Values and traces are those of [`Traced`](crate::ad::check::trace::Traced) one by one, to the bit.
 use crate::ad::check::trace::Trace;
-use crate::ad::program::Plain;
-use crate::{Mask, Scalar};
+use crate::{Mask, Real, Scalar};
 use std::cell::RefCell;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
@@ -63,7 +62,7 @@ fn lanes<U>(of: impl FnMut(usize) -> U) -> [U; LANES] {
     std::array::from_fn(of)
 }
 
-impl<T: Plain> TracedLanes<T> {
+impl<T: Real> TracedLanes<T> {
     #[inline(always)]
     fn each(self, of: impl Fn(T) -> T) -> Self {
         TracedLanes(lanes(|i| of(self.0[i])))
@@ -102,7 +101,7 @@ impl<T: Plain> TracedLanes<T> {
 /// Operators that only concern the values.
 macro_rules! operators {
     ($($operator:ident $method:ident;)*) => { $(
-        impl<T: Plain> $operator for TracedLanes<T> {
+        impl<T: Real> $operator for TracedLanes<T> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
@@ -119,7 +118,7 @@ operators! {
 }
 macro_rules! assigned {
     ($($operator:ident $method:ident $by:tt;)*) => { $(
-        impl<T: Plain> $operator for TracedLanes<T> {
+        impl<T: Real> $operator for TracedLanes<T> {
             #[inline(always)]
             fn $method(&mut self, other: Self) {
                 *self = *self $by other;
@@ -132,7 +131,7 @@ assigned! {
     SubAssign sub_assign -;
     MulAssign mul_assign *;
 }
-impl<T: Plain> Neg for TracedLanes<T> {
+impl<T: Real> Neg for TracedLanes<T> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -140,10 +139,10 @@ impl<T: Plain> Neg for TracedLanes<T> {
     }
 }
 crate::pack::leaf! {
-    [T: Plain] TracedLanes<T>,
+    [T: Real] TracedLanes<T>,
 }
 
-impl<T: Plain> Scalar for TracedLanes<T> {
+impl<T: Real> Scalar for TracedLanes<T> {
     type Mask = Outcomes;
     type Primal = Self;
     const COMPENSATED: bool = T::COMPENSATED;

@@ -2,30 +2,11 @@
 //!
 //! A [`Graph`] is a list of [`Node`]s in an order in which every node comes after its operands.
 //! Equal nodes are one node. Nodes are made through [`Graph::make`], which simplifies exactly.
+pub use crate::scalar::real::Format;
 use std::collections::HashMap;
 
 /// The place of a node in its graph.
 pub(crate) type Id = u32;
-
-/// The format of a program's numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Format {
-    /// Numbers of 32 bits.
-    F32,
-    /// Numbers of 64 bits.
-    F64,
-}
-
-impl Format {
-    /// The nearest number of the format; infinite beyond the largest one.
-    #[must_use]
-    pub(crate) fn round(self, x: f64) -> f64 {
-        match self {
-            Format::F32 => f64::from(x as f32),
-            Format::F64 => x,
-        }
-    }
-}
 
 /// One operation on numbers or truths.
 ///

@@ -62,6 +62,6 @@ pub(crate) mod wgsl;
 
 pub use cost::Cost;
 pub use graph::Format;
-pub use sym::{OneNumber, Plain, Sym, SymMask};
+pub use sym::{Sym, SymMask};
 pub use typed::{Jacobian, Program};
 pub use wgsl::WGSL;

@@ -3,8 +3,8 @@ use super::graph::Node;
 use super::in_progress::Recording;
 use super::record::places;
 use super::recorded::Recorded;
-use super::sym::{Plain, Sym, SymMask};
-use crate::Unrecordable;
+use super::sym::{Sym, SymMask};
+use crate::{Real, Unrecordable};
 use std::marker::PhantomData;
 
 /// The recording of this thread, until it is finished or dropped.
@@ -16,7 +16,7 @@ pub(crate) struct Opened<T> {
     thread: PhantomData<*const T>,
 }
 
-impl<T: Plain> Opened<T> {
+impl<T: Real> Opened<T> {
     /// Opens a recording of a function of so many numbers; refused where one is open on this thread.
     pub(crate) fn start(inputs: usize) -> Result<Self, Unrecordable> {
         if Recording::is_open() {
@@ -60,17 +60,17 @@ pub(crate) fn is_open() -> bool {
 }
 
 /// An error unless a recording of this format is open on this thread.
-pub(crate) fn is_open_in<T: Plain>() -> Result<(), Unrecordable> {
+pub(crate) fn is_open_in<T: Real>() -> Result<(), Unrecordable> {
     Recording::takes(T::FORMAT)
 }
 
-impl<T: Plain> Sym<T> {
+impl<T: Real> Sym<T> {
     /// An error unless it is of the recording that is open on this thread.
     pub(crate) fn belongs(self) -> Result<(), Unrecordable> {
         Recording::owns(self.symbol)
     }
 }
-impl<T: Plain> SymMask<T> {
+impl<T: Real> SymMask<T> {
     /// An error unless it is of the recording that is open on this thread.
     pub(crate) fn belongs(self) -> Result<(), Unrecordable> {
         Recording::owns(self.symbol)

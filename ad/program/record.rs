@@ -3,8 +3,8 @@ use super::graph::{Id, Node};
 use super::in_progress::Recording;
 use super::packed::numbers;
 use super::recorded::Recorded;
-use super::sym::{Plain, Sym};
-use crate::{Error, Fixed, Scalar, Unrecordable};
+use super::sym::Sym;
+use crate::{Error, Fixed, Real, Scalar, Unrecordable};
 
 /// How many inputs a function that asks for hints is tried on.
 pub(crate) const TRIALS: usize = 192;
@@ -18,7 +18,7 @@ pub(crate) type Listed<'a, T> = &'a dyn Fn(&[Sym<T>]) -> Vec<Sym<T>>;
 /// Records a function of shapes of symbols.
 pub(crate) fn record<T, X, Y>(function: impl Fn(X) -> Y) -> Result<Recorded, Error>
 where
-    T: Plain,
+    T: Real,
     X: Fixed<Scalar = Sym<T>>,
     Y: Fixed<Scalar = Sym<T>>,
 {
@@ -37,7 +37,7 @@ pub(crate) fn record_with_codes<T, X, Y>(
     function: impl Fn(X) -> Y,
 ) -> Result<Recorded, Error>
 where
-    T: Plain,
+    T: Real,
     X: Fixed<Scalar = Sym<T>>,
     Y: Fixed<Scalar = Sym<T>>,
 {
@@ -50,7 +50,7 @@ where
 }
 
 /// Records a function of lists of symbols.
-pub(crate) fn listed<T: Plain>(
+pub(crate) fn listed<T: Real>(
     inputs: usize,
     trials: usize,
     function: Listed<'_, T>,
@@ -64,7 +64,7 @@ pub(crate) fn listed<T: Plain>(
 }
 
 /// The program of a function, and how many hints it asked for that were not known.
-fn recorded<T: Plain>(
+fn recorded<T: Real>(
     inputs: usize,
     function: Listed<'_, T>,
 ) -> Result<(Recorded, usize), Unrecordable> {
@@ -81,7 +81,7 @@ fn recorded<T: Plain>(
 }
 
 /// Runs a body in a recording.
-fn run<T: Plain>(
+fn run<T: Real>(
     plain: bool,
     body: &mut dyn FnMut() -> Vec<Sym<T>>,
 ) -> (Vec<Sym<T>>, Result<Recording, Unrecordable>) {
@@ -91,7 +91,7 @@ fn run<T: Plain>(
 }
 
 /// The places of the results, which must be of this recording, too.
-pub(super) fn places<T: Plain>(
+pub(super) fn places<T: Real>(
     recording: &mut Recording,
     results: &[Sym<T>],
 ) -> Result<Vec<Id>, Unrecordable> {
@@ -101,7 +101,7 @@ pub(super) fn places<T: Plain>(
 
 /// `true` if the program gives the results of the function on plain numbers, for which every hint is answered by
 /// the truth. Plain numbers are symbols of constants here, and every operation on them is carried out at once.
-fn agrees<T: Plain>(
+fn agrees<T: Real>(
     recorded: &Recorded,
     inputs: usize,
     function: Listed<'_, T>,

@@ -1,58 +1,10 @@
 //! A scalar that records what is done with it.
-use super::graph::{Format, Node};
+use super::graph::Node;
 use super::in_progress::Symbol;
 use crate::pack::leaf;
-use crate::scalar::float::Float;
-use crate::{Mask, Scalar};
+use crate::{Mask, Real, Scalar};
 use std::marker::PhantomData;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
-
-/// A result that is one number, `f32` or `f64`: what has a gradient.
-#[diagnostic::on_unimplemented(
-    message = "`.value_grad()` needs one number as result, and `{Self}` is none",
-    label = "the result is `{Self}`",
-    note = "`.jacobian()` gives the gradient of every number of a result, `.vjp()` that of their sum times cotangents"
-)]
-#[doc(hidden)]
-pub trait OneNumber {}
-
-impl OneNumber for f32 {}
-impl OneNumber for f64 {}
-
-/// A plain number, `f32` or `f64`, on which programs run.
-pub trait Plain: OneNumber + Float + Scalar<Mask = bool, Primal = Self> {
-    /// Its format.
-    const FORMAT: Format;
-    /// num-dual's own dual number over it.
-    type NumDual: Scalar<Mask = bool>;
-    /// A dual number of num-dual's.
-    fn num_dual(value: Self, derivative: Self) -> Self::NumDual;
-    /// Its value and its derivative.
-    fn of_num_dual(dual: Self::NumDual) -> (Self, Self);
-    /// Nearest number to an `f64`.
-    #[inline]
-    fn nearest(x: f64) -> Self {
-        Self::lit(x)
-    }
-}
-
-macro_rules! plain {
-    ($($float:ident is $format:ident)*) => { $(
-        impl Plain for $float {
-            const FORMAT: Format = Format::$format;
-            type NumDual = num_dual::Dual<$float>;
-            #[inline]
-            fn num_dual(value: Self, derivative: Self) -> Self::NumDual {
-                num_dual::Dual::new(value, derivative)
-            }
-            #[inline]
-            fn of_num_dual(dual: Self::NumDual) -> (Self, Self) {
-                (dual.re, dual.eps)
-            }
-        }
-    )* };
-}
-plain!(f32 is F32 f64 is F64);
 
 /// A number of a program that is being recorded: it stands for every `T` that it will be.
 ///
@@ -72,7 +24,7 @@ pub struct SymMask<T> {
     number: PhantomData<fn() -> T>,
 }
 
-impl<T: Plain> Sym<T> {
+impl<T: Real> Sym<T> {
     fn new(symbol: Symbol) -> Self {
         Sym {
             symbol,
@@ -120,55 +72,55 @@ impl<T: Plain> Sym<T> {
     }
 }
 
-leaf! { [T: Plain] Sym<T> }
+leaf! { [T: Real] Sym<T> }
 
-impl<T: Plain> Add for Sym<T> {
+impl<T: Real> Add for Sym<T> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         self.of_two(other, Node::Add)
     }
 }
-impl<T: Plain> Sub for Sym<T> {
+impl<T: Real> Sub for Sym<T> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self.of_two(other, Node::Sub)
     }
 }
-impl<T: Plain> Mul for Sym<T> {
+impl<T: Real> Mul for Sym<T> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         self.of_two(other, Node::Mul)
     }
 }
-impl<T: Plain> Div for Sym<T> {
+impl<T: Real> Div for Sym<T> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         self.of_two(other, Node::Div)
     }
 }
-impl<T: Plain> Neg for Sym<T> {
+impl<T: Real> Neg for Sym<T> {
     type Output = Self;
     fn neg(self) -> Self {
         self.of_one(Node::Neg)
     }
 }
-impl<T: Plain> AddAssign for Sym<T> {
+impl<T: Real> AddAssign for Sym<T> {
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
-impl<T: Plain> SubAssign for Sym<T> {
+impl<T: Real> SubAssign for Sym<T> {
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
-impl<T: Plain> MulAssign for Sym<T> {
+impl<T: Real> MulAssign for Sym<T> {
     fn mul_assign(&mut self, other: Self) {
         *self = *self * other;
     }
 }
 
-impl<T: Plain> SymMask<T> {
+impl<T: Real> SymMask<T> {
     fn new(symbol: Symbol) -> Self {
         SymMask {
             symbol,
@@ -181,26 +133,26 @@ impl<T: Plain> SymMask<T> {
         Self::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
     }
 }
-impl<T: Plain> BitAnd for SymMask<T> {
+impl<T: Real> BitAnd for SymMask<T> {
     type Output = Self;
     fn bitand(self, other: Self) -> Self {
         self.of_two(other, Node::And)
     }
 }
-impl<T: Plain> BitOr for SymMask<T> {
+impl<T: Real> BitOr for SymMask<T> {
     type Output = Self;
     fn bitor(self, other: Self) -> Self {
         self.of_two(other, Node::Or)
     }
 }
-impl<T: Plain> Not for SymMask<T> {
+impl<T: Real> Not for SymMask<T> {
     type Output = Self;
     #[inline(never)]
     fn not(self) -> Self {
         Self::new(Symbol::made(T::FORMAT, [self.symbol], |[x]| Node::Not(x)))
     }
 }
-impl<T: Plain> Mask for SymMask<T> {
+impl<T: Real> Mask for SymMask<T> {
     /// `true` if it is not known to be false.
     fn any(self) -> bool {
         self.symbol.hint(true)
@@ -211,7 +163,7 @@ impl<T: Plain> Mask for SymMask<T> {
     }
 }
 
-impl<T: Plain> Scalar for Sym<T> {
+impl<T: Real> Scalar for Sym<T> {
     type Mask = SymMask<T>;
     type Primal = Self;
     const COMPENSATED: bool = T::COMPENSATED;

@@ -5,9 +5,10 @@ use super::packed::numbers;
 use super::print::print;
 use super::record::record;
 use super::recorded::Recorded;
-use super::sym::{OneNumber, Plain, Sym};
+use super::sym::Sym;
 use super::wgsl;
-use crate::{Error, Fixed, Scalar};
+use crate::scalar::real::OneNumber;
+use crate::{Error, Fixed, Real, Scalar};
 use std::any::Any;
 use std::fmt;
 use std::marker::PhantomData;
@@ -71,7 +72,7 @@ impl<In, Out> Program<In, Out> {
     /// ([`Mask::any`](crate::Mask::any), [`Mask::all`](crate::Mask::all)).
     pub fn trace<T, X, Y>(function: impl Fn(X) -> Y) -> Result<Self, Error>
     where
-        T: Plain,
+        T: Real,
         X: Fixed<Scalar = Sym<T>, Of<T> = In>,
         Y: Fixed<Scalar = Sym<T>, Of<T> = Out>,
     {
@@ -96,7 +97,7 @@ impl<In, Out> Program<In, Out> {
     }
 }
 
-impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
+impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
     /// Returns the result for an input, with the bits of the function on plain numbers. Zeros have no sign.
     #[must_use]
     pub fn eval(&self, input: In) -> Out {
@@ -135,7 +136,7 @@ impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
     }
 
     /// The result with its Jacobian: the result's shape with its gradient, of the input's shape, in the place of every
-    /// number. It [runs](crate::kernels::Runs) in aligned batches.
+    /// number. It [runs](crate::kernels::Function) in aligned batches.
     ///
     /// ```
     /// use geograd::ad::program::{Program, Sym};
@@ -161,7 +162,7 @@ impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
     }
 }
 
-impl<T: Plain, In: Fixed<Scalar = T>> Program<In, T> {
+impl<T: Real, In: Fixed<Scalar = T>> Program<In, T> {
     /// The Hessian times a direction as a program: from an input and a direction, of the input's
     /// shape, to the derivative of the gradient along it.
     #[must_use]
@@ -227,7 +228,7 @@ impl<T: Plain, In: Fixed<Scalar = T>> Program<In, T> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Jacobian<O>(pub(crate) O);
 
-impl<T: Plain, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Jacobian<Program<In, Out>> {
+impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Jacobian<Program<In, Out>> {
     /// Returns the result for an input and its Jacobian: in the place of every number of the result its gradient.
     #[must_use]
     pub fn eval(&self, input: In) -> (Out, Out::With<In>) {

@@ -2,9 +2,8 @@
 use crate::cli::Machine;
 use geograd::kernels::Groups;
 use geograd::kernels::dynamic::{Function, Rows};
-use geograd::kernels::real::Real;
 use geograd::kernels::reduce::Found;
-use geograd::{Error, Unrecordable};
+use geograd::{Error, Real, Unrecordable};
 use std::borrow::Cow;
 use std::ops::Range;
 use std::str::FromStr;

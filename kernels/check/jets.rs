@@ -2,24 +2,23 @@
 use crate::ad::check::noise::Noisy;
 use crate::ad::check::witness::Precision;
 use crate::ad::forward::{Along, First};
-use crate::ad::program::Plain;
 use crate::ad::sample::drawn::Near;
 use crate::scalar::float::Float;
-use crate::{Jet, Scalar};
+use crate::{Jet, Real, Scalar};
 
 /// Lists between formats.
 pub(crate) fn widened<S: Float>(list: &[S]) -> Vec<f64> {
     list.iter().map(|x| x.widen()).collect()
 }
-pub(crate) fn nearest<S: Plain>(list: &[f64]) -> Vec<S> {
+pub(crate) fn nearest<S: Real>(list: &[f64]) -> Vec<S> {
     list.iter().map(|&x| S::nearest(x)).collect()
 }
-pub(crate) fn noisy_list<S: Plain>(list: &[f64]) -> Vec<Noisy<S>> {
+pub(crate) fn noisy_list<S: Real>(list: &[f64]) -> Vec<Noisy<S>> {
     list.iter().map(|&x| Noisy(S::nearest(x))).collect()
 }
 
 /// Numbers that move along a direction.
-pub(crate) fn moving<S: Plain, T: Scalar>(
+pub(crate) fn moving<S: Real, T: Scalar>(
     x: &[f64],
     direction: &[f64],
     of: impl Fn(S) -> T,
@@ -36,14 +35,14 @@ pub(crate) fn slopes<T: Copy>(jets: &[Jet<T, 1>]) -> Vec<T> {
 }
 
 /// Numbers as variables, of which some from one on have a derivative of their own.
-fn variables<S: Plain>(x: &[f64], start: usize) -> Vec<First<S>> {
+fn variables<S: Real>(x: &[f64], start: usize) -> Vec<First<S>> {
     let jets = x.iter().enumerate();
     let jets = jets.map(|(i, &x)| Jet::variable(S::nearest(x), i.wrapping_sub(start)));
     jets.collect()
 }
 
 /// The values that jets carry through a function.
-pub(crate) fn values_of_jets<S: Plain>(
+pub(crate) fn values_of_jets<S: Real>(
     x: &[f64],
     eval: impl Fn(&[First<S>]) -> Vec<First<S>>,
 ) -> Vec<f64> {
@@ -52,7 +51,7 @@ pub(crate) fn values_of_jets<S: Plain>(
 }
 
 /// The Jacobian of a function of so many results, some variables at a time: one row per result.
-pub(crate) fn jacobian<S: Plain>(
+pub(crate) fn jacobian<S: Real>(
     outputs: usize,
     x: &[f64],
     eval: impl Fn(&[First<S>]) -> Vec<First<S>>,
@@ -70,7 +69,7 @@ pub(crate) fn jacobian<S: Plain>(
 }
 
 /// The Hessian of `y_bar · value` times a direction, by duals of duals.
-pub(crate) fn second_order<S: Plain>(
+pub(crate) fn second_order<S: Real>(
     x: &[f64],
     y_bar: &[f64],
     direction: &[f64],

@@ -34,7 +34,6 @@ use crate::ad::check::verdict::Reason;
 use crate::ad::check::witness::Precision;
 use crate::ad::check::{Report, Sampling, examine};
 use crate::ad::declared::Kind;
-use crate::ad::program::Plain;
 use crate::ad::sample::Sample;
 use crate::ad::sample::drawn::{Drawn, Kinship};
 use crate::error::Field;
@@ -48,45 +47,40 @@ use crate::kernels::item::{Item, Single};
 use crate::kernels::op::{
     Derivative, Invariance, Jumps, Op, inside_of, recording_of, roundings_of,
 };
-use crate::kernels::real::Real;
 use crate::kernels::recording::{Mode, Recording};
 use crate::kernels::search::Search;
-use crate::{Error, Fixed, Pack};
+use crate::scalar::real::in_format;
+use crate::{Error, Fixed, Pack, Real};
 use std::any::Any;
 use std::sync::Arc;
 
-/// `f32` or `f64`, in which the harness and the fuzzer run operations.
-///
-/// The methods of a concrete format are compiled in this library, with its optimisation; generic functions would be
-/// compiled anew wherever an operation is checked.
-pub trait Judged: Real {
+/// The parts of the harness that are compiled in this library, with its optimisation, for each format: generic functions
+/// would be compiled anew wherever an operation is checked.
+pub(crate) struct Harness<S: Real> {
     /// Hands a recorded operation to whoever judges it.
-    #[doc(hidden)]
-    fn judged(subject: &RecordedSubject<'_, Self>, judge: &mut dyn FnMut(&dyn Subject));
+    pub(crate) judged: fn(&RecordedSubject<'_, S>, &mut dyn FnMut(&dyn Subject)),
     /// Fuzzes an operation.
-    #[doc(hidden)]
-    fn fuzzed(job: &Job<Self>, count: u64, seed: u64) -> Fuzzed;
+    pub(crate) fuzzed: fn(&Job<S>, count: u64, seed: u64) -> Fuzzed,
 }
 
-impl Judged for f32 {
-    fn judged(subject: &RecordedSubject<'_, f32>, judge: &mut dyn FnMut(&dyn Subject)) {
-        judge(subject);
-    }
-    fn fuzzed(job: &Job<f32>, count: u64, seed: u64) -> Fuzzed {
-        fuzz::run(job, count, seed)
-    }
-}
-impl Judged for f64 {
-    fn judged(subject: &RecordedSubject<'_, f64>, judge: &mut dyn FnMut(&dyn Subject)) {
-        judge(subject);
-    }
-    fn fuzzed(job: &Job<f64>, count: u64, seed: u64) -> Fuzzed {
-        fuzz::run(job, count, seed)
+static F32: Harness<f32> = Harness {
+    judged: |subject, judge| judge(subject),
+    fuzzed: fuzz::run,
+};
+static F64: Harness<f64> = Harness {
+    judged: |subject, judge| judge(subject),
+    fuzzed: fuzz::run,
+};
+
+impl<S: Real> Harness<S> {
+    /// That of a format.
+    pub(crate) fn get() -> &'static Self {
+        in_format([&F32, &F64])
     }
 }
 
 /// The scalar code of a straight line in one format.
-pub(crate) struct ScalarCode<S: Judged> {
+pub(crate) struct ScalarCode<S: Real> {
     /// The function.
     pub(crate) alone: Path<S>,
     /// The result and derivatives by hand.
@@ -95,14 +89,14 @@ pub(crate) struct ScalarCode<S: Judged> {
     pub(crate) num_dual: Option<fn(&[S::NumDual]) -> Vec<S::NumDual>>,
 }
 
-impl<S: Judged> Clone for ScalarCode<S> {
+impl<S: Real> Clone for ScalarCode<S> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<S: Judged> Copy for ScalarCode<S> {}
+impl<S: Real> Copy for ScalarCode<S> {}
 
-impl<S: Judged> ScalarCode<S> {
+impl<S: Real> ScalarCode<S> {
     pub(crate) const fn of<O: Op>() -> Self {
         let is_by_hand = matches!(O::DERIVATIVE, Derivative::ByHand);
         ScalarCode {
@@ -121,12 +115,12 @@ impl<S: Judged> ScalarCode<S> {
 }
 
 /// A straight line in one format as the harness and the fuzzer take it: batches of it, and its scalar code.
-pub(crate) struct Examined<S: Judged> {
+pub(crate) struct Examined<S: Real> {
     pub(crate) recording: Arc<Recording<S>>,
     pub(crate) code: ScalarCode<S>,
 }
 
-impl<S: Judged> Examined<S> {
+impl<S: Real> Examined<S> {
     pub(crate) fn of<O: Op>() -> Self
     where
         O::In<S>: Item<Scalar = S>,
@@ -175,7 +169,7 @@ fn by_hand<O: Op, S: Real>(x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
 }
 
 /// The function itself on num-dual's numbers.
-fn on_num_dual<O: Op, S: Plain>(x: &[S::NumDual]) -> Vec<S::NumDual> {
+fn on_num_dual<O: Op, S: Real>(x: &[S::NumDual]) -> Vec<S::NumDual> {
     O::eval(O::In::<S::NumDual>::load(x)).scalars()
 }
 
@@ -211,7 +205,7 @@ impl Stated {
 }
 
 /// The value of a fold edge by edge.
-fn value_by_edges<F: Fold, S: Plain>(x: &[S]) -> Vec<S> {
+fn value_by_edges<F: Fold, S: Real>(x: &[S]) -> Vec<S> {
     let (context, path) = context_and_path::<F, S>(x);
     edge_by_edge::<F, S>(context, &path).scalars()
 }
@@ -317,7 +311,7 @@ fn typed<X: Sample>(x: &dyn Drawn) -> &X {
 }
 
 /// Runs every check of an operation.
-pub fn check<O: Op, S: Judged>(samples: usize, seed: u64) -> Report
+pub fn check<O: Op, S: Real>(samples: usize, seed: u64) -> Report
 where
     O::In<f64>: Sample + Item,
     O::Out<f64>: Sample + Item,
@@ -328,7 +322,7 @@ where
 }
 
 /// The same by a sampling.
-pub fn check_with<O: Op, S: Judged>(sampling: &Sampling<'_>) -> Report
+pub fn check_with<O: Op, S: Real>(sampling: &Sampling<'_>) -> Report
 where
     O::In<f64>: Sample + Item,
     O::Out<f64>: Sample + Item,
@@ -378,7 +372,7 @@ where
     straight::<O, f32>(sampling, Some(backend), true)
 }
 
-fn straight<O: Op, S: Judged>(
+fn straight<O: Op, S: Real>(
     sampling: &Sampling<'_>,
     backend: Option<Backend<'_>>,
     pairs: bool,
@@ -402,7 +396,7 @@ where
 
 /// Judges a straight line, with batches on a backend as further witnesses of `f32`: items side by side, the value
 /// with its gradient, and all pairs if they are wanted.
-pub(crate) fn examined<S: Judged>(
+pub(crate) fn examined<S: Real>(
     stated: &Stated,
     (kinship, name): (Kinship, fn(usize) -> Field),
     own: &Examined<S>,
@@ -474,7 +468,7 @@ fn names_of(name: fn(usize) -> Field, count: usize, arguments: &[&str]) -> Vec<S
 }
 
 /// Judges what was recorded of an operation; if nothing was, refuses it.
-fn recorded<S: Judged>(
+fn recorded<S: Real>(
     name: &'static str,
     kinship: Kinship,
     sampling: &Sampling<'_>,
@@ -502,12 +496,12 @@ fn recorded<S: Judged>(
             wide: wide.as_ref(),
             batch,
         };
-        S::judged(&subject, judge);
+        (Harness::<S>::get().judged)(&subject, judge);
     })
 }
 
 /// Runs every check of a fold over paths.
-pub fn check_fold_with<F: Fold, S: Judged>(sampling: &Sampling<'_>) -> Report
+pub fn check_fold_with<F: Fold, S: Real>(sampling: &Sampling<'_>) -> Report
 where
     (F::Context<f64>, Vec<F::Element<f64>>): Sample,
     F::Out<f64>: Sample,
@@ -537,7 +531,7 @@ where
     folded::<F, f32>(sampling, asks)
 }
 
-fn folded<F: Fold, S: Judged>(sampling: &Sampling<'_>, asks: Vec<Ask<'_>>) -> Result<Report, Error>
+fn folded<F: Fold, S: Real>(sampling: &Sampling<'_>, asks: Vec<Ask<'_>>) -> Result<Report, Error>
 where
     (F::Context<f64>, Vec<F::Element<f64>>): Sample,
     F::Out<f64>: Sample,
@@ -556,7 +550,7 @@ where
 }
 
 /// Runs every check of an operation with a search.
-pub fn check_search_with<D: Search, S: Judged>(sampling: &Sampling<'_>) -> Report
+pub fn check_search_with<D: Search, S: Real>(sampling: &Sampling<'_>) -> Report
 where
     D::In<f64>: Sample,
     D::Out<f64>: Sample,

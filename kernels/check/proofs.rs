@@ -1,10 +1,9 @@
 //! Proofs of the rows of distances in space: shapes as bodies, and the row of their nearest points.
 use crate::ad::check::certificate::{Body, Measure, Proof};
-use crate::kernels::check::Judged;
 use crate::kernels::dynamic::{Function, Operation, Rows};
 use crate::{
-    Aabb3, Capsule3, Cone, Cylinder, Fixed, Line3, Obb3, Plane3, Ray3, RoundBox3, Segment3, Sphere,
-    Tetrahedron, Triangle3, Vec3, YawBox3,
+    Aabb3, Capsule3, Cone, Cylinder, Fixed, Line3, Obb3, Plane3, Ray3, Real, RoundBox3, Segment3,
+    Sphere, Tetrahedron, Triangle3, Vec3, YawBox3,
 };
 
 /// A box by its size and its axes.
@@ -89,14 +88,14 @@ fn turned(turn: impl Fn(Vec3<f64>) -> Vec3<f64>) -> [Vec3<f64>; 3] {
 }
 
 /// The proofs of a row.
-pub(crate) struct Proofs<S: Judged> {
+pub(crate) struct Proofs<S: Real> {
     measure: Measure,
     shapes: &'static [&'static str],
     /// The row of the nearest points of the same shapes, if there is one.
     points: Option<Function<S>>,
 }
 
-impl<S: Judged> Proofs<S> {
+impl<S: Real> Proofs<S> {
     /// Those of a distance of two shapes of space.
     pub(crate) fn of<'a>(
         row: &Operation,
@@ -134,7 +133,7 @@ impl<S: Judged> Proofs<S> {
 }
 
 /// The nearest points by a batch of one item.
-fn points<S: Judged>(row: &Function<S>, x: &[f64]) -> Option<[Vec3<f64>; 2]> {
+fn points<S: Real>(row: &Function<S>, x: &[f64]) -> Option<[Vec3<f64>; 2]> {
     let list: Vec<S> = x.iter().map(|&x| S::nearest(x)).collect();
     let mut rest = &list[..];
     let mut columns = Vec::new();

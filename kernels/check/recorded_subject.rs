@@ -1,5 +1,5 @@
 //! A recorded operation as a subject of the verification harness: lists of numbers in, lists of numbers
-//! out. It is compiled once, in the library, whatever the operation (`Real::judged` sees to that).
+//! out. It is compiled once, in the library, whatever the operation (`Harness` sees to that).
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::trace::{Trace, Traced, num_duals, of_num_duals, trace};
@@ -9,13 +9,12 @@ use crate::ad::declared::{Invariance, Kind};
 use crate::ad::forward::{Along, First};
 use crate::ad::program::recorded::Recorded;
 use crate::ad::sample::drawn::Near;
-use crate::kernels::check::Judged;
 use crate::kernels::check::jets::{self, moving, nearest, noisy_list, widened};
 use crate::kernels::check::subject::Path;
 use crate::kernels::check::witness::Batch;
 use crate::kernels::dynamic::{Function, Rows};
 use crate::kernels::op::Jumps;
-use crate::{Jet, Scalar};
+use crate::{Jet, Real, Scalar};
 use std::sync::Arc;
 
 /// The result and the derivatives of a cotangent, by hand, on plain numbers; nothing where there are none.
@@ -23,7 +22,7 @@ pub(crate) type ByHand<S> = fn(&[S], &[S]) -> Option<(Vec<S>, Vec<S>)>;
 
 /// All that the harness compares of an operation in one format.
 #[derive(Clone)]
-pub(crate) struct Computations<S: Judged> {
+pub(crate) struct Computations<S: Real> {
     /// The result, recorded.
     pub value: Arc<Recorded>,
     /// The result and derivatives from the input and a cotangent, recorded: from wherever the operation says
@@ -52,7 +51,7 @@ pub(crate) struct Computations<S: Judged> {
     pub jumps: Jumps,
 }
 
-impl<S: Judged> Computations<S> {
+impl<S: Real> Computations<S> {
     /// The result by a batch of one item; nothing where the batch refuses it.
     fn batch_value(&self, x: &[S]) -> Vec<S> {
         let mut rest = x;
@@ -89,7 +88,7 @@ impl<S: Judged> Computations<S> {
 }
 
 /// A recorded operation near an input.
-pub struct RecordedSubject<'a, S: Judged> {
+pub struct RecordedSubject<'a, S: Real> {
     pub(crate) near: &'a dyn Near,
     pub(crate) recording: &'a Computations<S>,
     /// The same operation in double precision.
@@ -98,7 +97,7 @@ pub struct RecordedSubject<'a, S: Judged> {
     pub(crate) batch: Option<&'a Batch<'a>>,
 }
 
-impl<S: Judged> Subject for RecordedSubject<'_, S> {
+impl<S: Real> Subject for RecordedSubject<'_, S> {
     fn precision(&self) -> Precision {
         Precision::of::<S>()
     }

@@ -1,5 +1,4 @@
 //! Operations, searches and folds as the harness takes them: one function, generic over the scalar, and its adjoint.
-use crate::ad::program::Plain;
 use crate::kernels::cpu::folds::folding::Sizes;
 use crate::kernels::cpu::folds::{Programs, backwards, programs};
 use crate::kernels::fold::{Fold, by_hand, fold};
@@ -7,7 +6,7 @@ use crate::kernels::op::program_of;
 use crate::kernels::op::{Derivative, Invariance, Jumps, Op};
 use crate::kernels::recording::Mode;
 use crate::kernels::search::Search;
-use crate::{Fixed, Jet, Pack, Scalar};
+use crate::{Fixed, Jet, Pack, Real, Scalar};
 use std::sync::Arc;
 
 /// An operation as a subject of the harness.
@@ -34,7 +33,7 @@ pub trait Source: 'static {
         input.refill(&Self::pulled(input, out_bar))
     }
     /// The function on num-dual's numbers; only for operations with an adjoint by hand, as a witness of it.
-    fn on_num_dual<S: Plain>(_input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
+    fn on_num_dual<S: Real>(_input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
         None
     }
     /// An input like another one, made of the numbers of a list.
@@ -71,7 +70,7 @@ impl<O: Op> Source for Straight<O> {
             Err(_) => vec![S::lit(f64::NAN); Self::In::<S>::LEN],
         }
     }
-    fn on_num_dual<S: Plain>(&input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
+    fn on_num_dual<S: Real>(&input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
         match const { matches!(O::DERIVATIVE, Derivative::ByHand) } {
             true => Some(O::eval(input)),
             false => None,
@@ -169,7 +168,7 @@ impl<F: Fold> Source for Folded<F> {
             None => vec![S::lit(f64::NAN); sizes.own + path.len() * sizes.element],
         }
     }
-    fn on_num_dual<S: Plain>(
+    fn on_num_dual<S: Real>(
         (context, path): &Self::In<S::NumDual>,
     ) -> Option<Self::Out<S::NumDual>> {
         F::MEASURE.map(|_| fold::<F, S::NumDual>(*context, path))

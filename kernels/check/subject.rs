@@ -6,13 +6,12 @@ use crate::ad::check::trace::{Trace, Traced, num_duals, of_num_duals, trace};
 use crate::ad::check::witness::Precision;
 use crate::ad::declared::{Invariance, Kind};
 use crate::ad::forward::{Along, First};
-use crate::ad::program::Plain;
 use crate::ad::sample::Sample;
 use crate::ad::sample::drawn::Near;
 use crate::kernels::check::Source;
 use crate::kernels::check::jets::{self, moving, nearest, noisy_list, widened};
 use crate::kernels::check::witness::Batch;
-use crate::{Fixed, Jet, Pack, Scalar};
+use crate::{Fixed, Jet, Pack, Real, Scalar};
 use std::fmt;
 
 /// An operation's value by another path.
@@ -21,7 +20,7 @@ pub type Path<S> = fn(&[S]) -> Vec<S>;
 pub type Fused<S> = fn(&[S]) -> (Vec<S>, Vec<S>);
 
 /// An operation near an input, in one format.
-pub struct OpSubject<'a, S: Plain> {
+pub struct OpSubject<'a, S: Real> {
     near: &'a dyn Near,
     code: Box<dyn Code<S> + 'a>,
     paths: &'a [Path<S>],
@@ -30,7 +29,7 @@ pub struct OpSubject<'a, S: Plain> {
     stated: Stated,
 }
 
-impl<S: Plain> fmt::Debug for OpSubject<'_, S> {
+impl<S: Real> fmt::Debug for OpSubject<'_, S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("OpSubject").finish_non_exhaustive()
     }
@@ -47,7 +46,7 @@ struct Stated {
 
 /// A source near an input, as functions of lists of every kind of number that the harness asks: what asks is compiled
 /// once, whatever the source.
-trait Code<S: Plain> {
+trait Code<S: Real> {
     fn value(&self, x: &[S]) -> Vec<S>;
     fn first(&self, x: &[First<S>]) -> Vec<First<S>>;
     fn jets(&self, x: &[Jet<S, 1>]) -> Vec<Jet<S, 1>>;
@@ -86,7 +85,7 @@ where
     }
 }
 
-impl<O: Source, S: Plain> Code<S> for At<'_, O>
+impl<O: Source, S: Real> Code<S> for At<'_, O>
 where
     O::In<f64>: Sample,
     O::Out<f64>: Sample,
@@ -130,7 +129,7 @@ where
     }
 }
 
-impl<'a, S: Plain> OpSubject<'a, S> {
+impl<'a, S: Real> OpSubject<'a, S> {
     /// A source near an input, which says how many numbers there are.
     #[must_use]
     pub fn of<O: Source>(
@@ -169,7 +168,7 @@ impl<'a, S: Plain> OpSubject<'a, S> {
     }
 }
 
-impl<S: Plain> Subject for OpSubject<'_, S> {
+impl<S: Real> Subject for OpSubject<'_, S> {
     fn precision(&self) -> Precision {
         Precision::of::<S>()
     }

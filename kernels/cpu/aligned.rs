@@ -1,11 +1,12 @@
 //! Aligned batches of columns of numbers.
+use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check, check_upstream};
 use crate::kernels::cpu::desk::Aligned;
 use crate::kernels::cpu::plan::{Face, Preparation};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::item::{Column, Target};
-use crate::kernels::real::Real;
+use crate::kernels::real::{drivers_in, kernels_in};
 
 /// Checks columns: how many items there are, and whether some may be too rare for kernels.
 pub(crate) fn checked<T: Real>(
@@ -59,7 +60,7 @@ pub(crate) fn sound<T: Real>(
                 let numbers = column.all();
                 check_upstream(&numbers, column.fields)?;
                 // A cotangent too steep for kernels makes its item rare, as a rare shape does.
-                rare |= !(T::kernels().all_up_to)(&numbers, steepest);
+                rare |= !(kernels_in::<T>().all_up_to)(&numbers, steepest);
             }
         }
     }
@@ -73,7 +74,7 @@ pub(crate) fn compute<'a, T: Real>(
     count: usize,
     targets: Vec<Option<Target<'a, T>>>,
 ) {
-    (T::drivers().aligned)(Aligned {
+    (drivers_in::<T>().aligned)(Aligned {
         face,
         columns,
         rare,
@@ -98,7 +99,7 @@ pub(crate) fn compute_unchecked<'a, T: Real>(
     is_program
         && is_plain
         && Simd::current().is_ok()
-        && (T::drivers().aligned)(Aligned {
+        && (drivers_in::<T>().aligned)(Aligned {
             face,
             columns,
             rare: false,

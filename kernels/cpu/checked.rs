@@ -1,5 +1,4 @@
 //! Checks of columns of shapes, and their conversion to plain numbers with room for results.
-use crate::Fixed;
 use crate::ad::adjoint::overlap::tamed;
 use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::arch;
@@ -7,7 +6,8 @@ use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::item::{Column, get, put, width};
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
+use crate::{Fixed, Real};
 use std::borrow::Cow;
 use std::sync::Mutex;
 
@@ -36,7 +36,7 @@ pub(crate) fn entries(rows: usize, columns: usize, fields: usize) -> Result<usiz
 
 /// Checks that every upstream derivative is finite; each has so many numbers.
 pub(crate) fn check_upstream<T: Real>(upstream: &[T], fields: usize) -> Result<(), Error> {
-    if (T::kernels().all_finite)(upstream) {
+    if (kernels_in::<T>().all_finite)(upstream) {
         return Ok(());
     }
     for (i, &x) in upstream.iter().enumerate() {
@@ -56,7 +56,7 @@ pub(crate) fn check_upstream<T: Real>(upstream: &[T], fields: usize) -> Result<(
 ///
 /// When one is not finite.
 pub(crate) fn tame<T: Real>(upstream: &[T], steepest: f64) -> Result<Option<Vec<(T, T)>>, Error> {
-    if (T::kernels().all_up_to)(upstream, steepest) {
+    if (kernels_in::<T>().all_up_to)(upstream, steepest) {
         return Ok(None);
     }
     check_upstream(upstream, 1)?;

@@ -1,11 +1,12 @@
 //! Aligned items over plain numbers, block by block: the same code for every operation.
+use crate::Real;
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles, planes, tiles, with_lanes};
 use crate::kernels::cpu::plan::{Face, Preparation};
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::rowwise::{Given, NEAR, Wanted};
 use crate::kernels::cpu::work::spread;
 use crate::kernels::item::{Column, Piece, STRETCH, Target};
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -102,7 +103,7 @@ impl<T: Real> Stretch<'_, T> {
     fn is_sound(&self) -> bool {
         self.numbers.iter().enumerate().all(|(k, numbers)| {
             let own = self.face.arguments.get(k);
-            own.map_or(T::kernels().all_finite, |x| x.all_ordinary)(numbers)
+            own.map_or(kernels_in::<T>().all_finite, |x| x.all_ordinary)(numbers)
         })
     }
     fn compute(&self, count: usize, places: &mut [Option<&mut [T]>]) {
@@ -146,7 +147,7 @@ impl<T: Real> Stretch<'_, T> {
                 for (place, &fields) in places.iter_mut().zip(&face.gives) {
                     if let Some(place) = place {
                         let rows = &mut place[items.start * fields..items.end * fields];
-                        (T::kernels().take)(results.from(from), fields, rows, fields);
+                        (kernels_in::<T>().take)(results.from(from), fields, rows, fields);
                     }
                     from += fields;
                 }
@@ -192,7 +193,7 @@ impl<T: Real> Stretch<'_, T> {
         let width = tiles(numbers.len() / fields);
         let is_new = !self.ones[k] || items.start == 0;
         if is_new {
-            (T::kernels().bring)(numbers, fields, &mut own[..width * fields]);
+            (kernels_in::<T>().bring)(numbers, fields, &mut own[..width * fields]);
         }
         let frame = self.face.arguments.get(k).and_then(|x| x.frame.as_ref());
         match frame {

@@ -1,5 +1,6 @@
 //! The drivers, compiled in this library for both formats: whoever calls a batch compiles no more
 //! than what turns shapes into numbers.
+use crate::Real;
 use crate::error::Error;
 use crate::kernels::cpu::desk::{self, Aligned};
 use crate::kernels::cpu::folds::folding::Folding;
@@ -11,7 +12,6 @@ use crate::kernels::cpu::plan::{self, Face};
 use crate::kernels::cpu::polygons::{self, Pulled, RingPairs};
 use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
-use crate::kernels::real::Real;
 use crate::kernels::recording::Call;
 use crate::kernels::reduce::{Best, Found};
 use std::sync::Arc;

@@ -1,9 +1,9 @@
 //! Suppression while pairs are computed: only those that a kept shape may suppress.
+use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::lane::Planes;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::sweep::Chooses;
-use crate::kernels::real::Real;
 
 /// The rules of suppression.
 #[derive(Clone, Copy, Debug)]

@@ -3,6 +3,7 @@
 //! Small groups share a desk: pairs of many rows fill the lanes of one tile, which a group alone leaves empty. A group
 //! that is large enough for a tree or for threads of its own goes through the code of ungrouped lists. Neither moves a
 //! bit of a result.
+use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::greedy::{self, Greed};
 use crate::kernels::cpu::lane::{
@@ -14,7 +15,7 @@ use crate::kernels::cpu::plan::{Face, List};
 use crate::kernels::cpu::reductions::{self, raise, start};
 use crate::kernels::cpu::sweep::LONG;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
 use crate::kernels::reduce::{Best, Found};
 use std::ops::Range;
 
@@ -135,7 +136,7 @@ impl<T: Real> Desk<'_, T> {
         for (k, places) in [&self.rows, &self.columns].into_iter().enumerate() {
             let (list, numbers) = (&self.lists[k], flat(&self.picking[k]));
             let picked = &mut self.picked[k][..tiles(count) * list.frame_fields];
-            (T::kernels().gather)(numbers, list.stride(), places, list.frame_fields, picked);
+            (kernels_in::<T>().gather)(numbers, list.stride(), places, list.frame_fields, picked);
         }
         let inputs = [0, 1].map(|k| Tiles::new(&*self.picked[k], self.lists[k].frame_fields));
         let out = Results {
@@ -208,8 +209,12 @@ fn sweep<T: Real>(
                 let near = match (bounds, a.bounds_of(row)) {
                     (Some(bounds), Some(own)) => {
                         let bounds = Tiles::new(bounds, BOUNDS);
-                        let near =
-                            (T::kernels().near)(&own, bounds, (first * TILE) as u32, &mut room);
+                        let near = (kernels_in::<T>().near)(
+                            &own,
+                            bounds,
+                            (first * TILE) as u32,
+                            &mut room,
+                        );
                         // The first and the last tile have columns of other groups.
                         let near = &room[..near];
                         let from = near.partition_point(|&j| (j as usize) < columns.start);

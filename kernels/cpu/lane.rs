@@ -3,6 +3,8 @@
 //! A *tile* is sixteen items, field after field; each field of it is one [`Lane`]. Kernels read and
 //! write tiles whatever their vectors' width is, so the layout is the same at every level.
 
+use crate::Real;
+use crate::scalar::real::in_format;
 use std::cell::RefCell;
 use std::ops::{Deref, DerefMut};
 use std::thread::LocalKey;
@@ -148,28 +150,15 @@ impl<T> Stock<T> {
     }
 }
 
-/// A format of which threads keep lanes.
-pub trait Kept: Sized + 'static {
-    #[doc(hidden)]
-    fn kept() -> &'static LocalKey<Stock<Self>>;
-}
-impl Kept for f32 {
-    fn kept() -> &'static LocalKey<Stock<f32>> {
-        &F32
-    }
-}
-impl Kept for f64 {
-    fn kept() -> &'static LocalKey<Stock<f64>> {
-        &F64
-    }
+/// The lanes that this thread keeps.
+#[inline]
+fn stock<T: Real>() -> &'static LocalKey<Stock<T>> {
+    in_format([&F32, &F64])
 }
 
 /// Lends the thread's lanes, with anything in them.
-pub(crate) fn with_lanes<T: Kept + Copy + Default, R>(
-    count: usize,
-    run: impl FnOnce(&mut [Lane<T>]) -> R,
-) -> R {
-    T::kept().with(|kept| match kept.desk.try_borrow_mut() {
+pub(crate) fn with_lanes<T: Real, R>(count: usize, run: impl FnOnce(&mut [Lane<T>]) -> R) -> R {
+    stock::<T>().with(|kept| match kept.desk.try_borrow_mut() {
         Ok(mut lanes) => {
             if lanes.len() < count {
                 lanes.resize(count, Lane::default());
@@ -182,12 +171,12 @@ pub(crate) fn with_lanes<T: Kept + Copy + Default, R>(
 }
 
 /// Lends the thread's room of a number. `furnish` makes one unless the thread still keeps it.
-pub(crate) fn with_room<T: Kept, R>(
+pub(crate) fn with_room<T: Real, R>(
     whose: u64,
     furnish: impl FnOnce() -> Vec<Lane<T>>,
     run: impl FnOnce(&mut [Lane<T>]) -> R,
 ) -> R {
-    let kept = T::kept().with(|kept| {
+    let kept = stock::<T>().with(|kept| {
         let mut rooms = kept.rooms.borrow_mut();
         let at = rooms.iter().position(|room| room.0 == whose);
         at.map(|at| rooms.remove(at).1)
@@ -195,7 +184,7 @@ pub(crate) fn with_room<T: Kept, R>(
     let mut room = kept.unwrap_or_else(furnish);
     let result = run(&mut room);
     if room.len() <= KEPT_LANES {
-        T::kept().with(|kept| {
+        stock::<T>().with(|kept| {
             let mut rooms = kept.rooms.borrow_mut();
             if rooms.len() == KEPT_LISTS {
                 rooms.remove(0);
@@ -213,12 +202,12 @@ const KEPT_LANES: usize = 1 << 13;
 
 /// Lanes for as long as they are needed, with anything in them.
 #[derive(Debug)]
-pub struct Lent<T: Kept> {
+pub struct Lent<T: Real> {
     lanes: Vec<Lane<T>>,
     count: usize,
 }
 
-impl<T: Kept + Copy + Default> Lent<T> {
+impl<T: Real> Lent<T> {
     /// So many lanes: those of a list that is not lent, or new ones.
     pub(crate) fn new(count: usize) -> Self {
         if count == 0 {
@@ -227,7 +216,7 @@ impl<T: Kept + Copy + Default> Lent<T> {
                 count,
             };
         }
-        let old = T::kept().with(|kept| {
+        let old = stock::<T>().with(|kept| {
             let mut lists = kept.lists.borrow_mut();
             let fitting = lists.iter().position(|lanes| lanes.len() >= count);
             fitting.map(|at| lists.swap_remove(at))
@@ -237,28 +226,28 @@ impl<T: Kept + Copy + Default> Lent<T> {
     }
 }
 
-impl<T: Kept> Deref for Lent<T> {
+impl<T: Real> Deref for Lent<T> {
     type Target = [Lane<T>];
     #[inline]
     fn deref(&self) -> &[Lane<T>] {
         self.lanes.get(..self.count).unwrap_or_default()
     }
 }
-impl<T: Kept> DerefMut for Lent<T> {
+impl<T: Real> DerefMut for Lent<T> {
     #[inline]
     fn deref_mut(&mut self) -> &mut [Lane<T>] {
         self.lanes.get_mut(..self.count).unwrap_or_default()
     }
 }
 
-impl<T: Kept> Drop for Lent<T> {
+impl<T: Real> Drop for Lent<T> {
     fn drop(&mut self) {
         let mut lanes = std::mem::take(&mut self.lanes);
         if lanes.is_empty() || lanes.len() > KEPT_LANES {
             return;
         }
         // A thread that ends keeps nothing.
-        let _ = T::kept().try_with(|kept| {
+        let _ = stock::<T>().try_with(|kept| {
             let Ok(mut lists) = kept.lists.try_borrow_mut() else {
                 return;
             };

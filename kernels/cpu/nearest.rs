@@ -10,8 +10,8 @@ use crate::kernels::cpu::checked::numbers;
 use crate::kernels::cpu::lane::{Lane, TILE, tiles};
 use crate::kernels::cpu::ragged::cuts;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::real::Real;
-use crate::{Scalar, Vec2};
+use crate::kernels::real::kernels_in;
+use crate::{Real, Scalar, Vec2};
 use std::ops::Range;
 
 /// The limits within which squares and signs are right.
@@ -264,7 +264,7 @@ pub fn sieved<T: Real>(
     let cuts = match spans {
         Spans::Ragged(offsets) => cuts(offsets),
         Spans::Shared(paths, length) => {
-            if !(T::kernels().all_finite)(&numbers(vertices)) {
+            if !(kernels_in::<T>().all_finite)(&numbers(vertices)) {
                 return None;
             }
             one.set(vertices, closed);
@@ -284,14 +284,14 @@ pub fn sieved<T: Real>(
                 Spans::Shared(..) => one,
                 Spans::Ragged(_) => {
                     let vertices = &vertices[spans.of(path)];
-                    sieved.unsound |= !(T::kernels().all_finite)(&numbers(vertices));
+                    sieved.unsound |= !(kernels_in::<T>().all_finite)(&numbers(vertices));
                     own.set(vertices, closed);
                     &own
                 }
             };
             squares.resize(tiles(edges.count).max(squares.len()), Lane::default());
             picked.resize((edges.count + TILE).max(picked.len()), 0);
-            let near = T::kernels().near_edges;
+            let near = kernels_in::<T>().near_edges;
             let found = near(points[path], edges, limits, &mut squares, &mut picked);
             match found {
                 Some((count, _)) => sieved.edges.extend_from_slice(&picked[..count]),

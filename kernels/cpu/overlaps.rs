@@ -10,9 +10,8 @@ use crate::iou::giou_framed;
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::blocks::all_within;
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
-use crate::kernels::real::Real;
 use crate::overlap::{Denominator, score_aabb2, score_framed};
-use crate::{Aabb2, Fixed, Obb2, Scalar, Vec2};
+use crate::{Aabb2, Fixed, Obb2, Real, Scalar, Vec2};
 
 /// Numbers of a rotated box.
 pub(crate) const OBB2: usize = 5;

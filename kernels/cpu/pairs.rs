@@ -1,11 +1,12 @@
 //! Batches of all pairs over plain numbers: the same code for every operation.
+use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::blocks::QUAD;
 use crate::kernels::cpu::lane::{BLOCK, Lane, TILE, tiles};
 use crate::kernels::cpu::plan::{Face, List, Shapes};
 use crate::kernels::cpu::sweep::{Chooses, Columns, Part, Sweep, Upstream};
 use crate::kernels::cpu::work::{rows_per_piece, spread};
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
 use std::ops::Range;
 
 /// An operation and both lists as numbers, checked.
@@ -83,11 +84,11 @@ fn put<T: Real>(part: &Part<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
             if let [row] = rows {
                 let row = &mut row[part.stretch.clone()];
                 row.fill(T::default());
-                return (T::kernels().scatter)(part.results, columns, first, row, width);
+                return (kernels_in::<T>().scatter)(part.results, columns, first, row, width);
             }
             room.clear();
             room.resize(rows.len() * width, T::default());
-            (T::kernels().scatter)(part.results, columns, first, room, width);
+            (kernels_in::<T>().scatter)(part.results, columns, first, room, width);
             for (room, row) in room.chunks_exact(width).zip(rows) {
                 row[part.stretch.clone()].copy_from_slice(room);
             }
@@ -216,10 +217,16 @@ pub fn pull_back<T: Real>(
                 match part.columns {
                     Columns::Run(run) => {
                         let sums = &mut column_sums[run.start / TILE * fields[1]..];
-                        (T::kernels().accumulate)(part.results, fields, run.len(), row_sums, sums);
+                        (kernels_in::<T>().accumulate)(
+                            part.results,
+                            fields,
+                            run.len(),
+                            row_sums,
+                            sums,
+                        );
                     }
                     Columns::Picked(columns) => {
-                        let add = T::kernels().accumulate_picked;
+                        let add = kernels_in::<T>().accumulate_picked;
                         add(part.results, fields, columns, row_sums, column_sums);
                     }
                 }

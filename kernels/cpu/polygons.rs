@@ -7,10 +7,10 @@ use crate::kernels::cpu::lane::{Lane, TILE, Tiles, tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::ragged::check_offsets;
 use crate::kernels::cpu::work::{rows_per_piece, spread};
-use crate::kernels::real::Real;
+use crate::kernels::real::{drivers_in, kernels_in};
 use crate::overlap_polygon::holed;
 use crate::reference::bounds_of;
-use crate::{Aabb2, Vec2};
+use crate::{Aabb2, Real, Vec2};
 
 /// Polygons of one ring each, one after another: polygon i has the vertices `offsets[i]..offsets[i + 1]`. There
 /// is one offset more than there are polygons, from 0 to the number of vertices.
@@ -116,7 +116,7 @@ impl Cpu {
         a: RingList<'_, T>,
         b: RingList<'_, T>,
     ) -> Result<Vec<T>, Error> {
-        Ok((T::drivers().ring_scores)(aligned(score, a, b)?))
+        Ok((drivers_in::<T>().ring_scores)(aligned(score, a, b)?))
     }
 
     /// [`rings`](Cpu::rings) with its adjoint: the results, and one cotangent per vertex of either list, for one
@@ -135,7 +135,7 @@ impl Cpu {
         let pairs = aligned(score, a, b)?;
         expect(Argument::Upstream, a.count(), upstream.len())?;
         check_upstream(upstream, 1)?;
-        Ok((T::drivers().ring_derivatives)(pairs, upstream))
+        Ok((drivers_in::<T>().ring_derivatives)(pairs, upstream))
     }
 
     /// How much every polygon of one list overlaps every one of another: row after row, a row per polygon of
@@ -151,7 +151,7 @@ impl Cpu {
         a: RingList<'_, T>,
         b: RingList<'_, T>,
     ) -> Result<Vec<T>, Error> {
-        Ok((T::drivers().ring_scores)(crossed(score, a, b)?))
+        Ok((drivers_in::<T>().ring_scores)(crossed(score, a, b)?))
     }
 
     /// [`all_rings`](Cpu::all_rings) with its adjoint: the results, and one cotangent per vertex of either list,
@@ -170,7 +170,7 @@ impl Cpu {
         let pairs = crossed(score, a, b)?;
         expect(Argument::Upstream, a.count() * b.count(), upstream.len())?;
         check_upstream(upstream, 1)?;
-        Ok((T::drivers().ring_derivatives)(pairs, upstream))
+        Ok((drivers_in::<T>().ring_derivatives)(pairs, upstream))
     }
 }
 
@@ -214,7 +214,7 @@ fn check<T: Real>(argument: Argument, list: RingList<'_, T>) -> Result<(), Error
         },
         error => error,
     })?;
-    if (T::kernels().all_finite)(&numbers(list.vertices)) {
+    if (kernels_in::<T>().all_finite)(&numbers(list.vertices)) {
         return Ok(());
     }
     for row in 0..list.count() {
@@ -274,7 +274,7 @@ impl<'a, T: Real> Near<'a, T> {
         };
         let row: [T; BOUNDS] = std::array::from_fn(|k| rows[i / TILE * BOUNDS + k].0[i % TILE]);
         hits.resize(columns.len() / BOUNDS * TILE + TILE, 0);
-        let found = (T::kernels().near)(&row, Tiles::new(columns, BOUNDS), 0, hits);
+        let found = (kernels_in::<T>().near)(&row, Tiles::new(columns, BOUNDS), 0, hits);
         for &j in hits[..found]
             .iter()
             .filter(|&&j| (j as usize) < self.wide())

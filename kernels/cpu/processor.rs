@@ -1,4 +1,5 @@
 //! The CPU behind the calls of [`Machine`](crate::kernels::machine::Machine).
+use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::Processor;
 use crate::kernels::cpu::aligned::{checked, compute, compute_unchecked};
@@ -12,10 +13,12 @@ use crate::kernels::cpu::plan::{Face, Shapes};
 use crate::kernels::cpu::ragged::{measured, measured_vjp};
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::item::{Column, Target};
-use crate::kernels::machine::{Engine, Numbers, Reduced, Reduction, Seed, count_of};
-use crate::kernels::real::Real;
+use crate::kernels::machine::{
+    Engine, GroupedReduction, Items, Numbers, Reduced, Reduction, Room, Seed, count_of,
+};
+use crate::kernels::real::drivers_in;
 use crate::kernels::recording::{Call, Mode};
-use crate::kernels::reduce::{self, Best, Found};
+use crate::kernels::reduce;
 use crate::kernels::resident::{Bests, FOREIGN, Founds, Matrix, Ready, Stays, Stored};
 use crate::kernels::suppress::Ranked;
 use crate::suppression::{Rules, order};
@@ -86,7 +89,7 @@ impl<T: Real> Bearable<T> {
             derivatives,
             ..upstream
         };
-        (T::drivers().pull_back)(pairs, upstream, a_bar, b_bar);
+        (drivers_in::<T>().pull_back)(pairs, upstream, a_bar, b_bar);
         if self.down.is_some() {
             restore(a_bar, self.by);
             restore(b_bar, self.by);
@@ -107,7 +110,7 @@ impl<T: Real> Engine<T> for Processor {
             let ends = [0, input.plane.len()];
             return measured(measure, input.plane, input.spans.offsets(&ends), out);
         }
-        out.copy_from_slice(&(T::drivers().folded)(folding, input)?);
+        out.copy_from_slice(&(drivers_in::<T>().folded)(folding, input)?);
         Ok(())
     }
 
@@ -126,7 +129,7 @@ impl<T: Real> Engine<T> for Processor {
                 measured_vjp(measure, input.plane, offsets, upstream, bars)
             }
             VertexBars::Numbers(bars) => {
-                let (own, path) = (T::drivers().pulled_back)(folding, input, upstream)?;
+                let (own, path) = (drivers_in::<T>().pulled_back)(folding, input, upstream)?;
                 by_context.copy_from_slice(&own);
                 bars.copy_from_slice(&path);
                 Ok(())
@@ -145,64 +148,54 @@ impl<T: Real> Engine<T> for Processor {
         &self,
         call: &Call<T>,
         columns: &[Column<'_, T>],
-        targets: Vec<Option<Target<'_, T>>>,
-        new: bool,
+        results: Items<'_, T>,
     ) -> Result<bool, Error> {
         are_here(columns)?;
         let face = call.plan(false)?;
-        if new {
-            return Ok(compute_unchecked(
-                &face,
-                columns,
-                count_of(call, columns)?,
-                targets,
-            ));
+        match results {
+            Items::Targets(targets, true) => {
+                let count = count_of(call, columns)?;
+                return Ok(compute_unchecked(&face, columns, count, targets));
+            }
+            Items::Targets(targets, false) => {
+                let (count, rare) = checked(&face, columns)?;
+                compute(&face, columns, rare, count, targets);
+            }
+            Items::Held(stored) => {
+                stored.own::<Numbers<T>>()?;
+                let (count, rare) = checked(&face, columns)?;
+                let mut found = Vec::new();
+                for &fields in &face.gives {
+                    let rows = vec![T::default(); entries(count, 1, fields)?];
+                    found.push(Numbers { fields, rows });
+                }
+                let targets = found.iter_mut();
+                let targets = targets.map(|own| Some(Target::of_rows(&mut own.rows, own.fields)));
+                compute(&face, columns, rare, count, targets.collect());
+                *stored = self.keep(count, found)?;
+            }
         }
-        let (count, rare) = checked(&face, columns)?;
-        compute(&face, columns, rare, count, targets);
         Ok(true)
-    }
-
-    fn map_held(
-        &self,
-        call: &Call<T>,
-        columns: &[Column<'_, T>],
-        over: Option<&Stored<T>>,
-    ) -> Result<Stored<T>, Error> {
-        over.map(Stored::own::<Numbers<T>>).transpose()?;
-        let count = count_of(call, columns)?;
-        let mut found = Vec::new();
-        for &fields in &call.plan(false)?.gives {
-            let rows = vec![T::default(); entries(count, 1, fields)?];
-            found.push(Numbers { fields, rows });
-        }
-        let targets = found.iter_mut();
-        let targets = targets.map(|own| Some(Target::of_rows(&mut own.rows, own.fields)));
-        self.map(call, columns, targets.collect(), false)?;
-        self.keep(count, found)
     }
 
     fn pairs(
         &self,
         call: &Call<T>,
         lists: &[Column<'_, T>; 2],
-        planes: &mut [T],
+        results: Room<'_, T>,
     ) -> Result<(), Error> {
+        let planes = match results {
+            Room::Planes(planes) => planes,
+            Room::Held(matrix) => {
+                let matrix = matrix.own_mut::<reduce::Matrix<T>>()?;
+                expect(Argument::Values, lists[0].len(), matrix.rows())?;
+                expect(Argument::Values, lists[1].len(), matrix.columns())?;
+                &mut matrix.values
+            }
+        };
         let face = call.plan(true)?;
-        (T::drivers().planes)(&self.lists(&face, lists)?, planes);
+        (drivers_in::<T>().planes)(&self.lists(&face, lists)?, planes);
         Ok(())
-    }
-
-    fn pairs_held(
-        &self,
-        call: &Call<T>,
-        lists: &[Column<'_, T>; 2],
-        over: &mut Matrix<T>,
-    ) -> Result<(), Error> {
-        let matrix = over.own_mut::<reduce::Matrix<T>>()?;
-        expect(Argument::Values, lists[0].len(), matrix.rows())?;
-        expect(Argument::Values, lists[1].len(), matrix.columns())?;
-        Engine::pairs(self, call, lists, &mut matrix.values)
     }
 
     fn reduce(
@@ -213,7 +206,7 @@ impl<T: Real> Engine<T> for Processor {
     ) -> Result<Reduced<T>, Error> {
         let face = call.plan(true)?;
         let mut pairs = self.lists(&face, lists)?;
-        let drivers = T::drivers();
+        let drivers = drivers_in::<T>();
         if let Reduction::Above(threshold) | Reduction::Count(threshold) = reduction {
             // Zeros are above a negative threshold, too.
             pairs.filter &= threshold >= T::default();
@@ -234,30 +227,27 @@ impl<T: Real> Engine<T> for Processor {
         })
     }
 
-    fn above_grouped(
+    fn reduce_grouped(
         &self,
         call: &Call<T>,
         lists: &[Column<'_, T>; 2],
         groups: Spans<'_>,
-        threshold: T,
-    ) -> Result<Vec<Found<T>>, Error> {
+        reduction: GroupedReduction<T>,
+    ) -> Result<Reduced<T>, Error> {
         let face = call.plan(true)?;
         let mut pairs = self.lists(&face, lists)?;
-        // Zeros are above a negative threshold, too.
-        pairs.filter &= threshold >= T::default();
-        Ok((T::drivers().above_grouped)(&pairs, groups, threshold))
-    }
-
-    fn most_grouped(
-        &self,
-        call: &Call<T>,
-        lists: &[Column<'_, T>; 2],
-        groups: Spans<'_>,
-        of_rows: bool,
-    ) -> Result<Vec<Option<Best<T>>>, Error> {
-        let face = call.plan(true)?;
-        let pairs = self.lists(&face, lists)?;
-        Ok((T::drivers().most_grouped)(&pairs, groups, of_rows))
+        let drivers = drivers_in::<T>();
+        Ok(match reduction {
+            GroupedReduction::Best { of_rows } => {
+                Reduced::BestsGrouped((drivers.most_grouped)(&pairs, groups, of_rows))
+            }
+            GroupedReduction::Above(threshold) => {
+                // Zeros are above a negative threshold, too.
+                pairs.filter &= threshold >= T::default();
+                let found = (drivers.above_grouped)(&pairs, groups, threshold);
+                Reduced::Founds(Founds::new(Ready(found)))
+            }
+        })
     }
 
     fn pull_back(
@@ -308,7 +298,7 @@ impl<T: Real> Engine<T> for Processor {
         let ranked = Ranked::of(order(scores, rules.score)?, shapes, &rules);
         let lists = ranked.lists();
         let pairs = self.lists(&face, &lists)?;
-        let kept = (T::drivers().suppress)(&pairs, ranked.greed(&rules));
+        let kept = (drivers_in::<T>().suppress)(&pairs, ranked.greed(&rules));
         Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
     }
 

@@ -5,9 +5,8 @@ use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
 use crate::kernels::cpu::arch::{LARGE, Vector};
 use crate::kernels::cpu::lane::{PLANE, Results, Tiles};
 use crate::kernels::cpu::overlaps::{lanes_of, put, seed};
-use crate::kernels::real::Real;
 use crate::overlap_polygon::intersection_area_quads;
-use crate::{Fixed, Scalar, Vec2};
+use crate::{Fixed, Real, Scalar, Vec2};
 
 /// Numbers of a quadrilateral.
 pub(crate) const QUAD2: usize = 8;

@@ -1,11 +1,11 @@
 //! Ragged batches: paths of any number of vertices, and the measures of rings by kernels of their own.
-use crate::Vec2;
 use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::checked::{check_upstream, numbers};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
 use crate::ring::Measure;
+use crate::{Real, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Vertices, or rings, per piece of work.
@@ -28,7 +28,7 @@ pub(crate) fn measured<T: Real>(
     // Vertices are looked at while they are at hand.
     let sound = AtomicBool::new(true);
     spread(work, |(offsets, values): (&[usize], &mut [T])| {
-        if !(T::kernels().ring_values)(measure, vertices, offsets, values) {
+        if !(kernels_in::<T>().ring_values)(measure, vertices, offsets, values) {
             sound.store(false, Ordering::Relaxed);
         }
     });
@@ -59,7 +59,7 @@ pub(crate) fn measured_vjp<T: Real>(
     spread(
         work,
         |(offsets, upstream, bars): (&[usize], &[T], &mut [Vec2<T>])| {
-            (T::kernels().ring_bars)(measure, vertices, offsets, upstream, bars);
+            (kernels_in::<T>().ring_bars)(measure, vertices, offsets, upstream, bars);
         },
     );
     Ok(())
@@ -72,7 +72,7 @@ pub(crate) fn check_ragged<T: Real>(vertices: &[Vec2<T>], offsets: &[usize]) -> 
 }
 
 fn check_finite<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error> {
-    match (T::kernels().all_finite)(&numbers(vertices)) {
+    match (kernels_in::<T>().all_finite)(&numbers(vertices)) {
         true => Ok(()),
         false => check_vertices(vertices),
     }
@@ -84,7 +84,7 @@ pub(crate) fn check_offsets<T: Real>(vertices: usize, offsets: &[usize]) -> Resu
     if offsets.first() != Some(&0) {
         return Err(Error::Offsets { item: 0 });
     }
-    if !(T::kernels().never_decreases)(offsets, vertices) {
+    if !(kernels_in::<T>().never_decreases)(offsets, vertices) {
         for row in 1..offsets.len() {
             if offsets[row] < offsets[row - 1] || offsets[row] > vertices {
                 return Err(Error::Offsets { item: row });

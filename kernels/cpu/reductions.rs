@@ -1,10 +1,11 @@
 //! Reductions of all pairs over plain numbers, without the matrix.
+use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::sweep::{Columns, Part};
 use crate::kernels::cpu::work::rows_per_piece;
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
 use crate::kernels::reduce::{Best, Found};
 
 /// Scores of one row.
@@ -62,7 +63,7 @@ pub fn most_of_rows<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
             let best = &mut best[part.row - start];
             match scores(&part) {
                 Scores::Run(first, values) => {
-                    let value = (T::kernels().largest)(values);
+                    let value = (kernels_in::<T>().largest)(values);
                     if value.above(best.value) {
                         let at = values.iter().position(|&x| x == value);
                         raise(best, value, first + at.unwrap_or(0));
@@ -127,7 +128,7 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> Vec<Found<T>> {
             match scores(&part) {
                 // Most runs of most matrices have nothing.
                 Scores::Run(first, values) => {
-                    if (T::kernels().largest)(values).above(threshold) {
+                    if (kernels_in::<T>().largest)(values).above(threshold) {
                         for (k, &value) in values.iter().enumerate() {
                             take(first + k, value);
                         }
@@ -154,7 +155,7 @@ pub fn count_above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> u64 {
     pairs.sweep(None, work, |sweep, rows, count: &mut u64| {
         sweep.run(rows, |part| {
             *count += match scores(&part) {
-                Scores::Run(_, values) => (T::kernels().count_above)(values, threshold),
+                Scores::Run(_, values) => (kernels_in::<T>().count_above)(values, threshold),
                 Scores::Picked(columns, results) => picked(columns, results)
                     .map(|(_, value)| u64::from(value.above(threshold)))
                     .sum(),
@@ -176,7 +177,7 @@ pub fn sum<T: Real>(pairs: &Pairs<'_, T>) -> f64 {
         sweep.run(rows, |part| {
             let lanes = &mut lanes[part.row - start];
             match scores(&part) {
-                Scores::Run(_, values) => (T::kernels().add_up)(values, lanes),
+                Scores::Run(_, values) => (kernels_in::<T>().add_up)(values, lanes),
                 Scores::Picked(columns, results) => {
                     for (column, value) in picked(columns, results) {
                         lanes[column % TILE] += value.widen();

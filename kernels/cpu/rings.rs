@@ -4,10 +4,9 @@
 use crate::kernels::cpu::arch::{Vector, numbers};
 use crate::kernels::cpu::blocks::all_finite;
 use crate::kernels::cpu::lane::{Lane, TILE};
-use crate::kernels::real::Real;
 pub use crate::ring::Measure;
 use crate::ring::{Measured, Vertices};
-use crate::{Mask, Vec2, ad, ring};
+use crate::{Mask, Real, Vec2, ad, ring};
 
 /// Rings of at most so many vertices are measured side by side. Longer ones keep sixteen sums, which
 /// would make the order of additions another.

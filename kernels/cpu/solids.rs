@@ -1,8 +1,8 @@
 //! Bounds in the plane of boxes in space, as seen from above: pairs whose bounds do not meet are apart.
+use crate::Real;
 use crate::kernels::cpu::boxes3::OBB3;
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
-use crate::kernels::real::Real;
 
 /// Numbers of an axis-aligned box: the lower corner, then the upper one.
 const AABB3: usize = 6;

@@ -3,14 +3,15 @@
 //! A filter by bounds leaves out pairs whose result is zero for certain. The other columns of a row are packed
 //! and computed tile by tile. A consumer gets the results with their columns. Results do not depend on which
 //! pairs were left out.
+use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::lane::{
-    BLOCK, Kept, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
+    BLOCK, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
 };
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::plan::{Face, List, Maker, Rare};
 use crate::kernels::cpu::tree::Tree;
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
 use std::ops::Range;
 
 /// Tiles of columns of a stretch where results are added up at once, and should not leave the innermost
@@ -82,7 +83,7 @@ pub(crate) trait Chooses<T> {
 }
 
 /// A computation of all pairs.
-pub struct Sweep<'a, T: Kept> {
+pub struct Sweep<'a, T: Real> {
     a: &'a List<'a, T>,
     b: &'a List<'a, T>,
     maker: &'a dyn Maker<T>,
@@ -177,7 +178,7 @@ impl<'a, T: Real> Sweep<'a, T> {
                 let first = row / TILE;
                 let rest = Tiles::new(&bounds[first * BOUNDS..], BOUNDS);
                 room.resize((tiles(count) + 1) * TILE, 0);
-                let near = (T::kernels().near)(&own, rest, (first * TILE) as u32, room);
+                let near = (kernels_in::<T>().near)(&own, rest, (first * TILE) as u32, room);
                 &room[..near]
             }
             _ => {
@@ -204,7 +205,7 @@ impl<'a, T: Real> Sweep<'a, T> {
         for i in (0..self.a.count).step_by(step) {
             if let Some(row) = self.a.bounds_of(i) {
                 let bounds = Tiles::new(bounds, BOUNDS);
-                near += (T::kernels().near)(&row, bounds, 0, &mut hits);
+                near += (kernels_in::<T>().near)(&row, bounds, 0, &mut hits);
                 asked += self.b.count;
             }
         }
@@ -262,7 +263,7 @@ impl<'a, T: Real> Sweep<'a, T> {
             for row in rows.clone() {
                 desk.choose(row);
                 if let (Some(bounds), Some(own)) = (bounds, self.a.bounds_of(row)) {
-                    let near = (T::kernels().near)(&own, bounds, first as u32, &mut hits);
+                    let near = (kernels_in::<T>().near)(&own, bounds, first as u32, &mut hits);
                     if 4 * near <= self.most * stretch.len() {
                         desk.some(stretch.clone(), &hits[..near], &mut consume);
                         continue;
@@ -285,7 +286,7 @@ struct Group {
 }
 
 /// The lanes and numbers that one thread computes with.
-struct Desk<'a, T: Kept> {
+struct Desk<'a, T: Real> {
     sweep: &'a Sweep<'a, T>,
     row: usize,
     row_is_rare: bool,
@@ -365,7 +366,7 @@ impl<'a, T: Real> Desk<'a, T> {
             a.spread(row, own);
         }
         let picked = &mut self.picked[first * b.frame_fields..group.tiles * b.frame_fields];
-        (T::kernels().gather)(
+        (kernels_in::<T>().gather)(
             flat(&self.sweep.picking),
             stride,
             columns,
@@ -410,7 +411,7 @@ impl<'a, T: Real> Desk<'a, T> {
         let first = stretch.start;
         let columns = &b.frames[first / TILE * b.frame_fields..];
         if let Some(upstream) = self.upstream() {
-            (T::kernels().bring)(&upstream[stretch.clone()], 1, self.seeds);
+            (kernels_in::<T>().bring)(&upstream[stretch.clone()], 1, self.seeds);
         }
         self.make(Tiles::new(columns, b.frame_fields), stretch.len());
         if self.row_is_rare {
@@ -440,7 +441,7 @@ impl<'a, T: Real> Desk<'a, T> {
         let none = hits.is_empty().then_some(hits);
         for (i, columns) in parts.chain(none).enumerate() {
             let tiles = &mut picked[..tiles(columns.len()) * b.frame_fields];
-            let gather = T::kernels().gather;
+            let gather = kernels_in::<T>().gather;
             gather(
                 flat(&self.sweep.picking),
                 stride,

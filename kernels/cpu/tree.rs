@@ -1,7 +1,8 @@
 //! A tree of bounds, to find the few of a long list that a row may overlap.
+use crate::Real;
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::kernels::cpu::overlaps::BOUNDS;
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
 
 /// Bounds in tiles of sixteen, each tile bounded by one of a level above, up to a single tile.
 ///
@@ -83,7 +84,7 @@ impl<T: Real> Tree<T> {
     }
     /// Every item whose bounds meet the given ones, ascending; `room` is kept for the next call.
     pub fn near<'r>(&self, bounds: &[T; BOUNDS], room: &'r mut Vec<u32>) -> &'r [u32] {
-        let [start, end] = (T::kernels().search)(bounds, &self.levels, room);
+        let [start, end] = (kernels_in::<T>().search)(bounds, &self.levels, room);
         let hits = &mut room[start..end];
         for hit in &mut *hits {
             *hit = self.order[*hit as usize];

@@ -8,10 +8,9 @@ use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
 use crate::kernels::cpu::overlaps::{
     OBB2, SEEN, UPRIGHT, frame_fields, framed, lanes_of, put, seed,
 };
-use crate::kernels::real::Real;
 use crate::overlap::Denominator;
 use crate::overlap3::{Scales, heights, score_of_columns};
-use crate::{Fixed, Obb2};
+use crate::{Fixed, Obb2, Real};
 
 /// Turns results with ten derivatives of boxes seen from above into those with fourteen of upright boxes.
 pub(crate) fn spread_derivatives<T: Real>(out: &mut Results<'_, T>) {

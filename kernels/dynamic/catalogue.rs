@@ -5,7 +5,6 @@ use super::paths::{Code, OnPaths, fold_double, fold_single};
 use super::program::Program;
 use super::rows::{Layout, named};
 use super::symbol::Symbol;
-use crate::Fixed;
 use crate::ad::declared::Kind;
 use crate::ad::program::record::{TRIALS, listed};
 use crate::ad::sample::{Sample, Sampler};
@@ -19,9 +18,10 @@ use crate::kernels::op::{
 };
 use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
-use crate::kernels::real::{Real, in_format};
 use crate::kernels::recording::Recording;
 use crate::kernels::search::{self, Search};
+use crate::scalar::real::in_format;
+use crate::{Fixed, Real};
 use std::sync::{Arc, OnceLock};
 
 /// The sort of function that an operation is.

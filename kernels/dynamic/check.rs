@@ -3,20 +3,19 @@ use super::Mode;
 use super::forms::Function;
 use super::program::Program;
 use super::rows::named;
+use crate::Real;
 use crate::ad::check::subject::Conventions;
 use crate::ad::check::{Check, Report, Sampling, examine};
 use crate::ad::declared::Kind;
 use crate::ad::program::Format;
-use crate::ad::program::Plain;
 use crate::ad::sample::drawn::Near;
 use crate::ad::sample::several::{TUPLES, combinations, mingle, together, units};
 use crate::ad::sample::{Draw, Sampler, moved};
 use crate::error::{Argument, Error};
-use crate::kernels::check::Judged;
+use crate::kernels::check::Harness;
 use crate::kernels::check::recorded_subject::{Computations, RecordedSubject};
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::op::Jumps;
-use crate::kernels::real::Real;
 use crate::kernels::recording::Recording;
 use std::sync::Arc;
 
@@ -133,7 +132,7 @@ impl Inputs {
 
     /// The inputs of a sampling, rounded to a format; how many of them are no random ones; and how many more were drawn
     /// outside the domain.
-    fn points<S: Plain>(&self, sampling: &Sampling<'_>) -> (Vec<Vec<f64>>, usize, u64) {
+    fn points<S: Real>(&self, sampling: &Sampling<'_>) -> (Vec<Vec<f64>>, usize, u64) {
         let inside = |x: &[f64]| sampling.inside.is_none_or(|inside| inside(x));
         let rounded =
             |x: Vec<f64>| -> Vec<f64> { x.into_iter().map(|x| S::nearest(x).widen()).collect() };
@@ -171,7 +170,7 @@ impl Inputs {
     /// A check at the inputs of a sampling, rounded to the format, to which a function is added; by
     /// [these conventions](Inputs::CONVENTIONS), unless others are set.
     #[must_use]
-    pub fn check<'a, S: Plain>(&'a self, name: &str, sampling: &Sampling<'a>) -> Check<'a, Vec<S>> {
+    pub fn check<'a, S: Real>(&'a self, name: &str, sampling: &Sampling<'a>) -> Check<'a, Vec<S>> {
         let (own_inside, own_scales) = (sampling.inside, sampling.scales);
         let inside = move |x: &[f64]| self.inside(x) && own_inside.is_none_or(|inside| inside(x));
         let wide = |x: &Vec<S>| -> Vec<f64> { x.iter().map(|x| x.widen()).collect() };
@@ -235,7 +234,7 @@ impl<T: Real> Function<T> {
     }
 }
 
-impl<T: Judged> Program<T> {
+impl<T: Real> Program<T> {
     /// The recording that the harness checks.
     fn computations(&self, jumps: Jumps) -> Computations<T> {
         let recorded = self.recorded();
@@ -298,7 +297,7 @@ impl<T: Judged> Program<T> {
                 wide: wide.as_ref(),
                 batch: None,
             };
-            T::judged(&subject, judge);
+            (Harness::<T>::get().judged)(&subject, judge);
         });
         let names = self.takes().into_iter().flat_map(|(argument, layout)| {
             let names = layout.names().into_iter();

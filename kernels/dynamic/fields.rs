@@ -1,10 +1,10 @@
 //! Items of arguments whose fields lie apart in memory.
 use super::forms::{Function, targets};
 use super::rows::Rows;
+use crate::Real;
 use crate::error::Error;
 use crate::kernels::cpu::work::{on_this_thread, spread};
 use crate::kernels::machine::count_of;
-use crate::kernels::real::Real;
 
 /// Items that are put into rows at a time: few enough that they stay in the cache of a core.
 const STRETCH: usize = 1 << 11;

@@ -1,12 +1,12 @@
 //! Functions of columns of numbers, in every form of a batch.
 use super::Mode;
 use super::rows::{Layout, Rows, renamed};
+use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{entries, expect};
 use crate::kernels::cpu::plan::Face;
 use crate::kernels::item::{Column, Target};
-use crate::kernels::machine::{Engine, Reduced, Reduction, Seed, count_of};
-use crate::kernels::real::Real;
+use crate::kernels::machine::{Engine, Items, Reduced, Reduction, Room, Seed, count_of};
 use crate::kernels::recording::{Call, Recording};
 use crate::kernels::reduce::{Best, Found};
 use crate::kernels::{Backend, Cpu};
@@ -141,7 +141,7 @@ impl<T: Real> Function<T> {
         // Whatever is wrong is named at the second attempt, and what needs a look before is computed.
         for new in [true, false].into_iter().filter(|&x| new || !x) {
             let targets = targets(&gives, count, results)?;
-            if self.named(engine.map(&call, &columns, targets, new))? {
+            if self.named(engine.map(&call, &columns, Items::Targets(targets, new)))? {
                 break;
             }
         }
@@ -212,7 +212,7 @@ impl<T: Real> Function<T> {
     ) -> Result<Vec<T>, Error> {
         let lists = self.lists(&a, &b)?;
         let mut planes = vec![T::default(); self.planes_of(&lists)?];
-        self.named(engine.pairs(&self.call()?, &lists, &mut planes))?;
+        self.named(engine.pairs(&self.call()?, &lists, Room::Planes(&mut planes)))?;
         Ok(planes)
     }
     /// How many numbers all pairs give.
@@ -234,7 +234,7 @@ impl<T: Real> Function<T> {
     ) -> Result<(), Error> {
         let lists = self.lists(&a, &b)?;
         expect(Argument::Values, self.planes_of(&lists)?, planes.len())?;
-        self.named(cpu().pairs(&self.call()?, &lists, planes))
+        self.named(cpu().pairs(&self.call()?, &lists, Room::Planes(planes)))
     }
 
     /// How a result of one number is computed of all pairs.

@@ -1,12 +1,13 @@
 //! Groups of rows, and suppression, on columns of numbers.
 use super::forms::{Function, cpu};
 use super::rows::Rows;
+use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::check;
 use crate::kernels::grouped::{Groups, ranked_groups};
 use crate::kernels::item::Column;
-use crate::kernels::machine::Engine;
-use crate::kernels::real::Real;
+use crate::kernels::machine::{Engine, GroupedReduction, Reduced};
+use crate::kernels::real::drivers_in;
 use crate::kernels::reduce::{Best, Found, check_threshold};
 use crate::kernels::suppress::{Ranked, checked};
 use crate::kernels::{Backend, Cpu};
@@ -83,7 +84,9 @@ impl<T: Real> Function<T> {
         self.one_number()?;
         let lists = self.lists(a, b)?;
         let spans = self.named(groups.spans(lists.each_ref().map(Column::len)))?;
-        self.named(engine.above_grouped(&self.call()?, &lists, spans, threshold))
+        let above = GroupedReduction::Above(threshold);
+        let found = engine.reduce_grouped(&self.call()?, &lists, spans, above);
+        self.named(found.and_then(|found| found.founds().taken()))
     }
 
     /// The largest result of every row, or of every column, within its group.
@@ -98,7 +101,9 @@ impl<T: Real> Function<T> {
         self.one_number()?;
         let lists = self.lists(a, b)?;
         let spans = self.named(groups.spans(lists.each_ref().map(Column::len)))?;
-        self.named(engine.most_grouped(&self.call()?, &lists, spans, of_rows))
+        let best = GroupedReduction::Best { of_rows };
+        let found = engine.reduce_grouped(&self.call()?, &lists, spans, best);
+        self.named(found.map(Reduced::bests_grouped))
     }
 }
 
@@ -178,7 +183,7 @@ impl<T: Real> Function<T> {
         let ranked = Ranked::of(order, &column, &rules);
         let lists = ranked.lists();
         let pairs = Cpu::new().engine.lists(&face, &lists)?;
-        let kept = (T::drivers().suppress_grouped)(&pairs, &ends, ranked.greed(&rules));
+        let kept = (drivers_in::<T>().suppress_grouped)(&pairs, &ends, ranked.greed(&rules));
         Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
     }
 }

@@ -4,7 +4,7 @@ use super::rows::Rows;
 use crate::error::Error;
 use crate::kernels::backend::Backend;
 use crate::kernels::item::Column;
-use crate::kernels::machine::{Engine, Machine, Numbers, Seed};
+use crate::kernels::machine::{Engine, Items, Machine, Numbers, Room, Seed};
 use crate::kernels::resident::{HeldNumbers, Matrix};
 
 /// The same calls on a machine, where numbers are `f32`.
@@ -74,7 +74,10 @@ impl Machine<dyn Engine<f32>> {
         into: Option<HeldNumbers>,
     ) -> Result<HeldNumbers, Error> {
         let columns: Vec<_> = columns.columns().collect();
-        self.engine.map_held(&run.call()?, &columns, into.as_ref())
+        let mut stored = into.unwrap_or_default();
+        self.engine
+            .map(&run.call()?, &columns, Items::Held(&mut stored))?;
+        Ok(stored)
     }
 
     /// Every row of one column with every row of another, for results of one number, as
@@ -96,7 +99,7 @@ impl Machine<dyn Engine<f32>> {
             None => self.engine.room(a.len(), b.len())?,
         };
         self.engine
-            .pairs_held(&run.call()?, &[list(a), list(b)], &mut matrix)?;
+            .pairs(&run.call()?, &[list(a), list(b)], Room::Held(&mut matrix))?;
         Ok(matrix)
     }
 

@@ -1,6 +1,5 @@
 //! Folds over paths on plain numbers.
 use super::rows::{Layout, Rows, named, renamed};
-use crate::Fixed;
 use crate::ad::program::Sym;
 use crate::error::{Argument, Error};
 use crate::kernels::backend::Backend;
@@ -8,7 +7,7 @@ use crate::kernels::cpu::checked::{expect, numbers};
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Column, Columns, Item, Leaf};
 use crate::kernels::machine::Here;
-use crate::kernels::real::Real;
+use crate::{Fixed, Real};
 use std::marker::PhantomData;
 
 /// Numbers of contexts and of vertices.

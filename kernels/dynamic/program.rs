@@ -4,16 +4,15 @@ use super::forms::Function;
 use super::nodes::{Nodes, nodes};
 use super::rows::{Layout, Rows, named};
 use super::symbol::Symbol;
-use crate::Scalar;
 use crate::ad::program::opened::Opened;
 use crate::ad::program::print::print;
 use crate::ad::program::recorded::Recorded;
-use crate::ad::program::{Cost, Format, Plain, Sym, wgsl};
+use crate::ad::program::{Cost, Format, Sym, wgsl};
 use crate::error::{Argument, Error, Unrecordable};
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::item::Leaf;
-use crate::kernels::real::Real;
 use crate::kernels::recording::{Body, Recording};
+use crate::{Real, Scalar};
 use std::fmt;
 use std::sync::Arc;
 
@@ -347,7 +346,7 @@ impl Program<f32> {
 }
 
 /// The symbols of all arguments, each of so many.
-pub(super) fn flat<T: Plain>(
+pub(super) fn flat<T: Real>(
     layouts: &[(Argument, usize)],
     arguments: &[&[Symbol<T>]],
 ) -> Result<Vec<Sym<T>>, Error> {

@@ -1,9 +1,8 @@
 //! Columns of plain numbers, and what is asked of them.
-use crate::Fixed;
 use crate::error::{Argument, Error, Field, Validate};
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::item::{Column, Item, Leaf, leaf};
-use crate::kernels::real::Real;
+use crate::{Fixed, Real};
 use std::borrow::Cow;
 use std::ops::Range;
 

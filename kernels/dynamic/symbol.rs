@@ -4,10 +4,10 @@
 //! [`Tracing::finish`](super::Tracing::finish). Symbols stand for its numbers, [`Truth`]s for comparisons of them.
 //! They mean something on the thread of their recording only, until it is finished: everywhere else every function
 //! here gives [`Unrecordable::ForeignSymbol`](crate::Unrecordable::ForeignSymbol).
-use crate::Scalar;
 use crate::ad::program::opened::{is_open, is_open_in};
-use crate::ad::program::{Plain, Sym, SymMask};
+use crate::ad::program::{Sym, SymMask};
 use crate::error::Error;
+use crate::{Real, Scalar};
 
 /// A number of the function that is being recorded.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +20,7 @@ pub struct Truth<T>(SymMask<T>);
 /// A result of the functions here: an error for symbols that are not of the recording that is open on this thread.
 pub type Made<X> = Result<X, Error>;
 
-impl<T: Plain> Symbol<T> {
+impl<T: Real> Symbol<T> {
     /// `Ok` when it is of the recording that is open on this thread.
     ///
     /// # Errors
@@ -30,7 +30,7 @@ impl<T: Plain> Symbol<T> {
         self.0.belongs().map_err(Error::Program)
     }
 }
-impl<T: Plain> Truth<T> {
+impl<T: Real> Truth<T> {
     /// `Ok` when it is of the recording that is open on this thread.
     ///
     /// # Errors
@@ -52,7 +52,7 @@ pub fn is_recording() -> bool {
 /// # Errors
 ///
 /// [`Error::Program`] without a recording of the format on this thread.
-pub fn literal<T: Plain>(x: f64) -> Made<Symbol<T>> {
+pub fn literal<T: Real>(x: f64) -> Made<Symbol<T>> {
     is_open_in::<T>().map_err(Error::Program)?;
     Ok(Symbol(Sym::lit(x)))
 }
@@ -65,7 +65,7 @@ macro_rules! functions {
         /// # Errors
         ///
         /// [`Error::Program`] for what is not of the recording that is open on this thread.
-        pub fn $name<T: Plain>($($x: $type<T>),+) -> Made<$out<T>> {
+        pub fn $name<T: Real>($($x: $type<T>),+) -> Made<$out<T>> {
             $($x.belongs()?;)+
             $(let $x = $x.0;)+
             let made = $out($body);
@@ -158,7 +158,7 @@ functions! {
 /// # Errors
 ///
 /// [`Error::Program`] for what is not of the recording that is open on this thread.
-pub fn powi<T: Plain>(x: Symbol<T>, exponent: i32) -> Made<Symbol<T>> {
+pub fn powi<T: Real>(x: Symbol<T>, exponent: i32) -> Made<Symbol<T>> {
     x.belongs()?;
     Ok(Symbol(x.0.powi(exponent)))
 }
@@ -168,7 +168,7 @@ pub fn powi<T: Plain>(x: Symbol<T>, exponent: i32) -> Made<Symbol<T>> {
 /// # Errors
 ///
 /// [`Error::Program`] for what is not of the recording that is open on this thread.
-pub fn parts<T: Plain>(x: Symbol<T>) -> Made<(Symbol<T>, Symbol<T>)> {
+pub fn parts<T: Real>(x: Symbol<T>) -> Made<(Symbol<T>, Symbol<T>)> {
     x.belongs()?;
     let (high, low) = x.0.parts();
     Ok((Symbol(high), Symbol(low)))
@@ -179,7 +179,7 @@ pub fn parts<T: Plain>(x: Symbol<T>) -> Made<(Symbol<T>, Symbol<T>)> {
 /// # Errors
 ///
 /// [`Error::Program`] for what is not of the recording that is open on this thread.
-pub fn sin_cos_parts<T: Plain>(x: Symbol<T>) -> Made<[(Symbol<T>, Symbol<T>); 2]> {
+pub fn sin_cos_parts<T: Real>(x: Symbol<T>) -> Made<[(Symbol<T>, Symbol<T>); 2]> {
     x.belongs()?;
     let parts = x.0.sin_cos_parts();
     Ok(parts.map(|(high, low)| (Symbol(high), Symbol(low))))

@@ -1,5 +1,5 @@
 //! Inputs as columns of numbers.
-use crate::kernels::real::Real;
+use crate::Real;
 
 /// Many inputs of an operation.
 #[derive(Clone, Debug, Default)]

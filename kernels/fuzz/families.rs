@@ -1,8 +1,8 @@
 //! Numbers of kinds that break things.
+use crate::Real;
 use crate::ad::declared::Kind;
 use crate::ad::sample::Draw;
 use crate::kernels::op::{Finite, Limits};
-use crate::kernels::real::Real;
 use std::f64::consts::FRAC_PI_4;
 
 /// Numbers of a kind.

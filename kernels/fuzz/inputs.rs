@@ -3,10 +3,10 @@ use super::arguments::Inputs;
 use super::families::{Family, is_angle_within, limited, limits_of, power};
 use super::job::Job;
 use super::{Finding, Property};
+use crate::Real;
 use crate::ad::declared::Kind;
 use crate::ad::sample::Draw;
 use crate::kernels::op::Finite;
-use crate::kernels::real::Real;
 
 /// How often an input of the harness is drawn anew when it is not valid or beyond limits.
 const ATTEMPTS: usize = 100;

@@ -14,10 +14,10 @@ use crate::kernels::cpu::plan::{Compiled, Face, Shapes};
 use crate::kernels::fold::{Fold, by_hand, fold};
 use crate::kernels::item::{Column, Item, Leaf, Target, by_kind, by_shape, get, leaves_of};
 use crate::kernels::op::{Extremes, Finite, Jumps, Op, Range, inside_of, recording_of};
-use crate::kernels::real::Real;
+use crate::kernels::real::drivers_in;
 use crate::kernels::recording::{Call, Mode, Recording};
 use crate::kernels::search::{self, Search};
-use crate::{Fixed, Pack};
+use crate::{Fixed, Pack, Real};
 use std::sync::Arc;
 
 /// Numbers of results, a list for each of their shapes.
@@ -217,7 +217,7 @@ fn squared<T: Real>(face: impl Fn() -> Result<Arc<Face<T>>, Error> + Sync + 'sta
             filter: true,
         };
         let mut planes = vec![T::zero(); items.len() * items.len() * face.made()];
-        (T::drivers().planes)(&pairs, &mut planes);
+        (drivers_in::<T>().planes)(&pairs, &mut planes);
         Ok(planes)
     })
 }

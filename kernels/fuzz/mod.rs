@@ -33,12 +33,12 @@ mod smaller;
 pub use job::Job;
 pub(crate) use job::{Straight, all_numbers, sampled, shown};
 
+use crate::Real;
 use crate::ad::sample::{Draw, Sample};
-use crate::kernels::check::Judged;
+use crate::kernels::check::Harness;
 use crate::kernels::fold::Fold;
 use crate::kernels::item::Item;
 use crate::kernels::op::Op;
-use crate::kernels::real::Real;
 use crate::kernels::search::Search;
 use arguments::Inputs;
 use properties::Thorough;
@@ -150,36 +150,36 @@ impl fmt::Display for Fuzzed {
 
 /// Fuzzes an operation of fixed size on all cores; stops at the first broken property.
 #[must_use]
-pub fn operation<O: Op, T: Judged>(count: u64, seed: u64) -> Fuzzed
+pub fn operation<O: Op, T: Real>(count: u64, seed: u64) -> Fuzzed
 where
     O::In<T>: Item<Scalar = T>,
     O::Out<T>: Item<Scalar = T>,
     O::In<f64>: Sample + Item<Scalar = f64>,
 {
-    T::fuzzed(&Job::of_op::<O>(), count, seed)
+    (Harness::<T>::get().fuzzed)(&Job::of_op::<O>(), count, seed)
 }
 
 /// Fuzzes an operation with a search.
 #[must_use]
-pub fn decided<D: Search, T: Judged>(count: u64, seed: u64) -> Fuzzed
+pub fn decided<D: Search, T: Real>(count: u64, seed: u64) -> Fuzzed
 where
     D::In<T>: Item<Scalar = T>,
     D::Out<T>: Item<Scalar = T>,
     D::In<f64>: Sample + Item<Scalar = f64>,
 {
-    T::fuzzed(&Job::of_search::<D>(), count, seed)
+    (Harness::<T>::get().fuzzed)(&Job::of_search::<D>(), count, seed)
 }
 
 /// Fuzzes a fold over paths.
 #[must_use]
-pub fn fold<F: Fold, T: Judged>(count: u64, seed: u64) -> Fuzzed
+pub fn fold<F: Fold, T: Real>(count: u64, seed: u64) -> Fuzzed
 where
     F::Context<T>: Item<Scalar = T>,
     F::Context<f64>: Sample + Item<Scalar = f64>,
     F::Element<f64>: Sample,
     Vec<F::Element<f64>>: Sample,
 {
-    T::fuzzed(&Job::of_fold::<F>(), count, seed)
+    (Harness::<T>::get().fuzzed)(&Job::of_fold::<F>(), count, seed)
 }
 
 /// A broken property, and the place among many inputs.

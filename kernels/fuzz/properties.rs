@@ -8,8 +8,7 @@ use crate::ad::forward::First;
 use crate::ad::sample::Draw;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::op::{Finite, Limits};
-use crate::kernels::real::Real;
-use crate::{Jet, Scalar};
+use crate::{Jet, Real, Scalar};
 
 /// One of so many inputs is computed again by the scalar code, and one with duals.
 const SINGLE: usize = 127;

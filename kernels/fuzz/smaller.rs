@@ -5,7 +5,7 @@ use super::inputs::is_valid;
 use super::job::{Job, Lists};
 use super::properties::Thorough;
 use super::{Broken, Property};
-use crate::kernels::real::Real;
+use crate::Real;
 
 /// Copies of an input, so that forms of more than a few are asked, too.
 const COPIES: usize = 20;

@@ -4,10 +4,11 @@ use crate::kernels::Fold;
 use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
 use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::dynamic::Operation;
-use crate::kernels::item::{Column, Target};
-use crate::kernels::machine::{Engine, Machine, Numbers, Reduced, Reduction, Seed};
+use crate::kernels::item::Column;
+use crate::kernels::machine::{
+    Engine, GroupedReduction, Items, Machine, Numbers, Reduced, Reduction, Room, Seed,
+};
 use crate::kernels::recording::Call;
-use crate::kernels::reduce::{Best, Found};
 use crate::kernels::resident::{Bests, Downloads, Matrix, Pending, Stored};
 use crate::ring::Measure;
 use crate::suppression::Rules;
@@ -57,31 +58,14 @@ impl Engine<f32> for Device {
     fn room(&self, _: usize, _: usize) -> Result<Matrix<f32>, Error> {
         match *self {}
     }
-    fn map(
-        &self,
-        _: &Call<f32>,
-        _: &[Column<'_, f32>],
-        _: Vec<Option<Target<'_, f32>>>,
-        _: bool,
-    ) -> Result<bool, Error> {
+    fn map(&self, _: &Call<f32>, _: &[Column<'_, f32>], _: Items<'_, f32>) -> Result<bool, Error> {
         match *self {}
     }
-    fn map_held(
-        &self,
-        _: &Call<f32>,
-        _: &[Column<'_, f32>],
-        _: Option<&Stored<f32>>,
-    ) -> Result<Stored<f32>, Error> {
-        match *self {}
-    }
-    fn pairs(&self, _: &Call<f32>, _: &[Column<'_, f32>; 2], _: &mut [f32]) -> Result<(), Error> {
-        match *self {}
-    }
-    fn pairs_held(
+    fn pairs(
         &self,
         _: &Call<f32>,
         _: &[Column<'_, f32>; 2],
-        _: &mut Matrix<f32>,
+        _: Room<'_, f32>,
     ) -> Result<(), Error> {
         match *self {}
     }
@@ -93,22 +77,13 @@ impl Engine<f32> for Device {
     ) -> Result<Reduced<f32>, Error> {
         match *self {}
     }
-    fn above_grouped(
+    fn reduce_grouped(
         &self,
         _: &Call<f32>,
         _: &[Column<'_, f32>; 2],
         _: Spans<'_>,
-        _: f32,
-    ) -> Result<Vec<Found>, Error> {
-        match *self {}
-    }
-    fn most_grouped(
-        &self,
-        _: &Call<f32>,
-        _: &[Column<'_, f32>; 2],
-        _: Spans<'_>,
-        _: bool,
-    ) -> Result<Vec<Option<Best>>, Error> {
+        _: GroupedReduction<f32>,
+    ) -> Result<Reduced<f32>, Error> {
         match *self {}
     }
     fn pull_back(

@@ -1,11 +1,11 @@
 //! All pairs of two lists, and their reductions.
-use super::{Machine, Number, On, Place, Reduced, Reduction, Seed};
+use super::{Machine, Number, On, Place, Reduced, Reduction, Room, Seed};
+use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::arch;
 use crate::kernels::cpu::checked::{entries, expect, fill_whole};
 use crate::kernels::item::{Column, Columns, Item, Results, get, width};
-use crate::kernels::op::Runs;
-use crate::kernels::real::Real;
+use crate::kernels::op::Function;
 use crate::kernels::recording::Call;
 use crate::kernels::resident::Matrix;
 use crate::kernels::suppress::checked;
@@ -60,26 +60,26 @@ impl<T: Real> Factors<T> for &Matrix<T> {
     }
 }
 
-/// Memory for results of all pairs.
-#[derive(Debug)]
-pub enum Room<'a, T: Real> {
-    /// Plane after plane for so many rows and columns.
-    Planes([usize; 2], &'a mut [T]),
-    /// A matrix on the machine.
-    Held(&'a mut Matrix<T>),
-}
-
 /// A [`Table`], or a [`Matrix`] on the machine.
 pub trait Rooms<R: Results> {
+    /// Its rows and columns, if the caller says them.
+    #[doc(hidden)]
+    fn size(&self) -> Option<[usize; 2]>;
     #[doc(hidden)]
     fn room(&mut self) -> Room<'_, R::Scalar>;
 }
 impl<R: Results> Rooms<R> for &mut Table<R> {
+    fn size(&self) -> Option<[usize; 2]> {
+        Some([self.rows(), self.columns()])
+    }
     fn room(&mut self) -> Room<'_, R::Scalar> {
-        Room::Planes([self.rows(), self.columns()], self.planes_mut())
+        Room::Planes(self.planes_mut())
     }
 }
 impl<T: Real, R: Results<Scalar = T>> Rooms<R> for &mut Matrix<T> {
+    fn size(&self) -> Option<[usize; 2]> {
+        None
+    }
     fn room(&mut self) -> Room<'_, T> {
         Room::Held(self)
     }
@@ -137,7 +137,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item)>,
+        R: Function<(A::Item, B::Item)>,
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| Both::<A, B>::all_pairs::<R::Out>(self.engine(), &call, &lists))
@@ -160,16 +160,14 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item)>,
+        R: Function<(A::Item, B::Item)>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| match table.room() {
-            Room::Planes([rows, columns], planes) => {
-                expect(Argument::Values, lists[0].len(), rows)?;
-                expect(Argument::Values, lists[1].len(), columns)?;
-                self.engine().pairs(&call, &lists, planes)
+        called!(run, a, b => |call, lists| {
+            for (list, count) in lists.iter().zip(table.size().into_iter().flatten()) {
+                expect(Argument::Values, list.len(), count)?;
             }
-            Room::Held(matrix) => self.engine().pairs_held(&call, &lists, matrix),
+            self.engine().pairs(&call, &lists, table.room())
         })
     }
 
@@ -190,13 +188,13 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item)>,
+        R: Function<(A::Item, B::Item)>,
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
             let wanted = entries(lists[0].len(), lists[1].len(), R::Out::widths().iter().sum())?;
             expect(Argument::Values, wanted, planes.len())?;
-            self.engine().pairs(&call, &lists, planes)
+            self.engine().pairs(&call, &lists, Room::Planes(planes))
         })
     }
 
@@ -228,7 +226,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
@@ -257,7 +255,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
@@ -289,7 +287,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
@@ -312,7 +310,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
@@ -336,7 +334,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
@@ -359,7 +357,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
@@ -376,7 +374,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| Ok(self.reduced::<A>(&call, &lists, Reduction::Sum)?.sum()))
@@ -391,7 +389,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
@@ -421,7 +419,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
@@ -440,7 +438,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
@@ -469,7 +467,7 @@ impl<E: ?Sized> Machine<E> {
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
-        R: Runs<(A::Item, B::Item), Out = Number<A>>,
+        R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
@@ -491,7 +489,7 @@ impl<E: ?Sized> Machine<E> {
     ) -> Result<Vec<Pair<Number<A>>>, Error>
     where
         A: Columns<Item: Single>,
-        R: Runs<(A::Item, A::Item), Out = Number<A>>,
+        R: Function<(A::Item, A::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         called!(run, shapes, shapes => |call, lists| {
@@ -538,7 +536,7 @@ impl<E: ?Sized> Machine<E> {
     ) -> Result<Vec<usize>, Error>
     where
         A: Columns<Item: Single>,
-        R: Runs<(A::Item, A::Item), Out = Number<A>>,
+        R: Function<(A::Item, A::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
         let list = shapes.list_of_shapes();

@@ -8,8 +8,7 @@ use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
 use crate::kernels::cpu::nearest::Spans;
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Columns, Item};
-use crate::kernels::real::Real;
-use crate::{Error, Fixed, Pack};
+use crate::{Error, Fixed, Pack, Real};
 
 /// Cotangents of every context and every vertex.
 type Pulled<C, V> = (Vec<<C as Columns>::Item>, Vec<V>);

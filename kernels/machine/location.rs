@@ -1,11 +1,11 @@
 //! Where columns are, and with them the results of a call.
-use super::{Engine, count_of, shapes};
+use super::{Engine, Items, Room, count_of, shapes};
+use crate::Real;
 use crate::error::Error;
 use crate::kernels::item::{Column, Results};
-use crate::kernels::real::Real;
 use crate::kernels::recording::Call;
 use crate::kernels::reduce::{Best, Found};
-use crate::kernels::resident::{Bests, Founds, Held, Matrix};
+use crate::kernels::resident::{Bests, Founds, Held, Matrix, Stored};
 use crate::kernels::{Single, Table};
 
 /// The place of columns: [`Here`], in the memory of the program, or [`There`], on the machine.
@@ -70,7 +70,7 @@ impl Place for Here {
         for new in [true, false] {
             let mut targets = Vec::new();
             R::places(&mut many, &mut |target| targets.push(Some(target)));
-            if engine.map(call, columns, targets, new)? {
+            if engine.map(call, columns, Items::Targets(targets, new))? {
                 break;
             }
         }
@@ -82,7 +82,7 @@ impl Place for Here {
         lists: &[Column<'_, R::Scalar>; 2],
     ) -> Result<Table<R>, Error> {
         let mut table = Table::new(lists[0].len(), lists[1].len())?;
-        engine.pairs(call, lists, table.planes_mut())?;
+        engine.pairs(call, lists, Room::Planes(table.planes_mut()))?;
         Ok(table)
     }
     fn bests<T: Real>(found: Bests<T>) -> Result<Vec<Best<T>>, Error> {
@@ -112,7 +112,9 @@ impl Place for There {
         call: &Call<R::Scalar>,
         columns: &[Column<'_, R::Scalar>],
     ) -> Result<Held<R>, Error> {
-        Ok(Held::of(engine.map_held(call, columns, None)?))
+        let mut stored = Stored::default();
+        engine.map(call, columns, Items::Held(&mut stored))?;
+        Ok(Held::of(stored))
     }
     fn all_pairs<R: Results>(
         engine: &dyn Engine<R::Scalar>,
@@ -124,7 +126,7 @@ impl Place for There {
             return Err(Error::NotOneNumber { found });
         }
         let mut matrix = engine.room(lists[0].len(), lists[1].len())?;
-        engine.pairs_held(call, lists, &mut matrix)?;
+        engine.pairs(call, lists, Room::Held(&mut matrix))?;
         Ok(matrix)
     }
     fn bests<T: Real>(found: Bests<T>) -> Result<Bests<T>, Error> {

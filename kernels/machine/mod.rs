@@ -10,18 +10,19 @@ mod primitives;
 
 pub(crate) use all_pairs::shapes;
 pub use location::{Here, Place, There};
-pub use primitives::{Engine, Numbers, On, Reduced, Reduction, Seed};
+pub use primitives::{
+    Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Seed,
+};
 
-use crate::Pack;
 use crate::error::{Argument, Error};
 use crate::kernels::Single;
 use crate::kernels::Targets;
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::item::{Column, Columns, Item, Results, Target};
-use crate::kernels::op::Runs;
-use crate::kernels::real::Real;
+use crate::kernels::op::Function;
 use crate::kernels::recording::Call;
 use crate::kernels::resident::{Bests, Held, Matrix, numbers_of};
+use crate::{Pack, Real};
 use std::fmt;
 
 /// A machine that runs batches: [`Cpu`](crate::kernels::Cpu), [`Gpu`](crate::kernels::gpu::Gpu), or either behind a
@@ -119,7 +120,7 @@ impl<E: ?Sized> Machine<E> {
     /// assert_eq!(twice[0].center.x, 2.0 * a_bar[0].center.x);
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn aligned<C: Columns, R: Runs<C::Item>>(
+    pub fn aligned<C: Columns, R: Function<C::Item>>(
         &self,
         run: R,
         columns: C,
@@ -148,7 +149,7 @@ impl<E: ?Sized> Machine<E> {
     /// Cpu::new().aligned_into(Iou.value_grad(), (&boxes, &boxes), targets)?;
     /// # Ok::<(), geograd::Error>(())
     /// ```
-    pub fn aligned_into<C: Columns, R: Runs<C::Item>>(
+    pub fn aligned_into<C: Columns, R: Function<C::Item>>(
         &self,
         run: R,
         columns: C,
@@ -161,11 +162,15 @@ impl<E: ?Sized> Machine<E> {
         let count = count_of(&call, &columns)?;
         if let Some(held) = targets.held() {
             expect(Argument::Values, count, held.len())?;
-            *held = self.engine().map_held(&call, &columns, Some(held))?;
-            return Ok(());
+            return self
+                .engine()
+                .map(&call, &columns, Items::Held(held))
+                .map(drop);
         }
         let targets = fitting::<R::Out>(&mut targets, count)?;
-        self.engine().map(&call, &columns, targets, false).map(drop)
+        self.engine()
+            .map(&call, &columns, Items::Targets(targets, false))
+            .map(drop)
     }
 
     /// Checks items and uploads them: an array that stays on the machine and is a column of every call.

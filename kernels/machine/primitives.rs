@@ -1,17 +1,16 @@
 //! The interface of machines: calls over numbers, without the types of shapes.
 //!
 //! An engine implements these primitives; [`Machine`](super::Machine) has every named call, once, above them.
-use crate::Error;
 use crate::kernels::cpu::Processor;
 use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
 use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::gpu::Device;
 use crate::kernels::item::{Column, Target};
-use crate::kernels::real::Real;
 use crate::kernels::recording::Call;
-use crate::kernels::reduce::{Best, Found, check_sides, check_threshold};
+use crate::kernels::reduce::{Best, check_sides, check_threshold};
 use crate::kernels::resident::{Bests, Founds, Matrix, Stored};
 use crate::suppression::Rules;
+use crate::{Error, Real};
 use std::fmt::Debug;
 
 mod sealed {
@@ -56,11 +55,44 @@ impl<T: Real> Reduction<T> {
     }
 }
 
+/// A reduction of the pairs within groups.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum GroupedReduction<T> {
+    /// The largest of every row, or of every column, within its group; none where the group has nothing on the other
+    /// side.
+    Best {
+        /// `true` for rows.
+        of_rows: bool,
+    },
+    /// The pairs above a threshold, row by row and within a row by column.
+    Above(T),
+}
+
+/// Memory for results of every item.
+pub enum Items<'a, T: Real> {
+    /// Targets of the right length, `None` for what is not wanted; `true` for those in a new vector, which may be written
+    /// on an error.
+    Targets(Vec<Option<Target<'a, T>>>, bool),
+    /// On the machine, over others that may be written over; over nothing if there are none.
+    Held(&'a mut Stored<T>),
+}
+
+/// Memory for results of all pairs.
+#[derive(Debug)]
+pub enum Room<'a, T: Real> {
+    /// Plane after plane, each a matrix, row by row.
+    Planes(&'a mut [T]),
+    /// A matrix on the machine, of the same size.
+    Held(&'a mut Matrix<T>),
+}
+
 /// The result of a reduction, on the machine.
 #[derive(Clone, Debug)]
 pub enum Reduced<T: Real> {
     /// The largest of every row or column.
     Bests(Bests<T>),
+    /// The same within groups.
+    BestsGrouped(Vec<Option<Best<T>>>),
     /// The pairs above a threshold.
     Founds(Founds<T>),
     /// Their number.
@@ -84,6 +116,7 @@ macro_rules! taken {
 }
 taken! {
     bests: Bests -> Bests<T>;
+    bests_grouped: BestsGrouped -> Vec<Option<Best<T>>>;
     founds: Founds -> Founds<T>;
     count: Count -> u64;
     sum: Sum -> f64;
@@ -112,42 +145,22 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
     #[doc(hidden)]
     fn room(&self, rows: usize, columns: usize) -> Result<Matrix<T>, Error>;
 
-    /// Computes item i of every column into targets of the right length. `new` targets may be written on an error, and
-    /// may come back unfinished: `false` asks for the same again with targets that are not.
+    /// Computes item i of every column. `false` asks for the same again: results in a new vector came back unfinished.
     #[doc(hidden)]
     fn map(
         &self,
         call: &Call<T>,
         columns: &[Column<'_, T>],
-        targets: Vec<Option<Target<'_, T>>>,
-        new: bool,
+        results: Items<'_, T>,
     ) -> Result<bool, Error>;
 
-    /// The same with results that stay, over others that may be written over.
-    #[doc(hidden)]
-    fn map_held(
-        &self,
-        call: &Call<T>,
-        columns: &[Column<'_, T>],
-        over: Option<&Stored<T>>,
-    ) -> Result<Stored<T>, Error>;
-
-    /// Computes all pairs: plane after plane, each a matrix, row by row.
+    /// Computes all pairs, of results of one number where they stay.
     #[doc(hidden)]
     fn pairs(
         &self,
         call: &Call<T>,
         lists: &[Column<'_, T>; 2],
-        planes: &mut [T],
-    ) -> Result<(), Error>;
-
-    /// The same with results of one number that stay, over a matrix of the same size.
-    #[doc(hidden)]
-    fn pairs_held(
-        &self,
-        call: &Call<T>,
-        lists: &[Column<'_, T>; 2],
-        over: &mut Matrix<T>,
+        results: Room<'_, T>,
     ) -> Result<(), Error>;
 
     /// Reduces all pairs, without the matrix; the reduction was checked.
@@ -159,27 +172,15 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         reduction: Reduction<T>,
     ) -> Result<Reduced<T>, Error>;
 
-    /// The pairs within groups whose result is above a threshold, row by row and within a row by column. Offsets and
-    /// threshold were checked.
+    /// Reduces the pairs within groups; offsets and reduction were checked.
     #[doc(hidden)]
-    fn above_grouped(
+    fn reduce_grouped(
         &self,
         call: &Call<T>,
         lists: &[Column<'_, T>; 2],
         groups: Spans<'_>,
-        threshold: T,
-    ) -> Result<Vec<Found<T>>, Error>;
-
-    /// The largest result of every row, or of every column, within its group; `None` where the group has nothing on the
-    /// other side. Offsets were checked.
-    #[doc(hidden)]
-    fn most_grouped(
-        &self,
-        call: &Call<T>,
-        lists: &[Column<'_, T>; 2],
-        groups: Spans<'_>,
-        of_rows: bool,
-    ) -> Result<Vec<Option<Best<T>>>, Error>;
+        reduction: GroupedReduction<T>,
+    ) -> Result<Reduced<T>, Error>;
 
     /// Computes the cotangents of both lists from those of all results; with one factor for all also the sum of all
     /// results, otherwise 0.

@@ -1,11 +1,11 @@
 //! Columns that stay on the machine between calls.
 use super::Pending;
+use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check, expect};
 use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::item::{Column, Columns, Item, Results, leaves_of, targets_of, width};
 use crate::kernels::machine::{Numbers, There};
-use crate::kernels::real::Real;
 use std::any::Any;
 use std::fmt;
 use std::marker::PhantomData;
@@ -54,6 +54,16 @@ impl<T: Real> Stays<T> for Numbers<T> {
 pub struct Stored<T = f32> {
     count: usize,
     columns: Vec<Box<dyn Stays<T>>>,
+}
+
+impl<T> Default for Stored<T> {
+    /// No columns.
+    fn default() -> Self {
+        Stored {
+            count: 0,
+            columns: Vec::new(),
+        }
+    }
 }
 
 impl<T: Real> Stored<T> {

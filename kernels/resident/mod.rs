@@ -33,9 +33,8 @@
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check_upstream, expect};
 use crate::kernels::machine::{Reduced, Reduction};
-use crate::kernels::real::Real;
 use crate::kernels::reduce::{self, Best, Found};
-use crate::{Fixed, GpuFault, Vec2};
+use crate::{Fixed, GpuFault, Real, Vec2};
 use std::any::Any;
 use std::fmt;
 

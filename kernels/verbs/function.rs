@@ -1,25 +1,25 @@
 //! Plain generic functions in batches.
-use crate::Fixed;
 use crate::ad::program::record::record;
-use crate::ad::program::{Plain, Program, Sym};
+use crate::ad::program::{Program, Sym};
 use crate::error::Error;
 use crate::kernels::item::{Item, leaves_of};
 use crate::kernels::modes::{Hvp, Jvp};
-use crate::kernels::op::{Jacobian, Runs, ValueGrad, Vjp};
+use crate::kernels::op::{Function, Jacobian, ValueGrad, Vjp};
 use crate::kernels::recording::{Body, Call, Mode, Recording, known, widths};
+use crate::{Fixed, Real};
 use std::marker::PhantomData;
 use std::sync::Arc;
 
 /// A generic function that batches run; see [`function`].
 #[derive(Debug)]
-pub struct Function<F, N>(F, PhantomData<N>);
+pub struct OwnFunction<F, N>(F, PhantomData<N>);
 
-impl<F: Copy, N> Clone for Function<F, N> {
+impl<F: Copy, N> Clone for OwnFunction<F, N> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<F: Copy, N> Copy for Function<F, N> {}
+impl<F: Copy, N> Copy for OwnFunction<F, N> {}
 
 /// Wraps a generic function of one to six shapes or numbers, so that batches run it without a row.
 ///
@@ -57,17 +57,17 @@ impl<F: Copy, N> Copy for Function<F, N> {}
 ///
 /// Batches of a function that cannot be recorded are an [`Error::Program`] that says why.
 #[must_use]
-pub const fn function<F: Copy, N>(function: F) -> Function<F, N> {
+pub const fn function<F: Copy, N>(function: F) -> OwnFunction<F, N> {
     const {
         assert!(
             size_of::<F>() == 0,
             "the function captures a value or is a pointer: pass a function by its name, and what it captures as an argument"
         );
     }
-    Function(function, PhantomData)
+    OwnFunction(function, PhantomData)
 }
 
-impl<F: Copy, N> Function<F, N> {
+impl<F: Copy, N> OwnFunction<F, N> {
     /// The function with its gradient; the result is one number.
     #[must_use]
     pub const fn value_grad(self) -> ValueGrad<Self> {
@@ -111,7 +111,7 @@ impl<F: Copy, N> Function<F, N> {
     /// # Errors
     ///
     /// [`Error::Program`] for a function that cannot be recorded.
-    pub fn program<In: Item<Scalar: Plain>, Out>(self) -> Result<Program<In, Out>, Error>
+    pub fn program<In: Item<Scalar: Real>, Out>(self) -> Result<Program<In, Out>, Error>
     where
         Self: Traced<In, Out = Out>,
         Out: Fixed<Scalar = In::Scalar>,
@@ -121,7 +121,7 @@ impl<F: Copy, N> Function<F, N> {
     }
 }
 
-/// The number of arguments of a [`Function`], as a type.
+/// The number of arguments of a [`OwnFunction`], as a type.
 #[derive(Debug)]
 pub struct Arguments<const N: usize>;
 
@@ -131,7 +131,7 @@ pub struct Arguments<const N: usize>;
     label = "does not take these columns",
     note = "`fn f<S: Scalar>(a: A<S>, b: B<S>) -> S` is one of columns of `A` and `B`; a closure names its shapes: `|a: A<_>, b: B<_>|`"
 )]
-pub trait Traced<In: Item<Scalar: Plain>>: Copy + Send + Sync {
+pub trait Traced<In: Item<Scalar: Real>>: Copy + Send + Sync {
     /// The result.
     type Out: Item<Scalar = In::Scalar>;
     /// The key of its recording.
@@ -150,7 +150,7 @@ macro_rules! arities {
     ($($count:literal: $row:ty, [$($A:ident $a:ident),+];)*) => { $(
         // One argument needs none.
         #[allow(unused_parens)]
-        impl<T: Plain, $($A,)+ Y, F> Traced<$row> for Function<F, Arguments<$count>>
+        impl<T: Real, $($A,)+ Y, F> Traced<$row> for OwnFunction<F, Arguments<$count>>
         where
             $row: Item<Scalar = T>,
             $($A: Fixed<Scalar = T>,)+
@@ -176,7 +176,7 @@ arities! {
     6: (A, B, C, D, E, G), [A a, B b, C c, D d, E e, G g];
 }
 
-impl<In: Item<Scalar: Plain>, F, N> Runs<In> for Function<F, N>
+impl<In: Item<Scalar: Real>, F, N> Function<In> for OwnFunction<F, N>
 where
     Self: Traced<In>,
 {
@@ -187,7 +187,7 @@ where
 }
 
 /// The recording of a function, the same one at every call.
-fn recording<In: Item<Scalar: Plain>, F: Traced<In>>(
+fn recording<In: Item<Scalar: Real>, F: Traced<In>>(
     function: F,
 ) -> Result<Arc<Recording<In::Scalar>>, Error> {
     known::<F::Key, _>(|| {

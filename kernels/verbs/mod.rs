@@ -32,7 +32,7 @@ mod function;
 mod list;
 pub mod methods;
 
-pub use function::{Arguments, Function, function};
+pub use function::{Arguments, OwnFunction, function};
 pub use list::*;
 
 use crate::Fixed;
@@ -279,7 +279,7 @@ macro_rules! __verb_applies {
     };
 }
 
-/// `Takes` and `Runs` for a verb, by the operation of its row.
+/// `Takes` and `Function` for a verb, by the operation of its row.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __verb_runs {
@@ -302,20 +302,20 @@ macro_rules! __verb_runs {
             type By = <$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::By;
             const BY: Self::By = <$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::BY;
         }
-        impl<$($generic)* $($A),+> $crate::kernels::Runs<$row> for $Verb
+        impl<$($generic)* $($A),+> $crate::kernels::Function<$row> for $Verb
         where
             $row: $crate::kernels::Item,
-            $Verb: $crate::kernels::verbs::$Takes<$($A),+, By: $crate::kernels::Runs<$row>>,
+            $Verb: $crate::kernels::verbs::$Takes<$($A),+, By: $crate::kernels::Function<$row>>,
         {
             type Out = <<$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::By
-                as $crate::kernels::Runs<$row>>::Out;
+                as $crate::kernels::Function<$row>>::Out;
             fn call(
                 &self,
             ) -> ::core::result::Result<
                 $crate::kernels::recording::Call<<$row as $crate::Pack>::Scalar>,
                 $crate::Error,
             > {
-                $crate::kernels::Runs::<$row>::call(&<$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::BY)
+                $crate::kernels::Function::<$row>::call(&<$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::BY)
             }
         }
     };

@@ -66,7 +66,7 @@ impl Machine {
 pub type Loss<T> = (f64, Vec<T>, Vec<T>);
 
 /// A function of a format on a machine. A GPU has no `f64`: calls refuse it before they come here.
-pub trait OnMachine: geograd::kernels::real::Real {
+pub trait OnMachine: geograd::Real {
     fn aligned(
         f: &Function<Self>,
         on: &Machine,
@@ -242,7 +242,7 @@ on_machine!(f32, on => pairs_of_singles, aligned_singles, on.backend();
     row_max_on column_max_on above_on above_grouped_on row_max_grouped_on column_max_grouped_on count_above_on sum_on mean_on sum_grad_on mean_grad_on all_pairs_vjp_on values_on vjp_on);
 
 /// Into arrays of the caller, or into new ones, which an error may leave written.
-fn aligned_on_cpu<T: geograd::kernels::real::Real>(
+fn aligned_on_cpu<T: geograd::Real>(
     f: &Function<T>,
     rows: &[Rows<'_, T>],
     out: &mut [Option<&mut [T]>],

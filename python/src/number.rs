@@ -1,7 +1,7 @@
 //! The two formats of numbers, and what is made in each.
 use crate::machine::OnMachine;
+use geograd::Real;
 use geograd::kernels::dynamic::{Function, OnPaths, Program, Symbol};
-use geograd::kernels::real::Real;
 use numpy::Element;
 use pyo3::exceptions::PyTypeError;
 use pyo3::{PyErr, PyResult};

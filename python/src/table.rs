@@ -55,7 +55,7 @@ impl Table {
             .map_or("numbers", |shape| &shape.name)
     }
     /// The layout of a shape in a format.
-    pub fn layout<T: geograd::kernels::real::Real>(&self, kind: Kind) -> Option<Layout<T>> {
+    pub fn layout<T: geograd::Real>(&self, kind: Kind) -> Option<Layout<T>> {
         let (row, argument) = self.shapes.get(usize::from(kind))?.layout?;
         operations()[row].layouts::<T>().get(argument).copied()
     }

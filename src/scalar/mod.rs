@@ -33,10 +33,12 @@ pub(crate) mod float;
 pub mod jet;
 pub mod lanes;
 mod polynomial;
+pub(crate) mod real;
 mod ties;
 
 pub use jet::Jet;
 pub use lanes::Lanes;
+pub use real::{Format, Real};
 pub(crate) use ties::Span;
 pub use ties::{least_of, most_of};
 

@@ -6,10 +6,9 @@ use geograd::kernels::dynamic::{
     Bound, Elementary, Function, Layout, Mode, Program, Rows, Symbol, Tracing, operation,
     operations, symbol,
 };
-use geograd::kernels::real::Real;
 use geograd::kernels::{Cpu, Op, fold::fold};
 use geograd::{
-    Error, Fixed, Flaw, Jet, Obb2, Pack, Pose2, Scalar, Segment2, Unrecordable, Vec2, ad,
+    Error, Fixed, Flaw, Jet, Obb2, Pack, Pose2, Real, Scalar, Segment2, Unrecordable, Vec2, ad,
 };
 use geograd_tests::list;
 use geograd_tests::rows::{IouObb2, MoveSegment, SignedDistancePointRing};

@@ -1,9 +1,9 @@
 //! Arguments whose fields lie apart give the bits of rows, for every row of shapes of fixed size.
+use geograd::Real;
 use geograd::error::Error;
 use geograd::kernels::Groups;
 use geograd::kernels::dynamic::{Function, Mode, Rows, operation};
-use geograd::kernels::real::Real;
-use geograd_tests::list::{self, Judged};
+use geograd_tests::list;
 
 /// Rows of so many fields, field by field.
 fn apart<T: Copy>(rows: &[T], fields: usize) -> Vec<Vec<T>> {
@@ -66,7 +66,7 @@ fn rows_of<'a, T: Real>(function: &Function<T>, columns: &'a [Vec<T>]) -> Vec<Ro
 
 #[test]
 fn every_row_has_the_bits_of_rows() {
-    fn of<T: Judged + Into<f64>>() {
+    fn of<T: Real + Into<f64>>() {
         let mut rows = 0;
         for row in list::todays(list::rows(), &[]) {
             for mode in [Mode::Value, Mode::ValueGrad] {
@@ -188,7 +188,7 @@ fn what_is_wrong_is_named() {
 /// All pairs and their reductions, groups, losses, results in the caller's memory.
 #[test]
 fn calls_of_two_lists_have_the_bits_of_rows() {
-    fn of<T: Judged + Into<f64>>() {
+    fn of<T: Real + Into<f64>>() {
         let mut rows = 0;
         // Columns are read by one code for all: a few rows will do.
         for row in list::rows().into_iter().step_by(27) {

@@ -1,9 +1,8 @@
 //! Unexpected inputs, and tests that the fuzzers find planted faults.
 use geograd::kernels::fuzz::{self, Fuzzed, Property};
 use geograd::kernels::op::{Derivative, Extremes, Finite, Jumps, Limits, Op, Range};
-use geograd::kernels::real::Real;
 use geograd::kernels::{Cpu, Single};
-use geograd::{Aabb2, Fixed, Obb2, Pack, Scalar};
+use geograd::{Aabb2, Fixed, Obb2, Pack, Real, Scalar};
 use geograd_tests::fuzzers::{Fuzzer, fuzzers, walk};
 use geograd_tests::list;
 use geograd_tests::rows::{GiouObb2, IntersectionAreaQuads, IouAabb2, IouAabb3, IouObb2, IouObb3};

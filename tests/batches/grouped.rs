@@ -2,13 +2,12 @@
 
 use geograd::error::{Argument, Error};
 use geograd::kernels::dynamic::{Function, Rows};
-use geograd::kernels::real::Real;
 use geograd::kernels::reduce::{Best, Found};
 use geograd::kernels::{Cpu, Groups, Iou};
 use geograd::suppression::Rules;
-use geograd::{Obb2, Pack};
+use geograd::{Obb2, Pack, Real};
 use geograd_tests::Dice;
-use geograd_tests::list::{self, Judged, Tested};
+use geograd_tests::list::{self, Tested};
 
 /// Lists of numbers of both arguments, with the offsets of their groups.
 struct Lists<T> {
@@ -91,7 +90,7 @@ fn agrees<T: Real + Into<f64>>(
 }
 
 /// Groups of such sizes, of random inputs of a row: of every size, and near each other.
-fn drawn<T: Judged>(row: &Tested, sizes: &[[usize; 2]]) -> Lists<T> {
+fn drawn<T: Real>(row: &Tested, sizes: &[[usize; 2]]) -> Lists<T> {
     let mut is_ordinary = false;
     let items = list::inputs::<T>(row, 180, |draw| {
         is_ordinary = !is_ordinary;
@@ -131,7 +130,7 @@ const UNEVEN: [[usize; 2]; 10] = [
 
 #[test]
 fn every_row_has_the_bits_of_a_call_per_group() {
-    fn of<T: Judged + Into<f64>>() {
+    fn of<T: Real + Into<f64>>() {
         let mut rows = 0;
         for row in list::todays(list::rows(), &[]) {
             let Some(function) = row.operation.value::<T>() else {

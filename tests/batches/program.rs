@@ -2,12 +2,11 @@
 //! every level of vector instructions and in every way of carrying them out.
 use crate::bits::Turn;
 use geograd::ad::adjoint::overlap::iou_obb2_grad;
-use geograd::ad::program::{Plain, Program, Sym};
+use geograd::ad::program::{Program, Sym};
 use geograd::kernels::cpu::program::measured::{Ready, Trial, Way};
 use geograd::kernels::cpu::simd::Simd;
-use geograd::kernels::real::Real;
 use geograd::overlap::iou_obb2;
-use geograd::{Fixed, Obb2, Pack, Scalar};
+use geograd::{Fixed, Obb2, Pack, Real, Scalar};
 use geograd_tests::Dice;
 
 /// Numbers of each argument of a random function, and of its result.
@@ -140,7 +139,7 @@ const WAYS: [Way; 8] = [
 
 /// Compares a program, in every way and at every level, with what it gives item by item; An argument of one
 /// row stands for all.
-fn compare<T: Real + Plain>(
+fn compare<T: Real>(
     trial: &Trial,
     fields: &[usize],
     rows: &[Vec<T>],
@@ -173,7 +172,7 @@ fn compare<T: Real + Plain>(
 }
 
 /// The same from a column for every number to one for every result, none of which begins at a vector's border.
-fn in_columns<T: Real + Plain>(
+fn in_columns<T: Real>(
     trial: &Trial,
     way: Way,
     fields: &[usize],
@@ -234,7 +233,7 @@ fn rows<T: Real>(dice: &mut Dice, count: usize, fields: usize) -> Vec<T> {
         .collect()
 }
 
-fn random_lines<T: Real + Plain>() {
+fn random_lines<T: Real>() {
     let _turn = Turn::take();
     let mut listings = String::new();
     for seed in 0..100 {
@@ -375,7 +374,7 @@ fn obb2<S: Scalar>(numbers: &[S]) -> Obb2<S> {
 }
 
 /// The overlap of boxes, with and without its adjoint by hand, has the bits of the function itself.
-fn overlap<T: Real + Plain>() {
+fn overlap<T: Real>() {
     let _turn = Turn::take();
     let value = Program::trace(|x: [Sym<T>; 10]| iou_obb2(obb2(&x[..5]), obb2(&x[5..])));
     let derivatives = Program::trace(|x: [Sym<T>; 10]| {

@@ -6,8 +6,8 @@ use geograd::kernels::cpu::program::measured::compile_after;
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::dynamic::{Bound, Function, Mode, Rows, Sort, names, operations};
 use geograd::kernels::op::Finite;
-use geograd::{Error, Unrecordable};
-use geograd_tests::list::{self, Judged, Tested, each};
+use geograd::{Error, Real, Unrecordable};
+use geograd_tests::list::{self, Tested, each};
 use std::collections::HashMap;
 
 /// Lengths of batches: less than any vector, not a whole number of them, several pieces.
@@ -26,8 +26,8 @@ pub fn bits<T: Into<f64> + Copy>(numbers: &[T]) -> Vec<u64> {
 }
 
 /// A number of a batch.
-pub trait Number: Judged + Into<f64> {}
-impl<T: Judged + Into<f64>> Number for T {}
+pub trait Number: Real + Into<f64> {}
+impl<T: Real + Into<f64>> Number for T {}
 
 /// The results of every item alone, as bits.
 struct Known<T> {

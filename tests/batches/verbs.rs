@@ -2,7 +2,7 @@
 use geograd::convention::{ImageBox, Le90};
 use geograd::iou::Exponent;
 use geograd::kernels::verbs::Takes;
-use geograd::kernels::{Op, Runs, Table};
+use geograd::kernels::{Function, Op, Table};
 use geograd::prelude::*;
 use geograd::{Error, Fixed, Sym, Unrecordable, operation, verb};
 use geograd_tests::rows::{DistanceCircleObb2, DistancePointObb2, IouObb2};
@@ -99,7 +99,7 @@ fn methods_are_the_verbs() {
 /// Generic over the verb.
 fn largest<V, A, T>(verb: V, a: &[A], b: &[A]) -> Result<f64, Error>
 where
-    V: Runs<(A, A), Out = f64> + Copy,
+    V: Function<(A, A), Out = f64> + Copy,
     A: geograd::kernels::Single<Scalar = f64> + Copy,
     (A, A): Fixed,
     V: Takes<(A, A), Out = T>,

@@ -4,7 +4,7 @@ use geograd::ad::check::sample::Draw;
 use geograd::ad::program::{Program, Sym};
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::recording::Call;
-use geograd::kernels::{Backend, Cpu, Runs, Single};
+use geograd::kernels::{Backend, Cpu, Function, Single};
 use geograd::suppression::Rules;
 use geograd::{Error, GpuFault, Obb2, Obb3, Rotation3, Scalar, Vec3, YawBox3};
 use geograd_tests::rows::{iou, overlap, overlap3};
@@ -74,7 +74,7 @@ fn turned(draw: &mut Draw, object: f64) -> Obb3<f32> {
 /// The same places as the processor's, for many thresholds, and classes or none. How many are kept.
 fn agrees<A: Single<Scalar = f32>, R>(gpu: &Gpu, run: R, scene: &Scene<A>) -> Vec<usize>
 where
-    R: Runs<(A, A), Out = f32> + Copy,
+    R: Function<(A, A), Out = f32> + Copy,
 {
     let mut counts = Vec::new();
     for overlap in [0.0, 0.1, 1.0 / 3.0, 0.5, 0.7, 1.0] {
@@ -260,7 +260,7 @@ fn few_and_bad_ones() {
 #[derive(Clone, Copy, Debug)]
 struct Off;
 
-impl Runs<(Obb2<f32>, Obb2<f32>)> for Off {
+impl Function<(Obb2<f32>, Obb2<f32>)> for Off {
     type Out = f32;
     fn call(&self) -> Result<Call<f32>, Error> {
         type Boxes = (Obb2<Sym<f32>>, Obb2<Sym<f32>>);

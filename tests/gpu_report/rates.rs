@@ -1,7 +1,7 @@
 //! The rates of calls on hot paths, over arrays that stay on the device.
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::op::ValueGrad;
-use geograd::kernels::{Backend, Cpu, Distance, Giou, Iou, Runs, Single};
+use geograd::kernels::{Backend, Cpu, Distance, Function, Giou, Iou, Single};
 use geograd::{Aabb2, Error, Obb2, Obb3, Rotation3, Vec2, Vec3, YawBox3};
 use indicatif::ProgressBar;
 use std::time::{Duration, Instant};
@@ -94,8 +94,8 @@ fn of<A, B, R>(
 where
     A: Single<Scalar = f32>,
     B: Single<Scalar = f32>,
-    R: Runs<(A, B), Out = f32> + Copy,
-    ValueGrad<R>: Runs<(A, B), Out = (f32, (A, B))>,
+    R: Function<(A, B), Out = f32> + Copy,
+    ValueGrad<R>: Function<(A, B), Out = (f32, (A, B))>,
 {
     progress.set_message(row);
     let side = (pairs as f64).sqrt() as usize;

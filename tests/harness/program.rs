@@ -1,6 +1,6 @@
 //! Programs: what is recorded is what was written, and what cannot be recorded is refused.
-use geograd::ad::program::{Plain, Program, Sym};
-use geograd::{Aabb2, Error, Fixed, Mask, Obb2, Scalar, Unrecordable, Vec2, ad, overlap};
+use geograd::ad::program::{Program, Sym};
+use geograd::{Aabb2, Error, Fixed, Mask, Obb2, Real, Scalar, Unrecordable, Vec2, ad, overlap};
 
 /// A generic function of numbers, on which every kind of scalar is tried.
 pub trait Function<const N: usize, const M: usize> {
@@ -8,7 +8,7 @@ pub trait Function<const N: usize, const M: usize> {
     fn eval<S: Scalar>(x: [S; N]) -> [S; M];
 
     /// Its program.
-    fn program<T: Plain>() -> Program<[T; N], [T; M]> {
+    fn program<T: Real>() -> Program<[T; N], [T; M]> {
         Program::trace(|x: [Sym<T>; N]| Self::eval(x)).expect("a straight line")
     }
 }
@@ -187,7 +187,7 @@ type Pair<T> = (Obb2<Sym<T>>, Obb2<Sym<T>>);
 
 #[test]
 fn an_adjoint_by_hand_is_recorded_to_the_bit() {
-    fn check<T: Plain>() {
+    fn check<T: Real>() {
         let value = Program::trace(|(a, b): Pair<T>| a.iou(b)).unwrap();
         let by_hand = value
             .with_adjoint(|(a, b): Pair<T>| ad::adjoint::overlap::iou_obb2_grad(a, b).1)

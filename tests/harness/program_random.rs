@@ -4,10 +4,10 @@
     reason = "rows and columns are named by their numbers"
 )]
 use crate::program::{Draw, Function};
-use geograd::ad::program::{Plain, Program, Sym};
+use geograd::ad::program::{Program, Sym};
 use geograd::error::Field;
 use geograd::scalar::dual::Tangent;
-use geograd::{Fixed, Jet, Pack, Scalar};
+use geograd::{Fixed, Jet, Pack, Real, Scalar};
 use std::array::from_fn;
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -85,7 +85,7 @@ fn input(draw: &mut Draw, kind: usize) -> [f64; INPUTS] {
     }
 }
 
-fn program<T: Plain>(plan: &Plan) -> Program<[T; INPUTS], T> {
+fn program<T: Real>(plan: &Plan) -> Program<[T; INPUTS], T> {
     Program::trace(|x: [Sym<T>; INPUTS]| plan.eval(x)).expect("a straight line")
 }
 

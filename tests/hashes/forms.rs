@@ -4,10 +4,9 @@
 use crate::print;
 use geograd::ad::forward::First;
 use geograd::kernels::dynamic::{Mode, Operation, Rows, Sort, operation};
-use geograd::kernels::real::Real;
 use geograd::kernels::reduce::Best;
 use geograd::kernels::{Op, Search, Single};
-use geograd::{Error, Fixed, Jet, Pack, Scalar};
+use geograd::{Error, Fixed, Jet, Pack, Real, Scalar};
 
 /// A format that batches serve.
 pub trait Format: Real + Single<Scalar = Self> + Into<f64> {

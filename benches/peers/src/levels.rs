@@ -3,10 +3,9 @@
 //! Everything is run by turns and the fastest run counts: on a shared machine all else is noise.
 use super::timed::Timed;
 use super::{Dice, N, flat, narrow, on_threads};
-use geograd::Obb2;
 use geograd::kernels::cpu::simd::Simd;
-use geograd::kernels::real::Real;
 use geograd::kernels::{Cpu, Iou, Single, Table};
+use geograd::{Obb2, Real};
 use std::fmt::Write;
 use std::hint::black_box;
 

@@ -7,7 +7,7 @@ use common::cli::Machine;
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::op::ValueGrad;
 use geograd::kernels::resident::Resident;
-use geograd::kernels::{Cpu, Iou, Item, Runs, Single};
+use geograd::kernels::{Cpu, Function, Iou, Item, Single};
 use geograd::{Obb2, Obb3, Rotation3, Vec3, YawBox3};
 use std::fmt::Write;
 use std::hint::black_box;
@@ -39,7 +39,7 @@ fn curves<'a, O, B>(
     lists: &'a Lists<B>,
 ) -> [Curve<'a>; 2]
 where
-    O: Runs<(B, B), Out = f32> + Copy + Send + 'a,
+    O: Function<(B, B), Out = f32> + Copy + Send + 'a,
     B: Single<Scalar = f32>,
     (B, B): Item<Scalar = f32>,
 {
@@ -88,7 +88,7 @@ fn curves_on<'a, O, B>(
     lists: &Lists<B>,
 ) -> [Curve<'a>; 2]
 where
-    O: Runs<(B, B), Out = f32> + Copy + Send + 'a,
+    O: Function<(B, B), Out = f32> + Copy + Send + 'a,
     B: Single<Scalar = f32> + 'a,
     (B, B): Item<Scalar = f32>,
 {

@@ -1,6 +1,6 @@
 //! Functions that are timed by turns, and the lines and ratios of a table.
 use geograd::kernels::op::ValueGrad;
-use geograd::kernels::{Cpu, Item, Runs, Single};
+use geograd::kernels::{Cpu, Function, Item, Single};
 use std::time::Instant;
 
 /// Rows and columns of all pairs: short enough to run without interruption now and then.
@@ -57,10 +57,10 @@ pub struct Ratio(pub &'static str, pub &'static str, pub &'static str);
 /// Aligned items of an operation, as values.
 pub fn aligned<'a, O, A, B, T>(name: &'static str, op: O, a: &'a [A], b: &'a [B]) -> Line<'a>
 where
-    O: Runs<(A, B), Out = T> + Copy + Send + 'a,
+    O: Function<(A, B), Out = T> + Copy + Send + 'a,
     A: Single<Scalar = T>,
     B: Single<Scalar = T>,
-    T: geograd::kernels::real::Real + Single<Scalar = T>,
+    T: geograd::Real + Single<Scalar = T>,
     (A, B): Item<Scalar = T>,
 {
     let (cpu, mut values) = (Cpu::new(), vec![T::default(); a.len()]);
@@ -73,10 +73,10 @@ where
 /// The same with derivatives.
 pub fn derivatives<'a, O, A, B, T>(name: &'static str, op: O, a: &'a [A], b: &'a [B]) -> Line<'a>
 where
-    O: Runs<(A, B), Out = T> + Copy + Send + 'a,
+    O: Function<(A, B), Out = T> + Copy + Send + 'a,
     A: Single<Scalar = T>,
     B: Single<Scalar = T>,
-    T: geograd::kernels::real::Real + Single<Scalar = T>,
+    T: geograd::Real + Single<Scalar = T>,
     (A, B): Item<Scalar = T>,
 {
     let (cpu, mut values) = (Cpu::new(), vec![T::default(); a.len()]);
@@ -91,7 +91,7 @@ where
 /// All pairs of an operation, as values.
 pub fn matrix<'a, O, A>(name: &'static str, cpu: Cpu, op: O, a: &'a [A], b: &'a [A]) -> Line<'a>
 where
-    O: Runs<(A, A), Out = f32> + Copy + Send + 'a,
+    O: Function<(A, A), Out = f32> + Copy + Send + 'a,
     A: Single<Scalar = f32>,
     (A, A): Item<Scalar = f32>,
 {

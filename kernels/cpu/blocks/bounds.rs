@@ -1,8 +1,8 @@
 //! Which bounds meet those of a row, one after another or in a tree.
+use crate::Real;
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
-use crate::kernels::real::Real;
 
 /// The places of the ones in a byte.
 static PLACES: [[u8; 8]; 256] = {

@@ -1,8 +1,8 @@
 //! Derivatives of all pairs added up, in an order that never depends on vectors or on which pairs are left out.
 use super::rows::{QUAD, tile_of};
+use crate::Real;
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::lane::{Lane, Planes, TILE};
-use crate::kernels::real::Real;
 
 /// Adds the derivatives of results: to a row's sixteen sums per field of the first shape, and to the sums of
 /// every column.

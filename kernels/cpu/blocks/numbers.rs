@@ -1,8 +1,7 @@
 //! Plain numbers: sums, the largest, and whether all of them are what kernels serve.
-use crate::Mask;
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::lane::{Lane, TILE};
-use crate::kernels::real::Real;
+use crate::{Mask, Real};
 
 /// Numbers looked at side by side.
 const SIDE: usize = 32;

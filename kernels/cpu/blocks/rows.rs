@@ -1,7 +1,7 @@
 //! Rows of numbers into tiles and back.
+use crate::Real;
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::lane::{Lane, Planes, TILE};
-use crate::kernels::real::Real;
 
 /// Numbers that are brought and taken together.
 pub(crate) const QUAD: usize = 4;

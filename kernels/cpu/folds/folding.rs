@@ -4,9 +4,8 @@ use crate::error::Field;
 use crate::kernels::cpu::plan::{Preparation, name};
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Item, Leaf, leaves_of};
-use crate::kernels::real::Real;
 use crate::ring::Measure;
-use crate::{Error, Fixed, Pack, Scalar};
+use crate::{Error, Fixed, Pack, Real, Scalar};
 use std::sync::Arc;
 
 /// How many numbers the parts of a fold have.

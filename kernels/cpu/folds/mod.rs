@@ -10,10 +10,10 @@ use crate::kernels::cpu::nearest::Spans;
 use crate::kernels::cpu::plan::{Face, of_recorded};
 use crate::kernels::cpu::work::spread;
 use crate::kernels::item::{Leaf, STRETCH, Target};
-use crate::kernels::real::Real;
+use crate::kernels::real::{drivers_in, kernels_in};
 use crate::kernels::recording::{Key, Mode};
 use crate::ring::Measure;
-use crate::{Error, Vec2};
+use crate::{Error, Real, Vec2};
 pub(crate) use folding::backwards;
 pub use folding::{Folding, Sizes};
 pub use paths::Input;
@@ -129,7 +129,7 @@ pub fn cotangents<T: Real>(
     if wide > 0 {
         targets.insert(0, Some(Target::of_rows(&mut shared_bars, wide)));
     }
-    (T::drivers().aligned)(Aligned {
+    (drivers_in::<T>().aligned)(Aligned {
         unchecked: false,
         face: &body,
         columns: &columns,
@@ -162,7 +162,7 @@ impl<T: Real> Folding<T> {
     fn checked(&self, input: &Input<'_, T>) -> Result<(), Error> {
         let (spans, winding) = (input.spans, self.sizes.winding);
         let vertices = input.vertices.len() / self.sizes.element.max(1);
-        if winding.is_none() && !(T::kernels().all_finite)(&input.vertices) {
+        if winding.is_none() && !(kernels_in::<T>().all_finite)(&input.vertices) {
             return Err(self.first_flaw(&input.vertices));
         }
         let edges = match spans {
@@ -232,7 +232,7 @@ fn states<T: Real>(
     let count = paths.edges.len();
     let mut states = vec![T::default(); count * sizes.state];
     let targets = vec![Some(Target::of_rows(&mut states, sizes.state))];
-    (T::drivers().aligned)(Aligned {
+    (drivers_in::<T>().aligned)(Aligned {
         unchecked: false,
         face: &body,
         columns: &paths.columns(sizes.wide, None),

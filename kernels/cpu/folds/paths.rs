@@ -2,8 +2,7 @@
 use super::folding::{Folding, Sizes};
 use crate::kernels::cpu::nearest::{Spans, sieved};
 use crate::kernels::item::Column;
-use crate::kernels::real::Real;
-use crate::{Error, Fixed, Vec2};
+use crate::{Error, Fixed, Real, Vec2};
 use std::borrow::Cow;
 use std::ops::Range;
 

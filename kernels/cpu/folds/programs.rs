@@ -1,10 +1,10 @@
 //! The bodies of a fold as programs, and its adjoint from the result to every edge.
-use crate::Error;
+use crate::ad::program::Sym;
 use crate::ad::program::record::record;
 use crate::ad::program::recorded::Recorded;
-use crate::ad::program::{Plain, Sym};
 use crate::kernels::fold::Fold;
 use crate::kernels::recording::{Kept, known};
+use crate::{Error, Real};
 use std::sync::Arc;
 
 /// The recording of a fold in a format: its bodies as programs.
@@ -30,7 +30,7 @@ pub(crate) struct Programs {
     pub(crate) made: Kept,
 }
 
-pub(crate) fn programs<F: Fold, T: Plain>() -> Result<Arc<Programs>, Error> {
+pub(crate) fn programs<F: Fold, T: Real>() -> Result<Arc<Programs>, Error> {
     type Context<F, T> = <F as Fold>::Context<Sym<T>>;
     type Reference<F, T> = <F as Fold>::Reference<Sym<T>>;
     type State<F, T> = <F as Fold>::State<Sym<T>>;

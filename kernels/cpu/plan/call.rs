@@ -2,8 +2,8 @@
 use super::compiled::{of_compiled, outline};
 use super::computation::{Face, name};
 use super::makers::{of_recorded, of_replays};
+use crate::Real;
 use crate::error::Error;
-use crate::kernels::real::Real;
 use crate::kernels::recording::{Body, Call, Key};
 use std::sync::Arc;
 

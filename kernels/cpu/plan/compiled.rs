@@ -15,12 +15,12 @@ use crate::kernels::cpu::overlaps::{
 use crate::kernels::cpu::quads::{QUAD2, farthest};
 use crate::kernels::cpu::solids;
 use crate::kernels::cpu::upright_boxes;
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
 use crate::kernels::recording::Mode;
 use crate::overlap::{Denominator, score_framed};
 use crate::overlap3::{score_obb3, score_obb3_vjp, score_yaw};
 use crate::shape::{Obb3, YawBox3};
-use crate::{Aabb2, Fixed, Obb2, Vec2, clip};
+use crate::{Aabb2, Fixed, Obb2, Real, Vec2, clip};
 use std::sync::Arc;
 
 /// The compiled kernels, or bounds, that batches have for an operation beside its program.
@@ -124,7 +124,7 @@ fn score_of_two<T: Real, P: Fixed<Scalar = T>>(
 
 /// Scores of rotated boxes.
 fn of_obb2<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
-    let kernels = T::kernels();
+    let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
         fields: OBB2,
@@ -150,14 +150,14 @@ fn of_obb2<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
 
 /// How rotated boxes are prepared, and how many numbers that gives.
 fn obb2_frames<T: Real>(view: View) -> (usize, Prepare<T>) {
-    let frames = T::kernels().obb2_frames;
+    let frames = kernels_in::<T>().obb2_frames;
     let prepare = move |shapes: Tiles<'_, T>, out: &mut [Lane<T>]| frames(shapes, view, out);
     (view.fields::<T>(), Arc::new(prepare))
 }
 
 /// The bounds of prepared rotated boxes.
 fn obb2_bounds<T: Real>() -> Outline<T> {
-    let bounds = T::kernels().obb2_bounds;
+    let bounds = kernels_in::<T>().obb2_bounds;
     Arc::new(move |[_, frames], out| bounds(frames, out))
 }
 
@@ -180,12 +180,12 @@ impl<T: Real> Maker<T> for DerivativesOfOne<T> {
 /// `true` if every rotated box is of common size, and none of zero size.
 fn all_solid<T: Real>(numbers: &[T]) -> bool {
     let solid = |all: bool, x: &[T]| all & x[2].above(T::default()) & x[3].above(T::default());
-    (T::kernels().all_common_obb2)(numbers) && numbers.chunks_exact(OBB2).fold(true, solid)
+    (kernels_in::<T>().all_common_obb2)(numbers) && numbers.chunks_exact(OBB2).fold(true, solid)
 }
 
 /// Generalised IoU of rotated boxes. Boxes that are apart have results, so there are no bounds.
 fn of_giou<T: Real>(mode: Mode) -> Face<T> {
-    let kernels = T::kernels();
+    let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
         fields: OBB2,
@@ -208,13 +208,13 @@ fn of_giou<T: Real>(mode: Mode) -> Face<T> {
 
 /// Areas that convex quadrilaterals share.
 fn of_quads<T: Real>(mode: Mode) -> Face<T> {
-    let kernels = T::kernels();
+    let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
         fields: QUAD2,
         frame: None,
         bounds: None,
-        all_ordinary: |numbers| (T::kernels().all_up_to)(numbers, farthest::<T>()),
+        all_ordinary: |numbers| (kernels_in::<T>().all_up_to)(numbers, farthest::<T>()),
         check: |numbers| <[Vec2<T>; 4]>::load(numbers).validate(),
         is_rare: |numbers| {
             let most = T::lit(farthest::<T>());
@@ -235,7 +235,7 @@ fn of_quads<T: Real>(mode: Mode) -> Face<T> {
 struct UprightScores(Denominator);
 impl<T: Real> Maker<T> for UprightScores {
     fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
-        let kernels = T::kernels();
+        let kernels = kernels_in::<T>();
         (kernels.obb2_scores)(Denominator::None, inputs[0], inputs[1], out.again());
         (kernels.upright_scores)(self.0, inputs[0], inputs[1], out);
     }
@@ -245,7 +245,7 @@ impl<T: Real> Maker<T> for UprightScores {
 struct UprightDerivatives(Denominator);
 impl<T: Real> Maker<T> for UprightDerivatives {
     fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
-        let kernels = T::kernels();
+        let kernels = kernels_in::<T>();
         (kernels.obb2_derivatives)(Denominator::None, inputs[0], inputs[1], None, out.again());
         let seeds = inputs.get(2).copied();
         (kernels.upright_derivatives)(self.0, inputs[0], inputs[1], seeds, out);
@@ -254,7 +254,7 @@ impl<T: Real> Maker<T> for UprightDerivatives {
 
 /// Scores of upright boxes.
 fn of_upright<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
-    let kernels = T::kernels();
+    let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
         fields: UPRIGHT,
@@ -279,14 +279,14 @@ struct BirdsEyeDerivatives(Denominator);
 impl<T: Real> Maker<T> for BirdsEyeDerivatives {
     fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
         let seeds = inputs.get(2).copied();
-        (T::kernels().obb2_derivatives)(self.0, inputs[0], inputs[1], seeds, out.again());
+        (kernels_in::<T>().obb2_derivatives)(self.0, inputs[0], inputs[1], seeds, out.again());
         upright_boxes::spread_derivatives(&mut out);
     }
 }
 
 /// Scores of upright boxes seen from above.
 fn of_birds_eye<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
-    let kernels = T::kernels();
+    let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
         fields: UPRIGHT,
@@ -329,7 +329,7 @@ fn of_birds_eye<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
 
 /// Scores of boxes of any orientation in space.
 fn of_obb3<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
-    let kernels = T::kernels();
+    let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
         fields: OBB3,
@@ -355,7 +355,7 @@ fn of_obb3<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
 
 /// Scores of axis-aligned boxes.
 fn of_aabb2<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
-    let kernels = T::kernels();
+    let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
         fields: AABB2,

@@ -1,5 +1,6 @@
 //! Recorded programs, and functions that are computed item by item, as makers of blocks.
 use super::computation::{Face, Maker, Preparation, Prepare};
+use crate::Real;
 use crate::ad::program::graph::{Graph, Id};
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
@@ -8,7 +9,6 @@ use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::derivation::{Mode, Replays};
 use crate::kernels::item::Leaf;
-use crate::kernels::real::Real;
 use crate::kernels::recording::{Recording, Searched};
 use std::sync::Arc;
 

@@ -1,9 +1,10 @@
 //! A list of shapes made ready for kernels.
 use super::computation::Preparation;
-use crate::kernels::cpu::lane::{Kept, Lane, Lent, TILE, Tiles};
+use crate::Real;
+use crate::kernels::cpu::lane::{Lane, Lent, TILE, Tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::item::{Column, STRETCH};
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
 use std::ops::Range;
 
 /// Some shapes of a column, which are read where they lie.
@@ -39,7 +40,7 @@ impl<'a, T: Real> Shapes<'a, T> {
 }
 
 /// A list of shapes, prepared.
-pub struct List<'a, T: Kept> {
+pub struct List<'a, T: Real> {
     /// The shapes.
     pub shapes: Shapes<'a, T>,
     /// How many shapes.
@@ -66,7 +67,7 @@ impl<'a, T: Real> List<'a, T> {
             let items = start..count.min(start + STRETCH);
             let to = start / TILE * fields..items.end.div_ceil(TILE) * fields;
             let numbers = shapes.numbers(items, &mut room);
-            (T::kernels().bring)(numbers, fields, &mut lanes[to]);
+            (kernels_in::<T>().bring)(numbers, fields, &mut lanes[to]);
             if rare {
                 let all = numbers.chunks_exact(fields).enumerate();
                 let found = all.filter(|(_, shape)| (plan.is_rare)(shape));
@@ -139,7 +140,7 @@ impl<'a, T: Real> List<'a, T> {
     /// A prepared shape in every place of a tile.
     pub fn spread(&self, i: usize, tile: &mut [Lane<T>]) {
         let from = &self.frames[i / TILE * self.frame_fields..];
-        (T::kernels().spread)(from, i % TILE, tile);
+        (kernels_in::<T>().spread)(from, i % TILE, tile);
     }
     /// A shape's bounds.
     pub fn bounds_of(&self, i: usize) -> Option<[T; BOUNDS]> {

@@ -5,11 +5,12 @@
 //!
 //! Memory holds slot after slot, each some lanes of sixteen numbers, as cells: a result may go where
 //! an operand was, since every lane is read before it is written.
+use crate::Real;
 use crate::kernels::cpu::arch::{Bound, Native, Vector};
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
 use crate::kernels::cpu::program::instructions::{Code, Op, instructions};
 use crate::kernels::cpu::program::lower::Tape;
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
 use std::cell::Cell;
 
 /// Lanes that one turn of an instruction's loop computes. The number of lanes of a slot is a multiple.
@@ -271,7 +272,7 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
     }
     // A kernel of its own, which is compiled once for all that brings numbers to slots.
     let native = pass.native.and_then(|native| native.bind(pass.lanes));
-    (T::kernels().carry_out)(&tape.code, memory, native.as_ref());
+    (kernels_in::<T>().carry_out)(&tape.code, memory, native.as_ref());
     let [by_tile, by_number] = pass.steps;
     for (k, &slot) in tape.outputs.iter().enumerate() {
         for (t, lane) in memory

@@ -1,5 +1,4 @@
 //! Programs in batches, for tests and measurements: rows of numbers in, rows of numbers out, on one thread.
-use crate::Unrecordable;
 use crate::ad::program::Program;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::lane::{BLOCK, Lane, Planes, Results, TILE, Tiles, planes, tiles};
@@ -7,7 +6,8 @@ use crate::kernels::cpu::plan::Maker;
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::rowwise::{Given, Wanted};
 use crate::kernels::cpu::program::split::{Piece, split};
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
+use crate::{Real, Unrecordable};
 
 /// How a program is carried out. Results are the same bits any way.
 #[derive(Clone, Copy, Debug, Default)]
@@ -122,7 +122,7 @@ impl Ready {
         let fields = self.fields[argument];
         let count = tiles(rows.len() / fields);
         let mut lanes = vec![Lane::default(); count * fields];
-        (T::kernels().bring)(rows, fields, &mut lanes);
+        (kernels_in::<T>().bring)(rows, fields, &mut lanes);
         let Some((frame, width)) = self.frames.as_ref().map(|frames| &frames[argument]) else {
             return Items { lanes, fields };
         };
@@ -142,7 +142,7 @@ impl Ready {
             let from = |items| Items::from(items, block * BLOCK);
             let inputs: Vec<Tiles<'_, T>> = items.iter().map(from).collect();
             self.make(&inputs, &mut lanes, tiles(rows.len() / self.results));
-            (T::kernels().take)(Planes(&lanes), self.results, rows, self.results);
+            (kernels_in::<T>().take)(Planes(&lanes), self.results, rows, self.results);
         }
         rows
     }

@@ -19,13 +19,13 @@ mod skip;
 mod slots;
 pub(crate) mod split;
 
-use crate::Unrecordable;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::arch::Native;
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, TILE, Tiles, with_room};
 use crate::kernels::cpu::plan::Maker;
 use crate::kernels::cpu::simd::Simd;
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
+use crate::{Real, Unrecordable};
 use execute::STRIP;
 pub(crate) use execute::{Memory, Pass, Run, carry_out, interpret};
 pub(crate) use lower::Tape;
@@ -172,7 +172,7 @@ impl Interpreted {
                     tiles: width.min(tiles - first),
                     native,
                 };
-                (T::kernels().interpret)(&self.tape, pass, out);
+                (kernels_in::<T>().interpret)(&self.tape, pass, out);
             }
         });
     }
@@ -212,7 +212,7 @@ impl Interpreted {
                     far,
                     native,
                 };
-                (T::kernels().over_rows)(&self.tape, part, wanted);
+                (kernels_in::<T>().over_rows)(&self.tape, part, wanted);
             }
         });
     }

@@ -2,13 +2,14 @@
 //!
 //! Rows and slots are exchanged in registers, four fields at a time; no tile lies between them.
 use super::execute::{Memory, STRIP};
+use crate::Real;
 use crate::kernels::cpu::arch::memory::prefetch;
 use crate::kernels::cpu::arch::{Native, Vector};
 use crate::kernels::cpu::blocks::QUAD;
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::kernels::cpu::program::lower::Tape;
 use crate::kernels::item::STRETCH;
-use crate::kernels::real::Real;
+use crate::kernels::real::kernels_in;
 use std::cell::Cell;
 
 /// How many bytes ahead results are prefetched: own functions of 6 to 14 columns with gradients take a fifth to a third
@@ -91,7 +92,7 @@ pub(crate) fn over_rows<T: Real, V: Vector<T>>(
         }
         first += *fields;
     }
-    (T::kernels().carry_out)(&tape.code, memory, native.as_ref());
+    (kernels_in::<T>().carry_out)(&tape.code, memory, native.as_ref());
     let mut first = part.skipped;
     for (rows, fields) in wanted {
         let slots = tape.outputs.get(first..first + *fields);

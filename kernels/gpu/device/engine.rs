@@ -7,10 +7,11 @@ use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check_upstream, expect};
 use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
 use crate::kernels::cpu::grouped::Spans;
-use crate::kernels::item::{Column, Target};
-use crate::kernels::machine::{self, Engine, Numbers, Reduced, Reduction};
+use crate::kernels::item::Column;
+use crate::kernels::machine::{
+    self, Engine, GroupedReduction, Items, Numbers, Reduced, Reduction, Room,
+};
 use crate::kernels::recording::{Call, Mode};
-use crate::kernels::reduce::{Best, Found};
 use crate::kernels::resident::{self, Stays, Stored};
 use crate::suppression::Rules;
 
@@ -64,40 +65,31 @@ impl Engine<f32> for Device {
         &self,
         call: &Call<f32>,
         columns: &[Column<'_, f32>],
-        targets: Vec<Option<Target<'_, f32>>>,
-        _new: bool,
+        results: Items<'_, f32>,
     ) -> Result<bool, Error> {
-        self.aligned(call, columns, targets).map(|()| true)
-    }
-
-    fn map_held(
-        &self,
-        call: &Call<f32>,
-        columns: &[Column<'_, f32>],
-        over: Option<&Stored<f32>>,
-    ) -> Result<Stored<f32>, Error> {
-        let made = call.generated(false)?;
-        let over = over.map(Stored::own).transpose()?.unwrap_or_default();
-        let count = machine::count_of(call, columns)?;
-        Ok(stored(count, self.held_aligned(&made, columns, &over)?))
+        match results {
+            Items::Targets(targets, _) => {
+                self.aligned(call, columns, targets)?;
+            }
+            Items::Held(over) => {
+                let made = call.generated(false)?;
+                let count = machine::count_of(call, columns)?;
+                *over = stored(count, self.held_aligned(&made, columns, &over.own()?)?);
+            }
+        }
+        Ok(true)
     }
 
     fn pairs(
         &self,
         call: &Call<f32>,
         lists: &[Column<'_, f32>; 2],
-        planes: &mut [f32],
+        results: Room<'_, f32>,
     ) -> Result<(), Error> {
-        self.planes(call, lists, planes)
-    }
-
-    fn pairs_held(
-        &self,
-        call: &Call<f32>,
-        lists: &[Column<'_, f32>; 2],
-        over: &mut resident::Matrix,
-    ) -> Result<(), Error> {
-        Lists::new(self, call, lists)?.matrix_into(over.own_mut()?)
+        match results {
+            Room::Planes(planes) => self.planes(call, lists, planes),
+            Room::Held(matrix) => Lists::new(self, call, lists)?.matrix_into(matrix.own_mut()?),
+        }
     }
 
     fn reduce(
@@ -109,24 +101,14 @@ impl Engine<f32> for Device {
         Lists::new(self, call, lists)?.reduce(reduction)
     }
 
-    fn above_grouped(
+    fn reduce_grouped(
         &self,
         call: &Call<f32>,
         lists: &[Column<'_, f32>; 2],
         groups: Spans<'_>,
-        threshold: f32,
-    ) -> Result<Vec<Found>, Error> {
-        Lists::new(self, call, lists)?.above_grouped(groups, threshold)
-    }
-
-    fn most_grouped(
-        &self,
-        call: &Call<f32>,
-        lists: &[Column<'_, f32>; 2],
-        groups: Spans<'_>,
-        of_rows: bool,
-    ) -> Result<Vec<Option<Best>>, Error> {
-        Lists::new(self, call, lists)?.most_grouped(groups, of_rows)
+        reduction: GroupedReduction<f32>,
+    ) -> Result<Reduced<f32>, Error> {
+        Lists::new(self, call, lists)?.reduce_grouped(groups, reduction)
     }
 
     fn pull_back(

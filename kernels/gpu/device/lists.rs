@@ -8,9 +8,10 @@ use crate::Error;
 use crate::error::Argument;
 use crate::kernels::cpu::grouped::Spans;
 use crate::kernels::item::Column;
-use crate::kernels::machine::{Reduced, Reduction};
+use crate::kernels::machine::{GroupedReduction, Reduced, Reduction};
 use crate::kernels::recording::Call;
-use crate::kernels::reduce::{Best, Found};
+use crate::kernels::reduce::Best;
+use crate::kernels::resident::Founds;
 use std::sync::Arc;
 
 /// Two lists on the GPU and the kernels of their pairs.
@@ -82,18 +83,25 @@ impl<'a> Lists<'a> {
         }
     }
 
-    /// The pairs within groups above a threshold.
-    pub fn above_grouped(&self, groups: Spans<'_>, threshold: f32) -> Result<Vec<Found>, Error> {
-        let found = self.grouped(groups, true)?.above(threshold)?;
-        found.start_download()?.wait()
+    /// A reduction of the pairs within groups.
+    pub fn reduce_grouped(
+        &self,
+        groups: Spans<'_>,
+        reduction: GroupedReduction<f32>,
+    ) -> Result<Reduced<f32>, Error> {
+        Ok(match reduction {
+            GroupedReduction::Best { of_rows } => {
+                Reduced::BestsGrouped(self.most_grouped(groups, of_rows)?)
+            }
+            GroupedReduction::Above(threshold) => {
+                let found = self.grouped(groups, true)?.above(threshold)?;
+                Reduced::Founds(Founds::new(found))
+            }
+        })
     }
 
     /// The largest of every row, or of every column, within its group; `None` where there is nothing on the other side.
-    pub fn most_grouped(
-        &self,
-        groups: Spans<'_>,
-        of_rows: bool,
-    ) -> Result<Vec<Option<Best>>, Error> {
+    fn most_grouped(&self, groups: Spans<'_>, of_rows: bool) -> Result<Vec<Option<Best>>, Error> {
         let found = self.grouped(groups, of_rows)?.best()?;
         let mut best: Vec<_> = found
             .start_download()?

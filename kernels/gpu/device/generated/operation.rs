@@ -1,5 +1,4 @@
 //! An operation or a program for a GPU: a function in WGSL, and the shapes as the processor prepares them.
-use crate::Error;
 use crate::ad::program::WGSL;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::ad::program::recorded::Recorded;
@@ -8,8 +7,8 @@ use crate::error::Field;
 use crate::kernels::cpu::plan::{List, Preparation, Shapes, name, prepared};
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::item::{Column, Leaf};
-use crate::kernels::real::Real;
 use crate::kernels::recording::Mode;
+use crate::{Error, Real};
 use std::iter::repeat;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, LazyLock};

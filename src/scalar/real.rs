@@ -1,0 +1,80 @@
+//! The two formats of numbers: `f32` and `f64`.
+use crate::scalar::float::Float;
+use crate::{Pack, Scalar};
+use std::any::Any;
+
+/// A format of numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Numbers of 32 bits.
+    F32,
+    /// Numbers of 64 bits.
+    F64,
+}
+
+impl Format {
+    /// The nearest number of the format; infinite beyond the largest one.
+    #[must_use]
+    pub(crate) fn round(self, x: f64) -> f64 {
+        match self {
+            Format::F32 => f64::from(x as f32),
+            Format::F64 => x,
+        }
+    }
+}
+
+/// A result that is one number, `f32` or `f64`: what has a gradient.
+#[diagnostic::on_unimplemented(
+    message = "`.value_grad()` needs one number as result, and `{Self}` is none",
+    label = "the result is `{Self}`",
+    note = "`.jacobian()` gives the gradient of every number of a result, `.vjp()` that of their sum times cotangents"
+)]
+#[doc(hidden)]
+pub trait OneNumber {}
+
+impl OneNumber for f32 {}
+impl OneNumber for f64 {}
+
+/// `f32` or `f64`: the formats that programs and batches compute in.
+pub trait Real:
+    OneNumber + Float + Scalar<Mask = bool, Primal = Self> + Pack<Scalar = Self> + Default + PartialOrd
+{
+    /// Its format.
+    const FORMAT: Format;
+    /// num-dual's own dual number over it.
+    type NumDual: Scalar<Mask = bool>;
+    /// A dual number of num-dual's.
+    fn num_dual(value: Self, derivative: Self) -> Self::NumDual;
+    /// Its value and its derivative.
+    fn of_num_dual(dual: Self::NumDual) -> (Self, Self);
+    /// Nearest number to an `f64`.
+    #[inline]
+    fn nearest(x: f64) -> Self {
+        Self::lit(x)
+    }
+}
+
+macro_rules! real {
+    ($($float:ident is $format:ident)*) => { $(
+        impl Real for $float {
+            const FORMAT: Format = Format::$format;
+            type NumDual = num_dual::Dual<$float>;
+            #[inline]
+            fn num_dual(value: Self, derivative: Self) -> Self::NumDual {
+                num_dual::Dual::new(value, derivative)
+            }
+            #[inline]
+            fn of_num_dual(dual: Self::NumDual) -> (Self, Self) {
+                (dual.re, dual.eps)
+            }
+        }
+    )* };
+}
+real!(f32 is F32 f64 is F64);
+
+/// The one of two values, in `f32` and in `f64`, that has the type of the format in question.
+#[inline]
+pub(crate) fn in_format<X: 'static>(both: [&dyn Any; 2]) -> &X {
+    let found = both.into_iter().find_map(|one| one.downcast_ref());
+    found.unwrap_or_else(|| unreachable!("there are two formats"))
+}
