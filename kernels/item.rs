@@ -5,8 +5,8 @@
 //! batch whose result is a number and a shape gives `(Vec<f64>, Vec<Shape>)`.
 use crate::error::{Field, Flaw, Validate};
 use crate::kernels::cpu::arch;
+use crate::kernels::formats::kernels_in;
 use crate::kernels::machine::{Here, Place};
-use crate::kernels::real::kernels_in;
 use crate::kernels::resident::Stays;
 use crate::shape::{Obb3, YawBox3};
 use crate::{Aabb2, Fixed, Obb2, Pack, Real};

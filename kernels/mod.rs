@@ -48,6 +48,8 @@ mod directions;
 pub mod dynamic;
 #[forbid(unsafe_code)]
 pub mod fold;
+#[forbid(unsafe_code)]
+mod formats;
 #[cfg(feature = "check")]
 #[forbid(unsafe_code)]
 pub mod fuzz;
@@ -76,8 +78,6 @@ pub mod ops;
 pub mod points;
 #[forbid(unsafe_code)]
 mod program;
-#[forbid(unsafe_code)]
-mod real;
 #[doc(hidden)]
 #[forbid(unsafe_code)]
 pub mod recording;

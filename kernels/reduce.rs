@@ -4,7 +4,7 @@ use crate::Real;
 use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::checked::{entries, expect};
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::real::kernels_in;
+use crate::kernels::formats::kernels_in;
 
 /// The largest score of a row or column, and where in it.
 #[derive(Clone, Copy, Debug, PartialEq)]

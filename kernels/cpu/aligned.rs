@@ -2,11 +2,11 @@
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check, check_upstream};
-use crate::kernels::cpu::desk::Aligned;
+use crate::kernels::cpu::desk::{self, Aligned};
 use crate::kernels::cpu::plan::{Face, Preparation};
 use crate::kernels::cpu::simd::Simd;
+use crate::kernels::formats::kernels_in;
 use crate::kernels::item::{Column, Target};
-use crate::kernels::real::{drivers_in, kernels_in};
 
 /// Checks columns: how many items there are, and whether some may be too rare for kernels.
 pub(crate) fn checked<T: Real>(
@@ -74,7 +74,7 @@ pub(crate) fn compute<'a, T: Real>(
     count: usize,
     targets: Vec<Option<Target<'a, T>>>,
 ) {
-    (drivers_in::<T>().aligned)(Aligned {
+    desk::compute(Aligned {
         face,
         columns,
         rare,
@@ -99,7 +99,7 @@ pub(crate) fn compute_unchecked<'a, T: Real>(
     is_program
         && is_plain
         && Simd::current().is_ok()
-        && (drivers_in::<T>().aligned)(Aligned {
+        && desk::compute(Aligned {
             face,
             columns,
             rare: false,

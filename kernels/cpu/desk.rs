@@ -5,8 +5,8 @@ use crate::kernels::cpu::plan::{Face, Preparation};
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::rowwise::{Given, NEAR, Wanted};
 use crate::kernels::cpu::work::spread;
+use crate::kernels::formats::kernels_in;
 use crate::kernels::item::{Column, Piece, STRETCH, Target};
-use crate::kernels::real::kernels_in;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -15,7 +15,7 @@ use crate::kernels::cpu::plan::{Face, List};
 use crate::kernels::cpu::reductions::{self, raise, start};
 use crate::kernels::cpu::sweep::LONG;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::real::kernels_in;
+use crate::kernels::formats::kernels_in;
 use crate::kernels::reduce::{Best, Found};
 use std::ops::Range;
 

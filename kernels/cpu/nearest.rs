@@ -10,7 +10,7 @@ use crate::kernels::cpu::checked::numbers;
 use crate::kernels::cpu::lane::{Lane, TILE, tiles};
 use crate::kernels::cpu::ragged::cuts;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::real::kernels_in;
+use crate::kernels::formats::kernels_in;
 use crate::{Real, Scalar, Vec2};
 use std::ops::Range;
 

@@ -6,7 +6,7 @@ use crate::kernels::cpu::lane::{BLOCK, Lane, TILE, tiles};
 use crate::kernels::cpu::plan::{Face, List, Shapes};
 use crate::kernels::cpu::sweep::{Chooses, Columns, Part, Sweep, Upstream};
 use crate::kernels::cpu::work::{rows_per_piece, spread};
-use crate::kernels::real::kernels_in;
+use crate::kernels::formats::kernels_in;
 use std::ops::Range;
 
 /// An operation and both lists as numbers, checked.

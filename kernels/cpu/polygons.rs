@@ -7,7 +7,7 @@ use crate::kernels::cpu::lane::{Lane, TILE, Tiles, tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::ragged::check_offsets;
 use crate::kernels::cpu::work::{rows_per_piece, spread};
-use crate::kernels::real::{drivers_in, kernels_in};
+use crate::kernels::formats::{drivers_in, kernels_in};
 use crate::overlap_polygon::holed;
 use crate::reference::bounds_of;
 use crate::{Aabb2, Real, Vec2};

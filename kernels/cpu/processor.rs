@@ -6,21 +6,23 @@ use crate::kernels::cpu::aligned::{checked, compute, compute_unchecked};
 use crate::kernels::cpu::checked::{
     check, check_argument, check_upstream, entries, expect, restore, tame,
 };
-use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
-use crate::kernels::cpu::grouped::Spans;
-use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::plan::{Face, Shapes};
+use crate::kernels::cpu::folds::{self, Folding, Input, VertexBars};
+use crate::kernels::cpu::greedy;
+use crate::kernels::cpu::grouped::{self, Spans};
+use crate::kernels::cpu::pairs::{self, Pairs};
+use crate::kernels::cpu::plan::{Face, Shapes, plan};
 use crate::kernels::cpu::ragged::{measured, measured_vjp};
+use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::item::{Column, Target};
 use crate::kernels::machine::{
-    Engine, GroupedReduction, Items, Numbers, Reduced, Reduction, Room, Seed, count_of,
+    Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Seed, count_of,
 };
-use crate::kernels::real::drivers_in;
 use crate::kernels::recording::{Call, Mode};
 use crate::kernels::reduce;
 use crate::kernels::resident::{Bests, FOREIGN, Founds, Matrix, Ready, Stays, Stored};
 use crate::kernels::suppress::Ranked;
+use crate::scalar::real::in_format;
 use crate::suppression::{Rules, order};
 
 /// Refuses columns of a GPU.
@@ -89,11 +91,23 @@ impl<T: Real> Bearable<T> {
             derivatives,
             ..upstream
         };
-        (drivers_in::<T>().pull_back)(pairs, upstream, a_bar, b_bar);
+        super::pairs::pull_back(pairs, upstream, a_bar, b_bar);
         if self.down.is_some() {
             restore(a_bar, self.by);
             restore(b_bar, self.by);
         }
+    }
+}
+
+/// The engine in a format. Coercions of a concrete format are compiled in this library, and with them all that it
+/// computes: whoever calls a batch compiles no more than what turns shapes into numbers.
+type InFormat<T> = fn(&Processor) -> &dyn Engine<T>;
+static F32: InFormat<f32> = |engine| engine;
+static F64: InFormat<f64> = |engine| engine;
+
+impl<T: Real> On<Processor> for T {
+    fn engine(engine: &Processor) -> &dyn Engine<T> {
+        in_format::<InFormat<T>>([&F32, &F64])(engine)
     }
 }
 
@@ -110,7 +124,7 @@ impl<T: Real> Engine<T> for Processor {
             let ends = [0, input.plane.len()];
             return measured(measure, input.plane, input.spans.offsets(&ends), out);
         }
-        out.copy_from_slice(&(drivers_in::<T>().folded)(folding, input)?);
+        out.copy_from_slice(&folds::values(folding, input)?);
         Ok(())
     }
 
@@ -129,7 +143,7 @@ impl<T: Real> Engine<T> for Processor {
                 measured_vjp(measure, input.plane, offsets, upstream, bars)
             }
             VertexBars::Numbers(bars) => {
-                let (own, path) = (drivers_in::<T>().pulled_back)(folding, input, upstream)?;
+                let (own, path) = folds::cotangents(folding, input, upstream)?;
                 by_context.copy_from_slice(&own);
                 bars.copy_from_slice(&path);
                 Ok(())
@@ -151,7 +165,7 @@ impl<T: Real> Engine<T> for Processor {
         results: Items<'_, T>,
     ) -> Result<bool, Error> {
         are_here(columns)?;
-        let face = call.plan(false)?;
+        let face = plan(call, false)?;
         match results {
             Items::Targets(targets, true) => {
                 let count = count_of(call, columns)?;
@@ -193,8 +207,8 @@ impl<T: Real> Engine<T> for Processor {
                 &mut matrix.values
             }
         };
-        let face = call.plan(true)?;
-        (drivers_in::<T>().planes)(&self.lists(&face, lists)?, planes);
+        let face = plan(call, true)?;
+        pairs::planes(&self.lists(&face, lists)?, planes);
         Ok(())
     }
 
@@ -204,9 +218,8 @@ impl<T: Real> Engine<T> for Processor {
         lists: &[Column<'_, T>; 2],
         reduction: Reduction<T>,
     ) -> Result<Reduced<T>, Error> {
-        let face = call.plan(true)?;
+        let face = plan(call, true)?;
         let mut pairs = self.lists(&face, lists)?;
-        let drivers = drivers_in::<T>();
         if let Reduction::Above(threshold) | Reduction::Count(threshold) = reduction {
             // Zeros are above a negative threshold, too.
             pairs.filter &= threshold >= T::default();
@@ -214,16 +227,18 @@ impl<T: Real> Engine<T> for Processor {
         Ok(match reduction {
             Reduction::Best { of_rows } => {
                 let (best, among) = match of_rows {
-                    true => ((drivers.most_of_rows)(&pairs), lists[1].len()),
-                    false => ((drivers.most_of_columns)(&pairs), lists[0].len()),
+                    true => (reductions::most_of_rows(&pairs), lists[1].len()),
+                    false => (reductions::most_of_columns(&pairs), lists[0].len()),
                 };
                 Reduced::Bests(Bests::new(Ready(best), among))
             }
             Reduction::Above(threshold) => {
-                Reduced::Founds(Founds::new(Ready((drivers.above)(&pairs, threshold))))
+                Reduced::Founds(Founds::new(Ready(reductions::above(&pairs, threshold))))
             }
-            Reduction::Count(threshold) => Reduced::Count((drivers.count_above)(&pairs, threshold)),
-            Reduction::Sum => Reduced::Sum((drivers.sum)(&pairs)),
+            Reduction::Count(threshold) => {
+                Reduced::Count(reductions::count_above(&pairs, threshold))
+            }
+            Reduction::Sum => Reduced::Sum(reductions::sum(&pairs)),
         })
     }
 
@@ -234,17 +249,16 @@ impl<T: Real> Engine<T> for Processor {
         groups: Spans<'_>,
         reduction: GroupedReduction<T>,
     ) -> Result<Reduced<T>, Error> {
-        let face = call.plan(true)?;
+        let face = plan(call, true)?;
         let mut pairs = self.lists(&face, lists)?;
-        let drivers = drivers_in::<T>();
         Ok(match reduction {
             GroupedReduction::Best { of_rows } => {
-                Reduced::BestsGrouped((drivers.most_grouped)(&pairs, groups, of_rows))
+                Reduced::BestsGrouped(grouped::most(&pairs, groups, of_rows))
             }
             GroupedReduction::Above(threshold) => {
                 // Zeros are above a negative threshold, too.
                 pairs.filter &= threshold >= T::default();
-                let found = (drivers.above_grouped)(&pairs, groups, threshold);
+                let found = grouped::above(&pairs, groups, threshold);
                 Reduced::Founds(Founds::new(Ready(found)))
             }
         })
@@ -274,7 +288,7 @@ impl<T: Real> Engine<T> for Processor {
             }
         };
         let upstream = Upstream { derivatives, step };
-        let face = call.clone().derived(Mode::Vjp)?.plan(true)?;
+        let face = plan(&call.clone().derived(Mode::Vjp)?, true)?;
         let pairs = self.lists(&face, lists)?;
         let bearable = Bearable::new(&face, &upstream)?;
         bearable.pull_back(&pairs, upstream, bars);
@@ -291,14 +305,14 @@ impl<T: Real> Engine<T> for Processor {
         scores: &[T],
         rules: Rules<'_, T>,
     ) -> Result<Vec<usize>, Error> {
-        let face = call.plan(true)?;
+        let face = plan(call, true)?;
         are_here(std::slice::from_ref(shapes))?;
         // All shapes are checked, so that errors name the caller's rows.
         check(Argument::A, &face.arguments[0], shapes)?;
         let ranked = Ranked::of(order(scores, rules.score)?, shapes, &rules);
         let lists = ranked.lists();
         let pairs = self.lists(&face, &lists)?;
-        let kept = (drivers_in::<T>().suppress)(&pairs, ranked.greed(&rules));
+        let kept = greedy::suppress(&pairs, ranked.greed(&rules));
         Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
     }
 

@@ -3,7 +3,7 @@ use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::checked::{check_upstream, numbers};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::real::kernels_in;
+use crate::kernels::formats::kernels_in;
 use crate::ring::Measure;
 use crate::{Real, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -5,7 +5,7 @@ use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::sweep::{Columns, Part};
 use crate::kernels::cpu::work::rows_per_piece;
-use crate::kernels::real::kernels_in;
+use crate::kernels::formats::kernels_in;
 use crate::kernels::reduce::{Best, Found};
 
 /// Scores of one row.

@@ -11,7 +11,7 @@ use crate::kernels::cpu::lane::{
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::plan::{Face, List, Maker, Rare};
 use crate::kernels::cpu::tree::Tree;
-use crate::kernels::real::kernels_in;
+use crate::kernels::formats::kernels_in;
 use std::ops::Range;
 
 /// Tiles of columns of a stretch where results are added up at once, and should not leave the innermost

@@ -2,7 +2,7 @@
 use crate::Real;
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::kernels::cpu::overlaps::BOUNDS;
-use crate::kernels::real::kernels_in;
+use crate::kernels::formats::kernels_in;
 
 /// Bounds in tiles of sixteen, each tile bounded by one of a level above, up to a single tile.
 ///

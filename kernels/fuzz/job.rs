@@ -9,12 +9,11 @@ use crate::kernels::Cpu;
 use crate::kernels::check::{Folded, Source};
 use crate::kernels::cpu::aligned::{checked, compute};
 use crate::kernels::cpu::checked::numbers;
-use crate::kernels::cpu::pairs::Pairs;
+use crate::kernels::cpu::pairs::{self, Pairs};
 use crate::kernels::cpu::plan::{Compiled, Face, Shapes};
 use crate::kernels::fold::{Fold, by_hand, fold};
 use crate::kernels::item::{Column, Item, Leaf, Target, by_kind, by_shape, get, leaves_of};
 use crate::kernels::op::{Extremes, Finite, Jumps, Op, Range, inside_of, recording_of};
-use crate::kernels::real::drivers_in;
 use crate::kernels::recording::{Call, Mode, Recording};
 use crate::kernels::search::{self, Search};
 use crate::{Fixed, Pack, Real};
@@ -217,7 +216,7 @@ fn squared<T: Real>(face: impl Fn() -> Result<Arc<Face<T>>, Error> + Sync + 'sta
             filter: true,
         };
         let mut planes = vec![T::zero(); items.len() * items.len() * face.made()];
-        (drivers_in::<T>().planes)(&pairs, &mut planes);
+        pairs::planes(&pairs, &mut planes);
         Ok(planes)
     })
 }

@@ -235,11 +235,6 @@ pub trait On<E: ?Sized>: Real {
     fn engine(engine: &E) -> &dyn Engine<Self>;
 }
 
-impl<T: Real> On<Processor> for T {
-    fn engine(engine: &Processor) -> &dyn Engine<T> {
-        engine
-    }
-}
 impl On<Device> for f32 {
     fn engine(engine: &Device) -> &dyn Engine<f32> {
         engine

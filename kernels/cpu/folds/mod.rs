@@ -5,12 +5,12 @@ mod programs;
 
 use crate::error::{Argument, Field, Flaw};
 use crate::kernels::cpu::checked::{check_argument, check_upstream, expect};
-use crate::kernels::cpu::desk::Aligned;
+use crate::kernels::cpu::desk::{self, Aligned};
 use crate::kernels::cpu::nearest::Spans;
 use crate::kernels::cpu::plan::{Face, of_recorded};
 use crate::kernels::cpu::work::spread;
+use crate::kernels::formats::kernels_in;
 use crate::kernels::item::{Leaf, STRETCH, Target};
-use crate::kernels::real::{drivers_in, kernels_in};
 use crate::kernels::recording::{Key, Mode};
 use crate::ring::Measure;
 use crate::{Error, Real, Vec2};
@@ -129,7 +129,7 @@ pub fn cotangents<T: Real>(
     if wide > 0 {
         targets.insert(0, Some(Target::of_rows(&mut shared_bars, wide)));
     }
-    (drivers_in::<T>().aligned)(Aligned {
+    desk::compute(Aligned {
         unchecked: false,
         face: &body,
         columns: &columns,
@@ -232,7 +232,7 @@ fn states<T: Real>(
     let count = paths.edges.len();
     let mut states = vec![T::default(); count * sizes.state];
     let targets = vec![Some(Target::of_rows(&mut states, sizes.state))];
-    (drivers_in::<T>().aligned)(Aligned {
+    desk::compute(Aligned {
         unchecked: false,
         face: &body,
         columns: &paths.columns(sizes.wide, None),

@@ -15,7 +15,7 @@ use crate::kernels::cpu::overlaps::{
 use crate::kernels::cpu::quads::{QUAD2, farthest};
 use crate::kernels::cpu::solids;
 use crate::kernels::cpu::upright_boxes;
-use crate::kernels::real::kernels_in;
+use crate::kernels::formats::kernels_in;
 use crate::kernels::recording::Mode;
 use crate::overlap::{Denominator, score_framed};
 use crate::overlap3::{score_obb3, score_obb3_vjp, score_yaw};

@@ -1,9 +1,13 @@
-//! The preparation of a shape and the maker of blocks of results: the same for every kind of maker.
+//! The preparation of shapes, alone and in lists, and the maker of blocks of results: the same for every kind of maker.
+use crate::Real;
 use crate::error::{Argument, Flaw};
-use crate::kernels::cpu::lane::{Lane, Results, Tiles};
+use crate::kernels::cpu::lane::{Lane, Lent, Results, TILE, Tiles};
+use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::program::Interpreted;
-use crate::kernels::item::Leaf;
+use crate::kernels::formats::kernels_in;
+use crate::kernels::item::{Column, Leaf, STRETCH};
 use crate::kernels::recording::Mode;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Something that computes blocks of items from one or more arguments.
@@ -120,5 +124,151 @@ impl<T> Face<T> {
             steepest: f64::INFINITY,
             rare: None,
         }
+    }
+}
+
+/// Some shapes of a column, which are read where they lie.
+pub struct Shapes<'a, T> {
+    column: &'a Column<'a, T>,
+    items: Range<usize>,
+}
+
+impl<'a, T: Real> Shapes<'a, T> {
+    /// All shapes of a column.
+    pub fn of(column: &'a Column<'a, T>) -> Self {
+        Shapes {
+            column,
+            items: 0..column.len(),
+        }
+    }
+    /// Some of these shapes, counted from the first.
+    pub fn part(&self, items: &Range<usize>) -> Self {
+        let from = self.items.start;
+        Shapes {
+            column: self.column,
+            items: from + items.start..from + items.end,
+        }
+    }
+    /// How many shapes.
+    pub fn len(&self) -> usize {
+        self.items.len()
+    }
+    /// The numbers of some shapes, as they lie in memory or written into `room`.
+    pub fn numbers<'r>(&'r self, items: Range<usize>, room: &'r mut Vec<T>) -> &'r [T] {
+        self.column.numbers(self.part(&items).items, room)
+    }
+}
+
+/// A list of shapes, prepared.
+pub struct List<'a, T: Real> {
+    /// The shapes.
+    pub shapes: Shapes<'a, T>,
+    /// How many shapes.
+    pub count: usize,
+    /// Prepared shapes in tiles.
+    pub frames: Lent<T>,
+    /// Numbers per prepared shape.
+    pub frame_fields: usize,
+    /// Bounds in tiles; nothing meets those that fill up the last one, everything those of rare
+    /// shapes. `None` where they are of no use.
+    pub bounds: Option<Lent<T>>,
+    /// Which shapes kernels do not serve, ascending.
+    pub rare: Vec<u32>,
+}
+
+impl<'a, T: Real> List<'a, T> {
+    /// Prepares shapes. `rare` says whether some may be too rare for kernels.
+    pub fn new(plan: &Preparation<T>, shapes: Shapes<'a, T>, rare: bool, bounded: bool) -> Self {
+        let (fields, count) = (plan.fields, shapes.len());
+        let tiles = count.div_ceil(TILE);
+        let mut lanes = Lent::new(tiles * fields);
+        let (mut room, mut rare_ones) = (Vec::new(), Vec::new());
+        for start in (0..count).step_by(STRETCH) {
+            let items = start..count.min(start + STRETCH);
+            let to = start / TILE * fields..items.end.div_ceil(TILE) * fields;
+            let numbers = shapes.numbers(items, &mut room);
+            (kernels_in::<T>().bring)(numbers, fields, &mut lanes[to]);
+            if rare {
+                let all = numbers.chunks_exact(fields).enumerate();
+                let found = all.filter(|(_, shape)| (plan.is_rare)(shape));
+                rare_ones.extend(found.map(|(i, _)| (start + i) as u32));
+            }
+        }
+        let frame_fields = plan.frame_fields();
+        let mut frames = Lent::new(0);
+        if let Some((_, make)) = &plan.frame {
+            frames = Lent::new(tiles * frame_fields);
+            make(Tiles::new(&lanes, fields), &mut frames);
+        }
+        let mut list = List {
+            shapes,
+            count,
+            frames,
+            frame_fields,
+            bounds: None,
+            rare: rare_ones,
+        };
+        if let (Some(make), true) = (&plan.bounds, bounded) {
+            let mut bounds = Lent::new(tiles * BOUNDS);
+            let frames = Tiles::new(&list.frames, frame_fields);
+            make([Tiles::new(&lanes, fields), frames], &mut bounds);
+            // Finite, so that not even everything meets what is nowhere.
+            let everything = [T::lit(-T::LARGEST), T::lit(T::LARGEST)];
+            let nowhere = [T::lit(f64::INFINITY), T::lit(f64::NEG_INFINITY)];
+            for (items, [low, high]) in [
+                (list.rare.clone(), everything),
+                ((count as u32..(tiles * TILE) as u32).collect(), nowhere),
+            ] {
+                for i in items {
+                    let (t, i) = (i as usize / TILE * BOUNDS, i as usize % TILE);
+                    for k in 0..BOUNDS {
+                        bounds[t + k].0[i] = if k < 2 { low } else { high };
+                    }
+                }
+            }
+            list.bounds = Some(bounds);
+        }
+        if plan.frame.is_none() {
+            list.frames = lanes;
+        }
+        list
+    }
+    /// Numbers of a shape among [`picking`](List::picking): a multiple of four.
+    pub fn stride(&self) -> usize {
+        self.frame_fields.next_multiple_of(4)
+    }
+    /// Prepared shapes as rows of numbers, for picking some.
+    pub fn picking(&self) -> Lent<T> {
+        let stride = self.stride();
+        let mut picking = Lent::new(self.count.div_ceil(TILE) * stride);
+        // Rows of a tile take as many lanes as a row has numbers.
+        let rows = picking.chunks_exact_mut(stride.max(1));
+        for (rows, tile) in rows.zip(self.frames.chunks_exact(self.frame_fields.max(1))) {
+            for i in 0..TILE {
+                for (k, lane) in tile.iter().enumerate() {
+                    let at = i * stride + k;
+                    rows[at / TILE].0[at % TILE] = lane.0[i];
+                }
+            }
+        }
+        picking
+    }
+    /// A shape's numbers, as they lie in memory or written into `room`.
+    pub fn shape<'r>(&'r self, i: usize, room: &'r mut Vec<T>) -> &'r [T] {
+        self.shapes.numbers(i..i + 1, room)
+    }
+    /// A prepared shape in every place of a tile.
+    pub fn spread(&self, i: usize, tile: &mut [Lane<T>]) {
+        let from = &self.frames[i / TILE * self.frame_fields..];
+        (kernels_in::<T>().spread)(from, i % TILE, tile);
+    }
+    /// A shape's bounds.
+    pub fn bounds_of(&self, i: usize) -> Option<[T; BOUNDS]> {
+        let tile = self.bounds.as_ref()?[i / TILE * BOUNDS..].first_chunk::<BOUNDS>()?;
+        Some(tile.each_ref().map(|lane| lane.0[i % TILE]))
+    }
+    /// `true` if kernels do not serve a shape.
+    pub fn is_rare(&self, i: usize) -> bool {
+        self.rare.binary_search(&(i as u32)).is_ok()
     }
 }

@@ -1,16 +1,45 @@
 //! How batches compute an operation: what is prepared once per shape, what is computed per pair.
-mod call;
 mod compiled;
 mod computation;
 mod makers;
-mod prepared;
 
-pub(crate) use call::plan;
 pub use compiled::Compiled;
-pub(crate) use computation::Maker;
-pub(crate) use computation::name;
-pub use computation::{Face, Preparation, Rare};
+pub use computation::{Face, List, Preparation, Rare, Shapes};
+pub(crate) use computation::{Maker, name};
 #[cfg(feature = "gpu")]
 pub(crate) use makers::prepared;
 pub(crate) use makers::{of_items, of_recorded};
-pub use prepared::{List, Shapes};
+
+use crate::Real;
+use crate::error::Error;
+use crate::kernels::recording::{Body, Call, Key};
+use compiled::{of_compiled, outline};
+use makers::of_replays;
+use std::sync::Arc;
+
+/// The plan of a call, aligned or for all pairs with shapes prepared once: made once per function, mode and form.
+pub(crate) fn plan<T: Real>(call: &Call<T>, framed: bool) -> Result<Arc<Face<T>>, Error> {
+    let (recording, mode) = (&*call.recording, call.mode);
+    // A search computes item by item in either form.
+    let framed = framed && !matches!(recording.body, Body::Search(_));
+    recording.made(Key::Cpu(mode, framed), &|| {
+        let mut face = match (&recording.body, recording.compiled) {
+            (Body::Search(search), _) if search.steps.is_empty() => (search.plan)(mode),
+            (Body::Search(search), _) => of_replays(mode, recording, search),
+            (_, compiled) => match compiled.and_then(|compiled| of_compiled(compiled, mode)) {
+                Some(face) => face,
+                None => {
+                    let program = recording.program(mode)?;
+                    let (takes, outputs) = (recording.takes.clone(), recording.outputs.clone());
+                    let mut face = of_recorded(mode, takes, outputs, &program, framed)?;
+                    for argument in &mut face.arguments {
+                        argument.bounds = compiled.and_then(outline);
+                    }
+                    face
+                }
+            },
+        };
+        name(&mut face.arguments, recording.arguments);
+        Ok(face)
+    })
+}

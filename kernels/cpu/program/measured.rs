@@ -6,7 +6,7 @@ use crate::kernels::cpu::plan::Maker;
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::rowwise::{Given, Wanted};
 use crate::kernels::cpu::program::split::{Piece, split};
-use crate::kernels::real::kernels_in;
+use crate::kernels::formats::kernels_in;
 use crate::{Real, Unrecordable};
 
 /// How a program is carried out. Results are the same bits any way.

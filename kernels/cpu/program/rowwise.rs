@@ -8,8 +8,8 @@ use crate::kernels::cpu::arch::{Native, Vector};
 use crate::kernels::cpu::blocks::QUAD;
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::kernels::cpu::program::lower::Tape;
+use crate::kernels::formats::kernels_in;
 use crate::kernels::item::STRETCH;
-use crate::kernels::real::kernels_in;
 use std::cell::Cell;
 
 /// How many bytes ahead results are prefetched: own functions of 6 to 14 columns with gradients take a fifth to a third
