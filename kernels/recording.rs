@@ -344,7 +344,7 @@ impl<T: Real> Line<T> {
             (Derivative::Reverse, _) => derived(&*value()?, mode),
             (Derivative::Forward, Mode::Jacobian) => value()?.value_jacobian_forwards(),
             (Derivative::Forward, Mode::Vjp) => value()?.value_vjp_forwards(),
-            (Derivative::Forward, _) => value()?.value_grad_forwards(),
+            (Derivative::Forward, _) => value()?.value_jacobian_forwards(),
         })
     }
 }

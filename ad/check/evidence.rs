@@ -12,7 +12,7 @@ use crate::ad::sample::Draw;
 use std::cell::{Cell, RefCell};
 
 /// The derivatives of one combination of the outputs.
-pub(crate) struct Item {
+pub(crate) struct Combination {
     pub(crate) weights: Vec<f64>,
     pub(crate) output: usize,
     pub(crate) adjoint: Option<Vec<f64>>,
@@ -33,7 +33,7 @@ pub(crate) struct Item {
     pub(crate) noise: f64,
 }
 
-impl Item {
+impl Combination {
     /// How much two exact derivatives with respect to an input may differ.
     pub(crate) fn allowed(&self, input: usize) -> f64 {
         self.tolerance.borrow()[input]
@@ -88,7 +88,7 @@ pub(crate) struct Evidence<'a> {
     /// Inputs beside `x`, with the branches of `x` as far as possible.
     pub(crate) around: Vec<(Vec<f64>, Beside)>,
     /// The derivatives; empty until they are [gathered](Evidence::gather_derivatives).
-    pub(crate) rows: Vec<Item>,
+    pub(crate) rows: Vec<Combination>,
 }
 
 /// `true` if all numbers are finite.
@@ -237,7 +237,7 @@ impl<'a> Evidence<'a> {
         weights: Vec<f64>,
         adjoint: Option<Vec<f64>>,
         dual: Option<Vec<f64>>,
-    ) -> Item {
+    ) -> Combination {
         let n = self.x.len();
         let derivative = |i: usize| {
             let a = adjoint.as_ref().map_or(0.0, |a| a[i].abs());
@@ -252,7 +252,7 @@ impl<'a> Evidence<'a> {
             .map(|i| if comparable { size[i] } else { derivative(i) })
             .map(|size| ROUNDINGS * self.eps * size + f64::MIN_POSITIVE)
             .collect();
-        Item {
+        Combination {
             noise: self.noise(&weights, adjoint.as_deref().or(dual.as_deref())),
             weights,
             output,
@@ -348,7 +348,12 @@ impl Evidence<'_> {
 }
 
 /// A comparison at an output and an input, before it is known how near to refusal it is.
-pub(crate) fn comparison(row: &Item, input: usize, numbers: Numbers, tolerance: f64) -> Nearest {
+pub(crate) fn comparison(
+    row: &Combination,
+    input: usize,
+    numbers: Numbers,
+    tolerance: f64,
+) -> Nearest {
     Nearest {
         output: row.output,
         input,

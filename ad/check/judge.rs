@@ -16,7 +16,7 @@ use crate::ad::check::compare::proof::proof;
 use crate::ad::check::compare::steps::steps;
 use crate::ad::check::compare::values::values;
 use crate::ad::check::compare::wide::wide;
-use crate::ad::check::evidence::{Evidence, Item, same_bits};
+use crate::ad::check::evidence::{Combination, Evidence, same_bits};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::Motion;
@@ -61,7 +61,7 @@ fn compare(e: &Evidence<'_>, draw: &mut Draw, said: &mut Notes) {
         said.add(curvature(e, draw));
     }
     // A function without derivatives was judged by other paths and invariances.
-    let derivatives = |row: &Item| row.adjoint.is_some() || row.dual.is_some();
+    let derivatives = |row: &Combination| row.adjoint.is_some() || row.dual.is_some();
     if !e.rows.iter().any(derivatives)
         && (!e.subject.other_values(e.x).is_empty() || !e.subject.invariances().is_empty())
     {

@@ -8,7 +8,7 @@
 //! but every sum and product of derivatives rounds differently. No rounding of the input
 //! shows that: where two large equal derivatives cancel, the rest is their last digit, which does not move with
 //! the input's.
-use crate::ad::check::evidence::{Beside, Evidence, Item};
+use crate::ad::check::evidence::{Beside, Combination, Evidence};
 use crate::ad::check::roughness::roughness;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::exchanged;
@@ -334,7 +334,7 @@ impl Evidence<'_> {
     }
 
     /// Adds to a row's tolerance the changes that provoked rounding shows.
-    pub(crate) fn provoke(&self, row: &Item) {
+    pub(crate) fn provoke(&self, row: &Combination) {
         if row.provoked.replace(true) {
             return;
         }
@@ -372,7 +372,7 @@ impl Evidence<'_> {
     /// shorter, and what makes them rough.
     pub(crate) fn rounding_of_duals(
         &self,
-        row: &Item,
+        row: &Combination,
         dual: &[f64],
         derivatives: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
         along: &dyn Fn(&[f64]) -> Option<f64>,
@@ -391,7 +391,7 @@ impl Evidence<'_> {
 
     /// Adds to a row's tolerance the effect of decisions that fall differently in single and in double precision,
     /// once.
-    pub(crate) fn provoke_widely(&self, row: &Item) {
+    pub(crate) fn provoke_widely(&self, row: &Combination) {
         let (Some(wide), Some(adjoint)) = (&self.wide, &row.adjoint) else {
             return;
         };
@@ -405,7 +405,7 @@ impl Evidence<'_> {
     }
 
     /// Adds the changes that provoked rounding shows with the arguments exchanged, once.
-    pub(crate) fn provoke_exchanged(&self, row: &Item) {
+    pub(crate) fn provoke_exchanged(&self, row: &Combination) {
         if row.provoked_exchanged.replace(true) {
             return;
         }
@@ -425,18 +425,23 @@ impl Evidence<'_> {
     }
 
     /// The derivative of a row along a direction by num-dual's numbers.
-    pub(crate) fn num_dual_along(&self, row: &Item, x: &[f64], direction: &[f64]) -> Option<f64> {
+    pub(crate) fn num_dual_along(
+        &self,
+        row: &Combination,
+        x: &[f64],
+        direction: &[f64],
+    ) -> Option<f64> {
         let (_, ahead) = self.subject.num_dual(x, direction)?;
         let usable = ahead.len() == self.y.len();
         usable.then(|| dot(&row.weights, &ahead))
     }
     /// The derivatives of a row by num-dual's numbers.
-    pub(crate) fn by_num_dual(&self, row: &Item, x: &[f64]) -> Option<Vec<f64>> {
+    pub(crate) fn by_num_dual(&self, row: &Combination, x: &[f64]) -> Option<Vec<f64>> {
         let derivative = |i| self.num_dual_along(row, x, &axis(x.len(), i));
         (0..x.len()).map(derivative).collect()
     }
     /// The derivative of a row along a direction by duals.
-    pub(crate) fn by_duals(&self, row: &Item, direction: &[f64]) -> Option<f64> {
+    pub(crate) fn by_duals(&self, row: &Combination, direction: &[f64]) -> Option<f64> {
         let ahead = self.subject.along(self.x, direction)?;
         let usable = ahead.len() == self.y.len() && ahead.iter().all(|y| y.is_finite());
         usable.then(|| dot(&row.weights, &ahead))

@@ -123,6 +123,11 @@ pub struct Ladder {
 }
 
 impl Ladder {
+    /// `true` if a side has fewer than two steps: the domain ends there.
+    pub fn is_at_border(&self) -> bool {
+        self.ahead.len() < 2 || self.behind.len() < 2
+    }
+
     /// Evaluates at `x ± step · direction`, from `first` downwards.
     pub fn climb(
         probe: Probe<'_>,

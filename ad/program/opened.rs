@@ -44,7 +44,7 @@ impl<T: Real> Opened<T> {
             return Err(Unrecordable::Hint);
         }
         let outputs = places(&mut recording, outputs)?;
-        Recorded::new(recording.graph, self.inputs, &outputs).finite()
+        Recorded::new(recording.graph, self.inputs, &outputs).checked_constants()
     }
 }
 

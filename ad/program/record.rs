@@ -76,7 +76,7 @@ fn recorded<T: Real>(
     });
     let mut recording = recording?;
     let outputs = places(&mut recording, &outputs)?;
-    let recorded = Recorded::new(recording.graph, inputs, &outputs).finite()?;
+    let recorded = Recorded::new(recording.graph, inputs, &outputs).checked_constants()?;
     Ok((recorded, recording.hints))
 }
 

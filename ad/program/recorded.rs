@@ -1,4 +1,4 @@
-//! Programs without the shapes of what goes in and out: lists of numbers.
+//! Programs without their shapes: from a list of numbers to a list of numbers. [`Program`](super::Program) adds the shapes.
 use super::evaluate::{evaluate, evaluate_needed};
 use super::graph::{Format, Graph, Id, Node};
 use super::reverse::reverse;
@@ -14,7 +14,7 @@ pub(crate) struct Recorded {
     needed: Vec<bool>,
     /// How many numbers go in.
     pub(crate) inputs: usize,
-    /// The results, none a zero with a sign.
+    /// The results, each a [`Node::Canonical`]: zeros have no sign.
     outputs: Vec<Id>,
     /// The gradient of the only result, where it was written by hand.
     by_hand: Option<Vec<Id>>,
@@ -22,7 +22,7 @@ pub(crate) struct Recorded {
     pub(crate) value: Lowered,
 }
 
-/// Operations in an order in which they can be carried out, without anything that values do not need.
+/// The graph of the values alone, as machines run it.
 #[derive(Clone, Debug)]
 pub(crate) struct Lowered {
     pub(crate) graph: Graph,
@@ -56,11 +56,10 @@ impl Recorded {
     }
 
     /// An error if a result depends on an infinite or NaN constant.
-    pub(crate) fn finite(self) -> Result<Self, Unrecordable> {
-        let live = self.graph.live(&self.outputs, true);
-        let wild = (0..self.graph.len() as Id)
-            .filter(|&x| live[x as usize])
-            .any(|x| self.graph.constant(x).is_some_and(|x| !x.is_finite()));
+    pub(crate) fn checked_constants(self) -> Result<Self, Unrecordable> {
+        let needed = (0..self.graph.len()).filter(|&x| self.needed[x]);
+        let mut constants = needed.filter_map(|x| self.graph.constant(x as Id));
+        let wild = constants.any(|x| !x.is_finite());
         match wild {
             true => Err(Unrecordable::Constant),
             false => Ok(self),
@@ -79,9 +78,10 @@ impl Recorded {
         evaluate_needed(&self.graph, needed, &self.outputs, inputs)
     }
 
-    /// `true` if gradients by hand are parts of it, whose own derivatives duals of duals do not see.
+    /// `true` if derivatives in it are multiplied by a share: by a gradient by hand, or by `damp`. Duals of duals do not see
+    /// the derivatives of a share.
     #[cfg(feature = "check")]
-    pub(crate) fn has_parts_by_hand(&self) -> bool {
+    pub(crate) fn has_shares(&self) -> bool {
         let is_part = |node: &Node| matches!(node, Node::Graft { share: Some(_), .. });
         self.graph.nodes().iter().any(is_part)
     }
@@ -99,11 +99,9 @@ impl Recorded {
         (graph, gradient)
     }
 
-    /// The result, a number, and its gradient.
+    /// The result, one number, and its gradient.
     pub(crate) fn value_grad(&self) -> Recorded {
-        let (graph, gradient) = self.gradient();
-        let outputs: Vec<Id> = self.outputs.iter().copied().chain(gradient).collect();
-        Recorded::new(graph, self.inputs, &outputs)
+        self.value_jacobian()
     }
 
     /// The pull-back: from an input and a cotangent of the result to the cotangent of the input.
@@ -126,14 +124,18 @@ impl Recorded {
         self.after_result(self.vjp())
     }
 
-    /// The same with derivatives taken forwards, along one axis of the input after the other.
+    /// [`value_vjp`](Self::value_vjp) by derivatives along one axis of the input after the other.
     pub(crate) fn value_vjp_forwards(&self) -> Recorded {
         let mut graph = self.graph.clone();
         let seeds = places(&mut graph, self.inputs, self.outputs.len());
         let mut bars = Vec::with_capacity(self.inputs);
         for axis in 0..self.inputs {
             let mut sum = graph.lit(0.0);
-            for (derivative, &seed) in self.along(&mut graph, axis).into_iter().zip(&seeds) {
+            for (derivative, &seed) in self
+                .along(&mut graph, &self.outputs, axis)
+                .into_iter()
+                .zip(&seeds)
+            {
                 let term = graph.make(Node::Mul(seed, derivative));
                 sum = graph.make(Node::Add(sum, term));
             }
@@ -141,17 +143,6 @@ impl Recorded {
         }
         let outputs: Vec<Id> = self.outputs.iter().copied().chain(bars).collect();
         Recorded::new(graph, self.inputs + seeds.len(), &outputs)
-    }
-
-    /// The result, a number, and its gradient, taken forwards.
-    pub(crate) fn value_grad_forwards(&self) -> Recorded {
-        let mut graph = self.graph.clone();
-        let mut outputs = self.outputs.clone();
-        for axis in 0..self.inputs {
-            let derivatives = self.along(&mut graph, axis);
-            outputs.extend(derivatives);
-        }
-        Recorded::new(graph, self.inputs, &outputs)
     }
 
     /// The results, and then the gradient of each.
@@ -170,35 +161,35 @@ impl Recorded {
         Recorded::new(graph, self.inputs, &outputs)
     }
 
-    /// The same with derivatives taken forwards, along one axis of the input after the other.
+    /// [`value_jacobian`](Self::value_jacobian) by derivatives along one axis of the input after the other.
     pub(crate) fn value_jacobian_forwards(&self) -> Recorded {
         let mut graph = self.graph.clone();
         let columns: Vec<Vec<Id>> = (0..self.inputs)
-            .map(|axis| self.along(&mut graph, axis))
+            .map(|axis| self.along(&mut graph, &self.outputs, axis))
             .collect();
         let rows = (0..self.outputs.len()).flat_map(|k| columns.iter().map(move |own| own[k]));
         let outputs: Vec<Id> = self.outputs.iter().copied().chain(rows).collect();
         Recorded::new(graph, self.inputs, &outputs)
     }
 
-    /// The same of a program that is a result and its pull-back, of so many results: the pull-back of every axis of the
-    /// result.
+    /// The results, and then the gradient of each, of a program that gives `results` numbers and their pull-back: the
+    /// pull-back is repeated with every unit cotangent.
     pub(crate) fn value_jacobian_of_vjp(&self, results: usize) -> Recorded {
         let inputs = self.inputs - results;
         let mut graph = Graph::new(self.format());
         let (mut outputs, mut rows) = (Vec::new(), Vec::new());
         for axis in 0..results {
-            let mut names: Vec<Id> = Vec::with_capacity(self.graph.len());
+            let mut ids: Vec<Id> = Vec::with_capacity(self.graph.len());
             for &node in self.graph.nodes() {
-                names.push(match node {
+                ids.push(match node {
                     Node::Input(place) if place as usize >= inputs => {
                         let is_axis = place as usize == inputs + axis;
                         graph.lit(f64::from(u8::from(is_axis)))
                     }
-                    node => graph.make(node.renamed(|x| names[x as usize])),
+                    node => graph.make(node.renamed(|x| ids[x as usize])),
                 });
             }
-            let renamed = |&x: &Id| names[x as usize];
+            let renamed = |&x: &Id| ids[x as usize];
             if axis == 0 {
                 outputs.extend(self.outputs[..results].iter().map(renamed));
             }
@@ -207,15 +198,15 @@ impl Recorded {
         Recorded::new(graph, inputs, &[outputs, rows].concat())
     }
 
-    /// The derivatives of all results along an axis of the input.
-    fn along(&self, graph: &mut Graph, axis: usize) -> Vec<Id> {
+    /// The derivatives of some nodes along an axis of the input.
+    fn along(&self, graph: &mut Graph, nodes: &[Id], axis: usize) -> Vec<Id> {
         let (zero, one) = (graph.lit(0.0), graph.lit(1.0));
         let mut direction = vec![zero; self.inputs];
         direction[axis] = one;
-        forward(graph, &self.outputs, &direction)
+        forward(graph, nodes, &direction)
     }
 
-    /// The result, followed by the results of another program of the same input.
+    /// The result, followed by the results of a program whose graph begins with this one's; it may take more inputs.
     fn after_result(&self, other: Recorded) -> Recorded {
         let outputs: Vec<Id> = self.outputs.iter().chain(&other.outputs).copied().collect();
         Recorded::new(other.graph, other.inputs, &outputs)
@@ -253,43 +244,23 @@ impl Recorded {
         let (mut graph, gradient) = self.gradient();
         let mut rows = Vec::with_capacity(self.inputs * self.inputs);
         for axis in 0..self.inputs {
-            let (zero, one) = (graph.lit(0.0), graph.lit(1.0));
-            let mut direction = vec![zero; self.inputs];
-            direction[axis] = one;
-            rows.extend(forward(&mut graph, &gradient, &direction));
+            rows.extend(self.along(&mut graph, &gradient, axis));
         }
         Recorded::new(graph, self.inputs, &rows)
     }
 
     /// The derivatives of all results by all numbers of the input: of the first result first.
     pub(crate) fn jacobian(&self) -> Recorded {
-        if self.by_hand.is_some() {
-            let (graph, gradient) = self.gradient();
-            return Recorded::new(graph, self.inputs, &gradient);
-        }
-        let mut graph = self.graph.clone();
-        let mut rows = Vec::with_capacity(self.outputs.len() * self.inputs);
-        if self.outputs.len() <= self.inputs {
-            let one = graph.lit(1.0);
-            for output in &self.outputs {
-                rows.extend(reverse(
-                    &mut graph,
-                    std::slice::from_ref(output),
-                    &[one],
-                    self.inputs,
-                ));
-            }
-        } else {
-            let axes = (0..self.inputs).map(|axis| self.along(&mut graph, axis));
-            let columns: Vec<Vec<Id>> = axes.collect();
-            for k in 0..self.outputs.len() {
-                rows.extend(columns.iter().map(|column| column[k]));
-            }
-        }
-        Recorded::new(graph, self.inputs, &rows)
+        // Backwards by results or forwards by inputs, whichever are fewer.
+        let is_backwards = self.by_hand.is_some() || self.outputs.len() <= self.inputs;
+        let both = match is_backwards {
+            true => self.value_jacobian(),
+            false => self.value_jacobian_forwards(),
+        };
+        both.without_first(self.outputs.len())
     }
 
-    /// The same without the first so many results.
+    /// The program without its first `count` results.
     pub(crate) fn without_first(&self, count: usize) -> Recorded {
         Recorded::new(self.graph.clone(), self.inputs, &self.outputs[count..])
     }
@@ -297,12 +268,12 @@ impl Recorded {
     /// The same with a gradient by hand, a program with the same input.
     pub(crate) fn with_gradient(&self, gradient: &Recorded) -> Recorded {
         let mut made = self.clone();
-        let mut names: Vec<Id> = Vec::with_capacity(gradient.graph.len());
+        let mut ids: Vec<Id> = Vec::with_capacity(gradient.graph.len());
         for &node in gradient.graph.nodes() {
-            let node = node.renamed(|x| names[x as usize]);
-            names.push(made.graph.make(node));
+            let node = node.renamed(|x| ids[x as usize]);
+            ids.push(made.graph.make(node));
         }
-        let gradient = gradient.outputs.iter().map(|&x| names[x as usize]);
+        let gradient = gradient.outputs.iter().map(|&x| ids[x as usize]);
         made.by_hand = Some(gradient.collect());
         made
     }

@@ -13,7 +13,7 @@ use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{Face, List};
 use crate::kernels::cpu::reductions::{self, raise, start};
-use crate::kernels::cpu::sweep::LONG;
+use crate::kernels::cpu::sweep::LEAST_OF_TREE;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::formats::kernels_in;
 use crate::kernels::reduce::{Best, Found};
@@ -66,7 +66,7 @@ impl<'a> Spans<'a> {
     }
     /// `true` if a group is a piece of its own.
     fn is_alone(&self, group: usize) -> bool {
-        self.columns(group).len() >= LONG || self.work(group) >= PIECE
+        self.columns(group).len() >= LEAST_OF_TREE || self.work(group) >= PIECE
     }
     /// The rows and the columns of a piece.
     fn of(&self, piece: &Range<usize>) -> [Range<usize>; 2] {

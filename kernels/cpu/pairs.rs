@@ -30,6 +30,10 @@ impl<T: Real> Pairs<'_, T> {
     pub fn is_filtered(&self) -> bool {
         self.filter && self.face.arguments.iter().all(|x| x.bounds.is_some())
     }
+    /// Leaves out no pair if the threshold is negative: results of pairs that are apart, zero, are above it.
+    pub fn filter_above(&mut self, threshold: T) {
+        self.filter &= threshold >= T::default();
+    }
     /// Both lists, prepared.
     pub fn lists(&self) -> [List<'_, T>; 2] {
         let bounded = self.is_filtered();

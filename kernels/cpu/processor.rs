@@ -1,4 +1,4 @@
-//! The CPU behind the calls of [`Machine`](crate::kernels::machine::Machine).
+//! [`Engine`] on the CPU.
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::Processor;
@@ -19,14 +19,14 @@ use crate::kernels::machine::{
     Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Seed, count_of,
 };
 use crate::kernels::recording::{Call, Mode};
-use crate::kernels::reduce;
+use crate::kernels::reduce::{self, Best};
 use crate::kernels::resident::{Bests, FOREIGN, Founds, Matrix, Ready, Stays, Stored};
 use crate::kernels::suppress::Ranked;
 use crate::scalar::real::in_format;
 use crate::suppression::{Rules, order};
 
-/// Refuses columns of a GPU.
-pub(crate) fn are_here<T: Real>(columns: &[Column<'_, T>]) -> Result<(), Error> {
+/// Returns an error for columns that stay on a GPU.
+pub(crate) fn check_here<T: Real>(columns: &[Column<'_, T>]) -> Result<(), Error> {
     let is_away = |column: &Column<'_, T>| column.held.is_some_and(|own| own.here().is_none());
     match columns.iter().any(is_away) {
         true => Err(FOREIGN),
@@ -35,13 +35,13 @@ pub(crate) fn are_here<T: Real>(columns: &[Column<'_, T>]) -> Result<(), Error> 
 }
 
 impl Processor {
-    /// Two lists of shapes, checked.
+    /// Checks both lists of a batch of all pairs.
     pub(crate) fn lists<'a, T: Real>(
         &self,
         face: &'a Face<T>,
         lists: &'a [Column<'_, T>; 2],
     ) -> Result<Pairs<'a, T>, Error> {
-        are_here(lists)?;
+        check_here(lists)?;
         if lists.iter().any(|list| list.len() >= u32::MAX as usize) {
             return Err(Error::TooLarge);
         }
@@ -59,42 +59,43 @@ impl Processor {
     }
 }
 
-/// Upstream derivatives that kernels bear.
-struct Bearable<T> {
-    /// The smaller derivatives that stand for them, if some are too steep.
-    down: Option<Vec<T>>,
-    /// The factor of the results.
-    by: T,
+/// Cotangents within the range of a kernel.
+struct Scaled<T> {
+    /// The cotangents divided by `factor`; `None` if all are within range.
+    scaled: Option<Vec<T>>,
+    /// The power of two by which the results are multiplied.
+    factor: T,
 }
 
-impl<T: Real> Bearable<T> {
-    /// Divides all by the same power of two where one is too steep for kernels.
+impl<T: Real> Scaled<T> {
+    /// Divides all cotangents by one power of two if one is larger than the kernel takes ([`Face::steepest`]).
     ///
     /// # Errors
     ///
     /// When one is not finite.
     fn new(face: &Face<T>, upstream: &Upstream<'_, T>) -> Result<Self, Error> {
         let steep = tame(upstream.derivatives, face.steepest)?;
-        let by = steep.iter().flatten().map(|x| x.1).fold(T::one(), T::most);
-        let down = steep.map(|_| upstream.derivatives.iter().map(|&x| x.over(by)).collect());
-        Ok(Bearable { down, by })
+        let factor = steep.iter().flatten().map(|x| x.1).fold(T::one(), T::most);
+        let all = upstream.derivatives.iter();
+        let scaled = steep.map(|_| all.map(|&x| x.over(factor)).collect());
+        Ok(Scaled { scaled, factor })
     }
-    /// Derivatives of both lists.
+    /// Writes the cotangents of both lists.
     fn pull_back(
         &self,
         pairs: &Pairs<'_, T>,
         upstream: Upstream<'_, T>,
         [a_bar, b_bar]: [&mut [T]; 2],
     ) {
-        let derivatives = self.down.as_deref().unwrap_or(upstream.derivatives);
+        let derivatives = self.scaled.as_deref().unwrap_or(upstream.derivatives);
         let upstream = Upstream {
             derivatives,
             ..upstream
         };
-        super::pairs::pull_back(pairs, upstream, a_bar, b_bar);
-        if self.down.is_some() {
-            restore(a_bar, self.by);
-            restore(b_bar, self.by);
+        pairs::pull_back(pairs, upstream, a_bar, b_bar);
+        if self.scaled.is_some() {
+            restore(a_bar, self.factor);
+            restore(b_bar, self.factor);
         }
     }
 }
@@ -164,7 +165,7 @@ impl<T: Real> Engine<T> for Processor {
         columns: &[Column<'_, T>],
         results: Items<'_, T>,
     ) -> Result<bool, Error> {
-        are_here(columns)?;
+        check_here(columns)?;
         let face = plan(call, false)?;
         match results {
             Items::Targets(targets, true) => {
@@ -221,8 +222,7 @@ impl<T: Real> Engine<T> for Processor {
         let face = plan(call, true)?;
         let mut pairs = self.lists(&face, lists)?;
         if let Reduction::Above(threshold) | Reduction::Count(threshold) = reduction {
-            // Zeros are above a negative threshold, too.
-            pairs.filter &= threshold >= T::default();
+            pairs.filter_above(threshold);
         }
         Ok(match reduction {
             Reduction::Best { of_rows } => {
@@ -256,8 +256,7 @@ impl<T: Real> Engine<T> for Processor {
                 Reduced::BestsGrouped(grouped::most(&pairs, groups, of_rows))
             }
             GroupedReduction::Above(threshold) => {
-                // Zeros are above a negative threshold, too.
-                pairs.filter &= threshold >= T::default();
+                pairs.filter_above(threshold);
                 let found = grouped::above(&pairs, groups, threshold);
                 Reduced::Founds(Founds::new(Ready(found)))
             }
@@ -290,8 +289,7 @@ impl<T: Real> Engine<T> for Processor {
         let upstream = Upstream { derivatives, step };
         let face = plan(&call.clone().derived(Mode::Vjp)?, true)?;
         let pairs = self.lists(&face, lists)?;
-        let bearable = Bearable::new(&face, &upstream)?;
-        bearable.pull_back(&pairs, upstream, bars);
+        Scaled::new(&face, &upstream)?.pull_back(&pairs, upstream, bars);
         match seed {
             Seed::Factor(_) => Ok(self.reduce(call, lists, Reduction::Sum)?.sum()),
             _ => Ok(0.0),
@@ -306,7 +304,7 @@ impl<T: Real> Engine<T> for Processor {
         rules: Rules<'_, T>,
     ) -> Result<Vec<usize>, Error> {
         let face = plan(call, true)?;
-        are_here(std::slice::from_ref(shapes))?;
+        check_here(std::slice::from_ref(shapes))?;
         // All shapes are checked, so that errors name the caller's rows.
         check(Argument::A, &face.arguments[0], shapes)?;
         let ranked = Ranked::of(order(scores, rules.score)?, shapes, &rules);
@@ -318,11 +316,11 @@ impl<T: Real> Engine<T> for Processor {
 
     fn pick(&self, list: &Stored<T>, bests: &Bests<T>) -> Result<Stored<T>, Error> {
         let own = list.own::<Numbers<T>>()?;
-        let found = bests.own::<Ready<Vec<reduce::Best<T>>>>()?;
+        let found = bests.own::<Ready<Vec<Best<T>>>>()?;
         expect(Argument::Shape, bests.among, list.len())?;
         let columns = own.into_iter().map(|own| {
             let rows = found.0.iter();
-            let row = |best: &reduce::Best<T>| &own.rows[best.index * own.fields..][..own.fields];
+            let row = |best: &Best<T>| &own.rows[best.index * own.fields..][..own.fields];
             Numbers {
                 fields: own.fields,
                 rows: rows.flat_map(row).copied().collect(),

@@ -1,8 +1,9 @@
 //! All pairs of two prepared lists, row by row, as far as they need to be computed.
 //!
-//! A filter by bounds leaves out pairs whose result is zero for certain. The other columns of a row are packed
-//! and computed tile by tile. A consumer gets the results with their columns. Results do not depend on which
-//! pairs were left out.
+//! A *row* is here a shape of the first list, a *column* one of the second, a *stretch* a run of columns. A column is
+//! *near* a row if their bounds meet. A filter leaves out pairs that are not, whose result is zero for certain; near
+//! columns are *picked* and computed tile by tile. *Rare* shapes are too extreme for kernels; the scalar code computes
+//! them. A consumer gets results with their columns, which do not depend on the pairs that were left out.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::lane::{
@@ -14,23 +15,17 @@ use crate::kernels::cpu::tree::Tree;
 use crate::kernels::formats::kernels_in;
 use std::ops::Range;
 
-/// Tiles of columns of a stretch where results are added up at once, and should not leave the innermost
-/// cache before. Elsewhere it is a whole block: results leave in runs of four kilobytes, which is where
-/// longer ones stop being faster.
-const BLOCK_OF_SUMS: usize = 64;
-
-/// Bounds of the use of a tree: at least so many columns, and at most so small a share of near pairs.
-pub const LONG: usize = 512;
+/// A tree is made of at least so many columns, if at most this share of pairs is near.
+pub const LEAST_OF_TREE: usize = 512;
 const SPARSE: f64 = 1.0 / 24.0;
 
-/// A share of near pairs: above it, sums leave none out.
+/// Sums of lists of which a larger share of pairs is near are computed without bounds.
 const DENSE: f64 = 0.6;
 
-/// Rows by which the share of near pairs is estimated.
-const ASKED: usize = 16;
+/// Rows from which the share of near pairs is estimated.
+const SAMPLED: usize = 16;
 
-/// Tiles of rows with few columns each that one call of a kernel computes: what one tile waits for is done
-/// beside the next ones.
+/// Tiles that one call of a kernel computes of rows with few columns: the processor overlaps their latencies.
 const GROUP: usize = 8;
 
 /// An upstream matrix: row `i` starts at `i * step`. With a step of zero all rows are the same one.
@@ -74,7 +69,7 @@ pub(crate) trait Chooses<T> {
     fn wants(&self, _column: usize) -> bool {
         true
     }
-    /// Writes down the columns that are wanted, where they are known without looking for them.
+    /// Replaces `columns` by those that are wanted and returns `true`; `false` if they must be searched for.
     fn wanted(&mut self, _columns: &mut Vec<u32>) -> bool {
         false
     }
@@ -96,14 +91,13 @@ pub struct Sweep<'a, T: Real> {
     tree: Option<Tree<T>>,
     /// The factors of derivatives.
     upstream: Option<Upstream<'a, T>>,
-    /// Tiles of columns of a stretch.
-    block: usize,
-    /// Four times the most near columns of a block, per column, that are still picked.
-    most: usize,
+    /// Quarters of a stretch: if no more of its columns are near, these are picked; otherwise all are computed.
+    quarters: usize,
 }
 
 impl<'a, T: Real> Sweep<'a, T> {
-    /// Scores, or scores with derivatives. A filter is used where both lists have bounds.
+    /// Prepares results, or results with derivatives if there is an `upstream`. Bounds are compared where both lists have
+    /// them.
     pub fn new(
         face: &'a Face<T>,
         upstream: Option<Upstream<'a, T>>,
@@ -119,12 +113,12 @@ impl<'a, T: Real> Sweep<'a, T> {
             picking: Lent::new(0),
             stride: b.stride(),
             tree: None,
-            block: upstream.map_or(BLOCK, |_| BLOCK_OF_SUMS),
-            most: upstream.map_or(3, |_| 4),
+            // Derivatives are always picked.
+            quarters: upstream.map_or(3, |_| 4),
             upstream,
         };
         if let (Some(_), Some(bounds)) = (&a.bounds, &b.bounds) {
-            let near = match b.count >= LONG || upstream.is_some() {
+            let near = match b.count >= LEAST_OF_TREE || upstream.is_some() {
                 true => sweep.share_of_near(),
                 false => 1.0,
             };
@@ -132,16 +126,15 @@ impl<'a, T: Real> Sweep<'a, T> {
                 return sweep;
             }
             sweep.picking = b.picking();
-            if b.count >= LONG && near <= SPARSE {
+            if b.count >= LEAST_OF_TREE && near <= SPARSE {
                 sweep.tree = Some(Tree::new(bounds, b.count));
             }
         }
         sweep
     }
 
-    /// Computes the rows that `who` chooses, each with the later columns that are wanted and, where
-    /// there are bounds, near.
-    pub fn run_chosen(mut self, who: &mut impl Chooses<T>) {
+    /// Computes the rows of a choice, each with the later columns that are wanted and, where there are bounds, near.
+    pub fn run_chosen(mut self, choice: &mut impl Chooses<T>) {
         if self.picking.is_empty() {
             self.picking = self.b.picking();
         }
@@ -150,17 +143,17 @@ impl<'a, T: Real> Sweep<'a, T> {
             let mut desk = Desk::new(&self, lanes);
             let count = self.b.count;
             let (mut room, mut hits) = (Vec::new(), Vec::new());
-            while let Some(row) = who.next() {
-                if !who.wanted(&mut hits) {
+            while let Some(row) = choice.next() {
+                if !choice.wanted(&mut hits) {
                     let near = self.near(row, &mut room);
                     hits.clear();
-                    hits.extend(near.iter().filter(|&&column| who.wants(column as usize)));
+                    hits.extend(near.iter().filter(|&&column| choice.wants(column as usize)));
                 }
                 if !hits.is_empty() {
                     desk.choose(row);
                     desk.some(0..count, &hits, &mut |part: Part<'_, T>| {
                         if let Columns::Picked(columns) = part.columns {
-                            who.take(columns, part.results);
+                            choice.take(columns, part.results);
                         }
                     });
                 }
@@ -168,8 +161,8 @@ impl<'a, T: Real> Sweep<'a, T> {
         });
     }
 
-    /// The columns from a row's own place on whose bounds meet the row's; all of them where there are no
-    /// bounds. A few earlier ones may be among them.
+    /// The columns whose bounds meet the row's, ascending; without bounds all from the row's own place on. Earlier ones may
+    /// be among them: [`Chooses::wants`] rejects these.
     fn near<'r>(&self, row: usize, room: &'r mut Vec<u32>) -> &'r [u32] {
         let count = self.b.count;
         match (&self.tree, &self.b.bounds, self.a.bounds_of(row)) {
@@ -177,6 +170,7 @@ impl<'a, T: Real> Sweep<'a, T> {
             (None, Some(bounds), Some(own)) => {
                 let first = row / TILE;
                 let rest = Tiles::new(&bounds[first * BOUNDS..], BOUNDS);
+                // The kernel writes sixteen places at a time.
                 room.resize((tiles(count) + 1) * TILE, 0);
                 let near = (kernels_in::<T>().near)(&own, rest, (first * TILE) as u32, room);
                 &room[..near]
@@ -200,16 +194,16 @@ impl<'a, T: Real> Sweep<'a, T> {
             return 1.0;
         };
         let mut hits = vec![0; (tiles(self.b.count) + 1) * TILE];
-        let step = self.a.count.div_ceil(ASKED).max(1);
-        let (mut near, mut asked) = (0, 0);
+        let step = self.a.count.div_ceil(SAMPLED).max(1);
+        let (mut near, mut pairs) = (0, 0);
         for i in (0..self.a.count).step_by(step) {
             if let Some(row) = self.a.bounds_of(i) {
                 let bounds = Tiles::new(bounds, BOUNDS);
                 near += (kernels_in::<T>().near)(&row, bounds, 0, &mut hits);
-                asked += self.b.count;
+                pairs += self.b.count;
             }
         }
-        near as f64 / asked.max(1) as f64
+        near as f64 / pairs.max(1) as f64
     }
 
     /// Computes some rows and calls `consume` with their results. Each row has its columns in order; each column
@@ -250,7 +244,7 @@ impl<'a, T: Real> Sweep<'a, T> {
             return desk.finish(&mut group, &mut consume);
         }
         let mut hits = [0; (BLOCK + 1) * TILE];
-        let step = self.block * TILE;
+        let step = BLOCK * TILE;
         for first in (0..self.b.count).step_by(step) {
             let stretch = first..self.b.count.min(first + step);
             let bounds = match &self.b.bounds {
@@ -264,7 +258,7 @@ impl<'a, T: Real> Sweep<'a, T> {
                 desk.choose(row);
                 if let (Some(bounds), Some(own)) = (bounds, self.a.bounds_of(row)) {
                     let near = (kernels_in::<T>().near)(&own, bounds, first as u32, &mut hits);
-                    if 4 * near <= self.most * stretch.len() {
+                    if 4 * near <= self.quarters * stretch.len() {
                         desk.some(stretch.clone(), &hits[..near], &mut consume);
                         continue;
                     }
@@ -275,7 +269,7 @@ impl<'a, T: Real> Sweep<'a, T> {
     }
 }
 
-/// Rows with their columns that wait on a desk for being computed together.
+/// Rows with few columns that one call of a kernel computes together.
 #[derive(Default)]
 struct Group {
     /// Tiles in use.
@@ -306,12 +300,12 @@ impl<'a, T: Real> Desk<'a, T> {
     fn lanes(sweep: &Sweep<'_, T>) -> [usize; 4] {
         [
             GROUP * sweep.a.frame_fields,
-            sweep.block * sweep.b.frame_fields,
-            sweep.block,
+            BLOCK * sweep.b.frame_fields,
+            BLOCK,
             planes(sweep.fields),
         ]
     }
-    /// A desk on some lanes, whatever is in them.
+    /// A desk on some lanes; their contents do not matter.
     fn new(sweep: &'a Sweep<'a, T>, lanes: &'a mut [Lane<T>]) -> Self {
         let [own, picked, seeds, _] = Self::lanes(sweep);
         let (own, lanes) = lanes.split_at_mut(own);
@@ -343,7 +337,7 @@ impl<'a, T: Real> Desk<'a, T> {
         let Upstream { derivatives, step } = self.sweep.upstream?;
         Some(&derivatives[self.row * step..][..self.sweep.b.count])
     }
-    /// Computes the row with some columns; results wait on the desk.
+    /// Computes the row with some columns into the desk's results.
     fn make(&mut self, columns: Tiles<'_, T>, count: usize) {
         let inputs = [Tiles::one(self.own), columns, Tiles::new(self.seeds, 1)];
         let used = if self.sweep.upstream.is_some() { 3 } else { 2 };
@@ -356,7 +350,7 @@ impl<'a, T: Real> Desk<'a, T> {
     fn results(&self) -> Planes<'_, T> {
         Planes(self.results)
     }
-    /// Puts a row with few columns beside those that wait. There is room.
+    /// Adds a row with few columns to the group, which has tiles left for it.
     fn add(&mut self, group: &mut Group, row: usize, columns: &[u32]) {
         let Sweep { a, b, stride, .. } = *self.sweep;
         let first = group.tiles;
@@ -376,7 +370,7 @@ impl<'a, T: Real> Desk<'a, T> {
         group.columns.extend_from_slice(columns);
         group.rows.push((row, first, group.columns.len()));
     }
-    /// Computes the rows that wait.
+    /// Computes the group and passes on its results.
     fn finish(&mut self, group: &mut Group, consume: &mut impl FnMut(Part<'_, T>)) {
         let Sweep { a, b, .. } = *self.sweep;
         if group.tiles > 0 {
@@ -387,7 +381,7 @@ impl<'a, T: Real> Desk<'a, T> {
                 tiles: group.tiles,
             };
             self.sweep.maker.make(&[own, picked], out);
-            // The first row of the next stretch is another one.
+            // The row's lanes hold the rows of the group: the next row is spread anew.
             self.row = usize::MAX;
         }
         let mut start = 0;
@@ -437,12 +431,12 @@ impl<'a, T: Real> Desk<'a, T> {
     fn some(&mut self, stretch: Range<usize>, hits: &[u32], consume: &mut impl FnMut(Part<'_, T>)) {
         let Sweep { b, stride, .. } = *self.sweep;
         let picked = std::mem::take(&mut self.picked);
-        let parts = hits.chunks(self.sweep.block * TILE);
+        let parts = hits.chunks(BLOCK * TILE);
+        // Without hits one empty part, so that the consumer writes the stretch's zeros.
         let none = hits.is_empty().then_some(hits);
         for (i, columns) in parts.chain(none).enumerate() {
             let tiles = &mut picked[..tiles(columns.len()) * b.frame_fields];
-            let gather = kernels_in::<T>().gather;
-            gather(
+            (kernels_in::<T>().gather)(
                 flat(&self.sweep.picking),
                 stride,
                 columns,

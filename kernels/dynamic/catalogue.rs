@@ -1,5 +1,6 @@
 //! Every operation of the library, by name.
 use super::Mode;
+use super::described::{Shape, shapes, summary, verb_of};
 use super::forms::Function;
 use super::paths::{Code, OnPaths, fold_double, fold_single};
 use super::program::Program;
@@ -8,8 +9,7 @@ use super::symbol::Symbol;
 use crate::ad::declared::Kind;
 use crate::ad::program::record::{TRIALS, listed};
 use crate::ad::sample::{Sample, Sampler};
-use crate::error::{Argument, Error, Field, Unrecordable};
-use crate::kernels::bounds::{Bound, bounds};
+use crate::error::{Argument, Error, Unrecordable};
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Item, Leaf, leaves_of};
 use crate::kernels::op::{
@@ -27,9 +27,9 @@ use std::sync::{Arc, OnceLock};
 /// The sort of function that an operation is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Sort {
-    /// A straight line of fixed size: it can be a program, and all derivatives of one.
+    /// A straight line: a program, with derivatives of any order.
     Straight,
-    /// A search of fixed size: values, gradients and adjoints in batches.
+    /// A search: values, gradients and adjoints in batches.
     Search,
     /// A fold over a path of any length.
     Fold,
@@ -46,9 +46,9 @@ pub struct Operation {
     pub sort: Sort,
     /// Its documentation in Markdown, with links to Rust's items; see [`summary`](Operation::summary).
     pub doc: &'static str,
-    /// The names of its arguments; none where they have only places.
+    /// The names of its arguments; empty if errors call them by letters.
     names: &'static [&'static str],
-    /// Motions that it follows.
+    /// Its invariances.
     pub invariances: &'static [Invariance],
     /// The inputs at which its value may jump.
     pub jumps: Jumps,
@@ -62,65 +62,48 @@ pub struct Operation {
     pub extremes: Extremes,
     /// Largest error of a value beyond rounding, in the unit of the result and as a share of it.
     pub resolution: [f64; 2],
-    /// How many roundings a value may be off by terms that cancel: of the numbers of its arguments.
+    /// The roundings that a value may be off where terms cancel, times their size; given the numbers of its arguments.
     pub roundings: Option<fn(&[f64]) -> f64>,
-    /// True at valid inputs for which the row is stated.
+    /// `true` at valid inputs of its domain; `None` for all.
     pub(crate) inside: Option<fn(&[f64]) -> bool>,
     /// The kinds of the scalars of its arguments, and of its result.
     pub(crate) kinds: [fn() -> Vec<Kind>; 2],
     /// How its arguments are drawn.
     samplers: fn() -> Vec<Sampler>,
-    single: Of<f32>,
-    double: Of<f64>,
+    single: InFormat<f32>,
+    double: InFormat<f64>,
 }
 
 /// An operation in one format.
 #[derive(Debug)]
 #[doc(hidden)]
-pub struct Of<T: Real> {
+pub struct InFormat<T: Real> {
     takes: fn() -> Vec<Leaf<T>>,
     gives: fn() -> Vec<Leaf<T>>,
-    body: Body<T>,
+    body: Runner<T>,
 }
 
+/// The function that runs it.
 #[derive(Debug)]
-enum Body<T: Real> {
-    Fixed(fn() -> Arc<Recording<T>>),
-    Path(Code<T>),
+enum Runner<T: Real> {
+    /// On columns.
+    Columns(fn() -> Arc<Recording<T>>),
+    /// On paths.
+    Paths(Code<T>),
 }
 
-impl<T: Real> Clone for Of<T> {
+impl<T: Real> Clone for InFormat<T> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<T: Real> Copy for Of<T> {}
-impl<T: Real> Clone for Body<T> {
+impl<T: Real> Copy for InFormat<T> {}
+impl<T: Real> Clone for Runner<T> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<T: Real> Copy for Body<T> {}
-
-/// A shape that an operation takes or gives.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Shape {
-    /// Its name: `Obb2`, `number`, `[Vec2; 4]`.
-    pub name: String,
-    /// Its numbers, first field first.
-    pub fields: Vec<Number>,
-}
-
-/// A number of a shape.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Number {
-    /// Its name; `value` of a lone number.
-    pub name: Field,
-    /// Its kind: length, coordinate, angle, number, ….
-    pub kind: Kind,
-    /// The values that it may have.
-    pub bound: Bound,
-}
+impl<T: Real> Copy for Runner<T> {}
 
 /// An argument of an operation.
 #[derive(Clone, Debug, PartialEq)]
@@ -142,7 +125,7 @@ impl Operation {
     pub fn summary(&self) -> String {
         summary(self.doc)
     }
-    /// Its arguments, but for the path of a fold or a ring.
+    /// Its arguments, but for the path of a fold.
     #[must_use]
     pub fn arguments(&self) -> Vec<Parameter> {
         let shapes = shapes(&(self.double.takes)(), &(self.kinds[0])());
@@ -150,24 +133,24 @@ impl Operation {
         let all = names.into_iter().zip(shapes);
         all.map(|(name, shape)| Parameter { name, shape }).collect()
     }
-    /// The shapes of its result, nearly always one.
+    /// The shapes of its result: one, or those of a tuple.
     #[must_use]
     pub fn result(&self) -> Vec<Shape> {
         shapes(&(self.double.gives)(), &(self.kinds[1])())
     }
-    /// How its arguments are drawn, but for the path of a fold or a ring.
+    /// How its arguments are drawn, but for the path of a fold.
     #[must_use]
     pub fn samplers(&self) -> Vec<Sampler> {
         (self.samplers)()
     }
-    /// True where the operation is defined, given the numbers of a valid input, all arguments in a row. Folds and
-    /// rings are defined at every valid input.
+    /// True where the operation is defined, given the numbers of a valid input, argument after argument. Folds
+    /// are defined at every valid input.
     #[must_use]
     pub fn is_inside(&self, input: &[f64]) -> bool {
         self.inside.is_none_or(|inside| inside(input))
     }
     /// The operation in a format.
-    fn of<T: Real>(&self) -> &Of<T> {
+    fn of<T: Real>(&self) -> &InFormat<T> {
         in_format([&self.single, &self.double])
     }
     /// The layouts of its arguments in a format, to trace functions of the same shapes.
@@ -177,15 +160,16 @@ impl Operation {
         leaves.map(|leaf| Layout { leaf }).collect()
     }
 
-    /// The operation on columns: its value, its gradient or its adjoint; `None` for folds and rings, which run
-    /// [on paths](Operation::on_paths).
+    /// The operation on columns: its value, its gradient or its adjoint; `None` for folds, which run
+    /// [on paths](Operation::on_paths), and for the gradient of several numbers.
     #[must_use]
     pub fn function<T: Real>(&self, mode: Mode) -> Option<Function<T>> {
-        let Body::Fixed(recording) = self.of::<T>().body else {
+        let Runner::Columns(recording) = self.of::<T>().body else {
             return None;
         };
         let recording = recording();
-        Some(Function {
+        let is_one = recording.outputs.iter().sum::<usize>() == 1;
+        (is_one || mode != Mode::ValueGrad).then(|| Function {
             mode,
             names: named(self.names, recording.takes.len()),
             recording,
@@ -199,8 +183,7 @@ impl Operation {
     /// The value, one number, and its gradient on columns; `None` also for other results.
     #[must_use]
     pub fn value_grad<T: Real>(&self) -> Option<Function<T>> {
-        let function = self.function(Mode::ValueGrad)?;
-        (function.recording.outputs.iter().sum::<usize>() == 1).then_some(function)
+        self.function(Mode::ValueGrad)
     }
     /// The adjoint on columns, of which cotangents come last.
     #[must_use]
@@ -211,7 +194,7 @@ impl Operation {
     #[must_use]
     pub fn on_paths<T: Real>(&self) -> Option<OnPaths<T>> {
         let own = self.of::<T>();
-        let Body::Path(code) = own.body else {
+        let Runner::Paths(code) = own.body else {
             return None;
         };
         let gives = (own.gives)().iter().map(|leaf| leaf.fields).sum();
@@ -222,11 +205,11 @@ impl Operation {
     ///
     /// # Errors
     ///
-    /// [`Error::Program`]: searches are no programs ([`Unrecordable::Search`]), folds and rings only those of paths of a
-    /// given length ([`Unrecordable::Path`]; see [`program_of_path`](Operation::program_of_path)).
+    /// [`Error::Program`]: searches are no programs ([`Unrecordable::Search`]), and folds only for paths of a given
+    /// length ([`Unrecordable::Path`]; see [`program_of_path`](Operation::program_of_path)).
     pub fn program<T: Real>(&self) -> Result<Program<T>, Error> {
         let Some(recording) = self.straight::<T>() else {
-            return Err(self.refused());
+            return Err(self.not_a_program());
         };
         let value = recording.program(Mode::Value)?;
         let is_number = recording.outputs == [1];
@@ -240,15 +223,14 @@ impl Operation {
         Ok(Program::of_row(recorded, names, recording))
     }
 
-    /// A fold or a measure of rings as a program, for a path of so many vertices, whose numbers follow its other
-    /// arguments.
+    /// A fold as a program, for paths of `vertices` vertices; their numbers follow the other arguments.
     ///
     /// # Errors
     ///
     /// The errors of recording it, and [`Unrecordable::Path`] for an operation that takes no path.
     pub fn program_of_path<T: Real>(&self, vertices: usize) -> Result<Program<T>, Error> {
         let own = self.of::<T>();
-        let Body::Path(code) = own.body else {
+        let Runner::Paths(code) = own.body else {
             return Err(Error::Program(Unrecordable::Path));
         };
         let leaves = (own.takes)();
@@ -266,8 +248,8 @@ impl Operation {
         Ok(Program::new(recorded, takes, gives))
     }
 
-    /// The operation of symbols, as part of the function that is being recorded on this thread: a list of numbers for
-    /// every argument; of folds and rings the last one is the path.
+    /// Records the operation as part of the function that is open on this thread. It takes a list of numbers per argument;
+    /// of a fold the last one is the path.
     ///
     /// # Errors
     ///
@@ -275,7 +257,7 @@ impl Operation {
     /// symbols that are not of the recording that is open on this thread.
     pub fn on_symbols<T: Real>(&self, arguments: &[&[Symbol<T>]]) -> Result<Vec<Symbol<T>>, Error> {
         let program = match self.of::<T>().body {
-            Body::Path(code) => {
+            Runner::Paths(code) => {
                 let numbers = arguments.last().map_or(0, |path| path.len());
                 self.program_of_path::<T>(numbers / code.vertex)?
             }
@@ -287,16 +269,16 @@ impl Operation {
     /// The recording of a straight line.
     pub(crate) fn straight<T: Real>(&self) -> Option<Arc<Recording<T>>> {
         match (self.sort, self.of::<T>().body) {
-            (Sort::Straight, Body::Fixed(recording)) => Some(recording()),
+            (Sort::Straight, Runner::Columns(recording)) => Some(recording()),
             _ => None,
         }
     }
-    /// The same as its table writes it.
+    /// The same with its row in the table.
     pub(crate) const fn written(self, row: Written) -> Self {
         Operation { row, ..self }
     }
-    /// Why it is no program.
-    const fn refused(&self) -> Error {
+    /// The error for an operation that is no program.
+    const fn not_a_program(&self) -> Error {
         Error::Program(match self.sort {
             Sort::Search => Unrecordable::Search,
             _ => Unrecordable::Path,
@@ -304,74 +286,14 @@ impl Operation {
     }
 }
 
-/// The verb of a type, in lower case: `signed_area` of `verbs::SignedArea`.
-pub(super) fn verb_of(path: &str) -> String {
-    let verb = path.split('<').next().unwrap_or(path);
-    let verb = verb.rsplit("::").next().unwrap_or(verb).trim();
-    let mut snake = String::new();
-    for c in verb.chars() {
-        if c.is_uppercase() && !snake.is_empty() {
-            snake.push('_');
-        }
-        snake.extend(c.to_lowercase());
-    }
-    snake
-}
-
-/// The first paragraph of Markdown as plain text.
-fn summary(doc: &str) -> String {
-    let lines = doc.lines().map(str::trim);
-    let lines: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
-    let text = lines.join(" ");
-    let (mut plain, mut rest) = (String::new(), text.as_str());
-    // A link is its words.
-    while let Some(at) = rest.find("](") {
-        let (before, after) = rest.split_at(at);
-        let words = before.rfind('[').unwrap_or(0);
-        plain.push_str(&before[..words]);
-        plain.push_str(before[words..].trim_start_matches('['));
-        // Names of functions end in parentheses of their own.
-        let end = after.find("())").map(|end| end + 3);
-        let end = end.filter(|&end| after[..end].matches(')').count() == 2);
-        let end = end.or_else(|| after.find(')').map(|end| end + 1));
-        rest = &after[end.unwrap_or(after.len())..];
-    }
-    plain.push_str(rest);
-    plain.replace(['`', '[', ']'], "")
-}
-
-/// The shapes of leaves whose scalars are of these kinds.
-fn shapes(leaves: &[Leaf<f64>], kinds: &[Kind]) -> Vec<Shape> {
-    let mut rest = kinds;
-    let shape = |&leaf: &Leaf<f64>| {
-        let scalars = leaf.fields - leaf.codes;
-        let (own, others) = rest.split_at(scalars.min(rest.len()));
-        rest = others;
-        let kind = |i: usize| own.get(i).copied().unwrap_or(Kind::Number);
-        let bounds = bounds(&leaf, own);
-        let number = |i: usize| Number {
-            name: match i < scalars {
-                true => (leaf.name)(i),
-                false => Field::VALUE.within_item(i - scalars).within("codes"),
-            },
-            kind: kind(i),
-            bound: bounds[i],
-        };
-        Shape {
-            name: Layout { leaf }.name(),
-            fields: (0..leaf.fields).map(number).collect(),
-        }
-    };
-    leaves.iter().map(shape).collect()
-}
-
 fn kinds_of<P: Fixed<Scalar = f64> + Sample>() -> Vec<Kind> {
     P::filled(1.0).kinds()
 }
 
-/// The description of an operation of any sort.
-macro_rules! said {
-    ($op:ty, $sort:ident, $names:expr, $derivatives:expr, $extremes:expr, $resolution:expr, $roundings:expr, $inside:expr, $kinds:expr, $samplers:expr, $single:expr, $double:expr) => {
+/// The description of an operation by what operations of any sort have: its type, sort and arguments, and the operation
+/// in both formats.
+macro_rules! described {
+    ($op:ty, $sort:ident, $In:ty, single: $single:expr, double: $double:expr) => {
         Operation {
             name: <$op>::NAME,
             row: Written {
@@ -381,18 +303,18 @@ macro_rules! said {
             },
             sort: Sort::$sort,
             doc: <$op>::DOC,
-            names: $names,
+            names: <$op>::ARGUMENTS,
             invariances: <$op>::INVARIANCES,
             jumps: <$op>::JUMPS,
-            derivatives: $derivatives,
+            derivatives: None,
             finite: <$op>::FINITE,
             range: <$op>::RANGE,
-            extremes: $extremes,
-            resolution: $resolution,
-            roundings: $roundings,
-            inside: $inside,
-            kinds: $kinds,
-            samplers: $samplers,
+            extremes: Extremes::Undeclared,
+            resolution: [0.0; 2],
+            roundings: None,
+            inside: None,
+            kinds: [kinds_of::<$In>, kinds_of::<<$op>::Out<f64>>],
+            samplers: <$In>::samplers,
             single: $single,
             double: $double,
         }
@@ -409,31 +331,25 @@ where
     O::In<f64>: Item<Scalar = f64> + Sample,
     O::Out<f64>: Item<Scalar = f64> + Sample,
 {
-    const fn of<T: Real, O: Op>() -> Of<T>
+    const fn of<T: Real, O: Op>() -> InFormat<T>
     where
         O::In<T>: Item<Scalar = T>,
         O::Out<T>: Item<Scalar = T>,
     {
-        Of {
+        InFormat {
             takes: leaves_of::<O::In<T>>,
             gives: leaves_of::<O::Out<T>>,
-            body: Body::Fixed(recording_of::<O, O::In<T>>),
+            body: Runner::Columns(recording_of::<O, O::In<T>>),
         }
     }
-    said!(
-        O,
-        Straight,
-        O::ARGUMENTS,
-        Some(O::DERIVATIVE),
-        O::EXTREMES,
-        O::RESOLUTION,
-        roundings_of::<O>(),
-        inside_of::<O>(),
-        [kinds_of::<O::In<f64>>, kinds_of::<O::Out<f64>>],
-        O::In::<f64>::samplers,
-        of::<f32, O>(),
-        of::<f64, O>()
-    )
+    Operation {
+        derivatives: Some(O::DERIVATIVE),
+        extremes: O::EXTREMES,
+        resolution: O::RESOLUTION,
+        roundings: roundings_of::<O>(),
+        inside: inside_of::<O>(),
+        ..described!(O, Straight, O::In<f64>, single: of::<f32, O>(), double: of::<f64, O>())
+    }
 }
 
 /// A search.
@@ -446,31 +362,21 @@ where
     D::In<f64>: Item<Scalar = f64> + Sample,
     D::Out<f64>: Item<Scalar = f64> + Sample,
 {
-    const fn of<T: Real, D: Search>() -> Of<T>
+    const fn of<T: Real, D: Search>() -> InFormat<T>
     where
         D::In<T>: Item<Scalar = T>,
         D::Out<T>: Item<Scalar = T>,
     {
-        Of {
+        InFormat {
             takes: leaves_of::<D::In<T>>,
             gives: leaves_of::<D::Out<T>>,
-            body: Body::Fixed(search::recording::<D, D::In<T>>),
+            body: Runner::Columns(search::recording::<D, D::In<T>>),
         }
     }
-    said!(
-        D,
-        Search,
-        D::ARGUMENTS,
-        None,
-        D::EXTREMES,
-        [0.0; 2],
-        None,
-        None,
-        [kinds_of::<D::In<f64>>, kinds_of::<D::Out<f64>>],
-        D::In::<f64>::samplers,
-        of::<f32, D>(),
-        of::<f64, D>()
-    )
+    Operation {
+        extremes: D::EXTREMES,
+        ..described!(D, Search, D::In<f64>, single: of::<f32, D>(), double: of::<f64, D>())
+    }
 }
 
 /// A fold.
@@ -483,26 +389,19 @@ where
     F::Context<f64>: Item<Scalar = f64> + Sample,
     F::Out<f64>: Item<Scalar = f64> + Sample,
 {
-    said!(
+    described!(
         F,
         Fold,
-        F::ARGUMENTS,
-        None,
-        Extremes::Undeclared,
-        [0.0; 2],
-        None,
-        None,
-        [kinds_of::<F::Context<f64>>, kinds_of::<F::Out<f64>>],
-        F::Context::<f64>::samplers,
-        Of {
+        F::Context<f64>,
+        single: InFormat {
             takes: leaves_of::<F::Context<f32>>,
             gives: leaves_of::<F::Out<f32>>,
-            body: Body::Path(fold_single::<F>()),
+            body: Runner::Paths(fold_single::<F>()),
         },
-        Of {
+        double: InFormat {
             takes: leaves_of::<F::Context<f64>>,
             gives: leaves_of::<F::Out<f64>>,
-            body: Body::Path(fold_double::<F>()),
+            body: Runner::Paths(fold_double::<F>()),
         }
     )
 }
@@ -542,9 +441,8 @@ impl Walk for Values {
     }
 }
 
-/// Every row of the library. A program that calls this compiles all of them, in both formats; who does not pays
-/// nothing.
-// Inlined, so that it is compiled where it is called.
+/// Every row of the library. A crate that calls this compiles all rows in both formats; others compile none.
+// Inlined, so that the calling crate compiles the rows, not this one.
 #[inline]
 #[must_use]
 pub fn operations() -> &'static [Operation] {

@@ -248,7 +248,7 @@ impl<T: Real> Program<T> {
             num_dual: None,
             outputs: self.sizes()[1],
             output_kinds: Vec::new(),
-            nests: !recorded.has_parts_by_hand(),
+            nests: !recorded.has_shares(),
             invariances: &[],
             jumps,
         }

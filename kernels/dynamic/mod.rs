@@ -35,6 +35,7 @@
 mod catalogue;
 #[cfg(feature = "check")]
 mod check;
+mod described;
 mod fields;
 mod forms;
 mod grouped;
@@ -50,11 +51,12 @@ pub use crate::ad::sample::Sampler;
 pub use crate::kernels::bounds::Bound;
 pub use crate::kernels::cpu::work::on_this_thread;
 pub use crate::kernels::recording::Mode;
-pub use catalogue::{Number, Operation, Parameter, Shape, Sort, operation, operations};
+pub use catalogue::{Operation, Parameter, Sort, operation, operations};
 #[doc(hidden)]
 pub use catalogue::{fold, search, straight};
 #[cfg(feature = "check")]
 pub use check::Inputs;
+pub use described::{Number, Shape};
 pub use forms::Function;
 pub use names::{Name, Unnamed, named_rows, names};
 pub use nodes::{Elementary, Nodes, Step};

@@ -1,5 +1,5 @@
 //! Names of rows on command lines: `iou` for all rows of a verb, `iou(obb2,obb2)` for one.
-use super::catalogue::verb_of;
+use super::described::verb_of;
 use crate::kernels::ops::walk::Written;
 use crate::kernels::ops::written;
 use std::fmt;

@@ -1,9 +1,11 @@
-//! One direction: the derivatives along it against what steps along it say.
+//! Derivatives along one direction against differences along it.
 use crate::ad::check::compare::derivative_test::DerivativeTest;
 use crate::ad::check::compare::opinion::Opinion;
 use crate::ad::check::compare::projection::worst_input;
-use crate::ad::check::evidence::{Evidence, Item, comparison};
+use crate::ad::check::evidence::{Combination, Evidence, comparison};
 use crate::ad::check::notes::Notes;
+#[cfg(doc)]
+use crate::ad::check::subject::Conventions;
 use crate::ad::check::subject::Jumps;
 use crate::ad::check::symmetry::Kind;
 use crate::ad::check::tolerances::{
@@ -12,25 +14,29 @@ use crate::ad::check::tolerances::{
 use crate::ad::check::verdict::{Numbers, Place, Reason, Witness};
 use crate::ad::check::witness::{Estimate, Ladder, dot};
 
-/// Values along any direction from a first step.
+/// Makes a ladder: values along a direction, from a first step downwards.
 pub(crate) type Climb<'c> = &'c dyn Fn(&[f64], f64) -> Ladder;
+
+/// Places in [`PAIRS`](crate::ad::check::verdict::PAIRS): derivatives by hand, and by duals, against differences.
+const BY_HAND: usize = 1;
+const BY_DUALS: usize = 2;
 
 /// A direction to take differences along.
 pub(crate) struct Along<'d> {
     pub(crate) e: &'d Evidence<'d>,
-    /// The number of the direction: that of the input for the first ones of a short input.
+    /// The number of the direction. Of a short input the first directions are its axes, in order.
     pub(crate) k: usize,
     pub(crate) direction: &'d [f64],
     /// Values along it.
     pub(crate) here: &'d Ladder,
     pub(crate) climb: Climb<'d>,
-    /// The same across the border of the domain, where the function may be asked there.
+    /// The same without regard to the domain, for a function that is defined everywhere.
     pub(crate) across: Option<Climb<'d>>,
     /// `true` if others have judged the derivative with respect to the number of the direction.
     pub(crate) covered: bool,
 }
 
-/// The derivatives of one row along a direction, and per number if the direction is an axis.
+/// The derivatives of one combination along a direction, and per number if the direction is an axis.
 struct Derivatives {
     by_hand: Option<f64>,
     by_duals: Option<f64>,
@@ -60,7 +66,7 @@ impl Derivatives {
 }
 
 impl Along<'_> {
-    /// `true` for a function of shapes of which no source is known: shapes have borders and ties.
+    /// `true` if no source is known and the convention [`flat`](Conventions::flat) holds, as for shapes.
     fn is_of_shapes(&self) -> bool {
         !self.here.traced && self.e.subject.conventions().flat
     }
@@ -69,7 +75,7 @@ impl Along<'_> {
     fn is_axis(&self) -> bool {
         self.e.x.len() <= FEW_INPUTS && self.k < self.e.x.len()
     }
-    /// The number of the input that is named.
+    /// The input that a complaint names: the axis, or 0 along another direction.
     fn input(&self) -> usize {
         if self.is_axis() { self.k } else { 0 }
     }
@@ -87,8 +93,8 @@ impl Along<'_> {
         moved().map(|i| derivative(i) * e.eps * e.x[i].abs()).sum()
     }
 
-    /// `true` if any output jumps along the direction by more than steps are rounded; a complaint if it must
-    /// not.
+    /// Notes a jump of an output along the direction, larger than the rounding of steps, and a complaint where it must
+    /// not jump.
     pub(crate) fn jumps(&self) -> Notes {
         let (e, here) = (self.e, self.here);
         let mut said = Notes::new(e.x.len());
@@ -123,9 +129,9 @@ impl Along<'_> {
         said
     }
 
-    /// One row: what kind of place it is along the direction, whether branches switch, and what steps say
-    /// about its derivatives.
-    pub(crate) fn one_row(&self, row: &Item, noise: f64) -> Notes {
+    /// One combination of outputs: the kind of place along the direction, changes of branch, and derivatives against
+    /// steps.
+    pub(crate) fn one_row(&self, row: &Combination, noise: f64) -> Notes {
         let (e, direction) = (self.e, self.direction);
         let mut said = Notes::new(e.x.len());
         let mut noise = noise;
@@ -190,18 +196,26 @@ impl Along<'_> {
                 Opinion::Fine { .. } => place.or(Some(seen)),
                 _ => Some(seen),
             };
-            // Duals that say what the adjoint says need no check of their own.
+            // An adjoint that agrees with the duals is judged for both.
             let equal = ROUNDINGS * e.eps * row.largest;
-            let gap = derivatives.by_duals.map(|dual| (dual - derivative).abs());
-            if gap.is_some_and(|gap| gap <= equal) {
-                if let (false, Opinion::Fine { estimate, .. }) = (opinion.undefined(), opinion)
-                    && let Some(found) = estimate
-                {
+            if let (Witness::Adjoint, Some(dual)) = (witness, derivatives.by_duals)
+                && (dual - derivative).abs() <= equal
+            {
+                let estimate = match opinion {
+                    Opinion::Fine { estimate, .. } if !opinion.undefined() => estimate,
+                    _ => None,
+                };
+                if let Some(found) = estimate {
                     let tolerance = SAFETY * found.error + row.allowed_along(direction) + equal;
-                    let gap = derivatives
-                        .by_duals
-                        .map_or(0.0, |dual| (dual - found.value).abs());
-                    self.note(row, 2, gap, (&found, tolerance), &derivatives, &mut said);
+                    let gap = (dual - found.value).abs();
+                    self.note(
+                        row,
+                        BY_DUALS,
+                        gap,
+                        (&found, tolerance),
+                        &derivatives,
+                        &mut said,
+                    );
                 }
                 break;
             }
@@ -235,7 +249,7 @@ impl Along<'_> {
     /// A comparison with an estimate.
     fn note(
         &self,
-        row: &Item,
+        row: &Combination,
         pair: usize,
         gap: f64,
         (found, tolerance): (&Estimate, f64),
@@ -251,14 +265,13 @@ impl Along<'_> {
     /// One witness: what kind of place it is, and what the last ladder said.
     fn one_derivative(
         &self,
-        row: &Item,
+        row: &Combination,
         witness: Witness,
         mut test: DerivativeTest<'_>,
         derivatives: &Derivatives,
         said: &mut Notes,
     ) -> ((Place, bool), Opinion) {
         let (e, direction) = (self.e, self.direction);
-        let at = (row.output, self.input());
         let mut opinion = test.first();
         if opinion.complains() {
             e.provoke(row);
@@ -282,111 +295,135 @@ impl Along<'_> {
                 if let Some(found) = estimate.filter(|_| place != Place::Undefined) {
                     let tolerance = SAFETY * found.error + test.exact;
                     let gap = (found.value - test.derivative).abs();
-                    let pair = if witness == Witness::Adjoint { 1 } else { 2 };
+                    let pair = match witness {
+                        Witness::Adjoint => BY_HAND,
+                        _ => BY_DUALS,
+                    };
                     self.note(row, pair, gap, (&found, tolerance), derivatives, said);
                 }
                 (place, switched)
             }
-            Opinion::Other {
-                estimate,
-                tolerance,
-            } => {
-                let agree = derivatives.by_hand.zip(derivatives.by_duals);
-                let agree = agree.is_some_and(|(a, b)| (a - b).abs() <= test.exact);
-                let review = test.again(opinion, agree);
-                let found = review.against.unwrap_or(estimate);
-                let tolerance = if review.stands {
-                    SAFETY * found.error + test.exact
-                } else {
-                    tolerance
-                };
-                let tied = agree && e.exactly_tied();
-                // Without the function's source, steps alone tell whether pieces meet.
-                let unknown = self.is_of_shapes() && derivatives.other(witness).is_none();
-                if !review.stands {
-                    if review.supported {
-                        (Place::Smooth, false)
-                    } else {
-                        (Place::Undefined, true)
-                    }
-                } else if agree && self.tell_nothing(&test) {
-                    (Place::Undefined, true)
-                } else if witness == Witness::Dual && e.tie_of_duals() {
-                    said.convention = true;
-                    (Place::Smooth, false)
-                } else if tied && (chosen(e) || self.bent(row)) {
-                    said.convention = true;
-                    (Place::Undefined, true)
-                } else if (tied || unknown)
-                    && e.among_derivatives_nearby(
-                        &row.weights,
-                        direction,
-                        (test.derivative, tolerance),
-                        // A function without a kink bends: so do its derivatives between places.
-                        if tied { 0.0 } else { DECIDED * row.largest },
-                    )
-                {
-                    // Along this direction the function has a derivative, at the tie it has many.
-                    said.convention = true;
-                    (Place::Kink, true)
-                } else if unknown && self.chosen_here(row) {
-                    said.convention = true;
-                    (Place::Undefined, true)
-                } else {
-                    let other = derivatives.other(witness);
-                    let agrees = other
-                        .is_some_and(|derivative| (derivative - found.value).abs() <= tolerance);
-                    let input = if e.x.len() <= FEW_INPUTS {
-                        at.1
-                    } else {
-                        worst_input(e, row, witness, direction, &|there| {
-                            (self.climb)(there, FIRST[0])
-                        })
-                    };
-                    said.complain_of(
-                        Reason::Disagree(witness, Witness::Difference),
-                        agrees.then_some(witness),
-                        (at.0, input),
-                        derivatives.numbers(Some(found.value), None),
-                        tolerance / derivatives.per,
-                    );
-                    (Place::Smooth, false)
-                }
+            Opinion::Other { estimate } => {
+                self.other(row, witness, &test, estimate, derivatives, said)
             }
             Opinion::Outside { sides, tolerance } => {
-                let border = self.here.ahead.len() < 2 || self.here.behind.len() < 2;
-                let found = chosen(e) && e.exactly_tied();
-                let unknown = self.is_of_shapes() && derivatives.other(witness).is_none();
-                if self.flat(row, sides, (test.derivative, tolerance))
-                    || found
-                    || self.beyond(&test)
-                    // No witness is known beyond the border, and a kink may lie on it.
-                    || (unknown && border)
-                    || (unknown && self.chosen_here(row))
-                {
-                    said.convention = true;
-                } else if test.again(opinion, false).stands
-                    && !e.among_derivatives_nearby(
-                        &row.weights,
-                        direction,
-                        (test.derivative, tolerance),
-                        0.0,
-                    )
-                {
-                    let numbers = derivatives.numbers(None, Some(sides));
-                    let tolerance = tolerance / derivatives.per;
-                    said.complain_of(Reason::OutsideKink, None, at, numbers, tolerance);
-                }
-                (if border { Place::Smooth } else { Place::Kink }, true)
+                self.outside(row, witness, &test, (sides, tolerance), derivatives, said)
             }
         };
         (place, opinion)
     }
 
-    /// `true` if the derivative is that of a declared convention: zero where the value is, or between zero and
-    /// that of the only side at the border of the domain.
-    fn flat(&self, row: &Item, sides: [f64; 2], (derivative, tolerance): (f64, f64)) -> bool {
-        let border = self.here.ahead.len() < 2 || self.here.behind.len() < 2;
+    /// The kind of place, and whether branches switch, where steps give another derivative.
+    fn other(
+        &self,
+        row: &Combination,
+        witness: Witness,
+        test: &DerivativeTest<'_>,
+        estimate: Estimate,
+        derivatives: &Derivatives,
+        said: &mut Notes,
+    ) -> (Place, bool) {
+        let (e, direction) = (self.e, self.direction);
+        let agree = derivatives.by_hand.zip(derivatives.by_duals);
+        let agree = agree.is_some_and(|(a, b)| (a - b).abs() <= test.exact);
+        let review = test.again(Opinion::Other { estimate }, agree);
+        if !review.stands {
+            return match review.supported {
+                true => (Place::Smooth, false),
+                false => (Place::Undefined, true),
+            };
+        }
+        if agree && self.tell_nothing(test) {
+            return (Place::Undefined, true);
+        }
+        let found = review.against.unwrap_or(estimate);
+        let tolerance = SAFETY * found.error + test.exact;
+        let tied = agree && e.exactly_tied();
+        // Without the function's source, steps alone tell whether pieces meet.
+        let unknown = self.is_of_shapes() && derivatives.other(witness).is_none();
+        // Away from a tie derivatives differ a little between places; only larger differences are pieces.
+        let least = if tied { 0.0 } else { DECIDED * row.largest };
+        let is_among = || {
+            let own = (test.derivative, tolerance);
+            e.among_derivatives_nearby(&row.weights, direction, own, least)
+        };
+        let by_convention = if witness == Witness::Dual && e.tie_of_duals() {
+            Some((Place::Smooth, false))
+        } else if tied && (chosen(e) || self.bent(row)) {
+            Some((Place::Undefined, true))
+        } else if (tied || unknown) && is_among() {
+            // At a tie any derivative between those of the pieces is right.
+            Some((Place::Kink, true))
+        } else {
+            (unknown && self.chosen_here(row)).then_some((Place::Undefined, true))
+        };
+        if let Some(place) = by_convention {
+            said.convention = true;
+            return place;
+        }
+        let other = derivatives.other(witness);
+        let agrees = other.is_some_and(|derivative| (derivative - found.value).abs() <= tolerance);
+        let input = if e.x.len() <= FEW_INPUTS {
+            self.input()
+        } else {
+            let ladder = |there: &[f64]| (self.climb)(there, FIRST[0]);
+            worst_input(e, row, witness, direction, &ladder)
+        };
+        said.complain_of(
+            Reason::Disagree(witness, Witness::Difference),
+            agrees.then_some(witness),
+            (row.output, input),
+            derivatives.numbers(Some(found.value), None),
+            tolerance / derivatives.per,
+        );
+        (Place::Smooth, false)
+    }
+
+    /// The kind of place, and whether branches switch, where the derivative is not between those of both sides.
+    fn outside(
+        &self,
+        row: &Combination,
+        witness: Witness,
+        test: &DerivativeTest<'_>,
+        (sides, tolerance): ([f64; 2], f64),
+        derivatives: &Derivatives,
+        said: &mut Notes,
+    ) -> (Place, bool) {
+        let e = self.e;
+        let border = self.here.is_at_border();
+        let is_tie = chosen(e) && e.exactly_tied();
+        let unknown = self.is_of_shapes() && derivatives.other(witness).is_none();
+        let own = (test.derivative, tolerance);
+        if self.flat(row, sides, own)
+            || is_tie
+            || self.beyond(test)
+            // No witness is known beyond the border, and a kink may lie on it.
+            || (unknown && border)
+            || (unknown && self.chosen_here(row))
+        {
+            said.convention = true;
+        } else if test
+            .again(Opinion::Outside { sides, tolerance }, false)
+            .stands
+            && !e.among_derivatives_nearby(&row.weights, self.direction, own, 0.0)
+        {
+            let at = (row.output, self.input());
+            let numbers = derivatives.numbers(None, Some(sides));
+            let tolerance = tolerance / derivatives.per;
+            said.complain_of(Reason::OutsideKink, None, at, numbers, tolerance);
+        }
+        (if border { Place::Smooth } else { Place::Kink }, true)
+    }
+
+    /// `true` if a declared convention allows the derivative. Where the value is zero, it may be zero. At the border of
+    /// the domain it may lie between zero and that of the only side.
+    fn flat(
+        &self,
+        row: &Combination,
+        sides: [f64; 2],
+        (derivative, tolerance): (f64, f64),
+    ) -> bool {
+        let border = self.here.is_at_border();
         self.e.subject.conventions().flat
             && if border {
                 let (low, high) = (sides[0].min(0.0), sides[0].max(0.0));
@@ -396,9 +433,9 @@ impl Along<'_> {
             }
     }
 
-    /// `true` if a function of unknown source that may jump anywhere has right derivatives at places beside the input: at
-    /// the input itself it then has several results to choose from.
-    fn chosen_here(&self, row: &Item) -> bool {
+    /// `true` for a function of unknown source that may jump anywhere and whose derivatives are right beside the input. At
+    /// the input it then chooses among several results.
+    fn chosen_here(&self, row: &Combination) -> bool {
         self.e.subject.conventions().jumps == Jumps::Anywhere
             && self.e.is_right_beside(row, self.direction)
     }
@@ -406,7 +443,7 @@ impl Along<'_> {
     /// `true` if a kink exactly on the border of the domain has its other side beyond, and the derivative is
     /// between both.
     fn beyond(&self, test: &DerivativeTest<'_>) -> bool {
-        let border = self.here.ahead.len() < 2 || self.here.behind.len() < 2;
+        let border = self.here.is_at_border();
         let Some(across) = self.across.filter(|_| border && self.e.exactly_tied()) else {
             return false;
         };
@@ -421,8 +458,8 @@ impl Along<'_> {
         !said.undefined() && !said.complains()
     }
 
-    /// `true` if steps say nothing of a derivative that two witnesses know: cancellation leaves values no digit, or the
-    /// feature is smaller than the smallest step, as of lines that are parallel but for 1e-11 and of a ball of 1e-13.
+    /// `true` if steps cannot decide although both witnesses agree. Either cancellation leaves no digits, or the feature
+    /// is smaller than the smallest step: lines parallel but for 1e-11, a ball of 1e-13.
     fn tell_nothing(&self, test: &DerivativeTest<'_>) -> bool {
         self.here.still() || self.seen_nearer(test) || self.left_at_once()
     }
@@ -445,11 +482,10 @@ impl Along<'_> {
         matches!(said, Opinion::Fine { .. }) && !said.undefined()
     }
 
-    /// `true` if there is no gradient at the input: the derivative along the sum of two directions is not the sum of
-    /// the derivatives, although there is one along each, seen from both sides or from one. So it is where a
-    /// function of homogeneous degree one that is not linear begins, as the circle through three points
-    /// does where these coincide.
-    fn bent(&self, row: &Item) -> bool {
+    /// `true` if there is no gradient at the input. Derivatives exist along two directions, from both sides or one, but
+    /// that along their sum is another number. This is so where a function of degree one that is not linear begins: the
+    /// circle through three points where these coincide.
+    fn bent(&self, row: &Combination) -> bool {
         let (e, weights, noise) = (self.e, &row.weights, row.noise);
         let derivatives = |direction: &[f64]| {
             let ladder = (self.climb)(direction, FIRST[0]);
@@ -478,9 +514,8 @@ impl Along<'_> {
         })
     }
 
-    /// `true` if a derivative is covered although differences are too coarse for one as large as others are:
-    /// not too coarse for this one as it typically is.
-    fn coarsely_covered(&self, row: &Item, said: Opinion, exact: f64) -> bool {
+    /// `true` if a difference is precise enough for the usual size of the derivative, though not for the largest.
+    fn coarsely_covered(&self, row: &Combination, said: Opinion, exact: f64) -> bool {
         let Opinion::Fine {
             estimate: Some(found),
             ..
@@ -498,11 +533,11 @@ impl Along<'_> {
     }
 }
 
-/// `true` if the result is something that was chosen, such as the nearest points of two shapes, and not a
-/// least or a greatest number: found by a search, or points that may jump. If several
-/// choices are as good to the bit, derivatives are those of one of them, or their mean. They need not be
-/// between the derivatives of the two choices on either side. Numbers that are no points
-/// do not count: scores and areas that jump are not chosen from among others.
+/// `true` if the result is chosen from several, not a least or greatest number: by a search, or as points that may jump.
+///
+/// If several choices are as good to the bit, derivatives are those of one of them, or their mean. They need not be
+/// between the derivatives of the two choices on either side. Numbers that are no points do not count: scores and areas
+/// that jump are not chosen from among others.
 fn chosen(e: &Evidence<'_>) -> bool {
     let conventions = e.subject.conventions();
     let points = || e.subject.output_kinds().contains(&Kind::X);

@@ -1,5 +1,5 @@
 //! Second derivatives against one another.
-use crate::ad::check::evidence::{Evidence, Item};
+use crate::ad::check::evidence::{Combination, Evidence};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{
     COMBINATIONS, CURVATURE_ROUNDINGS, FEW_INPUTS, FIRST, INFORMATIVE, ROUNDINGS, SAFETY,
@@ -60,7 +60,7 @@ pub(crate) fn curvature(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
 /// The Hessian of a row times a direction.
 struct Bend<'e> {
     e: &'e Evidence<'e>,
-    row: &'e Item,
+    row: &'e Combination,
     direction: Vec<f64>,
     /// Through the adjoint.
     bend: Vec<f64>,
@@ -71,7 +71,7 @@ struct Bend<'e> {
 }
 
 impl<'e> Bend<'e> {
-    fn new(e: &'e Evidence<'e>, row: &'e Item, direction: Vec<f64>, bend: Vec<f64>) -> Self {
+    fn new(e: &'e Evidence<'e>, row: &'e Combination, direction: Vec<f64>, bend: Vec<f64>) -> Self {
         let largest_of = |list: &[f64]| {
             let each = list.iter().zip(&e.units);
             each.fold(0.0_f64, |m, (x, unit)| m.max(x.abs() * unit))

@@ -98,10 +98,7 @@ impl DerivativeTest<'_> {
                     estimate: Some(e),
                 }
             } else {
-                Opinion::Other {
-                    estimate: e,
-                    tolerance,
-                }
+                Opinion::Other { estimate: e }
             };
         }
         Opinion::Fine {
@@ -140,7 +137,7 @@ impl DerivativeTest<'_> {
             (None, None) => return undefined,
         };
         let error = ahead.error.max(behind.error);
-        let border = ladder.ahead.len() < 2 || ladder.behind.len() < 2;
+        let border = ladder.is_at_border();
         if !ladder.settled() {
             return undefined;
         }

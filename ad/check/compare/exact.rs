@@ -1,6 +1,6 @@
 //! The adjoint against duals and further witnesses: no steps, so hardly any tolerance.
 use crate::ad::check::compare::values::another;
-use crate::ad::check::evidence::{Evidence, Item, comparison};
+use crate::ad::check::evidence::{Combination, Evidence, comparison};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{CONVENTION_BORDER, DECIDED, FEW_INPUTS, SAFETY};
 use crate::ad::check::verdict::{Numbers, Reason, Witness};
@@ -8,7 +8,7 @@ use crate::ad::check::witness::dot;
 
 /// `true` if a convention may decide about this derivative: the value is zero and the input cannot be
 /// moved both ways.
-pub(crate) fn conventional_border(e: &Evidence<'_>, row: &Item, i: usize) -> bool {
+pub(crate) fn conventional_border(e: &Evidence<'_>, row: &Combination, i: usize) -> bool {
     let stuck = |sign: f64| {
         let mut there = e.x.to_vec();
         there[i] += sign * CONVENTION_BORDER * e.scales[i];
@@ -31,7 +31,7 @@ pub(crate) fn exact(e: &Evidence<'_>) -> Notes {
 /// number of the batch.
 fn rounding_of(
     e: &Evidence<'_>,
-    row: &Item,
+    row: &Combination,
     (witness, form): (Witness, usize),
     said: &[f64],
 ) -> Vec<f64> {
@@ -58,7 +58,7 @@ fn rounding_of(
     spread
 }
 
-fn one_row(e: &Evidence<'_>, row: &Item) -> Notes {
+fn one_row(e: &Evidence<'_>, row: &Combination) -> Notes {
     let mut said = Notes::new(e.x.len());
     let Some(adjoint) = &row.adjoint else {
         return said;

@@ -1,5 +1,5 @@
 //! Invariances: the value and its derivatives when the whole input moves.
-use crate::ad::check::evidence::{Evidence, Item};
+use crate::ad::check::evidence::{Combination, Evidence};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::symmetry::{
     Answer, Invariance, Kind, Motion, answer, exchanged, moved_by, velocity,
@@ -107,7 +107,7 @@ fn value_moves(
 }
 
 /// The derivatives with the arguments exchanged against the exchanged derivatives.
-fn derivatives_exchange(e: &Evidence<'_>, row: &Item, derivatives: &[f64]) -> Notes {
+fn derivatives_exchange(e: &Evidence<'_>, row: &Combination, derivatives: &[f64]) -> Notes {
     let mut said = Notes::new(e.x.len());
     let Some(other) = e.subject.adjoint(&exchanged(e.x), &row.weights) else {
         return said;
@@ -134,7 +134,7 @@ fn derivatives_exchange(e: &Evidence<'_>, row: &Item, derivatives: &[f64]) -> No
 fn derivatives_balance(
     e: &Evidence<'_>,
     invariance: Invariance,
-    row: &Item,
+    row: &Combination,
     derivatives: &[f64],
     kinds: &[Kind],
 ) -> Notes {

@@ -1,5 +1,5 @@
 //! Derivatives beside a kink: what a derivative at the kink may be between.
-use crate::ad::check::evidence::{Evidence, Item, finite};
+use crate::ad::check::evidence::{Combination, Evidence, finite};
 use crate::ad::check::tolerances::{
     APPROACHES, FEW_INPUTS, FEW_PLACES, FIRST, INFORMATIVE, MOVED_ROUNDINGS, NEARBY, NEARER,
     NEARER_STEPS, PLACES, SAFETY, SIDES, TRIES, TRIES_OF_STEPS,
@@ -77,7 +77,7 @@ impl Evidence<'_> {
     }
 
     /// `true` if the derivatives by hand along a direction are those of differences at several places beside the input.
-    pub(crate) fn is_right_beside(&self, row: &Item, direction: &[f64]) -> bool {
+    pub(crate) fn is_right_beside(&self, row: &Combination, direction: &[f64]) -> bool {
         let on = self.on();
         let mut draw = Draw::new(17);
         let mut seen = 0;
@@ -156,7 +156,7 @@ impl Evidence<'_> {
     ///
     /// Steps need both sides of a kink, at several steps each. Here it is enough that the pieces are there, which
     /// may end as near as a millionth of the scales.
-    pub(crate) fn between_pieces(&self, row: &Item) -> bool {
+    pub(crate) fn between_pieces(&self, row: &Combination) -> bool {
         let (on, n) = (self.on(), self.x.len());
         let Some(adjoint) = row.adjoint.as_ref().filter(|_| n <= FEW_INPUTS) else {
             return false;

@@ -15,7 +15,7 @@ pub(crate) enum Opinion {
         estimate: Option<Estimate>,
     },
     /// Another derivative.
-    Other { estimate: Estimate, tolerance: f64 },
+    Other { estimate: Estimate },
     /// A kink, and the derivative is not between both sides; or the border of the domain, and it is not
     /// that of the only side.
     Outside { sides: [f64; 2], tolerance: f64 },
@@ -59,7 +59,7 @@ pub(crate) fn review(said: &[Opinion], own: &[Opinion], exact: f64) -> Review {
     let (mut outside, mut kink) = (0, false);
     for said in said.iter().chain(own) {
         match *said {
-            Opinion::Other { estimate, .. } => against.push(estimate),
+            Opinion::Other { estimate } => against.push(estimate),
             Opinion::Outside { .. } => outside += 1,
             Opinion::Fine {
                 place: Place::Undefined,
@@ -74,7 +74,7 @@ pub(crate) fn review(said: &[Opinion], own: &[Opinion], exact: f64) -> Review {
         }
     }
     let finest = own.iter().find_map(|said| match said {
-        Opinion::Other { estimate, .. } => Some(*estimate),
+        Opinion::Other { estimate } => Some(*estimate),
         _ => None,
     });
     let by_error = |a: &Estimate, b: &Estimate| a.error.total_cmp(&b.error);

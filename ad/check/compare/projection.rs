@@ -7,7 +7,7 @@
 //! is refused from 32 n roundings of the largest derivative on: 10⁻¹¹ of it for a thousand numbers in
 //! double precision. A direction along which they disagree is halved until the number at fault is found.
 use crate::ad::check::compare::exact::conventional_border;
-use crate::ad::check::evidence::{Evidence, Item, comparison};
+use crate::ad::check::evidence::{Combination, Evidence, comparison};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{FEW_INPUTS, PARTS, PROJECTIONS, ROUNDINGS, SAFETY};
@@ -104,7 +104,7 @@ pub(crate) fn projections(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
 /// One row along one direction; the duals are those of `on`.
 struct Along<'e> {
     e: &'e Evidence<'e>,
-    row: &'e Item,
+    row: &'e Combination,
     witness: Witness,
     on: &'e dyn Subject,
     direction: &'e [f64],
@@ -258,7 +258,7 @@ impl Along<'_> {
 /// most, as far as halving the direction tells.
 pub(crate) fn worst_input(
     e: &Evidence<'_>,
-    row: &Item,
+    row: &Combination,
     witness: Witness,
     direction: &[f64],
     climb: &dyn Fn(&[f64]) -> Ladder,

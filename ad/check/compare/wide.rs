@@ -1,5 +1,5 @@
 //! A function of `f32` against itself in `f64`, as far as single precision can tell.
-use crate::ad::check::evidence::{Evidence, Item, SMALLEST, comparison, finite};
+use crate::ad::check::evidence::{Combination, Evidence, SMALLEST, comparison, finite};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{FEW_INPUTS, ROUNDINGS, SAFETY, SCATTER};
@@ -80,7 +80,7 @@ fn values(e: &Evidence<'_>, wide: &dyn Subject, value: &[f64]) -> Notes {
 /// By how much an output may change within the rounding of the inputs, as the derivatives by hand have it; zero of a
 /// closure.
 fn reach(e: &Evidence<'_>, output: usize) -> f64 {
-    let alone = |row: &&Item| {
+    let alone = |row: &&Combination| {
         row.weights
             .iter()
             .enumerate()
@@ -97,7 +97,7 @@ fn reach(e: &Evidence<'_>, output: usize) -> f64 {
     }
 }
 
-fn derivatives(e: &Evidence<'_>, wide: &dyn Subject, row: &Item) -> Notes {
+fn derivatives(e: &Evidence<'_>, wide: &dyn Subject, row: &Combination) -> Notes {
     let mut said = Notes::new(e.x.len());
     let by_duals = |x: &[f64]| {
         let jacobian = wide.jacobian(x)?;
