@@ -2,7 +2,7 @@
 //!
 //! A search yields a *record* of decisions: indices and small enums, never numbers. The result is computed
 //! from the input and the record by a straight line, which duals and batches replay. Between decisions
-//! the result is smooth; where a decision changes, its derivatives are those of the one that was taken.
+//! the result is smooth. Where a decision changes, the derivatives are those of the branch that was taken.
 use crate::error::Error;
 use crate::kernels::cpu::plan::{Face, of_items};
 pub use crate::kernels::decision::Search;
@@ -12,10 +12,10 @@ use crate::kernels::recording::{self, Body, Call, Mode, Recording, known, widths
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::sync::Arc;
 
-/// Numbers of the input whose derivatives are taken at a time.
+/// Inputs per replay on duals. More need fewer replays, but each dual holds so many derivatives.
 const AT_A_TIME: usize = 4;
 
-/// The numbers of a result with derivatives with respect to some numbers of the input, from one on.
+/// The result on duals, with derivatives by inputs `first..first + AT_A_TIME`. `codes` are the input's.
 fn replayed<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     numbers: &[R::Scalar],
     codes: &[u32],
@@ -24,6 +24,7 @@ fn replayed<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
 ) -> Vec<Jet<R::Scalar, AT_A_TIME>> {
     let jets = numbers[..R::LEN].iter().enumerate();
     let jets: Vec<Jet<R::Scalar, AT_A_TIME>> = jets
+        // Inputs before `first` wrap to indices that are no variable.
         .map(|(i, &x)| Jet::variable(x, i.wrapping_sub(first)))
         .collect();
     let moved = D::In::<Jet<R::Scalar, AT_A_TIME>>::load(&jets).load_codes(codes);
@@ -114,6 +115,12 @@ where
     D: Search<In<<R as Pack>::Scalar> = R>,
     D::Out<R::Scalar>: Item,
 {
+    const {
+        assert!(
+            <D::Out<R::Scalar> as Fixed>::CODES == 0,
+            "the result of a search has no codes: its derivatives are by scalars alone"
+        );
+    }
     let made = known::<Searched<D>, _>(|| {
         let body = Body::Search(recording::Searched {
             plan: plan::<D, R>,
@@ -126,7 +133,7 @@ where
     made.unwrap_or_else(|_: Error| unreachable!("a search is not recorded"))
 }
 
-/// A search that batches take: the value of [`search`].
+/// A search as a function of batches, made by [`search`].
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Searched<D>(std::marker::PhantomData<fn() -> D>);
 
@@ -204,7 +211,6 @@ impl<D: Search> Searched<D> {
 }
 
 /// A function of batches that is a search.
-#[doc(hidden)]
 pub(crate) trait Searches {
     /// The search.
     type Search: Search;

@@ -25,9 +25,10 @@ pub(crate) struct Combination {
     pub(crate) provoked: Cell<bool>,
     pub(crate) provoked_widely: Cell<bool>,
     pub(crate) provoked_exchanged: Cell<bool>,
-    /// The largest derivative in each input's unit.
+    /// How large the derivative by each input may typically be: `largest` by units in place of scales, divided by the
+    /// input's unit.
     pub(crate) size: Vec<f64>,
-    /// The largest derivative per scale.
+    /// The largest of the combined value and all derivatives times their scales.
     pub(crate) largest: f64,
     /// Rounding noise of the combined value.
     pub(crate) noise: f64,
@@ -85,7 +86,7 @@ pub(crate) struct Evidence<'a> {
     /// the size is judged ([`resolution`](Evidence::resolution)); derivatives that are pulled back through them have no
     /// digits that could be.
     pub(crate) off_scale: Vec<bool>,
-    /// Inputs beside `x`, with the branches of `x` as far as possible.
+    /// Inputs beside `x` in the domain, each with how its branches relate to those of `x`.
     pub(crate) around: Vec<(Vec<f64>, Beside)>,
     /// The derivatives; empty until they are [gathered](Evidence::gather_derivatives).
     pub(crate) rows: Vec<Combination>,
@@ -160,8 +161,8 @@ impl<'a> Evidence<'a> {
         })
     }
 
-    /// Gathers the derivatives by hand and by duals. False when they cannot be compared at all, and `said`
-    /// says why.
+    /// Gathers the derivatives by hand and by duals. `false` when nothing can be compared: `said` says why, unless all
+    /// outputs are [off scale](Evidence::off_scale).
     pub(crate) fn gather_derivatives(&mut self, draw: &mut Draw, said: &mut Notes) -> bool {
         let (n, m) = (self.x.len(), self.y.len());
         let jacobian = if n <= FEW_INPUTS {
@@ -184,7 +185,8 @@ impl<'a> Evidence<'a> {
             }
         }
         for (output, weights) in self.combinations(draw).into_iter().enumerate() {
-            // Other results are judged: a line through a half-space enters it and never leaves.
+            // An output may be off scale by design, such as the exit of a ray that never leaves: only combinations without
+            // it are judged.
             let mut used = weights.iter().zip(&self.off_scale);
             if used.any(|(weight, off)| *off && *weight != 0.0) {
                 continue;
@@ -225,8 +227,10 @@ impl<'a> Evidence<'a> {
         }
         // Quarters, which single precision has, too.
         let mut one = || {
-            let weight = |_| draw.within(-8.0, 8.0).round() / 4.0;
-            (0..m).map(weight).collect()
+            let mut weight = || draw.within(-8.0, 8.0).round() / 4.0;
+            // One output off scale would spoil every combination.
+            let of = |&off: &bool| if off { 0.0 } else { weight() };
+            self.off_scale.iter().map(of).collect()
         };
         (0..COMBINATIONS).map(|_| one()).collect()
     }

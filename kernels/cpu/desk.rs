@@ -45,9 +45,9 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
         }
     }
     let (face, columns, rare, count) = (work.face, work.columns, work.rare, work.count);
-    let fields = columns.iter().map(|column| column.fields);
-    let numbers = fields.chain(face.gives.iter().copied()).sum::<usize>() * count;
-    let far = numbers * size_of::<T>() > NEAR;
+    let given: usize = columns.iter().map(|x| x.fields * x.len()).sum();
+    let made = face.gives.iter().sum::<usize>() * count;
+    let far = (given + made) * size_of::<T>() > NEAR;
     let (unchecked, is_doubtful) = (work.unchecked, AtomicBool::new(false));
     let work = pieces.into_iter().enumerate().collect();
     spread(
@@ -99,7 +99,7 @@ struct Stretch<'a, T> {
 }
 
 impl<T: Real> Stretch<'_, T> {
-    /// `true` if all numbers are valid, which a quick look tells of nearly all that are.
+    /// `true` if quick tests find all numbers valid; they may fail for valid numbers, too.
     fn is_sound(&self) -> bool {
         self.numbers.iter().enumerate().all(|(k, numbers)| {
             let own = self.face.arguments.get(k);

@@ -44,7 +44,7 @@ impl<T: Real> Pairs<'_, T> {
         })
     }
     /// Computes all pairs piece by piece, on all threads: each piece is some rows and its own entry of `work`.
-    /// The result is `true` if pairs were left out.
+    /// The result is `true` if a filter was used, whether or not it left pairs out.
     pub fn sweep<W: Send>(
         &self,
         upstream: Option<Upstream<'_, T>>,

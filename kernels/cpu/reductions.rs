@@ -126,7 +126,7 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> Vec<Found<T>> {
                 }
             };
             match scores(&part) {
-                // Most runs of most matrices have nothing.
+                // Most runs have no score above the threshold, and their maximum tells that faster.
                 Scores::Run(first, values) => {
                     if (kernels_in::<T>().largest)(values).above(threshold) {
                         for (k, &value) in values.iter().enumerate() {
@@ -141,7 +141,7 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> Vec<Found<T>> {
                 }
             }
         });
-        // They came run by run.
+        // A piece comes stretch by stretch, each with all rows.
         found.sort_unstable_by_key(|x| (x.row, x.column));
     });
     found.concat()
@@ -187,5 +187,5 @@ pub fn sum<T: Real>(pairs: &Pairs<'_, T>) -> f64 {
         });
         *sum = lanes.iter().flatten().sum();
     });
-    sums.iter().sum()
+    sums.iter().fold(0.0, |sum, x| sum + x)
 }

@@ -33,10 +33,12 @@ pub(crate) fn obb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>])
             let reach = |x: f64| ball + 4.0 * T::EPSILON * x.abs();
             let [low_x, low_y, high_x, high_y] =
                 [x - reach(x), y - reach(y), x + reach(x), y + reach(y)];
-            out[0].0[i] = T::lit(low_x);
-            out[1].0[i] = T::lit(low_y);
-            out[2].0[i] = T::lit(high_x);
-            out[3].0[i] = T::lit(high_y);
+            // Finite, as those of shapes must be: infinite ones would meet the places after the last shape.
+            let bound = |x: f64| T::lit(x.clamp(-T::LARGEST, T::LARGEST));
+            out[0].0[i] = bound(low_x);
+            out[1].0[i] = bound(low_y);
+            out[2].0[i] = bound(high_x);
+            out[3].0[i] = bound(high_y);
         }
     }
 }

@@ -3,8 +3,8 @@ use crate::rows::{Number, bits};
 use geograd::ad::check::sample::Draw;
 use geograd::error::{Argument, Field};
 use geograd::kernels::dynamic::{
-    Bound, Elementary, Function, Layout, Mode, Program, Rows, Symbol, Tracing, operation,
-    operations, symbol,
+    Bound, Elementary, Function, Layout, Mode, Operation, Program, Rows, Sort, Symbol, Tracing,
+    operation, operations, symbol,
 };
 use geograd::kernels::{Cpu, Op, fold::fold};
 use geograd::{
@@ -202,6 +202,22 @@ fn boxes(numbers: &[f64]) -> Vec<Obb2<f64>> {
 fn iou(mode: Mode) -> Function<f64> {
     let iou = operation("iou_obb2").expect("is listed");
     iou.function(mode).expect("is of fixed size")
+}
+
+#[test]
+fn several_numbers_have_no_one_gradient() {
+    let several = |row: &&Operation| {
+        row.sort == Sort::Straight && row.value::<f64>().is_some_and(|x| x.gives() != [1])
+    };
+    let rows: Vec<&Operation> = operations().iter().filter(several).collect();
+    assert!(rows.len() > 20);
+    for row in rows {
+        assert!(
+            row.function::<f64>(Mode::ValueGrad).is_none(),
+            "{}",
+            row.name
+        );
+    }
 }
 
 #[test]

@@ -5,7 +5,7 @@ use geograd::kernels::dynamic::{Function, Rows};
 use geograd::kernels::reduce::{Best, Found};
 use geograd::kernels::{Cpu, Groups, Iou};
 use geograd::suppression::Rules;
-use geograd::{Obb2, Pack, Real};
+use geograd::{Obb2, Obb3, Pack, Real, Rotation3, Vec3};
 use geograd_tests::Dice;
 use geograd_tests::list::{self, Tested};
 
@@ -273,6 +273,28 @@ fn suppression_of_groups_is_that_of_every_group() {
         let untyped = iou.suppress(Rows::new(&numbers, 5), &offsets, &scores, rules(0..count));
         assert_eq!(untyped.expect("is valid"), expected);
     }
+}
+
+#[test]
+fn boxes_as_long_as_numbers_go() {
+    let side = |size: f64, x: f64| {
+        Obb3::new(
+            Vec3::new(x, 0.0, 0.0),
+            Vec3::new(size, 1.0, 1.0),
+            Rotation3::identity(),
+        )
+    };
+    let mut shapes: Vec<Obb3<f64>> = (0..600).map(|k| side(1.0, 3.0 * f64::from(k))).collect();
+    shapes[7] = side(1.7e308, 0.0);
+    let scores: Vec<f64> = (0..600).map(|k| f64::from(600 - k)).collect();
+    let cpu = Cpu::new();
+    let kept = cpu
+        .suppress(Iou, &shapes, &scores, Rules::above(0.5))
+        .unwrap();
+    assert_eq!(kept, (0..600).collect::<Vec<_>>());
+    let (sum, ..) = cpu.sum_grad(Iou, &shapes, &shapes).unwrap();
+    // The long box is outside the range that scores promise.
+    assert!((598.99..600.01).contains(&sum), "{sum}");
 }
 
 #[cfg(feature = "parallel")]

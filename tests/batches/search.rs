@@ -1,8 +1,60 @@
 //! Searches over shapes with codes (polygons, which count their vertices), all pairs.
+use geograd::kernels::op::{Invariance, Jumps};
+use geograd::kernels::search::{Search, search};
 use geograd::kernels::{Cpu, Iou, MinimumCircle, MinimumRectangle, One, Width};
-use geograd::{ConvexPolygon, Fixed, Pack, Vec2};
+use geograd::{ConvexPolygon, Fixed, Pack, Scalar, Vec2};
 use geograd_tests::Dice;
 use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// How often the search below decided.
+static DECISIONS: AtomicU64 = AtomicU64::new(0);
+
+/// The larger of two numbers.
+#[derive(Clone, Copy, Debug, Default)]
+struct Larger;
+
+impl Search for Larger {
+    const NAME: &'static str = "larger";
+    type In<S: Scalar> = [S; 2];
+    type Out<S: Scalar> = S;
+    type Record = bool;
+    const INVARIANCES: &'static [Invariance] = &[];
+    const JUMPS: Jumps = Jumps::Never;
+    fn decide<S: Scalar<Mask = bool>>([a, b]: [S; 2]) -> bool {
+        DECISIONS.fetch_add(1, Ordering::Relaxed);
+        a.above(b)
+    }
+    fn replay<S: Scalar>([a, b]: [S; 2], record: bool) -> S {
+        if record { a } else { b }
+    }
+}
+
+#[test]
+fn an_item_is_decided_once() {
+    let items = [
+        [1.0, 2.0],
+        [1.0, 2.0],
+        [3.0, 2.0],
+        [0.0, 0.5],
+        [0.0, -0.0],
+        [0.0, 0.0],
+    ];
+    let cpu = Cpu::new();
+    let larger = search(Larger);
+    let found: Vec<f64> = cpu.aligned(larger, &items).unwrap();
+    assert_eq!(found, [2.0, 2.0, 3.0, 0.5, 0.0, 0.0]);
+    // The first two are equal; zeros of two signs are not.
+    assert_eq!(DECISIONS.swap(0, Ordering::Relaxed), 5);
+    let (_, slopes) = cpu.aligned(larger.value_grad(), &items[2..4]).unwrap();
+    assert_eq!(slopes, [[1.0, 0.0], [0.0, 1.0]]);
+    assert_eq!(DECISIONS.swap(0, Ordering::Relaxed), 2);
+    let along = cpu
+        .aligned(larger.jvp(), (&items[..1], &[[5.0, 7.0]]))
+        .unwrap();
+    assert_eq!(along, (vec![2.0], vec![7.0]));
+    assert_eq!(DECISIONS.swap(0, Ordering::Relaxed), 1);
+}
 
 /// Regular polygons of three to five corners.
 fn polygons(dice: &mut Dice, count: usize) -> Vec<ConvexPolygon<f64, 5>> {

@@ -52,6 +52,39 @@ operation! {
     }
 }
 
+operation! {
+    /// Nine numbers, of which one is too small for single precision, and a derivative that is wrong.
+    pub Nine = "nine": (x: S, y: S) -> [S; 9] { nine(x, y) }
+    invariances []
+    jumps Never
+    derivative ByHand |(x, y), bar| {
+        (nine(x, y), (bar[1] * y, bar[1] * x + bar[2] * S::lit(2.0)))
+    }
+}
+
+fn nine<S: Scalar>(x: S, y: S) -> [S; 9] {
+    let none = S::zero();
+    [
+        x * S::lit(1e-42),
+        x * y,
+        y,
+        none,
+        none,
+        none,
+        none,
+        none,
+        none,
+    ]
+}
+
+#[test]
+fn an_output_off_scale_spoils_no_other() {
+    for seed in 0..8 {
+        let [single, _] = Check::of(Nine).samples(1).hard(0).seed(seed).run();
+        refused(&single, Reason::Disagree(Witness::Adjoint, Witness::Dual));
+    }
+}
+
 #[test]
 fn decisions_of_single_precision_are_those_beside_an_input() {
     Check::of(Step).and(1.0).assert();

@@ -65,42 +65,51 @@ pub type Each<T> = fn(&[T], Option<&[T]>, &mut [T]);
 /// Computes item by item.
 struct Items<T> {
     each: Each<T>,
-    /// Numbers of every shape that it takes, of all of them, of every cotangent, and put down per item.
-    arguments: Vec<usize>,
+    /// Numbers of every shape, then of every cotangent.
+    fields: Vec<usize>,
+    /// Numbers of all shapes.
     taken: usize,
-    cotangents: Vec<usize>,
+    /// Numbers of results per item.
     made: usize,
 }
 
-/// Numbers of an item of a tile.
-fn item<T: Copy>(input: &Tiles<'_, T>, t: usize, i: usize, fields: usize, numbers: &mut Vec<T>) {
-    let tile = input.lanes[t * input.step..].iter().take(fields);
-    numbers.extend(tile.map(|lane| lane.0[i]));
+/// Computes tiles of results item by item, each from its numbers, input after input.
+///
+/// An item that is the one before has its results: what fills up a last tile repeats the last item.
+fn by_item<T: Real>(
+    inputs: &[Tiles<'_, T>],
+    fields: &[usize],
+    made: usize,
+    mut out: Results<'_, T>,
+    mut each: impl FnMut(&[T], &mut [T]),
+) {
+    let (mut numbers, mut last) = (Vec::new(), Vec::new());
+    let mut one = vec![T::default(); made];
+    let bits = |x: &T| x.widen().to_bits();
+    for (t, i) in (0..out.tiles).flat_map(|t| (0..TILE).map(move |i| (t, i))) {
+        numbers.clear();
+        for (input, &fields) in inputs.iter().zip(fields) {
+            let tile = input.lanes[t * input.step..].iter().take(fields);
+            numbers.extend(tile.map(|lane| lane.0[i]));
+        }
+        if (t, i) == (0, 0) || !numbers.iter().map(bits).eq(last.iter().map(bits)) {
+            each(&numbers, &mut one);
+            std::mem::swap(&mut numbers, &mut last);
+        }
+        for (k, &x) in one.iter().enumerate() {
+            if let Some(lane) = out.lane(t, k) {
+                lane.0[i] = x.canonical();
+            }
+        }
+    }
 }
 
 impl<T: Real> Maker<T> for Items<T> {
-    fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
-        let (shapes, cotangents) = inputs.split_at(self.arguments.len());
-        let (mut numbers, mut seed) = (Vec::with_capacity(self.taken), Vec::new());
-        let mut one = vec![T::default(); self.made];
-        for t in 0..out.tiles {
-            for i in 0..TILE {
-                numbers.clear();
-                seed.clear();
-                for (shape, &fields) in shapes.iter().zip(&self.arguments) {
-                    item(shape, t, i, fields, &mut numbers);
-                }
-                for (cotangent, &fields) in cotangents.iter().zip(&self.cotangents) {
-                    item(cotangent, t, i, fields, &mut seed);
-                }
-                (self.each)(&numbers, (!seed.is_empty()).then_some(&seed), &mut one);
-                for (k, &x) in one.iter().enumerate() {
-                    if let Some(lane) = out.lane(t, k) {
-                        lane.0[i] = x.canonical();
-                    }
-                }
-            }
-        }
+    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+        by_item(inputs, &self.fields, self.made, out, |numbers, one| {
+            let (shapes, seed) = numbers.split_at(self.taken);
+            (self.each)(shapes, (!seed.is_empty()).then_some(seed), one);
+        });
     }
 }
 
@@ -112,17 +121,11 @@ pub(crate) fn of_items<T: Real>(
     each: Each<T>,
 ) -> Face<T> {
     let arguments: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
-    let (taken, result): (usize, usize) = (arguments.iter().sum(), outputs.iter().sum());
-    let made = match mode {
-        Mode::Value => result,
-        Mode::ValueGrad | Mode::Vjp => result + taken,
-        Mode::Jacobian => result + result * taken,
-    };
+    let made = mode.skipped(&outputs) + mode.gives(&arguments, &outputs).iter().sum::<usize>();
     let items = Items {
         each,
-        arguments,
-        taken,
-        cotangents: outputs.clone(),
+        taken: arguments.iter().sum(),
+        fields: [arguments, outputs.clone()].concat(),
         made,
     };
     let plans = leaves.into_iter().map(Preparation::plain).collect();
@@ -132,40 +135,27 @@ pub(crate) fn of_items<T: Real>(
 /// Decides item by item, and computes the program of the record.
 struct ReplayedItems<T> {
     replays: Arc<dyn Replays<T>>,
-    /// Numbers of every shape, direction and cotangent that it takes, and put down per item.
+    /// Numbers of every shape, direction and cotangent.
     fields: Vec<usize>,
+    /// Numbers of results per item.
     made: usize,
 }
 
 impl<T: Real> Maker<T> for ReplayedItems<T> {
-    fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
-        let (mut numbers, mut taken) = (Vec::new(), Vec::new());
-        let mut one = vec![T::default(); self.made];
-        for t in 0..out.tiles {
-            for i in 0..TILE {
-                numbers.clear();
-                taken.clear();
-                for (input, &fields) in inputs.iter().zip(&self.fields) {
-                    item(input, t, i, fields, &mut numbers);
-                }
-                match self.replays.decide(&numbers, &mut taken) {
-                    Ok(recorded) => self
-                        .replays
-                        .put(&numbers, &recorded.run_on(&taken), &mut one),
-                    // A replay too long to record has no derivatives.
-                    Err(_) => one.fill(T::lit(f64::NAN)),
-                }
-                for (k, &x) in one.iter().enumerate() {
-                    if let Some(lane) = out.lane(t, k) {
-                        lane.0[i] = x.canonical();
-                    }
-                }
+    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+        let mut taken = Vec::new();
+        by_item(inputs, &self.fields, self.made, out, |numbers, one| {
+            taken.clear();
+            match self.replays.decide(numbers, &mut taken) {
+                Ok(recorded) => self.replays.put(numbers, &recorded.run_on(&taken), one),
+                // A replay that cannot be recorded, because it is too long, has no derivatives: NaN stands for them.
+                Err(_) => one.fill(T::lit(f64::NAN)),
             }
-        }
+        });
     }
 }
 
-/// How a derivative of a search is computed: by the replays, which give no result before derivatives.
+/// How a mode of a derived search is computed: by replays. Those of a VJP give cotangents alone, so nothing is skipped.
 pub(crate) fn of_replays<T: Real>(
     mode: Mode,
     recording: &Recording<T>,
