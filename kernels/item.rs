@@ -1,4 +1,4 @@
-//! Rows and columns: how shapes go into a batch and results come out of it.
+//! Items and columns: how shapes go into a batch and results come out of it.
 //!
 //! A *column* holds one argument of every item: a slice of shapes, or [`One`] that stands for all.
 //! Several columns are a tuple: `(&points, One(circle))`. Results come out column by column, too: a
@@ -15,20 +15,20 @@ use std::borrow::Cow;
 use std::marker::PhantomData;
 use std::ops::Range;
 
-/// One shape of a row, as numbers.
+/// The layout of one shape of an item: how many numbers it has, their names and its checks.
 #[derive(Debug)]
 pub struct Leaf<T> {
     /// The name of its type, with its path.
     pub shape: fn() -> &'static str,
     /// How many numbers: scalars, then codes.
     pub fields: usize,
-    /// How many of them are codes.
+    /// How many of them are codes: whole numbers without derivatives, such as counts ([`Fixed::CODES`]).
     pub codes: usize,
     /// The name of a scalar.
     pub name: fn(usize) -> Field,
     /// Returns the flaw of numbers that are no valid shape.
     pub check: fn(&[T]) -> Result<(), Flaw>,
-    /// `true` if numbers are those of valid shapes: a quick test, which may also fail for some of these.
+    /// A quick test: `true` only for numbers of valid shapes, `false` perhaps for these, too.
     pub all_valid: fn(&[T]) -> bool,
 }
 
@@ -73,10 +73,10 @@ pub trait Item: Fixed<Scalar: Real> {
     /// As many as are wanted, all of them zero.
     #[doc(hidden)]
     fn many(count: usize) -> Self::Many;
-    /// The shapes of a row, first first.
+    /// Adds the layout of every shape of an item, in order.
     #[doc(hidden)]
     fn leaves(add: &mut dyn FnMut(Leaf<Self::Scalar>));
-    /// Adds the targets of results, one per shape of a row.
+    /// Adds the targets of results, one per shape of an item.
     #[doc(hidden)]
     fn targets<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>));
 }
@@ -112,8 +112,8 @@ impl<R: Item> Results for R {
     }
 }
 
-/// A result `Y` and its Jacobian with respect to an input `X`: many results, as always, and a vector with a Jacobian
-/// per item, which is the result's shape with the gradient, of the input's shape, in the place of every number.
+/// A result `Y` with its Jacobian with respect to an input `X`. A batch gives its results as always, and a vector of
+/// Jacobians. A Jacobian is a `Y` with a gradient, an `X`, in the place of every number.
 #[derive(Clone, Copy, Debug)]
 pub struct WithJacobian<Y, X>(PhantomData<fn(X) -> Y>);
 
@@ -176,7 +176,7 @@ pub(crate) const fn width<P: Fixed>() -> usize {
 /// A shape from the numbers of a column.
 pub(crate) fn get<P: Fixed<Scalar: Real>>(numbers: &[P::Scalar]) -> P {
     let shape = P::load(numbers);
-    // A constant, so that nobody compiles the rest for a shape without codes; so are those below.
+    // A `const` condition: the rest is not compiled for shapes without codes.
     if const { P::CODES == 0 } {
         return shape;
     }
@@ -185,7 +185,7 @@ pub(crate) fn get<P: Fixed<Scalar: Real>>(numbers: &[P::Scalar]) -> P {
 
 /// Codes that are numbers of a column.
 fn codes_of<T: Real>(numbers: &[T]) -> Vec<u32> {
-    // Codes beyond what a number of the format holds exactly are beyond any shape's size.
+    // Exact in `f32` up to 2²⁴.
     let code = |&x: &T| crate::scalar::float::Float::widen(x) as u32;
     numbers.iter().map(code).collect()
 }
@@ -200,7 +200,8 @@ pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
     }
 }
 
-/// The numbers of a row, which come shape by shape, as all scalars and then all codes.
+/// Takes the numbers of an item in the order of columns, the scalars and codes of each shape. Returns them in the order
+/// of [`Fixed::load`]: all scalars, then all codes.
 pub(crate) fn by_kind<R: Item>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
     if const { R::CODES == 0 } {
         return numbers.to_vec();
@@ -218,7 +219,7 @@ pub(crate) fn by_kind<R: Item>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
     scalars
 }
 
-/// All scalars of a row, and all codes, shape by shape.
+/// The inverse of [`by_kind`]: writes scalars and codes shape by shape.
 pub(crate) fn by_shape<R: Item>(
     mut scalars: &[R::Scalar],
     codes: &[u32],
@@ -239,7 +240,7 @@ pub(crate) fn by_shape<R: Item>(
     });
 }
 
-/// The leaf of a shape that is one.
+/// The layout of an item that is a single shape.
 #[doc(hidden)]
 pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
     Leaf {
@@ -271,17 +272,17 @@ fn all_valid<P: Item + Validate>() -> fn(&[P::Scalar]) -> bool {
     }
 }
 
-/// All leaves of a row.
+/// The layouts of all shapes of an item.
 pub(crate) fn leaves_of<P: Item>() -> Vec<Leaf<P::Scalar>> {
     let mut all = Vec::new();
     P::leaves(&mut |leaf| all.push(leaf));
     all
 }
 
-/// A row that is one shape.
+/// An item that is one shape.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! __row_of_one {
+macro_rules! __item_of_one {
     () => {
         type Many = ::std::vec::Vec<Self>;
         fn many(count: usize) -> Self::Many {
@@ -289,7 +290,7 @@ macro_rules! __row_of_one {
             ::std::vec![<Self as $crate::Fixed>::filled(zero); count]
         }
         fn leaves(add: &mut dyn FnMut($crate::kernels::item::Leaf<Self::Scalar>)) {
-            // An array of none takes no column.
+            // A shape without numbers, such as `[T; 0]`, has no column.
             if <Self as $crate::Fixed>::LEN > 0 {
                 add($crate::kernels::item::leaf::<Self>());
             }
@@ -306,17 +307,17 @@ macro_rules! __row_of_one {
 }
 
 impl Item for f32 {
-    crate::__row_of_one!();
+    crate::__item_of_one!();
 }
 impl Item for f64 {
-    crate::__row_of_one!();
+    crate::__item_of_one!();
 }
 
 impl<P: Item + Validate, const N: usize> Item for [P; N] {
-    crate::__row_of_one!();
+    crate::__item_of_one!();
 }
 
-/// Rows of several shapes.
+/// Items of several shapes.
 macro_rules! tuples {
     ($($first:ident $($name:ident)*;)*) => { $(
         impl<$first: Item, $($name: Item<Scalar = $first::Scalar>),*> Item for ($first, $($name,)*) {
@@ -341,14 +342,14 @@ macro_rules! tuples {
 }
 tuples!(A B; A B C; A B C D; A B C D E; A B C D E F;);
 
-/// The targets of results, one per shape of a row.
+/// The targets of results, one per shape of an item.
 pub(crate) fn targets_of<P: Item>(many: &mut P::Many) -> Vec<Target<'_, P::Scalar>> {
     let mut all = Vec::new();
     P::targets(many, &mut |target| all.push(target));
     all
 }
 
-/// A shape that is one, and not a tuple: lists of rows or columns consist of such.
+/// A single shape, not a tuple: the lists of all pairs consist of such.
 pub trait Single: Item<Many = Vec<Self>> {}
 impl<P: Item<Many = Vec<P>>> Single for P {}
 
@@ -493,12 +494,13 @@ pub struct One<P>(pub P);
 pub trait Columns {
     /// The arguments of one item.
     type Item: Item;
-    /// The side that has them and their results: this machine or the one that computes.
+    /// The place of the columns and their results: the memory of the program or the machine.
     type Place: Place;
-    /// The columns, one per shape of a row.
+    /// The columns, one per shape of an item.
     #[doc(hidden)]
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <Self::Item as Pack>::Scalar>));
-    /// The items, each a shape, as one column: a list of all pairs.
+    /// The items as one column, for a list of all pairs. By default the first column: an item of a list is a [`Single`],
+    /// which has no other.
     #[doc(hidden)]
     fn list_of_shapes(&self) -> Column<'_, <Self::Item as Pack>::Scalar> {
         let mut first = None;
@@ -519,36 +521,23 @@ fn list_slice<'a, P: Item>(shapes: &'a [P], add: &mut dyn FnMut(Column<'a, P::Sc
     }
 }
 
-impl<P: Item> Columns for &[P] {
-    type Item = P;
-    type Place = Here;
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
-        list_slice(self, add);
-    }
-    fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
-        Column::of(self)
-    }
+/// Shapes in memory.
+macro_rules! slices {
+    ($(($($length:tt)*) $list:ty;)*) => { $(
+        impl<P: Item $($length)*> Columns for $list {
+            type Item = P;
+            type Place = Here;
+            fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
+                list_slice(&self[..], add);
+            }
+            fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
+                Column::of(&self[..])
+            }
+        }
+    )* };
 }
-impl<P: Item> Columns for &Vec<P> {
-    type Item = P;
-    type Place = Here;
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
-        list_slice(self, add);
-    }
-    fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
-        Column::of(self)
-    }
-}
-impl<P: Item, const N: usize> Columns for &[P; N] {
-    type Item = P;
-    type Place = Here;
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
-        list_slice(&self[..], add);
-    }
-    fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
-        Column::of(&self[..])
-    }
-}
+slices!(() &[P]; () &Vec<P>; (, const N: usize) &[P; N];);
+
 impl<P: Item> Columns for One<P> {
     type Item = P;
     type Place = Here;
@@ -591,7 +580,7 @@ macro_rules! columns {
 }
 columns!(A B; A B C; A B C D; A B C D E; A B C D E F;);
 
-/// Takes the numbers of results, one after another.
+/// Makes shapes of numbers, one after another.
 type Write<'a, T> = Box<dyn FnOnce(&[T]) + Send + 'a>;
 
 /// The memory for one shape of every result.
@@ -606,11 +595,12 @@ pub struct Target<'a, T> {
 pub(crate) enum Piece<'a, T> {
     /// Numbers as they lie in memory.
     Lent(&'a mut [T]),
-    /// Numbers on their way to shapes that hold more than numbers.
+    /// Room for numbers, and the function that makes shapes of them: for shapes that cannot be written as a slice of
+    /// numbers.
     Written(Vec<T>, Write<'a, T>),
 }
 
-/// Items per piece of work: enough to be worth a thread's while.
+/// Items per piece of work.
 pub(crate) const STRETCH: usize = 2048;
 
 /// Shapes as a target.

@@ -284,7 +284,7 @@ fn row(writer: &Writer<'_>) -> String {
     format!(
         "#[automatically_derived]
         impl{generics} __g::Item for {of} where {of}: __g::Validate {{
-            ::geograd::__row_of_one!();
+            ::geograd::__item_of_one!();
         }}"
     )
 }
