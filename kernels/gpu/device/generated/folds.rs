@@ -5,7 +5,7 @@ use crate::ad::program::WGSL;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::checked::{check_upstream, numbers};
 use crate::kernels::cpu::folds::{self, Folding, Input, Programs, Sizes, VertexBars};
-use crate::kernels::cpu::nearest::Spans;
+use crate::kernels::cpu::nearest::PathSpans;
 use crate::kernels::cpu::program::split::Piece;
 use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::work::Work;
@@ -292,12 +292,12 @@ impl<'a> Listed<'a> {
     fn new(input: &'a Input<'_, f32>) -> Result<Self, Error> {
         let numbers = &input.vertices[..];
         Ok(match input.spans {
-            Spans::Ragged(offsets) => Listed {
+            PathSpans::Ragged(offsets) => Listed {
                 offsets: offsets.into(),
                 numbers,
                 shared: None,
             },
-            Spans::Shared(paths, length) => {
+            PathSpans::Shared(paths, length) => {
                 paths.checked_mul(length).ok_or(Error::TooLarge)?;
                 Listed {
                     offsets: (0..=paths).map(|k| k * length).collect(),
