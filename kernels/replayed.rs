@@ -6,7 +6,7 @@ use crate::ad::program::recorded::Recorded;
 use crate::kernels::decision::Search;
 use crate::kernels::derivation::{Mode, Order, Replays, Step};
 use crate::kernels::item::{Item, by_kind, by_shape, get, width};
-use crate::kernels::recording::derived;
+use crate::kernels::recording::by_reverse;
 #[cfg(feature = "gpu")]
 use crate::kernels::replays::{Replay, instructions};
 use crate::{Fixed, Pack, Real};
@@ -124,7 +124,7 @@ where
         for step in &self.steps {
             recorded = match *step {
                 Step::Mode(Mode::Vjp) => recorded.vjp(),
-                Step::Mode(mode) => derived(&recorded, mode),
+                Step::Mode(mode) => by_reverse(&recorded, mode),
                 Step::Along(Order::First) => recorded.jvp(),
                 Step::Along(Order::Second) => recorded.hvp(),
             };

@@ -97,7 +97,7 @@ impl<R: Item> Results for R {
         R::many(count)
     }
     fn widths() -> Vec<usize> {
-        leaves_of::<R>().iter().map(|leaf| leaf.fields).collect()
+        widths::<R>()
     }
     fn places<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>)) {
         R::targets(many, add);
@@ -121,8 +121,9 @@ where
         (Y::many(count), vec![gradient; count])
     }
     fn widths() -> Vec<usize> {
-        let own = leaves_of::<Y>().into_iter().map(|leaf| leaf.fields);
-        own.chain([Y::LEN * width::<X>()]).collect()
+        let mut all = widths::<Y>();
+        all.push(Y::LEN * width::<X>());
+        all
     }
     fn places<'a>(
         (results, all): &'a mut Self::Many,
@@ -269,6 +270,11 @@ pub(crate) fn leaves_of<P: Item>() -> Vec<Leaf<P::Scalar>> {
     let mut all = Vec::new();
     P::leaves(&mut |leaf| all.push(leaf));
     all
+}
+
+/// Numbers of every shape of an item.
+pub(crate) fn widths<P: Item>() -> Vec<usize> {
+    leaves_of::<P>().iter().map(|leaf| leaf.fields).collect()
 }
 
 /// An item that is one shape.

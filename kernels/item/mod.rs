@@ -9,5 +9,5 @@ mod layout;
 pub use column::{Column, Columns, One};
 pub use layout::{Item, Leaf, Results, Single, Target, WithJacobian, leaf, target};
 pub(crate) use layout::{
-    Piece, STRETCH, by_kind, by_shape, get, jacobians, leaves_of, put, targets_of, width,
+    Piece, STRETCH, by_kind, by_shape, get, jacobians, leaves_of, put, targets_of, width, widths,
 };
