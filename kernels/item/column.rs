@@ -153,8 +153,8 @@ pub trait Columns {
     /// The columns, one per shape of an item.
     #[doc(hidden)]
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <Self::Item as Pack>::Scalar>));
-    /// The items as one column, for a list of all pairs. By default the first column: an item of a list is a [`Single`],
-    /// which has no other.
+    /// The items as one column, for a list of all pairs. By default the first column: an item of a list is a
+    /// [`Single`](super::Single), which has no other.
     #[doc(hidden)]
     fn list_of_shapes(&self) -> Column<'_, <Self::Item as Pack>::Scalar> {
         let mut first = None;

@@ -22,8 +22,8 @@ impl<E: ?Sized> Machine<E> {
     /// # Errors
     ///
     /// [`Error::Offsets`] for offsets that decrease or do not cover the vertices. [`Error::Length`] if there are not as
-    /// many contexts as paths. [`Error::Invalid`] for a vertex or context that is not valid. A GPU also returns [`Error::Gpu`], with [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a path that
-    /// fits no buffer.
+    /// many contexts as paths. [`Error::Invalid`] for a vertex or context that is not valid. A GPU also returns
+    /// [`Error::Gpu`], with [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a path that fits no buffer.
     ///
     /// ```
     /// use geograd::kernels::{Backend, Cpu, One, SignedDistance};
