@@ -36,7 +36,7 @@ impl<T: Real> Recording<T> {
         let value = self.program(Mode::Value)?;
         // The slopes that the row states, where it states its own.
         let value = match &self.body {
-            Body::Map(line) if self.outputs == [1] && line.derivatives == Derivative::ByHand => {
+            Body::Line(line) if self.outputs == [1] && line.derivatives == Derivative::ByHand => {
                 Arc::new(value.with_gradient_after_result(&*self.program(Mode::ValueGrad)?))
             }
             _ => value,

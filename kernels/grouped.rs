@@ -2,7 +2,7 @@
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check, expect};
-use crate::kernels::cpu::grouped::Spans;
+use crate::kernels::cpu::grouped::GroupSpans;
 use crate::kernels::cpu::{Cpu, Single};
 use crate::kernels::formats::drivers_in;
 use crate::kernels::item::{Column, Columns};
@@ -48,12 +48,12 @@ impl<'a> Groups<'a> {
         [self.a, self.b]
     }
     /// Checks the offsets of lists of such lengths.
-    pub(crate) fn spans(self, counts: [usize; 2]) -> Result<Spans<'a>, Error> {
+    pub(crate) fn spans(self, counts: [usize; 2]) -> Result<GroupSpans<'a>, Error> {
         for (k, offsets) in self.offsets().into_iter().enumerate() {
             check_groups(Argument::input(k), counts[k], offsets)?;
         }
         expect(Argument::Groups, self.a.len() - 1, self.b.len() - 1)?;
-        Ok(Spans {
+        Ok(GroupSpans {
             a: self.a,
             b: self.b,
         })

@@ -12,7 +12,7 @@ pub use crate::kernels::derivation::Mode;
 use crate::kernels::derivation::Replays;
 pub(crate) use crate::kernels::derivation::{Order, Step};
 use crate::kernels::formats::drivers_in;
-use crate::kernels::item::{Item, Leaf, leaves_of};
+use crate::kernels::item::Leaf;
 use crate::kernels::limits::Derivative;
 use crate::{Real, Scalar, Unrecordable};
 use std::any::{Any, TypeId};
@@ -20,17 +20,20 @@ use std::collections::HashMap;
 use std::fmt;
 use std::hash::Hash;
 use std::marker::PhantomData;
-use std::sync::{Arc, PoisonError, RwLock};
+use std::sync::{Arc, LazyLock, PoisonError, RwLock};
 
-/// A straight line as functions of lists of symbols: all that is made of one is compiled once.
+/// A straight line without its types: functions of lists of symbols, so that code that records and differentiates is
+/// compiled once.
 pub(crate) struct Line<T: 'static> {
     /// The type of its operation.
     pub(crate) id: fn() -> TypeId,
     /// The source of its derivatives.
     pub(crate) derivatives: Derivative,
-    /// Numbers of its input and of its result, and codes of both.
+    /// Numbers of its input.
     pub(crate) inputs: usize,
+    /// Numbers of its result.
     pub(crate) outputs: usize,
+    /// Codes of both.
     pub(crate) codes: usize,
     /// The function.
     pub(crate) eval: fn(&[Sym<T>]) -> Vec<Sym<T>>,
@@ -38,7 +41,7 @@ pub(crate) struct Line<T: 'static> {
     pub(crate) adjoint: fn(&[Sym<T>], &[Sym<T>]) -> Vec<Sym<T>>,
 }
 
-/// A search and what is derived of it, by what machines need of it.
+/// A search, or a derivative of one, as machines take it.
 pub(crate) struct Searched<T> {
     /// The plan by which the CPU decides and computes the search itself, item by item.
     pub(crate) plan: fn(Mode) -> Face<T>,
@@ -49,7 +52,7 @@ pub(crate) struct Searched<T> {
 }
 
 impl<T> Searched<T> {
-    /// What is one step further.
+    /// The same with one more derivative.
     pub(crate) fn then(&self, step: Step) -> Self {
         let steps = [&self.steps[..], &[step]].concat();
         let (plan, replays) = (self.plan, self.replays);
@@ -63,12 +66,13 @@ impl<T> Searched<T> {
     pub(crate) fn replays(&self, mode: Mode) -> Arc<dyn Replays<T>> {
         (self.replays)(self.then(Step::Mode(mode)).steps)
     }
-    /// Numbers of every shape that comes out of a mode. A Jacobian has gradients of numbers alone: results of a
-    /// derivative may have codes, which count among `outputs`.
+    /// Numbers of every shape that a mode gives. A Jacobian has a gradient per scalar of the result; `outputs` counts
+    /// codes, too.
     pub(crate) fn gives(&self, mode: Mode, takes: &[usize], outputs: &[usize]) -> Vec<usize> {
         match mode {
             Mode::Jacobian => {
                 let [numbers, all] = self.replays(mode).sizes();
+                // `all` is `rows` results and `numbers` derivatives of each.
                 let rows = all / (1 + numbers);
                 [outputs, &[rows * takes.iter().sum::<usize>()]].concat()
             }
@@ -80,8 +84,8 @@ impl<T> Searched<T> {
 /// The body of a function.
 pub(crate) enum Body<T: 'static> {
     /// A straight line, which is recorded when it is first needed.
-    Map(&'static Line<T>),
-    /// A graph that is there.
+    Line(&'static Line<T>),
+    /// A recorded graph.
     Graph(Arc<Recorded>),
     /// A search: decisions, then a straight line for every record.
     Search(Searched<T>),
@@ -92,13 +96,19 @@ pub(crate) enum Body<T: 'static> {
 pub(crate) enum Key {
     /// The program of a mode.
     Program(Mode),
-    /// The plan of the CPU, and whether shapes are prepared once for all pairs.
+    /// The plan of the CPU; `true` for all pairs, with shapes prepared once.
     Cpu(Mode, bool),
     /// The kernels of a GPU, likewise.
-    #[cfg_attr(not(feature = "gpu"), expect(dead_code, reason = "only a GPU asks"))]
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "used with the feature gpu")
+    )]
     Gpu(Mode, bool),
     /// The replays of a search.
-    #[cfg_attr(not(feature = "gpu"), expect(dead_code, reason = "only a GPU asks"))]
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "used with the feature gpu")
+    )]
     Replays(Mode),
     /// A derivative as a function.
     Derived(Mode),
@@ -106,15 +116,22 @@ pub(crate) enum Key {
     Along(Order),
 }
 
-/// Things kept with a recording: programs of modes, plans of machines, derivatives.
-#[derive(Default)]
-pub(crate) struct Kept(RwLock<HashMap<Key, Made>>);
+type Made = Arc<dyn Any + Send + Sync>;
 
-impl Kept {
-    /// Something that is made once.
+/// Things of any type that are made once each, by their keys.
+pub(crate) struct Once<K>(RwLock<HashMap<K, Made>>);
+
+impl<K> Default for Once<K> {
+    fn default() -> Self {
+        Once(RwLock::default())
+    }
+}
+
+impl<K: Eq + Hash> Once<K> {
+    /// The thing of a key, made on first use. A key stands for one type.
     pub(crate) fn made<X: Send + Sync + 'static>(
         &self,
-        key: Key,
+        key: K,
         make: &dyn Fn() -> Result<X, Error>,
     ) -> Result<Arc<X>, Error> {
         let known = self.0.read().unwrap_or_else(PoisonError::into_inner);
@@ -125,6 +142,7 @@ impl Kept {
             None => {
                 let made: Made = Arc::new(make()?);
                 let mut known = self.0.write().unwrap_or_else(PoisonError::into_inner);
+                // If two threads made one, both use the first.
                 Arc::clone(known.entry(key).or_insert(made))
             }
         };
@@ -133,6 +151,9 @@ impl Kept {
             .unwrap_or_else(|_| unreachable!("a key stands for one type")))
     }
 }
+
+/// Things kept with a recording: programs of modes, plans of machines, derivatives.
+pub(crate) type Kept = Once<Key>;
 
 /// A function as machines run it: its layouts, its body, and what was made of it.
 pub struct Recording<T: Real> {
@@ -147,8 +168,6 @@ pub struct Recording<T: Real> {
     pub(crate) body: Body<T>,
     made: Kept,
 }
-
-type Made = Arc<dyn Any + Send + Sync>;
 
 /// The parts of a recording of a straight line.
 pub(crate) struct Parts<T: Real> {
@@ -169,8 +188,8 @@ impl<T: Real> fmt::Debug for Recording<T> {
     }
 }
 
-/// All recordings of rows, folds and plain functions so far, by the type of the function and that of the recording.
-static KNOWN: RwLock<Option<HashMap<(TypeId, TypeId), Made>>> = RwLock::new(None);
+/// Recordings and programs of all functions, by the type of the function and that of what is kept.
+static KNOWN: LazyLock<Once<(TypeId, TypeId)>> = LazyLock::new(Once::default);
 
 /// The recording of a function, which is made once per type and format.
 pub(crate) fn known<F: 'static, X: Send + Sync + 'static>(
@@ -184,23 +203,7 @@ fn known_by<X: Send + Sync + 'static>(
     function: TypeId,
     make: &dyn Fn() -> Result<X, Error>,
 ) -> Result<Arc<X>, Error> {
-    let key = (function, TypeId::of::<X>());
-    let known = KNOWN.read().unwrap_or_else(PoisonError::into_inner);
-    let found = known.as_ref().and_then(|known| known.get(&key)).cloned();
-    drop(known);
-    let found = match found {
-        Some(found) => found,
-        None => {
-            let made: Made = Arc::new(make()?);
-            let mut known = KNOWN.write().unwrap_or_else(PoisonError::into_inner);
-            let known = known.get_or_insert_default();
-            // The first one counts, so that all callers share it.
-            Arc::clone(known.entry(key).or_insert(made))
-        }
-    };
-    Ok(found
-        .downcast()
-        .unwrap_or_else(|_| unreachable!("a key stands for one type")))
+    KNOWN.made((function, TypeId::of::<X>()), make)
 }
 
 impl<T: Real> Recording<T> {
@@ -230,7 +233,7 @@ impl<T: Real> Recording<T> {
                     (parts.takes)(),
                     (parts.outputs)(),
                     parts.arguments,
-                    Body::Map(parts.line),
+                    Body::Line(parts.line),
                 )
             })
         });
@@ -246,7 +249,7 @@ impl<T: Real> Recording<T> {
         self.made.made(key, make)
     }
 
-    /// The same function with nothing made of it yet.
+    /// A copy by its program, with no plans yet; an error for a search.
     #[cfg(feature = "gpu")]
     pub(crate) fn copied(&self) -> Result<Self, Error> {
         Ok(Recording {
@@ -263,9 +266,11 @@ impl<T: Real> Recording<T> {
     /// The program of a mode: the result, or the result and derivatives, from the input and then the cotangent.
     pub(crate) fn program(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
         match &self.body {
-            Body::Map(line) => line.program(mode),
+            Body::Line(line) => line.program(mode),
             Body::Graph(recorded) if mode == Mode::Value => Ok(Arc::clone(recorded)),
-            Body::Graph(recorded) => self.made(Key::Program(mode), &|| Ok(derived(recorded, mode))),
+            Body::Graph(recorded) => {
+                self.made(Key::Program(mode), &|| Ok(by_reverse(recorded, mode)))
+            }
             Body::Search(_) => Err(Error::Program(Unrecordable::Search)),
         }
     }
@@ -297,13 +302,8 @@ impl<T: Real> Recording<T> {
     }
 }
 
-/// Numbers of every shape of a result.
-pub(crate) fn widths<Y: Item>() -> Vec<usize> {
-    leaves_of::<Y>().iter().map(|leaf| leaf.fields).collect()
-}
-
-/// The program of a mode of a function that is recorded.
-pub(crate) fn derived(value: &Recorded, mode: Mode) -> Recorded {
+/// The program of a mode, by reverse accumulation; that of `Vjp` gives the result first.
+pub(crate) fn by_reverse(value: &Recorded, mode: Mode) -> Recorded {
     match mode {
         Mode::Value => value.clone(),
         Mode::ValueGrad => value.value_grad(),
@@ -341,7 +341,7 @@ impl<T: Real> Line<T> {
             (Derivative::ByHand, _) => listed(self.inputs, TRIALS, &|input| {
                 (self.adjoint)(input, &vec![Sym::lit(1.0); self.outputs])
             })?,
-            (Derivative::Reverse, _) => derived(&*value()?, mode),
+            (Derivative::Reverse, _) => by_reverse(&*value()?, mode),
             (Derivative::Forward, Mode::Jacobian) => value()?.value_jacobian_forwards(),
             (Derivative::Forward, Mode::Vjp) => value()?.value_vjp_forwards(),
             (Derivative::Forward, _) => value()?.value_jacobian_forwards(),

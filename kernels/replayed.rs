@@ -1,4 +1,4 @@
-//! Replays of a search in a format, recorded once for every record that occurs.
+//! The replays of a search as programs: one for every record that occurs, in `f32` or `f64`.
 use crate::Error;
 use crate::ad::program::Sym;
 use crate::ad::program::record::record_with_codes;
@@ -6,20 +6,20 @@ use crate::ad::program::recorded::Recorded;
 use crate::kernels::decision::Search;
 use crate::kernels::derivation::{Mode, Order, Replays, Step};
 use crate::kernels::item::{Item, by_kind, by_shape, get, width};
-use crate::kernels::recording::derived;
+use crate::kernels::recording::by_reverse;
 #[cfg(feature = "gpu")]
 use crate::kernels::replays::{Replay, instructions};
 use crate::{Fixed, Pack, Real};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
 
-/// Records that are kept; beyond that many all are recorded anew.
-const MOST_KNOWN: usize = 1 << 14;
+/// Programs that a search keeps; one more, and all are dropped. A bound of memory.
+const MOST_KEPT: usize = 1 << 14;
 
-/// What is known by codes and record.
-type Known<D, X> = RwLock<HashMap<(Vec<u32>, <D as Search>::Record), Arc<X>>>;
+/// Something for every pair of an input's codes and a record.
+type Cache<D, X> = RwLock<HashMap<(Vec<u32>, <D as Search>::Record), Arc<X>>>;
 
-/// Numbers that lie together in an item or a result.
+/// A run of numbers of an item or a result.
 #[derive(Clone, Copy, Debug)]
 enum Block {
     /// Those of the search's input, or of a gradient or direction, which has the input's codes.
@@ -28,14 +28,27 @@ enum Block {
     Plain(usize),
 }
 
-struct Of<D: Search, T> {
+impl Block {
+    /// Its numbers in a program, which has no codes, and in a column.
+    const fn sizes<R: Item>(self) -> [usize; 2] {
+        match self {
+            Block::Input => [R::LEN, width::<R>()],
+            Block::Plain(count) => [count, count],
+        }
+    }
+}
+
+/// The replays of the search `D` in the format `T`, differentiated.
+struct Differentiated<D: Search, T> {
     steps: Vec<Step>,
-    /// What the function takes, and what it gives.
+    /// Blocks of an item.
     takes: Vec<Block>,
+    /// Blocks of a result.
     gives: Vec<Block>,
-    known: Known<D, Recorded>,
+    programs: Cache<D, Recorded>,
+    /// Replays as instructions, for a GPU.
     #[cfg(feature = "gpu")]
-    codes: Known<D, Replay>,
+    replays: Cache<D, Replay>,
     format: std::marker::PhantomData<fn() -> T>,
 }
 
@@ -72,81 +85,74 @@ where
             }
         }
     }
-    Arc::new(Of::<D, R::Scalar> {
+    Arc::new(Differentiated::<D, R::Scalar> {
         steps,
         takes,
         gives,
-        known: RwLock::default(),
+        programs: RwLock::default(),
         #[cfg(feature = "gpu")]
-        codes: RwLock::default(),
+        replays: RwLock::default(),
         format: std::marker::PhantomData,
     })
 }
 
 /// The numbers of some blocks in a program, which has no codes.
 fn numbers_of<R: Item>(blocks: &[Block]) -> usize {
-    let one = |block: &Block| match *block {
-        Block::Input => R::LEN,
-        Block::Plain(count) => count,
-    };
-    blocks.iter().map(one).sum()
+    blocks.iter().map(|block| block.sizes::<R>()[0]).sum()
 }
 
-/// Something that is made once by its key.
+/// The value of a key, made on first use. Two threads may make it; the first is kept.
 fn made<D: Search, X>(
-    all: &Known<D, X>,
+    all: &Cache<D, X>,
     key: (Vec<u32>, D::Record),
     make: impl FnOnce(&[u32], D::Record) -> Result<X, Error>,
 ) -> Result<Arc<X>, Error> {
-    let known = all.read().unwrap_or_else(PoisonError::into_inner);
-    if let Some(found) = known.get(&key) {
+    let kept = all.read().unwrap_or_else(PoisonError::into_inner);
+    if let Some(found) = kept.get(&key) {
         return Ok(Arc::clone(found));
     }
-    drop(known);
+    drop(kept);
     let made = Arc::new(make(&key.0, key.1)?);
-    let mut known = all.write().unwrap_or_else(PoisonError::into_inner);
-    if known.len() >= MOST_KNOWN {
-        known.clear();
+    let mut kept = all.write().unwrap_or_else(PoisonError::into_inner);
+    if kept.len() >= MOST_KEPT {
+        kept.clear();
     }
-    Ok(Arc::clone(known.entry(key).or_insert(made)))
+    Ok(Arc::clone(kept.entry(key).or_insert(made)))
 }
 
-impl<D: Search, T: Real> Of<D, T>
+impl<D: Search, T: Real> Differentiated<D, T>
 where
     D::In<T>: Item<Scalar = T>,
 {
     /// Records a replay and differentiates it.
-    fn record(&self, codes: &[u32], record: D::Record) -> Result<Recorded, Error> {
+    fn program(&self, codes: &[u32], record: D::Record) -> Result<Recorded, Error> {
         type In<D, T> = <D as Search>::In<Sym<T>>;
         type Out<D, T> = <D as Search>::Out<Sym<T>>;
         let replay = |x: In<D, T>| D::replay::<Sym<T>>(x, record);
         let mut recorded = record_with_codes::<T, In<D, T>, Out<D, T>>(codes, replay)?;
         for step in &self.steps {
             recorded = match *step {
+                // Without the result, which [`by_reverse`] gives first: a replay gives the derivative alone.
                 Step::Mode(Mode::Vjp) => recorded.vjp(),
-                Step::Mode(mode) => derived(&recorded, mode),
+                Step::Mode(mode) => by_reverse(&recorded, mode),
                 Step::Along(Order::First) => recorded.jvp(),
                 Step::Along(Order::Second) => recorded.hvp(),
             };
         }
         Ok(recorded)
     }
-    /// Codes and record of an item, whose numbers without codes are appended.
+    /// Codes and record of an item; appends its numbers without codes to `taken`.
     fn key(&self, numbers: &[T], taken: &mut Vec<T>) -> (Vec<u32>, D::Record) {
         let mut rest = numbers;
         for block in &self.takes {
-            match *block {
+            let (own, others) = rest.split_at(block.sizes::<D::In<T>>()[1]);
+            match block {
                 Block::Input => {
-                    let (own, others) = rest.split_at(width::<D::In<T>>());
                     taken.extend_from_slice(&by_kind::<D::In<T>>(own)[..D::In::<T>::LEN]);
-                    rest = others;
                 }
-                Block::Plain(count) => {
-                    let (own, others) = rest.split_at(count);
-                    taken.extend_from_slice(own);
-                    rest = others;
-                }
+                Block::Plain(_) => taken.extend_from_slice(own),
             }
+            rest = others;
         }
         let input = input::<D, T>(numbers);
         (input.codes(), D::decide::<T>(input))
@@ -161,19 +167,21 @@ where
     get::<D::In<T>>(&by_kind::<D::In<T>>(&numbers[..width::<D::In<T>>()]))
 }
 
-impl<D: Search, T: Real> Replays<T> for Of<D, T>
+impl<D: Search, T: Real> Replays<T> for Differentiated<D, T>
 where
     D::In<T>: Item<Scalar = T>,
 {
     fn decide(&self, numbers: &[T], taken: &mut Vec<T>) -> Result<Arc<Recorded>, Error> {
         let key = self.key(numbers, taken);
-        made::<D, _>(&self.known, key, |codes, record| self.record(codes, record))
+        made::<D, _>(&self.programs, key, |codes, record| {
+            self.program(codes, record)
+        })
     }
     #[cfg(feature = "gpu")]
     fn instructions(&self, numbers: &[T], taken: &mut Vec<T>) -> Result<Arc<Replay>, Error> {
         let key = self.key(numbers, taken);
-        made::<D, _>(&self.codes, key, |codes, record| {
-            let recorded = self.record(codes, record)?;
+        made::<D, _>(&self.replays, key, |codes, record| {
+            let recorded = self.program(codes, record)?;
             let value = &recorded.value;
             instructions(&value.graph, recorded.inputs, &value.outputs)
         })
@@ -185,10 +193,7 @@ where
         let codes = input::<D, T>(numbers).codes();
         let (mut found, mut row) = (found, row);
         for block in &self.gives {
-            let [from, to] = match *block {
-                Block::Input => [D::In::<T>::LEN, width::<D::In<T>>()],
-                Block::Plain(count) => [count, count],
-            };
+            let [from, to] = block.sizes::<D::In<T>>();
             let (own, others) = found.split_at(from);
             let (place, after) = row.split_at_mut(to);
             match block {

@@ -6,9 +6,9 @@
 use crate::error::Error;
 use crate::kernels::cpu::plan::{Face, of_items};
 pub use crate::kernels::decision::Search;
-use crate::kernels::item::{Item, by_kind, by_shape, get, leaves_of, width};
+use crate::kernels::item::{Item, by_kind, by_shape, get, leaves_of, width, widths};
 use crate::kernels::op::{Function, Hvp, Jacobian, Jvp, ValueGrad, Vjp};
-use crate::kernels::recording::{self, Body, Call, Mode, Recording, known, widths};
+use crate::kernels::recording::{self, Body, Call, Mode, Recording, known};
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::sync::Arc;
 

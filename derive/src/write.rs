@@ -148,7 +148,7 @@ fn about(form: &Form, [a, b]: [&str; 2], depth: usize, compare: (&str, &str)) ->
 /// All implementations.
 pub fn impls(shape: &Shape) -> TokenStream {
     let writer = Writer { shape };
-    let mut text = pack(&writer) + &fixed(&writer) + &row(&writer);
+    let mut text = pack(&writer) + &fixed(&writer) + &item(&writer);
     if !writer.leaves("Validate") {
         text += &validate(&writer);
     }
@@ -278,13 +278,13 @@ fn fixed(writer: &Writer<'_>) -> String {
     )
 }
 
-fn row(writer: &Writer<'_>) -> String {
+fn item(writer: &Writer<'_>) -> String {
     let of = writer.of(&writer.shape.scalar);
     let generics = writer.generics("__g::Real");
     format!(
         "#[automatically_derived]
         impl{generics} __g::Item for {of} where {of}: __g::Validate {{
-            ::geograd::__row_of_one!();
+            ::geograd::__item_of_one!();
         }}"
     )
 }

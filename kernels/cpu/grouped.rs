@@ -25,14 +25,14 @@ const PIECE: usize = 1 << 18;
 /// Offsets of the groups of both lists, checked: group `g` has the rows `a[g]..a[g + 1]` and the columns
 /// `b[g]..b[g + 1]`.
 #[derive(Clone, Copy, Debug)]
-pub struct Spans<'a> {
+pub struct GroupSpans<'a> {
     /// Offsets of the first list.
     pub a: &'a [usize],
     /// Offsets of the second list.
     pub b: &'a [usize],
 }
 
-impl<'a> Spans<'a> {
+impl<'a> GroupSpans<'a> {
     fn count(&self) -> usize {
         self.a.len().saturating_sub(1)
     }
@@ -245,7 +245,10 @@ struct Piece<'p, T> {
 
 impl<T: Real> Piece<'_, T> {
     /// Its groups, counted from its own rows and columns.
-    fn groups<'s>(&self, spans: &'s Spans<'s>) -> impl Iterator<Item = [Range<usize>; 2]> + 's {
+    fn groups<'s>(
+        &self,
+        spans: &'s GroupSpans<'s>,
+    ) -> impl Iterator<Item = [Range<usize>; 2]> + 's {
         let [a, b] = self.from;
         let shifted = |span: Range<usize>, by: usize| span.start - by..span.end - by;
         self.groups
@@ -257,7 +260,7 @@ impl<T: Real> Piece<'_, T> {
 /// Runs every piece with its own entry of `work`, on all threads.
 fn each_piece<T: Real, W: Send>(
     pairs: &Pairs<'_, T>,
-    spans: &Spans<'_>,
+    spans: &GroupSpans<'_>,
     work: Vec<(Range<usize>, W)>,
     run: impl Fn(Piece<'_, T>, W) + Send + Sync,
 ) {
@@ -273,7 +276,7 @@ fn each_piece<T: Real, W: Send>(
 }
 
 /// Every pair within a group whose score is above the threshold, row by row and within a row by column.
-pub fn above<T: Real>(pairs: &Pairs<'_, T>, spans: Spans<'_>, threshold: T) -> Vec<Found<T>> {
+pub fn above<T: Real>(pairs: &Pairs<'_, T>, spans: GroupSpans<'_>, threshold: T) -> Vec<Found<T>> {
     let pieces = spans.pieces();
     let mut found = vec![Vec::new(); pieces.len()];
     let work = pieces.into_iter().zip(&mut found).collect();
@@ -308,7 +311,7 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, spans: Spans<'_>, threshold: T) -> V
 /// groups without columns, and columns of groups without rows.
 pub fn most<T: Real>(
     pairs: &Pairs<'_, T>,
-    spans: Spans<'_>,
+    spans: GroupSpans<'_>,
     of_rows: bool,
 ) -> Vec<Option<Best<T>>> {
     let side = usize::from(!of_rows);
@@ -372,7 +375,7 @@ pub fn suppress<T: Real>(
     offsets: &[usize],
     rules: Greed<'_, T>,
 ) -> Vec<usize> {
-    let spans = Spans {
+    let spans = GroupSpans {
         a: offsets,
         b: offsets,
     };

@@ -209,33 +209,33 @@ pub(crate) fn near_edges<T: Real, V: Vector<T>>(
 
 /// The ranges of the vertices of paths.
 #[derive(Clone, Copy, Debug)]
-pub enum Spans<'a> {
+pub enum PathSpans<'a> {
     /// Path i has the vertices between two offsets.
     Ragged(&'a [usize]),
     /// So many paths have all of them.
     Shared(usize, usize),
 }
 
-impl<'a> Spans<'a> {
+impl<'a> PathSpans<'a> {
     /// The offsets of paths, or of one path that is all that is shared, between its ends.
     pub(crate) const fn offsets(&self, ends: &'a [usize; 2]) -> &'a [usize] {
         match *self {
-            Spans::Ragged(offsets) => offsets,
-            Spans::Shared(..) => ends,
+            PathSpans::Ragged(offsets) => offsets,
+            PathSpans::Shared(..) => ends,
         }
     }
     /// How many paths there are.
     pub(crate) fn count(&self) -> usize {
         match *self {
-            Spans::Ragged(offsets) => offsets.len() - 1,
-            Spans::Shared(paths, _) => paths,
+            PathSpans::Ragged(offsets) => offsets.len() - 1,
+            PathSpans::Shared(paths, _) => paths,
         }
     }
     /// The vertices of a path.
     pub(crate) fn of(&self, path: usize) -> Range<usize> {
         match *self {
-            Spans::Ragged(offsets) => offsets[path]..offsets[path + 1],
-            Spans::Shared(_, vertices) => 0..vertices,
+            PathSpans::Ragged(offsets) => offsets[path]..offsets[path + 1],
+            PathSpans::Shared(_, vertices) => 0..vertices,
         }
     }
 }
@@ -257,13 +257,13 @@ const PIECE: usize = 1 << 14;
 pub fn sieved<T: Real>(
     points: &[Vec2<T>],
     vertices: &[Vec2<T>],
-    spans: Spans<'_>,
+    spans: PathSpans<'_>,
     closed: bool,
 ) -> Option<Vec<Sieved<T>>> {
     let mut one = Edges::default();
     let cuts = match spans {
-        Spans::Ragged(offsets) => cuts(offsets),
-        Spans::Shared(paths, length) => {
+        PathSpans::Ragged(offsets) => cuts(offsets),
+        PathSpans::Shared(paths, length) => {
             if !(kernels_in::<T>().all_finite)(&numbers(vertices)) {
                 return None;
             }
@@ -281,8 +281,8 @@ pub fn sieved<T: Real>(
         let mut own = Edges::default();
         for path in cut[0]..cut[1] {
             let edges = match spans {
-                Spans::Shared(..) => one,
-                Spans::Ragged(_) => {
+                PathSpans::Shared(..) => one,
+                PathSpans::Ragged(_) => {
                     let vertices = &vertices[spans.of(path)];
                     sieved.unsound |= !(kernels_in::<T>().all_finite)(&numbers(vertices));
                     own.set(vertices, closed);

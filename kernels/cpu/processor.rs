@@ -8,7 +8,7 @@ use crate::kernels::cpu::checked::{
 };
 use crate::kernels::cpu::folds::{self, Folding, Input, VertexBars};
 use crate::kernels::cpu::greedy;
-use crate::kernels::cpu::grouped::{self, Spans};
+use crate::kernels::cpu::grouped::{self, GroupSpans};
 use crate::kernels::cpu::pairs::{self, Pairs};
 use crate::kernels::cpu::plan::{Face, Shapes, plan};
 use crate::kernels::cpu::ragged::{measured, measured_vjp};
@@ -246,7 +246,7 @@ impl<T: Real> Engine<T> for Processor {
         &self,
         call: &Call<T>,
         lists: &[Column<'_, T>; 2],
-        groups: Spans<'_>,
+        groups: GroupSpans<'_>,
         reduction: GroupedReduction<T>,
     ) -> Result<Reduced<T>, Error> {
         let face = plan(call, true)?;

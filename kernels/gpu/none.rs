@@ -2,7 +2,7 @@
 //! both.
 use crate::kernels::Fold;
 use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
-use crate::kernels::cpu::grouped::Spans;
+use crate::kernels::cpu::grouped::GroupSpans;
 use crate::kernels::dynamic::Operation;
 use crate::kernels::item::Column;
 use crate::kernels::machine::{
@@ -81,7 +81,7 @@ impl Engine<f32> for Device {
         &self,
         _: &Call<f32>,
         _: &[Column<'_, f32>; 2],
-        _: Spans<'_>,
+        _: GroupSpans<'_>,
         _: GroupedReduction<f32>,
     ) -> Result<Reduced<f32>, Error> {
         match *self {}

@@ -5,7 +5,7 @@ use crate::kernels::One;
 use crate::kernels::cpu::check_offsets;
 use crate::kernels::cpu::checked::{expect, fill, numbers};
 use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
-use crate::kernels::cpu::nearest::Spans;
+use crate::kernels::cpu::nearest::PathSpans;
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Columns, Item};
 use crate::{Error, Fixed, Pack, Real};
@@ -21,10 +21,9 @@ impl<E: ?Sized> Machine<E> {
     ///
     /// # Errors
     ///
-    /// [`Error::Offsets`] for offsets that decrease or do not cover the vertices, [`Error::Length`] for
-    /// another number of contexts than paths, [`Error::Invalid`] for a vertex or context that is not
-    /// valid. A GPU also returns [`Error::Gpu`], with [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a path that
-    /// fits no buffer.
+    /// [`Error::Offsets`] for offsets that decrease or do not cover the vertices. [`Error::Length`] if there are not as
+    /// many contexts as paths. [`Error::Invalid`] for a vertex or context that is not valid. A GPU also returns
+    /// [`Error::Gpu`], with [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a path that fits no buffer.
     ///
     /// ```
     /// use geograd::kernels::{Backend, Cpu, One, SignedDistance};
@@ -47,16 +46,16 @@ impl<E: ?Sized> Machine<E> {
         F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
         C::Item: Pack<Scalar = V::Scalar>,
     {
-        self.folded::<F, C, V>(&context, vertices, Spans::Ragged(offsets))
+        self.folded::<F, C, V>(&context, vertices, PathSpans::Ragged(offsets))
     }
 
-    /// [`fold`](Machine::fold) for one path that all contexts share: one result per context; a single one where one
-    /// context stands for all, or contexts have no numbers.
+    /// [`fold`](Machine::fold) over one path for many contexts: one result per context. There is one result where a
+    /// [`One`] stands for all contexts, or where contexts have no numbers.
     ///
     /// # Errors
     ///
-    /// [`Error::Invalid`] for a vertex or context that is not valid, [`Error::Length`] for contexts of different
-    /// numbers; of a GPU as [`fold`](Machine::fold).
+    /// [`Error::Invalid`] for a vertex or context that is not valid, [`Error::Length`] for columns of contexts of
+    /// different lengths; of a GPU as [`fold`](Machine::fold).
     ///
     /// ```
     /// use geograd::kernels::{Cpu, SignedDistance};
@@ -80,7 +79,7 @@ impl<E: ?Sized> Machine<E> {
         F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
         C::Item: Pack<Scalar = V::Scalar>,
     {
-        let spans = Spans::Shared(contexts_of(&contexts), path.len());
+        let spans = PathSpans::Shared(contexts_of(&contexts), path.len());
         self.folded::<F, C, V>(&contexts, path, spans)
     }
 
@@ -89,7 +88,8 @@ impl<E: ?Sized> Machine<E> {
     ///
     /// # Errors
     ///
-    /// As [`fold`](Machine::fold), and for cotangents of another number or not finite.
+    /// As [`fold`](Machine::fold), and [`Error::Length`] for another count of cotangents than of results,
+    /// [`Error::Invalid`] for one that is not finite.
     pub fn fold_vjp<F, C: Columns, V: Fixed<Scalar: On<E>>>(
         &self,
         _fold: F,
@@ -102,7 +102,7 @@ impl<E: ?Sized> Machine<E> {
         F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
         C::Item: Pack<Scalar = V::Scalar>,
     {
-        self.pulled_back::<F, C, V>(&context, vertices, Spans::Ragged(offsets), upstream)
+        self.pulled_back::<F, C, V>(&context, vertices, PathSpans::Ragged(offsets), upstream)
     }
 
     /// The adjoint of [`fold_one`](Machine::fold_one): one cotangent per context, and one per vertex, added up over all
@@ -110,7 +110,8 @@ impl<E: ?Sized> Machine<E> {
     ///
     /// # Errors
     ///
-    /// As [`fold_one`](Machine::fold_one), and for cotangents of another number or not finite.
+    /// As [`fold_one`](Machine::fold_one), and [`Error::Length`] for another count of cotangents than of results,
+    /// [`Error::Invalid`] for one that is not finite.
     pub fn fold_one_vjp<F, C: Columns, V: Fixed<Scalar: On<E>>>(
         &self,
         _fold: F,
@@ -122,13 +123,14 @@ impl<E: ?Sized> Machine<E> {
         F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
         C::Item: Pack<Scalar = V::Scalar>,
     {
-        let spans = Spans::Shared(contexts_of(&contexts), path.len());
+        let spans = PathSpans::Shared(contexts_of(&contexts), path.len());
         self.pulled_back::<F, C, V>(&contexts, path, spans, upstream)
     }
 
-    /// One result per path of a fold that takes nothing else: [`fold`](Machine::fold) without contexts. Path i has the
-    /// vertices `offsets[i]..offsets[i + 1]`; there is one offset more than there are paths, from 0 to the number of
-    /// vertices. Empty paths are valid.
+    /// [`fold`](Machine::fold) of a fold that takes a path and nothing else (ragged: paths of different lengths).
+    ///
+    /// There is one result per path. Path i has the vertices `offsets[i]..offsets[i + 1]`; there is one offset more than
+    /// there are paths, from 0 to the number of vertices. Empty paths are valid.
     ///
     /// # Errors
     ///
@@ -158,8 +160,8 @@ impl<E: ?Sized> Machine<E> {
     ///
     /// # Errors
     ///
-    /// As [`ragged`](Machine::ragged), and [`Error::Length`] for a buffer of another length. The buffer is then as it
-    /// was.
+    /// As [`ragged`](Machine::ragged), and [`Error::Length`] for a buffer of another length. No error changes the
+    /// buffer.
     pub fn ragged_into<F, V: Fixed<Scalar: On<E> + Item>>(
         &self,
         fold: F,
@@ -170,6 +172,7 @@ impl<E: ?Sized> Machine<E> {
     where
         F: Fold<Context<V::Scalar> = [V::Scalar; 0], Element<V::Scalar> = V>,
     {
+        // By way of a copy: kernels of rings write results before every vertex was checked.
         let all = self.ragged(fold, vertices, offsets)?;
         expect(Argument::Values, all.len(), values.len())?;
         values.copy_from_slice(&all);
@@ -180,7 +183,8 @@ impl<E: ?Sized> Machine<E> {
     ///
     /// # Errors
     ///
-    /// As [`ragged`](Machine::ragged), and for cotangents of another number or that are not finite.
+    /// As [`ragged`](Machine::ragged), and [`Error::Length`] for another count of cotangents than of results,
+    /// [`Error::Invalid`] for one that is not finite.
     ///
     /// ```
     /// use geograd::Vec2;
@@ -209,8 +213,8 @@ impl<E: ?Sized> Machine<E> {
     ///
     /// # Errors
     ///
-    /// As [`ragged_vjp`](Machine::ragged_vjp), and [`Error::Length`] for a buffer of another length. The buffer is then
-    /// as it was.
+    /// As [`ragged_vjp`](Machine::ragged_vjp), and [`Error::Length`] for a buffer of another length. These errors,
+    /// and those of the arguments, leave the buffer as it was.
     pub fn ragged_vjp_into<F, V: Fixed<Scalar: On<E> + Item>>(
         &self,
         _fold: F,
@@ -222,7 +226,7 @@ impl<E: ?Sized> Machine<E> {
     where
         F: Fold<Context<V::Scalar> = [V::Scalar; 0], Element<V::Scalar> = V>,
     {
-        let spans = Spans::Ragged(offsets);
+        let spans = PathSpans::Ragged(offsets);
         self.pull_into::<F, _, V>(&One([]), vertices, spans, upstream, bars)
             .map(drop)
     }
@@ -231,13 +235,13 @@ impl<E: ?Sized> Machine<E> {
         &self,
         context: &C,
         vertices: &[V],
-        spans: Spans<'_>,
+        spans: PathSpans<'_>,
     ) -> Result<Vec<F::Out<V::Scalar>>, Error>
     where
         F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
         C::Item: Pack<Scalar = V::Scalar>,
     {
-        on::<F, C, V, _>(context, vertices, spans, |folding, input| {
+        without_types::<F, C, V, _>(context, vertices, spans, |folding, input| {
             let mut out = vec![F::Out::filled(V::Scalar::default()); spans.count()];
             fill(&mut out, |out| self.engine().fold(folding, input, out))?;
             Ok(out)
@@ -248,7 +252,7 @@ impl<E: ?Sized> Machine<E> {
         &self,
         context: &C,
         vertices: &[V],
-        spans: Spans<'_>,
+        spans: PathSpans<'_>,
         upstream: &[F::Out<V::Scalar>],
     ) -> Result<Pulled<C, V>, Error>
     where
@@ -266,7 +270,7 @@ impl<E: ?Sized> Machine<E> {
         &self,
         context: &C,
         vertices: &[V],
-        spans: Spans<'_>,
+        spans: PathSpans<'_>,
         upstream: &[F::Out<V::Scalar>],
         bars: &mut [V],
     ) -> Result<Vec<C::Item>, Error>
@@ -274,7 +278,7 @@ impl<E: ?Sized> Machine<E> {
         F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
         C::Item: Pack<Scalar = V::Scalar>,
     {
-        on::<F, C, V, _>(context, vertices, spans, |folding, input| {
+        without_types::<F, C, V, _>(context, vertices, spans, |folding, input| {
             expect(Argument::Upstream, spans.count(), upstream.len())?;
             expect(Argument::GradVertices, vertices.len(), bars.len())?;
             let (engine, seeds) = (self.engine(), numbers(upstream));
@@ -306,11 +310,11 @@ fn contexts_of<C: Columns>(contexts: &C) -> usize {
     count.unwrap_or(1)
 }
 
-/// Runs something on a fold, contexts and paths without their types. Offsets are checked.
-fn on<F, C: Columns, V: Fixed, R>(
+/// Checks offsets, then calls `run` with the fold and its input as numbers.
+fn without_types<F, C: Columns, V: Fixed, R>(
     context: &C,
     vertices: &[V],
-    spans: Spans<'_>,
+    spans: PathSpans<'_>,
     run: impl FnOnce(&Folding<V::Scalar>, &Input<'_, V::Scalar>) -> Result<R, Error>,
 ) -> Result<R, Error>
 where
@@ -327,7 +331,7 @@ where
         vertices: numbers(vertices),
         plane: F::in_plane(vertices),
         spans,
-        refer: &|context, path, reference| {
+        reference: &|context, path, reference| {
             F::reference(C::Item::load(context), &vertices[path]).store(reference);
         },
     };

@@ -3,7 +3,7 @@
 //! An engine implements these primitives; [`Machine`](super::Machine) has every named call, once, above them.
 use crate::kernels::cpu::Processor;
 use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
-use crate::kernels::cpu::grouped::Spans;
+use crate::kernels::cpu::grouped::GroupSpans;
 use crate::kernels::gpu::Device;
 use crate::kernels::item::{Column, Target};
 use crate::kernels::recording::Call;
@@ -178,7 +178,7 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         &self,
         call: &Call<T>,
         lists: &[Column<'_, T>; 2],
-        groups: Spans<'_>,
+        groups: GroupSpans<'_>,
         reduction: GroupedReduction<T>,
     ) -> Result<Reduced<T>, Error>;
 

@@ -2,10 +2,10 @@
 use crate::ad::program::record::record;
 use crate::ad::program::{Program, Sym};
 use crate::error::Error;
-use crate::kernels::item::{Item, leaves_of};
+use crate::kernels::item::{Item, leaves_of, widths};
 use crate::kernels::modes::{Hvp, Jvp};
 use crate::kernels::op::{Function, Jacobian, ValueGrad, Vjp};
-use crate::kernels::recording::{Body, Call, Mode, Recording, known, widths};
+use crate::kernels::recording::{Body, Call, Mode, Recording, known};
 use crate::{Fixed, Real};
 use std::marker::PhantomData;
 use std::sync::Arc;

@@ -6,7 +6,7 @@ mod programs;
 use crate::error::{Argument, Field, Flaw};
 use crate::kernels::cpu::checked::{check_argument, check_upstream, expect};
 use crate::kernels::cpu::desk::{self, Aligned};
-use crate::kernels::cpu::nearest::Spans;
+use crate::kernels::cpu::nearest::PathSpans;
 use crate::kernels::cpu::plan::{Face, of_recorded};
 use crate::kernels::cpu::work::spread;
 use crate::kernels::formats::kernels_in;
@@ -166,7 +166,7 @@ impl<T: Real> Folding<T> {
             return Err(self.first_flaw(&input.vertices));
         }
         let edges = match spans {
-            Spans::Shared(paths, length) if winding.is_none() => paths.saturating_mul(length),
+            PathSpans::Shared(paths, length) if winding.is_none() => paths.saturating_mul(length),
             _ => vertices,
         };
         if edges.max(spans.count()) >= u32::MAX as usize {

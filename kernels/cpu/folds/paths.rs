@@ -1,6 +1,6 @@
 //! Paths that are folded, edge by edge.
 use super::folding::{Folding, Sizes};
-use crate::kernels::cpu::nearest::{Spans, sieved};
+use crate::kernels::cpu::nearest::{PathSpans, sieved};
 use crate::kernels::item::Column;
 use crate::{Error, Fixed, Real, Vec2};
 use std::borrow::Cow;
@@ -28,9 +28,9 @@ pub struct Input<'a, T: Clone> {
     pub(crate) vertices: Cow<'a, [T]>,
     /// The vertices as points of the plane, for a fold with a winding number.
     pub(crate) plane: &'a [Vec2<T>],
-    pub(crate) spans: Spans<'a>,
+    pub(crate) spans: PathSpans<'a>,
     /// Writes the reference of a context and of some vertices.
-    pub(crate) refer: &'a dyn Fn(&[T], Range<usize>, &mut [T]),
+    pub(crate) reference: &'a dyn Fn(&[T], Range<usize>, &mut [T]),
 }
 
 /// Lists the edges of checked paths.
@@ -58,7 +58,7 @@ pub(super) fn paths<'a, T: Real>(
         }
         own.copy_from_slice(&context[..sizes.own]);
         let bounds = spans.of(path);
-        (input.refer)(own, bounds.clone(), reference);
+        (input.reference)(own, bounds.clone(), reference);
         match sizes.winding {
             Some(_) => points.push(Vec2::load(own)),
             None => {

@@ -6,7 +6,7 @@ use super::{Bests, Device, Matrix};
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check_upstream, expect};
 use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
-use crate::kernels::cpu::grouped::Spans;
+use crate::kernels::cpu::grouped::GroupSpans;
 use crate::kernels::item::Column;
 use crate::kernels::machine::{
     self, Engine, GroupedReduction, Items, Numbers, Reduced, Reduction, Room,
@@ -105,7 +105,7 @@ impl Engine<f32> for Device {
         &self,
         call: &Call<f32>,
         lists: &[Column<'_, f32>; 2],
-        groups: Spans<'_>,
+        groups: GroupSpans<'_>,
         reduction: GroupedReduction<f32>,
     ) -> Result<Reduced<f32>, Error> {
         Lists::new(self, call, lists)?.reduce_grouped(groups, reduction)

@@ -6,7 +6,7 @@ use super::table::{Part, Table};
 use super::{Device, Matrix};
 use crate::Error;
 use crate::error::Argument;
-use crate::kernels::cpu::grouped::Spans;
+use crate::kernels::cpu::grouped::GroupSpans;
 use crate::kernels::item::Column;
 use crate::kernels::machine::{GroupedReduction, Reduced, Reduction};
 use crate::kernels::recording::Call;
@@ -73,7 +73,7 @@ impl<'a> Lists<'a> {
     }
 
     /// All pairs within groups as a reduction sees them.
-    fn grouped(&self, groups: Spans<'_>, own_rows: bool) -> Result<Table<'_>, Error> {
+    fn grouped(&self, groups: GroupSpans<'_>, own_rows: bool) -> Result<Table<'_>, Error> {
         let [a, b] = [self.parts(0), self.parts(1)];
         let table = self.table(own_rows);
         let most = self.made.most_pairs();
@@ -86,7 +86,7 @@ impl<'a> Lists<'a> {
     /// A reduction of the pairs within groups.
     pub fn reduce_grouped(
         &self,
-        groups: Spans<'_>,
+        groups: GroupSpans<'_>,
         reduction: GroupedReduction<f32>,
     ) -> Result<Reduced<f32>, Error> {
         Ok(match reduction {
@@ -101,7 +101,11 @@ impl<'a> Lists<'a> {
     }
 
     /// The largest of every row, or of every column, within its group; `None` where there is nothing on the other side.
-    fn most_grouped(&self, groups: Spans<'_>, of_rows: bool) -> Result<Vec<Option<Best>>, Error> {
+    fn most_grouped(
+        &self,
+        groups: GroupSpans<'_>,
+        of_rows: bool,
+    ) -> Result<Vec<Option<Best>>, Error> {
         let found = self.grouped(groups, of_rows)?.best()?;
         let mut best: Vec<_> = found
             .start_download()?

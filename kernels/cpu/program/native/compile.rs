@@ -1,8 +1,8 @@
 //! From instructions of the interpreter to machine code: a run of them at a time, with values in registers.
 //!
-//! Every value has a slot in memory, as in the interpreter. Within a run it stays in a register as long as there is room;
-//! it is stored where it makes room for another one, or where a later run reads it. Inputs and results are read and
-//! written where they lie, if all that reads or makes them is in runs ([`Far`]).
+//! Every value has a slot in memory, as in the interpreter. Within a run it stays in a register as long as there is room.
+//! It is stored where it makes room for another one, or where a later run reads it. For rows, inputs and results may be
+//! read and written where they lie; [`Far`] has the conditions.
 use super::encode::{AT_MOST, EQUAL, Encoder, LESS, Masked, NOT_LESS, Operand, Two};
 use super::events::{Events, events, sizes};
 use super::far::Far;
@@ -11,10 +11,10 @@ use crate::kernels::cpu::program::rowwise::AHEAD;
 use crate::kernels::cpu::program::{Run, Tape};
 use crate::kernels::item::STRETCH;
 
-/// Fewer instructions than this are left to the interpreter.
+/// Shorter runs stay with the interpreter.
 const SHORTEST: usize = 3;
 
-/// `true` if an instruction stays with the interpreter.
+/// `true` for calls of functions and jumps, which stay with the interpreter.
 fn is_left(op: Op) -> bool {
     matches!(
         op,
@@ -64,7 +64,7 @@ struct Compiler<'a> {
     end: usize,
     /// Bytes from a slot to the next.
     stride: usize,
-    /// The slot whose value a register holds, and whether the slot lacks it.
+    /// The slot whose value a register holds; `true` if memory does not have it yet.
     held: Vec<Option<(u16, bool)>>,
     /// Registers of the current instruction.
     pinned: Vec<bool>,
@@ -110,14 +110,14 @@ impl Compiler<'_> {
         self.pinned[register] = true;
         register as u8
     }
-    /// Makes room: the value that is read last leaves its register.
+    /// Frees the register whose value is read latest from now on.
     fn evict(&mut self) -> usize {
         let distance = |k: usize| match self.held[k].map(|held| self.next(held.0, self.at)) {
             Some(Next::Read(at)) => at,
             Some(Next::Later) => self.end,
             Some(Next::Never) | None => usize::MAX,
         };
-        // No instruction takes as many registers as there are.
+        // One is never pinned: no instruction takes as many registers as there are.
         let last = (0..self.held.len())
             .filter(|&k| !self.pinned[k])
             .max_by_key(|&k| distance(k))
@@ -146,7 +146,8 @@ impl Compiler<'_> {
         self.pinned[register as usize] = true;
         register
     }
-    /// Prefetches the next stretch of an input: it is checked before it is computed.
+    /// Prefetches the same place of the next stretch of an input. A stretch is checked just before this code runs, so
+    /// nearer numbers are in the cache already.
     fn prefetch(&mut self, home: Operand) {
         if let Operand::Far(_) = home {
             let size = if self.out.is_double() { 8 } else { 4 };
@@ -164,10 +165,10 @@ impl Compiler<'_> {
             _ => Operand::Register(self.register(slot)),
         }
     }
-    /// Ends an instruction: values that nothing reads any more give their registers back.
-    fn give(&mut self, results: &[(u16, u8)]) {
+    /// Ends an instruction: frees registers of values that are not read again, and binds those of results.
+    fn finish(&mut self, results: &[(u16, u8)]) {
         for &(slot, register) in results {
-            self.deliver(slot, register);
+            self.store_results(slot, register);
         }
         self.pinned.fill(false);
         for k in 0..self.held.len() {
@@ -185,8 +186,8 @@ impl Compiler<'_> {
             }
         }
     }
-    /// Stores a value that is a result where the result goes, with zeros that have no sign.
-    fn deliver(&mut self, slot: u16, register: u8) {
+    /// Stores a value in the place of every result that it is. Adding zero takes the sign from zeros.
+    fn store_results(&mut self, slot: u16, register: u8) {
         let far = self.far;
         let places = far.outputs(slot, self.at);
         if places.is_empty() {
@@ -276,8 +277,8 @@ impl Compiler<'_> {
         let truths = self.truths(predicate, a, b);
         self.choose(truths, yes, no)
     }
-    /// A comparison and a vector of truths.
-    fn both(&mut self, predicate: u8, [a, b, m]: [u16; 3], op: Two) -> u8 {
+    /// A comparison, joined with a vector of truths by `op`.
+    fn joined(&mut self, predicate: u8, [a, b, m]: [u16; 3], op: Two) -> u8 {
         let (a, b) = (self.register(a), self.operand(b));
         let truths = self.truths(predicate, a, b);
         let m = self.operand(m);
@@ -314,7 +315,7 @@ impl Compiler<'_> {
             }
         }
         let [x, y, z, w] = own.from;
-        let (a, b, c) = ([x, y, z], [x, y], [x, y, z, w]);
+        let (pair, triple, all) = ([x, y], [x, y, z], own.from);
         use Two::{Add, And, AndNot, Div, Max, Min, Mul, Or, Sub, Xor};
         let result = match own.op {
             Op::Copy => {
@@ -333,6 +334,7 @@ impl Compiler<'_> {
             Op::Binade => self.binade(x),
             Op::High => {
                 let x = self.register(x);
+                // The bits that [`Scalar::parts`](crate::Scalar::parts) leaves to the low half.
                 let high = self.bits(!((1 << 12) - 1), !((1 << 27) - 1));
                 self.two(And, x, high)
             }
@@ -346,41 +348,41 @@ impl Compiler<'_> {
                 to
             }
             Op::Never => self.zero(),
-            Op::Add => self.pair(Add, b),
-            Op::Sub => self.pair(Sub, b),
-            Op::Mul => self.pair(Mul, b),
-            Op::Div => self.pair(Div, b),
-            Op::Min => self.pair(Min, b),
-            Op::Max => self.pair(Max, b),
-            Op::And => self.pair(And, b),
-            Op::Or => self.pair(Or, b),
-            Op::Lt => self.compared(LESS, b),
-            Op::Le => self.compared(AT_MOST, b),
-            Op::Eq => self.compared(EQUAL, b),
+            Op::Add => self.pair(Add, pair),
+            Op::Sub => self.pair(Sub, pair),
+            Op::Mul => self.pair(Mul, pair),
+            Op::Div => self.pair(Div, pair),
+            Op::Min => self.pair(Min, pair),
+            Op::Max => self.pair(Max, pair),
+            Op::And => self.pair(And, pair),
+            Op::Or => self.pair(Or, pair),
+            Op::Lt => self.compared(LESS, pair),
+            Op::Le => self.compared(AT_MOST, pair),
+            Op::Eq => self.compared(EQUAL, pair),
             Op::Select => {
-                let [m, x, y] = a.map(|slot| self.register(slot));
+                let [m, x, y] = triple.map(|slot| self.register(slot));
                 self.choose(m, x, y)
             }
-            Op::Split => self.split(a),
-            Op::Rest => self.rest(a),
-            Op::AddAdd => self.three(Add, Add, a, true),
-            Op::SubAdd => self.three(Sub, Add, a, true),
-            Op::MulAdd => self.three(Mul, Add, a, true),
-            Op::AddSub => self.three(Add, Sub, a, true),
-            Op::SubSub => self.three(Sub, Sub, a, true),
-            Op::MulSub => self.three(Mul, Sub, a, true),
-            Op::FromAdd => self.three(Add, Sub, a, false),
-            Op::FromSub => self.three(Sub, Sub, a, false),
-            Op::FromMul => self.three(Mul, Sub, a, false),
-            Op::AddMul => self.three(Add, Mul, a, true),
-            Op::SubMul => self.three(Sub, Mul, a, true),
-            Op::MulMul => self.three(Mul, Mul, a, true),
-            Op::MaxMin => self.three(Max, Min, a, true),
-            Op::MinMax => self.three(Min, Max, a, true),
-            Op::MinFrom => self.three(Max, Min, a, false),
-            Op::MaxFrom => self.three(Min, Max, a, false),
+            Op::Split => self.split(triple),
+            Op::Rest => self.rest(triple),
+            Op::AddAdd => self.three(Add, Add, triple, true),
+            Op::SubAdd => self.three(Sub, Add, triple, true),
+            Op::MulAdd => self.three(Mul, Add, triple, true),
+            Op::AddSub => self.three(Add, Sub, triple, true),
+            Op::SubSub => self.three(Sub, Sub, triple, true),
+            Op::MulSub => self.three(Mul, Sub, triple, true),
+            Op::FromAdd => self.three(Add, Sub, triple, false),
+            Op::FromSub => self.three(Sub, Sub, triple, false),
+            Op::FromMul => self.three(Mul, Sub, triple, false),
+            Op::AddMul => self.three(Add, Mul, triple, true),
+            Op::SubMul => self.three(Sub, Mul, triple, true),
+            Op::MulMul => self.three(Mul, Mul, triple, true),
+            Op::MaxMin => self.three(Max, Min, triple, true),
+            Op::MinMax => self.three(Min, Max, triple, true),
+            Op::MinFrom => self.three(Max, Min, triple, false),
+            Op::MaxFrom => self.three(Min, Max, triple, false),
             Op::MaxFromMul => {
-                let inner = self.three(Mul, Min, a, false);
+                let inner = self.three(Mul, Min, triple, false);
                 let w = self.register(w);
                 self.two(Max, w, Operand::Register(inner))
             }
@@ -391,14 +393,14 @@ impl Compiler<'_> {
                 self.two(Max, z, Operand::Register(inner))
             }
             Op::MaxMulAdd => {
-                let inner = self.three(Mul, Add, a, true);
+                let inner = self.three(Mul, Add, triple, true);
                 let w = self.register(w);
                 self.two(Max, w, Operand::Register(inner))
             }
-            Op::SubByAdd => self.four(Sub, Add, Mul, c),
-            Op::SubAndSub => self.four(Sub, Sub, Add, c),
-            Op::Dot => self.four(Mul, Mul, Add, c),
-            Op::Cross => self.four(Mul, Mul, Sub, c),
+            Op::SubByAdd => self.four(Sub, Add, Mul, all),
+            Op::SubAndSub => self.four(Sub, Sub, Add, all),
+            Op::Dot => self.four(Mul, Mul, Add, all),
+            Op::Cross => self.four(Mul, Mul, Sub, all),
             Op::SelectNeg => {
                 let (m, yes, no) = (self.register(x), self.negated(y), self.register(z));
                 self.choose(m, yes, no)
@@ -412,7 +414,7 @@ impl Compiler<'_> {
                 self.choose(m, yes, no)
             }
             Op::SelectAdd => {
-                let [m, yes, no] = a.map(|slot| self.register(slot));
+                let [m, yes, no] = triple.map(|slot| self.register(slot));
                 let chosen = self.choose(m, yes, no);
                 let w = self.operand(w);
                 self.two(Add, chosen, w)
@@ -429,27 +431,27 @@ impl Compiler<'_> {
                 let (n, m) = (self.register(y), self.operand(x));
                 self.two(AndNot, n, m)
             }
-            Op::SelectLt => self.choose_slots(LESS, c),
-            Op::SelectLe => self.choose_slots(AT_MOST, c),
-            Op::SelectEq => self.choose_slots(EQUAL, c),
+            Op::SelectLt => self.choose_slots(LESS, all),
+            Op::SelectLe => self.choose_slots(AT_MOST, all),
+            Op::SelectEq => self.choose_slots(EQUAL, all),
             Op::SelectNegLt => {
                 let (yes, no) = (self.negated(z), self.register(w));
-                self.choose_by(LESS, b, yes, no)
+                self.choose_by(LESS, pair, yes, no)
             }
-            Op::LtAnd => self.both(LESS, a, And),
-            Op::LeAnd => self.both(AT_MOST, a, And),
-            Op::EqAnd => self.both(EQUAL, a, And),
-            Op::LtOr => self.both(LESS, a, Or),
-            Op::LeOr => self.both(AT_MOST, a, Or),
-            Op::EqOr => self.both(EQUAL, a, Or),
+            Op::LtAnd => self.joined(LESS, triple, And),
+            Op::LeAnd => self.joined(AT_MOST, triple, And),
+            Op::EqAnd => self.joined(EQUAL, triple, And),
+            Op::LtOr => self.joined(LESS, triple, Or),
+            Op::LeOr => self.joined(AT_MOST, triple, Or),
+            Op::EqOr => self.joined(EQUAL, triple, Or),
             Op::Turn => {
                 let first = self.four(Mul, Mul, Add, [x, z, y, w]);
                 let second = self.four(Mul, Mul, Sub, [y, z, x, w]);
-                return self.give(&[(own.to[0], first), (own.to[1], second)]);
+                return self.finish(&[(own.to[0], first), (own.to[1], second)]);
             }
             Op::SumSub => {
-                let (sum, difference) = (self.pair(Add, b), self.pair(Sub, b));
-                return self.give(&[(own.to[0], sum), (own.to[1], difference)]);
+                let (sum, difference) = (self.pair(Add, pair), self.pair(Sub, pair));
+                return self.finish(&[(own.to[0], sum), (own.to[1], difference)]);
             }
             // They are in no run.
             Op::Exp
@@ -460,7 +462,7 @@ impl Compiler<'_> {
             | Op::SkipIfAll
             | Op::SkipIfNone => return,
         };
-        self.give(&[(own.to[0], result)]);
+        self.finish(&[(own.to[0], result)]);
     }
     fn pair(&mut self, op: Two, [x, y]: [u16; 2]) -> u8 {
         let (x, y) = (self.register(x), self.operand(y));
@@ -493,13 +495,13 @@ impl Compiler<'_> {
     fn binade(&mut self, x: u16) -> u8 {
         let least = self.bits(f32::MIN_POSITIVE.to_bits(), f64::MIN_POSITIVE.to_bits());
         let field = self.bits(f32::INFINITY.to_bits(), f64::INFINITY.to_bits());
-        let twice_bias = self.bits(255 << 23, 2047 << 52);
+        let twice_bias_and_one = self.bits(255 << 23, 2047 << 52);
         let (start, x) = (self.fresh(), self.operand(x));
         self.out.load(start, least);
         let normal = self.two(Two::Max, start, x);
         let exponent = self.two(Two::And, normal, field);
         let to = self.fresh();
-        self.out.load(to, twice_bias);
+        self.out.load(to, twice_bias_and_one);
         self.out.subtract_whole(to, to, Operand::Register(exponent));
         to
     }
@@ -545,7 +547,8 @@ impl Compiler<'_> {
     }
 }
 
-/// Compiles all runs of a program, whose slots begin every `stride` bytes, for tiles or for rows.
+/// Compiles all runs of a program, whose slots begin every `stride` bytes. Returns the code, its runs, and what it reads
+/// and writes outside of slots. `of_rows`: items are rows of numbers, not tiles.
 pub(crate) fn compile(
     mut out: Encoder,
     tape: &Tape,
@@ -561,6 +564,7 @@ pub(crate) fn compile(
     let near: Vec<u16> = far.near_outputs(&tape.outputs);
     let mut all = Vec::new();
     for [from, to] in runs {
+        // Runs begin on a line of the cache; the gap is `int3`.
         let entry = out.bytes.len().next_multiple_of(64);
         out.bytes.resize(entry, 0xcc);
         let start = out.begin();

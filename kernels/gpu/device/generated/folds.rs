@@ -5,7 +5,7 @@ use crate::ad::program::WGSL;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::checked::{check_upstream, numbers};
 use crate::kernels::cpu::folds::{self, Folding, Input, Programs, Sizes, VertexBars};
-use crate::kernels::cpu::nearest::Spans;
+use crate::kernels::cpu::nearest::PathSpans;
 use crate::kernels::cpu::program::split::Piece;
 use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::work::Work;
@@ -16,29 +16,32 @@ use std::fmt::Write;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A fold for GPUs: made once, compiled once per context.
+/// The shaders of a fold: written once, compiled once per device.
 #[derive(Debug)]
 pub(super) struct GeneratedFold {
     name: Name,
     edge: Body,
     join: Body,
     finish: Body,
-    /// The derivatives of each; nothing of those after the result.
+    /// The pull-back of each, without the result before it.
     edge_vjp: Body,
     join_vjp: Body,
     finish_vjp: Body,
     /// The state after no edge.
     empty: Vec<f32>,
     is_closed: bool,
-    /// Numbers of a vertex, of a context, of that and a reference, and of a result.
+    /// Numbers of a vertex.
     element: usize,
-    own: usize,
-    wide: usize,
-    gives: usize,
+    /// Numbers of a context.
+    context: usize,
+    /// Numbers of a context and a reference.
+    shared: usize,
+    /// Numbers of a result.
+    out: usize,
 }
 
-/// The kernels of a fold for a GPU, whose state after no edge is `empty`.
-pub(super) fn made(
+/// The shaders of a fold, whose state after no edge is `empty`.
+pub(super) fn shaders(
     programs: &Programs,
     sizes: &Sizes,
     empty: Vec<f32>,
@@ -63,26 +66,26 @@ pub(super) fn made(
             empty: empty.clone(),
             is_closed: sizes.closed,
             element: sizes.element,
-            own: sizes.own,
-            wide: sizes.wide,
-            gives: sizes.out,
+            context: sizes.own,
+            shared: sizes.wide,
+            out: sizes.out,
         })
     })
 }
 
-/// The kernels of a fold of a call.
-fn made_of(folding: &Folding<f32>) -> Result<Arc<GeneratedFold>, Error> {
+/// The shaders of the fold of a call.
+fn shaders_of(folding: &Folding<f32>) -> Result<Arc<GeneratedFold>, Error> {
     let mut empty = vec![0.0; folding.sizes.state];
     (folding.joined)(&[], &mut empty);
-    made(&*(folding.programs)()?, &folding.sizes, empty)
+    shaders(&*(folding.programs)()?, &folding.sizes, empty)
 }
 
-/// So many names with a number each.
+/// `name0`, `name1`, … `count` of them.
 fn names(name: &str, count: usize) -> Vec<String> {
     (0..count).map(|k| format!("{name}{k}")).collect()
 }
 
-/// So many elements of an array.
+/// Some elements of an array.
 fn elements(array: &str, range: Range<usize>) -> Vec<String> {
     range.map(|k| format!("{array}[{k}]")).collect()
 }
@@ -128,6 +131,7 @@ impl GeneratedFold {
                 k + 4
             );
         }
+        // The layout of bindings comes from their use: `shared_numbers` is used even if a fold has no context.
         let _ = write!(
             text,
             "
@@ -148,22 +152,22 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
                 "max(count, 1u) - 1u"
             }
         );
-        for k in 0..self.wide {
+        for k in 0..self.shared {
             let _ = writeln!(
                 text,
                 "    let s{k} = shared_numbers[path * {}u + {k}u];",
-                self.wide
+                self.shared
             );
         }
         for (k, x) in self.empty.iter().enumerate() {
-            // By its bits, whatever it is.
+            // By its bits: WGSL has no literal for infinity or NaN.
             let _ = writeln!(text, "    var state{k} = bitcast<f32>({}u);", x.to_bits());
         }
         text
     }
-    /// The text that computes the state of one edge, as `told`, and the numbers that it takes.
+    /// The text that computes the state of one edge, as `edge`, and the numbers that it takes.
     fn edge_of(&self) -> (String, Vec<String>) {
-        let mut inputs = names("s", self.wide);
+        let mut inputs = names("s", self.shared);
         for end in ["tail", "tip"] {
             match self.element {
                 2 => inputs.extend(["x", "y"].map(|axis| format!("{end}.{axis}"))),
@@ -174,7 +178,7 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
             "        let next = select(k + 1u, 0u, k + 1u == count);
         let tail = vertices[start + k];
         let tip = vertices[start + next];
-        let told = {};
+        let edge = {};
 ",
             call("fold_edge", inputs.clone())
         );
@@ -183,16 +187,17 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
     /// Joins the state of an edge to that of the edges before.
     fn join_of(&self) -> String {
         let mut inputs = names("state", self.state());
-        inputs.extend(elements("told", 0..self.state()));
+        inputs.extend(elements("edge", 0..self.state()));
         let mut text = format!("        let joined = {};\n", call("fold_join", inputs));
         for k in 0..self.state() {
             let _ = writeln!(text, "        state{k} = joined[{k}];");
         }
         text
     }
+    /// The kernel of values.
     fn values(&self) -> String {
         let mut text = self.head("fold_main", &[("read_write", "outputs")]);
-        let mut inputs = names("s", self.wide);
+        let mut inputs = names("s", self.shared);
         inputs.extend(names("state", self.state()));
         let _ = write!(
             text,
@@ -201,14 +206,15 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
             self.join_of(),
             call("fold_finish", inputs)
         );
-        for k in 0..self.gives {
-            let _ = writeln!(text, "    outputs[path * {}u + {k}u] = y[{k}];", self.gives);
+        for k in 0..self.out {
+            let _ = writeln!(text, "    outputs[path * {}u + {k}u] = y[{k}];", self.out);
         }
         text + "}\n"
     }
-    /// Forwards, keeping what is known before every edge; then backwards.
+    /// The kernel of derivatives: joins the edges, keeping the state before each, then pulls the cotangent back from
+    /// the last edge to the first.
     fn derivatives(&self) -> String {
-        let (state, own, wide, n) = (self.state(), self.own, self.wide, self.element);
+        let (state, context, shared, n) = (self.state(), self.context, self.shared, self.element);
         let buffers = [
             ("read", "upstream"),
             ("read_write", "before"),
@@ -226,34 +232,38 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         });
         let (edge, edge_inputs) = self.edge_of();
         let join = self.join_of();
-        let mut end = names("s", wide);
+        let mut end = names("s", shared);
         end.extend(names("state", state));
-        end.extend((0..self.gives).map(|k| format!("upstream[path * {}u + {k}u]", self.gives)));
+        end.extend((0..self.out).map(|k| format!("upstream[path * {}u + {k}u]", self.out)));
         let end = call("fold_finish_vjp", end);
-        let context = lines(own, &|k| format!("    var context{k} = ended[{k}];\n"));
+        let contexts = lines(context, &|k| format!("    var context{k} = ended[{k}];\n"));
         let bars = lines(state, &|k| {
-            format!("    var bar{k} = ended[{}];\n", wide + k)
+            format!("    var bar{k} = ended[{}];\n", shared + k)
         });
         let mut pulled = names("state", state);
-        pulled.extend(elements("told", 0..state));
+        pulled.extend(elements("edge", 0..state));
         pulled.extend(names("bar", state));
         let pulled = call("fold_join_vjp", pulled);
         let hand_on = lines(state, &|k| format!("        bar{k} = pulled[{k}];\n"));
         let mut derivatives = edge_inputs;
         derivatives.extend(elements("pulled", state..2 * state));
         let derivatives = call("fold_edge_vjp", derivatives);
-        let add = lines(own, &|k| format!("        context{k} += slopes[{k}];\n"));
+        let add = lines(context, &|k| {
+            format!("        context{k} += slopes[{k}];\n")
+        });
         let add_ends = lines(2 * n, &|k| {
             let (end, axis) = (if k < n { "k" } else { "next" }, k % n);
             format!(
                 "        path_bars[{n}u * (start + {end}) + {axis}u] += slopes[{}];\n",
-                wide + k
+                shared + k
             )
         });
-        let put = lines(own, &|k| {
-            format!("    context_bars[path * {own}u + {k}u] = context{k} + 0.0;\n")
+        // Takes the sign from zeros.
+        let put = lines(context, &|k| {
+            format!("    context_bars[path * {context}u + {k}u] = context{k} + 0.0;\n")
         });
-        let unused = match own {
+        // An array of none cannot be bound: the buffer has one number per path, which is not read.
+        let unused = match context {
             0 => "    context_bars[path] = 0.0;\n",
             _ => "",
         };
@@ -262,7 +272,7 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
             "    for (var k = 0u; k < edges; k++) {{
 {keep}{edge}{join}    }}
     let ended = {end};
-{context}{bars}    for (var i = edges; i > 0u; i--) {{
+{contexts}{bars}    for (var i = edges; i > 0u; i--) {{
         let k = i - 1u;
 {recall}{edge}        let pulled = {pulled};
 {hand_on}        let slopes = {derivatives};
@@ -274,13 +284,13 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
     }
 }
 
-/// Paths that go up together: which ones, and their vertices.
+/// Paths that are uploaded together.
 struct Load {
     paths: Range<usize>,
     vertices: Range<usize>,
 }
 
-/// Paths one after another, as a GPU walks them: a path that all share is repeated.
+/// The offsets and vertices of paths. On a GPU a path that all share is repeated.
 struct Listed<'a> {
     offsets: Cow<'a, [usize]>,
     numbers: &'a [f32],
@@ -290,24 +300,21 @@ struct Listed<'a> {
 
 impl<'a> Listed<'a> {
     fn new(input: &'a Input<'_, f32>) -> Result<Self, Error> {
-        let numbers = &input.vertices[..];
-        Ok(match input.spans {
-            Spans::Ragged(offsets) => Listed {
-                offsets: offsets.into(),
-                numbers,
-                shared: None,
-            },
-            Spans::Shared(paths, length) => {
+        let (offsets, shared) = match input.spans {
+            PathSpans::Ragged(offsets) => (offsets.into(), None),
+            PathSpans::Shared(paths, length) => {
                 paths.checked_mul(length).ok_or(Error::TooLarge)?;
-                Listed {
-                    offsets: (0..=paths).map(|k| k * length).collect(),
-                    numbers,
-                    shared: Some(length),
-                }
+                let offsets = (0..=paths).map(|k| k * length);
+                (offsets.collect(), Some(length))
             }
+        };
+        Ok(Listed {
+            offsets,
+            numbers: &input.vertices,
+            shared,
         })
     }
-    /// The numbers of vertices of so many numbers each.
+    /// The numbers of some vertices, `element` each.
     fn vertices(&self, vertices: &Range<usize>, element: usize) -> Cow<'a, [f32]> {
         match self.shared {
             Some(0) => Cow::Borrowed(&[]),
@@ -318,7 +325,7 @@ impl<'a> Listed<'a> {
 }
 
 impl Device {
-    /// The numbers of the result of every path.
+    /// Writes the result of every path.
     pub(crate) fn folded(
         &self,
         folding: &Folding<f32>,
@@ -342,17 +349,18 @@ impl Device {
                 }
             };
         }
-        let made = made_of(folding)?;
+        let shaders = shaders_of(folding)?;
         let shared = folds::shared(folding, input)?;
         let listed = Listed::new(input)?;
         let inner = &self.inner;
         inner.alive()?;
-        for load in self.loads(&made, &listed.offsets, made.element)? {
+        for load in self.loads(&shaders, &listed.offsets, shaders.element)? {
             let count = load.paths.len();
             let results = inner.guarded(|| {
-                let pipeline = inner.generated(&made.name, Form::Fold, || made.text(Form::Fold));
-                let own = self.bring(&made, &load, &listed, &shared);
-                let results = inner.storage(count * made.gives);
+                let pipeline =
+                    inner.generated(&shaders.name, Form::Fold, || shaders.text(Form::Fold));
+                let own = self.upload(&shaders, &load, &listed, &shared);
+                let results = inner.storage(count * shaders.out);
                 let mut work = Work::new(inner);
                 let [a, b, c] = own.each_ref();
                 let buffers = [(1, a), (2, b), (3, c), (4, &results)];
@@ -361,8 +369,8 @@ impl Device {
                 work.submit()?;
                 Ok(results)
             })?;
-            let bytes = 4 * (count * made.gives) as u64;
-            let own = &mut out[load.paths.start * made.gives..load.paths.end * made.gives];
+            let bytes = 4 * (count * shaders.out) as u64;
+            let own = &mut out[load.paths.start * shaders.out..load.paths.end * shaders.out];
             inner
                 .bring(self, &[(&results, bytes)])?
                 .finish(|_, numbers| own.copy_from_slice(bytemuck::cast_slice(numbers)))?;
@@ -370,7 +378,8 @@ impl Device {
         Ok(())
     }
 
-    /// The numbers of the cotangents of every context and every vertex, for those of every result.
+    /// Writes the cotangents of contexts and vertices. Those of a shared path are added to `vertex_bars`, which must be
+    /// zero.
     pub(crate) fn folded_back(
         &self,
         folding: &Folding<f32>,
@@ -389,23 +398,27 @@ impl Device {
             }
             VertexBars::Numbers(bars) => bars,
         };
-        let made = made_of(folding)?;
+        let shaders = shaders_of(folding)?;
         let shared = folds::shared(folding, input)?;
-        check_upstream(upstream, made.gives.max(1))?;
+        check_upstream(upstream, shaders.out.max(1))?;
         let listed = Listed::new(input)?;
         let inner = &self.inner;
         inner.alive()?;
-        for load in self.loads(&made, &listed.offsets, made.state().max(made.element))? {
-            let (count, own_vertices) = (load.paths.len(), load.vertices.len());
+        for load in self.loads(
+            &shaders,
+            &listed.offsets,
+            shaders.state().max(shaders.element),
+        )? {
+            let (count, vertices) = (load.paths.len(), load.vertices.len());
             let form = Form::FoldDerivatives;
             let (by_context, by_vertex) = inner.guarded(|| {
-                let pipeline = inner.generated(&made.name, form, || made.text(form));
-                let own = self.bring(&made, &load, &listed, &shared);
-                let seeds = &upstream[load.paths.start * made.gives..load.paths.end * made.gives];
+                let pipeline = inner.generated(&shaders.name, form, || shaders.text(form));
+                let own = self.upload(&shaders, &load, &listed, &shared);
+                let seeds = &upstream[load.paths.start * shaders.out..load.paths.end * shaders.out];
                 let seeds = inner.stored(seeds);
-                let before = inner.storage(own_vertices * made.state());
-                let by_context = inner.storage(count * made.own.max(1));
-                let by_vertex = inner.storage(made.element * own_vertices);
+                let before = inner.storage(vertices * shaders.state());
+                let by_context = inner.storage(count * shaders.context.max(1));
+                let by_vertex = inner.storage(shaders.element * vertices);
                 let mut work = Work::new(inner);
                 let [a, b, c] = own.each_ref();
                 let buffers = [
@@ -423,11 +436,11 @@ impl Device {
                 Ok((by_context, by_vertex))
             })?;
             let parts = [
-                (&by_context, 4 * (count * made.own.max(1)) as u64),
-                (&by_vertex, 4 * (made.element * own_vertices) as u64),
+                (&by_context, 4 * (count * shaders.context.max(1)) as u64),
+                (&by_vertex, 4 * (shaders.element * vertices) as u64),
             ];
-            let of_contexts =
-                &mut context_bars[load.paths.start * made.own..load.paths.end * made.own];
+            let of_contexts = &mut context_bars
+                [load.paths.start * shaders.context..load.paths.end * shaders.context];
             inner.bring(self, &parts)?.finish(|part, numbers| {
                 let numbers: &[f32] = bytemuck::cast_slice(numbers);
                 match (part, listed.shared) {
@@ -436,15 +449,16 @@ impl Device {
                         of_contexts.copy_from_slice(&numbers[..all]);
                     }
                     (_, Some(length)) => {
-                        for bars in numbers.chunks_exact((made.element * length).max(1)) {
+                        for bars in numbers.chunks_exact((shaders.element * length).max(1)) {
                             let sums = path_bars.iter_mut().zip(bars);
                             sums.for_each(|(sum, x)| *sum += x);
                         }
                     }
                     (_, None) => {
-                        let first = made.element * load.vertices.start;
+                        let first = shaders.element * load.vertices.start;
                         let own = &mut path_bars[first..first + numbers.len()];
                         let bars = own.iter_mut().zip(numbers);
+                        // Takes the sign from zeros.
                         bars.for_each(|(bar, x)| *bar = x + 0.0);
                     }
                 }
@@ -453,16 +467,17 @@ impl Device {
         Ok(())
     }
 
-    /// How paths are cut, so that so many numbers per vertex fit a buffer.
+    /// Cuts paths into loads, each of which fits the buffers with `per_vertex` numbers per vertex.
     fn loads(
         &self,
-        made: &GeneratedFold,
+        shaders: &GeneratedFold,
         offsets: &[usize],
         per_vertex: usize,
     ) -> Result<Vec<Load>, Error> {
         let numbers = self.inner.most_bytes as usize / 4;
         let most_vertices = numbers / per_vertex;
-        let per_path = made.wide.max(made.gives).max(made.own).max(1);
+        let per_path = shaders.shared.max(shaders.out).max(shaders.context).max(1);
+        // One less: there is one offset more than there are paths.
         let most_paths = (numbers / per_path)
             .saturating_sub(1)
             .min(MOST_GROUPS * GROUP);
@@ -474,6 +489,7 @@ impl Device {
             let fitting = rest.partition_point(|&end| end - offsets[start] <= most_vertices);
             if fitting == 0 {
                 let vertices = offsets[start + 1] - offsets[start];
+                // Of one path: buffers of fewer than `2 * per_path` numbers make `most_paths` zero.
                 return Err(self
                     .inner
                     .too_large((vertices * per_vertex).max(2 * per_path)));
@@ -487,10 +503,10 @@ impl Device {
         Ok(loads)
     }
 
-    /// Brings paths up: offsets, vertices, and what is one per path.
-    fn bring(
+    /// Uploads paths: offsets, vertices, and context and reference of every path.
+    fn upload(
         &self,
-        made: &GeneratedFold,
+        shaders: &GeneratedFold,
         load: &Load,
         listed: &Listed<'_>,
         shared: &[f32],
@@ -499,11 +515,11 @@ impl Device {
         let (paths, base) = (&load.paths, load.vertices.start);
         let own = &listed.offsets[paths.start..=paths.end];
         let own: Vec<u32> = own.iter().map(|&at| (at - base) as u32).collect();
-        let points = listed.vertices(&load.vertices, made.element);
+        let points = listed.vertices(&load.vertices, shaders.element);
         [
             inner.stored(&own),
             inner.stored(&points[..]),
-            inner.stored(&shared[paths.start * made.wide..paths.end * made.wide]),
+            inner.stored(&shared[paths.start * shaders.shared..paths.end * shaders.shared]),
         ]
     }
 }

@@ -167,7 +167,7 @@ pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
         return Ok(vec![(F::NAME.to_owned(), ring_source(measure))]);
     }
     let programs = cpu_folds::programs::<F, f32>()?;
-    let made = folds::made(
+    let made = folds::shaders(
         &programs,
         &cpu_folds::Sizes::of::<F>(),
         F::empty::<f32>().scalars(),

@@ -1,34 +1,26 @@
-//! Rows and columns: how shapes go into a batch and results come out of it.
-//!
-//! A *column* holds one argument of every item: a slice of shapes, or [`One`] that stands for all.
-//! Several columns are a tuple: `(&points, One(circle))`. Results come out column by column, too: a
-//! batch whose result is a number and a shape gives `(Vec<f64>, Vec<Shape>)`.
+//! Layouts of items, and the memory for their results.
 use crate::error::{Field, Flaw, Validate};
 use crate::kernels::cpu::arch;
 use crate::kernels::formats::kernels_in;
-use crate::kernels::machine::{Here, Place};
-use crate::kernels::resident::Stays;
 use crate::shape::{Obb3, YawBox3};
 use crate::{Aabb2, Fixed, Obb2, Pack, Real};
 use std::any::TypeId;
-use std::borrow::Cow;
 use std::marker::PhantomData;
-use std::ops::Range;
 
-/// One shape of a row, as numbers.
+/// The layout of one shape of an item: how many numbers it has, their names and its checks.
 #[derive(Debug)]
 pub struct Leaf<T> {
     /// The name of its type, with its path.
     pub shape: fn() -> &'static str,
     /// How many numbers: scalars, then codes.
     pub fields: usize,
-    /// How many of them are codes.
+    /// How many of them are codes: whole numbers without derivatives, such as counts ([`Fixed::CODES`]).
     pub codes: usize,
     /// The name of a scalar.
     pub name: fn(usize) -> Field,
     /// Returns the flaw of numbers that are no valid shape.
     pub check: fn(&[T]) -> Result<(), Flaw>,
-    /// `true` if numbers are those of valid shapes: a quick test, which may also fail for some of these.
+    /// A quick test: `true` only for numbers of valid shapes, `false` perhaps for these, too.
     pub all_valid: fn(&[T]) -> bool,
 }
 
@@ -73,10 +65,10 @@ pub trait Item: Fixed<Scalar: Real> {
     /// As many as are wanted, all of them zero.
     #[doc(hidden)]
     fn many(count: usize) -> Self::Many;
-    /// The shapes of a row, first first.
+    /// Adds the layout of every shape of an item, in order.
     #[doc(hidden)]
     fn leaves(add: &mut dyn FnMut(Leaf<Self::Scalar>));
-    /// Adds the targets of results, one per shape of a row.
+    /// Adds the targets of results, one per shape of an item.
     #[doc(hidden)]
     fn targets<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>));
 }
@@ -105,15 +97,15 @@ impl<R: Item> Results for R {
         R::many(count)
     }
     fn widths() -> Vec<usize> {
-        leaves_of::<R>().iter().map(|leaf| leaf.fields).collect()
+        widths::<R>()
     }
     fn places<'a>(many: &'a mut Self::Many, add: &mut dyn FnMut(Target<'a, Self::Scalar>)) {
         R::targets(many, add);
     }
 }
 
-/// A result `Y` and its Jacobian with respect to an input `X`: many results, as always, and a vector with a Jacobian
-/// per item, which is the result's shape with the gradient, of the input's shape, in the place of every number.
+/// A result `Y` with its Jacobian with respect to an input `X`. A batch gives its results as always, and a vector of
+/// Jacobians. A Jacobian is a `Y` with a gradient, an `X`, in the place of every number.
 #[derive(Clone, Copy, Debug)]
 pub struct WithJacobian<Y, X>(PhantomData<fn(X) -> Y>);
 
@@ -129,8 +121,9 @@ where
         (Y::many(count), vec![gradient; count])
     }
     fn widths() -> Vec<usize> {
-        let own = leaves_of::<Y>().into_iter().map(|leaf| leaf.fields);
-        own.chain([Y::LEN * width::<X>()]).collect()
+        let mut all = widths::<Y>();
+        all.push(Y::LEN * width::<X>());
+        all
     }
     fn places<'a>(
         (results, all): &'a mut Self::Many,
@@ -176,7 +169,7 @@ pub(crate) const fn width<P: Fixed>() -> usize {
 /// A shape from the numbers of a column.
 pub(crate) fn get<P: Fixed<Scalar: Real>>(numbers: &[P::Scalar]) -> P {
     let shape = P::load(numbers);
-    // A constant, so that nobody compiles the rest for a shape without codes; so are those below.
+    // A `const` condition: the rest is not compiled for shapes without codes.
     if const { P::CODES == 0 } {
         return shape;
     }
@@ -185,7 +178,7 @@ pub(crate) fn get<P: Fixed<Scalar: Real>>(numbers: &[P::Scalar]) -> P {
 
 /// Codes that are numbers of a column.
 fn codes_of<T: Real>(numbers: &[T]) -> Vec<u32> {
-    // Codes beyond what a number of the format holds exactly are beyond any shape's size.
+    // Exact in `f32` up to 2²⁴.
     let code = |&x: &T| crate::scalar::float::Float::widen(x) as u32;
     numbers.iter().map(code).collect()
 }
@@ -200,7 +193,8 @@ pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
     }
 }
 
-/// The numbers of a row, which come shape by shape, as all scalars and then all codes.
+/// Takes the numbers of an item in the order of columns, the scalars and codes of each shape. Returns them in the order
+/// of [`Fixed::load`]: all scalars, then all codes.
 pub(crate) fn by_kind<R: Item>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
     if const { R::CODES == 0 } {
         return numbers.to_vec();
@@ -218,7 +212,7 @@ pub(crate) fn by_kind<R: Item>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
     scalars
 }
 
-/// All scalars of a row, and all codes, shape by shape.
+/// The inverse of [`by_kind`]: writes scalars and codes shape by shape.
 pub(crate) fn by_shape<R: Item>(
     mut scalars: &[R::Scalar],
     codes: &[u32],
@@ -239,7 +233,7 @@ pub(crate) fn by_shape<R: Item>(
     });
 }
 
-/// The leaf of a shape that is one.
+/// The layout of an item that is a single shape.
 #[doc(hidden)]
 pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
     Leaf {
@@ -271,17 +265,22 @@ fn all_valid<P: Item + Validate>() -> fn(&[P::Scalar]) -> bool {
     }
 }
 
-/// All leaves of a row.
+/// The layouts of all shapes of an item.
 pub(crate) fn leaves_of<P: Item>() -> Vec<Leaf<P::Scalar>> {
     let mut all = Vec::new();
     P::leaves(&mut |leaf| all.push(leaf));
     all
 }
 
-/// A row that is one shape.
+/// Numbers of every shape of an item.
+pub(crate) fn widths<P: Item>() -> Vec<usize> {
+    leaves_of::<P>().iter().map(|leaf| leaf.fields).collect()
+}
+
+/// An item that is one shape.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! __row_of_one {
+macro_rules! __item_of_one {
     () => {
         type Many = ::std::vec::Vec<Self>;
         fn many(count: usize) -> Self::Many {
@@ -289,7 +288,7 @@ macro_rules! __row_of_one {
             ::std::vec![<Self as $crate::Fixed>::filled(zero); count]
         }
         fn leaves(add: &mut dyn FnMut($crate::kernels::item::Leaf<Self::Scalar>)) {
-            // An array of none takes no column.
+            // A shape without numbers, such as `[T; 0]`, has no column.
             if <Self as $crate::Fixed>::LEN > 0 {
                 add($crate::kernels::item::leaf::<Self>());
             }
@@ -306,17 +305,17 @@ macro_rules! __row_of_one {
 }
 
 impl Item for f32 {
-    crate::__row_of_one!();
+    crate::__item_of_one!();
 }
 impl Item for f64 {
-    crate::__row_of_one!();
+    crate::__item_of_one!();
 }
 
 impl<P: Item + Validate, const N: usize> Item for [P; N] {
-    crate::__row_of_one!();
+    crate::__item_of_one!();
 }
 
-/// Rows of several shapes.
+/// Items of several shapes.
 macro_rules! tuples {
     ($($first:ident $($name:ident)*;)*) => { $(
         impl<$first: Item, $($name: Item<Scalar = $first::Scalar>),*> Item for ($first, $($name,)*) {
@@ -341,257 +340,18 @@ macro_rules! tuples {
 }
 tuples!(A B; A B C; A B C D; A B C D E; A B C D E F;);
 
-/// The targets of results, one per shape of a row.
+/// The targets of results, one per shape of an item.
 pub(crate) fn targets_of<P: Item>(many: &mut P::Many) -> Vec<Target<'_, P::Scalar>> {
     let mut all = Vec::new();
     P::targets(many, &mut |target| all.push(target));
     all
 }
 
-/// A shape that is one, and not a tuple: lists of rows or columns consist of such.
+/// A single shape, not a tuple: the lists of all pairs consist of such.
 pub trait Single: Item<Many = Vec<Self>> {}
 impl<P: Item<Many = Vec<P>>> Single for P {}
 
-/// Reads the numbers of some shapes, one after another.
-type Read<'a, T> = Box<dyn Fn(Range<usize>, &mut [T]) + Send + Sync + 'a>;
-
-/// The numbers of a column, in memory or by a function.
-enum Numbers<'a, T> {
-    Lent(&'a [T]),
-    Read(Read<'a, T>),
-}
-
-/// One argument of every item, as numbers.
-pub struct Column<'a, T> {
-    numbers: Numbers<'a, T>,
-    /// Numbers per item.
-    pub fields: usize,
-    /// How many items; `None` for one that stands for any number.
-    pub count: Option<usize>,
-    /// The column on the machine, if it stays there.
-    pub(crate) held: Option<&'a dyn Stays<T>>,
-}
-
-impl<'a, T: Real> Column<'a, T> {
-    /// Shapes as a column.
-    pub(crate) fn of<P: Item<Scalar = T>>(shapes: &'a [P]) -> Self {
-        let numbers = match arch::numbers(shapes) {
-            Some(numbers) => Numbers::Lent(numbers),
-            None => Numbers::Read(Box::new(move |items, rows| {
-                let rows = rows.chunks_exact_mut(width::<P>());
-                for (shape, row) in shapes[items].iter().zip(rows) {
-                    put(*shape, row);
-                }
-            })),
-        };
-        Column {
-            numbers,
-            fields: width::<P>(),
-            count: Some(shapes.len()),
-            held: None,
-        }
-    }
-    /// A column that stays on a machine, with its numbers if that is the CPU.
-    pub(crate) fn held(own: &'a dyn Stays<T>, count: usize) -> Self {
-        Column {
-            held: Some(own),
-            ..Column::lent(own.here().unwrap_or_default(), own.fields(), Some(count))
-        }
-    }
-    /// Numbers of shapes, one shape after another; `None` items for one that stands for any number.
-    pub(crate) fn lent(numbers: &'a [T], fields: usize, count: Option<usize>) -> Self {
-        Column {
-            numbers: Numbers::Lent(numbers),
-            fields,
-            count,
-            held: None,
-        }
-    }
-    /// Numbers that are read when they are needed.
-    pub(crate) fn read(
-        fields: usize,
-        count: usize,
-        read: impl Fn(Range<usize>, &mut [T]) + Send + Sync + 'a,
-    ) -> Self {
-        Column {
-            numbers: Numbers::Read(Box::new(read)),
-            fields,
-            count: Some(count),
-            held: None,
-        }
-    }
-    /// Some numbers of every shape of a list.
-    fn part<P: Item<Scalar = T>>(shapes: &'a [P], part: Range<usize>) -> Self {
-        let fields = part.len();
-        Column {
-            numbers: Numbers::Read(Box::new(move |items, rows| {
-                let mut all = vec![T::default(); width::<P>()];
-                let mut scalars = vec![T::default(); P::LEN];
-                for (shape, row) in shapes[items].iter().zip(rows.chunks_exact_mut(fields)) {
-                    shape.store(&mut scalars);
-                    by_shape::<P>(&scalars, &shape.codes(), &mut all);
-                    row.copy_from_slice(&all[part.clone()]);
-                }
-            })),
-            fields,
-            count: Some(shapes.len()),
-            held: None,
-        }
-    }
-    /// How many items it holds itself.
-    pub(crate) fn len(&self) -> usize {
-        self.count.unwrap_or(1)
-    }
-    /// The numbers of some items, as they lie in memory or written into `room`.
-    pub(crate) fn numbers<'r>(&'r self, items: Range<usize>, room: &'r mut Vec<T>) -> &'r [T] {
-        let items = match self.count {
-            Some(_) => items,
-            None => 0..1,
-        };
-        match &self.numbers {
-            Numbers::Lent(numbers) => &numbers[items.start * self.fields..items.end * self.fields],
-            Numbers::Read(read) => {
-                room.resize(items.len() * self.fields, T::default());
-                read(items, room);
-                room
-            }
-        }
-    }
-    /// All its numbers.
-    pub(crate) fn all(&self) -> Cow<'_, [T]> {
-        match &self.numbers {
-            Numbers::Lent(numbers) => Cow::Borrowed(numbers),
-            Numbers::Read(read) => {
-                let mut room = vec![T::default(); self.len() * self.fields];
-                read(0..self.len(), &mut room);
-                Cow::Owned(room)
-            }
-        }
-    }
-}
-
-/// One shape that stands for all items of its column.
-///
-/// ```
-/// use geograd::kernels::{Cpu, Iou, One};
-/// use geograd::Obb2;
-/// let goal = Obb2::new(0.0_f64, 0.0, 2.0, 2.0, 0.0);
-/// let boxes = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0), goal];
-/// assert_eq!(Cpu::new().aligned(Iou, (&boxes, One(goal)))?, [1.0 / 3.0, 1.0]);
-/// # Ok::<(), geograd::Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct One<P>(pub P);
-
-/// The arguments of a batch: a slice or vector of shapes or numbers, [`One`], an array on the machine
-/// ([`Held`](crate::kernels::resident::Held)), or a tuple of such.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a column",
-    label = "not a column",
-    note = "a column is a slice, `&a` or `&a[..]`, one shape for all items, `One(shape)`, or an array on the machine"
-)]
-pub trait Columns {
-    /// The arguments of one item.
-    type Item: Item;
-    /// The side that has them and their results: this machine or the one that computes.
-    type Place: Place;
-    /// The columns, one per shape of a row.
-    #[doc(hidden)]
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <Self::Item as Pack>::Scalar>));
-    /// The items, each a shape, as one column: a list of all pairs.
-    #[doc(hidden)]
-    fn list_of_shapes(&self) -> Column<'_, <Self::Item as Pack>::Scalar> {
-        let mut first = None;
-        self.list(&mut |column| first = first.take().or(Some(column)));
-        first.unwrap_or_else(|| Column::lent(&[], 0, Some(0)))
-    }
-}
-
-fn list_slice<'a, P: Item>(shapes: &'a [P], add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
-    let leaves = leaves_of::<P>();
-    if leaves.len() == 1 {
-        return add(Column::of(shapes));
-    }
-    let mut start = 0;
-    for leaf in leaves {
-        add(Column::part(shapes, start..start + leaf.fields));
-        start += leaf.fields;
-    }
-}
-
-impl<P: Item> Columns for &[P] {
-    type Item = P;
-    type Place = Here;
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
-        list_slice(self, add);
-    }
-    fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
-        Column::of(self)
-    }
-}
-impl<P: Item> Columns for &Vec<P> {
-    type Item = P;
-    type Place = Here;
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
-        list_slice(self, add);
-    }
-    fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
-        Column::of(self)
-    }
-}
-impl<P: Item, const N: usize> Columns for &[P; N] {
-    type Item = P;
-    type Place = Here;
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
-        list_slice(&self[..], add);
-    }
-    fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
-        Column::of(&self[..])
-    }
-}
-impl<P: Item> Columns for One<P> {
-    type Item = P;
-    type Place = Here;
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
-        list_slice(std::slice::from_ref(&self.0), &mut |column| {
-            add(Column {
-                count: None,
-                ..column
-            })
-        });
-    }
-    fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
-        Column::of(std::slice::from_ref(&self.0))
-    }
-}
-
-/// The place of several columns.
-macro_rules! joined {
-    ($last:ident) => { $last::Place };
-    ($first:ident $($name:ident)+) => { <$first::Place as Place>::With<joined!($($name)+)> };
-}
-
-/// Columns of several arguments.
-macro_rules! columns {
-    ($($first:ident $($name:ident)*;)*) => { $(
-        impl<$first: Columns, $($name: Columns),*> Columns for ($first, $($name,)*)
-        where
-            $($name::Item: Fixed<Scalar = <$first::Item as Pack>::Scalar>,)*
-        {
-            type Item = ($first::Item, $($name::Item,)*);
-            type Place = joined!($first $($name)*);
-            #[allow(non_snake_case)]
-            fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <$first::Item as Pack>::Scalar>)) {
-                let ($first, $($name,)*) = self;
-                $first.list(add);
-                $($name.list(add);)*
-            }
-        }
-    )* };
-}
-columns!(A B; A B C; A B C D; A B C D E; A B C D E F;);
-
-/// Takes the numbers of results, one after another.
+/// Makes shapes of numbers, one after another.
 type Write<'a, T> = Box<dyn FnOnce(&[T]) + Send + 'a>;
 
 /// The memory for one shape of every result.
@@ -606,11 +366,12 @@ pub struct Target<'a, T> {
 pub(crate) enum Piece<'a, T> {
     /// Numbers as they lie in memory.
     Lent(&'a mut [T]),
-    /// Numbers on their way to shapes that hold more than numbers.
+    /// Room for numbers, and the function that makes shapes of them: for shapes that cannot be written as a slice of
+    /// numbers.
     Written(Vec<T>, Write<'a, T>),
 }
 
-/// Items per piece of work: enough to be worth a thread's while.
+/// Items per piece of work.
 pub(crate) const STRETCH: usize = 2048;
 
 /// Shapes as a target.
