@@ -1,7 +1,7 @@
 //! Operations over paths of run-time length: rings, polylines, clouds of points.
 //!
-//! A fold is what happens at one edge, how two results are joined, and how it ends. Edges may be
-//! computed in any order and side by side; batches run their body as a program.
+//! A fold has three parts: the state of one edge, the join of two states, and the result of the last state. Edges are
+//! independent, so batches compute them side by side, as a program, and join states in order.
 use crate::ad::adjoint::ring::measure_vjp;
 use crate::kernels::op::{Finite, Invariance, Jumps, Limits, Range};
 use crate::ring::Measure;
@@ -77,9 +77,8 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     const ARGUMENTS: &'static [&'static str] = &[];
     /// Documentation in Markdown: the doc comment of its row, empty without one.
     const DOC: &'static str = "";
-    /// The number of the state that is the winding number around the point that the context begins with. `None`
-    /// unless the fold takes no more of a path than that number and the edges nearest to the point: batches then
-    /// fold no other edges.
+    /// The index in the state of the winding number around the point with which the context begins. `Some` only for a fold
+    /// that needs this number and the nearest edges alone: batches then fold only these.
     #[doc(hidden)]
     const WINDING: Option<usize> = None;
     /// The measure of rings that the fold is, if it is one of those with kernels and adjoints by hand. These run in
@@ -96,24 +95,24 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
     fn in_plane_mut<S: Scalar>(_path: &mut [Self::Element<S>]) -> &mut [Vec2<S>] {
         &mut []
     }
-    /// An element of a path: a point of the plane or of space, or any other shape. Batches ask no more of it than
-    /// finite numbers.
+    /// An element of a path: a point of the plane or of space, or any other shape without codes (whole numbers). Batches
+    /// check only that its numbers are finite.
     type Element<S: Scalar>: Fixed<Scalar = S>;
     /// The arguments beside the path: shapes, numbers, a tuple of them, or `[S; 0]` for nothing.
     type Context<S: Scalar>: Fixed<Scalar = S>;
-    /// Constants that say from where a path is seen; `[S; 0]` for none.
+    /// A local origin or unit of a path, to keep rounding small; `[S; 0]` for none.
     type Reference<S: Scalar>: Fixed<Scalar = S>;
     /// The state after some edges.
     type State<S: Scalar>: Fixed<Scalar = S>;
     /// The result.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// The place from which a path is seen. Its derivatives are not followed: the result must not depend on it
-    /// but for rounding.
+    /// The local origin or unit of a path, which may be empty. It counts as a constant in derivatives, so the result must
+    /// not depend on it but for rounding.
     fn reference<S: Scalar>(
         context: Self::Context<S>,
         path: &[Self::Element<S>],
     ) -> Self::Reference<S>;
-    /// The state after no edge.
+    /// The state of no edge: `join` with it changes nothing.
     fn empty<S: Scalar>() -> Self::State<S>;
     /// The state of one edge.
     fn edge<S: Scalar>(
@@ -122,7 +121,7 @@ pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
         from: Self::Element<S>,
         to: Self::Element<S>,
     ) -> Self::State<S>;
-    /// Both together; associative but for rounding.
+    /// The state of two stretches, `one` before `other`. Associative but for rounding; it need not be commutative.
     fn join<S: Scalar>(one: Self::State<S>, other: Self::State<S>) -> Self::State<S>;
     /// The result.
     fn finish<S: Scalar>(

@@ -19,18 +19,19 @@ pub struct Aligned<'a, T> {
     pub face: &'a Face<T>,
     /// The shapes, then the cotangents.
     pub columns: &'a [Column<'a, T>],
-    /// `true` if some shapes may be too rare for kernels.
+    /// `true` if some items may be rare: of shapes too extreme, or cotangents too large, for kernels.
     pub rare: bool,
     /// How many items.
     pub count: usize,
-    /// `true` if numbers were not checked: every stretch is, just before it is computed, while its numbers are near.
+    /// `true` if numbers were not checked before. Each stretch is then tested just before it is computed, so memory is read
+    /// once.
     pub unchecked: bool,
     /// The targets of the results, for every shape of a result.
     pub targets: Vec<Option<Target<'a, T>>>,
 }
 
-/// Computes aligned items on all threads; `false` if some numbers that nobody had checked are doubtful. Results are then
-/// not all there.
+/// Computes aligned items on all threads. `false` if `unchecked` numbers fail a quick test: some results are then missing,
+/// and the caller checks and computes again.
 pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
     let mut pieces: Vec<Vec<Option<Piece<'_, T>>>> = Vec::new();
     pieces.resize_with(work.count.div_ceil(STRETCH), Vec::new);
@@ -48,7 +49,7 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
     let given: usize = columns.iter().map(|x| x.fields * x.len()).sum();
     let made = face.gives.iter().sum::<usize>() * count;
     let far = (given + made) * size_of::<T>() > NEAR;
-    let (unchecked, is_doubtful) = (work.unchecked, AtomicBool::new(false));
+    let (unchecked, has_failed) = (work.unchecked, AtomicBool::new(false));
     let work = pieces.into_iter().enumerate().collect();
     spread(
         work,
@@ -76,22 +77,24 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
                 far,
             };
             if unchecked && !stretch.is_sound() {
-                is_doubtful.store(true, Ordering::Relaxed);
+                has_failed.store(true, Ordering::Relaxed);
                 return;
             }
             stretch.compute(items.len(), &mut places);
             pieces.into_iter().flatten().for_each(Piece::finish);
         },
     );
-    !is_doubtful.into_inner()
+    !has_failed.into_inner()
 }
 
 /// Items that one thread computes.
 struct Stretch<'a, T> {
     face: &'a Face<T>,
-    /// For every column: whether one item stands for all, numbers per item, numbers.
+    /// For every column: `true` if one item stands for all.
     ones: Vec<bool>,
+    /// For every column: numbers per item.
     fields: Vec<usize>,
+    /// For every column: its numbers.
     numbers: Vec<&'a [T]>,
     rare: bool,
     /// `true` if rows are prefetched.

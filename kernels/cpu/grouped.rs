@@ -1,8 +1,8 @@
 //! All pairs within groups of two lists, such as the detections and truths of every frame, over plain numbers.
 //!
-//! Small groups share a desk: pairs of many rows fill the lanes of one tile, which a group alone leaves empty. A group
-//! that is large enough for a tree or for threads of its own goes through the code of ungrouped lists. Neither moves a
-//! bit of a result.
+//! Small groups are computed together: their pairs fill the lanes of a tile that one group would leave partly empty. A
+//! group that is large enough for a tree or for threads of its own runs as ungrouped lists do. Results have the same bits
+//! either way.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::greedy::{self, Greed};
@@ -12,7 +12,7 @@ use crate::kernels::cpu::lane::{
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{Face, List};
-use crate::kernels::cpu::reductions::{self, raise, start};
+use crate::kernels::cpu::reductions::{self, initial, raise};
 use crate::kernels::cpu::sweep::LEAST_OF_TREE;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::formats::kernels_in;
@@ -59,12 +59,13 @@ impl<'a> GroupSpans<'a> {
         pieces.extend((first < self.count()).then(|| first..self.count()));
         pieces
     }
-    /// A row costs about as much as sixteen of its columns.
+    /// The cost of a group, in pairs. A row costs about `TILE` pairs more, since it is prepared and its bounds compared; a
+    /// column costs one.
     fn work(&self, group: usize) -> usize {
         let (rows, columns) = (self.rows(group).len(), self.columns(group).len());
         rows.saturating_mul(columns + TILE).saturating_add(columns)
     }
-    /// `true` if a group is a piece of its own.
+    /// `true` if a group is large: it is a piece of its own, so the first group of a piece tells.
     fn is_alone(&self, group: usize) -> bool {
         self.columns(group).len() >= LEAST_OF_TREE || self.work(group) >= PIECE
     }
@@ -85,21 +86,21 @@ fn part<'p, T: Real>(pairs: &'p Pairs<'_, T>, spans: &[Range<usize>; 2]) -> Pair
 }
 
 /// Results of some pairs, row by row and within a row by column.
-struct Batch<'a, T> {
+struct Scored<'a, T> {
     rows: &'a [u32],
     columns: &'a [u32],
     values: &'a [T],
 }
 
-impl<T: Copy> Batch<'_, T> {
+impl<T: Copy> Scored<'_, T> {
     fn each(&self) -> impl Iterator<Item = (usize, usize, T)> + '_ {
         let places = self.rows.iter().zip(self.columns).zip(self.values);
         places.map(|((&row, &column), &value)| (row as usize, column as usize, value))
     }
 }
 
-/// Pairs of two lists that wait for being computed together.
-struct Desk<'a, T: Real> {
+/// Pairs of two lists that are computed together once they fill a block.
+struct Waiting<'a, T: Real> {
     face: &'a Face<T>,
     lists: &'a [List<'a, T>; 2],
     /// Shapes of either list as rows of numbers.
@@ -113,9 +114,9 @@ struct Desk<'a, T: Real> {
     one: Vec<T>,
 }
 
-impl<T: Real> Desk<'_, T> {
+impl<T: Real> Waiting<'_, T> {
     /// Adds a row with some columns.
-    fn add(&mut self, row: usize, mut columns: &[u32], consume: &mut impl FnMut(Batch<'_, T>)) {
+    fn add(&mut self, row: usize, mut columns: &[u32], consume: &mut impl FnMut(Scored<'_, T>)) {
         while !columns.is_empty() {
             let room = BLOCK * TILE - self.columns.len();
             let (now, rest) = columns.split_at(room.min(columns.len()));
@@ -128,7 +129,7 @@ impl<T: Real> Desk<'_, T> {
         }
     }
     /// Computes the pairs that wait.
-    fn finish(&mut self, consume: &mut impl FnMut(Batch<'_, T>)) {
+    fn finish(&mut self, consume: &mut impl FnMut(Scored<'_, T>)) {
         let count = self.columns.len();
         if count == 0 {
             return;
@@ -145,7 +146,7 @@ impl<T: Real> Desk<'_, T> {
         };
         self.face.maker.make(&inputs, out);
         self.mend();
-        consume(Batch {
+        consume(Scored {
             rows: &self.rows,
             columns: &self.columns,
             values: &flat(Planes(&*self.results).field(0))[..count],
@@ -174,13 +175,13 @@ impl<T: Real> Desk<'_, T> {
     }
 }
 
-/// Computes the pairs of small groups, given by their rows and columns, that are wanted and, where there are bounds,
-/// near. The result is `true` if pairs were left out because they are apart.
-fn sweep<T: Real>(
+/// Computes the wanted pairs of small groups, each given by its rows and columns. Where there are bounds, pairs apart are
+/// left out.
+fn sweep_small<T: Real>(
     pairs: &Pairs<'_, T>,
     groups: impl Iterator<Item = [Range<usize>; 2]>,
     wants: impl Fn(usize, usize) -> bool,
-    mut consume: impl FnMut(Batch<'_, T>),
+    mut consume: impl FnMut(Scored<'_, T>),
 ) {
     let lists = pairs.lists();
     let [a, b] = &lists;
@@ -189,7 +190,7 @@ fn sweep<T: Real>(
     with_lanes(lanes[0] + lanes[1] + planes(fields), |all| {
         let (own, all) = all.split_at_mut(lanes[0]);
         let (others, results) = all.split_at_mut(lanes[1]);
-        let mut desk = Desk {
+        let mut desk = Waiting {
             face: pairs.face,
             lists: &lists,
             picking: [a.picking(), b.picking()],
@@ -290,7 +291,7 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, spans: GroupSpans<'_>, threshold: T)
             return;
         }
         let groups = piece.groups(&spans);
-        sweep(
+        sweep_small(
             &piece.pairs,
             groups,
             |_, _| true,
@@ -343,12 +344,12 @@ pub fn most<T: Real>(
         for spans in piece.groups(&spans) {
             let (own, other) = (&spans[side], &spans[1 - side]);
             if !other.is_empty() {
-                let first = start(piece.pairs.is_filtered(), other.start + from);
+                let first = initial(piece.pairs.is_filtered(), other.start + from);
                 best[own.clone()].fill(Some(first));
             }
         }
         let groups = piece.groups(&spans);
-        sweep(
+        sweep_small(
             &piece.pairs,
             groups,
             |_, _| true,
@@ -368,8 +369,8 @@ pub fn most<T: Real>(
     best
 }
 
-/// The shapes of a list, given group by group and in a group the best first, that no better one of their group, kept
-/// itself, suppresses. At most so many are kept of each group.
+/// The shapes that stay. The list is given group by group, in a group the best first. A kept shape suppresses later ones of
+/// its group and class; at most as many as the rules say stay of a group.
 pub fn suppress<T: Real>(
     pairs: &Pairs<'_, T>,
     offsets: &[usize],
@@ -395,7 +396,7 @@ pub fn suppress<T: Real>(
         let is_later = |row: usize, column: usize| {
             column > row && classes.is_none_or(|classes| classes[column] == classes[row])
         };
-        sweep(&piece.pairs, groups, is_later, |batch| {
+        sweep_small(&piece.pairs, groups, is_later, |batch| {
             let all = batch.each().filter(|(_, _, x)| x.above(rules.threshold));
             found.extend(all.map(|(row, column, _)| (row, column)));
         });

@@ -61,13 +61,10 @@ impl<T: Real> Pairs<'_, T> {
         });
         sweep.is_filtered()
     }
-}
-
-impl<T: Real> Pairs<'_, T> {
-    /// Computes the rows that `who` chooses, on this thread.
-    pub fn chosen(&self, who: &mut impl Chooses<T>) {
+    /// Computes the rows of a choice, on this thread.
+    pub fn chosen(&self, choice: &mut impl Chooses<T>) {
         let [a, b] = self.lists();
-        Sweep::new(self.face, None, &a, &b).run_chosen(who);
+        Sweep::new(self.face, None, &a, &b).run_chosen(choice);
     }
 }
 
@@ -97,7 +94,7 @@ fn put<T: Real>(part: &Part<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
                 row[part.stretch.clone()].copy_from_slice(room);
             }
         }
-        // Few in a long row.
+        // A stretch longer than a block, of a tree: its few results are stored one by one.
         Columns::Picked(columns) => {
             for (k, row) in rows.iter_mut().enumerate() {
                 if part.is_first {
@@ -142,13 +139,13 @@ pub fn planes<T: Real>(pairs: &Pairs<'_, T>, planes: &mut [T]) {
     });
 }
 
-/// How sums of derivatives lie in lanes.
+/// The layout of sums of derivatives in lanes. A filtered sweep with an upstream yields picked columns alone, any other one
+/// runs alone: each has its own layout.
 #[derive(Clone, Copy)]
 enum Lay {
     /// In tiles, field by field.
     Tiles,
-    /// Item by item, the numbers of one side by side, as many as are a multiple of four: for a few
-    /// items at a time.
+    /// Item by item: the numbers of one side by side, padded to a multiple of four, so that single items can be added to.
     Items,
 }
 
@@ -185,8 +182,8 @@ fn folded<T: Real>(mut numbers: [T; TILE]) -> T {
 
 /// Derivatives of the sum of upstream times scores, with respect to every shape of both lists.
 ///
-/// Each row has sixteen sums: column `j` counts for sum `j` modulo sixteen. Each column has one sum per piece of
-/// rows. All are added in a fixed order, the same for both layouts.
+/// A row has sixteen sums; column `j` is added to sum `j` modulo sixteen. A column has one sum per piece of rows. The order
+/// of additions is fixed and the same in both layouts.
 pub fn pull_back<T: Real>(
     pairs: &Pairs<'_, T>,
     upstream: Upstream<'_, T>,
@@ -200,7 +197,7 @@ pub fn pull_back<T: Real>(
         return;
     }
     let fields = [0, 1].map(|k| pairs.face.arguments[k].fields);
-    // Room for either way of lying.
+    // Both layouts fit.
     let [wide, width] = fields.map(|n| n.next_multiple_of(QUAD));
     let width = tiles(columns) * width;
     let piece = rows_per_piece(rows);

@@ -10,9 +10,9 @@ use crate::kernels::reduce::{Best, Found};
 
 /// Scores of one row.
 enum Scores<'a, T> {
-    /// With one column after another, from the first on.
+    /// Of successive columns: the first of them, and the scores.
     Run(usize, &'a [T]),
-    /// With some columns, ascending; all others are zero.
+    /// Of some columns, ascending, and their scores; all other columns score zero.
     Picked(&'a [u32], &'a [T]),
 }
 
@@ -34,8 +34,8 @@ fn picked<'a, T: Real>(
     columns.zip(scores.iter().copied())
 }
 
-/// The start of a maximum: zero if pairs may be culled, since their results are zeros.
-pub fn start<T: Real>(filtered: bool, index: usize) -> Best<T> {
+/// The maximum before any score: zero where pairs may be left out, since those score zero; else minus infinity.
+pub fn initial<T: Real>(filtered: bool, index: usize) -> Best<T> {
     let value = T::lit(if filtered { 0.0 } else { f64::NEG_INFINITY });
     Best { value, index }
 }
@@ -51,13 +51,13 @@ pub fn raise<T: Real>(best: &mut Best<T>, value: T, index: usize) {
 /// The largest score of every row and its column; of several the first.
 pub fn most_of_rows<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     let [rows, columns] = pairs.counts();
-    let mut best = vec![start(false, 0); rows];
+    let mut best = vec![initial(false, 0); rows];
     if columns == 0 {
         return best;
     }
     let work = best.chunks_mut(rows_per_piece(rows)).collect();
     pairs.sweep(None, work, |sweep, rows, best: &mut [Best<T>]| {
-        best.fill(start(sweep.is_filtered(), 0));
+        best.fill(initial(sweep.is_filtered(), 0));
         let start = rows.start;
         sweep.run(rows, |part| {
             let best = &mut best[part.row - start];
@@ -83,14 +83,14 @@ pub fn most_of_rows<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
 /// The largest score of every column and its row; of several the first.
 pub fn most_of_columns<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     let [rows, columns] = pairs.counts();
-    let mut best = vec![start(false, 0); columns];
+    let mut best = vec![initial(false, 0); columns];
     if rows == 0 || columns == 0 {
         return best;
     }
     let mut partials = vec![best.clone(); rows.div_ceil(rows_per_piece(rows))];
     let work = partials.iter_mut().collect();
     pairs.sweep(None, work, |sweep, rows, best: &mut Vec<Best<T>>| {
-        best.fill(start(sweep.is_filtered(), rows.start));
+        best.fill(initial(sweep.is_filtered(), rows.start));
         sweep.run(rows, |part| match (part.row, scores(&part)) {
             (row, Scores::Run(first, values)) => {
                 for (best, &value) in best[first..].iter_mut().zip(values) {

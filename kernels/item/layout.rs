@@ -178,9 +178,15 @@ pub(crate) fn get<P: Fixed<Scalar: Real>>(numbers: &[P::Scalar]) -> P {
 
 /// Codes that are numbers of a column.
 fn codes_of<T: Real>(numbers: &[T]) -> Vec<u32> {
-    // Exact in `f32` up to 2²⁴.
-    let code = |&x: &T| crate::scalar::float::Float::widen(x) as u32;
+    // By way of `i64`: columns have codes of either sign.
+    let code = |&x: &T| crate::scalar::float::Float::widen(x) as i64 as u32;
     numbers.iter().map(code).collect()
+}
+
+/// A code as a number of a column. Those of signed integers keep their sign, so that it is exact in `f32` up to 2²⁴ and
+/// down to −2²⁴.
+fn number_of_code<T: Real>(code: u32) -> T {
+    T::lit(f64::from(code as i32))
 }
 
 /// A shape as the numbers of a column.
@@ -188,7 +194,7 @@ pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
     shape.store(numbers);
     if const { P::CODES > 0 } {
         for (x, code) in numbers[P::LEN..].iter_mut().zip(shape.codes()) {
-            *x = <P::Scalar as crate::Scalar>::lit(f64::from(code));
+            *x = number_of_code(code);
         }
     }
 }
@@ -227,7 +233,7 @@ pub(crate) fn by_shape<R: Item>(
         let (own_scalars, others) = scalars.split_at(leaf.fields - leaf.codes);
         own[..own_scalars.len()].copy_from_slice(own_scalars);
         for (x, &code) in own[own_scalars.len()..].iter_mut().zip(&mut codes) {
-            *x = crate::Scalar::lit(f64::from(code));
+            *x = number_of_code(code);
         }
         (to, scalars) = (rest, others);
     });

@@ -247,3 +247,20 @@ fn shapes_around_polygons_along_directions() {
         );
     }
 }
+
+/// A tick of a scale on either side of zero.
+#[derive(Clone, Copy, Debug, PartialEq, geograd::Shape)]
+struct Tick<S> {
+    step: S,
+    #[shape(code)]
+    place: i32,
+}
+
+#[test]
+fn codes_have_signs() {
+    let ticks: Vec<Tick<f32>> = [-2, 0, 7, -16_777_216]
+        .map(|place| Tick { step: 0.5, place })
+        .to_vec();
+    let held = Cpu::new().upload(&ticks).unwrap();
+    assert_eq!(held.download().unwrap(), ticks);
+}

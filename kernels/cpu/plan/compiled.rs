@@ -91,8 +91,8 @@ impl<T: Real> Maker<T> for Derivatives<T> {
     }
 }
 
-/// The steepest cotangent that kernels bear: derivatives of ordinary shapes are below 10²⁶ in single precision, and the
-/// terms that they are made of.
+/// The largest cotangent that kernels take, 10¹² in single precision. Derivatives of ordinary shapes, and their terms, are
+/// below 10²⁶, so products stay finite: 5/16 of the digits of the largest number are left for the cotangent.
 fn steepest<T: Real>() -> f64 {
     T::LARGEST.powf(0.3125)
 }
@@ -177,7 +177,8 @@ impl<T: Real> Maker<T> for DerivativesOfOne<T> {
     }
 }
 
-/// `true` if every rotated box is of common size, and none of zero size.
+/// `true` if every rotated box is within the `COMMON_*` limits of `clip` and has an area. Without branches, so that it
+/// becomes vectors.
 fn all_solid<T: Real>(numbers: &[T]) -> bool {
     let solid = |all: bool, x: &[T]| all & x[2].above(T::default()) & x[3].above(T::default());
     (kernels_in::<T>().all_common_obb2)(numbers) && numbers.chunks_exact(OBB2).fold(true, solid)
@@ -334,9 +335,7 @@ fn of_obb3<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
         name: None,
         fields: OBB3,
         frame: None,
-        bounds: Some(Arc::new(|[shapes, _], bounds| {
-            solids::obb3_bounds(shapes, bounds)
-        })),
+        bounds: outline(Compiled::Obb3(over)),
         all_ordinary: kernels.all_common_obb3,
         check: |numbers| Obb3::load(numbers).validate(),
         is_rare: |numbers| !is_common_obb3(numbers),
@@ -377,7 +376,7 @@ fn of_aabb2<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
     let vjp = move |a, b, out_bar| score_aabb2_vjp(over, a, b, out_bar);
     let value = move |a: Aabb2<T>, b| vjp(a, b, T::one()).0;
     Face {
-        // They serve boxes of any size.
+        // Kernels take boxes of any size, so derivatives reach the largest number: cotangents above one take scalar code.
         steepest: 1.0,
         ..score_of_two(mode, shape, maker, value, vjp)
     }

@@ -1,5 +1,5 @@
-//! All pairs as a reduction on the GPU sees them: two lists, blocks of results that are computed one after the
-//! other into the same buffer, or a matrix that is there already.
+//! The dispatches of a reduction on the GPU: over two lists, over blocks of results that are computed one after the other
+//! into the same buffer, or over a matrix that is there already.
 use super::block::Block;
 use super::generated::Form;
 use super::generated::operation::Generated;
@@ -14,23 +14,27 @@ use std::sync::Arc;
 /// One dispatch of a reduction: a run of own rows (or columns) by a run of walked ones.
 #[derive(Clone, Debug)]
 pub(super) struct Sweep {
-    /// The index of the first own one in its buffer.
+    /// Where the own rows (or columns) begin in their buffer.
     pub own_start: usize,
-    /// The piece of their results.
+    /// The buffer of their results.
     pub out_piece: usize,
+    /// Where their results begin in it.
     pub out_start: usize,
-    /// The first one's index in the whole list.
+    /// Where they begin in the whole list.
     pub own_base: usize,
+    /// How many they are.
     pub own: usize,
-    /// The index of the first walked one in its buffer, and in the whole list.
+    /// Where the walked columns (or rows) begin in their buffer.
     pub walked_start: usize,
+    /// Where they begin in the whole list.
     pub walked_base: usize,
+    /// How many they are.
     pub walked: usize,
-    /// Strips of walked ones.
+    /// Strips of walked columns (or rows).
     pub strips: usize,
-    /// `true` if own ones have results of others already.
+    /// `true` if earlier sweeps have results of the same own rows, with which these are joined.
     pub more: bool,
-    /// Two lists of shapes or a block of a matrix, and where they are bound.
+    /// The bindings and buffers of what is read: two lists (and the ranges of groups), or a block of a matrix.
     pub bound: Vec<(u32, wgpu::Buffer)>,
 }
 
@@ -40,7 +44,7 @@ impl Sweep {
         self.own * self.strips
     }
 
-    /// The same in two, for own rows that found more than a buffer holds.
+    /// Both halves of the own rows, where the pairs found need more than one buffer. It has at least two.
     pub fn halves(self) -> [Sweep; 2] {
         let half = self.own / 2;
         let second = Sweep {
@@ -87,7 +91,8 @@ pub(super) struct Part {
     pub shapes: Range<usize>,
 }
 
-/// All pairs as a reduction sees them: own rows (or columns) by walked columns (or rows).
+/// The dispatches of a reduction over all pairs. A thread stands for an own row (or column) and walks through columns (or
+/// rows).
 pub(super) struct Table<'a> {
     pub gpu: &'a Device,
     pub own: usize,
@@ -95,7 +100,7 @@ pub(super) struct Table<'a> {
     /// `true` if threads stand for rows.
     own_rows: bool,
     kernels: Kernels<'a>,
-    /// `true` if own ones walk through ranges of their own.
+    /// `true` if every own row walks through a range of its own.
     is_grouped: bool,
     pub sweeps: Vec<Sweep>,
 }
@@ -141,7 +146,7 @@ impl<'a> Table<'a> {
         let (k, inner, counts) = (usize::from(!own_rows), &gpu.inner, sides.counts());
         let walked: Vec<_> = sides.parts(1 - k, 0..counts[1 - k]).collect();
         let widest = walked.iter().map(|part| part.2.len()).max().unwrap_or(1);
-        // As a matrix with one column per strip and four numbers per entry; no dispatch of seconds.
+        // Partial results fit a buffer, at 16 bytes per row and strip, and a dispatch ends before a driver resets the GPU.
         let most = (inner.most_bytes as usize / 16 / widest.div_ceil(STRIP))
             .min(made.most_pairs() / widest)
             .max(1);
