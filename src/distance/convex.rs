@@ -40,7 +40,8 @@ use crate::{Aabb2, Obb2, Scalar, Vec2};
     note = "`impl Convex` gives a convex shape of the plane the distances from all others"
 )]
 pub trait Convex<S: Scalar>: Copy {
-    /// The core: the shape before it is inflated.
+    /// The core: the shape before it is inflated. A shape of one's own has the core of a shape of the library, such as
+    /// `<Triangle2<S> as Convex<S>>::Core`.
     type Core: Core<S>;
     /// `true` if the radius may be other than zero.
     const ROUND: bool = false;
@@ -137,10 +138,12 @@ pub trait PairFormula<S: Scalar> {
 }
 
 /// The core of a convex shape: the hull of some corners and of some directions in which it has no
-/// end.
+/// end. The cores are those of the library's shapes: a shape of one's own has that of the shape it
+/// is like.
 ///
 /// Two halves make every distance: what the faces and edges of one core are to the corners of the
 /// other, and the same the other way round.
+#[doc(hidden)]
 pub trait Core<S: Scalar>: Copy {
     /// The corners, in an array.
     type Corners: AsRef<[Vec2<S>]>;
