@@ -249,20 +249,6 @@ impl<T: Real> Recording<T> {
         self.made.made(key, make)
     }
 
-    /// A copy by its program, with no plans yet; an error for a search.
-    #[cfg(feature = "gpu")]
-    pub(crate) fn copied(&self) -> Result<Self, Error> {
-        Ok(Recording {
-            compiled: self.compiled,
-            ..Recording::new(
-                self.takes.clone(),
-                self.outputs.clone(),
-                self.arguments,
-                Body::Graph(self.program(Mode::Value)?),
-            )
-        })
-    }
-
     /// The program of a mode: the result, or the result and derivatives, from the input and then the cotangent.
     pub(crate) fn program(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
         match &self.body {

@@ -7,8 +7,6 @@ use crate::kernels::decision::Search;
 use crate::kernels::derivation::{Mode, Order, Replays, Step};
 use crate::kernels::item::{Item, by_kind, by_shape, get, width};
 use crate::kernels::recording::by_reverse;
-#[cfg(feature = "gpu")]
-use crate::kernels::replays::{Replay, instructions};
 use crate::{Fixed, Pack, Real};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
@@ -48,7 +46,7 @@ struct Differentiated<D: Search, T> {
     programs: Cache<D, Recorded>,
     /// Replays as instructions, for a GPU.
     #[cfg(feature = "gpu")]
-    replays: Cache<D, Replay>,
+    replays: Cache<D, crate::kernels::replays::Replay>,
     format: std::marker::PhantomData<fn() -> T>,
 }
 
@@ -178,12 +176,16 @@ where
         })
     }
     #[cfg(feature = "gpu")]
-    fn instructions(&self, numbers: &[T], taken: &mut Vec<T>) -> Result<Arc<Replay>, Error> {
+    fn instructions(
+        &self,
+        numbers: &[T],
+        taken: &mut Vec<T>,
+    ) -> Result<Arc<crate::kernels::replays::Replay>, Error> {
         let key = self.key(numbers, taken);
         made::<D, _>(&self.replays, key, |codes, record| {
             let recorded = self.program(codes, record)?;
             let value = &recorded.value;
-            instructions(&value.graph, recorded.inputs, &value.outputs)
+            crate::kernels::replays::instructions(&value.graph, recorded.inputs, &value.outputs)
         })
     }
     fn sizes(&self) -> [usize; 2] {

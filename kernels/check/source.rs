@@ -1,6 +1,7 @@
 //! Operations, searches and folds as the harness takes them: one function, generic over the scalar, and its adjoint.
 use crate::kernels::cpu::folds::folding::Sizes;
-use crate::kernels::cpu::folds::{Programs, backwards, programs};
+use crate::kernels::cpu::folds::programs::programs;
+use crate::kernels::cpu::folds::{Programs, backwards};
 use crate::kernels::fold::{Fold, by_hand, fold};
 use crate::kernels::op::program_of;
 use crate::kernels::op::{Derivative, Invariance, Jumps, Op};

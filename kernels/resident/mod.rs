@@ -39,14 +39,12 @@ use std::any::Any;
 use std::fmt;
 
 mod held;
-mod pending;
+pub(crate) mod pending;
 mod rings;
 
 pub(crate) use held::Stays;
 pub(crate) use held::numbers_of;
 pub use held::{Held, Stored};
-#[cfg(feature = "gpu")]
-pub(crate) use pending::Later;
 pub use pending::Pending;
 pub use rings::Rings;
 

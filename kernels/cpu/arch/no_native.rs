@@ -11,6 +11,10 @@ pub(crate) enum Native {}
 
 impl Native {
     /// Nothing: the interpreter carries out all instructions.
+    #[expect(
+        clippy::extra_unused_type_parameters,
+        reason = "the format, as with machine code"
+    )]
     pub(crate) fn new<T>(_: &Tape, _: usize, _: Simd, _: bool) -> Option<Self> {
         None
     }

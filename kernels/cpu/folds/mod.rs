@@ -1,7 +1,7 @@
 //! Folds over ragged lists of paths: edges side by side as a program, what they tell joined in order.
 pub(crate) mod folding;
-mod paths;
-mod programs;
+pub(crate) mod paths;
+pub(crate) mod programs;
 
 use crate::error::{Argument, Field, Flaw};
 use crate::kernels::cpu::checked::{check_argument, check_upstream, expect};
@@ -19,8 +19,6 @@ pub use folding::{Folding, Sizes};
 pub use paths::Input;
 use paths::{Paths, paths, told};
 pub(crate) use programs::Programs;
-#[cfg(any(feature = "gpu", feature = "check"))]
-pub(crate) use programs::programs;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -31,13 +29,6 @@ pub enum VertexBars<'a, T: 'static> {
     Numbers(&'a mut [T]),
     /// Points of the plane, of a measure of rings.
     Plane(Measure, &'a mut [Vec2<T>]),
-}
-
-/// Checks paths; of every one its context and then its reference, as numbers.
-#[cfg(feature = "gpu")]
-pub(crate) fn shared<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec<T>, Error> {
-    folding.checked(input)?;
-    Ok(paths(folding, input)?.shared)
 }
 
 /// The numbers of the result of every path.
@@ -159,7 +150,7 @@ pub fn cotangents<T: Real>(
 
 impl<T: Real> Folding<T> {
     /// Checks paths, whose offsets were checked, and their contexts. Whoever looks at every vertex anyway finds those that are not finite itself.
-    fn checked(&self, input: &Input<'_, T>) -> Result<(), Error> {
+    pub(crate) fn checked(&self, input: &Input<'_, T>) -> Result<(), Error> {
         let (spans, winding) = (input.spans, self.sizes.winding);
         let vertices = input.vertices.len() / self.sizes.element.max(1);
         if winding.is_none() && !(kernels_in::<T>().all_finite)(&input.vertices) {

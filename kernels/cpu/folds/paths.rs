@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 /// Paths that are folded, with the numbers of every edge.
-pub(super) struct Paths<'a, T> {
+pub(crate) struct Paths<'a, T> {
     /// The numbers of all vertices, and how many one has.
     pub(super) vertices: &'a [T],
     pub(super) element: usize,
@@ -16,7 +16,7 @@ pub(super) struct Paths<'a, T> {
     /// The index of the first edge of every path, and the end of the last.
     pub(super) starts: Vec<usize>,
     /// The context and then the reference of every path.
-    pub(super) shared: Vec<T>,
+    pub(crate) shared: Vec<T>,
     /// The winding number of every path; `None` where all of its edges are listed.
     pub(super) windings: Vec<Option<T>>,
 }
@@ -34,7 +34,7 @@ pub struct Input<'a, T: Clone> {
 }
 
 /// Lists the edges of checked paths.
-pub(super) fn paths<'a, T: Real>(
+pub(crate) fn paths<'a, T: Real>(
     folding: &Folding<T>,
     input: &'a Input<'_, T>,
 ) -> Result<Paths<'a, T>, Error> {

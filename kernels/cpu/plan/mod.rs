@@ -1,13 +1,11 @@
 //! How batches compute an operation: what is prepared once per shape, what is computed per pair.
 mod compiled;
 mod computation;
-mod makers;
+pub(crate) mod makers;
 
 pub use compiled::Compiled;
 pub use computation::{Face, List, Preparation, Rare, Shapes};
 pub(crate) use computation::{Maker, name};
-#[cfg(feature = "gpu")]
-pub(crate) use makers::prepared;
 pub(crate) use makers::{of_items, of_recorded};
 
 use crate::Real;

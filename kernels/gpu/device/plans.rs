@@ -1,7 +1,7 @@
 //! The plans of a call for a GPU, made once per function, mode and form.
 use super::generated::operation::Generated;
 use crate::kernels::derivation::Replays;
-use crate::kernels::recording::{Body, Call, Key};
+use crate::kernels::recording::{Body, Call, Key, Mode, Recording};
 use crate::{Error, Unrecordable};
 use std::sync::Arc;
 
@@ -40,10 +40,15 @@ impl Call<f32> {
     /// Errors of recording either.
     #[doc(hidden)]
     pub fn with_kernels_of(&self, other: &Self) -> Result<Self, Error> {
-        let own = match &self.recording.body {
-            Body::Search(_) => return Err(Error::Program(Unrecordable::Search)),
-            _ => self.recording.copied()?,
-        };
+        let recording = &self.recording;
+        if matches!(recording.body, Body::Search(_)) {
+            return Err(Error::Program(Unrecordable::Search));
+        }
+        // A copy by its program, with no plans yet.
+        let (takes, outputs) = (recording.takes.clone(), recording.outputs.clone());
+        let body = Body::Graph(recording.program(Mode::Value)?);
+        let mut own = Recording::new(takes, outputs, recording.arguments, body);
+        own.compiled = recording.compiled;
         for framed in [false, true] {
             let program = other.recording.program(other.mode)?;
             let (takes, outputs) = (own.takes.clone(), own.outputs.clone());

@@ -4,7 +4,8 @@ use super::text::{Form, GROUP, MOST_GROUPS, call};
 use crate::ad::program::WGSL;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::checked::{check_upstream, numbers};
-use crate::kernels::cpu::folds::{self, Folding, Input, Programs, Sizes, VertexBars};
+use crate::kernels::cpu::folds::paths::paths;
+use crate::kernels::cpu::folds::{Folding, Input, Programs, Sizes, VertexBars};
 use crate::kernels::cpu::nearest::PathSpans;
 use crate::kernels::cpu::program::split::Piece;
 use crate::kernels::gpu::device::Device;
@@ -324,6 +325,12 @@ impl<'a> Listed<'a> {
     }
 }
 
+/// Checks paths; of every one its context and then its reference, as numbers.
+fn shared(folding: &Folding<f32>, input: &Input<'_, f32>) -> Result<Vec<f32>, Error> {
+    folding.checked(input)?;
+    Ok(paths(folding, input)?.shared)
+}
+
 impl Device {
     /// Writes the result of every path.
     pub(crate) fn folded(
@@ -350,7 +357,7 @@ impl Device {
             };
         }
         let shaders = shaders_of(folding)?;
-        let shared = folds::shared(folding, input)?;
+        let shared = shared(folding, input)?;
         let listed = Listed::new(input)?;
         let inner = &self.inner;
         inner.alive()?;
@@ -399,7 +406,7 @@ impl Device {
             VertexBars::Numbers(bars) => bars,
         };
         let shaders = shaders_of(folding)?;
-        let shared = folds::shared(folding, input)?;
+        let shared = shared(folding, input)?;
         check_upstream(upstream, shaders.out.max(1))?;
         let listed = Listed::new(input)?;
         let inner = &self.inner;

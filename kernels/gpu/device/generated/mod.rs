@@ -166,7 +166,7 @@ pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
     if let Some(measure) = F::MEASURE {
         return Ok(vec![(F::NAME.to_owned(), ring_source(measure))]);
     }
-    let programs = cpu_folds::programs::<F, f32>()?;
+    let programs = cpu_folds::programs::programs::<F, f32>()?;
     let made = folds::shaders(
         &programs,
         &cpu_folds::Sizes::of::<F>(),
