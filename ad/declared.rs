@@ -100,9 +100,9 @@ impl Kind {
     }
 }
 
-/// How the output answers.
+/// The effect of a motion of the input on the result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Answer {
+pub enum Effect {
     /// It stays.
     Stays,
     /// Every number grows with this power of the scale.
@@ -116,14 +116,14 @@ pub enum Answer {
 pub struct Invariance {
     /// How the input moves.
     pub motion: Motion,
-    /// How the output answers.
-    pub answer: Answer,
+    /// The effect of a motion of the input on the result.
+    pub answer: Effect,
 }
 
 impl Invariance {
     /// The property that this motion has this answer.
     #[must_use]
-    pub const fn new(motion: Motion, answer: Answer) -> Self {
+    pub const fn new(motion: Motion, answer: Effect) -> Self {
         Invariance { motion, answer }
     }
 }

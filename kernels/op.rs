@@ -25,7 +25,7 @@
 //! assert_eq!(Cpu::new().aligned(Distance, (&a, &b))?, [5.0]);
 //! # Ok::<(), geograd::Error>(())
 //! ```
-pub use crate::ad::declared::{Answer, Invariance, Jumps, Motion};
+pub use crate::ad::declared::{Effect, Invariance, Jumps, Motion};
 use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Program, Sym};
 use crate::error::Error;

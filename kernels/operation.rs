@@ -11,7 +11,7 @@
 ///
 /// | clause | words |
 /// | --- | --- |
-/// | `invariances [Motion Answer, …]` | motions of all arguments: `TranslationX`, `TranslationY`, `Rotation` (in space about z), `Scaling`, `Exchange`, and in space `TranslationZ`, `RotationX`, `RotationY`; the result `Stays`, grows with `Power(p)` of the scale, or `Follows` |
+/// | `invariances [Motion Effect, …]` | motions of all arguments: `TranslationX`, `TranslationY`, `Rotation` (in space about z), `Scaling`, `Exchange`, and in space `TranslationZ`, `RotationX`, `RotationY`; the result `Stays`, grows with `Power(p)` of the scale, or `Follows` |
 /// | \[`finite`\] | `Always`, `Within(limits)`, `Values(limits)`, `Undeclared`: [`Finite`](crate::kernels::op::Finite) |
 /// | \[`range`\] | `RATIO`, `SIGNED`, `NOT_NEGATIVE`, …: the constants of [`Range`](crate::kernels::op::Range) |
 /// | \[`extremes`\] | `Shared`, `Ratio`, `Union`, `One`: [`Extremes`](crate::kernels::op::Extremes) |
@@ -260,7 +260,7 @@ macro_rules! operation {
             const INVARIANCES: &'static [$crate::kernels::op::Invariance] = &[$(
                 $crate::kernels::op::Invariance {
                     motion: $crate::kernels::op::Motion::$motion,
-                    answer: $crate::kernels::op::Answer::$answer $(($power))?,
+                    answer: $crate::kernels::op::Effect::$answer $(($power))?,
                 }
             ),*];
             const JUMPS: $crate::kernels::op::Jumps = $crate::kernels::op::Jumps::$jumps;

@@ -202,7 +202,7 @@ pub mod check {
     pub use crate::ad::check::subject::Conventions;
     pub use crate::ad::check::verdict::{Reason, Witness};
     pub use crate::ad::check::{Check, Failure, Report, Sampling};
-    pub use crate::ad::declared::{Answer, Invariance, Jumps, Kind, Motion};
+    pub use crate::ad::declared::{Effect, Invariance, Jumps, Kind, Motion};
     pub use crate::ad::sample::{Draw, Sample};
     pub use crate::scalar::Scalar;
     pub use crate::{assert_gradient, generic_check};

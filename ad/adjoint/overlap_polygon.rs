@@ -13,7 +13,7 @@
 //! where `f` and `g` cross; nothing is divided by the sine of the angle between two edges, and the
 //! crossing point itself is not differentiated, so nearly parallel edges are harmless. Edges that lie
 //! along each other count half each.
-use crate::overlap_polygon::{Fan, Inside, SharedArea, Wedge, bounds_of_rings, measure, mixed};
+use crate::overlap_polygon::{Fan, SharedArea, Wedge, Window, bounds_of_rings, measure, mixed};
 use crate::shape::edges;
 use crate::{ConvexPolygon, Mask, Scalar, Vec2};
 
@@ -262,7 +262,7 @@ pub fn area_inside_vjp<S: Scalar, const M: usize>(
             count: polygon.count,
         };
     };
-    let inside = Inside::new(bounds, polygon);
+    let inside = Window::new(bounds, polygon);
     let out_bar = S::select(inside.apart, S::zero(), out_bar);
     let seen = inside.seen;
     for (ring, bars) in rings.iter().zip(ring_bars.iter_mut()) {

@@ -231,7 +231,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         self
     }
     /// The kind of each number of the result, for invariances that it
-    /// [follows](crate::ad::check::symmetry::Answer::Follows).
+    /// [follows](crate::ad::check::symmetry::Effect::Follows).
     #[must_use]
     pub fn result_kinds(mut self, kinds: &[Kind]) -> Self {
         self.output_kinds = kinds.to_vec();

@@ -27,7 +27,7 @@ pub struct Body {
 
 /// The function that a proof is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Measure {
+pub enum Proved {
     /// The distance; 0 where the bodies touch or overlap.
     Distance,
     /// Its square.
@@ -40,7 +40,7 @@ pub enum Measure {
 #[derive(Clone, Debug)]
 pub struct Proof {
     /// The function.
-    pub measure: Measure,
+    pub measure: Proved,
     /// The bodies.
     pub bodies: [Body; 2],
     /// A point of each, if the function has a companion that tells them.

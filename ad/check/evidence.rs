@@ -6,7 +6,7 @@ use crate::ad::check::tolerances::{
     COMBINATIONS, FEW_INPUTS, FEW_OUTPUTS, NOISE_ROUNDS, ROUNDINGS, ROUNDS,
 };
 use crate::ad::check::trace::Trace;
-use crate::ad::check::verdict::{Nearest, Numbers, Reason, Witness};
+use crate::ad::check::verdict::{ByWitness, Reason, Tightest, Witness};
 use crate::ad::check::witness::{Precision, beside, combined, dot};
 use crate::ad::sample::Draw;
 use std::cell::{Cell, RefCell};
@@ -60,7 +60,7 @@ pub(crate) enum Beside {
     Same,
     /// Equal numbers stayed equal, so a change of branch comes from rounding.
     Tied,
-    /// Numbers moved on their own: an exact tie may have been broken.
+    /// ByWitness moved on their own: an exact tie may have been broken.
     Loose,
 }
 
@@ -355,15 +355,15 @@ impl Evidence<'_> {
 pub(crate) fn comparison(
     row: &Combination,
     input: usize,
-    numbers: Numbers,
+    numbers: ByWitness,
     tolerance: f64,
-) -> Nearest {
-    Nearest {
+) -> Tightest {
+    Tightest {
         output: row.output,
         input,
         numbers,
         tolerance,
         provoked: row.provoked.get(),
-        ..Nearest::default()
+        ..Tightest::default()
     }
 }

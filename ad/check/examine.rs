@@ -7,7 +7,7 @@ use crate::ad::check::report::{Failure, Report};
 use crate::ad::check::shrink::shrunk;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{ENOUGH, INSIDE_ONE_IN, KEPT, SMOOTH_ONE_IN};
-use crate::ad::check::verdict::{Findings, Place, Reason};
+use crate::ad::check::verdict::{Findings, Reason, Smoothness};
 use crate::ad::check::witness::Precision;
 use crate::ad::sample::Draw;
 use crate::{Pack, Real};
@@ -129,11 +129,11 @@ pub(crate) fn examined<'a>(
         report.samples += 1;
         drawn += usize::from(sample >= random_from);
         report.places[match findings.place {
-            Place::Smooth => 0,
-            Place::Kink => 1,
-            Place::Undefined => 2,
+            Smoothness::Smooth => 0,
+            Smoothness::Kink => 1,
+            Smoothness::Undefined => 2,
         }] += 1;
-        smooth += usize::from(findings.place == Place::Smooth && sample >= random_from);
+        smooth += usize::from(findings.place == Smoothness::Smooth && sample >= random_from);
         covered.resize(covered.len().max(findings.covered.len()), false);
         for (all, here) in covered.iter_mut().zip(&findings.covered) {
             *all |= here;

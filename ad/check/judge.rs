@@ -21,7 +21,7 @@ use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::Motion;
 use crate::ad::check::tolerances::FEW_INPUTS;
-use crate::ad::check::verdict::{Fault, Findings, Place, Reason, Witness};
+use crate::ad::check::verdict::{Fault, Findings, Reason, Smoothness, Witness};
 use crate::ad::sample::Draw;
 
 /// Checks everything at one input. `seed` chooses random directions.
@@ -31,7 +31,7 @@ pub fn judge(subject: &dyn Subject, x: &[f64], seed: u64) -> Findings {
     let mut said = Notes::new(x.len());
     let Some(mut evidence) = Evidence::of_values(subject, x, &mut said) else {
         let mut findings = decided(None, said);
-        findings.place = Place::Undefined;
+        findings.place = Smoothness::Undefined;
         return findings;
     };
     said.add(values(&evidence));
@@ -121,11 +121,11 @@ fn decided(e: Option<&Evidence<'_>>, said: Notes) -> Findings {
     let [smooth, kinked, undefined] = said.directions;
     Findings {
         place: if said.jump || (smooth + kinked == 0 && undefined > 0) {
-            Place::Undefined
+            Smoothness::Undefined
         } else if kinked > 0 {
-            Place::Kink
+            Smoothness::Kink
         } else {
-            Place::Smooth
+            Smoothness::Smooth
         },
         directions: said.directions,
         switched: said.switched,
@@ -185,7 +185,7 @@ fn explained(e: Option<&Evidence<'_>>, fault: &Fault, said: &Notes, others: &[Fa
         .find(|told| (told.0, told.1) == (fault.output, fault.input));
     // The tie of the duals is all the evidence for long inputs.
     let tie = e.x.len() > FEW_INPUTS && e.tie_of_duals();
-    place.is_some_and(|told| tie || told.2 == Place::Kink)
+    place.is_some_and(|told| tie || told.2 == Smoothness::Kink)
         || row.is_some_and(|row| e.between_pieces(row))
 }
 

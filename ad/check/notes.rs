@@ -1,5 +1,7 @@
 //! The notes of a comparison of witnesses at one input. Only [`judge`](crate::ad::check::judge) refuses.
-use crate::ad::check::verdict::{Fault, Nearest, Numbers, PAIRS, Place, Reason, Witness, Worst};
+use crate::ad::check::verdict::{
+    ByWitness, Fault, PAIRS, Reason, Smoothness, Tightest, Witness, Worst,
+};
 
 /// The findings of one comparison, or of several.
 #[derive(Clone, Debug)]
@@ -19,7 +21,7 @@ pub(crate) struct Notes {
     /// Directions along which another branch was taken, however small the step.
     pub(crate) switched: u64,
     /// Outputs and directions at which steps could tell, and what kind of place it is along them.
-    pub(crate) told: Vec<(usize, usize, Place)>,
+    pub(crate) told: Vec<(usize, usize, Smoothness)>,
     /// `true` if the function stays in one branch for a while along all directions, so that second
     /// derivatives make sense.
     pub(crate) plain: bool,
@@ -43,7 +45,7 @@ impl Notes {
 
     /// A complaint without numbers.
     pub(crate) fn complain(&mut self, reason: Reason, output: usize, input: usize) {
-        self.complain_of(reason, None, (output, input), Numbers::default(), 0.0);
+        self.complain_of(reason, None, (output, input), ByWitness::default(), 0.0);
     }
 
     /// A complaint about so many numbers, and how many there should be.
@@ -53,9 +55,9 @@ impl Notes {
         output: usize,
         lengths: [usize; 2],
     ) {
-        let numbers = Numbers {
+        let numbers = ByWitness {
             lengths: Some(lengths),
-            ..Numbers::default()
+            ..ByWitness::default()
         };
         let reason = Reason::WrongLength(witness);
         self.complain_of(reason, None, (output, 0), numbers, 0.0);
@@ -67,7 +69,7 @@ impl Notes {
         reason: Reason,
         suspect: Option<Witness>,
         (output, input): (usize, usize),
-        numbers: Numbers,
+        numbers: ByWitness,
         tolerance: f64,
     ) {
         self.complaints.push(Fault {
@@ -82,7 +84,7 @@ impl Notes {
 
     /// One more comparison of the pair that stands at `pair` in [`PAIRS`]; `size` is the largest derivative of
     /// the same unit.
-    pub(crate) fn compared(&mut self, pair: usize, gap: f64, size: f64, eps: f64, at: Nearest) {
+    pub(crate) fn compared(&mut self, pair: usize, gap: f64, size: f64, eps: f64, at: Tightest) {
         self.worst[pair].note(gap, size, eps, at);
     }
 

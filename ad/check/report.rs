@@ -1,5 +1,5 @@
 //! Reports of checks: a line of a table, and what was refused in words.
-use crate::ad::check::verdict::{Fault, Numbers, PAIRS, Reason, Worst};
+use crate::ad::check::verdict::{ByWitness, Fault, PAIRS, Reason, Worst};
 use crate::ad::check::witness::Precision;
 use crate::ad::check::words::{outvoted, place, remedy, write_numbers};
 use std::fmt;
@@ -27,7 +27,7 @@ impl Failure {
                 suspect: None,
                 output: 0,
                 input,
-                numbers: Numbers::default(),
+                numbers: ByWitness::default(),
                 tolerance: 0.0,
             },
             input: Vec::new(),

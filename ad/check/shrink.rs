@@ -1,7 +1,7 @@
 //! Smaller inputs that fail the same way.
 use crate::ad::check::candidate::Candidate;
 use crate::ad::check::tolerances::{FEW_INPUTS, SHRINKING};
-use crate::ad::check::verdict::{Fault, Findings, Place};
+use crate::ad::check::verdict::{Fault, Findings, Smoothness};
 use crate::ad::sample::fewer_digits;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -11,7 +11,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 pub(crate) fn shrunk<'a>(
     x: &dyn Candidate<'a>,
     fault: Fault,
-    place: Place,
+    place: Smoothness,
     judged: &mut dyn FnMut(&dyn Candidate<'a>) -> Option<Findings>,
 ) -> (Box<dyn Candidate<'a> + 'a>, Fault) {
     let numbers = x.numbers();

@@ -5,14 +5,14 @@
 //! Rotation invariance: their torques balance. Homogeneity of degree p: Euler's `x · ∂y = p y`.
 //!
 //! A shape says how it moves by the [`Kind`] of each of its numbers.
-pub use crate::ad::declared::{Answer, Invariance, Kind, Motion};
+pub use crate::ad::declared::{Effect, Invariance, Kind, Motion};
 use crate::{Rotation3, Vec3};
 use std::f64::consts::TAU;
 
-/// Numbers that move together; a place or a direction has two or three numbers.
+/// ByWitness that move together; a place or a direction has two or three numbers.
 #[derive(Clone, Copy)]
 enum Group {
-    Place(usize),
+    Smoothness(usize),
     Direction(usize),
     /// A direction and the offset of a line or plane along it.
     Plane(usize),
@@ -29,8 +29,8 @@ impl Group {
             QuaternionZ, RotationVectorX, RotationVectorY, RotationVectorZ, X, Y, Z,
         };
         match kinds {
-            [X, Y, Z, ..] => (Group::Place(3), 3),
-            [X, Y, ..] => (Group::Place(2), 2),
+            [X, Y, Z, ..] => (Group::Smoothness(3), 3),
+            [X, Y, ..] => (Group::Smoothness(2), 2),
             [DirectionX, DirectionY, DirectionZ, Offset, ..] => (Group::Plane(3), 4),
             [DirectionX, DirectionY, Offset, ..] => (Group::Plane(2), 3),
             [DirectionX, DirectionY, DirectionZ, ..] => (Group::Direction(3), 3),
@@ -102,12 +102,12 @@ pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
     each_group(kinds, x, |group, at, x| {
         let speed = &mut speed[at..at + x.len()];
         match (way(motion), group) {
-            (Way::Along(axis), Group::Place(n)) if axis < n => speed[axis] = 1.0,
+            (Way::Along(axis), Group::Smoothness(n)) if axis < n => speed[axis] = 1.0,
             (Way::Along(axis), Group::Plane(n)) if axis < n => speed[n] = x[axis],
             (Way::Along(axis), Group::Single(kind)) if kind.is_place() && lies_on(kind, axis) => {
                 speed[0] = 1.0;
             }
-            (Way::About(axis), Group::Place(n) | Group::Direction(n) | Group::Plane(n)) => {
+            (Way::About(axis), Group::Smoothness(n) | Group::Direction(n) | Group::Plane(n)) => {
                 if let Some([i, j]) = turning(axis, n) {
                     (speed[i], speed[j]) = (-x[j], x[i]);
                 }
@@ -124,7 +124,7 @@ pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
             (Way::About(axis), Group::Single(kind)) if kind.is_angle() && lies_on(kind, axis) => {
                 speed[0] = 1.0;
             }
-            (Way::Away, Group::Place(_)) => speed.copy_from_slice(x),
+            (Way::Away, Group::Smoothness(_)) => speed.copy_from_slice(x),
             (Way::Away, Group::Plane(n)) => speed[n] = x[n],
             (Way::Away, Group::Single(kind)) if kind.is_length() => speed[0] = x[0],
             _ => {}
@@ -152,9 +152,9 @@ fn left_jacobian_inverse(v: Vec3<f64>, axis: Vec3<f64>) -> Vec3<f64> {
 #[must_use]
 pub fn answer(invariance: Invariance, kinds: &[Kind], y: &[f64]) -> Vec<f64> {
     match invariance.answer {
-        Answer::Stays => vec![0.0; y.len()],
-        Answer::Power(p) => y.iter().map(|y| f64::from(p) * y).collect(),
-        Answer::Follows => velocity(invariance.motion, kinds, y),
+        Effect::Stays => vec![0.0; y.len()],
+        Effect::Power(p) => y.iter().map(|y| f64::from(p) * y).collect(),
+        Effect::Follows => velocity(invariance.motion, kinds, y),
     }
 }
 
@@ -177,12 +177,12 @@ pub fn moved_by(motion: Motion, amount: f64, kinds: &[Kind], x: &[f64]) -> Vec<f
     each_group(kinds, x, |group, at, x| {
         let there = &mut there[at..at + x.len()];
         match (&way, group) {
-            (&Way::Along(axis), Group::Place(n)) if axis < n => there[axis] += amount,
+            (&Way::Along(axis), Group::Smoothness(n)) if axis < n => there[axis] += amount,
             (&Way::Along(axis), Group::Plane(n)) if axis < n => there[n] += amount * x[axis],
             (&Way::Along(axis), Group::Single(kind)) if kind.is_place() && lies_on(kind, axis) => {
                 there[0] += amount;
             }
-            (&Way::About(axis), Group::Place(n) | Group::Direction(n) | Group::Plane(n)) => {
+            (&Way::About(axis), Group::Smoothness(n) | Group::Direction(n) | Group::Plane(n)) => {
                 if let Some([i, j]) = turning(axis, n) {
                     (there[i], there[j]) = (cos * x[i] - sin * x[j], sin * x[i] + cos * x[j]);
                 }
@@ -201,7 +201,7 @@ pub fn moved_by(motion: Motion, amount: f64, kinds: &[Kind], x: &[f64]) -> Vec<f
             (&Way::About(axis), Group::Single(kind)) if kind.is_angle() && lies_on(kind, axis) => {
                 there[0] += amount;
             }
-            (Way::Away, Group::Place(_)) => there.iter_mut().for_each(|x| *x *= amount),
+            (Way::Away, Group::Smoothness(_)) => there.iter_mut().for_each(|x| *x *= amount),
             (Way::Away, Group::Plane(n)) => there[n] *= amount,
             (Way::Away, Group::Single(kind)) if kind.is_length() => there[0] *= amount,
             _ => {}

@@ -66,9 +66,9 @@ pub enum Reason {
     Unjudged,
 }
 
-/// The kind of place that a sample is.
+/// The smoothness of a function at a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Place {
+pub enum Smoothness {
     /// Differentiable as far as can be seen.
     Smooth,
     /// The derivatives of both sides differ.
@@ -79,7 +79,7 @@ pub enum Place {
 
 /// One number per witness, as far as there is one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Numbers {
+pub struct ByWitness {
     /// The number by the derivative by hand.
     pub adjoint: Option<f64>,
     /// The number by forward duals.
@@ -97,13 +97,13 @@ pub struct Numbers {
     pub lengths: Option<[usize; 2]>,
 }
 
-impl Numbers {
+impl ByWitness {
     /// Two numbers that should be one: that of the function, and what it should be.
     pub(crate) fn pair(own: f64, other: f64) -> Self {
-        Numbers {
+        ByWitness {
             adjoint: Some(own),
             other: Some(other),
-            ..Numbers::default()
+            ..ByWitness::default()
         }
     }
 }
@@ -120,7 +120,7 @@ pub struct Fault {
     /// The number of the input concerned.
     pub input: usize,
     /// The number of every witness.
-    pub numbers: Numbers,
+    pub numbers: ByWitness,
     /// How much the two numbers in question may differ.
     pub tolerance: f64,
 }
@@ -139,13 +139,13 @@ pub struct Worst {
     /// How many differences, in units of the precision, are below 1, 10, 100 and so on.
     pub decades: [u64; 20],
     /// The one nearest to refusal.
-    pub nearest: Nearest,
+    pub nearest: Tightest,
 }
 
 /// The comparison of two witnesses that used up most of its tolerance; if any needed its rounding
 /// provoked, one of those: the others would have been given more.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Nearest {
+pub struct Tightest {
     /// Which share of the tolerance.
     pub share: f64,
     /// `true` if rounding was provoked.
@@ -157,12 +157,12 @@ pub struct Nearest {
     /// The number of the input.
     pub input: usize,
     /// The number of every witness.
-    pub numbers: Numbers,
+    pub numbers: ByWitness,
     /// How much the two numbers in question may differ.
     pub tolerance: f64,
 }
 
-impl Nearest {
+impl Tightest {
     fn rank(&self) -> f64 {
         if self.provoked {
             1.0 + self.share
@@ -174,7 +174,7 @@ impl Nearest {
 
 impl Worst {
     /// One more comparison.
-    pub(crate) fn note(&mut self, gap: f64, size: f64, eps: f64, at: Nearest) {
+    pub(crate) fn note(&mut self, gap: f64, size: f64, eps: f64, at: Tightest) {
         self.count += 1;
         self.absolute = self.absolute.max(gap);
         let relative = if gap == 0.0 { 0.0 } else { gap / size };
@@ -185,7 +185,7 @@ impl Worst {
             self.decades[(decade.max(0.0) as usize).min(19)] += 1;
         }
         let share = if gap == 0.0 { 0.0 } else { gap / at.tolerance };
-        let here = Nearest { share, ..at };
+        let here = Tightest { share, ..at };
         if here.rank() > self.nearest.rank() {
             self.nearest = here;
         }
@@ -214,7 +214,7 @@ impl Worst {
             *all += here;
         }
         if other.nearest.rank() > self.nearest.rank() {
-            self.nearest = Nearest {
+            self.nearest = Tightest {
                 sample,
                 ..other.nearest
             };
@@ -239,7 +239,7 @@ pub const PAIRS: [(Witness, Witness); 9] = [
 #[derive(Clone, Debug)]
 pub struct Findings {
     /// The kind of place.
-    pub place: Place,
+    pub place: Smoothness,
     /// Directions along which the function is smooth, kinked and not to be judged.
     pub directions: [u64; 3],
     /// Directions along which another branch was taken, however small the step.

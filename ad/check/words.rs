@@ -1,7 +1,7 @@
 //! Verdicts in words, for people.
 use crate::Unrecordable;
 use crate::ad::check::symmetry::Motion;
-use crate::ad::check::verdict::{Fault, Numbers, Reason, Witness};
+use crate::ad::check::verdict::{ByWitness, Fault, Reason, Witness};
 use std::fmt;
 
 impl fmt::Display for Witness {
@@ -135,7 +135,7 @@ fn names(reason: Reason) -> [&'static str; 2] {
 }
 
 /// How far apart the two numbers are that a verdict is about.
-fn gap(reason: Reason, numbers: &Numbers) -> Option<f64> {
+fn gap(reason: Reason, numbers: &ByWitness) -> Option<f64> {
     let of = |witness: Witness| match witness {
         Witness::Value | Witness::Adjoint => numbers.adjoint,
         Witness::Dual => numbers.dual,
@@ -164,7 +164,7 @@ fn gap(reason: Reason, numbers: &Numbers) -> Option<f64> {
 pub(crate) fn write_numbers(
     f: &mut impl fmt::Write,
     reason: Reason,
-    numbers: &Numbers,
+    numbers: &ByWitness,
     tolerance: f64,
 ) -> fmt::Result {
     let [own, other] = names(reason);

@@ -1,5 +1,5 @@
 //! Proofs of the rows of distances in space: shapes as bodies, and the row of their nearest points.
-use crate::ad::check::certificate::{Body, Measure, Proof};
+use crate::ad::check::certificate::{Body, Proof, Proved};
 use crate::kernels::dynamic::{Function, Operation, Rows};
 use crate::{
     Aabb3, Capsule3, Cone, Cylinder, Fixed, Line3, Obb3, Plane3, Ray3, Real, RoundBox3, Segment3,
@@ -89,7 +89,7 @@ fn turned(turn: impl Fn(Vec3<f64>) -> Vec3<f64>) -> [Vec3<f64>; 3] {
 
 /// The proofs of a row.
 pub(crate) struct Proofs<S: Real> {
-    measure: Measure,
+    measure: Proved,
     shapes: &'static [&'static str],
     /// The row of the nearest points of the same shapes, if there is one.
     points: Option<Function<S>>,
@@ -102,9 +102,9 @@ impl<S: Real> Proofs<S> {
         mut others: impl Iterator<Item = &'a Operation>,
     ) -> Option<Self> {
         let measure = match row.verb().as_str() {
-            "distance" => Measure::Distance,
-            "squared_distance" => Measure::SquaredDistance,
-            "signed_distance" => Measure::SignedDistance,
+            "distance" => Proved::Distance,
+            "squared_distance" => Proved::SquaredDistance,
+            "signed_distance" => Proved::SignedDistance,
             _ => return None,
         };
         let shapes = row.row.shapes;

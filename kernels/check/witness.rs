@@ -25,14 +25,14 @@ use std::sync::Arc;
 
 /// The results of a batch for one input.
 #[derive(Clone, Debug)]
-pub struct Answer {
+pub struct BatchResult {
     /// The value.
     pub value: Vec<f64>,
     /// The derivatives of every output.
     pub rows: Vec<Vec<f64>>,
 }
 
-impl Answer {
+impl BatchResult {
     /// The derivatives of `y_bar · value`.
     #[must_use]
     pub fn derivatives(&self, y_bar: &[f64]) -> Vec<f64> {
@@ -43,14 +43,14 @@ impl Answer {
 }
 
 /// Something that answers many inputs, given as lists of numbers, at once.
-pub type Ask<'a> = &'a dyn Fn(&[Vec<f32>]) -> Result<Vec<Answer>, Error>;
+pub type Ask<'a> = &'a dyn Fn(&[Vec<f32>]) -> Result<Vec<BatchResult>, Error>;
 
 /// Batches as witnesses, one of each form. Inputs known beforehand are asked about in one large batch, as users would;
 /// others (shrunk ones, those beside a point) one by one.
 pub struct Batch<'a> {
     asks: Vec<Ask<'a>>,
     /// The answers of each form so far.
-    known: Vec<HashMap<Vec<u32>, Answer>>,
+    known: Vec<HashMap<Vec<u32>, BatchResult>>,
     error: Cell<Option<Error>>,
 }
 
@@ -87,7 +87,7 @@ impl<'a> Batch<'a> {
     }
     /// The answer of a form for an input; nothing after an error, which [`error`](Batch::error) keeps.
     #[must_use]
-    pub fn about(&self, form: usize, x: &[f64]) -> Option<Answer> {
+    pub fn about(&self, form: usize, x: &[f64]) -> Option<BatchResult> {
         let x = single(x);
         if let Some(known) = self.known.get(form)?.get(&key(&x)) {
             return Some(known.clone());
@@ -152,9 +152,9 @@ pub(crate) fn ask_pairs(
     backend: Backend<'_>,
     recording: &Arc<Recording<f32>>,
     inputs: &[Vec<f32>],
-) -> Result<Vec<Answer>, Error> {
+) -> Result<Vec<BatchResult>, Error> {
     let function = Function::of_straight(Arc::clone(recording), Mode::Value);
-    let mut answers: Vec<Answer> = Vec::with_capacity(inputs.len());
+    let mut answers: Vec<BatchResult> = Vec::with_capacity(inputs.len());
     if recording.outputs != [1] || function.takes().len() != 2 {
         return Ok(answers);
     }
@@ -173,11 +173,11 @@ pub(crate) fn ask_pairs(
         let derivatives = by_a
             .chunks_exact(*a_fields)
             .zip(by_b.chunks_exact(*b_fields));
-        answers.extend(derivatives.enumerate().map(|(i, (a, b))| Answer {
+        answers.extend(derivatives.enumerate().map(|(i, (a, b))| BatchResult {
             value: widened(&values[i * (side + 1)..][..1]),
             rows: vec![widened(&[a, b].concat())],
         }));
-        let is_finite = |answer: &Answer| answer.rows[0].iter().all(|x| x.is_finite());
+        let is_finite = |answer: &BatchResult| answer.rows[0].iter().all(|x| x.is_finite());
         for (input, answer) in inputs.iter().zip(&mut answers[first..]) {
             if side > 1 && !is_finite(answer) {
                 let alone = ask_pairs(backend, recording, std::slice::from_ref(input))?;
@@ -193,17 +193,17 @@ pub(crate) fn ask_any(
     backend: Backend<'_>,
     recording: &Arc<Recording<f32>>,
     inputs: &[Vec<f32>],
-) -> Result<Vec<Answer>, Error> {
+) -> Result<Vec<BatchResult>, Error> {
     let values = asked(
         backend,
         &Function::of_straight(Arc::clone(recording), Mode::Value),
         inputs,
     )?;
-    let alone = |value| Answer {
+    let alone = |value| BatchResult {
         value,
         rows: Vec::new(),
     };
-    let mut answers: Vec<Answer> = values.into_iter().map(alone).collect();
+    let mut answers: Vec<BatchResult> = values.into_iter().map(alone).collect();
     let (adjoint, outputs) = (
         Function::of_straight(Arc::clone(recording), Mode::Vjp),
         recording.outputs.iter().sum::<usize>(),
@@ -226,12 +226,12 @@ pub(crate) fn ask_gradient(
     backend: Backend<'_>,
     recording: &Arc<Recording<f32>>,
     inputs: &[Vec<f32>],
-) -> Result<Vec<Answer>, Error> {
+) -> Result<Vec<BatchResult>, Error> {
     if recording.outputs != [1] {
         return Ok(Vec::new());
     }
     let function = Function::of_straight(Arc::clone(recording), Mode::ValueGrad);
-    let answer = |numbers: Vec<f64>| Answer {
+    let answer = |numbers: Vec<f64>| BatchResult {
         value: numbers[..1].to_vec(),
         rows: vec![numbers[1..].to_vec()],
     };
@@ -243,7 +243,7 @@ pub(crate) fn ask_gradient(
 pub(crate) fn ask_folds<F: Fold>(
     backend: Backend<'_>,
     inputs: &[Vec<f32>],
-) -> Result<Vec<Answer>, Error>
+) -> Result<Vec<BatchResult>, Error>
 where
     F::Context<f32>: Item<Scalar = f32>,
 {
@@ -257,9 +257,9 @@ where
         offsets.push(vertices.len());
     }
     let values = backend.fold(F::default(), &contexts, &vertices, &offsets)?;
-    let mut answers: Vec<Answer> = values
+    let mut answers: Vec<BatchResult> = values
         .iter()
-        .map(|value| Answer {
+        .map(|value| BatchResult {
             value: widened(&value.scalars()),
             rows: Vec::new(),
         })

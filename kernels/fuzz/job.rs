@@ -1,7 +1,7 @@
 //! An operation of any sort on plain numbers, so that what fuzzes it is compiled once.
 use super::arguments::Inputs;
 use super::rules::Rules;
-use crate::ad::declared::{Answer, Invariance, Kind, Motion};
+use crate::ad::declared::{Effect, Invariance, Kind, Motion};
 use crate::ad::program::recorded::Recorded;
 use crate::ad::sample::{Draw, Sample, random};
 use crate::error::Error;
@@ -52,8 +52,8 @@ impl Declared {
     ) -> Self {
         let power = invariances.iter().find_map(|invariance| {
             match (invariance.motion, invariance.answer) {
-                (Motion::Scaling, Answer::Stays) => Some(0),
-                (Motion::Scaling, Answer::Power(power)) => Some(power),
+                (Motion::Scaling, Effect::Stays) => Some(0),
+                (Motion::Scaling, Effect::Power(power)) => Some(power),
                 _ => None,
             }
         });
@@ -62,7 +62,7 @@ impl Declared {
             range,
             extremes,
             // Rounding decides on which side of a jump a value is.
-            symmetric: invariances.contains(&Invariance::new(Motion::Exchange, Answer::Stays))
+            symmetric: invariances.contains(&Invariance::new(Motion::Exchange, Effect::Stays))
                 && jumps != Jumps::Anywhere,
             power,
         }

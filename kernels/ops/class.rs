@@ -1,14 +1,14 @@
 //! Classes of invariance, and the invariances that they give shapes.
-use crate::kernels::op::{Answer, Invariance, Motion};
+use crate::kernels::op::{Effect, Invariance, Motion};
 use crate::kernels::ops::noun::{Moves, Noun, same};
 
 /// The answer of a function's result to motions of its arguments: a few words that make a list of invariances.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Class {
-    shifts: Option<Answer>,
-    turns: Option<Answer>,
-    scaling: Option<Answer>,
-    exchange: Option<Answer>,
+    shifts: Option<Effect>,
+    turns: Option<Effect>,
+    scaling: Option<Effect>,
+    exchange: Option<Effect>,
 }
 
 impl Class {
@@ -22,14 +22,14 @@ impl Class {
     /// Shifts along all axes stay; of turns and scaling nothing is said.
     pub const fn shifts(self) -> Self {
         Class {
-            shifts: Some(Answer::Stays),
+            shifts: Some(Effect::Stays),
             ..self
         }
     }
     /// Shifts and turns stay; of scaling nothing is said.
     pub const fn isometric(self) -> Self {
         Class {
-            turns: Some(Answer::Stays),
+            turns: Some(Effect::Stays),
             ..self.shifts()
         }
     }
@@ -37,23 +37,23 @@ impl Class {
     /// turn about the origin, upright boxes about z, boxes of any orientation about all axes.
     pub const fn similar(self) -> Self {
         Class {
-            scaling: Some(Answer::Stays),
+            scaling: Some(Effect::Stays),
             ..self.isometric()
         }
     }
     /// Shifts and turns stay; the result grows with a power of the scale.
     pub const fn rigid(self, power: i32) -> Self {
         Class {
-            scaling: Some(Answer::Power(power)),
+            scaling: Some(Effect::Power(power)),
             ..self.isometric()
         }
     }
     /// The result moves along, as the points, lengths and angles that it is made of do.
     pub const fn follows(self) -> Self {
         Class {
-            shifts: Some(Answer::Follows),
-            turns: Some(Answer::Follows),
-            scaling: Some(Answer::Follows),
+            shifts: Some(Effect::Follows),
+            turns: Some(Effect::Follows),
+            scaling: Some(Effect::Follows),
             ..self
         }
     }
@@ -74,7 +74,7 @@ impl Class {
     /// Two arguments of one kind may be exchanged.
     pub const fn symmetric(self) -> Self {
         Class {
-            exchange: Some(Answer::Stays),
+            exchange: Some(Effect::Stays),
             ..self
         }
     }
@@ -111,10 +111,10 @@ pub(crate) struct Invariances {
 
 impl Invariances {
     const NONE: Invariances = Invariances {
-        all: [Invariance::new(Motion::Exchange, Answer::Stays); MOTIONS],
+        all: [Invariance::new(Motion::Exchange, Effect::Stays); MOTIONS],
         count: 0,
     };
-    const fn with(mut self, motion: Motion, answer: Option<Answer>, moves: bool) -> Self {
+    const fn with(mut self, motion: Motion, answer: Option<Effect>, moves: bool) -> Self {
         if let (Some(answer), true) = (answer, moves) {
             self.all[self.count] = Invariance::new(motion, answer);
             self.count += 1;

@@ -37,9 +37,9 @@
 //!
 //! ```
 //! # #[cfg(feature = "boolean")] {
-//! use geograd::{Aabb2, Vec2, boolean::{Operation, Origin, overlay_search, overlay_replay}, polygon::Fill};
+//! use geograd::{Aabb2, Vec2, boolean::{BooleanOperation, Origin, overlay_search, overlay_replay}, polygon::Fill};
 //! let (a, b) = (Aabb2::new(0.0, 0.0, 2.0, 2.0).corners(), Aabb2::new(1.0, 1.0, 3.0, 3.0).corners());
-//! let trace = overlay_search(&a, &b, Operation::Intersection, Fill::NonZero)?;
+//! let trace = overlay_search(&a, &b, BooleanOperation::Intersection, Fill::NonZero)?;
 //! let shared = overlay_replay(&a, &b, &trace);
 //! assert_eq!(geograd::polygon::area(&shared), 1.0_f64);
 //! let crossings = trace.origins().filter(|of| matches!(of, [Origin::Cross(..)])).count();
@@ -74,7 +74,9 @@ mod valid;
 
 #[cfg(feature = "boolean")]
 pub use pieces::overlay_search;
-pub use records::{EdgeId, IouTrace, Operation, Origin, OverlayTrace, Owner, ValidTrace, VertexId};
+pub use records::{
+    BooleanOperation, EdgeId, IouTrace, Origin, OverlayTrace, Owner, ValidTrace, VertexId,
+};
 pub(crate) use replay::{foot, input_edge, input_vertex};
 pub use replay::{iou_replay, overlay_replay, valid_replay};
 #[cfg(feature = "boolean")]

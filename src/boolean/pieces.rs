@@ -3,7 +3,7 @@ use super::corner::{Border, corner};
 use super::cut::{Numbered, cut, may_grow};
 use super::grid::{Grid, Steps, Tag, invalid, squares};
 use super::snap::Squares;
-use super::{Operation, OverlayTrace, Owner};
+use super::{BooleanOperation, OverlayTrace, Owner};
 use crate::Scalar;
 use crate::error::Error;
 use crate::polygon::{Fill, Rings};
@@ -85,16 +85,16 @@ impl Pieces {
         }
     }
     /// The border of the result: the inside is left of every piece.
-    pub fn parts(&mut self, operation: Operation) -> Vec<DataVectorShape<i64, Tag>> {
+    pub fn parts(&mut self, operation: BooleanOperation) -> Vec<DataVectorShape<i64, Tag>> {
         let rule = match operation {
-            Operation::Union => OverlayRule::Union,
-            Operation::Intersection => OverlayRule::Intersect,
-            Operation::Difference => OverlayRule::Difference,
-            Operation::SymmetricDifference => OverlayRule::Xor,
+            BooleanOperation::Union => OverlayRule::Union,
+            BooleanOperation::Intersection => OverlayRule::Intersect,
+            BooleanOperation::Difference => OverlayRule::Difference,
+            BooleanOperation::SymmetricDifference => OverlayRule::Xor,
         };
         self.overlay.build_vector_shapes(rule, self.fill)
     }
-    pub fn trace(&mut self, operation: Operation) -> OverlayTrace {
+    pub fn trace(&mut self, operation: BooleanOperation) -> OverlayTrace {
         let parts = self.parts(operation);
         let mut trace = OverlayTrace::default();
         for part in parts {
@@ -145,7 +145,7 @@ impl Pieces {
 pub fn overlay_search<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
-    operation: Operation,
+    operation: BooleanOperation,
     fill: Fill,
 ) -> Result<OverlayTrace, Error> {
     let mut pieces = Pieces::new([a.into(), b.into()], fill)?;

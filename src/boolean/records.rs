@@ -2,7 +2,7 @@
 
 /// A boolean operation of two polygons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Operation {
+pub enum BooleanOperation {
     /// The points in either.
     Union,
     /// The points in both.

@@ -1,6 +1,6 @@
 //! Results without their record, and intersection over union with it.
 use super::pieces::Pieces;
-use super::{IouTrace, Operation, iou_replay, overlay_replay, overlay_search};
+use super::{BooleanOperation, IouTrace, iou_replay, overlay_replay, overlay_search};
 use crate::Scalar;
 use crate::error::Error;
 use crate::polygon::{Fill, Polygon, Rings};
@@ -8,7 +8,7 @@ use crate::polygon::{Fill, Polygon, Rings};
 fn made<S: Scalar<Mask = bool>>(
     a: Rings<'_, S>,
     b: Rings<'_, S>,
-    operation: Operation,
+    operation: BooleanOperation,
     fill: Fill,
 ) -> Result<Polygon<S>, Error> {
     overlay_search(a, b, operation, fill).map(|trace| overlay_replay(a, b, &trace))
@@ -31,7 +31,7 @@ pub fn union<'a, S: Scalar<Mask = bool>>(
     b: impl Into<Rings<'a, S>>,
     fill: Fill,
 ) -> Result<Polygon<S>, Error> {
-    made(a.into(), b.into(), Operation::Union, fill)
+    made(a.into(), b.into(), BooleanOperation::Union, fill)
 }
 
 /// The intersection of two polygons of any kind. See the [module](super).
@@ -44,7 +44,7 @@ pub fn intersection<'a, S: Scalar<Mask = bool>>(
     b: impl Into<Rings<'a, S>>,
     fill: Fill,
 ) -> Result<Polygon<S>, Error> {
-    made(a.into(), b.into(), Operation::Intersection, fill)
+    made(a.into(), b.into(), BooleanOperation::Intersection, fill)
 }
 
 /// The difference of two polygons of any kind: what is in the first and not in the second. See the [module](super).
@@ -65,7 +65,7 @@ pub fn difference<'a, S: Scalar<Mask = bool>>(
     b: impl Into<Rings<'a, S>>,
     fill: Fill,
 ) -> Result<Polygon<S>, Error> {
-    made(a.into(), b.into(), Operation::Difference, fill)
+    made(a.into(), b.into(), BooleanOperation::Difference, fill)
 }
 
 /// The symmetric difference of two polygons of any kind: what is in exactly one of them. See the [module](super).
@@ -78,7 +78,12 @@ pub fn symmetric_difference<'a, S: Scalar<Mask = bool>>(
     b: impl Into<Rings<'a, S>>,
     fill: Fill,
 ) -> Result<Polygon<S>, Error> {
-    made(a.into(), b.into(), Operation::SymmetricDifference, fill)
+    made(
+        a.into(),
+        b.into(),
+        BooleanOperation::SymmetricDifference,
+        fill,
+    )
 }
 
 /// Intersection over union of two polygons of any kind, in `[0, 1]`, and what decided it; zero with derivative
@@ -109,8 +114,8 @@ pub fn iou_search<'a, S: Scalar<Mask = bool>>(
     let (a, b) = (a.into(), b.into());
     let mut pieces = Pieces::new([a, b], fill)?;
     let trace = IouTrace {
-        intersection: pieces.trace(Operation::Intersection),
-        union: pieces.trace(Operation::Union),
+        intersection: pieces.trace(BooleanOperation::Intersection),
+        union: pieces.trace(BooleanOperation::Union),
     };
     Ok((iou_replay(a, b, &trace), trace))
 }

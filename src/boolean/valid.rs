@@ -3,7 +3,7 @@ use super::corner::{Border, origins};
 use super::faces::{Piece, is_straight, parts};
 use super::pieces::Pieces;
 use super::records::Made;
-use super::{Operation, ValidTrace, valid_replay};
+use super::{BooleanOperation, ValidTrace, valid_replay};
 use crate::Scalar;
 use crate::error::Error;
 use crate::polygon::{Fill, Polygon, Rings};
@@ -14,12 +14,12 @@ use crate::polygon::{Fill, Polygon, Rings};
 /// Time grows with the number of pairs of edges that share a range of x.
 ///
 /// ```
-/// use geograd::{Vec2, boolean::{Operation, valid}, polygon::{self, Fill}};
+/// use geograd::{Vec2, boolean::{BooleanOperation, valid}, polygon::{self, Fill}};
 /// let ring = |all: &[(f64, f64)]| all.iter().map(|&(x, y)| Vec2::new(x, y)).collect::<Vec<_>>();
 /// // Two squares that touch in a corner.
 /// let a = ring(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]);
 /// let b = ring(&[(1.0, 1.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0)]);
-/// let parts = valid(&a, &b, Operation::Union, Fill::NonZero)?;
+/// let parts = valid(&a, &b, BooleanOperation::Union, Fill::NonZero)?;
 /// assert_eq!(parts.iter().map(polygon::area).collect::<Vec<f64>>(), [1.0, 1.0]);
 /// # Ok::<(), geograd::Error>(())
 /// ```
@@ -30,7 +30,7 @@ use crate::polygon::{Fill, Polygon, Rings};
 pub fn valid<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
-    operation: Operation,
+    operation: BooleanOperation,
     fill: Fill,
 ) -> Result<Vec<Polygon<S>>, Error> {
     let (a, b) = (a.into(), b.into());
@@ -46,7 +46,7 @@ pub fn valid<'a, S: Scalar<Mask = bool>>(
 pub fn valid_search<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
-    operation: Operation,
+    operation: BooleanOperation,
     fill: Fill,
 ) -> Result<ValidTrace, Error> {
     let mut pieces = Pieces::snapped([a.into(), b.into()], fill)?;

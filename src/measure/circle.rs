@@ -2,7 +2,7 @@
 use crate::arrays::Each;
 use crate::hull::hull_search;
 use crate::reference::Reference;
-use crate::{Scalar, Vec2};
+use crate::{Circle, Scalar, Vec2};
 
 /// The points that a smallest enclosing circle goes through, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -13,16 +13,6 @@ pub enum Support {
     Two([usize; 2]),
     /// These three are on the circle, none of their angles obtuse.
     Three([usize; 3]),
-}
-
-/// A circle: centre and radius.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
-pub struct Enclosing<S> {
-    /// The centre.
-    pub center: Vec2<S>,
-    /// The radius, not negative.
-    pub radius: S,
 }
 
 /// The smallest circle that has all points inside, and the points that decide it. `None` for no
@@ -39,9 +29,7 @@ pub struct Enclosing<S> {
 /// assert_eq!(support, Support::Two([0, 1]));
 /// ```
 #[must_use]
-pub fn circle_search<S: Scalar<Mask = bool>>(
-    points: &[Vec2<S>],
-) -> Option<(Enclosing<S>, Support)> {
+pub fn circle_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(Circle<S>, Support)> {
     let mut hull = hull_search(points);
     let seen = Reference::of_ring(points);
     let place = |k: usize| {
@@ -91,16 +79,16 @@ pub fn circle_search<S: Scalar<Mask = bool>>(
 }
 
 /// The circle through one, two or three points.
-fn local<S: Scalar>(support: Support, place: impl Fn(usize) -> Vec2<S>) -> Enclosing<S> {
+fn local<S: Scalar>(support: Support, place: impl Fn(usize) -> Vec2<S>) -> Circle<S> {
     match support {
-        Support::One(p) => Enclosing {
+        Support::One(p) => Circle {
             center: place(p),
             radius: S::zero(),
         },
         Support::Two([p, q]) => {
             let half = place(q) - place(p);
             let half = Vec2::new(half.x.halved(), half.y.halved());
-            Enclosing {
+            Circle {
                 center: place(p) + half,
                 radius: half.length(),
             }
@@ -116,7 +104,7 @@ fn local<S: Scalar>(support: Support, place: impl Fn(usize) -> Vec2<S>) -> Enclo
                 to_r.y * square_q - to_q.y * square_r,
                 to_q.x * square_r - to_r.x * square_q,
             ) * S::select(flat, S::zero(), per);
-            Enclosing {
+            Circle {
                 center: start + at,
                 radius: at.length(),
             }
@@ -131,14 +119,14 @@ fn local<S: Scalar>(support: Support, place: impl Fn(usize) -> Vec2<S>) -> Enclo
 ///
 /// When the record has an index beyond the points.
 #[must_use]
-pub fn circle_replay<S: Scalar>(points: &[Vec2<S>], record: Support) -> Enclosing<S> {
+pub fn circle_replay<S: Scalar>(points: &[Vec2<S>], record: Support) -> Circle<S> {
     let seen = match record {
         Support::One(p) => Reference::of_ring(&[points[p]]),
         Support::Two(all) => Reference::of_ring(&all.each_as(|k| points[k])),
         Support::Three(all) => Reference::of_ring(&all.each_as(|k| points[k])),
     };
-    let Enclosing { center, radius } = local(record, |k| seen.place(points[k]));
-    Enclosing {
+    let Circle { center, radius } = local(record, |k| seen.place(points[k]));
+    Circle {
         center: seen.outer_place(center).canonical(),
         radius: seen.outer(radius).saturated().canonical(),
     }

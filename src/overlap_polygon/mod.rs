@@ -215,21 +215,21 @@ pub fn iof_polygons<S: Scalar, const N: usize, const M: usize>(
 /// The convex polygon that rings are measured against, and the place from which both are seen. The body of a fold
 /// over edges takes it.
 #[derive(Clone, Copy, Debug)]
-pub struct Inside<S: Scalar, const M: usize> {
+pub struct Window<S: Scalar, const M: usize> {
     pub(crate) seen: Reference<S>,
     pub(crate) fan: Fan<S, M>,
     pub(crate) smaller: S::Mask,
     pub(crate) apart: S::Mask,
 }
 
-impl<S: Scalar, const M: usize> Inside<S, M> {
+impl<S: Scalar, const M: usize> Window<S, M> {
     /// For rings within some bounds and a convex polygon.
     #[must_use]
     #[inline(always)]
     pub fn new(rings: Aabb2<S>, polygon: &ConvexPolygon<S, M>) -> Self {
         let bounds = least_bounds(polygon.as_slice());
         let (seen, in_rings, apart) = Reference::of_pair(rings, bounds);
-        // Inside the rings' bounds, at no simple fraction of them.
+        // Window the rings' bounds, at no simple fraction of them.
         let (low, high) = (seen.place(rings.min), seen.place(rings.max));
         let share = Vec2::new(S::lit(0.463_647_609), S::lit(0.540_302_306));
         let size = high - low;
@@ -239,7 +239,7 @@ impl<S: Scalar, const M: usize> Inside<S, M> {
             at,
             middle(polygon.as_slice(), &seen),
         ));
-        Inside {
+        Window {
             seen,
             fan: Fan::new(&polygon.vertices, polygon.count, &seen),
             smaller: !in_rings,
@@ -286,7 +286,7 @@ pub fn area_inside<S: Scalar, const M: usize>(
     let Some(bounds) = bounds_of_rings(rings) else {
         return S::zero();
     };
-    let inside = Inside::new(bounds, polygon);
+    let inside = Window::new(bounds, polygon);
     let mut sum = S::zero();
     for ring in rings {
         for [start, end] in edges(ring) {

@@ -4,7 +4,7 @@ use super::pairs::Random;
 use geograd::error::Error;
 use geograd::metric::Recalls;
 use geograd::metric::kitti::{
-    Angles, Counts, Difficulty, Frame, Label, Truth, judge, judge_oriented,
+    Angles, Counts, Difficulty, Frame, GroundTruth, Label, judge, judge_oriented,
 };
 use geograd::suppression::Pair;
 
@@ -18,7 +18,7 @@ pub fn overlapping(first: usize, second: usize, overlap: f64) -> Pair<f64> {
 
 #[test]
 fn kitti_counts_by_difficulty() {
-    let car = Truth {
+    let car = GroundTruth {
         label: Label::Own,
         height: 40.0,
         occlusion: 0,
@@ -27,21 +27,21 @@ fn kitti_counts_by_difficulty() {
     // A truth must be higher than the limit.
     assert_eq!(Difficulty::Easy.truth(car), Counts::Ignored);
     assert_eq!(
-        Difficulty::Easy.truth(Truth {
+        Difficulty::Easy.truth(GroundTruth {
             height: 40.5,
             ..car
         }),
         Counts::Fully
     );
     assert_eq!(
-        Difficulty::Moderate.truth(Truth {
+        Difficulty::Moderate.truth(GroundTruth {
             occlusion: 2,
             ..car
         }),
         Counts::Ignored
     );
     assert_eq!(
-        Difficulty::Hard.truth(Truth {
+        Difficulty::Hard.truth(GroundTruth {
             occlusion: 2,
             truncation: 0.5,
             ..car
@@ -49,14 +49,14 @@ fn kitti_counts_by_difficulty() {
         Counts::Fully
     );
     assert_eq!(
-        Difficulty::Hard.truth(Truth {
+        Difficulty::Hard.truth(GroundTruth {
             occlusion: 3,
             ..car
         }),
         Counts::Ignored
     );
     assert_eq!(
-        Difficulty::Hard.truth(Truth {
+        Difficulty::Hard.truth(GroundTruth {
             label: Label::Other,
             ..car
         }),

@@ -2,7 +2,7 @@
 use super::kitti::{Dense, THRESHOLD, overlapping, precisions};
 use super::pairs::Random;
 use geograd::metric::Recalls;
-use geograd::metric::kitti::{Counts, Difficulty, Frame, Label, Truth, judge};
+use geograd::metric::kitti::{Counts, Difficulty, Frame, GroundTruth, Label, judge};
 
 /// A box in the image: left, top, right, bottom.
 type Image = [f64; 4];
@@ -129,7 +129,7 @@ fn kitti_from_labels_is_the_definition() {
                             "Van" => Label::Neighbouring,
                             _ => Label::Other,
                         };
-                        difficulty.truth(Truth {
+                        difficulty.truth(GroundTruth {
                             label,
                             height: x.image[3] - x.image[1],
                             occlusion: x.occlusion,

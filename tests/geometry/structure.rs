@@ -346,3 +346,84 @@ fn no_name_twice() {
         "kernels/cpu/program/face.rs"
     ));
 }
+
+/// Public types of one name that are one thing in two forms.
+const FORMS: [(&str, &str); 6] = [
+    ("Frame", "of a data set, by two rules of detection"),
+    ("Function", "by types, and by name"),
+    ("Judged", "the result of two rules of detection"),
+    ("Matrix", "in memory, and on a machine"),
+    ("Program", "by types, and by name"),
+    ("Rings", "in memory, and on a machine"),
+];
+
+/// The public types that files define: of every name the files, but those without a GPU, which repeat those of one.
+fn public_types() -> BTreeMap<String, BTreeSet<String>> {
+    let mut all = BTreeSet::new();
+    sources(root(), &mut all);
+    let mut modules_of = BTreeMap::new();
+    modules("src/lib.rs", "crate", &mut modules_of);
+    let path_of: BTreeMap<&str, &str> = modules_of
+        .iter()
+        .map(|(path, file)| (file.as_str(), path.as_str()))
+        .collect();
+    // A module is public if every `mod` on the way to it is; a type also where such a module passes it on.
+    let texts: BTreeMap<&str, String> = path_of.keys().map(|&file| (file, code(file))).collect();
+    let is_public = |path: &str| {
+        let parts: Vec<&str> = path.split("::").collect();
+        (1..parts.len()).all(|k| {
+            let text = &texts[modules_of[&parts[..k].join("::")].as_str()];
+            text.contains(&format!("pub mod {};", parts[k]))
+        })
+    };
+    let mut uses = BTreeSet::new();
+    for (file, text) in &texts {
+        if is_public(path_of[file]) {
+            uses.append(&mut spread_uses(text));
+        }
+    }
+    let mut types: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for (&file, &path) in &path_of {
+        if file == "kernels/gpu/none.rs" {
+            continue;
+        }
+        for line in texts[file].lines() {
+            let kinds = ["pub struct ", "pub enum ", "pub trait ", "pub type "];
+            let Some(item) = kinds.iter().find_map(|kind| line.strip_prefix(kind)) else {
+                continue;
+            };
+            let end = item
+                .find(|c: char| !c.is_alphanumeric())
+                .unwrap_or(item.len());
+            let name = &item[..end];
+            let stem = path.rsplit_once("::").map_or("", |x| x.1);
+            let way = format!("{stem}::{name}");
+            let passed_on = || uses.iter().any(|x| x.ends_with(&way));
+            if is_public(path) || passed_on() {
+                types
+                    .entry(name.to_owned())
+                    .or_default()
+                    .insert(file.to_owned());
+            }
+        }
+    }
+    types
+}
+
+/// The paths that `pub use` of a file passes on.
+fn spread_uses(text: &str) -> BTreeSet<String> {
+    let lines = text
+        .split(';')
+        .filter_map(|x| x.trim().rsplit_once("pub use "));
+    lines.flat_map(|(_, tree)| spread(tree)).collect()
+}
+
+/// A public type's name has one meaning.
+#[test]
+fn no_public_type_twice() {
+    let types = public_types();
+    assert!(types.len() > 250, "{}", types.len());
+    let twice: BTreeMap<_, _> = types.iter().filter(|(_, files)| files.len() > 1).collect();
+    let names: Vec<&str> = twice.keys().map(|name| name.as_str()).collect();
+    assert_eq!(names, FORMS.map(|form| form.0), "{twice:#?}");
+}

@@ -6,7 +6,7 @@ use geograd::Aabb2;
 use geograd::Scalar;
 use geograd::ad;
 use geograd::ad::check::subject::Conventions;
-use geograd::ad::check::symmetry::Answer;
+use geograd::ad::check::symmetry::Effect;
 use geograd::ad::check::symmetry::Invariance;
 use geograd::ad::check::symmetry::Kind;
 use geograd::ad::check::symmetry::Motion;
@@ -318,7 +318,7 @@ fn broken_invariances() {
     let kinds = [Kind::X, Kind::Y];
     let invariance = [Invariance {
         motion: Motion::Rotation,
-        answer: Answer::Stays,
+        answer: Effect::Stays,
     }];
     let round = |[x, y]: [f64; 2]| x * x + y * y;
     let square = |[x, y]: [f64; 2]| x * x + 1.01 * y * y;

@@ -160,7 +160,7 @@ fn velocities_are_those_of_finite_motions() {
 }
 
 /// The declared answers of an item to turns about x, y and z, and to a shift along z.
-fn answers<O: Op>() -> [Option<Answer>; 4] {
+fn answers<O: Op>() -> [Option<Effect>; 4] {
     let [x, y, z] = ROTATIONS;
     [x, y, z, Motion::TranslationZ].map(|motion| {
         let found = O::INVARIANCES
@@ -173,7 +173,7 @@ fn answers<O: Op>() -> [Option<Answer>; 4] {
 #[test]
 fn a_row_turns_as_its_shapes_do() {
     type Two<X> = (X, X);
-    let stays = Some(Answer::Stays);
+    let stays = Some(Effect::Stays);
     assert_eq!(answers::<RowOf<Iou, Two<Obb3<f64>>>>(), [stays; 4]);
     assert_eq!(
         answers::<RowOf<Distance, (Vec3<f64>, Obb3<f64>)>>(),
@@ -187,7 +187,7 @@ fn a_row_turns_as_its_shapes_do() {
     let aligned = [None, None, None, stays];
     assert_eq!(answers::<RowOf<Iou, (Aabb3<f64>, Obb3<f64>)>>(), aligned);
     assert_eq!(answers::<RowOf<GiouAabb, Two<Obb3<f64>>>>(), aligned);
-    let follows = Some(Answer::Follows);
+    let follows = Some(Effect::Follows);
     assert_eq!(
         answers::<RowOf<Convert<Obb3<f64>>, YawBox3<f64>>>(),
         [None, None, follows, follows]

@@ -1,6 +1,6 @@
 //! Faults of a distance that its gradient shares, so that only proofs can see them: points that are so far apart, and
 //! a plane between.
-use geograd::ad::check::certificate::{Body, Measure, Proof};
+use geograd::ad::check::certificate::{Body, Proof, Proved};
 use geograd::ad::check::{Report, Sampling};
 use geograd::check::{Reason, Witness};
 use geograd::distance3::{closest_points, distance};
@@ -53,7 +53,7 @@ where
         let (a, b) = Pair::load(x);
         let hull = |s: Segment3<f64>| Body::hull(&[s.start, s.end], 0.0);
         Some(Proof {
-            measure: Measure::Distance,
+            measure: Proved::Distance,
             bodies: [hull(a), hull(b)],
             points: Some(nearest((a, b), wrong_points)),
         })

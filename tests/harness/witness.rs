@@ -5,7 +5,7 @@ use geograd::ad::check::verdict::{Reason, Witness};
 use geograd::ad::check::{Check, Sampling, examine};
 use geograd::kernels::check::OpSubject;
 use geograd::kernels::check::Straight;
-use geograd::kernels::check::witness::{Answer, Batch};
+use geograd::kernels::check::witness::{Batch, BatchResult};
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::{Backend, Op};
 use geograd::{Error, GpuFault};
@@ -77,7 +77,7 @@ fn a_wrong_batch_is_refused() {
                 let mut derivatives: Vec<f64> =
                     bars.scalars().iter().map(|&x| f64::from(x)).collect();
                 derivatives[7] *= f64::from(derivative);
-                Answer {
+                BatchResult {
                     value: vec![f64::from(iou * value)],
                     rows: vec![derivatives],
                 }

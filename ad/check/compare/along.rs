@@ -11,7 +11,7 @@ use crate::ad::check::symmetry::Kind;
 use crate::ad::check::tolerances::{
     COARSE, DECIDED, FEW_INPUTS, FIRST, INFORMATIVE, NEAR_JUMP, ROUNDINGS, SAFETY, TALL,
 };
-use crate::ad::check::verdict::{Numbers, Place, Reason, Witness};
+use crate::ad::check::verdict::{ByWitness, Reason, Smoothness, Witness};
 use crate::ad::check::witness::{Estimate, Ladder, dot};
 
 /// Makes a ladder: values along a direction, from a first step downwards.
@@ -46,14 +46,14 @@ struct Derivatives {
 }
 
 impl Derivatives {
-    fn numbers(&self, difference: Option<f64>, sides: Option<[f64; 2]>) -> Numbers {
-        Numbers {
+    fn numbers(&self, difference: Option<f64>, sides: Option<[f64; 2]>) -> ByWitness {
+        ByWitness {
             adjoint: self.by_hand.map(|derivative| derivative / self.per),
             dual: self.by_duals.map(|derivative| derivative / self.per),
             difference: difference.map(|derivative| derivative / self.per),
             sides: sides.map(|sides| sides.map(|derivative| derivative / self.per)),
             along: self.along,
-            ..Numbers::default()
+            ..ByWitness::default()
         }
     }
     /// The derivative by the other of the two exact witnesses.
@@ -226,11 +226,11 @@ impl Along<'_> {
                 Opinion::Fine {
                     place, switched, ..
                 } => (place, switched),
-                _ => (Place::Undefined, self.here.traced),
+                _ => (Smoothness::Undefined, self.here.traced),
             }
         });
         let derived = row.adjoint.is_some() || row.dual.is_some();
-        if place != Place::Undefined && derived {
+        if place != Smoothness::Undefined && derived {
             said.told.push((row.output, self.k, place));
             match said.covered.get_mut(self.k) {
                 Some(covered) if e.x.len() <= FEW_INPUTS => *covered = true,
@@ -238,9 +238,9 @@ impl Along<'_> {
             }
         }
         said.directions[match place {
-            Place::Smooth => 0,
-            Place::Kink => 1,
-            Place::Undefined => 2,
+            Smoothness::Smooth => 0,
+            Smoothness::Kink => 1,
+            Smoothness::Undefined => 2,
         }] += 1;
         said.switched += u64::from(switched);
         said
@@ -270,7 +270,7 @@ impl Along<'_> {
         mut test: DerivativeTest<'_>,
         derivatives: &Derivatives,
         said: &mut Notes,
-    ) -> ((Place, bool), Opinion) {
+    ) -> ((Smoothness, bool), Opinion) {
         let (e, direction) = (self.e, self.direction);
         let mut opinion = test.first();
         if opinion.complains() {
@@ -292,7 +292,7 @@ impl Along<'_> {
                 switched,
                 estimate,
             } => {
-                if let Some(found) = estimate.filter(|_| place != Place::Undefined) {
+                if let Some(found) = estimate.filter(|_| place != Smoothness::Undefined) {
                     let tolerance = SAFETY * found.error + test.exact;
                     let gap = (found.value - test.derivative).abs();
                     let pair = match witness {
@@ -322,19 +322,19 @@ impl Along<'_> {
         estimate: Estimate,
         derivatives: &Derivatives,
         said: &mut Notes,
-    ) -> (Place, bool) {
+    ) -> (Smoothness, bool) {
         let (e, direction) = (self.e, self.direction);
         let agree = derivatives.by_hand.zip(derivatives.by_duals);
         let agree = agree.is_some_and(|(a, b)| (a - b).abs() <= test.exact);
         let review = test.again(Opinion::Other { estimate }, agree);
         if !review.stands {
             return match review.supported {
-                true => (Place::Smooth, false),
-                false => (Place::Undefined, true),
+                true => (Smoothness::Smooth, false),
+                false => (Smoothness::Undefined, true),
             };
         }
         if agree && self.tell_nothing(test) {
-            return (Place::Undefined, true);
+            return (Smoothness::Undefined, true);
         }
         let found = review.against.unwrap_or(estimate);
         let tolerance = SAFETY * found.error + test.exact;
@@ -348,14 +348,14 @@ impl Along<'_> {
             e.among_derivatives_nearby(&row.weights, direction, own, least)
         };
         let by_convention = if witness == Witness::Dual && e.tie_of_duals() {
-            Some((Place::Smooth, false))
+            Some((Smoothness::Smooth, false))
         } else if tied && (chosen(e) || self.bent(row)) {
-            Some((Place::Undefined, true))
+            Some((Smoothness::Undefined, true))
         } else if (tied || unknown) && is_among() {
             // At a tie any derivative between those of the pieces is right.
-            Some((Place::Kink, true))
+            Some((Smoothness::Kink, true))
         } else {
-            (unknown && self.chosen_here(row)).then_some((Place::Undefined, true))
+            (unknown && self.chosen_here(row)).then_some((Smoothness::Undefined, true))
         };
         if let Some(place) = by_convention {
             said.convention = true;
@@ -376,7 +376,7 @@ impl Along<'_> {
             derivatives.numbers(Some(found.value), None),
             tolerance / derivatives.per,
         );
-        (Place::Smooth, false)
+        (Smoothness::Smooth, false)
     }
 
     /// The kind of place, and whether branches switch, where the derivative is not between those of both sides.
@@ -388,7 +388,7 @@ impl Along<'_> {
         (sides, tolerance): ([f64; 2], f64),
         derivatives: &Derivatives,
         said: &mut Notes,
-    ) -> (Place, bool) {
+    ) -> (Smoothness, bool) {
         let e = self.e;
         let border = self.here.is_at_border();
         let is_tie = chosen(e) && e.exactly_tied();
@@ -412,7 +412,14 @@ impl Along<'_> {
             let tolerance = tolerance / derivatives.per;
             said.complain_of(Reason::OutsideKink, None, at, numbers, tolerance);
         }
-        (if border { Place::Smooth } else { Place::Kink }, true)
+        (
+            if border {
+                Smoothness::Smooth
+            } else {
+                Smoothness::Kink
+            },
+            true,
+        )
     }
 
     /// `true` if a declared convention allows the derivative. Where the value is zero, it may be zero. At the border of
@@ -536,7 +543,7 @@ impl Along<'_> {
 /// `true` if the result is chosen from several, not a least or greatest number: by a search, or as points that may jump.
 ///
 /// If several choices are as good to the bit, derivatives are those of one of them, or their mean. They need not be
-/// between the derivatives of the two choices on either side. Numbers that are no points do not count: scores and areas
+/// between the derivatives of the two choices on either side. ByWitness that are no points do not count: scores and areas
 /// that jump are not chosen from among others.
 fn chosen(e: &Evidence<'_>) -> bool {
     let conventions = e.subject.conventions();

@@ -4,7 +4,7 @@ use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{
     COMBINATIONS, CURVATURE_ROUNDINGS, FEW_INPUTS, FIRST, INFORMATIVE, ROUNDINGS, SAFETY,
 };
-use crate::ad::check::verdict::{Numbers, Reason, Witness};
+use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::{Estimate, Ladder, Probe, Probed, axis, dot};
 use crate::ad::sample::Draw;
 use std::cell::OnceCell;
@@ -146,12 +146,12 @@ impl<'e> Bend<'e> {
             }
             if gap > tolerance || (gap.is_nan() && witness == Witness::Dual) {
                 let numbers = match witness {
-                    Witness::Dual => Numbers {
+                    Witness::Dual => ByWitness {
                         adjoint: Some(bend),
                         dual: Some(second),
-                        ..Numbers::default()
+                        ..ByWitness::default()
                     },
-                    _ => Numbers::pair(bend, second),
+                    _ => ByWitness::pair(bend, second),
                 };
                 let reason = Reason::CurvatureDisagrees(witness);
                 said.complain_of(reason, None, (self.row.output, i), numbers, tolerance);
@@ -205,9 +205,9 @@ impl<'e> Bend<'e> {
             tolerance += (0..n).map(spread).sum::<f64>();
         }
         if (a - b).abs() > tolerance {
-            let numbers = Numbers {
+            let numbers = ByWitness {
                 along: true,
-                ..Numbers::pair(a, b)
+                ..ByWitness::pair(a, b)
             };
             let reason = Reason::CurvatureNotSymmetric;
             said.complain_of(reason, None, (self.row.output, 0), numbers, tolerance);
@@ -278,11 +278,11 @@ impl<'e> Bend<'e> {
                         .map(|&first| test.repeats(&climb(first), found)),
                 )
             {
-                let numbers = Numbers {
+                let numbers = ByWitness {
                     adjoint: Some(test.bend),
                     difference: Some(found.value),
                     along: n > FEW_INPUTS,
-                    ..Numbers::default()
+                    ..ByWitness::default()
                 };
                 let reason = Reason::CurvatureDisagrees(Witness::Difference);
                 let input = if n <= FEW_INPUTS { i } else { 0 };

@@ -1,7 +1,7 @@
 //! One derivative along one direction against what ladders of steps give for it.
 use crate::ad::check::compare::opinion::{Opinion, Review, review};
 use crate::ad::check::tolerances::{FINER, FIRST, INFORMATIVE, OWN_FIRST, OWN_SIZE, SAFETY, SIDES};
-use crate::ad::check::verdict::Place;
+use crate::ad::check::verdict::Smoothness;
 use crate::ad::check::witness::{Estimate, Ladder};
 
 /// The two sides of a comparison: a derivative, and ladders of any first step along its direction.
@@ -40,7 +40,7 @@ impl DerivativeTest<'_> {
         if ladder.still() && !self.here.still() {
             // Too small steps: the derivative need not be zero.
             return Opinion::Fine {
-                place: Place::Undefined,
+                place: Smoothness::Undefined,
                 switched: false,
                 estimate: None,
             };
@@ -93,7 +93,7 @@ impl DerivativeTest<'_> {
         if tolerance.is_finite() && informative && (gap <= tolerance || !explained) {
             return if gap <= tolerance {
                 Opinion::Fine {
-                    place: Place::Smooth,
+                    place: Smoothness::Smooth,
                     switched,
                     estimate: Some(e),
                 }
@@ -102,7 +102,7 @@ impl DerivativeTest<'_> {
             };
         }
         Opinion::Fine {
-            place: Place::Undefined,
+            place: Smoothness::Undefined,
             switched,
             estimate: explained.then_some(roughly),
         }
@@ -118,7 +118,7 @@ impl DerivativeTest<'_> {
             self.rough
         };
         let undefined = Opinion::Fine {
-            place: Place::Undefined,
+            place: Smoothness::Undefined,
             switched: ladder.traced,
             estimate: None,
         };
@@ -168,7 +168,7 @@ impl DerivativeTest<'_> {
                 step: ahead.step.min(behind.step),
             };
             return Opinion::Fine {
-                place: Place::Undefined,
+                place: Smoothness::Undefined,
                 switched: ladder.traced,
                 estimate: (beyond <= tolerance).then_some(middle),
             };
@@ -178,7 +178,11 @@ impl DerivativeTest<'_> {
             return undefined;
         }
         if beyond <= tolerance {
-            let place = if border { Place::Smooth } else { Place::Kink };
+            let place = if border {
+                Smoothness::Smooth
+            } else {
+                Smoothness::Kink
+            };
             Opinion::Fine {
                 place,
                 switched: ladder.traced,

@@ -3,7 +3,7 @@ use crate::ad::check::compare::values::another;
 use crate::ad::check::evidence::{Combination, Evidence, comparison};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{CONVENTION_BORDER, DECIDED, FEW_INPUTS, SAFETY};
-use crate::ad::check::verdict::{Numbers, Reason, Witness};
+use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::dot;
 
 /// `true` if a convention may decide about this derivative: the value is zero and the input cannot be
@@ -110,11 +110,11 @@ fn one_row(e: &Evidence<'_>, row: &Combination) -> Notes {
                     theirs.get_or_insert_with(|| rounding_of(e, row, (witness, form), &other));
                 tolerance += SAFETY * theirs[i];
             }
-            let numbers = Numbers {
+            let numbers = ByWitness {
                 adjoint: Some(adjoint[i]),
                 dual: row.dual.as_ref().map(|dual| dual[i]),
                 other: (witness != Witness::Dual).then_some(other[i]),
-                ..Numbers::default()
+                ..ByWitness::default()
             };
             let at = comparison(row, i, numbers, tolerance);
             said.compared(pair, gap, row.size[i], e.eps, at);

@@ -2,12 +2,12 @@
 use crate::ad::check::evidence::{Combination, Evidence};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::symmetry::{
-    Answer, Invariance, Kind, Motion, answer, exchanged, moved_by, velocity,
+    Effect, Invariance, Kind, Motion, answer, exchanged, moved_by, velocity,
 };
 use crate::ad::check::tolerances::{
     DRAWS, GROWTH, ROTATION, ROUNDINGS, SAFETY, SCALING, TRANSLATION,
 };
-use crate::ad::check::verdict::{Numbers, Reason, Witness};
+use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::{beside, dot};
 
 /// Declared motions, of values and of derivatives.
@@ -73,9 +73,9 @@ fn value_moves(
     }
     let y = subject.value(&there);
     let wanted = match invariance.answer {
-        Answer::Stays => e.y.clone(),
-        Answer::Power(p) => e.y.iter().map(|y| y * amount.powi(p)).collect(),
-        Answer::Follows => moved_by(motion, amount, &outputs(e), &e.y),
+        Effect::Stays => e.y.clone(),
+        Effect::Power(p) => e.y.iter().map(|y| y * amount.powi(p)).collect(),
+        Effect::Follows => moved_by(motion, amount, &outputs(e), &e.y),
     };
     // Moving rounds every number; what that may do, a derivative says.
     let rows = e.rows.iter();
@@ -98,7 +98,7 @@ fn value_moves(
             tolerance += growth * SAFETY * unrest(e, e.x, &e.y)[j];
         }
         if (y[j] - wanted[j]).abs() > tolerance {
-            let numbers = Numbers::pair(y[j], wanted[j]);
+            let numbers = ByWitness::pair(y[j], wanted[j]);
             let reason = Reason::MotionBroken(motion);
             said.complain_of(reason, None, (j, 0), numbers, tolerance);
         }
@@ -146,9 +146,9 @@ fn derivatives_balance(
     let off = SAFETY
         * row.noise
         * match invariance.answer {
-            Answer::Stays => 0.0,
-            Answer::Power(p) => f64::from(p).abs(),
-            Answer::Follows => 1.0,
+            Effect::Stays => 0.0,
+            Effect::Power(p) => f64::from(p).abs(),
+            Effect::Follows => 1.0,
         };
     let tolerance = || -> f64 {
         let own = |i: usize| {
@@ -198,6 +198,6 @@ fn unbalanced(
     if (a - b).abs() > tolerance || (a - b).is_nan() {
         let reason = Reason::MotionUnbalanced(motion);
         let suspect = Some(Witness::Adjoint);
-        said.complain_of(reason, suspect, at, Numbers::pair(a, b), tolerance);
+        said.complain_of(reason, suspect, at, ByWitness::pair(a, b), tolerance);
     }
 }

@@ -2,7 +2,7 @@
 use crate::ad::check::evidence::Evidence;
 use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{ROUNDINGS, UNSEEN};
-use crate::ad::check::verdict::{Numbers, Reason, Witness};
+use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::beside;
 use crate::ad::sample::Draw;
 
@@ -69,7 +69,7 @@ pub(crate) fn linear(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
         }
         if (got - sum).abs() > tolerance {
             let (reason, suspect) = (Reason::NotLinear, Some(Witness::Adjoint));
-            let numbers = Numbers::pair(got, sum);
+            let numbers = ByWitness::pair(got, sum);
             said.complain_of(reason, suspect, (0, i), numbers, tolerance);
             break;
         }

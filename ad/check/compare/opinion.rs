@@ -1,6 +1,6 @@
 //! The opinion of a ladder of steps about a derivative.
 use crate::ad::check::tolerances::{REPEATED, SAFETY};
-use crate::ad::check::verdict::Place;
+use crate::ad::check::verdict::Smoothness;
 use crate::ad::check::witness::Estimate;
 
 /// The opinion of the steps along one direction about a derivative.
@@ -10,7 +10,7 @@ pub(crate) enum Opinion {
     /// At an undefined place the estimate, if any, is too coarse for a derivative as large as others are,
     /// and agrees.
     Fine {
-        place: Place,
+        place: Smoothness,
         switched: bool,
         estimate: Option<Estimate>,
     },
@@ -27,7 +27,7 @@ impl Opinion {
         matches!(
             self,
             Opinion::Fine {
-                place: Place::Undefined,
+                place: Smoothness::Undefined,
                 ..
             }
         )
@@ -62,11 +62,11 @@ pub(crate) fn review(said: &[Opinion], own: &[Opinion], exact: f64) -> Review {
             Opinion::Other { estimate } => against.push(estimate),
             Opinion::Outside { .. } => outside += 1,
             Opinion::Fine {
-                place: Place::Undefined,
+                place: Smoothness::Undefined,
                 ..
             } => {}
             Opinion::Fine {
-                place: Place::Smooth,
+                place: Smoothness::Smooth,
                 estimate: Some(e),
                 ..
             } => support.push(e),

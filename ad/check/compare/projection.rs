@@ -11,7 +11,7 @@ use crate::ad::check::evidence::{Combination, Evidence, comparison};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{FEW_INPUTS, PARTS, PROJECTIONS, ROUNDINGS, SAFETY};
-use crate::ad::check::verdict::{Numbers, Reason, Witness};
+use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::{Ladder, dot};
 use crate::ad::sample::Draw;
 use std::cell::Cell;
@@ -34,14 +34,14 @@ impl Product {
         if gap.is_nan() { f64::INFINITY } else { gap }
     }
     /// Both derivatives, divided by `per`.
-    fn numbers(&self, witness: Witness, per: f64, along: bool) -> Numbers {
+    fn numbers(&self, witness: Witness, per: f64, along: bool) -> ByWitness {
         let other = self.other / per;
-        Numbers {
+        ByWitness {
             adjoint: Some(self.adjoint / per),
             dual: (witness == Witness::Dual).then_some(other),
             other: (witness != Witness::Dual).then_some(other),
             along,
-            ..Numbers::default()
+            ..ByWitness::default()
         }
     }
 }

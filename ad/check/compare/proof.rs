@@ -1,9 +1,9 @@
 //! A distance with what proves it.
-use crate::ad::check::certificate::Measure;
+use crate::ad::check::certificate::Proved;
 use crate::ad::check::evidence::Evidence;
 use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{PROVED_ROUNDINGS, SAFETY};
-use crate::ad::check::verdict::{Nearest, Numbers, Reason, Witness};
+use crate::ad::check::verdict::{ByWitness, Reason, Tightest, Witness};
 
 /// The value with the gap of the plane that parts the bodies best, and with the way between the points that are said
 /// to be nearest.
@@ -19,11 +19,11 @@ pub(crate) fn proof(e: &Evidence<'_>) -> Notes {
         return said;
     };
     let told = match proof.measure {
-        Measure::SquaredDistance => value.max(0.0).sqrt(),
+        Proved::SquaredDistance => value.max(0.0).sqrt(),
         _ => *value,
     };
     let parted = match proof.measure {
-        Measure::SignedDistance => bounds.parted,
+        Proved::SignedDistance => bounds.parted,
         _ => bounds.parted.max(0.0),
     };
     let mut tolerance = PROVED_ROUNDINGS * e.eps * bounds.size + f64::MIN_POSITIVE;
@@ -32,11 +32,11 @@ pub(crate) fn proof(e: &Evidence<'_>) -> Notes {
         tolerance += SAFETY * e.spread_of_many(&e.y, |x| Some(e.subject.value(x)))[0];
     }
     let mut compare = |pair: usize, witness: Witness, other: f64, gap: f64| {
-        let numbers = Numbers::pair(told, other);
-        let at = Nearest {
+        let numbers = ByWitness::pair(told, other);
+        let at = Tightest {
             numbers,
             tolerance,
-            ..Nearest::default()
+            ..Tightest::default()
         };
         said.compared(pair, gap, bounds.size, e.eps, at);
         if gap > tolerance || gap.is_nan() {

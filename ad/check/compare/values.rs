@@ -2,12 +2,12 @@
 use crate::ad::check::evidence::{Evidence, finite, same_bits};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{ROUNDINGS, SAFETY};
-use crate::ad::check::verdict::{Numbers, Reason, Witness};
+use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 
 /// Compares the value with those of traced numbers, duals and other paths.
 pub(crate) fn values(e: &Evidence<'_>) -> Notes {
     let mut said = Notes::new(e.x.len());
-    // Numbers that carry more compute the value as it is, to a few roundings.
+    // ByWitness that carry more compute the value as it is, to a few roundings.
     let carried = e
         .traced
         .clone()
@@ -55,7 +55,7 @@ fn compared(e: &Evidence<'_>, other: &[f64], witness: Witness, provoked: bool) -
         let tolerance = ROUNDINGS * e.eps * a.abs().max(b.abs()) + SAFETY * off;
         if (a - b).abs() > tolerance {
             let reason = Reason::ValuesDisagree(witness);
-            said.complain_of(reason, None, (j, 0), Numbers::pair(a, b), tolerance);
+            said.complain_of(reason, None, (j, 0), ByWitness::pair(a, b), tolerance);
         }
     }
     said

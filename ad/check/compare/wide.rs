@@ -3,7 +3,7 @@ use crate::ad::check::evidence::{Combination, Evidence, SMALLEST, comparison, fi
 use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{FEW_INPUTS, ROUNDINGS, SAFETY, SCATTER};
-use crate::ad::check::verdict::{Numbers, Reason, Witness};
+use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::{combined, dot};
 use crate::ad::declared::Jumps;
 
@@ -70,7 +70,7 @@ fn values(e: &Evidence<'_>, wide: &dyn Subject, value: &[f64]) -> Notes {
         let jumps = e.subject.conventions().jumps == Jumps::Anywhere;
         if (value - narrow).abs() > tolerance && !(jumps && e.holds_beside(decided)) {
             let reason = Reason::ValuesDisagree(Witness::Wide);
-            let numbers = Numbers::pair(narrow, value);
+            let numbers = ByWitness::pair(narrow, value);
             said.complain_of(reason, None, (j, 0), numbers, tolerance);
         }
     }
@@ -166,11 +166,11 @@ fn derivatives(e: &Evidence<'_>, wide: &dyn Subject, row: &Combination) -> Notes
     for i in 0..exact.len() {
         said.covered[i] = true;
         let gap = (exact[i] - adjoint[i]).abs();
-        let numbers = Numbers {
+        let numbers = ByWitness {
             adjoint: Some(adjoint[i]),
             dual: row.dual.as_ref().map(|dual| dual[i]),
             other: Some(exact[i]),
-            ..Numbers::default()
+            ..ByWitness::default()
         };
         let mut at = comparison(row, i, numbers, tolerance[i]);
         at.provoked = provoked;

@@ -3,7 +3,7 @@ use super::{Dice, line};
 use geo::{Area, BooleanOps, Coord, LineString, Polygon};
 use geograd::ad::adjoint::overlap_polygon::intersection_area_polygons_vjp;
 use geograd::ad::adjoint::overlap_rings::intersection_area_vjp;
-use geograd::boolean::{Operation, overlay_replay, overlay_search};
+use geograd::boolean::{BooleanOperation, overlay_replay, overlay_search};
 use geograd::overlap_polygon::{holed::intersection_area, intersection_area_polygons};
 use geograd::polygon::{Fill, area};
 use geograd::{ConvexPolygon, Vec2};
@@ -107,7 +107,7 @@ fn rings(a: &[Rings], b: &[Rings]) {
     });
     let clipped = |a: &Rings, b: &Rings| {
         let fill = Fill::EvenOdd;
-        let trace = overlay_search(&a[..], &b[..], Operation::Intersection, fill);
+        let trace = overlay_search(&a[..], &b[..], BooleanOperation::Intersection, fill);
         overlay_replay(&a[..], &b[..], &trace.expect("valid polygons"))
     };
     line(

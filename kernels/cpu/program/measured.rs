@@ -97,7 +97,7 @@ pub struct Ready {
 
 /// Items of an argument, ready to be computed from.
 #[derive(Debug)]
-pub struct Items<T> {
+pub struct Prepared<T> {
     lanes: Vec<Lane<T>>,
     fields: usize,
 }
@@ -118,28 +118,28 @@ impl Ready {
     }
     /// Items of an argument, from rows of numbers; their frames, where there are frames.
     #[must_use]
-    pub fn items<T: Real>(&self, argument: usize, rows: &[T]) -> Items<T> {
+    pub fn items<T: Real>(&self, argument: usize, rows: &[T]) -> Prepared<T> {
         let fields = self.fields[argument];
         let count = tiles(rows.len() / fields);
         let mut lanes = vec![Lane::default(); count * fields];
         (kernels_in::<T>().bring)(rows, fields, &mut lanes);
         let Some((frame, width)) = self.frames.as_ref().map(|frames| &frames[argument]) else {
-            return Items { lanes, fields };
+            return Prepared { lanes, fields };
         };
         let mut made = vec![Lane::default(); count * width];
         frame.prepare(&[Tiles::new(&lanes, fields)], &mut made);
-        Items {
+        Prepared {
             lanes: made,
             fields: *width,
         }
     }
     /// Results of so many items, number by number in rows; an argument of one tile stands for all.
     #[must_use]
-    pub fn compute<T: Real>(&self, count: usize, items: &[Items<T>]) -> Vec<T> {
+    pub fn compute<T: Real>(&self, count: usize, items: &[Prepared<T>]) -> Vec<T> {
         let mut rows = vec![T::default(); count * self.results];
         let mut lanes = vec![Lane::default(); planes(self.results)];
         for (block, rows) in rows.chunks_mut(BLOCK * TILE * self.results).enumerate() {
-            let from = |items| Items::from(items, block * BLOCK);
+            let from = |items| Prepared::from(items, block * BLOCK);
             let inputs: Vec<Tiles<'_, T>> = items.iter().map(from).collect();
             self.make(&inputs, &mut lanes, tiles(rows.len() / self.results));
             (kernels_in::<T>().take)(Planes(&lanes), self.results, rows, self.results);
@@ -168,9 +168,9 @@ impl Ready {
         all
     }
     /// Computes items over and over, for measuring.
-    pub fn repeat<T: Real>(&self, items: &[Items<T>], times: usize) {
+    pub fn repeat<T: Real>(&self, items: &[Prepared<T>], times: usize) {
         let mut lanes = vec![Lane::default(); planes(self.results)];
-        let inputs: Vec<Tiles<'_, T>> = items.iter().map(|x| Items::from(x, 0)).collect();
+        let inputs: Vec<Tiles<'_, T>> = items.iter().map(|x| Prepared::from(x, 0)).collect();
         for _ in 0..times {
             self.make(&inputs, &mut lanes, BLOCK);
         }
@@ -180,7 +180,7 @@ impl Ready {
     }
 }
 
-impl<T: Real> Items<T> {
+impl<T: Real> Prepared<T> {
     /// From a tile on.
     fn from(&self, tile: usize) -> Tiles<'_, T> {
         match self.lanes.len() == self.fields {

@@ -63,15 +63,15 @@ impl Difficulty {
     /// How a truth counts.
     ///
     /// ```
-    /// use geograd::metric::kitti::{Counts, Difficulty, Label, Truth};
-    /// let car = Truth { label: Label::Own, height: 30.0, occlusion: 0, truncation: 0.0 };
+    /// use geograd::metric::kitti::{Counts, Difficulty, Label, GroundTruth};
+    /// let car = GroundTruth { label: Label::Own, height: 30.0, occlusion: 0, truncation: 0.0 };
     /// assert_eq!(Difficulty::Moderate.truth(car), Counts::Fully);
     /// assert_eq!(Difficulty::Easy.truth(car), Counts::Ignored);
-    /// let van = Truth { label: Label::Neighbouring, ..car };
+    /// let van = GroundTruth { label: Label::Neighbouring, ..car };
     /// assert_eq!(Difficulty::Moderate.truth(van), Counts::Ignored);
     /// ```
     #[must_use]
-    pub fn truth(self, truth: Truth) -> Counts {
+    pub fn truth(self, truth: GroundTruth) -> Counts {
         let is_easy = truth.occlusion <= self.occlusion()
             && truth.truncation <= self.truncation()
             && truth.height > self.height();
@@ -107,7 +107,7 @@ pub enum Label {
 
 /// The properties of a truth that the rules read.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Truth {
+pub struct GroundTruth {
     /// Its class.
     pub label: Label,
     /// The height of its box in the image, in pixels.

@@ -5,7 +5,7 @@ use super::scanline::{self, Ring};
 use geograd::ad::adjoint::boolean::overlay_vjp;
 use geograd::ad::adjoint::ring::signed_area_vjp;
 use geograd::boolean::{
-    EdgeId, Operation, Origin, Owner, VertexId, iou_replay, iou_search, overlay_replay,
+    BooleanOperation, EdgeId, Origin, Owner, VertexId, iou_replay, iou_search, overlay_replay,
     overlay_search,
 };
 use geograd::error::{Argument, Flaw, VertexFault};
@@ -14,11 +14,11 @@ use geograd::{Error, Pack, Polygon, Scalar, Vec2};
 use geograd_tests::Dice;
 
 /// The operations, and which of the areas in a only, in both and in b only belong to the result.
-pub const OPERATIONS: [(Operation, [bool; 3]); 4] = [
-    (Operation::Union, [true, true, true]),
-    (Operation::Intersection, [false, true, false]),
-    (Operation::Difference, [true, false, false]),
-    (Operation::SymmetricDifference, [true, false, true]),
+pub const OPERATIONS: [(BooleanOperation, [bool; 3]); 4] = [
+    (BooleanOperation::Union, [true, true, true]),
+    (BooleanOperation::Intersection, [false, true, false]),
+    (BooleanOperation::Difference, [true, false, false]),
+    (BooleanOperation::SymmetricDifference, [true, false, true]),
 ];
 
 fn any(dice: &mut Dice) -> Vec<Ring> {
@@ -41,7 +41,12 @@ pub fn cases(dice: &mut Dice) -> Vec<(Vec<Ring>, Vec<Ring>)> {
     all
 }
 
-fn result(a: &Polygon<f64>, b: &Polygon<f64>, operation: Operation, fill: Fill) -> Polygon<f64> {
+fn result(
+    a: &Polygon<f64>,
+    b: &Polygon<f64>,
+    operation: BooleanOperation,
+    fill: Fill,
+) -> Polygon<f64> {
     overlay_replay(a, b, &overlay_search(a, b, operation, fill).unwrap())
 }
 
@@ -89,13 +94,13 @@ fn nearly_parallel_edges_have_their_derivatives() {
         let (sin, cos) = angle.sin_cos();
         let turned = square.map(|(x, y)| (cos * x - sin * y, sin * x + cos * y));
         let b = made(&[ring(&turned)]);
-        for operation in [Operation::Union, Operation::Intersection] {
+        for operation in [BooleanOperation::Union, BooleanOperation::Intersection] {
             let trace = overlay_search(&a, &b, operation, Fill::NonZero).unwrap();
             let found = by_duals(&a, &b, &trace, |p| polygon::signed_area(p));
             // By the motion of borders, in which no crossing is differentiated.
             let (mut a_bar, mut b_bar) = (zeros(&a), zeros(&b));
             let vjp = match operation {
-                Operation::Union => geograd::ad::adjoint::overlap_rings::union_area_vjp,
+                BooleanOperation::Union => geograd::ad::adjoint::overlap_rings::union_area_vjp,
                 _ => geograd::ad::adjoint::overlap_rings::intersection_area_vjp,
             };
             vjp(&a, &b, 1.0, &mut a_bar, &mut b_bar);
@@ -121,20 +126,20 @@ fn results_add_up_and_grow() {
         let [a, b, c] = [(); 3].map(|()| made(&stars(&mut dice)));
         let fill = Fill::EvenOdd;
         let area = |a: &_, b: &_, operation| polygon::area(&result(a, b, operation, fill));
-        let shared = area(&a, &b, Operation::Intersection);
-        let rest = area(&a, &b, Operation::Difference);
+        let shared = area(&a, &b, BooleanOperation::Intersection);
+        let rest = area(&a, &b, BooleanOperation::Difference);
         assert!((shared + rest - polygon::area(&a)).abs() < 1e-12);
-        let all = area(&a, &b, Operation::Union);
-        assert!((all - shared - area(&a, &b, Operation::SymmetricDifference)).abs() < 1e-12);
-        assert!((area(&b, &a, Operation::Union) - all).abs() < 1e-12);
+        let all = area(&a, &b, BooleanOperation::Union);
+        assert!((all - shared - area(&a, &b, BooleanOperation::SymmetricDifference)).abs() < 1e-12);
+        assert!((area(&b, &a, BooleanOperation::Union) - all).abs() < 1e-12);
         // A part shares less than the whole.
-        let part = result(&a, &c, Operation::Intersection, fill);
+        let part = result(&a, &c, BooleanOperation::Intersection, fill);
         if part.rings().validate().is_ok() {
-            assert!(area(&part, &b, Operation::Intersection) <= shared + 1e-12);
-            assert!(area(&part, &a, Operation::Difference) < 1e-12);
+            assert!(area(&part, &b, BooleanOperation::Intersection) <= shared + 1e-12);
+            assert!(area(&part, &a, BooleanOperation::Difference) < 1e-12);
         }
         // Parts run counter-clockwise, their holes clockwise.
-        let trace = overlay_search(&a, &b, Operation::Union, fill).unwrap();
+        let trace = overlay_search(&a, &b, BooleanOperation::Union, fill).unwrap();
         let union = overlay_replay(&a, &b, &trace);
         let mut rings = 0;
         for part in trace.parts() {
@@ -173,7 +178,7 @@ fn centroid_x<S: Scalar<Mask = bool>>(p: &Polygon<S>) -> S {
 }
 
 /// `true` if small moves of all vertices leave the number of vertices of the result.
-fn is_safe(a: &Polygon<f64>, b: &Polygon<f64>, operation: Operation, fill: Fill) -> bool {
+fn is_safe(a: &Polygon<f64>, b: &Polygon<f64>, operation: BooleanOperation, fill: Fill) -> bool {
     let trace = |a: &_, b: &_| overlay_search(a, b, operation, fill).unwrap();
     let mut dice = Dice(9);
     let known = trace(a, b);
@@ -341,7 +346,7 @@ fn the_same_polygon_twice_has_iou_one_and_no_derivative() {
 fn every_vertex_says_where_it_is_from() {
     let a = ring(&[(0., 0.), (2., 0.), (2., 2.), (0., 2.)]);
     let b = ring(&[(1., 1.), (3., 1.), (3., 3.), (1., 3.)]);
-    let trace = overlay_search(&a, &b, Operation::Intersection, Fill::NonZero).unwrap();
+    let trace = overlay_search(&a, &b, BooleanOperation::Intersection, Fill::NonZero).unwrap();
     let vertex = |owner, vertex| {
         Origin::Vertex(VertexId {
             owner,
@@ -368,7 +373,7 @@ fn every_vertex_says_where_it_is_from() {
     assert_eq!(found, expected.map(|origin| vec![origin]));
     assert!(trace.parts().eq(std::iter::once(0..1)));
     // Identical ones: both vertices at once.
-    let trace = overlay_search(&a, &a, Operation::Union, Fill::NonZero).unwrap();
+    let trace = overlay_search(&a, &a, BooleanOperation::Union, Fill::NonZero).unwrap();
     assert!(
         trace
             .origins()
@@ -376,10 +381,10 @@ fn every_vertex_says_where_it_is_from() {
     );
     // Nothing, and something that is nowhere near.
     let far = [at(9., 9.), at(10., 9.), at(9., 10.)];
-    let trace = overlay_search(&a, &far, Operation::Intersection, Fill::NonZero).unwrap();
+    let trace = overlay_search(&a, &far, BooleanOperation::Intersection, Fill::NonZero).unwrap();
     assert_eq!((trace.vertex_count(), trace.parts().count()), (0, 0));
     let nothing: &[Ring] = &[];
-    let trace = overlay_search(&a, nothing, Operation::Union, Fill::NonZero).unwrap();
+    let trace = overlay_search(&a, nothing, BooleanOperation::Union, Fill::NonZero).unwrap();
     assert_eq!(trace.vertex_count(), 4);
     assert_eq!(
         iou_search::<f64>(nothing, nothing, Fill::NonZero)
@@ -396,7 +401,7 @@ fn records_serve_every_format() {
         let (a, b) = (made(&stars(&mut dice)), made(&stars(&mut dice)));
         let (narrow_a, narrow_b) = (a.cast::<f32>(), b.cast::<f32>());
         let fill = Fill::EvenOdd;
-        let trace = overlay_search(&narrow_a, &narrow_b, Operation::Union, fill).unwrap();
+        let trace = overlay_search(&narrow_a, &narrow_b, BooleanOperation::Union, fill).unwrap();
         let (wide, narrow) = (
             overlay_replay(&a, &b, &trace),
             overlay_replay(&narrow_a, &narrow_b, &trace),
@@ -411,7 +416,8 @@ fn flaws_name_polygon_ring_and_vertex() {
     let good = vec![ring(&[(0., 0.), (4., 0.), (0., 4.)])];
     let mut bad = good.clone();
     bad.push(ring(&[(0., 0.), (f64::INFINITY, 0.), (0., 4.)]));
-    let found = overlay_search(&good[..], &bad[..], Operation::Union, Fill::NonZero).unwrap_err();
+    let found =
+        overlay_search(&good[..], &bad[..], BooleanOperation::Union, Fill::NonZero).unwrap_err();
     let flaw = Flaw::Ring {
         ring: 1,
         index: 1,

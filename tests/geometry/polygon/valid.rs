@@ -5,7 +5,7 @@ use super::rings::{made, moved};
 use super::scanline::{self, Ring};
 use super::simple::flaw;
 use geograd::boolean::{
-    Operation, overlay_replay, overlay_search, valid, valid_replay, valid_search,
+    BooleanOperation, overlay_replay, overlay_search, valid, valid_replay, valid_search,
 };
 use geograd::polygon::{self, Fill};
 use geograd::{Pack, Polygon, Scalar, Vec2};
@@ -75,24 +75,24 @@ fn touching_rings_make_parts_and_holes() {
         (150.0, 80.0),
         (210.0, 120.0),
     ])];
-    assert_eq!(parts(&trapezoids, &kite, Operation::Union), [2, 1]);
+    assert_eq!(parts(&trapezoids, &kite, BooleanOperation::Union), [2, 1]);
     // Two squares that touch in a corner, as parts and as holes.
     let both = [square(1.0, 1.0, 1.0), square(2.0, 2.0, 1.0)];
     let around = [square(0.0, 0.0, 4.0)];
-    assert_eq!(parts(&both, &both, Operation::Union), [1, 1]);
-    assert_eq!(parts(&around, &both, Operation::Difference), [3]);
+    assert_eq!(parts(&both, &both, BooleanOperation::Union), [1, 1]);
+    assert_eq!(parts(&around, &both, BooleanOperation::Difference), [3]);
     // Four squares around a fifth place, which is an island in the hole that they make.
     let four = [(1.0, 0.0), (0.0, 1.0), (2.0, 1.0), (1.0, 2.0)].map(|(x, y)| square(x, y, 1.0));
     let around = [square(-1.0, -1.0, 5.0)];
-    assert_eq!(parts(&around, &four, Operation::Difference), [2, 1]);
-    assert_eq!(parts(&four, &four, Operation::Union), [1; 4]);
+    assert_eq!(parts(&around, &four, BooleanOperation::Difference), [2, 1]);
+    assert_eq!(parts(&four, &four, BooleanOperation::Union), [1; 4]);
     // Squares in squares.
     let nested = [5.0, 4.0, 3.0, 2.0].map(|half| square(-half, -half, 2.0 * half));
-    assert_eq!(parts(&nested, &nested, Operation::Union), [2, 2]);
+    assert_eq!(parts(&nested, &nested, BooleanOperation::Union), [2, 2]);
     // A part has an area.
     let a = [square(0.0, 0.0, 1.0)];
-    assert!(parts(&a, &[square(1.0, 0.0, 1.0)], Operation::Intersection).is_empty());
-    assert!(parts(&a, &a, Operation::Difference).is_empty());
+    assert!(parts(&a, &[square(1.0, 0.0, 1.0)], BooleanOperation::Intersection).is_empty());
+    assert!(parts(&a, &a, BooleanOperation::Difference).is_empty());
 }
 
 /// In general position areas have the derivatives of the usual result, values are those of the record.
@@ -139,7 +139,13 @@ fn single_precision_has_a_grid_of_its_own() {
     let mut dice = Dice(7);
     for (a, b) in cases(&mut dice).into_iter().step_by(3) {
         let narrow = |rings: &[Ring]| made(rings).map(&mut |&x| x as f32);
-        let parts = valid(&narrow(&a), &narrow(&b), Operation::Union, Fill::NonZero).unwrap();
+        let parts = valid(
+            &narrow(&a),
+            &narrow(&b),
+            BooleanOperation::Union,
+            Fill::NonZero,
+        )
+        .unwrap();
         let wide: Vec<Polygon<f64>> = parts
             .iter()
             .map(|part| part.map(&mut |&x| f64::from(x)))
