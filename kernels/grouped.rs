@@ -220,14 +220,14 @@ impl Cpu {
     {
         checked(shapes.len(), scores, &rules)?;
         check_groups(Argument::A, shapes.len(), offsets)?;
-        let face = run.call()?.plan(true)?;
+        let plan = run.call()?.plan(true)?;
         // All shapes are checked, so that errors name the caller's rows.
         let shapes = Column::of(shapes);
-        check(Argument::A, &face.arguments[0], &shapes)?;
+        check(Argument::A, &plan.arguments[0], &shapes)?;
         let (order, ends) = ranked_groups(scores, offsets, rules.score)?;
         let ranked = Ranked::of(order, &shapes, &rules);
         let lists = ranked.lists();
-        let pairs = self.engine.lists(&face, &lists)?;
+        let pairs = self.engine.lists(&plan, &lists)?;
         let kept =
             (drivers_in::<A::Scalar>().suppress_grouped)(&pairs, &ends, ranked.greed(&rules));
         Ok(kept.into_iter().map(|place| ranked.order[place]).collect())

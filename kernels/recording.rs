@@ -7,7 +7,7 @@ use crate::ad::program::Sym;
 use crate::ad::program::record::{TRIALS, listed};
 use crate::ad::program::recorded::Recorded;
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::plan::{Compiled, Face};
+use crate::kernels::cpu::plan::{Compiled, Plan};
 pub use crate::kernels::derivation::Mode;
 use crate::kernels::derivation::Replays;
 pub(crate) use crate::kernels::derivation::{Order, Step};
@@ -44,7 +44,7 @@ pub(crate) struct Line<T: 'static> {
 /// A search, or a derivative of one, as machines take it.
 pub(crate) struct Searched<T> {
     /// The plan by which the CPU decides and computes the search itself, item by item.
-    pub(crate) plan: fn(Mode) -> Face<T>,
+    pub(crate) plan: fn(Mode) -> Plan<T>,
     /// Its replays, differentiated by some steps.
     pub(crate) replays: fn(Vec<Step>) -> Arc<dyn Replays<T>>,
     /// The steps from the search to the function.
@@ -390,7 +390,7 @@ impl<T: Real> Call<T> {
     /// # Errors
     ///
     /// Errors of recording it.
-    pub(crate) fn plan(&self, framed: bool) -> Result<Arc<Face<T>>, Error> {
+    pub(crate) fn plan(&self, framed: bool) -> Result<Arc<Plan<T>>, Error> {
         (drivers_in::<T>().plan)(self, framed)
     }
 }

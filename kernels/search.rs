@@ -4,7 +4,7 @@
 //! from the input and the record by a straight line, which duals and batches replay. Between decisions
 //! the result is smooth. Where a decision changes, the derivatives are those of the branch that was taken.
 use crate::error::Error;
-use crate::kernels::cpu::plan::{Face, of_items};
+use crate::kernels::cpu::plan::{Plan, of_items};
 pub use crate::kernels::decision::Search;
 use crate::kernels::item::{Item, by_kind, by_shape, get, leaves_of, width, widths};
 use crate::kernels::op::{Function, Hvp, Jacobian, Jvp, ValueGrad, Vjp};
@@ -92,7 +92,7 @@ fn item<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
 }
 
 /// The plan by which the CPU computes a mode of a search, item by item.
-fn plan<D, R: Item>(mode: Mode) -> Face<R::Scalar>
+fn plan<D, R: Item>(mode: Mode) -> Plan<R::Scalar>
 where
     D: Search<In<<R as Pack>::Scalar> = R>,
     D::Out<R::Scalar>: Item,

@@ -2,19 +2,19 @@
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check, check_upstream};
-use crate::kernels::cpu::desk::{self, Aligned};
-use crate::kernels::cpu::plan::{Face, Preparation};
+use crate::kernels::cpu::plan::{Plan, Preparation};
 use crate::kernels::cpu::simd::Simd;
+use crate::kernels::cpu::stretches::{self, Aligned};
 use crate::kernels::formats::kernels_in;
 use crate::kernels::item::{Column, Target};
 
 /// Checks columns: how many items there are, and whether some may be too rare for kernels.
 pub(crate) fn checked<T: Real>(
-    face: &Face<T>,
+    plan: &Plan<T>,
     columns: &[Column<'_, T>],
 ) -> Result<(usize, bool), Error> {
-    let count = items(&face.arguments, columns)?;
-    let rare = sound(&face.arguments, face.steepest, columns)?;
+    let count = items(&plan.arguments, columns)?;
+    let rare = sound(&plan.arguments, plan.steepest, columns)?;
     Ok((count, rare))
 }
 
@@ -55,7 +55,7 @@ pub(crate) fn sound<T: Real>(
     let mut rare = false;
     for (k, column) in columns.iter().enumerate() {
         match arguments.get(k) {
-            Some(plan) => rare |= check(plan.argument(k), plan, column)?,
+            Some(own) => rare |= check(own.argument(k), own, column)?,
             None => {
                 let numbers = column.all();
                 check_upstream(&numbers, column.fields)?;
@@ -68,14 +68,14 @@ pub(crate) fn sound<T: Real>(
 }
 
 pub(crate) fn compute<'a, T: Real>(
-    face: &'a Face<T>,
+    plan: &'a Plan<T>,
     columns: &'a [Column<'a, T>],
     rare: bool,
     count: usize,
     targets: Vec<Option<Target<'a, T>>>,
 ) {
-    desk::compute(Aligned {
-        face,
+    stretches::compute(Aligned {
+        plan,
         columns,
         rare,
         count,
@@ -89,18 +89,18 @@ pub(crate) fn compute<'a, T: Real>(
 ///
 /// Numbers of a program are read from memory once in this way, and not twice.
 pub(crate) fn compute_unchecked<'a, T: Real>(
-    face: &'a Face<T>,
+    plan: &'a Plan<T>,
     columns: &'a [Column<'a, T>],
     count: usize,
     targets: Vec<Option<Target<'a, T>>>,
 ) -> bool {
-    let is_program = face.maker.program().is_some() && face.rare.is_none();
-    let is_plain = face.arguments.iter().all(|x| x.frame.is_none());
+    let is_program = plan.maker.program().is_some() && plan.rare.is_none();
+    let is_plain = plan.arguments.iter().all(|x| x.frame.is_none());
     is_program
         && is_plain
         && Simd::current().is_ok()
-        && desk::compute(Aligned {
-            face,
+        && stretches::compute(Aligned {
+            plan,
             columns,
             rare: false,
             count,

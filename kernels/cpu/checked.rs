@@ -142,7 +142,7 @@ pub(crate) fn check_argument<T: Real>(
 /// Checks every shape of a column; `true` if some may be too rare for kernels.
 pub(crate) fn check<T: Real>(
     argument: Argument,
-    plan: &Preparation<T>,
+    preparation: &Preparation<T>,
     column: &Column<'_, T>,
 ) -> Result<bool, Error> {
     Simd::current()?;
@@ -151,7 +151,7 @@ pub(crate) fn check<T: Real>(
         let mut room = Vec::new();
         let mut is_doubtful = |&start: &usize| {
             let numbers = column.numbers(start..count.min(start + GROUP), &mut room);
-            !(plan.all_ordinary)(numbers)
+            !(preparation.all_ordinary)(numbers)
         };
         // Nearly always all is well, which a look at all numbers at once can tell.
         (0..count)
@@ -165,8 +165,8 @@ pub(crate) fn check<T: Real>(
         let mut room = Vec::new();
         let numbers = column.numbers(start..count.min(start + GROUP), &mut room);
         let mut rare = false;
-        for (i, shape) in numbers.chunks_exact(plan.fields).enumerate() {
-            if let Err(flaw) = (plan.check)(shape) {
+        for (i, shape) in numbers.chunks_exact(preparation.fields).enumerate() {
+            if let Err(flaw) = (preparation.check)(shape) {
                 let row = start + i;
                 if let Ok(mut first) = first_flaw.lock()
                     && first.is_none_or(|(other, _)| row < other)
@@ -175,7 +175,7 @@ pub(crate) fn check<T: Real>(
                 }
                 return;
             }
-            rare |= (plan.is_rare)(shape);
+            rare |= (preparation.is_rare)(shape);
         }
         if rare && let Ok(mut any) = is_any_rare.lock() {
             *any = true;

@@ -11,7 +11,7 @@ use crate::kernels::cpu::lane::{
 };
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::plan::{Face, List};
+use crate::kernels::cpu::plan::{List, Plan};
 use crate::kernels::cpu::reductions::{self, initial, raise};
 use crate::kernels::cpu::sweep::LEAST_OF_TREE;
 use crate::kernels::cpu::work::spread;
@@ -78,7 +78,7 @@ impl<'a> GroupSpans<'a> {
 /// Pairs of some rows and columns alone.
 fn part<'p, T: Real>(pairs: &'p Pairs<'_, T>, spans: &[Range<usize>; 2]) -> Pairs<'p, T> {
     Pairs {
-        face: pairs.face,
+        plan: pairs.plan,
         shapes: [0, 1].map(|k| pairs.shapes[k].part(&spans[k])),
         rare: pairs.rare,
         filter: pairs.filter,
@@ -101,7 +101,7 @@ impl<T: Copy> Scored<'_, T> {
 
 /// Pairs of two lists that are computed together once they fill a block.
 struct Waiting<'a, T: Real> {
-    face: &'a Face<T>,
+    plan: &'a Plan<T>,
     lists: &'a [List<'a, T>; 2],
     /// Shapes of either list as rows of numbers.
     picking: [Lent<T>; 2],
@@ -144,7 +144,7 @@ impl<T: Real> Waiting<'_, T> {
             lanes: &mut *self.results,
             tiles: tiles(count),
         };
-        self.face.maker.make(&inputs, out);
+        self.plan.maker.make(&inputs, out);
         self.mend();
         consume(Scored {
             rows: &self.rows,
@@ -157,7 +157,7 @@ impl<T: Real> Waiting<'_, T> {
     /// Puts the right results of rare pairs in their places.
     fn mend(&mut self) {
         let [a, b] = self.lists;
-        let Some(rare) = &self.face.rare else { return };
+        let Some(rare) = &self.plan.rare else { return };
         if a.rare.is_empty() && b.rare.is_empty() {
             return;
         }
@@ -186,12 +186,12 @@ fn sweep_small<T: Real>(
     let lists = pairs.lists();
     let [a, b] = &lists;
     let lanes = [a.frame_fields, b.frame_fields].map(|fields| BLOCK * fields);
-    let fields = pairs.face.made();
+    let fields = pairs.plan.made();
     with_lanes(lanes[0] + lanes[1] + planes(fields), |all| {
         let (own, all) = all.split_at_mut(lanes[0]);
         let (others, results) = all.split_at_mut(lanes[1]);
         let mut desk = Waiting {
-            face: pairs.face,
+            plan: pairs.plan,
             lists: &lists,
             picking: [a.picking(), b.picking()],
             rows: Vec::with_capacity(BLOCK * TILE),

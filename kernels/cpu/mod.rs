@@ -53,8 +53,6 @@ mod boxes3;
 #[forbid(unsafe_code)]
 pub(crate) mod checked;
 #[forbid(unsafe_code)]
-mod desk;
-#[forbid(unsafe_code)]
 pub(crate) mod drivers;
 #[forbid(unsafe_code)]
 pub(crate) mod folds;
@@ -92,6 +90,8 @@ pub mod simd;
 #[forbid(unsafe_code)]
 mod solids;
 #[forbid(unsafe_code)]
+mod stretches;
+#[forbid(unsafe_code)]
 pub(crate) mod sweep;
 #[forbid(unsafe_code)]
 mod table;
@@ -106,7 +106,7 @@ use crate::kernels::machine::Machine;
 
 pub use crate::kernels::item::Single;
 #[doc(hidden)]
-pub use plan::{Compiled, Face};
+pub use plan::{Compiled, Plan};
 pub(crate) use ragged::{check_offsets, check_ragged};
 pub use table::Table;
 

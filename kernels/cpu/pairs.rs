@@ -3,7 +3,7 @@ use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::blocks::QUAD;
 use crate::kernels::cpu::lane::{BLOCK, Lane, TILE, tiles};
-use crate::kernels::cpu::plan::{Face, List, Shapes};
+use crate::kernels::cpu::plan::{List, Plan, Shapes};
 use crate::kernels::cpu::sweep::{Chooses, Columns, Part, Sweep, Upstream};
 use crate::kernels::cpu::work::{rows_per_piece, spread};
 use crate::kernels::formats::kernels_in;
@@ -12,7 +12,7 @@ use std::ops::Range;
 /// An operation and both lists as numbers, checked.
 pub struct Pairs<'a, T> {
     /// How it is computed.
-    pub face: &'a Face<T>,
+    pub plan: &'a Plan<T>,
     /// The shapes of both lists.
     pub shapes: [Shapes<'a, T>; 2],
     /// `true` if some shapes of a list are too rare for kernels.
@@ -28,7 +28,7 @@ impl<T: Real> Pairs<'_, T> {
     }
     /// `true` if pairs whose bounds do not meet may be left out.
     pub fn is_filtered(&self) -> bool {
-        self.filter && self.face.arguments.iter().all(|x| x.bounds.is_some())
+        self.filter && self.plan.arguments.iter().all(|x| x.bounds.is_some())
     }
     /// Leaves out no pair if the threshold is negative: results of pairs that are apart, zero, are above it.
     pub fn filter_above(&mut self, threshold: T) {
@@ -40,7 +40,7 @@ impl<T: Real> Pairs<'_, T> {
         [0, 1].map(|k| {
             let own = &self.shapes[k];
             let whole = own.part(&(0..own.len()));
-            List::new(&self.face.arguments[k], whole, self.rare[k], bounded)
+            List::new(&self.plan.arguments[k], whole, self.rare[k], bounded)
         })
     }
     /// Computes all pairs piece by piece, on all threads: each piece is some rows and its own entry of `work`.
@@ -53,7 +53,7 @@ impl<T: Real> Pairs<'_, T> {
     ) -> bool {
         let [rows, _] = self.counts();
         let [a, b] = self.lists();
-        let sweep = Sweep::new(self.face, upstream, &a, &b);
+        let sweep = Sweep::new(self.plan, upstream, &a, &b);
         let piece = rows_per_piece(rows);
         let work = work.into_iter().enumerate().collect();
         spread(work, |(i, work): (usize, W)| {
@@ -64,7 +64,7 @@ impl<T: Real> Pairs<'_, T> {
     /// Computes the rows of a choice, on this thread.
     pub fn chosen(&self, choice: &mut impl Chooses<T>) {
         let [a, b] = self.lists();
-        Sweep::new(self.face, None, &a, &b).run_chosen(choice);
+        Sweep::new(self.plan, None, &a, &b).run_chosen(choice);
     }
 }
 
@@ -196,7 +196,7 @@ pub fn pull_back<T: Real>(
         b_bar.fill(T::default());
         return;
     }
-    let fields = [0, 1].map(|k| pairs.face.arguments[k].fields);
+    let fields = [0, 1].map(|k| pairs.plan.arguments[k].fields);
     // Both layouts fit.
     let [wide, width] = fields.map(|n| n.next_multiple_of(QUAD));
     let width = tiles(columns) * width;

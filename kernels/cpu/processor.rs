@@ -10,7 +10,7 @@ use crate::kernels::cpu::folds::{self, Folding, Input, VertexBars};
 use crate::kernels::cpu::greedy;
 use crate::kernels::cpu::grouped::{self, GroupSpans};
 use crate::kernels::cpu::pairs::{self, Pairs};
-use crate::kernels::cpu::plan::{Face, Shapes, plan};
+use crate::kernels::cpu::plan::{Plan, Shapes, plan};
 use crate::kernels::cpu::ragged::{measured, measured_vjp};
 use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
@@ -38,7 +38,7 @@ impl Processor {
     /// Checks both lists of a batch of all pairs.
     pub(crate) fn lists<'a, T: Real>(
         &self,
-        face: &'a Face<T>,
+        plan: &'a Plan<T>,
         lists: &'a [Column<'_, T>; 2],
     ) -> Result<Pairs<'a, T>, Error> {
         check_here(lists)?;
@@ -47,11 +47,11 @@ impl Processor {
         }
         let [a, b] = lists;
         let rare = [
-            check_argument(0, &face.arguments, a)?,
-            check_argument(1, &face.arguments, b)?,
+            check_argument(0, &plan.arguments, a)?,
+            check_argument(1, &plan.arguments, b)?,
         ];
         Ok(Pairs {
-            face,
+            plan,
             shapes: [Shapes::of(a), Shapes::of(b)],
             rare,
             filter: self.cull,
@@ -68,13 +68,13 @@ struct Scaled<T> {
 }
 
 impl<T: Real> Scaled<T> {
-    /// Divides all cotangents by one power of two if one is larger than the kernel takes ([`Face::steepest`]).
+    /// Divides all cotangents by one power of two if one is larger than the kernel takes ([`Plan::steepest`]).
     ///
     /// # Errors
     ///
     /// When one is not finite.
-    fn new(face: &Face<T>, upstream: &Upstream<'_, T>) -> Result<Self, Error> {
-        let steep = tame(upstream.derivatives, face.steepest)?;
+    fn new(plan: &Plan<T>, upstream: &Upstream<'_, T>) -> Result<Self, Error> {
+        let steep = tame(upstream.derivatives, plan.steepest)?;
         let factor = steep.iter().flatten().map(|x| x.1).fold(T::one(), T::most);
         let all = upstream.derivatives.iter();
         let scaled = steep.map(|_| all.map(|&x| x.over(factor)).collect());
@@ -166,27 +166,27 @@ impl<T: Real> Engine<T> for Processor {
         results: Items<'_, T>,
     ) -> Result<bool, Error> {
         check_here(columns)?;
-        let face = plan(call, false)?;
+        let plan = plan(call, false)?;
         match results {
             Items::Targets(targets, true) => {
                 let count = count_of(call, columns)?;
-                return Ok(compute_unchecked(&face, columns, count, targets));
+                return Ok(compute_unchecked(&plan, columns, count, targets));
             }
             Items::Targets(targets, false) => {
-                let (count, rare) = checked(&face, columns)?;
-                compute(&face, columns, rare, count, targets);
+                let (count, rare) = checked(&plan, columns)?;
+                compute(&plan, columns, rare, count, targets);
             }
             Items::Held(stored) => {
                 stored.own::<Numbers<T>>()?;
-                let (count, rare) = checked(&face, columns)?;
+                let (count, rare) = checked(&plan, columns)?;
                 let mut found = Vec::new();
-                for &fields in &face.gives {
+                for &fields in &plan.gives {
                     let rows = vec![T::default(); entries(count, 1, fields)?];
                     found.push(Numbers { fields, rows });
                 }
                 let targets = found.iter_mut();
                 let targets = targets.map(|own| Some(Target::of_rows(&mut own.rows, own.fields)));
-                compute(&face, columns, rare, count, targets.collect());
+                compute(&plan, columns, rare, count, targets.collect());
                 *stored = self.keep(count, found)?;
             }
         }
@@ -208,8 +208,8 @@ impl<T: Real> Engine<T> for Processor {
                 &mut matrix.values
             }
         };
-        let face = plan(call, true)?;
-        pairs::planes(&self.lists(&face, lists)?, planes);
+        let plan = plan(call, true)?;
+        pairs::planes(&self.lists(&plan, lists)?, planes);
         Ok(())
     }
 
@@ -219,8 +219,8 @@ impl<T: Real> Engine<T> for Processor {
         lists: &[Column<'_, T>; 2],
         reduction: Reduction<T>,
     ) -> Result<Reduced<T>, Error> {
-        let face = plan(call, true)?;
-        let mut pairs = self.lists(&face, lists)?;
+        let plan = plan(call, true)?;
+        let mut pairs = self.lists(&plan, lists)?;
         if let Reduction::Above(threshold) | Reduction::Count(threshold) = reduction {
             pairs.filter_above(threshold);
         }
@@ -249,8 +249,8 @@ impl<T: Real> Engine<T> for Processor {
         groups: GroupSpans<'_>,
         reduction: GroupedReduction<T>,
     ) -> Result<Reduced<T>, Error> {
-        let face = plan(call, true)?;
-        let mut pairs = self.lists(&face, lists)?;
+        let plan = plan(call, true)?;
+        let mut pairs = self.lists(&plan, lists)?;
         Ok(match reduction {
             GroupedReduction::Best { of_rows } => {
                 Reduced::BestsGrouped(grouped::most(&pairs, groups, of_rows))
@@ -287,9 +287,9 @@ impl<T: Real> Engine<T> for Processor {
             }
         };
         let upstream = Upstream { derivatives, step };
-        let face = plan(&call.clone().derived(Mode::Vjp)?, true)?;
-        let pairs = self.lists(&face, lists)?;
-        Scaled::new(&face, &upstream)?.pull_back(&pairs, upstream, bars);
+        let plan = plan(&call.clone().derived(Mode::Vjp)?, true)?;
+        let pairs = self.lists(&plan, lists)?;
+        Scaled::new(&plan, &upstream)?.pull_back(&pairs, upstream, bars);
         match seed {
             Seed::Factor(_) => Ok(self.reduce(call, lists, Reduction::Sum)?.sum()),
             _ => Ok(0.0),
@@ -303,13 +303,13 @@ impl<T: Real> Engine<T> for Processor {
         scores: &[T],
         rules: Rules<'_, T>,
     ) -> Result<Vec<usize>, Error> {
-        let face = plan(call, true)?;
+        let plan = plan(call, true)?;
         check_here(std::slice::from_ref(shapes))?;
         // All shapes are checked, so that errors name the caller's rows.
-        check(Argument::A, &face.arguments[0], shapes)?;
+        check(Argument::A, &plan.arguments[0], shapes)?;
         let ranked = Ranked::of(order(scores, rules.score)?, shapes, &rules);
         let lists = ranked.lists();
-        let pairs = self.lists(&face, &lists)?;
+        let pairs = self.lists(&plan, &lists)?;
         let kept = greedy::suppress(&pairs, ranked.greed(&rules));
         Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
     }

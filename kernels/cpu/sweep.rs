@@ -10,7 +10,7 @@ use crate::kernels::cpu::lane::{
     BLOCK, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
 };
 use crate::kernels::cpu::overlaps::BOUNDS;
-use crate::kernels::cpu::plan::{Face, List, Maker, Rare};
+use crate::kernels::cpu::plan::{List, Maker, Plan, Rare};
 use crate::kernels::cpu::tree::Tree;
 use crate::kernels::formats::kernels_in;
 use std::ops::Range;
@@ -99,7 +99,7 @@ impl<'a, T: Real> Sweep<'a, T> {
     /// Prepares results, or results with derivatives if there is an `upstream`. Bounds are compared where both lists have
     /// them.
     pub fn new(
-        face: &'a Face<T>,
+        plan: &'a Plan<T>,
         upstream: Option<Upstream<'a, T>>,
         a: &'a List<'a, T>,
         b: &'a List<'a, T>,
@@ -107,9 +107,9 @@ impl<'a, T: Real> Sweep<'a, T> {
         let mut sweep = Sweep {
             a,
             b,
-            maker: &*face.maker,
-            fields: face.made(),
-            rare: face.rare.as_ref(),
+            maker: &*plan.maker,
+            fields: plan.made(),
+            rare: plan.rare.as_ref(),
             picking: Lent::new(0),
             stride: b.stride(),
             tree: None,

@@ -4,7 +4,7 @@ use super::rows::{Layout, Rows, renamed};
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{entries, expect};
-use crate::kernels::cpu::plan::Face;
+use crate::kernels::cpu::plan::Plan;
 use crate::kernels::item::{Column, Target};
 use crate::kernels::machine::{Engine, Items, Reduced, Reduction, Room, Seed, count_of};
 use crate::kernels::recording::{Call, Recording};
@@ -38,7 +38,7 @@ impl<T: Real> Function<T> {
         Call::of(Arc::clone(&self.recording)).derived(self.mode)
     }
     /// The plan of the CPU.
-    pub(super) fn plan(&self, framed: bool) -> Result<Arc<Face<T>>, Error> {
+    pub(super) fn plan(&self, framed: bool) -> Result<Arc<Plan<T>>, Error> {
         self.call()?.plan(framed)
     }
     /// A name and a layout for every column that it takes; cotangents of an adjoint come last.

@@ -176,13 +176,13 @@ impl<T: Real> Function<T> {
         let [column, _] = self.lists(&shapes, &shapes)?;
         checked(column.len(), scores, &rules)?;
         check_groups(Argument::A, column.len(), offsets)?;
-        let face = self.plan(true)?;
+        let plan = self.plan(true)?;
         // All shapes are checked, so that errors name the caller's rows.
-        self.named(check(Argument::A, &face.arguments[0], &column))?;
+        self.named(check(Argument::A, &plan.arguments[0], &column))?;
         let (order, ends) = ranked_groups(scores, offsets, rules.score)?;
         let ranked = Ranked::of(order, &column, &rules);
         let lists = ranked.lists();
-        let pairs = Cpu::new().engine.lists(&face, &lists)?;
+        let pairs = Cpu::new().engine.lists(&plan, &lists)?;
         let kept = (drivers_in::<T>().suppress_grouped)(&pairs, &ends, ranked.greed(&rules));
         Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
     }

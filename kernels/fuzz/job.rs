@@ -10,7 +10,7 @@ use crate::kernels::check::{Folded, Source};
 use crate::kernels::cpu::aligned::{checked, compute};
 use crate::kernels::cpu::checked::numbers;
 use crate::kernels::cpu::pairs::{self, Pairs};
-use crate::kernels::cpu::plan::{Compiled, Face, Shapes};
+use crate::kernels::cpu::plan::{Compiled, Plan, Shapes};
 use crate::kernels::fold::{Fold, by_hand, fold};
 use crate::kernels::item::{Column, Item, Leaf, Target, by_kind, by_shape, get, leaves_of};
 use crate::kernels::op::{Extremes, Finite, Jumps, Op, Range, inside_of, recording_of};
@@ -171,7 +171,7 @@ fn kinds_of<X: Sample + Fixed>() -> Vec<Kind> {
 }
 
 /// The plan of a mode of a function, aligned or for all pairs.
-type Planned<T> = Arc<dyn Fn(Mode, bool) -> Result<Arc<Face<T>>, Error> + Send + Sync>;
+type Planned<T> = Arc<dyn Fn(Mode, bool) -> Result<Arc<Plan<T>>, Error> + Send + Sync>;
 
 fn planned<T: Real>(recording: &Arc<Recording<T>>) -> Planned<T> {
     let call = Call::of(Arc::clone(recording));
@@ -179,12 +179,12 @@ fn planned<T: Real>(recording: &Arc<Recording<T>>) -> Planned<T> {
 }
 
 /// The results that batches compute by a plan.
-fn computed<T: Real, const N: usize>(plan: &Planned<T>, mode: Mode) -> Compute<T, N> {
-    let plan = Arc::clone(plan);
+fn computed<T: Real, const N: usize>(make: &Planned<T>, mode: Mode) -> Compute<T, N> {
+    let make = Arc::clone(make);
     Box::new(move |inputs, bars| {
         // The plan is made at the first call, and kept.
-        let face = &plan(mode, false)?;
-        let columns = face.arguments.iter().zip(&inputs.columns);
+        let plan = &make(mode, false)?;
+        let columns = plan.arguments.iter().zip(&inputs.columns);
         let mut columns: Vec<Column<'_, T>> = columns
             .map(|(argument, numbers)| Column::lent(numbers, argument.fields, Some(inputs.count)))
             .collect();
@@ -195,27 +195,27 @@ fn computed<T: Real, const N: usize>(plan: &Planned<T>, mode: Mode) -> Compute<T
                 Some(inputs.count),
             ));
         }
-        run_columns(face, columns)
+        run_columns(plan, columns)
     })
 }
 
-/// All pairs by a face of two shapes.
-fn squared<T: Real>(face: impl Fn() -> Result<Arc<Face<T>>, Error> + Sync + 'static) -> Square<T> {
+/// All pairs by a plan of two shapes.
+fn squared<T: Real>(plan: impl Fn() -> Result<Arc<Plan<T>>, Error> + Sync + 'static) -> Square<T> {
     Box::new(move |inputs, items| {
-        let face = face()?;
+        let plan = plan()?;
         let part = |k: usize| {
-            let n = face.arguments[k].fields;
+            let n = plan.arguments[k].fields;
             &inputs.columns[k][items.start * n..items.end * n]
         };
         let columns =
-            [0, 1].map(|k| Column::lent(part(k), face.arguments[k].fields, Some(items.len())));
+            [0, 1].map(|k| Column::lent(part(k), plan.arguments[k].fields, Some(items.len())));
         let pairs = Pairs {
-            face: &face,
+            plan: &plan,
             shapes: columns.each_ref().map(Shapes::of),
             rare: [true; 2],
             filter: true,
         };
-        let mut planes = vec![T::zero(); items.len() * items.len() * face.made()];
+        let mut planes = vec![T::zero(); items.len() * items.len() * plan.made()];
         pairs::planes(&pairs, &mut planes);
         Ok(planes)
     })
@@ -256,7 +256,7 @@ impl<T: Real> Job<T> {
         let outputs = recording.outputs.clone();
         let is_number = outputs == [1];
         let (kinds, leaves) = ((line.kinds)(), recording.takes.clone());
-        let plan = planned(recording);
+        let make = planned(recording);
         Job {
             name: line.name,
             op: line.op,
@@ -265,8 +265,8 @@ impl<T: Real> Job<T> {
                     true => Mode::ValueGrad,
                     false => Mode::Value,
                 };
-                let plan = plan.clone();
-                squared(move || plan(mode, true))
+                let make = make.clone();
+                squared(move || make(mode, true))
             }),
             shapes: shapes(leaves, &kinds, recording.compiled == Some(Compiled::Quads)),
             kinds,
@@ -279,9 +279,9 @@ impl<T: Real> Job<T> {
                 line.extremes,
             ),
             domain: line.domain,
-            values: computed(&plan, Mode::Value),
-            derivatives: computed(&plan, Mode::Vjp),
-            both: is_number.then(|| computed(&plan, Mode::ValueGrad)),
+            values: computed(&make, Mode::Value),
+            derivatives: computed(&make, Mode::Vjp),
+            both: is_number.then(|| computed(&make, Mode::ValueGrad)),
             alone: line.alone,
             by_hand: line.by_hand,
             recorded: recording.program(Mode::Value).ok(),
@@ -308,7 +308,7 @@ impl<T: Real> Job<T> {
             kinds.resize(kinds.len() + leaf.codes, Kind::Number);
             rest = others;
         }
-        let plan = planned(&search::recording::<D, D::In<T>>());
+        let make = planned(&search::recording::<D, D::In<T>>());
         Job {
             name: D::NAME,
             op: short(std::any::type_name::<D>()),
@@ -321,9 +321,9 @@ impl<T: Real> Job<T> {
                 .collect(),
             declared: Declared::new((D::INVARIANCES, D::JUMPS), D::FINITE, D::RANGE, D::EXTREMES),
             domain: None,
-            values: computed(&plan, Mode::Value),
-            derivatives: computed(&plan, Mode::Vjp),
-            both: is_number.then(|| computed(&plan, Mode::ValueGrad)),
+            values: computed(&make, Mode::Value),
+            derivatives: computed(&make, Mode::Vjp),
+            both: is_number.then(|| computed(&make, Mode::ValueGrad)),
             square: None,
             alone: |x| {
                 let input = get::<D::In<T>>(&by_kind::<D::In<T>>(x));
@@ -439,12 +439,12 @@ fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P> {
 }
 
 /// The numbers of results for columns of shapes and cotangents: a list for every shape of a result.
-fn run_columns<T: Real>(face: &Face<T>, columns: Vec<Column<'_, T>>) -> Result<Vec<Vec<T>>, Error> {
-    let (count, rare) = checked(face, &columns)?;
-    let lists = face.gives.iter().map(|n| vec![T::default(); n * count]);
+fn run_columns<T: Real>(plan: &Plan<T>, columns: Vec<Column<'_, T>>) -> Result<Vec<Vec<T>>, Error> {
+    let (count, rare) = checked(plan, &columns)?;
+    let lists = plan.gives.iter().map(|n| vec![T::default(); n * count]);
     let mut lists: Vec<Vec<T>> = lists.collect();
-    let targets = lists.iter_mut().zip(&face.gives);
+    let targets = lists.iter_mut().zip(&plan.gives);
     let targets = targets.map(|(list, &fields)| Some(Target::of_rows(list, fields)));
-    compute(face, &columns, rare, count, targets.collect());
+    compute(plan, &columns, rare, count, targets.collect());
     Ok(lists)
 }

@@ -5,9 +5,9 @@ pub(crate) mod programs;
 
 use crate::error::{Argument, Field, Flaw};
 use crate::kernels::cpu::checked::{check_argument, check_upstream, expect};
-use crate::kernels::cpu::desk::{self, Aligned};
 use crate::kernels::cpu::nearest::PathSpans;
-use crate::kernels::cpu::plan::{Face, of_recorded};
+use crate::kernels::cpu::plan::{Plan, of_recorded};
+use crate::kernels::cpu::stretches::{self, Aligned};
 use crate::kernels::cpu::work::spread;
 use crate::kernels::formats::kernels_in;
 use crate::kernels::item::{Leaf, STRETCH, Target};
@@ -120,9 +120,9 @@ pub fn cotangents<T: Real>(
     if wide > 0 {
         targets.insert(0, Some(Target::of_rows(&mut shared_bars, wide)));
     }
-    desk::compute(Aligned {
+    stretches::compute(Aligned {
         unchecked: false,
-        face: &body,
+        plan: &body,
         columns: &columns,
         rare: false,
         count,
@@ -185,7 +185,7 @@ impl<T: Real> Folding<T> {
 }
 
 /// A body of edges as a batch sees it.
-fn plan<T: Real>(sizes: &Sizes, programs: &Programs, mode: Mode) -> Result<Arc<Face<T>>, Error> {
+fn plan<T: Real>(sizes: &Sizes, programs: &Programs, mode: Mode) -> Result<Arc<Plan<T>>, Error> {
     let recorded = match mode {
         Mode::Vjp => &programs.edge_vjp,
         _ => &programs.edge,
@@ -223,9 +223,9 @@ fn states<T: Real>(
     let count = paths.edges.len();
     let mut states = vec![T::default(); count * sizes.state];
     let targets = vec![Some(Target::of_rows(&mut states, sizes.state))];
-    desk::compute(Aligned {
+    stretches::compute(Aligned {
         unchecked: false,
-        face: &body,
+        plan: &body,
         columns: &paths.columns(sizes.wide, None),
         rare: false,
         count,

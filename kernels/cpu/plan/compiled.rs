@@ -1,5 +1,5 @@
 //! Operations with compiled kernels: which kernels, and the scalar code for what those do not serve.
-use super::computation::{Face, Maker, Outline, Preparation, Prepare};
+use super::computation::{Maker, Outline, Plan, Preparation, Prepare};
 use crate::ad::adjoint::iou::giou_framed_vjp;
 use crate::ad::adjoint::overlap::{score_aabb2_vjp, score_framed_vjp};
 use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
@@ -45,7 +45,7 @@ pub enum Compiled {
 }
 
 /// How an operation with compiled kernels is computed; `None` where it has none.
-pub(super) fn of_compiled<T: Real>(compiled: Compiled, mode: Mode) -> Option<Face<T>> {
+pub(super) fn of_compiled<T: Real>(compiled: Compiled, mode: Mode) -> Option<Plan<T>> {
     match compiled {
         Compiled::Obb2(over) => Some(of_obb2(over, mode)),
         Compiled::Aabb2(over) => Some(of_aabb2(over, mode)),
@@ -72,22 +72,33 @@ pub(super) fn outline<T: Real>(compiled: Compiled) -> Option<Outline<T>> {
     }
 }
 
-/// A kernel of two boxes: scores.
-type ScoresOf<T> = fn(Denominator, Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>);
-struct Scores<T>(Denominator, ScoresOf<T>);
-impl<T: Real> Maker<T> for Scores<T> {
+/// A kernel of two shapes, of the cotangents of its results, if there are any, and of room for results.
+struct Kernel<F>(F);
+impl<T, F> Maker<T> for Kernel<F>
+where
+    F: Fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>) + Send + Sync,
+{
     fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
-        (self.1)(self.0, inputs[0], inputs[1], out);
+        (self.0)(inputs[0], inputs[1], inputs.get(2).copied(), out);
     }
 }
 
-/// A kernel of two boxes: scores with derivatives.
-type DerivativesOf<T> =
-    fn(Denominator, Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
-struct Derivatives<T>(Denominator, DerivativesOf<T>);
-impl<T: Real> Maker<T> for Derivatives<T> {
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
-        (self.1)(self.0, inputs[0], inputs[1], inputs.get(2).copied(), out);
+/// The kernel of a mode: that of values, or that of values with derivatives.
+fn maker<T: Real>(
+    mode: Mode,
+    values: impl Fn(Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>) + Send + Sync + 'static,
+    derivatives: impl Fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>)
+    + Send
+    + Sync
+    + 'static,
+) -> Box<dyn Maker<T>> {
+    let values = move |a: Tiles<'_, T>,
+                       b: Tiles<'_, T>,
+                       _: Option<Tiles<'_, T>>,
+                       out: Results<'_, T>| values(a, b, out);
+    match mode {
+        Mode::Value => Box::new(Kernel(values)),
+        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => Box::new(Kernel(derivatives)),
     }
 }
 
@@ -105,8 +116,8 @@ fn score_of_two<T: Real, P: Fixed<Scalar = T>>(
     maker: Box<dyn Maker<T>>,
     value: impl Fn(P, P) -> T + Send + Sync + 'static,
     vjp: impl Fn(P, P, T) -> (T, (P, P)) + Send + Sync + 'static,
-) -> Face<T> {
-    Face {
+) -> Plan<T> {
+    Plan {
         steepest: steepest::<T>(),
         rare: Some(Box::new(move |shapes, out_bar, out| {
             let [a, b] = [0, 1].map(|k| P::load(shapes[k]));
@@ -118,12 +129,12 @@ fn score_of_two<T: Real, P: Fixed<Scalar = T>>(
             out[0] = score;
             bars.store(&mut out[1..]);
         })),
-        ..Face::new(mode, vec![shape(), shape()], vec![1], maker)
+        ..Plan::new(mode, vec![shape(), shape()], vec![1], maker)
     }
 }
 
 /// Scores of rotated boxes.
-fn of_obb2<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
+fn of_obb2<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
@@ -134,12 +145,11 @@ fn of_obb2<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
         check: |numbers| Obb2::load(numbers).validate(),
         is_rare: |numbers| !clip::is_ordinary(Obb2::load(numbers)),
     };
-    let maker: Box<dyn Maker<T>> = match mode {
-        Mode::Value => Box::new(Scores(over, kernels.obb2_scores)),
-        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => {
-            Box::new(Derivatives(over, kernels.obb2_derivatives))
-        }
-    };
+    let maker = maker(
+        mode,
+        move |a, b, out| (kernels.obb2_scores)(over, a, b, out),
+        move |a, b, seeds, out| (kernels.obb2_derivatives)(over, a, b, seeds, out),
+    );
     let value = move |a, b| score_framed::<T, true>(over, clip::frame(a), clip::frame(b));
     let vjp = move |a, b, out_bar| {
         let (a, b) = (clip::frame(a), clip::frame(b));
@@ -161,22 +171,6 @@ fn obb2_bounds<T: Real>() -> Outline<T> {
     Arc::new(move |[_, frames], out| bounds(frames, out))
 }
 
-/// A kernel of two shapes of which there is one: generalised IoU, areas of quadrilaterals.
-struct Scored<T>(fn(Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>));
-impl<T: Real> Maker<T> for Scored<T> {
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
-        (self.0)(inputs[0], inputs[1], out);
-    }
-}
-/// The same with derivatives.
-type DerivativesOfOneOf<T> = fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>);
-struct DerivativesOfOne<T>(DerivativesOfOneOf<T>);
-impl<T: Real> Maker<T> for DerivativesOfOne<T> {
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
-        (self.0)(inputs[0], inputs[1], inputs.get(2).copied(), out);
-    }
-}
-
 /// `true` if every rotated box is within the `COMMON_*` limits of `clip` and has an area. Without branches, so that it
 /// becomes vectors.
 fn all_solid<T: Real>(numbers: &[T]) -> bool {
@@ -185,7 +179,7 @@ fn all_solid<T: Real>(numbers: &[T]) -> bool {
 }
 
 /// Generalised IoU of rotated boxes. Boxes that are apart have results, so there are no bounds.
-fn of_giou<T: Real>(mode: Mode) -> Face<T> {
+fn of_giou<T: Real>(mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
@@ -196,19 +190,18 @@ fn of_giou<T: Real>(mode: Mode) -> Face<T> {
         check: |numbers| Obb2::load(numbers).validate(),
         is_rare: |numbers| !is_solid_obb2(numbers),
     };
-    let maker: Box<dyn Maker<T>> = match mode {
-        Mode::Value => Box::new(Scored(kernels.giou_scores)),
-        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => {
-            Box::new(DerivativesOfOne(kernels.giou_derivatives))
-        }
-    };
+    let maker = maker(
+        mode,
+        move |a, b, out| (kernels.giou_scores)(a, b, out),
+        move |a, b, seeds, out| (kernels.giou_derivatives)(a, b, seeds, out),
+    );
     let value = |a, b| giou_framed::<T, true>(clip::frame(a), clip::frame(b));
     let vjp = |a, b, out_bar| giou_framed_vjp::<T, true>(clip::frame(a), clip::frame(b), out_bar);
     score_of_two::<T, Obb2<T>>(mode, shape, maker, value, vjp)
 }
 
 /// Areas that convex quadrilaterals share.
-fn of_quads<T: Real>(mode: Mode) -> Face<T> {
+fn of_quads<T: Real>(mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
@@ -222,39 +215,17 @@ fn of_quads<T: Real>(mode: Mode) -> Face<T> {
             numbers.iter().any(|x| x.unsigned() > most)
         },
     };
-    let maker: Box<dyn Maker<T>> = match mode {
-        Mode::Value => Box::new(Scored(kernels.quad_scores)),
-        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => {
-            Box::new(DerivativesOfOne(kernels.quad_derivatives))
-        }
-    };
+    let maker = maker(
+        mode,
+        move |a, b, out| (kernels.quad_scores)(a, b, out),
+        move |a, b, seeds, out| (kernels.quad_derivatives)(a, b, seeds, out),
+    );
     let value = |a, b| area_of_quads_vjp::<T, true>(a, b, T::one()).0;
     score_of_two(mode, shape, maker, value, area_of_quads_vjp::<T, true>)
 }
 
-/// Scores of upright boxes: of what is shared seen from above, then of heights.
-struct UprightScores(Denominator);
-impl<T: Real> Maker<T> for UprightScores {
-    fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
-        let kernels = kernels_in::<T>();
-        (kernels.obb2_scores)(Denominator::None, inputs[0], inputs[1], out.again());
-        (kernels.upright_scores)(self.0, inputs[0], inputs[1], out);
-    }
-}
-
-/// The same with derivatives.
-struct UprightDerivatives(Denominator);
-impl<T: Real> Maker<T> for UprightDerivatives {
-    fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
-        let kernels = kernels_in::<T>();
-        (kernels.obb2_derivatives)(Denominator::None, inputs[0], inputs[1], None, out.again());
-        let seeds = inputs.get(2).copied();
-        (kernels.upright_derivatives)(self.0, inputs[0], inputs[1], seeds, out);
-    }
-}
-
 /// Scores of upright boxes.
-fn of_upright<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
+fn of_upright<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
@@ -265,28 +236,26 @@ fn of_upright<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
         check: |numbers| YawBox3::load(numbers).validate(),
         is_rare: |numbers| !is_common_upright(numbers),
     };
-    let maker: Box<dyn Maker<T>> = match mode {
-        Mode::Value => Box::new(UprightScores(over)),
-        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => Box::new(UprightDerivatives(over)),
-    };
+    // Of what is shared seen from above, then of heights.
+    let maker = maker(
+        mode,
+        move |a, b, mut out| {
+            (kernels.obb2_scores)(Denominator::None, a, b, out.again());
+            (kernels.upright_scores)(over, a, b, out);
+        },
+        move |a, b, seeds, mut out| {
+            (kernels.obb2_derivatives)(Denominator::None, a, b, None, out.again());
+            (kernels.upright_derivatives)(over, a, b, seeds, out);
+        },
+    );
     let value = move |a: YawBox3<T>, b| score_yaw(over, a, b);
     score_of_two(mode, shape, maker, value, move |a, b, out_bar| {
         score_upright_vjp(over, a, b, out_bar)
     })
 }
 
-/// Scores of upright boxes seen from above, with their derivatives.
-struct BirdsEyeDerivatives(Denominator);
-impl<T: Real> Maker<T> for BirdsEyeDerivatives {
-    fn make(&self, inputs: &[Tiles<'_, T>], mut out: Results<'_, T>) {
-        let seeds = inputs.get(2).copied();
-        (kernels_in::<T>().obb2_derivatives)(self.0, inputs[0], inputs[1], seeds, out.again());
-        upright_boxes::spread_derivatives(&mut out);
-    }
-}
-
 /// Scores of upright boxes seen from above.
-fn of_birds_eye<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
+fn of_birds_eye<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
@@ -297,12 +266,16 @@ fn of_birds_eye<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
         check: |numbers| YawBox3::load(numbers).validate(),
         is_rare: |numbers| !clip::is_ordinary(YawBox3::load(numbers).birds_eye()),
     };
-    let maker: Box<dyn Maker<T>> = match mode {
-        Mode::Value => Box::new(Scores(over, kernels.obb2_scores)),
-        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => Box::new(BirdsEyeDerivatives(over)),
-    };
+    let maker = maker(
+        mode,
+        move |a, b, out| (kernels.obb2_scores)(over, a, b, out),
+        move |a, b, seeds, mut out| {
+            (kernels.obb2_derivatives)(over, a, b, seeds, out.again());
+            upright_boxes::spread_derivatives(&mut out);
+        },
+    );
     let flat = of_obb2::<T>(over, mode).rare;
-    Face {
+    Plan {
         steepest: steepest::<T>(),
         rare: Some(Box::new(move |shapes, out_bar, out| {
             let Some(flat) = &flat else { return };
@@ -324,12 +297,12 @@ fn of_birds_eye<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
                 out[1 + UPRIGHT + place] = numbers[1 + OBB2 + k];
             }
         })),
-        ..Face::new(mode, vec![shape(), shape()], vec![1], maker)
+        ..Plan::new(mode, vec![shape(), shape()], vec![1], maker)
     }
 }
 
 /// Scores of boxes of any orientation in space.
-fn of_obb3<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
+fn of_obb3<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
@@ -340,12 +313,11 @@ fn of_obb3<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
         check: |numbers| Obb3::load(numbers).validate(),
         is_rare: |numbers| !is_common_obb3(numbers),
     };
-    let maker: Box<dyn Maker<T>> = match mode {
-        Mode::Value => Box::new(Scores(over, kernels.obb3_scores)),
-        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => {
-            Box::new(Derivatives(over, kernels.obb3_derivatives))
-        }
-    };
+    let maker = maker(
+        mode,
+        move |a, b, out| (kernels.obb3_scores)(over, a, b, out),
+        move |a, b, seeds, out| (kernels.obb3_derivatives)(over, a, b, seeds, out),
+    );
     let value = move |a: Obb3<T>, b| score_obb3(over, a, b);
     score_of_two(mode, shape, maker, value, move |a, b, out_bar| {
         score_obb3_vjp(over, a, b, out_bar)
@@ -353,7 +325,7 @@ fn of_obb3<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
 }
 
 /// Scores of axis-aligned boxes.
-fn of_aabb2<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
+fn of_aabb2<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
         name: None,
@@ -367,15 +339,14 @@ fn of_aabb2<T: Real>(over: Denominator, mode: Mode) -> Face<T> {
         check: |numbers| Aabb2::load(numbers).validate(),
         is_rare: |_| false,
     };
-    let maker: Box<dyn Maker<T>> = match mode {
-        Mode::Value => Box::new(Scores(over, kernels.aabb2_scores)),
-        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => {
-            Box::new(Derivatives(over, kernels.aabb2_derivatives))
-        }
-    };
+    let maker = maker(
+        mode,
+        move |a, b, out| (kernels.aabb2_scores)(over, a, b, out),
+        move |a, b, seeds, out| (kernels.aabb2_derivatives)(over, a, b, seeds, out),
+    );
     let vjp = move |a, b, out_bar| score_aabb2_vjp(over, a, b, out_bar);
     let value = move |a: Aabb2<T>, b| vjp(a, b, T::one()).0;
-    Face {
+    Plan {
         // Kernels take boxes of any size, so derivatives reach the largest number: cotangents above one take scalar code.
         steepest: 1.0,
         ..score_of_two(mode, shape, maker, value, vjp)

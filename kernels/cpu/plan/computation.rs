@@ -86,7 +86,7 @@ pub(crate) fn name<T>(arguments: &mut [Preparation<T>], names: &[&'static str]) 
 pub type Rare<T> = Box<dyn Fn(&[&[T]], &[T], &mut [T]) + Send + Sync>;
 
 /// How batches compute an operation.
-pub struct Face<T> {
+pub struct Plan<T> {
     /// For every shape that it takes.
     pub(crate) arguments: Vec<Preparation<T>>,
     /// Numbers of every shape that it gives.
@@ -101,7 +101,7 @@ pub struct Face<T> {
     pub(crate) rare: Option<Rare<T>>,
 }
 
-impl<T> Face<T> {
+impl<T> Plan<T> {
     /// Numbers that its maker puts down per item.
     pub(crate) fn made(&self) -> usize {
         self.skipped + self.gives.iter().sum::<usize>()
@@ -116,7 +116,7 @@ impl<T> Face<T> {
         let derivatives: Vec<usize> = arguments.iter().map(|x| x.fields).collect();
         let skipped = mode.skipped(&outputs);
         let gives = mode.gives(&derivatives, &outputs);
-        Face {
+        Plan {
             arguments,
             gives,
             skipped,
@@ -178,8 +178,13 @@ pub struct List<'a, T: Real> {
 
 impl<'a, T: Real> List<'a, T> {
     /// Prepares shapes. `rare` says whether some may be too rare for kernels.
-    pub fn new(plan: &Preparation<T>, shapes: Shapes<'a, T>, rare: bool, bounded: bool) -> Self {
-        let (fields, count) = (plan.fields, shapes.len());
+    pub fn new(
+        preparation: &Preparation<T>,
+        shapes: Shapes<'a, T>,
+        rare: bool,
+        bounded: bool,
+    ) -> Self {
+        let (fields, count) = (preparation.fields, shapes.len());
         let tiles = count.div_ceil(TILE);
         let mut lanes = Lent::new(tiles * fields);
         let (mut room, mut rare_ones) = (Vec::new(), Vec::new());
@@ -190,13 +195,13 @@ impl<'a, T: Real> List<'a, T> {
             (kernels_in::<T>().bring)(numbers, fields, &mut lanes[to]);
             if rare {
                 let all = numbers.chunks_exact(fields).enumerate();
-                let found = all.filter(|(_, shape)| (plan.is_rare)(shape));
+                let found = all.filter(|(_, shape)| (preparation.is_rare)(shape));
                 rare_ones.extend(found.map(|(i, _)| (start + i) as u32));
             }
         }
-        let frame_fields = plan.frame_fields();
+        let frame_fields = preparation.frame_fields();
         let mut frames = Lent::new(0);
-        if let Some((_, make)) = &plan.frame {
+        if let Some((_, make)) = &preparation.frame {
             frames = Lent::new(tiles * frame_fields);
             make(Tiles::new(&lanes, fields), &mut frames);
         }
@@ -208,7 +213,7 @@ impl<'a, T: Real> List<'a, T> {
             bounds: None,
             rare: rare_ones,
         };
-        if let (Some(make), true) = (&plan.bounds, bounded) {
+        if let (Some(make), true) = (&preparation.bounds, bounded) {
             let mut bounds = Lent::new(tiles * BOUNDS);
             let frames = Tiles::new(&list.frames, frame_fields);
             make([Tiles::new(&lanes, fields), frames], &mut bounds);
@@ -228,7 +233,7 @@ impl<'a, T: Real> List<'a, T> {
             }
             list.bounds = Some(bounds);
         }
-        if plan.frame.is_none() {
+        if preparation.frame.is_none() {
             list.frames = lanes;
         }
         list

@@ -1,5 +1,5 @@
 //! Recorded programs, and functions that are computed item by item, as makers of blocks.
-use super::computation::{Face, Maker, Preparation, Prepare};
+use super::computation::{Maker, Plan, Preparation, Prepare};
 use crate::Real;
 use crate::ad::program::graph::{Graph, Id};
 use crate::ad::program::recorded::Recorded;
@@ -20,7 +20,7 @@ pub(crate) fn of_recorded<T: Real>(
     outputs: Vec<usize>,
     recorded: &Recorded,
     framed: bool,
-) -> Result<Face<T>, Error> {
+) -> Result<Plan<T>, Error> {
     let mut fields: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
     let mut arguments: Vec<_> = leaves.into_iter().map(Preparation::plain).collect();
     if mode == Mode::Vjp {
@@ -42,7 +42,7 @@ pub(crate) fn of_recorded<T: Real>(
             maker(&parts.body.graph, &parts.widths, &parts.body.outputs, true)?
         }
     };
-    Ok(Face::new(mode, arguments, outputs, Box::new(body)))
+    Ok(Plan::new(mode, arguments, outputs, Box::new(body)))
 }
 
 /// How frames are made of shapes of so many numbers, and how many numbers those have.
@@ -119,7 +119,7 @@ pub(crate) fn of_items<T: Real>(
     leaves: Vec<Leaf<T>>,
     outputs: Vec<usize>,
     each: Each<T>,
-) -> Face<T> {
+) -> Plan<T> {
     let arguments: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
     let made = mode.skipped(&outputs) + mode.gives(&arguments, &outputs).iter().sum::<usize>();
     let items = Items {
@@ -129,7 +129,7 @@ pub(crate) fn of_items<T: Real>(
         made,
     };
     let plans = leaves.into_iter().map(Preparation::plain).collect();
-    Face::new(mode, plans, outputs, Box::new(items))
+    Plan::new(mode, plans, outputs, Box::new(items))
 }
 
 /// Decides item by item, and computes the program of the record.
@@ -160,7 +160,7 @@ pub(crate) fn of_replays<T: Real>(
     mode: Mode,
     recording: &Recording<T>,
     search: &Searched<T>,
-) -> Face<T> {
+) -> Plan<T> {
     let (takes, outputs) = (&recording.takes, &recording.outputs);
     let mut fields: Vec<usize> = takes.iter().map(|leaf| leaf.fields).collect();
     let gives = search.gives(mode, &fields, outputs);
@@ -173,9 +173,9 @@ pub(crate) fn of_replays<T: Real>(
         made: gives.iter().sum(),
     };
     let plans = takes.iter().cloned().map(Preparation::plain).collect();
-    Face {
+    Plan {
         skipped: 0,
         gives,
-        ..Face::new(mode, plans, outputs.clone(), Box::new(items))
+        ..Plan::new(mode, plans, outputs.clone(), Box::new(items))
     }
 }

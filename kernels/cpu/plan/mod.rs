@@ -4,7 +4,7 @@ mod computation;
 pub(crate) mod makers;
 
 pub use compiled::Compiled;
-pub use computation::{Face, List, Preparation, Rare, Shapes};
+pub use computation::{List, Plan, Preparation, Rare, Shapes};
 pub(crate) use computation::{Maker, name};
 pub(crate) use makers::{of_items, of_recorded};
 
@@ -16,28 +16,28 @@ use makers::of_replays;
 use std::sync::Arc;
 
 /// The plan of a call, aligned or for all pairs with shapes prepared once: made once per function, mode and form.
-pub(crate) fn plan<T: Real>(call: &Call<T>, framed: bool) -> Result<Arc<Face<T>>, Error> {
+pub(crate) fn plan<T: Real>(call: &Call<T>, framed: bool) -> Result<Arc<Plan<T>>, Error> {
     let (recording, mode) = (&*call.recording, call.mode);
     // A search computes item by item in either form.
     let framed = framed && !matches!(recording.body, Body::Search(_));
     recording.made(Key::Cpu(mode, framed), &|| {
-        let mut face = match (&recording.body, recording.compiled) {
+        let mut plan = match (&recording.body, recording.compiled) {
             (Body::Search(search), _) if search.steps.is_empty() => (search.plan)(mode),
             (Body::Search(search), _) => of_replays(mode, recording, search),
             (_, compiled) => match compiled.and_then(|compiled| of_compiled(compiled, mode)) {
-                Some(face) => face,
+                Some(plan) => plan,
                 None => {
                     let program = recording.program(mode)?;
                     let (takes, outputs) = (recording.takes.clone(), recording.outputs.clone());
-                    let mut face = of_recorded(mode, takes, outputs, &program, framed)?;
-                    for argument in &mut face.arguments {
+                    let mut plan = of_recorded(mode, takes, outputs, &program, framed)?;
+                    for argument in &mut plan.arguments {
                         argument.bounds = compiled.and_then(outline);
                     }
-                    face
+                    plan
                 }
             },
         };
-        name(&mut face.arguments, recording.arguments);
-        Ok(face)
+        name(&mut plan.arguments, recording.arguments);
+        Ok(plan)
     })
 }

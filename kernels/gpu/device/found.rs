@@ -1,6 +1,6 @@
 //! Compacted lists on the GPU: the pairs whose score is above a threshold.
 use super::download::downloads;
-use super::table::Table;
+use super::reducer::Reducer;
 use super::work::{Params, Work};
 use super::written::{Kernel, Take};
 use super::{Device, Pending};
@@ -54,7 +54,7 @@ impl Downloads<Vec<Found>> for Founds {
     downloads!(Vec<Found>);
 }
 
-impl Table<'_> {
+impl Reducer<'_> {
     /// Every pair above the threshold: counted first, then written to places that follow from the
     /// counts, so the order is the same every time.
     pub fn above(mut self, threshold: f32) -> Result<Founds, Error> {

@@ -1,7 +1,7 @@
 //! Pairs within groups on the GPU: every own row (or column) walks through a range of the others, in one dispatch for as
 //! many groups as possible.
 use super::Inner;
-use super::table::{Part, Sweep};
+use super::reducer::{Part, Sweep};
 use super::written::STRIP;
 use std::ops::Range;
 

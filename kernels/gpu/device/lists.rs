@@ -1,8 +1,8 @@
 //! Two lists on the GPU and the kernels of their pairs.
 use super::generated::operation::Generated;
 use super::generated::uploaded::Sides;
+use super::reducer::{LISTS, Part, Reducer};
 use super::seed::Seed;
-use super::table::{Part, Table};
 use super::{Device, Matrix};
 use crate::Error;
 use crate::error::Argument;
@@ -45,15 +45,11 @@ impl<'a> Lists<'a> {
         Ok(())
     }
 
-    /// All pairs as a reduction sees them.
-    fn table(&self, own_rows: bool) -> Table<'_> {
-        Table::of_lists(self.gpu, &self.made, &self.sides, own_rows)
-    }
-
     /// A reduction of all results.
     pub fn reduce(&self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
         let own_rows = reduction != Reduction::Best { of_rows: false };
-        self.table(own_rows).reduced(reduction)
+        let reducer = Reducer::of_lists(self.gpu, &self.made, &self.sides, own_rows);
+        reducer.reduced(reduction)
     }
 
     /// The runs of a list that are in one buffer each, and have their results in one.
@@ -65,22 +61,21 @@ impl<'a> Lists<'a> {
         let all = pieces.flat_map(|piece| self.sides.parts(k, piece));
         let part = |(buffer, at, shapes): (&wgpu::Buffer, usize, _)| Part {
             buffer: buffer.clone(),
-            binding: 1 + k as u32,
+            binding: LISTS[k],
             at,
             shapes,
         };
         all.map(part).collect()
     }
 
-    /// All pairs within groups as a reduction sees them.
-    fn grouped(&self, groups: GroupSpans<'_>, own_rows: bool) -> Result<Table<'_>, Error> {
+    /// The dispatches over the pairs within groups.
+    fn grouped(&self, groups: GroupSpans<'_>, own_rows: bool) -> Result<Reducer<'_>, Error> {
         let [a, b] = [self.parts(0), self.parts(1)];
-        let table = self.table(own_rows);
-        let most = self.made.most_pairs();
-        match own_rows {
-            true => table.within([&a, &b], [groups.a, groups.b], most),
-            false => table.within([&b, &a], [groups.b, groups.a], most),
-        }
+        let (parts, offsets) = match own_rows {
+            true => ([&a[..], &b[..]], [groups.a, groups.b]),
+            false => ([&b[..], &a[..]], [groups.b, groups.a]),
+        };
+        Reducer::of_groups(self.gpu, &self.made, parts, offsets, own_rows)
     }
 
     /// A reduction of the pairs within groups.

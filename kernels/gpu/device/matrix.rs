@@ -1,6 +1,6 @@
 //! Matrices that stay on the GPU.
 use super::block::{Block, block_of, place_block};
-use super::table::Table;
+use super::reducer::Reducer;
 use super::work::{MOST_GROUPS, Params, Work, groups};
 use super::written::{GROUP, Kernel};
 use super::{Device, Pending};
@@ -116,7 +116,7 @@ impl Matrices<f32> for Matrix {
     }
     fn reduce(&self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
         let own_rows = reduction != Reduction::Best { of_rows: false };
-        Table::of_matrix(self, own_rows).reduced(reduction)
+        Reducer::of_matrix(self, own_rows).reduced(reduction)
     }
     fn duplicate(&self) -> Result<resident::Matrix, Error> {
         Ok(self.copied()?.boxed())

@@ -36,9 +36,9 @@ mod lists;
 mod matrix;
 mod plans;
 mod reduce;
+mod reducer;
 mod rings;
 mod seed;
-mod table;
 mod work;
 mod written;
 

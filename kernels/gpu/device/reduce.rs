@@ -3,8 +3,8 @@
 //! The whole matrix of two lists never exists, so memory stays bounded.
 use super::data::Piece;
 use super::download::{downloads, parts};
+use super::reducer::Reducer;
 use super::seed::sum_of;
-use super::table::Table;
 use super::work::{Work, groups};
 use super::written::{Kernel, Take};
 use super::{Device, Pending};
@@ -61,7 +61,7 @@ impl Downloads<Vec<Best>> for Bests {
     downloads!(Vec<Best>);
 }
 
-impl Table<'_> {
+impl Reducer<'_> {
     /// The largest of every own row (or column).
     pub fn best(self) -> Result<Bests, Error> {
         let inner = &self.gpu.inner;
@@ -135,7 +135,7 @@ impl Table<'_> {
     }
 }
 
-impl Table<'_> {
+impl Reducer<'_> {
     /// A reduction.
     pub fn reduced(self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
         Ok(match reduction {

@@ -4,7 +4,7 @@ use super::text::{Form, GROUP, MOST_GROUPS};
 use crate::Error;
 use crate::kernels::cpu::aligned::{items, sound};
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::cpu::plan::Face;
+use crate::kernels::cpu::plan::Plan;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::derivation::Replays;
 use crate::kernels::gpu::device::Device;
@@ -39,8 +39,8 @@ impl Device {
     ) -> Result<(), Error> {
         match made {
             Made::Kernel(made) => self.compute(made, columns, count, targets),
-            Made::Replays(replays, face) => {
-                self.replayed(&**replays, &face.gives, columns, count, targets)
+            Made::Replays(replays, plan) => {
+                self.replayed(&**replays, &plan.gives, columns, count, targets)
             }
         }
     }
@@ -123,7 +123,7 @@ impl Device {
 /// The code that computes items: a kernel, or replays of decisions of the processor.
 enum Made {
     Kernel(Arc<Generated<f32>>),
-    Replays(Arc<dyn Replays<f32>>, Arc<Face<f32>>),
+    Replays(Arc<dyn Replays<f32>>, Arc<Plan<f32>>),
 }
 
 impl Made {
@@ -137,7 +137,7 @@ impl Made {
     fn checked(&self, columns: &[Column<'_, f32>]) -> Result<usize, Error> {
         let arguments = match self {
             Made::Kernel(made) => &made.arguments,
-            Made::Replays(_, face) => &face.arguments,
+            Made::Replays(_, plan) => &plan.arguments,
         };
         let count = items(arguments, columns)?;
         sound(arguments, f64::INFINITY, columns)?;

@@ -200,26 +200,28 @@ impl<T: Real> Generated<T> {
 
     /// `true` if plain products of numbers of these shapes may over- or underflow, and a body knows of it.
     pub(super) fn is_extreme(&self, k: usize, numbers: &[T]) -> bool {
-        let plan = &self.arguments[k];
+        let preparation = &self.arguments[k];
         self.extreme.is_some()
-            && !(plan.all_ordinary)(numbers)
-            && numbers.chunks_exact(plan.fields).any(plan.is_rare)
+            && !(preparation.all_ordinary)(numbers)
+            && numbers
+                .chunks_exact(preparation.fields)
+                .any(preparation.is_rare)
     }
 
     /// The prepared numbers of some shapes of an argument, shape by shape, each a multiple of four.
     pub(super) fn prepare_rows(&self, k: usize, numbers: &[T]) -> Vec<T> {
-        let plan = &self.arguments[k];
-        let count = numbers.len().checked_div(plan.fields).unwrap_or(0);
-        let column = Column::lent(numbers, plan.fields, Some(count));
-        let list = List::new(plan, Shapes::of(&column), false, false);
+        let preparation = &self.arguments[k];
+        let count = numbers.len().checked_div(preparation.fields).unwrap_or(0);
+        let column = Column::lent(numbers, preparation.fields, Some(count));
+        let list = List::new(preparation, Shapes::of(&column), false, false);
         crate::kernels::cpu::arch::flat(&list.picking()).to_vec()
     }
 
     /// The prepared numbers of some shapes of an argument or cotangent, in tiles.
     pub(super) fn prepare(&self, k: usize, numbers: &[T]) -> Vec<T> {
         let plain;
-        let plan = match self.arguments.get(k) {
-            Some(plan) => plan,
+        let preparation = match self.arguments.get(k) {
+            Some(preparation) => preparation,
             None => {
                 plain = Preparation::plain(Leaf {
                     shape: || "",
@@ -232,9 +234,9 @@ impl<T: Real> Generated<T> {
                 &plain
             }
         };
-        let count = numbers.len().checked_div(plan.fields).unwrap_or(0);
-        let column = Column::lent(numbers, plan.fields, Some(count));
-        let list = List::new(plan, Shapes::of(&column), false, false);
+        let count = numbers.len().checked_div(preparation.fields).unwrap_or(0);
+        let column = Column::lent(numbers, preparation.fields, Some(count));
+        let list = List::new(preparation, Shapes::of(&column), false, false);
         crate::kernels::cpu::arch::flat(&list.frames).to_vec()
     }
 }

@@ -50,13 +50,13 @@ impl Device {
         scores: &[f32],
         rules: Rules<'_, f32>,
     ) -> Result<Vec<usize>, Error> {
-        let (face, made) = (call.plan(true)?, call.generated(true)?);
+        let (plan, made) = (call.plan(true)?, call.generated(true)?);
         // All shapes are checked, so that errors name the caller's rows.
-        check(Argument::A, &face.arguments[0], shapes)?;
+        check(Argument::A, &plan.arguments[0], shapes)?;
         let ranked = Ranked::of(order(scores, rules.score)?, shapes, &rules);
         self.inner.alive()?;
         let lists = ranked.lists();
-        let pairs = Cpu::new().engine.lists(&face, &lists)?;
+        let pairs = Cpu::new().engine.lists(&plan, &lists)?;
         let kept = suppressed(self, &made, &pairs, ranked.greed(&rules))?;
         Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
     }
@@ -86,7 +86,7 @@ fn suppressed(
         near: Vec::new(),
         failed: None,
     };
-    Sweep::new(pairs.face, None, &a, &b).run_chosen(&mut kept);
+    Sweep::new(pairs.plan, None, &a, &b).run_chosen(&mut kept);
     match kept.failed {
         None => Ok(kept.kept),
         Some(error) => Err(error),

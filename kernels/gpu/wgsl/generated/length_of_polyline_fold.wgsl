@@ -68,8 +68,8 @@ fn fold_main(@builtin(global_invocation_id) thread: vec3u) {
         let next = select(k + 1u, 0u, k + 1u == count);
         let tail = vertices[start + k];
         let tip = vertices[start + next];
-        let told = fold_edge(array<f32, 4>(tail.x, tail.y, tip.x, tip.y));
-        let joined = fold_join(array<f32, 2>(state0, told[0]));
+        let edge = fold_edge(array<f32, 4>(tail.x, tail.y, tip.x, tip.y));
+        let joined = fold_join(array<f32, 2>(state0, edge[0]));
         state0 = joined[0];
     }
     let y = fold_finish(array<f32, 1>(state0));

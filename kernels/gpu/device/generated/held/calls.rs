@@ -34,7 +34,7 @@ impl Device {
                 continue;
             }
             match made.arguments.get(k) {
-                Some(plan) => check(plan.argument(k), plan, column).map(drop)?,
+                Some(own) => check(own.argument(k), own, column).map(drop)?,
                 None => check_upstream(&column.all(), column.fields.max(1))?,
             }
             lists.push(match column.count {

@@ -1,7 +1,7 @@
 //! Aligned items over plain numbers, block by block: the same code for every operation.
 use crate::Real;
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles, planes, tiles, with_lanes};
-use crate::kernels::cpu::plan::{Face, Preparation};
+use crate::kernels::cpu::plan::{Plan, Preparation};
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::rowwise::{Given, NEAR, Wanted};
 use crate::kernels::cpu::work::spread;
@@ -16,7 +16,7 @@ const ITEMS: usize = 256;
 /// Aligned items as numbers, checked, and where their results go.
 pub struct Aligned<'a, T> {
     /// The plan by which the items are computed.
-    pub face: &'a Face<T>,
+    pub plan: &'a Plan<T>,
     /// The shapes, then the cotangents.
     pub columns: &'a [Column<'a, T>],
     /// `true` if some items may be rare: of shapes too extreme, or cotangents too large, for kernels.
@@ -45,9 +45,9 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
             None => pieces.iter_mut().for_each(|piece| piece.push(None)),
         }
     }
-    let (face, columns, rare, count) = (work.face, work.columns, work.rare, work.count);
+    let (plan, columns, rare, count) = (work.plan, work.columns, work.rare, work.count);
     let given: usize = columns.iter().map(|x| x.fields * x.len()).sum();
-    let made = face.gives.iter().sum::<usize>() * count;
+    let made = plan.gives.iter().sum::<usize>() * count;
     let far = (given + made) * size_of::<T>() > NEAR;
     let (unchecked, has_failed) = (work.unchecked, AtomicBool::new(false));
     let work = pieces.into_iter().enumerate().collect();
@@ -66,7 +66,7 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
                 .map(|piece| piece.as_mut().map(Piece::numbers))
                 .collect();
             let stretch = Stretch {
-                face,
+                plan,
                 ones: columns
                     .iter()
                     .map(|column| column.count.is_none())
@@ -89,7 +89,7 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
 
 /// Items that one thread computes.
 struct Stretch<'a, T> {
-    face: &'a Face<T>,
+    plan: &'a Plan<T>,
     /// For every column: `true` if one item stands for all.
     ones: Vec<bool>,
     /// For every column: numbers per item.
@@ -105,22 +105,22 @@ impl<T: Real> Stretch<'_, T> {
     /// `true` if quick tests find all numbers valid; they may fail for valid numbers, too.
     fn is_sound(&self) -> bool {
         self.numbers.iter().enumerate().all(|(k, numbers)| {
-            let own = self.face.arguments.get(k);
+            let own = self.plan.arguments.get(k);
             own.map_or(kernels_in::<T>().all_finite, |x| x.all_ordinary)(numbers)
         })
     }
     fn compute(&self, count: usize, places: &mut [Option<&mut [T]>]) {
-        let face = self.face;
-        let is_plain = !self.rare && face.arguments.iter().all(|x| x.frame.is_none());
-        if let (Some(program), true) = (face.maker.program(), is_plain) {
+        let plan = self.plan;
+        let is_plain = !self.rare && plan.arguments.iter().all(|x| x.frame.is_none());
+        if let (Some(program), true) = (plan.maker.program(), is_plain) {
             return self.compute_rows(program, count, places);
         }
         let most = tiles(count.min(ITEMS));
-        let frame = |k: usize| face.arguments.get(k).map_or(0, |x| x.frame_fields());
+        let frame = |k: usize| plan.arguments.get(k).map_or(0, |x| x.frame_fields());
         let wide: Vec<[usize; 2]> = (0..self.fields.len())
             .map(|k| [most * self.fields[k], most * frame(k)])
             .collect();
-        let lanes = wide.iter().flatten().sum::<usize>() + planes(face.made());
+        let lanes = wide.iter().flatten().sum::<usize>() + planes(plan.made());
         with_lanes(lanes, |mut lanes| {
             let mut rooms = Vec::with_capacity(wide.len());
             for [own, frames] in wide {
@@ -141,13 +141,13 @@ impl<T: Real> Stretch<'_, T> {
                     lanes: &mut *results,
                     tiles: tiles(items.len()),
                 };
-                face.maker.make(&inputs, out.again());
+                plan.maker.make(&inputs, out.again());
                 if self.rare {
                     self.mend(items.clone(), out);
                 }
                 let results = Planes(&*results);
-                let mut from = face.skipped;
-                for (place, &fields) in places.iter_mut().zip(&face.gives) {
+                let mut from = plan.skipped;
+                for (place, &fields) in places.iter_mut().zip(&plan.gives) {
                     if let Some(place) = place {
                         let rows = &mut place[items.start * fields..items.end * fields];
                         (kernels_in::<T>().take)(results.from(from), fields, rows, fields);
@@ -167,11 +167,11 @@ impl<T: Real> Stretch<'_, T> {
                 is_one,
             })
             .collect();
-        let places = places.iter_mut().zip(&self.face.gives);
+        let places = places.iter_mut().zip(&self.plan.gives);
         let mut wanted: Vec<Wanted<'_, T>> = places
             .map(|(place, &fields)| (place.as_deref_mut(), fields))
             .collect();
-        program.over_rows(&given, count, self.face.skipped, &mut wanted, self.far);
+        program.over_rows(&given, count, self.plan.skipped, &mut wanted, self.far);
     }
     /// The numbers of a column for some items.
     fn of(&self, k: usize, items: &Range<usize>) -> &[T] {
@@ -198,7 +198,7 @@ impl<T: Real> Stretch<'_, T> {
         if is_new {
             (kernels_in::<T>().bring)(numbers, fields, &mut own[..width * fields]);
         }
-        let frame = self.face.arguments.get(k).and_then(|x| x.frame.as_ref());
+        let frame = self.plan.arguments.get(k).and_then(|x| x.frame.as_ref());
         match frame {
             None => Tiles {
                 lanes: own,
@@ -218,9 +218,9 @@ impl<T: Real> Stretch<'_, T> {
     }
     /// Puts the right results of rare items in their places.
     fn mend(&self, items: Range<usize>, mut out: Results<'_, T>) {
-        let plan = self.face;
+        let plan = self.plan;
         let Some(rare) = &plan.rare else { return };
-        let mut one = vec![T::default(); self.face.made()];
+        let mut one = vec![T::default(); self.plan.made()];
         let (mut shapes, mut seed) = (Vec::new(), Vec::new());
         for (place, item) in items.enumerate() {
             let of = |k: usize| self.of(k, &(item..item + 1));

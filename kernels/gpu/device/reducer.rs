@@ -11,6 +11,10 @@ use crate::Error;
 use std::ops::Range;
 use std::sync::Arc;
 
+/// The bindings of both lists, and of a block of a matrix, as the shaders declare them.
+pub(super) const LISTS: [u32; 2] = [1, 2];
+const MATRIX: u32 = 3;
+
 /// One dispatch of a reduction: a run of own rows (or columns) by a run of walked ones.
 #[derive(Clone, Debug)]
 pub(super) struct Sweep {
@@ -93,7 +97,7 @@ pub(super) struct Part {
 
 /// The dispatches of a reduction over all pairs. A thread stands for an own row (or column) and walks through columns (or
 /// rows).
-pub(super) struct Table<'a> {
+pub(super) struct Reducer<'a> {
     pub gpu: &'a Device,
     pub own: usize,
     pub walked: usize,
@@ -113,30 +117,75 @@ enum Kernels<'a> {
     Lists(&'a Arc<Generated<f32>>),
 }
 
-impl<'a> Table<'a> {
-    /// The same table within groups, given by the offsets of both lists: dispatches over the parts of both, of at most so
-    /// many pairs.
-    pub fn within(
-        mut self,
-        parts: [&[Part]; 2],
-        offsets: [&[usize]; 2],
-        pairs: usize,
-    ) -> Result<Self, Error> {
-        let inner = &self.gpu.inner;
-        let [own, walked] = parts;
-        self.sweeps = inner.guarded(|| Ok(inner.group_sweeps(own, walked, offsets, pairs)))?;
-        self.is_grouped = true;
-        Ok(self)
-    }
-
-    /// The table of a matrix that is there already.
+impl<'a> Reducer<'a> {
+    /// The reduction of a matrix that is there already.
     pub fn of_matrix(matrix: &'a Matrix, own_rows: bool) -> Self {
-        let blocks = matrix.blocks.iter().map(|(block, buffer)| (*block, buffer));
-        let counts = [matrix.rows, matrix.columns];
-        Self::of_blocks(&matrix.gpu, blocks, counts, own_rows)
+        let sweep = |(block, buffer): &(Block, wgpu::Buffer)| {
+            let rows = (block.row_piece, block.row_start, block.row_base, block.rows);
+            let columns = (block.column_piece, 0, block.column_base, block.columns);
+            let (own, walked) = match own_rows {
+                true => (rows, columns),
+                false => (columns, rows),
+            };
+            Sweep {
+                own_start: 0,
+                out_piece: own.0,
+                out_start: own.1,
+                own_base: own.2,
+                own: own.3,
+                walked_start: 0,
+                walked_base: walked.2,
+                walked: walked.3,
+                strips: walked.3.div_ceil(STRIP),
+                more: walked.2 > 0,
+                bound: vec![(MATRIX, buffer.clone())],
+            }
+        };
+        let counts = match own_rows {
+            true => [matrix.rows, matrix.columns],
+            false => [matrix.columns, matrix.rows],
+        };
+        let sweeps = matrix.blocks.iter().map(sweep).collect();
+        Reducer::new(&matrix.gpu, Kernels::Matrix, counts, own_rows, sweeps)
     }
 
-    /// The table of two lists: kernels compute the results that they reduce.
+    fn new(
+        gpu: &'a Device,
+        kernels: Kernels<'a>,
+        [own, walked]: [usize; 2],
+        own_rows: bool,
+        sweeps: Vec<Sweep>,
+    ) -> Self {
+        Reducer {
+            gpu,
+            own,
+            walked,
+            own_rows,
+            kernels,
+            is_grouped: false,
+            sweeps,
+        }
+    }
+
+    /// The reduction of two lists within groups, given by the offsets of both: dispatches over the parts of both, of at
+    /// most as many pairs as a dispatch of the kernels may have.
+    pub fn of_groups(
+        gpu: &'a Device,
+        made: &'a Arc<Generated<f32>>,
+        [own, walked]: [&[Part]; 2],
+        offsets: [&[usize]; 2],
+        own_rows: bool,
+    ) -> Result<Self, Error> {
+        let (inner, most) = (&gpu.inner, made.most_pairs());
+        let sweeps = inner.guarded(|| Ok(inner.group_sweeps(own, walked, offsets, most)))?;
+        let counts = offsets.map(|all| all.last().copied().unwrap_or(0));
+        Ok(Reducer {
+            is_grouped: true,
+            ..Reducer::new(gpu, Kernels::Lists(made), counts, own_rows, sweeps)
+        })
+    }
+
+    /// The reduction of two lists: kernels compute the results that they reduce.
     pub fn of_lists(
         gpu: &'a Device,
         made: &'a Arc<Generated<f32>>,
@@ -166,75 +215,16 @@ impl<'a> Table<'a> {
                         walked: range.len(),
                         strips: range.len().div_ceil(STRIP),
                         more: range.start > 0,
-                        bound: vec![
-                            (1 + k as u32, buffer.clone()),
-                            (2 - k as u32, (*other).clone()),
-                        ],
+                        bound: vec![(LISTS[k], buffer.clone()), (LISTS[1 - k], (*other).clone())],
                     }));
                 }
             }
         }
-        Table {
-            gpu,
-            own: counts[k],
-            walked: counts[1 - k],
-            own_rows,
-            kernels: Kernels::Lists(made),
-            is_grouped: false,
-            sweeps,
-        }
+        let counts = [counts[k], counts[1 - k]];
+        Reducer::new(gpu, Kernels::Lists(made), counts, own_rows, sweeps)
     }
 
-    fn of_blocks<'b>(
-        gpu: &'a Device,
-        blocks: impl Iterator<Item = (Block, &'b wgpu::Buffer)>,
-        [rows, columns]: [usize; 2],
-        own_rows: bool,
-    ) -> Self {
-        let (own, walked) = match own_rows {
-            true => (rows, columns),
-            false => (columns, rows),
-        };
-        let sweep = |(block, buffer): (Block, &wgpu::Buffer)| match own_rows {
-            true => Sweep {
-                own_start: 0,
-                out_piece: block.row_piece,
-                out_start: block.row_start,
-                own_base: block.row_base,
-                own: block.rows,
-                walked_start: 0,
-                walked_base: block.column_base,
-                walked: block.columns,
-                strips: block.columns.div_ceil(STRIP),
-                more: block.column_base > 0,
-                bound: vec![(3, buffer.clone())],
-            },
-            false => Sweep {
-                own_start: 0,
-                out_piece: block.column_piece,
-                out_start: 0,
-                own_base: block.column_base,
-                own: block.columns,
-                walked_start: 0,
-                walked_base: block.row_base,
-                walked: block.rows,
-                strips: block.rows.div_ceil(STRIP),
-                more: block.row_base > 0,
-                bound: vec![(3, buffer.clone())],
-            },
-        };
-        Table {
-            gpu,
-            own,
-            walked,
-            own_rows,
-            kernels: Kernels::Matrix,
-            is_grouped: false,
-            sweeps: blocks.map(sweep).collect(),
-        }
-    }
-
-    /// The shader that takes this of the scores.
+    /// The pipeline that reduces scores by `take`.
     pub fn pipeline(&self, take: Take) -> wgpu::ComputePipeline {
         let (inner, own_rows) = (&self.gpu.inner, self.own_rows);
         match self.kernels {
