@@ -8,7 +8,7 @@ use crate::error::{Error, Field};
 use crate::kernels::Backend;
 use crate::kernels::check::proofs::Proofs;
 use crate::kernels::check::{
-    Examined, Folded, Harness, ScalarCode, Source, Stated, check_fold_on, check_fold_with,
+    Examined, Folded, Harness, ScalarCode, Stated, WithAdjoint, check_fold_on, check_fold_with,
     check_search_with, examined,
 };
 use crate::kernels::dynamic::{self, Operation};

@@ -37,9 +37,9 @@ impl<S: Scalar> Bars<'_, S> {
 /// ```
 /// # #[cfg(feature = "boolean")] {
 /// use geograd::ad::adjoint::{boolean::overlay_vjp, ring::signed_area_vjp};
-/// use geograd::{Aabb2, Vec2, boolean::{Operation, overlay_search, overlay_replay}, polygon::Fill};
+/// use geograd::{Aabb2, Vec2, boolean::{BooleanOperation, overlay_search, overlay_replay}, polygon::Fill};
 /// let (a, b) = (Aabb2::new(0.0, 0.0, 2.0, 2.0).corners(), Aabb2::new(1.0, 1.0, 3.0, 3.0).corners());
-/// let trace = overlay_search(&a, &b, Operation::Union, Fill::NonZero)?;
+/// let trace = overlay_search(&a, &b, BooleanOperation::Union, Fill::NonZero)?;
 /// let union = overlay_replay(&a, &b, &trace);
 /// let mut bars = vec![Vec2::zero(); union.vertices().len()];
 /// signed_area_vjp(union.ring(0), 1.0, &mut bars);

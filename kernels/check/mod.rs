@@ -18,14 +18,14 @@ mod jets;
 mod of;
 pub(crate) mod proofs;
 pub(crate) mod recorded_subject;
-mod source;
 pub(crate) mod subject;
+mod with_adjoint;
 pub mod witness;
 
 pub use of::OfOperation;
-use source::context_and_path;
-pub use source::{Folded, Replayed, Source, Straight};
 pub use subject::{Fused, OpSubject, Path};
+use with_adjoint::context_and_path;
+pub use with_adjoint::{Folded, Replayed, Straight, WithAdjoint};
 
 use crate::ad::check::candidate::{Candidate, Meet, Untyped};
 use crate::ad::check::picture;
@@ -39,7 +39,9 @@ use crate::ad::sample::drawn::{Drawn, Kinship};
 use crate::error::Field;
 use crate::kernels::Backend;
 use crate::kernels::check::recorded_subject::{ByHand, Computations, RecordedSubject};
-use crate::kernels::check::witness::{Ask, Batch, ask_any, ask_folds, ask_gradient, ask_pairs};
+use crate::kernels::check::witness::{
+    Batch, ByMachine, ask_any, ask_folds, ask_gradient, ask_pairs,
+};
 use crate::kernels::dynamic::Function;
 use crate::kernels::fold::{Fold, edge_by_edge};
 use crate::kernels::fuzz::{self, Fuzzed, Job};
@@ -270,7 +272,7 @@ fn judged(
     name: &'static str,
     sampling: &Sampling<'_>,
     inputs: Inputs,
-    asks: Vec<Ask<'_>>,
+    asks: Vec<ByMachine<'_>>,
     with: With<'_>,
 ) -> Result<Report, Error> {
     let Inputs {
@@ -429,13 +431,13 @@ pub(crate) fn examined<S: Real>(
         .downcast::<Recording<f32>>()
         .ok();
     let (any, gradient, all_pairs);
-    let mut asks: Vec<Ask<'_>> = Vec::new();
+    let mut asks: Vec<ByMachine<'_>> = Vec::new();
     if let (Some(backend), Some(single)) = (backend, &single) {
         any = move |inputs: &[Vec<f32>]| ask_any(backend, single, inputs);
         gradient = move |inputs: &[Vec<f32>]| ask_gradient(backend, single, inputs);
         all_pairs = move |inputs: &[Vec<f32>]| ask_pairs(backend, single, inputs);
-        asks.extend([&any as Ask<'_>, &gradient]);
-        asks.extend(pairs.then_some(&all_pairs as Ask<'_>));
+        asks.extend([&any as ByMachine<'_>, &gradient]);
+        asks.extend(pairs.then_some(&all_pairs as ByMachine<'_>));
     }
     let report = recorded::<S>(stated.name, kinship, sampling, asks, recordings);
     report.map(|report| Report { names, ..report })
@@ -472,7 +474,7 @@ fn recorded<S: Real>(
     name: &'static str,
     kinship: Kinship,
     sampling: &Sampling<'_>,
-    asks: Vec<Ask<'_>>,
+    asks: Vec<ByMachine<'_>>,
     (recording, wide): (Result<Computations<S>, Error>, Option<Computations<f64>>),
 ) -> Result<Report, Error> {
     let recording = match recording {
@@ -524,14 +526,17 @@ where
     F::Context<f32>: Item<Scalar = f32>,
 {
     let ask = |inputs: &[Vec<f32>]| ask_folds::<F>(backend, inputs);
-    let asks: Vec<Ask<'_>> = match F::MEASURE {
+    let asks: Vec<ByMachine<'_>> = match F::MEASURE {
         Some(_) => vec![&ask],
         None => Vec::new(),
     };
     folded::<F, f32>(sampling, asks)
 }
 
-fn folded<F: Fold, S: Real>(sampling: &Sampling<'_>, asks: Vec<Ask<'_>>) -> Result<Report, Error>
+fn folded<F: Fold, S: Real>(
+    sampling: &Sampling<'_>,
+    asks: Vec<ByMachine<'_>>,
+) -> Result<Report, Error>
 where
     (F::Context<f64>, Vec<F::Element<f64>>): Sample,
     F::Out<f64>: Sample,

@@ -8,7 +8,7 @@ use crate::ad::declared::{Invariance, Kind};
 use crate::ad::forward::{Along, First};
 use crate::ad::sample::Sample;
 use crate::ad::sample::drawn::Near;
-use crate::kernels::check::Source;
+use crate::kernels::check::WithAdjoint;
 use crate::kernels::check::jets::{self, moving, nearest, noisy_list, widened};
 use crate::kernels::check::witness::Batch;
 use crate::{Fixed, Jet, Pack, Real, Scalar};
@@ -66,11 +66,11 @@ trait Code<S: Real> {
 }
 
 /// A source near an input, which says how many numbers there are.
-struct At<'a, O: Source>(&'a O::In<f64>)
+struct At<'a, O: WithAdjoint>(&'a O::In<f64>)
 where
     O::In<f64>: Sample;
 
-impl<O: Source> At<'_, O>
+impl<O: WithAdjoint> At<'_, O>
 where
     O::In<f64>: Sample,
 {
@@ -85,7 +85,7 @@ where
     }
 }
 
-impl<O: Source, S: Real> Code<S> for At<'_, O>
+impl<O: WithAdjoint, S: Real> Code<S> for At<'_, O>
 where
     O::In<f64>: Sample,
     O::Out<f64>: Sample,
@@ -132,7 +132,7 @@ where
 impl<'a, S: Real> OpSubject<'a, S> {
     /// A source near an input, which says how many numbers there are.
     #[must_use]
-    pub fn of<O: Source>(
+    pub fn of<O: WithAdjoint>(
         near: &'a O::In<f64>,
         paths: &'a [Path<S>],
         fused: Option<Fused<S>>,

@@ -11,7 +11,7 @@
 //! assert!(report.passed(), "{report}");
 //! # Ok::<(), geograd::Error>(())
 //! ```
-use super::source::context_and_path;
+use super::with_adjoint::context_and_path;
 use crate::Error;
 use crate::kernels::Backend;
 use crate::kernels::dynamic::{Function, Layout, Rows};
@@ -42,13 +42,13 @@ impl BatchResult {
     }
 }
 
-/// Something that answers many inputs, given as lists of numbers, at once.
-pub type Ask<'a> = &'a dyn Fn(&[Vec<f32>]) -> Result<Vec<BatchResult>, Error>;
+/// Computes the results of many inputs, lists of numbers, on a machine.
+pub type ByMachine<'a> = &'a dyn Fn(&[Vec<f32>]) -> Result<Vec<BatchResult>, Error>;
 
 /// Batches as witnesses, one of each form. Inputs known beforehand are asked about in one large batch, as users would;
 /// others (shrunk ones, those beside a point) one by one.
 pub struct Batch<'a> {
-    asks: Vec<Ask<'a>>,
+    asks: Vec<ByMachine<'a>>,
     /// The answers of each form so far.
     known: Vec<HashMap<Vec<u32>, BatchResult>>,
     error: Cell<Option<Error>>,
@@ -70,10 +70,10 @@ impl<'a> Batch<'a> {
     /// # Errors
     ///
     /// As the batches'.
-    pub fn new(asks: Vec<Ask<'a>>, inputs: &[Vec<f64>]) -> Result<Self, Error> {
+    pub fn new(asks: Vec<ByMachine<'a>>, inputs: &[Vec<f64>]) -> Result<Self, Error> {
         let inputs: Vec<Vec<f32>> = inputs.iter().map(|x| single(x)).collect();
         let answers =
-            |ask: &Ask<'_>| Ok(inputs.iter().map(|x| key(x)).zip(ask(&inputs)?).collect());
+            |ask: &ByMachine<'_>| Ok(inputs.iter().map(|x| key(x)).zip(ask(&inputs)?).collect());
         Ok(Batch {
             known: asks.iter().map(answers).collect::<Result<_, Error>>()?,
             asks,

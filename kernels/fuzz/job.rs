@@ -6,7 +6,7 @@ use crate::ad::program::recorded::Recorded;
 use crate::ad::sample::{Draw, Sample, random};
 use crate::error::Error;
 use crate::kernels::Cpu;
-use crate::kernels::check::{Folded, Source};
+use crate::kernels::check::{Folded, WithAdjoint};
 use crate::kernels::cpu::aligned::{checked, compute};
 use crate::kernels::cpu::checked::numbers;
 use crate::kernels::cpu::pairs::{self, Pairs};

@@ -17,11 +17,11 @@ use crate::{Aabb2, Pack, Scalar, Vec2};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Rings<'a, S> {
-    source: Source<'a, S>,
+    source: Given<'a, S>,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Source<'a, S> {
+enum Given<'a, S> {
     One(&'a [Vec2<S>]),
     Slices(&'a [&'a [Vec2<S>]]),
     Lists(&'a [Vec<Vec2<S>>]),
@@ -33,7 +33,7 @@ impl<'a, S> Rings<'a, S> {
     /// each ring. Ends beyond the vertices, or below the end before them, end there.
     #[must_use]
     pub fn flat(vertices: &'a [Vec2<S>], ends: &'a [usize]) -> Self {
-        let source = Source::Flat(vertices, ends);
+        let source = Given::Flat(vertices, ends);
         Rings { source }
     }
     /// How many rings there are.
@@ -41,10 +41,10 @@ impl<'a, S> Rings<'a, S> {
     #[inline]
     pub fn count(&self) -> usize {
         match self.source {
-            Source::One(_) => 1,
-            Source::Slices(all) => all.len(),
-            Source::Lists(all) => all.len(),
-            Source::Flat(_, ends) => ends.len(),
+            Given::One(_) => 1,
+            Given::Slices(all) => all.len(),
+            Given::Lists(all) => all.len(),
+            Given::Flat(_, ends) => ends.len(),
         }
     }
     /// The vertices of a ring; none for one that is not there.
@@ -52,10 +52,10 @@ impl<'a, S> Rings<'a, S> {
     #[inline]
     pub fn ring(&self, k: usize) -> &'a [Vec2<S>] {
         let found = match self.source {
-            Source::One(ring) => (k == 0).then_some(ring),
-            Source::Slices(all) => all.get(k).copied(),
-            Source::Lists(all) => all.get(k).map(Vec::as_slice),
-            Source::Flat(vertices, ends) => ends.get(k).and_then(|&end| {
+            Given::One(ring) => (k == 0).then_some(ring),
+            Given::Slices(all) => all.get(k).copied(),
+            Given::Lists(all) => all.get(k).map(Vec::as_slice),
+            Given::Flat(vertices, ends) => ends.get(k).and_then(|&end| {
                 let start = k.checked_sub(1).map_or(0, |before| ends[before]);
                 vertices.get(start..end.min(vertices.len()))
             }),
@@ -138,7 +138,7 @@ impl<S: Scalar> Rings<'_, S> {
 impl<'a, S> From<&'a [Vec2<S>]> for Rings<'a, S> {
     /// One ring.
     fn from(ring: &'a [Vec2<S>]) -> Self {
-        let source = Source::One(ring);
+        let source = Given::One(ring);
         Rings { source }
     }
 }
@@ -157,14 +157,14 @@ impl<'a, S, const N: usize> From<&'a [Vec2<S>; N]> for Rings<'a, S> {
 impl<'a, S> From<&'a [&'a [Vec2<S>]]> for Rings<'a, S> {
     /// These rings.
     fn from(all: &'a [&'a [Vec2<S>]]) -> Self {
-        let source = Source::Slices(all);
+        let source = Given::Slices(all);
         Rings { source }
     }
 }
 impl<'a, S> From<&'a [Vec<Vec2<S>>]> for Rings<'a, S> {
     /// These rings.
     fn from(all: &'a [Vec<Vec2<S>>]) -> Self {
-        let source = Source::Lists(all);
+        let source = Given::Lists(all);
         Rings { source }
     }
 }

@@ -1,6 +1,6 @@
 //! Same bits, signs of zeros included: of the scalar code, at every level of vector instructions, at
 //! every position of a batch, for any number of threads, with the filter of all pairs and without.
-use geograd::kernels::check::{Folded, Source, Straight};
+use geograd::kernels::check::{Folded, Straight, WithAdjoint};
 use geograd::kernels::cpu::program::measured::compile_after;
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::fold::fold;
@@ -497,7 +497,7 @@ fn of_rings() {
         fn alone<F: OfRings<T>, T: Number>() {
             rings::<F, T>(
                 |ring| fold::<F, T>([], ring),
-                |ring, out_bar| <Folded<F> as Source>::vjp(&([], ring.clone()), out_bar).1,
+                |ring, out_bar| <Folded<F> as WithAdjoint>::vjp(&([], ring.clone()), out_bar).1,
             );
         }
         alone::<F, f32>();

@@ -2,7 +2,7 @@
 //! buffers are left alone.
 use geograd::error::{Argument, Field};
 use geograd::kernels::Op;
-use geograd::kernels::check::{Folded, Source};
+use geograd::kernels::check::{Folded, WithAdjoint};
 use geograd::kernels::fold::fold;
 use geograd::{Aabb2, Error, Flaw, Obb2, Pack, Vec2};
 use geograd_tests::calls::{self, Number};
@@ -317,7 +317,7 @@ fn ragged_batches_agree_with_single_calls() {
         assert_eq!(centroid[i], fold::<Centroid, f64>([], &ring));
         assert_eq!(
             bars[offsets[i]..offsets[i + 1]],
-            <Folded<Centroid> as Source>::vjp(&([], ring), ups[i]).1
+            <Folded<Centroid> as WithAdjoint>::vjp(&([], ring), ups[i]).1
         );
     }
     for (bad, row) in [

@@ -1,7 +1,7 @@
 //! Folds over paths and operations with a search, in batches.
 use geograd::error::{Argument, Field, Flaw};
 use geograd::kernels::check::Folded;
-use geograd::kernels::check::Source;
+use geograd::kernels::check::WithAdjoint;
 use geograd::kernels::cpu::simd::Simd;
 use geograd::kernels::fold::fold;
 use geograd::kernels::{Cpu, One};

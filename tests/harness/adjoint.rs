@@ -63,21 +63,21 @@ mod alarms {
     use super::*;
     use geograd::ad::check::sample::Sample;
     use geograd::ad::check::{self, Report, examine};
-    use geograd::kernels::check::{Folded, Source, Straight};
+    use geograd::kernels::check::{Folded, Straight, WithAdjoint};
     use geograd::kernels::check::{OpSubject, check_with};
     use geograd::{Aabb2, Obb2, Vec2};
     use geograd_tests::rows::ring::Centroid;
     use geograd_tests::rows::{IntersectionAreaObb2, IofAabb2, IofObb2, IouObb2};
 
     /// By the random directions of the sample at which it was refused.
-    fn judged<O: Source>(pair: O::In<f64>, sample: u64) -> Report
+    fn judged<O: WithAdjoint>(pair: O::In<f64>, sample: u64) -> Report
     where
         O::In<f64>: Sample,
         O::Out<f64>: Sample,
     {
         judged_from::<O>(pair, check::SEED, sample)
     }
-    fn judged_from<O: Source>(pair: O::In<f64>, seed: u64, sample: u64) -> Report
+    fn judged_from<O: WithAdjoint>(pair: O::In<f64>, seed: u64, sample: u64) -> Report
     where
         O::In<f64>: Sample,
         O::Out<f64>: Sample,

@@ -2,7 +2,7 @@
 use crate::forms::{Batch, Flat, Format, Found, Given, OfItem, flat, jacobian, load, load_all};
 use geograd::ad::forward::First;
 use geograd::kernels::check::Folded;
-use geograd::kernels::check::Source;
+use geograd::kernels::check::WithAdjoint;
 use geograd::kernels::fold::{by_hand, fold};
 use geograd::kernels::{Cpu, Fold, Item};
 use geograd::{Fixed, Pack, Scalar};

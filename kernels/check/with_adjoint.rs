@@ -10,9 +10,9 @@ use crate::kernels::search::Search;
 use crate::{Fixed, Jet, Pack, Real, Scalar};
 use std::sync::Arc;
 
-/// An operation as a subject of the harness.
+/// A function, generic over the scalar, with its adjoint: an operation, a search or a fold as the harness takes it.
 #[doc(hidden)]
-pub trait Source: 'static {
+pub trait WithAdjoint: 'static {
     /// The name of the forward function, letter for letter.
     const NAME: &'static str;
     /// The argument, made of any scalar.
@@ -46,7 +46,7 @@ pub trait Source: 'static {
 #[derive(Clone, Copy, Debug)]
 pub struct Straight<O>(std::marker::PhantomData<O>);
 
-impl<O: Op> Source for Straight<O> {
+impl<O: Op> WithAdjoint for Straight<O> {
     const NAME: &'static str = O::NAME;
     type In<S: Scalar> = O::In<S>;
     type Out<S: Scalar> = O::Out<S>;
@@ -103,7 +103,7 @@ fn along<S: Scalar>(result: &[Jet<S, 1>], out_bar: &[S]) -> S {
 #[derive(Clone, Copy, Debug)]
 pub struct Replayed<D>(std::marker::PhantomData<D>);
 
-impl<D: Search> Source for Replayed<D> {
+impl<D: Search> WithAdjoint for Replayed<D> {
     const NAME: &'static str = D::NAME;
     type In<S: Scalar> = D::In<S>;
     type Out<S: Scalar> = D::Out<S>;
@@ -140,7 +140,7 @@ impl<D: Search> Source for Replayed<D> {
 #[derive(Clone, Copy, Debug)]
 pub struct Folded<F>(std::marker::PhantomData<F>);
 
-impl<F: Fold> Source for Folded<F> {
+impl<F: Fold> WithAdjoint for Folded<F> {
     const NAME: &'static str = F::NAME;
     type In<S: Scalar> = (F::Context<S>, Vec<F::Element<S>>);
     type Out<S: Scalar> = F::Out<S>;
