@@ -1,4 +1,4 @@
-//! What the library has compiled for each format of numbers.
+//! Kernels and functions that are compiled in this library for each format of numbers.
 use crate::Real;
 use crate::kernels::cpu::arch::{self, Kernels};
 use crate::kernels::cpu::drivers::{self, Drivers};

@@ -10,9 +10,9 @@ use crate::kernels::reduce::{Best, Found};
 
 /// Scores of one row.
 enum Scores<'a, T> {
-    /// Of successive columns: the first of them, and the scores.
+    /// The first of successive columns, and their scores.
     Run(usize, &'a [T]),
-    /// Of some columns, ascending, and their scores; all other columns score zero.
+    /// Some columns, ascending, and their scores; all other columns score zero.
     Picked(&'a [u32], &'a [T]),
 }
 

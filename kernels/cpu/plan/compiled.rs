@@ -236,7 +236,7 @@ fn of_upright<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
         check: |numbers| YawBox3::load(numbers).validate(),
         is_rare: |numbers| !is_common_upright(numbers),
     };
-    // Of what is shared seen from above, then of heights.
+    // The area shared seen from above, then the heights.
     let maker = maker(
         mode,
         move |a, b, mut out| {

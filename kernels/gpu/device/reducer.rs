@@ -18,19 +18,19 @@ const MATRIX: u32 = 3;
 /// One dispatch of a reduction: a run of own rows (or columns) by a run of walked ones.
 #[derive(Clone, Debug)]
 pub(super) struct Sweep {
-    /// Where the own rows (or columns) begin in their buffer.
+    /// The start of the own rows (or columns) in their buffer.
     pub own_start: usize,
     /// The buffer of their results.
     pub out_piece: usize,
-    /// Where their results begin in it.
+    /// The start of their results in it.
     pub out_start: usize,
-    /// Where they begin in the whole list.
+    /// Their start in the whole list.
     pub own_base: usize,
     /// How many they are.
     pub own: usize,
-    /// Where the walked columns (or rows) begin in their buffer.
+    /// The start of the walked columns (or rows) in their buffer.
     pub walked_start: usize,
-    /// Where they begin in the whole list.
+    /// Their start in the whole list.
     pub walked_base: usize,
     /// How many they are.
     pub walked: usize,

@@ -496,7 +496,7 @@ impl Device {
             let fitting = rest.partition_point(|&end| end - offsets[start] <= most_vertices);
             if fitting == 0 {
                 let vertices = offsets[start + 1] - offsets[start];
-                // Of one path: buffers of fewer than `2 * per_path` numbers make `most_paths` zero.
+                // One path alone: buffers of fewer than `2 * per_path` numbers make `most_paths` zero.
                 return Err(self
                     .inner
                     .too_large((vertices * per_vertex).max(2 * per_path)));
