@@ -1,4 +1,4 @@
-//! What batches run ([`Function`]), and derivatives of it as functions of their own.
+//! Functions that batches run ([`Function`]), and their derivatives, which are such functions, too.
 use crate::Pack;
 pub use crate::ad::program::Jacobian;
 use crate::error::Error;

@@ -60,7 +60,7 @@ pub(crate) enum Beside {
     Same,
     /// Equal numbers stayed equal, so a change of branch comes from rounding.
     Tied,
-    /// ByWitness moved on their own: an exact tie may have been broken.
+    /// Numbers moved on their own: an exact tie may have been broken.
     Loose,
 }
 

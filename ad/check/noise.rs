@@ -1,6 +1,6 @@
 //! Stochastic arithmetic: a scalar whose every operation rounds at random.
 //!
-//! Moving the input shows what a function does to errors of its input. ByWitness on the way that are
+//! Moving the input shows what a function does to errors of its input. Numbers on the way that are
 //! larger than both input and result (the coordinates whose difference is the length of a crossing)
 //! round too, and only a run whose own roundings fall differently shows that. This is discrete
 //! stochastic arithmetic (Vignes): each result moves by one unit in its last place up, down, or not

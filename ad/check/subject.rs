@@ -171,7 +171,7 @@ pub trait Subject {
         Vec::new()
     }
     /// The kind of each number of the result; only results that [follow](crate::ad::check::symmetry::Effect::Follows)
-    /// need it. ByWitness without a kind stay where they are.
+    /// need it. Numbers without a kind stay where they are.
     fn output_kinds(&self) -> Vec<Kind> {
         Vec::new()
     }
@@ -185,7 +185,7 @@ pub trait Subject {
     }
 }
 
-/// ByWitness change over their own size, but not over less than a thousandth of the largest one.
+/// Numbers change over their own size, but not over less than a thousandth of the largest one.
 #[must_use]
 pub fn default_scales(x: &[f64]) -> Vec<f64> {
     let largest = x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));

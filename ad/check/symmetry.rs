@@ -9,7 +9,7 @@ pub use crate::ad::declared::{Effect, Invariance, Kind, Motion};
 use crate::{Rotation3, Vec3};
 use std::f64::consts::TAU;
 
-/// ByWitness that move together; a place or a direction has two or three numbers.
+/// Numbers that move together; a place or a direction has two or three numbers.
 #[derive(Clone, Copy)]
 enum Group {
     Smoothness(usize),

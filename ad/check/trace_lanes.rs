@@ -21,7 +21,7 @@ pub(crate) fn trace_lanes<R>(run: impl FnOnce() -> R) -> (R, [Trace; LANES]) {
     (result, TAPES.replace(outer))
 }
 
-/// ByWitness side by side that record their comparisons.
+/// Numbers side by side that record their comparisons.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TracedLanes<T>(pub(crate) [T; LANES]);
 

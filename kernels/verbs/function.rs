@@ -121,7 +121,7 @@ impl<F: Copy, N> OwnFunction<F, N> {
     }
 }
 
-/// The number of arguments of a [`OwnFunction`], as a type.
+/// The number of arguments of an [`OwnFunction`], as a type.
 #[derive(Debug)]
 pub struct Arguments<const N: usize>;
 

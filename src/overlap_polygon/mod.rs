@@ -229,7 +229,7 @@ impl<S: Scalar, const M: usize> Window<S, M> {
     pub fn new(rings: Aabb2<S>, polygon: &ConvexPolygon<S, M>) -> Self {
         let bounds = least_bounds(polygon.as_slice());
         let (seen, in_rings, apart) = Reference::of_pair(rings, bounds);
-        // Window the rings' bounds, at no simple fraction of them.
+        // Inside the rings' bounds, at no simple fraction of them.
         let (low, high) = (seen.place(rings.min), seen.place(rings.max));
         let share = Vec2::new(S::lit(0.463_647_609), S::lit(0.540_302_306));
         let size = high - low;

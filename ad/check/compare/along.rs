@@ -412,14 +412,11 @@ impl Along<'_> {
             let tolerance = tolerance / derivatives.per;
             said.complain_of(Reason::OutsideKink, None, at, numbers, tolerance);
         }
-        (
-            if border {
-                Smoothness::Smooth
-            } else {
-                Smoothness::Kink
-            },
-            true,
-        )
+        let place = match border {
+            true => Smoothness::Smooth,
+            false => Smoothness::Kink,
+        };
+        (place, true)
     }
 
     /// `true` if a declared convention allows the derivative. Where the value is zero, it may be zero. At the border of
@@ -543,7 +540,7 @@ impl Along<'_> {
 /// `true` if the result is chosen from several, not a least or greatest number: by a search, or as points that may jump.
 ///
 /// If several choices are as good to the bit, derivatives are those of one of them, or their mean. They need not be
-/// between the derivatives of the two choices on either side. ByWitness that are no points do not count: scores and areas
+/// between the derivatives of the two choices on either side. Numbers that are no points do not count: scores and areas
 /// that jump are not chosen from among others.
 fn chosen(e: &Evidence<'_>) -> bool {
     let conventions = e.subject.conventions();

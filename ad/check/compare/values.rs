@@ -7,7 +7,7 @@ use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 /// Compares the value with those of traced numbers, duals and other paths.
 pub(crate) fn values(e: &Evidence<'_>) -> Notes {
     let mut said = Notes::new(e.x.len());
-    // ByWitness that carry more compute the value as it is, to a few roundings.
+    // Numbers that carry more compute the value as it is, to a few roundings.
     let carried = e
         .traced
         .clone()
