@@ -1,12 +1,14 @@
 //! Rows of the library with all that judges them, compiled here once for tests and reports.
+use crate::Dice;
 use geograd::Real;
 use geograd::ad::check::sample::Draw;
-use geograd::kernels::dynamic::{Mode, named_rows};
+use geograd::kernels::dynamic::{self, Mode, named_rows};
 use geograd::kernels::tested;
 pub use geograd::kernels::tested::Tested;
+use std::collections::{HashMap, HashSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{LazyLock, Mutex};
 
 /// Rows of the plane that the harness refuses at more than some hard cases: a gradient that is not the function's on
 /// purpose, and quadrilaterals that cross themselves, at whose ties the adjoint shares derivatives otherwise.
@@ -33,14 +35,17 @@ pub fn rows() -> Vec<&'static Tested> {
     }
 }
 
-/// Rows that a slow test judges today, of these: every sixth one, others each day, and rows that are wanted on all days.
-/// All of them with `GEOGRAD_ALL_ROWS=1`, or if `GEOGRAD_OP` names some.
+/// Rows that a slow test judges, of these: one of every verb, rows that are wanted always, and a share that the variable
+/// `GEOGRAD_SHARE` selects, such as the name of a commit. All of them with `GEOGRAD_ALL_ROWS=1`, or if `GEOGRAD_OP` names
+/// some.
+///
+/// A row is selected by its name, so that a new one changes nothing but its own verb's.
 ///
 /// # Panics
 ///
-/// If no row has a name that is wanted on all days.
+/// If no row has a name that is wanted always.
 #[must_use]
-pub fn todays(rows: Vec<&'static Tested>, always: &[&str]) -> Vec<&'static Tested> {
+pub fn sample(rows: Vec<&'static Tested>, always: &[&str]) -> Vec<&'static Tested> {
     if std::env::var("GEOGRAD_ALL_ROWS").is_ok_and(|x| x == "1")
         || std::env::var("GEOGRAD_OP").is_ok()
     {
@@ -52,17 +57,54 @@ pub fn todays(rows: Vec<&'static Tested>, always: &[&str]) -> Vec<&'static Teste
             "no row is named {name}"
         );
     }
-    let now = std::time::SystemTime::now();
-    let since = now
-        .duration_since(std::time::UNIX_EPOCH)
-        .expect("a clock that is set");
-    let day = (since.as_secs() / 86_400) as usize;
-    let chosen = rows.into_iter().enumerate();
-    let chosen =
-        chosen.filter(|(k, row)| (k + day).is_multiple_of(SHARE) || always.contains(&row.name()));
-    let chosen: Vec<_> = chosen.map(|(_, row)| row).collect();
-    eprintln!("{} rows today; GEOGRAD_ALL_ROWS=1 takes all", chosen.len());
+    let share = std::env::var("GEOGRAD_SHARE").ok();
+    let names = rows.iter().map(|row| row.name()).collect();
+    let chosen = selected(names, always, share.as_deref());
+    let chosen: Vec<_> = rows
+        .into_iter()
+        .filter(|row| chosen.contains(row.name()))
+        .collect();
+    eprintln!("{} rows; GEOGRAD_ALL_ROWS=1 takes all", chosen.len());
     chosen
+}
+
+/// The names that [`sample`] selects.
+///
+/// # Panics
+///
+/// If one is no row's.
+#[must_use]
+pub fn selected(
+    names: Vec<&'static str>,
+    always: &[&str],
+    share: Option<&str>,
+) -> HashSet<&'static str> {
+    static VERBS: LazyLock<HashMap<&'static str, String>> = LazyLock::new(|| {
+        dynamic::names()
+            .into_iter()
+            .map(|x| (x.row, x.verb))
+            .collect()
+    });
+    let mut first: HashMap<&str, &'static str> = HashMap::new();
+    for &name in &names {
+        let least = first.entry(&VERBS[name]).or_insert(name);
+        if hash("", name) < hash("", least) {
+            *least = name;
+        }
+    }
+    let mut chosen: HashSet<_> = first.into_values().collect();
+    let is_wanted = |name: &str| {
+        always.contains(&name) || share.is_some_and(|share| hash(share, name).is_multiple_of(SHARE))
+    };
+    chosen.extend(names.into_iter().filter(|name| is_wanted(name)));
+    chosen
+}
+
+/// A number of two texts that is the same on every machine.
+fn hash(share: &str, name: &str) -> u64 {
+    let bytes = share.bytes().chain([0]).chain(name.bytes());
+    let mixed = bytes.fold(0, |hash, byte| Dice(hash ^ u64::from(byte)).bits());
+    Dice(mixed).bits()
 }
 
 /// Rows that have compiled kernels.
@@ -87,8 +129,8 @@ pub const COMPILED: [&str; 18] = [
     "iou_birds_eye",
 ];
 
-/// A slow test judges one row of so many a day.
-const SHARE: usize = 6;
+/// A share is one row of so many.
+const SHARE: u64 = 12;
 
 /// The rows that the harness checks.
 #[must_use]

@@ -171,7 +171,7 @@ fn of_items<T: Number>(
 fn every_row_of_fixed_size<T: Number>() {
     let is_fixed = |row: &&Tested| matches!(row.operation.sort, Sort::Straight | Sort::Search);
     let rows = list::rows().into_iter().filter(is_fixed).collect();
-    let rows = list::todays(rows, &list::COMPILED);
+    let rows = list::sample(rows, &list::COMPILED);
     let known = std::sync::Mutex::new(HashMap::new());
     each(&rows, |row| {
         let own = Known::<T>::new(row);
