@@ -567,7 +567,8 @@ pub enum GpuFault {
     /// The device is gone (removed, reset by its driver, or destroyed), and everything on it: make
     /// a new context and upload again.
     DeviceLost,
-    /// The device has not enough memory: give up some handles, or take smaller batches.
+    /// The device has not enough memory: give up some handles, or take smaller batches. wgpu does not report it on
+    /// OpenGL, where results beyond the memory are undefined.
     OutOfMemory,
     /// The least that a batch can be split into, such as a ring, sixteen items of many numbers or a replayed program,
     /// is larger than any buffer the device allows: split it, or compute it on the CPU. Batches are split as they
