@@ -57,6 +57,9 @@ pub mod fuzz;
 pub mod gpu;
 #[forbid(unsafe_code)]
 mod grouped;
+#[cfg(feature = "check")]
+#[forbid(unsafe_code)]
+pub mod identities;
 #[forbid(unsafe_code)]
 pub mod item;
 #[forbid(unsafe_code)]

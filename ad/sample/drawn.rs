@@ -1,5 +1,7 @@
 //! Inputs without their types: whatever judges them is compiled once, and not once for every kind of input.
 use crate::ad::declared::Kind;
+#[cfg(feature = "check")]
+use crate::ad::sample::lattice::lattice;
 use crate::ad::sample::{Draw, Family, PLACES, Placed, Sample, moved};
 use std::any::Any;
 
@@ -170,6 +172,19 @@ impl Kinship {
         cases
             .filter_map(|(x, there)| Some(x.refilled(&there?)))
             .collect()
+    }
+    /// An input on a grid of few numbers; a random one where its shapes take none.
+    #[cfg(feature = "check")]
+    pub(crate) fn lattice(self, draw: &mut Draw) -> Box<dyn Drawn> {
+        let x = (self.ordinary)(draw);
+        let kinds = x.kinds();
+        for _ in 0..8 {
+            let numbers = lattice(&kinds, draw);
+            if x.inside(&numbers) {
+                return x.refilled(&numbers);
+            }
+        }
+        self.random(draw)
     }
     /// A random input, moved and scaled now and then.
     pub(crate) fn random(self, draw: &mut Draw) -> Box<dyn Drawn> {

@@ -10,6 +10,8 @@ mod clouds;
     expect(dead_code, reason = "only the harness asks for all of it")
 )]
 pub(crate) mod drawn;
+#[cfg(feature = "check")]
+pub(crate) mod lattice;
 mod own_shapes;
 pub(crate) mod several;
 mod solid_boxes;

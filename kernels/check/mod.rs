@@ -214,6 +214,8 @@ fn value_by_edges<F: Fold, S: Real>(x: &[S]) -> Vec<S> {
 
 /// How often a random input is drawn anew while it is outside the domain.
 const ATTEMPTS: usize = 16;
+/// One random input of so many lies on a grid of few numbers.
+const LATTICE: usize = 3;
 
 /// The inputs that are judged.
 struct Inputs {
@@ -247,11 +249,14 @@ impl Inputs {
         let (random_from, mut outside) = (all.len(), 0);
         for i in 0..sampling.samples {
             let mut draw = sampling.draw(i);
-            let mut x = rounded(kinship.random(&mut draw));
-            let mut attempts = 1;
+            let mut drawn = || match i % LATTICE {
+                0 => rounded(kinship.lattice(&mut draw)),
+                _ => rounded(kinship.random(&mut draw)),
+            };
+            let (mut x, mut attempts) = (drawn(), 1);
             while attempts < ATTEMPTS && sampling.inside.is_some_and(|inside| !inside(&x.numbers()))
             {
-                (x, attempts) = (rounded(kinship.random(&mut draw)), attempts + 1);
+                (x, attempts) = (drawn(), attempts + 1);
                 outside += 1;
             }
             all.extend(Some(x).filter(|x| x.is_inside()));

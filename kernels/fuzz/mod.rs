@@ -72,6 +72,8 @@ pub enum Property {
     SameBits,
     /// Duals have the value of plain numbers.
     Duals,
+    /// Rows of several verbs say the same; which sentence of [`identities`](crate::kernels::identities).
+    Identity(&'static str),
 }
 
 impl fmt::Display for Property {
@@ -86,6 +88,9 @@ impl fmt::Display for Property {
             Property::Symmetric => "exchanging the shapes changes the value",
             Property::SameBits => "two forms give different bits",
             Property::Duals => "duals have another value",
+            Property::Identity(sentence) => {
+                return write!(f, "not so: {sentence}");
+            }
         })
     }
 }
@@ -182,6 +187,14 @@ where
     (Harness::<T>::get().fuzzed)(&Job::of_fold::<F>(), count, seed)
 }
 
+/// The name of a format.
+pub(crate) fn format<T: Real>() -> &'static str {
+    match families::is_wide::<T>() {
+        true => "f64",
+        false => "f32",
+    }
+}
+
 /// A broken property, and the place among many inputs.
 struct Finding {
     property: Property,
@@ -234,11 +247,7 @@ pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
     let broken = broken.into_inner().unwrap_or_else(PoisonError::into_inner);
     Fuzzed {
         op: job.name,
-        format: if families::is_wide::<T>() {
-            "f64"
-        } else {
-            "f32"
-        },
+        format: format::<T>(),
         inputs: done.into_inner(),
         outside: outside.into_inner(),
         time: start.elapsed(),

@@ -8,6 +8,7 @@ mod fold;
 mod fold_space;
 mod fuzz;
 mod grouped;
+mod identities;
 mod jacobian;
 mod memory;
 mod names;

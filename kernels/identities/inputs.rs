@@ -1,0 +1,130 @@
+//! The arguments of an identity: which numbers are whose, and how they are drawn.
+use crate::Real;
+use crate::ad::check::symmetry::moved_by;
+use crate::ad::declared::{Kind, Motion};
+use crate::ad::sample::Draw;
+use crate::ad::sample::lattice::{lattice, places};
+use crate::kernels::tested::Tested;
+use std::ops::Range;
+
+/// The numbers of two arguments.
+#[derive(Clone, Debug)]
+pub(super) struct Parts {
+    kinds: Vec<Kind>,
+    /// The first number of the second argument.
+    second: usize,
+    /// The numbers of a point: 2 in the plane, 3 in space.
+    pub dimension: usize,
+}
+
+impl Parts {
+    /// Those of a row with two arguments of fixed size in the plane or in space.
+    pub fn of(row: &Tested) -> Option<Self> {
+        let kinds = (row.operation.kinds[0])();
+        let layouts = row.operation.layouts::<f64>();
+        let [a, b] = &layouts[..] else { return None };
+        let has = |kind| kinds.contains(&kind);
+        let dimension = match (
+            has(Kind::Y) || has(Kind::DirectionY),
+            has(Kind::Z) || has(Kind::DirectionZ),
+        ) {
+            (_, true) => 3,
+            (true, false) => 2,
+            _ => return None,
+        };
+        (a.fields() + b.fields() == kinds.len()).then(|| Parts {
+            second: a.fields(),
+            kinds,
+            dimension,
+        })
+    }
+
+    /// Where the numbers of an argument are.
+    pub fn range(&self, k: usize) -> Range<usize> {
+        match k {
+            0 => 0..self.second,
+            _ => self.second..self.kinds.len(),
+        }
+    }
+
+    /// The points of an argument: centres, ends, vertices, all of which belong to its shape.
+    pub fn points(&self, k: usize) -> impl Iterator<Item = Range<usize>> {
+        let range = self.range(k);
+        let places = places(&self.kinds[range.clone()]);
+        places
+            .into_iter()
+            .map(move |(at, n)| range.start + at..range.start + at + n)
+    }
+
+    /// The numbers of an argument that has shrunk to its first point; nothing for shapes without end.
+    pub fn shrunk(&self, x: &[f64], k: usize) -> Option<(Vec<f64>, Vec<f64>)> {
+        let range = self.range(k);
+        let endless = |kind: &Kind| {
+            matches!(
+                kind,
+                Kind::DirectionX
+                    | Kind::DirectionY
+                    | Kind::DirectionZ
+                    | Kind::Offset
+                    | Kind::Number
+            )
+        };
+        let kinds = &self.kinds[range.clone()];
+        if kinds.iter().any(endless) {
+            return None;
+        }
+        let (first, n) = *places(kinds).first()?;
+        let mut shape = x[range].to_vec();
+        let point = shape[first..first + n].to_vec();
+        for (at, n) in places(kinds) {
+            shape[at..at + n].copy_from_slice(&point[..n]);
+        }
+        for (x, kind) in shape.iter_mut().zip(kinds) {
+            if *kind == Kind::Length {
+                *x = 0.0;
+            }
+        }
+        Some((shape, point))
+    }
+
+    /// True for an input that its row takes and promises something about.
+    pub fn is_valid<T: Real>(&self, row: &Tested, x: &[f64]) -> bool {
+        let numbers: Vec<T> = x.iter().map(|&x| T::lit(x)).collect();
+        let layouts = row.operation.layouts::<T>();
+        (0..2).all(|k| layouts[k].check(&numbers[self.range(k)]).is_ok())
+            && row.operation.is_inside(x)
+    }
+
+    /// An input in a format; nothing where the numbers that were drawn are no input.
+    pub fn draw<T: Real>(&self, row: &Tested, draw: &mut Draw) -> Option<Vec<f64>> {
+        let mut x = lattice(&self.kinds, draw);
+        match draw.below(4) {
+            // Turned and moved as a whole, so that what was equal differs by rounding.
+            0 => {
+                let turn = match self.dimension {
+                    2 => Motion::Rotation,
+                    _ => [Motion::RotationX, Motion::RotationY, Motion::Rotation][draw.below(3)],
+                };
+                x = moved_by(turn, draw.within(-3.0, 3.0), &self.kinds, &x);
+                x = moved_by(
+                    Motion::TranslationX,
+                    draw.within(-1.0, 1.0),
+                    &self.kinds,
+                    &x,
+                );
+            }
+            // A few roundings off, or thin.
+            1 => {
+                let by = T::EPSILON * draw.magnitude(0.5, 64.0);
+                for (x, kind) in x.iter_mut().zip(&self.kinds) {
+                    if kind.is_place() && draw.once_in(2) {
+                        *x += by * (draw.below(3) as f64 - 1.0);
+                    }
+                }
+            }
+            _ => {}
+        }
+        let x: Vec<f64> = x.into_iter().map(|x| T::lit(x).widen()).collect();
+        self.is_valid::<T>(row, &x).then_some(x)
+    }
+}

@@ -1,0 +1,297 @@
+//! Identities between verbs, as data: what one row says of an input, others say, too.
+//!
+//! Inputs lie on a grid of few numbers, so that shapes share ends, vertices, planes and directions, are flat or have no
+//! size; they are exact, rounded, turned as a whole, or off the grid by a few roundings. Every identity names the
+//! verbs that it needs, and is asked of every pair of shapes that has rows of them.
+//!
+//! ```
+//! use geograd::kernels::identities;
+//! let asked = identities::all().find(|asked| asked.name() == "exchange of distance_obb2").expect("has rows");
+//! let fuzzed = asked.fuzz::<f64>(2000, 1);
+//! assert_eq!(fuzzed.broken, None, "{fuzzed}");
+//! ```
+mod inputs;
+mod sentences;
+
+use crate::Real;
+use crate::ad::sample::{Draw, fewer_digits};
+use crate::kernels::dynamic::{Function, Rows};
+use crate::kernels::fuzz::{self, Broken, Fuzzed, Property};
+use crate::kernels::tested::{Tested, rows};
+use inputs::Parts;
+use sentences::{Part, SENTENCES, Sentence};
+use std::collections::HashMap;
+use std::time::Instant;
+
+/// Inputs of one batch.
+const CHUNK: u64 = 1024;
+
+/// An identity of certain rows.
+#[derive(Clone, Debug)]
+pub struct Identity {
+    name: &'static str,
+    sentence: &'static Sentence,
+    /// The row whose arguments are the input.
+    row: &'static Tested,
+    parts: Parts,
+    /// The rows that are asked, and whether a row takes its arguments in the other order.
+    asked: Vec<(&'static Tested, bool)>,
+}
+
+/// An input, and the result of the identity's own row.
+pub(crate) struct Case<'a> {
+    identity: &'a Identity,
+    input: &'a [f64],
+    value: Vec<f64>,
+    /// The largest error that rounding explains of a length in this input.
+    slack: f64,
+}
+
+impl Case<'_> {
+    /// The numbers of an argument.
+    fn argument(&self, k: usize) -> Vec<f64> {
+        self.input[self.identity.parts.range(k)].to_vec()
+    }
+    /// Some numbers of the result.
+    fn value(&self, range: std::ops::Range<usize>) -> Vec<f64> {
+        self.value[range].to_vec()
+    }
+    /// The numbers of a point.
+    fn dimension(&self) -> usize {
+        self.identity.parts.dimension
+    }
+    /// True for numbers that differ by rounding.
+    fn near(&self, x: f64, y: f64) -> bool {
+        (x - y).abs() <= self.slack
+    }
+}
+
+/// All identities of all rows.
+pub fn all() -> impl Iterator<Item = Identity> {
+    let mut by_shapes: HashMap<(String, String), &'static Tested> = HashMap::new();
+    for row in rows() {
+        by_shapes.insert((row.operation.verb(), shapes_of(row).join(" ")), row);
+    }
+    SENTENCES.iter().flat_map(move |sentence| {
+        let of = |row: &'static Tested| Identity::of(sentence, row, &by_shapes);
+        let of_verb = |row: &&Tested| sentence.verbs.contains(&&*row.operation.verb());
+        let found: Vec<Identity> = rows().iter().filter(of_verb).filter_map(of).collect();
+        found
+    })
+}
+
+/// The largest magnitude of a number and some more.
+fn largest_of(first: f64, rest: &[f64]) -> f64 {
+    rest.iter().fold(first, |most, x| most.max(x.abs()))
+}
+
+/// The names of the shapes that a row takes.
+fn shapes_of(row: &Tested) -> Vec<String> {
+    let arguments = row.operation.arguments().into_iter();
+    arguments.map(|argument| argument.shape.name).collect()
+}
+
+/// A row on columns, and its arguments' numbers.
+struct Column<T: Real> {
+    function: Function<T>,
+    fields: [usize; 2],
+}
+
+impl<T: Real> Column<T> {
+    fn of(row: &Tested) -> Option<Self> {
+        let layouts = row.operation.layouts::<T>();
+        let [a, b] = &layouts[..] else { return None };
+        Some(Column {
+            function: row.operation.value()?,
+            fields: [a.fields(), b.fields()],
+        })
+    }
+    /// The results for items, each with the numbers of both arguments.
+    fn results(&self, items: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
+        let column = |from: usize, n: usize| -> Vec<T> {
+            let own = items.iter().flat_map(|x| &x[from..from + n]);
+            own.map(|&x| T::lit(x)).collect()
+        };
+        let [n, m] = self.fields;
+        let columns = [column(0, n), column(n, m)];
+        let rows = [Rows::new(&columns[0], n), Rows::new(&columns[1], m)];
+        let lists = self.function.aligned(&rows).ok()?;
+        let gives = self.function.gives();
+        let result = |i: usize| {
+            let lists = lists.iter().zip(&gives);
+            let own = lists.flat_map(|(list, n)| &list[i * n..][..*n]);
+            own.map(|x| x.widen()).collect()
+        };
+        Some((0..items.len()).map(result).collect())
+    }
+}
+
+impl Identity {
+    fn of(
+        sentence: &'static Sentence,
+        row: &'static Tested,
+        rows: &HashMap<(String, String), &'static Tested>,
+    ) -> Option<Self> {
+        let shapes = shapes_of(row);
+        let parts = Parts::of(row)?;
+        if shapes.len() != 2 {
+            return None;
+        }
+        let point = match parts.dimension {
+            2 => "Vec2",
+            _ => "Vec3",
+        };
+        let mut asked = Vec::new();
+        for question in sentence.asks {
+            let verb = match question.verb {
+                "" => row.operation.verb(),
+                verb => verb.to_owned(),
+            };
+            let name = |part: Part| match part {
+                Part::Argument(k) => shapes[k].as_str(),
+                Part::Point => point,
+            };
+            let by = |of: [Part; 2]| {
+                let shapes = of.map(name).join(" ");
+                rows.get(&(verb.clone(), shapes)).copied()
+            };
+            let [first, second] = question.of;
+            let straight = by([first, second]).map(|row| (row, false));
+            asked.push(straight.or_else(|| by([second, first]).map(|row| (row, true)))?);
+        }
+        // The arguments of one row twice would say nothing.
+        let says_nothing =
+            sentence
+                .asks
+                .iter()
+                .zip(&asked)
+                .any(|(question, (other, exchanged))| {
+                    question.of == [Part::Argument(1), Part::Argument(0)]
+                        && *exchanged
+                        && other.name() == row.name()
+                });
+        (!says_nothing).then(|| Identity {
+            // Names live as long as rows do.
+            name: Box::leak(format!("{} of {}", sentence.name, row.name()).into_boxed_str()),
+            sentence,
+            row,
+            parts,
+            asked,
+        })
+    }
+
+    /// The sentence and its row: `hits lie on the shape of first_hit_ray2_circle`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// The place of the first input, of some, at which the identity does not hold.
+    fn first_broken<T: Real>(&self, inputs: &[Vec<f64>]) -> Option<usize> {
+        let Some(values) = Column::<T>::of(self.row)?.results(inputs) else {
+            return Some(0);
+        };
+        let mut cases: Vec<Case<'_>> = Vec::new();
+        for (input, value) in inputs.iter().zip(values) {
+            cases.push(Case {
+                identity: self,
+                input,
+                value,
+                slack: 0.0,
+            });
+        }
+        let mut largest: Vec<f64> = inputs.iter().map(|x| largest_of(0.0, x)).collect();
+        // The answers to the questions about every case, if it is asked all of them.
+        let mut answers: Vec<Option<Vec<f64>>> = cases.iter().map(|_| Some(Vec::new())).collect();
+        for (question, &(row, exchanged)) in self.sentence.asks.iter().zip(&self.asked) {
+            let (mut items, mut whose) = (Vec::new(), Vec::new());
+            let layouts = row.operation.layouts::<T>();
+            for (i, case) in cases.iter().enumerate() {
+                let Some([first, second]) = (question.arguments)(case) else {
+                    answers[i] = None;
+                    continue;
+                };
+                let both = if exchanged {
+                    [second, first]
+                } else {
+                    [first, second]
+                };
+                let is_valid = both.iter().zip(&layouts).all(|(x, layout)| {
+                    let x: Vec<T> = x.iter().map(|&x| T::lit(x)).collect();
+                    layout.check(&x).is_ok()
+                });
+                let item = both.concat();
+                match is_valid && row.operation.is_inside(&item) {
+                    true => {
+                        largest[i] = largest_of(largest[i], &item);
+                        items.push(item);
+                        whose.push(i);
+                    }
+                    false => answers[i] = None,
+                }
+            }
+            let Some(results) = Column::<T>::of(row)?.results(&items) else {
+                return whose.first().copied();
+            };
+            for (i, result) in whose.into_iter().zip(results) {
+                if let Some(answers) = &mut answers[i] {
+                    answers.push(result[0]);
+                }
+            }
+        }
+        for (case, largest) in cases.iter_mut().zip(largest) {
+            case.slack = self.sentence.roundings * T::EPSILON * largest;
+        }
+        let mut all = cases.iter().zip(&answers);
+        all.position(|(case, answers)| {
+            let answers = answers.as_ref();
+            answers.is_some_and(|answers| !(self.sentence.holds)(case, answers))
+        })
+    }
+
+    /// Asks it of so many inputs from a seed.
+    #[must_use]
+    pub fn fuzz<T: Real>(&self, count: u64, seed: u64) -> Fuzzed {
+        let start = Instant::now();
+        let mut draw = Draw::new(seed);
+        let (mut done, mut outside, mut broken) = (0, 0, None);
+        while done < count && broken.is_none() {
+            let mut inputs = Vec::new();
+            while (inputs.len() as u64) < CHUNK.min(count - done) {
+                match self.parts.draw::<T>(self.row, &mut draw) {
+                    Some(x) => inputs.push(x),
+                    None => outside += 1,
+                }
+            }
+            done += inputs.len() as u64;
+            let at = self.first_broken::<T>(&inputs);
+            broken = at.map(|at| self.shrunk::<T>(inputs.swap_remove(at)));
+        }
+        Fuzzed {
+            op: self.name,
+            format: fuzz::format::<T>(),
+            inputs: done,
+            outside,
+            time: start.elapsed(),
+            broken,
+        }
+    }
+
+    /// The input with as few digits as the identity stays broken.
+    fn shrunk<T: Real>(&self, mut x: Vec<f64>) -> Broken {
+        let is_broken = |x: &Vec<f64>| {
+            self.parts.is_valid::<T>(self.row, x)
+                && self.first_broken::<T>(std::slice::from_ref(x)).is_some()
+        };
+        // Every step has fewer digits than the one before, so that it ends.
+        while let Some(simpler) = fewer_digits(x.clone()).find(is_broken) {
+            x = simpler;
+        }
+        Broken {
+            property: Property::Identity(self.sentence.name),
+            code: format!("{} at {}", self.row.name(), self.row.show(&x)),
+            upstream: Vec::new(),
+            input: x,
+        }
+    }
+}

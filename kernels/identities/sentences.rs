@@ -1,0 +1,288 @@
+//! The identities.
+use super::Case;
+
+/// A shape that a row takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Part {
+    /// That of an argument.
+    Argument(usize),
+    Point,
+}
+
+/// A row that is asked, and of which arguments.
+#[derive(Debug)]
+pub(super) struct Question {
+    /// Its verb; the identity's own where it has no name.
+    pub verb: &'static str,
+    /// The shapes that it takes, in either order.
+    pub of: [Part; 2],
+    /// The numbers of its arguments; none where there is nothing to ask.
+    pub arguments: fn(&Case<'_>) -> Option<[Vec<f64>; 2]>,
+}
+
+/// What holds for the results of some rows at every input.
+#[derive(Debug)]
+pub(super) struct Sentence {
+    pub name: &'static str,
+    /// The verbs of the rows that it is about.
+    pub verbs: &'static [&'static str],
+    pub asks: &'static [Question],
+    /// By how many roundings of the largest coordinate results may differ.
+    pub roundings: f64,
+    /// Given the first numbers of the answers.
+    pub holds: fn(&Case<'_>, &[f64]) -> bool,
+}
+
+const A: Part = Part::Argument(0);
+const B: Part = Part::Argument(1);
+const POINT: Part = Part::Point;
+
+/// A verb of the arguments as they are.
+const fn same(verb: &'static str) -> Question {
+    Question {
+        verb,
+        of: [A, B],
+        arguments: |case| Some([case.argument(0), case.argument(1)]),
+    }
+}
+
+const DISTANCES: &[&str] = &["distance", "signed_distance"];
+
+/// All of them.
+pub(super) const SENTENCES: &[Sentence] = &[
+    Sentence {
+        name: "exchange",
+        verbs: &[
+            "distance",
+            "signed_distance",
+            "squared_distance",
+            "farthest_distance",
+        ],
+        asks: &[Question {
+            verb: "",
+            of: [B, A],
+            arguments: |case| Some([case.argument(1), case.argument(0)]),
+        }],
+        roundings: 64.0,
+        holds: |case, exchanged| case.near(case.value[0], exchanged[0]),
+    },
+    Sentence {
+        name: "the distance is the signed one or zero",
+        verbs: &["distance"],
+        asks: &[same("signed_distance")],
+        roundings: 64.0,
+        holds: |case, signed| case.near(case.value[0], signed[0].max(0.0)),
+    },
+    Sentence {
+        name: "the square is that of the distance",
+        verbs: &["squared_distance"],
+        asks: &[same("distance")],
+        roundings: 64.0,
+        holds: |case, distance| case.near(case.value[0].sqrt(), distance[0]),
+    },
+    Sentence {
+        name: "closest points are as far apart as the distance",
+        verbs: &["closest_points"],
+        asks: &[same("distance")],
+        roundings: 64.0,
+        // Inside each other the points say how deep.
+        holds: |case, distance| distance[0] == 0.0 || case.near(between(case), distance[0]),
+    },
+    Sentence {
+        name: "closest points are as far apart as the signed distance says",
+        verbs: &["closest_points"],
+        asks: &[same("signed_distance")],
+        roundings: 64.0,
+        holds: |case, signed| case.near(between(case), signed[0].abs()),
+    },
+    Sentence {
+        name: "the first of the closest points lies on its shape",
+        verbs: &["closest_points"],
+        asks: &[Question {
+            verb: "distance",
+            of: [POINT, A],
+            arguments: |case| Some([case.value(0..case.dimension()), case.argument(0)]),
+        }],
+        roundings: 64.0,
+        holds: |case, distance| distance[0] <= case.slack,
+    },
+    Sentence {
+        name: "the second of the closest points lies on its shape",
+        verbs: &["closest_points"],
+        asks: &[Question {
+            verb: "distance",
+            of: [POINT, B],
+            arguments: |case| {
+                let n = case.dimension();
+                Some([case.value(n..2 * n), case.argument(1)])
+            },
+        }],
+        roundings: 64.0,
+        holds: |case, distance| distance[0] <= case.slack,
+    },
+    Sentence {
+        name: "the depth is minus the signed distance",
+        verbs: &["penetration"],
+        asks: &[same("signed_distance")],
+        roundings: 64.0,
+        holds: |case, signed| case.near(case.value[0], -signed[0].min(0.0)),
+    },
+    Sentence {
+        name: "hits lie on the shape",
+        verbs: &["first_hit"],
+        asks: &[at_the_hit("distance")],
+        roundings: 256.0,
+        holds: |case, distance| distance[0] <= case.slack,
+    },
+    Sentence {
+        name: "hits lie on the border",
+        verbs: &["first_hit"],
+        asks: &[at_the_hit("signed_distance")],
+        roundings: 256.0,
+        holds: |case, signed| signed[0].abs() <= case.slack,
+    },
+    Sentence {
+        name: "what is hit is no distance away",
+        verbs: &["first_hit"],
+        asks: &[same("distance")],
+        roundings: 256.0,
+        holds: |case, distance| !is_hit(case) || distance[0] <= case.slack,
+    },
+    Sentence {
+        name: "segments without distance meet",
+        verbs: &["meeting"],
+        asks: &[same("distance")],
+        roundings: 64.0,
+        holds: |case, distance| {
+            let is_met = case.value[4] != 0.0;
+            match shares_an_end(case) {
+                true => is_met,
+                false => !is_met || distance[0] <= case.slack,
+            }
+        },
+    },
+    Sentence {
+        name: "what is inside is no distance away",
+        verbs: &["length_inside"],
+        asks: &[same("distance")],
+        roundings: 256.0,
+        holds: |case, distance| case.value[0] <= case.slack.sqrt() || distance[0] <= case.slack,
+    },
+    Sentence {
+        name: "the middle of a span lies in the shape",
+        verbs: &["span"],
+        asks: &[Question {
+            verb: "distance",
+            of: [POINT, B],
+            arguments: |case| {
+                let (n, line) = (case.dimension(), case.argument(0));
+                let middle = 0.5 * (case.value[0] + case.value[1]);
+                let point = (0..n).map(|i| line[i] + middle * line[n + i]).collect();
+                (case.value[2] != 0.0).then(|| [point, case.argument(1)])
+            },
+        }],
+        roundings: 256.0,
+        holds: |case, distance| distance[0] <= case.slack,
+    },
+    Sentence {
+        name: "a shape's own points are no distance away",
+        verbs: DISTANCES,
+        asks: &[Question {
+            verb: "",
+            of: [POINT, B],
+            arguments: |case| {
+                let points: Vec<_> = case.identity.parts.points(1).collect();
+                // One of them for every input, which the input selects.
+                let bits = case
+                    .input
+                    .iter()
+                    .fold(0, |bits: u64, x| bits.rotate_left(7) ^ x.to_bits());
+                let point = points.get((bits % 61) as usize % points.len().max(1))?;
+                Some([case.input[point.clone()].to_vec(), case.argument(1)])
+            },
+        }],
+        roundings: 64.0,
+        holds: |case, distance| distance[0] <= case.slack,
+    },
+    Sentence {
+        name: "a second shape of no size is the point that it is",
+        verbs: DISTANCES,
+        asks: &[
+            Question {
+                verb: "",
+                of: [A, B],
+                arguments: |case| {
+                    let (shape, _) = case.identity.parts.shrunk(case.input, 1)?;
+                    Some([case.argument(0), shape])
+                },
+            },
+            Question {
+                verb: "",
+                of: [POINT, A],
+                arguments: |case| {
+                    let (_, point) = case.identity.parts.shrunk(case.input, 1)?;
+                    Some([point, case.argument(0)])
+                },
+            },
+        ],
+        roundings: 64.0,
+        holds: |case, found| case.near(found[0], found[1]),
+    },
+    Sentence {
+        name: "a first shape of no size is the point that it is",
+        verbs: DISTANCES,
+        asks: &[
+            Question {
+                verb: "",
+                of: [A, B],
+                arguments: |case| {
+                    let (shape, _) = case.identity.parts.shrunk(case.input, 0)?;
+                    Some([shape, case.argument(1)])
+                },
+            },
+            Question {
+                verb: "",
+                of: [POINT, B],
+                arguments: |case| {
+                    let (_, point) = case.identity.parts.shrunk(case.input, 0)?;
+                    Some([point, case.argument(1)])
+                },
+            },
+        ],
+        roundings: 64.0,
+        holds: |case, found| case.near(found[0], found[1]),
+    },
+];
+
+/// A verb of the point that a ray hits, and of the shape.
+const fn at_the_hit(verb: &'static str) -> Question {
+    Question {
+        verb,
+        of: [POINT, B],
+        arguments: |case| {
+            let point = case.value(1..1 + case.dimension());
+            is_hit(case).then(|| [point, case.argument(1)])
+        },
+    }
+}
+
+/// True for a hit as a result.
+fn is_hit(case: &Case<'_>) -> bool {
+    case.value[2 * case.dimension() + 1] != 0.0
+}
+
+/// The distance of two points that a result begins with.
+fn between(case: &Case<'_>) -> f64 {
+    let (n, points) = (case.dimension(), &case.value);
+    let squares = (0..n).map(|i| (points[i] - points[n + i]).powi(2));
+    squares.sum::<f64>().sqrt()
+}
+
+/// True for two segments of which an end of one is an end of the other.
+fn shares_an_end(case: &Case<'_>) -> bool {
+    let (a, b) = (case.argument(0), case.argument(1));
+    let mut ends = a
+        .chunks(2)
+        .flat_map(|end| b.chunks(2).map(move |other| (end, other)));
+    ends.any(|(end, other)| end == other)
+}

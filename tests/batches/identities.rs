@@ -1,0 +1,27 @@
+//! Identities between verbs, on grids of few numbers.
+use geograd::kernels::identities;
+
+/// Inputs of every identity in either format; the report takes many more.
+const COUNT: u64 = 1024;
+
+#[test]
+fn every_identity_holds() {
+    let mut broken = Vec::new();
+    let mut asked = 0;
+    for identity in identities::all() {
+        for fuzzed in [
+            identity.fuzz::<f64>(COUNT, 1),
+            identity.fuzz::<f32>(COUNT, 1),
+        ] {
+            assert_eq!(
+                fuzzed.broken.is_some() || fuzzed.inputs == COUNT,
+                true,
+                "{fuzzed}"
+            );
+            broken.extend(fuzzed.broken.is_some().then(|| fuzzed.to_string()));
+            asked += 1;
+        }
+    }
+    eprintln!("{asked} identities");
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
