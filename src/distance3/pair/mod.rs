@@ -12,6 +12,7 @@ mod features;
 
 use super::core::{BoxCore, Core};
 use super::relation::{Relation, direction};
+use super::spot::vanish;
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::scalar::{most_of, speck};
@@ -203,7 +204,8 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
     let unit = long * side.over(square.root());
     let height = unit.dot(vector(w));
     let off = |x: Vec3<S>| x - vector(u) * vector(u).dot(x);
-    let t = off(vector(w)).dot(off(vector(v))).over(square);
+    // The points are nearest already: only their derivatives slide.
+    let t = vanish(off(vector(w)).dot(off(vector(v))).over(square));
     let zero = S::zero();
     let pick = |in_a: Vec3<S>, in_b: Vec3<S>, edges: Vec3<S>| {
         let faces = Vec3::select(choice.by_a, in_a, in_b);

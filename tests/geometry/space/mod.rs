@@ -7,3 +7,4 @@ mod oracle;
 mod rays;
 mod shapes;
 mod slopes;
+mod walls;
