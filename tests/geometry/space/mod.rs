@@ -2,6 +2,7 @@
 mod certificates;
 mod distances;
 mod draw;
+mod far_bounds;
 mod inertia;
 mod oracle;
 mod rays;
