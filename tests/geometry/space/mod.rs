@@ -6,6 +6,7 @@ mod far_bounds;
 mod inertia;
 mod oracle;
 mod rays;
+mod revolved_slopes;
 mod shapes;
 mod slopes;
 mod walls;
