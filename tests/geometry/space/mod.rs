@@ -5,6 +5,7 @@ mod draw;
 mod far_bounds;
 mod inertia;
 mod oracle;
+mod parallels;
 mod rays;
 mod revolved_slopes;
 mod shapes;
