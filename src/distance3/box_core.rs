@@ -9,6 +9,11 @@ use crate::scalar::largest;
 use crate::{Scalar, Vec3};
 
 impl<S: Scalar> BoxCore<S> {
+    /// The way from a point to the centre.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn center_from(&self, from: Vec3<S>) -> Vec3<S> {
+        (self.given - from) + self.arm
+    }
     /// The ways from the centre to the faces.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn arms(&self) -> [Vec3<S>; 3] {
@@ -38,14 +43,15 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn extent(&self, from: Vec3<S>) -> S::Primal {
-        let arm = self.center - from;
+        let arm = self.center_from(from);
         let half = self.half.each_as(S::primal);
         largest([arm.x, arm.y, arm.z]) + (half[0] + half[1] + half[2])
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn seen_from(self, from: Vec3<S>) -> Self {
         BoxCore {
-            center: self.center - from,
+            given: self.given - from,
+            center: self.center_from(from),
             ..self
         }
     }
@@ -56,8 +62,11 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
             let (half, flat) = (half * scale, half.equals(zero));
             (S::select(flat, zero, half), S::select(flat, half, zero))
         });
+        let center = self.center_from(from) * scale;
         BoxCore {
-            center: (self.center - from) * scale,
+            given: center,
+            arm: Vec3::zero(),
+            center,
             half: sides.each_as(|(half, _)| half),
             flat: sides.each_as(|(_, flat)| flat),
             axes: self.axes,
@@ -71,6 +80,8 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn plain(&self) -> BoxCore<S::Primal> {
         BoxCore {
+            given: spot::plain(self.given),
+            arm: spot::plain(self.arm),
             center: spot::plain(self.center),
             half: self.half.each_as(S::primal),
             flat: self.flat.each_as(S::primal),
@@ -216,14 +227,14 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>) {
-        let (zero, mut found) = (S::zero(), (normal.dot(self.center), self.center));
+        let (zero, mut found) = (S::zero(), (normal.dot(self.arm), self.arm));
         for k in 0..3 {
             let slope = normal.dot(self.axes[k]);
             let side = S::select(slope.equals(zero), zero, S::one().signed_as(slope));
             found.0 -= slope.magnitude() * self.half[k];
             found.1 -= self.axes[k] * (self.half[k] * side);
         }
-        found
+        (normal.dot(self.given) + found.0, self.given + found.1)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn parting<B: Core<S>>(&self, face: usize, other: &B) -> PartingPlane<S> {

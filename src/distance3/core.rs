@@ -92,6 +92,10 @@ pub trait Core<S: Scalar>: Copy {
 /// A box of any orientation.
 #[derive(Clone, Copy, Debug)]
 pub struct BoxCore<S> {
+    /// A point of the box that is given: the centre, or a corner.
+    pub given: Vec3<S>,
+    /// The way from there to the centre. Far from the origin their sum has fewer digits than either.
+    pub arm: Vec3<S>,
     /// The centre.
     pub center: Vec3<S>,
     /// Half the size along its own axes.

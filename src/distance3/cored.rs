@@ -107,6 +107,8 @@ fn axes<S: Scalar>(q: Rotation3<S>) -> [Vec3<S>; 3] {
 #[inline(always)]
 fn box_core<S: Scalar>(center: Vec3<S>, size: Vec3<S>, axes: [Vec3<S>; 3]) -> BoxCore<S> {
     BoxCore {
+        given: center,
+        arm: Vec3::zero(),
         center,
         half: [size.x.halved(), size.y.halved(), size.z.halved()],
         flat: [S::zero(); 3],
@@ -156,7 +158,12 @@ boxes! {
             Vec3::new(zero, one, zero),
             Vec3::new(zero, zero, one),
         ];
-        box_core(shape.center(), shape.size(), axes)
+        let arm = shape.size() * S::lit(0.5);
+        BoxCore {
+            given: shape.min,
+            arm,
+            ..box_core(shape.min + arm, shape.size(), axes)
+        }
     }, *shape, bounds *shape;
     YawBox3: |shape| {
         let (Rotation2 { cos, sin }, zero) = (Rotation2::from_angle(shape.heading), S::zero());

@@ -18,9 +18,18 @@ pub trait Revolved: Copy {
     fn axis(self) -> Vec3<Self::Scalar>;
     /// The radius.
     fn radius(self) -> Self::Scalar;
-    /// The section: x along the axis from its start, y across, the axis in the middle. A circle of the radius is at the
-    /// end of the axis.
-    fn section(height: Self::Scalar, radius: Self::Scalar) -> Self::Section;
+    /// The section as the nearest point sees it, which is not across the axis: x along the axis from its start, y
+    /// across, the axis in the middle. A circle of the radius is at the end of the axis.
+    fn near_section(height: Self::Scalar, radius: Self::Scalar) -> Self::Section;
+    /// The section as the farthest point sees it, which is across the axis.
+    fn far_section(height: Self::Scalar, radius: Self::Scalar) -> Self::Section;
+}
+
+/// The end of a section at a radius of either sign. Without a radius both ends are one, and tie: they have the
+/// derivative of the one that counts.
+#[inline(always)]
+fn unless_none<S: Scalar>(end: S, that_counts: S) -> S {
+    S::select(end.equals(S::zero()), that_counts, end)
 }
 
 impl<S: Scalar> Revolved for Cylinder<S> {
@@ -39,10 +48,17 @@ impl<S: Scalar> Revolved for Cylinder<S> {
         self.radius
     }
     #[inline(always)]
-    fn section(height: S, radius: S) -> Aabb2<S> {
+    fn near_section(height: S, radius: S) -> Aabb2<S> {
         Aabb2 {
             min: Vec2::new(S::zero(), -radius),
             max: Vec2::new(height, radius),
+        }
+    }
+    #[inline(always)]
+    fn far_section(height: S, radius: S) -> Aabb2<S> {
+        Aabb2 {
+            min: Vec2::new(S::zero(), -radius),
+            max: Vec2::new(height, unless_none(radius, -radius)),
         }
     }
 }
@@ -63,13 +79,23 @@ impl<S: Scalar> Revolved for Cone<S> {
         self.radius
     }
     #[inline(always)]
-    fn section(height: S, radius: S) -> Triangle2<S> {
-        Triangle2::new(
-            Vec2::zero(),
-            Vec2::new(height, -radius),
-            Vec2::new(height, radius),
-        )
+    fn near_section(height: S, radius: S) -> Triangle2<S> {
+        ends(height, unless_none(-radius, radius), radius)
     }
+    #[inline(always)]
+    fn far_section(height: S, radius: S) -> Triangle2<S> {
+        ends(height, -radius, unless_none(radius, -radius))
+    }
+}
+
+/// The section of a cone whose base ends at some places across the axis.
+#[inline(always)]
+fn ends<S: Scalar>(height: S, low: S, high: S) -> Triangle2<S> {
+    Triangle2::new(
+        Vec2::zero(),
+        Vec2::new(height, low),
+        Vec2::new(height, high),
+    )
 }
 
 /// A point in the frame of an axis: along it, across it, and the directions of both.
@@ -104,7 +130,7 @@ pub(super) fn relate<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: 
         across,
         height,
     } = seen(shape.axis(), point - start);
-    let section = B::section(height, shape.radius());
+    let section = B::near_section(height, shape.radius());
     let apart = distance::signed_distance(at, section);
     let found = distance::closest_points(at, section);
     let out = distance::penetration(at, section).direction;
@@ -121,5 +147,5 @@ pub(super) fn relate<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: 
 #[inline(always)]
 pub(super) fn farthest<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: B) -> S {
     let Seen { at, height, .. } = seen(shape.axis(), point - shape.start());
-    distance::farthest_distance(at, B::section(height, shape.radius()))
+    distance::farthest_distance(at, B::far_section(height, shape.radius()))
 }

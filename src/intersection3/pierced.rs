@@ -201,7 +201,30 @@ macro_rules! boxes {
         }
     )* };
 }
-boxes! { Aabb3 YawBox3 Obb3 }
+boxes! { YawBox3 Obb3 }
+
+/// Seen from a corner that is given: far from the origin the centre and the size would lose the digits of the bounds.
+impl<S: Scalar> Pierced for Aabb3<S> {
+    type Scalar = S;
+    #[inline(always)]
+    fn anchor(self) -> Vec3<S> {
+        self.min
+    }
+    #[inline(always)]
+    fn extent(self) -> S::Primal {
+        size_of(self.size())
+    }
+    #[inline(always)]
+    fn inside(self, beam: Beam<S>, scale: S) -> Inside<S> {
+        let (size, axes) = (self.size() * scale, self.core().axes);
+        let ends = axes.into_iter().zip([size.x, size.y, size.z]);
+        ends.fold(Inside::everywhere(), |inside, (axis, end)| {
+            inside
+                .behind(beam, axis * end, axis)
+                .behind(beam, Vec3::zero(), -axis)
+        })
+    }
+}
 
 impl<S: Scalar> Pierced for Capsule3<S> {
     type Scalar = S;

@@ -8,6 +8,10 @@ use crate::arrays::Each;
 
 /// By so many roundings of the unit edges must part boxes more than faces do.
 const MORE: f64 = 8.0;
+/// At most so many roundings of the unit points of boxes that touch seem apart: planes then say how the boxes part.
+const TOUCH: f64 = 32.0;
+/// At most so many roundings a point that is beside a face seems beyond it.
+const BESIDE: f64 = 8.0;
 
 /// The features that the distance is computed from.
 pub(super) struct Choice<P: Scalar> {
@@ -123,7 +127,8 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
     let least = all.fold(corners, |least, edges| smaller(least, edges.square));
     let deep = Deepest::new(gaps);
     // Flat boxes in one plane can cross where no candidate is: no gap says that they meet.
-    let inside = deep.value.at_most(zero) | least.equals(zero);
+    let touch = least.at_most(P::lit((TOUCH * P::EPSILON).powi(2)));
+    let inside = deep.value.at_most(zero) | touch;
 
     // Corners that are nearest, and the points that they are nearest to.
     let ((y_b, count_b), (x_a, count_a)) = (of_b.tied(least), of_a.tied(least));
@@ -138,8 +143,8 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
     let total = P::select(total.equals(zero), one, total);
     let corner_y = [0, 1, 2].each_as(|j| (y_b[j] * count_b + y_a[j] * count_a).over(total));
     let at_b = [0, 1, 2].each_as(|k| c[k] + dot(r[k], [0, 1, 2].each_as(|j| h[j] * corner_y[j])));
-    let keep =
-        |at: [P; 3], half: [P; 3]| [0, 1, 2].each_as(|k| weight(at[k].unsigned().above(half[k])));
+    let beyond = |at: P, half: P| at.unsigned().above(half + P::lit(BESIDE * P::EPSILON));
+    let keep = |at: [P; 3], half: [P; 3]| [0, 1, 2].each_as(|k| weight(beyond(at[k], half[k])));
     let (keep_a, keep_b) = (keep(at_b, *g), keep(at_a, *h));
 
     // Edges: those nearest, or those that part best.
@@ -212,7 +217,8 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
         other: pick(is_a, *h, *g),
         nearest: pick(inside, lowest, pick(is_a, y, x)),
     };
-    let middle = facing.middle();
+    let slack = P::select(inside, P::lit(BESIDE * P::EPSILON), zero);
+    let middle = facing.middle(side, slack);
     let use_middle = (is_a | is_b) & (inside | middle.parallel);
     let own_parts = [
         side,
@@ -284,11 +290,7 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
         edge_a: shares.each_as(sum),
         edge_b: [0, 1, 2].each_as(|j| sum(column(&shares, j))),
         side,
-        deepest: P::select(
-            least.equals(zero) & deep.value.above(zero),
-            zero,
-            deep.value,
-        ),
+        deepest: P::select(deep.value.above(zero), least.root(), deep.value),
         share_a: deep.a.each_as(shared),
         share_b: deep.b.each_as(shared),
         share_edges: [0, 1, 2].each_as(|i| [0, 1, 2].each_as(|j| shared(deep.edges[3 * i + j]))),

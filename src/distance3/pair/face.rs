@@ -1,7 +1,6 @@
 //! Two faces, or a face and an edge, that are parallel: the middle of what faces each other.
 use super::super::spot::part;
-use super::dot;
-use super::features::{larger, smaller};
+use super::features::{larger, smaller, weight};
 use crate::Scalar;
 use crate::arrays::Each;
 
@@ -27,22 +26,15 @@ pub(super) struct Facing<P> {
     pub nearest: [P; 3],
 }
 
-/// Points that are counted, and their sum.
+/// A point that the face and a face of the other box may share, seen along the normal.
 #[derive(Clone, Copy)]
-struct Mean<P> {
-    sum: [P; 2],
-    count: P,
-}
-
-impl<P: Scalar> Mean<P> {
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn add(&mut self, where_: P::Mask, point: [P; 2]) {
-        let one = P::select(where_, P::one(), P::zero());
-        self.count += one;
-        for (sum, x) in self.sum.iter_mut().zip(point) {
-            *sum += x * one;
-        }
-    }
+struct Shared<P> {
+    /// Along both sides of the face, in the unit of length.
+    at: [P; 2],
+    /// Along both sides of the other face, as parts of half of them.
+    other: [P; 2],
+    /// How far it is above the middle of the other face, and how far outside of either.
+    cost: P,
 }
 
 /// The middle.
@@ -56,38 +48,55 @@ pub(super) struct Middle<P: Scalar> {
 }
 
 impl<P: Scalar> Facing<P> {
-    /// The mean of the corners of what faces each other: corners over the face, corners of the face below the other
-    /// one, and crossings of edges. Where rounding leaves none, the shapes meet beside each other: it is the middle of
-    /// what their extents along both sides of the face share.
+    /// The mean of the lowest corners of what faces each other, of those that are at most some slack higher than the
+    /// lowest one: corners over the face, corners of the face below the other one, and crossings of edges.
+    ///
+    /// The other box has one face that is the nearest to parallel, and its lowest points are there. A corner outside
+    /// of the other face costs as much as it is outside: of shapes that meet in a point or an edge beside each other
+    /// rounding leaves no corner inside.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn middle(&self) -> Middle<P> {
+    pub(super) fn middle(&self, side: P, slack: P) -> Middle<P> {
         let (zero, one) = (P::zero(), P::one());
         let [normal, first, second] = self.rows;
         let free = normal.each_as(|x| x.equals(zero));
         let near = [0, 1, 2].each_as(|j| P::select(free[j], zero, self.nearest[j]));
-        let at = [0, 1, 2].each_as(|j| near[j] * self.other[j]);
-        let q = [
-            self.center[1] + dot(first, at),
-            self.center[2] + dot(second, at),
-        ];
-        let arms = [0, 1, 2].each_as(|j| {
-            let half = P::select(free[j], self.other[j], zero);
-            [first[j] * half, second[j] * half]
-        });
-        // At most two are not zero.
-        let pick = |mask, x: [P; 2], y: [P; 2]| [0, 1].each_as(|k| P::select(mask, x[k], y[k]));
-        let u = pick(free[0], arms[0], arms[1]);
-        let v = pick(free[0] & free[1], arms[1], arms[2]);
+        let tilt = normal.each_as(P::unsigned);
+        let by_first = tilt[0].at_least(tilt[1]) & tilt[0].at_least(tilt[2]);
+        let by_second = !by_first & tilt[1].at_least(tilt[2]);
+        let pick = |x: [P; 3]| P::select(by_first, x[0], P::select(by_second, x[1], x[2]));
+        let arm = |j: usize| [normal, first, second].each_as(|row| row[j] * self.other[j]);
+        let arms = [arm(0), arm(1), arm(2)];
+        // The face that is the nearest to parallel, and its sides.
+        let base = [0, 1, 2].each_as(|k| pick([0, 1, 2].each_as(|j| arms[j][k] * near[j])));
+        let sides: [[P; 3]; 2] = [1, 2]
+            .each_as(|n| [0, 1, 2].each_as(|k| pick([0, 1, 2].each_as(|j| arms[(j + n) % 3][k]))));
+        let q = [self.center[1] + base[1], self.center[2] + base[2]];
+        let [u, v] = sides.each_as(|arm| [arm[1], arm[2]]);
+        let rise = sides.each_as(|arm| side * arm[0]);
         let half = self.half;
-        let inside = |x: P, half: P| x.unsigned().at_most(half);
-        let mut mean = Mean {
-            sum: [zero; 2],
-            count: zero,
-        };
+        let most = P::lit(P::LARGEST);
+        let outside = |x: P, half: P| larger(x.unsigned() - half, zero);
         let signs = [one, -one];
-        // Corners over the face, and crossings of edges along `arm` with its sides.
-        let det = u[0] * v[1] - u[1] * v[0];
-        for (arm, aside) in [(u, v), (v, u)] {
+        // Sides of length zero are replaced by such as are across the other one.
+        let point = |arm: [P; 2]| arm[0].equals(zero) & arm[1].equals(zero);
+        let (no_u, no_v) = (point(u), point(v));
+        let either = |mask, x: [P; 2], y: [P; 2]| [0, 1].each_as(|k| P::select(mask, x[k], y[k]));
+        let wide_u = either(no_u, either(no_v, [one, zero], [v[1], -v[0]]), u);
+        let wide_v = either(no_v, [-wide_u[1], wide_u[0]], v);
+        let det = wide_u[0] * wide_v[1] - wide_u[1] * wide_v[0];
+        let over = one.over(P::select(det.equals(zero), one, det));
+        let mut all = [Shared {
+            at: [zero; 2],
+            other: [zero; 2],
+            cost: most,
+        }; 24];
+        let mut free_place = all.iter_mut();
+        let mut add = |shared| {
+            if let Some(place) = free_place.next() {
+                *place = shared;
+            }
+        };
+        for (n, arm, aside) in [(0, u, v), (1, v, u)] {
             let over = arm.each_as(|x| one.over(P::select(x.equals(zero), one, x)));
             for s in signs {
                 let from = [0, 1].each_as(|k| q[k] + aside[k] * s);
@@ -99,42 +108,69 @@ impl<P: Scalar> Facing<P> {
                         let along = from[l] + arm[l] * part;
                         let crosses = part.unsigned().below(one) & along.unsigned().below(half[l]);
                         let crosses = crosses & !arm[k].equals(zero);
-                        let mut point = [bound; 2];
-                        point[l] = along;
-                        mean.add(crosses, point);
+                        let (mut at, mut other) = ([bound; 2], [s; 2]);
+                        (at[l], other[n]) = (along, part);
+                        let height = rise[n] * part + rise[1 - n] * s;
+                        add(Shared {
+                            at,
+                            other,
+                            cost: P::select(crosses, height, most),
+                        });
                     }
                 }
             }
         }
         for s in signs {
             for t in signs {
-                let corner = [0, 1].each_as(|k| q[k] + (u[k] * s + v[k] * t));
-                let over = inside(corner[0], half[0]) & inside(corner[1], half[1]);
-                mean.add(over, corner);
-                let corner = [half[0] * s, half[1] * t];
-                let arm = [corner[0] - q[0], corner[1] - q[1]];
-                let by_u = (arm[0] * v[1] - arm[1] * v[0]).unsigned();
-                let by_v = (u[0] * arm[1] - u[1] * arm[0]).unsigned();
-                let size = det.unsigned();
-                let below = by_u.at_most(size) & by_v.at_most(size) & !det.equals(zero);
-                mean.add(below, corner);
+                let at = [0, 1].each_as(|k| q[k] + (u[k] * s + v[k] * t));
+                let beside = larger(outside(at[0], half[0]), outside(at[1], half[1]));
+                let height = rise[0] * s + rise[1] * t;
+                add(Shared {
+                    at,
+                    other: [s, t],
+                    cost: height + beside,
+                });
+                let at = [half[0] * s, half[1] * t];
+                let arm = [at[0] - q[0], at[1] - q[1]];
+                let by_u = (arm[0] * wide_v[1] - arm[1] * wide_v[0]) * over;
+                let by_v = (wide_u[0] * arm[1] - wide_u[1] * arm[0]) * over;
+                let other = [part(by_u, one), part(by_v, one)];
+                let rest = |k: usize| (arm[k] - (u[k] * other[0] + v[k] * other[1])).unsigned();
+                let inside = by_u.equals(other[0]) & by_v.equals(other[1]) & !no_u & !no_v;
+                let beside = P::select(inside, zero, larger(rest(0), rest(1)));
+                let height = rise[0] * other[0] + rise[1] * other[1];
+                add(Shared {
+                    at,
+                    other,
+                    cost: height + beside,
+                });
             }
         }
-        let none = mean.count.equals(zero);
-        let count = P::select(none, one, mean.count);
-        let beside = |k: usize| {
-            let extent = u[k].unsigned() + v[k].unsigned();
-            overlap(half[k], q[k], extent) * half[k]
+        let least = all.iter().fold(most, |least, one| smaller(least, one.cost));
+        let least = least + slack;
+        let (mut at, mut other, mut count) = ([zero; 2], [zero; 2], zero);
+        for one in &all {
+            let here = weight::<P>(one.cost.at_most(least));
+            count += here;
+            for k in 0..2 {
+                at[k] += one.at[k] * here;
+                other[k] += one.other[k] * here;
+            }
+        }
+        let count = P::select(count.equals(zero), one, count);
+        let at = at.each_as(|x| x.over(count));
+        let [by_u, by_v] = other.each_as(|x| part(x, count));
+        // In the order of the axes.
+        let sort = |own: P, next: P, last: P| {
+            [
+                P::select(by_first, own, P::select(by_second, last, next)),
+                P::select(by_first, next, P::select(by_second, own, last)),
+                P::select(by_first, last, P::select(by_second, next, own)),
+            ]
         };
-        let at = [0, 1].each_as(|k| P::select(none, beside(k), mean.sum[k].over(count)));
-        let way = [at[0] - q[0], at[1] - q[1]];
-        let other = [0, 1, 2].each_as(|j| {
-            let along = way[0] * first[j] + way[1] * second[j];
-            P::select(free[j], part(along, self.other[j]), near[j])
-        });
         Middle {
             at,
-            other,
+            other: sort(pick(near), by_u, by_v),
             parallel: free[0] | free[1] | free[2],
         }
     }

@@ -12,6 +12,7 @@ mod features;
 
 use super::core::{BoxCore, Core};
 use super::relation::{Relation, direction};
+use super::spot::vanish;
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::scalar::{most_of, speck};
@@ -155,7 +156,7 @@ impl<S: Scalar> Seen<S> {
 fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (Seen<S>, S) {
     let anchor = a.anchor();
     let scale = scale_of::<S>(a.extent(anchor).most(b.extent(anchor)));
-    let way = (b.center - a.center) * scale;
+    let way = ((b.given - a.given) + (b.arm - a.arm)) * scale;
     // Axes of a are orthogonal: of equal ones of b only the difference is left, which is exactly zero.
     let turn = |i: usize, j: usize| {
         let (u, v) = (a.axes[i], b.axes[j]);
@@ -203,7 +204,8 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
     let unit = long * side.over(square.root());
     let height = unit.dot(vector(w));
     let off = |x: Vec3<S>| x - vector(u) * vector(u).dot(x);
-    let t = off(vector(w)).dot(off(vector(v))).over(square);
+    // The points are nearest already: only their derivatives slide.
+    let t = vanish(off(vector(w)).dot(off(vector(v))).over(square));
     let zero = S::zero();
     let pick = |in_a: Vec3<S>, in_b: Vec3<S>, edges: Vec3<S>| {
         let faces = Vec3::select(choice.by_a, in_a, in_b);
@@ -230,8 +232,8 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
     let over = |x: S| x.over(scale);
     let step = normal * over(gap);
     let [half_a, half_b] = [at_a, at_b].each_as(|at| at.each_as(over));
-    let on_a = a.center + shape(a.axes, vector(half_a));
-    let on_b = b.center + shape(b.axes, vector(half_b));
+    let on_a = a.given + (a.arm + shape(a.axes, vector(half_a)));
+    let on_b = b.given + (b.arm + shape(b.axes, vector(half_b)));
     let slid = shape(b.axes, vector(along)) * over(S::select(choice.by_edges, t, zero));
     let from_b = !choice.by_a & !choice.by_edges;
     let on_b = Vec3::select(from_b, on_a + step, on_b - slid);

@@ -2,8 +2,12 @@
 mod certificates;
 mod distances;
 mod draw;
+mod far_bounds;
 mod inertia;
 mod oracle;
+mod parallels;
 mod rays;
+mod revolved_slopes;
 mod shapes;
 mod slopes;
+mod walls;
