@@ -1,9 +1,11 @@
 //! Shapes of space: measures, distances, rays.
 mod certificates;
+mod depths;
 mod distances;
 mod draw;
 mod inertia;
 mod oracle;
+mod points;
 mod rays;
 mod shapes;
 mod slopes;
