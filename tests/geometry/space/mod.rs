@@ -1,5 +1,6 @@
 //! Shapes of space: measures, distances, rays.
 mod certificates;
+mod contacts;
 mod depths;
 mod distances;
 mod draw;
