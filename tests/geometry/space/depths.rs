@@ -2,7 +2,8 @@
 //!
 //! The oracle takes all differences of corners, and the planes through any three of them that have all others on one
 //! side, in whole numbers. It names no face and no edge. Slopes are its one-sided differences.
-use super::draw::Random;
+use super::draw::{Random, wide};
+use super::oracle::hulls;
 use geograd::ad::gradient;
 use geograd::distance3::{closest_points, penetration, signed_distance};
 use geograd::prelude::*;
@@ -357,4 +358,66 @@ fn points_of_planes_that_tie_are_those_of_one() {
         "{found:?} {depth}"
     );
     assert!(found.on_a.distance(rod) < 1e-15 && found.on_b.distance(cube) < 1e-15);
+}
+
+#[test]
+fn planes_that_all_but_tie_pull_alone() {
+    // Two planes are a millionth apart, an edge and a face along each other to a millionth.
+    let a = [
+        corner(0.0, 0.0, -1e-6),
+        corner(1.0, -1.0, -1e-6),
+        corner(2.0, 2.0, 1.999999),
+        corner(-2.0, 2.0, 1.999999),
+    ];
+    let b = [
+        corner(-2.0, 2.0, -2.0),
+        corner(0.0, -1.0, 0.0),
+        corner(1.0, 1.0, -2.0),
+        corner(1.0, 1.0, 0.0),
+    ];
+    let solid = |p: [Vec3<f64>; 4]| Tetrahedron::new(p[0], p[1], p[2], p[3]);
+    let f = |(a, b): (Tetrahedron<_>, Tetrahedron<_>)| signed_distance(a, b);
+    let (_, (by_a, by_b)) = gradient(f, (solid(a), solid(b)));
+    let depth = |a: [Vec3<f64>; 4], b: [Vec3<f64>; 4]| hulls(&a.map(wide), &b.map(wide), true);
+    let slopes = by_a.scalars().into_iter().chain(by_b.scalars());
+    for (k, slope) in slopes.enumerate() {
+        let side = |by: f64| {
+            let step = [
+                corner(by, 0.0, 0.0),
+                corner(0.0, by, 0.0),
+                corner(0.0, 0.0, by),
+            ][k % 3];
+            let (mut p, mut q) = (a, b);
+            if k < 12 {
+                p[k / 3] += step
+            } else {
+                q[k / 3 - 4] += step
+            }
+            (depth(p, q) - depth(a, b)) / by
+        };
+        let (ahead, back) = (side(1e-8), side(-1e-8));
+        let (low, high) = (ahead.min(back) - 1e-6, ahead.max(back) + 1e-6);
+        assert!(
+            low < slope && slope < high,
+            "number {k}: {slope}, in {low} to {high}"
+        );
+    }
+}
+
+#[test]
+fn an_edge_along_the_face_of_a_box_pulls_between_both_sides() {
+    let a = Tetrahedron::new(
+        corner(1.0, 1.0, 2.0),
+        corner(2.0, 1.0, 2.0),
+        corner(0.0, 0.0, -2.0),
+        corner(1.0, 1.0, -1.0),
+    );
+    let b = Obb3::new(
+        corner(2.0, 2.0, 2.0),
+        corner(3.0, 3.0, 2.0),
+        Rotation3::new(2.0, 1.0, 0.0, 0.0),
+    );
+    let f = |(a, b): (Tetrahedron<_>, Obb3<_>)| signed_distance(a, b);
+    let (_, (by_a, _)) = gradient(f, (a, b));
+    assert!((-0.8..=1e-15).contains(&by_a.a.y), "{by_a:?}");
 }
