@@ -159,7 +159,10 @@ pub(crate) fn joined<S: Scalar>(
     // the shift it is no farther from there than the depth. Faces too short to count would have parted any others.
     let reachable = (S::lit(SLACK * S::EPSILON) - deep.ahead) - deep.ahead;
     let behind = deep.ahead.below(S::zero()) & length.at_most(reachable);
-    let inside = parted & (behind | none);
+    // Which side of an edge a point on it is on, its offset says with other roundings than the face does.
+    let beside = length.at_most(S::lit(SLACK * S::EPSILON)) & !deep.ahead.below(S::zero());
+    let opposite = beside & direction.dot(deep.normal).below(S::zero());
+    let inside = parted & (behind | none | opposite);
     // Cores with a point in common are not apart, however the height over a face was rounded.
     let rounded = none & deep.ahead.above(S::zero());
     let touching = deep.ahead.with_primal(S::Primal::zero());

@@ -1,4 +1,5 @@
 //! Two cores of space against each other, once for all functions of distance.
+use super::contact::{across, parted};
 use super::core::Core;
 use super::deep::{Deepest, SLACK, deepest};
 use super::near::{Candidate, Nearest, edges_near};
@@ -59,27 +60,38 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
         deep,
     ) = (nearest(a, b), deepest(a, b));
     let found = joined(near, deep.as_ref());
+    let (relation, inside) = (found.relation, found.inside);
+    // The direction of a way that is rounding parts nothing.
+    let slack = P::lit(SLACK * P::EPSILON);
+    let parted = parted((a, near.on_a), (b, near.on_b), near.apart, relation.normal);
+    let lost = relation.apart.at_most(slack) & parted.below(-slack) & !inside;
+    let none = inside & !inside;
     let chosen = Chosen {
-        gap: found.relation.apart,
-        square: found.relation.square,
-        normal: found.relation.normal,
-        on_a: found.relation.on_a,
-        on_b: found.relation.on_b,
+        gap: relation.apart,
+        square: relation.square,
+        normal: Vec3::select(lost, across(a, b, relation.normal), relation.normal),
+        on_a: relation.on_a,
+        on_b: relation.on_b,
         at_a,
         at_b,
-        inside: found.inside,
-        tied: found.inside & !found.inside,
+        inside,
+        tied: none,
         pull_a: Pull::none(),
         pull_b: Pull::none(),
     };
     let Some(deep) = deep else {
         return chosen;
     };
-    let inside = found.inside;
-    let none = inside & !inside;
+    let lost = lost & deep.value.above(P::lit(-P::LARGEST));
+    let inside = inside | lost;
+    let pick = |plane: Vec3<P>, other: Vec3<P>| Vec3::select(lost, plane, other);
     Chosen {
+        normal: pick(deep.normal, chosen.normal),
+        on_a: pick(deep.on_a, chosen.on_a),
+        on_b: pick(deep.on_b, chosen.on_b),
         at_a: deep.at_a.join(at_a, inside, none),
         at_b: deep.at_b.join(at_b, inside, none),
+        inside,
         tied: inside & deep.count.above(P::one()),
         pull_a: deep.pull_a,
         pull_b: deep.pull_b,

@@ -1,8 +1,8 @@
 //! Boxes of any orientation as cores.
 use super::core::{BoxCore, Core};
-use super::deep::box_faces;
+use super::deep::{MORE, box_faces};
 use super::near::{Candidate, Edge, Nearest, square_of};
-use super::parting::PartingPlane;
+use super::parting::{Lowest, PartingPlane};
 use super::spot::{self, Counted, Pull, Spot, fixed, fixed_vector, part};
 use crate::arrays::Each;
 use crate::scalar::largest;
@@ -208,13 +208,31 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Spot<S>) {
+    fn lowest(&self, normal: Vec3<S>, way: usize) -> Lowest<S> {
         let arms = self.arms();
-        let mut found = (self.center, Spot::corner(0));
+        let (mut point, mut spot) = (self.center, Spot::corner(0));
         for k in (0..3).filter(|&k| k != way) {
             let up = normal.dot(arms[k]).above(S::zero());
-            found.0 += Vec3::select(up, -arms[k], arms[k]);
-            found.1.parts[1 + k] = S::select(up, -self.half[k], self.half[k]);
+            point += Vec3::select(up, -arms[k], arms[k]);
+            spot.parts[1 + k] = S::select(up, -self.half[k], self.half[k]);
+        }
+        Lowest::edge(point, spot)
+    }
+    /// Along a face's normal two edges are equally far: what crosses the face does so at that on the side of its middle,
+    /// or crosses one along the other axis.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn beside(&self, lowest: Lowest<S>, normal: Vec3<S>, way: usize, point: Vec3<S>) -> Lowest<S> {
+        let (arms, at, zero) = (self.arms(), self.seen(point), S::zero());
+        let mut found = lowest;
+        for k in (0..3).filter(|&k| k != way) {
+            let rise = normal.dot(arms[k]).magnitude();
+            let here = lowest.spot.parts[1 + k];
+            let side = S::one().signed_as(here);
+            let turn = (at[k] * side).below(zero) & rise.at_most(S::lit(MORE * S::EPSILON));
+            let step = arms[k] * (side + side);
+            found.point -= Vec3::select(turn, step, Vec3::zero());
+            found.spot.parts[1 + k] = S::select(turn, -here, here);
+            found.rest -= S::select(turn, rise + rise, zero);
         }
         found
     }

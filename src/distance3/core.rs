@@ -1,6 +1,6 @@
 //! The cores that convex shapes of space are made of: a point, a segment, a triangle, a tetrahedron, a box.
 use super::near::{Candidate, Edge, Nearest};
-use super::parting::PartingPlane;
+use super::parting::{Lowest, PartingPlane};
 use super::spot::{self, Counted, Pull, Spot, fixed_vector};
 use super::straight::Straight;
 use crate::arrays::Each;
@@ -62,9 +62,20 @@ pub trait Core<S: Scalar>: Copy {
     fn faces(&self) -> Self::Faces;
     /// The point of the core, or of its surface, that is nearest to a corner of another one, at a spot there.
     fn near(&self, corner: Vec3<S>, there: Spot<S>) -> Candidate<S>;
-    /// A point of the edge that is farthest against a direction, given that this is orthogonal to one of the
-    /// [ways](Core::ways): of both ends of an edge along it one counts, lest rounding decides between them.
-    fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Spot<S>);
+    /// The edge along one of the [ways](Core::ways) that is farthest against a direction orthogonal to it: of boxes its
+    /// middle, of others its first end.
+    fn lowest(&self, normal: Vec3<S>, way: usize) -> Lowest<S>;
+    /// Of edges along a way that are equally far but for rounding the one on the side of a point.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn beside(
+        &self,
+        lowest: Lowest<S>,
+        _normal: Vec3<S>,
+        _way: usize,
+        _point: Vec3<S>,
+    ) -> Lowest<S> {
+        lowest
+    }
     /// The spot at a parameter along a way from that of [`lowest`](Core::lowest).
     fn along(&self, spot: Spot<S>, way: usize, t: S) -> Spot<S>;
     /// The least of `normal · corner`, and the corner; corners that tie share the derivative, and the point is their
@@ -215,8 +226,8 @@ impl<S: Scalar> Core<S> for PointCore<S> {
         Candidate::new(near, Spot::corner(0), there)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn lowest(&self, _: Vec3<S>, _: usize) -> (Vec3<S>, Spot<S>) {
-        (self.0, Spot::corner(0))
+    fn lowest(&self, _: Vec3<S>, _: usize) -> Lowest<S> {
+        Lowest::edge(self.0, Spot::corner(0))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn along(&self, spot: Spot<S>, _: usize, _: S) -> Spot<S> {

@@ -4,7 +4,7 @@
 //! of two edges, it is just that. A direction that is mostly rounding costs nothing.
 use super::core::{BoxCore, Core};
 use super::near::normal;
-use super::parting::PartingPlane;
+use super::parting::{PartingPlane, grade};
 use super::spot::{Counted, Pull, Spot};
 use crate::arrays::Each;
 use crate::distance::share::Carry;
@@ -13,8 +13,9 @@ use crate::{Scalar, Vec3};
 /// By so many roundings of the unit, in which all is of a size of at most four, heights and ways differ.
 pub(super) const SLACK: f64 = 64.0;
 
-/// By so many roundings of the unit edges must part cores more than faces do, and corners be ahead of others.
-const MORE: f64 = 8.0;
+/// By so many roundings of the unit planes must part cores more than others do, corners be ahead of others, and feet be
+/// beyond an end.
+pub(super) const MORE: f64 = 8.0;
 
 /// A corner over a face, and the spot of its foot there.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +64,7 @@ fn least<P: Scalar, B: Core<P>>(
     let about = about & !any;
     let mut found = PartingPlane {
         value,
-        faces: P::select(any | about, P::one(), zero),
+        grade: P::select(any | about, P::lit(grade::FACE), P::lit(grade::BOUND)),
         normal,
         ..PartingPlane::none()
     };
@@ -94,26 +95,36 @@ pub(super) fn box_faces<P: Scalar, B: Core<P>>(
     axis: usize,
     b: &B,
 ) -> PartingPlane<P> {
-    PartingPlane::of_sides([false, true].each_as(|low| {
+    let [j, k] = [(axis + 1) % 3, (axis + 2) % 3];
+    // As of two edges that are as short.
+    let area = (a.half[j] + a.half[j]) * (a.half[k] + a.half[k]);
+    let empty = area.at_most(P::lit(P::EPSILON.powi(2)));
+    let sides = [false, true].each_as(|low| {
         let turned = |x: P| if low { -x } else { x };
         let normal = if low { -a.axes[axis] } else { a.axes[axis] };
-        least(normal, b, |corner| {
+        let slack = P::lit(MORE * P::EPSILON);
+        let plane = least(normal, b, |corner| {
             let at = a.seen(corner);
-            let within = |k: usize| at[k].unsigned().at_most(a.half[k]);
-            let on_face = within((axis + 1) % 3) & within((axis + 2) % 3);
+            let within = |k: usize| at[k].unsigned().at_most(a.half[k] + slack);
+            let on_face = within(j) & within(k);
             let mut parts = [P::one(), at[0], at[1], at[2]];
             parts[1 + axis] = turned(a.half[axis]);
             let feature = P::lit((7 - (1 << axis)) as f64);
             let foot = Spot { parts, feature };
             (turned(at[axis]) - a.half[axis], on_face, foot)
-        })
-    }))
+        });
+        PartingPlane {
+            grade: P::select(empty, P::lit(grade::EMPTY), plane.grade),
+            ..plane
+        }
+    });
+    PartingPlane::of_sides(sides)
 }
 
 /// Both sides of a triangle, the face of a solid with a corner behind it or alone, against another core. A spot on it is
 /// one of the shares of its corners.
 ///
-/// Both sides count: a solid without volume has two, and of any other one the side within parts nothing.
+/// A solid without volume has two sides; the inner side of any other one is a bound, whose feet are on no face.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
     face: [Vec3<P>; 3],
@@ -124,20 +135,28 @@ pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
     let (u, v) = (face[1] - face[0], face[2] - face[0]);
     let normal = normal(u, v);
     let over = P::one().over(normal.square);
+    let (zero, slack) = (P::zero(), P::lit(MORE * P::EPSILON));
+    // A foot is so far beyond an end as `product` is beyond zero, over the lengths of the normal and of that edge.
+    let beyond = (slack * slack) * normal.square;
+    let [bound_u, bound_v, bound_w] = [u, v, v - u].each_as(|w| beyond * w.length_squared());
+    let within = |product: P, bound: P| zero.at_most(product) | (product * product).at_most(bound);
     let sides = [normal.unit, -normal.unit].each_as(|unit| {
         // The corner behind is not beyond, whatever the side.
-        let top = behind.map_or(P::zero(), |behind| {
-            unit.dot(behind - face[0]).most(P::zero())
-        });
+        let top = behind.map_or(zero, |behind| unit.dot(behind - face[0]).most(zero));
         let plane = least(unit, b, |corner| {
             let arm = corner - face[0];
             let (s, t) = (arm.cross(v).dot(normal.long), u.cross(arm).dot(normal.long));
-            let zero = P::zero();
-            let on_face = zero.at_most(s) & zero.at_most(t) & (s + t).at_most(normal.square);
+            let rest = (normal.square - s) - t;
+            let on_face = within(s, bound_v) & within(t, bound_u) & within(rest, bound_w);
             let (s, t) = (s * over, t * over);
             let foot = spot([(P::one() - s) - t, s, t]);
             (unit.dot(arm) - top, on_face, foot)
         });
+        let inner = top.above(slack);
+        let plane = PartingPlane {
+            grade: P::select(inner, P::lit(grade::BOUND), plane.grade),
+            ..plane
+        };
         plane.unless(normal.none)
     });
     PartingPlane::of_sides(sides)
@@ -151,26 +170,48 @@ fn across_edges<P: Scalar, A: Core<P>, B: Core<P>>(
 ) -> PartingPlane<P> {
     let normal = normal(u, v);
     let over = P::one().over(normal.square);
+    let slack = P::lit(MORE * P::EPSILON);
+    // A point is so far beyond an end of one edge as the normal has roundings along the other.
+    let beyond = (slack * slack) * over;
     let sides = [normal.unit, -normal.unit].each_as(|unit| {
-        let ((on_a, at_a), (on_b, at_b)) = (a.lowest(-unit, i), b.lowest(unit, j));
-        let way = on_b - on_a;
-        let (ahead, one) = (unit.dot(way), P::one());
-        // Where the edges through both corners cross, seen along the normal.
-        let crossing = |w: Vec3<P>| {
-            let part = w.dot(normal.long) * over;
-            part.clamp(-one, one)
+        let (low_a, low_b) = (a.lowest(-unit, i), b.lowest(unit, j));
+        let middle = |point: Vec3<P>, way: Vec3<P>, centered: bool| match centered {
+            true => point,
+            false => point + way * P::lit(0.5),
         };
-        let (s, t) = (crossing(way.cross(v)), crossing(way.cross(u)));
-        let on_a = on_a + u * s;
+        let (on_a, on_b) = (
+            middle(low_a.point, u, A::CENTERED),
+            middle(low_b.point, v, B::CENTERED),
+        );
+        let (low_a, low_b) = (
+            a.beside(low_a, -unit, i, on_b),
+            b.beside(low_b, unit, j, on_a),
+        );
+        let way = low_b.point - low_a.point;
+        let ahead = unit.dot(way) + (low_a.rest + low_b.rest);
+        // Where the edges through both points cross, seen along the normal.
+        let crossing = |w: Vec3<P>, other: Vec3<P>, centered: bool| {
+            let (low, high) = if centered { (-0.5, 0.5) } else { (0.0, 1.0) };
+            let part = w.dot(normal.long) * over;
+            let held = part.clamp(P::lit(low), P::lit(high));
+            let out = part - held;
+            let bound = beyond * other.length_squared();
+            (held, (out * out).at_most(bound))
+        };
+        let (s, on_a) = crossing(way.cross(v), v, A::CENTERED);
+        let (t, on_b) = crossing(way.cross(u), u, B::CENTERED);
+        let meet = on_a & on_b & low_a.is_edge & low_b.is_edge;
+        let clear = P::select(normal.clear, P::lit(grade::EDGES), P::lit(grade::STEEP));
+        let on_a = low_a.point + u * s;
         let plane = PartingPlane {
             value: ahead,
-            faces: P::zero(),
+            grade: P::select(meet, clear, P::lit(grade::BOUND)),
             normal: unit,
-            points: one,
+            points: P::one(),
             on_a,
             on_b: on_a + unit * ahead,
-            at_a: a.along(at_a, i, s),
-            at_b: b.along(at_b, j, t),
+            at_a: a.along(low_a.spot, i, s),
+            at_b: b.along(low_b.spot, j, t),
             ..PartingPlane::none()
         };
         plane.unless(normal.none)
@@ -206,8 +247,7 @@ pub(super) struct Deepest<P> {
 
 /// The planes that part two cores best; `None` where their difference has no volume.
 ///
-/// Edges count where they part the cores by more than rounding more than faces do: the normal of edges that are all
-/// but parallel turns too fast with them for a derivative.
+/// Of planes that part them equally but for rounding those of the highest grade count: their points are on both cores.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option<Deepest<P>> {
     if A::DIMENSION + B::DIMENSION < 3 {
@@ -227,26 +267,26 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
         planes
     });
     let faces = || of_a.as_ref().iter().chain(of_b.as_ref());
-    let edges = || edges.as_ref().iter().flat_map(AsRef::as_ref);
-    let never = P::lit(-P::LARGEST);
-    let best = |value: P, plane: &PartingPlane<P>| value.most(plane.value);
-    let (by_face, by_edge) = (faces().fold(never, best), edges().fold(never, best));
-    let is_edge = by_edge.above(by_face + P::lit(MORE * P::EPSILON));
-    // The plane of a sliver's face beside the foot may be ahead by rounding.
-    let by_foot = faces().fold(never, |value, plane| {
-        let over = plane.faces.above(P::zero());
-        value.most(P::select(over, plane.value, never))
+    let planes = || faces().chain(edges.as_ref().iter().flat_map(AsRef::as_ref));
+    let (never, empty) = (P::lit(-P::LARGEST), P::lit(grade::EMPTY));
+    let value = planes().fold(never, |most, plane| most.most(plane.value));
+    // Without any other, faces without area are those of cores whose difference has no volume.
+    let part = planes().fold(never, |most, plane| {
+        let counts = plane.grade.above(empty);
+        most.most(P::select(counts, plane.value, never))
     });
-    let any = by_foot.above(never) & by_face.at_most(by_foot + P::lit(MORE * P::EPSILON));
-    let on_face = P::select(any, P::one(), P::zero());
-    let ahead = P::select(any, by_foot, by_face);
-    let of_faces = faces().map(|plane| {
-        let counts = plane.value.equals(ahead) & plane.faces.equals(on_face) & !is_edge;
-        (plane, counts)
+    let value = P::select(part.above(never), value, never);
+    let about = value - P::lit(MORE * P::EPSILON);
+    let best = planes().fold(empty, |best, plane| {
+        let counts = plane.value.at_least(about);
+        best.most(P::select(counts, plane.grade, empty))
     });
-    let of_edges = edges().map(|plane| (plane, plane.value.equals(by_edge) & is_edge));
+    let ahead = planes().fold(never, |most, plane| {
+        let counts = plane.grade.equals(best);
+        most.most(P::select(counts, plane.value, never))
+    });
     let mut found = Deepest {
-        value: by_face.most(by_edge),
+        value,
         count: P::zero(),
         normal: Vec3::zero(),
         on_a: Vec3::zero(),
@@ -257,11 +297,13 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
         pull_b: Pull::none(),
     };
     let mut points = P::zero();
-    for (plane, counts) in of_faces.chain(of_edges) {
+    for plane in planes() {
+        let counts = plane.value.equals(ahead) & plane.grade.equals(best);
         let (zero, first) = (Vec3::zero(), counts & found.count.equals(P::zero()));
         found.count += P::select(counts, plane.points + plane.behind, P::zero());
         found.normal = Vec3::select(first, plane.normal, found.normal);
-        let same = counts & plane.normal.dot(found.normal).above(P::lit(0.5));
+        let turn = (plane.normal - found.normal).length_squared();
+        let same = counts & turn.at_most(P::lit((SLACK * P::EPSILON).powi(2)));
         points += P::select(same, plane.points, P::zero());
         found.on_a += Vec3::select(same, plane.on_a, zero);
         found.on_b += Vec3::select(same, plane.on_b, zero);

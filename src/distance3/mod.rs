@@ -67,18 +67,25 @@
 //!
 //! Kinks: at distance zero the distance and its derivatives are 0 (the signed distance keeps its derivative there).
 //! Features that are equally near share the derivative and the point equally: of parallel faces it is the mean of
-//! the corners of what faces each other, crossings of edges among them. Where triangles and tetrahedra overlap along
-//! parallel faces the corners count whose foot is on the other one, or all where there is none. Where several planes are
-//! equally deep they share the derivative, and the direction is that of the first. Distances of two lines or rays jump
-//! where they become parallel: at an angle φ between them a rounding ε of a direction turns their common normal by ε/φ,
-//! and moves the distance by that part of the way between the points that are given. Across a face the signed distance is smooth, along an edge or at a corner of the border it
-//! is not. Pairs without a volume between them, such as two segments, have no depth.
+//! the corners of what faces each other, crossings of edges among them. Where shapes other than two boxes overlap along
+//! parallel faces the corners count whose foot is on the other one; where there is none, the crossings of edges. Where
+//! several planes are equally deep they share the derivative, and direction and points are those of the first. Distances
+//! of two lines or rays jump where they become parallel: at an angle φ between them a rounding ε of a direction turns
+//! their common normal by ε/φ, and moves the distance by that part of the way between the points that are given. Across
+//! a face the signed distance is smooth, along an edge or at a corner of the border it is not. Pairs without a volume
+//! between them, such as two segments, have no depth.
+//!
+//! Contacts: with a gap that is not zero but about as small as the roundings of the coordinates, the way between two
+//! corners or edges is mostly rounding, and so are direction and slopes of two boxes. Other pairs that are less than 64
+//! roundings of their size apart have the direction of a plane that parts them, which is one of all that do. From there on
+//! a direction is as exact as a rounding of the size over the gap.
 use crate::{Scalar, Vec3};
 
 pub(crate) mod apart;
 mod between;
 pub(crate) mod box_core;
 pub(crate) mod boxes;
+mod contact;
 pub(crate) mod core;
 pub(crate) mod cored;
 pub(crate) mod deep;

@@ -3,13 +3,27 @@ use super::spot::Spot;
 use crate::distance::share::Carry;
 use crate::{Scalar, Vec3};
 
+/// How well the points of a plane are known to be on both cores, from worse to better.
+pub(super) mod grade {
+    /// A face without area: its plane is a bound, and no face of the difference of two cores.
+    pub const EMPTY: f64 = -1.0;
+    /// The points are beyond an end, or what they are on supports no plane: it is nothing but a bound.
+    pub const BOUND: f64 = 0.0;
+    /// Two edges cross that are all but parallel.
+    pub const STEEP: f64 = 1.0;
+    /// Two edges cross.
+    pub const EDGES: f64 = 2.0;
+    /// A corner's foot is on a face.
+    pub const FACE: f64 = 3.0;
+}
+
 /// A plane between two cores, and points of them along it; of two sides that tie, those of the first.
 #[derive(Clone, Copy, Debug)]
 pub struct PartingPlane<P> {
     /// How far b begins beyond a; negative where they overlap.
     pub value: P,
-    /// One where the foot is on the other face, else zero.
-    pub faces: P,
+    /// How well its points are known to be on both cores: one of the [`grades`](grade).
+    pub grade: P,
     /// The plane's normal, of length one, from a to b.
     pub normal: Vec3<P>,
     /// How many points tie.
@@ -37,7 +51,7 @@ impl<P: Scalar> PartingPlane<P> {
         let zero = P::zero();
         PartingPlane {
             value: P::lit(-P::LARGEST),
-            faces: zero,
+            grade: zero,
             normal: Vec3::zero(),
             points: zero,
             behind: zero,
@@ -49,18 +63,18 @@ impl<P: Scalar> PartingPlane<P> {
             behind_b: Spot::none(),
         }
     }
-    /// The side that parts more; of equal ones those whose foot is on a face, or else both.
+    /// The side that parts more; of equal ones that of the higher grade, or else both.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_sides([one, other]: [Self; 2]) -> Self {
         let same = one.value.equals(other.value);
-        let tie = same & one.faces.equals(other.faces);
-        let keep = tie | other.value.below(one.value) | same & other.faces.below(one.faces);
+        let tie = same & one.grade.equals(other.grade);
+        let keep = tie | other.value.below(one.value) | same & other.grade.below(one.grade);
         let none = tie & !tie;
         let pick = |a: Vec3<P>, b: Vec3<P>| Vec3::select(keep, a, b);
         let behind = |spot: Spot<P>| spot.join(Spot::none(), tie, none);
         PartingPlane {
             value: one.value.most(other.value),
-            faces: P::select(keep, one.faces, other.faces),
+            grade: P::select(keep, one.grade, other.grade),
             normal: pick(one.normal, other.normal),
             points: P::select(keep, one.points, other.points),
             behind: P::select(tie, other.points, P::zero()),
@@ -93,6 +107,33 @@ impl<P: Scalar> PartingPlane<P> {
         PartingPlane {
             value: P::select(none, P::lit(-P::LARGEST), self.value),
             ..self
+        }
+    }
+}
+
+/// The edge of a core that is farthest against a direction, or a corner beside that is farther.
+#[derive(Clone, Copy, Debug)]
+pub struct Lowest<S: Scalar> {
+    /// A point of the edge, or the corner.
+    pub point: Vec3<S>,
+    /// The spot of that.
+    pub spot: Spot<S>,
+    /// `true` if it is the edge.
+    pub is_edge: S::Mask,
+    /// How far other corners are below it by rounding; not positive.
+    pub rest: S,
+}
+
+impl<S: Scalar> Lowest<S> {
+    /// An edge, of which a spot is known.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn edge(point: Vec3<S>, spot: Spot<S>) -> Self {
+        let zero = S::zero();
+        Lowest {
+            point,
+            spot,
+            is_edge: zero.at_most(zero),
+            rest: zero,
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Hulls of a few corners: segments, triangles, tetrahedra.
 use super::core::{Core, extent_of};
-use super::deep::triangle_face;
+use super::deep::{MORE, triangle_face};
 use super::near::{Candidate, Edge, Low, edge_near, face_near};
-use super::parting::PartingPlane;
+use super::parting::{Lowest, PartingPlane};
 use super::spot::{self, Counted, Pull, Spot, fixed, fixed_vector};
 use super::straight::Straight;
 use crate::arrays::Each;
@@ -177,19 +177,29 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
         (0..F).fold(best, |best, k| best.less(face(k)))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn lowest(&self, normal: Vec3<S>, way: usize) -> (Vec3<S>, Spot<S>) {
-        let [start, end] = EDGES[way];
+    fn lowest(&self, normal: Vec3<S>, way: usize) -> Lowest<S> {
+        let ([start, end], zero) = (EDGES[way], S::zero());
+        let from = self.0[start];
         let others = (0..C).filter(|&k| k != start && k != end);
-        let height = |point: Vec3<S>| normal.dot(point - self.0[0]);
-        others.fold((self.0[start], Spot::corner(start)), |low, k| {
-            let lower = height(self.0[k]).below(height(low.0));
+        let mut found = Lowest::edge(from, Spot::corner(start));
+        let mut least = (zero, from, found.spot);
+        for k in others {
+            let height = normal.dot(self.0[k] - from);
+            let lower = height.below(least.0);
             let none = lower & !lower;
-            let corner = Spot::corner(k);
-            (
-                Vec3::select(lower, self.0[k], low.0),
-                corner.join(low.1, lower, none),
-            )
-        })
+            least = (
+                S::select(lower, height, least.0),
+                Vec3::select(lower, self.0[k], least.1),
+                Spot::corner(k).join(least.2, lower, none),
+            );
+        }
+        // Corners that rounding may have put below the edge leave it the lowest.
+        let (rest, none) = (least.0, zero.below(zero));
+        found.is_edge = rest.at_least(S::lit(-MORE * S::EPSILON));
+        found.rest = S::select(found.is_edge, rest, zero);
+        found.point = Vec3::select(found.is_edge, from, least.1);
+        found.spot = found.spot.join(least.2, found.is_edge, none);
+        found
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn along(&self, mut spot: Spot<S>, way: usize, t: S) -> Spot<S> {

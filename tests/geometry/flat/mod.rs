@@ -1,5 +1,6 @@
 //! Shapes of the plane, their distances and intersections.
 mod any;
+mod contacts;
 mod distance;
 mod extremes;
 mod intersection;
