@@ -22,7 +22,9 @@
 
 pub(crate) mod lines;
 mod ring;
+mod sides;
 pub mod span;
+pub(crate) mod wide;
 
 pub use lines::{CommonPart, CommonPoint, crossing_of_lines, meeting_of_segments};
 pub use ring::{edge_inside, length_inside_ring};

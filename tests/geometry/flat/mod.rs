@@ -3,6 +3,7 @@ mod any;
 mod distance;
 mod extremes;
 mod intersection;
+mod meeting;
 mod oracle;
 mod ring;
 mod shapes;
