@@ -171,7 +171,7 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> CommonP
 
 /// A point without derivatives, as one of plain numbers.
 #[inline(always)]
-fn plain<S: Scalar>(v: Vec2<S>) -> Vec2<S::Primal> {
+pub(super) fn plain<S: Scalar>(v: Vec2<S>) -> Vec2<S::Primal> {
     Vec2::new(v.x.primal(), v.y.primal())
 }
 

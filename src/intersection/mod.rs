@@ -21,6 +21,7 @@
 //! Directions whose sine is below ε² count as parallel.
 
 pub(crate) mod lines;
+mod met;
 mod ring;
 mod sides;
 pub mod span;

@@ -7,3 +7,4 @@ mod meeting;
 mod oracle;
 mod ring;
 mod shapes;
+mod touched;
