@@ -1,4 +1,5 @@
 //! Crossings of lines and of segments.
+use super::sides::Sides;
 use crate::distance::edge::{scale_of, size_of};
 use crate::{Line2, Scalar, Segment2, Vec2};
 
@@ -84,9 +85,10 @@ pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> CommonPoint<S> 
 /// The part that two segments share: nothing, a point, or a segment where they lie along each other. Ends belong
 /// to segments.
 ///
-/// Segments lie along each other if cross products are exactly zero; after rounding,
-/// nearly parallel segments share nothing or one point. Without a meeting both points are the start
-/// of the longer segment. Derivatives are those of the kind that was found; ends that tie share.
+/// What they share is decided as in exact arithmetic on the given numbers: segments lie along each other if their four
+/// ends are on one line, and end on each other if an end is on the other segment. An end in which they meet is the
+/// result itself. Without a meeting both points are the start of the longer segment. Derivatives are those of the kind
+/// that was found; ends that tie share.
 ///
 /// ```
 /// use geograd::{Segment2, Vec2, intersection::meeting_of_segments};
@@ -96,6 +98,8 @@ pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> CommonPoint<S> 
 /// assert_eq!((across.kind, across.from), (1.0, at(1.0, 0.0)));
 /// let along = meeting_of_segments(a, Segment2::new(at(6.0, 0.0), at(3.0, 0.0)));
 /// assert_eq!((along.kind, along.from, along.to), (2.0, at(3.0, 0.0), at(4.0, 0.0)));
+/// let corner = Segment2::new(at(0.1, 0.3), at(0.0, 0.0));
+/// assert_eq!(meeting_of_segments(corner, Segment2::new(at(0.1, 0.1), at(0.0, 0.0))).kind, 1.0);
 /// ```
 #[must_use]
 #[inline]
@@ -112,39 +116,95 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> CommonP
     let (along, along_other, way) = (base.along(), other.along(), other.from - base.from);
     let scale = scale_of::<S>(size_of(along).most(size_of(way)));
     let (d, e, w) = (along * scale, along_other * scale, way * scale);
-    let (zero, one) = (S::zero(), S::one());
-    let within = |x: S, most: S| zero.at_most(x) & x.at_most(most);
+    let (ends, others) = (
+        [base.from, base.to].map(plain),
+        [other.from, other.to].map(plain),
+    );
+    let sides = Sides::of(ends, others, scale.primal());
+    let (zero, one) = (S::Primal::zero(), S::Primal::one());
+    let apart =
+        |[p, q]: [S::Primal; 2]| (p.below(zero) & q.below(zero)) | (p.above(zero) & q.above(zero));
+    let ([p, q], [r, s]) = (sides.of_other, sides.of_base);
+    let [on_p, on_q, on_r, on_s] = [p, q, r, s].map(|side| side.equals(zero));
+    let line = on_p & on_q & on_r & on_s;
+    let across = !line & !apart(sides.of_other) & !apart(sides.of_base);
 
-    // Across: t on the base and u on the other are quotients with the same divisor.
-    let turn = d.perp_dot(e);
-    let (over_t, over_u) = (w.perp_dot(e).signed_as(turn), w.perp_dot(d).signed_as(turn));
-    let turn = turn.unsigned();
-    let crossing = turn.above(zero);
-    let across = crossing & within(over_t, turn) & within(over_u, turn);
-    let safe = S::select(across, turn, one);
-    let t = S::select(across, over_t, zero).over(safe);
+    // Across: the parameter on the base is a quotient. The divisor is the difference of the sides of its ends.
+    let turn = S::select(across, d.perp_dot(e), S::one());
+    let turn = turn.with_primal(S::Primal::select(across, r - s, one));
+    let over = w.perp_dot(e).with_primal(r);
+    let t = S::select(across, over, S::zero()).over(turn);
 
     // Along: the parameters of the other's ends on the base.
     let square = d.length_squared();
     let point = square.at_most(S::lit(S::EPSILON.powi(4)));
-    let square = S::select(point, one, square);
-    let (first, second) = (w.dot(d).over(square), (w + e).dot(d).over(square));
-    let low = first.least(second).most(zero);
-    let high = first.most(second).least(one);
-    let same = w.x.equals(zero) & w.y.equals(zero);
-    let line = !crossing & d.perp_dot(w).equals(zero) & (!point | same);
-    let along = line & low.at_most(high);
+    let square = S::select(point, S::one(), square);
+    let far = (other.to - base.from) * scale;
+    let (first, second) = (w.dot(d).over(square), far.dot(d).over(square));
+    let low = first.least(second).most(S::zero());
+    let high = first.most(second).least(S::one());
+    let shared = Shared::of(ends, others);
+    let along = line & shared.meet;
 
-    let pick = |along_t: S| S::select(along, along_t, S::select(across, t, zero));
-    let (low, high) = (pick(low), pick(high));
-    let kind = S::select(
-        along & low.below(high),
-        S::lit(2.0),
-        flag::<S>(along | across),
-    );
+    let at = base.point_at(t);
+    let end = [
+        (on_s, ends[1]),
+        (on_r, ends[0]),
+        (on_q, others[1]),
+        (on_p, others[0]),
+    ]
+    .into_iter()
+    .fold(plain(at), |at, (on, end)| {
+        Vec2::select(across & on, end, at)
+    });
+    let pick = |along_t: S, place: Vec2<S::Primal>| {
+        let at = Vec2::select(along, base.point_at(along_t), at);
+        let place = Vec2::select(along, place, end);
+        Vec2::new(at.x.with_primal(place.x), at.y.with_primal(place.y))
+    };
     CommonPart {
-        from: base.point_at(low),
-        to: base.point_at(high),
-        kind,
+        from: pick(low, shared.from),
+        to: pick(high, shared.to),
+        kind: S::select(along & shared.two, S::lit(2.0), flag::<S>(along | across)),
+    }
+}
+
+/// A point without derivatives, as one of plain numbers.
+#[inline(always)]
+pub(super) fn plain<S: Scalar>(v: Vec2<S>) -> Vec2<S::Primal> {
+    Vec2::new(v.x.primal(), v.y.primal())
+}
+
+/// What two segments of one line share, by comparing coordinates.
+struct Shared<P: Scalar> {
+    meet: P::Mask,
+    two: P::Mask,
+    from: Vec2<P>,
+    to: Vec2<P>,
+}
+
+impl<P: Scalar> Shared<P> {
+    /// From the ends of both; the first one is the longer one.
+    #[inline(always)]
+    fn of(base: [Vec2<P>; 2], other: [Vec2<P>; 2]) -> Self {
+        let way = base[1] - base[0];
+        let flat = way.x.unsigned().at_least(way.y.unsigned());
+        let rising = P::select(flat, way.x, way.y);
+        let key = |p: Vec2<P>| P::select(flat, p.x, p.y).signed_as(rising);
+        let back = key(other[1]).below(key(other[0]));
+        let first = Vec2::select(back, other[1], other[0]);
+        let last = Vec2::select(back, other[0], other[1]);
+        let from = Vec2::select(key(base[0]).below(key(first)), first, base[0]);
+        let to = Vec2::select(key(last).below(key(base[1])), last, base[1]);
+        let (low, high) = (key(from), key(to));
+        // Two points have the same place if they do along y, too.
+        let apart =
+            way.x.equals(P::zero()) & way.y.equals(P::zero()) & !base[0].y.equals(other[0].y);
+        Shared {
+            meet: low.at_most(high) & !apart,
+            two: low.below(high),
+            from,
+            to,
+        }
     }
 }

@@ -21,8 +21,11 @@
 //! Directions whose sine is below ε² count as parallel.
 
 pub(crate) mod lines;
+mod met;
 mod ring;
+mod sides;
 pub mod span;
+pub(crate) mod wide;
 
 pub use lines::{CommonPart, CommonPoint, crossing_of_lines, meeting_of_segments};
 pub use ring::{edge_inside, length_inside_ring};

@@ -1,5 +1,6 @@
 //! Lines, rays and segments through convex shapes.
 use super::lines::flag;
+use super::met::met;
 use crate::distance::beam::{Beam, Border};
 use crate::distance::convex::{Convex, Core};
 use crate::distance::edge::{scale_of, size_of};
@@ -65,11 +66,16 @@ fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Found<S> {
         from: arm * scale,
         along: Vec2::new(line.direction.x.over(length), line.direction.y.over(length)),
     };
+    let corners = core.corners();
     let core = core.placed(anchor, scale);
+    let placed = core.corners();
     let radius = shape.radius() * scale;
     let mut inside = core.inside(beam, radius);
     if A::ROUND {
-        inside = inside.round(beam, core.corners().as_ref(), radius);
+        inside = inside.round(beam, placed.as_ref(), radius);
+    } else if A::Core::BOUNDED && A::Core::DIMENSION > 0 && !A::Core::SYMMETRIC {
+        let all = (corners.as_ref(), placed.as_ref());
+        inside = met(inside, (line, beam), all, (scale, length));
     }
     let found = !inside.is_empty();
     let border = |best: Best<S, Border<S>>| {

@@ -25,22 +25,23 @@
 //! Derivatives: with n the normal at the hit and d the direction, the parameter falls by n · v / (n · d) as the surface
 //! moves by −v or the ray by v. Kinks: silhouettes, where the ray grazes a solid and the hit jumps; directions that are
 //! parallel to a face; hits of an edge, where the faces share the derivative of the parameter and the first one gives
-//! the normal. Directions whose sine is below ε² count as parallel.
-use crate::arrays::Each;
+//! the normal. Directions whose sine is below ε² count as parallel to a face of a solid.
 use crate::distance::edge::scale_of;
 use crate::distance::share::Best;
 use crate::intersection::Chord;
-use crate::shape::{Line3, Ray3, Segment3, Triangle3};
+use crate::shape::{Line3, Ray3, Segment3};
 use crate::{Scalar, Vec3};
 
 pub mod inside;
 pub mod pierced;
 pub mod planes;
+mod triangle;
 
 use crate::distance3::near::size_of;
 use inside::{Beam, Border};
 pub use pierced::Pierced;
 pub use planes::{CommonLine3, CommonPoint3, crossing_of_three_planes, crossing_of_two_planes};
+pub use triangle::{first_hit_of_segment, first_hit_triangle};
 
 /// The first point of a ray on the surface of a shape of space.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
@@ -143,78 +144,6 @@ pub fn first_hit<S: Scalar, A: Pierced<Scalar = S>>(ray: Ray3<S>, shape: A) -> H
         point: ray.point_at(along),
         normal: Vec3::select(enters, inside.enter.normal, normal).canonical(),
         kind: pick(S::one(), S::lit(2.0), zero),
-    }
-}
-
-/// The point of a triangle that a ray hits; its border belongs to it.
-///
-/// Rays through an edge that two triangles share hit one of them or both: the sides are decided by products that both
-/// triangles have in common. A triangle without area is missed, and one seen edge-on.
-///
-/// ```
-/// use geograd::{Ray3, Triangle3, Vec3, intersection3::first_hit_triangle};
-/// let [a, b, c] = [Vec3::new(0.0, 0.0, 4.0), Vec3::new(4.0, 0.0, 4.0), Vec3::new(0.0, 4.0, 4.0)];
-/// let beam = Ray3::new(Vec3::new(1.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 2.0));
-/// let hit = first_hit_triangle(beam, Triangle3::new(a, b, c));
-/// assert_eq!((hit.kind, hit.parameter, hit.point), (1.0, 2.0, Vec3::new(1.0, 1.0, 4.0)));
-/// assert_eq!(hit.normal, Vec3::new(0.0, 0.0, -1.0));
-/// ```
-#[must_use]
-#[inline]
-pub fn first_hit_triangle<S: Scalar>(ray: Ray3<S>, triangle: Triangle3<S>) -> Hit3<S> {
-    let arms = triangle.corners().each_as(|corner| corner - ray.point);
-    let sizes = arms.each_as(|arm| S::from_primal(size_of(arm)));
-    let scale = scale_of::<S>(crate::scalar::largest(sizes));
-    let [a, b, c] = arms.each_as(|arm| arm * scale);
-    let length = ray.direction.length();
-    let length = S::select(length.at_most(S::zero()), S::one(), length);
-    let way = ray.direction;
-    let d = Vec3::new(way.x.over(length), way.y.over(length), way.z.over(length));
-    let sides = [b.cross(c), c.cross(a), a.cross(b)].each_as(|side| d.dot(side));
-    let (zero, large) = (S::zero(), S::lit(S::LARGEST));
-    let [u, v, w] = sides.each_as(|side| side.at_least(zero));
-    let [x, y, z] = sides.each_as(|side| side.at_most(zero));
-    let normal = (b - a).cross(c - a);
-    let rate = normal.dot(d);
-    let parallel = rate.magnitude().at_most(S::lit(S::EPSILON.powi(4)));
-    let t = normal.dot(a).over(S::select(parallel, S::one(), rate));
-    let hit = (u & v & w | x & y & z) & !parallel & t.at_least(zero);
-    let t = t.over(scale).over(length).saturated();
-    let unit = normal.normalize_or_zero();
-    let facing = Vec3::select(rate.above(zero), -unit, unit);
-    Hit3 {
-        parameter: S::select(hit, t, large).canonical(),
-        point: ray.point_at(S::select(hit, t, zero)),
-        normal: Vec3::select(hit, facing, Vec3::zero()).canonical(),
-        kind: S::select(hit, S::one(), zero),
-    }
-}
-
-/// The point in which a segment meets a triangle; both ends and the border belong to them. The parameter is the
-/// fraction of the way from start to end.
-///
-/// As of [rays](first_hit_triangle): a triangle without area is missed, one seen edge-on, and by a segment of length
-/// zero.
-///
-/// ```
-/// use geograd::{Segment3, Triangle3, Vec3, intersection3::first_hit_of_segment};
-/// let [a, b, c] = [Vec3::new(0.0, 0.0, 1.0), Vec3::new(4.0, 0.0, 1.0), Vec3::new(0.0, 4.0, 1.0)];
-/// let post = Segment3::new(Vec3::new(1.0, 1.0, 0.0), Vec3::new(1.0, 1.0, 4.0));
-/// let hit = first_hit_of_segment(post, Triangle3::new(a, b, c));
-/// assert_eq!((hit.kind, hit.parameter, hit.point), (1.0, 0.25, Vec3::new(1.0, 1.0, 1.0)));
-/// let short = Segment3::new(post.start, Vec3::new(1.0, 1.0, 0.5));
-/// assert_eq!(first_hit_of_segment(short, Triangle3::new(a, b, c)).kind, 0.0);
-/// ```
-#[must_use]
-#[inline]
-pub fn first_hit_of_segment<S: Scalar>(segment: Segment3<S>, triangle: Triangle3<S>) -> Hit3<S> {
-    let hit = first_hit_triangle(Ray3::new(segment.start, segment.vector()), triangle);
-    let (zero, reached) = (S::zero(), hit.parameter.at_most(S::one()));
-    Hit3 {
-        parameter: S::select(reached, hit.parameter, S::lit(S::LARGEST)),
-        point: Vec3::select(reached, hit.point, segment.start),
-        normal: Vec3::select(reached, hit.normal, Vec3::zero()),
-        kind: S::select(reached, hit.kind, zero),
     }
 }
 

@@ -4,6 +4,8 @@ mod contacts;
 mod distance;
 mod extremes;
 mod intersection;
+mod meeting;
 mod oracle;
 mod ring;
 mod shapes;
+mod touched;

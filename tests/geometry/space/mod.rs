@@ -1,4 +1,5 @@
 //! Shapes of space: measures, distances, rays.
+mod borders;
 mod certificates;
 mod contacts;
 mod depths;

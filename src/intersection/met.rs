@@ -1,0 +1,124 @@
+//! Whether a line meets a hull of corners: by their sides, which rounding does not decide.
+use super::lines::plain;
+use super::wide::Wide;
+use crate::distance::beam::{Beam, Border, Inside};
+use crate::distance::edge::{scale_of, size_of, unit};
+use crate::distance::share::Best;
+use crate::{Line2, Mask, Scalar, Vec2};
+
+/// The side of a corner of the line through a point, in units of the given sizes: positive to the left, zero on the
+/// line to some ε².
+#[inline(always)]
+fn side<P: Scalar<Primal = P>>(point: Vec2<P>, way: Vec2<P>, corner: Vec2<P>, unit: P) -> P {
+    let rounded = way.perp_dot((corner - point) * unit);
+    // The way is below 4, the arm below 8: three roundings of products up to 32, and that of their difference.
+    let within = |most: f64, side: P| side.unsigned().at_most(P::lit(most));
+    let doubt = within(128.0 * P::EPSILON, rounded);
+    if !doubt.any() {
+        return rounded;
+    }
+    let exact = wide_side(point, way, corner, unit);
+    let zero = within(256.0 * P::EPSILON.powi(2), exact);
+    P::select(doubt, P::select(zero, P::zero(), exact), rounded)
+}
+
+/// The same in twice the digits.
+#[cold]
+#[inline(never)]
+fn wide_side<P: Scalar>(point: Vec2<P>, way: Vec2<P>, corner: Vec2<P>, unit: P) -> P {
+    let arm = [(corner.x, point.x), (corner.y, point.y)]
+        .map(|(to, from)| Wide::difference(to, from).scaled(unit));
+    Wide::cross([Wide::of(way.x), Wide::of(way.y)], arm).high
+}
+
+/// A corner as a line sees it.
+#[derive(Clone, Copy)]
+struct Seen<S> {
+    side: S,
+    t: S,
+    corner: Vec2<S>,
+}
+
+impl<S: Scalar> Seen<S> {
+    #[inline(always)]
+    fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
+        Seen {
+            side: S::select(mask, yes.side, no.side),
+            t: S::select(mask, yes.t, no.t),
+            corner: Vec2::select(mask, yes.corner, no.corner),
+        }
+    }
+}
+
+/// The range of a line inside a hull of corners, from that behind its faces: empty where all corners are on one side,
+/// and the crossing of the hull where rounding leaves none or the hull is flat. Along a side it is that side.
+///
+/// The corners are given as they are and as the beam sees them.
+#[inline(always)]
+pub(super) fn met<S: Scalar>(
+    inside: Inside<S>,
+    (line, beam): (Line2<S>, Beam<S>),
+    (corners, placed): (&[Vec2<S>], &[Vec2<S>]),
+    (scale, length): (S, S),
+) -> Inside<S> {
+    let (zero, large) = (S::zero(), S::lit(S::LARGEST));
+    let size = scale_of::<S>(size_of(line.direction)).primal();
+    let (point, way) = (plain(line.point), plain(line.direction) * size);
+    let length = length.primal() * size;
+    let seen = |k: usize| {
+        let arm = placed[k] - beam.from;
+        let side = side(point, way, plain(corners[k]), scale.primal()).over(length);
+        Seen {
+            side: beam.along.perp_dot(arm).with_primal(side),
+            t: beam.along.dot(arm),
+            corner: placed[k],
+        }
+    };
+    let (mut left, mut right) = (seen(0), seen(0));
+    let (mut first, mut last) = (large, -large);
+    for k in 0..corners.len() {
+        let corner = seen(k);
+        left = Seen::select(left.side.below(corner.side), corner, left);
+        right = Seen::select(corner.side.below(right.side), corner, right);
+        let on = corner.side.equals(zero);
+        first = S::select(on, first.least(corner.t), first);
+        last = S::select(on, last.most(corner.t), last);
+    }
+    let still = way.x.equals(S::Primal::zero()) & way.y.equals(S::Primal::zero());
+    let meets = right.side.at_most(zero) & left.side.at_least(zero);
+    // The line crosses the hull between the corners that are farthest to both sides, or at corners on the line.
+    let on = first.below(large);
+    let apart = left.side - right.side;
+    let safe = S::select(apart.equals(zero), S::one(), apart);
+    let crossing = (right.t * left.side - left.t * right.side).over(safe);
+    let (first, last) = (
+        S::select(on, first, crossing),
+        S::select(on, last, crossing),
+    );
+    let away = |found: S, wanted: S| (found - wanted).unsigned().above(S::lit(64.0 * S::EPSILON));
+    let off = away(inside.enter.value, first) | away(inside.exit.value, last);
+    let anew = !still & meets & (inside.is_empty() | (first.below(last) & off));
+    let missed = !still & !meets;
+
+    // Outwards: across the hull where it is flat, else across the line or, where all is on the line, along it.
+    let edge = unit((left.corner - right.corner).perp());
+    let [on_left, on_right] = [left, right].map(|corner| corner.side.equals(zero));
+    let aside = Vec2::select(on_left, beam.along.perp(), -beam.along.perp());
+    let normal = |out: Vec2<S>| {
+        let across = Vec2::select(edge.dot(out).below(zero), -edge, edge);
+        let touched = Vec2::select(on_left | on_right, aside, across);
+        Vec2::select(on_left & on_right, out, touched)
+    };
+    let border = |best: Best<S, Border<S>>, t: S, out: Vec2<S>, never: S| Best {
+        value: S::select(missed, never, S::select(anew, t, best.value)),
+        sum: Border {
+            t: S::select(anew, t, best.sum.t),
+            normal: Vec2::select(anew, normal(out), best.sum.normal),
+        },
+        count: S::select(anew, S::one(), best.count),
+    };
+    Inside {
+        enter: border(inside.enter, first, -beam.along, large),
+        exit: border(inside.exit, last, beam.along, -large),
+    }
+}

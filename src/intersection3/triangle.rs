@@ -1,0 +1,281 @@
+//! Rays and segments against triangles, by signs that rounding does not decide.
+//!
+//! Seen along the ray a triangle is three points of a plane, and the ray is the origin. It hits the triangle where the
+//! origin is on one side of all edges, or on them. An edge of two triangles has the same two points in both, with
+//! opposite signs. The sign of a value within its rounding comes from numbers of twice the digits, and what is zero
+//! within their rounding counts as zero: on the border. So neither edges nor vertices of a closed surface let a ray
+//! through.
+use super::Hit3;
+use crate::arrays::Each;
+use crate::distance::edge::scale_of;
+use crate::distance3::near::size_of;
+use crate::intersection::wide::Wide;
+use crate::scalar::largest;
+use crate::shape::{Ray3, Segment3, Triangle3};
+use crate::{Mask, Scalar, Vec3};
+
+/// A vector of twice the digits.
+type Wide3<P> = [Wide<P>; 3];
+
+/// A line from a point, and its end if it has one, in plain numbers.
+#[derive(Clone, Copy)]
+struct Sight<P> {
+    from: Vec3<P>,
+    way: Vec3<P>,
+    to: Option<Vec3<P>>,
+}
+
+/// The powers of two that bring differences of places and the direction near one.
+#[derive(Clone, Copy)]
+struct Units<P> {
+    place: P,
+    way: P,
+}
+
+#[inline(always)]
+fn plain<S: Scalar>(v: Vec3<S>) -> Vec3<S::Primal> {
+    Vec3::new(v.x.primal(), v.y.primal(), v.z.primal())
+}
+
+/// The larger coordinate of a pair, without sign.
+#[inline(always)]
+fn most_of<P: Scalar>([x, y]: [P; 2]) -> P {
+    x.unsigned().most(y.unsigned())
+}
+
+impl<P: Scalar<Primal = P>> Sight<P> {
+    /// The axis along which the direction is longest comes last; the order around stays.
+    #[inline(always)]
+    fn turned(self, [a, b, c]: [Vec3<P>; 3]) -> (Self, [Vec3<P>; 3]) {
+        let [x, y, z] = [self.way.x, self.way.y, self.way.z].map(Scalar::unsigned);
+        let by_z = x.at_most(z) & y.at_most(z);
+        let by_x = y.at_most(x);
+        let pick = |z: P, x: P, y: P| P::select(by_z, z, P::select(by_x, x, y));
+        let turn = |v: Vec3<P>| {
+            Vec3::new(
+                pick(v.x, v.y, v.z),
+                pick(v.y, v.z, v.x),
+                pick(v.z, v.x, v.y),
+            )
+        };
+        let sight = Sight {
+            from: turn(self.from),
+            way: turn(self.way),
+            to: self.to.map(turn),
+        };
+        (sight, [turn(a), turn(b), turn(c)])
+    }
+
+    /// The way from a place of its own to another place, in twice the digits.
+    #[inline(always)]
+    fn arm(from: Vec3<P>, to: Vec3<P>, unit: P) -> Wide3<P> {
+        [(to.x, from.x), (to.y, from.y), (to.z, from.z)]
+            .map(|(to, from)| Wide::difference(to, from).scaled(unit))
+    }
+
+    /// The sides of the edges bc, ca, ab on which the line passes, times the direction's last coordinate; zero on an
+    /// edge.
+    #[inline(always)]
+    fn sides(self, corners: [Vec3<P>; 3], units: Units<P>) -> [P; 3] {
+        let d = self.way * units.way;
+        let seen = corners.each_as(|corner| {
+            let arm = (corner - self.from) * units.place;
+            [arm.y * d.z - arm.z * d.y, arm.z * d.x - arm.x * d.z]
+        });
+        let size = seen.each_as(most_of);
+        // The edges opposite to a, b, c.
+        let pairs = [(1, 2), (2, 0), (0, 1)];
+        let sides = pairs.map(|(i, j)| seen[i][0] * seen[j][1] - seen[i][1] * seen[j][0]);
+        let reach = pairs.map(|(i, j)| size[i] + size[j]);
+        // Factors of a seen coordinate are below 4. Three roundings of each product and one of their difference leave 64 ε
+        // of a coordinate. Twice that and the roundings of a side, of coordinates below 32, are less than 192 ε.
+        let within =
+            |k: usize, most: f64, side: P| side.unsigned().at_most(reach[k] * P::lit(most));
+        let close = [0, 1, 2].map(|k| within(k, 192.0 * P::EPSILON, sides[k]));
+        // Weights by sides lose as many digits as the triangle looks thin.
+        let [u, v, w] = sides;
+        let (low, high) = (u.least(v).least(w), u.most(v).most(w));
+        let crossed = low.at_least(P::zero()) | high.at_most(P::zero());
+        let square = size[0].most(size[1]).most(size[2]).squared();
+        let area = (u + v + w).unsigned();
+        let thin = crossed & area.at_most(square * P::lit(1.0 / 256.0));
+        let doubt = close[0] | close[1] | close[2] | thin;
+        if !doubt.any() {
+            return sides;
+        }
+        let exact = self.wide_sides(corners, units);
+        [0, 1, 2].map(|k| {
+            let zero = within(k, 512.0 * P::EPSILON.powi(2), exact[k]);
+            P::select(doubt, P::select(zero, P::zero(), exact[k]), sides[k])
+        })
+    }
+
+    /// The same in twice the digits: to 320 ε² of the seen coordinates.
+    #[cold]
+    #[inline(never)]
+    fn wide_sides(self, corners: [Vec3<P>; 3], units: Units<P>) -> [P; 3] {
+        let d: Wide3<P> = match self.to {
+            Some(to) => Self::arm(self.from, to, units.way),
+            None => [self.way.x, self.way.y, self.way.z].map(|x| Wide::of(x * units.way)),
+        };
+        let seen = corners.map(|corner| {
+            let [x, y, z] = Self::arm(self.from, corner, units.place);
+            [
+                Wide::cross([y, z], [d[1], d[2]]),
+                Wide::cross([z, x], [d[2], d[0]]),
+            ]
+        });
+        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| Wide::cross(seen[i], seen[j]).high)
+    }
+}
+
+/// How far a place is behind a triangle's plane, times twice the area; zero in the plane. All in plain numbers.
+#[inline(always)]
+fn behind<P: Scalar<Primal = P>>(place: Vec3<P>, [a, b, c]: [Vec3<P>; 3], unit: P) -> P {
+    let (p, q) = ((b - a) * unit, (c - a) * unit);
+    let arm = a - place;
+    let near = scale_of::<P>(size_of(arm));
+    let arm = arm * near;
+    let ahead = p.cross(q).dot(arm);
+    let size = size_of(p) * size_of(q);
+    // Coordinates of the arm are below 4; roundings of the cross product and of the sum reach 100 ε.
+    let within = |most: f64, ahead: P| ahead.unsigned().at_most(size * P::lit(most));
+    let doubt = within(128.0 * P::EPSILON, ahead);
+    if !doubt.any() {
+        return ahead;
+    }
+    let exact = wide_behind(place, [a, b, c], [unit, near]);
+    let zero = within(256.0 * P::EPSILON.powi(2), exact);
+    P::select(doubt, P::select(zero, P::zero(), exact), ahead)
+}
+
+/// The same in twice the digits: to 138 ε² of the edges' product.
+#[cold]
+#[inline(never)]
+fn wide_behind<P: Scalar<Primal = P>>(
+    place: Vec3<P>,
+    [a, b, c]: [Vec3<P>; 3],
+    [unit, near]: [P; 2],
+) -> P {
+    let (p, q) = (Sight::arm(a, b, unit), Sight::arm(a, c, unit));
+    let arm = Sight::arm(place, a, near);
+    let part = |i: usize, j: usize, k: usize| Wide::cross([p[i], p[j]], [q[i], q[j]]).times(arm[k]);
+    part(1, 2, 0).plus(part(2, 0, 1)).plus(part(0, 1, 2)).high
+}
+
+/// Where a line from a point hits a triangle; before its end, if it has one.
+#[inline(always)]
+fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) -> Hit3<S> {
+    let corners = triangle.corners();
+    let arms = corners.each_as(|corner| corner - ray.point);
+    let place = scale_of::<S>(largest(arms.each_as(|arm| S::from_primal(size_of(arm)))));
+    let way = scale_of::<S>(size_of(ray.direction));
+    let units = Units {
+        place: place.primal(),
+        way: way.primal(),
+    };
+    let sight = Sight {
+        from: plain(ray.point),
+        way: plain(ray.direction),
+        to: end.map(plain),
+    };
+    let flat = corners.each_as(plain);
+    let (turned, turned_corners) = sight.turned(flat);
+    let sides = turned.sides(turned_corners, units);
+
+    let zero = S::Primal::zero();
+    let [u, v, w] = sides.each_as(|side| side.at_least(zero));
+    let [x, y, z] = sides.each_as(|side| side.at_most(zero));
+    let total = sides[0] + sides[1] + sides[2];
+    let last = turned.way.z * units.way;
+    let crossed = ((u & v & w) | (x & y & z)) & !total.equals(zero);
+    // The rate at which the plane comes nearer has the sign of the sides, seen from along the last axis.
+    let rises = total.signed_as(last).above(zero);
+    let reached = |behind: S::Primal| S::Primal::select(rises, behind, -behind).at_least(zero);
+    let start = behind(sight.from, flat, units.place);
+    let mut found = crossed & reached(start);
+    // The mean of the corners by their weights, which is between them even if rounding makes the weights.
+    let over = S::Primal::select(found, total * last, S::Primal::one());
+    let along = |corner: Vec3<S::Primal>| (corner.z - turned.from.z) * units.place;
+    let [a, b, c] = turned_corners.each_as(along);
+    let t = (a * sides[0] + b * sides[1] + c * sides[2]).over(over);
+    let mut t = S::Primal::select(start.equals(zero), zero, t.most(zero));
+    let one = units.place.over(units.way);
+    let mut last_point = None;
+    if let Some(to) = sight.to {
+        let stop = behind(to, flat, units.place);
+        let at_end = stop.equals(zero);
+        found = found & reached(-stop);
+        t = S::Primal::select(at_end, one, t.least(one));
+        last_point = Some((found & at_end, to));
+    }
+
+    // Slopes are those of the plane.
+    let [p, q] = [triangle.b - triangle.a, triangle.c - triangle.a].each_as(|edge| edge * place);
+    let normal = p.cross(q);
+    let rate = S::Primal::select(found, total.over(last), S::Primal::one());
+    let ahead = S::select(found, normal.dot(arms[0] * place), S::zero()).with_primal(t * rate);
+    let rate = S::select(found, normal.dot(ray.direction * way), S::one()).with_primal(rate);
+    let t = (ahead.over(rate).with_primal(t) * way)
+        .over(place)
+        .saturated();
+    let unit = normal.normalize_or_zero();
+    let facing = Vec3::select(rises, -unit, unit);
+    let mut point = ray.point_at(S::select(found, t, S::zero()));
+    if let Some((at_end, to)) = last_point {
+        let value = Vec3::select(at_end, to, plain(point));
+        point = Vec3::new(
+            point.x.with_primal(value.x),
+            point.y.with_primal(value.y),
+            point.z.with_primal(value.z),
+        );
+    }
+    Hit3 {
+        parameter: S::select(found, t, S::lit(S::LARGEST)).canonical(),
+        point,
+        normal: Vec3::select(found, facing, Vec3::zero()).canonical(),
+        kind: S::select(found, S::one(), S::zero()),
+    }
+}
+
+/// The point of a triangle that a ray hits; its border belongs to it.
+///
+/// The border is that of the given numbers to a part of ε² of what the signs are made of: rays through a vertex or an
+/// edge hit every triangle there that is not edge-on, and none passes between triangles that share one. A triangle
+/// without area is missed, and one seen edge-on; both are decided alike. Points of hits lie between the corners.
+///
+/// ```
+/// use geograd::{Ray3, Triangle3, Vec3, intersection3::first_hit_triangle};
+/// let [a, b, c] = [Vec3::new(0.0, 0.0, 4.0), Vec3::new(4.0, 0.0, 4.0), Vec3::new(0.0, 4.0, 4.0)];
+/// let beam = Ray3::new(Vec3::new(1.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 2.0));
+/// let hit = first_hit_triangle(beam, Triangle3::new(a, b, c));
+/// assert_eq!((hit.kind, hit.parameter, hit.point), (1.0, 2.0, Vec3::new(1.0, 1.0, 4.0)));
+/// assert_eq!(hit.normal, Vec3::new(0.0, 0.0, -1.0));
+/// ```
+#[must_use]
+#[inline]
+pub fn first_hit_triangle<S: Scalar>(ray: Ray3<S>, triangle: Triangle3<S>) -> Hit3<S> {
+    hit(ray, None, triangle)
+}
+
+/// The point in which a segment meets a triangle; both ends and the border belong to them. The parameter is the
+/// fraction of the way from start to end.
+///
+/// As of [rays](first_hit_triangle), on the line through both ends: a triangle without area is missed, one seen
+/// edge-on, and by a segment of length zero. An end in the triangle is the point itself.
+///
+/// ```
+/// use geograd::{Segment3, Triangle3, Vec3, intersection3::first_hit_of_segment};
+/// let [a, b, c] = [Vec3::new(0.0, 0.0, 1.0), Vec3::new(4.0, 0.0, 1.0), Vec3::new(0.0, 4.0, 1.0)];
+/// let post = Segment3::new(Vec3::new(1.0, 1.0, 0.0), Vec3::new(1.0, 1.0, 4.0));
+/// let hit = first_hit_of_segment(post, Triangle3::new(a, b, c));
+/// assert_eq!((hit.kind, hit.parameter, hit.point), (1.0, 0.25, Vec3::new(1.0, 1.0, 1.0)));
+/// let short = Segment3::new(post.start, Vec3::new(1.0, 1.0, 0.5));
+/// assert_eq!(first_hit_of_segment(short, Triangle3::new(a, b, c)).kind, 0.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn first_hit_of_segment<S: Scalar>(segment: Segment3<S>, triangle: Triangle3<S>) -> Hit3<S> {
+    let ray = Ray3::new(segment.start, segment.vector());
+    hit(ray, Some(segment.end), triangle)
+}
