@@ -1,9 +1,12 @@
 //! Shapes of space: measures, distances, rays.
+mod borders;
 mod certificates;
 mod distances;
 mod draw;
+mod exact;
 mod inertia;
 mod oracle;
 mod rays;
 mod shapes;
 mod slopes;
+mod thin;
