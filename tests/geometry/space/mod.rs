@@ -6,6 +6,7 @@ mod draw;
 mod exact;
 mod inertia;
 mod oracle;
+mod ray_rows;
 mod rays;
 mod shapes;
 mod slopes;
