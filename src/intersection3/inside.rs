@@ -55,7 +55,7 @@ pub struct Inside<S> {
 /// given `b² − a c`, with `a` not zero. The root that would cancel follows from the product of both: it is exactly zero
 /// where `c` is, and does not depend on `a` but by the discriminant.
 #[inline(always)]
-fn roots<S: Scalar>(a: S, b: S, c: S, square: S) -> (S, S) {
+pub(super) fn roots<S: Scalar>(a: S, b: S, c: S, square: S) -> (S, S) {
     let (negative, root) = (b.below(S::zero()), square.root());
     let (sum, rest) = (b + root, b - root);
     let (sum, rest) = (
@@ -71,7 +71,7 @@ fn roots<S: Scalar>(a: S, b: S, c: S, square: S) -> (S, S) {
 
 /// Both, the lower one first.
 #[inline(always)]
-fn sorted<S: Scalar>((one, other): (S, S)) -> (S, S) {
+pub(super) fn sorted<S: Scalar>((one, other): (S, S)) -> (S, S) {
     let is_first = one.at_most(other);
     (
         S::select(is_first, one, other),
@@ -82,7 +82,7 @@ fn sorted<S: Scalar>((one, other): (S, S)) -> (S, S) {
 /// `b² − a c` of a quadratic. Where `a c` is not positive nothing cancels; elsewhere it is that of the given formula,
 /// without squares of squares.
 #[inline(always)]
-fn discriminant<S: Scalar>(a: S, b: S, c: S, square: S) -> S {
+pub(super) fn discriminant<S: Scalar>(a: S, b: S, c: S, square: S) -> S {
     let product = a * c;
     S::select(product.at_most(S::zero()), b * b - product, square)
 }
@@ -200,7 +200,7 @@ impl<S: Scalar> Inside<S> {
         }
         .unless(self.is_empty() | (parallel & ahead.above(S::zero())))
     }
-    /// In a ball; one of radius zero is missed.
+    /// In a ball; one of radius zero is a point.
     #[inline(always)]
     pub fn ball(beam: Beam<S>, center: Vec3<S>, radius: S) -> Self {
         let arm = beam.from - center;
@@ -214,8 +214,7 @@ impl<S: Scalar> Inside<S> {
             t,
             normal: outwards(arm + beam.along * t, radius),
         };
-        let missed = square.below(S::zero()) | radius.at_most(S::zero());
-        Inside::new(border(low), border(high)).unless(missed)
+        Inside::new(border(low), border(high)).unless(square.below(S::zero()))
     }
     /// In a cylinder without ends, given what a line's point is across the axis at a parameter, times any factor.
     #[inline(always)]
@@ -274,48 +273,6 @@ impl<S: Scalar> Inside<S> {
             enter: self.enter.less(other.enter),
             exit: self.exit.most(other.exit),
         }
-    }
-    /// In a cone without a base, given its apex, the way from there to the base and the base's radius.
-    #[inline(always)]
-    pub fn nappe(beam: Beam<S>, apex: Vec3<S>, axis: Vec3<S>, radius: S) -> Self {
-        let size = scale_of::<S>(size_of(axis));
-        let (unit, radius) = (axis * size, radius * size);
-        let (arm, along) = (beam.from - apex, beam.along);
-        let (z, rate, square) = (unit.dot(arm), unit.dot(along), unit.length_squared());
-        let (u, v, most) = (along.cross(unit), arm.cross(unit), radius * radius);
-        // |p × axis|² |axis|² ≤ radius² (p · axis)² for every point p of the line as seen from the apex.
-        let a = square * u.length_squared() - most * rate * rate;
-        let b = square * u.dot(v) - most * z * rate;
-        let c = square * v.length_squared() - most * z * z;
-        let turn = along.cross(arm);
-        let left = most * unit.cross(turn).length_squared() - square * unit.dot(turn).squared();
-        let left = discriminant(a, b, c, square * square * left);
-        let zero = S::zero();
-        let parallel = a.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
-        // A line parallel to a straight line of the side crosses it once.
-        let (near, far) = roots(S::select(parallel, S::one(), a), -b, c, left);
-        let (low, high) = sorted((near, S::select(parallel, near, far)));
-        let through = a.above(zero) & !parallel;
-        let ahead = rate.above(zero);
-        let large = S::lit(S::LARGEST);
-        // Through one side and the other, or in by a side and out by the base, or the reverse.
-        let border = |t: S, open: S::Mask, end: S| {
-            let p = arm + along * t;
-            let normal = unit.cross(p).cross(unit) * square - unit * (unit.dot(p) * most);
-            Border {
-                t: S::select(open, end, t),
-                normal: Vec3::select(open, Vec3::zero(), sized(normal)),
-            }
-        };
-        let enter = S::select(through | !ahead, low, high);
-        let exit = S::select(through | ahead, high, low);
-        let inside = Inside::new(
-            border(enter, !through & !ahead, -large),
-            border(exit, !through & ahead, large),
-        );
-        let middle = z + rate * (low + (high - low).halved());
-        let other = (through | parallel) & middle.below(zero) | through & left.below(zero);
-        inside.unless(other)
     }
 }
 

@@ -32,9 +32,11 @@ use crate::intersection::Chord;
 use crate::shape::{Line3, Ray3, Segment3};
 use crate::{Scalar, Vec3};
 
+mod cone;
 pub mod inside;
 pub mod pierced;
 pub mod planes;
+mod tetrahedron;
 mod triangle;
 
 use crate::distance3::near::size_of;
@@ -54,7 +56,8 @@ pub struct Hit3<S> {
     /// The point; the ray's start for a miss.
     pub point: Vec3<S>,
     /// The shape's normal there, of length one, out of the shape, of a triangle towards the side that the ray comes
-    /// from; zero for a miss, at the apex of a cone, and for a radius of zero.
+    /// from; zero for a miss, at the apex of a cone, for a radius of zero, and for a tetrahedron seen as a segment or a
+    /// point.
     #[shape(direction)]
     pub normal: Vec3<S>,
     /// 0 for a miss, 1 for a hit from outside, 2 from inside, where the ray leaves. A constant.
@@ -91,7 +94,7 @@ fn find<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Found<S>
     Found {
         enter: border(inside.enter),
         exit: border(inside.exit),
-        found: !inside.is_empty(),
+        found: !inside.is_empty() & size_of(line.direction).above(S::Primal::zero()),
     }
 }
 
@@ -117,8 +120,14 @@ pub fn span<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Chor
 
 /// The first point of a ray on the surface of a convex solid: where it enters or, from inside, where it leaves.
 ///
-/// A start on the surface is a hit from outside with parameter 0 if the ray enters there. The parameter has finite
-/// derivatives everywhere; they grow without bound as the ray comes to graze a round surface.
+/// A start on the surface is a hit from outside with parameter 0 if the ray enters there. A ray without a direction hits
+/// nothing. The parameter has finite derivatives everywhere; they grow without bound as the ray comes to graze a round
+/// surface.
+///
+/// Solids without a volume are hit, too. A line meets the border of a tetrahedron where it passes within its rounding,
+/// some ε of the way to the farthest corner; so thin and flat ones are hit where they are seen, and seen edge-on, too. A
+/// chord within rounding is one place, at which all faces share the derivative. A ray through the apex of a cone within
+/// rounding hits the apex; the slope there is the middle of those to its sides.
 ///
 /// ```
 /// use geograd::{Cylinder, Ray3, Vec3, intersection3::first_hit};
@@ -141,7 +150,7 @@ pub fn first_hit<S: Scalar, A: Pierced<Scalar = S>>(ray: Ray3<S>, shape: A) -> H
     let normal = Vec3::select(leaves, inside.exit.normal, Vec3::zero());
     Hit3 {
         parameter: pick(inside.enter.t, inside.exit.t, large).canonical(),
-        point: ray.point_at(along),
+        point: ray.point_at(along).canonical(),
         normal: Vec3::select(enters, inside.enter.normal, normal).canonical(),
         kind: pick(S::one(), S::lit(2.0), zero),
     }

@@ -1,5 +1,7 @@
 //! Shapes of space that lines pierce.
-use super::inside::{Beam, Border, Inside, Tube, choose, sized};
+use super::cone::in_cone;
+use super::inside::{Beam, Border, Inside, Tube, sized};
+use super::tetrahedron::in_tetrahedron;
 use crate::arrays::Each;
 use crate::distance::share::Best;
 use crate::distance3::core::{BoxCore, Core};
@@ -277,26 +279,7 @@ impl<S: Scalar> Pierced for Cone<S> {
     #[inline(always)]
     fn inside(self, beam: Beam<S>, scale: S) -> Inside<S> {
         let base = (self.base - self.apex) * scale;
-        let axis = sized(base);
-        let (square, radius) = (axis.length_squared(), self.radius * scale);
-        let inside = Inside::nappe(beam, Vec3::zero(), base, radius).behind(beam, base, axis);
-        // Through the base of a cone so flat that rounding has it leave by the side before.
-        let rate = axis.dot(beam.along);
-        let parallel = rate.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
-        let t = axis
-            .dot(base - beam.from)
-            .over(S::select(parallel, S::one(), rate));
-        let across = axis
-            .cross(beam.from + beam.along * t - base)
-            .length_squared();
-        let on = !parallel & across.below(radius * radius * square) & inside.is_empty();
-        let border = Border { t, normal: axis };
-        let end = Best::of(t, border);
-        Inside {
-            enter: choose(on, end, inside.enter),
-            exit: choose(on, end, inside.exit),
-        }
-        .unless(square.at_most(S::zero()))
+        in_cone(beam, base, self.radius * scale)
     }
 }
 
@@ -313,18 +296,7 @@ impl<S: Scalar> Pierced for Tetrahedron<S> {
     }
     #[inline(always)]
     fn inside(self, beam: Beam<S>, scale: S) -> Inside<S> {
-        let [a, b, c, d] = self.corners().each_as(|corner| (corner - self.a) * scale);
-        let placed = Tetrahedron::new(a, b, c, d);
-        let volume = b.cross(c).dot(d);
-        let inwards = volume.below(S::zero());
-        // Its faces say where it ends as long as its volume has digits.
-        let size = b.length() * c.length() * d.length();
-        let flat = volume.magnitude().at_most(size * S::lit(16.0 * S::EPSILON));
-        let faces = placed.faces().into_iter();
-        let inside = faces.fold(Inside::everywhere(), |inside, face| {
-            let normal = sized(face.twice_area_normal());
-            inside.behind(beam, face.a, Vec3::select(inwards, -normal, normal))
-        });
-        inside.unless(flat)
+        let corners = self.corners().each_as(|corner| (corner - self.a) * scale);
+        in_tetrahedron(beam, corners)
     }
 }

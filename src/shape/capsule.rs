@@ -1,6 +1,7 @@
 //! Capsules of the plane: thick segments with round ends.
+use crate::arrays::Each;
 use crate::error::{Flaw, Validate};
-use crate::{Aabb2, Pose2, Scalar, Segment2, Shape, Vec2};
+use crate::{Aabb2, Pose2, Scalar, Segment2, Shape, Vec2, twofold};
 use std::f64::consts::{PI, TAU};
 use std::ops::Mul;
 
@@ -83,7 +84,14 @@ impl<S: Scalar> Capsule2<S> {
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {
-        crate::distance::edge_distance(point, self.from, self.to).at_most(self.radius)
+        let [from, to, at] = [self.from, self.to, point].each_as(twofold::flat);
+        let radius = self.radius.primal();
+        let seen = twofold::Along::new(from, to, at, radius);
+        let across = twofold::square([twofold::turn(seen.axis, seen.arm)]);
+        let reach =
+            twofold::square([radius * seen.unit]) * twofold::square(twofold::rounded(seen.axis));
+        let [first, last] = [from, to].each_as(|end| twofold::in_ball(end, at, radius));
+        first | last | seen.is_between() & across.at_most(reach)
     }
 }
 

@@ -1,7 +1,8 @@
 //! Capsules in space: thick segments with round ends.
+use crate::arrays::Each;
 use crate::error::{Flaw, Validate};
 use crate::shape::{Aabb3, Pose3, Segment3};
-use crate::{Scalar, Shape, Vec3};
+use crate::{Scalar, Shape, Vec3, twofold};
 use std::f64::consts::PI;
 use std::ops::Mul;
 
@@ -89,8 +90,14 @@ impl<S: Scalar> Capsule3<S> {
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
-        let way = point - self.segment().nearest(point);
-        way.length().at_most(self.radius)
+        let [start, end, at] = [self.start, self.end, point].each_as(twofold::deep);
+        let radius = self.radius.primal();
+        let seen = twofold::Along::new(start, end, at, radius);
+        let across = twofold::square(twofold::cross(seen.axis, seen.arm));
+        let reach =
+            twofold::square([radius * seen.unit]) * twofold::square(twofold::rounded(seen.axis));
+        let [first, last] = [start, end].each_as(|end| twofold::in_ball(end, at, radius));
+        first | last | seen.is_between() & across.at_most(reach)
     }
 }
 

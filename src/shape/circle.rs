@@ -1,7 +1,8 @@
 //! Circles of the plane, and the circle through three points.
 use super::triangle::unit_power;
+use crate::arrays::Each;
 use crate::error::{Flaw, Validate};
-use crate::{Aabb2, Pose2, Scalar, Shape, Vec2};
+use crate::{Aabb2, Pose2, Scalar, Shape, Vec2, twofold};
 use std::f64::consts::{PI, TAU};
 use std::ops::Mul;
 
@@ -73,7 +74,8 @@ impl<S: Scalar> Circle<S> {
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {
-        self.center.distance(point).at_most(self.radius)
+        let [center, at] = [self.center, point].each_as(twofold::flat);
+        twofold::in_ball(center, at, self.radius.primal())
     }
 }
 

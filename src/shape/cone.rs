@@ -1,8 +1,9 @@
 //! Cones.
+use crate::arrays::Each;
 use crate::error::{Field, Flaw, Validate};
 use crate::shape::cylinder::disc_reach;
 use crate::shape::{Aabb3, Pose3};
-use crate::{Scalar, Shape, Vec3};
+use crate::{Scalar, Shape, Vec3, twofold};
 use std::f64::consts::PI;
 use std::ops::Mul;
 
@@ -107,13 +108,13 @@ impl<S: Scalar> Cone<S> {
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
-        let (axis, arm) = (
-            (self.base - self.apex).normalize_or_zero(),
-            point - self.apex,
-        );
-        let (along, height) = (axis.dot(arm), self.height());
-        let (across, zero) = (axis.cross(arm).length(), S::zero());
-        zero.at_most(along) & along.at_most(height) & (across * height).at_most(self.radius * along)
+        let [apex, base, at] = [self.apex, self.base, point].each_as(twofold::deep);
+        let radius = self.radius.primal();
+        let seen = twofold::Along::new(apex, base, at, radius);
+        let across = twofold::square(twofold::cross(seen.axis, seen.arm));
+        let axis = twofold::square(twofold::rounded(seen.axis));
+        let reach = twofold::square([radius * seen.unit]) * twofold::square([seen.height]);
+        seen.is_between() & (across * axis).at_most(reach)
     }
 }
 

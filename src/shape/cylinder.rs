@@ -1,7 +1,8 @@
 //! Cylinders.
+use crate::arrays::Each;
 use crate::error::{Field, Flaw, Validate};
 use crate::shape::{Aabb3, Pose3};
-use crate::{Scalar, Shape, Vec3};
+use crate::{Scalar, Shape, Vec3, twofold};
 use std::f64::consts::PI;
 use std::ops::Mul;
 
@@ -112,14 +113,13 @@ impl<S: Scalar> Cylinder<S> {
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
-        let (axis, arm) = (
-            (self.end - self.start).normalize_or_zero(),
-            point - self.start,
-        );
-        let (along, zero) = (axis.dot(arm), S::zero());
-        zero.at_most(along)
-            & along.at_most(self.height())
-            & axis.cross(arm).length().at_most(self.radius)
+        let [start, end, at] = [self.start, self.end, point].each_as(twofold::deep);
+        let radius = self.radius.primal();
+        let seen = twofold::Along::new(start, end, at, radius);
+        let across = twofold::square(twofold::cross(seen.axis, seen.arm));
+        let reach =
+            twofold::square([radius * seen.unit]) * twofold::square(twofold::rounded(seen.axis));
+        seen.is_between() & across.at_most(reach)
     }
 }
 

@@ -1,8 +1,9 @@
 //! Planes in space.
+use crate::arrays::Each;
 use crate::distance3::Apart;
 use crate::error::Field;
 use crate::shape::Pose3;
-use crate::{Flaw, Scalar, Shape, Vec3};
+use crate::{Flaw, Scalar, Shape, Vec3, twofold};
 use std::ops::Mul;
 
 /// A plane in space: the points p with `normal · p = offset`, where the normal has any length but zero;
@@ -70,7 +71,8 @@ impl<S: Scalar> Plane3<S> {
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
-        self.normal.dot(point).at_most(self.offset)
+        let [normal, at] = [self.normal, point].each_as(twofold::deep);
+        twofold::is_behind(normal, at, self.offset.primal())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Boxes with round edges in space.
 use crate::error::{Flaw, Validate};
 use crate::shape::{Aabb3, Obb3, Pose3};
-use crate::{Scalar, Shape, Vec3};
+use crate::{Scalar, Shape, Vec3, twofold};
 use std::f64::consts::PI;
 use std::ops::Mul;
 
@@ -81,7 +81,23 @@ impl<S: Scalar> RoundBox3<S> {
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
-        crate::distance3::distance(point, self.inner).at_most(self.radius)
+        let Obb3 {
+            center,
+            size,
+            rotation,
+        } = self.inner;
+        let p = rotation.inverse() * (point - center);
+        let beyond = |x: S, side: S| (x.magnitude() - side.halved()).most(S::zero());
+        let out = Vec3::new(
+            beyond(p.x, size.x),
+            beyond(p.y, size.y),
+            beyond(p.z, size.z),
+        );
+        twofold::in_ball(
+            [S::Primal::zero(); 3],
+            twofold::deep(out),
+            self.radius.primal(),
+        )
     }
 }
 

@@ -1,7 +1,8 @@
 //! Spheres.
+use crate::arrays::Each;
 use crate::distance3::Apart;
 use crate::shape::{Aabb3, Pose3};
-use crate::{Scalar, Shape, Vec3};
+use crate::{Scalar, Shape, Vec3, twofold};
 use std::ops::Mul;
 
 /// A ball in space. Valid when finite and of non-negative radius; radius zero is valid.
@@ -58,7 +59,8 @@ impl<S: Scalar> Sphere<S> {
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
-        point.distance(self.center).at_most(self.radius)
+        let [center, at] = [self.center, point].each_as(twofold::deep);
+        twofold::in_ball(center, at, self.radius.primal())
     }
     /// The smallest axis-aligned box around it.
     #[must_use]

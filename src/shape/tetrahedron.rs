@@ -1,7 +1,7 @@
 //! Tetrahedra.
 use crate::arrays::Each;
 use crate::shape::{Aabb3, Pose3, Triangle3};
-use crate::{Scalar, Shape, Vec3};
+use crate::{Scalar, Shape, Vec3, twofold};
 use std::ops::Mul;
 
 /// A solid tetrahedron. Valid when finite; corners in any order, volume zero is valid.
@@ -89,17 +89,12 @@ impl<S: Scalar> Tetrahedron<S> {
     pub fn bounding(self) -> Aabb3<S> {
         Aabb3::of(self.corners())
     }
-    /// `true` where the point is in the tetrahedron; the surface belongs to it.
+    /// `true` where the point is in the tetrahedron, which may be flat; the surface belongs to it. Decided in numbers of
+    /// twice the digits.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
-        let volumes = self.faces().each_as(|face| face.six_volume(point));
-        let zero = S::zero();
-        let all = |holds: fn(S, S) -> S::Mask| {
-            let [a, b, c, d] = volumes.each_as(|volume| holds(volume, zero));
-            (a & b) & (c & d)
-        };
-        all(S::at_least) | all(S::at_most)
+        twofold::in_tetrahedron(self.corners().each_as(twofold::deep), twofold::deep(point))
     }
 }
 

@@ -3,7 +3,7 @@ use crate::arrays::Each;
 use crate::error::{Flaw, Validate};
 use crate::scalar::{least_of, most_of};
 use crate::shape::circumcircle;
-use crate::{Aabb2, Circle, Pose2, Scalar, Shape, Vec2};
+use crate::{Aabb2, Circle, Pose2, Scalar, Shape, Vec2, twofold};
 use std::ops::Mul;
 
 /// A triangle by its corners, in either orientation. Valid when finite; corners on one line and
@@ -152,19 +152,13 @@ impl<S: Scalar> Triangle2<S> {
             radius: b.perp_dot(short).magnitude().canonical(),
         }
     }
-    /// `true` where the point is in the triangle; the border belongs to it.
+    /// `true` where the point is in the triangle, which may be flat; the border belongs to it. Decided in numbers of
+    /// twice the digits.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {
-        let [a, b, c] = self.counter_clockwise();
-        let left_of = |from: Vec2<S>, to: Vec2<S>| {
-            let (edge, arm) = (to - from, point - from);
-            (edge * unit_power(edge))
-                .perp_dot(arm * unit_power(arm))
-                .at_least(S::zero())
-        };
-        // The bounds of a flat triangle keep out other points of its line.
-        left_of(a, b) & left_of(b, c) & left_of(c, a) & self.bounding().contains(point)
+        let corners = [self.a, self.b, self.c].each_as(twofold::flat);
+        twofold::in_triangle(corners, twofold::flat(point))
     }
 }
 

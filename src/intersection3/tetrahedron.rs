@@ -1,0 +1,190 @@
+//! The range of a line inside a tetrahedron, thin and flat ones included.
+//!
+//! Seen along the line, the corners are points of a plane and the line is its origin. The areas that the origin spans
+//! with the six edges say which faces the line meets; faces share them, so that no line passes between two, however thin
+//! the solid is. Platis, Theoharis, Fast ray-tetrahedron intersection using Plücker coordinates, 2003.
+use super::inside::{Beam, Border, Inside, sized};
+use crate::arrays::Each;
+use crate::distance::share::Best;
+use crate::distance3::near::size_of;
+use crate::scalar::largest;
+use crate::shape::Tetrahedron;
+use crate::{Scalar, Vec3};
+
+/// The corners of the faces, as of [`Tetrahedron::faces`].
+const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
+/// The corners of the edges.
+const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+
+/// The corners as seen along a line.
+struct Sight<S: Scalar> {
+    /// How far ahead each is, times the direction.
+    ahead: [S; 4],
+    /// How far aside each is, times the direction and across it.
+    aside: [Vec3<S>; 4],
+    /// What the line spans with each edge, times the square of the direction; zero where rounding can have made it.
+    spans: [S; 6],
+    /// What rounding can make of a corner on the line.
+    slack: S::Primal,
+}
+
+impl<S: Scalar> Sight<S> {
+    #[inline(always)]
+    fn new(beam: Beam<S>, corners: [Vec3<S>; 4]) -> Self {
+        let along = beam.along;
+        let arms = corners.each_as(|corner| corner - beam.from);
+        let aside = arms.each_as(|arm| along.cross(arm));
+        let mut spans = EDGES.each_as(|[i, j]| along.dot(aside[i].cross(aside[j])));
+        // Three roundings of a corner's place and two of its product, and as much again.
+        let sizes = arms.each_as(|arm| S::from_primal(size_of(arm)));
+        let length = size_of(along);
+        let slack = largest(sizes) * length * S::Primal::lit(4.0 * S::EPSILON);
+        let wide = aside.each_as(size_of);
+        for (k, [i, j]) in EDGES.into_iter().enumerate() {
+            let (least, value) = (slack * length * (wide[i] + wide[j]), spans[k].primal());
+            let zero = value.magnitude().at_most(least);
+            spans[k] = spans[k].with_primal(S::Primal::select(zero, S::Primal::zero(), value));
+        }
+        Sight {
+            ahead: arms.each_as(|arm| along.dot(arm)),
+            aside,
+            spans,
+            slack,
+        }
+    }
+}
+
+/// A number of an edge from one corner to another, which changes its sign with the direction.
+#[inline(always)]
+fn of_edge<S: Scalar>(numbers: [S; 6], from: usize, to: usize) -> S {
+    // Edges are in the order of their corners.
+    let at = |low: usize, high: usize| [0, 2, 3][low] + high - 1;
+    match from < to {
+        true => numbers[at(from, to)],
+        false => -numbers[at(to, from)],
+    }
+}
+
+/// Faces that a line meets in one place: the sum of the places, the normal of the first one, and how many they are.
+struct Met<S: Scalar> {
+    place: S,
+    normal: Vec3<S>,
+    count: S,
+}
+
+impl<S: Scalar> Met<S> {
+    #[inline(always)]
+    fn none() -> Self {
+        Met {
+            place: S::zero(),
+            normal: Vec3::zero(),
+            count: S::zero(),
+        }
+    }
+    #[inline(always)]
+    fn join(self, is_met: S::Mask, place: S, normal: Vec3<S>) -> Self {
+        let first = is_met & self.count.equals(S::zero());
+        Met {
+            place: self.place + S::select(is_met, place, S::zero()),
+            normal: Vec3::select(first, normal, self.normal),
+            count: self.count + S::select(is_met, S::one(), S::zero()),
+        }
+    }
+    #[inline(always)]
+    fn is_some(&self) -> S::Mask {
+        self.count.above(S::zero())
+    }
+    /// The mean of the places.
+    #[inline(always)]
+    fn mean(&self) -> S {
+        self.place.over(self.count.most(S::one()))
+    }
+}
+
+/// In a tetrahedron, given its corners as seen from the beam's anchor.
+#[inline]
+pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) -> Inside<S> {
+    let sight = Sight::new(beam, corners);
+    let [a, b, c, d] = corners;
+    let normals = Tetrahedron::new(a, b, c, d)
+        .faces()
+        .each_as(|face| sized(face.twice_area_normal()));
+    let (zero, one) = (S::zero(), S::one());
+    // By which side the line sees of them.
+    let (mut against, mut with) = (Met::<S>::none(), Met::<S>::none());
+    for (face, [i, j, k]) in FACES.into_iter().enumerate() {
+        let pairs = [[j, k], [k, i], [i, j]];
+        let weights = pairs.each_as(|[from, to]| of_edge(sight.spans, from, to));
+        let any = |is: fn(S, S) -> S::Mask| {
+            is(weights[0], zero) | is(weights[1], zero) | is(weights[2], zero)
+        };
+        let (low, high) = (any(S::below), any(S::above));
+        let met = low & !high | high & !low;
+        let area = (weights[0] + weights[1]) + weights[2];
+        let sum = (weights[0] * sight.ahead[i] + weights[1] * sight.ahead[j])
+            + weights[2] * sight.ahead[k];
+        let place = sum.over(S::select(met, area, one));
+        against = against.join(met & low, place, normals[face]);
+        with = with.join(met & high, place, normals[face]);
+    }
+    let both = against.is_some() & with.is_some();
+    // A chord within rounding, as of a flat solid and at an edge, is one place, of which all faces are part.
+    let (low, high) = (against.mean(), with.mean());
+    let length = S::from_primal(size_of(beam.along));
+    let fine = S::from_primal(sight.slack) * length;
+    let touch = (high - low).magnitude().at_most(fine);
+    let all = (against.place + with.place).over((against.count + with.count).most(one));
+    let turned = high.below(low);
+    let pick = |mask: S::Mask, yes: S, no: S| S::select(mask, yes, no);
+    let enter = pick(touch, all, pick(turned, high, low));
+    let exit = pick(touch, all, pick(turned, low, high));
+    let enter_normal = Vec3::select(turned, -with.normal, against.normal);
+    let exit_normal = Vec3::select(turned, -against.normal, with.normal);
+    // Without faces on both sides it is seen edge-on: as a segment or a point.
+    let edges = edges_met(&sight);
+    let square = beam.along.length_squared();
+    let still = square.at_most(zero);
+    let safe = S::select(still, one, square);
+    let border = |face: S, normal: Vec3<S>, edge: S| {
+        let place = S::select(both, face, edge);
+        // The line's own point on the surface is at zero.
+        let start = place.magnitude().at_most(fine);
+        let place = S::select(start, place.with_primal(S::Primal::zero()), place);
+        Border {
+            t: place.over(safe),
+            normal: Vec3::select(both, normal, Vec3::zero()),
+        }
+    };
+    Inside::new(
+        border(enter, enter_normal, edges.0.mean()),
+        border(exit, exit_normal, edges.1.mean()),
+    )
+    .unless(still | !both & edges.1.value.below(edges.0.value))
+}
+
+/// The first and the last place of the corners and edges that the line meets; the share of the way along an edge is a
+/// constant.
+#[inline(always)]
+fn edges_met<S: Scalar>(sight: &Sight<S>) -> (Best<S, S>, Best<S, S>) {
+    let wide = sight.aside.each_as(size_of);
+    let (zero, large) = (S::zero(), S::lit(S::LARGEST));
+    let (mut first, mut last) = (Best::of(large, large), Best::of(-large, -large));
+    let mut add = |is_met: S::Mask, place: S| {
+        first = first.less(Best::of(S::select(is_met, place, large), place));
+        last = last.most(Best::of(S::select(is_met, place, -large), place));
+    };
+    for (place, wide) in sight.ahead.into_iter().zip(wide) {
+        add(wide.at_most(sight.slack), place);
+    }
+    for (k, [i, j]) in EDGES.into_iter().enumerate() {
+        let apart = sight.aside[i].dot(sight.aside[j]).below(zero);
+        let is_met = sight.spans[k].equals(zero) & apart;
+        let sum = S::Primal::select(is_met, wide[i] + wide[j], S::Primal::one());
+        let share = S::from_primal(wide[i].over(sum));
+        add(
+            is_met,
+            sight.ahead[i] + (sight.ahead[j] - sight.ahead[i]) * share,
+        );
+    }
+    (first, last)
+}

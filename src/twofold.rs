@@ -1,0 +1,324 @@
+//! Signs of small determinants in numbers of twice the digits, as straight lines: what belongs to a shape.
+//!
+//! Dekker, A floating-point technique for extending the available precision, 1971. A value within the rounding of such
+//! numbers, 16 ε² of the sum of its terms' magnitudes, counts as zero. Exact zeros are therefore found, and signs are
+//! those of the given numbers but for values that near to zero. Derivatives take no part.
+use crate::arrays::Each;
+use crate::scalar::largest;
+use crate::{Mask, Scalar, Vec2, Vec3};
+
+/// A number as the sum of a float and its rounding error.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Twofold<P> {
+    high: P,
+    low: P,
+}
+
+impl<P: Scalar> Twofold<P> {
+    /// The exact sum.
+    #[inline(always)]
+    fn sum(a: P, b: P) -> Self {
+        let high = a + b;
+        let taken = high - a;
+        let low = (a - (high - taken)) + (b - taken);
+        Twofold { high, low }
+    }
+    /// The product, exact but for one unit of the lowest digit.
+    #[inline(always)]
+    fn product(a: P, b: P) -> Self {
+        let ((a_high, a_low), (b_high, b_low)) = (a.parts(), b.parts());
+        let high = a * b;
+        // In this order each sum is exact.
+        let low = (((a_high * b_high - high) + a_high * b_low) + a_low * b_high) + a_low * b_low;
+        Twofold { high, low }
+    }
+    #[inline(always)]
+    fn minus(self) -> Self {
+        Twofold {
+            high: -self.high,
+            low: -self.low,
+        }
+    }
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        let sum = Twofold::sum(self.high, other.high);
+        Twofold::sum(sum.high, sum.low + (self.low + other.low))
+    }
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        let product = Twofold::product(self.high, other.high);
+        let rest = self.high * other.low + self.low * other.high;
+        Twofold::sum(product.high, product.low + rest)
+    }
+    /// Zero where the value is within the rounding of a sum whose terms have this sum of magnitudes, else its float.
+    #[inline(always)]
+    fn settled(self, terms: P) -> P {
+        let least = terms * P::lit(16.0 * P::EPSILON * P::EPSILON);
+        P::select(self.high.magnitude().at_most(least), P::zero(), self.high)
+    }
+}
+
+/// A vector of the plane or of space by exact differences, in units of a power of two.
+pub(crate) type Way<P, const N: usize> = [Twofold<P>; N];
+
+/// The power of two that brings the largest of some sizes to about one; one for zeros.
+#[inline(always)]
+pub(crate) fn unit<P: Scalar<Primal = P>, const N: usize>(sizes: [P; N]) -> P {
+    crate::distance::edge::scale_of::<P>(largest(sizes))
+}
+
+/// The numbers of a point of the plane, without derivatives.
+#[inline(always)]
+pub(crate) fn flat<S: Scalar>(p: Vec2<S>) -> [S::Primal; 2] {
+    [p.x.primal(), p.y.primal()]
+}
+
+/// The numbers of a point of space, without derivatives.
+#[inline(always)]
+pub(crate) fn deep<S: Scalar>(p: Vec3<S>) -> [S::Primal; 3] {
+    [p.x.primal(), p.y.primal(), p.z.primal()]
+}
+
+/// The size of the way between two points: its largest coordinate, rounded.
+#[inline(always)]
+pub(crate) fn size<P: Scalar<Primal = P>, const N: usize>(from: [P; N], to: [P; N]) -> P {
+    let mut ways = [P::zero(); N];
+    for k in 0..N {
+        ways[k] = to[k] - from[k];
+    }
+    largest(ways)
+}
+
+/// The way between two points, exact, times a power of two.
+#[inline(always)]
+pub(crate) fn way<P: Scalar, const N: usize>(from: [P; N], to: [P; N], unit: P) -> Way<P, N> {
+    let mut way = [Twofold::sum(P::zero(), P::zero()); N];
+    for k in 0..N {
+        way[k] = Twofold::sum(to[k] * unit, -(from[k] * unit));
+    }
+    way
+}
+
+/// The rounded coordinates.
+#[inline(always)]
+pub(crate) fn rounded<P: Scalar, const N: usize>(way: Way<P, N>) -> [P; N] {
+    way.each_as(|x| x.high)
+}
+
+/// An outer product of two numbers each, and the sum of its terms' magnitudes.
+#[inline(always)]
+fn outer<P: Scalar>(a: [Twofold<P>; 2], b: [Twofold<P>; 2]) -> (Twofold<P>, P) {
+    let (left, right) = (a[0].times(b[1]), a[1].times(b[0]));
+    let terms = left.high.magnitude() + right.high.magnitude();
+    (left.plus(right.minus()), terms)
+}
+
+/// The outer product of two ways of the plane; exactly zero for parallel ones.
+#[inline(always)]
+pub(crate) fn turn<P: Scalar>(a: Way<P, 2>, b: Way<P, 2>) -> P {
+    let (value, terms) = outer(a, b);
+    value.settled(terms)
+}
+
+/// The inner product of two ways; exactly zero for orthogonal ones.
+#[inline(always)]
+pub(crate) fn dot<P: Scalar, const N: usize>(a: Way<P, N>, b: Way<P, N>) -> P {
+    let mut sum = a[0].times(b[0]);
+    let mut terms = sum.high.magnitude();
+    for k in 1..N {
+        let next = a[k].times(b[k]);
+        terms += next.high.magnitude();
+        sum = sum.plus(next);
+    }
+    sum.settled(terms)
+}
+
+/// The outer products of two ways of space; exactly zero for parallel ones.
+#[inline(always)]
+pub(crate) fn cross<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>) -> [P; 3] {
+    outer_products(a, b).each_as(|(value, terms)| value.settled(terms))
+}
+
+#[inline(always)]
+fn outer_products<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>) -> [(Twofold<P>, P); 3] {
+    [(1, 2), (2, 0), (0, 1)].each_as(|(i, j)| outer([a[i], a[j]], [b[i], b[j]]))
+}
+
+/// The triple product of three ways of space; exactly zero for those of one plane.
+#[inline(always)]
+pub(crate) fn volume<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>, c: Way<P, 3>) -> P {
+    let faces = outer_products(a, b);
+    let (mut sum, mut terms) = (Twofold::sum(P::zero(), P::zero()), P::zero());
+    for k in 0..3 {
+        let (face, share) = faces[k];
+        sum = sum.plus(face.times(c[k]));
+        terms += share * c[k].high.magnitude();
+    }
+    sum.settled(terms)
+}
+
+/// `true` where no number is negative, or none is positive.
+#[inline(always)]
+pub(crate) fn one_sided<P: Scalar, const N: usize>(numbers: [P; N]) -> P::Mask {
+    let zero = P::zero();
+    let all = |holds: fn(P, P) -> P::Mask| {
+        let mut all = holds(numbers[0], zero);
+        for number in &numbers[1..] {
+            all = all & holds(*number, zero);
+        }
+        all
+    };
+    all(P::at_least) | all(P::at_most)
+}
+
+/// `true` where a point is in the tetrahedron of four corners, which may be flat.
+#[inline]
+pub(crate) fn in_tetrahedron<P: Scalar<Primal = P>>(
+    corners: [[P; 3]; 4],
+    point: [P; 3],
+) -> P::Mask {
+    let [a, b, c, d] = corners;
+    let unit = unit([
+        size(point, a),
+        size(point, b),
+        size(point, c),
+        size(point, d),
+    ]);
+    let arms = corners.each_as(|corner| way(point, corner, unit));
+    let faces = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
+    let volumes = faces.each_as(|[i, j, k]| volume(arms[i], arms[j], arms[k]));
+    let [b, c, d] = [b, c, d].each_as(|corner| way(a, corner, unit));
+    let is_flat = volume(b, c, d).equals(P::zero());
+    let inside = one_sided(volumes) & !is_flat;
+    if !is_flat.any() {
+        return inside;
+    }
+    let mut in_faces = P::zero().below(P::zero());
+    for (k, [i, j, l]) in faces.into_iter().enumerate() {
+        let in_plane = volumes[k].equals(P::zero());
+        let in_face = in_face([arms[i], arms[j], arms[l]]);
+        in_faces = in_faces | in_plane & in_face;
+    }
+    inside | is_flat & in_faces
+}
+
+/// `true` where the origin, known to be in the plane of three points, is in their triangle, which may be flat.
+#[inline(always)]
+fn in_face<P: Scalar>(arms: [Way<P, 3>; 3]) -> P::Mask {
+    let turns = [(0, 1), (1, 2), (2, 0)].each_as(|(i, j)| cross(arms[i], arms[j]));
+    let in_sight = |k: usize| {
+        // A flat triangle turns nowhere: its bounds say where it ends.
+        one_sided(turns.each_as(|turn| turn[k])) & !(one_sign(arms.each_as(|arm| arm[k].high)))
+    };
+    in_sight(0) & in_sight(1) & in_sight(2)
+}
+
+/// `true` where all numbers are positive, or all are negative.
+#[inline(always)]
+fn one_sign<P: Scalar, const N: usize>(numbers: [P; N]) -> P::Mask {
+    let zero = P::zero();
+    let all = |holds: fn(P, P) -> P::Mask| {
+        let mut all = holds(numbers[0], zero);
+        for number in &numbers[1..] {
+            all = all & holds(*number, zero);
+        }
+        all
+    };
+    all(P::above) | all(P::below)
+}
+
+/// `true` where a point of the plane is in the triangle of three corners, which may be flat.
+#[inline]
+pub(crate) fn in_triangle<P: Scalar<Primal = P>>(corners: [[P; 2]; 3], point: [P; 2]) -> P::Mask {
+    let [a, b, c] = corners;
+    let unit = unit([size(point, a), size(point, b), size(point, c)]);
+    let arms = corners.each_as(|corner| way(point, corner, unit));
+    let turns = [(0, 1), (1, 2), (2, 0)].each_as(|(i, j)| turn(arms[i], arms[j]));
+    let bounds = [0, 1].each_as(|k| !one_sign(arms.each_as(|arm| arm[k].high)));
+    one_sided(turns) & bounds[0] & bounds[1]
+}
+
+/// What the points of an axis are: its way, and those from its ends to a point, in one unit.
+pub(crate) struct Along<P, const N: usize> {
+    /// The way from start to end.
+    pub axis: Way<P, N>,
+    /// The way from the start to the point.
+    pub arm: Way<P, N>,
+    /// How far the point is along the axis from the start, times the axis.
+    pub height: P,
+    /// How far the point is along the axis from the end, times the axis.
+    pub beyond: P,
+    /// The power of two of all ways.
+    pub unit: P,
+}
+
+impl<P: Scalar<Primal = P>, const N: usize> Along<P, N> {
+    /// A point as seen from an axis of a solid with a radius.
+    #[inline(always)]
+    pub fn new(start: [P; N], end: [P; N], point: [P; N], radius: P) -> Self {
+        let unit = unit([size(start, end), size(start, point), radius]);
+        let axis = way(start, end, unit);
+        let arm = way(start, point, unit);
+        Along {
+            axis,
+            arm,
+            height: dot(axis, arm),
+            beyond: dot(axis, way(end, point, unit)),
+            unit,
+        }
+    }
+    /// `true` where the point is neither before the start nor beyond the end, and the axis has a length.
+    #[inline(always)]
+    pub fn is_between(&self) -> P::Mask {
+        let zero = P::zero();
+        zero.at_most(self.height)
+            & self.beyond.at_most(zero)
+            & square(rounded(self.axis)).above(zero)
+    }
+}
+
+/// The sum of the squares.
+#[inline(always)]
+pub(crate) fn square<P: Scalar, const N: usize>(x: [P; N]) -> P {
+    let mut sum = x[0] * x[0];
+    for x in &x[1..] {
+        sum += *x * *x;
+    }
+    sum
+}
+
+/// `true` where a point is at most a radius from another.
+#[inline]
+pub(crate) fn in_ball<P: Scalar<Primal = P>, const N: usize>(
+    center: [P; N],
+    point: [P; N],
+    radius: P,
+) -> P::Mask {
+    let unit = unit([size(center, point), radius]);
+    let arm = way(center, point, unit);
+    let mut sum = Twofold::product(radius * unit, -(radius * unit));
+    let mut terms = sum.high.magnitude();
+    for arm in arm {
+        let next = arm.times(arm);
+        terms += next.high;
+        sum = sum.plus(next);
+    }
+    sum.settled(terms).at_most(P::zero())
+}
+
+/// `true` where `normal · point ≤ offset`.
+#[inline]
+pub(crate) fn is_behind<P: Scalar<Primal = P>>(
+    normal: [P; 3],
+    point: [P; 3],
+    offset: P,
+) -> P::Mask {
+    let mut sum = Twofold::sum(-offset, P::zero());
+    let mut terms = offset.magnitude();
+    for k in 0..3 {
+        let next = Twofold::product(normal[k], point[k]);
+        terms += next.high.magnitude();
+        sum = sum.plus(next);
+    }
+    sum.settled(terms).at_most(P::zero())
+}
