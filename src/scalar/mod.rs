@@ -25,6 +25,7 @@
 //! * *Folds* are sums over the edges of a list of any length ([`Fold`](crate::kernels::Fold)).
 //!
 //! A dual type implements `dual::Tangent`, which applies the chain rule; everything else follows from it.
+mod angle;
 pub mod dual;
 #[cfg(feature = "nalgebra")]
 mod dual_vector;
@@ -46,7 +47,18 @@ pub use ties::{least_of, most_of};
 /// difference of [ordinary](crate::kernels::op::Limits::ORDINARY) coordinates is so small, but one times the sine of
 /// a small angle is. Quotients by it may have infinite derivatives.
 pub(crate) fn speck<S: Scalar>() -> f64 {
-    S::LARGEST.powf(-0.5)
+    power_of_largest::<S>(-0.5)
+}
+
+/// The largest number of the format to a power between −1 and 1, as bounds of sizes are given: the same on every machine.
+#[inline]
+pub(crate) fn power_of_largest<S: Scalar>(power: f64) -> f64 {
+    // It is 2ⁿ less half a unit in its last place.
+    let n = (S::LARGEST.to_bits() >> 52) as f64 - 1022.0;
+    let whole = (n * power).floor();
+    let part = exponential::exp_wide((n * power - whole) * std::f64::consts::LN_2);
+    let all = part * <f64 as exponential::Exponents>::power_of_two(whole);
+    all - all * (power * (S::EPSILON / 2.0))
 }
 
 /// The largest of some magnitudes, without derivative.
