@@ -72,6 +72,8 @@ pub enum Property {
     SameBits,
     /// Duals have the value of plain numbers.
     Duals,
+    /// A NaN in a number of an input is NaN in every number of the result, which is as it was without one.
+    Nan,
 }
 
 impl fmt::Display for Property {
@@ -86,6 +88,7 @@ impl fmt::Display for Property {
             Property::Symmetric => "exchanging the shapes changes the value",
             Property::SameBits => "two forms give different bits",
             Property::Duals => "duals have another value",
+            Property::Nan => "a NaN is lost, or a number became one",
         })
     }
 }

@@ -254,7 +254,7 @@ macro_rules! float {
             }
             #[inline(always)]
             fn root(self) -> Self {
-                if self > 0.0 { self.sqrt() } else { 0.0 }
+                if self <= 0.0 { 0.0 } else { self.sqrt() }
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
@@ -311,6 +311,10 @@ macro_rules! float {
             #[inline(always)]
             fn unsigned(self) -> Self {
                 self.abs()
+            }
+            #[inline(always)]
+            fn known(self, known: bool, nan: Self) -> Self {
+                if known { self } else { nan }
             }
             #[inline(always)]
             fn damp(self, _share: Self) -> Self {

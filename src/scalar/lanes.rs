@@ -263,6 +263,10 @@ macro_rules! lanes {
                 Lanes(lanes_of!(0.0; |i| self.0[i].abs()))
             }
             #[inline(always)]
+            fn known(self, known: Self::Mask, nan: Self) -> Self {
+                Self::select(known, self, nan)
+            }
+            #[inline(always)]
             fn damp(self, _share: Self) -> Self {
                 self
             }

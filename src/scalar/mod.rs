@@ -31,12 +31,15 @@ pub mod dual;
 mod dual_vector;
 pub(crate) mod exponential;
 pub(crate) mod float;
+mod guard;
 pub mod jet;
 pub mod lanes;
 mod polynomial;
 pub(crate) mod real;
 mod ties;
 
+#[doc(hidden)]
+pub use guard::{Guard, guarded};
 pub use jet::Jet;
 pub use lanes::Lanes;
 pub use real::{Format, Real};
@@ -229,7 +232,7 @@ pub trait Scalar:
 
     /// The quotient, with the value of plain numbers.
     fn over(self, divisor: Self) -> Self;
-    /// The square root; 0 with derivative 0 for zero and below.
+    /// The square root; 0 with derivative 0 for zero and below, NaN for NaN.
     fn root(self) -> Self;
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
@@ -336,6 +339,18 @@ pub trait Scalar:
     #[inline(always)]
     fn with_primal(self, value: Self::Primal) -> Self {
         (self - Self::from_primal(self.primal())) + Self::from_primal(value)
+    }
+    /// `false` if it is known to be a number: an input of a program that is being recorded, whose columns are checked.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn may_be_nan(self) -> bool {
+        true
+    }
+    /// The same where the mask is true, else NaN in every part, made of the given NaN.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn known(self, known: Self::Mask, nan: Self::Primal) -> Self {
+        Self::select(known, self, self * Self::from_primal(nan))
     }
     /// True where the value is neither infinite nor NaN.
     ///

@@ -11,6 +11,7 @@ mod grouped;
 mod jacobian;
 mod memory;
 mod names;
+mod nan;
 mod polygon;
 mod program;
 mod reduce;
