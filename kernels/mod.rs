@@ -27,7 +27,8 @@
 //! function of your own calls it in a batch; for that item alone. Whole numbers of a result, such as the number of
 //! corners, stay what the search found, and a shape with a NaN contains nothing: a comparison with NaN is false.
 //! [`least`](crate::Scalar::least), [`most`](crate::Scalar::most) and [`clamp`](crate::Scalar::clamp) of your own
-//! function choose by such a comparison and may give the other number. Drivers of a GPU may assume that there is no NaN.
+//! function choose by such a comparison and may give the other number; so may a bare formula of a module, such as
+//! [`giou_obb2`](crate::iou::giou_obb2), and a method that does not read the number, such as the area of a box. Drivers of a GPU may assume that there is no NaN.
 //! There the result of such an item is NaN if the driver computes one, or any number.
 //!
 //! Without pairs a sum is 0, a count 0 and a list empty. The mean is 0 with a gradient of zero, as the loss of a step

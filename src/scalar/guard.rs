@@ -52,6 +52,12 @@ impl<S: Scalar> Guard<S> {
             Some(sum) => Guard(Some(sum + x.primal())),
         }
     }
+    /// A truth of these shapes: as it is, or false.
+    #[must_use]
+    #[inline(always)]
+    pub fn truth(self, holds: S::Mask) -> S::Mask {
+        self.0.map_or(holds, |sum| holds & sum.equals(sum))
+    }
     /// The result of a function of these shapes: as it is, or NaN everywhere. Codes stay.
     #[must_use]
     #[inline(always)]

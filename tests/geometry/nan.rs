@@ -1,10 +1,13 @@
 //! A NaN in any number of a shape is NaN in every number of a verb's result, in every scalar; what belongs to a shape
 //! with a NaN is nothing.
 use geograd::distance::Convex;
+use geograd::distance::ring::{
+    distance_to_polyline, distance_to_ring, signed_distance_to_ring, winding_of_ring,
+};
 use geograd::prelude::*;
 use geograd::{
-    Cylinder, Fixed, Jet, Lanes, Line3, Mask, Obb3, Plane3, Ray2, Ray3, RoundBox3, Segment3,
-    Sphere, Tetrahedron, Triangle3, YawBox3, kernels,
+    Cylinder, Fixed, Interval, Jet, Lanes, Line3, Mask, Obb3, Plane3, Ray2, Ray3, RoundBox3,
+    Segment3, Sphere, Tetrahedron, Triangle3, YawBox3, kernels,
 };
 use num_dual::{Dual2, Dual64};
 
@@ -21,6 +24,7 @@ macro_rules! numbers {
     )* };
 }
 numbers! {
+    Interval [0.0 2.0] [5.0 6.0];
     Vec2 [0.1 0.2] [9.0 5.0];
     Segment2 [-1.0 -0.5 1.0 0.75] [5.0 6.0 7.0 9.0];
     Ray2 [-1.0 -0.5 1.0 0.75] [5.0 6.0 7.0 9.0];
@@ -164,6 +168,10 @@ fn verbs_by_method_and_by_of() {
         "iou": |a: YawBox3, b: YawBox3| a.iou(b);
         "iof": |a: Obb2, b: Obb2| a.iof(b);
         "giou": |a: Obb2, b: Obb2| a.giou(b);
+        "volume": |a: YawBox3, b: Obb3| a.intersection_volume(b);
+        "iof": |a: Obb3, b: Aabb3| a.iof(b);
+        "span": |a: Line2, b: Obb2| geograd::intersection::span(a, b);
+        "hit": |a: Ray2, b: Capsule2| geograd::intersection::first_hit(a, b);
         "giou": |a: Aabb2, b: Aabb2| a.giou(b);
         "diou": |a: Obb2, b: Obb2| a.diou(b);
         "ciou": |a: Obb2, b: Obb2| a.ciou(b);
@@ -180,20 +188,22 @@ fn verbs_by_method_and_by_of() {
         "crossing": |a: Line2, b: Line2| a.crossing(b);
         "of": |a: Obb2, b: Obb2| kernels::Distance.of(a, b);
         "of": |a: Circle, b: Obb2| kernels::SignedDistance.of(a, b);
-        "of": |a: Obb2, b: Obb2| kernels::GiouHull.of(a, b);
+        "of": |a: Obb2, b: Obb2| kernels::HullArea.of(a, b);
     }
 }
 
 #[test]
 fn measures_and_parts() {
     nan_of! { in every scalar:
-        "area": |a: Obb2| a.area();
+        "area": |a: Triangle2| kernels::Area.of(a);
         "root": |a: Vec2| (a.x + a.y).root();
         "length": |a: Vec2| a.length();
     }
     nan_of! { in double precision:
         "area": |a: Aabb2| a.area();
-        "area": |a: Capsule2| a.area();
+        "interval": |a: Interval, b: Interval| a.distance(b);
+        "interval": |a: Interval, b: Interval| a.iou(b);
+        "interval": |a: Interval, b: Interval| a.intersection_length(b);
         "bounding": |a: Obb2| a.bounding();
         "bounding": |a: Capsule2| a.bounding();
         "bounding": |a: Triangle2| a.bounding();
@@ -216,5 +226,115 @@ fn measures_and_parts() {
         "unit": |a: Vec3| a.normalize_or_zero();
         "angle": |a: Vec2| a.angle();
         "angle": |a: Vec3, b: Vec3| a.angle_to(b);
+    }
+}
+
+/// The truths of a NaN in each number in turn, of a point in the shape.
+macro_rules! contains {
+    ($($Shape:ident $Point:ident)*) => { $( {
+        let numbers = [<$Shape<f64> as Numbers>::NUMBERS[0], <$Point<f64> as Numbers>::NUMBERS[0]].concat();
+        for k in 0..numbers.len() {
+            let mut own = numbers.clone();
+            own[k] = f64::NAN;
+            let shape = $Shape::<f64>::load(&own);
+            let point = $Point::<f64>::load(&own[$Shape::<f64>::LEN..]);
+            assert!(!shape.contains(point), "{shape:?} contains {point:?}");
+        }
+    } )* };
+}
+
+#[test]
+fn nothing_is_inside_a_shape_with_a_nan() {
+    contains! {
+        Aabb2 Vec2 Obb2 Vec2 Circle Vec2 Capsule2 Vec2 Triangle2 Vec2 Aabb3 Vec3 YawBox3 Vec3 Obb3 Vec3 RoundBox3 Vec3
+        Sphere Vec3 Capsule3 Vec3 Cylinder Vec3 Tetrahedron Vec3 Plane3 Vec3
+    }
+}
+
+/// A quotient `q / q` is 1, or NaN of zero.
+fn spoiled<S: Scalar>(car: Obb2<S>, q: S) -> Obb2<S> {
+    let one = q.over(q);
+    Obb2 {
+        heading: car.heading * one,
+        ..car
+    }
+}
+fn gap<S: Scalar>(a: Obb2<S>, b: Obb2<S>, q: S) -> S {
+    spoiled(a, q).distance(b)
+}
+fn score<S: Scalar>(a: Obb2<S>, b: Obb2<S>, q: S) -> S {
+    a.iou(spoiled(b, q)) + kernels::Giou.of(spoiled(a, q), b)
+}
+fn reach<S: Scalar>(a: Capsule3<S>, b: Obb3<S>, q: S) -> S {
+    let radius = a.radius * q.over(q);
+    Capsule3 { radius, ..a }.distance(b)
+}
+
+/// Few items run interpreted, many become machine code.
+#[test]
+fn a_nan_inside_a_function_of_ones_own_is_nan_of_its_item() {
+    macro_rules! judge {
+        ($S:ty: $($function:ident $A:ident $B:ident)*) => { $( for count in [3, 4000] {
+            let [a, far] = <$A<$S> as Numbers>::NUMBERS.map(|x| x.iter().map(|&x| x as $S).collect::<Vec<_>>());
+            let [near, b] = <$B<$S> as Numbers>::NUMBERS.map(|x| x.iter().map(|&x| x as $S).collect::<Vec<_>>());
+            let (a, b) = ([&a, &far].map(|x| $A::<$S>::load(x)), [&near, &b].map(|x| $B::<$S>::load(x)));
+            let a: Vec<_> = (0..count).map(|i| a[i % 2]).collect();
+            let b: Vec<_> = (0..count).map(|i| b[i / 2 % 2]).collect();
+            let q: Vec<$S> = (0..count).map(|i| if i % 3 == 1 { 0.0 } else { 1.0 }).collect();
+            let found = Cpu::new().aligned(function($function), (&a[..], &b[..], &q[..])).unwrap();
+            for i in 0..count {
+                let expected = $function(a[i], b[i], q[i]);
+                assert_eq!(q[i] == 0.0, expected.is_nan(), "{} by itself, item {i}", stringify!($function));
+                let same = found[i].to_bits() == expected.to_bits() || found[i].is_nan() && expected.is_nan();
+                assert!(same, "{} of {count}, item {i}: {} and {expected}", stringify!($function), found[i]);
+            }
+        } )* };
+    }
+    judge!(f64: gap Obb2 Obb2 score Obb2 Obb2 reach Capsule3 Obb3);
+    judge!(f32: gap Obb2 Obb2 score Obb2 Obb2 reach Capsule3 Obb3);
+}
+
+#[test]
+fn a_program_of_a_row_has_the_nan_of_its_input() {
+    let iou = kernels::Op::program::<f64>(kernels::Iou.row::<(Obb2<f64>, Obb2<f64>)>()).unwrap();
+    let (a, b) = (
+        Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0),
+        Obb2::new(9.0, f64::NAN, 2.0, 2.0, 0.0),
+    );
+    assert!(iou.eval((a, b)).is_nan());
+    assert_eq!(iou.eval((a, a)), 1.0);
+}
+
+#[test]
+fn paths_and_polygons() {
+    let ring = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)].map(|(x, y)| Vec2::new(x, y));
+    let path = ring.map(|v| Vec3::new(v.x, v.y, 1.0));
+    for k in 0..ring.len() + 1 {
+        for x in [f64::NAN, 1.0] {
+            let (mut ring, mut path, mut point) = (ring, path, Vec2::new(1.0, 1.0));
+            let y = ring.get(k).map_or(1.0, |v| v.y);
+            match k < ring.len() {
+                true => ring[k].y = if x.is_nan() { x } else { y },
+                false => point.x = x,
+            }
+            match k < path.len() {
+                true => path[k].z = x,
+                false => point.x = x,
+            }
+            let found = [
+                distance_to_polyline(point, &ring),
+                distance_to_ring(point, &ring),
+                signed_distance_to_ring(point, &ring),
+                winding_of_ring(point, &ring),
+                geograd::distance3::polyline::distance_to_polyline(
+                    Vec3::new(point.x, 1.0, 5.0),
+                    &path,
+                ),
+            ];
+            assert!(
+                found.iter().all(|y| y.is_nan() == x.is_nan()),
+                "vertex {k}, {x}: {found:?}"
+            );
+        }
     }
 }
