@@ -23,6 +23,14 @@
 //! The library's functions of finite shapes are finite; your own function gives infinity or NaN at a pole, and so does
 //! its batch, for that item alone.
 //!
+//! NaN in, NaN out: a verb of shapes with a NaN is NaN in every number of its result, as a method, by `of`, and where a
+//! function of your own calls it in a batch; for that item alone. Whole numbers of a result, such as the number of
+//! corners, stay what the search found, and a shape with a NaN contains nothing: a comparison with NaN is false.
+//! [`least`](crate::Scalar::least), [`most`](crate::Scalar::most) and [`clamp`](crate::Scalar::clamp) of your own
+//! function choose by such a comparison and may give the other number; so may a bare formula of a module, such as
+//! [`giou_obb2`](crate::iou::giou_obb2), and a method that does not read the number, such as the area of a box. Drivers of a GPU may assume that there is no NaN.
+//! There the result of such an item is NaN if the driver computes one, or any number.
+//!
 //! Without pairs a sum is 0, a count 0 and a list empty. The mean is 0 with a gradient of zero, as the loss of a step
 //! without matches. The maximum of an empty row is an error: [`Error::Length`](crate::Error::Length).
 //!

@@ -360,7 +360,7 @@ macro_rules! __takes {
             const BY: $By = $value;
             #[inline]
             fn apply(a: $A) -> Self::Out {
-                <$By as $crate::kernels::op::Op>::eval(a)
+                $crate::scalar::guarded(a, <$By as $crate::kernels::op::Op>::eval::<S>)
             }
         }
     };
@@ -371,7 +371,7 @@ macro_rules! __takes {
             const BY: $By = $value;
             #[inline]
             fn apply(a: $A, b: $B) -> Self::Out {
-                <$By as $crate::kernels::op::Op>::eval((a, b))
+                $crate::scalar::guarded((a, b), <$By as $crate::kernels::op::Op>::eval::<S>)
             }
         }
     };
@@ -382,7 +382,7 @@ macro_rules! __takes {
             const BY: $By = $value;
             #[inline]
             fn apply(a: $A, b: $B, c: $C) -> Self::Out {
-                <$By as $crate::kernels::op::Op>::eval((a, b, c))
+                $crate::scalar::guarded((a, b, c), <$By as $crate::kernels::op::Op>::eval::<S>)
             }
         }
     };

@@ -16,6 +16,7 @@
 //! identical, touching, contained and collinear boxes need no handling. Each corner's y is clamped
 //! once and both edges that meet there use the result, so that rounding cannot make them disagree
 //! about whether the corner is inside.
+use crate::scalar::power_of_largest;
 use crate::{Obb2, Scalar, Shape, Vec2};
 
 /// The area of a box from half its size. Doubled first, so that an area that can be represented is
@@ -418,7 +419,7 @@ pub(crate) const FAR_AWAY: f64 = 1e15;
 
 /// And a coordinate or heading below this that is not zero: `10⁻¹²` in single precision.
 pub(crate) fn fine<S: Scalar>() -> f64 {
-    S::LARGEST.powf(-0.3125)
+    power_of_largest::<S>(-0.3125)
 }
 
 /// Sides of shapes whose measures of the second and third power of a length, and derivatives of those, stay

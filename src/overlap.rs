@@ -30,6 +30,7 @@
 use crate::clip::{
     Framed, Relative, area_from_half, clip, clipped_area, frame, relate, related_area, size_scale,
 };
+use crate::scalar::guarded;
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
 /// Intersection over union from areas, in `[0, 1]`; zero with derivative zero when the union is empty.
@@ -304,19 +305,19 @@ impl<S: Scalar> Obb2<S> {
     #[must_use]
     #[inline]
     pub fn intersection_area(self, other: Self) -> S {
-        intersection_area_obb2(self, other)
+        guarded((self, other), |(a, b)| intersection_area_obb2(a, b))
     }
     /// [`iou_obb2`].
     #[must_use]
     #[inline]
     pub fn iou(self, other: Self) -> S {
-        iou_obb2(self, other)
+        guarded((self, other), |(a, b)| iou_obb2(a, b))
     }
     /// [`iof_obb2`].
     #[must_use]
     #[inline]
     pub fn iof(self, other: Self) -> S {
-        iof_obb2(self, other)
+        guarded((self, other), |(a, b)| iof_obb2(a, b))
     }
 }
 
@@ -325,18 +326,18 @@ impl<S: Scalar> Aabb2<S> {
     #[must_use]
     #[inline]
     pub fn intersection_area(self, other: Self) -> S {
-        intersection_area_aabb2(self, other)
+        guarded((self, other), |(a, b)| intersection_area_aabb2(a, b))
     }
     /// [`iou_aabb2`].
     #[must_use]
     #[inline]
     pub fn iou(self, other: Self) -> S {
-        iou_aabb2(self, other)
+        guarded((self, other), |(a, b)| iou_aabb2(a, b))
     }
     /// [`iof_aabb2`].
     #[must_use]
     #[inline]
     pub fn iof(self, other: Self) -> S {
-        iof_aabb2(self, other)
+        guarded((self, other), |(a, b)| iof_aabb2(a, b))
     }
 }

@@ -1,5 +1,6 @@
 //! The place from which polygons are seen: a place near them and a unit of length of their own. So neither the
 //! distance from the origin nor the size costs digits, and no product over- or underflows.
+use crate::scalar::power_of_largest;
 use crate::{Aabb2, Scalar, Vec2};
 
 /// A place and a unit of length in which vertices are seen; all of it constant, without derivatives.
@@ -82,7 +83,7 @@ impl<S: Scalar> Reference<S> {
     #[inline(always)]
     pub(crate) fn of_fourth_powers(mut self) -> Self {
         let (least, most) = (least_unit::<S>(), S::lit(0.25 * ratio::<S>()));
-        let last = least * S::lit(ratio::<S>().powf(5.0 / 28.0)).binade();
+        let last = least * S::lit(power_of_largest::<S>(0.21875 * 5.0 / 28.0)).binade();
         let held = self.scale.below(least) & self.scale.at_least(last);
         self.scale = S::select(held, self.scale.over(most.binade()), self.scale);
         self
@@ -185,7 +186,7 @@ pub fn bounds_of<S: Scalar>(points: &[Vec2<S>]) -> Option<Aabb2<S>> {
 /// four lengths stay finite; what is smaller beside it loses digits.
 #[inline(always)]
 fn ratio<S: Scalar>() -> f64 {
-    S::LARGEST.powf(0.21875)
+    power_of_largest::<S>(0.21875)
 }
 
 /// The scale of the longest unit with a fourth power that is finite, the unit being two lengths.

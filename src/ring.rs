@@ -6,6 +6,7 @@
 //! the distance from the origin nor the size costs digits.
 //!
 //! Signed area, perimeter and centroid, and their derivatives, are finite for all finite vertices.
+use crate::scalar::power_of_largest;
 use crate::{Mask, Scalar, Vec2};
 
 /// Vertices worked on side by side: sums of their own that need not wait for each other, and arrays
@@ -206,7 +207,7 @@ fn largest_of<S: Scalar>(
 #[inline(always)]
 fn is_ordinary<S: Scalar>(extent: S::Primal) -> S::Mask {
     // A quarter of the range of exponents, to either side of one.
-    let large = S::LARGEST.powf(0.25);
+    let large = power_of_largest::<S>(0.25);
     let zero = extent.equals(S::Primal::zero());
     extent.at_most(S::Primal::lit(large)) & (extent.at_least(S::Primal::lit(1.0 / large)) | zero)
 }

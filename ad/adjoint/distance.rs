@@ -5,7 +5,7 @@
 //! a point of a has the derivative −n and one of b n, which the ends of a segment share by the fraction at
 //! which the point lies between them. (How the fractions themselves change matters to curvature, which
 //! follows from differentiating these adjoints.)
-use crate::distance::distance;
+use crate::distance::pair::distance;
 use crate::distance::segments::{way_between_segments, way_to_segment};
 use crate::{Scalar, Segment2, Vec2};
 

@@ -38,7 +38,7 @@ pub(crate) enum Node {
     Magnitude(Id),
     /// `|x|`, with derivative 1 at 0.
     Unsigned(Id),
-    /// `√x` for `x > 0`, else 0 with derivative 0.
+    /// `√x` for `x > 0`, 0 with derivative 0 for zero and below, NaN for NaN.
     Root(Id),
     /// `sin x`.
     Sin(Id),
@@ -185,6 +185,20 @@ impl Node {
     }
 }
 
+/// How many operations back [`Graph::is_number`] looks.
+const DEPTH: usize = 6;
+
+/// What is known of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Size {
+    /// Nothing.
+    Any,
+    /// It is no NaN.
+    Number,
+    /// It is neither infinite nor NaN.
+    Finite,
+}
+
 /// A list of nodes, each after its operands, each written once.
 #[derive(Clone, Debug)]
 pub(crate) struct Graph {
@@ -253,6 +267,46 @@ impl Graph {
         match self.at(x) {
             Node::Bool(truth) => Some(truth),
             _ => None,
+        }
+    }
+
+    /// `true` if the number is known to be no NaN: inputs are finite, as columns are checked.
+    pub(crate) fn is_number(&self, x: Id) -> bool {
+        self.known_size(x, DEPTH) >= Size::Number
+    }
+
+    /// What is known of the size of a number, from so many operations before it.
+    fn known_size(&self, x: Id, depth: usize) -> Size {
+        use Node::*;
+        let Some(depth) = depth.checked_sub(1) else {
+            return Size::Any;
+        };
+        let of = |x: Id| self.known_size(x, depth);
+        // One overflow is infinite; a second one may be the difference of infinite numbers.
+        let once = |size: Size| match size {
+            Size::Finite => Size::Number,
+            Size::Number | Size::Any => Size::Any,
+        };
+        let constant = |x: Id| self.constant(x).filter(|x| x.is_finite() && *x != 0.0);
+        match self.at(x) {
+            Input(_) => Size::Finite,
+            Const(bits) if f64::from_bits(bits).is_finite() => Size::Finite,
+            Neg(x) | Canonical(x) | Magnitude(x) | Unsigned(x) | Root(x) => of(x),
+            Graft { value, .. } => of(value),
+            Min(a, b) | Max(a, b) | Select(_, a, b) => of(a).min(of(b)),
+            Add(a, b) | Sub(a, b) => once(of(a).min(of(b))),
+            // A product with a constant is infinite at most.
+            Mul(a, b) if constant(a).is_some() => of(b).min(Size::Number),
+            Mul(a, b) | Div(a, b) if constant(b).is_some() => of(a).min(Size::Number),
+            Mul(a, b) => once(of(a).min(of(b))),
+            Sin(x) | Cos(x) | SinHigh(x) | SinLow(x) | CosHigh(x) | CosLow(x)
+                if of(x) == Size::Finite =>
+            {
+                Size::Finite
+            }
+            Exp(x) => of(x).min(Size::Number),
+            Atan2(y, x) if of(y).min(of(x)) == Size::Finite => Size::Finite,
+            _ => Size::Any,
         }
     }
 

@@ -195,4 +195,14 @@ impl Symbol {
             })
         })
     }
+
+    /// `true` if it stands for no NaN, whatever the inputs are.
+    pub(super) fn is_number(self) -> bool {
+        OPEN.with_borrow(|open| match open.last() {
+            Some(recording) if recording.name == self.recording && recording.flaw.is_none() => {
+                recording.graph.is_number(self.place)
+            }
+            _ => true,
+        })
+    }
 }

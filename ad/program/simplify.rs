@@ -29,6 +29,7 @@ impl Graph {
             Min(a, b) | Max(a, b) if a == b => a,
             // Nothing is below itself. (NaN does not equal itself, though.)
             Lt(a, b) if a == b => self.push(Bool(false)),
+            Eq(a, b) if a == b && self.is_number(a) => self.push(Bool(true)),
             Eq(a, b) => self.push(Eq(a.min(b), a.max(b))),
             And(a, b) => match (self.truth(a), self.truth(b)) {
                 (Some(true), _) | (_, Some(false)) => b,

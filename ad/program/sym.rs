@@ -231,6 +231,13 @@ impl<T: Real> Scalar for Sym<T> {
     fn binade(self) -> Self {
         self.of_one(Node::Binade)
     }
+    fn may_be_nan(self) -> bool {
+        !self.symbol.is_number()
+    }
+    // A product with one, of which derivatives are products with one, too.
+    fn known(self, known: SymMask<T>, nan: Self) -> Self {
+        self * Self::select(known, Self::one(), nan)
+    }
     // Recorded as themselves, not as the choices they are made of.
     fn least(self, other: Self) -> Self {
         self.of_two(other, Node::Min)

@@ -8,6 +8,7 @@ use super::recorded::Recorded;
 use super::sym::Sym;
 use super::wgsl;
 use crate::scalar::real::OneNumber;
+use crate::scalar::{Guard, guarded};
 use crate::{Error, Fixed, Real, Scalar};
 use std::any::Any;
 use std::fmt;
@@ -101,7 +102,9 @@ impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
     /// Returns the result for an input, with the bits of the function on plain numbers. Zeros have no sign.
     #[must_use]
     pub fn eval(&self, input: In) -> Out {
-        Out::load(&self.recorded.run(&numbers(input)))
+        guarded(input, |input| {
+            Out::load(&self.recorded.run(&numbers(input)))
+        })
     }
 
     /// Returns the result for an input on any scalar, with its derivatives if it has any. Literals are those of the
@@ -116,7 +119,9 @@ impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
     /// ```
     #[must_use]
     pub fn eval_on<S: Scalar>(&self, input: In::Of<S>) -> Out::Of<S> {
-        <Out::Of<S> as Fixed>::load(&self.recorded.run_on(&numbers(input)))
+        guarded(input, |input| {
+            <Out::Of<S> as Fixed>::load(&self.recorded.run_on(&numbers(input)))
+        })
     }
 
     /// The pull-back as a program: from an input and a cotangent of the result, of the result's shape,
@@ -212,8 +217,9 @@ impl<T: Real, In: Fixed<Scalar = T>> Program<In, T> {
     /// Returns the result as part of a larger function that is being recorded, with its adjoint by hand.
     #[must_use]
     pub fn eval_within(&self, input: In::Of<Sym<T>>) -> Sym<T> {
+        let guard = Guard::of(&input);
         let input = numbers(input);
-        let value = self.recorded.run_on(&input)[0];
+        let value = guard.result(self.recorded.run_on(&input)[0]);
         match self.recorded.gradient_by_hand() {
             None => value,
             Some(gradient) => {
@@ -233,10 +239,12 @@ impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Jacobian<Program<In
     #[must_use]
     pub fn eval(&self, input: In) -> (Out, Out::With<In>) {
         // The gradients follow the result.
+        let guard = Guard::of(&input);
         let all = self.recorded().run(&numbers(input));
-        let result = Out::load(&all);
+        let result = guard.result(Out::load(&all));
         let mut gradients = all[Out::LEN..].chunks(In::LEN.max(1));
-        let jacobian = result.map(&mut |_| In::load(gradients.next().unwrap_or_default()));
+        let mut gradient = || guard.result(In::load(gradients.next().unwrap_or_default()));
+        let jacobian = result.map(&mut |_| gradient());
         (result, jacobian)
     }
     /// The number of operations of a result and its Jacobian, by kind.

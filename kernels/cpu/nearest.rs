@@ -11,6 +11,7 @@ use crate::kernels::cpu::lane::{Lane, TILE, tiles};
 use crate::kernels::cpu::ragged::cuts;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::formats::kernels_in;
+use crate::scalar::power_of_largest;
 use crate::{Real, Scalar, Vec2};
 use std::ops::Range;
 
@@ -29,7 +30,7 @@ pub struct Limits<T> {
 
 impl<T: Real> Limits<T> {
     fn new() -> Self {
-        let power = |exponent: f64| T::lit(T::LARGEST.powf(exponent));
+        let power = |exponent: f64| T::lit(power_of_largest::<T>(exponent));
         Limits {
             far: power(0.39),
             near: power(-0.26),

@@ -6,6 +6,7 @@ use crate::kernels::cpu::arch::{LARGE, Vector};
 use crate::kernels::cpu::lane::{PLANE, Results, Tiles};
 use crate::kernels::cpu::overlaps::{lanes_of, put, seed};
 use crate::overlap_polygon::intersection_area_quads;
+use crate::scalar::power_of_largest;
 use crate::{Fixed, Real, Scalar, Vec2};
 
 /// Numbers of a quadrilateral.
@@ -13,7 +14,7 @@ pub(crate) const QUAD2: usize = 8;
 
 /// Coordinates beyond this take the scalar code: `10¹⁵` in single precision.
 pub(crate) fn farthest<T: Scalar>() -> f64 {
-    T::LARGEST.powf(0.39)
+    power_of_largest::<T>(0.39)
 }
 
 /// A part of a tile of quadrilaterals.

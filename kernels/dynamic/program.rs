@@ -12,6 +12,7 @@ use crate::error::{Argument, Error, Unrecordable};
 use crate::kernels::cpu::checked::expect;
 use crate::kernels::item::Leaf;
 use crate::kernels::recording::{Body, Recording};
+use crate::scalar::Guard;
 use crate::{Real, Scalar};
 use std::fmt;
 use std::sync::Arc;
@@ -32,6 +33,15 @@ struct Inner<T: Real> {
     recording: Arc<Recording<T>>,
     /// `true` of an operation.
     is_row: bool,
+}
+
+/// The results for some numbers; NaN if one of them is.
+fn guarded<S: Scalar>(input: &[S], mut results: Vec<S>) -> Vec<S> {
+    let guard = Guard::of_numbers(input);
+    for result in &mut results {
+        *result = guard.result(*result);
+    }
+    results
 }
 
 impl<T: Real> fmt::Debug for Program<T> {
@@ -180,7 +190,7 @@ impl<T: Real> Program<T> {
     /// [`Error::Length`] for another number of them.
     pub fn eval(&self, input: &[T]) -> Result<Vec<T>, Error> {
         expect(Argument::Shape, self.inner.recorded.inputs, input.len())?;
-        Ok(self.inner.recorded.run(input))
+        Ok(guarded(input, self.inner.recorded.run(input)))
     }
     /// The results for the numbers of one input on any scalar, with its derivatives if it has any.
     ///
@@ -189,7 +199,7 @@ impl<T: Real> Program<T> {
     /// [`Error::Length`] for another number of them.
     pub fn eval_on<S: Scalar>(&self, input: &[S]) -> Result<Vec<S>, Error> {
         expect(Argument::Shape, self.inner.recorded.inputs, input.len())?;
-        Ok(self.inner.recorded.run_on(input))
+        Ok(guarded(input, self.inner.recorded.run_on(input)))
     }
     /// Item i of every column, as [`Function::aligned`].
     ///
@@ -318,7 +328,7 @@ impl<T: Real> Program<T> {
         let inner = &*self.inner;
         let layouts: Vec<_> = inner.names.iter().copied().zip(self.inputs()).collect();
         let input = flat(&layouts, arguments)?;
-        let values = inner.recorded.run_on(&input);
+        let values = guarded(&input, inner.recorded.run_on(&input));
         let made = match (inner.recorded.gradient_by_hand(), &values[..]) {
             (Some(gradient), &[value]) => {
                 let derivatives = gradient.run_on(&input);

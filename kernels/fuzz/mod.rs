@@ -74,6 +74,8 @@ pub enum Property {
     Duals,
     /// Rows of several verbs say the same; which sentence of [`identities`](crate::kernels::identities).
     Identity(&'static str),
+    /// A NaN in a number of an input is NaN in every number of the result, which is as it was without one.
+    Nan,
 }
 
 impl fmt::Display for Property {
@@ -91,6 +93,7 @@ impl fmt::Display for Property {
             Property::Identity(sentence) => {
                 return write!(f, "not so: {sentence}");
             }
+            Property::Nan => "a NaN is lost, or a number became one",
         })
     }
 }

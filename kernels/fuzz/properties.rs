@@ -8,6 +8,7 @@ use crate::ad::forward::First;
 use crate::ad::sample::Draw;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::op::{Finite, Limits};
+use crate::scalar::Guard;
 use crate::{Jet, Real, Scalar};
 
 /// One of so many inputs is computed again by the scalar code, and one with duals.
@@ -201,6 +202,7 @@ impl<T: Real> Job<T> {
         }
         self.same_bits(inputs, &found, how)?;
         self.duals(inputs, &found, how)?;
+        self.nan(inputs, &found, how)?;
         if how.upstream && self.declared.finite == Finite::Always {
             let derivatives = (self.derivatives)(inputs, [upstream]);
             let derivatives = derivatives.map_err(|_| Finding {
@@ -345,6 +347,35 @@ impl<T: Real> Job<T> {
                     };
                     return Err(Finding { property, at: i });
                 }
+            }
+        }
+        Ok(())
+    }
+
+    /// NaN in one number after another of every so many inputs, as methods guard their results: NaN, and without it the
+    /// bits of the batch.
+    fn nan(&self, inputs: &Inputs<T>, found: &Found<T>, how: Thorough) -> Outcome {
+        let Some(recorded) = &self.recorded else {
+            return Ok(());
+        };
+        for (turn, i) in (0..inputs.count).step_by(how.dual).enumerate() {
+            let mut x = inputs.item(self, i);
+            let guarded = |x: &[T]| -> Vec<T> {
+                let guard = Guard::of_numbers(x);
+                let value = recorded.run(x).into_iter();
+                value.map(|number| guard.result(number)).collect()
+            };
+            let value = self.value_of(&found.values, i);
+            let kept = guarded(&x);
+            let k = turn % x.len().max(1);
+            x[k] = T::lit(f64::NAN);
+            let lost = guarded(&x).iter().any(|number| number.equals(*number));
+            let is_number = value.iter().all(|x| x.finite());
+            if lost || is_number && !kept.iter().zip(&value).all(|(a, &b)| a.equals(b)) {
+                return Err(Finding {
+                    property: Property::Nan,
+                    at: i,
+                });
             }
         }
         Ok(())

@@ -9,10 +9,11 @@ use crate::distance::upright::{
     closest_points_aabb2, distance_aabb2, farthest_distance_aabb2, signed_distance_aabb2,
     squared_distance_aabb2,
 };
-use crate::distance::{
-    Contact, PointPair, depth, closest_points, distance, farthest_distance, penetration,
-    signed_distance, squared_distance,
+use crate::distance::pair::{
+    closest_points, depth, distance, farthest_distance, penetration, signed_distance,
+    squared_distance,
 };
+use crate::distance::{Contact, PointPair};
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{
     self, Depth, Distance, FarthestDistance, SignedDistance, SquaredDistance,

@@ -1,8 +1,8 @@
 //! Distances of shapes of space as operations.
-use crate::distance3::{
-    Contact3, PointPair3, closest_points, distance, farthest_distance, penetration, signed_distance,
-    squared_distance,
+use crate::distance3::formula::{
+    closest_points, distance, farthest_distance, penetration, signed_distance, squared_distance,
 };
+use crate::distance3::{Contact3, PointPair3};
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{self, Distance, FarthestDistance, SignedDistance, SquaredDistance};
 use crate::{

@@ -309,7 +309,9 @@ macro_rules! finds {
             #[inline]
             fn apply(polygon: crate::ConvexPolygon<S, N>) -> Self::Out {
                 use crate::kernels::search::Search;
-                Item::<N>::replay(polygon, Item::<N>::decide(polygon))
+                crate::scalar::guarded(polygon, |polygon| {
+                    Item::<N>::replay(polygon, Item::<N>::decide(polygon))
+                })
             }
         }
     };
@@ -336,8 +338,10 @@ macro_rules! finds {
             #[inline]
             fn apply(a: crate::ConvexPolygon<S, $N>, b: crate::ConvexPolygon<S, $N>) -> Self::Out {
                 use crate::kernels::search::Search;
-                let found = Item::<$($capacity),+>::decide((a, b));
-                Item::<$($capacity),+>::replay((a, b), found)
+                crate::scalar::guarded((a, b), |both| {
+                    let found = Item::<$($capacity),+>::decide(both);
+                    Item::<$($capacity),+>::replay(both, found)
+                })
             }
         }
     };

@@ -197,8 +197,11 @@ impl Grid {
 
 /// Squares of an exact grid whose centres are numbers of the format: steps of the largest coordinate.
 pub(super) fn squares<S: Scalar>() -> Squares {
-    let bits = (EXTENT * 2.0 * S::EPSILON).log2();
-    Squares { bits: bits as u32 }
+    // The exponent of a power of two.
+    let bits = (EXTENT * 2.0 * S::EPSILON).to_bits() >> 52;
+    Squares {
+        bits: bits as u32 - 1023,
+    }
 }
 
 /// A coordinate: what it is seen from, and how far it reaches from there.

@@ -2,6 +2,7 @@
 use super::beam::{Beam, Inside};
 use super::edge::{Edge, reach, size_of};
 use super::share::{Ahead, Best, Deepest, Nearest};
+use crate::scalar::Guard;
 use crate::{Aabb2, Obb2, Scalar, Vec2};
 
 /// A convex shape: every point at most [`radius`](Convex::radius) from its [`core`](Convex::core).
@@ -51,6 +52,15 @@ pub trait Convex<S: Scalar>: Copy {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn radius(&self) -> S {
         S::zero()
+    }
+    /// A guard with the numbers of the shape: by default with those of its corners and its radius.
+    #[doc(hidden)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn guarded(&self, guard: Guard<S>) -> Guard<S> {
+        let core = self.core();
+        let (corners, away) = (core.corners(), core.away());
+        let all = corners.as_ref().iter().chain(away.as_ref());
+        all.fold(guard.and(&self.radius()), |guard, corner| guard.and(corner))
     }
     /// The distance, 0 where the shapes touch or overlap: [`distance`](super::distance()).
     #[must_use]
@@ -124,6 +134,8 @@ pub trait Convex<S: Scalar>: Copy {
 pub trait PairFormula<S: Scalar> {
     /// Its result.
     type Out;
+    /// `true` if the result for two points is NaN anyway where one of their numbers is.
+    const POINTS_KEEP_NAN: bool = false;
     /// The result for any two shapes, by their cores.
     fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Self::Out;
     /// The result for two points.

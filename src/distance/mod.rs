@@ -37,6 +37,7 @@
 //! there). Pairs of corner and edge that are equally near, as for parallel edges, share the derivative and the
 //! point equally. For two boxes face to face the points are the middle of the facing parts, or of the repetitions
 //! of their ends. Faces that are equally deep share the derivative, and the direction is that of the first.
+use crate::scalar::Guard;
 use crate::{Scalar, Vec2};
 
 pub(crate) mod beam;
@@ -45,6 +46,7 @@ pub(crate) mod convex;
 pub(crate) mod cores;
 pub(crate) mod edge;
 mod edge_fold;
+mod guarded;
 mod nearest_edge;
 pub(crate) mod pair;
 pub(crate) mod relation;
@@ -57,7 +59,8 @@ pub mod upright;
 
 pub use convex::{Convex, Core};
 pub use edge::{edge_distance, edge_squared_distance, edge_winding};
-use pair::{Closest, Farthest, Penetrating, Signed, Squared, Unsigned};
+use guarded::Guarded;
+use pair as formula;
 pub use shapes::repeat_last;
 
 /// A point of each of two shapes.
@@ -111,7 +114,7 @@ pub struct Contact<S> {
 #[must_use]
 #[inline]
 pub fn signed_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
-    a.take_formula::<Signed, B>(b)
+    a.take_formula::<Guarded<formula::Signed>, B>(b)
 }
 
 /// The signed distance with DGAL's sign, in the unit of length: positive where shapes overlap, negative apart.
@@ -143,7 +146,7 @@ pub fn depth<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
 #[must_use]
 #[inline]
 pub fn distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
-    a.take_formula::<Unsigned, B>(b)
+    a.take_formula::<Guarded<formula::Unsigned>, B>(b)
 }
 
 /// The squared distance of two convex shapes; 0 where they touch or overlap. Once differentiable
@@ -157,7 +160,7 @@ pub fn distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
 #[must_use]
 #[inline]
 pub fn squared_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
-    a.take_formula::<Squared, B>(b)
+    a.take_formula::<Guarded<formula::Squared>, B>(b)
 }
 
 /// The points in which two convex shapes are nearest to each other.
@@ -175,7 +178,7 @@ pub fn squared_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S 
 #[must_use]
 #[inline]
 pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> PointPair<S> {
-    a.take_formula::<Closest, B>(b)
+    a.take_formula::<Guarded<formula::Closest>, B>(b)
 }
 
 /// How deep two convex shapes are in each other, and in which direction b leaves a by the shortest
@@ -192,7 +195,7 @@ pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Poin
 #[must_use]
 #[inline]
 pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Contact<S> {
-    a.take_formula::<Penetrating, B>(b)
+    a.take_formula::<Guarded<formula::Penetrating>, B>(b)
 }
 
 /// The longest distance of a point of one shape from a point of the other, in the unit of length. For
@@ -209,7 +212,7 @@ pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Contact
 #[must_use]
 #[inline]
 pub fn farthest_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
-    a.take_formula::<Farthest, B>(b)
+    a.take_formula::<Guarded<formula::Farthest>, B>(b)
 }
 
 /// The points between which [`farthest_distance`] is: corners of both, or the points of round shapes beyond their
@@ -258,10 +261,10 @@ pub fn farthest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Far
         on_a -= direction * a.radius();
         on_b += direction * b.radius();
     }
-    FarthestPoints {
+    b.guarded(a.guarded(Guard::new())).result(FarthestPoints {
         on_a: on_a.canonical(),
         on_b: on_b.canonical(),
-    }
+    })
 }
 
 impl<S: Scalar> Vec2<S> {

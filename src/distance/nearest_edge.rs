@@ -1,6 +1,7 @@
 //! The nearest of many edges, found in plain numbers side by side, for slices.
 use super::edge::{edge_distance, winding_of};
 use super::edge_fold::EdgeFold;
+use crate::scalar::power_of_largest;
 use crate::{Scalar, Vec2};
 
 /// Edges worked on side by side, in arrays that the compiler turns into SIMD.
@@ -134,8 +135,10 @@ pub(super) fn nearest<S: Scalar<Mask = bool>>(
         found.winding += turns;
     }
     // The squares hold, and the least of them with all of its digits.
-    let ordinary = S::Primal::lit(S::LARGEST.powf(-0.4)).below(found.least)
-        & found.extent.below(S::Primal::lit(S::LARGEST.powf(0.4)));
+    let ordinary = S::Primal::lit(power_of_largest::<S>(-0.4)).below(found.least)
+        & found
+            .extent
+            .below(S::Primal::lit(power_of_largest::<S>(0.4)));
     if !ordinary {
         return None;
     }

@@ -24,6 +24,7 @@ pub(super) struct Farthest;
 
 impl<S: Scalar> PairFormula<S> for Signed {
     type Out = S;
+    const POINTS_KEEP_NAN: bool = true;
     #[inline]
     fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
         relate::<S, A, B, { LENGTH }>(a, b).signed(a.radius() + b.radius())
@@ -44,6 +45,7 @@ impl<S: Scalar> PairFormula<S> for Signed {
 
 impl<S: Scalar> PairFormula<S> for Unsigned {
     type Out = S;
+    const POINTS_KEEP_NAN: bool = true;
     #[inline]
     fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
         let apart = Signed::cores(a, b);
@@ -65,6 +67,7 @@ impl<S: Scalar> PairFormula<S> for Unsigned {
 
 impl<S: Scalar> PairFormula<S> for Squared {
     type Out = S;
+    const POINTS_KEEP_NAN: bool = true;
     #[inline]
     fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
         let found = relate::<S, A, B, { LENGTH }>(a, b);
@@ -163,4 +166,40 @@ impl<S: Scalar> PairFormula<S> for Farthest {
     fn obb2(a: Obb2<S>, b: Obb2<S>) -> S {
         turned::farthest_distance_obb2(a, b)
     }
+}
+
+/// [`signed_distance`](super::signed_distance) of shapes whose numbers are known to be finite.
+#[inline]
+pub(crate) fn signed_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    a.take_formula::<Signed, B>(b)
+}
+/// [`depth`](super::depth) of such shapes.
+#[inline]
+pub(crate) fn depth<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    (-signed_distance(a, b)).canonical()
+}
+/// [`distance`](super::distance()) of such shapes.
+#[inline]
+pub(crate) fn distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    a.take_formula::<Unsigned, B>(b)
+}
+/// [`squared_distance`](super::squared_distance) of such shapes.
+#[inline]
+pub(crate) fn squared_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    a.take_formula::<Squared, B>(b)
+}
+/// [`closest_points`](super::closest_points) of such shapes.
+#[inline]
+pub(crate) fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> PointPair<S> {
+    a.take_formula::<Closest, B>(b)
+}
+/// [`penetration`](super::penetration) of such shapes.
+#[inline]
+pub(crate) fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Contact<S> {
+    a.take_formula::<Penetrating, B>(b)
+}
+/// [`farthest_distance`](super::farthest_distance) of such shapes.
+#[inline]
+pub(crate) fn farthest_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    a.take_formula::<Farthest, B>(b)
 }

@@ -8,6 +8,7 @@
 use super::edge::edge_winding;
 pub use super::edge_fold::{EdgeFold, Fill};
 use super::nearest_edge::nearest;
+use crate::scalar::Guard;
 use crate::{Scalar, Vec2};
 
 /// The distance from a point to the edges of a polyline, not negative; 0 with derivative zero on it. For a
@@ -23,14 +24,14 @@ use crate::{Scalar, Vec2};
 #[must_use]
 #[inline]
 pub fn distance_to_polyline<S: Scalar<Mask = bool>>(point: Vec2<S>, path: &[Vec2<S>]) -> S {
-    fold_path(point, path).distance()
+    known(point, path).result(fold_path(point, path).distance())
 }
 
 /// The distance from a point to the edges of a ring, not negative, inside as outside.
 #[must_use]
 #[inline]
 pub fn distance_to_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[Vec2<S>]) -> S {
-    fold_ring(point, ring).distance()
+    known(point, ring).result(fold_ring(point, ring).distance())
 }
 
 /// The signed distance from a point to a ring in either orientation: negative inside, by the winding
@@ -49,7 +50,7 @@ pub fn distance_to_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[Vec2<S>]
 #[must_use]
 #[inline]
 pub fn signed_distance_to_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[Vec2<S>]) -> S {
-    fold_ring(point, ring).signed_distance(Fill::NonZero)
+    known(point, ring).result(fold_ring(point, ring).signed_distance(Fill::NonZero))
 }
 
 /// The winding number of a ring around a point. On the ring it is that of one of its sides.
@@ -62,9 +63,19 @@ pub fn signed_distance_to_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[V
 #[must_use]
 #[inline]
 pub fn winding_of_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[Vec2<S>]) -> S {
-    edges(ring)
-        .map(|(from, to)| edge_winding(point, from, to))
-        .fold(S::zero(), |sum, edge| sum + edge)
+    let turns = edges(ring).map(|(from, to)| edge_winding(point, from, to));
+    known(point, ring).result(turns.fold(S::zero(), |sum, edge| sum + edge))
+}
+
+/// A guard of a point and vertices: these by comparisons that do not wait for each other.
+#[inline(always)]
+fn known<S: Scalar<Mask = bool>>(point: Vec2<S>, vertices: &[Vec2<S>]) -> Guard<S> {
+    let is_known = |v: &Vec2<S>| v.x.equals(v.x) & v.y.equals(v.y);
+    let guard = Guard::of(&point);
+    match vertices.iter().fold(true, |all, v| all & is_known(v)) {
+        true => guard,
+        false => guard.and_number(S::lit(f64::NAN)),
+    }
 }
 
 /// The fold over the edges of a polyline; over its vertex where it has only one.

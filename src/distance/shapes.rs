@@ -3,12 +3,17 @@ use super::box_core::BoundsCore;
 use super::convex::Convex;
 use super::convex::PairFormula;
 use super::cores::{BoxCore, EdgeCore, PointCore, PolygonCore};
+use crate::scalar::Guard;
 use crate::{
     Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Rotation2, Scalar, Segment2, Triangle2, Vec2,
 };
 
 impl<S: Scalar> Convex<S> for Vec2<S> {
     type Core = PointCore<S>;
+    #[inline(always)]
+    fn guarded(&self, guard: Guard<S>) -> Guard<S> {
+        guard.and(self)
+    }
     #[inline(always)]
     fn core(self) -> PointCore<S> {
         PointCore(self)
@@ -26,6 +31,10 @@ impl<S: Scalar> Convex<S> for Vec2<S> {
 impl<S: Scalar> Convex<S> for Line2<S> {
     type Core = EdgeCore<S, 1, 2>;
     #[inline(always)]
+    fn guarded(&self, guard: Guard<S>) -> Guard<S> {
+        guard.and(self)
+    }
+    #[inline(always)]
     fn core(self) -> Self::Core {
         EdgeCore::endless(self.point, self.direction)
     }
@@ -33,6 +42,10 @@ impl<S: Scalar> Convex<S> for Line2<S> {
 
 impl<S: Scalar> Convex<S> for Ray2<S> {
     type Core = EdgeCore<S, 1, 1>;
+    #[inline(always)]
+    fn guarded(&self, guard: Guard<S>) -> Guard<S> {
+        guard.and(self)
+    }
     #[inline(always)]
     fn core(self) -> Self::Core {
         EdgeCore::endless(self.point, self.direction)
@@ -42,6 +55,10 @@ impl<S: Scalar> Convex<S> for Ray2<S> {
 impl<S: Scalar> Convex<S> for Segment2<S> {
     type Core = EdgeCore<S, 2, 0>;
     #[inline(always)]
+    fn guarded(&self, guard: Guard<S>) -> Guard<S> {
+        guard.and(self)
+    }
+    #[inline(always)]
     fn core(self) -> Self::Core {
         EdgeCore::segment(self.from, self.to)
     }
@@ -50,6 +67,10 @@ impl<S: Scalar> Convex<S> for Segment2<S> {
 impl<S: Scalar> Convex<S> for Triangle2<S> {
     type Core = PolygonCore<S, 3, true>;
     #[inline(always)]
+    fn guarded(&self, guard: Guard<S>) -> Guard<S> {
+        guard.and(self)
+    }
+    #[inline(always)]
     fn core(self) -> Self::Core {
         PolygonCore(self.counter_clockwise())
     }
@@ -57,6 +78,10 @@ impl<S: Scalar> Convex<S> for Triangle2<S> {
 
 impl<S: Scalar> Convex<S> for Aabb2<S> {
     type Core = BoundsCore<S>;
+    #[inline(always)]
+    fn guarded(&self, guard: Guard<S>) -> Guard<S> {
+        guard.and(self)
+    }
     #[inline(always)]
     fn core(self) -> Self::Core {
         BoundsCore {
@@ -76,6 +101,10 @@ impl<S: Scalar> Convex<S> for Aabb2<S> {
 
 impl<S: Scalar> Convex<S> for Obb2<S> {
     type Core = BoxCore<S, Rotation2<S>>;
+    #[inline(always)]
+    fn guarded(&self, guard: Guard<S>) -> Guard<S> {
+        guard.and(self)
+    }
     #[inline(always)]
     fn core(self) -> Self::Core {
         BoxCore {
@@ -98,6 +127,10 @@ impl<S: Scalar> Convex<S> for Circle<S> {
     type Core = PointCore<S>;
     const ROUND: bool = true;
     #[inline(always)]
+    fn guarded(&self, guard: Guard<S>) -> Guard<S> {
+        guard.and(self)
+    }
+    #[inline(always)]
     fn core(self) -> PointCore<S> {
         PointCore(self.center)
     }
@@ -110,6 +143,10 @@ impl<S: Scalar> Convex<S> for Circle<S> {
 impl<S: Scalar> Convex<S> for Capsule2<S> {
     type Core = EdgeCore<S, 2, 0>;
     const ROUND: bool = true;
+    #[inline(always)]
+    fn guarded(&self, guard: Guard<S>) -> Guard<S> {
+        guard.and(self)
+    }
     #[inline(always)]
     fn core(self) -> Self::Core {
         EdgeCore::segment(self.from, self.to)
@@ -124,6 +161,10 @@ impl<S: Scalar> Convex<S> for Capsule2<S> {
 /// polygon of fewer corners fits into an array for more: see [`repeat_last`].
 impl<S: Scalar, const N: usize> Convex<S> for [Vec2<S>; N] {
     type Core = PolygonCore<S, N>;
+    #[inline(always)]
+    fn guarded(&self, guard: Guard<S>) -> Guard<S> {
+        guard.and(self)
+    }
     #[inline(always)]
     fn core(self) -> Self::Core {
         PolygonCore(self)

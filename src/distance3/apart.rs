@@ -4,6 +4,7 @@ use super::cored::Cored;
 use super::half_space::{self, Bounded};
 use super::relation::Relation;
 use super::{between, boxes, round};
+use crate::scalar::Guard;
 use crate::shape::{Cone, Cylinder, Plane3};
 use crate::{Scalar, Vec3};
 
@@ -33,11 +34,20 @@ pub trait Apart<B>: Copy {
     /// The relation of the shapes to each other.
     #[doc(hidden)]
     fn relation(self, other: B) -> Relation<Self::Scalar>;
-    /// The longest distance: [`farthest_distance`](super::farthest_distance). By default that of a shape without end.
+    /// The longest distance. By default that of a shape without end.
+    #[doc(hidden)]
+    #[inline]
+    fn farthest(self, _other: B) -> Self::Scalar {
+        Self::Scalar::lit(Self::Scalar::LARGEST)
+    }
+    /// A guard of the numbers of both.
+    #[doc(hidden)]
+    fn guarded_with(&self, other: &B) -> Guard<Self::Scalar>;
+    /// The longest distance: [`farthest_distance`](super::farthest_distance).
     #[must_use]
     #[inline]
-    fn farthest_distance(self, _other: B) -> Self::Scalar {
-        Self::Scalar::lit(Self::Scalar::LARGEST)
+    fn farthest_distance(self, other: B) -> Self::Scalar {
+        super::farthest_distance(self, other)
     }
     /// The distance, 0 where the shapes touch or overlap: [`distance`](super::distance()).
     #[must_use]
@@ -74,6 +84,10 @@ pub trait Apart<B>: Copy {
 impl<A: Cored, B: Cored<Scalar = A::Scalar>> Apart<B> for A {
     type Scalar = A::Scalar;
     #[inline(always)]
+    fn guarded_with(&self, other: &B) -> Guard<A::Scalar> {
+        other.guarded(self.guarded(Guard::new()))
+    }
+    #[inline(always)]
     fn relation(self, other: B) -> Relation<A::Scalar> {
         let found = match (self.bounds(), other.bounds()) {
             (Some(a), Some(b)) => boxes::upright(a, b),
@@ -90,7 +104,7 @@ impl<A: Cored, B: Cored<Scalar = A::Scalar>> Apart<B> for A {
         }
     }
     #[inline]
-    fn farthest_distance(self, other: B) -> A::Scalar {
+    fn farthest(self, other: B) -> A::Scalar {
         let longest = match (self.bounds(), other.bounds()) {
             (Some(a), Some(b)) => boxes::farthest_upright(a, b).saturated(),
             _ => between::farthest(self.core(), other.core()),
@@ -127,6 +141,10 @@ fn from_point<B: Cored>(
 impl<S: Scalar, B: Bounded<Scalar = S>> Apart<B> for Plane3<S> {
     type Scalar = S;
     #[inline(always)]
+    fn guarded_with(&self, other: &B) -> Guard<S> {
+        other.all_guarded(Guard::of(self))
+    }
+    #[inline(always)]
     fn relation(self, other: B) -> Relation<S> {
         half_space::relate(self, other)
     }
@@ -134,6 +152,10 @@ impl<S: Scalar, B: Bounded<Scalar = S>> Apart<B> for Plane3<S> {
 
 impl<S: Scalar, A: Bounded<Scalar = S>> Apart<Plane3<S>> for A {
     type Scalar = S;
+    #[inline(always)]
+    fn guarded_with(&self, other: &Plane3<S>) -> Guard<S> {
+        self.all_guarded(Guard::of(other))
+    }
     #[inline(always)]
     fn relation(self, other: Plane3<S>) -> Relation<S> {
         half_space::relate(other, self).flipped()
@@ -145,6 +167,10 @@ macro_rules! revolved {
         impl<S: Scalar, A: Cored<Scalar = S, Core = PointCore<S>>> Apart<$Shape<S>> for A {
             type Scalar = S;
             #[inline(always)]
+            fn guarded_with(&self, other: &$Shape<S>) -> Guard<S> {
+                self.guarded(Guard::of(other))
+            }
+            #[inline(always)]
             fn relation(self, other: $Shape<S>) -> Relation<S> {
                 let found = round::relate(self.core().0, other);
                 match A::ROUND {
@@ -153,19 +179,23 @@ macro_rules! revolved {
                 }
             }
             #[inline]
-            fn farthest_distance(self, other: $Shape<S>) -> S {
+            fn farthest(self, other: $Shape<S>) -> S {
                 (round::farthest(self.core().0, other) + Cored::radius(&self)).canonical()
             }
         }
         impl<S: Scalar, B: Cored<Scalar = S, Core = PointCore<S>>> Apart<B> for $Shape<S> {
             type Scalar = S;
             #[inline(always)]
+            fn guarded_with(&self, other: &B) -> Guard<S> {
+                other.guarded(Guard::of(self))
+            }
+            #[inline(always)]
             fn relation(self, other: B) -> Relation<S> {
                 other.relation(self).flipped()
             }
             #[inline]
-            fn farthest_distance(self, other: B) -> S {
-                other.farthest_distance(self)
+            fn farthest(self, other: B) -> S {
+                other.farthest(self)
             }
         }
     )* };

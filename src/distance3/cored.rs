@@ -4,7 +4,7 @@ use super::core::{BoxCore, Core, PointCore};
 use super::simplex::{SegmentCore, SimplexCore, TetrahedronCore, TriangleCore};
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
-use crate::scalar::largest;
+use crate::scalar::{Guard, largest};
 use crate::shape::{
     Aabb3, Capsule3, Obb3, RoundBox3, Segment3, Sphere, Tetrahedron, Triangle3, YawBox3,
 };
@@ -23,6 +23,8 @@ pub trait Cored: Copy {
     const ROUND: bool = false;
     /// The shape that is inflated.
     fn core(self) -> Self::Core;
+    /// A guard with its numbers.
+    fn guarded(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
     /// By how much; not negative.
     #[inline(always)]
     fn radius(&self) -> Self::Scalar {
@@ -47,6 +49,10 @@ macro_rules! cored {
         impl<S: Scalar> Cored for $Shape<S> {
             type Scalar = S;
             type Core = $Core<S>;
+            #[inline(always)]
+            fn guarded(&self, guard: Guard<S>) -> Guard<S> {
+                guard.and(self)
+            }
             #[inline(always)]
             fn core(self) -> $Core<S> {
                 let $shape = self;
@@ -123,6 +129,10 @@ macro_rules! boxes {
         impl<S: Scalar> Cored for $Shape<S> {
             type Scalar = S;
             type Core = BoxCore<S>;
+            #[inline(always)]
+            fn guarded(&self, guard: Guard<S>) -> Guard<S> {
+                guard.and(self)
+            }
             #[inline(always)]
             fn core(self) -> BoxCore<S> {
                 let $shape = self;

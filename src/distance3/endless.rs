@@ -10,7 +10,7 @@ use super::simplex::{SegmentCore, SimplexCore};
 use super::spot::vanish;
 use super::straight::{Reach, Straight};
 use crate::distance::edge::scale_of;
-use crate::scalar::speck;
+use crate::scalar::{Guard, speck};
 use crate::shape::{Line3, Ray3};
 use crate::{Scalar, Vec3};
 
@@ -162,6 +162,10 @@ macro_rules! endless {
         }
         impl<S: Scalar, B: Cored<Scalar = S>> Apart<B> for $Shape<S> {
             type Scalar = S;
+            #[inline(always)]
+            fn guarded_with(&self, other: &B) -> Guard<S> {
+                other.guarded(Guard::of(self))
+            }
             #[inline]
             fn relation(self, other: B) -> Relation<S> {
                 let (line, core) = (self.feature(), other.core());
@@ -177,6 +181,10 @@ macro_rules! endless {
         }
         impl<S: Scalar, A: Cored<Scalar = S>> Apart<$Shape<S>> for A {
             type Scalar = S;
+            #[inline(always)]
+            fn guarded_with(&self, other: &$Shape<S>) -> Guard<S> {
+                self.guarded(Guard::of(other))
+            }
             #[inline]
             fn relation(self, other: $Shape<S>) -> Relation<S> {
                 other.relation(self).flipped()
@@ -193,6 +201,10 @@ macro_rules! both_endless {
     ($($A:ident $B:ident;)*) => { $(
         impl<S: Scalar> Apart<$B<S>> for $A<S> {
             type Scalar = S;
+            #[inline(always)]
+            fn guarded_with(&self, other: &$B<S>) -> Guard<S> {
+                Guard::of(self).and(other)
+            }
             #[inline]
             fn relation(self, other: $B<S>) -> Relation<S> {
                 relate(self.feature(), other.feature())

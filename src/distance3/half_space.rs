@@ -7,7 +7,7 @@ use super::round::Revolved;
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance::share::Best;
-use crate::scalar::largest;
+use crate::scalar::{Guard, largest};
 use crate::shape::{Cone, Cylinder, Plane3};
 use crate::{Scalar, Vec3};
 
@@ -18,10 +18,16 @@ pub trait Bounded: Copy {
     /// The least of `normal · point`, given a normal of length one, and a point of the shape there. Points that tie
     /// share the derivative, and the point is their mean.
     fn lowest(self, normal: Vec3<Self::Scalar>) -> (Self::Scalar, Vec3<Self::Scalar>);
+    /// A guard with its numbers.
+    fn all_guarded(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
 }
 
 impl<A: Cored> Bounded for A {
     type Scalar = A::Scalar;
+    #[inline(always)]
+    fn all_guarded(&self, guard: Guard<A::Scalar>) -> Guard<A::Scalar> {
+        self.guarded(guard)
+    }
     #[inline(always)]
     fn lowest(self, normal: Vec3<A::Scalar>) -> (A::Scalar, Vec3<A::Scalar>) {
         let (core, radius) = (self.core(), self.radius());
@@ -54,6 +60,10 @@ fn lower<S: Scalar>(a: (S, Vec3<S>), b: (S, Vec3<S>)) -> (S, Vec3<S>) {
 impl<S: Scalar> Bounded for Cylinder<S> {
     type Scalar = S;
     #[inline(always)]
+    fn all_guarded(&self, guard: Guard<S>) -> Guard<S> {
+        guard.and(self)
+    }
+    #[inline(always)]
     fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
         let (down, way) = lowest_of_circle(self.axis(), self.radius, normal);
         let ends = [self.start, self.end].each_as(|end| (normal.dot(end), end));
@@ -64,6 +74,10 @@ impl<S: Scalar> Bounded for Cylinder<S> {
 
 impl<S: Scalar> Bounded for Cone<S> {
     type Scalar = S;
+    #[inline(always)]
+    fn all_guarded(&self, guard: Guard<S>) -> Guard<S> {
+        guard.and(self)
+    }
     #[inline(always)]
     fn lowest(self, normal: Vec3<S>) -> (S, Vec3<S>) {
         let (down, way) = lowest_of_circle(self.axis(), self.radius, normal);

@@ -90,6 +90,7 @@ pub(crate) mod core;
 pub(crate) mod cored;
 pub(crate) mod deep;
 mod endless;
+pub(crate) mod formula;
 pub(crate) mod half_space;
 pub(crate) mod near;
 mod pair;
@@ -142,7 +143,7 @@ pub struct Contact3<S> {
 #[must_use]
 #[inline]
 pub fn signed_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.relation(b).apart.saturated().canonical()
+    a.guarded_with(&b).result(formula::signed_distance(a, b))
 }
 
 /// The distance of two shapes of space, in the unit of length; 0 with derivative zero where they touch or overlap.
@@ -160,10 +161,7 @@ pub fn signed_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
 #[must_use]
 #[inline]
 pub fn distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    let apart = a.relation(b).apart;
-    S::select(apart.above(S::zero()), apart, S::zero())
-        .saturated()
-        .canonical()
+    a.guarded_with(&b).result(formula::distance(a, b))
 }
 
 /// The squared distance of two shapes of space; 0 where they touch or overlap. Once differentiable wherever the nearest
@@ -177,7 +175,7 @@ pub fn distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
 #[must_use]
 #[inline]
 pub fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.relation(b).square.saturated().canonical()
+    a.guarded_with(&b).result(formula::squared_distance(a, b))
 }
 
 /// The points in which two shapes of space are nearest to each other.
@@ -194,11 +192,7 @@ pub fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S 
 #[must_use]
 #[inline]
 pub fn closest_points<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> PointPair3<S> {
-    let found = a.relation(b);
-    PointPair3 {
-        on_a: found.on_a.canonical(),
-        on_b: found.on_b.canonical(),
-    }
+    a.guarded_with(&b).result(formula::closest_points(a, b))
 }
 
 /// How deep two shapes of space are in each other, and in which direction b leaves a by the shortest way.
@@ -215,14 +209,7 @@ pub fn closest_points<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Poin
 #[must_use]
 #[inline]
 pub fn penetration<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Contact3<S> {
-    let found = a.relation(b);
-    let depth = -found.apart;
-    Contact3 {
-        depth: S::select(depth.above(S::zero()), depth, S::zero())
-            .saturated()
-            .canonical(),
-        direction: found.normal.canonical(),
-    }
+    a.guarded_with(&b).result(formula::penetration(a, b))
 }
 
 /// The longest distance of a point of one shape of space from a point of the other, in the unit of length.
@@ -239,5 +226,5 @@ pub fn penetration<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Contact
 #[must_use]
 #[inline]
 pub fn farthest_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.farthest_distance(b)
+    a.guarded_with(&b).result(formula::farthest_distance(a, b))
 }

@@ -1,6 +1,7 @@
 //! Distances of points to polylines of space, as a fold over edges.
-use super::distance;
+use super::formula::distance;
 use crate::distance::share::Best;
+use crate::scalar::Guard;
 use crate::{Scalar, Segment3, Shape, Vec3};
 
 /// The nearest of some edges: its distance, and the sum of all that tie with their number.
@@ -77,6 +78,7 @@ impl<S: Scalar> NearestEdge3<S> {
 pub fn distance_to_polyline<S: Scalar>(point: Vec3<S>, path: &[Vec3<S>]) -> S {
     let edges = path.windows(2);
     let seen = edges.map(|ends| NearestEdge3::of_edge(point, ends[0], ends[1]));
-    seen.fold(NearestEdge3::empty(), NearestEdge3::join)
-        .result()
+    let nearest = seen.fold(NearestEdge3::empty(), NearestEdge3::join);
+    let guard = path.iter().fold(Guard::of(&point), |guard, v| guard.and(v));
+    guard.result(nearest.result())
 }

@@ -1,7 +1,7 @@
 //! Points and balls against cylinders and cones: in the plane through their axis.
 use super::relation::{Relation, direction};
 use crate::distance::edge::scale_of;
-use crate::distance::{self, Convex};
+use crate::distance::{Convex, pair as distance};
 use crate::scalar::largest;
 use crate::shape::{Cone, Cylinder};
 use crate::{Aabb2, Scalar, Triangle2, Vec2, Vec3};

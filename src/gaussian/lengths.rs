@@ -1,6 +1,7 @@
 //! Lengths in units of their own: sizes of boxes that are small or large beside each other, or beside the
 //! distance between them, keep their digits.
 use crate::Scalar;
+use crate::scalar::power_of_largest;
 
 /// The units of the sizes of two boxes: powers of two, constants.
 pub(super) struct Shapes<S: Scalar> {
@@ -23,7 +24,7 @@ pub(super) struct Shapes<S: Scalar> {
 /// allow, so that derivatives by lengths stay finite in that unit.
 #[inline(always)]
 fn bounded_unit<S: Scalar>(length: S) -> S {
-    let most = S::lit(S::LARGEST.powf(-0.75)).binade();
+    let most = S::lit(power_of_largest::<S>(-0.75)).binade();
     let unit = length.binade();
     S::select(most.below(unit), most, unit)
 }

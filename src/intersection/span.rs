@@ -5,6 +5,7 @@ use crate::distance::beam::{Beam, Border};
 use crate::distance::convex::{Convex, Core};
 use crate::distance::edge::{scale_of, size_of};
 use crate::distance::share::Best;
+use crate::scalar::Guard;
 use crate::{Line2, Ray2, Scalar, Segment2, Vec2};
 
 /// The chord of a line in a convex shape: the parameters of the line between which it is in the shape.
@@ -107,11 +108,11 @@ fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Found<S> {
 pub fn span<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Chord<S> {
     let inside = find(line, shape);
     let pick = |t: S| S::select(inside.found, t, S::zero()).canonical();
-    Chord {
+    shape.guarded(Guard::of(&line)).result(Chord {
         enter: pick(inside.enter.t),
         exit: pick(inside.exit.t),
         found: flag::<S>(inside.found),
-    }
+    })
 }
 
 /// The first point of a ray on the border of a convex shape: where it enters or, from inside, where it
@@ -138,7 +139,7 @@ pub fn first_hit<S: Scalar, A: Convex<S>>(ray: Ray2<S>, shape: A) -> Hit<S> {
     let leaves = inside.found & inside.enter.t.below(zero) & ahead(inside.exit.t);
     let pick = |enter: S, exit: S, miss: S| S::select(enters, enter, S::select(leaves, exit, miss));
     let along = pick(inside.enter.t, inside.exit.t, zero);
-    Hit {
+    shape.guarded(Guard::of(&ray)).result(Hit {
         parameter: pick(inside.enter.t, inside.exit.t, large).canonical(),
         point: ray.point_at(along),
         normal: Vec2::new(
@@ -147,7 +148,7 @@ pub fn first_hit<S: Scalar, A: Convex<S>>(ray: Ray2<S>, shape: A) -> Hit<S> {
         )
         .canonical(),
         kind: pick(S::one(), S::lit(2.0), zero),
-    }
+    })
 }
 
 /// The length of the part of a segment that lies in a convex shape, from 0 to the segment's own length;
@@ -167,5 +168,8 @@ pub fn length_inside<S: Scalar, A: Convex<S>>(segment: Segment2<S>, shape: A) ->
     let inside = find(segment.line(), shape);
     let part = inside.exit.t.least(S::one()) - inside.enter.t.most(S::zero());
     let some = inside.found & part.above(S::zero());
-    (S::select(some, part, S::zero()) * segment.length()).canonical()
+    let length = S::select(some, part, S::zero()) * segment.length();
+    shape
+        .guarded(Guard::of(&segment))
+        .result(length.canonical())
 }

@@ -3,6 +3,7 @@ use super::giou::outside_share;
 use super::hull::{hull_of_bounds, joint_unit, joint_units};
 use super::terms::{Terms, part};
 use crate::overlap::iou_aabb2;
+use crate::scalar::guarded;
 use crate::{Aabb2, Scalar, Vec2};
 
 /// How the extent of two intervals is divided: what only the first covers, only the second, both, and
@@ -230,6 +231,6 @@ impl<S: Scalar> Aabb2<S> {
     #[must_use]
     #[inline]
     pub fn giou(self, other: Self) -> S {
-        giou_aabb2(self, other)
+        guarded((self, other), |(a, b)| giou_aabb2(a, b))
     }
 }

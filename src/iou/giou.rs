@@ -3,6 +3,7 @@ use super::hull::{hull_of_related, hull_scale};
 use crate::clip::area_from_half;
 use crate::clip::{Framed, clip, clipped_area, frame, relate, related_area};
 use crate::overlap::ratio_of_union;
+use crate::scalar::guarded;
 use crate::{Mask, Obb2, Scalar};
 
 /// `I/U − (C − U)/C` from areas; a hull that rounding left smaller than the union counts as large.
@@ -63,6 +64,6 @@ impl<S: Scalar> Obb2<S> {
     #[must_use]
     #[inline]
     pub fn giou(self, other: Self) -> S {
-        giou_obb2(self, other)
+        guarded((self, other), |(a, b)| giou_obb2(a, b))
     }
 }

@@ -7,6 +7,7 @@
 //! a tenth, at recalls above a tenth, as the kit does it.
 //!
 //! The caller leaves out what the benchmark leaves out: truths without points, objects beyond the range of their class.
+use crate::Scalar;
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::suppression::{check_groups, invalid};
 use std::ops::Range;
@@ -52,7 +53,7 @@ impl Object {
     }
     fn distance(&self, other: &Object) -> f64 {
         let [x, y] = [0, 1].map(|k| self.center[k] - other.center[k]);
-        x.hypot(y)
+        Scalar::hypot(x, y)
     }
     /// The flaw of numbers that have no meaning.
     fn flaw(&self) -> Option<Flaw> {
@@ -186,7 +187,7 @@ fn errors(detection: &Object, truth: &Object, period: f64) -> [f64; 5] {
         turn -= 2.0 * std::f64::consts::PI;
     }
     let velocity = match (detection.velocity, truth.velocity) {
-        (Some(own), Some(other)) => (own[0] - other[0]).hypot(own[1] - other[1]),
+        (Some(own), Some(other)) => Scalar::hypot(own[0] - other[0], own[1] - other[1]),
         _ => f64::NAN,
     };
     let attribute = match truth.attribute {

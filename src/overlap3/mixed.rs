@@ -3,8 +3,9 @@ use super::{
     intersection_volume_aabb3, intersection_volume_obb3, intersection_volume_yaw, iof_aabb3,
     iof_obb3, iof_yaw, iou_aabb3, iou_obb3, iou_obb3_vjp, iou_yaw,
 };
+use crate::scalar::guarded;
 use crate::shape::{Aabb3, Obb3, Rotation3, YawBox3};
-use crate::{Pack, Scalar};
+use crate::{Fixed, Pack, Scalar};
 
 /// Boxes that overlap another kind of box: every pair of [`Aabb3`], [`YawBox3`] and [`Obb3`]. The pair is
 /// measured as boxes of the more general kind.
@@ -62,8 +63,9 @@ macro_rules! methods {
             pub fn iou<B>(self, other: B) -> S
             where
                 Self: Overlaps<B, Scalar = S>,
+                B: Fixed<Scalar = S>,
             {
-                self.iou_with(other)
+                guarded((self, other), |(a, b)| a.iou_with(b))
             }
             /// The share of this box that lies in a box of any kind, in `[0, 1]`.
             #[must_use]
@@ -71,8 +73,9 @@ macro_rules! methods {
             pub fn iof<B>(self, other: B) -> S
             where
                 Self: Overlaps<B, Scalar = S>,
+                B: Fixed<Scalar = S>,
             {
-                self.iof_with(other)
+                guarded((self, other), |(a, b)| a.iof_with(b))
             }
             /// The volume shared with a box of any kind, in cubed units of length.
             #[must_use]
@@ -80,8 +83,9 @@ macro_rules! methods {
             pub fn intersection_volume<B>(self, other: B) -> S
             where
                 Self: Overlaps<B, Scalar = S>,
+                B: Fixed<Scalar = S>,
             {
-                self.volume_shared_with(other)
+                guarded((self, other), |(a, b)| a.volume_shared_with(b))
             }
         }
     )* };

@@ -37,6 +37,7 @@ mod wedge;
 
 use crate::overlap::{ratio_of_first, ratio_of_union};
 use crate::reference::{Reference, bounds_of};
+use crate::scalar::Guard;
 use crate::shape::edges;
 use crate::{Aabb2, ConvexPolygon, Mask, Scalar, Vec2};
 pub use quad::intersection_area_quads;
@@ -304,22 +305,28 @@ pub(crate) fn bounds_of_rings<S: Scalar>(rings: &[&[Vec2<S>]]) -> Option<Aabb2<S
 }
 
 impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
+    /// A guard with the vertices of both.
+    fn guard_with<const M: usize>(&self, other: &ConvexPolygon<S, M>) -> Guard<S> {
+        let all = self.as_slice().iter().chain(other.as_slice());
+        all.fold(Guard::new(), |guard, vertex| guard.and(vertex))
+    }
     /// The area shared with another convex polygon, from 0 to the area of the smaller one.
     #[must_use]
     #[inline]
     pub fn intersection_area<const M: usize>(&self, other: &ConvexPolygon<S, M>) -> S {
-        intersection_area_polygons(self, other)
+        self.guard_with(other)
+            .result(intersection_area_polygons(self, other))
     }
     /// Intersection over union, in `[0, 1]`.
     #[must_use]
     #[inline]
     pub fn iou<const M: usize>(&self, other: &ConvexPolygon<S, M>) -> S {
-        iou_polygons(self, other)
+        self.guard_with(other).result(iou_polygons(self, other))
     }
     /// The share of this polygon that lies in the other one, in `[0, 1]`.
     #[must_use]
     #[inline]
     pub fn iof<const M: usize>(&self, other: &ConvexPolygon<S, M>) -> S {
-        iof_polygons(self, other)
+        self.guard_with(other).result(iof_polygons(self, other))
     }
 }

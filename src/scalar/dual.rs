@@ -117,6 +117,10 @@ impl<D: Tangent> Scalar for D {
         self.half()
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
+    fn may_be_nan(self) -> bool {
+        self.value().may_be_nan()
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos(self) -> (Self, Self) {
         D::operation(|| {
             let (sin, cos) = self.value().sin_cos();

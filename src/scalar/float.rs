@@ -1,12 +1,13 @@
 //! `f32` and `f64` as scalars, and the elementary functions they share with SIMD lanes.
 //!
-//! Sine, cosine, exponential and logarithm are polynomials, evaluated in `f64`, so that a number and a lane give
-//! the same bits on every machine and at every SIMD level.
+//! Sine, cosine, arctangent, exponential and logarithm are polynomials, evaluated in `f64`, so that a number and a lane
+//! give the same bits on every machine and at every SIMD level. None calls the platform's library.
 use crate::Scalar;
+use crate::scalar::angle::{atan2_single, atan2_wide};
 use crate::scalar::exponential::{exp_single, exp_wide, ln_single, ln_wide};
 use crate::scalar::polynomial::{SHIFT, polynomial};
 
-/// Above this angle the three-part reduction loses digits and the platform's library takes over.
+/// Above this angle the three-part reduction loses digits, and that of fdlibm by all digits of π takes over (`libm`).
 const REDUCED: f64 = 800_000.0;
 
 /// The nearest multiple of a quarter turn, in quarters.
@@ -109,13 +110,9 @@ fn sin_cos_short<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
 }
 
 /// Sine and cosine of lanes of `f64` (or one `f64`), of which `short` says whether they come from
-/// `f32`; `by_library` serves the rare huge angles.
+/// `f32`; `far` serves the rare huge angles.
 #[inline(always)]
-fn sin_cos_by<W: Scalar<Primal = W>>(
-    short: bool,
-    angle: W,
-    by_library: impl Fn(W) -> (W, W),
-) -> (W, W) {
+fn sin_cos_by<W: Scalar<Primal = W>>(short: bool, angle: W, far: impl Fn(W) -> (W, W)) -> (W, W) {
     use crate::Mask;
     let near = angle.unsigned().at_most(W::lit(REDUCED));
     if near.all() {
@@ -129,26 +126,20 @@ fn sin_cos_by<W: Scalar<Primal = W>>(
         true => sin_cos_short(angle_near),
         false => sin_cos_reduced(angle_near),
     };
-    let (far_sin, far_cos) = by_library(angle);
+    let (far_sin, far_cos) = far(angle);
     (W::select(near, sin, far_sin), W::select(near, cos, far_cos))
 }
 
 /// Sine and cosine of lanes of `f64` (or one `f64`).
 #[inline(always)]
-pub(crate) fn sin_cos_wide<W: Scalar<Primal = W>>(
-    angle: W,
-    by_library: impl Fn(W) -> (W, W),
-) -> (W, W) {
-    sin_cos_by(false, angle, by_library)
+pub(crate) fn sin_cos_wide<W: Scalar<Primal = W>>(angle: W, far: impl Fn(W) -> (W, W)) -> (W, W) {
+    sin_cos_by(false, angle, far)
 }
 
 /// Sine and cosine in `f64` of angles that are `f32`.
 #[inline(always)]
-pub(crate) fn sin_cos_single<W: Scalar<Primal = W>>(
-    angle: W,
-    by_library: impl Fn(W) -> (W, W),
-) -> (W, W) {
-    sin_cos_by(true, angle, by_library)
+pub(crate) fn sin_cos_single<W: Scalar<Primal = W>>(angle: W, far: impl Fn(W) -> (W, W)) -> (W, W) {
+    sin_cos_by(true, angle, far)
 }
 
 /// An `f64` as the twelve high bits of its significand, which an `f32` holds, and the rest, rounded
@@ -188,7 +179,7 @@ pub trait Float: Copy + std::fmt::Debug + Send + Sync + 'static {
 macro_rules! float {
     ($f:ident, $bits:ident, compensated: $compensated:literal, parallel: $parallel:literal,
      low_half: $low:literal, mantissa: $mantissa:literal,
-     sines: $sin_cos:ident, split: $split:expr, exponentials: $exp:ident $ln:ident) => {
+     sines: $sin_cos:ident, angle: $atan2:ident, split: $split:expr, exponentials: $exp:ident $ln:ident) => {
         impl Float for $f {
             type Bits = $bits;
             const NONE: $bits = 0;
@@ -263,16 +254,16 @@ macro_rules! float {
             }
             #[inline(always)]
             fn root(self) -> Self {
-                if self > 0.0 { self.sqrt() } else { 0.0 }
+                if self <= 0.0 { 0.0 } else { self.sqrt() }
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                let (sin, cos) = $sin_cos(self.widen(), f64::sin_cos);
+                let (sin, cos) = $sin_cos(self.widen(), libm::sincos);
                 (sin as $f, cos as $f)
             }
             #[inline(always)]
             fn sin_cos_parts(self) -> [(Self, Self); 2] {
-                let (sin, cos) = $sin_cos(self.widen(), f64::sin_cos);
+                let (sin, cos) = $sin_cos(self.widen(), libm::sincos);
                 [$split(sin), $split(cos)]
             }
             #[inline(always)]
@@ -282,12 +273,7 @@ macro_rules! float {
             }
             #[inline(always)]
             fn atan2(self, x: Self) -> Self {
-                if self == 0.0 && x == 0.0 {
-                    0.0
-                } else {
-                    // The sign of a zero has no meaning here.
-                    (self.widen() + 0.0).atan2(x.widen() + 0.0) as $f
-                }
+                $atan2(self.widen(), x.widen()) as $f
             }
             #[inline(always)]
             fn exp(self) -> Self {
@@ -327,6 +313,10 @@ macro_rules! float {
                 self.abs()
             }
             #[inline(always)]
+            fn known(self, known: bool, nan: Self) -> Self {
+                if known { self } else { nan }
+            }
+            #[inline(always)]
             fn damp(self, _share: Self) -> Self {
                 self
             }
@@ -339,6 +329,6 @@ macro_rules! float {
 }
 
 float!(f32, u32, compensated: true, parallel: 2e-10, low_half: 12, mantissa: 23,
-    sines: sin_cos_single, split: split_single, exponentials: exp_single ln_single);
+    sines: sin_cos_single, angle: atan2_single, split: split_single, exponentials: exp_single ln_single);
 float!(f64, u64, compensated: false, parallel: 4e-16, low_half: 27, mantissa: 52,
-    sines: sin_cos_wide, split: f64::parts, exponentials: exp_wide ln_wide);
+    sines: sin_cos_wide, angle: atan2_wide, split: f64::parts, exponentials: exp_wide ln_wide);

@@ -206,7 +206,7 @@ macro_rules! lanes {
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 let wide = Lanes::<f64, N>(lanes_of!(0.0; |i| self.0[i].widen()));
-                let (sin, cos) = $sin_cos(wide, by_library);
+                let (sin, cos) = $sin_cos(wide, far_sin_cos);
                 (
                     Lanes(lanes_of!(0.0; |i| sin.0[i] as $f)),
                     Lanes(lanes_of!(0.0; |i| cos.0[i] as $f)),
@@ -215,7 +215,7 @@ macro_rules! lanes {
             #[inline(always)]
             fn sin_cos_parts(self) -> [(Self, Self); 2] {
                 let wide = Lanes::<f64, N>(lanes_of!(0.0; |i| self.0[i].widen()));
-                let (sin, cos) = $sin_cos(wide, by_library);
+                let (sin, cos) = $sin_cos(wide, far_sin_cos);
                 let sin_high = lanes_of!(0.0; |i| $split(sin.0[i]).0);
                 let sin_low = lanes_of!(0.0; |i| $split(sin.0[i]).1);
                 let cos_high = lanes_of!(0.0; |i| $split(cos.0[i]).0);
@@ -263,6 +263,10 @@ macro_rules! lanes {
                 Lanes(lanes_of!(0.0; |i| self.0[i].abs()))
             }
             #[inline(always)]
+            fn known(self, known: Self::Mask, nan: Self) -> Self {
+                Self::select(known, self, nan)
+            }
+            #[inline(always)]
             fn damp(self, _share: Self) -> Self {
                 self
             }
@@ -276,10 +280,10 @@ macro_rules! lanes {
 
 /// Lane by lane, for angles that the polynomial does not serve.
 #[inline(never)]
-fn by_library<const N: usize>(angle: Lanes<f64, N>) -> (Lanes<f64, N>, Lanes<f64, N>) {
+fn far_sin_cos<const N: usize>(angle: Lanes<f64, N>) -> (Lanes<f64, N>, Lanes<f64, N>) {
     (
-        Lanes(lanes_of!(0.0; |i| angle.0[i].sin())),
-        Lanes(lanes_of!(0.0; |i| angle.0[i].cos())),
+        Lanes(lanes_of!(0.0; |i| libm::sin(angle.0[i]))),
+        Lanes(lanes_of!(0.0; |i| libm::cos(angle.0[i]))),
     )
 }
 

@@ -25,17 +25,21 @@
 //! * *Folds* are sums over the edges of a list of any length ([`Fold`](crate::kernels::Fold)).
 //!
 //! A dual type implements `dual::Tangent`, which applies the chain rule; everything else follows from it.
+mod angle;
 pub mod dual;
 #[cfg(feature = "nalgebra")]
 mod dual_vector;
 pub(crate) mod exponential;
 pub(crate) mod float;
+mod guard;
 pub mod jet;
 pub mod lanes;
 mod polynomial;
 pub(crate) mod real;
 mod ties;
 
+#[doc(hidden)]
+pub use guard::{Guard, guarded};
 pub use jet::Jet;
 pub use lanes::Lanes;
 pub use real::{Format, Real};
@@ -46,7 +50,18 @@ pub use ties::{least_of, most_of};
 /// difference of [ordinary](crate::kernels::op::Limits::ORDINARY) coordinates is so small, but one times the sine of
 /// a small angle is. Quotients by it may have infinite derivatives.
 pub(crate) fn speck<S: Scalar>() -> f64 {
-    S::LARGEST.powf(-0.5)
+    power_of_largest::<S>(-0.5)
+}
+
+/// The largest number of the format to a power between −1 and 1, as bounds of sizes are given: the same on every machine.
+#[inline]
+pub(crate) fn power_of_largest<S: Scalar>(power: f64) -> f64 {
+    // It is 2ⁿ less half a unit in its last place.
+    let n = (S::LARGEST.to_bits() >> 52) as f64 - 1022.0;
+    let whole = (n * power).floor();
+    let part = exponential::exp_wide((n * power - whole) * std::f64::consts::LN_2);
+    let all = part * <f64 as exponential::Exponents>::power_of_two(whole);
+    all - all * (power * (S::EPSILON / 2.0))
 }
 
 /// The largest of some magnitudes, without derivative.
@@ -217,7 +232,7 @@ pub trait Scalar:
 
     /// The quotient, with the value of plain numbers.
     fn over(self, divisor: Self) -> Self;
-    /// The square root; 0 with derivative 0 for zero and below.
+    /// The square root; 0 with derivative 0 for zero and below, NaN for NaN.
     fn root(self) -> Self;
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
@@ -324,6 +339,18 @@ pub trait Scalar:
     #[inline(always)]
     fn with_primal(self, value: Self::Primal) -> Self {
         (self - Self::from_primal(self.primal())) + Self::from_primal(value)
+    }
+    /// `false` if it is known to be a number: an input of a program that is being recorded, whose columns are checked.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn may_be_nan(self) -> bool {
+        true
+    }
+    /// The same where the mask is true, else NaN in every part, made of the given NaN.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn known(self, known: Self::Mask, nan: Self::Primal) -> Self {
+        Self::select(known, self, self * Self::from_primal(nan))
     }
     /// True where the value is neither infinite nor NaN.
     ///

@@ -1,5 +1,6 @@
 //! Intervals of the number line.
 use crate::error::{Flaw, Validate};
+use crate::scalar::Guard;
 use crate::{Scalar, Shape};
 
 /// A closed interval of the number line. Valid when finite and `min ≤ max`; length zero is valid.
@@ -72,23 +73,24 @@ impl<S: Scalar> Interval<S> {
     #[must_use]
     #[inline(always)]
     pub fn signed_distance(self, other: Self) -> S {
-        (self.min - other.max)
-            .most(other.min - self.max)
-            .canonical()
+        let gap = (self.min - other.max).most(other.min - self.max);
+        Guard::of(&self).and(&other).result(gap.canonical())
     }
     /// The gap between two intervals; 0 with derivative zero where they touch or overlap.
     #[must_use]
     #[inline(always)]
     pub fn distance(self, other: Self) -> S {
         let gap = self.signed_distance(other);
-        S::select(gap.above(S::zero()), gap, S::zero()).canonical()
+        let gap = S::select(gap.above(S::zero()), gap, S::zero());
+        Guard::of(&self).and(&other).result(gap.canonical())
     }
     /// The signed distance of a number: negative inside. Kink: the centre, which has derivative zero, with
     /// half of each bound's derivative.
     #[must_use]
     #[inline(always)]
     pub fn signed_distance_to(self, x: S) -> S {
-        (self.min - x).most(x - self.max).canonical()
+        let gap = (self.min - x).most(x - self.max);
+        Guard::of(&self).and(&x).result(gap.canonical())
     }
     /// The distance of a number; 0 with derivative zero inside and on the bounds.
     #[must_use]
@@ -101,7 +103,8 @@ impl<S: Scalar> Interval<S> {
     #[inline(always)]
     pub fn intersection_length(self, other: Self) -> S {
         let shared = self.max.least(other.max) - self.min.most(other.min);
-        S::select(shared.above(S::zero()), shared, S::zero()).canonical()
+        let shared = S::select(shared.above(S::zero()), shared, S::zero());
+        Guard::of(&self).and(&other).result(shared.canonical())
     }
     /// Intersection over union, in `[0, 1]`; 0 with derivative zero where they are apart, touch, or both
     /// have length zero. Kinks: equal bounds share the derivative, so that identical intervals have derivative
@@ -119,7 +122,8 @@ impl<S: Scalar> Interval<S> {
         let union = a + b - shared;
         let none = union.at_most(S::zero());
         let ratio = shared.over(S::select(none, S::one(), union));
-        S::select(none, S::zero(), ratio).canonical()
+        let ratio = S::select(none, S::zero(), ratio);
+        Guard::of(&self).and(&other).result(ratio.canonical())
     }
 }
 

@@ -1,4 +1,5 @@
 //! Boxes of any orientation in space.
+use crate::scalar::Guard;
 use crate::shape::{Aabb3, Plane3, Pose3, Rotation3, YawBox3};
 use crate::{Scalar, Shape, Vec3};
 
@@ -109,9 +110,10 @@ impl<S: Scalar> Obb3<S> {
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         let p = self.rotation.inverse() * (point - self.center);
-        p.x.magnitude().at_most(self.size.x.halved())
+        let inside = p.x.magnitude().at_most(self.size.x.halved())
             & p.y.magnitude().at_most(self.size.y.halved())
-            & p.z.magnitude().at_most(self.size.z.halved())
+            & p.z.magnitude().at_most(self.size.z.halved());
+        Guard::of(&self.rotation).truth(inside)
     }
     /// The smallest axis-aligned box around it. Kinks where an axis of the box is orthogonal to one of
     /// the world's.

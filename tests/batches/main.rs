@@ -12,6 +12,7 @@ mod identities;
 mod jacobian;
 mod memory;
 mod names;
+mod nan;
 mod polygon;
 mod program;
 mod reduce;

@@ -13,6 +13,7 @@ mod kitti_labels;
 mod libraries;
 mod matches;
 mod names;
+mod nan;
 mod nested;
 mod nuscenes;
 mod oracle_boxes;

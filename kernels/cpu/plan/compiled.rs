@@ -19,6 +19,7 @@ use crate::kernels::formats::kernels_in;
 use crate::kernels::recording::Mode;
 use crate::overlap::{Denominator, score_framed};
 use crate::overlap3::{score_obb3, score_obb3_vjp, score_yaw};
+use crate::scalar::power_of_largest;
 use crate::shape::{Obb3, YawBox3};
 use crate::{Aabb2, Fixed, Obb2, Real, Vec2, clip};
 use std::sync::Arc;
@@ -105,7 +106,7 @@ fn maker<T: Real>(
 /// The largest cotangent that kernels take, 10¹² in single precision. Derivatives of ordinary shapes, and their terms, are
 /// below 10²⁶, so products stay finite: 5/16 of the digits of the largest number are left for the cotangent.
 fn steepest<T: Real>() -> f64 {
-    T::LARGEST.powf(0.3125)
+    power_of_largest::<T>(0.3125)
 }
 
 /// A score of two shapes of a kind: how they are prepared, what its kernels make, and the scalar code of its value

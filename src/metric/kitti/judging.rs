@@ -1,5 +1,6 @@
 //! How truths choose detections, and precision at the scores where it is read.
 use super::{Angles, Counts, Frame, Judged, check_angles};
+use crate::Scalar;
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::metric::{Outcome, Point};
 use crate::suppression::invalid;
@@ -198,7 +199,7 @@ impl<'a> Judging<'a> {
                         right += 1;
                         if let Some(angles) = self.angles.get(f) {
                             let turn = angles.truths[*truth] - angles.detections[i];
-                            similar += 0.5 * (1.0 + turn.cos());
+                            similar += 0.5 * (1.0 + Scalar::cos(turn));
                         }
                     }
                     Outcome::Wrong if frame.detections[i] == Counts::Fully => {

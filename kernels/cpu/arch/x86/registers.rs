@@ -220,7 +220,7 @@ macro_rules! vector {
             #[inline(always)]
             fn root(self) -> Self {
                 let zero = Self::splat(0.0);
-                Self::select(zero.below(self), $name(arch!($sqrt(self.0))), zero)
+                Self::select(self.at_most(zero), zero, $name(arch!($sqrt(self.0))))
             }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {

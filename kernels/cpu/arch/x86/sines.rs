@@ -7,8 +7,8 @@ use std::arch::x86_64::*;
 /// Sine and cosine of angles that the polynomial does not serve, number by number. Not inlined:
 /// it is rare, and a call costs less than the room.
 #[inline(never)]
-fn by_library<const N: usize>(angle: [f64; N]) -> ([f64; N], [f64; N]) {
-    (angle.map(f64::sin), angle.map(f64::cos))
+fn far_sin_cos<const N: usize>(angle: [f64; N]) -> ([f64; N], [f64; N]) {
+    (angle.map(libm::sin), angle.map(libm::cos))
 }
 
 /// Sines and cosines of vectors of `f64`.
@@ -16,13 +16,13 @@ macro_rules! wide {
     ($name:ident) => {
         impl $name {
             #[inline(always)]
-            fn library(self) -> (Self, Self) {
-                let (sin, cos) = by_library(self.array());
+            fn far(self) -> (Self, Self) {
+                let (sin, cos) = far_sin_cos(self.array());
                 (Self::from_array(sin), Self::from_array(cos))
             }
             #[inline(always)]
             pub(super) fn wide_sin_cos(self) -> (Self, Self) {
-                sin_cos_wide(self, Self::library)
+                sin_cos_wide(self, Self::far)
             }
             #[inline(always)]
             pub(super) fn wide_parts(self) -> [(Self, Self); 2] {
@@ -49,8 +49,8 @@ macro_rules! narrow {
             pub(super) fn wide_sin_cos(self) -> [($wide, $wide); 2] {
                 let [low, high] = self.halves();
                 [
-                    sin_cos_single(low, $wide::library),
-                    sin_cos_single(high, $wide::library),
+                    sin_cos_single(low, $wide::far),
+                    sin_cos_single(high, $wide::far),
                 ]
             }
             #[inline(always)]

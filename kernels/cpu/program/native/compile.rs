@@ -3,7 +3,7 @@
 //! Every value has a slot in memory, as in the interpreter. Within a run it stays in a register as long as there is room.
 //! It is stored where it makes room for another one, or where a later run reads it. For rows, inputs and results may be
 //! read and written where they lie; [`Far`] has the conditions.
-use super::encode::{AT_MOST, EQUAL, Encoder, LESS, Masked, NOT_LESS, Operand, Two};
+use super::encode::{AT_MOST, EQUAL, Encoder, LESS, Masked, NOT_AT_MOST, NOT_LESS, Operand, Two};
 use super::events::{Events, events, sizes};
 use super::far::Far;
 use crate::kernels::cpu::program::instructions::{Code, Op};
@@ -478,15 +478,16 @@ impl Compiler<'_> {
     }
     /// The root of what is above zero, else zero.
     fn root(&mut self, x: u16) -> u8 {
-        let (zero, x) = (self.zero(), self.register(x));
+        let (zero, x) = (Operand::Register(self.zero()), self.register(x));
         let from = Operand::Register(x);
+        // Also of NaN, whose root is NaN.
         if self.out.is_512() {
             let to = self.fresh();
-            self.out.compare(LESS, to, zero, from);
+            self.out.compare(NOT_AT_MOST, to, x, zero);
             self.out.root(to, from, Masked::Zeroed);
             return to;
         }
-        let above = self.truths(LESS, zero, from);
+        let above = self.truths(NOT_AT_MOST, x, zero);
         let root = self.fresh();
         self.out.root(root, from, Masked::No);
         self.two(Two::And, root, Operand::Register(above))

@@ -37,6 +37,7 @@ pub(super) const EQUAL: u8 = 0x00;
 pub(super) const LESS: u8 = 0x11;
 pub(super) const AT_MOST: u8 = 0x12;
 pub(super) const NOT_LESS: u8 = 0x15;
+pub(super) const NOT_AT_MOST: u8 = 0x16;
 
 /// Chooses by the bits of the destination: its imm8 for `vpternlog`.
 const CHOOSE: u8 = 0xca;
