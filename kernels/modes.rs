@@ -12,6 +12,7 @@ pub use crate::scalar::real::OneNumber;
     label = "does not run on items of `{R}`",
     note = "`.value_grad()` needs one number as result; `.jacobian()` gives the gradient of each of several",
     note = "an operation of two shapes takes two columns, `(&a, &b)`, made of its shapes and of one format",
+    note = "`function(f)` takes a function of one to six shapes that is generic over their scalar: `fn f<S: Scalar>(a: A<S>) -> S`, not `fn f(a: A<f64>) -> f64`",
     note = "`search(s)` runs a search (`Search`)"
 )]
 pub trait Function<R: Item> {

@@ -178,6 +178,14 @@ macro_rules! operation {
             $(=> compiled { $compiled })?
         }
     )+ };
+    (
+        $(#[$($doc:tt)*])*
+        $vis:vis $Name:ident = $name:literal: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
+        $(finite $finite:ident $(($limits:expr))?)? $(range $range:ident)? $(extremes $extremes:ident)?
+        jumps $($rest:tt)*
+    ) => {
+        $crate::__no_invariances!();
+    };
     // A row of a verb.
     ($(
         $(#[$($doc:tt)*])*
@@ -234,6 +242,14 @@ macro_rules! operation {
             $crate::__takes!($Verb, ($($type),+), This, Item(::core::marker::PhantomData));
         };
     )+ };
+    (
+        $(#[$($doc:tt)*])*
+        $Verb:path: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
+        $(finite $finite:ident $(($limits:expr))?)? $(range $range:ident)? $(extremes $extremes:ident)?
+        jumps $($rest:tt)*
+    ) => {
+        $crate::__no_invariances!();
+    };
     (
         @row [$([$($doc:tt)*])*] $Name:ident, $name:expr,
         [$($arg:ident: $type:ty),+] -> $out:ty, $body:block
@@ -298,6 +314,18 @@ macro_rules! operation {
                 }
             )?
         }
+    };
+}
+
+/// The message for an operation that says nothing of invariances.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __no_invariances {
+    () => {
+        ::core::compile_error!(
+            "`invariances […]` is missing after the formula: `invariances []` declares none, \
+             `invariances [TranslationX Stays, Scaling Power(1)]` two"
+        );
     };
 }
 

@@ -8,6 +8,7 @@ use crate::ad::program::record::{TRIALS, listed};
 use crate::ad::program::recorded::Recorded;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::plan::{Compiled, Plan};
+use crate::kernels::cpu::quads::convex;
 pub use crate::kernels::derivation::Mode;
 use crate::kernels::derivation::Replays;
 pub(crate) use crate::kernels::derivation::{Order, Step};
@@ -227,10 +228,15 @@ impl<T: Real> Recording<T> {
     /// The recording of an operation, the same one at every call.
     pub(crate) fn of_line(operation: TypeId, parts: &Parts<T>) -> Arc<Self> {
         let made = known_by(operation, &|| {
+            let compiled = (parts.compiled)();
+            let mut takes = (parts.takes)();
+            if compiled == Some(Compiled::Quads) {
+                takes = takes.into_iter().map(convex).collect();
+            }
             Ok(Recording {
-                compiled: (parts.compiled)(),
+                compiled,
                 ..Recording::new(
-                    (parts.takes)(),
+                    takes,
                     (parts.outputs)(),
                     parts.arguments,
                     Body::Line(parts.line),

@@ -5,8 +5,8 @@
 pub use crate::Real;
 pub use crate::ad::declared::Kind;
 pub use crate::ad::sample::several::{
-    all, as_angle, as_directions, as_non_negative, as_positive, as_rotation_vectors, combined,
-    drawn, hard, in_order, joined, mingled, one_of, together,
+    all, as_angle, as_directions, as_lengths, as_non_negative, as_positive, as_rotation_vectors,
+    combined, drawn, hard, in_order, joined, mingled, one_of, together,
 };
 pub use crate::ad::sample::{Draw, Sample};
 pub use crate::error::{Field, Flaw, Validate};
@@ -73,7 +73,7 @@ pub use {
 ///
 /// | on a field | |
 /// | --- | --- |
-/// | `non_negative`, `positive` | all its numbers are |
+/// | `non_negative`, `positive` | all its numbers are; points become lengths, since a place may have any sign |
 /// | `at_most = "other"` | none of its numbers exceeds the same one of the other field |
 /// | `names("width", "height")` | names of its numbers, instead of `field.x` and so on |
 /// | `angle`, `length`, `number` | what turns and scaling do to its numbers; a lone scalar is a length |

@@ -254,6 +254,8 @@ pub enum VertexFault {
     Clockwise,
     /// The border is about to run around the polygon a second time.
     SecondRound,
+    /// The border turns the other way here than at other vertices: it is not convex, or crosses itself.
+    NotConvex,
 }
 
 impl fmt::Display for VertexFault {
@@ -266,6 +268,9 @@ impl fmt::Display for VertexFault {
             VertexFault::Straight => "is on the line through its neighbours",
             VertexFault::Clockwise => "turns clockwise",
             VertexFault::SecondRound => "starts a second round",
+            VertexFault::NotConvex => {
+                "turns the other way than others: the polygon is not convex, or crosses itself"
+            }
         })
     }
 }

@@ -17,7 +17,7 @@
 //!
 //! Sides that lie along each other count half each.
 use crate::ad::adjoint::overlap::tamed;
-use crate::overlap_polygon::{QuadPair, TINY, choose_quad};
+use crate::overlap_polygon::{QuadPair, TINY, choose_quad, swapped};
 use crate::{Scalar, Vec2};
 
 /// Two quadrilaterals, or a cotangent of each.
@@ -104,7 +104,9 @@ fn derivatives<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
         pull(&pair.to, k, of_b[k], &mut b_bar);
         k += 1;
     }
-    (a_bar, b_bar)
+    // The corners as they were given.
+    let [of_a, of_b] = pair.turned;
+    (swapped(of_a, a_bar), swapped(of_b, b_bar))
 }
 
 /// A derivative times factors one after another, of which `EXTREME` ones leave no more than the largest number.

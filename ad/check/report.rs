@@ -206,6 +206,7 @@ impl Report {
     }
 }
 
+/// The first refusal with its numbers, and of further ones a line each; `{:#}` has the numbers of all.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", Report::heading())?;
@@ -217,31 +218,55 @@ impl fmt::Display for Report {
                 self.outside
             )?;
         }
-        for Failure {
+        // All refusals of one mistake have its traces: the first says most, and further ones need a line.
+        for (k, failure) in self.failures.iter().enumerate() {
+            if k == 0 || f.alternate() {
+                self.write_failure(f, failure)?;
+                continue;
+            }
+            let Failure { sample, fault, .. } = failure;
+            let place = place(fault, &self.names);
+            let also = if k == 1 { "\n  also: " } else { "  also: " };
+            writeln!(f, "{also}{}: {place} (sample {sample})", fault.reason)?;
+            write_remedy(f, fault.reason)?;
+        }
+        if self.failures.len() > 1 && !f.alternate() {
+            writeln!(f, "  (`{{report:#}}` has the numbers and inputs of all)")?;
+        }
+        Ok(())
+    }
+}
+
+fn write_remedy(f: &mut fmt::Formatter<'_>, reason: Reason) -> fmt::Result {
+    for line in remedy(reason) {
+        writeln!(f, "    {line}")?;
+    }
+    Ok(())
+}
+
+impl Report {
+    /// One refusal with its numbers and its input.
+    fn write_failure(&self, f: &mut fmt::Formatter<'_>, failure: &Failure) -> fmt::Result {
+        let Failure {
             sample,
             fault,
             code,
             ..
-        } in &self.failures
-        {
-            writeln!(f, "\n  {}", fault.reason)?;
-            let place = place(fault, &self.names);
-            match fault.reason {
-                Reason::Unrecordable(_) => writeln!(f, "    {place}")?,
-                _ => writeln!(f, "    {place} (sample {sample}, seed {})", self.seed)?,
-            }
-            write_numbers(f, fault.reason, &fault.numbers, fault.tolerance)?;
-            if let Some(suspect) = fault.suspect {
-                writeln!(f, "    {}", outvoted(suspect))?;
-            }
-            if !code.is_empty() {
-                writeln!(f, "    let input = {code};")?;
-            }
-            for line in remedy(fault.reason) {
-                writeln!(f, "    {line}")?;
-            }
-            writeln!(f, "    {:?}", fault.reason)?;
+        } = failure;
+        writeln!(f, "\n  {}", fault.reason)?;
+        let place = place(fault, &self.names);
+        match fault.reason {
+            Reason::Unrecordable(_) => writeln!(f, "    {place}")?,
+            _ => writeln!(f, "    {place} (sample {sample}, seed {})", self.seed)?,
         }
-        Ok(())
+        write_numbers(f, fault.reason, &fault.numbers, fault.tolerance)?;
+        if let Some(suspect) = fault.suspect {
+            writeln!(f, "    {}", outvoted(suspect))?;
+        }
+        if !code.is_empty() {
+            writeln!(f, "    let input = {code};")?;
+        }
+        write_remedy(f, fault.reason)?;
+        writeln!(f, "    {:?}", fault.reason)
     }
 }

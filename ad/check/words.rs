@@ -160,7 +160,7 @@ fn gap(reason: Reason, numbers: &ByWitness) -> Option<f64> {
     pair.map(|(a, b)| (a - b).abs())
 }
 
-/// Writes the number of every witness, a line each, how far apart they are, and how far they may be.
+/// Writes the number of every witness, in the fewest digits that tell it from others, a line each, how far apart they are, and how far they may be.
 pub(crate) fn write_numbers(
     f: &mut impl fmt::Write,
     reason: Reason,
@@ -176,15 +176,11 @@ pub(crate) fn write_numbers(
     ];
     for (name, number) in named {
         if let Some(number) = number {
-            writeln!(f, "    {name:<20} {number:>24.16e}")?;
+            writeln!(f, "    {name:<20} {number:>24?}")?;
         }
     }
     if let Some([behind, ahead]) = numbers.sides {
-        writeln!(
-            f,
-            "    {:<20} {behind:>24.16e} {ahead:>24.16e}",
-            "both sides"
-        )?;
+        writeln!(f, "    {:<20} {behind:>24?} {ahead:>24?}", "both sides")?;
     }
     if let Some([got, wanted]) = numbers.lengths {
         writeln!(f, "    {got} numbers where {wanted} are needed")?;

@@ -66,6 +66,15 @@ pub fn as_directions(kinds: Vec<Kind>) -> Vec<Kind> {
     kinds.into_iter().map(of).collect()
 }
 
+/// The kinds of points as lengths: sizes, which are not below zero, do not move.
+pub fn as_lengths(kinds: Vec<Kind>) -> Vec<Kind> {
+    let of = |kind| match kind {
+        Kind::X | Kind::Y | Kind::Z => Kind::Length,
+        kind => kind,
+    };
+    kinds.into_iter().map(of).collect()
+}
+
 /// The kinds of points in space as those of rotation vectors.
 pub fn as_rotation_vectors(kinds: Vec<Kind>) -> Vec<Kind> {
     let of = |kind| match kind {

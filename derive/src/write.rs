@@ -448,6 +448,12 @@ fn sample(writer: &Writer<'_>) -> String {
             "__g::all(__g::Kind::{kind}, __g::Pack::count(&self.{}))",
             field.member
         ),
+        None if field.non_negative || field.positive => {
+            format!(
+                "__g::as_lengths(__g::Sample::kinds(&self.{}))",
+                field.member
+            )
+        }
         None => format!("__g::Sample::kinds(&self.{})", field.member),
     });
     let scales = every(&|field| format!("__g::Sample::scales(&self.{})", field.member));

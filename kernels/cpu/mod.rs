@@ -78,7 +78,7 @@ mod processor;
 #[forbid(unsafe_code)]
 pub mod program;
 #[forbid(unsafe_code)]
-mod quads;
+pub(crate) mod quads;
 #[forbid(unsafe_code)]
 mod ragged;
 #[forbid(unsafe_code)]

@@ -3,11 +3,14 @@
 //! Compiled in this library only, by the entries in `arch`.
 use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
 use crate::kernels::cpu::arch::{LARGE, Vector};
-use crate::kernels::cpu::lane::{PLANE, Results, Tiles};
+use crate::kernels::cpu::blocks::{all_up_to, bring};
+use crate::kernels::cpu::lane::{Lane, PLANE, Results, TILE, Tiles};
 use crate::kernels::cpu::overlaps::{lanes_of, put, seed};
-use crate::overlap_polygon::intersection_area_quads;
+use crate::kernels::formats::kernels_in;
+use crate::kernels::item::Leaf;
+use crate::overlap_polygon::{check_quad, intersection_area_quads, is_convex};
 use crate::scalar::power_of_largest;
-use crate::{Fixed, Real, Scalar, Vec2};
+use crate::{Fixed, Mask, Real, Scalar, Vec2};
 
 /// Numbers of a quadrilateral.
 pub(crate) const QUAD2: usize = 8;
@@ -15,6 +18,15 @@ pub(crate) const QUAD2: usize = 8;
 /// Coordinates beyond this take the scalar code: `10¹⁵` in single precision.
 pub(crate) fn farthest<T: Scalar>() -> f64 {
     power_of_largest::<T>(0.39)
+}
+
+/// The layout of a quadrilateral that has to be convex.
+pub(crate) fn convex<T: Real>(leaf: Leaf<T>) -> Leaf<T> {
+    Leaf {
+        check: |numbers| check_quad(<[Vec2<T>; 4]>::load(numbers)),
+        all_valid: |numbers| (kernels_in::<T>().all_convex_quads)(numbers),
+        ..leaf
+    }
 }
 
 /// A part of a tile of quadrilaterals.
@@ -28,6 +40,34 @@ fn quad<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Opti
         k += 1;
     }
     Some(quad)
+}
+
+/// `true` if all quadrilaterals are convex, in either order, and of ordinary size. A quick test: `false` perhaps for
+/// such, too.
+#[inline(always)]
+pub(crate) fn all_convex<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
+    let far = farthest::<T>();
+    if !all_up_to::<T, V>(numbers, far) {
+        return false;
+    }
+    let mut tile = [Lane::default(); QUAD2];
+    for rows in numbers.chunks(TILE * QUAD2) {
+        bring::<T, V>(rows, QUAD2, &mut tile);
+        for at in V::starts() {
+            let Some(corners) = quad::<T, V>(Tiles::one(&tile), 0, at) else {
+                return false;
+            };
+            // Products of sides of others may vanish.
+            let size = corners.iter().fold(V::zero(), |size, v| {
+                size.most(v.x.unsigned()).most(v.y.unsigned())
+            });
+            let near = size.below(V::lit(1.0 / far));
+            if !(is_convex(corners) & !near).all() {
+                return false;
+            }
+        }
+    }
+    true
 }
 
 /// Areas that convex quadrilaterals share.

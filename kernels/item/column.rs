@@ -143,7 +143,8 @@ pub struct One<P>(pub P);
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a column",
     label = "not a column",
-    note = "a column is a slice, `&a` or `&a[..]`, one shape for all items, `One(shape)`, or an array on the machine"
+    note = "a column is a slice, `&a` or `&a[..]`, one shape for all items, `One(shape)`, or an array on the machine",
+    note = "a tuple has two to six columns; arrays, tuples and derived shapes hold more arguments in one"
 )]
 pub trait Columns {
     /// The arguments of one item.

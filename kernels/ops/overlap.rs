@@ -7,7 +7,7 @@ use crate::kernels::ops::noun::Quad;
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{IntersectionArea, Iof, Iou};
 use crate::overlap::{Denominator, score_aabb2, score_framed};
-use crate::overlap_polygon::intersection_area_quads;
+use crate::overlap_polygon::{check_quad, intersection_area_quads};
 use crate::{Aabb2, Obb2};
 
 table! {
@@ -20,7 +20,9 @@ table! {
         "intersection_area_aabb2": Aabb2, Aabb2 { score_aabb2(Denominator::None, a, b) }
             derivative ByHand |(a, b), out_bar| { score_aabb2_vjp(Denominator::None, a, b, out_bar) }
             => compiled { Compiled::Aabb2(Denominator::None) };
+        /// Of either order, and convex.
         "intersection_area_quads": Quad, Quad { intersection_area_quads(a, b) }
+            domain { check_quad(a).is_ok() && check_quad(b).is_ok() }
             derivative ByHand |(a, b), out_bar| { intersection_area_quads_vjp(a, b, out_bar) }
             => compiled { Compiled::Quads };
     }

@@ -43,7 +43,9 @@ impl<F: Copy, N> Copy for OwnFunction<F, N> {}
 /// ```
 ///
 /// A closure names the shapes of its arguments and captures nothing, because its type is the key of the recording.
-/// One that captures does not compile: pass the value as a further argument, [`One`](crate::kernels::One).
+/// One that captures does not compile: pass the value as a further argument, [`One`](crate::kernels::One). A closure's
+/// scalar is inferred, so that `-x`, `2.0` and methods of the scalar in it often do not compile: for a literal or an
+/// operator write an `fn` that is generic over `S: Scalar`.
 ///
 /// ```compile_fail
 /// # use geograd::kernels::function;
@@ -72,6 +74,23 @@ impl<F: Copy, N> OwnFunction<F, N> {
     #[must_use]
     pub const fn value_grad(self) -> ValueGrad<Self> {
         ValueGrad::of(self)
+    }
+    /// The function with its Jacobian: aligned batches return the result, and in its shape the gradient of every number.
+    ///
+    /// ```
+    /// use geograd::kernels::function;
+    /// use geograd::prelude::*;
+    /// fn corner<S: Scalar>(car: Obb2<S>) -> Vec2<S> {
+    ///     car.corners()[2]
+    /// }
+    /// let cars = [Obb2::new(0.0_f64, 0.0, 4.0, 2.0, 0.0)];
+    /// let (corners, by_car) = Cpu::new().aligned(function(corner).jacobian(), &cars)?;
+    /// assert_eq!((corners[0], by_car[0].y.size.y), (Vec2::new(2.0, 1.0), 0.5));
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    #[must_use]
+    pub const fn jacobian(self) -> Jacobian<Self> {
+        Jacobian::of(self)
     }
     /// The adjoint: takes the arguments and a cotangent of the result, returns the cotangents of the arguments.
     #[must_use]
@@ -129,7 +148,9 @@ pub struct Arguments<const N: usize>;
 #[diagnostic::on_unimplemented(
     message = "this is not a generic function of `{In}`",
     label = "does not take these columns",
-    note = "`fn f<S: Scalar>(a: A<S>, b: B<S>) -> S` is one of columns of `A` and `B`; a closure names its shapes: `|a: A<_>, b: B<_>|`"
+    note = "the function is generic over its scalar: `fn f<S: Scalar>(a: A<S>, b: B<S>) -> S` for columns of `A` and `B`, not `fn f(a: A<f64>, b: B<f64>) -> f64`",
+    note = "a closure names its shapes, `|a: A<_>, b: B<_>|`, and has no literal or sign first: write an `fn` for those",
+    note = "a function takes one to six shapes or numbers; arrays, tuples and derived shapes hold more"
 )]
 pub trait Traced<In: Item<Scalar: Real>>: Copy + Send + Sync {
     /// The result.

@@ -7,7 +7,7 @@ use crate::{Aabb2, Obb2, Scalar, Vec2};
 
 /// A convex shape: every point at most [`radius`](Convex::radius) from its [`core`](Convex::core).
 ///
-/// Points, lines, rays, segments, triangles, boxes, circles, capsules and arrays of corners are. The
+/// Points, lines, rays, segments, triangles, boxes, circles, capsules, convex polygons and arrays of corners are. The
 /// functions of [`distance`](mod@crate::distance) and [`intersection`](crate::intersection) take any
 /// two of them; those of distances are methods, too.
 ///
@@ -174,7 +174,7 @@ pub trait Core<S: Scalar>: Copy {
     /// The core seen from a point, in other units.
     #[must_use]
     fn placed(self, from: Vec2<S>, scale: S) -> Self;
-    /// The corners; counter-clockwise where there are more than two.
+    /// The corners, around the core where there are more than two.
     fn corners(&self) -> Self::Corners;
     /// The directions without end.
     fn away(&self) -> Self::Away;

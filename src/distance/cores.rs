@@ -148,7 +148,7 @@ impl<S: Scalar, const CORNERS: usize, const AWAY: usize> Core<S> for EdgeCore<S,
     }
 }
 
-/// A convex polygon of at most N corners, counter-clockwise; corners may be repeated. With `TRIANGLE` it has three, and
+/// A convex polygon of at most N corners, in either order; corners may be repeated. With `TRIANGLE` it has three, and
 /// what turns clockwise when coordinates are rounded is turned back.
 #[derive(Clone, Copy, Debug)]
 pub struct PolygonCore<S, const N: usize, const TRIANGLE: bool = false>(pub [Vec2<S>; N]);
@@ -162,7 +162,7 @@ impl<S: Scalar, const N: usize, const TRIANGLE: bool> PolygonCore<S, N, TRIANGLE
     fn turned(&self) -> [Vec2<S>; N] {
         let mut corners = self.0;
         if !TRIANGLE {
-            return corners;
+            return counter_clockwise(corners);
         }
         let [a, b, c] = [corners[0], corners[1], corners[2]];
         let (p, q, r) = (b - a, c - b, a - c);
@@ -225,6 +225,35 @@ impl<S: Scalar, const N: usize, const TRIANGLE: bool> Core<S> for PolygonCore<S,
             face_deep(face, -unit(face.along.perp()), other)
         }))
     }
+}
+
+/// The corners of a convex polygon counter-clockwise; the first one stays.
+///
+/// All corners turn to one side, and the sum of their turns has its sign. Each turn counts beside the sizes of its two
+/// sides, so that a corner of short sides tells as much as one of long ones. Repeated corners turn nothing.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn counter_clockwise<S: Scalar, const N: usize>(mut corners: [Vec2<S>; N]) -> [Vec2<S>; N] {
+    let zero = S::Primal::zero();
+    let given = corners.each_as(|corner| Vec2::new(corner.x.primal(), corner.y.primal()));
+    let (mut before, mut turn) = (Vec2::zero(), zero);
+    // Twice around: the first round finds the last side that has a length.
+    for i in 0..2 * N {
+        let side = given[(i + 1) % N] - given[i % N];
+        let size = side.x.magnitude().most(side.y.magnitude());
+        let none = size.at_most(zero);
+        let scale = S::Primal::select(none, S::Primal::one(), size).binade();
+        let side = side * scale;
+        if i >= N {
+            turn += before.perp_dot(side);
+        }
+        before = Vec2::select(none, before, side);
+    }
+    let clockwise = S::from_primal(turn).below(S::zero());
+    let reversed = corners;
+    for k in 1..N {
+        corners[k] = Vec2::select(clockwise, reversed[N - k], corners[k]);
+    }
+    corners
 }
 
 /// How a box is turned: not at all, or by a rotation.

@@ -5,7 +5,8 @@ use super::convex::PairFormula;
 use super::cores::{BoxCore, EdgeCore, PointCore, PolygonCore};
 use crate::scalar::Guard;
 use crate::{
-    Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Rotation2, Scalar, Segment2, Triangle2, Vec2,
+    Aabb2, Capsule2, Circle, ConvexPolygon, Line2, Obb2, Ray2, Rotation2, Scalar, Segment2,
+    Triangle2, Vec2,
 };
 
 impl<S: Scalar> Convex<S> for Vec2<S> {
@@ -157,8 +158,9 @@ impl<S: Scalar> Convex<S> for Capsule2<S> {
     }
 }
 
-/// The corners of a convex polygon in counter-clockwise order. Corners may be repeated, so that a
-/// polygon of fewer corners fits into an array for more: see [`repeat_last`].
+/// The corners of a convex polygon, one after another around it, in either order. Corners may be repeated, so that a
+/// polygon of fewer corners fits into an array for more: see [`repeat_last`]. Corners of a polygon that is not convex, or
+/// out of order, have a finite distance without a meaning; [`ConvexPolygon`] checks them.
 impl<S: Scalar, const N: usize> Convex<S> for [Vec2<S>; N] {
     type Core = PolygonCore<S, N>;
     #[inline(always)]
@@ -168,6 +170,14 @@ impl<S: Scalar, const N: usize> Convex<S> for [Vec2<S>; N] {
     #[inline(always)]
     fn core(self) -> Self::Core {
         PolygonCore(self)
+    }
+}
+
+impl<S: Scalar, const N: usize> Convex<S> for ConvexPolygon<S, N> {
+    type Core = PolygonCore<S, N>;
+    #[inline(always)]
+    fn core(self) -> Self::Core {
+        PolygonCore(self.padded())
     }
 }
 

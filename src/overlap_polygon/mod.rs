@@ -41,7 +41,7 @@ use crate::scalar::Guard;
 use crate::shape::edges;
 use crate::{Aabb2, ConvexPolygon, Mask, Scalar, Vec2};
 pub use quad::intersection_area_quads;
-pub(crate) use quad::{QuadPair, TINY, choose_quad};
+pub(crate) use quad::{QuadPair, TINY, check_quad, choose_quad, is_convex, swapped};
 pub(crate) use wedge::{Fan, Wedge, between, mixed, shared_twice};
 
 /// Areas of two convex polygons and of what they share, in the local unit of a reference.

@@ -16,6 +16,7 @@
 //! `max(X, 0) − max(X + Y − D, 0)`, and the mean of the positive part of a linear function with values
 //! p and q at its ends is `½ (p⁺ + q⁺) (p⁺ − q⁺) / (p − q)`. Nothing is sorted and there are no cases; the sum
 //! is continuous in every vertex.
+use crate::error::{Flaw, Validate, VertexFault};
 use crate::{Scalar, Vec2};
 
 /// Twice the mean of the positive part of a linear function between two values: the square of what is positive of both
@@ -118,6 +119,8 @@ pub(crate) struct QuadPair<S: Scalar> {
     /// `true` where a and b are exchanged: b is the smaller one, since heights over sides that are much longer
     /// than the measured shape lose its digits.
     pub exchanged: S::Mask,
+    /// `true` where the corners `at`, and `to`, came clockwise: the second and the fourth of them are exchanged.
+    pub turned: [S::Mask; 2],
     /// The power of two.
     pub scale: S,
 }
@@ -150,6 +153,89 @@ pub(crate) fn choose_quad<S: Scalar>(
         Vec2::select(mask, yes[2], no[2]),
         Vec2::select(mask, yes[3], no[3]),
     ]
+}
+
+/// A quadrilateral counter-clockwise, and whether it was not: by the cross product of its diagonals, twice its area.
+#[inline(always)]
+fn counter_clockwise<S: Scalar>(q: [Vec2<S>; 4]) -> ([Vec2<S>; 4], S::Mask) {
+    let twice = (q[2] - q[0]).perp_dot(q[3] - q[1]);
+    let clockwise = S::from_primal(twice.primal()).below(S::zero());
+    (swapped(clockwise, q), clockwise)
+}
+
+/// The second and the fourth of four vectors exchanged where a mask says so.
+#[inline(always)]
+pub(crate) fn swapped<S: Scalar>(mask: S::Mask, q: [Vec2<S>; 4]) -> [Vec2<S>; 4] {
+    choose_quad(mask, [q[0], q[3], q[2], q[1]], q)
+}
+
+/// `true` for a convex quadrilateral in either order: no corner turns to the other side by more than coordinates round.
+/// One with repeated corners or without an area is one, too.
+#[inline(always)]
+pub(crate) fn is_convex<S: Scalar>(q: [Vec2<S>; 4]) -> S::Mask {
+    let (least, most) = turns(q);
+    least.at_least(S::zero()) | most.at_most(S::zero())
+}
+
+/// The least turn of the corners of a quadrilateral and the greatest one; a turn that is due to rounding is none.
+#[inline(always)]
+fn turns<S: Scalar>(q: [Vec2<S>; 4]) -> (S, S) {
+    let (mut least, mut most) = (S::zero(), S::zero());
+    let mut k = 0;
+    while k < 4 {
+        let turn = turn_of(q, k);
+        (least, most) = (least.least(turn), most.most(turn));
+        k += 1;
+    }
+    (least, most)
+}
+
+/// The size of a vector, up to a factor.
+#[inline(always)]
+fn size<S: Scalar>(v: Vec2<S>) -> S {
+    v.x.unsigned() + v.y.unsigned()
+}
+
+/// The turn at a corner: the cross product of the sides there, 0 where coordinates round by as much.
+#[inline(always)]
+fn turn_of<S: Scalar>(q: [Vec2<S>; 4], k: usize) -> S {
+    let far = size(q[0])
+        .most(size(q[1]))
+        .most(size(q[2]).most(size(q[3])));
+    let (side, next) = (q[k] - q[(k + 3) % 4], q[(k + 1) % 4] - q[k]);
+    let turn = side.perp_dot(next);
+    let rounding = far * (size(side) + size(next)) * S::lit(8.0 * S::EPSILON);
+    S::select(turn.unsigned().at_most(rounding), S::zero(), turn)
+}
+
+/// Checks that the corners of a quadrilateral are finite, and those of a convex one in either order.
+pub(crate) fn check_quad<S: Scalar<Mask = bool>>(q: [Vec2<S>; 4]) -> Result<(), Flaw> {
+    q.validate()?;
+    // In a unit in which no product overflows.
+    let size = q.iter().fold(S::zero(), |size, v| {
+        size.most(v.x.unsigned()).most(v.y.unsigned())
+    });
+    if size.at_most(S::zero()) {
+        return Ok(());
+    }
+    let unit = size.binade();
+    let q = q.map(|v| v * unit);
+    let (least, most) = turns(q);
+    if least.at_least(S::zero()) || most.at_most(S::zero()) {
+        return Ok(());
+    }
+    // The corner that turns unlike most: of two and two one that turns clockwise.
+    let count = |side: fn(S) -> bool| (0..4).filter(|&k| side(turn_of(q, k))).count();
+    let left = count(|turn| turn.above(S::zero()));
+    let right = count(|turn| turn.below(S::zero()));
+    let is_odd = |k: &usize| match left < right {
+        true => turn_of(q, *k).above(S::zero()),
+        false => turn_of(q, *k).below(S::zero()),
+    };
+    Err(Flaw::Vertex {
+        index: (0..4).find(is_odd).unwrap_or(0),
+        fault: VertexFault::NotConvex,
+    })
 }
 
 impl<S: Scalar> QuadPair<S> {
@@ -186,6 +272,7 @@ impl<S: Scalar> QuadPair<S> {
             (at[k], to[k]) = (at[k] * scale, to[k] * scale);
             k += 1;
         }
+        let ((at, at_turned), (to, to_turned)) = (counter_clockwise(at), counter_clockwise(to));
 
         // Every corner of a against the ways from the first corner of b to the others.
         let mut cross = [[zero; 4]; 4];
@@ -254,6 +341,7 @@ impl<S: Scalar> QuadPair<S> {
             area: S::select(nothing, zero, area),
             nothing,
             exchanged,
+            turned: [at_turned, to_turned],
             scale,
         }
     }
@@ -266,13 +354,11 @@ impl<S: Scalar> QuadPair<S> {
     }
 }
 
-/// The area shared by two convex quadrilaterals, counter-clockwise, from 0 to the area of the smaller one, in
+/// The area shared by two convex quadrilaterals, each in either order, from 0 to the area of the smaller one, in
 /// squared units of length. Exactly zero, with derivative zero, where they are apart or merely touch;
 /// saturates at the largest finite number. Repeated and collinear vertices are fine.
 ///
-/// A quadrilateral that is not convex or runs clockwise has a finite result without a meaning;
-/// [`intersection_area_polygons`](super::intersection_area_polygons) takes polygons whose type keeps that
-/// invariant. Right to a few roundings of the smaller area if sizes are alike or one contains the other. Right to
+/// A quadrilateral that is not convex has a finite result without a meaning, and is an error in batches. Right to a few roundings of the smaller area if sizes are alike or one contains the other. Right to
 /// about R of them if one is R times longer and reaches across the other's border. Kinks: edges lying along each
 /// other, which share the derivative half and half.
 ///
@@ -282,6 +368,7 @@ impl<S: Scalar> QuadPair<S> {
 /// let b = Aabb2::new(1.0, 1.0, 3.0, 4.0).corners();
 /// assert_eq!(intersection_area_quads(a, b), 1.0);
 /// assert_eq!(intersection_area_quads(a, a), 4.0);
+/// assert_eq!(intersection_area_quads([a[3], a[2], a[1], a[0]], b), 1.0);
 /// ```
 #[must_use]
 #[inline(always)]

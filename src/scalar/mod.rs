@@ -142,11 +142,14 @@ impl Mask for bool {
 /// assert_eq!(energy(2.0, 3.0), 9.0);
 /// ```
 ///
-/// **Functions.** The methods of this trait are all that `S` has: π is `S::lit(PI)`, the arc sine of `x`
+/// **Functions.** The methods of this trait are all that `S` has. `x.sqrt()`, `x.abs()`, `x.min(y)` and `x.max(y)` are
+/// [`root`](Scalar::root), [`magnitude`](Scalar::magnitude), [`least`](Scalar::least) and [`most`](Scalar::most) in
+/// generic functions, with their derivatives at kinks; on `f64` itself they are the standard library's. π is `S::lit(PI)`, the arc sine of `x`
 /// `x.atan2((S::one() - x * x).root())`, the arc cosine the same with exchanged arguments. Formulas of rows have no
 /// further bounds, such as the compiler may suggest.
 ///
-/// **Branches.** A comparison gives a [`Mask`], which is a `bool` for some scalars only: lanes have several outcomes,
+/// **Branches.** `S` has no `<` and `>`: `x.above(y)` stands for `x > y`, and [`select`](Scalar::select) for `if`; the
+/// compiler's advice `S: PartialOrd` leads nowhere, since lanes and symbols have no order. A comparison gives a [`Mask`], which is a `bool` for some scalars only: lanes have several outcomes,
 /// recorded numbers have none yet. [`select`](Scalar::select), [`least`](Scalar::least), [`most`](Scalar::most) and
 /// [`clamp`](Scalar::clamp) choose for every scalar. A function with `if` asks for `S: Scalar<Mask = bool>`. It runs on
 /// plain numbers and duals; [`operation!`](crate::operation), batches and programs cannot call it: "type mismatch
@@ -298,6 +301,26 @@ pub trait Scalar:
     #[inline(always)]
     fn magnitude(self) -> Self {
         self.most(-self)
+    }
+    /// [`root`](Scalar::root), by the name that plain numbers have. Numbers below zero have the root 0, not NaN.
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.root()
+    }
+    /// [`magnitude`](Scalar::magnitude), by the name that plain numbers have.
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.magnitude()
+    }
+    /// [`least`](Scalar::least), by the name that plain numbers have; of NaN and a number it is not always the number.
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.least(other)
+    }
+    /// [`most`](Scalar::most), by the name that plain numbers have; of NaN and a number it is not always the number.
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.most(other)
     }
     /// Whichever of `self` and `−self` is not negative. Unlike [`magnitude`](Scalar::magnitude) it
     /// has the derivative of `self` at zero: for choosing between two descriptions of the same thing,

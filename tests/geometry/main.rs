@@ -1,5 +1,6 @@
 //! Geometry, number by number.
 mod alignment;
+mod clockwise;
 mod convention;
 mod crossing;
 mod detections;

@@ -102,6 +102,8 @@ entries! {
     quad_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = quads::quad_scores::<T, V>;
     /// Areas that convex quadrilaterals share with sixteen derivatives each.
     quad_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = quads::quad_derivatives::<T, V>;
+    /// `true` if quadrilaterals are convex and of ordinary size.
+    all_convex_quads(numbers: &[T]) -> bool = quads::all_convex::<T, V>;
     /// `true` if upright boxes are valid and of common size, or zero size.
     all_common_upright(numbers: &[T]) -> bool = overlaps::all_common_upright::<T, V>;
     /// Scores of upright boxes from what they share seen from above.

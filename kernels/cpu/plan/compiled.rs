@@ -18,6 +18,7 @@ use crate::kernels::cpu::upright_boxes;
 use crate::kernels::formats::kernels_in;
 use crate::kernels::recording::Mode;
 use crate::overlap::{Denominator, score_framed};
+use crate::overlap_polygon::check_quad;
 use crate::overlap3::{score_obb3, score_obb3_vjp, score_yaw};
 use crate::scalar::power_of_largest;
 use crate::shape::{Obb3, YawBox3};
@@ -209,8 +210,8 @@ fn of_quads<T: Real>(mode: Mode) -> Plan<T> {
         fields: QUAD2,
         frame: None,
         bounds: None,
-        all_ordinary: |numbers| (kernels_in::<T>().all_up_to)(numbers, farthest::<T>()),
-        check: |numbers| <[Vec2<T>; 4]>::load(numbers).validate(),
+        all_ordinary: kernels.all_convex_quads,
+        check: |numbers| check_quad(<[Vec2<T>; 4]>::load(numbers)),
         is_rare: |numbers| {
             let most = T::lit(farthest::<T>());
             numbers.iter().any(|x| x.unsigned() > most)
