@@ -71,8 +71,9 @@
 //! parallel faces the corners count whose foot is on the other one, or all where there is none. Where several planes are
 //! equally deep they share the derivative, and the direction is that of the first. Distances of two lines or rays jump
 //! where they become parallel: at an angle φ between them a rounding ε of a direction turns their common normal by ε/φ,
-//! and moves the distance by that part of the way between the points that are given. Across a face the signed distance is smooth, along an edge or at a corner of the border it
-//! is not. Pairs without a volume between them, such as two segments, have no depth.
+//! and moves the distance by that part of the way between the points that are given. Across a face the signed
+//! distance is smooth, along an edge or at a corner of the border it is not. Pairs without a volume between them,
+//! such as two segments, have no depth.
 use crate::{Scalar, Vec3};
 
 pub(crate) mod apart;

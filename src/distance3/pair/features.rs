@@ -122,8 +122,8 @@ pub(super) struct Edges<P: Scalar> {
     pub upright_b: [P; 3],
 }
 
-/// The matrix with a sign for each zero. Where an axis of b lies in a plane of a neither of the plane's sides is nearer:
-/// a turn too small to count then says which one is, the same for all pairs of edges.
+/// The matrix with a sign for each zero. Where an axis of b lies in a plane of a, neither of the plane's sides is
+/// nearer: a turn too small to count then says which one is, the same for all pairs of edges.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn turned<P: Scalar>(r: &[[P; 3]; 3]) -> [[P; 3]; 3] {
     let turn = [0.73, 0.41, 0.97].each_as(|part| P::lit(part * P::EPSILON.powi(2)));
