@@ -10,7 +10,7 @@ use crate::arrays::Each;
 const MORE: f64 = 8.0;
 /// At most so many roundings of the unit points of boxes that touch seem apart: planes then say how the boxes part.
 const TOUCH: f64 = 32.0;
-/// At most so many roundings a point that is beside a face seems beyond it.
+/// At most so many roundings a point that is beside or on a face seems beyond it.
 const BESIDE: f64 = 8.0;
 
 /// The features that the distance is computed from.
@@ -126,9 +126,9 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
     let all = edges.iter().flatten();
     let least = all.fold(corners, |least, edges| smaller(least, edges.square));
     let deep = Deepest::new(gaps);
-    // Flat boxes in one plane can cross where no candidate is: no gap says that they meet.
+    // Flat boxes can cross where no candidate is: no gap but rounding says that they meet.
     let touch = least.at_most(P::lit((TOUCH * P::EPSILON).powi(2)));
-    let inside = deep.value.at_most(zero) | touch;
+    let inside = deep.value.at_most(P::lit(BESIDE * P::EPSILON)) | touch;
 
     // Corners that are nearest, and the points that they are nearest to.
     let ((y_b, count_b), (x_a, count_a)) = (of_b.tied(least), of_a.tied(least));
@@ -290,7 +290,7 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
         edge_a: shares.each_as(sum),
         edge_b: [0, 1, 2].each_as(|j| sum(column(&shares, j))),
         side,
-        deepest: P::select(deep.value.above(zero), least.root(), deep.value),
+        deepest: P::select(touch & deep.value.above(zero), least.root(), deep.value),
         share_a: deep.a.each_as(shared),
         share_b: deep.b.each_as(shared),
         share_edges: [0, 1, 2].each_as(|i| [0, 1, 2].each_as(|j| shared(deep.edges[3 * i + j]))),

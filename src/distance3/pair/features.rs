@@ -122,15 +122,16 @@ pub(super) struct Edges<P: Scalar> {
     pub upright_b: [P; 3],
 }
 
-/// Where an axis of b lies in a plane of a neither of the plane's sides is nearer. A turn too small to count then says
-/// which one is, the same for all pairs of edges.
+/// The matrix with a sign for each zero. Where an axis of b lies in a plane of a, neither of the plane's sides is
+/// nearer: a turn too small to count then says which one is, the same for all pairs of edges.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn turned<P: Scalar>(r: &[[P; 3]; 3]) -> [[P; 3]; 3] {
-    const TURNS: [[f64; 3]; 3] = [[0.73, 0.41, 0.97], [0.89, 0.67, 0.53], [0.59, 0.83, 0.47]];
-    std::array::from_fn(|i| {
-        std::array::from_fn(|j| {
-            let turn = P::lit(TURNS[i][j] * P::EPSILON.powi(2));
-            P::select(r[i][j].equals(P::zero()), turn, r[i][j])
+    let turn = [0.73, 0.41, 0.97].each_as(|part| P::lit(part * P::EPSILON.powi(2)));
+    [0, 1, 2].each_as(|i| {
+        let [k, l] = NEXT[i];
+        [0, 1, 2].each_as(|j| {
+            let moved = turn[k] * r[l][j] - turn[l] * r[k][j];
+            P::select(r[i][j].equals(P::zero()), moved, r[i][j])
         })
     })
 }
@@ -148,8 +149,20 @@ impl<P: Scalar> Edges<P> {
         // The sides of a that the normal `(-rl, rk)` leaves, of b those that it enters.
         let (tk, tl) = (turned[k][j], turned[l][j]);
         let (xk, xl) = (-side.signed_as(tl), side.signed_as(tk));
-        let across = |m: usize| tk * turned[l][m] - tl * turned[k][m];
-        let (ym, yp) = (-side.signed_as(across(m)), -side.signed_as(across(p)));
+        // Along axis m of b the normal is as long as axis p is along axis i of a, which says the sign where products
+        // cancel but for rounding.
+        let across = |m: usize, own: P| {
+            let (plus, minus) = (tk * turned[l][m], tl * turned[k][m]);
+            let size = plus.unsigned() + minus.unsigned();
+            let rest = plus - minus;
+            P::select(
+                rest.unsigned().at_most(size * P::lit(8.0 * P::EPSILON)),
+                own,
+                rest,
+            )
+        };
+        let ym = -side.signed_as(across(m, turned[i][p]));
+        let yp = -side.signed_as(across(p, -turned[i][m]));
         let from = |k: usize| c[k] + (r[k][m] * (h[m] * ym) + r[k][p] * (h[p] * yp));
         let way = [from(k) - g[k] * xk, from(l) - g[l] * xl];
         let t = -(way[0] * rk + way[1] * rl).over(P::select(none, P::one(), square));
@@ -165,7 +178,6 @@ impl<P: Scalar> Edges<P> {
             all
         };
         let exact = |x: P| weight(x.equals(zero));
-        let normal = |m: usize| rk * r[l][m] - rl * r[k][m];
         let none_of = |at: [(usize, P); 2]| {
             let mut all = [zero; 3];
             for (k, x) in at {
@@ -180,7 +192,7 @@ impl<P: Scalar> Edges<P> {
             y: place((j, part(t, h[j])), [(m, ym), (p, yp)]),
             side,
             upright_a: none_of([(k, exact(rk)), (l, exact(rl))]),
-            upright_b: none_of([(p, exact(normal(m))), (m, exact(normal(p)))]),
+            upright_b: none_of([(p, exact(r[i][p])), (m, exact(r[i][m]))]),
         }
     }
 }

@@ -245,3 +245,23 @@ fn closest_points_of_boxes_are_on_the_boxes() {
         on_both!(a.cast::<f32>(), b.cast::<f32>(), 5e-6);
     }
 }
+
+/// Flat boxes that stand on a box's plane, or pierce each other, in both orders.
+#[test]
+fn flat_boxes_are_as_far_apart_in_either_order() {
+    let flat = |c: [f64; 3], s: [f64; 3], [w, x, y, z]: [f64; 4]| {
+        Obb3::new(vector(c), vector(s), Rotation3::new(w, x, y, z))
+    };
+    let plates = [
+        flat([-1.0; 3], [3.0, 0.0, 2.0], [-1.0, 2.0, -1.0, 2.0]),
+        flat([1.0, 1.0, 0.0], [2.0, 0.0, 3.0], [2.0, 2.0, 2.0, -1.0]),
+    ];
+    let wire = flat([0.2, -0.2, -0.1], [0.0, 0.3, 0.0], [2.0, 2.0, 1.0, 1.0]);
+    let plate = flat([0.2, -0.1, 0.0], [0.0, 0.3, 0.1], [0.0, 0.0, 2.0, 1.0]);
+    for ([a, b], right) in [(plates, 22.0 / 13.0), ([wire, plate], 0.0)] {
+        for (a, b) in [(a, b), (b, a)] {
+            assert!((distance(a, b) - right).abs() < 1e-14, "{a:?} {b:?}");
+            assert!((f64::from(distance(a.cast::<f32>(), b.cast())) - right).abs() < 1e-6);
+        }
+    }
+}
