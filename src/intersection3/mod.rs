@@ -124,8 +124,8 @@ pub fn span<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Chor
 /// surface.
 ///
 /// Solids without a volume are hit, too. A line meets the border of a tetrahedron where it passes within its rounding,
-/// some ε of the way to the farthest corner; so thin and flat ones are hit where they are seen, and seen edge-on, too. A
-/// chord within rounding is one place, at which all faces share the derivative. A ray through the apex of a cone within
+/// some ε of the way to the farthest corner; so thin and flat ones are hit where they are seen, and seen edge-on, too. The
+/// chord of a flat one is one place, at which all faces share the derivative. A ray through the apex of a cone within
 /// rounding hits the apex; the slope there is the middle of those to its sides.
 ///
 /// ```

@@ -4,6 +4,7 @@
 //! with the six edges say which faces the line meets; faces share them, so that no line passes between two, however thin
 //! the solid is. Platis, Theoharis, Fast ray-tetrahedron intersection using Plücker coordinates, 2003.
 use super::inside::{Beam, Border, Inside, sized};
+use super::planes::triple_terms;
 use crate::arrays::Each;
 use crate::distance::share::Best;
 use crate::distance3::near::size_of;
@@ -128,11 +129,13 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
         with = with.join(met & high, place, normals[face]);
     }
     let both = against.is_some() & with.is_some();
-    // A chord within rounding, as of a flat solid and at an edge, is one place, of which all faces are part.
+    // The chord of a flat solid is one place, of which all faces are part.
     let (low, high) = (against.mean(), with.mean());
     let length = S::from_primal(size_of(beam.along));
     let fine = S::from_primal(sight.slack) * length;
-    let touch = (high - low).magnitude().at_most(fine);
+    let [b, c, d] = [b, c, d].each_as(|corner| corner - a);
+    let least = triple_terms(b, c, d) * S::lit(4.0 * S::EPSILON);
+    let touch = b.cross(c).dot(d).magnitude().at_most(least);
     let all = (against.place + with.place).over((against.count + with.count).most(one));
     let turned = high.below(low);
     let pick = |mask: S::Mask, yes: S, no: S| S::select(mask, yes, no);
