@@ -1,8 +1,8 @@
 //! The range of a line inside a tetrahedron, thin and flat ones included.
 //!
 //! Seen along the line, the corners are points of a plane and the line is its origin. The areas that the origin spans
-//! with the six edges say which faces the line meets; faces share them, so that no line passes between two, however thin
-//! the solid is. Platis, Theoharis, Fast ray-tetrahedron intersection using Plücker coordinates, 2003.
+//! with the six edges say which faces the line meets; faces share them, so that no line passes between two, however
+//! thin the solid is. Platis, Theoharis, Fast ray-tetrahedron intersection using Plücker coordinates, 2003.
 use super::inside::{Beam, Border, Inside, sized};
 use super::planes::triple_terms;
 use crate::arrays::Each;
@@ -121,8 +121,8 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
         .faces()
         .each_as(|face| sized(face.twice_area_normal()));
     let (zero, one) = (S::zero(), S::one());
-    // By which side the line sees of them: by spans without rounding's part; of those faces only the ones that all digits
-    // agree on, if there are any, so that only exact ties are shared.
+    // By which side the line sees of them: by spans without rounding's part; of those faces only the ones that all
+    // digits agree on, if there are any, so that only exact ties are shared.
     let nothing = S::Primal::zero();
     let never = one.below(zero);
     let (mut lows, mut highs) = ([never; 4], [never; 4]);
