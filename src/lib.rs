@@ -172,6 +172,7 @@ pub mod scalar;
 pub mod shape;
 #[forbid(unsafe_code)]
 pub mod suppression;
+#[forbid(unsafe_code)]
 mod twofold;
 
 #[path = "../ad/mod.rs"]

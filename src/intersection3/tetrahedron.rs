@@ -1,9 +1,10 @@
 //! The range of a line inside a tetrahedron, thin and flat ones included.
 //!
 //! Seen along the line, the corners are points of a plane and the line is its origin. The areas that the origin spans
-//! with the six edges say which faces the line meets; faces share them, so that no line passes between two, however thin
-//! the solid is. Platis, Theoharis, Fast ray-tetrahedron intersection using Plücker coordinates, 2003.
+//! with the six edges say which faces the line meets; faces share them, so that no line passes between two, however
+//! thin the solid is. Platis, Theoharis, Fast ray-tetrahedron intersection using Plücker coordinates, 2003.
 use super::inside::{Beam, Border, Inside, sized};
+use super::planes::triple_terms;
 use crate::arrays::Each;
 use crate::distance::share::Best;
 use crate::distance3::near::size_of;
@@ -24,6 +25,8 @@ struct Sight<S: Scalar> {
     aside: [Vec3<S>; 4],
     /// What the line spans with each edge, times the square of the direction; zero where rounding can have made it.
     spans: [S; 6],
+    /// The same with what rounding makes of zero.
+    raw: [S::Primal; 6],
     /// What rounding can make of a corner on the line.
     slack: S::Primal,
 }
@@ -40,6 +43,7 @@ impl<S: Scalar> Sight<S> {
         let length = size_of(along);
         let slack = largest(sizes) * length * S::Primal::lit(4.0 * S::EPSILON);
         let wide = aside.each_as(size_of);
+        let raw = spans.each_as(S::primal);
         for (k, [i, j]) in EDGES.into_iter().enumerate() {
             let (least, value) = (slack * length * (wide[i] + wide[j]), spans[k].primal());
             let zero = value.magnitude().at_most(least);
@@ -49,9 +53,16 @@ impl<S: Scalar> Sight<S> {
             ahead: arms.each_as(|arm| along.dot(arm)),
             aside,
             spans,
+            raw,
             slack,
         }
     }
+}
+
+/// The edges of a face, each opposite to a corner.
+#[inline(always)]
+fn around([i, j, k]: [usize; 3]) -> [[usize; 2]; 3] {
+    [[j, k], [k, i], [i, j]]
 }
 
 /// A number of an edge from one corner to another, which changes its sign with the direction.
@@ -110,29 +121,49 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
         .faces()
         .each_as(|face| sized(face.twice_area_normal()));
     let (zero, one) = (S::zero(), S::one());
-    // By which side the line sees of them.
-    let (mut against, mut with) = (Met::<S>::none(), Met::<S>::none());
-    for (face, [i, j, k]) in FACES.into_iter().enumerate() {
-        let pairs = [[j, k], [k, i], [i, j]];
+    // By which side the line sees of them: by spans without rounding's part; of those faces only the ones that all
+    // digits agree on, if there are any, so that only exact ties are shared.
+    let nothing = S::Primal::zero();
+    let never = one.below(zero);
+    let (mut lows, mut highs) = ([never; 4], [never; 4]);
+    let (mut raw_lows, mut raw_highs) = ([never; 4], [never; 4]);
+    for (face, pairs) in FACES.each_as(around).into_iter().enumerate() {
         let weights = pairs.each_as(|[from, to]| of_edge(sight.spans, from, to));
+        let raw = pairs.each_as(|[from, to]| of_edge(sight.raw, from, to));
         let any = |is: fn(S, S) -> S::Mask| {
             is(weights[0], zero) | is(weights[1], zero) | is(weights[2], zero)
         };
+        let no = |is: fn(S::Primal, S::Primal) -> S::Mask| {
+            !(is(raw[0], nothing) | is(raw[1], nothing) | is(raw[2], nothing))
+        };
         let (low, high) = (any(S::below), any(S::above));
-        let met = low & !high | high & !low;
+        (lows[face], highs[face]) = (low & !high, high & !low);
+        raw_lows[face] = lows[face] & no(S::Primal::above);
+        raw_highs[face] = highs[face] & no(S::Primal::below);
+    }
+    let some = |masks: [S::Mask; 4]| masks[0] | masks[1] | masks[2] | masks[3];
+    let (raw_low, raw_high) = (some(raw_lows), some(raw_highs));
+    let (mut against, mut with) = (Met::<S>::none(), Met::<S>::none());
+    for (face, [i, j, k]) in FACES.into_iter().enumerate() {
+        let weights = around([i, j, k]).each_as(|[from, to]| of_edge(sight.spans, from, to));
+        let met = lows[face] | highs[face];
         let area = (weights[0] + weights[1]) + weights[2];
         let sum = (weights[0] * sight.ahead[i] + weights[1] * sight.ahead[j])
             + weights[2] * sight.ahead[k];
         let place = sum.over(S::select(met, area, one));
-        against = against.join(met & low, place, normals[face]);
-        with = with.join(met & high, place, normals[face]);
+        let low = raw_lows[face] | lows[face] & !raw_low;
+        let high = raw_highs[face] | highs[face] & !raw_high;
+        against = against.join(low, place, normals[face]);
+        with = with.join(high, place, normals[face]);
     }
     let both = against.is_some() & with.is_some();
-    // A chord within rounding, as of a flat solid and at an edge, is one place, of which all faces are part.
+    // The chord of a flat solid is one place, of which all faces are part.
     let (low, high) = (against.mean(), with.mean());
     let length = S::from_primal(size_of(beam.along));
     let fine = S::from_primal(sight.slack) * length;
-    let touch = (high - low).magnitude().at_most(fine);
+    let [b, c, d] = [b, c, d].each_as(|corner| corner - a);
+    let least = triple_terms(b, c, d) * S::lit(S::EPSILON);
+    let touch = b.cross(c).dot(d).magnitude().at_most(least);
     let all = (against.place + with.place).over((against.count + with.count).most(one));
     let turned = high.below(low);
     let pick = |mask: S::Mask, yes: S, no: S| S::select(mask, yes, no);

@@ -89,8 +89,8 @@ impl<S: Scalar> Tetrahedron<S> {
     pub fn bounding(self) -> Aabb3<S> {
         Aabb3::of(self.corners())
     }
-    /// `true` where the point is in the tetrahedron, which may be flat; the surface belongs to it. Decided in numbers of
-    /// twice the digits.
+    /// `true` where the point is in the tetrahedron, which may be flat; the surface belongs to it. Decided in numbers
+    /// of twice the digits.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
