@@ -1,5 +1,5 @@
 //! Crossings of lines and of segments.
-use super::sides::Sides;
+use super::turns::Sides;
 use crate::distance::edge::{scale_of, size_of};
 use crate::{Line2, Scalar, Segment2, Vec2};
 

@@ -1,6 +1,6 @@
 //! Whether a line meets a hull of corners: by their sides, which rounding does not decide.
+use super::digits::Wide;
 use super::lines::plain;
-use super::wide::Wide;
 use crate::distance::beam::{Beam, Border, Inside};
 use crate::distance::edge::{scale_of, size_of, unit};
 use crate::distance::share::Best;

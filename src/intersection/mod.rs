@@ -20,12 +20,12 @@
 //! of a corner, where the faces share the derivative of the parameter and the first one gives the normal.
 //! Directions whose sine is below ε² count as parallel.
 
+pub(crate) mod digits;
 pub(crate) mod lines;
 mod met;
 mod ring;
-mod sides;
 pub mod span;
-pub(crate) mod wide;
+mod turns;
 
 pub use lines::{CommonPart, CommonPoint, crossing_of_lines, meeting_of_segments};
 pub use ring::{edge_inside, length_inside_ring};

@@ -97,6 +97,9 @@ fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Found<S> {
 
 /// The parameters at which a line enters and leaves a convex shape. The border belongs to it.
 ///
+/// Triangles, arrays of corners and segments are met where their corners are not all on one side of the line, by the
+/// given numbers to some ε²: also where they are flat, or met in a corner alone. Other shapes are as their faces round.
+///
 /// ```
 /// use geograd::{Aabb2, Line2, Vec2, intersection::span};
 /// let line = Line2::new(Vec2::new(-3.0, 1.0), Vec2::new(2.0, 0.0));

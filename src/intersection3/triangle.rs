@@ -9,7 +9,7 @@ use super::Hit3;
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance3::near::size_of;
-use crate::intersection::wide::Wide;
+use crate::intersection::digits::Wide;
 use crate::scalar::largest;
 use crate::shape::{Ray3, Segment3, Triangle3};
 use crate::{Mask, Scalar, Vec3};

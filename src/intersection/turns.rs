@@ -1,5 +1,5 @@
 //! On which sides of two segments the ends of the other one are, exactly and without branches.
-use super::wide::{Halves, sum};
+use super::digits::{Halves, sum};
 use crate::distance::edge::{scale_of, size_of};
 use crate::{Mask, Scalar, Vec2};
 
