@@ -70,14 +70,14 @@
 //! the corners of what faces each other, crossings of edges among them. Where shapes other than two boxes overlap along
 //! parallel faces the corners count whose foot is on the other one; where there is none, the crossings of edges. Where
 //! several planes are equally deep they share the derivative, and direction and points are those of the first.
-//! Distances of two lines or rays jump where they become parallel. Across a face the signed distance is smooth, along an
-//! edge or at a corner of the border it is not. Pairs without a volume between them, such as two segments, have no
+//! Distances of two lines or rays jump where they become parallel. Across a face the signed distance is smooth, along
+//! an edge or at a corner of the border it is not. Pairs without a volume between them, such as two segments, have no
 //! depth.
 //!
 //! Contacts: where a gap is as small as the roundings of the coordinates, the way between nearest points is mostly
-//! rounding. Of two boxes direction and slopes are so, too. Other pairs, less than 64 roundings of their size apart, have
-//! the direction of a plane that parts them, one of several. Beyond that a direction errs by a rounding of the size over
-//! the gap.
+//! rounding. Of two boxes direction and slopes are so, too. Other pairs, less than 64 roundings of their size apart,
+//! have the direction of a plane that parts them, one of several. Beyond that a direction errs by a rounding of the size
+//! over the gap.
 use crate::{Scalar, Vec3};
 
 pub(crate) mod apart;
