@@ -218,7 +218,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         }
         Lowest::edge(point, spot)
     }
-    /// Along a face's normal two edges are equally far: what crosses the face does so at that on the side of its middle,
+    /// Along a face's normal two edges are equally far: what crosses the face does so at that beside its middle,
     /// or crosses one along the other axis.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn beside(&self, lowest: Lowest<S>, normal: Vec3<S>, way: usize, point: Vec3<S>) -> Lowest<S> {

@@ -75,10 +75,9 @@
 //! a face the signed distance is smooth, along an edge or at a corner of the border it is not. Pairs without a volume
 //! between them, such as two segments, have no depth.
 //!
-//! Contacts: with a gap that is not zero but about as small as the roundings of the coordinates, the way between two
-//! corners or edges is mostly rounding, and so are direction and slopes of two boxes. Other pairs that are less than 64
-//! roundings of their size apart have the direction of a plane that parts them, which is one of all that do. From there on
-//! a direction is as exact as a rounding of the size over the gap.
+//! Contacts: where a gap is as small as the roundings of the coordinates, the way between nearest points is mostly
+//! rounding. Shapes less than some roundings of their size apart have the direction of a plane that parts them, one of
+//! several. Beyond that a direction errs by a rounding of the size over the gap.
 use crate::{Scalar, Vec3};
 
 pub(crate) mod apart;

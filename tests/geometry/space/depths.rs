@@ -203,7 +203,8 @@ macro_rules! overlap {
 
 /// One pair in one format.
 macro_rules! overlaps {
-    (($x:ident, $y:ident), $shapes:expr, $A:ident, $B:ident, $S:ty, $error:expr, ($depth:expr, $planes:expr), $kinks:ident) => {{
+    (($x:ident, $y:ident), $shapes:expr, $A:ident, $B:ident, $S:ty, $error:expr,
+        ($depth:expr, $planes:expr), $kinks:ident) => {{
         let (a, b) = $shapes;
         let value = f64::from(signed_distance(a, b));
         let say = || format!("{a:?} {b:?}: {value}, right {}", $depth);
