@@ -15,7 +15,8 @@ use std::collections::HashMap;
 /// With fewer nodes than this the test of the truth costs more than it saves.
 const FEW: usize = 12;
 
-/// So many nodes are visited at most, per node of the graph. Scores and distances of boxes, with gradients, visit up to 23.
+/// So many nodes are visited at most, per node of the graph. Scores and distances of boxes, with gradients, visit up to
+/// 23.
 const VISITS: usize = 256;
 
 /// Something to leave out.
