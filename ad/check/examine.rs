@@ -4,9 +4,9 @@ use crate::ad::check::candidate::{Candidate, Typed};
 use crate::ad::check::certificate::Proof;
 use crate::ad::check::judge::judge;
 use crate::ad::check::report::{Failure, Report};
-use crate::ad::check::shrink::shrunk;
+use crate::ad::check::shrink::{is_like, shrunk};
 use crate::ad::check::subject::Subject;
-use crate::ad::check::tolerances::{ENOUGH, INSIDE_ONE_IN, KEPT, SMOOTH_ONE_IN};
+use crate::ad::check::tolerances::{ENOUGH, INSIDE_ONE_IN, KEPT, SHRINKING, SMOOTH_ONE_IN, TIRED};
 use crate::ad::check::verdict::{Findings, Reason, Smoothness};
 use crate::ad::check::witness::Precision;
 use crate::ad::sample::Draw;
@@ -121,6 +121,9 @@ pub(crate) fn examined<'a>(
     let mut report = Report::empty(name, sampling.seed);
     let (mut smooth, mut drawn) = (0, 0);
     let mut covered: Vec<bool> = Vec::new();
+    let mut left = SHRINKING;
+    let mut alike = 0;
+    let mut simple: Vec<Box<dyn Candidate<'a> + 'a>> = Vec::new();
     for (sample, &x) in inputs.iter().enumerate() {
         let Some(findings) = judged(x, sample) else {
             report.outside += 1;
@@ -151,6 +154,7 @@ pub(crate) fn examined<'a>(
             all.merge(here, sample);
         }
         report.refused += u64::from(!findings.faults.is_empty());
+        alike += usize::from(!findings.faults.is_empty());
         for fault in findings.faults {
             // All reasons once, rather than one reason many times.
             let known = |failure: &Failure| failure.fault.reason == fault.reason;
@@ -158,7 +162,25 @@ pub(crate) fn examined<'a>(
                 continue;
             }
             let again = &mut |x: &dyn Candidate<'a>| judged(x, sample);
-            let (least, fault) = shrunk(x, fault, findings.place, again);
+            // One mistake is refused for several reasons, and a simple input that shows one of them shows most.
+            let shown = simple.iter().find_map(|x| {
+                let findings = again(&**x)?;
+                let same = findings
+                    .faults
+                    .into_iter()
+                    .find(|own| is_like(own, &fault))?;
+                Some((x.refilled(&x.numbers()), same))
+            });
+            let (least, fault) = match shown {
+                Some(shown) => shown,
+                None => {
+                    let (least, fault) = shrunk(x, fault, findings.place, &mut left, again);
+                    simple.push(least.refilled(&least.numbers()));
+                    left = left.min(SHRINKING / 4);
+                    (least, fault)
+                }
+            };
+            alike = 0;
             report.failures.push(Failure {
                 sample,
                 fault,
@@ -169,6 +191,11 @@ pub(crate) fn examined<'a>(
         if let Some(tick) = sampling.tick {
             tick();
         }
+        // A refused input costs some twenty times a good one: differences are repeated before they refuse.
+        if alike >= TIRED && sample + 1 < inputs.len() {
+            report.stopped = true;
+            break;
+        }
     }
     report.precision = precision;
     report.nearest = report.worst.each_ref().map(|worst| {
@@ -178,6 +205,9 @@ pub(crate) fn examined<'a>(
     });
     let asked = inputs.len().saturating_sub(random_from);
     let uncovered = covered.iter().position(|covered| !covered);
+    if report.stopped {
+        return report;
+    }
     if asked >= ENOUGH && drawn * INSIDE_ONE_IN < asked {
         report.refused += 1;
         let failure = Failure::of_all(Reason::FewInside, random_from, 0);

@@ -71,7 +71,9 @@ pub struct Report {
     pub names: Vec<String>,
     /// How many samples were refused.
     pub refused: u64,
-    /// The first of them.
+    /// `true` if inputs are left that were not judged, because so many before them were refused.
+    pub stopped: bool,
+    /// The first refused samples, one for each reason.
     pub failures: Vec<Failure>,
 }
 
@@ -95,6 +97,7 @@ impl Report {
             picture: None,
             names: Vec::new(),
             refused: 0,
+            stopped: false,
             failures: Vec::new(),
         }
     }
@@ -216,6 +219,13 @@ impl fmt::Display for Report {
                 f,
                 "  {} inputs outside the domain are not judged",
                 self.outside
+            )?;
+        }
+        if self.stopped {
+            writeln!(
+                f,
+                "  further inputs were not judged: {} were refused, the last of them for no new reason",
+                self.refused
             )?;
         }
         // All refusals of one mistake have its traces: the first says most, and further ones need a line.

@@ -1,22 +1,29 @@
 //! Smaller inputs that fail the same way.
 use crate::ad::check::candidate::Candidate;
-use crate::ad::check::tolerances::{FEW_INPUTS, SHRINKING};
+use crate::ad::check::tolerances::FEW_INPUTS;
 use crate::ad::check::verdict::{Fault, Findings, Smoothness};
 use crate::ad::sample::fewer_digits;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+/// `true` for the same complaint: for the same reason, with no other witness outvoted.
+pub(crate) fn is_like(found: &Fault, fault: &Fault) -> bool {
+    let blamed = fault.suspect.is_none() || found.suspect == fault.suspect;
+    found.reason == fault.reason && blamed
+}
+
 /// The simplest input found that fails in the same way: for the same reason, at the same number of an
 /// input of the same length, at the same kind of place, with no other witness outvoted. A function
-/// that panics at an input of another length does not fail there in the same way.
+/// that panics at an input of another length does not fail there in the same way. `left` is how many numbers inputs may
+/// have together that are tried.
 pub(crate) fn shrunk<'a>(
     x: &dyn Candidate<'a>,
     fault: Fault,
     place: Smoothness,
+    left: &mut usize,
     judged: &mut dyn FnMut(&dyn Candidate<'a>) -> Option<Findings>,
 ) -> (Box<dyn Candidate<'a> + 'a>, Fault) {
     let numbers = x.numbers();
     let mut least = (x.refilled(&numbers), fault);
-    let mut left = SHRINKING;
     loop {
         let numbers = least.0.numbers();
         let count = numbers.len();
@@ -25,8 +32,8 @@ pub(crate) fn shrunk<'a>(
         let mut candidates = like.fewer().chain(rounded);
         let found = candidates.find_map(|candidate| {
             let length = candidate.numbers().len();
-            left = left.saturating_sub(length.max(FEW_INPUTS));
-            if left == 0 {
+            *left = left.saturating_sub(length.max(FEW_INPUTS));
+            if *left == 0 {
                 return Some(None);
             }
             let found = catch_unwind(AssertUnwindSafe(|| judged(&*candidate))).ok()??;
@@ -34,10 +41,7 @@ pub(crate) fn shrunk<'a>(
                 let own = (f.output, f.input) == (least.1.output, least.1.input);
                 own || length != count || fault.numbers.along
             };
-            let same = |f: &Fault| {
-                let blamed = fault.suspect.is_none() || f.suspect == fault.suspect;
-                f.reason == fault.reason && blamed && same_place(f)
-            };
+            let same = |f: &Fault| is_like(f, &fault) && same_place(f);
             let same = found.faults.into_iter().find(same)?;
             (found.place == place).then_some(Some((candidate, same)))
         });

@@ -183,7 +183,10 @@ pub(crate) const ENOUGH: usize = 20;
 pub(crate) const SMOOTH_ONE_IN: usize = 10;
 /// And one in so many must be inside the domain.
 pub(crate) const INSIDE_ONE_IN: usize = 10;
+/// After so many refused inputs without a new reason no further ones are judged.
+pub(crate) const TIRED: usize = 32;
 /// How many failures a report keeps: one of each reason is what is read.
 pub(crate) const KEPT: usize = 8;
-/// How many numbers simpler inputs of a failure may have together: 400 short inputs are tried.
+/// How many numbers simpler inputs of the first failure of a report may have together: 400 short inputs are tried. All
+/// further failures together have a quarter of it, since most show at the input found for the first one.
 pub(crate) const SHRINKING: usize = 400 * FEW_INPUTS;
