@@ -27,10 +27,12 @@
 //! `x_bar` is the cotangent of `x`. `…_grad` functions return value and gradient together.
 pub mod adjoint;
 #[cfg(feature = "check")]
+#[allow(clippy::disallowed_methods)]
 pub mod check;
 pub mod declared;
 pub mod forward;
 pub mod program;
+#[allow(clippy::disallowed_methods)]
 pub mod sample;
 #[cfg(not(feature = "check"))]
 mod unchecked;

@@ -26,10 +26,10 @@
 //! NaN in, NaN out: a verb of shapes with a NaN is NaN in every number of its result, as a method, by `of`, and where a
 //! function of your own calls it in a batch; for that item alone. Whole numbers of a result, such as the number of
 //! corners, stay what the search found, and a shape with a NaN contains nothing: a comparison with NaN is false.
-//! [`least`](crate::Scalar::least), [`most`](crate::Scalar::most) and [`clamp`](crate::Scalar::clamp) of your own
-//! function choose by such a comparison and may give the other number; so may a bare formula of a module, such as
-//! [`giou_obb2`](crate::iou::giou_obb2), and a method that does not read the number, such as the area of a box. Drivers of a GPU may assume that there is no NaN.
-//! There the result of such an item is NaN if the driver computes one, or any number.
+//! Outside of verbs a comparison may lose it: [`least`](crate::Scalar::least), [`most`](crate::Scalar::most) and
+//! [`clamp`](crate::Scalar::clamp) may give the other number, and so may a formula of a module, such as
+//! [`giou_obb2`](crate::iou::giou_obb2), or the bounds of a shape. A method sees only what it reads: the area of a box no
+//! NaN of its centre. Drivers of a GPU may assume that there is no NaN: there such an item may have any result.
 //!
 //! Without pairs a sum is 0, a count 0 and a list empty. The mean is 0 with a gradient of zero, as the loss of a step
 //! without matches. The maximum of an empty row is an error: [`Error::Length`](crate::Error::Length).
@@ -44,6 +44,7 @@ pub mod backend;
 mod bounds;
 #[cfg(feature = "check")]
 #[forbid(unsafe_code)]
+#[allow(clippy::disallowed_methods)]
 pub mod check;
 pub mod cpu;
 #[forbid(unsafe_code)]
@@ -60,6 +61,7 @@ pub mod fold;
 mod formats;
 #[cfg(feature = "check")]
 #[forbid(unsafe_code)]
+#[allow(clippy::disallowed_methods)]
 pub mod fuzz;
 #[forbid(unsafe_code)]
 pub mod gpu;

@@ -92,6 +92,8 @@
 //! serialization. `proptest`: strategies. `boolean`: [boolean operations](boolean) of polygons. `check`: the
 //! [harness](check) that checks derivatives, for `[dev-dependencies]`.
 #![warn(missing_docs)]
+// clippy.toml lists them: functions of the platform's library.
+#![warn(clippy::disallowed_methods)]
 // Pages of other modules link to the harness.
 #![cfg_attr(not(feature = "check"), allow(rustdoc::broken_intra_doc_links))]
 #![deny(unsafe_code)]

@@ -146,8 +146,8 @@ fn sample(trial: usize, count: usize) -> Vec<f64> {
                 1 => x * 4.0,
                 2 => x * 8.0 - 4.0,
                 3 => (x * 9.0).floor() - 4.0,
-                4 => (x * 12.0 - 6.0).exp(),
-                _ => (x - 0.5).signum() * (uniform() * 12.0 - 6.0).exp(),
+                4 => Scalar::exp(x * 12.0 - 6.0),
+                _ => (x - 0.5).signum() * Scalar::exp(uniform() * 12.0 - 6.0),
             }
         })
         .collect();

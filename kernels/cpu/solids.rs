@@ -1,8 +1,8 @@
 //! Bounds in the plane of boxes in space, as seen from above: pairs whose bounds do not meet are apart.
-use crate::Real;
 use crate::kernels::cpu::boxes3::OBB3;
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
+use crate::{Real, Scalar};
 
 /// Numbers of an axis-aligned box: the lower corner, then the upper one.
 const AABB3: usize = 6;
@@ -29,7 +29,7 @@ pub(crate) fn obb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>])
         };
         for i in 0..TILE {
             let [x, y, _, dx, dy, dz] = [0, 1, 2, 3, 4, 5].map(|k| shape[k].0[i].widen());
-            let ball = (dx.hypot(dy).hypot(dz) / 2.0) * (1.0 + SLACK);
+            let ball = (Scalar::hypot(Scalar::hypot(dx, dy), dz) / 2.0) * (1.0 + SLACK);
             let reach = |x: f64| ball + 4.0 * T::EPSILON * x.abs();
             let [low_x, low_y, high_x, high_y] =
                 [x - reach(x), y - reach(y), x + reach(x), y + reach(y)];

@@ -1,6 +1,7 @@
 //! Rays of the plane.
 use super::line::not_zero;
 use crate::error::{Flaw, Validate};
+use crate::scalar::Guard;
 use crate::{Line2, Pose2, Scalar, Shape, Vec2};
 use std::ops::Mul;
 
@@ -74,7 +75,8 @@ impl<S: Scalar> Ray2<S> {
     #[must_use]
     #[inline]
     pub fn nearest(self, point: Vec2<S>) -> Vec2<S> {
-        self.point_at(self.parameter_of(point))
+        let nearest = self.point_at(self.parameter_of(point));
+        Guard::of(&self).and(&point).result(nearest)
     }
     /// The line that it is half of.
     #[must_use]

@@ -1,6 +1,7 @@
 //! Rays in space.
 use super::line::not_zero;
 use crate::error::{Flaw, Validate};
+use crate::scalar::Guard;
 use crate::shape::{Line3, Pose3};
 use crate::{Scalar, Shape, Vec3};
 use std::ops::Mul;
@@ -77,7 +78,8 @@ impl<S: Scalar> Ray3<S> {
     #[must_use]
     #[inline]
     pub fn nearest(self, point: Vec3<S>) -> Vec3<S> {
-        self.point_at(self.parameter_of(point))
+        let nearest = self.point_at(self.parameter_of(point));
+        Guard::of(&self).and(&point).result(nearest)
     }
     /// The line that it is half of.
     #[must_use]

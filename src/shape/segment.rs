@@ -1,6 +1,7 @@
 //! Segments of the plane.
 use crate::distance::edge::{self, Placed};
 use crate::error::{Flaw, Validate};
+use crate::scalar::Guard;
 use crate::{Aabb2, Line2, Pose2, Ray2, Scalar, Shape, Vec2};
 use std::ops::Mul;
 
@@ -84,7 +85,8 @@ impl<S: Scalar> Segment2<S> {
     #[must_use]
     #[inline]
     pub fn nearest(self, point: Vec2<S>) -> Vec2<S> {
-        self.point_at(self.parameter_of(point))
+        let nearest = self.point_at(self.parameter_of(point));
+        Guard::of(&self).and(&point).result(nearest)
     }
     /// The segment from end to start.
     #[must_use]

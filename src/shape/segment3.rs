@@ -1,5 +1,6 @@
 //! Segments in space.
 use crate::distance3::Apart;
+use crate::scalar::Guard;
 use crate::shape::{Aabb3, Pose3};
 use crate::{Scalar, Shape, Vec3};
 use std::ops::Mul;
@@ -74,7 +75,8 @@ impl<S: Scalar> Segment3<S> {
         let square = S::select(zero, S::one(), unit.length_squared());
         let t = ((point - self.start) * scale).dot(unit).over(square);
         let t = S::select(zero, S::zero(), t.clamp(S::zero(), S::one()));
-        self.at(t)
+        let nearest = self.at(t);
+        Guard::of(&self).and(&point).result(nearest)
     }
     /// The distance to a shape, 0 where they touch: [`distance`](crate::distance3::distance()).
     ///

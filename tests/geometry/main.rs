@@ -23,6 +23,7 @@ mod oracle_solid;
 mod overlap_boxes;
 mod pairs;
 mod paper_bugs;
+mod platform;
 mod polygon;
 mod poses;
 mod projection;
