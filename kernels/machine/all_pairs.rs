@@ -267,7 +267,7 @@ impl<E: ?Sized> Machine<E> {
     ///
     /// # Errors
     ///
-    /// As [`all_pairs`](Machine::all_pairs), and [`Error::Length`] for rows without columns.
+    /// As [`all_pairs`](Machine::all_pairs), and [`Error::NoLargest`] for rows without columns.
     ///
     /// ```
     /// use geograd::Obb2;
