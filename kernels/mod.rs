@@ -32,7 +32,7 @@
 //! NaN of its centre. Drivers of a GPU may assume that there is no NaN: there such an item may have any result.
 //!
 //! Without pairs a sum is 0, a count 0 and a list empty. The mean is 0 with a gradient of zero, as the loss of a step
-//! without matches. The maximum of an empty row is an error: [`Error::Length`](crate::Error::Length).
+//! without matches. The maximum of an empty row is an error: [`Error::NoLargest`](crate::Error::NoLargest).
 //!
 //! # GPUs
 //!

@@ -33,11 +33,7 @@ pub(crate) fn check_sides(rows: usize, columns: usize, of_rows: bool) -> Result<
         false => (columns, rows, Argument::A),
     };
     if own > 0 && other == 0 {
-        return Err(Error::Length {
-            argument,
-            expected: 1,
-            found: 0,
-        });
+        return Err(Error::NoLargest { argument });
     }
     Ok(())
 }
@@ -112,7 +108,7 @@ impl<T: Real> Matrix<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] for rows without columns.
+    /// [`Error::NoLargest`] for rows without columns.
     pub fn row_max(&self) -> Result<Vec<Best<T>>, Error> {
         check_sides(self.rows, self.columns, true)?;
         let best = self.rows_of().map(|row| {
@@ -127,7 +123,7 @@ impl<T: Real> Matrix<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] for columns without rows.
+    /// [`Error::NoLargest`] for columns without rows.
     pub fn column_max(&self) -> Result<Vec<Best<T>>, Error> {
         check_sides(self.rows, self.columns, false)?;
         let mut best = no_best(self.columns);

@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 
 /// One-to-one pairs by descending overlap: the largest one first, then the largest one of those whose two ends
 /// are both free, and so on. Equal overlaps are ordered by the smaller first place, then by the smaller second
-/// place. Overlaps that are not a number come last.
+/// place. Pairs whose overlap is not a number are left out.
 ///
 /// ```
 /// use geograd::assignment::greedy;

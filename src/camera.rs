@@ -25,7 +25,10 @@ pub struct Pinhole<S> {
     pub center: Vec2<S>,
 }
 
-/// A camera with radial and tangential distortion (Brown 1966, Conrady 1919), in OpenCV's order of coefficients.
+/// A camera with radial and tangential distortion (Brown 1966, Conrady 1919).
+///
+/// The coefficients are OpenCV's, in the order k₁, k₂, k₃, p₁, p₂; [`from_opencv`](BrownConrady::from_opencv) reads its
+/// vector, which has the tangential ones before k₃.
 ///
 /// The undistorted image `(x, y)`, of length r, becomes
 /// `(x, y) (1 + k₁ r² + k₂ r⁴ + k₃ r⁶) + (2 p₁ x y + p₂ (r² + 2 x²), p₁ (r² + 2 y²) + 2 p₂ x y)`.
@@ -33,9 +36,9 @@ pub struct Pinhole<S> {
 pub struct BrownConrady<S> {
     /// The camera without distortion.
     pub pinhole: Pinhole<S>,
-    /// The radial coefficients k₁, k₂ and k₃.
+    /// The radial coefficients k₁, k₂ and k₃: numbers 1, 2 and 5 of OpenCV's vector.
     pub radial: [S; 3],
-    /// The tangential coefficients p₁ and p₂.
+    /// The tangential coefficients p₁ and p₂: numbers 3 and 4 of OpenCV's vector.
     pub tangential: [S; 2],
 }
 
@@ -128,6 +131,29 @@ fn ahead<S: Scalar>(point: Vec3<S>) -> Vec2<S> {
     let z = S::select(none, S::one(), point.z);
     let over = |x: S| S::select(none, S::zero(), x.over(z));
     Vec2::new(over(point.x), over(point.y))
+}
+
+impl<S> BrownConrady<S> {
+    /// From the camera without distortion and OpenCV's vector `(k₁, k₂, p₁, p₂, k₃)`, unchecked.
+    ///
+    /// ```
+    /// use geograd::Vec2;
+    /// use geograd::camera::{BrownConrady, Pinhole};
+    /// let pinhole = Pinhole::new(Vec2::new(500.0, 500.0), Vec2::new(320.0, 240.0));
+    /// let camera = BrownConrady::from_opencv(pinhole, [-0.2, 0.05, 0.001, -0.002, 0.01]);
+    /// assert_eq!(camera.radial, [-0.2, 0.05, 0.01]);
+    /// assert_eq!(camera.tangential, [0.001, -0.002]);
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    pub fn from_opencv(pinhole: Pinhole<S>, coefficients: [S; 5]) -> Self {
+        let [k1, k2, p1, p2, k3] = coefficients;
+        BrownConrady {
+            pinhole,
+            radial: [k1, k2, k3],
+            tangential: [p1, p2],
+        }
+    }
 }
 
 impl<S: Scalar> BrownConrady<S> {

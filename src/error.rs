@@ -242,8 +242,10 @@ pub enum Flaw {
 pub enum VertexFault {
     /// A coordinate is NaN or infinite.
     NotFinite,
-    /// The polygon needs this vertex and does not have it: fewer than three (distinct) vertices.
+    /// The polygon needs this vertex and does not have it: fewer than three vertices.
     Missing,
+    /// The vertex is at the place of an earlier one, of a ring that has fewer than three places.
+    Coincident,
     /// The vertex does not fit into the polygon's capacity.
     Surplus,
     /// The next vertex is at the same place.
@@ -263,6 +265,9 @@ impl fmt::Display for VertexFault {
         f.write_str(match self {
             VertexFault::NotFinite => "has a coordinate that is not a finite number",
             VertexFault::Missing => "is missing",
+            VertexFault::Coincident => {
+                "is at the place of an earlier one, and the ring has fewer than three places"
+            }
             VertexFault::Surplus => "is beyond the polygon's capacity",
             VertexFault::Repeated => "is repeated by the next one",
             VertexFault::Straight => "is on the line through its neighbours",
@@ -402,6 +407,11 @@ pub enum Error {
         /// The rule that it breaks.
         flaw: Flaw,
     },
+    /// A list has no items, and the call gives the largest result of each item of the other list.
+    NoLargest {
+        /// The list without items.
+        argument: Argument,
+    },
     /// The offsets of a ragged batch decrease at this item, do not start at zero (item 0) or do not
     /// end at the number of vertices (last item).
     Offsets {
@@ -480,6 +490,12 @@ impl fmt::Display for Error {
                 flaw,
             } => {
                 write!(f, "`{argument}` item {item}: {flaw}")
+            }
+            Error::NoLargest { argument } => {
+                write!(
+                    f,
+                    "`{argument}` has no items, of which one would have the largest result"
+                )
             }
             Error::Offsets { item } => {
                 write!(

@@ -74,13 +74,15 @@
 //!    `crossing_of_two_planes` and `crossing_of_three_planes` grow with the square of the reciprocal of the sine between
 //!    the lines or planes: their numbers are from 2⁻⁸ to 2⁸ in `f32`. A row says so as data (`Op::FINITE`).
 //! 3. **Ratios stay in \[0, 1\].** Identical boxes give exactly 1 with derivative 0; boxes that are apart exactly 0
-//!    with derivative 0.
+//!    with derivative 0. Boxes without area (in space: volume) cover nothing: they score 0 with derivative 0, identical
+//!    ones, too.
 //! 4. **No absolute epsilon.** Results far from the origin, tiny, huge and thin are as exact as the inputs. The IoU of
 //!    rotated boxes is within 2·10⁻⁶ of the exact one in `f32` and within 10⁻¹² in `f64`, against an independent oracle
 //!    of 256 bits; for boxes up to a million times longer than wide within 2·10⁻⁵ and 2·10⁻¹⁰.
 //! 5. **Reproducible.** A batch returns exactly the bits of calling the function once per item, at every SIMD level,
 //!    batch position and thread count, with culling on or off.
-//! 6. **Kinks have one policy:** the derivative of the branch taken; ties share; a norm at zero has derivative 0.
+//! 6. **Kinks have one policy:** the derivative of the branch taken; ties share, each kink by itself; a norm at zero has
+//!    derivative 0.
 //! 7. **Typed errors** name argument, item and field; nothing is written when something is wrong.
 //! 8. **Safe.** One module, `kernels/cpu/arch`, has `unsafe` code: it calls vector instructions after it has asked the
 //!    processor for them, and reads shapes as the numbers that they are.

@@ -119,9 +119,16 @@ impl<S: Scalar> Moments<S> {
             S::zero(),
             S::one().over(S::select(none, S::one(), total)),
         );
-        // About the first point: means of far points keep their digits.
+        // About the first point that counts: means of far points keep their digits, and points that coincide are exactly
+        // at their mean.
         let mean = |all: &[Vec3<S>]| {
-            let first = all.first().copied().unwrap_or_else(Vec3::zero);
+            let mut first = all.first().copied().unwrap_or_else(Vec3::zero);
+            let mut none = S::zero().at_most(S::zero());
+            for (&point, &weight) in all.iter().zip(weights) {
+                let counts = weight.above(S::zero());
+                first = Vec3::select(none & counts, point, first);
+                none = none & !counts;
+            }
             let mut sum = Vec3::zero();
             for (&point, &weight) in all.iter().zip(weights) {
                 sum += (point - first) * (weight * share);

@@ -294,6 +294,9 @@ pub(super) fn renamed(error: Error, names: &[Argument]) -> Error {
             item: row,
             flaw,
         },
+        Error::NoLargest { argument } => Error::NoLargest {
+            argument: name(argument),
+        },
         Error::GroupsOf { argument, item } => Error::GroupsOf {
             argument: name(argument),
             item,

@@ -267,7 +267,7 @@ impl<E: ?Sized> Machine<E> {
     ///
     /// # Errors
     ///
-    /// As [`all_pairs`](Machine::all_pairs), and [`Error::Length`] for rows without columns.
+    /// As [`all_pairs`](Machine::all_pairs), and [`Error::NoLargest`] for rows without columns.
     ///
     /// ```
     /// use geograd::Obb2;
@@ -502,9 +502,10 @@ impl<E: ?Sized> Machine<E> {
     /// The shapes that no better one, kept itself, overlaps by more than the threshold: their places, the
     /// best first.
     ///
-    /// The result is that of [`suppression::hard`](crate::suppression::hard) with all
-    /// [`overlaps`](Machine::overlaps). Only pairs with a kept shape are computed. The better one of two shapes is
-    /// the first argument.
+    /// Only pairs with a kept shape are computed, the better one of two shapes as the first argument. The result is that
+    /// of [`suppression::hard`](crate::suppression::hard) with all [`overlaps`](Machine::overlaps), but for pairs at the
+    /// threshold: there the first argument is the one that comes first, and an IoU of boxes that turn may differ by a
+    /// rounding when its arguments are exchanged.
     ///
     /// A GPU keeps the shapes that the CPU keeps: pairs whose result is within 1/256 of the threshold are computed once
     /// more, on the CPU, if the decision depends on them. So that holds for scores between zero and one, such as an IoU

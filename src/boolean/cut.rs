@@ -4,7 +4,8 @@
 //! crosses. Some edges lie within a few steps of each other over a length of many steps. Then each round bends
 //! pieces to where they cross anew. Their number doubles until pieces are about as short as steps: more of them
 //! than fit any memory. i_overlay has no limit of rounds. So the rounds of such edges are here, by its rules
-//! (those of version 9.1, bit for bit) and with a limit; i_overlay then finds nothing left to cut.
+//! (those of version 9.1, bit for bit) and with a limit; i_overlay then finds nothing left to cut. `Cargo.toml` admits
+//! that version only, and a test compares both ([`is_cut_alike`](super::is_cut_alike)).
 use i_overlay::i_float::int::number::int::IntNumber;
 use i_overlay::i_float::int::number::product_uint::UIntProduct;
 use i_overlay::i_float::int::number::uint::UIntNumber;

@@ -73,6 +73,9 @@ mod snap;
 mod valid;
 
 #[cfg(feature = "boolean")]
+#[doc(hidden)]
+pub use pieces::is_cut_alike;
+#[cfg(feature = "boolean")]
 pub use pieces::overlay_search;
 pub use records::{
     BooleanOperation, EdgeId, IouTrace, Origin, OverlayTrace, Owner, ValidTrace, VertexId,

@@ -136,6 +136,36 @@ impl Pieces {
     }
 }
 
+/// Cuts the edges of two polygons here and by i_overlay alone: `true` if both give the same border, piece by piece with
+/// the edges that each lies on; `None` where i_overlay alone cuts them in any case.
+///
+/// # Errors
+///
+/// As [`overlay_search`].
+#[doc(hidden)]
+pub fn is_cut_alike<'a, S: Scalar<Mask = bool>>(
+    a: impl Into<Rings<'a, S>>,
+    b: impl Into<Rings<'a, S>>,
+    operation: BooleanOperation,
+    fill: Fill,
+) -> Result<Option<bool>, Error> {
+    let inputs = [a.into(), b.into()];
+    let own = grid(inputs, Steps::Fine)?;
+    let edges: Numbered = own.edges.iter().map(|edge| edge.ends).enumerate().collect();
+    let of_second = |k: usize| own.edges[k].id.owner == Owner::B;
+    let Some(pieces) = may_grow(&edges).then(|| cut(&edges, of_second)).flatten() else {
+        return Ok(None);
+    };
+    let border = |grid: Grid, edges: Numbered| {
+        let mut pieces = Pieces::of(grid, edges, fill);
+        let all = pieces.parts(operation).into_iter().flatten().flatten();
+        let all = all.map(|piece| (piece.a, piece.b, pieces.border(&piece).edges));
+        all.collect::<Vec<_>>()
+    };
+    let whole = grid(inputs, Steps::Fine)?;
+    Ok(Some(border(own, pieces) == border(whole, edges)))
+}
+
 /// The origin of every vertex of the result of a boolean operation. See the [module](super).
 ///
 /// # Errors

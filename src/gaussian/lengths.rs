@@ -123,11 +123,16 @@ pub(super) fn root_of_sum<S: Scalar>(shape: S, units: &Shapes<S>, way: &Way<S>) 
     let bound = units.both * S::lit((1_u64 << 40) as f64);
     let bounded = bound.below(unit) & !units.none;
     let unit = S::select(bounded, bound, unit);
-    let of_shape = S::select(units.none, one, unit.over(units.both));
-    let of_way = S::select(way.none, one, unit.over(way.unit));
+    let (per_shape, per_way) = (unit.over(units.both), unit.over(way.unit));
+    // A distance of zero has second derivatives; far from its unit they are beyond the format.
+    let held = |x: S| x.least(S::lit(S::LARGEST.powf(0.25)));
+    let of_shape = S::select(units.none, held(per_shape), per_shape);
+    let of_way = S::select(way.none, held(per_way), per_way);
     let sum = shape * of_shape * of_shape + way.squared * of_way * of_way;
     let root = sum.primal().root();
-    let steep = (of_shape.squared() + of_way.squared()).primal();
+    let own = |none: S::Mask, x: S| S::select(none, one, x).primal();
+    let (of_shape, of_way) = (own(units.none, of_shape), own(way.none, of_way));
+    let steep = of_shape * of_shape + of_way * of_way;
     let steep = steep.above((unit.primal() * root) * S::Primal::lit(S::LARGEST / 8.0));
     let sum = S::select(steep, S::from_primal(sum.primal()), sum);
     sum.root().over(unit).saturated()

@@ -48,14 +48,16 @@ fn pair<S: Scalar>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> Pair<S> {
     let held = finite_derivatives(scale, least_of(own).least(least_of(other)));
     let (own, other) = (own.each_as(&held), other.each_as(&held));
     let between = Vec3::new(between.x * scale, between.y * scale, between.z * scale);
-    // A way of 2⁻⁹⁰ of the largest length is none: units in which it is long have no finite derivatives.
+    // A way of 2⁻⁹⁰ of the largest length is none: units in which it is long have no finite derivatives. Scores have
+    // second derivatives by it there.
     let long = most_of([
         between.x.unsigned(),
         between.y.unsigned(),
         between.z.unsigned(),
     ]);
     let none = long.below(S::lit(1.0 / (1_u128 << 90) as f64));
-    let seen = |x: S| S::select(none, S::zero(), held(x));
+    let still = |x: S| S::select(none, x.with_primal(S::Primal::zero()), x);
+    let seen = |x: S| held(still(x));
     let between = Vec3::new(seen(between.x), seen(between.y), seen(between.z));
     let made = |center: Vec3<S>, [x, y, z]: [S; 3], rotation: Rotation3<S>| {
         Obb3::new(center, Vec3::new(x, y, z), rotation)

@@ -10,7 +10,7 @@
 //! | `iou`, `iof` | `I/U`, `I/A` | [`overlap`](crate::overlap), [`overlap_polygon`](crate::overlap_polygon) |
 //! | `giou` | `I/U − (C − U)/C` | Rezatofighi et al., CVPR 2019 |
 //! | `diou` | `I/U − (d/D)²` | Zheng et al., AAAI 2020 |
-//! | `ciou` | `diou − αv`, `v = 4/π² (Δ atan w/h)²`, `α = v/(1 − I/U + v)` | Zheng et al., IEEE Trans. Cybernetics 2021 |
+//! | `ciou` | `diou − αv`, `v = 4/π² (Δ atan w/h)²`, `α = v/(1 − I/U + v)` | Zheng et al., Distance-IoU loss, AAAI 2020 |
 //! | `ciou_fixed_weight` | the same, without the derivative of `α` | as published and commonly trained |
 //! | `eiou` | `diou − (Δw/W)² − (Δh/H)²`; by a hull `diou − (Δw² + Δh²)/D²` | Zhang et al., Focal and efficient IoU loss, 2021 |
 //! | `alpha_iou` | `(I/U)^α` | He et al., NeurIPS 2021 |
@@ -29,6 +29,9 @@
 //! | `Obb2` | box around both along the plane's axes | [`giou_aabb_obb2`] | [`diou_aabb_obb2`] | [`ciou_aabb_obb2`] | [`eiou_aabb_obb2`] |
 //! | convex polygons | convex hull | [`giou_polygons_search`] | [`diou_polygons_search`] | | |
 //!
+//! Zheng et al., *Enhancing geometric factors*, IEEE Trans. Cybernetics 2021, has `α = 0` where the IoU is below ½: there
+//! its `ciou` is `diou`.
+//!
 //! `ciou_fixed_weight` has the row of each shape's plain verb. Boxes of space: [`iou3`](crate::iou3).
 //!
 //! Losses are one minus the score. Shapes that are apart have derivatives in all but IoU, IoF and `alpha_iou`:
@@ -43,7 +46,8 @@
 //!
 //! Kinks: those of the area of intersection; by a hull, `giou`: a corner passes through the border of the
 //! hull; the others: two pairs of corners are farthest apart; by a box around both: bounds of both are
-//! equal. Exact ties share the derivative.
+//! equal. Exact ties share the derivative; where several kinks meet, each shares by itself, and the sum may lie outside
+//! the slopes of both sides.
 mod aabb;
 mod alpha;
 mod giou;

@@ -42,7 +42,10 @@
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
 //! Kinks are those of IoU and of the enclosing shape; of boxes of any orientation DIoU, CIoU and EIoU jump
-//! where another enclosing box becomes the smaller one. Exact ties share the derivative.
+//! where another enclosing box becomes the smaller one. Exact ties share the derivative: at one kink it lies between the
+//! slopes of both sides. Several kinks can meet, as for boxes along the same axes with faces in one plane. Each then shares
+//! by itself, and the sum may lie outside the slopes of both sides. Of tied rectangles of least area DIoU, CIoU and EIoU
+//! take the mean diagonal and mean sides, which may be those of none.
 use crate::iou::weighted;
 use crate::overlap3::{iou_aabb3, iou_obb3, iou_yaw};
 use crate::shape::{Aabb3, Obb3, YawBox3};

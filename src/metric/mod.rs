@@ -78,20 +78,11 @@ fn flags(name: &'static str, flags: &[bool], count: usize) -> Result<(), Error> 
     })
 }
 
-/// The outcomes of all detections of a frame.
-///
-/// By descending score every detection takes the truth that it overlaps most, of those that no other one
-/// took and that it overlaps by at least the threshold. It takes an ignored truth only where no other one is
-/// left, and is ignored then: it is neither right nor wrong. Several may share an ignored truth. A detection
-/// that takes nothing is wrong, unless it is ignored itself; one that is ignored itself takes a truth only to
-/// be ignored, and leaves it to others. So PASCAL VOC and COCO match; KITTI's own benchmark differs in detail:
-/// [`kitti`].
-///
-/// # Errors
-///
-/// [`Error::Invalid`] for scores and overlaps that are not finite and pairs beyond the lists,
-/// [`Error::Length`] for flags of another number.
-pub fn outcomes(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Outcome>, Error> {
+/// The truths that a detection overlaps by at least the threshold, with the overlaps.
+type Near = Vec<(f64, usize)>;
+
+/// The truths near every detection of a valid frame.
+fn near(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Near>, Error> {
     let count = frame.scores.len();
     flags("ignored_truths", frame.ignored_truths, frame.truths)?;
     flags("ignored_detections", frame.ignored_detections, count)?;
@@ -114,32 +105,97 @@ pub fn outcomes(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Outcome>, Error
             near[pair.first].push((pair.overlap, pair.second));
         }
     }
-    let is = |flags: &[bool], i: usize| flags.get(i).copied().unwrap_or(false);
+    Ok(near)
+}
+
+fn is(flags: &[bool], i: usize) -> bool {
+    flags.get(i).copied().unwrap_or(false)
+}
+
+/// The truth that is overlapped most, of equal ones the first.
+fn most(near: impl Iterator<Item = (f64, usize)>) -> Option<usize> {
+    let better = |(most, at): (f64, usize), (overlap, truth): (f64, usize)| {
+        if overlap > most || (overlap == most && truth < at) {
+            (overlap, truth)
+        } else {
+            (most, at)
+        }
+    };
+    near.reduce(better).map(|(_, truth)| truth)
+}
+
+/// The outcomes of all detections of a frame, by COCO's rule.
+///
+/// By descending score every detection takes the truth that it overlaps most, of those that no other one
+/// took and that it overlaps by at least the threshold. It takes an ignored truth only where no other one is
+/// left, and is ignored then: it is neither right nor wrong. Several may share an ignored truth. A detection
+/// that takes nothing is wrong, unless it is ignored itself; one that is ignored itself takes a truth only to
+/// be ignored, and leaves it to others. PASCAL VOC differs ([`outcomes_voc`]), and so does KITTI's own benchmark, in
+/// detail ([`kitti`]).
+///
+/// # Errors
+///
+/// [`Error::Invalid`] for scores and overlaps that are not finite and pairs beyond the lists,
+/// [`Error::Length`] for flags of another number.
+pub fn outcomes(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Outcome>, Error> {
+    let near = near(frame, threshold)?;
     let mut taken = vec![false; frame.truths];
-    let mut outcomes = vec![Outcome::Wrong; count];
+    let mut outcomes = vec![Outcome::Wrong; frame.scores.len()];
     for i in order(frame.scores, f64::MIN)? {
         if is(frame.ignored_detections, i) {
             outcomes[i] = Outcome::Ignored;
             continue;
         }
-        let mut best: Option<(f64, usize)> = None;
-        let mut near_ignored = false;
-        for &(overlap, truth) in &near[i] {
-            if is(frame.ignored_truths, truth) {
-                near_ignored = true;
-            } else if !taken[truth]
-                && best.is_none_or(|(most, at)| overlap > most || (overlap == most && truth < at))
-            {
-                best = Some((overlap, truth));
-            }
-        }
-        outcomes[i] = match best {
-            Some((_, truth)) => {
+        let is_ignored = |truth: usize| is(frame.ignored_truths, truth);
+        let own = near[i].iter().copied();
+        let free = own.filter(|&(_, truth)| !is_ignored(truth) && !taken[truth]);
+        outcomes[i] = match most(free) {
+            Some(truth) => {
                 taken[truth] = true;
                 Outcome::Right(truth)
             }
-            None if near_ignored => Outcome::Ignored,
+            None if near[i].iter().any(|&(_, truth)| is_ignored(truth)) => Outcome::Ignored,
             None => Outcome::Wrong,
+        };
+    }
+    Ok(outcomes)
+}
+
+/// The outcomes of all detections of a frame, by PASCAL VOC's rule.
+///
+/// By descending score every detection is judged by the truth that it overlaps most, taken or not: right if it is the
+/// first one there, wrong if another one took that truth or the overlap is below the threshold, ignored if the truth is
+/// (VOC's *difficult* ones). A second truth that it overlaps less does not count, where [`outcomes`] takes it. Detections
+/// that are ignored themselves take nothing.
+///
+/// ```
+/// use geograd::metric::{Frame, Outcome, outcomes, outcomes_voc};
+/// use geograd::suppression::Pair;
+/// let pair = |first, second, overlap| Pair { first, second, overlap };
+/// // Both overlap truth 0 most, and truth 1, too.
+/// let pairs = [pair(0, 0, 0.9), pair(1, 0, 0.8), pair(1, 1, 0.7)];
+/// let frame = Frame::new(&[0.9, 0.5], 2, &pairs);
+/// assert_eq!(outcomes(&frame, 0.5)?, [Outcome::Right(0), Outcome::Right(1)]);
+/// assert_eq!(outcomes_voc(&frame, 0.5)?, [Outcome::Right(0), Outcome::Wrong]);
+/// # Ok::<(), geograd::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// As [`outcomes`].
+pub fn outcomes_voc(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Outcome>, Error> {
+    let near = near(frame, threshold)?;
+    let mut taken = vec![false; frame.truths];
+    let mut outcomes = vec![Outcome::Wrong; frame.scores.len()];
+    for i in order(frame.scores, f64::MIN)? {
+        if is(frame.ignored_detections, i) {
+            outcomes[i] = Outcome::Ignored;
+            continue;
+        }
+        outcomes[i] = match most(near[i].iter().copied()) {
+            Some(truth) if is(frame.ignored_truths, truth) => Outcome::Ignored,
+            Some(truth) if !std::mem::replace(&mut taken[truth], true) => Outcome::Right(truth),
+            _ => Outcome::Wrong,
         };
     }
     Ok(outcomes)

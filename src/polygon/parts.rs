@@ -109,8 +109,8 @@ impl<S: Scalar> Rings<'_, S> {
     ///
     /// # Errors
     ///
-    /// [`Flaw::Ring`] with the ring and its first vertex at fault; where distinct vertices are missing,
-    /// that is the number of its vertices.
+    /// [`Flaw::Ring`] with the ring and its first vertex at fault: of fewer than three vertices the number of them, of
+    /// more in fewer than three places the first one at the place of an earlier one.
     pub fn validate(&self) -> Result<(), Flaw>
     where
         S: Scalar<Mask = bool>,
@@ -122,9 +122,16 @@ impl<S: Scalar> Rings<'_, S> {
             }
             let mut others = vertices.iter().filter(|v| !same(**v, vertices[0]));
             let second = others.next();
-            if !second.is_some_and(|second| others.any(|third| !same(*second, *third))) {
+            if second.is_some_and(|second| others.any(|third| !same(*second, *third))) {
+                continue;
+            }
+            if vertices.len() < 3 {
                 return flaw(vertices.len(), VertexFault::Missing);
             }
+            let is_known = |&i: &usize| vertices[..i].iter().any(|v| same(*v, vertices[i]));
+            // Of three vertices in two places one is at the place of another.
+            let index = (1..3).find(is_known).unwrap_or(2);
+            return flaw(index, VertexFault::Coincident);
         }
         Ok(())
     }

@@ -11,7 +11,8 @@
 //! 1. The derivative is that of the branch the value took.
 //! 2. Exact ties share the derivative equally ([`least`](Scalar::least), [`most`](Scalar::most),
 //!    [`clamp`](Scalar::clamp)): half and half; thirds where three tie, and so on ([`least_of`],
-//!    [`most_of`]).
+//!    [`most_of`]). So at one kink the derivative lies between the slopes of both sides. Where several kinks meet, each
+//!    shares by itself, and their sum may lie outside these slopes.
 //! 3. A norm at zero has derivative zero ([`magnitude`](Scalar::magnitude), [`root`](Scalar::root),
 //!    [`hypot`](Scalar::hypot)).
 //! 4. The angle of the zero vector is 0 with derivative zero ([`atan2`](Scalar::atan2)).
@@ -70,6 +71,21 @@ pub(crate) fn largest<S: Scalar, const N: usize>(x: [S; N]) -> S::Primal {
     let zero = S::Primal::zero();
     x.iter()
         .fold(zero, |most, x| most.most(x.primal().magnitude()))
+}
+
+/// `√(x² + y² + z²)` without overflow; 0 with derivative 0 at the origin.
+///
+/// One root: of [`hypot`](Scalar::hypot) of `hypot` the inner one has no second derivative where x and y are zero.
+#[inline(always)]
+pub(crate) fn norm<S: Scalar>(x: S, y: S, z: S) -> S {
+    let large = x.primal().magnitude().most(y.primal().magnitude());
+    let large = large.most(z.primal().magnitude());
+    let none = large.at_most(S::Primal::zero());
+    let scale = S::Primal::select(none, S::Primal::one(), large).binade();
+    let back = S::from_primal(S::Primal::one().over(scale));
+    let scale = S::from_primal(scale);
+    let (x, y, z) = (x * scale, y * scale, z * scale);
+    ((x * x + y * y) + z * z).root() * back
 }
 
 use crate::Fixed;

@@ -1,4 +1,5 @@
 //! Vectors in the plane and in space.
+use crate::scalar::norm;
 use crate::{Mask, Scalar, Shape};
 use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
@@ -234,7 +235,7 @@ impl<S: Scalar> Vec3<S> {
     #[must_use]
     #[inline(always)]
     pub fn length(self) -> S {
-        self.x.hypot(self.y).hypot(self.z)
+        norm(self.x, self.y, self.z)
     }
     /// The angle in radians between two vectors, in `[0, π]`; zero with derivative zero where one of them is zero.
     ///

@@ -204,7 +204,11 @@ pub(crate) fn check_rules<S: Scalar<Mask = bool>>(
 ) -> Result<(), Error> {
     if !(rules.overlap.at_least(S::zero()) && rules.overlap.at_most(S::one())) {
         let flaw = Flaw::Broken(Field::VALUE, "is not in [0, 1]");
-        return Err(invalid("overlap", 0, flaw));
+        return Err(Error::Invalid {
+            argument: Argument::Threshold,
+            item: 0,
+            flaw,
+        });
     }
     if let Some(classes) = rules.classes.filter(|classes| classes.len() != count) {
         return Err(Error::Length {

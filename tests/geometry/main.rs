@@ -31,6 +31,7 @@ mod recorded;
 mod ring_measures;
 mod rotation;
 mod scalar;
+mod second_order;
 mod shape;
 mod solid_scores;
 mod solids;

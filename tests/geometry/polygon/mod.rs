@@ -2,6 +2,8 @@
 #[cfg(feature = "boolean")]
 mod boolean;
 mod cases;
+#[cfg(feature = "boolean")]
+mod cut;
 mod exact;
 mod iou;
 mod overlap;

@@ -55,7 +55,12 @@ fn flaws_name_ring_and_vertex() {
             VertexFault::NotFinite,
             "ring 1: vertex 2 has a coordinate that is not a finite number",
         ),
-        (flat, 4, VertexFault::Missing, "ring 1: vertex 4 is missing"),
+        (
+            flat,
+            2,
+            VertexFault::Coincident,
+            "ring 1: vertex 2 is at the place of an earlier one, and the ring has fewer than three places",
+        ),
         (
             vec![],
             0,
