@@ -232,7 +232,7 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
     }
     Hit3 {
         parameter: S::select(found, t, S::lit(S::LARGEST)).canonical(),
-        point,
+        point: point.canonical(),
         normal: Vec3::select(found, facing, Vec3::zero()).canonical(),
         kind: S::select(found, S::one(), S::zero()),
     }
