@@ -160,7 +160,7 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> CommonP
     let pick = |along_t: S, place: Vec2<S::Primal>| {
         let at = Vec2::select(along, base.point_at(along_t), at);
         let place = Vec2::select(along, place, end);
-        Vec2::new(at.x.with_primal(place.x), at.y.with_primal(place.y))
+        Vec2::new(at.x.with_primal(place.x), at.y.with_primal(place.y)).canonical()
     };
     CommonPart {
         from: pick(low, shared.from),
