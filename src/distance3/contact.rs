@@ -43,6 +43,10 @@ pub(super) fn across<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B, given: Vec
     let any = Vec3::select(flat, Vec3::new(zero, z, -y), Vec3::new(-z, zero, x));
     let clear = beside.length_squared().above(P::lit(0.25));
     let beside = direction(Vec3::select(clear, beside, any));
+    // With a volume in their types, cores that no plane parts are parallel.
+    if A::DIMENSION + B::DIMENSION >= 3 {
+        return beside;
+    }
     let crossed = |most: Vec3<P>, way: Vec3<P>| {
         let more = along.cross(most).length_squared();
         Vec3::select(more.below(along.cross(way).length_squared()), way, most)
