@@ -20,7 +20,7 @@ fn spoiled<T: Number>(row: &Tested) -> Option<Program<T>> {
     let mut flags = flags.into_iter();
     for number in inputs.iter_mut().flatten() {
         let flag = flags.next()?;
-        let one = symbol::div(flag, flag).ok()?;
+        let one = symbol::over(flag, flag).ok()?;
         *number = symbol::mul(*number, one).ok()?;
     }
     let arguments: Vec<_> = inputs.iter().map(|list| &list[..]).collect();
