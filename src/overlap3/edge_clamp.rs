@@ -8,6 +8,12 @@ pub(super) fn clamped<S: Scalar>(x: S, low: S, high: S) -> S {
     x.most(low).least(high)
 }
 
+/// A number without derivatives where a mask is true.
+#[inline(always)]
+pub(super) fn fixed<S: Scalar>(mask: S::Mask, x: S) -> S {
+    S::select(mask, S::from_primal(x.primal()), x)
+}
+
 /// Below this an entry of the rotation counts as zero: powers of its reciprocal must not overflow.
 #[inline(always)]
 pub(super) fn tiny<S: Scalar>() -> f64 {
@@ -263,6 +269,11 @@ fn edge_here<S: Scalar, const M: usize>(cut: &Cut<S>, a: usize, b: usize) -> Edg
         let start = cut.f[j][a % 2] * cut.r[i][j] + cut.f[l][b % 2] * cut.r[i][l];
         let low = (cut.k[i][0] - start) * cut.rho[i][M] + cut.middle[i][M];
         let high = (cut.k[i][1] - start) * cut.rho[i][M] + cut.middle[i][M];
+        // An edge that lies in a bound has the middle as crossing wherever it moves: both sides share.
+        let (low, high) = match n {
+            0 => (low, high),
+            _ => (fixed(cut.flat[i][M], low), fixed(cut.flat[i][M], high)),
+        };
         made.start[n] = start;
         made.at[n] = [low, high];
         if n == 0 {

@@ -1,5 +1,7 @@
 //! One face of a box integrated over what of it is above and below another box.
-use super::edge_clamp::{Bounds, Cut, Edge, clamped, edge, edge_term, less_signed, signed, tiny};
+use super::edge_clamp::{
+    Bounds, Cut, Edge, clamped, edge, edge_term, fixed, less_signed, signed, tiny,
+};
 use crate::Scalar;
 
 /// A face of b: its part of the volume, and its area and first moment inside a.
@@ -265,6 +267,10 @@ impl<S: Scalar> Seen<'_, S> {
         let center = S::select(flat[other][2], center, zero);
         let at_low = (z_bounds[0] - z) * per_derivative + center;
         let at_high = (z_bounds[1] - z) * per_derivative + center;
+        let (at_low, at_high) = (
+            fixed(flat[other][2], at_low),
+            fixed(flat[other][2], at_high),
+        );
         let mut weight = [zero; 3];
         for m in 0..3 {
             let beyond = bound - self.points[m][N];
@@ -370,6 +376,7 @@ fn face_here<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
     let heights = [zero, z_bounds[1], z_bounds[0]];
     for n in 0..3 {
         let tau = clamped((heights[n] - z_mid) * per_range, -one, one);
+        let tau = fixed(level, tau);
         points[n] = [tau * uphill[0] + mid[0], tau * uphill[1] + mid[1]];
         if n == 0 {
             z0 = tau * range + z_mid;

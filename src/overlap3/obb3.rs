@@ -20,14 +20,12 @@ use std::any::TypeId;
 /// ```
 ///
 /// has the first derivative g and the second derivative g′. (Higher ones are not those of the volume.) The
-/// differences are zero as a value, so that a program of the value has none of it. The rotation enters by the entries
-/// of its matrix R: a turn ω changes them by `ω × R`, so the derivative τ by a turn is `½ τ × R` by the entries.
+/// differences are zero as a value, so that a program of the value has none of it.
 #[inline(always)]
 fn volume<S: Scalar, const PIECES: bool>(pair: &Relative3<S>) -> S {
     // In one piece there are only plain vectors. Said as a constant: what follows is not compiled for them then.
     if PIECES {
-        let number = TypeId::of::<S>();
-        if number == TypeId::of::<f32>() || number == TypeId::of::<f64>() {
+        if is_plain::<S>() {
             return shared_volume::<S, false, PIECES>(pair).volume;
         }
         volume_and_curvature(pair)
@@ -36,24 +34,46 @@ fn volume<S: Scalar, const PIECES: bool>(pair: &Relative3<S>) -> S {
     }
 }
 
+/// `true` for numbers without derivatives.
+#[inline(always)]
+fn is_plain<S: Scalar>() -> bool {
+    let number = TypeId::of::<S>();
+    number == TypeId::of::<f32>() || number == TypeId::of::<f64>()
+}
+
 /// The volume of numbers with derivatives.
 #[inline(never)]
 fn volume_and_curvature<S: Scalar>(pair: &Relative3<S>) -> S {
-    let g = shared_volume::<S, true, true>(&without_curvature(pair));
+    let found = shared_volume::<S, true, true>(&without_curvature(pair));
+    moved_by(pair, &found, |g| (g + S::from_primal(g.primal())).halved())
+}
+
+/// A volume as a constant, and what it gains as the numbers of a pair move, by what the derivatives of each are taken
+/// for.
+///
+/// The rotation enters by the entries of its matrix R: a turn ω changes them by `ω × R`, so the derivative τ by a turn
+/// is `½ τ × R` by the entries.
+#[inline(always)]
+fn moved_by<S: Scalar>(pair: &Relative3<S>, g: &Shared3<S>, of: impl Fn(S) -> S) -> S {
     let mut volume = S::from_primal(g.volume.primal());
-    let mean = |g: S| (g + S::from_primal(g.primal())).halved();
     let moved = |x: S| x.with_primal(S::Primal::zero());
     for i in 0..3 {
-        volume += mean(g.center[i]) * moved(pair.center[i]);
-        volume += mean(g.half_a[i]) * moved(pair.half_a[i]);
-        volume += mean(g.half_b[i]) * moved(pair.half_b[i]);
+        volume += of(g.center[i]) * moved(pair.center[i]);
+        volume += of(g.half_a[i]) * moved(pair.half_a[i]);
+        volume += of(g.half_b[i]) * moved(pair.half_b[i]);
         let (j, l) = ((i + 1) % 3, (i + 2) % 3);
         for m in 0..3 {
             let by_entry = g.turn[j] * pair.turn[l][m] - g.turn[l] * pair.turn[j][m];
-            volume += mean(by_entry.halved()) * moved(pair.turn[i][m]);
+            volume += of(by_entry.halved()) * moved(pair.turn[i][m]);
         }
     }
     volume
+}
+
+/// A volume whose derivatives are known, with the first ones.
+#[inline(never)]
+fn volume_and_slope<S: Scalar>(pair: &Relative3<S>, found: &Shared3<S>) -> S {
+    moved_by(pair, found, |g| S::from_primal(g.primal()))
 }
 
 /// The pair as constants where sizes or places are so different that second derivatives could overflow:
@@ -151,12 +171,15 @@ pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
     S::select(beyond, shared.with_primal(limit), shared)
 }
 
-/// The same for a volume with derivatives.
+/// The same for a volume with derivatives, whose value has them, too: those of a ratio of volumes go on through it.
 #[inline(always)]
 pub(super) fn shared_within<S: Scalar, const PIECES: bool>(
     pair: &Relative3<S>,
 ) -> (Shared3<S>, S, S) {
     let mut shared = shared_volume::<S, true, PIECES>(pair);
+    if PIECES && !is_plain::<S>() {
+        shared.volume = volume_and_slope(pair, &shared);
+    }
     let (volume_a, volume_b) = (volume_from_half(pair.half_a), volume_from_half(pair.half_b));
     shared.volume = within(shared.volume, volume_a, volume_b);
     (shared, volume_a, volume_b)

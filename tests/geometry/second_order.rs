@@ -183,6 +183,9 @@ fn by_hand<S: Scalar>(which: usize, a: Obb3<S>, b: Obb3<S>) -> [S; 20] {
     numbers
 }
 
+/// The numbers of two boxes but for their rotations.
+const PLACES_AND_SIZES: [usize; 12] = [0, 1, 2, 3, 4, 5, 10, 11, 12, 13, 14, 15];
+
 /// The derivatives of those, column by column: entry `[i][j]` is that of derivative j by number i.
 fn second(which: usize, x: &[f64; 20]) -> [[f64; 20]; 20] {
     std::array::from_fn(|i| {
@@ -193,7 +196,7 @@ fn second(which: usize, x: &[f64; 20]) -> [[f64; 20]; 20] {
 }
 
 #[test]
-fn ratios_by_hand_have_second_derivatives_of_parallel_boxes() {
+fn ratios_by_hand_have_second_derivatives_by_places_and_sizes_of_parallel_boxes() {
     let (mut dice, mut overlapping) = (geograd_tests::Dice(5), 0);
     for case in 0..60 {
         let mut number = |least: i32| f64::from(dice.below(16) as i32 + least) / 8.0;
@@ -213,7 +216,7 @@ fn ratios_by_hand_have_second_derivatives_of_parallel_boxes() {
         for which in 0..3 {
             let found = second(which, &x);
             let step = 1.0 / 1_048_576.0;
-            for i in 0..20 {
+            for i in PLACES_AND_SIZES {
                 let moved = |by: f64| {
                     let mut x = x;
                     x[i] += by;
@@ -221,7 +224,7 @@ fn ratios_by_hand_have_second_derivatives_of_parallel_boxes() {
                     by_hand(which, a, b)
                 };
                 let (after, before) = (moved(step), moved(-step));
-                for j in 0..20 {
+                for j in PLACES_AND_SIZES {
                     let expected = (after[j] - before[j]) / (2.0 * step);
                     let off = (found[i][j] - expected).abs();
                     assert!(
@@ -251,8 +254,8 @@ fn second_derivatives_are_finite_and_symmetric_at_faces_in_one_plane() {
         (x[13], x[14], x[15], x[16]) = (2.0, 2.0, 1.0, 1.0);
         for which in 0..3 {
             let found = second(which, &x);
-            for i in 0..20 {
-                for j in 0..20 {
+            for i in PLACES_AND_SIZES {
+                for j in PLACES_AND_SIZES {
                     let (here, there) = (found[i][j], found[i][j]);
                     assert!(here.abs() < 1e3, "{which} {i} {j} {x:?}: {here}");
                     assert!(
