@@ -10,7 +10,7 @@
 //! let fuzzed = asked.fuzz::<f64>(2000, 1);
 //! assert_eq!(fuzzed.broken, None, "{fuzzed}");
 //! ```
-mod inputs;
+mod parts;
 mod sentences;
 
 use crate::Real;
@@ -18,7 +18,7 @@ use crate::ad::sample::{Draw, fewer_digits};
 use crate::kernels::dynamic::{Function, Rows};
 use crate::kernels::fuzz::{self, Broken, Fuzzed, Property};
 use crate::kernels::tested::{Tested, rows};
-use inputs::Parts;
+use parts::Parts;
 use sentences::{Part, SENTENCES, Sentence};
 use std::collections::HashMap;
 use std::time::Instant;
