@@ -213,7 +213,8 @@ pub fn inputs<T: Real>(
             rest = others;
             layout.check(own).is_ok()
         });
-        if is_valid {
+        let plain: Vec<f64> = item.iter().map(|x| x.widen()).collect();
+        if is_valid && row.operation.is_inside(&plain) {
             all.push(item);
         }
         if all.len() == count {

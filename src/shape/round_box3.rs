@@ -87,7 +87,11 @@ impl<S: Scalar> RoundBox3<S> {
             rotation,
         } = self.inner;
         let p = rotation.inverse() * (point - center);
-        let beyond = |x: S, side: S| (x.magnitude() - side.halved()).most(S::zero());
+        // NaN stays, so that nothing contains it.
+        let beyond = |x: S, side: S| {
+            let out = x.magnitude() - side.halved();
+            S::select(out.at_most(S::zero()), S::zero(), out)
+        };
         let out = Vec3::new(
             beyond(p.x, size.x),
             beyond(p.y, size.y),

@@ -432,7 +432,8 @@ fn errors_name_argument_row_and_field_and_nothing_is_written() {
     let error = iou(Mode::Value)
         .row_max(Rows::new(&BOXES, 5), Rows::new(&[], 5))
         .unwrap_err();
-    assert_eq!(error, length(Argument::Named("b"), 1, 0));
+    let argument = Argument::Named("b");
+    assert_eq!(error, Error::NoLargest { argument });
     let bars = [1.0, f64::INFINITY, 0.0];
     let rows = [
         Rows::new(&BOXES, 5),

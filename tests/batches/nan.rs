@@ -1,7 +1,6 @@
 //! A NaN that arises in a function of one's own is NaN in the result of every row that it calls, item by item; other
 //! items have the bits of the row.
 use crate::rows::Number;
-use geograd::ad::check::sample::Draw;
 use geograd::kernels::dynamic::{Layout, Program, Rows, Sort, Tracing, symbol};
 use geograd_tests::list;
 use geograd_tests::list::Tested;
@@ -40,9 +39,8 @@ fn judged<T: Number>(row: &Tested, repeat: usize) -> Vec<String> {
     let Some(program) = spoiled::<T>(row) else {
         return vec![format!("{} is not recorded", row.name())];
     };
-    let own: Vec<f64> = row.random(&mut Draw::new(7));
-    let n = own.len();
-    let numbers: Vec<T> = own.iter().map(|&x| T::lit(x)).collect();
+    let numbers = list::inputs::<T>(row, 1, |draw| row.random(draw)).remove(0);
+    let n = numbers.len();
     let takes = program.takes();
     let (mut columns, mut start) = (Vec::new(), 0);
     for (_, layout) in &takes[..takes.len() - 1] {

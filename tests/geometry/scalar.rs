@@ -231,9 +231,11 @@ fn sine_and_cosine_are_right_everywhere() {
     }
     assert!(worst < 3e-16, "{worst}");
     for huge in [1e6, 1e9, -1e15, 1e300] {
-        assert_eq!(Scalar::sin_cos(huge), (f64::sin(huge), f64::cos(huge)));
+        let (sin, cos) = Scalar::sin_cos(huge);
+        // The platform's last bit need not be ours.
+        assert!((sin - huge.sin()).abs() < 3e-16 && (cos - huge.cos()).abs() < 3e-16);
         let mixed = Lanes([huge, 0.5]).sin_cos();
-        assert_eq!(mixed.0.0, [huge.sin(), Scalar::sin(0.5_f64)]);
+        assert_eq!(mixed.0.0, [sin, Scalar::sin(0.5_f64)]);
     }
 }
 
