@@ -163,9 +163,13 @@ fn agrees<const N: usize, const M: usize, F: Function<N, M>>() {
     ];
     for _ in 0..3000 {
         let x: [f64; N] = std::array::from_fn(|_| special[draw.word() as usize % special.len()]);
-        assert_eq!(bits(double.eval(x)), bits(F::eval(x)), "{x:?}");
+        // A program keeps what a function may lose: a NaN of its input is NaN of every number of its result.
+        let none = x.iter().any(|x| x.is_nan());
+        let expected = if none { [0; M] } else { bits(F::eval(x)) };
+        assert_eq!(bits(double.eval(x)), expected, "{x:?}");
         let x = x.map(|x| x as f32);
-        assert_eq!(bits(single.eval(x)), bits(F::eval(x)), "{x:?}");
+        let expected = if none { [0; M] } else { bits(F::eval(x)) };
+        assert_eq!(bits(single.eval(x)), expected, "{x:?}");
     }
 }
 
