@@ -5,8 +5,8 @@
 //! all items of that record.
 use crate::Error;
 use crate::ad::program::graph::{Graph, Id, Node};
-use crate::kernels::cpu::program::Tape;
 use crate::kernels::cpu::program::instructions::Op;
+use crate::kernels::cpu::program::{Skipping, Tape};
 
 /// A replay as instructions of four words each: operation and slot of the result; two operands; two more. If
 /// there are several results, the others stand in the place of operands.
@@ -33,7 +33,7 @@ pub(crate) fn instructions(graph: &Graph, inputs: usize, outputs: &[Id]) -> Resu
         _ => x,
     };
     let outputs: Vec<Id> = outputs.iter().map(plain).collect();
-    let tape = Tape::new(graph, inputs, &outputs, false).map_err(Error::Program)?;
+    let tape = Tape::new(graph, inputs, &outputs, Skipping::Never).map_err(Error::Program)?;
     let to = |op: u32, slot: u16| op | u32::from(slot) << 16;
     let two = |low: u16, high: u16| u32::from(low) | u32::from(high) << 16;
     let mut code = Vec::new();

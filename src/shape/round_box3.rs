@@ -1,5 +1,6 @@
 //! Boxes with round edges in space.
 use crate::error::{Flaw, Validate};
+use crate::scalar::Guard;
 use crate::shape::{Aabb3, Obb3, Pose3};
 use crate::{Scalar, Shape, Vec3, twofold};
 use std::f64::consts::PI;
@@ -87,21 +88,18 @@ impl<S: Scalar> RoundBox3<S> {
             rotation,
         } = self.inner;
         let p = rotation.inverse() * (point - center);
-        // NaN stays, so that nothing contains it.
-        let beyond = |x: S, side: S| {
-            let out = x.magnitude() - side.halved();
-            S::select(out.at_most(S::zero()), S::zero(), out)
-        };
+        let beyond = |x: S, side: S| (x.magnitude() - side.halved()).most(S::zero());
         let out = Vec3::new(
             beyond(p.x, size.x),
             beyond(p.y, size.y),
             beyond(p.z, size.z),
         );
-        twofold::in_ball(
+        let inside = twofold::in_ball(
             [S::Primal::zero(); 3],
             twofold::deep(out),
             self.radius.primal(),
-        )
+        );
+        Guard::of(&self).and(&point).truth(inside)
     }
 }
 

@@ -5,8 +5,8 @@ use crate::ad::program::graph::{Graph, Id};
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
 use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
-use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::split::{Piece, split};
+use crate::kernels::cpu::program::{Interpreted, Skipping};
 use crate::kernels::derivation::{Mode, Replays};
 use crate::kernels::item::Leaf;
 use crate::kernels::recording::{Recording, Searched};
@@ -31,7 +31,7 @@ pub(crate) fn of_recorded<T: Real>(
         Interpreted::new(graph, fields, outputs, skipping).map_err(Error::Program)
     };
     let body = match framed {
-        false => maker(&value.graph, &fields, &value.outputs, false)?,
+        false => maker(&value.graph, &fields, &value.outputs, Skipping::Much)?,
         true => {
             // Cotangents come as they are.
             let (graph, own) = (&value.graph, arguments.len());
@@ -39,7 +39,8 @@ pub(crate) fn of_recorded<T: Real>(
             for ((argument, frame), &own) in arguments.iter_mut().zip(&parts.frames).zip(&fields) {
                 argument.frame = Some(prepared(frame, own)?);
             }
-            maker(&parts.body.graph, &parts.widths, &parts.body.outputs, true)?
+            let body = &parts.body;
+            maker(&body.graph, &parts.widths, &body.outputs, Skipping::Any)?
         }
     };
     Ok(Plan::new(mode, arguments, outputs, Box::new(body)))
@@ -50,7 +51,7 @@ pub(crate) fn prepared<T: Real>(
     frame: &Piece,
     fields: usize,
 ) -> Result<(usize, Prepare<T>), Error> {
-    let made = Interpreted::new(&frame.graph, &[fields], &frame.outputs, false);
+    let made = Interpreted::new(&frame.graph, &[fields], &frame.outputs, Skipping::Never);
     let made = made.map_err(Error::Program)?;
     let prepare = move |shapes: Tiles<'_, T>, frames: &mut [Lane<T>]| {
         made.prepare(&[shapes], frames);

@@ -83,8 +83,19 @@ impl Lowering<'_> {
     }
 }
 
+/// When a block may leave out nodes that none of its items needs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Skipping {
+    #[default]
+    Never,
+    /// Where half of all nodes can be left out: of aligned items few agree in what they need, and the test has a cost.
+    Much,
+    /// Where any can be left out.
+    Any,
+}
+
 impl Tape {
-    /// Lowers a graph without grafts. `skipping` says whether blocks may leave out what they do not need.
+    /// Lowers a graph without grafts. `skipping` says when blocks may leave out what they do not need.
     ///
     /// # Errors
     ///
@@ -93,14 +104,18 @@ impl Tape {
         graph: &Graph,
         inputs: usize,
         outputs: &[Id],
-        skipping: bool,
+        skipping: Skipping,
     ) -> Result<Tape, Unrecordable> {
         let (graph, outputs) = &polished(graph, outputs);
         let live = graph.live(outputs, false);
         let skip = match skipping {
-            true => skip::find(graph, &live, outputs),
-            false => None,
+            Skipping::Never => None,
+            Skipping::Much | Skipping::Any => skip::find(graph, &live, outputs),
         };
+        let count = |nodes: &[bool]| nodes.iter().filter(|x| **x).count();
+        let is_worth =
+            |skip: &skip::Skip| skipping == Skipping::Any || 2 * count(&skip.idle) >= count(&live);
+        let skip = skip.filter(is_worth);
         let mut needed = outputs.to_vec();
         needed.extend(skip.as_ref().map(|skip| skip.mask));
         let uses = uses(graph, &live, &needed);

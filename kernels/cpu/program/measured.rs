@@ -3,9 +3,9 @@ use crate::ad::program::Program;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::lane::{BLOCK, Lane, Planes, Results, TILE, Tiles, planes, tiles};
 use crate::kernels::cpu::plan::Maker;
-use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::rowwise::{Given, Wanted};
 use crate::kernels::cpu::program::split::{Piece, split};
+use crate::kernels::cpu::program::{Interpreted, Skipping};
 use crate::kernels::formats::kernels_in;
 use crate::{Real, Unrecordable};
 
@@ -14,8 +14,8 @@ use crate::{Real, Unrecordable};
 pub struct Way {
     /// `true` if what depends on one argument alone is computed before, once per item.
     pub frames: bool,
-    /// `true` if blocks leave out what they do not need.
-    pub skipping: bool,
+    /// When blocks leave out what they do not need.
+    pub skipping: Skipping,
     /// Lanes of a slot, if not as usual.
     pub width: Option<usize>,
     /// `true` for machine code, from the first item on.
@@ -71,12 +71,15 @@ impl Trial {
         }
         let parts = split(&whole.graph, fields, fields.len(), &whole.outputs, |_| true);
         let widths = parts.widths;
-        let frames = parts
-            .frames
-            .iter()
-            .zip(fields)
-            .zip(&widths)
-            .map(|((frame, &fields), &width)| Ok((made(frame, &[fields], false)?, width)));
+        let frames =
+            parts
+                .frames
+                .iter()
+                .zip(fields)
+                .zip(&widths)
+                .map(|((frame, &fields), &width)| {
+                    Ok((made(frame, &[fields], Skipping::Never)?, width))
+                });
         Ok(Ready {
             fields: fields.to_vec(),
             frames: Some(frames.collect::<Result<_, Unrecordable>>()?),

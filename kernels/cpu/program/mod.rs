@@ -28,6 +28,7 @@ use crate::kernels::formats::kernels_in;
 use crate::{Real, Unrecordable};
 use execute::STRIP;
 pub(crate) use execute::{Memory, Pass, Run, carry_out, interpret};
+pub use lower::Skipping;
 pub(crate) use lower::Tape;
 use rowwise::{Given, Rows, Wanted};
 use std::cell::Cell;
@@ -64,7 +65,7 @@ pub(crate) fn compile_after(tiles: usize) {
 
 impl Interpreted {
     /// A program of a graph without grafts. Its inputs are the numbers of all arguments, one argument after
-    /// another. If `skipping` is set, a block may leave out nodes that none of its items needs.
+    /// another. `skipping` says when a block may leave out nodes that none of its items needs.
     ///
     /// # Errors
     ///
@@ -73,7 +74,7 @@ impl Interpreted {
         graph: &Graph,
         fields: &[usize],
         outputs: &[Id],
-        skipping: bool,
+        skipping: Skipping,
     ) -> Result<Self, Unrecordable> {
         static NEXT: AtomicU64 = AtomicU64::new(1);
         // Zeros lose their signs on their way out.
