@@ -125,7 +125,7 @@ pub(super) fn root_of_sum<S: Scalar>(shape: S, units: &Shapes<S>, way: &Way<S>) 
     let unit = S::select(bounded, bound, unit);
     let (per_shape, per_way) = (unit.over(units.both), unit.over(way.unit));
     // A distance of zero has second derivatives; far from its unit they are beyond the format.
-    let held = |x: S| x.least(S::lit(S::LARGEST.powf(0.25)));
+    let held = |x: S| x.least(S::lit(power_of_largest::<S>(0.25)));
     let of_shape = S::select(units.none, held(per_shape), per_shape);
     let of_way = S::select(way.none, held(per_way), per_way);
     let sum = shape * of_shape * of_shape + way.squared * of_way * of_way;
