@@ -12,7 +12,7 @@ use std::ops::Mul;
 /// ```
 /// use geograd::{Circle, Vec2};
 /// let wheel = Circle::new(Vec2::new(1.0_f64, 0.0), 0.5);
-/// assert!(wheel.contains(Vec2::new(1.3, 0.4)));
+/// assert!(wheel.contains(Vec2::new(1.5, 0.0)));
 /// assert_eq!(wheel.bounding().min, Vec2::new(0.5, -0.5));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
