@@ -2,12 +2,12 @@
 #[cfg(feature = "boolean")]
 mod boolean;
 mod cases;
-mod exact;
+pub mod exact;
 mod iou;
 mod overlap;
 mod published;
 mod rings;
-mod scanline;
+pub mod scanline;
 mod shapes;
 #[cfg(feature = "boolean")]
 mod simple;
