@@ -1,7 +1,14 @@
 //! Public reports of wrong or doubted results of other geometry libraries, as a table: the input, the right value by an
 //! independent source, and what geograd answers. `README.md` beside this file is that table.
 //!
-//! A report's words and numbers are facts of its own thread; the right value is never taken from the thread alone.
+//! Inputs are those of the threads, or of the kind that a thread without numbers describes. Right values are never
+//! taken from a thread.
+#![expect(
+    clippy::excessive_precision,
+    clippy::inconsistent_digit_grouping,
+    clippy::approx_constant,
+    reason = "numbers as the reports give them"
+)]
 use std::fmt::Write;
 
 mod boxes;
@@ -12,7 +19,7 @@ mod measures;
 mod plane;
 mod polygons;
 mod rotations;
-mod solids;
+mod solid_boxes;
 mod space;
 mod triangles;
 
@@ -55,7 +62,7 @@ impl Report {
 fn fields() -> [(&'static str, Vec<Report>); 11] {
     [
         ("Boxes in the plane", boxes::reports()),
-        ("Boxes in space", solids::reports()),
+        ("Boxes in space", solid_boxes::reports()),
         ("Distances and hits in the plane", plane::reports()),
         ("Circles, rectangles, hulls, centroids", measures::reports()),
         ("Polygons", polygons::reports()),
@@ -91,9 +98,10 @@ fn table() -> String {
     let count: usize = fields.iter().map(|(_, reports)| reports.len()).sum();
     let mut text = format!(
         "# Public reports of other geometry libraries\n\n\
-         {count} reports of wrong or doubted results, each a test: geograd's answer to the same input, against a right value from an \
-         independent source.\nNumbers are shown to six digits, those below the tolerance of their test as 0; 1 and 0 also stand for yes and no. \
-         `GEOGRAD_WRITE_TABLES=1 cargo test -p geograd-tests --test\ngeometry reports` writes this page.\n"
+         {count} reports of wrong or doubted results, each a test: geograd's answer to the same input, against a right\n\
+         value from an independent source. Where a thread gives no numbers, the input is of the kind that it describes.\n\
+         Numbers are shown to six digits, those below the tolerance of their test as 0; 1 and 0 also stand for yes and\n\
+         no. `GEOGRAD_WRITE_TABLES=1 cargo test -p geograd-tests --test geometry reports` writes this page.\n"
     );
     for (name, reports) in &fields {
         write!(

@@ -262,7 +262,7 @@ pub fn reports() -> Vec<Report> {
             library: "boostorg/geometry",
             number: 1201,
             about: "the second polygon as a whole, area 10⁶",
-            asked: "the area shared where a corner reaches in by 10⁻¹⁴, both ways round",
+            asked: "the area shared where a corner reaches in by 10⁻¹⁴, to 10⁻²⁰, both ways round",
             source: STRIPS,
             found: || shared(&needle()),
             right: || shared_right(&needle()),
@@ -271,12 +271,12 @@ pub fn reports() -> Vec<Report> {
         Report {
             library: "boostorg/geometry",
             number: 1439,
-            about: "the area of one polygon, though they all but only touch",
+            about: "the area of one polygon, though they hardly overlap",
             asked: "the area shared by two walls, both ways round",
             source: STRIPS,
             found: || shared(&walls()),
             right: || shared_right(&walls()),
-            within: 1e-12,
+            within: 1e-13,
         },
         Report {
             library: "boostorg/geometry",
