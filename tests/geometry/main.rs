@@ -28,6 +28,7 @@ mod polygon;
 mod poses;
 mod projection;
 mod recorded;
+mod reports;
 mod ring_measures;
 mod rotation;
 mod scalar;

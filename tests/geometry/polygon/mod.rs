@@ -4,12 +4,12 @@ mod boolean;
 mod cases;
 #[cfg(feature = "boolean")]
 mod cut;
-mod exact;
+pub mod exact;
 mod iou;
 mod overlap;
 mod published;
 mod rings;
-mod scanline;
+pub mod scanline;
 mod shapes;
 #[cfg(feature = "boolean")]
 mod simple;

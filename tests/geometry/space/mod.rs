@@ -8,7 +8,7 @@ mod draw;
 mod exact;
 mod far_bounds;
 mod inertia;
-mod oracle;
+pub mod oracle;
 mod parallels;
 mod points;
 mod ray_rows;
