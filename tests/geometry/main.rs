@@ -25,6 +25,7 @@ mod polygon;
 mod poses;
 mod projection;
 mod recorded;
+mod rigid_moves;
 mod ring_measures;
 mod rotation;
 mod scalar;
