@@ -15,8 +15,6 @@ pub(crate) enum Rule {
     Ordered(usize, usize),
     /// One of them is not zero.
     Some(Vec<usize>),
-    /// The cosine and the sine of an angle.
-    Unit(usize, usize),
     /// Four corners of a parallelogram: convex, but for rounding.
     Parallelogram,
 }
@@ -37,8 +35,6 @@ pub enum Bound {
     AtLeast(usize),
     /// A part of a direction: not all numbers of which are zero.
     Direction,
-    /// The cosine or the sine of an angle, the other of which is beside it.
-    Unit,
     /// A whole number.
     Whole,
 }
@@ -54,7 +50,6 @@ pub(crate) fn bounds<T: Real>(leaf: &Leaf<T>, kinds: &[Kind]) -> Vec<Bound> {
                 (bounds[i], bounds[j]) = (Bound::AtMost(j), Bound::AtLeast(i));
             }
             Rule::Some(any) => any.iter().for_each(|&i| bounds[i] = Bound::Direction),
-            Rule::Unit(i, j) => (bounds[i], bounds[j]) = (Bound::Unit, Bound::Unit),
             Rule::Parallelogram => (),
         }
     }
@@ -99,12 +94,6 @@ pub(crate) fn rules_of<T: Real>(leaf: &Leaf<T>, kinds: &[Kind], is_convex: bool)
         } else if let Some(Flaw::Inverted(..)) = flaw(&with(&[i]), one) {
             let upper = (0..n).find(|&j| j != i && flaw(&with(&[i, j]), one).is_none());
             rules.extend(upper.map(|j| Rule::Ordered(i, j)));
-        }
-    }
-    for i in 0..n.saturating_sub(1) {
-        let ends = |i: usize, word: &str| (leaf.name)(i).as_str().ends_with(word);
-        if ends(i, "cos") && ends(i + 1, "sin") {
-            rules.push(Rule::Unit(i, i + 1));
         }
     }
     if is_convex && n == 8 && kinds.iter().all(|kind| matches!(kind, Kind::X | Kind::Y)) {

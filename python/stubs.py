@@ -63,6 +63,9 @@ class Shape:
     def __array__(self, dtype: Any = ..., copy: Optional[bool] = ...) -> Array: ...
     def __len__(self) -> int: ...
     def __getitem__(self: _Self, key: Any) -> _Self: ...
+    def __eq__(self, other: object) -> Any:
+        """Whether all numbers are equal, row by row; shapes of another kind differ."""
+    def __ne__(self, other: object) -> Any: ...
 
 _Self = TypeVar("_Self", bound=Shape)
 
@@ -197,6 +200,8 @@ def set_num_threads(threads: int) -> None:
     """Sets how many threads calls use."""
 def get_num_threads() -> int:
     """How many threads calls use: GEOGRAD_THREADS, or all."""
+def sees(points: Union[Vec3, ArrayLike], camera: Union[Pinhole, BrownConrady, Fisheye]) -> Array:
+    """Whether each camera sees each point of its frame, an array of truths: where not, the pixel of `project` means nothing."""
 def where(condition: Any, a: Any, b: Any) -> Any:
     """`a` where the condition holds, else `b`."""
 def clip(x: Any, low: Any, high: Any) -> Any:

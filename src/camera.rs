@@ -1,7 +1,8 @@
 //! Cameras: images of points in the camera's frame, whose z axis looks ahead, x to the right and y down.
 //!
-//! A camera sees the points of its domain; beyond it lenses map two points to one pixel. Poses take points of the world
-//! to the camera: `camera.project(camera_from_world * point)`.
+//! A camera sees the points of its domain; beyond it lenses map two points to one pixel. `project` returns finite
+//! pixels for points beyond, too, the principal point for some: `sees` says which pixels to use. Poses take points of
+//! the world to the camera: `camera.project(camera_from_world * point)`.
 //!
 //! ```
 //! use geograd::camera::Pinhole;

@@ -53,10 +53,6 @@ impl Rules {
                         x[any[0]] = T::one();
                     }
                 }
-                Rule::Unit(i, j) => {
-                    let (sin, cos) = x[i].sin_cos();
-                    (x[i], x[j]) = (cos, sin);
-                }
                 Rule::Parallelogram => {
                     // Sums of three numbers must be finite.
                     let quarter = T::lit(0.25);

@@ -140,8 +140,8 @@ of_point_and_path! {
     /// finite number where that has fewer than two vertices.
     DistancePointPolyline = "distance_point_polyline", closed false, [isometric], jumps Never:
         |state| state.distance();
-    /// The [distance](crate::distance::ring::distance_to_ring) of a point and the edges of a ring; without
-    /// edges the largest finite number.
+    /// The [distance](crate::distance::ring::distance_to_ring) of a point, also one inside, and the edges of a ring;
+    /// that to the area is the signed distance where positive, else 0. Without edges the largest finite number.
     DistancePointRing = "distance_point_ring", closed true, [isometric], jumps Never:
         |state| state.distance();
     /// The [signed distance](crate::distance::ring::signed_distance_to_ring) of a point and a ring:

@@ -43,8 +43,8 @@ table! {
     Circumcircle: (a, b, c) -> Circle<S> { circumcircle(a, b, c) } [] jumps Anywhere derivative Reverse {
         "circumcircle": Vec2, Vec2, Vec2;
     }
-    /// A segment, moved.
-    Move: (pose, segment) -> Segment2<S> { pose * segment } [] jumps Never derivative Reverse {
+    /// A segment, moved. The pose's cosine and sine count by their direction alone: the segment keeps its length.
+    Move: (pose, segment) -> Segment2<S> { pose.normalized() * segment } [] jumps Never derivative Reverse {
         "move_segment": Pose2, Segment2;
     }
 }

@@ -121,7 +121,7 @@ verb! {
     pub Circumcircle: (a, b, c)
     /// Largest circle inside a shape.
     pub Incircle: (shape)
-    /// Shape moved by a pose.
+    /// Shape moved by a pose, rigidly: the pose's rotation counts by its direction, whatever its length.
     pub Move: (pose, shape)
     /// Angle in radians between two rotations or two vectors of space, 0 to π.
     pub Angle: (a, b)

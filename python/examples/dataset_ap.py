@@ -10,8 +10,9 @@ FOLDER has detections/SEQUENCE.parquet and truths/SEQUENCE.parquet. Rows are in 
 truths have occluded and truncated.
 
 A task joins a sequence by one grouped call and writes the pairs and scores of every class and difficulty to
-OUT/SEQUENCE.json, whole or not at all. A second run computes the sequences that are missing or whose files changed. The rest is KITTI's rules over
-all sequences together: average precision and orientation similarity at forty recalls.
+OUT/SEQUENCE.json, whole or not at all. A second run computes the sequences that are missing or whose files changed; a
+sequence with one file of the two is an error, also after a run with both. The rest is KITTI's rules over all sequences
+together: average precision and orientation similarity at forty recalls.
 """
 
 import argparse
@@ -207,18 +208,35 @@ def one_sequence(folder, sequence):
     return result
 
 
-def task(folder, out, sequence, skip):
-    """Computes a sequence unless its result is there and newer than its files; says why where it cannot."""
-    path = out / f"{sequence}.json"
+def both(folder, sequence):
+    """The files of a sequence; an error names the one that is missing."""
     files = [folder / name / f"{sequence}.parquet" for name in ("detections", "truths")]
-    changed = max((file.stat().st_mtime_ns for file in files if file.exists()), default=0)
-    if not path.exists() or path.stat().st_mtime_ns < changed:
-        try:
-            result = one_sequence(folder, sequence)
-        except ValueError as error:
-            if not skip:
-                raise
-            return {"path": sequence, "why": str(error), "peak": 0}
+    for file, other in zip(files, files[::-1]):
+        if not file.exists():
+            raise ValueError(f"{file}: there is no such file, and {other.parent.name}/{other.name} is of no use alone")
+    return files
+
+
+def made_of(path):
+    """Times and sizes of the files that a result is of; None without a result that can be read."""
+    try:
+        return json.loads(path.read_text())["files"]
+    except (FileNotFoundError, ValueError, KeyError, TypeError):
+        return None
+
+
+def task(folder, out, sequence, skip):
+    """Computes a sequence unless its result is there and of these very files; says why where it cannot."""
+    path = out / f"{sequence}.json"
+    try:
+        # An older file in place of a newer one is a change, too.
+        stamps = [[file.stat().st_mtime_ns, file.stat().st_size] for file in both(folder, sequence)]
+        result = None if made_of(path) == stamps else {**one_sequence(folder, sequence), "files": stamps}
+    except ValueError as error:
+        if not skip:
+            raise
+        return {"path": sequence, "why": str(error), "peak": 0}
+    if result is not None:
         write_whole(path, lambda part: part.write_text(json.dumps(result)))
     return {"path": sequence, "why": "", "peak": peak()}
 
@@ -273,9 +291,9 @@ def main(arguments=None):
         from_kitti(data, *options.kitti)
     elif options.make or options.data is None:
         synthetic(data, options.make or 40, options.frames, options.objects, options.seed)
-    sequences = sorted(path.stem for path in (data / "truths").glob("*.parquet"))
+    sequences = sorted({path.stem for name in ("detections", "truths") for path in (data / name).glob("*.parquet")})
     if not sequences:
-        raise SystemExit(f"{data}: no truths/*.parquet")
+        raise SystemExit(f"{data}: no truths/*.parquet, no detections/*.parquet")
 
     start, before = time.perf_counter(), sum(os.times()[:4])
     try:

@@ -59,6 +59,13 @@ impl Callable {
             Body::Traced(_) => None,
         }
     }
+    /// The function of Python that it records.
+    pub fn traced(&self) -> Option<&Traced> {
+        match &self.body {
+            Body::Row(_) => None,
+            Body::Traced(traced) => Some(traced),
+        }
+    }
     pub fn is_of_paths(&self) -> bool {
         self.operation().is_some_and(|row| row.sort == Sort::Fold)
     }

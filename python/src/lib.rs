@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 mod arrays;
 mod call;
+mod camera;
 mod catalogue;
 mod check;
 mod column;
@@ -48,6 +49,7 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<traced::Recorded>()?;
     m.add_class::<traced::Program>()?;
     m.add_class::<check::Report>()?;
+    m.add_function(wrap_pyfunction!(camera::sees, m)?)?;
     m.add_function(wrap_pyfunction!(check::check_recorded, m)?)?;
     m.add_function(wrap_pyfunction!(check::check_callables, m)?)?;
     m.add_function(wrap_pyfunction!(verb::valid_samples, m)?)?;

@@ -5,6 +5,7 @@ use crate::table::table;
 use numpy::{PyArrayDescrMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
+use pyo3::pyclass::CompareOp;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyList, PyTuple, PyType};
 
@@ -308,9 +309,43 @@ impl Shape {
             Some(dtype) => dtype.clone(),
             None => array.getattr("dtype")?,
         };
-        Ok(array
-            .call_method("astype", (dtype,), Some(&options))?
-            .unbind())
+        let made = array.call_method("astype", (dtype,), Some(&options))?;
+        // Columns are rows in a copy only, and so is another format.
+        let is_copy = !made.is(&array) || matches!(self.content, Content::Columns(_));
+        match copy == Some(false) && is_copy {
+            true => Err(PyValueError::new_err(
+                "copy=False: the array would be a copy, of another format or order",
+            )),
+            false => Ok(made.unbind()),
+        }
+    }
+    /// Row by row, whether all numbers are equal, as arrays compare: a truth for each row; shapes of another kind differ.
+    fn __richcmp__<'py>(
+        slf: &Bound<'py, Self>,
+        other: &Bound<'py, PyAny>,
+        op: CompareOp,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let py = slf.py();
+        let (join, compare) = match op {
+            CompareOp::Eq => ("all", "__eq__"),
+            CompareOp::Ne => ("any", "__ne__"),
+            _ => return Ok(py.NotImplemented().into_bound(py)),
+        };
+        let own = slf.get();
+        let theirs = match other.cast::<Shape>() {
+            Ok(theirs) if theirs.get().kind == own.kind => theirs.get(),
+            _ => return Ok(py.NotImplemented().into_bound(py)),
+        };
+        if own._is_symbolic() || theirs._is_symbolic() {
+            return Err(PyTypeError::new_err(
+                "shapes of symbols are compared number by number: a.x == b.x",
+            ));
+        }
+        let (a, b) = (own.array(py)?, theirs.array(py)?);
+        let axis = PyDict::new(py);
+        axis.set_item("axis", -1)?;
+        let by_number = a.bind(py).as_any().call_method1(compare, (b,))?;
+        by_number.call_method(join, (), Some(&axis))
     }
     fn __len__(&self, py: Python<'_>) -> PyResult<usize> {
         if let Content::Columns(columns) = &self.content {

@@ -152,6 +152,13 @@ fn equals(a: Any, b: Any) -> PyResult<AnyTruth> {
 fn swapped(f: Compare, a: Any, b: Any) -> PyResult<AnyTruth> {
     f(b, a)
 }
+/// NumPy's square root: NaN below zero and of NaN, with a derivative that is NaN there. At zero the derivative is zero.
+fn square_root<T: Number>(x: Of<T>) -> Made<Of<T>> {
+    let (root, zero) = (f::root(x)?, f::literal(0.0)?);
+    // Below zero the root is 0, and 0 / 0 is NaN; the factor x carries it to the derivative.
+    let none = f::mul(x, f::over(root, root)?)?;
+    f::select(f::at_least(x, zero)?, root, none)
+}
 fn power(x: Any, power: f64) -> PyResult<Any> {
     fn raised_to<T: Number>(x: Of<T>, n: i32) -> Made<Of<T>> {
         f::powi(x, n)
@@ -161,7 +168,7 @@ fn power(x: Any, power: f64) -> PyResult<Any> {
         Any::Double(x) => raised_to(x, n).map(Any::Double).map_err(refused),
     };
     match power {
-        0.5 => one!(x, f::root),
+        0.5 => one!(x, square_root),
         n if n.fract() == 0.0 && n.abs() <= 64.0 => whole(n as i32),
         _ => Err(PyTypeError::new_err(
             "powers are whole numbers to 64, or 0.5; write geograd.exp(p * geograd.log(x)) for another one of x > 0",
@@ -176,7 +183,7 @@ fn of_one(name: &str, x: Any) -> Option<PyResult<Any>> {
         "negative" => one!(x, f::neg),
         "positive" => Ok(x),
         "absolute" | "fabs" | "abs" => one!(x, f::magnitude),
-        "sqrt" => one!(x, f::root),
+        "sqrt" => one!(x, square_root),
         "square" => one!(x, f::squared),
         "reciprocal" => literal(x, 1.0).and_then(|one| over(one, x)),
         "sin" => one!(x, f::sin),
@@ -424,7 +431,7 @@ impl Symbol {
 
     // NumPy calls these of items of arrays of objects.
     fn sqrt(&self) -> PyResult<Symbol> {
-        one!(self.0, f::root).map(Symbol)
+        one!(self.0, square_root).map(Symbol)
     }
     fn square(&self) -> PyResult<Symbol> {
         one!(self.0, f::squared).map(Symbol)

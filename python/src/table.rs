@@ -191,7 +191,6 @@ fn limit(shape: &geograd::kernels::dynamic::Shape, bound: Bound) -> String {
         Bound::AtMost(place) => of("at most", place),
         Bound::AtLeast(place) => of("at least", place),
         Bound::Direction => "not all parts 0".to_owned(),
-        Bound::Unit => "on the unit circle".to_owned(),
         _ => String::new(),
     }
 }

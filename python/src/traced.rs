@@ -10,6 +10,7 @@ use crate::table::table;
 use crate::tracing::Traced;
 use geograd::kernels::dynamic::Program as Of;
 use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
@@ -131,6 +132,13 @@ impl Recorded {
     fn is_tuple(&self) -> PyResult<bool> {
         self.call.program::<f64>(Form::Value)?;
         Ok(self.call.is_tuple())
+    }
+    /// A function may hold what holds its recording; the collector breaks such a cycle in the function's own objects.
+    fn __traverse__(&self, visit: PyVisit<'_>) -> Result<(), PyTraverseError> {
+        match self.call.traced() {
+            Some(traced) => visit.call(traced.function()),
+            None => Ok(()),
+        }
     }
     /// The program of a form in a format.
     #[pyo3(signature = (form="value", double=true))]

@@ -33,6 +33,10 @@ impl Traced {
             is_tuple: AtomicBool::new(false),
         }
     }
+    /// The function, for the collector of cycles: it may lead back to what holds it.
+    pub fn function(&self) -> &Py<PyAny> {
+        &self.function
+    }
     pub fn is_tuple(&self) -> bool {
         self.is_tuple.load(Ordering::Relaxed)
     }

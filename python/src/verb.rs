@@ -154,6 +154,8 @@ impl Verb {
             row.takes.iter().enumerate().all(|(k, &kind)| {
                 let by_kind = match &wanted {
                     Wanted::Nothing => None,
+                    // Paths say themselves what they are.
+                    Wanted::All(_) if matches!(kind, RING | POLYLINE | POLYLINE3 | CLOUD3) => None,
                     Wanted::All(all) => {
                         (kind != NUMBER && !table().is_one_number(kind)).then_some(*all)
                     }
@@ -176,14 +178,18 @@ impl Verb {
                 ));
             }
         }
-        let mut rows = verb.rows.iter().filter(fits);
-        match (rows.next(), rows.next()) {
-            (Some(row), None) => Ok(row),
-            (Some(_), Some(_)) => {
-                let results: Vec<&str> = verb
-                    .rows
+        let mut rows: Vec<&Row> = verb.rows.iter().filter(fits).collect();
+        // One kind for all shapes is that of one at least, and of as many as can be: lone numbers fit it, too.
+        if let Wanted::All(all) = wanted {
+            let named = |row: &Row| row.takes.iter().filter(|&&kind| kind == all).count();
+            let most = rows.iter().map(|row| named(row)).max().unwrap_or(0);
+            rows.retain(|row| most > 0 && named(row) == most);
+        }
+        match rows[..] {
+            [row] => Ok(row),
+            [_, _, ..] => {
+                let results: Vec<&str> = rows
                     .iter()
-                    .filter(fits)
                     .map(|row| table().name(row.call.gives()[0].kind))
                     .collect();
                 let why = format!(
@@ -192,7 +198,7 @@ impl Verb {
                 );
                 Err(self.refused(&said, form, &why))
             }
-            (None, _) => {
+            [] => {
                 let plain = said.contains(&Said::Nothing) && matches!(wanted, Wanted::Nothing);
                 let why = match plain {
                     true => {

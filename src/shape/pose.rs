@@ -1,8 +1,13 @@
 //! Rotations and rigid motions of the plane.
+use crate::error::{Field, Flaw};
 use crate::{Obb2, Scalar, Shape, Vec2};
 use std::ops::Mul;
 
 /// A rotation of the plane, as the cosine and sine of its angle (counter-clockwise).
+///
+/// Operators take both numbers as they are, and scale by their length. [`normalized`](Self::normalized) brings any
+/// pair but zero to length one, and [`Move`](crate::kernels::Move) does that by itself. Valid when finite and not
+/// zero.
 ///
 /// ```
 /// use geograd::{Rotation2, Vec2};
@@ -10,7 +15,7 @@ use std::ops::Mul;
 /// assert!((quarter * Vec2::new(1.0, 0.0)).distance(Vec2::new(0.0, 1.0)) < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample))]
+#[shape(except(Sample), validate = is_not_zero)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rotation2<S> {
@@ -18,6 +23,13 @@ pub struct Rotation2<S> {
     pub cos: S,
     /// The sine of the angle.
     pub sin: S,
+}
+
+fn is_not_zero<S: Scalar<Mask = bool>>(turn: &Rotation2<S>) -> Result<(), Flaw> {
+    match turn.cos.equals(S::zero()) & turn.sin.equals(S::zero()) {
+        true => Err(Flaw::Broken(Field::new("cos"), "and sin are both zero")),
+        false => Ok(()),
+    }
 }
 
 impl<S: Scalar> Rotation2<S> {
@@ -40,6 +52,28 @@ impl<S: Scalar> Rotation2<S> {
     #[inline(always)]
     pub fn angle(self) -> S {
         self.sin.atan2(self.cos)
+    }
+    /// The rotation by the same angle with numbers of length one; no rotation (with derivative zero) for two zeros.
+    ///
+    /// ```
+    /// use geograd::Rotation2;
+    /// let turn = Rotation2 { cos: 3e200, sin: 4e200 };
+    /// assert_eq!(turn.normalized(), Rotation2 { cos: 0.6, sin: 0.8 });
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    pub fn normalized(self) -> Self {
+        let size = self.cos.primal().magnitude();
+        let size = size.most(self.sin.primal().magnitude());
+        let zero = size.at_most(S::Primal::zero());
+        let scale = S::from_primal(S::Primal::select(zero, S::Primal::one(), size).binade());
+        let cos = S::select(zero, S::one(), self.cos * scale);
+        let sin = S::select(zero, S::zero(), self.sin * scale);
+        let length = (cos * cos + sin * sin).root();
+        Rotation2 {
+            cos: cos.over(length),
+            sin: sin.over(length),
+        }
     }
     /// The rotation back.
     #[must_use]
@@ -118,6 +152,15 @@ impl<S: Scalar> Pose2<S> {
     #[inline(always)]
     pub fn angle(self) -> S {
         self.rotation.angle()
+    }
+    /// The motion with its rotation [normalized](Rotation2::normalized): rigid, whatever the length of cosine and sine.
+    #[must_use]
+    #[inline(always)]
+    pub fn normalized(self) -> Self {
+        Pose2 {
+            rotation: self.rotation.normalized(),
+            ..self
+        }
     }
     /// The motion back.
     #[must_use]

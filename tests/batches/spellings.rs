@@ -223,7 +223,7 @@ spellings! {
         CentroidQuad |ring| ring::centroid(&ring);
         Circumcircle |(a, b, c)| geograd::shape::circumcircle(a, b, c), Triangle2::new(a, b, c).circumcircle();
         Incircle |shape| shape.incircle();
-        MoveSegment |(pose, segment)| pose * segment;
+        MoveSegment |(pose, segment)| pose.normalized() * segment;
         CornersOfObb2 |shape| shape.corners();
     }
     intervals {

@@ -29,6 +29,7 @@ mod poses;
 mod projection;
 mod recorded;
 mod reports;
+mod rigid_moves;
 mod ring_measures;
 mod rotation;
 mod scalar;

@@ -15,6 +15,7 @@ import os as _os
 
 from . import _core, assignment, metric
 from ._core import Paths, Program, Shape, Symbol, Truth, __version__, get_num_threads, set_num_threads
+from ._camera import sees
 from ._check import Reports, check
 from ._elementary import (
     arctan2, clip, copysign, cos, exp, hypot, log, maximum, minimum, sin, sqrt, square, tan, where,
@@ -36,6 +37,6 @@ __all__ = sorted(
     [
         "Clouds", "Function", "Paths", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb", "__version__", "assignment", "metric",
         "arctan2", "check", "clip", "copysign", "cos", "exp", "function", "get_num_threads", "hypot", "log", "maximum", "minimum",
-        "set_num_threads", "sin", "sqrt", "square", "tan", "where", *_CLASSES, *_VERBS,
+        "sees", "set_num_threads", "sin", "sqrt", "square", "tan", "where", *_CLASSES, *_VERBS,
     ]
 )

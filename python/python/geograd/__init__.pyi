@@ -61,6 +61,9 @@ class Shape:
     def __array__(self, dtype: Any = ..., copy: Optional[bool] = ...) -> Array: ...
     def __len__(self) -> int: ...
     def __getitem__(self: _Self, key: Any) -> _Self: ...
+    def __eq__(self, other: object) -> Any:
+        """Whether all numbers are equal, row by row; shapes of another kind differ."""
+    def __ne__(self, other: object) -> Any: ...
 
 _Self = TypeVar("_Self", bound=Shape)
 
@@ -195,13 +198,15 @@ def set_num_threads(threads: int) -> None:
     """Sets how many threads calls use."""
 def get_num_threads() -> int:
     """How many threads calls use: GEOGRAD_THREADS, or all."""
+def sees(points: Union[Vec3, ArrayLike], camera: Union[Pinhole, BrownConrady, Fisheye]) -> Array:
+    """Whether each camera sees each point of its frame, an array of truths: where not, the pixel of `project` means nothing."""
 def where(condition: Any, a: Any, b: Any) -> Any:
     """`a` where the condition holds, else `b`."""
 def clip(x: Any, low: Any, high: Any) -> Any:
     """The nearest value between two bounds; of symbols the derivative is shared at either."""
 
 def sqrt(x: Any) -> Any:
-    """The square root; of symbols zero with derivative zero at zero and below."""
+    """The square root; NaN below zero. Of symbols with derivative zero at zero."""
 def square(x: Any) -> Any:
     """The square."""
 def sin(x: Any) -> Any:
@@ -941,8 +946,8 @@ class PointPair3(Shape):
 class Pose2(Shape):
     """Pose2: an array whose last axis has its numbers, in this order.
 
-        rotation.cos: part of a direction, on the unit circle
-        rotation.sin: part of a direction, on the unit circle
+        rotation.cos: part of a direction, not all parts 0
+        rotation.sin: part of a direction, not all parts 0
         translation.x: coordinate
         translation.y: coordinate
     """
@@ -1898,7 +1903,7 @@ class _distance(Verb):
         distance(point: Vec2, paths: polyline) -> number
             The distance of a point and a polyline; the largest finite number where that has fewer than two vertices.
         distance(point: Vec2, paths: ring) -> number
-            The distance of a point and the edges of a ring; without edges the largest finite number.
+            The distance of a point, also one inside, and the edges of a ring; that to the area is the signed distance where positive, else 0. Without edges the largest finite number.
         distance(point: Vec3, shape: Aabb3) -> number
             The distance of a point and an axis-aligned box.
         distance(point: Vec3, capsule: Capsule3) -> number
@@ -2849,7 +2854,7 @@ class _minimum_rectangle(Verb):
 minimum_rectangle: _minimum_rectangle
 
 class _move(Verb):
-    """A segment, moved.
+    """A segment, moved. The pose's cosine and sine count by their direction alone: the segment keeps its length.
 
     Rows:
         move(pose: Pose2, segment: Segment2) -> Segment2
@@ -2964,14 +2969,14 @@ class _probiou(Verb):
 probiou: _probiou
 
 class _project(Verb):
-    """The image of a point of a camera's frame, in pixels. The camera has radial and tangential distortion: BrownConrady.
+    """The image of a point of a camera's frame, in pixels. Points that it does not see have one, too; sees tells. The camera has radial and tangential distortion: BrownConrady.
 
     Rows:
         project(point: Vec3, camera: BrownConrady) -> Vec2
         project(point: Vec3, camera: Fisheye) -> Vec2
-            The image of a point of a camera's frame, in pixels. The camera sees by the angle to its axis: Fisheye.
+            The image of a point of a camera's frame, in pixels. Points that it does not see have one, too; sees tells. The camera sees by the angle to its axis: Fisheye.
         project(point: Vec3, camera: Pinhole) -> Vec2
-            The image of a point of a camera's frame, in pixels. The camera has no distortion: Pinhole.
+            The image of a point of a camera's frame, in pixels. Points that it does not see have one, too; sees tells. The camera has no distortion: Pinhole.
     """
     @overload
     def __call__(self, point: Vec3, camera: BrownConrady, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...

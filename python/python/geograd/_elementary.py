@@ -24,7 +24,7 @@ def _made(name, count, doc):
     return made
 
 
-sqrt = _made("sqrt", 1, "The square root; of symbols zero with derivative zero at zero and below.")
+sqrt = _made("sqrt", 1, "The square root; NaN below zero. Of symbols with derivative zero at zero.")
 square = _made("square", 1, "The square.")
 sin = _made("sin", 1, "The sine of an angle in radians.")
 cos = _made("cos", 1, "The cosine of an angle in radians.")

@@ -121,6 +121,22 @@ def _has_symbol(x):
     return isinstance(x, np.ndarray) and x.dtype == object and any(map(_has_symbol, x.flat))
 
 
+class _Recipe:
+    """What a recording calls: without the `Function` that holds the recording, so that both end with their last use."""
+
+    __slots__ = ("function", "kinds")
+
+    def __init__(self, function, kinds):
+        self.function, self.kinds = function, kinds
+
+    def __call__(self, lists):
+        lists = iter(lists)
+        result = self.function(*[kind.build(lists) for kind in self.kinds])
+        is_tuple = isinstance(result, tuple)
+        parts = list(result) if is_tuple else [result]
+        return is_tuple, [_part(part) for part in parts]
+
+
 class Function:
     """A function that is recorded once, at its first call, and then runs on arrays: a row of them at a time, on all lanes
     and threads.
@@ -144,14 +160,8 @@ class Function:
         self._names = list(signature.parameters)
         self._leaves = leaves
         self._is_plain = all(not isinstance(kind, _Parts) for kind in self._kinds)
-        self._core = _core.Recorded(function.__name__, self._record, [leaf for own in leaves for leaf in own])
-
-    def _record(self, lists):
-        lists = iter(lists)
-        result = self.__wrapped__(*[kind.build(lists) for kind in self._kinds])
-        is_tuple = isinstance(result, tuple)
-        parts = list(result) if is_tuple else [result]
-        return is_tuple, [_part(part) for part in parts]
+        recipe = _Recipe(function, self._kinds)
+        self._core = _core.Recorded(function.__name__, recipe, [leaf for own in leaves for leaf in own])
 
     # Arguments of several parts: their arrays, and back.
     def _split(self, arguments, times=1):

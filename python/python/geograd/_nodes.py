@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import functools
+import itertools
 import threading
+import weakref
 
 import numpy as np
 
 import geograd
 from geograd import _core
 
-#: Losses, and the scores that they are one minus.
+#: Losses, and the scores that they are made of.
 LOSSES = {
     "IoULoss": "iou",
     "GIoULoss": "giou",
@@ -22,7 +24,15 @@ LOSSES = {
 }
 
 _NODES = {}
+#: Those of recorded functions, which live as long as their functions, what is derived of these, and what calls them.
+_OWN = weakref.WeakValueDictionary()
+_COUNT = itertools.count()
 _LOCK = threading.RLock()
+
+
+def _store(name):
+    """Where the node of a name is kept: recorded functions are numbered."""
+    return _OWN if "#" in name else _NODES
 
 
 # A description of all rows of a verb takes longer than a call.
@@ -77,6 +87,9 @@ class Node:
     def __init__(self, name, base, form, takes, gives):
         self.name, self.base, self.form, self.takes, self.gives = name, base, form, takes, gives
         self.is_tuple = form != "value" or base.is_tuple
+        self.derived = {}
+        #: What a library keeps of the node: one object for all calls, by which its own caches find what they compiled.
+        self.kept = {}
 
     def run(self, arrays):
         return self.base.run(self.form, arrays)
@@ -94,10 +107,11 @@ class Node:
     def _derived(self, form, further, gives):
         name = f"{self.name}|{form}"
         with _LOCK:
-            if name not in _NODES:
+            if form not in self.derived:
                 base = self.base if self.form == "value" else self._recorded()
-                _NODES[name] = Node(name, base, form, [*self.takes, *further], list(gives))
-            return _NODES[name]
+                node = Node(name, base, form, [*self.takes, *further], list(gives))
+                self.derived[form] = _store(name)[name] = node
+            return self.derived[form]
 
     def _recorded(self):
         """The form as a function of its own, of which forms can be made again."""
@@ -119,13 +133,17 @@ class Node:
 def named(name):
     """The node of a name: made where it was not asked for before, as in another process."""
     with _LOCK:
-        if name in _NODES:
-            return _NODES[name]
+        node = _store(name).get(name)
+    if node is not None:
+        return node
     base, *forms = name.split("|")
-    if base not in _NODES:
+    with _LOCK:
+        node = _store(base).get(base)
+    if node is None:
+        if "#" in base:
+            raise RuntimeError(f"{base.partition('#')[0]}: the recorded function is gone; keep it while its results are used")
         verb, kinds = base.rstrip(")").split("(")
-        of_verb(verb, tuple(kinds.split(",")), None)
-    node = _NODES[base]
+        node = of_verb(verb, tuple(kinds.split(",")), None)
     for form in forms:
         node = getattr(node, form)()
     return node
@@ -146,6 +164,9 @@ def of_verb(verb, kind, count):
             and any(k == names(kind) for k in row["kinds"])
             and (count is None or len(row["kinds"]) == count)
         ]
+        # As many shapes of the kind as can be: lone numbers fit it, too.
+        most = max((row["kinds"].count(names(kind)) for row in fits), default=0)
+        fits = [row for row in fits if row["kinds"].count(names(kind)) == most]
     else:
         fits = [row for row in rows if all(k == "number" for k in row["kinds"])]
     fits = [row for row in fits if row["sort"] in ("straight", "search")]
@@ -168,9 +189,9 @@ def of_function(f):
         if node is None:
             takes = [leaf for own in f._leaves for leaf in own]
             gives = [width for _, width in f._core.gives()]
-            name = f"{f.__name__}#{len(_NODES)}"
+            name = f"{f.__name__}#{next(_COUNT)}"
             node = Node(name, _Own(f._core, takes, gives, f._core.is_tuple()), "value", takes, gives)
-            _NODES[name] = f._node = node
+            _OWN[name] = f._node = node
         return node
 
 

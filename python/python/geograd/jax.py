@@ -37,15 +37,21 @@ def _on_host(node, *xs):
     return tuple(np.asarray(r, xs[0].dtype).reshape(_nodes.size(lead, w)) for r, w in zip(results, node.gives))
 
 
-@functools.lru_cache(maxsize=None)
-def _of(name):
-    """The function of a node."""
-    node = _nodes.named(name)
+def _of(node):
+    """The function of a node, made once."""
+    if "jax" not in node.kept:
+        node.kept["jax"] = _made(node)
+    return node.kept["jax"]
+
+
+def _made(node):
+    # JAX compiles anew for every callback that it has not seen.
+    on_host = functools.partial(_on_host, node)
 
     def call(*xs):
         lead = _lead(node, xs)
         shapes = tuple(jax.ShapeDtypeStruct(_nodes.size(lead, width), xs[0].dtype) for width in node.gives)
-        return jax.pure_callback(functools.partial(_on_host, node), shapes, *xs, vmap_method="broadcast_all")
+        return jax.pure_callback(on_host, shapes, *xs, vmap_method="broadcast_all")
 
     whole = jax.custom_vjp(call)
 
@@ -53,7 +59,7 @@ def _of(name):
         return whole(*xs), xs
 
     def backward(xs, bars):
-        grads = _of(node.vjp().name)(*xs, *bars)
+        grads = _of(node.vjp())(*xs, *bars)
         return tuple(grads)
 
     whole.defvjp(forward, backward)
@@ -76,7 +82,7 @@ def _apply(node, arguments):
             raise TypeError(f"{node.name}: `{name}` is {x.dtype}: float32 and float64 are taken")
     floats = [x.dtype for x in xs if jnp.issubdtype(x.dtype, jnp.floating)]
     dtype = jnp.float64 if any(d == jnp.float64 for d in floats) else jnp.float32
-    results = _of(node.name)(*[x.astype(dtype) for x in xs])
+    results = _of(node)(*[x.astype(dtype) for x in xs])
     return results[0] if len(results) == 1 and not node.is_tuple else results
 
 

@@ -82,6 +82,8 @@ def _whole(node, xs, bars):
 
 def _setup(ctx, inputs, output):
     ctx.node_name = inputs[0]
+    # A recorded function lives as long as its results wait for their gradients.
+    ctx.node = _nodes.named(inputs[0])
     ctx.save_for_backward(*inputs[1])
 
 
@@ -128,6 +130,7 @@ class _Function(torch.autograd.Function):
     @staticmethod
     def setup_context(ctx, inputs, output):
         ctx.node_name = inputs[0]
+        ctx.node = _nodes.named(inputs[0])
         ctx.save_for_backward(*inputs[1:])
         ctx.save_for_forward(*inputs[1:])
 
@@ -200,7 +203,11 @@ class _Verb:
 
     def __init__(self, name):
         self.__name__ = self.__qualname__ = name
-        self.__doc__ = getattr(geograd, name).__doc__
+
+    # The table has it, which a compiler of graphs must not ask.
+    @property
+    def __doc__(self):
+        return getattr(geograd, self.__name__).__doc__
 
     def __repr__(self):
         return f"<geograd.torch.{self.__name__}>"
@@ -212,13 +219,21 @@ class _Verb:
         return _apply(*_known(self.__name__, kind, len(arguments)), arguments)
 
 
-_VERBS = {}
+_VERBS = {name: _Verb(name) for name in geograd._VERBS}
 
 
 def _verb(name):
-    if name not in _VERBS:
-        _VERBS[name] = _Verb(name)
     return _VERBS[name]
+
+
+@torch.compiler.assume_constant_result
+def _kept(node):
+    """The name of a node that a compiled graph has: the graph keeps no object, so that the node stays for ever."""
+    _COMPILED.add(node)
+    return node.name
+
+
+_COMPILED = set()
 
 
 def function(f):
@@ -229,9 +244,10 @@ def function(f):
     """
     f = f if isinstance(f, geograd.Function) else geograd.function(f)
     node = _nodes.of_function(f)
-    name, is_tuple, leaves, names = node.name, node.is_tuple, f._leaves, tuple(f._names)
+    is_tuple, leaves, names = node.is_tuple, f._leaves, tuple(f._names)
 
     def on_tensors(*arguments):
+        name = _kept(node) if torch.compiler.is_compiling() else node.name
         return _apply(name, is_tuple, _nodes.split(name, leaves, names, arguments))
 
     on_tensors.__name__ = on_tensors.__qualname__ = f.__name__
@@ -243,7 +259,8 @@ def function(f):
 class Loss(torch.nn.Module):
     """One minus a score of two boxes, reduced: ``Loss("giou", kind="Obb2")``.
 
-    ``reduction`` is ``"mean"``, ``"sum"`` or ``"none"``. The module has no parameters and no state.
+    ``reduction`` is ``"mean"``, ``"sum"`` or ``"none"``; the mean of no boxes is 0, with gradient 0. The module has no
+    parameters and no state.
     """
 
     def __init__(self, verb, kind="Obb2", reduction="mean"):
@@ -252,15 +269,79 @@ class Loss(torch.nn.Module):
             raise ValueError(f"reduction is 'mean', 'sum' or 'none', not {reduction!r}")
         self.verb, self.kind, self.reduction = verb, kind, reduction
         _nodes.of_verb(verb, kind, 2)
+        self._score = _verb(verb)
 
     def forward(self, prediction, target):
-        loss = 1 - _verb(self.verb)(prediction, target, kind=self.kind)
+        return self._reduced(1 - self._score(prediction, target, kind=self.kind))
+
+    def _reduced(self, loss):
         if self.reduction == "none":
             return loss
-        return loss.mean() if self.reduction == "mean" else loss.sum()
+        # An image without objects has no boxes, and its loss is no number less.
+        return loss.sum() / max(loss.numel(), 1) if self.reduction == "mean" else loss.sum()
 
     def extra_repr(self):
         return f"{self.verb!r}, kind={self.kind!r}, reduction={self.reduction!r}"
+
+
+#: The size at which the smooth L1 loss of centres becomes linear, of mmrotate.
+_BETA = 1 / 9
+
+
+class KFIoULoss(Loss):
+    """The loss of shapes by :func:`geograd.kfiou` and that of centres (Yang et al. 2023), reduced: 0 for equal boxes.
+
+    ``kfiou`` is blind to centres and at most 1/3 (of boxes in space ``1 / (2 ** 2.5 - 1)``), so its part of the loss is
+    that bound less ``kfiou``: the gradient is that of ``1 - kfiou``. The part of centres is ``centers`` times the smooth
+    L1 loss, linear from 1/9, of their offset along the target's axes, over the target's size. The paper and mmrotate
+    measure it from anchors, which a loss of boxes has not. ``centers=0`` leaves it out; another loss has to place
+    boxes then. ``Loss("kfiou")`` is plainly ``1 - kfiou``.
+    """
+
+    def __init__(self, kind="Obb2", reduction="mean", centers=1.0):
+        super().__init__("kfiou", kind, reduction)
+        self.centers = centers
+        node = _nodes.of_verb("kfiou", kind, 2)
+        self._is_flat = len(getattr(geograd, node.base.kinds[0])._fields) == 5
+        self._bound = 1 / 3 if self._is_flat else 1 / (2**2.5 - 1)
+
+    def forward(self, prediction, target):
+        # Rounding alone makes the first part negative.
+        loss = (self._bound - self._score(prediction, target, kind=self.kind)).clamp(min=0)
+        if self.centers:
+            loss = loss + self.centers * self._apart(prediction, target)
+        return self._reduced(loss)
+
+    def _apart(self, prediction, target):
+        """The smooth L1 loss of the offset of centres, summed over the axes."""
+        if self._is_flat:
+            heading = target[..., 4]
+            axes = _turned(prediction[..., :2] - target[..., :2], heading.cos(), heading.sin())
+            size = target[..., 2:4]
+        else:
+            axes = _in_frame(prediction[..., :3] - target[..., :3], target[..., 6:10])
+            size = target[..., 3:6]
+        # A flat target has no share of an offset across it: its unit is that of length.
+        share = (axes / torch.where(size > 0, size, torch.ones_like(size))).abs()
+        return torch.where(share < _BETA, share * share * (0.5 / _BETA), share - 0.5 * _BETA).sum(-1)
+
+    def extra_repr(self):
+        return f"{super().extra_repr()}, centers={self.centers}"
+
+
+def _turned(offset, cos, sin):
+    """A vector of the plane in a frame whose first axis is (cos, sin)."""
+    x, y = offset[..., 0], offset[..., 1]
+    return torch.stack([cos * x + sin * y, cos * y - sin * x], -1)
+
+
+def _in_frame(offset, quaternion):
+    """A vector of space in the frame that a quaternion of any length (w, x, y, z) turns to."""
+    unit = quaternion / quaternion.norm(dim=-1, keepdim=True)
+    w, v = unit[..., :1], -unit[..., 1:]
+    offset, v = torch.broadcast_tensors(offset, v)
+    twice = 2 * torch.linalg.cross(v, offset)
+    return offset + w * twice + torch.linalg.cross(v, twice)
 
 
 def _loss(name, verb):
