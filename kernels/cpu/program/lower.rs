@@ -88,7 +88,8 @@ impl Lowering<'_> {
 pub enum Skipping {
     #[default]
     Never,
-    /// Where half of all nodes can be left out: of aligned items few agree in what they need, and the test has a cost.
+    /// Where three quarters of all nodes can be left out: aligned items seldom agree in what they need, and the test has
+    /// a cost.
     Much,
     /// Where any can be left out.
     Any,
@@ -114,7 +115,7 @@ impl Tape {
         };
         let count = |nodes: &[bool]| nodes.iter().filter(|x| **x).count();
         let is_worth =
-            |skip: &skip::Skip| skipping == Skipping::Any || 2 * count(&skip.idle) >= count(&live);
+            |skip: &skip::Skip| skipping == Skipping::Any || 4 * count(&skip.idle) >= 3 * count(&live);
         let skip = skip.filter(is_worth);
         let mut needed = outputs.to_vec();
         needed.extend(skip.as_ref().map(|skip| skip.mask));
