@@ -102,6 +102,13 @@ impl<S: Scalar> Sums<S> {
         let to = side.to.most(from);
         let enter = clamped(side.enter, from, to);
         let leave = clamped(side.leave, from, to);
+        let (enter, leave) = if DERIVATIVE {
+            // An empty side has no parts: a tie of its ends with a crossing shares no derivative among them.
+            let empty = side.to.below(from);
+            (S::select(empty, from, enter), S::select(empty, from, leave))
+        } else {
+            (enter, leave)
+        };
         let (before, inside, after) = (enter - from, leave - enter, to - leave);
         let falls = side.rises.below(S::zero());
         let above = S::select(falls, before, after);

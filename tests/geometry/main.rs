@@ -34,6 +34,7 @@ mod ring_measures;
 mod rotation;
 mod scalar;
 mod second_order;
+mod second_order_turns;
 mod shape;
 mod solid_scores;
 mod solids;

@@ -1,0 +1,72 @@
+//! Second derivatives of the overlap of parallel boxes by all their numbers, beside differences of derivatives by hand.
+use geograd::overlap3::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
+use geograd::{Fixed, Jet, Obb3, Scalar};
+use std::array::from_fn;
+
+fn by_hand<S: Scalar>(which: usize, a: Obb3<S>, b: Obb3<S>) -> [S; 20] {
+    let (_, (a, b)) = match which {
+        0 => iou_obb3_vjp(a, b, S::one()),
+        1 => iof_obb3_vjp(a, b, S::one()),
+        _ => intersection_volume_obb3_vjp(a, b, S::one()),
+    };
+    let mut numbers = [S::zero(); 20];
+    (a, b).store(&mut numbers);
+    numbers
+}
+
+/// The entries that agree with differences from both sides; a kink is where those differ.
+fn compared(which: usize, x: [f64; 20]) -> usize {
+    let (mut count, step) = (0, 1.0 / 65536.0);
+    for i in 0..20 {
+        let duals: [Jet<f64, 1>; 20] = from_fn(|k| Jet {
+            value: x[k],
+            derivative: [if k == i { 1.0 } else { 0.0 }],
+        });
+        let (a, b) = Fixed::load(&duals);
+        let found = by_hand(which, a, b).map(|d| d.derivative[0]);
+        let moved = |by: f64| {
+            let mut x = x;
+            x[i] += by;
+            let (a, b): (Obb3<f64>, Obb3<f64>) = Fixed::load(&x);
+            by_hand(which, a, b)
+        };
+        let (before, here, after) = (moved(-step), moved(0.0), moved(step));
+        for j in 0..20 {
+            let (left, right) = ((here[j] - before[j]) / step, (after[j] - here[j]) / step);
+            let (mean, near) = ((left + right) / 2.0, 1e-3 * (1.0 + left.abs()));
+            if (left - right).abs() < near {
+                count += 1;
+                let off = (found[j] - mean).abs();
+                assert!(off < near, "{which} {i} {j} {x:?}: {} {mean}", found[j]);
+            }
+        }
+    }
+    count
+}
+
+#[test]
+fn overlaps_of_parallel_boxes_have_second_derivatives_by_all_numbers() {
+    let turns = [
+        [1.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 1.0, 0.0],
+        [1.0, 1.0, 0.0, 0.0],
+        [1.0, 0.0, -1.0, 0.0],
+        [1.0, 1.0, 1.0, 1.0],
+    ];
+    let (mut dice, mut count) = (geograd_tests::Dice(5), 0);
+    for case in 0..100 {
+        let mut number = |least: i32| f64::from(dice.below(16) as i32 + least) / 8.0;
+        let mut x = [0.0; 20];
+        for k in [0, 10] {
+            for i in 0..3 {
+                // Odd multiples of a sixteenth: no two faces in one plane.
+                x[k + i] = number(-8) + if k == 10 { 0.0625 } else { 0.0 };
+                x[k + 3 + i] = number(4) * 2.0;
+            }
+        }
+        x[6..10].copy_from_slice(&turns[case % 5]);
+        x[16] = 1.0;
+        count += (0..3).map(|which| compared(which, x)).sum::<usize>();
+    }
+    assert!(count > 100_000, "{count}");
+}
