@@ -114,8 +114,9 @@ impl Tape {
             Skipping::Much | Skipping::Any => skip::find(graph, &live, outputs),
         };
         let count = |nodes: &[bool]| nodes.iter().filter(|x| **x).count();
-        let is_worth =
-            |skip: &skip::Skip| skipping == Skipping::Any || 4 * count(&skip.idle) >= 3 * count(&live);
+        let is_worth = |skip: &skip::Skip| {
+            skipping == Skipping::Any || 4 * count(&skip.idle) >= 3 * count(&live)
+        };
         let skip = skip.filter(is_worth);
         let mut needed = outputs.to_vec();
         needed.extend(skip.as_ref().map(|skip| skip.mask));
