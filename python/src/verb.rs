@@ -154,8 +154,13 @@ impl Verb {
             row.takes.iter().enumerate().all(|(k, &kind)| {
                 let by_kind = match &wanted {
                     Wanted::Nothing => None,
-                    // Paths say themselves what they are.
-                    Wanted::All(_) if matches!(kind, RING | POLYLINE | POLYLINE3 | CLOUD3) => None,
+                    // Paths say themselves what they are; lists of symbols do not.
+                    Wanted::All(_)
+                        if said[k] != Said::Nothing
+                            && matches!(kind, RING | POLYLINE | POLYLINE3 | CLOUD3) =>
+                    {
+                        None
+                    }
                     Wanted::All(all) => {
                         (kind != NUMBER && !table().is_one_number(kind)).then_some(*all)
                     }

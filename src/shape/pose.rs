@@ -57,7 +57,8 @@ impl<S: Scalar> Rotation2<S> {
     ///
     /// ```
     /// use geograd::Rotation2;
-    /// let turn = Rotation2 { cos: 3e200, sin: 4e200 };
+    /// let long = 2.0_f64.powi(600);
+    /// let turn = Rotation2 { cos: 3.0 * long, sin: 4.0 * long };
     /// assert_eq!(turn.normalized(), Rotation2 { cos: 0.6, sin: 0.8 });
     /// ```
     #[must_use]
