@@ -278,8 +278,8 @@ class AreaMoments(Shape):
 class BrownConrady(Shape):
     """BrownConrady: an array whose last axis has its numbers, in this order.
 
-        pinhole.fx: coordinate, above 0
-        pinhole.fy: coordinate, above 0
+        pinhole.fx: length, above 0
+        pinhole.fy: length, above 0
         pinhole.cx: coordinate
         pinhole.cy: coordinate
         radial[0]: length
@@ -589,8 +589,8 @@ class Exponent(Shape):
 class Fisheye(Shape):
     """Fisheye: an array whose last axis has its numbers, in this order.
 
-        pinhole.fx: coordinate, above 0
-        pinhole.fy: coordinate, above 0
+        pinhole.fx: length, above 0
+        pinhole.fy: length, above 0
         pinhole.cx: coordinate
         pinhole.cy: coordinate
         radial[0]: length
@@ -884,8 +884,8 @@ class OpenCvBox(Shape):
 class Pinhole(Shape):
     """Pinhole: an array whose last axis has its numbers, in this order.
 
-        fx: coordinate, above 0
-        fy: coordinate, above 0
+        fx: length, above 0
+        fy: length, above 0
         cx: coordinate
         cy: coordinate
     """
@@ -2475,7 +2475,7 @@ class _intersection_area(Verb):
         intersection_area(a: Obb2, b: Obb2) -> number
             Area that two rotated boxes share.
         intersection_area(a: Vec2x4, b: Vec2x4) -> number
-            Area that two quadrilaterals share.
+            Area that two quadrilaterals share. Of either order, and convex.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
