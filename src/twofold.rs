@@ -157,18 +157,20 @@ pub(crate) fn volume<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>, c: Way<P, 3>) -> P {
     sum.settled(terms)
 }
 
+/// `true` where a comparison with zero holds for all numbers.
+#[inline(always)]
+fn all<P: Scalar, const N: usize>(numbers: [P; N], holds: fn(P, P) -> P::Mask) -> P::Mask {
+    let mut all = holds(numbers[0], P::zero());
+    for number in &numbers[1..] {
+        all = all & holds(*number, P::zero());
+    }
+    all
+}
+
 /// `true` where no number is negative, or none is positive.
 #[inline(always)]
 pub(crate) fn one_sided<P: Scalar, const N: usize>(numbers: [P; N]) -> P::Mask {
-    let zero = P::zero();
-    let all = |holds: fn(P, P) -> P::Mask| {
-        let mut all = holds(numbers[0], zero);
-        for number in &numbers[1..] {
-            all = all & holds(*number, zero);
-        }
-        all
-    };
-    all(P::at_least) | all(P::at_most)
+    all(numbers, P::at_least) | all(numbers, P::at_most)
 }
 
 /// `true` where a point is in the tetrahedron of four corners, which may be flat.
@@ -216,15 +218,7 @@ fn in_face<P: Scalar>(arms: [Way<P, 3>; 3]) -> P::Mask {
 /// `true` where all numbers are positive, or all are negative.
 #[inline(always)]
 fn one_sign<P: Scalar, const N: usize>(numbers: [P; N]) -> P::Mask {
-    let zero = P::zero();
-    let all = |holds: fn(P, P) -> P::Mask| {
-        let mut all = holds(numbers[0], zero);
-        for number in &numbers[1..] {
-            all = all & holds(*number, zero);
-        }
-        all
-    };
-    all(P::above) | all(P::below)
+    all(numbers, P::above) | all(numbers, P::below)
 }
 
 /// `true` where a point of the plane is in the triangle of three corners, which may be flat.

@@ -188,7 +188,7 @@ impl Node {
 /// How many operations back [`Graph::is_number`] looks.
 const DEPTH: usize = 6;
 
-/// What is known of a number.
+/// The knowledge of a number's size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Size {
     /// Nothing.
@@ -275,7 +275,7 @@ impl Graph {
         self.known_size(x, DEPTH) >= Size::Number
     }
 
-    /// What is known of the size of a number, from so many operations before it.
+    /// Returns the knowledge of a number's size, from so many operations before it.
     fn known_size(&self, x: Id, depth: usize) -> Size {
         use Node::*;
         let Some(depth) = depth.checked_sub(1) else {

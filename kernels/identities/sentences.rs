@@ -20,7 +20,7 @@ pub(super) struct Question {
     pub arguments: fn(&Case<'_>) -> Option<[Vec<f64>; 2]>,
 }
 
-/// What holds for the results of some rows at every input.
+/// A property of the results of some rows that holds at every input.
 #[derive(Debug)]
 pub(super) struct Sentence {
     pub name: &'static str,
@@ -204,55 +204,58 @@ pub(super) const SENTENCES: &[Sentence] = &[
         roundings: 64.0,
         holds: |case, distance| distance[0] <= case.slack,
     },
-    Sentence {
-        name: "a second shape of no size is the point that it is",
-        verbs: DISTANCES,
-        asks: &[
+    shrunk(
+        "a second shape of no size is the point that it is",
+        &[
             Question {
                 verb: "",
                 of: [A, B],
-                arguments: |case| {
-                    let (shape, _) = case.identity.parts.shrunk(case.input, 1)?;
-                    Some([case.argument(0), shape])
-                },
+                arguments: |case| Some([case.argument(0), shrunk_shape(case, 1)?]),
             },
             Question {
                 verb: "",
                 of: [POINT, A],
-                arguments: |case| {
-                    let (_, point) = case.identity.parts.shrunk(case.input, 1)?;
-                    Some([point, case.argument(0)])
-                },
+                arguments: |case| Some([shrunk_point(case, 1)?, case.argument(0)]),
             },
         ],
-        roundings: 64.0,
-        holds: |case, found| case.near(found[0], found[1]),
-    },
-    Sentence {
-        name: "a first shape of no size is the point that it is",
-        verbs: DISTANCES,
-        asks: &[
+    ),
+    shrunk(
+        "a first shape of no size is the point that it is",
+        &[
             Question {
                 verb: "",
                 of: [A, B],
-                arguments: |case| {
-                    let (shape, _) = case.identity.parts.shrunk(case.input, 0)?;
-                    Some([shape, case.argument(1)])
-                },
+                arguments: |case| Some([shrunk_shape(case, 0)?, case.argument(1)]),
             },
             Question {
                 verb: "",
                 of: [POINT, B],
-                arguments: |case| {
-                    let (_, point) = case.identity.parts.shrunk(case.input, 0)?;
-                    Some([point, case.argument(1)])
-                },
+                arguments: |case| Some([shrunk_point(case, 0)?, case.argument(1)]),
             },
         ],
+    ),
+];
+
+/// A distance from a shape that has shrunk is that from the point.
+const fn shrunk(name: &'static str, asks: &'static [Question]) -> Sentence {
+    Sentence {
+        name,
+        verbs: DISTANCES,
+        asks,
         roundings: 64.0,
         holds: |case, found| case.near(found[0], found[1]),
-    },
-];
+    }
+}
+
+/// The numbers of an argument that has shrunk to a point.
+fn shrunk_shape(case: &Case<'_>, k: usize) -> Option<Vec<f64>> {
+    Some(case.identity.parts.shrunk(case.input, k)?.0)
+}
+
+/// The point that an argument shrinks to.
+fn shrunk_point(case: &Case<'_>, k: usize) -> Option<Vec<f64>> {
+    Some(case.identity.parts.shrunk(case.input, k)?.1)
+}
 
 /// A verb of the point that a ray hits, and of the shape.
 const fn at_the_hit(verb: &'static str) -> Question {

@@ -18,7 +18,7 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    /// Those of a row with two arguments of fixed size in the plane or in space.
+    /// The parts of a row with two arguments of fixed size in the plane or in space.
     pub fn of(row: &Tested) -> Option<Self> {
         let kinds = (row.operation.kinds[0])();
         let layouts = row.operation.layouts::<f64>();
@@ -39,7 +39,7 @@ impl Parts {
         })
     }
 
-    /// Where the numbers of an argument are.
+    /// The places of the numbers of an argument.
     pub fn range(&self, k: usize) -> Range<usize> {
         match k {
             0 => 0..self.second,

@@ -138,27 +138,19 @@ fn most(near: impl Iterator<Item = (f64, usize)>) -> Option<usize> {
 /// [`Error::Invalid`] for scores and overlaps that are not finite and pairs beyond the lists,
 /// [`Error::Length`] for flags of another number.
 pub fn outcomes(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Outcome>, Error> {
-    let near = near(frame, threshold)?;
-    let mut taken = vec![false; frame.truths];
-    let mut outcomes = vec![Outcome::Wrong; frame.scores.len()];
-    for i in order(frame.scores, f64::MIN)? {
-        if is(frame.ignored_detections, i) {
-            outcomes[i] = Outcome::Ignored;
-            continue;
-        }
+    judged(frame, threshold, |near, taken| {
         let is_ignored = |truth: usize| is(frame.ignored_truths, truth);
-        let own = near[i].iter().copied();
+        let own = near.iter().copied();
         let free = own.filter(|&(_, truth)| !is_ignored(truth) && !taken[truth]);
-        outcomes[i] = match most(free) {
+        match most(free) {
             Some(truth) => {
                 taken[truth] = true;
                 Outcome::Right(truth)
             }
-            None if near[i].iter().any(|&(_, truth)| is_ignored(truth)) => Outcome::Ignored,
+            None if near.iter().any(|&(_, truth)| is_ignored(truth)) => Outcome::Ignored,
             None => Outcome::Wrong,
-        };
-    }
-    Ok(outcomes)
+        }
+    })
 }
 
 /// The outcomes of all detections of a frame, by PASCAL VOC's rule.
@@ -184,18 +176,29 @@ pub fn outcomes(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Outcome>, Error
 ///
 /// As [`outcomes`].
 pub fn outcomes_voc(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Outcome>, Error> {
+    judged(frame, threshold, |near, taken| {
+        match most(near.iter().copied()) {
+            Some(truth) if is(frame.ignored_truths, truth) => Outcome::Ignored,
+            Some(truth) if !std::mem::replace(&mut taken[truth], true) => Outcome::Right(truth),
+            _ => Outcome::Wrong,
+        }
+    })
+}
+
+/// The outcomes of all detections by descending score; ignored ones take nothing. `rule` is given the truths near a
+/// detection and those that are taken, and takes one.
+fn judged(
+    frame: &Frame<'_>,
+    threshold: f64,
+    rule: impl Fn(&[(f64, usize)], &mut [bool]) -> Outcome,
+) -> Result<Vec<Outcome>, Error> {
     let near = near(frame, threshold)?;
     let mut taken = vec![false; frame.truths];
     let mut outcomes = vec![Outcome::Wrong; frame.scores.len()];
     for i in order(frame.scores, f64::MIN)? {
-        if is(frame.ignored_detections, i) {
-            outcomes[i] = Outcome::Ignored;
-            continue;
-        }
-        outcomes[i] = match most(near[i].iter().copied()) {
-            Some(truth) if is(frame.ignored_truths, truth) => Outcome::Ignored,
-            Some(truth) if !std::mem::replace(&mut taken[truth], true) => Outcome::Right(truth),
-            _ => Outcome::Wrong,
+        outcomes[i] = match is(frame.ignored_detections, i) {
+            true => Outcome::Ignored,
+            false => rule(&near[i], &mut taken),
         };
     }
     Ok(outcomes)

@@ -172,7 +172,7 @@ fn boxes<S: Scalar>(x: [S; 12]) -> (Obb3<S>, Obb3<S>) {
 }
 
 /// The derivatives of a box's score by hand, in the order of its numbers.
-fn by_hand<S: Scalar>(which: usize, a: Obb3<S>, b: Obb3<S>) -> [S; 20] {
+pub fn by_hand<S: Scalar>(which: usize, a: Obb3<S>, b: Obb3<S>) -> [S; 20] {
     let (_, (a, b)) = match which {
         0 => iou_obb3_vjp(a, b, S::one()),
         1 => iof_obb3_vjp(a, b, S::one()),

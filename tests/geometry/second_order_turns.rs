@@ -1,18 +1,7 @@
 //! Second derivatives of the overlap of parallel boxes by all their numbers, beside differences of derivatives by hand.
-use geograd::overlap3::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
-use geograd::{Fixed, Jet, Obb3, Scalar};
+use crate::second_order::by_hand;
+use geograd::{Fixed, Jet, Obb3};
 use std::array::from_fn;
-
-fn by_hand<S: Scalar>(which: usize, a: Obb3<S>, b: Obb3<S>) -> [S; 20] {
-    let (_, (a, b)) = match which {
-        0 => iou_obb3_vjp(a, b, S::one()),
-        1 => iof_obb3_vjp(a, b, S::one()),
-        _ => intersection_volume_obb3_vjp(a, b, S::one()),
-    };
-    let mut numbers = [S::zero(); 20];
-    (a, b).store(&mut numbers);
-    numbers
-}
 
 /// The entries that agree with differences from both sides; a kink is where those differ.
 fn compared(which: usize, x: [f64; 20]) -> usize {

@@ -88,10 +88,10 @@ impl Lowering<'_> {
 pub enum Skipping {
     #[default]
     Never,
-    /// Where three quarters of all nodes can be left out: aligned items seldom agree in what they need, and the test has
+    /// If three quarters of all nodes can be left out: aligned items seldom agree in what they need, and the test has
     /// a cost.
     Much,
-    /// Where any can be left out.
+    /// If any can be left out.
     Any,
 }
 

@@ -56,7 +56,7 @@ pub(crate) fn find(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<Skip>
     Some(Skip { mask, all, idle })
 }
 
-/// What judges one truth after another.
+/// The judge of one truth after another.
 struct Search<'a> {
     graph: &'a Graph,
     live: &'a [bool],
