@@ -68,6 +68,10 @@ fn command(name: &str, folder: &Path, arguments: &str) -> Command {
     command
         .args(arguments.split_whitespace())
         .current_dir(folder);
+    // Mesa's Vulkan layer that selects devices asks for a folder of the session, and prints a line where there is none.
+    if std::env::var_os("XDG_RUNTIME_DIR").is_none() {
+        command.env("XDG_RUNTIME_DIR", folder);
+    }
     command
 }
 
