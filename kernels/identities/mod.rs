@@ -186,6 +186,12 @@ impl Identity {
         self.name
     }
 
+    /// The name of the row's function: `first_hit_ray2_circle`.
+    #[must_use]
+    pub fn row(&self) -> &'static str {
+        self.row.name()
+    }
+
     /// The place of the first input, of some, at which the identity does not hold.
     fn first_broken<T: Real>(&self, inputs: &[Vec<f64>]) -> Option<usize> {
         let Some(values) = Column::<T>::of(self.row)?.results(inputs) else {

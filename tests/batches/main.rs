@@ -8,6 +8,7 @@ mod fold;
 mod fold_space;
 mod fuzz;
 mod grouped;
+mod hessians;
 mod identities;
 mod jacobian;
 mod memory;

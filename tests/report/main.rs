@@ -5,6 +5,7 @@ use geograd::ad::check::{Report, SEED, Sampling};
 use geograd::kernels::Backend;
 use geograd::kernels::dynamic::named_rows;
 use geograd::kernels::gpu::Gpu;
+use geograd::kernels::identities;
 use geograd_tests::fuzzers::{self, Fuzzer};
 use geograd_tests::list::{self, Tested};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -26,7 +27,10 @@ Checks every operation of the library and prints the table.
                   the ends of the format, all of it within one shape), shared by the
                   operations in both formats; numbers must be finite and in range as their
                   rows invariance, and all forms must give the same bits; what breaks that is
-                  printed as code, as simple as it can be
+                  printed as code, as simple as it can be; identities between operations are
+                  asked, too
+  --identities COUNT
+                  the identities alone: so many inputs on grids of few numbers, shared by all
   --gpu           batches on a GPU as a further witness of f32 (needs --features gpu)
   --help          this text
 
@@ -45,6 +49,7 @@ struct Options {
     svg: Option<String>,
     gpu: bool,
     fuzz: Option<u64>,
+    identities: Option<u64>,
 }
 
 impl Options {
@@ -66,6 +71,7 @@ fn options() -> Result<Option<Options>, String> {
         svg: None,
         gpu: false,
         fuzz: None,
+        identities: None,
     };
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
@@ -75,6 +81,9 @@ fn options() -> Result<Option<Options>, String> {
             "--samples" => options.samples = value()?.parse().map_err(|e| format!("{e}"))?,
             "--seed" => options.seed = value()?.parse().map_err(|e| format!("{e}"))?,
             "--fuzz" => options.fuzz = Some(value()?.parse().map_err(|e| format!("{e}"))?),
+            "--identities" => {
+                options.identities = Some(value()?.parse().map_err(|e| format!("{e}"))?);
+            }
             "--svg" => options.svg = Some(value()?),
             "--details" => options.details = true,
             "--json" => options.json = true,
@@ -88,10 +97,15 @@ fn options() -> Result<Option<Options>, String> {
     Ok(Some(options))
 }
 
-/// Fuzzes every chosen operation and prints a line of each.
-fn fuzz_all(options: &Options, count: u64) -> ExitCode {
-    let jobs: Vec<Fuzzer> = fuzzers::fuzzers(geograd_tests::list::rows())
+/// Fuzzes every chosen operation and identity, or identities alone, and prints a line of each.
+fn fuzz_all(options: &Options, count: u64, rows: bool) -> ExitCode {
+    let rows = match rows {
+        true => fuzzers::fuzzers(geograd_tests::list::rows()),
+        false => Vec::new(),
+    };
+    let jobs: Vec<Fuzzer> = rows
         .into_iter()
+        .chain(fuzzers::of_identities(identities::all()))
         .filter(|fuzzer| options.wants(fuzzer.name, fuzzer.wide))
         .collect();
     let bar = progress(jobs.len());
@@ -102,7 +116,7 @@ fn fuzz_all(options: &Options, count: u64) -> ExitCode {
     bar.finish_and_clear();
     let rate = walked.inputs as f64 / walked.seconds / 1e6;
     println!(
-        "\n{} inputs, {rate:.2} million a second, {} operations broke an invariance (seed {})",
+        "\n{} inputs, {rate:.2} million a second of a processor, {} fuzzers found something (seed {})",
         walked.inputs, walked.broken, options.seed
     );
     ExitCode::from(walked.status())
@@ -126,7 +140,10 @@ fn main() -> ExitCode {
         }
     };
     if let Some(count) = options.fuzz {
-        return fuzz_all(&options, count);
+        return fuzz_all(&options, count, true);
+    }
+    if let Some(count) = options.identities {
+        return fuzz_all(&options, count, false);
     }
     let both = |row| [true, false].map(|wide| (row, wide));
     let jobs: Vec<(&Tested, bool)> = list::checked()

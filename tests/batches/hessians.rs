@@ -1,0 +1,144 @@
+//! Hessians of all rows of one number where shapes share axes, places and coordinates: beside differences of their
+//! gradients.
+use geograd::ad::sample::Draw;
+use geograd::kernels::dynamic::{Layout, Operation, Sort, operations};
+
+/// Inputs of a row.
+const COUNT: usize = 24;
+/// The step of differences; gradients are right to rounding, so that these are to about 10⁻¹⁰.
+const STEP: f64 = 1.0 / (1 << 17) as f64;
+/// Differences of both sides and of two steps that are nearer to each other, of themselves and of one, are those of a
+/// smooth function.
+const SMOOTH: f64 = 1e-3;
+/// Hessians and differences agree to this share of them and of one.
+const NEAR: f64 = 5e-3;
+
+/// The first coordinate of a quaternion among the fields of a shape, and angles.
+fn is_rotation(name: &str) -> bool {
+    name.contains("rotation")
+}
+fn is_angle(name: &str) -> bool {
+    ["heading", "angle", "yaw", "pitch", "roll"].iter().any(|part| name.contains(part))
+}
+
+/// A valid row of small multiples of a half; axes of the world, but for one in four, which are quarter turns. Fields that
+/// an earlier shape has under the same name are taken from it if `alike` says so.
+fn drawn(layout: &Layout<f64>, draw: &mut Draw, earlier: &[(String, f64)]) -> Option<Vec<f64>> {
+    let names: Vec<String> = layout.names().iter().map(|name| name.as_str().to_owned()).collect();
+    for attempt in 0..200 {
+        let mut row = vec![0.0; layout.fields()];
+        let turned = draw.below(4) == 0;
+        let (axis, alike) = (draw.below(3), draw.below(2) == 0);
+        let mut of_rotation = 0;
+        for (k, x) in row.iter_mut().enumerate() {
+            let Some(name) = names.get(k) else {
+                continue;
+            };
+            let number = draw.below(9) as f64 / 2.0 - 2.0;
+            *x = match () {
+                () if is_rotation(name) => {
+                    of_rotation += 1;
+                    let is_on = of_rotation == 1 || turned && of_rotation == axis + 2;
+                    f64::from(u8::from(is_on))
+                }
+                () if is_angle(name) => match turned {
+                    true => std::f64::consts::FRAC_PI_2,
+                    false => 0.0,
+                },
+                () if attempt % 2 == 1 => number.abs(),
+                () => number,
+            };
+            let before = earlier.iter().find(|(other, _)| other == name);
+            if let (Some((_, before)), true) = (before, alike && name.contains("center")) {
+                *x = *before;
+            }
+        }
+        if layout.check(&row).is_ok() {
+            return Some(row);
+        }
+    }
+    None
+}
+
+/// An input of a row, shape after shape.
+fn input(operation: &Operation, draw: &mut Draw) -> Option<Vec<f64>> {
+    let (mut all, mut known) = (Vec::new(), Vec::new());
+    for layout in operation.layouts::<f64>() {
+        let row = drawn(&layout, draw, &known)?;
+        let names = layout.names().into_iter().map(|name| name.as_str().to_owned());
+        known.extend(names.zip(row.iter().copied()));
+        all.extend(row);
+    }
+    operation.is_inside(&all).then_some(all)
+}
+
+/// `true` where every shape of an input is valid.
+fn is_valid(operation: &Operation, x: &[f64]) -> bool {
+    let mut rest = x;
+    operation.layouts::<f64>().iter().all(|layout| {
+        let (own, others) = rest.split_at(layout.fields());
+        rest = others;
+        layout.check(own).is_ok()
+    })
+}
+
+/// The entries of Hessians that were compared, and what is wrong with others.
+fn compare(operation: &Operation, seed: u64) -> (usize, Vec<String>) {
+    let name = operation.name;
+    let program = operation.program::<f64>().expect(name);
+    let gradient = program.value_grad().expect(name);
+    let (hvp, mut draw) = (program.hvp().expect(name), Draw::new(seed));
+    let (mut compared, mut wrong) = (0, Vec::new());
+    for _ in 0..COUNT {
+        let Some(x) = input(operation, &mut draw) else {
+            continue;
+        };
+        let slopes = |x: &[f64]| gradient.eval(x).expect(name)[1..].to_vec();
+        let here = slopes(&x);
+        for i in 0..x.len() {
+            let moved = |step: f64| {
+                let mut x = x.clone();
+                x[i] += step;
+                is_valid(operation, &x).then(|| slopes(&x))
+            };
+            let steps = [-STEP, STEP, -STEP / 2.0, STEP / 2.0];
+            let [Some(a), Some(b), Some(c), Some(d)] = steps.map(moved) else {
+                continue;
+            };
+            let mut direction = vec![0.0; x.len()];
+            direction[i] = 1.0;
+            let given = [&x[..], &direction].concat();
+            let row = hvp.eval(&given).expect(name);
+            let row = &row[row.len() - here.len()..];
+            for j in 0..here.len() {
+                let all = [(&a, -STEP), (&b, STEP), (&c, -STEP / 2.0), (&d, STEP / 2.0)]
+                    .map(|(there, step)| (there[j] - here[j]) / step);
+                let mean = (all[0] + all[1]) / 2.0;
+                let smooth = all.iter().all(|x| (x - mean).abs() <= SMOOTH * (1.0 + mean.abs()));
+                let off = (row[j] - mean).abs();
+                compared += usize::from(smooth);
+                let is_wrong = !row[j].is_finite() || smooth && off > NEAR * (1.0 + mean.abs());
+                if is_wrong {
+                    wrong.push(format!("{name} at {x:?}: by {i}, {j} {}, differences {mean}", row[j]));
+                }
+            }
+        }
+    }
+    (compared, wrong)
+}
+
+#[test]
+fn hessians_of_aligned_shapes_are_differences_of_gradients() {
+    let mut failed = Vec::new();
+    for operation in operations() {
+        if operation.sort != Sort::Straight || operation.value_grad::<f64>().is_none() {
+            continue;
+        }
+        let (compared, wrong) = compare(operation, 7);
+        println!("{} {compared} {}", operation.name, wrong.len());
+        if let Some(first) = wrong.first() {
+            failed.push(format!("{} of {compared} entries: {first}", wrong.len()));
+        }
+    }
+    assert!(failed.is_empty(), "{} rows:\n{}", failed.len(), failed.join("\n"));
+}
