@@ -123,7 +123,7 @@ fn measure_counted<S: Scalar, const N: usize, const M: usize>(
     let mut twice = zero;
     let mut k = 0;
     while k < fan_a.count {
-        twice += fan_b.shared_with(fan_a.edge(k), !in_a);
+        twice += shared_of_edge(&fan_b, fan_a.edge(k), !in_a);
         k += 1;
     }
     let area = twice.halved();
@@ -140,6 +140,17 @@ fn measure_counted<S: Scalar, const N: usize, const M: usize>(
         nothing,
         same,
     }
+}
+
+/// What an edge contributes, as a call: in line, for every edge of full polygons, derivatives of many numbers are
+/// megabytes of code.
+#[inline(never)]
+fn shared_of_edge<S: Scalar, const M: usize>(
+    fan: &Fan<S, M>,
+    edge: [Vec2<S>; 2],
+    smaller: S::Mask,
+) -> S {
+    fan.shared_with(edge, smaller)
 }
 
 /// Measures two convex polygons. Full ones have code of their own, in which no count is left.
