@@ -117,14 +117,24 @@ pub fn walk(
     walked
 }
 
-/// Runs so many jobs on all processors, and gives each result to the second function, one after the other.
+/// [`on_threads`], as many as there are processors.
 fn side_by_side<R>(
     count: usize,
     job: impl Fn(usize) -> R + Sync,
     done: impl FnMut(usize, R) + Send,
 ) {
-    let (next, done) = (AtomicUsize::new(0), Mutex::new(done));
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    on_threads(threads, count, job, done);
+}
+
+/// Runs so many jobs on so many threads, and gives each result to the second function, one after the other.
+pub fn on_threads<R>(
+    threads: usize,
+    count: usize,
+    job: impl Fn(usize) -> R + Sync,
+    done: impl FnMut(usize, R) + Send,
+) {
+    let (next, done) = (AtomicUsize::new(0), Mutex::new(done));
     std::thread::scope(|scope| {
         for _ in 0..threads {
             scope.spawn(|| {

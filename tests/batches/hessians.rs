@@ -18,13 +18,19 @@ fn is_rotation(name: &str) -> bool {
     name.contains("rotation")
 }
 fn is_angle(name: &str) -> bool {
-    ["heading", "angle", "yaw", "pitch", "roll"].iter().any(|part| name.contains(part))
+    ["heading", "angle", "yaw", "pitch", "roll"]
+        .iter()
+        .any(|part| name.contains(part))
 }
 
 /// A valid row of small multiples of a half; axes of the world, but for one in four, which are quarter turns. Fields that
 /// an earlier shape has under the same name are taken from it if `alike` says so.
 fn drawn(layout: &Layout<f64>, draw: &mut Draw, earlier: &[(String, f64)]) -> Option<Vec<f64>> {
-    let names: Vec<String> = layout.names().iter().map(|name| name.as_str().to_owned()).collect();
+    let names: Vec<String> = layout
+        .names()
+        .iter()
+        .map(|name| name.as_str().to_owned())
+        .collect();
     for attempt in 0..200 {
         let mut row = vec![0.0; layout.fields()];
         let turned = draw.below(4) == 0;
@@ -65,7 +71,10 @@ fn input(operation: &Operation, draw: &mut Draw) -> Option<Vec<f64>> {
     let (mut all, mut known) = (Vec::new(), Vec::new());
     for layout in operation.layouts::<f64>() {
         let row = drawn(&layout, draw, &known)?;
-        let names = layout.names().into_iter().map(|name| name.as_str().to_owned());
+        let names = layout
+            .names()
+            .into_iter()
+            .map(|name| name.as_str().to_owned());
         known.extend(names.zip(row.iter().copied()));
         all.extend(row);
     }
@@ -114,12 +123,17 @@ fn compare(operation: &Operation, seed: u64) -> (usize, Vec<String>) {
                 let all = [(&a, -STEP), (&b, STEP), (&c, -STEP / 2.0), (&d, STEP / 2.0)]
                     .map(|(there, step)| (there[j] - here[j]) / step);
                 let mean = (all[0] + all[1]) / 2.0;
-                let smooth = all.iter().all(|x| (x - mean).abs() <= SMOOTH * (1.0 + mean.abs()));
+                let smooth = all
+                    .iter()
+                    .all(|x| (x - mean).abs() <= SMOOTH * (1.0 + mean.abs()));
                 let off = (row[j] - mean).abs();
                 compared += usize::from(smooth);
                 let is_wrong = !row[j].is_finite() || smooth && off > NEAR * (1.0 + mean.abs());
                 if is_wrong {
-                    wrong.push(format!("{name} at {x:?}: by {i}, {j} {}, differences {mean}", row[j]));
+                    wrong.push(format!(
+                        "{name} at {x:?}: by {i}, {j} {}, differences {mean}",
+                        row[j]
+                    ));
                 }
             }
         }
@@ -140,5 +154,10 @@ fn hessians_of_aligned_shapes_are_differences_of_gradients() {
             failed.push(format!("{} of {compared} entries: {first}", wrong.len()));
         }
     }
-    assert!(failed.is_empty(), "{} rows:\n{}", failed.len(), failed.join("\n"));
+    assert!(
+        failed.is_empty(),
+        "{} rows:\n{}",
+        failed.len(),
+        failed.join("\n")
+    );
 }

@@ -1,6 +1,7 @@
 //! Checks every operation of the library and prints the table.
 //!
 //! `cargo run --release -p geograd-tests --example gradient_report`; `-- --help` has the options.
+use geograd::Error;
 use geograd::ad::check::{Report, SEED, Sampling};
 use geograd::kernels::Backend;
 use geograd::kernels::dynamic::named_rows;
@@ -9,12 +10,15 @@ use geograd::kernels::identities;
 use geograd_tests::fuzzers::{self, Fuzzer};
 use geograd_tests::list::{self, Tested};
 use indicatif::{ProgressBar, ProgressStyle};
+use std::collections::BTreeMap;
 use std::process::ExitCode;
 
 const HELP: &str = "\
 Checks every operation of the library and prints the table.
 
   --op NAME       only a verb, as `iou`, or a verb of some shapes, as 'iou(obb2,obb2)'
+  --quick         one row of every verb, and 60 random inputs unless told: two minutes on two
+                  cores, in release
   --samples N     random inputs per operation and format, 1000 unless told; hard
                   cases come on top
   --seed N        what they are drawn from
@@ -38,10 +42,14 @@ The exit status is 0 when everything is checked, 1 when something is refused, 2 
 wrong argument, 3 when a GPU was asked for and there is none, or it failed.
 ";
 
+/// Random inputs of each row in the quick form.
+const QUICK: usize = 60;
+
 /// The options of the command line.
 struct Options {
     rows: Vec<&'static str>,
-    samples: usize,
+    quick: bool,
+    samples: Option<usize>,
     seed: u64,
     formats: [bool; 2],
     details: bool,
@@ -63,7 +71,8 @@ impl Options {
 fn options() -> Result<Option<Options>, String> {
     let mut options = Options {
         rows: Vec::new(),
-        samples: 1000,
+        quick: false,
+        samples: None,
         seed: SEED,
         formats: [true, true],
         details: false,
@@ -78,7 +87,10 @@ fn options() -> Result<Option<Options>, String> {
         let mut value = || arguments.next().ok_or(format!("{argument} needs a value"));
         match argument.as_str() {
             "--op" => options.rows = named_rows(&value()?).map_err(|e| e.to_string())?,
-            "--samples" => options.samples = value()?.parse().map_err(|e| format!("{e}"))?,
+            "--quick" => options.quick = true,
+            "--samples" => {
+                options.samples = Some(value()?.parse().map_err(|e| format!("{e}"))?);
+            }
             "--seed" => options.seed = value()?.parse().map_err(|e| format!("{e}"))?,
             "--fuzz" => options.fuzz = Some(value()?.parse().map_err(|e| format!("{e}"))?),
             "--identities" => {
@@ -146,7 +158,11 @@ fn main() -> ExitCode {
         return fuzz_all(&options, count, false);
     }
     let both = |row| [true, false].map(|wide| (row, wide));
-    let jobs: Vec<(&Tested, bool)> = list::checked()
+    let rows = match options.quick {
+        true => list::sample(list::checked(), &[]),
+        false => list::checked(),
+    };
+    let jobs: Vec<(&Tested, bool)> = rows
         .into_iter()
         .flat_map(both)
         .filter(|(row, wide)| options.wants(row.name(), *wide))
@@ -176,42 +192,63 @@ fn main() -> ExitCode {
         say(Report::heading());
     }
     let backend = gpu.as_ref().map(Backend::Gpu);
-    for (row, wide) in jobs {
-        let name = row.name();
-        bar.set_message(name);
+    let samples = options.samples.unwrap_or(match options.quick {
+        true => QUICK,
+        false => 1000,
+    });
+    let check = |job: usize| {
+        let (row, wide) = jobs[job];
+        bar.set_message(row.name());
         let tick = || bar.tick();
         let plan = Sampling {
             draws: options.svg.is_some() && wide,
             tick: Some(&tick),
             shared_ties: true,
-            ..Sampling::new(options.samples, options.seed)
+            ..Sampling::new(samples, options.seed)
         };
-        let report = match wide {
+        match wide {
             true => row.check::<f64>(&plan, None),
             false => row.check::<f32>(&plan, backend),
-        };
-        let report = match report {
-            Ok(report) => report,
-            Err(error) => {
-                eprintln!("{name}: {error}");
-                return ExitCode::from(3);
+        }
+    };
+    // Whatever the order in which they end, the table has the order of the rows.
+    let (mut waiting, mut next, mut fault) = (BTreeMap::new(), 0, None);
+    let done = |job: usize, report: Result<Report, Error>| {
+        waiting.insert(job, report);
+        while let Some(report) = waiting.remove(&next) {
+            let (row, _) = jobs[next];
+            next += 1;
+            bar.inc(1);
+            let report = match report {
+                Ok(report) => report,
+                Err(error) => {
+                    fault.get_or_insert((row.name(), error));
+                    continue;
+                }
+            };
+            say(match options.json {
+                true => report.json(),
+                false => report.line(),
+            });
+            if options.details && !options.json {
+                say(report.details());
             }
-        };
-        say(if options.json {
-            report.json()
-        } else {
-            report.line()
-        });
-        if options.details && !options.json {
-            say(report.details());
+            picture = report.picture.clone().or(picture.take());
+            match report.passed() {
+                true => checked += 1,
+                false => failed.push(report),
+            }
         }
-        picture = report.picture.clone().or(picture);
-        if report.passed() {
-            checked += 1;
-        } else {
-            failed.push(report);
-        }
-        bar.inc(1);
+    };
+    // A GPU is one.
+    let threads = match &gpu {
+        Some(_) => 1,
+        None => std::thread::available_parallelism().map_or(1, usize::from),
+    };
+    fuzzers::on_threads(threads, jobs.len(), check, done);
+    if let Some((name, error)) = fault {
+        eprintln!("{name}: {error}");
+        return ExitCode::from(3);
     }
     bar.finish_and_clear();
     if !options.json {
