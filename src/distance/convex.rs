@@ -255,10 +255,12 @@ pub(super) fn face_deep<S: Scalar, B: Core<S>>(
     let (low, high) = (face.low.halved(), face.high.halved());
     let middle = face.from + face.along * (low + high);
     let half = (high - low) * normal.perp_dot(face.along).unsigned();
+    let value = S::select(useless, S::lit(-S::LARGEST), first.value - height);
     Best {
-        value: S::select(useless, S::lit(-S::LARGEST), first.value - height),
+        value,
         sum: Deepest {
             ahead: first.sum.ahead - height * first.count,
+            level: value,
             normal,
             on_a,
             on_b: Vec2::select(above, lowest.on_b, beside),

@@ -166,9 +166,10 @@ pub fn squared_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S 
 /// The points in which two convex shapes are nearest to each other.
 ///
 /// For shapes that overlap they are the points that [`penetration`] brings together: `on_b` is that point of b
-/// which is deepest in a (or the reverse), `on_a` the point of a's border to which it must go. Ties and
-/// derivatives: see the [module](self). The points of two lines that cross are nearest to each other's given
-/// points and mean nothing.
+/// which is deepest in a (or the reverse), `on_a` the point of a's border to which it must go. Circles with one
+/// centre, and other round shapes whose cores meet in a point, leave each other by several ways; the points are those
+/// of one. Ties and derivatives: see the [module](self). The points of two lines that cross are nearest to each
+/// other's given points and mean nothing.
 ///
 /// ```
 /// use geograd::{Aabb2, Circle, Vec2, distance::closest_points};

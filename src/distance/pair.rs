@@ -4,7 +4,7 @@
 //! ([`turned`]); all other pairs are compared by their cores. Function, method and batch come through here, so that
 //! they agree to the bit.
 use super::convex::{self, Convex, Core, PairFormula};
-use super::relation::{LENGTH, NORMAL, POINTS, relate};
+use super::relation::{LENGTH, NORMAL, POINTS, direction, relate};
 use super::{Contact, PointPair, edge, turned, upright};
 use crate::arrays::Each;
 use crate::{Aabb2, Obb2, Scalar, Vec2};
@@ -100,11 +100,13 @@ impl<S: Scalar> PairFormula<S> for Closest {
         let found = relate::<S, A, B, { POINTS }>(a, b);
         let [mut on_a, mut on_b] =
             [found.on_a, found.on_b].each_as(|v| found.origin + found.unscaled(v));
+        let none = found.normal.length_squared().equals(S::zero());
+        let way = Vec2::select(none, aside(a.core(), b.core()), found.normal);
         if A::ROUND {
-            on_a += found.normal * a.radius();
+            on_a += way * a.radius();
         }
         if B::ROUND {
-            on_b -= found.normal * b.radius();
+            on_b -= way * b.radius();
         }
         PointPair {
             on_a: on_a.canonical(),
@@ -165,6 +167,34 @@ impl<S: Scalar> PairFormula<S> for Farthest {
     #[inline]
     fn obb2(a: Obb2<S>, b: Obb2<S>) -> S {
         turned::farthest_distance_obb2(a, b)
+    }
+}
+
+/// A direction of length one in which cores part that meet and have no normal, a constant: across the piece of a line
+/// where the other one is a point, else along the first axis.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn aside<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec2<S> {
+    let first = Vec2::new(S::one(), S::zero());
+    // Any others have a face that parts them, unless all their corners are one.
+    if A::DIMENSION + B::DIMENSION != 1 {
+        return first;
+    }
+    let way = match A::DIMENSION {
+        1 => along(a),
+        _ => along(b),
+    };
+    let way = way * edge::scale_of::<S>(edge::size_of(way));
+    let none = way.length_squared().equals(S::zero());
+    Vec2::select(none, first, direction(way.perp())).constant()
+}
+
+/// The way along a piece of a line.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn along<S: Scalar, A: Core<S>>(core: A) -> Vec2<S> {
+    match (core.corners().as_ref(), core.away().as_ref()) {
+        (_, [away, ..]) => *away,
+        ([from, to, ..], _) => *to - *from,
+        _ => Vec2::zero(),
     }
 }
 

@@ -120,6 +120,9 @@ pub struct Nearest<S> {
     pub on_b: Vec2<S>,
 }
 
+/// By so many roundings of the unit, in which all is of a size of at most four, heights over faces in line differ.
+const ROUNDED: f64 = 16.0;
+
 /// How far in front of a face some points begin.
 #[derive(Clone, Copy, Debug)]
 pub struct Ahead<S> {
@@ -132,7 +135,8 @@ pub struct Ahead<S> {
 /// A face and the points of the other core that are farthest behind it.
 ///
 /// Faces that tie share the derivative of how far; of their normals and points those of the first face are
-/// taken whose end the points are not beyond, for the mean of two normals is none.
+/// taken whose end the points are not beyond, for the mean of two normals is none. Faces that tie but for rounding have
+/// their points on them, too, if one does: edges of a polygon that are in line.
 #[derive(Clone, Copy, Debug)]
 pub struct Deepest<S> {
     /// How far in front of the face they are; negative behind it.
@@ -143,6 +147,8 @@ pub struct Deepest<S> {
     pub on_a: Vec2<S>,
     /// The point of b: of its face, or the one farthest behind a's face.
     pub on_b: Vec2<S>,
+    /// How far in front of the face the points are that were taken.
+    pub level: S,
     /// How far the points were beyond the end of the face.
     pub beyond: S,
     /// The middle of the face, as a constant.
@@ -195,9 +201,14 @@ impl<S: Scalar> Carry<S> for Ahead<S> {
 impl<S: Scalar> Carry<S> for Deepest<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
+        let slack = S::lit(ROUNDED * S::EPSILON);
+        let near = (self.level - other.level).unsigned().at_most(slack);
+        let (on_face, other_on) = (self.beyond.at_most(slack), other.beyond.at_most(slack));
         let first = keep | tie & self.beyond.at_most(other.beyond);
+        let first = near & on_face & !other_on | first & !(near & !on_face & other_on);
         Deepest {
             ahead: self.ahead.join(other.ahead, keep, tie),
+            level: S::select(first, self.level, other.level),
             normal: Vec2::select(first, self.normal, other.normal),
             on_a: Vec2::select(first, self.on_a, other.on_a),
             on_b: Vec2::select(first, self.on_b, other.on_b),

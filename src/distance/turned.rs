@@ -135,6 +135,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
         let ahead = S::select(more.below(zero), of_b, of_a);
         a.value = S::select(more.below(zero), less, ahead);
         b.value = S::select(more.above(zero), less, ahead);
+        (a.sum.level, b.sum.level) = (a.value, b.value);
         a.most_of_faces(b)
     });
     Best::most_of(pairs)

@@ -3,7 +3,7 @@ use super::core::{Core, PointCore};
 use super::cored::Cored;
 use super::half_space::{self, Bounded};
 use super::relation::Relation;
-use super::{between, boxes, round};
+use super::{aside, between, boxes, round};
 use crate::scalar::Guard;
 use crate::shape::{Cone, Cylinder, Plane3};
 use crate::{Scalar, Vec3};
@@ -99,7 +99,10 @@ impl<A: Cored, B: Cored<Scalar = A::Scalar>> Apart<B> for A {
             _ => found,
         };
         match A::ROUND || B::ROUND {
-            true => found.inflated(self.radius(), other.radius()),
+            true => {
+                let aside = aside::of_cores(self.core(), other.core());
+                found.inflated(self.radius(), other.radius(), aside)
+            }
             false => found,
         }
     }
@@ -174,7 +177,7 @@ macro_rules! revolved {
             fn relation(self, other: $Shape<S>) -> Relation<S> {
                 let found = round::relate(self.core().0, other);
                 match A::ROUND {
-                    true => found.inflated(self.radius(), S::zero()),
+                    true => found.inflated(self.radius(), S::zero(), found.normal),
                     false => found,
                 }
             }

@@ -4,6 +4,7 @@ use super::core::Core;
 use super::deep::{Deepest, SLACK, deepest};
 use super::near::{Candidate, Nearest, edges_near};
 use super::pair;
+use super::parting::grade;
 use super::relation::{Relation, direction};
 use super::spot::{Chosen, Pull, Spot, fixed, fixed_vector, valued, vanish, vanishing};
 use crate::arrays::Each;
@@ -84,11 +85,12 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
     };
     let lost = lost & deep.value.above(P::lit(-P::LARGEST));
     let inside = inside | lost;
-    let pick = |plane: Vec3<P>, other: Vec3<P>| Vec3::select(lost, plane, other);
+    let placed = lost & deep.grade.above(P::lit(grade::STEEP));
+    let pick = |lost, plane: Vec3<P>, other: Vec3<P>| Vec3::select(lost, plane, other);
     Chosen {
-        normal: pick(deep.normal, chosen.normal),
-        on_a: pick(deep.on_a, chosen.on_a),
-        on_b: pick(deep.on_b, chosen.on_b),
+        normal: pick(lost, deep.normal, chosen.normal),
+        on_a: pick(placed, deep.on_a, chosen.on_a),
+        on_b: pick(placed, deep.on_b, chosen.on_b),
         at_a: deep.at_a.join(at_a, inside, none),
         at_b: deep.at_b.join(at_b, inside, none),
         inside,
@@ -276,12 +278,17 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
     let rounded = none & deep.value.above(S::zero());
     let ahead = S::select(rounded, S::zero(), deep.value);
     let overlap = inside & deep.value.below(S::zero());
+    // Nearest points of cores that touch are on both. Those of a plane that only bounds need not be, nor where edges
+    // cross that are all but parallel.
+    let slack = S::lit(SLACK * S::EPSILON);
+    let touching = length.at_most(slack) & (-deep.value).at_most(slack);
+    let placed = inside & !(touching & deep.grade.at_most(S::lit(grade::STEEP)));
     let relation = Relation {
         apart: S::select(inside, ahead, length),
         square: S::select(overlap, S::zero(), square),
         normal: Vec3::select(inside, deep.normal, direction),
-        on_a: Vec3::select(inside, deep.on_a, near.on_a),
-        on_b: Vec3::select(inside, deep.on_b, near.on_b),
+        on_a: Vec3::select(placed, deep.on_a, near.on_a),
+        on_b: Vec3::select(placed, deep.on_b, near.on_b),
     };
     Joined { relation, inside }
 }

@@ -140,6 +140,18 @@ pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
     let beyond = (slack * slack) * normal.square;
     let [bound_u, bound_v, bound_w] = [u, v, v - u].each_as(|w| beyond * w.length_squared());
     let within = |product: P, bound: P| zero.at_most(product) | (product * product).at_most(bound);
+    // Beyond the tip of a needle a foot is beside none of the edges: along the longest one it is beyond the end.
+    let longer = |most: Vec3<P>, way: Vec3<P>| {
+        let longer = most.length_squared().below(way.length_squared());
+        Vec3::select(longer, way, most)
+    };
+    let long = longer(longer(u, v), v - u);
+    let ends = [long.dot(u), long.dot(v)];
+    let (low, high) = (
+        ends[0].least(ends[1]).least(zero),
+        ends[0].most(ends[1]).most(zero),
+    );
+    let past = (slack * slack) * long.length_squared();
     let sides = [normal.unit, -normal.unit].each_as(|unit| {
         // The corner behind is not beyond, whatever the side.
         let top = behind.map_or(zero, |behind| unit.dot(behind - face[0]).most(zero));
@@ -148,6 +160,10 @@ pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
             let (s, t) = (arm.cross(v).dot(normal.long), u.cross(arm).dot(normal.long));
             let rest = (normal.square - s) - t;
             let on_face = within(s, bound_v) & within(t, bound_u) & within(rest, bound_w);
+            let along = long.dot(arm);
+            let out = along - along.clamp(low, high);
+            // Where in a needle a foot is, a normal with few digits does not say.
+            let on_face = on_face & (out * out).at_most(past) & normal.clear;
             let (s, t) = (s * over, t * over);
             let foot = spot([(P::one() - s) - t, s, t]);
             (unit.dot(arm) - top, on_face, foot)
@@ -227,6 +243,8 @@ fn across_edges<P: Scalar, A: Core<P>, B: Core<P>>(
 pub(super) struct Deepest<P> {
     /// How far b begins beyond a; negative where they overlap.
     pub value: P,
+    /// How well the points are known to be on both cores: one of the [`grades`](grade).
+    pub grade: P,
     /// How many planes and points of theirs tie.
     pub count: P,
     /// The direction from a to b.
@@ -287,6 +305,7 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
     });
     let mut found = Deepest {
         value,
+        grade: best,
         count: P::zero(),
         normal: Vec3::zero(),
         on_a: Vec3::zero(),

@@ -1,13 +1,14 @@
 //! Distances of lines and rays of space from each other, from segments and from points, each inflated by a radius; and
 //! from any other core as those of the part of the line that is near it.
 use super::apart::Apart;
+use super::aside;
 use super::between::{self, joined};
 use super::core::Core;
 use super::cored::Cored;
 use super::near::{Nearest, across, normal, size_of};
 use super::relation::Relation;
 use super::simplex::{SegmentCore, SimplexCore};
-use super::spot::vanish;
+use super::spot::{plain, vanish};
 use super::straight::{Reach, Straight};
 use crate::distance::edge::scale_of;
 use crate::scalar::{Guard, speck};
@@ -31,6 +32,15 @@ impl<S: Scalar> Straight<S> {
             on_b: anchor + found.on_b,
             ..found
         }
+    }
+    /// A direction across the line or ray and a core that meet.
+    #[inline(always)]
+    fn aside<B: Core<S>>(self, core: B) -> Vec3<S> {
+        let unit = |way: Vec3<S::Primal>| way * scale_of::<S::Primal>(size_of(way));
+        let (core, along) = (core.plain(), plain(self.along));
+        let ways = core.ways();
+        let ways = ways.as_ref().iter().copied();
+        aside::across(ways.chain([along]).map(unit))
     }
     /// The part of a line or ray that is all a core has to do with: it ends where the line's nearest points to the core
     /// are, and farther by more than the core is large, so that no shift along it is shorter than one across.
@@ -174,7 +184,7 @@ macro_rules! endless {
                     None => line.relation(core),
                 };
                 match B::ROUND {
-                    true => found.inflated(S::zero(), other.radius()),
+                    true => found.inflated(S::zero(), other.radius(), line.aside(core)),
                     false => found,
                 }
             }

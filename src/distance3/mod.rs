@@ -81,6 +81,7 @@
 use crate::{Scalar, Vec3};
 
 pub(crate) mod apart;
+mod aside;
 mod between;
 pub(crate) mod box_core;
 pub(crate) mod boxes;
@@ -179,7 +180,9 @@ pub fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S 
 
 /// The points in which two shapes of space are nearest to each other.
 ///
-/// Where they overlap, the points that [`penetration`] brings together. Ties and derivatives: see the [module](self).
+/// Where they overlap, the points that [`penetration`] brings together. Balls with one centre, and other round shapes
+/// whose cores meet in a point, leave each other by several ways; the points are those of one. Ties and derivatives:
+/// see the [module](self).
 ///
 /// ```
 /// use geograd::{Segment3, Vec3, distance3::closest_points};

@@ -30,17 +30,20 @@ impl<S: Scalar> Relation<S> {
             ..self
         }
     }
-    /// The relation of shapes whose points are at most some radii from these.
+    /// The relation of shapes whose points are at most some radii from these. Where these meet and no direction is
+    /// preferred, the points are in a given one.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn inflated(self, radius_a: S, radius_b: S) -> Self {
+    pub fn inflated(self, radius_a: S, radius_b: S, aside: Vec3<S>) -> Self {
         let apart = self.apart - (radius_a + radius_b);
+        let none = self.normal.length_squared().equals(S::zero());
+        let way = Vec3::select(none, aside, self.normal);
         Relation {
             apart,
             square: square_of_gap(apart),
             normal: self.normal,
-            on_a: self.on_a + self.normal * radius_a,
-            on_b: self.on_b - self.normal * radius_b,
+            on_a: self.on_a + way * radius_a,
+            on_b: self.on_b - way * radius_b,
         }
     }
 }

@@ -1,5 +1,8 @@
 //! Points and balls against cylinders and cones: in the plane through their axis.
+use super::aside;
+use super::near::size_of;
 use super::relation::{Relation, direction};
+use super::spot::plain;
 use crate::distance::edge::scale_of;
 use crate::distance::{Convex, pair as distance};
 use crate::scalar::largest;
@@ -120,7 +123,8 @@ fn seen<S: Scalar>(axis: Vec3<S>, arm: Vec3<S>) -> Seen<S> {
     }
 }
 
-/// The relation of a point and a solid. On the axis no direction is nearest: the derivative across is zero.
+/// The relation of a point and a solid. On the axis no direction is nearest: the derivative across is zero, and point
+/// and direction are those of any.
 #[inline(always)]
 pub(super) fn relate<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: B) -> Relation<S> {
     let start = shape.start();
@@ -134,12 +138,16 @@ pub(super) fn relate<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: 
     let apart = distance::signed_distance(at, section);
     let found = distance::closest_points(at, section);
     let out = distance::penetration(at, section).direction;
+    let axis = plain(shape.axis());
+    let aside = aside::across(std::iter::once(axis * scale_of::<S::Primal>(size_of(axis))));
+    let is_on_axis = across.length_squared().equals(S::zero());
+    let side = Vec3::select(is_on_axis, aside, across);
     Relation {
         apart,
         square: distance::squared_distance(at, section),
-        normal: along * out.x + across * out.y,
+        normal: along * out.x + side * out.y,
         on_a: point,
-        on_b: start + along * found.on_b.x + across * found.on_b.y,
+        on_b: start + along * found.on_b.x + side * found.on_b.y,
     }
 }
 

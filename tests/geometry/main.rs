@@ -1,6 +1,7 @@
 //! Geometry, number by number.
 mod alignment;
 mod clockwise;
+mod closest;
 mod convention;
 mod crossing;
 mod detections;
