@@ -10,7 +10,7 @@ use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance::share::{Best, Carry};
 use crate::scalar::speck;
-use crate::{Scalar, Vec3};
+use crate::{Mask, Scalar, Vec3};
 
 /// From where two cores are seen, and the units: those of their extent, so that no product over- or underflows. All
 /// products are of differences, so that corners which are given need not be moved, which would round them.
@@ -35,14 +35,17 @@ pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<
     let (origin, scale) = view(&a, &b);
     let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
     let found = derived(&a, &b, &choose(&a.plain(), &b.plain()));
+    // Growth is zero but for its derivatives: values need no normal.
+    let slope = |x: S| x.with_primal(S::Primal::zero());
     let growth = a.growth(found.normal) + b.growth(found.normal);
-    let square = found.square - (found.square.root() * growth + found.square.root() * growth);
+    let by_growth = found.square.root() * growth;
+    let square = found.square - slope(by_growth + by_growth);
     let back = |v: Vec3<S>| {
         let v = Vec3::new(v.x.over(scale), v.y.over(scale), v.z.over(scale));
         origin + v
     };
     Relation {
-        apart: (found.apart - growth).over(scale),
+        apart: (found.apart - slope(growth)).over(scale),
         square: square.over(scale).over(scale),
         normal: found.normal,
         on_a: back(found.on_a),
@@ -61,15 +64,22 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
     ) = (nearest(a, b), deepest(a, b));
     let found = joined(near, deep.as_ref());
     let (relation, inside) = (found.relation, found.inside);
+    let none = inside & !inside;
     // The direction of a way that is rounding parts nothing.
     let slack = P::lit(SLACK * P::EPSILON);
-    let parted = parted((a, near.on_a), (b, near.on_b), near.apart, relation.normal);
-    let lost = relation.apart.at_most(slack) & parted.below(-slack) & !inside;
-    let none = inside & !inside;
+    let close = near.apart.length_squared().at_most(slack.squared()) & !inside;
+    let (lost, beside) = match close.any() {
+        true => {
+            let way = (near.apart, relation.normal);
+            let lost = close & parted((a, near.on_a), (b, near.on_b), way).below(-slack);
+            (lost, across(a, b, relation.normal))
+        }
+        false => (none, relation.normal),
+    };
     let chosen = Chosen {
         gap: relation.apart,
         square: relation.square,
-        normal: Vec3::select(lost, across(a, b, relation.normal), relation.normal),
+        normal: Vec3::select(lost, beside, relation.normal),
         on_a: relation.on_a,
         on_b: relation.on_b,
         at_a,
@@ -271,7 +281,9 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
     // Which side of a face a point on it is on, its height says with other roundings than the plane does.
     let beside = length.at_most(S::lit(SLACK * S::EPSILON)) & !deep.value.below(S::zero());
     let opposite = beside & direction.dot(deep.normal).below(S::zero());
-    let inside = parted & (behind | none | opposite);
+    let inside = parted & (behind | none);
+    // The height and the length differ by roundings then: a value needs no direction.
+    let by_plane = inside | parted & opposite;
     // Cores with a point in common are not apart, however the height over a face was rounded.
     let rounded = none & deep.value.above(S::zero());
     let ahead = S::select(rounded, S::zero(), deep.value);
@@ -279,11 +291,14 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
     let relation = Relation {
         apart: S::select(inside, ahead, length),
         square: S::select(overlap, S::zero(), square),
-        normal: Vec3::select(inside, deep.normal, direction),
-        on_a: Vec3::select(inside, deep.on_a, near.on_a),
-        on_b: Vec3::select(inside, deep.on_b, near.on_b),
+        normal: Vec3::select(by_plane, deep.normal, direction),
+        on_a: Vec3::select(by_plane, deep.on_a, near.on_a),
+        on_b: Vec3::select(by_plane, deep.on_b, near.on_b),
     };
-    Joined { relation, inside }
+    Joined {
+        relation,
+        inside: by_plane,
+    }
 }
 
 /// A relation, and `true` if a plane says it.
