@@ -163,7 +163,7 @@ pub(crate) fn joined<S: Scalar>(
     // so close, and batches leave out what only these need.
     let slack = S::lit(SLACK * S::EPSILON);
     let close = near.apart.length_squared().at_most(slack.squared());
-    let against = near.apart.dot(deep.normal).below(S::zero());
+    let against = near.apart.dot(deep.lead).below(S::zero());
     let opposite = close & !deep.ahead.below(S::zero()) & against;
     let inside = parted & (behind | none | opposite);
     // Cores with a point in common are not apart, however the height over a face was rounded.

@@ -282,7 +282,7 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
     // so close, and batches leave out what only these need.
     let slack = S::lit(SLACK * S::EPSILON);
     let close = square.at_most(slack.squared());
-    let against = direction.dot(deep.normal).below(S::zero());
+    let against = direction.dot(deep.lead).below(S::zero());
     let opposite = close & !deep.value.below(S::zero()) & against;
     let inside = parted & (behind | none | opposite);
     // Cores with a point in common are not apart, however the height over a face was rounded.
