@@ -270,6 +270,7 @@ pub(super) fn face_deep<S: Scalar, B: Core<S>>(
                 S::from_primal(middle.y.primal()),
             ),
             half: S::from_primal(half.primal()),
+            lead: normal,
         },
         count: first.count,
     }

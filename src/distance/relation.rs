@@ -159,9 +159,12 @@ pub(crate) fn joined<S: Scalar>(
     // the shift it is no farther from there than the depth. Faces too short to count would have parted any others.
     let reachable = (S::lit(SLACK * S::EPSILON) - deep.ahead) - deep.ahead;
     let behind = deep.ahead.below(S::zero()) & length.at_most(reachable);
-    // Which side of an edge a point on it is on, its offset says with other roundings than the face does.
-    let beside = length.at_most(S::lit(SLACK * S::EPSILON)) & !deep.ahead.below(S::zero());
-    let opposite = beside & direction.dot(deep.normal).below(S::zero());
+    // Which side of an edge a point on it is on, its offset says with other roundings than the face does. Few shapes are
+    // so close, and batches leave out what only these need.
+    let slack = S::lit(SLACK * S::EPSILON);
+    let close = near.apart.length_squared().at_most(slack.squared());
+    let against = near.apart.dot(deep.lead).below(S::zero());
+    let opposite = close & !deep.ahead.below(S::zero()) & against;
     let inside = parted & (behind | none | opposite);
     // Cores with a point in common are not apart, however the height over a face was rounded.
     let rounded = none & deep.ahead.above(S::zero());
@@ -174,7 +177,7 @@ pub(crate) fn joined<S: Scalar>(
         on_b: Vec2::select(inside, deep.on_b, near.on_b),
         // Bounded cores have a face that parts them unless both are points, for which it is the way.
         endless: if bounded { never } else { !parted },
-        overlap: inside & deep.ahead.below(S::zero()),
+        overlap: parted & (behind | none) & deep.ahead.below(S::zero()),
         way: near.apart,
         origin,
         scale,

@@ -155,6 +155,8 @@ pub struct Deepest<S> {
     pub middle: Vec2<S>,
     /// Half the face's length, as a constant.
     pub half: S,
+    /// The normal of the first face that ties, wherever the points are.
+    pub lead: Vec2<S>,
 }
 
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -215,6 +217,7 @@ impl<S: Scalar> Carry<S> for Deepest<S> {
             beyond: S::select(first, self.beyond, other.beyond),
             middle: Vec2::select(first, self.middle, other.middle),
             half: S::select(first, self.half, other.half),
+            lead: Vec2::select(keep | tie, self.lead, other.lead),
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -249,6 +252,7 @@ impl<S: Scalar> Best<S, Deepest<S>> {
         self.sum = Deepest {
             ahead: self.sum.ahead,
             normal: -self.sum.normal,
+            lead: -self.sum.lead,
             on_a: self.sum.on_b,
             on_b: self.sum.on_a,
             ..self.sum

@@ -11,7 +11,7 @@ use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance::share::{Best, Carry};
 use crate::scalar::speck;
-use crate::{Scalar, Vec3};
+use crate::{Mask, Scalar, Vec3};
 
 /// From where two cores are seen, and the units: those of their extent, so that no product over- or underflows. All
 /// products are of differences, so that corners which are given need not be moved, which would round them.
@@ -36,14 +36,17 @@ pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<
     let (origin, scale) = view(&a, &b);
     let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
     let found = derived(&a, &b, &choose(&a.plain(), &b.plain()));
+    // Growth is zero but for its derivatives: values need no normal.
+    let slope = |x: S| x.with_primal(S::Primal::zero());
     let growth = a.growth(found.normal) + b.growth(found.normal);
-    let square = found.square - (found.square.root() * growth + found.square.root() * growth);
+    let by_growth = found.square.root() * growth;
+    let square = found.square - slope(by_growth + by_growth);
     let back = |v: Vec3<S>| {
         let v = Vec3::new(v.x.over(scale), v.y.over(scale), v.z.over(scale));
         origin + v
     };
     Relation {
-        apart: (found.apart - growth).over(scale),
+        apart: (found.apart - slope(growth)).over(scale),
         square: square.over(scale).over(scale),
         normal: found.normal,
         on_a: back(found.on_a),
@@ -62,15 +65,22 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
     ) = (nearest(a, b), deepest(a, b));
     let found = joined(near, deep.as_ref());
     let (relation, inside) = (found.relation, found.inside);
+    let none = inside & !inside;
     // The direction of a way that is rounding parts nothing.
     let slack = P::lit(SLACK * P::EPSILON);
-    let parted = parted((a, near.on_a), (b, near.on_b), near.apart, relation.normal);
-    let lost = relation.apart.at_most(slack) & parted.below(-slack) & !inside;
-    let none = inside & !inside;
+    let close = near.apart.length_squared().at_most(slack.squared()) & !inside;
+    let (lost, beside) = match close.any() {
+        true => {
+            let way = (near.apart, relation.normal);
+            let lost = close & parted((a, near.on_a), (b, near.on_b), way).below(-slack);
+            (lost, across(a, b, relation.normal))
+        }
+        false => (none, relation.normal),
+    };
     let chosen = Chosen {
         gap: relation.apart,
         square: relation.square,
-        normal: Vec3::select(lost, across(a, b, relation.normal), relation.normal),
+        normal: Vec3::select(lost, beside, relation.normal),
         on_a: relation.on_a,
         on_b: relation.on_b,
         at_a,
@@ -270,17 +280,19 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
     // the shift it is no farther from there than the depth. Faces too small to count would have parted any others.
     let reachable = (S::lit(SLACK * S::EPSILON) - deep.value) - deep.value;
     let behind = deep.value.below(S::zero()) & length.at_most(reachable);
-    // Which side of a face a point on it is on, its height says with other roundings than the plane does.
-    let beside = length.at_most(S::lit(SLACK * S::EPSILON)) & !deep.value.below(S::zero());
-    let opposite = beside & direction.dot(deep.normal).below(S::zero());
+    // Which side of a face a point on it is on, its height says with other roundings than the plane does. Few shapes are
+    // so close, and batches leave out what only these need.
+    let slack = S::lit(SLACK * S::EPSILON);
+    let close = square.at_most(slack.squared());
+    let against = direction.dot(deep.lead).below(S::zero());
+    let opposite = close & !deep.value.below(S::zero()) & against;
     let inside = parted & (behind | none | opposite);
     // Cores with a point in common are not apart, however the height over a face was rounded.
     let rounded = none & deep.value.above(S::zero());
     let ahead = S::select(rounded, S::zero(), deep.value);
-    let overlap = inside & deep.value.below(S::zero());
+    let overlap = parted & (behind | none) & deep.value.below(S::zero());
     // Nearest points of cores that touch are on both. Those of a plane that only bounds need not be, nor where edges
     // cross that are all but parallel.
-    let slack = S::lit(SLACK * S::EPSILON);
     let touching = length.at_most(slack) & (-deep.value).at_most(slack);
     let placed = inside & !(touching & deep.grade.at_most(S::lit(grade::STEEP)));
     let relation = Relation {

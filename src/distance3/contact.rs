@@ -9,8 +9,7 @@ use crate::{Scalar, Vec3};
 pub(super) fn parted<P: Scalar, A: Core<P>, B: Core<P>>(
     (a, on_a): (&A, Vec3<P>),
     (b, on_b): (&B, Vec3<P>),
-    way: Vec3<P>,
-    normal: Vec3<P>,
+    (way, normal): (Vec3<P>, Vec3<P>),
 ) -> P {
     let zero = P::zero();
     let rises = |corners: &[Vec3<P>], from: Vec3<P>, up: Vec3<P>| {

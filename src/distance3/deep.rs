@@ -115,6 +115,7 @@ pub(super) fn box_faces<P: Scalar, B: Core<P>>(
         });
         PartingPlane {
             grade: P::select(empty, P::lit(grade::EMPTY), plane.grade),
+            area: P::select(empty, P::zero(), P::one()),
             ..plane
         }
     });
@@ -261,6 +262,8 @@ pub(super) struct Deepest<P> {
     pub pull_a: Pull<P>,
     /// That of b.
     pub pull_b: Pull<P>,
+    /// The direction of one of the planes that part them best, whatever its grade.
+    pub lead: Vec3<P>,
 }
 
 /// The planes that part two cores best; `None` where their difference has no volume.
@@ -290,8 +293,11 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
     let value = planes().fold(never, |most, plane| most.most(plane.value));
     // Without any other, faces without area are those of cores whose difference has no volume.
     let part = planes().fold(never, |most, plane| {
-        let counts = plane.grade.above(empty);
+        let counts = plane.area.above(P::zero());
         most.most(P::select(counts, plane.value, never))
+    });
+    let lead = planes().fold(Vec3::zero(), |lead, plane| {
+        Vec3::select(plane.value.equals(value), plane.lead, lead)
     });
     let value = P::select(part.above(never), value, never);
     let about = value - P::lit(MORE * P::EPSILON);
@@ -314,6 +320,7 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
         at_b: Spot::none(),
         pull_a: Pull::none(),
         pull_b: Pull::none(),
+        lead,
     };
     let mut points = P::zero();
     for plane in planes() {

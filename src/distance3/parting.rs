@@ -42,6 +42,10 @@ pub struct PartingPlane<P> {
     pub behind_a: Spot<P>,
     /// The mean of those of b.
     pub behind_b: Spot<P>,
+    /// The normal of the side that parts more, or of the first one: it needs no grades.
+    pub lead: Vec3<P>,
+    /// Zero for a face without area, else one.
+    pub area: P,
 }
 
 impl<P: Scalar> PartingPlane<P> {
@@ -61,6 +65,8 @@ impl<P: Scalar> PartingPlane<P> {
             at_b: Spot::none(),
             behind_a: Spot::none(),
             behind_b: Spot::none(),
+            lead: Vec3::zero(),
+            area: P::one(),
         }
     }
     /// The side that parts more; of equal ones that of the higher grade, or else both.
@@ -84,6 +90,8 @@ impl<P: Scalar> PartingPlane<P> {
             at_b: one.at_b.join(other.at_b, keep, none),
             behind_a: behind(other.at_a),
             behind_b: behind(other.at_b),
+            lead: Vec3::select(other.value.above(one.value), other.normal, one.normal),
+            area: one.area.most(other.area),
         }
     }
     /// With a and b exchanged.
@@ -98,6 +106,7 @@ impl<P: Scalar> PartingPlane<P> {
             at_b: self.at_a,
             behind_a: self.behind_b,
             behind_b: self.behind_a,
+            lead: -self.lead,
             ..self
         }
     }

@@ -32,6 +32,55 @@ struct Units<P> {
     way: P,
 }
 
+/// The sides of three edges on which a line passes.
+#[derive(Clone, Copy)]
+struct Sides<P: Scalar> {
+    values: [P; 3],
+    /// The sizes of the coordinates that they are made of.
+    reach: [P; 3],
+    /// `true` if a value may have another sign, or too few digits.
+    doubt: P::Mask,
+}
+
+/// How far a place is behind a triangle's plane.
+#[derive(Clone, Copy)]
+struct Behind<P: Scalar> {
+    place: Vec3<P>,
+    /// The power of two that brings the way from the place near one.
+    near: P,
+    value: P,
+    /// The product of the sizes of two edges.
+    size: P,
+    /// `true` if the value may have another sign.
+    doubt: P::Mask,
+}
+
+impl<P: Scalar<Primal = P>> Behind<P> {
+    /// With the value of twice the digits where in doubt; zero in the plane.
+    #[inline(always)]
+    fn settled(self, doubt: P::Mask, triangle: [Vec3<P>; 3], unit: P) -> Self {
+        let exact = wide_behind(self.place, triangle, [unit, self.near]);
+        let exact = unless_zero(exact, self.size, 256.0);
+        Behind {
+            value: P::select(doubt, exact, self.value),
+            ..self
+        }
+    }
+}
+
+/// `true` where a number is at most a part of another one.
+#[inline(always)]
+fn within<P: Scalar>(x: P, of: P, part: f64) -> P::Mask {
+    x.unsigned().at_most(of * P::lit(part))
+}
+
+/// A number of twice the digits, zero where it is within so many of its roundings.
+#[inline(always)]
+fn unless_zero<P: Scalar>(x: P, of: P, roundings: f64) -> P {
+    let zero = within(x, of, roundings * P::EPSILON.powi(2));
+    P::select(zero, P::zero(), x)
+}
+
 #[inline(always)]
 fn plain<S: Scalar>(v: Vec3<S>) -> Vec3<S::Primal> {
     Vec3::new(v.x.primal(), v.y.primal(), v.z.primal())
@@ -73,10 +122,9 @@ impl<P: Scalar<Primal = P>> Sight<P> {
             .map(|(to, from)| Wide::difference(to, from).scaled(unit))
     }
 
-    /// The sides of the edges bc, ca, ab on which the line passes, times the direction's last coordinate; zero on an
-    /// edge.
+    /// The sides of the edges bc, ca, ab on which the line passes, times the direction's last coordinate.
     #[inline(always)]
-    fn sides(self, corners: [Vec3<P>; 3], units: Units<P>) -> [P; 3] {
+    fn sides(self, corners: [Vec3<P>; 3], units: Units<P>) -> Sides<P> {
         let d = self.way * units.way;
         let seen = corners.each_as(|corner| {
             let arm = (corner - self.from) * units.place;
@@ -85,29 +133,23 @@ impl<P: Scalar<Primal = P>> Sight<P> {
         let size = seen.each_as(most_of);
         // The edges opposite to a, b, c.
         let pairs = [(1, 2), (2, 0), (0, 1)];
-        let sides = pairs.map(|(i, j)| seen[i][0] * seen[j][1] - seen[i][1] * seen[j][0]);
+        let values = pairs.map(|(i, j)| seen[i][0] * seen[j][1] - seen[i][1] * seen[j][0]);
         let reach = pairs.map(|(i, j)| size[i] + size[j]);
         // Factors of a seen coordinate are below 4. Three roundings of each product and one of their difference leave 64 ε
         // of a coordinate. Twice that and the roundings of a side, of coordinates below 32, are less than 192 ε.
-        let within =
-            |k: usize, most: f64, side: P| side.unsigned().at_most(reach[k] * P::lit(most));
-        let close = [0, 1, 2].map(|k| within(k, 192.0 * P::EPSILON, sides[k]));
+        let close = [0, 1, 2].map(|k| within(values[k], reach[k], 192.0 * P::EPSILON));
         // Weights by sides lose as many digits as the triangle looks thin.
-        let [u, v, w] = sides;
+        let [u, v, w] = values;
         let (low, high) = (u.least(v).least(w), u.most(v).most(w));
         let crossed = low.at_least(P::zero()) | high.at_most(P::zero());
         let square = size[0].most(size[1]).most(size[2]).squared();
         let area = (u + v + w).unsigned();
         let thin = crossed & area.at_most(square * P::lit(1.0 / 256.0));
-        let doubt = close[0] | close[1] | close[2] | thin;
-        if !doubt.any() {
-            return sides;
+        Sides {
+            values,
+            reach,
+            doubt: close[0] | close[1] | close[2] | thin,
         }
-        let exact = self.wide_sides(corners, units);
-        [0, 1, 2].map(|k| {
-            let zero = within(k, 512.0 * P::EPSILON.powi(2), exact[k]);
-            P::select(doubt, P::select(zero, P::zero(), exact[k]), sides[k])
-        })
     }
 
     /// The same in twice the digits: to 320 ε² of the seen coordinates.
@@ -129,24 +171,24 @@ impl<P: Scalar<Primal = P>> Sight<P> {
     }
 }
 
-/// How far a place is behind a triangle's plane, times twice the area; zero in the plane. All in plain numbers.
+/// How far a place is behind a triangle's plane, times twice the area. All in plain numbers.
 #[inline(always)]
-fn behind<P: Scalar<Primal = P>>(place: Vec3<P>, [a, b, c]: [Vec3<P>; 3], unit: P) -> P {
+fn behind<P: Scalar<Primal = P>>(place: Vec3<P>, [a, b, c]: [Vec3<P>; 3], unit: P) -> Behind<P> {
     let (p, q) = ((b - a) * unit, (c - a) * unit);
     let arm = a - place;
     let near = scale_of::<P>(size_of(arm));
     let arm = arm * near;
-    let ahead = p.cross(q).dot(arm);
+    let value = p.cross(q).dot(arm);
     let size = size_of(p) * size_of(q);
     // Coordinates of the arm are below 4; roundings of the cross product and of the sum reach 100 ε.
-    let within = |most: f64, ahead: P| ahead.unsigned().at_most(size * P::lit(most));
-    let doubt = within(128.0 * P::EPSILON, ahead);
-    if !doubt.any() {
-        return ahead;
+    let doubt = within(value, size, 128.0 * P::EPSILON);
+    Behind {
+        place,
+        near,
+        value,
+        size,
+        doubt,
     }
-    let exact = wide_behind(place, [a, b, c], [unit, near]);
-    let zero = within(256.0 * P::EPSILON.powi(2), exact);
-    P::select(doubt, P::select(zero, P::zero(), exact), ahead)
 }
 
 /// The same in twice the digits: to 138 ε² of the edges' product.
@@ -181,7 +223,25 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
     };
     let flat = corners.each_as(plain);
     let (turned, turned_corners) = sight.turned(flat);
-    let sides = turned.sides(turned_corners, units);
+    let Sides {
+        values: mut sides,
+        reach,
+        doubt,
+    } = turned.sides(turned_corners, units);
+    let mut start = behind(sight.from, flat, units.place);
+    let mut stop = sight.to.map(|to| behind(to, flat, units.place));
+    // One truth for all signs, so that a batch leaves out all digits beyond the first ones where no item needs them.
+    let doubt = doubt | start.doubt;
+    let doubt = stop.as_ref().map_or(doubt, |stop| doubt | stop.doubt);
+    if doubt.any() {
+        let exact = turned.wide_sides(turned_corners, units);
+        sides = [0, 1, 2].each_as(|k| {
+            let exact = unless_zero(exact[k], reach[k], 512.0);
+            S::Primal::select(doubt, exact, sides[k])
+        });
+        start = start.settled(doubt, flat, units.place);
+        stop = stop.map(|stop| stop.settled(doubt, flat, units.place));
+    }
 
     let zero = S::Primal::zero();
     let [u, v, w] = sides.each_as(|side| side.at_least(zero));
@@ -192,22 +252,20 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
     // The rate at which the plane comes nearer has the sign of the sides, seen from along the last axis.
     let rises = total.signed_as(last).above(zero);
     let reached = |behind: S::Primal| S::Primal::select(rises, behind, -behind).at_least(zero);
-    let start = behind(sight.from, flat, units.place);
-    let mut found = crossed & reached(start);
+    let mut found = crossed & reached(start.value);
     // The mean of the corners by their weights, which is between them even if rounding makes the weights.
     let over = S::Primal::select(found, total * last, S::Primal::one());
     let along = |corner: Vec3<S::Primal>| (corner.z - turned.from.z) * units.place;
     let [a, b, c] = turned_corners.each_as(along);
     let t = (a * sides[0] + b * sides[1] + c * sides[2]).over(over);
-    let mut t = S::Primal::select(start.equals(zero), zero, t.most(zero));
+    let mut t = S::Primal::select(start.value.equals(zero), zero, t.most(zero));
     let one = units.place.over(units.way);
     let mut last_point = None;
-    if let Some(to) = sight.to {
-        let stop = behind(to, flat, units.place);
-        let at_end = stop.equals(zero);
-        found = found & reached(-stop);
+    if let Some(stop) = stop {
+        let at_end = stop.value.equals(zero);
+        found = found & reached(-stop.value);
         t = S::Primal::select(at_end, one, t.least(one));
-        last_point = Some((found & at_end, to));
+        last_point = Some((found & at_end, stop.place));
     }
 
     // Slopes are those of the plane.

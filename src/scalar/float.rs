@@ -328,7 +328,19 @@ macro_rules! float {
     };
 }
 
+/// [`atan2_wide`] of numbers, compiled once.
+#[inline(never)]
+fn atan2_of_wide(y: f64, x: f64) -> f64 {
+    atan2_wide(y, x)
+}
+
+/// [`atan2_single`] of numbers, compiled once.
+#[inline(never)]
+fn atan2_of_single(y: f64, x: f64) -> f64 {
+    atan2_single(y, x)
+}
+
 float!(f32, u32, compensated: true, parallel: 2e-10, low_half: 12, mantissa: 23,
-    sines: sin_cos_single, angle: atan2_single, split: split_single, exponentials: exp_single ln_single);
+    sines: sin_cos_single, angle: atan2_of_single, split: split_single, exponentials: exp_single ln_single);
 float!(f64, u64, compensated: false, parallel: 4e-16, low_half: 27, mantissa: 52,
-    sines: sin_cos_wide, angle: atan2_wide, split: f64::parts, exponentials: exp_wide ln_wide);
+    sines: sin_cos_wide, angle: atan2_of_wide, split: f64::parts, exponentials: exp_wide ln_wide);

@@ -26,7 +26,7 @@
 //! * *Folds* are sums over the edges of a list of any length ([`Fold`](crate::kernels::Fold)).
 //!
 //! A dual type implements `dual::Tangent`, which applies the chain rule; everything else follows from it.
-mod arc_tangent;
+pub(crate) mod arc_tangent;
 pub mod dual;
 #[cfg(feature = "nalgebra")]
 mod dual_vector;

@@ -88,8 +88,8 @@ impl Lowering<'_> {
 pub enum Skipping {
     #[default]
     Never,
-    /// If three quarters of all nodes can be left out: aligned items seldom agree in what they need, and the test has
-    /// a cost.
+    /// If three quarters of all nodes can be left out, or a tenth that few items need: aligned items seldom agree in
+    /// what they need, and the test has a cost.
     Much,
     /// If any can be left out.
     Any,
@@ -109,15 +109,17 @@ impl Tape {
     ) -> Result<Tape, Unrecordable> {
         let (graph, outputs) = &polished(graph, outputs);
         let live = graph.live(outputs, false);
+        let count = |nodes: &[bool]| nodes.iter().filter(|x| **x).count();
+        let share = |skip: &skip::Skip| count(&skip.idle) as f64 / count(&live) as f64;
         let skip = match skipping {
             Skipping::Never => None,
-            Skipping::Much | Skipping::Any => skip::find(graph, &live, outputs),
+            Skipping::Much => {
+                let skip = skip::find(graph, &live, outputs).filter(|skip| share(skip) >= 0.75);
+                let seldom = || skip::find_seldom(graph, &live, outputs);
+                skip.or_else(|| seldom().filter(|skip| share(skip) >= 0.1))
+            }
+            Skipping::Any => skip::find(graph, &live, outputs),
         };
-        let count = |nodes: &[bool]| nodes.iter().filter(|x| **x).count();
-        let is_worth = |skip: &skip::Skip| {
-            skipping == Skipping::Any || 4 * count(&skip.idle) >= 3 * count(&live)
-        };
-        let skip = skip.filter(is_worth);
         let mut needed = outputs.to_vec();
         needed.extend(skip.as_ref().map(|skip| skip.mask));
         let uses = uses(graph, &live, &needed);

@@ -30,8 +30,68 @@ pub(crate) struct Skip {
     pub(crate) idle: Vec<bool>,
 }
 
+/// A comparison with less than this, or with so small a part of a number, asks for the roundings of a number: few items
+/// have it.
+const SMALL: f64 = 1.0 / 256.0;
+
+/// How many operations back a truth is looked at.
+const DEPTH: usize = 8;
+
+/// `true` if few items have a truth: it asks whether a size is as small as a rounding.
+fn is_seldom(graph: &Graph, mask: Id, depth: usize) -> bool {
+    let Some(depth) = depth.checked_sub(1) else {
+        return false;
+    };
+    let is_small = |x: Id| graph.constant(x).is_some_and(|x| 0.0 < x && x <= SMALL);
+    match graph.at(mask) {
+        Node::Lt(a, b) | Node::Le(a, b) => {
+            let is_part = match graph.at(b) {
+                Node::Mul(x, y) => is_small(x) || is_small(y),
+                _ => is_small(b),
+            };
+            is_part && is_size(graph, a, DEPTH)
+        }
+        Node::And(a, b) => is_seldom(graph, a, depth) || is_seldom(graph, b, depth),
+        Node::Or(a, b) => is_seldom(graph, a, depth) && is_seldom(graph, b, depth),
+        _ => false,
+    }
+}
+
+/// `true` if a number is known not to be negative.
+fn is_size(graph: &Graph, x: Id, depth: usize) -> bool {
+    let Some(depth) = depth.checked_sub(1) else {
+        return false;
+    };
+    let of = |x: Id| is_size(graph, x, depth);
+    match graph.at(x) {
+        Node::Magnitude(_) | Node::Unsigned(_) | Node::Root(_) => true,
+        Node::Mul(a, b) => a == b || of(a) && of(b),
+        Node::Add(a, b) | Node::Min(a, b) | Node::Div(a, b) | Node::Select(_, a, b) => {
+            of(a) && of(b)
+        }
+        Node::Max(a, b) => of(a) || of(b),
+        _ => graph.constant(x).is_some_and(|x| x >= 0.0),
+    }
+}
+
+/// The truth that allows to leave out most if no item has it, and that few items have.
+pub(crate) fn find_seldom(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<Skip> {
+    find_by(graph, live, outputs, |mask, all| {
+        !all && is_seldom(graph, mask, DEPTH)
+    })
+}
+
 /// The truth that allows to leave out most; of equals the first one.
 pub(crate) fn find(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<Skip> {
+    find_by(graph, live, outputs, |_, _| true)
+}
+
+fn find_by(
+    graph: &Graph,
+    live: &[bool],
+    outputs: &[Id],
+    is_wanted: impl Fn(Id, bool) -> bool,
+) -> Option<Skip> {
     let mut search = Search::new(graph, live, outputs);
     let mut best: Option<(usize, Id, bool, Vec<Id>)> = None;
     // From the last truth on, which cuts off most.
@@ -42,6 +102,7 @@ pub(crate) fn find(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<Skip>
         for all in [false, true] {
             let least = best.as_ref().map_or(FEW, |best| best.0);
             if search.visits < VISITS * graph.len()
+                && is_wanted(mask, all)
                 && let Some((count, nodes)) = search.idle(mask, all, least)
             {
                 best = Some((count, mask, all, nodes));

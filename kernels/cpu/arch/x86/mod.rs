@@ -37,6 +37,7 @@ vector! {
         _mm_xor_pd(a, _mm_castsi128_pd(_mm_set1_epi8(-1))), _mm_movemask_pd(a);
     words |x| x, x;
     sines |angle| angle.wide_sin_cos(), angle.wide_parts();
+    angle wide_atan2;
     exponentials wide_exp wide_ln;
     items from_f64x2 to_f64x2
 }
@@ -53,6 +54,7 @@ vector! {
         _mm_xor_ps(a, _mm_castsi128_ps(_mm_set1_epi8(-1))), _mm_movemask_ps(a);
     words |x| x, x;
     sines |angle| angle.narrow_sin_cos(), angle.narrow_parts();
+    angle narrow_atan2;
     exponentials narrow_exp narrow_ln;
     items from_f32x4 to_f32x4
 }
@@ -69,6 +71,7 @@ vector! {
         _mm256_xor_pd(a, _mm256_castsi256_pd(_mm256_set1_epi8(-1))), _mm256_movemask_pd(a);
     words |x| x, x;
     sines |angle| angle.wide_sin_cos(), angle.wide_parts();
+    angle wide_atan2;
     exponentials wide_exp wide_ln;
     items from_f64x4 to_f64x4
 }
@@ -85,6 +88,7 @@ vector! {
         _mm256_xor_ps(a, _mm256_castsi256_ps(_mm256_set1_epi8(-1))), _mm256_movemask_ps(a);
     words |x| x, x;
     sines |angle| angle.narrow_sin_cos(), angle.narrow_parts();
+    angle narrow_atan2;
     exponentials narrow_exp narrow_ln;
     items from_f32x8 to_f32x8
 }
@@ -100,6 +104,7 @@ vector! {
     masks |a, b| a & b, a | b, !a, a;
     words |x| _mm512_castsi512_pd(_mm512_movm_epi64(x)), _mm512_movepi64_mask(_mm512_castpd_si512(x));
     sines |angle| angle.wide_sin_cos(), angle.wide_parts();
+    angle wide_atan2;
     exponentials wide_exp wide_ln;
     items from_f64x8 to_f64x8
 }
@@ -115,6 +120,7 @@ vector! {
     masks |a, b| a & b, a | b, !a, a;
     words |x| _mm512_castsi512_ps(_mm512_movm_epi32(x)), _mm512_movepi32_mask(_mm512_castps_si512(x));
     sines |angle| angle.narrow_sin_cos(), angle.narrow_parts();
+    angle narrow_atan2;
     exponentials narrow_exp narrow_ln;
     items from_f32x16 to_f32x16
 }

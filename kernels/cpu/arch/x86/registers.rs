@@ -10,6 +10,7 @@ macro_rules! vector {
      masks |$a:ident, $b:ident| $mask_and:expr, $mask_or:expr, $mask_not:expr, $mask_bits:expr;
      words |$word:ident| $mask_word:expr, $mask_truth:expr;
      sines |$angle:ident| $sin_cos:expr, $sin_cos_parts:expr;
+     angle $atan2:ident;
      exponentials $exp:ident $ln:ident;
      items $from_items:ident $to_items:ident) => {
         $(#[$doc])*
@@ -240,11 +241,7 @@ macro_rules! vector {
             }
             #[inline(always)]
             fn atan2(self, x: Self) -> Self {
-                let (mut y, x) = (self.array(), x.array());
-                for (y, x) in y.iter_mut().zip(x) {
-                    *y = Scalar::atan2(*y, x);
-                }
-                Self::from_array(y)
+                self.$atan2(x)
             }
             #[inline(always)]
             fn exp(self) -> Self {

@@ -1,6 +1,7 @@
-//! Sines and cosines of vectors.
+//! Sines and cosines of vectors, and angles.
 use super::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8, Vector};
 use crate::Scalar;
+use crate::scalar::arc_tangent::{atan2_single, atan2_wide};
 use crate::scalar::float::{HIGH_OF_SINGLE, sin_cos_single, sin_cos_wide};
 use std::arch::x86_64::*;
 
@@ -23,6 +24,10 @@ macro_rules! wide {
             #[inline(always)]
             pub(super) fn wide_sin_cos(self) -> (Self, Self) {
                 sin_cos_wide(self, Self::far)
+            }
+            #[inline(always)]
+            pub(super) fn wide_atan2(self, x: Self) -> Self {
+                atan2_wide(self, x)
             }
             #[inline(always)]
             pub(super) fn wide_parts(self) -> [(Self, Self); 2] {
@@ -75,6 +80,11 @@ macro_rules! narrow {
             pub(super) fn narrow_sin_cos(self) -> (Self, Self) {
                 let [low, high] = self.wide_sin_cos();
                 (Self::narrow(low.0, high.0), Self::narrow(low.1, high.1))
+            }
+            #[inline(always)]
+            pub(super) fn narrow_atan2(self, x: Self) -> Self {
+                let ([y_low, y_high], [x_low, x_high]) = (self.halves(), x.halves());
+                Self::narrow(atan2_single(y_low, x_low), atan2_single(y_high, x_high))
             }
             #[inline(always)]
             pub(super) fn narrow_parts(self) -> [(Self, Self); 2] {
