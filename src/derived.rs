@@ -108,7 +108,7 @@ fn first<P: Pack<Scalar: Copy>>(
     mut holds: impl FnMut(P::Scalar) -> bool,
 ) -> Option<usize> {
     let (mut i, mut found) = (0, None);
-    part.map(&mut |&x| {
+    part.remake(&mut |&x| {
         if found.is_none() && holds(x) {
             found = Some(i);
         }
@@ -165,7 +165,7 @@ where
     P::Scalar: Scalar<Mask = bool>,
 {
     let (mut i, mut found) = (0, None);
-    low.map(&mut |low| {
+    low.remake(&mut |low| {
         // The number in the same place, by walking there: parts are short.
         let mut k = 0;
         let inverted = first(high, |high| {

@@ -89,17 +89,17 @@ impl Writer<'_> {
 }
 
 /// The value of a place with every scalar replaced.
-fn map(form: &Form, place: &str, depth: usize) -> String {
+fn remake(form: &Form, place: &str, depth: usize) -> String {
     match form {
         Form::Scalar => format!("__f(&{place})"),
-        Form::Shape => format!("__g::Pack::map(&{place}, __f)"),
+        Form::Shape => format!("__g::Pack::remake(&{place}, __f)"),
         Form::Array(element) => {
-            let inner = map(element, &format!("{place}[__i{depth}]"), depth + 1);
+            let inner = remake(element, &format!("{place}[__i{depth}]"), depth + 1);
             format!("::core::array::from_fn(|__i{depth}| {inner})")
         }
         Form::Tuple(parts) => {
             let parts = parts.iter().enumerate();
-            let parts = parts.map(|(i, part)| map(part, &format!("{place}.{i}"), depth) + ", ");
+            let parts = parts.map(|(i, part)| remake(part, &format!("{place}.{i}"), depth) + ", ");
             format!("({})", parts.collect::<String>())
         }
         Form::Code => format!("::core::clone::Clone::clone(&{place})"),
@@ -177,7 +177,8 @@ pub fn impls(shape: &Shape) -> TokenStream {
 fn pack(writer: &Writer<'_>) -> String {
     let (scalar, of) = (&writer.shape.scalar, writer.of(&writer.shape.scalar));
     let generics = writer.generics("::core::clone::Clone");
-    let mapped = writer.made(|_, field, _| map(&field.form, &format!("self.{}", field.member), 0));
+    let mapped =
+        writer.made(|_, field, _| remake(&field.form, &format!("self.{}", field.member), 0));
     let each = writer.fields(|_, field, _| each(&field.form, &format!("self.{}", field.member), 0));
     format!(
         "#[automatically_derived]
@@ -185,7 +186,7 @@ fn pack(writer: &Writer<'_>) -> String {
             type Scalar = {scalar};
             type With<__T: ::core::clone::Clone> = {with};
             #[inline(always)]
-            fn map<__T: ::core::clone::Clone>(
+            fn remake<__T: ::core::clone::Clone>(
                 &self, __f: &mut impl ::core::ops::FnMut(&{scalar}) -> __T,
             ) -> {with} {{
                 {mapped}
