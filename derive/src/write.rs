@@ -148,7 +148,7 @@ fn about(form: &Form, [a, b]: [&str; 2], depth: usize, compare: (&str, &str)) ->
 /// All implementations.
 pub fn impls(shape: &Shape) -> TokenStream {
     let writer = Writer { shape };
-    let mut text = pack(&writer) + &fixed(&writer) + &item(&writer);
+    let mut text = derived(&writer) + &pack(&writer) + &fixed(&writer) + &item(&writer);
     if !writer.leaves("Validate") {
         text += &validate(&writer);
     }
@@ -172,6 +172,15 @@ pub fn impls(shape: &Shape) -> TokenStream {
         .chain(&shape.rules)
         .collect();
     weave(&text, &types)
+}
+
+/// The first error if a derive of the standard library is missing. Whoever writes a part by hand may not need all.
+fn derived(writer: &Writer<'_>) -> String {
+    if writer.leaves("approx") || writer.leaves("Sample") {
+        return String::new();
+    }
+    let (constants, of) = (writer.constants(), writer.of("f64"));
+    format!("#[automatically_derived] impl<{constants}> __g::Derived for {of} {{}}")
 }
 
 fn pack(writer: &Writer<'_>) -> String {
