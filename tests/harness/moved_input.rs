@@ -5,9 +5,9 @@ use geograd::{Shape, Vec2, operation};
 
 /// An ellipse whose half axes are declared as a place.
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-struct Ellipse<S> {
-    center: Vec2<S>,
-    half: Vec2<S>,
+pub struct Ellipse<S> {
+    pub center: Vec2<S>,
+    pub half: Vec2<S>,
 }
 
 operation! {
