@@ -63,7 +63,7 @@ where
 {
     let along = direction.scalars();
     let mut i = 0;
-    let y = f(x.map(&mut |&value| {
+    let y = f(x.remake(&mut |&value| {
         i += 1;
         Jet {
             value,
@@ -71,8 +71,8 @@ where
         }
     }));
     (
-        y.map(&mut |jet| jet.value),
-        y.map(&mut |jet| jet.derivative[0]),
+        y.remake(&mut |jet| jet.value),
+        y.remake(&mut |jet| jet.derivative[0]),
     )
 }
 
@@ -125,12 +125,12 @@ where
     );
     let y = shape.expect("the function was called at least once");
     let mut i = 0;
-    let value = y.map(&mut |_| {
+    let value = y.remake(&mut |_| {
         i += 1;
         values[i - 1]
     });
     let mut i = 0;
-    let rows = y.map(&mut |_| {
+    let rows = y.remake(&mut |_| {
         i += 1;
         x.refill(&derivatives[i - 1])
     });
@@ -148,7 +148,7 @@ fn derivatives<S: Scalar, X: Pack<Scalar = S>>(
     // At least one pass, so that a function of nothing has a value.
     while start == 0 || start < n {
         let mut i = start.wrapping_neg();
-        let y = f(x.map(&mut |&value| {
+        let y = f(x.remake(&mut |&value| {
             let jet = Jet::variable(value, i);
             i = i.wrapping_add(1);
             jet
@@ -190,7 +190,7 @@ where
         let mut column = row;
         while column == row || column < n {
             let (mut i, mut j) = (row.wrapping_neg(), column.wrapping_neg());
-            let y = f(x.map(&mut |&value| {
+            let y = f(x.remake(&mut |&value| {
                 let mut jet = constant(Jet::variable(value, j));
                 if let Some(derivative) = jet.derivative.get_mut(i) {
                     *derivative = constant(S::one());
@@ -211,7 +211,7 @@ where
         row += CHUNK2;
     }
     let mut i = 0;
-    let hessian = x.map(&mut |_| {
+    let hessian = x.remake(&mut |_| {
         i += 1;
         x.refill(&rows[i - 1])
     });
@@ -242,7 +242,7 @@ where
     let mut start = 0;
     while start == 0 || start < n {
         let mut k = 0;
-        let y = f(x.map(&mut |&value| {
+        let y = f(x.remake(&mut |&value| {
             let mut jet = constant(Jet {
                 value,
                 derivative: [along[k]],

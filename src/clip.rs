@@ -17,7 +17,7 @@
 //! once and both edges that meet there use the result, so that rounding cannot make them disagree
 //! about whether the corner is inside.
 use crate::scalar::power_of_largest;
-use crate::{Obb2, Scalar, Shape, Vec2};
+use crate::{Obb2, Scalar, Shape, Vec2, twofold};
 
 /// The area of a box from half its size. Doubled first, so that an area that can be represented is
 /// rounded once.
@@ -132,10 +132,7 @@ fn difference<S: Scalar, const EXTREME: bool>(a: S, b: S, scale: S) -> (S, S) {
     let rounded = b - a;
     let mut lost = S::Primal::zero();
     if S::COMPENSATED {
-        // The exact error of a difference (Knuth, The Art of Computer Programming 2, 4.2.2).
-        let (a, b, rounded) = (a.primal(), b.primal(), rounded.primal());
-        let taken = rounded - b;
-        lost = (b - (rounded - taken)) - (a + taken);
+        lost = twofold::lost(b.primal(), a.primal(), rounded.primal());
     }
     let lost = S::from_primal(lost);
     if !EXTREME {

@@ -2,6 +2,7 @@
 //!
 //! Borders belong to the polygon. [`winding_number`] and [`locate`] decide exactly; [`crossing`] is the
 //! straight-line body of a fold over edges, for batches, exact but for rounding on the border itself.
+use crate::distance::edge_winding;
 use crate::predicate::{Turn, same, turn};
 use crate::reference::Reference;
 use crate::shape::edges;
@@ -20,7 +21,8 @@ pub enum Location {
 /// the point upwards, −1 downwards, else 0. The sum over a closed ring is the winding number; its odd values are
 /// the inside by the even-odd rule. Straight line, no derivative.
 ///
-/// An edge has its lower end and not its upper one. Sunday, Inclusion of a point in a polygon, 2001.
+/// An edge has its lower end and not its upper one. Sunday, Inclusion of a point in a polygon, 2001. Backwards it
+/// contributes the opposite, so that a point on the common edge of two polygons is in one of them, however it rounds.
 ///
 /// ```
 /// use geograd::{Vec2, contain::crossing, shape::edges};
@@ -31,11 +33,7 @@ pub enum Location {
 #[must_use]
 #[inline(always)]
 pub fn crossing<S: Scalar>(start: Vec2<S>, end: Vec2<S>, point: Vec2<S>) -> S {
-    let (zero, one) = (S::zero(), S::one());
-    let side = (end - start).perp_dot(point - start);
-    let up = start.y.at_most(point.y) & point.y.below(end.y) & side.above(zero);
-    let down = end.y.at_most(point.y) & point.y.below(start.y) & side.below(zero);
-    S::select(up, one, S::select(down, -one, zero))
+    edge_winding(point, start, end)
 }
 
 /// The place of a point with respect to some rings, decided exactly.

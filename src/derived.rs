@@ -95,6 +95,19 @@ pub use {
 /// ```
 pub use geograd_derive::Shape;
 
+/// What else a shape derives.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` lacks one of `Clone`, `Copy`, `Debug` and `PartialEq`, which a shape derives, too",
+    label = "write `#[derive(Clone, Copy, Debug, PartialEq, Shape)]`",
+    note = "further errors of `derive(Shape)` follow from this one"
+)]
+pub trait Standard {}
+#[diagnostic::do_not_recommend]
+impl<T: Copy + std::fmt::Debug + PartialEq> Standard for T {}
+
+/// A shape of numbers: the first implementation of the derive, so that the compiler first says what is missing.
+pub trait Derived: Standard {}
+
 /// The flaw of scalar `i` of a part that begins at scalar `at` of a shape.
 #[cold]
 fn flawed<W: Fixed>(_: &W, flaw: fn(Field) -> Flaw, i: usize) -> Result<(), Flaw> {
@@ -108,7 +121,7 @@ fn first<P: Pack<Scalar: Copy>>(
     mut holds: impl FnMut(P::Scalar) -> bool,
 ) -> Option<usize> {
     let (mut i, mut found) = (0, None);
-    part.map(&mut |&x| {
+    part.remake(&mut |&x| {
         if found.is_none() && holds(x) {
             found = Some(i);
         }
@@ -165,7 +178,7 @@ where
     P::Scalar: Scalar<Mask = bool>,
 {
     let (mut i, mut found) = (0, None);
-    low.map(&mut |low| {
+    low.remake(&mut |low| {
         // The number in the same place, by walking there: parts are short.
         let mut k = 0;
         let inverted = first(high, |high| {

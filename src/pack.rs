@@ -18,7 +18,7 @@ use crate::error::Field;
 /// assert_eq!(car.scalars(), [1.0, 2.0, 4.5, 1.8, 0.3]);
 /// let names = ["x", "y", "width", "height", "heading"];
 /// let mut next = names.into_iter();
-/// let named = car.map(&mut |_| next.next().unwrap());
+/// let named = car.remake(&mut |_| next.next().unwrap());
 /// assert_eq!(named.heading, "heading");
 /// ```
 pub trait Pack: Clone {
@@ -29,7 +29,7 @@ pub trait Pack: Clone {
     /// `true` if it has lists of run-time length. [`fewer`](Pack::fewer) is not asked otherwise.
     const LISTS: bool = false;
     /// The same shape with every scalar replaced, first field first.
-    fn map<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T>;
+    fn remake<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T>;
     /// Calls a function with every scalar by reference, first field first.
     fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar));
 
@@ -46,7 +46,7 @@ pub trait Pack: Clone {
     where
         Self::Scalar: Into<f64> + Copy,
     {
-        self.map(&mut |&x| D::lit(x.into()))
+        self.remake(&mut |&x| D::lit(x.into()))
     }
     /// The shape in another format, rounded.
     ///
@@ -59,7 +59,7 @@ pub trait Pack: Clone {
     where
         Self::Scalar: num_traits::AsPrimitive<T>,
     {
-        self.map(&mut |x| num_traits::AsPrimitive::as_(*x))
+        self.remake(&mut |x| num_traits::AsPrimitive::as_(*x))
     }
     /// The same with some elements of a list of run-time length dropped: halves first, single ones
     /// last. Nothing for shapes of fixed size. For shrinking.
@@ -75,13 +75,13 @@ pub trait Pack: Clone {
     /// The number of scalars of the shape.
     fn count(&self) -> usize {
         let mut n = 0;
-        self.map(&mut |_| n += 1);
+        self.remake(&mut |_| n += 1);
         n
     }
     /// All scalars, first field first.
     fn scalars(&self) -> Vec<Self::Scalar> {
         let mut all = Vec::new();
-        self.map(&mut |x| all.push(x.clone()));
+        self.remake(&mut |x| all.push(x.clone()));
         all
     }
     /// The same shape with its scalars taken from a list, which must have enough of them.
@@ -176,7 +176,7 @@ macro_rules! leaf {
             type Scalar = Self;
             type With<R: Clone> = R;
             #[inline(always)]
-            fn map<R: Clone>(&self, f: &mut impl FnMut(&Self) -> R) -> R {
+            fn remake<R: Clone>(&self, f: &mut impl FnMut(&Self) -> R) -> R {
                 f(self)
             }
             #[inline(always)]

@@ -5,7 +5,7 @@
 //! for every input whose products neither over- nor underflow in `f64` (coordinates are scaled by a
 //! power of two first, so only sizes that differ by more than 10¹⁵⁰ within one question are at risk).
 //! Derivatives take no part: decisions are about values.
-use crate::{Scalar, Vec2};
+use crate::{Scalar, Vec2, twofold};
 use std::any::Any;
 use std::cmp::Ordering;
 
@@ -162,8 +162,7 @@ fn differences(a: [f64; 2], b: [f64; 2]) -> [[f64; 2]; 2] {
     [0, 1].map(|k| {
         let (p, q) = (a[k] * scale, b[k] * scale);
         let rounded = q - p;
-        let taken = rounded - q;
-        [rounded, (q - (rounded - taken)) - (p + taken)]
+        [rounded, twofold::lost(q, p, rounded)]
     })
 }
 
@@ -185,10 +184,7 @@ impl Expansion {
     fn add(&mut self, x: f64) {
         let (mut carry, mut kept) = (x, 0);
         for k in 0..self.count {
-            let part = self.parts[k];
-            let sum = carry + part;
-            let taken = sum - carry;
-            let lost = (carry - (sum - taken)) + (part - taken);
+            let [lost, sum] = twofold::sum(carry, self.parts[k]);
             if lost != 0.0 {
                 self.parts[kept] = lost;
                 kept += 1;

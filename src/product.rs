@@ -11,8 +11,8 @@ macro_rules! tuples {
             type With<T: Clone> = ($first::With<T>, $($part::With<T>,)*);
             const LISTS: bool = $first::LISTS $(|| $part::LISTS)*;
             #[inline(always)]
-            fn map<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T> {
-                (self.$zero.map(f), $(self.$place.map(f),)*)
+            fn remake<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T> {
+                (self.$zero.remake(f), $(self.$place.remake(f),)*)
             }
             #[inline(always)]
             fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar)) {
@@ -95,8 +95,8 @@ impl<P: Pack, const N: usize> Pack for [P; N] {
     type With<T: Clone> = [P::With<T>; N];
     const LISTS: bool = P::LISTS;
     #[inline(always)]
-    fn map<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T> {
-        std::array::from_fn(|i| self[i].map(f))
+    fn remake<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T> {
+        std::array::from_fn(|i| self[i].remake(f))
     }
     #[inline(always)]
     fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar)) {
@@ -188,8 +188,8 @@ impl<P: Pack> Pack for Vec<P> {
     type Scalar = P::Scalar;
     type With<T: Clone> = Vec<P::With<T>>;
     const LISTS: bool = true;
-    fn map<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T> {
-        self.iter().map(|shape| shape.map(f)).collect()
+    fn remake<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T> {
+        self.iter().map(|shape| shape.remake(f)).collect()
     }
     fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar)) {
         for shape in self {

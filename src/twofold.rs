@@ -1,58 +1,136 @@
-//! Signs of small determinants in numbers of twice the digits, as straight lines: what belongs to a shape.
+//! Sums and products without rounding, numbers of twice the digits, and signs of small determinants in them: straight
+//! lines.
 //!
 //! Dekker, A floating-point technique for extending the available precision, 1971. A value within the rounding of such
-//! numbers, 16 ε² of the sum of its terms' magnitudes, counts as zero. Exact zeros are therefore found, and signs are
-//! those of the given numbers but for values that near to zero. Derivatives take no part.
+//! numbers, 16 ε² of the sum of its terms' magnitudes, counts as zero where it is [`settled`](Twofold::settled). Exact
+//! zeros are therefore found, and signs are those of the given numbers but for values that near to zero. Derivatives
+//! take no part.
 use crate::arrays::Each;
-use crate::scalar::largest;
-use crate::{Mask, Scalar, Vec2, Vec3};
+use crate::{Scalar, Vec2, Vec3};
 
-/// A number as the sum of a float and its rounding error.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Twofold<P> {
+/// What the rounded difference `a − b` lacks (Knuth, The Art of Computer Programming 2, 4.2.2).
+#[inline(always)]
+pub(crate) fn lost<P: Scalar>(a: P, b: P, rounded: P) -> P {
+    let taken = rounded - a;
+    (a - (rounded - taken)) - (b + taken)
+}
+
+/// The sum of two numbers: first what the rounded one lacks.
+#[inline(always)]
+pub(crate) fn sum<P: Scalar>(a: P, b: P) -> [P; 2] {
+    let rounded = a + b;
+    let taken = rounded - a;
+    [(a - (rounded - taken)) + (b - taken), rounded]
+}
+
+/// A number with two halves of its digits, whose products are exact. In `f64` it is below 10³⁰⁰.
+#[derive(Clone, Copy)]
+pub(crate) struct Halves<P> {
+    whole: P,
     high: P,
     low: P,
 }
 
-impl<P: Scalar> Twofold<P> {
-    /// The exact sum.
+impl<P: Scalar> Halves<P> {
     #[inline(always)]
-    fn sum(a: P, b: P) -> Self {
-        let high = a + b;
-        let taken = high - a;
-        let low = (a - (high - taken)) + (b - taken);
-        Twofold { high, low }
+    pub(crate) fn of(whole: P) -> Self {
+        let (high, low) = if P::EPSILON > 1e-10 {
+            whole.parts()
+        } else {
+            // Of 53 digits cut in two, one half would have 27, too many for a product. Rounded to 26, the rest has a
+            // sign and 26 (Veltkamp): by 2 to the number of digits of the low half, and one.
+            let large = whole * P::lit(134_217_729.0);
+            let high = large - (large - whole);
+            (high, whole - high)
+        };
+        Halves { whole, high, low }
     }
-    /// The product, exact but for one unit of the lowest digit.
+    /// The product: first what the rounded one lacks (Dekker).
     #[inline(always)]
-    fn product(a: P, b: P) -> Self {
-        let ((a_high, a_low), (b_high, b_low)) = (a.parts(), b.parts());
-        let high = a * b;
+    pub(crate) fn times(self, other: Self) -> [P; 2] {
+        let rounded = self.whole * other.whole;
+        let high = self.high * other.high - rounded;
         // In this order each sum is exact.
-        let low = (((a_high * b_high - high) + a_high * b_low) + a_low * b_high) + a_low * b_low;
-        Twofold { high, low }
+        let middle = (high + self.high * other.low) + self.low * other.high;
+        [middle + self.low * other.low, rounded]
     }
+}
+
+/// A number of twice the digits: a rounded one and the rest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Twofold<P> {
+    pub(crate) high: P,
+    low: P,
+}
+
+impl<P: Scalar> Twofold<P> {
+    /// A number that is not rounded.
     #[inline(always)]
-    fn minus(self) -> Self {
+    pub(crate) fn of(x: P) -> Self {
         Twofold {
-            high: -self.high,
-            low: -self.low,
+            high: x,
+            low: P::zero(),
         }
     }
+    /// `a − b`, exactly.
     #[inline(always)]
-    fn plus(self, other: Self) -> Self {
-        let sum = Twofold::sum(self.high, other.high);
-        Twofold::sum(sum.high, sum.low + (self.low + other.low))
+    pub(crate) fn difference(a: P, b: P) -> Self {
+        let high = a - b;
+        let low = lost(a, b, high);
+        Twofold { high, low }
     }
+    /// The product of two numbers, exactly.
     #[inline(always)]
-    fn times(self, other: Self) -> Self {
+    pub(crate) fn product(a: P, b: P) -> Self {
+        let [low, high] = Halves::of(a).times(Halves::of(b));
+        Twofold { high, low }
+    }
+    /// Times a power of two.
+    #[inline(always)]
+    pub(crate) fn scaled(self, by: P) -> Self {
+        Twofold {
+            high: self.high * by,
+            low: self.low * by,
+        }
+    }
+    /// The sum of a number and a smaller one.
+    #[inline(always)]
+    fn of_parts(high: P, low: P) -> Self {
+        let rounded = high + low;
+        Twofold {
+            high: rounded,
+            low: low - (rounded - high),
+        }
+    }
+    /// The sum, to ε² of what is added.
+    #[inline(always)]
+    pub(crate) fn plus(self, other: Self) -> Self {
+        let [lost, high] = sum(self.high, other.high);
+        Twofold::of_parts(high, lost + (self.low + other.low))
+    }
+    /// The difference, to ε² of both.
+    #[inline(always)]
+    pub(crate) fn minus(self, other: Self) -> Self {
+        self.plus(Twofold {
+            high: -other.high,
+            low: -other.low,
+        })
+    }
+    /// The product, to two ε².
+    #[inline(always)]
+    pub(crate) fn times(self, other: Self) -> Self {
         let product = Twofold::product(self.high, other.high);
         let rest = self.high * other.low + self.low * other.high;
-        Twofold::sum(product.high, product.low + rest)
+        Twofold::of_parts(product.high, product.low + rest)
+    }
+    /// `a d − b c`, to some ε² of both products.
+    #[inline(always)]
+    pub(crate) fn cross(a: [Self; 2], b: [Self; 2]) -> Self {
+        outer(a, b).0
     }
     /// Zero where the value is within the rounding of a sum whose terms have this sum of magnitudes, else its float.
     #[inline(always)]
-    fn settled(self, terms: P) -> P {
+    pub(crate) fn settled(self, terms: P) -> P {
         let least = terms * P::lit(16.0 * P::EPSILON * P::EPSILON);
         P::select(self.high.magnitude().at_most(least), P::zero(), self.high)
     }
@@ -60,12 +138,6 @@ impl<P: Scalar> Twofold<P> {
 
 /// A vector of the plane or of space by exact differences, in units of a power of two.
 pub(crate) type Way<P, const N: usize> = [Twofold<P>; N];
-
-/// The power of two that brings the largest of some sizes to about one; one for zeros.
-#[inline(always)]
-pub(crate) fn unit<P: Scalar<Primal = P>, const N: usize>(sizes: [P; N]) -> P {
-    crate::distance::edge::scale_of::<P>(largest(sizes))
-}
 
 /// The numbers of a point of the plane, without derivatives.
 #[inline(always)]
@@ -79,22 +151,12 @@ pub(crate) fn deep<S: Scalar>(p: Vec3<S>) -> [S::Primal; 3] {
     [p.x.primal(), p.y.primal(), p.z.primal()]
 }
 
-/// The size of the way between two points: its largest coordinate, rounded.
-#[inline(always)]
-pub(crate) fn size<P: Scalar<Primal = P>, const N: usize>(from: [P; N], to: [P; N]) -> P {
-    let mut ways = [P::zero(); N];
-    for k in 0..N {
-        ways[k] = to[k] - from[k];
-    }
-    largest(ways)
-}
-
 /// The way between two points, exact, times a power of two.
 #[inline(always)]
 pub(crate) fn way<P: Scalar, const N: usize>(from: [P; N], to: [P; N], unit: P) -> Way<P, N> {
-    let mut way = [Twofold::sum(P::zero(), P::zero()); N];
+    let mut way = [Twofold::of(P::zero()); N];
     for k in 0..N {
-        way[k] = Twofold::sum(to[k] * unit, -(from[k] * unit));
+        way[k] = Twofold::difference(to[k] * unit, from[k] * unit);
     }
     way
 }
@@ -110,7 +172,7 @@ pub(crate) fn rounded<P: Scalar, const N: usize>(way: Way<P, N>) -> [P; N] {
 fn outer<P: Scalar>(a: [Twofold<P>; 2], b: [Twofold<P>; 2]) -> (Twofold<P>, P) {
     let (left, right) = (a[0].times(b[1]), a[1].times(b[0]));
     let terms = left.high.magnitude() + right.high.magnitude();
-    (left.plus(right.minus()), terms)
+    (left.minus(right), terms)
 }
 
 /// The outer product of two ways of the plane; exactly zero for parallel ones.
@@ -148,171 +210,11 @@ fn outer_products<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>) -> [(Twofold<P>, P); 3]
 #[inline(always)]
 pub(crate) fn volume<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>, c: Way<P, 3>) -> P {
     let faces = outer_products(a, b);
-    let (mut sum, mut terms) = (Twofold::sum(P::zero(), P::zero()), P::zero());
+    let (mut sum, mut terms) = (Twofold::of(P::zero()), P::zero());
     for k in 0..3 {
         let (face, share) = faces[k];
         sum = sum.plus(face.times(c[k]));
         terms += share * c[k].high.magnitude();
     }
     sum.settled(terms)
-}
-
-/// `true` where a comparison with zero holds for all numbers.
-#[inline(always)]
-fn all<P: Scalar, const N: usize>(numbers: [P; N], holds: fn(P, P) -> P::Mask) -> P::Mask {
-    let mut all = holds(numbers[0], P::zero());
-    for number in &numbers[1..] {
-        all = all & holds(*number, P::zero());
-    }
-    all
-}
-
-/// `true` where no number is negative, or none is positive.
-#[inline(always)]
-pub(crate) fn one_sided<P: Scalar, const N: usize>(numbers: [P; N]) -> P::Mask {
-    all(numbers, P::at_least) | all(numbers, P::at_most)
-}
-
-/// `true` where a point is in the tetrahedron of four corners, which may be flat.
-#[inline]
-pub(crate) fn in_tetrahedron<P: Scalar<Primal = P>>(
-    corners: [[P; 3]; 4],
-    point: [P; 3],
-) -> P::Mask {
-    let [a, b, c, d] = corners;
-    let unit = unit([
-        size(point, a),
-        size(point, b),
-        size(point, c),
-        size(point, d),
-    ]);
-    let arms = corners.each_as(|corner| way(point, corner, unit));
-    let faces = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
-    let volumes = faces.each_as(|[i, j, k]| volume(arms[i], arms[j], arms[k]));
-    let [b, c, d] = [b, c, d].each_as(|corner| way(a, corner, unit));
-    let is_flat = volume(b, c, d).equals(P::zero());
-    let inside = one_sided(volumes) & !is_flat;
-    if !is_flat.any() {
-        return inside;
-    }
-    let mut in_faces = P::zero().below(P::zero());
-    for (k, [i, j, l]) in faces.into_iter().enumerate() {
-        let in_plane = volumes[k].equals(P::zero());
-        let in_face = in_face([arms[i], arms[j], arms[l]]);
-        in_faces = in_faces | in_plane & in_face;
-    }
-    inside | is_flat & in_faces
-}
-
-/// `true` where the origin, known to be in the plane of three points, is in their triangle, which may be flat.
-#[inline(always)]
-fn in_face<P: Scalar>(arms: [Way<P, 3>; 3]) -> P::Mask {
-    let turns = [(0, 1), (1, 2), (2, 0)].each_as(|(i, j)| cross(arms[i], arms[j]));
-    let in_sight = |k: usize| {
-        // A flat triangle turns nowhere: its bounds say where it ends.
-        one_sided(turns.each_as(|turn| turn[k])) & !(one_sign(arms.each_as(|arm| arm[k].high)))
-    };
-    in_sight(0) & in_sight(1) & in_sight(2)
-}
-
-/// `true` where all numbers are positive, or all are negative.
-#[inline(always)]
-fn one_sign<P: Scalar, const N: usize>(numbers: [P; N]) -> P::Mask {
-    all(numbers, P::above) | all(numbers, P::below)
-}
-
-/// `true` where a point of the plane is in the triangle of three corners, which may be flat.
-#[inline]
-pub(crate) fn in_triangle<P: Scalar<Primal = P>>(corners: [[P; 2]; 3], point: [P; 2]) -> P::Mask {
-    let [a, b, c] = corners;
-    let unit = unit([size(point, a), size(point, b), size(point, c)]);
-    let arms = corners.each_as(|corner| way(point, corner, unit));
-    let turns = [(0, 1), (1, 2), (2, 0)].each_as(|(i, j)| turn(arms[i], arms[j]));
-    let bounds = [0, 1].each_as(|k| !one_sign(arms.each_as(|arm| arm[k].high)));
-    one_sided(turns) & bounds[0] & bounds[1]
-}
-
-/// What the points of an axis are: its way, and those from its ends to a point, in one unit.
-pub(crate) struct Along<P, const N: usize> {
-    /// The way from start to end.
-    pub axis: Way<P, N>,
-    /// The way from the start to the point.
-    pub arm: Way<P, N>,
-    /// How far the point is along the axis from the start, times the axis.
-    pub height: P,
-    /// How far the point is along the axis from the end, times the axis.
-    pub beyond: P,
-    /// The power of two of all ways.
-    pub unit: P,
-}
-
-impl<P: Scalar<Primal = P>, const N: usize> Along<P, N> {
-    /// A point as seen from an axis of a solid with a radius.
-    #[inline(always)]
-    pub fn new(start: [P; N], end: [P; N], point: [P; N], radius: P) -> Self {
-        let unit = unit([size(start, end), size(start, point), radius]);
-        let axis = way(start, end, unit);
-        let arm = way(start, point, unit);
-        Along {
-            axis,
-            arm,
-            height: dot(axis, arm),
-            beyond: dot(axis, way(end, point, unit)),
-            unit,
-        }
-    }
-    /// `true` where the point is neither before the start nor beyond the end, and the axis has a length.
-    #[inline(always)]
-    pub fn is_between(&self) -> P::Mask {
-        let zero = P::zero();
-        zero.at_most(self.height)
-            & self.beyond.at_most(zero)
-            & square(rounded(self.axis)).above(zero)
-    }
-}
-
-/// The sum of the squares.
-#[inline(always)]
-pub(crate) fn square<P: Scalar, const N: usize>(x: [P; N]) -> P {
-    let mut sum = x[0] * x[0];
-    for x in &x[1..] {
-        sum += *x * *x;
-    }
-    sum
-}
-
-/// `true` where a point is at most a radius from another.
-#[inline]
-pub(crate) fn in_ball<P: Scalar<Primal = P>, const N: usize>(
-    center: [P; N],
-    point: [P; N],
-    radius: P,
-) -> P::Mask {
-    let unit = unit([size(center, point), radius]);
-    let arm = way(center, point, unit);
-    let mut sum = Twofold::product(radius * unit, -(radius * unit));
-    let mut terms = sum.high.magnitude();
-    for arm in arm {
-        let next = arm.times(arm);
-        terms += next.high;
-        sum = sum.plus(next);
-    }
-    sum.settled(terms).at_most(P::zero())
-}
-
-/// `true` where `normal · point ≤ offset`.
-#[inline]
-pub(crate) fn is_behind<P: Scalar<Primal = P>>(
-    normal: [P; 3],
-    point: [P; 3],
-    offset: P,
-) -> P::Mask {
-    let mut sum = Twofold::sum(-offset, P::zero());
-    let mut terms = offset.magnitude();
-    for k in 0..3 {
-        let next = Twofold::product(normal[k], point[k]);
-        terms += next.high.magnitude();
-        sum = sum.plus(next);
-    }
-    sum.settled(terms).at_most(P::zero())
 }

@@ -159,7 +159,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     {
         self.dual = Some(Box::new(move |x, direction| {
             let mut i = 0;
-            let jets = x.map(&mut |&value| {
+            let jets = x.remake(&mut |&value| {
                 i += 1;
                 let derivative = [S::nearest(direction[i - 1])];
                 Jet { value, derivative }
@@ -180,7 +180,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     {
         self.num_dual = Some(Box::new(move |x, direction| {
             let mut i = 0;
-            let duals = x.map(&mut |&value| {
+            let duals = x.remake(&mut |&value| {
                 i += 1;
                 S::num_dual(value, S::nearest(direction[i - 1]))
             });
@@ -195,7 +195,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         Y: Pack<Scalar = Traced<S>>,
     {
         self.traced = Some(Box::new(move |x| {
-            let (y, trace) = trace(|| f(x.map(&mut |&value| Traced(value))));
+            let (y, trace) = trace(|| f(x.remake(&mut |&value| Traced(value))));
             (y.scalars().iter().map(|y| y.0.widen()).collect(), trace)
         }));
         self

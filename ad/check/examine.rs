@@ -2,6 +2,7 @@
 use crate::ad::check::agreed::{Agreed, Held};
 use crate::ad::check::candidate::{Candidate, Typed};
 use crate::ad::check::certificate::Proof;
+use crate::ad::check::compare::invariance;
 use crate::ad::check::judge::judge;
 use crate::ad::check::report::{Failure, Report};
 use crate::ad::check::shrink::{is_like, shrunk};
@@ -181,11 +182,19 @@ pub(crate) fn examined<'a>(
                 }
             };
             alike = 0;
+            let mut moved = String::new();
+            if let Reason::MotionBroken(motion) = fault.reason {
+                least.met(&mut |subject| {
+                    let there = invariance::moved(subject, motion, &least.numbers());
+                    moved = least.refilled(&there).code();
+                });
+            }
             report.failures.push(Failure {
                 sample,
                 fault,
                 input: least.numbers(),
                 code: least.code(),
+                moved,
             });
         }
         if let Some(tick) = sampling.tick {

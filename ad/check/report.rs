@@ -15,6 +15,8 @@ pub struct Failure {
     pub input: Vec<f64>,
     /// The same as Rust code.
     pub code: String,
+    /// The input that a motion makes of it, as Rust code, where the value breaks an invariance; else empty.
+    pub moved: String,
 }
 
 impl Failure {
@@ -32,6 +34,7 @@ impl Failure {
             },
             input: Vec::new(),
             code: String::new(),
+            moved: String::new(),
         }
     }
 }
@@ -261,6 +264,7 @@ impl Report {
             sample,
             fault,
             code,
+            moved,
             ..
         } = failure;
         writeln!(f, "\n  {}", fault.reason)?;
@@ -275,6 +279,9 @@ impl Report {
         }
         if !code.is_empty() {
             writeln!(f, "    let input = {code};")?;
+        }
+        if !moved.is_empty() {
+            writeln!(f, "    let moved = {moved};")?;
         }
         write_remedy(f, fault.reason)?;
         writeln!(f, "    {:?}", fault.reason)

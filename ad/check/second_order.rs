@@ -24,7 +24,7 @@ fn bent<X: Pack, T: Scalar>(
     of: impl Fn(f64) -> T,
 ) -> X::With<Bent<T>> {
     let mut i = 0;
-    near.map(&mut |_| {
+    near.remake(&mut |_| {
         i += 1;
         let jet = |value, derivative| Jet {
             value: of(value),

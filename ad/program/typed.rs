@@ -244,7 +244,7 @@ impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Jacobian<Program<In
         let result = guard.result(Out::load(&all));
         let mut gradients = all[Out::LEN..].chunks(In::LEN.max(1));
         let mut gradient = || guard.result(In::load(gradients.next().unwrap_or_default()));
-        let jacobian = result.map(&mut |_| gradient());
+        let jacobian = result.remake(&mut |_| gradient());
         (result, jacobian)
     }
     /// The number of operations of a result and its Jacobian, by kind.

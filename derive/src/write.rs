@@ -89,17 +89,17 @@ impl Writer<'_> {
 }
 
 /// The value of a place with every scalar replaced.
-fn map(form: &Form, place: &str, depth: usize) -> String {
+fn remake(form: &Form, place: &str, depth: usize) -> String {
     match form {
         Form::Scalar => format!("__f(&{place})"),
-        Form::Shape => format!("__g::Pack::map(&{place}, __f)"),
+        Form::Shape => format!("__g::Pack::remake(&{place}, __f)"),
         Form::Array(element) => {
-            let inner = map(element, &format!("{place}[__i{depth}]"), depth + 1);
+            let inner = remake(element, &format!("{place}[__i{depth}]"), depth + 1);
             format!("::core::array::from_fn(|__i{depth}| {inner})")
         }
         Form::Tuple(parts) => {
             let parts = parts.iter().enumerate();
-            let parts = parts.map(|(i, part)| map(part, &format!("{place}.{i}"), depth) + ", ");
+            let parts = parts.map(|(i, part)| remake(part, &format!("{place}.{i}"), depth) + ", ");
             format!("({})", parts.collect::<String>())
         }
         Form::Code => format!("::core::clone::Clone::clone(&{place})"),
@@ -148,7 +148,7 @@ fn about(form: &Form, [a, b]: [&str; 2], depth: usize, compare: (&str, &str)) ->
 /// All implementations.
 pub fn impls(shape: &Shape) -> TokenStream {
     let writer = Writer { shape };
-    let mut text = pack(&writer) + &fixed(&writer) + &item(&writer);
+    let mut text = derived(&writer) + &pack(&writer) + &fixed(&writer) + &item(&writer);
     if !writer.leaves("Validate") {
         text += &validate(&writer);
     }
@@ -174,10 +174,20 @@ pub fn impls(shape: &Shape) -> TokenStream {
     weave(&text, &types)
 }
 
+/// The first error if a derive of the standard library is missing. Whoever writes a part by hand may not need all.
+fn derived(writer: &Writer<'_>) -> String {
+    if writer.leaves("approx") || writer.leaves("Sample") {
+        return String::new();
+    }
+    let (constants, of) = (writer.constants(), writer.of("f64"));
+    format!("#[automatically_derived] impl<{constants}> __g::Derived for {of} {{}}")
+}
+
 fn pack(writer: &Writer<'_>) -> String {
     let (scalar, of) = (&writer.shape.scalar, writer.of(&writer.shape.scalar));
     let generics = writer.generics("::core::clone::Clone");
-    let mapped = writer.made(|_, field, _| map(&field.form, &format!("self.{}", field.member), 0));
+    let mapped =
+        writer.made(|_, field, _| remake(&field.form, &format!("self.{}", field.member), 0));
     let each = writer.fields(|_, field, _| each(&field.form, &format!("self.{}", field.member), 0));
     format!(
         "#[automatically_derived]
@@ -185,7 +195,7 @@ fn pack(writer: &Writer<'_>) -> String {
             type Scalar = {scalar};
             type With<__T: ::core::clone::Clone> = {with};
             #[inline(always)]
-            fn map<__T: ::core::clone::Clone>(
+            fn remake<__T: ::core::clone::Clone>(
                 &self, __f: &mut impl ::core::ops::FnMut(&{scalar}) -> __T,
             ) -> {with} {{
                 {mapped}

@@ -7,6 +7,7 @@
 use crate::ad::program::opened::{is_open, is_open_in};
 use crate::ad::program::{Sym, SymMask};
 use crate::error::Error;
+use crate::scalar::Guard;
 use crate::{Real, Scalar};
 
 /// A number of the function that is being recorded.
@@ -93,6 +94,8 @@ functions! {
     most(a: Symbol, b: Symbol) -> Symbol = a.most(b);
     /// The nearest value in `[low, high]`; at either border the derivative is shared: [`Scalar::clamp`].
     clamp(x: Symbol, low: Symbol, high: Symbol) -> Symbol = x.clamp(low, high);
+    /// `x`, or NaN where `of` is NaN: comparisons, and so the smaller and the larger number, do not see one.
+    known(x: Symbol, of: Symbol) -> Symbol = Guard::of_numbers(&[of]).result(x);
     /// `|x|`, with derivative 0 at 0: [`Scalar::magnitude`].
     magnitude(x: Symbol) -> Symbol = x.magnitude();
     /// `|x|`, with derivative 1 at 0: [`Scalar::unsigned`].

@@ -28,7 +28,7 @@ impl Machine<Device> {
     ///
     /// # Errors
     ///
-    /// Always [`GpuFault::NotBuilt`](crate::GpuFault::NotBuilt).
+    /// Always [`GpuFault::NotBuilt`].
     pub fn new() -> Result<Self, Error> {
         Err(Error::Gpu(GpuFault::NotBuilt))
     }

@@ -10,18 +10,18 @@
 //! let fuzzed = asked.fuzz::<f64>(2000, 1);
 //! assert_eq!(fuzzed.broken, None, "{fuzzed}");
 //! ```
+mod operands;
 mod sentences;
-mod two_arguments;
 
 use crate::Real;
 use crate::ad::sample::{Draw, fewer_digits};
 use crate::kernels::dynamic::{Function, Rows};
 use crate::kernels::fuzz::{self, Broken, Fuzzed, Property};
 use crate::kernels::tested::{Tested, rows};
+use operands::Parts;
 use sentences::{Part, SENTENCES, Sentence};
 use std::collections::HashMap;
 use std::time::Instant;
-use two_arguments::Parts;
 
 /// Inputs of one batch.
 const CHUNK: u64 = 1024;

@@ -117,7 +117,7 @@ where
     type Many = (<Y as Item>::Many, Vec<Y::With<X>>);
     fn room(count: usize) -> Self::Many {
         let zero = Self::Scalar::default();
-        let gradient = Y::filled(zero).map(&mut |_| X::filled(zero));
+        let gradient = Y::filled(zero).remake(&mut |_| X::filled(zero));
         (Y::many(count), vec![gradient; count])
     }
     fn widths() -> Vec<usize> {
@@ -147,7 +147,7 @@ where
         let write = move |numbers: &[Y::Scalar]| {
             let mut gradients = numbers.chunks_exact(fields);
             for jacobian in jacobians {
-                *jacobian = Y::filled(Y::Scalar::default()).map(&mut |_| {
+                *jacobian = Y::filled(Y::Scalar::default()).remake(&mut |_| {
                     let numbers = gradients.next().unwrap_or_default();
                     get::<X>(&by_kind::<X>(numbers))
                 });

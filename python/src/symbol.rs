@@ -131,6 +131,18 @@ fn least(a: Any, b: Any) -> PyResult<Any> {
 fn most(a: Any, b: Any) -> PyResult<Any> {
     two!(a, b, f::most, Any)
 }
+/// `x`, or NaN where `of` is NaN.
+fn known(x: Any, of: Any) -> PyResult<Any> {
+    two!(x, of, f::known, Any)
+}
+/// The smaller number; NaN where either is NaN, as NumPy has it.
+fn minimum(a: Any, b: Any) -> PyResult<Any> {
+    known(known(least(a, b)?, a)?, b)
+}
+/// The larger number; NaN where either is NaN.
+fn maximum(a: Any, b: Any) -> PyResult<Any> {
+    known(known(most(a, b)?, a)?, b)
+}
 fn atan2(a: Any, b: Any) -> PyResult<Any> {
     two!(a, b, f::atan2, Any)
 }
@@ -204,8 +216,10 @@ fn of_two(name: &str) -> Option<Two> {
         "subtract" => sub,
         "multiply" => mul,
         "divide" | "true_divide" => over,
-        "minimum" | "fmin" => least,
-        "maximum" | "fmax" => most,
+        "minimum" => minimum,
+        "maximum" => maximum,
+        "fmin" => least,
+        "fmax" => most,
         "arctan2" => atan2,
         "hypot" => hypot,
         "copysign" => signed_as,
@@ -505,18 +519,8 @@ fn clipped(
         },
         _ => Ok(None),
     };
-    match (x, bound(low)?, bound(high)?) {
-        (Any::Single(x), Some(Any::Single(low)), Some(Any::Single(high))) => {
-            f::clamp(x, low, high).map(Any::Single).map_err(refused)
-        }
-        (Any::Double(x), Some(Any::Double(low)), Some(Any::Double(high))) => {
-            f::clamp(x, low, high).map(Any::Double).map_err(refused)
-        }
-        (x, Some(low), None) => most(x, low),
-        (x, None, Some(high)) => least(x, high),
-        (x, None, None) => Ok(x),
-        _ => Err(mixed()),
-    }
+    let x = bound(low)?.map_or(Ok(x), |low| maximum(x, low))?;
+    bound(high)?.map_or(Ok(x), |high| minimum(x, high))
 }
 
 /// A universal function of NumPy.

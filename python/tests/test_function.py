@@ -108,6 +108,26 @@ def test_numpys_functions():
     np.testing.assert_allclose(many(x, y), c + d + e + g + 2 * x + x + y, rtol=1e-11)
 
 
+def test_nan_passes_minimum_maximum_and_clip():
+    bounds = [
+        lambda y: np.minimum(y, 1.0),
+        lambda y: np.minimum(1.0, y),
+        lambda y: np.maximum(y, -1.0),
+        lambda y: np.maximum(-1.0, y),
+        lambda y: np.clip(y, -1.0, 1.0),
+        lambda y: np.clip(y, None, 1.0),
+    ]
+    x = np.array([-1.0, 0.5, 2.0, 9.0])
+    for bound in bounds:
+
+        @geograd.function
+        def bounded(x: float):
+            return bound(np.log(x))
+
+        with np.errstate(invalid="ignore"):
+            np.testing.assert_allclose(bounded(x), bound(np.log(x)), rtol=1e-12)
+
+
 @dataclasses.dataclass
 class Arm:
     base: geograd.Vec2

@@ -1,6 +1,7 @@
 //! Crossings of lines and of segments.
 use super::turns::Sides;
 use crate::distance::edge::{scale_of, size_of};
+use crate::scalar::Guard;
 use crate::{Line2, Scalar, Segment2, Vec2};
 
 /// The point in which two lines cross, and its parameters on both.
@@ -74,12 +75,12 @@ pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> CommonPoint<S> 
     };
     let along_a = along(w.perp_dot(db), of_a);
     let along_b = along(w.perp_dot(da), of_b);
-    CommonPoint {
+    Guard::of(&a).and(&b).result(CommonPoint {
         point: (a.point + a.direction * along_a).canonical(),
         along_a: along_a.canonical(),
         along_b: along_b.canonical(),
         found: flag::<S>(cross),
-    }
+    })
 }
 
 /// The part that two segments share: nothing, a point, or a segment where they lie along each other. Ends belong
@@ -162,11 +163,11 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> CommonP
         let place = Vec2::select(along, place, end);
         Vec2::new(at.x.with_primal(place.x), at.y.with_primal(place.y)).canonical()
     };
-    CommonPart {
+    Guard::of(&a).and(&b).result(CommonPart {
         from: pick(low, shared.from),
         to: pick(high, shared.to),
         kind: S::select(along & shared.two, S::lit(2.0), flag::<S>(along | across)),
-    }
+    })
 }
 
 /// A point without derivatives, as one of plain numbers.

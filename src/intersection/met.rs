@@ -1,9 +1,9 @@
 //! Whether a line meets a hull of corners: by their sides, which rounding does not decide.
-use super::digits::Wide;
 use super::lines::plain;
 use crate::distance::beam::{Beam, Border, Inside};
 use crate::distance::edge::{scale_of, size_of, unit};
 use crate::distance::share::Best;
+use crate::twofold::Twofold;
 use crate::{Line2, Mask, Scalar, Vec2};
 
 /// The side of a corner of the line through a point, in units of the given sizes: positive to the left, zero on the
@@ -27,8 +27,8 @@ fn side<P: Scalar<Primal = P>>(point: Vec2<P>, way: Vec2<P>, corner: Vec2<P>, un
 #[inline(never)]
 fn wide_side<P: Scalar>(point: Vec2<P>, way: Vec2<P>, corner: Vec2<P>, unit: P) -> P {
     let arm = [(corner.x, point.x), (corner.y, point.y)]
-        .map(|(to, from)| Wide::difference(to, from).scaled(unit));
-    Wide::cross([Wide::of(way.x), Wide::of(way.y)], arm).high
+        .map(|(to, from)| Twofold::difference(to, from).scaled(unit));
+    Twofold::cross([Twofold::of(way.x), Twofold::of(way.y)], arm).high
 }
 
 /// A corner as a line sees it.

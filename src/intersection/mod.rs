@@ -20,7 +20,6 @@
 //! of a corner, where the faces share the derivative of the parameter and the first one gives the normal.
 //! Directions whose sine is below ε² count as parallel.
 
-pub(crate) mod digits;
 pub(crate) mod lines;
 mod met;
 mod ring;

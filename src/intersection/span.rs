@@ -78,7 +78,7 @@ fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Found<S> {
         let all = (corners.as_ref(), placed.as_ref());
         inside = met(inside, (line, beam), all, (scale, length));
     }
-    let found = !inside.is_empty();
+    let found = !inside.is_empty() & size_of(line.direction).above(S::Primal::zero());
     let border = |best: Best<S, Border<S>>| {
         let endless = best.value.magnitude().at_least(S::lit(S::LARGEST));
         let mean = best.mean();
@@ -98,7 +98,8 @@ fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Found<S> {
 /// The parameters at which a line enters and leaves a convex shape. The border belongs to it.
 ///
 /// Triangles, arrays of corners and segments are met where their corners are not all on one side of the line, by the
-/// given numbers to some ε²: also where they are flat, or met in a corner alone. Other shapes are as their faces round.
+/// given numbers to some ε²: also where they are flat, or met in a corner alone. Other shapes are as their faces round: a
+/// box that a line meets in a corner alone may be missed. A line without a direction meets nothing.
 ///
 /// ```
 /// use geograd::{Aabb2, Line2, Vec2, intersection::span};
@@ -121,8 +122,9 @@ pub fn span<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Chord<S> {
 /// The first point of a ray on the border of a convex shape: where it enters or, from inside, where it
 /// leaves.
 ///
-/// A start on the border is a hit from outside with parameter 0 if the ray enters there. The parameter
-/// has finite derivatives everywhere; they grow without bound as the ray comes to graze a round border.
+/// A start on the border is a hit from outside with parameter 0 if the ray enters there. A ray without a direction hits
+/// nothing. The parameter has finite derivatives everywhere; they grow without bound as the ray comes to graze a round
+/// border.
 ///
 /// ```
 /// use geograd::{Circle, Ray2, Vec2, intersection::first_hit};
@@ -144,7 +146,7 @@ pub fn first_hit<S: Scalar, A: Convex<S>>(ray: Ray2<S>, shape: A) -> Hit<S> {
     let along = pick(inside.enter.t, inside.exit.t, zero);
     shape.guarded(Guard::of(&ray)).result(Hit {
         parameter: pick(inside.enter.t, inside.exit.t, large).canonical(),
-        point: ray.point_at(along),
+        point: ray.point_at(along).canonical(),
         normal: Vec2::new(
             pick(inside.enter.normal.x, inside.exit.normal.x, zero),
             pick(inside.enter.normal.y, inside.exit.normal.y, zero),

@@ -1,6 +1,6 @@
 //! On which sides of two segments the ends of the other one are, exactly and without branches.
-use super::digits::{Halves, sum};
 use crate::distance::edge::{scale_of, size_of};
+use crate::twofold::{Halves, sum};
 use crate::{Mask, Scalar, Vec2};
 
 /// The sides of the ends of two segments. Signs are those of exact arithmetic; sizes are in units of the longest of the

@@ -29,6 +29,7 @@
 use crate::distance::edge::scale_of;
 use crate::distance::share::Best;
 use crate::intersection::Chord;
+use crate::scalar::Guard;
 use crate::shape::{Line3, Ray3, Segment3};
 use crate::{Scalar, Vec3};
 
@@ -111,11 +112,11 @@ fn find<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Found<S>
 pub fn span<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Chord<S> {
     let inside = find(line, shape);
     let pick = |t: S| S::select(inside.found, t, S::zero()).canonical();
-    Chord {
+    shape.guarded(Guard::of(&line)).result(Chord {
         enter: pick(inside.enter.t),
         exit: pick(inside.exit.t),
         found: pick(S::one()),
-    }
+    })
 }
 
 /// The first point of a ray on the surface of a convex solid: where it enters or, from inside, where it leaves.
@@ -148,12 +149,12 @@ pub fn first_hit<S: Scalar, A: Pierced<Scalar = S>>(ray: Ray3<S>, shape: A) -> H
     let pick = |enter: S, exit: S, miss: S| S::select(enters, enter, S::select(leaves, exit, miss));
     let along = pick(inside.enter.t, inside.exit.t, zero);
     let normal = Vec3::select(leaves, inside.exit.normal, Vec3::zero());
-    Hit3 {
+    shape.guarded(Guard::of(&ray)).result(Hit3 {
         parameter: pick(inside.enter.t, inside.exit.t, large).canonical(),
         point: ray.point_at(along).canonical(),
         normal: Vec3::select(enters, inside.enter.normal, normal).canonical(),
         kind: pick(S::one(), S::lit(2.0), zero),
-    }
+    })
 }
 
 /// The length of the part of a segment of space that lies in a convex solid, from 0 to the segment's own length; the
@@ -174,5 +175,8 @@ pub fn length_inside<S: Scalar, A: Pierced<Scalar = S>>(segment: Segment3<S>, sh
     let inside = find(Line3::through(segment.start, segment.end), shape);
     let part = inside.exit.t.least(S::one()) - inside.enter.t.most(S::zero());
     let some = inside.found & part.above(S::zero());
-    (S::select(some, part, S::zero()) * segment.length()).canonical()
+    let length = S::select(some, part, S::zero()) * segment.length();
+    shape
+        .guarded(Guard::of(&segment))
+        .result(length.canonical())
 }

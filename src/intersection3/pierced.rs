@@ -7,6 +7,7 @@ use crate::distance::share::Best;
 use crate::distance3::core::{BoxCore, Core};
 use crate::distance3::cored::Cored;
 use crate::distance3::near::size_of;
+use crate::scalar::Guard;
 use crate::shape::{
     Aabb3, Capsule3, Cone, Cylinder, Obb3, Plane3, RoundBox3, Sphere, Tetrahedron, YawBox3,
 };
@@ -20,6 +21,9 @@ use crate::{Scalar, Vec3};
 pub trait Pierced: Copy {
     /// Its numbers.
     type Scalar: Scalar;
+    /// A guard with its numbers, too.
+    #[doc(hidden)]
+    fn guarded(self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
     /// A point of it, from which it is seen.
     fn anchor(self) -> Vec3<Self::Scalar>;
     /// How far it reaches from there, as a constant.
@@ -30,6 +34,10 @@ pub trait Pierced: Copy {
 
 impl<S: Scalar> Pierced for Plane3<S> {
     type Scalar = S;
+    #[inline(always)]
+    fn guarded(self, guard: Guard<S>) -> Guard<S> {
+        guard.and(&self)
+    }
     #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         let square = size_of(self.normal).binade();
@@ -51,6 +59,10 @@ impl<S: Scalar> Pierced for Plane3<S> {
 
 impl<S: Scalar> Pierced for Sphere<S> {
     type Scalar = S;
+    #[inline(always)]
+    fn guarded(self, guard: Guard<S>) -> Guard<S> {
+        guard.and(&self)
+    }
     #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.center
@@ -169,6 +181,10 @@ fn vector<S: Scalar>([x, y, z]: [S; 3]) -> Vec3<S> {
 impl<S: Scalar> Pierced for RoundBox3<S> {
     type Scalar = S;
     #[inline(always)]
+    fn guarded(self, guard: Guard<S>) -> Guard<S> {
+        guard.and(&self)
+    }
+    #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.core().anchor()
     }
@@ -187,6 +203,10 @@ macro_rules! boxes {
     ($($Shape:ident)*) => { $(
         impl<S: Scalar> Pierced for $Shape<S> {
             type Scalar = S;
+            #[inline(always)]
+            fn guarded(self, guard: Guard<S>) -> Guard<S> {
+                guard.and(&self)
+            }
             #[inline(always)]
             fn anchor(self) -> Vec3<S> {
                 self.core().anchor()
@@ -208,6 +228,10 @@ boxes! { YawBox3 Obb3 }
 /// Seen from a corner that is given: far from the origin the centre and the size would lose the digits of the bounds.
 impl<S: Scalar> Pierced for Aabb3<S> {
     type Scalar = S;
+    #[inline(always)]
+    fn guarded(self, guard: Guard<S>) -> Guard<S> {
+        guard.and(&self)
+    }
     #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.min
@@ -231,6 +255,10 @@ impl<S: Scalar> Pierced for Aabb3<S> {
 impl<S: Scalar> Pierced for Capsule3<S> {
     type Scalar = S;
     #[inline(always)]
+    fn guarded(self, guard: Guard<S>) -> Guard<S> {
+        guard.and(&self)
+    }
+    #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.start
     }
@@ -247,6 +275,10 @@ impl<S: Scalar> Pierced for Capsule3<S> {
 
 impl<S: Scalar> Pierced for Cylinder<S> {
     type Scalar = S;
+    #[inline(always)]
+    fn guarded(self, guard: Guard<S>) -> Guard<S> {
+        guard.and(&self)
+    }
     #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.start
@@ -269,6 +301,10 @@ impl<S: Scalar> Pierced for Cylinder<S> {
 impl<S: Scalar> Pierced for Cone<S> {
     type Scalar = S;
     #[inline(always)]
+    fn guarded(self, guard: Guard<S>) -> Guard<S> {
+        guard.and(&self)
+    }
+    #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.apex
     }
@@ -285,6 +321,10 @@ impl<S: Scalar> Pierced for Cone<S> {
 
 impl<S: Scalar> Pierced for Tetrahedron<S> {
     type Scalar = S;
+    #[inline(always)]
+    fn guarded(self, guard: Guard<S>) -> Guard<S> {
+        guard.and(&self)
+    }
     #[inline(always)]
     fn anchor(self) -> Vec3<S> {
         self.a

@@ -2,6 +2,7 @@
 use crate::distance::edge::scale_of;
 use crate::distance3::near::size_of;
 use crate::intersection::lines::flag;
+use crate::scalar::Guard;
 use crate::shape::{Line3, Plane3};
 use crate::{Scalar, Vec3};
 
@@ -73,11 +74,11 @@ pub fn crossing_of_two_planes<S: Scalar>(a: Plane3<S>, b: Plane3<S>) -> CommonLi
     let point = n.cross(way) * p.over(square) + way.cross(m) * q.over(square);
     let direction = way * S::one().over(square.root());
     let pick = |v: Vec3<S>| Vec3::select(cross, v, Vec3::zero()).canonical();
-    CommonLine3 {
+    Guard::of(&a).and(&b).result(CommonLine3 {
         point: pick(point),
         direction: pick(direction),
         found: flag::<S>(cross),
-    }
+    })
 }
 
 /// The sum of the sizes of the terms of a triple product.
@@ -115,8 +116,8 @@ pub fn crossing_of_three_planes<S: Scalar>(
         .above(triple_terms(l, m, n) * S::lit(4.0 * S::EPSILON));
     let volume = S::select(meet, volume, S::one());
     let point = mn * p.over(volume) + nl * q.over(volume) + lm * r.over(volume);
-    CommonPoint3 {
+    Guard::of(&a).and(&b).and(&c).result(CommonPoint3 {
         point: Vec3::select(meet, point, Vec3::zero()).canonical(),
         found: flag::<S>(meet),
-    }
+    })
 }

@@ -9,13 +9,13 @@ use super::Hit3;
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance3::near::size_of;
-use crate::intersection::digits::Wide;
 use crate::scalar::largest;
 use crate::shape::{Ray3, Segment3, Triangle3};
+use crate::twofold::Twofold;
 use crate::{Mask, Scalar, Vec3};
 
 /// A vector of twice the digits.
-type Wide3<P> = [Wide<P>; 3];
+type Wide3<P> = [Twofold<P>; 3];
 
 /// A line from a point, and its end if it has one, in plain numbers.
 #[derive(Clone, Copy)]
@@ -119,7 +119,7 @@ impl<P: Scalar<Primal = P>> Sight<P> {
     #[inline(always)]
     fn arm(from: Vec3<P>, to: Vec3<P>, unit: P) -> Wide3<P> {
         [(to.x, from.x), (to.y, from.y), (to.z, from.z)]
-            .map(|(to, from)| Wide::difference(to, from).scaled(unit))
+            .map(|(to, from)| Twofold::difference(to, from).scaled(unit))
     }
 
     /// The sides of the edges bc, ca, ab on which the line passes, times the direction's last coordinate.
@@ -158,16 +158,16 @@ impl<P: Scalar<Primal = P>> Sight<P> {
     fn wide_sides(self, corners: [Vec3<P>; 3], units: Units<P>) -> [P; 3] {
         let d: Wide3<P> = match self.to {
             Some(to) => Self::arm(self.from, to, units.way),
-            None => [self.way.x, self.way.y, self.way.z].map(|x| Wide::of(x * units.way)),
+            None => [self.way.x, self.way.y, self.way.z].map(|x| Twofold::of(x * units.way)),
         };
         let seen = corners.map(|corner| {
             let [x, y, z] = Self::arm(self.from, corner, units.place);
             [
-                Wide::cross([y, z], [d[1], d[2]]),
-                Wide::cross([z, x], [d[2], d[0]]),
+                Twofold::cross([y, z], [d[1], d[2]]),
+                Twofold::cross([z, x], [d[2], d[0]]),
             ]
         });
-        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| Wide::cross(seen[i], seen[j]).high)
+        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| Twofold::cross(seen[i], seen[j]).high)
     }
 }
 
@@ -201,7 +201,8 @@ fn wide_behind<P: Scalar<Primal = P>>(
 ) -> P {
     let (p, q) = (Sight::arm(a, b, unit), Sight::arm(a, c, unit));
     let arm = Sight::arm(place, a, near);
-    let part = |i: usize, j: usize, k: usize| Wide::cross([p[i], p[j]], [q[i], q[j]]).times(arm[k]);
+    let part =
+        |i: usize, j: usize, k: usize| Twofold::cross([p[i], p[j]], [q[i], q[j]]).times(arm[k]);
     part(1, 2, 0).plus(part(2, 0, 1)).plus(part(0, 1, 2)).high
 }
 

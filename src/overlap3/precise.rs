@@ -1,6 +1,6 @@
 //! Differences and products that keep the digits that long thin boxes need.
-use crate::Scalar;
 use crate::shape::Rotation3;
+use crate::{Scalar, twofold};
 
 /// Beyond this many units (of which the smaller box has about one) between the centres in any
 /// coordinate, only the fact that the boxes are apart matters.
@@ -124,10 +124,7 @@ pub(super) fn difference<S: Scalar>(a: S, b: S, scale: S) -> (S, S) {
     let rounded = b - a;
     let mut lost = S::Primal::zero();
     if S::COMPENSATED {
-        // The exact error of a difference (Knuth, The Art of Computer Programming 2, 4.2.2).
-        let (a, b, rounded) = (a.primal(), b.primal(), rounded.primal());
-        let taken = rounded - b;
-        lost = (b - (rounded - taken)) - (a + taken);
+        lost = twofold::lost(b.primal(), a.primal(), rounded.primal());
     }
     let (x, far) = (rounded * scale, S::lit(FAR));
     let near = x.unsigned().at_most(far);

@@ -272,7 +272,7 @@ impl<S> Polygon<S> {
 impl<S: Clone> Pack for Polygon<S> {
     type Scalar = S;
     type With<T: Clone> = Polygon<T>;
-    fn map<T: Clone>(&self, f: &mut impl FnMut(&S) -> T) -> Polygon<T> {
+    fn remake<T: Clone>(&self, f: &mut impl FnMut(&S) -> T) -> Polygon<T> {
         let mut each = |v: &Vec2<S>| Vec2::new(f(&v.x), f(&v.y));
         Polygon {
             vertices: self.vertices.iter().map(&mut each).collect(),

@@ -32,7 +32,7 @@ impl<S: Scalar> Guard<S> {
     #[must_use]
     #[inline(always)]
     pub fn and<P: Pack<Scalar = S>>(mut self, shape: &P) -> Self {
-        shape.map(&mut |&x| self = self.and_number(x));
+        shape.remake(&mut |&x| self = self.and_number(x));
         self
     }
     /// Of some numbers.

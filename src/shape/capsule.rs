@@ -1,4 +1,5 @@
 //! Capsules of the plane: thick segments with round ends.
+use super::within;
 use crate::arrays::Each;
 use crate::error::{Flaw, Validate};
 use crate::{Aabb2, Pose2, Scalar, Segment2, Shape, Vec2, twofold};
@@ -86,11 +87,11 @@ impl<S: Scalar> Capsule2<S> {
     pub fn contains(self, point: Vec2<S>) -> S::Mask {
         let [from, to, at] = [self.from, self.to, point].each_as(twofold::flat);
         let radius = self.radius.primal();
-        let seen = twofold::Along::new(from, to, at, radius);
-        let across = twofold::square([twofold::turn(seen.axis, seen.arm)]);
+        let seen = within::Along::new(from, to, at, radius);
+        let across = within::square([twofold::turn(seen.axis, seen.arm)]);
         let reach =
-            twofold::square([radius * seen.unit]) * twofold::square(twofold::rounded(seen.axis));
-        let [first, last] = [from, to].each_as(|end| twofold::in_ball(end, at, radius));
+            within::square([radius * seen.unit]) * within::square(twofold::rounded(seen.axis));
+        let [first, last] = [from, to].each_as(|end| within::in_ball(end, at, radius));
         first | last | seen.is_between() & across.at_most(reach)
     }
 }

@@ -1,4 +1,5 @@
 //! Capsules in space: thick segments with round ends.
+use super::within;
 use crate::arrays::Each;
 use crate::error::{Flaw, Validate};
 use crate::shape::{Aabb3, Pose3, Segment3};
@@ -92,11 +93,11 @@ impl<S: Scalar> Capsule3<S> {
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         let [start, end, at] = [self.start, self.end, point].each_as(twofold::deep);
         let radius = self.radius.primal();
-        let seen = twofold::Along::new(start, end, at, radius);
-        let across = twofold::square(twofold::cross(seen.axis, seen.arm));
+        let seen = within::Along::new(start, end, at, radius);
+        let across = within::square(twofold::cross(seen.axis, seen.arm));
         let reach =
-            twofold::square([radius * seen.unit]) * twofold::square(twofold::rounded(seen.axis));
-        let [first, last] = [start, end].each_as(|end| twofold::in_ball(end, at, radius));
+            within::square([radius * seen.unit]) * within::square(twofold::rounded(seen.axis));
+        let [first, last] = [start, end].each_as(|end| within::in_ball(end, at, radius));
         first | last | seen.is_between() & across.at_most(reach)
     }
 }

@@ -1,5 +1,6 @@
 //! Circles of the plane, and the circle through three points.
 use super::triangle::unit_power;
+use super::within;
 use crate::arrays::Each;
 use crate::error::{Flaw, Validate};
 use crate::{Aabb2, Pose2, Scalar, Shape, Vec2, twofold};
@@ -75,7 +76,7 @@ impl<S: Scalar> Circle<S> {
     #[inline(always)]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {
         let [center, at] = [self.center, point].each_as(twofold::flat);
-        twofold::in_ball(center, at, self.radius.primal())
+        within::in_ball(center, at, self.radius.primal())
     }
 }
 

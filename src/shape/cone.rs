@@ -1,4 +1,5 @@
 //! Cones.
+use super::within;
 use crate::arrays::Each;
 use crate::error::{Field, Flaw, Validate};
 use crate::shape::cylinder::disc_reach;
@@ -110,10 +111,10 @@ impl<S: Scalar> Cone<S> {
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         let [apex, base, at] = [self.apex, self.base, point].each_as(twofold::deep);
         let radius = self.radius.primal();
-        let seen = twofold::Along::new(apex, base, at, radius);
-        let across = twofold::square(twofold::cross(seen.axis, seen.arm));
-        let axis = twofold::square(twofold::rounded(seen.axis));
-        let reach = twofold::square([radius * seen.unit]) * twofold::square([seen.height]);
+        let seen = within::Along::new(apex, base, at, radius);
+        let across = within::square(twofold::cross(seen.axis, seen.arm));
+        let axis = within::square(twofold::rounded(seen.axis));
+        let reach = within::square([radius * seen.unit]) * within::square([seen.height]);
         seen.is_between() & (across * axis).at_most(reach)
     }
 }

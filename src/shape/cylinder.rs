@@ -1,4 +1,5 @@
 //! Cylinders.
+use super::within;
 use crate::arrays::Each;
 use crate::error::{Field, Flaw, Validate};
 use crate::shape::{Aabb3, Pose3};
@@ -115,10 +116,10 @@ impl<S: Scalar> Cylinder<S> {
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         let [start, end, at] = [self.start, self.end, point].each_as(twofold::deep);
         let radius = self.radius.primal();
-        let seen = twofold::Along::new(start, end, at, radius);
-        let across = twofold::square(twofold::cross(seen.axis, seen.arm));
+        let seen = within::Along::new(start, end, at, radius);
+        let across = within::square(twofold::cross(seen.axis, seen.arm));
         let reach =
-            twofold::square([radius * seen.unit]) * twofold::square(twofold::rounded(seen.axis));
+            within::square([radius * seen.unit]) * within::square(twofold::rounded(seen.axis));
         seen.is_between() & across.at_most(reach)
     }
 }

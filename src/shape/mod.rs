@@ -30,6 +30,7 @@ mod tetrahedron;
 mod triangle;
 mod triangle3;
 mod vector;
+mod within;
 mod yaw_box;
 
 pub use aabb::Aabb2;

@@ -1,4 +1,5 @@
 //! Planes in space.
+use super::within;
 use crate::arrays::Each;
 use crate::distance3::Apart;
 use crate::error::Field;
@@ -72,7 +73,7 @@ impl<S: Scalar> Plane3<S> {
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         let [normal, at] = [self.normal, point].each_as(twofold::deep);
-        twofold::is_behind(normal, at, self.offset.primal())
+        within::is_behind(normal, at, self.offset.primal())
     }
 }
 

@@ -1,4 +1,5 @@
 //! Boxes with round edges in space.
+use super::within;
 use crate::error::{Flaw, Validate};
 use crate::scalar::Guard;
 use crate::shape::{Aabb3, Obb3, Pose3};
@@ -94,7 +95,7 @@ impl<S: Scalar> RoundBox3<S> {
             beyond(p.y, size.y),
             beyond(p.z, size.z),
         );
-        let inside = twofold::in_ball(
+        let inside = within::in_ball(
             [S::Primal::zero(); 3],
             twofold::deep(out),
             self.radius.primal(),

@@ -1,4 +1,5 @@
 //! Spheres.
+use super::within;
 use crate::arrays::Each;
 use crate::distance3::Apart;
 use crate::shape::{Aabb3, Pose3};
@@ -60,7 +61,7 @@ impl<S: Scalar> Sphere<S> {
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         let [center, at] = [self.center, point].each_as(twofold::deep);
-        twofold::in_ball(center, at, self.radius.primal())
+        within::in_ball(center, at, self.radius.primal())
     }
     /// The smallest axis-aligned box around it.
     #[must_use]

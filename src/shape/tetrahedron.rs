@@ -1,4 +1,5 @@
 //! Tetrahedra.
+use super::within;
 use crate::arrays::Each;
 use crate::shape::{Aabb3, Pose3, Triangle3};
 use crate::{Scalar, Shape, Vec3, twofold};
@@ -94,7 +95,7 @@ impl<S: Scalar> Tetrahedron<S> {
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
-        twofold::in_tetrahedron(self.corners().each_as(twofold::deep), twofold::deep(point))
+        within::in_tetrahedron(self.corners().each_as(twofold::deep), twofold::deep(point))
     }
 }
 

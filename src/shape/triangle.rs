@@ -1,4 +1,5 @@
 //! Triangles of the plane.
+use super::within;
 use crate::arrays::Each;
 use crate::error::{Flaw, Validate};
 use crate::scalar::{least_of, most_of};
@@ -158,7 +159,7 @@ impl<S: Scalar> Triangle2<S> {
     #[inline]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {
         let corners = [self.a, self.b, self.c].each_as(twofold::flat);
-        twofold::in_triangle(corners, twofold::flat(point))
+        within::in_triangle(corners, twofold::flat(point))
     }
 }
 

@@ -93,7 +93,7 @@ impl<T: Number> Drawn for Obb2<T> {
             10 => Obb2::new(x * 1e18, y, w * 1e19, h * 1e-12, r),
             _ => Obb2::new(x, y, w * 1e-30, h * 1e30, r * 1e30),
         };
-        b.map(&mut |&x| T::lit(x))
+        b.remake(&mut |&x| T::lit(x))
     }
 }
 
@@ -396,7 +396,7 @@ fn rings<O: OfRings<T>, T: Number>(
                 2 => Vec2::new(1e3 + x, -1e3 + y),
                 _ => Vec2::new(x, y),
             };
-            vertices.push((point * unit).map(&mut |&x| T::lit(x)));
+            vertices.push((point * unit).remake(&mut |&x| T::lit(x)));
         }
         offsets.push(vertices.len());
     }

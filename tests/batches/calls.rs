@@ -34,7 +34,7 @@ fn boxes(n: usize, seed: u64) -> Vec<Obb2<f64>> {
 }
 
 fn narrow(list: &[Obb2<f64>]) -> Vec<Obb2<f32>> {
-    list.iter().map(|x| x.map(&mut |&x| x as f32)).collect()
+    list.iter().map(|x| x.remake(&mut |&x| x as f32)).collect()
 }
 
 /// Derivatives by one call, times an upstream derivative.

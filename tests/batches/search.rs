@@ -127,7 +127,7 @@ fn moved(
 ) -> Vec<ConvexPolygon<f64, 5>> {
     let one = |(x, by): (&ConvexPolygon<f64, 5>, &ConvexPolygon<f64, 5>)| {
         let mut by = by.scalars().into_iter();
-        x.map(&mut |&x| x + step * by.next().unwrap())
+        x.remake(&mut |&x| x + step * by.next().unwrap())
     };
     shapes.iter().zip(along).map(one).collect()
 }

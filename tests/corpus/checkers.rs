@@ -86,7 +86,7 @@ struct Numbers<S>(Vec<S>);
 impl<S: Clone> Pack for Numbers<S> {
     type Scalar = S;
     type With<R: Clone> = Numbers<R>;
-    fn map<R: Clone>(&self, f: &mut impl FnMut(&S) -> R) -> Numbers<R> {
+    fn remake<R: Clone>(&self, f: &mut impl FnMut(&S) -> R) -> Numbers<R> {
         Numbers(self.0.iter().map(f).collect())
     }
     fn each(&mut self, f: &mut impl FnMut(&mut S)) {

@@ -162,7 +162,7 @@ impl Tangent for Mutant {
 impl Pack for Mutant {
     type Scalar = Self;
     type With<R: Clone> = R;
-    fn map<R: Clone>(&self, f: &mut impl FnMut(&Self) -> R) -> R {
+    fn remake<R: Clone>(&self, f: &mut impl FnMut(&Self) -> R) -> R {
         f(self)
     }
     fn each(&mut self, f: &mut impl FnMut(&mut Self)) {

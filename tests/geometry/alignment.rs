@@ -113,7 +113,7 @@ fn nearest_rotations_are_nearest_and_finite_where_they_are_not_unique() {
             }
             let lifted: [Vec3<Jet<f64, 9>>; 3] = {
                 let mut next = 0..9;
-                h.map(|v| v.map(&mut |&x| Jet::variable(x, next.next().unwrap())))
+                h.map(|v| v.remake(&mut |&x| Jet::variable(x, next.next().unwrap())))
             };
             let q = Rotation3::nearest_to(lifted);
             for x in q.scalars() {

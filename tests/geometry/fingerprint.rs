@@ -107,7 +107,7 @@ where
             let count = 3 + dice.below(9);
             let mut vertex = || Vec2::new(dice.within(-3.0, 3.0), dice.within(-3.0, 3.0));
             let ring: Vec<Vec2<S>> = (0..count)
-                .map(|_| vertex().map(&mut |&x| S::lit(x)))
+                .map(|_| vertex().remake(&mut |&x| S::lit(x)))
                 .collect();
             print.take(&value(&ring));
             let mut bars = vec![Vec2::zero(); count];

@@ -37,11 +37,11 @@ impl Dice {
 }
 
 fn narrow(x: Obb2<f64>) -> Obb2<f32> {
-    x.map(&mut |&x| x as f32)
+    x.remake(&mut |&x| x as f32)
 }
 
 fn widen(x: Obb2<f32>) -> Obb2<f64> {
-    x.map(&mut |&x| f64::from(x))
+    x.remake(&mut |&x| f64::from(x))
 }
 
 #[test]

@@ -217,7 +217,7 @@ fn b11_small_polygons_overlap_like_large_ones() {
 /// B12: nearly equal long boxes; 1.232 there. (detectron2's issue 2167.)
 #[test]
 fn b12_nearly_equal_long_boxes() {
-    let long = |turn: f64| quad(0.0, 0.0, 60.0, 0.5, turn).map(&mut |x| *x as f32);
+    let long = |turn: f64| quad(0.0, 0.0, 60.0, 0.5, turn).remake(&mut |x| *x as f32);
     for turn in [0.0, 1e-7, 1e-6, 1e-5, 1e-4] {
         let found = iou_polygons(&long(0.7), &long(0.7 + turn));
         assert!(found <= 1.0 && found > 0.98, "{turn} {found}");

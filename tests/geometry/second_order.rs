@@ -232,6 +232,12 @@ fn ratios_by_hand_have_second_derivatives_by_places_and_sizes_of_parallel_boxes(
                         "{which} {i} {j} {x:?}: {} {expected}",
                         found[i][j]
                     );
+                    // Off ties the order of both does not matter.
+                    let (here, there) = (found[i][j], found[j][i]);
+                    assert!(
+                        (here - there).abs() < 1e-9 * (1.0 + here.abs()),
+                        "{which} {i} {j} {x:?}: {here} {there}"
+                    );
                 }
             }
         }
@@ -240,7 +246,7 @@ fn ratios_by_hand_have_second_derivatives_by_places_and_sizes_of_parallel_boxes(
 }
 
 #[test]
-fn second_derivatives_are_finite_and_symmetric_at_faces_in_one_plane() {
+fn second_derivatives_are_finite_at_faces_in_one_plane() {
     for (dx, dy, dz) in [
         (0.0, 0.0, 0.0),
         (1.0, 0.0, 0.0),
@@ -256,12 +262,8 @@ fn second_derivatives_are_finite_and_symmetric_at_faces_in_one_plane() {
             let found = second(which, &x);
             for i in PLACES_AND_SIZES {
                 for j in PLACES_AND_SIZES {
-                    let (here, there) = (found[i][j], found[i][j]);
+                    let here = found[i][j];
                     assert!(here.abs() < 1e3, "{which} {i} {j} {x:?}: {here}");
-                    assert!(
-                        (here - there).abs() < 1e-9,
-                        "{which} {i} {j} {x:?}: {here} {there}"
-                    );
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! Second derivatives of the overlap of parallel boxes by all their numbers, beside differences of derivatives by hand.
 use crate::second_order::by_hand;
-use geograd::{Fixed, Jet, Obb3};
+use geograd::{Fixed, Jet, Obb3, Pose3, Rotation3, Vec3};
 use std::array::from_fn;
 
 /// The entries that agree with differences from both sides; a kink is where those differ.
@@ -33,8 +33,8 @@ fn compared(which: usize, x: [f64; 20]) -> usize {
     count
 }
 
-#[test]
-fn overlaps_of_parallel_boxes_have_second_derivatives_by_all_numbers() {
+/// Two boxes of eighths, the first one turned by zeros and ones: no two faces are in one plane.
+fn boxes(dice: &mut geograd_tests::Dice, case: usize) -> [f64; 20] {
     let turns = [
         [1.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 1.0, 0.0],
@@ -42,20 +42,45 @@ fn overlaps_of_parallel_boxes_have_second_derivatives_by_all_numbers() {
         [1.0, 0.0, -1.0, 0.0],
         [1.0, 1.0, 1.0, 1.0],
     ];
+    let mut number = |least: i32| f64::from(dice.below(16) as i32 + least) / 8.0;
+    let mut x = [0.0; 20];
+    for k in [0, 10] {
+        for i in 0..3 {
+            // Odd multiples of a sixteenth.
+            x[k + i] = number(-8) + if k == 10 { 0.0625 } else { 0.0 };
+            x[k + 3 + i] = number(4) * 2.0;
+        }
+    }
+    x[6..10].copy_from_slice(&turns[case % 5]);
+    x[16] = 1.0;
+    x
+}
+
+#[test]
+fn overlaps_of_parallel_boxes_have_second_derivatives_by_all_numbers() {
     let (mut dice, mut count) = (geograd_tests::Dice(5), 0);
     for case in 0..100 {
-        let mut number = |least: i32| f64::from(dice.below(16) as i32 + least) / 8.0;
-        let mut x = [0.0; 20];
-        for k in [0, 10] {
-            for i in 0..3 {
-                // Odd multiples of a sixteenth: no two faces in one plane.
-                x[k + i] = number(-8) + if k == 10 { 0.0625 } else { 0.0 };
-                x[k + 3 + i] = number(4) * 2.0;
-            }
-        }
-        x[6..10].copy_from_slice(&turns[case % 5]);
-        x[16] = 1.0;
+        let x = boxes(&mut dice, case);
         count += (0..3).map(|which| compared(which, x)).sum::<usize>();
     }
     assert!(count > 100_000, "{count}");
+}
+
+#[test]
+fn overlaps_of_boxes_with_a_common_turn_have_second_derivatives_by_all_numbers() {
+    let turns = [
+        Rotation3::new(0.6, 0.0, 0.0, 0.8),
+        Rotation3::new(0.9, 0.1, -0.3, 0.2),
+        Rotation3::new(0.5, -0.5, 0.25, 0.75),
+    ];
+    let (mut dice, mut count) = (geograd_tests::Dice(7), 0);
+    for case in 0..60 {
+        let (a, b): (Obb3<f64>, Obb3<f64>) = Fixed::load(&boxes(&mut dice, case));
+        let turn = turns[case % 3].normalized();
+        let turned = |shape: Obb3<f64>| Pose3::new(Vec3::zero(), turn) * shape;
+        let mut x = [0.0; 20];
+        (turned(a), turned(b)).store(&mut x);
+        count += (0..3).map(|which| compared(which, x)).sum::<usize>();
+    }
+    assert!(count > 60_000, "{count}");
 }

@@ -74,7 +74,7 @@ where
     assert_eq!((numbers[0], numbers[P::LEN]), (10.0, 0.0));
     assert_eq!(P::load(&numbers).load_codes(&x.codes()), x);
     assert_eq!((x.count(), x.codes().len()), (P::LEN, P::CODES));
-    assert_eq!(x.map(&mut |&n| n), x);
+    assert_eq!(x.remake(&mut |&n| n), x);
     assert_eq!(x.refill(&numbers[..P::LEN]), x);
     assert!(P::filled(3.0).scalars().iter().all(|&n| n == 3.0));
     let mut moved = x;

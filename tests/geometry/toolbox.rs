@@ -381,8 +381,14 @@ fn points_find_the_boxes_of_the_loop() {
         same_as_loop(&points, &turned);
         same_as_loop(&points, &upright);
         same_as_loop(&points, &bounds);
-        let single: Vec<Obb3<f32>> = turned.iter().map(|x| x.map(&mut |&x| x as f32)).collect();
-        let places: Vec<Vec3<f32>> = points.iter().map(|x| x.map(&mut |&x| x as f32)).collect();
+        let single: Vec<Obb3<f32>> = turned
+            .iter()
+            .map(|x| x.remake(&mut |&x| x as f32))
+            .collect();
+        let places: Vec<Vec3<f32>> = points
+            .iter()
+            .map(|x| x.remake(&mut |&x| x as f32))
+            .collect();
         same_as_loop(&places, &single);
         let flat: Vec<Obb2<f64>> = upright.iter().map(|x| x.birds_eye()).collect();
         let rectangles: Vec<Aabb2<f64>> = flat.iter().map(|x| x.bounding()).collect();

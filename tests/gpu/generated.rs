@@ -21,7 +21,7 @@ use geograd_tests::rows::{distance, fold, iou, iou3, overlap, overlap3};
 /// Random shapes in single precision.
 fn draws<P: Sample + Pack<With<f32> = Q>, Q>(count: usize, seed: u64) -> Vec<Q> {
     let mut draw = Draw::new(seed);
-    let shape = |_| random::<P>(&mut draw).map(&mut |&x| x as f32);
+    let shape = |_| random::<P>(&mut draw).remake(&mut |&x| x as f32);
     (0..count).map(shape).collect()
 }
 
@@ -50,7 +50,7 @@ fn bits(numbers: &[f32]) -> Vec<u32> {
 fn derivatives_along_directions_agree_with_the_processor() {
     fn ordinary<P: Sample + Pack<With<f32> = Q>, Q>(seed: u64) -> Vec<Q> {
         let mut draw = Draw::new(seed);
-        let shape = |_| P::ordinary(&mut draw).map(&mut |&x| x as f32);
+        let shape = |_| P::ordinary(&mut draw).remake(&mut |&x| x as f32);
         (0..100).map(shape).collect()
     }
     let Some((_turn, gpu)) = gpu() else { return };
@@ -241,7 +241,7 @@ fn jacobians_are_the_processors() {
     let Some((_turn, gpu)) = gpu() else { return };
     let draw = |seed| -> Vec<Obb2<f32>> {
         let mut draw = Draw::new(seed);
-        let shape = |_| Box2::ordinary(&mut draw).map(&mut |&x| x as f32);
+        let shape = |_| Box2::ordinary(&mut draw).remake(&mut |&x| x as f32);
         (0..1000).map(shape).collect()
     };
     let (a, b) = (draw(1), draw(2));
@@ -280,7 +280,8 @@ fn jacobians_are_the_processors() {
     near(&rows(&derivatives), &rows(&expected), 1e-5);
     // A search is replayed with its derivatives.
     let mut draw = Draw::new(5);
-    let polygon = |_| geograd::ConvexPolygon::<f64, 5>::ordinary(&mut draw).map(&mut |&x| x as f32);
+    let polygon =
+        |_| geograd::ConvexPolygon::<f64, 5>::ordinary(&mut draw).remake(&mut |&x| x as f32);
     let polygons: Vec<geograd::ConvexPolygon<f32, 5>> = (0..50).map(polygon).collect();
     let run = geograd::kernels::MinimumCircle.jacobian();
     let (_, derivatives) = gpu.aligned(run, &polygons).unwrap();

@@ -15,7 +15,7 @@ use geograd_tests::rows::{distance, iou, iou3, overlap, overlap3};
 /// Ordinary shapes in single precision.
 fn ordinary<P: Sample + Pack<Scalar = f64, With<f32> = Q>, Q>(count: usize, seed: u64) -> Vec<Q> {
     let mut draw = Draw::new(seed);
-    let shape = |_| P::ordinary(&mut draw).map(&mut |&x| x as f32);
+    let shape = |_| P::ordinary(&mut draw).remake(&mut |&x| x as f32);
     (0..count).map(shape).collect()
 }
 

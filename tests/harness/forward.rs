@@ -18,7 +18,7 @@ fn overlap<S: Scalar>((a, b): Pair<S>) -> S {
 /// The pair with its scalars replaced by duals made from index and value.
 fn seeded<D: Clone>(make: impl Fn(usize, f64) -> D) -> Pair<D> {
     let mut i = 0;
-    pair().map(&mut |&x| {
+    pair().remake(&mut |&x| {
         i += 1;
         make(i - 1, x)
     })

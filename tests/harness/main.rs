@@ -11,6 +11,7 @@ mod given;
 mod hashes;
 mod messages;
 mod motions;
+mod moved_input;
 mod num_dual;
 mod planted;
 mod program;

@@ -180,7 +180,7 @@ impl Flip {
 impl Pack for Flip {
     type Scalar = Self;
     type With<R: Clone> = R;
-    fn map<R: Clone>(&self, f: &mut impl FnMut(&Self) -> R) -> R {
+    fn remake<R: Clone>(&self, f: &mut impl FnMut(&Self) -> R) -> R {
         f(self)
     }
     fn each(&mut self, f: &mut impl FnMut(&mut Self)) {

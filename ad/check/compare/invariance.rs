@@ -1,6 +1,7 @@
 //! Invariances: the value and its derivatives when the whole input moves.
 use crate::ad::check::evidence::{Combination, Evidence};
 use crate::ad::check::notes::Notes;
+use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::{
     Effect, Invariance, Kind, Motion, answer, exchanged, moved_by, velocity,
 };
@@ -17,21 +18,13 @@ pub(crate) fn invariances(e: &Evidence<'_>) -> Notes {
     if kinds.len() != e.x.len() || e.x.is_empty() {
         return said;
     }
-    let typical = e.scales.iter().fold(f64::INFINITY, |m, s| m.min(*s));
     // The same for every motion.
     let spread = match e.subject.invariances() {
         [] => Vec::new(),
         _ => e.spread(&e.y, None, |x| Some(e.subject.value(x))),
     };
     for &invariance in e.subject.invariances() {
-        let amount = match invariance.motion {
-            Motion::TranslationX | Motion::TranslationY | Motion::TranslationZ => {
-                TRANSLATION * typical
-            }
-            Motion::RotationX | Motion::RotationY | Motion::Rotation => ROTATION,
-            Motion::Scaling => SCALING,
-            Motion::Exchange => 0.0,
-        };
+        let amount = amount_of(invariance.motion, &e.scales);
         said.add(value_moves(e, invariance, amount, &kinds, &spread));
         for row in &e.rows {
             let Some(derivatives) = &row.adjoint else {
@@ -44,6 +37,37 @@ pub(crate) fn invariances(e: &Evidence<'_>) -> Notes {
         }
     }
     said
+}
+
+/// How far an input moves, by the scales of its numbers.
+fn amount_of(motion: Motion, scales: &[f64]) -> f64 {
+    match motion {
+        Motion::TranslationX | Motion::TranslationY | Motion::TranslationZ => {
+            TRANSLATION * scales.iter().fold(f64::INFINITY, |m, s| m.min(*s))
+        }
+        Motion::RotationX | Motion::RotationY | Motion::Rotation => ROTATION,
+        Motion::Scaling => SCALING,
+        Motion::Exchange => 0.0,
+    }
+}
+
+/// An input, moved as a whole by an amount.
+fn there(
+    subject: &dyn Subject,
+    motion: Motion,
+    amount: f64,
+    kinds: &[Kind],
+    x: &[f64],
+) -> Vec<f64> {
+    let there = moved_by(motion, amount, kinds, x);
+    let precision = subject.precision();
+    there.iter().map(|x| precision.round(*x)).collect()
+}
+
+/// The input whose value breaks an invariance, of one that is moved.
+pub(crate) fn moved(subject: &dyn Subject, motion: Motion, x: &[f64]) -> Vec<f64> {
+    let amount = amount_of(motion, &subject.scales(x));
+    there(subject, motion, amount, &subject.kinds(), x)
 }
 
 /// The kind of each number of the result.
@@ -65,9 +89,8 @@ fn value_moves(
     spread: &[f64],
 ) -> Notes {
     let (mut said, subject) = (Notes::new(e.x.len()), e.subject);
-    let (motion, precision) = (invariance.motion, subject.precision());
-    let there = moved_by(motion, amount, kinds, e.x);
-    let there: Vec<f64> = there.iter().map(|x| precision.round(*x)).collect();
+    let motion = invariance.motion;
+    let there = there(subject, motion, amount, kinds, e.x);
     if !subject.inside(&there) {
         return said;
     }

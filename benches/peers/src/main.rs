@@ -68,7 +68,7 @@ impl Dice {
 }
 
 fn narrow(list: &[Obb2<f64>]) -> Vec<Obb2<f32>> {
-    list.iter().map(|x| x.map(&mut |&x| x as f32)).collect()
+    list.iter().map(|x| x.remake(&mut |&x| x as f32)).collect()
 }
 
 /// Median seconds of a call: at least five runs, at least a third of a second.

@@ -644,7 +644,7 @@ fn faces_that_are_all_but_parallel_are_told_apart_in_single_precision() {
     ];
     for pair in pairs {
         let [a, b] = pair.map(of);
-        let wide = |shape: Obb2<f32>| shape.map(&mut |&x| f64::from(x));
+        let wide = |shape: Obb2<f32>| shape.remake(&mut |&x| f64::from(x));
         macro_rules! same {
             ($f:ident) => {
                 let (_, found) = gradient(|(a, b)| turned::$f(a, b), (a, b));

@@ -183,7 +183,8 @@ fn is_safe(a: &Polygon<f64>, b: &Polygon<f64>, operation: BooleanOperation, fill
     let mut dice = Dice(9);
     let known = trace(a, b);
     (0..40).all(|_| {
-        let near = |p: &Polygon<f64>, dice: &mut Dice| p.map(&mut |x| x + dice.within(-1e-4, 1e-4));
+        let near =
+            |p: &Polygon<f64>, dice: &mut Dice| p.remake(&mut |x| x + dice.within(-1e-4, 1e-4));
         trace(&near(a, &mut dice), &near(b, &mut dice)).vertex_count() == known.vertex_count()
     })
 }

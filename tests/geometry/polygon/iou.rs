@@ -392,7 +392,7 @@ fn scores_do_not_depend_on_place_size_and_order() {
                         "{width} {height} {x} {value:?}"
                     );
                 }
-                let plain = |o: Obb2<Jet<f32, 10>>| o.map(&mut |s| s.value);
+                let plain = |o: Obb2<Jet<f32, 10>>| o.remake(&mut |s| s.value);
                 let (by_a, by_b) = giou_obb2_vjp(plain(a), plain(b), 1.0);
                 assert!(
                     by_a.scalars()

@@ -193,7 +193,7 @@ fn derivatives_of_measures_are_their_differences() {
         for f in measures {
             let along = |k: usize, p: &Polygon<f64>| {
                 let mut next = 0;
-                f(&p.map(&mut |&value| {
+                f(&p.remake(&mut |&value| {
                     next += 1;
                     geograd::Jet {
                         value,

@@ -138,7 +138,7 @@ fn derivatives_are_those_of_the_usual_result() {
 fn single_precision_has_a_grid_of_its_own() {
     let mut dice = Dice(7);
     for (a, b) in cases(&mut dice).into_iter().step_by(3) {
-        let narrow = |rings: &[Ring]| made(rings).map(&mut |&x| x as f32);
+        let narrow = |rings: &[Ring]| made(rings).remake(&mut |&x| x as f32);
         let parts = valid(
             &narrow(&a),
             &narrow(&b),
@@ -148,7 +148,7 @@ fn single_precision_has_a_grid_of_its_own() {
         .unwrap();
         let wide: Vec<Polygon<f64>> = parts
             .iter()
-            .map(|part| part.map(&mut |&x| f64::from(x)))
+            .map(|part| part.remake(&mut |&x| f64::from(x)))
             .collect();
         assert_eq!(flaw(&wide), Ok(()), "{a:?} {b:?}");
     }
