@@ -3,6 +3,12 @@ use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Centroid, Inertia, Surface, Volume};
 use crate::{Capsule3, Cone, Cylinder, Obb3, RoundBox3, Sphere, Symmetric3, Tetrahedron, Vec3};
 
+/// How many roundings of its own moments a turned tensor may be off: products by the axes of the world cancel, to none
+/// where two moments are equal.
+fn turned(inertia: Symmetric3<f64>) -> f64 {
+    4.0 * inertia.xx.max(inertia.yy).max(inertia.zz)
+}
+
 table! {
     /// The volume of {}.
     Volume: (shape) -> S { shape.volume() } [rigid(3)] range NOT_NEGATIVE jumps Never derivative Reverse {
@@ -35,7 +41,7 @@ table! {
         "inertia_cylinder": Cylinder;
         "inertia_cone": Cone;
         "inertia_tetrahedron": Tetrahedron;
-        "inertia_round_box": RoundBox3;
-        "inertia_obb3": Obb3;
+        "inertia_round_box": RoundBox3 roundings { turned(shape.inertia()) };
+        "inertia_obb3": Obb3 roundings { turned(shape.inertia()) };
     }
 }

@@ -141,14 +141,12 @@ impl<S: Scalar> Seen<S> {
         ];
         let differ = |x: S::Primal, y: S::Primal| !x.equals(y);
         let (none, all) = (S::Primal::zero(), one);
-        let sides_of_a = differ(of_a[0], none)
-            | differ(of_a[1], none)
-            | differ(of_a[2], none)
-            | differ(of_a[3], none);
-        let sides_of_b = differ(of_b[0], all)
-            | differ(of_b[1], all)
-            | differ(of_b[2], all)
-            | differ(of_b[3], all);
+        // Sides of no length have no direction.
+        let is_long = |x: S| x.primal().above(none);
+        let sides_of_a = (differ(of_a[0], none) | differ(of_a[2], none)) & is_long(a.y)
+            | (differ(of_a[1], none) | differ(of_a[3], none)) & is_long(a.x);
+        let sides_of_b = (differ(of_b[0], all) | differ(of_b[2], all)) & is_long(b.y)
+            | (differ(of_b[1], all) | differ(of_b[3], all)) & is_long(b.x);
         // From a corner of a to one of b, and where that is an edge; opposite ones four places apart.
         let over = |side: Vec2<S>, arm: Vec2<S>| (c + arm) - side;
         let [a0, a1] = [a, Vec2::new(-a.x, a.y)];
@@ -216,6 +214,8 @@ pub(super) fn least_rectangle<S: Scalar>(pair: &Relative<S>) -> Rectangle<S> {
         sum.size.x += taken(S::select(x.steep, width, length));
         sum.size.y += taken(S::select(x.steep, length, width));
     }
+    // Two points in one place have no direction, and nothing is around them.
+    let count = count.most(S::Primal::one());
     let mean = |x: S| x.over(S::from_primal(count));
     Rectangle {
         area: mean(sum.area),

@@ -95,8 +95,8 @@ pub fn of_edge<S: Scalar>(start: Vec2<S>, end: Vec2<S>) -> Sums<S> {
     ]
 }
 
-/// The end of the fold: second moments about the centroid, in the caller's unit. If the area is zero they are
-/// those about the local origin: zero. A ring longer than 2³⁵ in single precision (2²⁶⁶ in double) has no
+/// The end of the fold: second moments about the centroid, in the caller's unit. If the area is zero, there is no
+/// centroid: they are zero, with derivative zero. A ring longer than 2³⁵ in single precision (2²⁶⁶ in double) has no
 /// derivative: its moments are beyond all numbers unless nearly nothing is enclosed.
 #[must_use]
 #[inline(always)]
@@ -110,6 +110,7 @@ pub fn finish<S: Scalar>(sums: Sums<S>, seen: &Reference<S>) -> AreaMoments<S> {
     let central =
         |square: S, by: f64, p: S, q: S| square.over(S::lit(by)) - p * (q * twice.halved());
     let outer = |x: S| {
+        let x = S::select(flat, S::zero(), x);
         let x = S::select(seen.too_long(), S::from_primal(x.primal()), x);
         let area = seen.outer(seen.outer(x));
         seen.outer(seen.outer(area)).saturated().canonical()
