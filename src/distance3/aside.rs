@@ -1,8 +1,6 @@
 //! A direction in which round shapes part whose cores meet in a point.
 use super::core::Core;
-use super::near::size_of;
 use super::spot::fixed_vector;
-use crate::distance::edge::scale_of;
 use crate::{Scalar, Vec3};
 
 /// A direction of length one across both of two cores, a constant: across the two ways along their edges that are the
@@ -11,10 +9,7 @@ use crate::{Scalar, Vec3};
 pub(super) fn of_cores<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec3<S> {
     let (a, b) = (a.plain(), b.plain());
     let (of_a, of_b) = (a.ways(), b.ways());
-    let ways = || of_a.as_ref().iter().chain(of_b.as_ref()).copied();
-    let size = ways().fold(S::Primal::zero(), |most, way| most.most(size_of(way)));
-    let scale = scale_of::<S::Primal>(size);
-    let ways = ways().map(|way| way * scale);
+    let ways = of_a.as_ref().iter().chain(of_b.as_ref()).copied();
     // With a volume in their types, cores that no plane parts are parallel.
     match A::DIMENSION + B::DIMENSION < 3 {
         true => across(ways),
@@ -22,7 +17,7 @@ pub(super) fn of_cores<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec3<S>
     }
 }
 
-/// The same of ways whose lengths are about one.
+/// The same of ways. No product of four lengths of a size that is promised over- or underflows.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn across<S: Scalar>(ways: impl Iterator<Item = Vec3<S::Primal>> + Clone) -> Vec3<S> {
     let along = longest(ways.clone());
