@@ -85,6 +85,7 @@ pub fn closest_points_of_segments<S: Scalar>(
         .less(end_of_b(w + db, one))
         .less(end_of_a(Vec2::zero(), zero))
         .less(end_of_a(da, one));
+    let least = ends.value;
     let Pair(t, u) = ends.mean();
     // The crossing of both lines, where it is inside both segments: t = w × db / (da × db) and
     // u = w × da / (da × db).
@@ -102,8 +103,13 @@ pub fn closest_points_of_segments<S: Scalar>(
     // Guarded before the division: what is not chosen must be finite, too.
     let safe = S::select(crossing, turn, one);
     let inside = |x: S| S::select(crossing, x, zero).over(safe);
-    let t = S::select(crossing, inside(above_t), t);
-    let u = S::select(crossing, inside(above_u), u);
+    let (free_t, free_u) = (inside(above_t), inside(above_u));
+    // Of segments in line rounding says where they cross: they do not where an end is nearer than both places are.
+    let off = da * free_t - (w + db * free_u);
+    let rounding = S::lit((8.0 * S::EPSILON).powi(2));
+    let crossing = crossing & off.length_squared().at_most(least.most(rounding));
+    let t = S::select(crossing, free_t, t);
+    let u = S::select(crossing, free_u, u);
     ClosestOnSegments {
         on_a: (a.from + along_a * t).canonical(),
         on_b: (b.from + along_b * u).canonical(),

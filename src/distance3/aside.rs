@@ -1,9 +1,6 @@
 //! A direction in which round shapes part whose cores meet in a point.
 use super::core::Core;
-use super::near::{normal, size_of};
-use super::relation::direction;
 use super::spot::fixed_vector;
-use crate::distance::edge::scale_of;
 use crate::{Scalar, Vec3};
 
 /// A direction of length one across both of two cores, a constant: across the two ways along their edges that are the
@@ -12,32 +9,51 @@ use crate::{Scalar, Vec3};
 pub(super) fn of_cores<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec3<S> {
     let (a, b) = (a.plain(), b.plain());
     let (of_a, of_b) = (a.ways(), b.ways());
-    let ways = || of_a.as_ref().iter().chain(of_b.as_ref()).copied();
-    let size = ways().fold(S::Primal::zero(), |most, way| most.most(size_of(way)));
-    let scale = scale_of::<S::Primal>(size);
-    across(ways().map(|way| way * scale))
+    let ways = of_a.as_ref().iter().chain(of_b.as_ref()).copied();
+    // With a volume in their types, cores that no plane parts are parallel.
+    match A::DIMENSION + B::DIMENSION < 3 {
+        true => across(ways),
+        false => fixed_vector(unit(beside(longest(ways)))),
+    }
 }
 
-/// The same of ways whose lengths are about one.
+/// The same of ways. No product of four lengths of a size that is promised over- or underflows.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn across<S: Scalar>(ways: impl Iterator<Item = Vec3<S::Primal>> + Clone) -> Vec3<S> {
-    let (zero, one) = (S::Primal::zero(), S::Primal::one());
-    let longer = |most: Vec3<S::Primal>, way: Vec3<S::Primal>| {
-        most.length_squared().below(way.length_squared())
-    };
-    let none = Vec3::zero();
-    let along = ways
-        .clone()
-        .fold(none, |most, way| Vec3::select(longer(most, way), way, most));
-    let second = ways.fold(none, |most, way| {
-        let more = longer(along.cross(most), along.cross(way));
+    let along = longest(ways.clone());
+    let second = ways.fold(Vec3::zero(), |most, way| {
+        let [product, other] = [along.cross(most), along.cross(way)];
+        let more = product.length_squared().below(other.length_squared());
         Vec3::select(more, way, most)
     });
-    let up = normal(along, second);
-    let [x, y, z] = [along.x, along.y, along.z];
+    let product = along.cross(second);
+    let rounding = S::Primal::lit(S::EPSILON);
+    let squares = along.length_squared() * second.length_squared();
+    let clear = product.length_squared().above(squares * rounding);
+    fixed_vector(unit(Vec3::select(clear, product, beside(along))))
+}
+
+/// The longest of some vectors; zero of none.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn longest<P: Scalar>(vectors: impl Iterator<Item = Vec3<P>>) -> Vec3<P> {
+    vectors.fold(Vec3::zero(), |most, v| {
+        let longer = most.length_squared().below(v.length_squared());
+        Vec3::select(longer, v, most)
+    })
+}
+
+/// A vector across another one, along the first axis where that is zero.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn beside<P: Scalar>(Vec3 { x, y, z }: Vec3<P>) -> Vec3<P> {
+    let zero = P::zero();
     let flat = x.unsigned().at_most(y.unsigned());
-    let any = Vec3::select(flat, Vec3::new(zero, z, -y), Vec3::new(-z, zero, x));
-    let is_point = along.length_squared().equals(zero);
-    let any = Vec3::select(is_point, Vec3::new(one, zero, zero), direction(any));
-    fixed_vector(Vec3::select(up.clear & !up.none, up.unit, any))
+    let across = Vec3::select(flat, Vec3::new(zero, z, -y), Vec3::new(-z, zero, x));
+    let none = across.length_squared().equals(zero);
+    Vec3::select(none, Vec3::new(P::one(), zero, zero), across)
+}
+
+/// A vector with length one.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn unit<P: Scalar>(v: Vec3<P>) -> Vec3<P> {
+    v * P::one().over(v.length_squared().root())
 }

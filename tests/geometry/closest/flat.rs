@@ -1,7 +1,8 @@
 //! Of shapes of the plane.
 use super::check;
 use super::draw::Dice;
-use geograd::distance;
+use geograd::distance::segments::closest_points_of_segments;
+use geograd::distance::{self, Convex};
 use geograd::{Capsule2, Circle, Obb2, Pack, Pose2, Segment2, Triangle2, Vec2};
 
 fn place(dice: &mut Dice) -> Vec2<f64> {
@@ -132,6 +133,28 @@ fn of_polygons_with_corners_in_line() {
         let (a, b) = (a.map(|p| p.cast::<f32>()), b.map(|p| p.cast::<f32>()));
         let never = None::<fn([Vec2<f32>; 3], Vec2<f32>) -> [Vec2<f32>; 3]>;
         check!(distance, a, b, never, 8, f32);
+    }
+}
+
+/// Rounding says of segments in line, turned, where they cross.
+#[test]
+fn of_segments_in_line() {
+    let dice = &mut Dice(0x0123_5678_9abc_def1);
+    for _ in 0..20_000 {
+        let (from, way) = (place(dice), place(dice));
+        let turn = Pose2::new(Vec2::new(dice.whole(9) * 0.1, 0.3), dice.whole(30) * 0.1);
+        let mut edge = || {
+            let [start, end] = [0.25 * dice.whole(4), 0.25 * dice.whole(4)];
+            turn * Segment2::new(from + way * start, from + way * end)
+        };
+        let (a, b) = (edge(), edge());
+        let found = closest_points_of_segments(a, b);
+        let wide = (found.on_a.distance(found.on_b), a.distance(b));
+        let (a, b) = (a.cast::<f32>(), b.cast::<f32>());
+        let found = closest_points_of_segments(a, b);
+        let thin = (found.on_a.distance(found.on_b), a.distance(b));
+        assert!((wide.0 - wide.1).abs() < 1e-13, "{a:?} {b:?}: {wide:?}");
+        assert!((thin.0 - thin.1).abs() < 1e-4, "{a:?} {b:?}: {thin:?}");
     }
 }
 
