@@ -34,4 +34,4 @@ macro_rules! check {
         }
     }};
 }
-pub(self) use check;
+use check;
