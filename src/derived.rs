@@ -95,7 +95,7 @@ pub use {
 /// ```
 pub use geograd_derive::Shape;
 
-/// What else a shape derives.
+/// The other derives of a shape.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` lacks one of `Clone`, `Copy`, `Debug` and `PartialEq`, which a shape derives, too",
     label = "write `#[derive(Clone, Copy, Debug, PartialEq, Shape)]`",

@@ -6,7 +6,7 @@ use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 
-/// Whether the camera of a row of the second array sees the point of that row of the first one; the last argument is
+/// True where the camera of a row of the second array sees the point of that row of the first one; the last argument is
 /// the shape of the cameras.
 #[pyfunction]
 pub fn sees(

@@ -104,7 +104,7 @@ pub fn closest_points_of_segments<S: Scalar>(
     let safe = S::select(crossing, turn, one);
     let inside = |x: S| S::select(crossing, x, zero).over(safe);
     let (free_t, free_u) = (inside(above_t), inside(above_u));
-    // Of segments in line rounding says where they cross: they do not where an end is nearer than both places are.
+    // Rounding makes crossings of segments in line: none counts where an end is nearer than its two places are.
     let off = da * free_t - (w + db * free_u);
     let rounding = S::lit((8.0 * S::EPSILON).powi(2));
     let crossing = crossing & off.length_squared().at_most(least.most(rounding));

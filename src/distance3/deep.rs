@@ -163,7 +163,7 @@ pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
             let on_face = within(s, bound_v) & within(t, bound_u) & within(rest, bound_w);
             let along = long.dot(arm);
             let out = along - along.clamp(low, high);
-            // Where in a needle a foot is, a normal with few digits does not say.
+            // A normal of a needle has few digits, too few to place a foot.
             let on_face = on_face & (out * out).at_most(past) & normal.clear;
             let (s, t) = (s * over, t * over);
             let foot = spot([(P::one() - s) - t, s, t]);

@@ -142,7 +142,7 @@ fn measure_counted<S: Scalar, const N: usize, const M: usize>(
     }
 }
 
-/// What an edge contributes, as a call: in line, for every edge of full polygons, derivatives of many numbers are
+/// The contribution of an edge, as a call: in line, for every edge of full polygons, derivatives of many numbers are
 /// megabytes of code.
 #[inline(never)]
 fn shared_of_edge<S: Scalar, const M: usize>(

@@ -8,7 +8,7 @@ use super::polynomial::polynomial;
 use crate::Scalar;
 use std::f64::consts::{FRAC_PI_4, SQRT_2};
 
-/// What the nearest number lacks of `π/4`; of each of its multiples up to four it is as many times that.
+/// The error of the nearest number to `π/4`; that of each multiple up to four is as many times this one.
 const LACKS: f64 = 3.061_616_997_868_383e-17;
 
 /// The arctangent less its argument, over the cube of it, in powers of the square: the best ones in the uniform norm.

@@ -1,4 +1,4 @@
-//! What belongs to a shape, by signs in numbers of twice the digits: straight lines.
+//! Membership of points in shapes, by signs in numbers of twice the digits: straight lines.
 use crate::arrays::Each;
 use crate::scalar::largest;
 use crate::twofold::{Twofold, Way, cross, dot, rounded, turn, volume, way};
