@@ -1,10 +1,10 @@
-//! Hessians of all rows of one number where shapes share axes, places and coordinates: beside differences of their
+//! Hessians of all rows of one number where shapes are aligned, parallel or concentric: beside differences of their
 //! gradients.
 use geograd::ad::sample::Draw;
 use geograd::kernels::dynamic::{Layout, Operation, Sort, operations};
 
 /// Inputs of a row.
-const COUNT: usize = 24;
+const COUNT: usize = 6;
 /// The step of differences; gradients are right to rounding, so that these are to about 10⁻¹⁰.
 const STEP: f64 = 1.0 / (1 << 17) as f64;
 /// Differences of both sides and of two steps that are nearer to each other, of themselves and of one, are those of a
@@ -12,19 +12,43 @@ const STEP: f64 = 1.0 / (1 << 17) as f64;
 const SMOOTH: f64 = 1e-3;
 /// Hessians and differences agree to this share of them and of one.
 const NEAR: f64 = 5e-3;
+/// How far the neighbours of an input are, and how far differences there may be from those here where no two formulas
+/// meet: second derivatives jump between a face and its edge, though gradients do not.
+const BESIDE: f64 = 1.0 / (1 << 12) as f64;
+const PAIRS: usize = 6;
+const ALIKE: f64 = 0.02;
 
-/// The first coordinate of a quaternion among the fields of a shape, and angles.
-fn is_rotation(name: &str) -> bool {
-    name.contains("rotation")
-}
-fn is_angle(name: &str) -> bool {
-    ["heading", "angle", "yaw", "pitch", "roll"]
-        .iter()
-        .any(|part| name.contains(part))
+/// How a number of a shape is drawn.
+enum Part {
+    /// A coordinate of a quaternion.
+    Rotation,
+    Angle,
+    /// A coordinate of a place, along this axis.
+    Place(usize),
+    /// A coordinate of a direction.
+    Direction,
+    /// Sizes, radii, weights.
+    Other,
 }
 
-/// A valid row of small multiples of a half; axes of the world, but for one in four, which are quarter turns. Fields that
-/// an earlier shape has under the same name are taken from it if `alike` says so.
+fn part(name: &str, shape: &str) -> Part {
+    let (of, last) = name.rsplit_once('.').unwrap_or(("", name));
+    if shape == "Rotation3" || of == "rotation" || ["qw", "qx", "qy", "qz"].contains(&last) {
+        return Part::Rotation;
+    }
+    if ["heading", "radians", "rotation_y"].contains(&last) || of == "heading" {
+        return Part::Angle;
+    }
+    match (of, ["x", "y", "z"].iter().position(|axis| *axis == last)) {
+        ("size", _) | (_, None) => Part::Other,
+        ("direction" | "normal", Some(_)) => Part::Direction,
+        (_, Some(axis)) => Part::Place(axis),
+    }
+}
+
+/// A valid shape with axes of the world, but for one in four, which are quarter turns; directions and differences of
+/// places are small multiples of a half. Half the centres are those of an earlier shape. No two shapes share more, nor
+/// has any two equal sizes: formulas change where they do, and second derivatives jump.
 fn drawn(layout: &Layout<f64>, draw: &mut Draw, earlier: &[(String, f64)]) -> Option<Vec<f64>> {
     let names: Vec<String> = layout
         .names()
@@ -35,27 +59,31 @@ fn drawn(layout: &Layout<f64>, draw: &mut Draw, earlier: &[(String, f64)]) -> Op
         let mut row = vec![0.0; layout.fields()];
         let turned = draw.below(4) == 0;
         let (axis, alike) = (draw.below(3), draw.below(2) == 0);
+        let mut beside = || (1 + draw.below(999)) as f64 / 4000.0;
+        let places = [(); 3].map(|()| beside());
+        let sizes = [(); 16].map(|()| beside());
         let mut of_rotation = 0;
         for (k, x) in row.iter_mut().enumerate() {
             let Some(name) = names.get(k) else {
                 continue;
             };
             let number = draw.below(9) as f64 / 2.0 - 2.0;
-            *x = match () {
-                () if is_rotation(name) => {
+            *x = match part(name, &layout.name()) {
+                Part::Rotation => {
                     of_rotation += 1;
                     let is_on = of_rotation == 1 || turned && of_rotation == axis + 2;
                     f64::from(u8::from(is_on))
                 }
-                () if is_angle(name) => match turned {
-                    true => std::f64::consts::FRAC_PI_2,
-                    false => 0.0,
-                },
-                () if attempt % 2 == 1 => number.abs(),
-                () => number,
+                Part::Angle if turned => std::f64::consts::FRAC_PI_2,
+                Part::Angle => 0.0,
+                Part::Place(axis) => number + places[axis],
+                Part::Direction => number,
+                Part::Other if attempt % 4 == 3 => number + sizes[k % 16],
+                Part::Other => number.abs() + sizes[k % 16],
             };
             let before = earlier.iter().find(|(other, _)| other == name);
-            if let (Some((_, before)), true) = (before, alike && name.contains("center")) {
+            let is_center = matches!(name.as_str(), "x" | "y" | "z");
+            if let (Some((_, before)), true) = (before, alike && is_center) {
                 *x = *before;
             }
         }
@@ -88,6 +116,43 @@ fn is_valid(operation: &Operation, x: &[f64]) -> bool {
         let (own, others) = rest.split_at(layout.fields());
         rest = others;
         layout.check(own).is_ok()
+    })
+}
+
+/// The mean of differences of slope `j` by coordinate `i`, on both sides, if both are valid.
+fn mean_difference(
+    operation: &Operation,
+    slopes: &impl Fn(&[f64]) -> Vec<f64>,
+    x: &[f64],
+    (i, j): (usize, usize),
+) -> Option<f64> {
+    let [before, behind] = [-STEP, STEP].map(|step| {
+        let mut x = x.to_vec();
+        x[i] += step;
+        is_valid(operation, &x).then(|| slopes(&x)[j])
+    });
+    Some((behind? - before?) / (2.0 * STEP))
+}
+
+/// `true` where valid neighbours of an input, on both sides in random directions, have the same second derivative.
+fn is_smooth(
+    operation: &Operation,
+    slopes: &impl Fn(&[f64]) -> Vec<f64>,
+    x: &[f64],
+    at: (usize, usize),
+    mean: f64,
+) -> bool {
+    let mut draw = Draw::new(11);
+    (0..PAIRS).all(|_| {
+        let way: Vec<f64> = x
+            .iter()
+            .map(|_| BESIDE * (draw.below(2001) as f64 / 1000.0 - 1.0))
+            .collect();
+        [-1.0, 1.0].iter().all(|sign| {
+            let beside: Vec<f64> = x.iter().zip(&way).map(|(x, way)| x + sign * way).collect();
+            let there = mean_difference(operation, slopes, &beside, at);
+            there.is_some_and(|there| (there - mean).abs() <= ALIKE * (1.0 + mean.abs()))
+        })
     })
 }
 
@@ -128,7 +193,9 @@ fn compare(operation: &Operation, seed: u64) -> (usize, Vec<String>) {
                     .all(|x| (x - mean).abs() <= SMOOTH * (1.0 + mean.abs()));
                 let off = (row[j] - mean).abs();
                 compared += usize::from(smooth);
-                let is_wrong = !row[j].is_finite() || smooth && off > NEAR * (1.0 + mean.abs());
+                let differs = smooth && off > NEAR * (1.0 + mean.abs());
+                let is_wrong = !row[j].is_finite()
+                    || differs && is_smooth(operation, &slopes, &x, (i, j), mean);
                 if is_wrong {
                     wrong.push(format!(
                         "{name} at {x:?}: by {i}, {j} {}, differences {mean}",
