@@ -105,12 +105,23 @@ pub(super) fn of_any<S: Scalar>(a: Obb3<S>, b: Obb3<S>, iou: S, kind: Enclosing)
     let reach = [0, 1, 2].each_as(|i: usize| {
         (r[0][i].magnitude() * h[0] + r[1][i].magnitude() * h[1]) + r[2][i].magnitude() * h[2]
     });
-    let by_b = seen.renamed.restore(extents(p, back, reach));
+    let by_b = extents(p, back, reach);
     // The smaller one, by values alone: where rounding decides, both by half.
     let (of_a, of_b) = (volume(by_a).primal(), volume(by_b).primal());
     let slack = (of_a + of_b) * S::Primal::lit(ROUNDINGS * S::EPSILON);
-    let tie = (of_a - of_b).unsigned().at_most(slack);
-    let second = of_b.below(of_a);
+    let close = (of_a - of_b).unsigned().at_most(slack);
+    // A box that holds the other one is the least around both, however it turns.
+    let holds = |around: Three<S>, half: Three<S>| {
+        let [x, y, z] = [0, 1, 2].each_as(|i: usize| {
+            let half = half[i].primal();
+            around[i].primal().at_most(half + half)
+        });
+        (x & y) & z
+    };
+    let (a_holds, b_holds) = (holds(by_a, h), holds(by_b, p));
+    let by_b = seen.renamed.restore(by_b);
+    let tie = close & ((a_holds & b_holds) | !(a_holds | b_holds));
+    let second = (of_b.below(of_a) & !(close & a_holds)) | (close & (b_holds & !a_holds));
     let chosen = [0, 1, 2].each_as(|i: usize| choose(second, by_b[i], by_a[i]));
     let other = [0, 1, 2].each_as(|i: usize| choose(second, by_a[i], by_b[i]));
     let (chosen, other) = (pair.terms(chosen), pair.terms(other));

@@ -17,7 +17,8 @@ pub enum Enclosing {
     Aabb,
     /// A box that turns with the pair. Axis-aligned and upright boxes: the rectangle of least area around both
     /// grounds times the height of both. Boxes of any orientation: the smaller one, by volume, of the boxes
-    /// around both along the axes of either; equal ones, to within rounding, count half and half.
+    /// around both along the axes of either; equal ones, to within rounding, count half and half, but a box that
+    /// holds the other one is the shape itself.
     Rectangle,
     /// The convex hull of both grounds times the height of both, for axis-aligned and upright boxes; boxes of
     /// any orientation as [`Rectangle`](Enclosing::Rectangle).

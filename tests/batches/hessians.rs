@@ -156,47 +156,63 @@ fn is_smooth(
     })
 }
 
-/// The entries of Hessians that were compared, and what is wrong with others.
+/// Quotients of differences of every slope by coordinate `i`, on both sides with two steps, if all are valid.
+fn quotients(
+    operation: &Operation,
+    slopes: &impl Fn(&[f64]) -> Vec<f64>,
+    x: &[f64],
+    i: usize,
+) -> Option<Vec<[f64; 4]>> {
+    let here = slopes(x);
+    let moved = |step: f64| {
+        let mut x = x.to_vec();
+        x[i] += step;
+        is_valid(operation, &x).then(|| (slopes(&x), step))
+    };
+    let [Some(a), Some(b), Some(c), Some(d)] = [-STEP, STEP, -STEP / 2.0, STEP / 2.0].map(moved)
+    else {
+        return None;
+    };
+    let quotient = |(there, step): &(Vec<f64>, f64), j: usize| (there[j] - here[j]) / step;
+    let of_slope = |j| [&a, &b, &c, &d].map(|there| quotient(there, j));
+    Some((0..here.len()).map(of_slope).collect())
+}
+
+/// The entries of Hessians that were compared, and what is wrong with others. No Hessian exists at an input with a kink
+/// in any direction: there, only numbers are asked for.
 fn compare(operation: &Operation, seed: u64) -> (usize, Vec<String>) {
     let name = operation.name;
     let program = operation.program::<f64>().expect(name);
     let gradient = program.value_grad().expect(name);
     let (hvp, mut draw) = (program.hvp().expect(name), Draw::new(seed));
+    let slopes = |x: &[f64]| gradient.eval(x).expect(name)[1..].to_vec();
     let (mut compared, mut wrong) = (0, Vec::new());
     for _ in 0..COUNT {
         let Some(x) = input(operation, &mut draw) else {
             continue;
         };
-        let slopes = |x: &[f64]| gradient.eval(x).expect(name)[1..].to_vec();
-        let here = slopes(&x);
-        for i in 0..x.len() {
-            let moved = |step: f64| {
-                let mut x = x.clone();
-                x[i] += step;
-                is_valid(operation, &x).then(|| slopes(&x))
-            };
-            let steps = [-STEP, STEP, -STEP / 2.0, STEP / 2.0];
-            let [Some(a), Some(b), Some(c), Some(d)] = steps.map(moved) else {
-                continue;
-            };
+        let all: Vec<_> = (0..x.len())
+            .map(|i| quotients(operation, &slopes, &x, i))
+            .collect();
+        let is_even = |all: &[f64; 4]| {
+            let mean = (all[0] + all[1]) / 2.0;
+            let is_near = |x: &f64| (x - mean).abs() <= SMOOTH * (1.0 + mean.abs());
+            all.iter().all(is_near)
+        };
+        let smooth = all.iter().flatten().flatten().all(is_even);
+        for (i, all) in all.iter().enumerate() {
             let mut direction = vec![0.0; x.len()];
             direction[i] = 1.0;
-            let given = [&x[..], &direction].concat();
-            let row = hvp.eval(&given).expect(name);
-            let row = &row[row.len() - here.len()..];
-            for j in 0..here.len() {
-                let all = [(&a, -STEP), (&b, STEP), (&c, -STEP / 2.0), (&d, STEP / 2.0)]
-                    .map(|(there, step)| (there[j] - here[j]) / step);
+            let row = hvp.eval(&[&x[..], &direction].concat()).expect(name);
+            let row = &row[row.len() - x.len()..];
+            if let Some(bad) = row.iter().find(|x| !x.is_finite()) {
+                wrong.push(format!("{name} at {x:?}: by {i} {bad}"));
+            }
+            for (j, all) in all.iter().flatten().enumerate().filter(|_| smooth) {
                 let mean = (all[0] + all[1]) / 2.0;
-                let smooth = all
-                    .iter()
-                    .all(|x| (x - mean).abs() <= SMOOTH * (1.0 + mean.abs()));
-                let off = (row[j] - mean).abs();
-                compared += usize::from(smooth);
-                let differs = smooth && off > NEAR * (1.0 + mean.abs());
-                let is_wrong = !row[j].is_finite()
-                    || differs && is_smooth(operation, &slopes, &x, (i, j), mean);
-                if is_wrong {
+                let differs = (row[j] - mean).abs() > NEAR * (1.0 + mean.abs());
+                compared += 1;
+                if differs && is_smooth(operation, &slopes, &x, (i, j), mean) {
                     wrong.push(format!(
                         "{name} at {x:?}: by {i}, {j} {}, differences {mean}",
                         row[j]
@@ -210,13 +226,18 @@ fn compare(operation: &Operation, seed: u64) -> (usize, Vec<String>) {
 
 #[test]
 fn hessians_of_aligned_shapes_are_differences_of_gradients() {
-    let mut failed = Vec::new();
+    let (mut rows, mut seen, mut failed) = (0, 0, Vec::new());
     for operation in operations() {
-        if operation.sort != Sort::Straight || operation.value_grad::<f64>().is_none() {
+        // The gradient of a score with a fixed weight is not that of its value.
+        let is_fixed = operation.name.contains("fixed_weight");
+        let is_searched = operation.sort != Sort::Straight;
+        if is_fixed || is_searched || operation.value_grad::<f64>().is_none() {
             continue;
         }
         let (compared, wrong) = compare(operation, 7);
         println!("{} {compared} {}", operation.name, wrong.len());
+        rows += 1;
+        seen += usize::from(compared > 0);
         if let Some(first) = wrong.first() {
             failed.push(format!("{} of {compared} entries: {first}", wrong.len()));
         }
@@ -227,4 +248,5 @@ fn hessians_of_aligned_shapes_are_differences_of_gradients() {
         failed.len(),
         failed.join("\n")
     );
+    assert!(seen * 10 >= rows * 9, "{seen} of {rows} rows are compared");
 }
