@@ -46,24 +46,30 @@ pub fn rows() -> Vec<&'static Tested> {
 /// If no row has a name that is wanted always.
 #[must_use]
 pub fn sample(rows: Vec<&'static Tested>, always: &[&str]) -> Vec<&'static Tested> {
+    let names = rows.iter().map(|row| row.name()).collect();
+    let chosen = are_sampled(names, always);
+    rows.into_iter()
+        .filter(|row| chosen.contains(row.name()))
+        .collect()
+}
+
+/// The names of rows that a slow test judges, of these, as [`sample`] does.
+///
+/// # Panics
+///
+/// If no row has a name that is wanted always.
+#[must_use]
+pub fn are_sampled(names: Vec<&'static str>, always: &[&str]) -> HashSet<&'static str> {
     if std::env::var("GEOGRAD_ALL_ROWS").is_ok_and(|x| x == "1")
         || std::env::var("GEOGRAD_OP").is_ok()
     {
-        return rows;
+        return names.into_iter().collect();
     }
     for name in always {
-        assert!(
-            rows.iter().any(|row| row.name() == *name),
-            "no row is named {name}"
-        );
+        assert!(names.contains(name), "no row is named {name}");
     }
     let share = std::env::var("GEOGRAD_SHARE").ok();
-    let names = rows.iter().map(|row| row.name()).collect();
     let chosen = selected(names, always, share.as_deref());
-    let chosen: Vec<_> = rows
-        .into_iter()
-        .filter(|row| chosen.contains(row.name()))
-        .collect();
     eprintln!("{} rows; GEOGRAD_ALL_ROWS=1 takes all", chosen.len());
     chosen
 }

@@ -2,7 +2,7 @@
 use geograd::kernels::identities;
 
 /// Inputs of every identity in either format; the report takes many more.
-const COUNT: u64 = 1024;
+const COUNT: u64 = 256;
 
 #[test]
 fn every_identity_holds() {

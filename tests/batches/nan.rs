@@ -86,7 +86,7 @@ fn judged<T: Number>(row: &Tested, repeat: usize) -> Vec<String> {
 #[test]
 fn a_nan_of_a_function_is_nan_of_the_row_that_it_calls() {
     let mut flaws = Vec::new();
-    for row in list::rows() {
+    for row in list::sample(list::rows(), &[]) {
         if row.operation.sort == Sort::Straight {
             flaws.extend(judged::<f64>(row, 1));
             flaws.extend(judged::<f32>(row, 1));

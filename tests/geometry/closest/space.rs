@@ -107,7 +107,7 @@ impl Drawn for Cone<f64> {
 macro_rules! pairs {
     ($dice:expr; $($A:ident $B:ident),*) => { $({
         let dice = &mut *$dice;
-        for _ in 0..2000 {
+        for _ in 0..500 {
             let (at, other) = (place(dice), place(dice));
             let other = if dice.below(2) == 0 { at } else { other };
             let a = <$A<f64> as Drawn>::drawn(dice, at);

@@ -11,7 +11,7 @@ macro_rules! far_is_near {
         fn $name() {
             let mut random = Random(0x1357_9bdf_0246_8ace);
             let far = Vec3::<$t>::new($far, -$far, $far);
-            for _ in 0..1500 {
+            for _ in 0..500 {
                 let mut place = |low: f64, high: f64| {
                     let mut one = || (random.within(low, high).round() * $unit) as $t;
                     Vec3::new(one(), one(), one())
