@@ -11,7 +11,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex};
 
 /// Rows of the plane that the harness refuses at more than some hard cases: a gradient that is not the function's on
-/// purpose, and quadrilaterals that cross themselves, at whose ties the adjoint shares derivatives otherwise.
+/// purpose, and quadrilaterals with repeated corners along a shared edge, of which the adjoint shares the derivative
+/// otherwise.
 pub const REFUSED: [&str; 3] = [
     "ciou_fixed_weight_aabb2",
     "ciou_fixed_weight_obb2",

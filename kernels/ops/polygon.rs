@@ -1,13 +1,16 @@
 //! Scores of convex polygons as operations.
 use crate::clipping::Corner;
+use crate::distance::{distance, farthest_distance, signed_distance};
 use crate::hull::{MergeTrace, merge_search, merge_replay};
 use crate::iou::{
     FarthestCorners, diou_polygons_search, diou_polygons_replay, giou_polygons_replay,
 };
 use crate::kernels::ops::tables::searches;
-use crate::kernels::verbs::{Diou, Giou, HullArea, IntersectionArea, Iof, Iou};
+use crate::kernels::verbs::{
+    Diou, Distance, FarthestDistance, Giou, HullArea, IntersectionArea, Iof, Iou, SignedDistance,
+};
 use crate::overlap_polygon::{intersection_area_polygons, iof_polygons, iou_polygons};
-use crate::{ConvexPolygon, Scalar};
+use crate::{ConvexPolygon, Scalar, Vec2};
 
 /// The vertices of the joint hull of two polygons. With too little room it does not compile.
 fn joint_hull<S: Scalar<Mask = bool>, const N: usize, const K: usize>(
@@ -85,5 +88,48 @@ searches! {
     replay |(a, b), hull| { merge_replay(&a, &b, &hull).area() }
     [rigid(2)]
     range NOT_NEGATIVE
+    jumps Never
+
+    /// The [distance](crate::distance::distance) of two convex polygons of up to `N` vertices, 0 where they meet.
+    Distance<N> = "distance_polygons": (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by ();
+    decide |_| {}
+    replay |(a, b), _nothing| { distance(a, b) }
+    [rigid(1)]
+    range NOT_NEGATIVE
+    jumps Never
+
+    /// The [signed distance](crate::distance::signed_distance) of two convex polygons of up to `N` vertices: less
+    /// than 0 where they overlap, by the least move that parts them.
+    SignedDistance<N> = "signed_distance_polygons":
+        (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by ();
+    decide |_| {}
+    replay |(a, b), _nothing| { signed_distance(a, b) }
+    [rigid(1)]
+    jumps Never
+
+    /// The [farthest distance](crate::distance::farthest_distance) of two convex polygons of up to `N` vertices.
+    FarthestDistance<N> = "farthest_distance_polygons":
+        (a, b) as (ConvexPolygon<S, N>, ConvexPolygon<S, N>) => S, by ();
+    decide |_| {}
+    replay |(a, b), _nothing| { farthest_distance(a, b) }
+    [rigid(1)]
+    range NOT_NEGATIVE
+    jumps Never
+
+    /// The [distance](crate::distance::distance) of a point from a convex polygon of up to `N` vertices, 0 inside.
+    Distance<N> = "distance_point_polygon": (point, polygon) as (Vec2<S>, ConvexPolygon<S, N>) => S, by ();
+    decide |_| {}
+    replay |(point, polygon), _nothing| { distance(point, polygon) }
+    [rigid(1)]
+    range NOT_NEGATIVE
+    jumps Never
+
+    /// The [signed distance](crate::distance::signed_distance) of a point from the border of a convex polygon of up to
+    /// `N` vertices, less than 0 inside.
+    SignedDistance<N> = "signed_distance_point_polygon":
+        (point, polygon) as (Vec2<S>, ConvexPolygon<S, N>) => S, by ();
+    decide |_| {}
+    replay |(point, polygon), _nothing| { signed_distance(point, polygon) }
+    [rigid(1)]
     jumps Never
 }

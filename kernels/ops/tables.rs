@@ -282,8 +282,13 @@ macro_rules! searches {
     } };
 }
 
-/// The row of a search in the list: of polygons of up to six corners, or of two of up to five.
+/// The row of a search in the list: of polygons of up to six corners, of two of up to five, or of one and a point.
 macro_rules! capacity {
+    ($what:ident $walk:tt $Verb:ident, $name:literal, (point, $polygon:ident)) => {
+        crate::kernels::ops::tables::line!(
+            $what $walk search $Verb, $name, [Vec2 ConvexPolygon6] (crate::Vec2<f64>, crate::ConvexPolygon<f64, 6>)
+        )
+    };
     ($what:ident $walk:tt $Verb:ident, $name:literal, ($polygon:ident)) => {
         crate::kernels::ops::tables::line!(
             $what $walk search $Verb, $name, [ConvexPolygon6] crate::ConvexPolygon<f64, 6>
@@ -315,6 +320,11 @@ macro_rules! finds {
             }
         }
     };
+    ($Verb:ident<N> (point, $polygon:ident)) => {
+        crate::kernels::ops::tables::finds!(
+            @pair [const N: usize] $Verb, crate::Vec2<S>, crate::ConvexPolygon<S, N>, <N>
+        );
+    };
     ($Verb:ident<N> ($a:ident, $b:ident)) => {
         crate::kernels::ops::tables::finds!(@two [const N: usize] $Verb, N, <N>);
     };
@@ -327,16 +337,18 @@ macro_rules! finds {
         crate::kernels::ops::tables::finds!(@two [] $Verb, 7, <7, 14>);
         crate::kernels::ops::tables::finds!(@two [] $Verb, 8, <8, 16>);
     };
-    (@two [$($constant:tt)*] $Verb:ident, $N:tt, <$($capacity:tt),+>) => {
-        impl<S: crate::Scalar<Mask = bool>, $($constant)*>
-            crate::kernels::verbs::Binary<crate::ConvexPolygon<S, $N>, crate::ConvexPolygon<S, $N>>
-            for $Verb
-        {
+    (@two $constants:tt $Verb:ident, $N:tt, <$($capacity:tt),+>) => {
+        crate::kernels::ops::tables::finds!(
+            @pair $constants $Verb, crate::ConvexPolygon<S, $N>, crate::ConvexPolygon<S, $N>, <$($capacity),+>
+        );
+    };
+    (@pair [$($constant:tt)*] $Verb:ident, $A:ty, $B:ty, <$($capacity:tt),+>) => {
+        impl<S: crate::Scalar<Mask = bool>, $($constant)*> crate::kernels::verbs::Binary<$A, $B> for $Verb {
             type Out = <Item<$($capacity),+> as crate::kernels::search::Search>::Out<S>;
             type By = crate::kernels::search::Searched<Item<$($capacity),+>>;
             const BY: Self::By = crate::kernels::search::search(Item);
             #[inline]
-            fn apply(a: crate::ConvexPolygon<S, $N>, b: crate::ConvexPolygon<S, $N>) -> Self::Out {
+            fn apply(a: $A, b: $B) -> Self::Out {
                 use crate::kernels::search::Search;
                 crate::scalar::guarded((a, b), |both| {
                     let found = Item::<$($capacity),+>::decide(both);
