@@ -92,7 +92,7 @@ pub(super) const SENTENCES: &[Sentence] = &[
         name: "closest points are as far apart as the signed distance says",
         verbs: &["closest_points"],
         asks: &[same("signed_distance")],
-        roundings: 64.0,
+        roundings: 256.0,
         holds: |case, signed| case.near(between(case), signed[0].abs()),
     },
     Sentence {

@@ -30,12 +30,14 @@ pub(super) fn in_cone<S: Scalar>(beam: Beam<S>, base: Vec3<S>, radius: S) -> Ins
     let turn = along.cross(arm);
     let left = wide * unit.cross(turn).length_squared() - tall * unit.dot(turn).squared();
     let left = discriminant(a, b, c, square * tall * left);
-    let parallel = a.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
+    // Both terms of `a` are rounded four times; a line so near to parallel to a straight line of the side crosses it once
+    // within the cone.
+    let least = (tall * u.length_squared() + wide * rate * rate) * S::lit(4.0 * S::EPSILON);
+    let parallel = a.magnitude().at_most(least);
     // Through the apex, within four roundings, both roots are one, without a slope across the line.
     let slack = size_of(along) * size_of(arm) * S::Primal::lit(4.0 * S::EPSILON);
     let at_apex = size_of(turn).at_most(slack);
     let left = S::select(at_apex, zero, left);
-    // A line parallel to a straight line of the side crosses it once.
     let (near, far) = roots(S::select(parallel, one, a), -b, c, left);
     let length = along.length_squared();
     let still = length.at_most(zero);

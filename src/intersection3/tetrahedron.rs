@@ -17,6 +17,9 @@ const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 /// The corners of the edges.
 const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 
+/// Solids whose volume is at most so many roundings are thin, and faces narrow that are so much smaller than others.
+const THIN: f64 = 256.0;
+
 /// The corners as seen along a line.
 struct Sight<S: Scalar> {
     /// How far ahead each is, times the direction.
@@ -81,6 +84,8 @@ struct Met<S: Scalar> {
     place: S,
     normal: Vec3<S>,
     count: S,
+    /// The largest area of them, as the line sees it.
+    area: S::Primal,
 }
 
 impl<S: Scalar> Met<S> {
@@ -90,15 +95,17 @@ impl<S: Scalar> Met<S> {
             place: S::zero(),
             normal: Vec3::zero(),
             count: S::zero(),
+            area: S::Primal::zero(),
         }
     }
     #[inline(always)]
-    fn join(self, is_met: S::Mask, place: S, normal: Vec3<S>) -> Self {
+    fn join(self, is_met: S::Mask, (place, area): (S, S), normal: Vec3<S>) -> Self {
         let first = is_met & self.count.equals(S::zero());
         Met {
             place: self.place + S::select(is_met, place, S::zero()),
             normal: Vec3::select(first, normal, self.normal),
             count: self.count + S::select(is_met, S::one(), S::zero()),
+            area: S::Primal::select(is_met, self.area.most(area.primal().unsigned()), self.area),
         }
     }
     #[inline(always)]
@@ -153,20 +160,32 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
         let place = sum.over(S::select(met, area, one));
         let low = raw_lows[face] | lows[face] & !raw_low;
         let high = raw_highs[face] | highs[face] & !raw_high;
-        against = against.join(low, place, normals[face]);
-        with = with.join(high, place, normals[face]);
+        against = against.join(low, (place, area), normals[face]);
+        with = with.join(high, (place, area), normals[face]);
     }
     let both = against.is_some() & with.is_some();
     // The chord of a flat solid is one place, of which all faces are part.
     let (low, high) = (against.mean(), with.mean());
+    let pick = |mask: S::Mask, yes: S, no: S| S::select(mask, yes, no);
     let length = S::from_primal(size_of(beam.along));
     let fine = S::from_primal(sight.slack) * length;
     let [b, c, d] = [b, c, d].each_as(|corner| corner - a);
     let least = triple_terms(b, c, d) * S::lit(S::EPSILON);
-    let touch = b.cross(c).dot(d).magnitude().at_most(least);
+    let volume = b.cross(c).dot(d).magnitude();
+    let touch = volume.at_most(least);
+    // Through a thin solid that is seen broadside, the place on a face that is seen edge-on is mostly rounding: the chord
+    // ends where it begins.
+    let thin = volume.at_most(least * S::lit(THIN));
+    let narrow =
+        |one: S::Primal, other: S::Primal| thin & (one * S::Primal::lit(THIN)).below(other);
+    let (poor_low, poor_high) = (
+        both & narrow(against.area, with.area),
+        both & narrow(with.area, against.area),
+    );
+    let (low, high) = (pick(poor_low, high, low), pick(poor_high, low, high));
     let all = (against.place + with.place).over((against.count + with.count).most(one));
+    let all = pick(poor_low | poor_high, low, all);
     let turned = high.below(low);
-    let pick = |mask: S::Mask, yes: S, no: S| S::select(mask, yes, no);
     let enter = pick(touch, all, pick(turned, high, low));
     let exit = pick(touch, all, pick(turned, low, high));
     let enter_normal = Vec3::select(turned, -with.normal, against.normal);

@@ -7,8 +7,8 @@
 //! `sample`), and prints a line per form: plain numbers, duals, an adjoint by hand, aligned batches, all pairs,
 //! reductions, folds, searches; and per template of a shader. `--check FILE` names each line that differs, `--names
 //! FILE` maps rows that were renamed, `--write FILE` records. Only `rows.rs`, `forms.rs` and `paths.rs` call the
-//! library; a change of its calls changes these files and no line of the record. The lines hold on one system, whose
-//! sines and exponentials they contain. The feature `hashes` keeps the example out of other builds: on one core it
+//! library; a change of its calls changes these files and no line of the record. Sines and exponentials are the library's own, so that
+//! the lines hold on every machine. The feature `hashes` keeps the example out of other builds: on one core it
 //! takes 70 s to compile and 85 s to run.
 //!
 //! `cargo run -p geograd-tests --no-default-features --features gpu,hashes --example hashes -- --check
