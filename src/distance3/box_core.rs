@@ -1,6 +1,6 @@
 //! Boxes of any orientation as cores.
 use super::core::{BoxCore, Core};
-use super::deep::{MORE, box_faces};
+use super::deep::{EQUAL, box_faces};
 use super::near::{Candidate, Edge, Nearest, square_of};
 use super::parting::{Lowest, PartingPlane};
 use super::spot::{self, Counted, Pull, Spot, fixed, fixed_vector, part};
@@ -228,7 +228,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
             let rise = normal.dot(arms[k]).magnitude();
             let here = lowest.spot.parts[1 + k];
             let side = S::one().signed_as(here);
-            let turn = (at[k] * side).below(zero) & rise.at_most(S::lit(MORE * S::EPSILON));
+            let turn = (at[k] * side).below(zero) & rise.at_most(S::lit(EQUAL * S::EPSILON));
             let step = arms[k] * (side + side);
             found.point -= Vec3::select(turn, step, Vec3::zero());
             found.spot.parts[1 + k] = S::select(turn, -here, here);

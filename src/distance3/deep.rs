@@ -17,9 +17,9 @@ pub(super) const SLACK: f64 = 64.0;
 /// beyond an end.
 pub(super) const MORE: f64 = 8.0;
 
-/// By so many roundings of the unit planes that part two cores equally may differ: four of a normal, and of a sum of
-/// four products with coordinates of a size of at most four.
-const EQUAL: f64 = 32.0;
+/// By so many roundings of the unit edges of a box are equally far: four of a normal, and of a sum of four products with
+/// coordinates of a size of at most four. Planes through such edges differ by twice as much, and by as much again.
+pub(super) const EQUAL: f64 = 32.0;
 
 /// A corner over a face, and the spot of its foot there.
 #[derive(Clone, Copy, Debug)]
@@ -304,7 +304,7 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
         Vec3::select(plane.value.equals(value), plane.lead, lead)
     });
     let value = P::select(part.above(never), value, never);
-    let about = value - P::lit(EQUAL * P::EPSILON);
+    let about = value - P::lit(3.0 * EQUAL * P::EPSILON);
     let best = planes().fold(empty, |best, plane| {
         let counts = plane.value.at_least(about);
         best.most(P::select(counts, plane.grade, empty))

@@ -17,7 +17,8 @@ const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 /// The corners of the edges.
 const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 
-/// Solids whose volume is at most so many roundings are thin, and faces narrow that are so much smaller than others.
+/// Solids whose volume is at most so many roundings of their size's cube are thin, and faces narrow that are so much
+/// smaller than others.
 const THIN: f64 = 256.0;
 
 /// The corners as seen along a line.
@@ -41,10 +42,10 @@ impl<S: Scalar> Sight<S> {
         let arms = corners.each_as(|corner| corner - beam.from);
         let aside = arms.each_as(|arm| along.cross(arm));
         let mut spans = EDGES.each_as(|[i, j]| along.dot(aside[i].cross(aside[j])));
-        // Three roundings of a corner's place and two of its product, and as much again.
+        // Three roundings of a corner's place and two of its product, and as much again three times.
         let sizes = arms.each_as(|arm| S::from_primal(size_of(arm)));
         let length = size_of(along);
-        let slack = largest(sizes) * length * S::Primal::lit(4.0 * S::EPSILON);
+        let slack = largest(sizes) * length * S::Primal::lit(8.0 * S::EPSILON);
         let wide = aside.each_as(size_of);
         let raw = spans.each_as(S::primal);
         for (k, [i, j]) in EDGES.into_iter().enumerate() {
@@ -175,7 +176,9 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
     let touch = volume.at_most(least);
     // Through a thin solid that is seen broadside, the place on a face that is seen edge-on is mostly rounding: the chord
     // ends where it begins.
-    let thin = volume.at_most(least * S::lit(THIN));
+    let size = size_of(b).most(size_of(c)).most(size_of(d));
+    let bound = size.powi(3) * S::Primal::lit(THIN * S::EPSILON);
+    let thin = volume.primal().at_most(bound);
     let narrow =
         |one: S::Primal, other: S::Primal| thin & (one * S::Primal::lit(THIN)).below(other);
     let (poor_low, poor_high) = (
