@@ -136,7 +136,8 @@ impl<S: Scalar> Tube<S> {
         let (a, most) = (u.length_squared(), radius * radius);
         let left = square * (a * most - turn * turn);
         let c = v.length_squared() - square * most;
-        Tube::new(a, u.dot(v), c, left, S::lit(S::EPSILON.powi(4)))
+        // Across the axis a direction has some roundings.
+        Tube::new(a, u.dot(v), c, left, S::lit((8.0 * S::EPSILON).powi(2)))
     }
 }
 

@@ -17,9 +17,8 @@ const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 /// The corners of the edges.
 const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 
-/// Solids whose volume is at most so many roundings of their size's cube are thin, and faces narrow that are so much
-/// smaller than others.
-const THIN: f64 = 256.0;
+/// A line meets a face whose weights place it beside the line by at most so many roundings.
+const BESIDE: f64 = 16.0;
 
 /// The corners as seen along a line.
 struct Sight<S: Scalar> {
@@ -85,8 +84,6 @@ struct Met<S: Scalar> {
     place: S,
     normal: Vec3<S>,
     count: S,
-    /// The largest area of them, as the line sees it.
-    area: S::Primal,
 }
 
 impl<S: Scalar> Met<S> {
@@ -96,17 +93,15 @@ impl<S: Scalar> Met<S> {
             place: S::zero(),
             normal: Vec3::zero(),
             count: S::zero(),
-            area: S::Primal::zero(),
         }
     }
     #[inline(always)]
-    fn join(self, is_met: S::Mask, (place, area): (S, S), normal: Vec3<S>) -> Self {
+    fn join(self, is_met: S::Mask, place: S, normal: Vec3<S>) -> Self {
         let first = is_met & self.count.equals(S::zero());
         Met {
             place: self.place + S::select(is_met, place, S::zero()),
             normal: Vec3::select(first, normal, self.normal),
             count: self.count + S::select(is_met, S::one(), S::zero()),
-            area: S::Primal::select(is_met, self.area.most(area.primal().unsigned()), self.area),
         }
     }
     #[inline(always)]
@@ -145,7 +140,15 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
             !(is(raw[0], nothing) | is(raw[1], nothing) | is(raw[2], nothing))
         };
         let (low, high) = (any(S::below), any(S::above));
-        (lows[face], highs[face]) = (low & !high, high & !low);
+        // The place is that of the corners' weights. Of a face that is seen edge-on or has no area they are rounding, and
+        // belong to a point beside the line.
+        let of = FACES[face].each_as(|corner| sight.aside[corner]);
+        let plain = weights.each_as(|weight| S::from_primal(weight.primal()));
+        let weighted = (of[0] * plain[0] + of[1] * plain[1]) + of[2] * plain[2];
+        let all = weights.each_as(|weight| weight.primal().unsigned());
+        let bound = (all[0] + all[1] + all[2]) * sight.slack * S::Primal::lit(BESIDE);
+        let is_there = size_of(weighted).at_most(bound);
+        (lows[face], highs[face]) = (low & !high & is_there, high & !low & is_there);
         raw_lows[face] = lows[face] & no(S::Primal::above);
         raw_highs[face] = highs[face] & no(S::Primal::below);
     }
@@ -161,8 +164,8 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
         let place = sum.over(S::select(met, area, one));
         let low = raw_lows[face] | lows[face] & !raw_low;
         let high = raw_highs[face] | highs[face] & !raw_high;
-        against = against.join(low, (place, area), normals[face]);
-        with = with.join(high, (place, area), normals[face]);
+        against = against.join(low, place, normals[face]);
+        with = with.join(high, place, normals[face]);
     }
     let both = against.is_some() & with.is_some();
     // The chord of a flat solid is one place, of which all faces are part.
@@ -174,32 +177,25 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
     let least = triple_terms(b, c, d) * S::lit(S::EPSILON);
     let volume = b.cross(c).dot(d).magnitude();
     let touch = volume.at_most(least);
-    // Through a thin solid that is seen broadside, the place on a face that is seen edge-on is mostly rounding: the chord
-    // ends where it begins.
-    let size = size_of(b).most(size_of(c)).most(size_of(d));
-    let bound = size.powi(3) * S::Primal::lit(THIN * S::EPSILON);
-    let thin = volume.primal().at_most(bound);
-    let narrow =
-        |one: S::Primal, other: S::Primal| thin & (one * S::Primal::lit(THIN)).below(other);
-    let (poor_low, poor_high) = (
-        both & narrow(against.area, with.area),
-        both & narrow(with.area, against.area),
-    );
-    let (low, high) = (pick(poor_low, high, low), pick(poor_high, low, high));
     let all = (against.place + with.place).over((against.count + with.count).most(one));
-    let all = pick(poor_low | poor_high, low, all);
     let turned = high.below(low);
     let enter = pick(touch, all, pick(turned, high, low));
     let exit = pick(touch, all, pick(turned, low, high));
     let enter_normal = Vec3::select(turned, -with.normal, against.normal);
     let exit_normal = Vec3::select(turned, -against.normal, with.normal);
-    // Without faces on both sides it is seen edge-on: as a segment or a point.
+    // Without faces on both sides it is seen edge-on: as a segment or a point; a chord between edges is a place of the
+    // face that is met.
     let edges = edges_met(&sight);
+    let no_edge = edges.1.value.below(edges.0.value);
+    let alone =
+        no_edge & (against.is_some() & !with.is_some() | with.is_some() & !against.is_some());
+    let enter = pick(alone, all, enter);
+    let exit = pick(alone, all, exit);
     let square = beam.along.length_squared();
     let still = square.at_most(zero);
     let safe = S::select(still, one, square);
     let border = |face: S, normal: Vec3<S>, edge: S| {
-        let place = S::select(both, face, edge);
+        let place = S::select(both | alone, face, edge);
         // The line's own point on the surface is at zero.
         let start = place.magnitude().at_most(fine);
         let place = S::select(start, place.with_primal(S::Primal::zero()), place);
@@ -212,7 +208,7 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
         border(enter, enter_normal, edges.0.mean()),
         border(exit, exit_normal, edges.1.mean()),
     )
-    .unless(still | !both & edges.1.value.below(edges.0.value))
+    .unless(still | !both & !alone & no_edge)
 }
 
 /// The first and the last place of the corners and edges that the line meets; the share of the way along an edge is a
