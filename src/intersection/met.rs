@@ -76,10 +76,13 @@ pub(super) fn met<S: Scalar>(
     };
     let (mut left, mut right) = (seen(0), seen(0));
     let (mut first, mut last) = (large, -large);
+    // The chord is within the corners, as far as the line goes: two sides of a sliver may cross it elsewhere.
+    let (mut low, mut high) = (left.t, left.t);
     for k in 0..corners.len() {
         let corner = seen(k);
         left = Seen::select(left.side.below(corner.side), corner, left);
         right = Seen::select(corner.side.below(right.side), corner, right);
+        (low, high) = (low.least(corner.t), high.most(corner.t));
         let on = corner.side.equals(zero);
         first = S::select(on, first.least(corner.t), first);
         last = S::select(on, last.most(corner.t), last);
@@ -99,6 +102,10 @@ pub(super) fn met<S: Scalar>(
     let off = away(inside.enter.value, first) | away(inside.exit.value, last);
     let anew = !still & meets & (inside.is_empty() | (first.below(last) & off));
     let missed = !still & !meets;
+    let (is_early, is_late) = (
+        inside.enter.value.below(low) & away(inside.enter.value, low),
+        inside.exit.value.above(high) & away(inside.exit.value, high),
+    );
 
     // Outwards: across the hull where it is flat, else across the line or, where all is on the line, along it.
     let edge = unit((left.corner - right.corner).perp());
@@ -109,16 +116,20 @@ pub(super) fn met<S: Scalar>(
         let touched = Vec2::select(on_left | on_right, aside, across);
         Vec2::select(on_left & on_right, out, touched)
     };
-    let border = |best: Best<S, Border<S>>, t: S, out: Vec2<S>, never: S| Best {
-        value: S::select(missed, never, S::select(anew, t, best.value)),
-        sum: Border {
-            t: S::select(anew, t, best.sum.t),
-            normal: Vec2::select(anew, normal(out), best.sum.normal),
-        },
-        count: S::select(anew, S::one(), best.count),
-    };
+    let border =
+        |best: Best<S, Border<S>>, (is_out, end): (S::Mask, S), t: S, out: Vec2<S>, never: S| {
+            let (other, t) = (is_out | anew, S::select(anew, t, end));
+            Best {
+                value: S::select(missed, never, S::select(other, t, best.value)),
+                sum: Border {
+                    t: S::select(other, t, best.sum.t),
+                    normal: Vec2::select(anew, normal(out), best.sum.normal),
+                },
+                count: S::select(other, S::one(), best.count),
+            }
+        };
     Inside {
-        enter: border(inside.enter, first, -beam.along, large),
-        exit: border(inside.exit, last, beam.along, -large),
+        enter: border(inside.enter, (is_early, low), first, -beam.along, large),
+        exit: border(inside.exit, (is_late, high), last, beam.along, -large),
     }
 }

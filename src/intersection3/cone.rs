@@ -30,9 +30,10 @@ pub(super) fn in_cone<S: Scalar>(beam: Beam<S>, base: Vec3<S>, radius: S) -> Ins
     let turn = along.cross(arm);
     let left = wide * unit.cross(turn).length_squared() - tall * unit.dot(turn).squared();
     let left = discriminant(a, b, c, square * tall * left);
-    // Both terms of `a` are rounded four times; a line so near to parallel to a straight line of the side crosses it once
-    // within the cone.
-    let least = (tall * u.length_squared() + wide * rate * rate) * S::lit(4.0 * S::EPSILON);
+    // Both terms of `a` are rounded four times, and across the axis a direction has some roundings; a line so near to
+    // parallel to a straight line of the side crosses it once within the cone.
+    let least = (tall * u.length_squared() + wide * rate * rate) * S::lit(4.0 * S::EPSILON)
+        + tall * S::lit((8.0 * S::EPSILON).powi(2));
     let parallel = a.magnitude().at_most(least);
     // Through the apex, within four roundings, both roots are one, without a slope across the line.
     let slack = size_of(along) * size_of(arm) * S::Primal::lit(4.0 * S::EPSILON);

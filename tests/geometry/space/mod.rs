@@ -7,6 +7,7 @@ mod distances;
 mod draw;
 mod exact;
 mod far_bounds;
+mod grazing;
 mod inertia;
 pub mod oracle;
 mod parallels;
