@@ -1804,6 +1804,8 @@ class _distance(Verb):
             The distance of a circle and a segment.
         distance(circle: Circle, point: Vec2) -> number
             The distance of a circle and a point.
+        distance(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The distance of two convex polygons of up to N vertices, 0 where they meet.
         distance(a: Interval, b: Interval) -> number
             The distance of two intervals.
         distance(a: Line3, b: Line3) -> number
@@ -1892,6 +1894,8 @@ class _distance(Verb):
             The distance of a point and a capsule.
         distance(point: Vec2, circle: Circle) -> number
             The distance of a point and a circle.
+        distance(point: Vec2, polygon: ConvexPolygon6) -> number
+            The distance of a point from a convex polygon of up to N vertices, 0 inside.
         distance(point: Vec2, shape: Obb2) -> number
             The distance of a point and a rotated box.
         distance(point: Vec2, segment: Segment2) -> number
@@ -1967,6 +1971,8 @@ class _distance(Verb):
     def __call__(self, circle: Circle, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, circle: Circle, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2055,6 +2061,8 @@ class _distance(Verb):
     def __call__(self, point: Vec2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -2191,6 +2199,8 @@ class _farthest_distance(Verb):
             The longest distance of two capsules of space.
         farthest_distance(circle: Circle, shape: Obb2) -> number
             The longest distance of a circle and a rotated box.
+        farthest_distance(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The farthest distance of two convex polygons of up to N vertices.
         farthest_distance(a: Obb2, b: Obb2) -> number
             The longest distance of two rotated boxes.
         farthest_distance(a: Obb3, b: Obb3) -> number
@@ -2210,6 +2220,8 @@ class _farthest_distance(Verb):
     def __call__(self, a: Capsule3, b: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, circle: Circle, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3086,6 +3098,8 @@ class _signed_distance(Verb):
             The signed distance of a circle and a segment.
         signed_distance(circle: Circle, point: Vec2) -> number
             The signed distance of a circle and a point.
+        signed_distance(a: ConvexPolygon5, b: ConvexPolygon5) -> number
+            The signed distance of two convex polygons of up to N vertices: less than 0 where they overlap, by the least move that parts them.
         signed_distance(a: Interval, b: Interval) -> number
             The signed distance of two intervals.
         signed_distance(line: Line3, ball: Sphere) -> number
@@ -3170,6 +3184,8 @@ class _signed_distance(Verb):
             The signed distance of a point and a capsule.
         signed_distance(point: Vec2, circle: Circle) -> number
             The signed distance of a point and a circle.
+        signed_distance(point: Vec2, polygon: ConvexPolygon6) -> number
+            The signed distance of a point from the border of a convex polygon of up to N vertices, less than 0 inside.
         signed_distance(point: Vec2, shape: Obb2) -> number
             The signed distance of a point and a rotated box.
         signed_distance(point: Vec2, segment: Segment2) -> number
@@ -3231,6 +3247,8 @@ class _signed_distance(Verb):
     def __call__(self, circle: Circle, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, circle: Circle, point: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: ConvexPolygon5, b: ConvexPolygon5, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Interval, b: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3315,6 +3333,8 @@ class _signed_distance(Verb):
     def __call__(self, point: Vec2, capsule: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, circle: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Vec2, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
