@@ -180,7 +180,7 @@ pub fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S 
 
 /// The points in which two shapes of space are nearest to each other.
 ///
-/// Where they overlap, the points that [`penetration`] brings together. Balls with one centre, and other round shapes
+/// Overlapping shapes have the points that [`penetration`] brings together. Balls with one centre, and other round shapes
 /// whose cores meet in a point, leave each other by several ways; the points are those of one. Ties and derivatives:
 /// see the [module](self).
 ///

@@ -63,8 +63,8 @@ pub(super) fn roots<S: Scalar>(a: S, b: S, c: S, square: S) -> (S, S) {
         S::select(negative, sum, rest),
     );
     let far = sum.over(a);
-    // Where both vanish nothing cancels, and a quotient by their sum would have slopes beyond all bounds. Where rounding
-    // has made a root of a line that misses, the quotient is farther than the other root, and mostly rounding.
+    // Nothing cancels where both vanish, and a quotient by their sum would have slopes beyond all bounds. A line that
+    // misses but for rounding has a quotient beyond the other root, which is mostly rounding.
     let beyond = (a * c).above(sum * sum);
     let none =
         sum.magnitude().at_most(S::lit(S::EPSILON.powi(2))) | square.below(S::zero()) | beyond;

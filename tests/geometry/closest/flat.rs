@@ -1,4 +1,4 @@
-//! Of shapes of the plane.
+//! Closest points of shapes of the plane.
 use super::check;
 use super::draw::Dice;
 use geograd::distance::segments::closest_points_of_segments;

@@ -1,4 +1,4 @@
-//! Of shapes of space.
+//! Closest points of shapes of space.
 use super::check;
 use super::draw::Dice;
 use geograd::distance3;
