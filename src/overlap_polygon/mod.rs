@@ -153,8 +153,9 @@ fn shared_of_edge<S: Scalar, const M: usize>(
     fan.shared_with(edge, smaller)
 }
 
-/// Measures two convex polygons. Full ones have code of their own, in which no count is left.
-#[inline(always)]
+/// Measures two convex polygons. Full ones have code of their own, in which no count is left. A call, because seven
+/// functions ask for it: in line its copies are a tenth of the library with derivatives of many numbers.
+#[inline(never)]
 pub(crate) fn measure<S: Scalar, const N: usize, const M: usize>(
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, M>,
