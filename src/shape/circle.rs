@@ -1,5 +1,4 @@
 //! Circles of the plane, and the circle through three points.
-use super::triangle::unit_power;
 use super::within;
 use crate::arrays::Each;
 use crate::error::{Flaw, Validate};
@@ -168,4 +167,14 @@ impl<S: std::fmt::Display> std::fmt::Display for Circle<S> {
         f.write_str(" within ")?;
         self.radius.fmt(f)
     }
+}
+
+/// The power of two, a constant, that brings the larger coordinate of a vector to about one; one for
+/// the zero vector.
+#[inline(always)]
+pub(super) fn unit_power<S: Scalar>(v: Vec2<S>) -> S {
+    let large = v.x.primal().magnitude().most(v.y.primal().magnitude());
+    let zero = large.at_most(S::Primal::zero());
+    let large = S::Primal::select(zero, S::Primal::one(), large);
+    S::from_primal(large.binade())
 }

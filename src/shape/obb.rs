@@ -1,6 +1,7 @@
 //! Oriented (rotated) boxes in the plane.
 use crate::error::{Flaw, Validate};
 use crate::{Aabb2, Pose2, Rotation2, Scalar, Shape, Vec2};
+use std::ops::Mul;
 
 /// A rotated box in the plane: centre, size along its own axes, heading in radians
 /// (counter-clockwise). Valid when finite and of non-negative size; zero size is valid.
@@ -166,5 +167,29 @@ impl<S: std::fmt::Display> std::fmt::Display for Obb2<S> {
         f.write_str(" at ")?;
         self.heading.fmt(f)?;
         f.write_str(" rad")
+    }
+}
+
+impl<S: Scalar> Mul<Obb2<S>> for Pose2<S> {
+    type Output = Obb2<S>;
+    /// The box carried along: `world_from_car * box_in_car` is the box in the world. Its heading
+    /// grows by [`Pose2::angle`] and is not brought back into a range.
+    ///
+    /// ```
+    /// use geograd::{Obb2, Pose2, Vec2};
+    /// let world_from_car = Pose2::new(Vec2::new(10.0, 5.0), 0.5_f64);
+    /// let seen = Obb2::new(8.0, 0.0, 4.0, 2.0, 0.1);
+    /// let there = world_from_car * seen;
+    /// assert_eq!(there.size, seen.size);
+    /// assert!((there.heading - 0.6).abs() < 1e-15);
+    /// assert!(there.corners()[0].distance(world_from_car * seen.corners()[0]) < 1e-14);
+    /// ```
+    #[inline(always)]
+    fn mul(self, shape: Obb2<S>) -> Obb2<S> {
+        Obb2 {
+            center: self * shape.center,
+            size: shape.size,
+            heading: shape.heading + self.angle(),
+        }
     }
 }

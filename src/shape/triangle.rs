@@ -1,9 +1,9 @@
 //! Triangles of the plane.
+use super::circle::{circumcircle, unit_power};
 use super::within;
 use crate::arrays::Each;
 use crate::error::{Flaw, Validate};
 use crate::scalar::{least_of, most_of};
-use crate::shape::circumcircle;
 use crate::{Aabb2, Circle, Pose2, Scalar, Shape, Vec2, twofold};
 use std::ops::Mul;
 
@@ -161,16 +161,6 @@ impl<S: Scalar> Triangle2<S> {
         let corners = [self.a, self.b, self.c].each_as(twofold::flat);
         within::in_triangle(corners, twofold::flat(point))
     }
-}
-
-/// The power of two, a constant, that brings the larger coordinate of a vector to about one; one for
-/// the zero vector.
-#[inline(always)]
-pub(crate) fn unit_power<S: Scalar>(v: Vec2<S>) -> S {
-    let large = v.x.primal().magnitude().most(v.y.primal().magnitude());
-    let zero = large.at_most(S::Primal::zero());
-    let large = S::Primal::select(zero, S::Primal::one(), large);
-    S::from_primal(large.binade())
 }
 
 impl<S: Scalar> Mul<Triangle2<S>> for Pose2<S> {

@@ -2,7 +2,7 @@
 use super::super::spot::part;
 use super::face::{Facing, overlap};
 use super::features::{Corners, Edges, larger, smaller, turned, weight};
-use super::{Gaps, Seen, column, dot, sign, sign_or_none};
+use super::seen::{Gaps, Seen, column, dot, sign, sign_or_none};
 use crate::Scalar;
 use crate::arrays::Each;
 

@@ -1,6 +1,6 @@
 //! Corners and pairs of edges of two boxes as candidates for the nearest points: numbers without derivatives.
 use super::super::spot::part;
-use super::{NEXT, Seen, least_square, sign};
+use super::seen::{NEXT, Seen, least_square, sign};
 use crate::Scalar;
 use crate::arrays::Each;
 
