@@ -175,8 +175,7 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
     let fine = S::from_primal(sight.slack) * length;
     let [b, c, d] = [b, c, d].each_as(|corner| corner - a);
     let least = triple_terms(b, c, d) * S::lit(S::EPSILON);
-    let volume = b.cross(c).dot(d).magnitude();
-    let touch = volume.at_most(least);
+    let touch = b.cross(c).dot(d).magnitude().at_most(least);
     let all = (against.place + with.place).over((against.count + with.count).most(one));
     let turned = high.below(low);
     let enter = pick(touch, all, pick(turned, high, low));

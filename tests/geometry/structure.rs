@@ -132,8 +132,16 @@ fn uses(text: &str, passed_on: bool) -> Vec<String> {
 fn named(file: &str) -> Vec<String> {
     let text = code(file);
     let mut all = uses(&text, false);
-    let lines = text.split_inclusive(';');
-    let text: String = lines.filter(|line| !line.contains("use ")).collect();
+    // The rest of the text, without `use` lines, each of which ends at its semicolon.
+    let mut in_use = false;
+    let is_rest = |line: &&str| {
+        let line = line.trim();
+        let starts = line.starts_with("use ") || line.starts_with("pub") && line.contains(" use ");
+        let is_rest = !(in_use || starts);
+        in_use = !is_rest && !line.ends_with(';');
+        is_rest
+    };
+    let text: String = text.split_inclusive('\n').filter(is_rest).collect();
     for start in ["crate::", "super::"] {
         for (at, _) in text.match_indices(start) {
             let before = text[..at].chars().next_back();

@@ -31,7 +31,7 @@ pub(super) struct Gaps<S> {
     pub edges: [[S; 3]; 3],
 }
 
-/// Of a number without derivatives -1 or 1; 1 of zero.
+/// The sign of a number without derivatives, -1 or 1; 1 of zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn sign<P: Scalar>(x: P) -> P {
     P::one().signed_as(x)

@@ -118,7 +118,7 @@ fn closest_points_are_points_of_the_shapes_and_as_far_apart_as_they_should_be() 
             "{}",
             context()
         );
-        // Of coinciding centres no direction is preferred; the points are those of one.
+        // Coinciding centres prefer no direction; the points are those of one.
         if length == 0.0 {
             return;
         }
