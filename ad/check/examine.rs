@@ -221,7 +221,7 @@ pub(crate) fn examined<'a>(
         report.refused += 1;
         let failure = Failure::of_all(Reason::FewInside, random_from, 0);
         report.failures.push(failure);
-    } else if drawn >= ENOUGH && smooth * SMOOTH_ONE_IN < drawn {
+    } else if drawn >= ENOUGH && too_few(smooth, drawn) {
         report.refused += 1;
         let failure = Failure::of_all(Reason::NothingSmooth, random_from, 0);
         report.failures.push(failure);
@@ -232,4 +232,10 @@ pub(crate) fn examined<'a>(
         report.failures.push(failure);
     }
     report
+}
+
+/// `true` if smooth inputs are fewer than one in `SMOOTH_ONE_IN`, beyond two standard deviations of a count by chance.
+fn too_few(smooth: usize, drawn: usize) -> bool {
+    let expected = drawn as f64 / SMOOTH_ONE_IN as f64;
+    smooth == 0 || (smooth as f64) < expected - 2.0 * expected.sqrt()
 }

@@ -14,6 +14,7 @@ use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::exchanged;
 use crate::ad::check::tolerances::{
     DECIDED, DRAWS, ELSEWHERE, FEW_INPUTS, ROUGH, RUNS, SAFETY, TALL, TALL_BEND,
+    TIED,
 };
 use crate::ad::check::witness::{Precision, axis, beside, combined, dot};
 use crate::ad::sample::Draw;
@@ -63,7 +64,7 @@ impl Evidence<'_> {
         let mut spread = vec![0.0_f64; base.len()];
         let vanished = self.x.iter().zip(&rounding);
         let vanished = vanished.map(|(x, rounding)| if x.abs() > *rounding { *x } else { 0.0 });
-        for there in self.drawn_beside().chain([vanished.collect()]) {
+        for there in self.drawn_beside(1.0).chain([vanished.collect()]) {
             if !self.subject.inside(&there) {
                 continue;
             }
@@ -81,17 +82,20 @@ impl Evidence<'_> {
         spread
     }
 
-    /// Many inputs within the rounding of this one.
-    fn drawn_beside(&self) -> impl Iterator<Item = Vec<f64>> {
+    /// Many inputs within so many times the rounding of this one.
+    fn drawn_beside(&self, times: f64) -> impl Iterator<Item = Vec<f64>> {
         let precision = self.subject.precision();
-        let rounding = self.subject.rounding(self.x);
+        let mut rounding = self.subject.rounding(self.x);
+        rounding.iter_mut().for_each(|rounding| *rounding *= times);
         (0..DRAWS).map(move |round| beside(precision, self.x, &rounding, round))
     }
 
-    /// `true` if something holds at an input within the rounding of this one: decisions there may fall otherwise.
+    /// `true` if something holds at an input within the rounding of this one, or within the width of a tie: decisions
+    /// there may fall otherwise.
     pub(crate) fn holds_beside(&self, holds: impl Fn(&[f64]) -> bool) -> bool {
         let near = self.around.iter().map(|(there, _)| there.clone());
-        near.chain(self.drawn_beside())
+        near.chain(self.drawn_beside(1.0))
+            .chain(self.drawn_beside(TIED))
             .any(|there| self.subject.inside(&there) && holds(&there))
     }
 

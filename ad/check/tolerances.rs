@@ -68,6 +68,9 @@ pub(crate) const DRAWS: u64 = 48;
 /// By how many of its last digits a number moves, and by how many of its roundings.
 pub(crate) const LAST_DIGITS: [i32; 4] = [-2, -1, 1, 2];
 pub(crate) const MOVED_ROUNDINGS: f64 = 2.0;
+/// By how many times that two branches count as tied in single precision: functions average where values differ by
+/// less than a few roundings.
+pub(crate) const TIED: f64 = 8.0;
 /// Random directions for an input whose Jacobian is too large. Two derivatives that are both wrong
 /// cancel along one of them with probability zero; more only guard against that.
 pub(crate) const PROJECTIONS: usize = 3;
@@ -178,7 +181,7 @@ pub(crate) const MEDIAN: f64 = 1.4826;
 pub(crate) const LEAST_SCALE: f64 = 1e-3;
 /// Above this numbers have no unit in common, and products of them would overflow.
 pub(crate) const NO_UNIT: f64 = 1e150;
-/// From this many random inputs on, one in `SMOOTH_ONE_IN` must be smooth, or nothing was checked.
+/// From this many random inputs on, one in `SMOOTH_ONE_IN` must be smooth as far as chance allows, or nothing was checked.
 pub(crate) const ENOUGH: usize = 20;
 pub(crate) const SMOOTH_ONE_IN: usize = 10;
 /// And one in so many must be inside the domain.
