@@ -1,5 +1,6 @@
 //! Segments and polygons of any kind, edge by edge.
 use crate::distance::edge::{scale_of, size_of};
+use crate::scalar::Guard;
 use crate::{Scalar, Segment2, Vec2};
 
 /// The part of the edge between two points in the share of a segment that lies inside a ring, in
@@ -48,10 +49,13 @@ pub fn edge_inside<S: Scalar>(segment: Segment2<S>, from: Vec2<S>, to: Vec2<S>) 
 #[must_use]
 #[inline]
 pub fn length_inside_ring<S: Scalar<Mask = bool>>(segment: Segment2<S>, ring: &[Vec2<S>]) -> S {
+    let guard = ring
+        .iter()
+        .fold(Guard::of(&segment), |all, vertex| all.and(vertex));
     let previous = ring.last().into_iter().chain(ring);
     let share = previous
         .zip(ring)
         .map(|(&from, &to)| edge_inside(segment, from, to))
         .fold(S::zero(), |sum, edge| sum + edge);
-    (share.unsigned() * segment.length()).canonical()
+    guard.result((share.unsigned() * segment.length()).canonical())
 }

@@ -9,7 +9,7 @@ use super::Hit3;
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance3::near::size_of;
-use crate::scalar::largest;
+use crate::scalar::{Guard, largest};
 use crate::shape::{Ray3, Segment3, Triangle3};
 use crate::twofold::Twofold;
 use crate::{Mask, Scalar, Vec3};
@@ -46,8 +46,6 @@ struct Sides<P: Scalar> {
 #[derive(Clone, Copy)]
 struct Behind<P: Scalar> {
     place: Vec3<P>,
-    /// The power of two that brings the way from the place near one.
-    near: P,
     value: P,
     /// The product of the sizes of two edges.
     size: P,
@@ -59,7 +57,9 @@ impl<P: Scalar<Primal = P>> Behind<P> {
     /// With the value of twice the digits where in doubt; zero in the plane.
     #[inline(always)]
     fn settled(self, doubt: P::Mask, triangle: [Vec3<P>; 3], unit: P) -> Self {
-        let exact = wide_behind(self.place, triangle, [unit, self.near]);
+        // The way from the place may be much shorter than the others: what rounding makes of it is so, too.
+        let near = scale_of::<P>(size_of(triangle[0] - self.place));
+        let exact = wide_behind(self.place, triangle, [unit, near]);
         let exact = unless_zero(exact, self.size, 256.0);
         Behind {
             value: P::select(doubt, exact, self.value),
@@ -171,20 +171,21 @@ impl<P: Scalar<Primal = P>> Sight<P> {
     }
 }
 
-/// How far a place is behind a triangle's plane, times twice the area. All in plain numbers.
+/// How far a place is behind a triangle's plane, times twice the area. All in plain numbers, in units of the edges and
+/// of the way from the place.
 #[inline(always)]
-fn behind<P: Scalar<Primal = P>>(place: Vec3<P>, [a, b, c]: [Vec3<P>; 3], unit: P) -> Behind<P> {
+fn behind<P: Scalar<Primal = P>>(
+    place: Vec3<P>,
+    [a, b, c]: [Vec3<P>; 3],
+    [unit, near]: [P; 2],
+) -> Behind<P> {
     let (p, q) = ((b - a) * unit, (c - a) * unit);
-    let arm = a - place;
-    let near = scale_of::<P>(size_of(arm));
-    let arm = arm * near;
-    let value = p.cross(q).dot(arm);
+    let value = p.cross(q).dot((a - place) * near);
     let size = size_of(p) * size_of(q);
     // Coordinates of the arm are below 4; roundings of the cross product and of the sum reach 100 ε.
     let doubt = within(value, size, 128.0 * P::EPSILON);
     Behind {
         place,
-        near,
         value,
         size,
         doubt,
@@ -229,8 +230,11 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
         reach,
         doubt,
     } = turned.sides(turned_corners, units);
-    let mut start = behind(sight.from, flat, units.place);
-    let mut stop = sight.to.map(|to| behind(to, flat, units.place));
+    let mut start = behind(sight.from, flat, [units.place; 2]);
+    let mut stop = sight.to.map(|to| {
+        let near = scale_of(size_of(flat[0] - to));
+        behind(to, flat, [units.place, near])
+    });
     // One truth for all signs, so that a batch leaves out all digits beyond the first ones where no item needs them.
     let doubt = doubt | start.doubt;
     let doubt = stop.as_ref().map_or(doubt, |stop| doubt | stop.doubt);
@@ -289,12 +293,14 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
             point.z.with_primal(value.z),
         );
     }
-    Hit3 {
+    let guard = Guard::of(&ray).and(&triangle);
+    let guard = end.map_or(guard, |end| guard.and(&end));
+    guard.result(Hit3 {
         parameter: S::select(found, t, S::lit(S::LARGEST)).canonical(),
         point: point.canonical(),
         normal: Vec3::select(found, facing, Vec3::zero()).canonical(),
         kind: S::select(found, S::one(), S::zero()),
-    }
+    })
 }
 
 /// The point of a triangle that a ray hits; its border belongs to it.

@@ -1,11 +1,12 @@
 //! A NaN in any number of an argument is NaN in every number of a free function of lines and planes, too.
-use geograd::intersection::{crossing_of_lines, meeting_of_segments};
+use geograd::intersection::{crossing_of_lines, length_inside_ring, meeting_of_segments};
 use geograd::intersection3::{
-    crossing_of_three_planes, crossing_of_two_planes, first_hit, length_inside, span,
+    crossing_of_three_planes, crossing_of_two_planes, first_hit, first_hit_of_segment,
+    first_hit_triangle, length_inside, span,
 };
 use geograd::{
     Aabb3, Capsule3, Cone, Cylinder, Fixed, Line2, Line3, Obb3, Pack, Plane3, Ray3, RoundBox3,
-    Segment2, Segment3, Sphere, Tetrahedron, YawBox3,
+    Segment2, Segment3, Sphere, Tetrahedron, Triangle3, Vec2, YawBox3,
 };
 
 /// Numbers of any shape: sizes are positive, and quaternions have a length.
@@ -47,6 +48,18 @@ fn free_functions_of_lines_and_planes_pass_nan_on() {
         )* };
     }
     solids!(Sphere Aabb3 YawBox3 Obb3 RoundBox3 Capsule3 Cylinder Cone Tetrahedron Plane3);
+    found.push((
+        "ray and triangle",
+        planted(|a: Ray3<f64>, b: Triangle3<f64>| first_hit_triangle(a, b)),
+    ));
+    found.push((
+        "segment and triangle",
+        planted(|a: Segment3<f64>, b: Triangle3<f64>| first_hit_of_segment(a, b)),
+    ));
+    found.push((
+        "segment in a ring",
+        planted(|a: Segment2<f64>, b: [Vec2<f64>; 3]| length_inside_ring(a, &b)),
+    ));
     found.push((
         "two planes",
         planted(|a: Plane3<f64>, b: Plane3<f64>| crossing_of_two_planes(a, b)),
