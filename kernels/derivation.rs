@@ -65,17 +65,6 @@ pub(crate) trait Replays<T>: Send + Sync {
     ///
     /// The errors of recording it.
     fn decide(&self, numbers: &[T], taken: &mut Vec<T>) -> Result<Arc<Recorded>, Error>;
-    /// The same as instructions for a GPU.
-    ///
-    /// # Errors
-    ///
-    /// The errors of recording it.
-    #[cfg(feature = "gpu")]
-    fn instructions(
-        &self,
-        numbers: &[T],
-        taken: &mut Vec<T>,
-    ) -> Result<Arc<crate::kernels::replays::Replay>, Error>;
     /// How many numbers a replay takes, and how many it gives.
     fn sizes(&self) -> [usize; 2];
     /// Makes a row of results of what a replay gave for an item.

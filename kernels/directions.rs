@@ -2,9 +2,11 @@
 use crate::Real;
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
+use crate::kernels::derivation::{Mode, Order, Step};
 use crate::kernels::item::Leaf;
 use crate::kernels::limits::Derivative;
-use crate::kernels::recording::{Body, Call, Key, Mode, Order, Recording, Step};
+use crate::kernels::once::Key;
+use crate::kernels::recording::{Body, Call, Recording};
 use std::sync::Arc;
 
 impl<T: Real> Call<T> {

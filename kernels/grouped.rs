@@ -1,16 +1,15 @@
 //! All pairs within groups, such as the detections and the truths of every frame: one call for all frames.
 use crate::Real;
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::checked::{check, expect};
-use crate::kernels::cpu::grouped::GroupSpans;
-use crate::kernels::cpu::{Cpu, Single};
-use crate::kernels::formats::drivers_in;
+use crate::kernels::item::Single;
+use crate::kernels::item::counts::expect;
 use crate::kernels::item::{Column, Columns};
+use crate::kernels::machine::found::{Best, Found, check_threshold};
 use crate::kernels::machine::{GroupedReduction, Machine, Number, On};
-use crate::kernels::op::Function;
-use crate::kernels::reduce::{Best, Found, check_threshold};
-use crate::kernels::suppress::{Ranked, checked};
+use crate::kernels::modes::Function;
+use crate::kernels::suppress::checked;
 use crate::suppression::{Rules, better, check_groups, check_scores};
+use std::ops::Range;
 
 /// Groups of two lists: group g pairs the shapes `a[g]..a[g + 1]` of the first list with `b[g]..b[g + 1]` of the second.
 ///
@@ -57,6 +56,35 @@ impl<'a> Groups<'a> {
             a: self.a,
             b: self.b,
         })
+    }
+}
+
+/// Offsets of the groups of both lists, checked: group `g` has the rows `a[g]..a[g + 1]` and the columns
+/// `b[g]..b[g + 1]`.
+#[derive(Clone, Copy, Debug)]
+pub struct GroupSpans<'a> {
+    /// Offsets of the first list.
+    pub a: &'a [usize],
+    /// Offsets of the second list.
+    pub b: &'a [usize],
+}
+
+impl GroupSpans<'_> {
+    /// The number of groups.
+    pub(crate) fn count(&self) -> usize {
+        self.a.len().saturating_sub(1)
+    }
+    /// The rows of a group.
+    pub(crate) fn rows(&self, group: usize) -> Range<usize> {
+        self.a[group]..self.a[group + 1]
+    }
+    /// The columns of a group.
+    pub(crate) fn columns(&self, group: usize) -> Range<usize> {
+        self.b[group]..self.b[group + 1]
+    }
+    /// The rows and the columns of some groups.
+    pub(crate) fn of(&self, groups: &Range<usize>) -> [Range<usize>; 2] {
+        [self.a, self.b].map(|offsets| offsets[groups.start]..offsets[groups.end])
     }
 }
 
@@ -188,14 +216,14 @@ impl<E: ?Sized> Machine<E> {
     }
 }
 
-/// Suppression within groups. It decides shape by shape, on the CPU alone.
-impl Cpu {
+/// Suppression within groups.
+impl<E: ?Sized> Machine<E> {
     /// The shapes that no better one of their group, kept itself, overlaps by more than the threshold: their places in
-    /// the whole list, group by group and in a group the best first. Each group keeps at most as many as the rules say.
+    /// the whole list, group by group and in a group the best first. Each group keeps at most as many as the rules say. A GPU computes group after group.
     ///
     /// # Errors
     ///
-    /// As [`suppress`](Cpu::suppress), and [`Error::GroupsOf`] for offsets that decrease or do not cover the list.
+    /// As [`suppress`](Machine::suppress), and [`Error::GroupsOf`] for offsets that decrease or do not cover the list.
     ///
     /// ```
     /// use geograd::kernels::{Cpu, Iou};
@@ -216,20 +244,13 @@ impl Cpu {
     ) -> Result<Vec<usize>, Error>
     where
         R: Function<(A, A), Out = A::Scalar>,
-        A::Scalar: crate::Scalar<Mask = bool>,
+        A::Scalar: On<E>,
     {
         checked(shapes.len(), scores, &rules)?;
         check_groups(Argument::A, shapes.len(), offsets)?;
-        let plan = run.call()?.plan(true)?;
-        // All shapes are checked, so that errors name the caller's rows.
-        let shapes = Column::of(shapes);
-        check(Argument::A, &plan.arguments[0], &shapes)?;
-        let (order, ends) = ranked_groups(scores, offsets, rules.score)?;
-        let ranked = Ranked::of(order, &shapes, &rules);
-        let lists = ranked.lists();
-        let pairs = self.engine.lists(&plan, &lists)?;
-        let kept =
-            (drivers_in::<A::Scalar>().suppress_grouped)(&pairs, &ends, ranked.greed(&rules));
-        Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
+        let list = Column::of(shapes);
+        let groups = Some(offsets);
+        self.engine()
+            .suppress(&run.call()?, &list, groups, scores, rules)
     }
 }

@@ -46,11 +46,16 @@ mod bounds;
 #[forbid(unsafe_code)]
 #[allow(clippy::disallowed_methods)]
 pub mod check;
+#[doc(hidden)]
+#[forbid(unsafe_code)]
+pub mod compiled;
 pub mod cpu;
 #[forbid(unsafe_code)]
 mod decision;
 #[forbid(unsafe_code)]
 mod derivation;
+#[forbid(unsafe_code)]
+mod derivatives;
 #[forbid(unsafe_code)]
 mod directions;
 #[forbid(unsafe_code)]
@@ -58,7 +63,7 @@ pub mod dynamic;
 #[forbid(unsafe_code)]
 pub mod fold;
 #[forbid(unsafe_code)]
-mod formats;
+mod folding;
 #[cfg(feature = "check")]
 #[forbid(unsafe_code)]
 #[allow(clippy::disallowed_methods)]
@@ -70,16 +75,19 @@ mod grouped;
 #[cfg(feature = "check")]
 #[forbid(unsafe_code)]
 pub mod identities;
-#[forbid(unsafe_code)]
 pub mod item;
 #[forbid(unsafe_code)]
 mod limits;
+#[forbid(unsafe_code)]
+mod line;
 #[forbid(unsafe_code)]
 pub mod machine;
 #[forbid(unsafe_code)]
 mod matches;
 #[forbid(unsafe_code)]
 mod modes;
+#[forbid(unsafe_code)]
+mod once;
 #[forbid(unsafe_code)]
 pub mod op;
 #[forbid(unsafe_code)]
@@ -94,16 +102,17 @@ mod program;
 #[doc(hidden)]
 #[forbid(unsafe_code)]
 pub mod recording;
-#[forbid(unsafe_code)]
-pub mod reduce;
+/// Results of reductions of all pairs, and reductions of a [`Matrix`](reduce::Matrix) that is there already.
+pub mod reduce {
+    pub use crate::kernels::cpu::matrix::Matrix;
+    pub use crate::kernels::machine::found::{Best, Found};
+}
 #[forbid(unsafe_code)]
 mod replayed;
-#[cfg(feature = "gpu")]
-#[doc(hidden)]
-#[forbid(unsafe_code)]
-pub mod replays;
 #[forbid(unsafe_code)]
 pub mod resident;
+#[forbid(unsafe_code)]
+mod rings;
 #[forbid(unsafe_code)]
 pub mod search;
 #[forbid(unsafe_code)]
@@ -118,12 +127,14 @@ pub mod tested;
 pub mod verbs;
 
 pub use backend::Backend;
-pub use cpu::{Cpu, Single, Table};
+pub use cpu::{Cpu, Single};
 pub use fold::Fold;
 pub use grouped::Groups;
 pub use item::{Column, Columns, Item, One, Target};
-pub use machine::Machine;
-pub use op::{Function, Op};
+pub use machine::{Machine, Table};
+pub use modes::Function;
+pub use op::Op;
+pub use rings::Rings;
 pub use search::Search;
 pub use targets::{Skip, Targets};
 pub use verbs::*;

@@ -309,7 +309,7 @@ macro_rules! operation {
                 }
             )?
             $(
-                fn compiled() -> ::core::option::Option<$crate::kernels::cpu::plan::Compiled> {
+                fn compiled() -> ::core::option::Option<$crate::kernels::compiled::Compiled> {
                     ::core::option::Option::Some($compiled)
                 }
             )?

@@ -1,7 +1,7 @@
 //! Recorded programs in batches.
 use crate::ad::program::Program;
 use crate::kernels::item::{Item, Results, leaves_of};
-use crate::kernels::op::Function;
+use crate::kernels::modes::Function;
 use crate::kernels::recording::{Body, Call, Recording};
 use crate::{Error, Real};
 use std::sync::Arc;

@@ -3,49 +3,28 @@
 //! A [`Recording`] has the layouts of what a function takes and gives, its body, and all that machines have made of it. A
 //! [`Call`] is a recording with the derivative that is wanted. Whatever a batch runs (a verb, an operation, a search, a plain
 //! function, a program, a derivative of one) yields a call and nothing else.
-use crate::ad::program::Sym;
-use crate::ad::program::record::{TRIALS, listed};
 use crate::ad::program::recorded::Recorded;
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::plan::{Compiled, Plan};
-use crate::kernels::cpu::quads::convex;
+use crate::kernels::compiled::Compiled;
 pub use crate::kernels::derivation::Mode;
 use crate::kernels::derivation::Replays;
-pub(crate) use crate::kernels::derivation::{Order, Step};
-use crate::kernels::formats::drivers_in;
+use crate::kernels::derivation::Step;
 use crate::kernels::item::Leaf;
-use crate::kernels::limits::Derivative;
-use crate::{Real, Scalar, Unrecordable};
-use std::any::{Any, TypeId};
-use std::collections::HashMap;
+use crate::kernels::line::{Line, by_reverse};
+use crate::kernels::once::{Kept, Key, known_by};
+use crate::{Real, Unrecordable};
+use std::any::TypeId;
 use std::fmt;
-use std::hash::Hash;
-use std::marker::PhantomData;
-use std::sync::{Arc, LazyLock, PoisonError, RwLock};
+use std::sync::Arc;
 
-/// A straight line without its types: functions of lists of symbols, so that code that records and differentiates is
-/// compiled once.
-pub(crate) struct Line<T: 'static> {
-    /// The type of its operation.
-    pub(crate) id: fn() -> TypeId,
-    /// The source of its derivatives.
-    pub(crate) derivatives: Derivative,
-    /// Numbers of its input.
-    pub(crate) inputs: usize,
-    /// Numbers of its result.
-    pub(crate) outputs: usize,
-    /// Codes of both.
-    pub(crate) codes: usize,
-    /// The function.
-    pub(crate) eval: fn(&[Sym<T>]) -> Vec<Sym<T>>,
-    /// The result and then the derivatives, by hand, from the input and the cotangent.
-    pub(crate) adjoint: fn(&[Sym<T>], &[Sym<T>]) -> Vec<Sym<T>>,
-}
+/// Computes one item: its numbers, the cotangent of its result or nothing, and room for a result, or for a result and
+/// derivatives.
+pub(crate) type Each<T> = fn(&[T], Option<&[T]>, &mut [T]);
 
 /// A search, or a derivative of one, as machines take it.
 pub(crate) struct Searched<T> {
-    /// The plan by which the CPU decides and computes the search itself, item by item.
-    pub(crate) plan: fn(Mode) -> Plan<T>,
+    /// Decides and computes one item in a mode.
+    pub(crate) item: fn(Mode) -> Each<T>,
     /// Its replays, differentiated by some steps.
     pub(crate) replays: fn(Vec<Step>) -> Arc<dyn Replays<T>>,
     /// The steps from the search to the function.
@@ -56,9 +35,9 @@ impl<T> Searched<T> {
     /// The same with one more derivative.
     pub(crate) fn then(&self, step: Step) -> Self {
         let steps = [&self.steps[..], &[step]].concat();
-        let (plan, replays) = (self.plan, self.replays);
+        let (item, replays) = (self.item, self.replays);
         Searched {
-            plan,
+            item,
             replays,
             steps,
         }
@@ -91,70 +70,6 @@ pub(crate) enum Body<T: 'static> {
     /// A search: decisions, then a straight line for every record.
     Search(Searched<T>),
 }
-
-/// The key of something kept with a recording: a program, a plan, or a derivative as a function of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Key {
-    /// The program of a mode.
-    Program(Mode),
-    /// The plan of the CPU; `true` for all pairs, with shapes prepared once.
-    Cpu(Mode, bool),
-    /// The kernels of a GPU, likewise.
-    #[cfg_attr(
-        not(feature = "gpu"),
-        expect(dead_code, reason = "used with the feature gpu")
-    )]
-    Gpu(Mode, bool),
-    /// The replays of a search.
-    #[cfg_attr(
-        not(feature = "gpu"),
-        expect(dead_code, reason = "used with the feature gpu")
-    )]
-    Replays(Mode),
-    /// A derivative as a function.
-    Derived(Mode),
-    /// A derivative along directions as a function.
-    Along(Order),
-}
-
-type Made = Arc<dyn Any + Send + Sync>;
-
-/// Things of any type that are made once each, by their keys.
-pub(crate) struct Once<K>(RwLock<HashMap<K, Made>>);
-
-impl<K> Default for Once<K> {
-    fn default() -> Self {
-        Once(RwLock::default())
-    }
-}
-
-impl<K: Eq + Hash> Once<K> {
-    /// The thing of a key, made on first use. A key stands for one type.
-    pub(crate) fn made<X: Send + Sync + 'static>(
-        &self,
-        key: K,
-        make: &dyn Fn() -> Result<X, Error>,
-    ) -> Result<Arc<X>, Error> {
-        let known = self.0.read().unwrap_or_else(PoisonError::into_inner);
-        let found = known.get(&key).cloned();
-        drop(known);
-        let found = match found {
-            Some(found) => found,
-            None => {
-                let made: Made = Arc::new(make()?);
-                let mut known = self.0.write().unwrap_or_else(PoisonError::into_inner);
-                // If two threads made one, both use the first.
-                Arc::clone(known.entry(key).or_insert(made))
-            }
-        };
-        Ok(found
-            .downcast()
-            .unwrap_or_else(|_| unreachable!("a key stands for one type")))
-    }
-}
-
-/// Things kept with a recording: programs of modes, plans of machines, derivatives.
-pub(crate) type Kept = Once<Key>;
 
 /// A function as machines run it: its layouts, its body, and what was made of it.
 pub struct Recording<T: Real> {
@@ -189,24 +104,6 @@ impl<T: Real> fmt::Debug for Recording<T> {
     }
 }
 
-/// Recordings and programs of all functions, by the type of the function and that of what is kept.
-static KNOWN: LazyLock<Once<(TypeId, TypeId)>> = LazyLock::new(Once::default);
-
-/// The recording of a function, which is made once per type and format.
-pub(crate) fn known<F: 'static, X: Send + Sync + 'static>(
-    make: impl Fn() -> Result<X, Error>,
-) -> Result<Arc<X>, Error> {
-    known_by(TypeId::of::<F>(), &make)
-}
-
-/// The same by the type of the function.
-fn known_by<X: Send + Sync + 'static>(
-    function: TypeId,
-    make: &dyn Fn() -> Result<X, Error>,
-) -> Result<Arc<X>, Error> {
-    KNOWN.made((function, TypeId::of::<X>()), make)
-}
-
 impl<T: Real> Recording<T> {
     /// A function of such shapes.
     pub(crate) fn new(
@@ -231,7 +128,7 @@ impl<T: Real> Recording<T> {
             let compiled = (parts.compiled)();
             let mut takes = (parts.takes)();
             if compiled == Some(Compiled::Quads) {
-                takes = takes.into_iter().map(convex).collect();
+                takes = takes.into_iter().map(Leaf::convex).collect();
             }
             Ok(Recording {
                 compiled,
@@ -294,53 +191,6 @@ impl<T: Real> Recording<T> {
     }
 }
 
-/// The program of a mode, by reverse accumulation; that of `Vjp` gives the result first.
-pub(crate) fn by_reverse(value: &Recorded, mode: Mode) -> Recorded {
-    match mode {
-        Mode::Value => value.clone(),
-        Mode::ValueGrad => value.value_grad(),
-        Mode::Jacobian => value.value_jacobian(),
-        Mode::Vjp => value.value_vjp(),
-    }
-}
-
-/// The programs of a straight line in a format.
-struct Programs<T>(Kept, PhantomData<fn() -> T>);
-
-impl<T: Real> Line<T> {
-    /// The program of a mode, by the source that the row says.
-    pub(crate) fn program(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
-        if self.codes > 0 {
-            return Err(Error::Program(Unrecordable::Codes));
-        }
-        let new = || Ok(Programs::<T>(Kept::default(), PhantomData));
-        let kept = known_by((self.id)(), &new)?;
-        kept.0.made(Key::Program(mode), &|| self.recorded(mode))
-    }
-    fn recorded(&self, mode: Mode) -> Result<Recorded, Error> {
-        let value = || self.program(Mode::Value);
-        Ok(match (self.derivatives, mode) {
-            (_, Mode::Value) => listed(self.inputs, TRIALS, &self.eval)?,
-            (Derivative::ByHand, Mode::Jacobian) => {
-                self.program(Mode::Vjp)?.value_jacobian_of_vjp(self.outputs)
-            }
-            (Derivative::ByHand, Mode::Vjp) => {
-                listed(self.inputs + self.outputs, TRIALS, &|numbers| {
-                    let (input, out_bar) = numbers.split_at(self.inputs);
-                    (self.adjoint)(input, out_bar)
-                })?
-            }
-            (Derivative::ByHand, _) => listed(self.inputs, TRIALS, &|input| {
-                (self.adjoint)(input, &vec![Sym::lit(1.0); self.outputs])
-            })?,
-            (Derivative::Reverse, _) => by_reverse(&*value()?, mode),
-            (Derivative::Forward, Mode::Jacobian) => value()?.value_jacobian_forwards(),
-            (Derivative::Forward, Mode::Vjp) => value()?.value_vjp_forwards(),
-            (Derivative::Forward, _) => value()?.value_jacobian_forwards(),
-        })
-    }
-}
-
 /// A function and the derivative that is wanted of it: all that a machine is given beside columns.
 #[derive(Debug)]
 pub struct Call<T: Real> {
@@ -390,13 +240,5 @@ impl<T: Real> Call<T> {
             Some(name) if names.len() == takes => Argument::named(name),
             _ => Argument::input(k),
         }
-    }
-    /// The plan by which the CPU computes it: aligned, or for all pairs with shapes prepared once.
-    ///
-    /// # Errors
-    ///
-    /// Errors of recording it.
-    pub(crate) fn plan(&self, framed: bool) -> Result<Arc<Plan<T>>, Error> {
-        (drivers_in::<T>().plan)(self, framed)
     }
 }

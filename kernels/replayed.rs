@@ -6,7 +6,7 @@ use crate::ad::program::recorded::Recorded;
 use crate::kernels::decision::Search;
 use crate::kernels::derivation::{Mode, Order, Replays, Step};
 use crate::kernels::item::{Item, by_kind, by_shape, get, width};
-use crate::kernels::recording::by_reverse;
+use crate::kernels::line::by_reverse;
 use crate::{Fixed, Pack, Real};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
@@ -44,9 +44,6 @@ struct Differentiated<D: Search, T> {
     /// Blocks of a result.
     gives: Vec<Block>,
     programs: Cache<D, Recorded>,
-    /// Replays as instructions, for a GPU.
-    #[cfg(feature = "gpu")]
-    replays: Cache<D, crate::kernels::replays::Replay>,
     format: std::marker::PhantomData<fn() -> T>,
 }
 
@@ -88,8 +85,6 @@ where
         takes,
         gives,
         programs: RwLock::default(),
-        #[cfg(feature = "gpu")]
-        replays: RwLock::default(),
         format: std::marker::PhantomData,
     })
 }
@@ -173,19 +168,6 @@ where
         let key = self.key(numbers, taken);
         made::<D, _>(&self.programs, key, |codes, record| {
             self.program(codes, record)
-        })
-    }
-    #[cfg(feature = "gpu")]
-    fn instructions(
-        &self,
-        numbers: &[T],
-        taken: &mut Vec<T>,
-    ) -> Result<Arc<crate::kernels::replays::Replay>, Error> {
-        let key = self.key(numbers, taken);
-        made::<D, _>(&self.replays, key, |codes, record| {
-            let recorded = self.program(codes, record)?;
-            let value = &recorded.value;
-            crate::kernels::replays::instructions(&value.graph, recorded.inputs, &value.outputs)
         })
     }
     fn sizes(&self) -> [usize; 2] {

@@ -4,11 +4,13 @@
 //! from the input and the record by a straight line, which duals and batches replay. Between decisions
 //! the result is smooth. Where a decision changes, the derivatives are those of the branch that was taken.
 use crate::error::Error;
-use crate::kernels::cpu::plan::{Plan, of_items};
 pub use crate::kernels::decision::Search;
+use crate::kernels::derivation::Mode;
 use crate::kernels::item::{Item, by_kind, by_shape, get, leaves_of, width, widths};
-use crate::kernels::op::{Function, Hvp, Jacobian, Jvp, ValueGrad, Vjp};
-use crate::kernels::recording::{self, Body, Call, Mode, Recording, known};
+use crate::kernels::modes::Function;
+use crate::kernels::once::known;
+use crate::kernels::op::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
+use crate::kernels::recording::{self, Body, Call, Each, Recording};
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::sync::Arc;
 
@@ -91,22 +93,16 @@ fn item<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     by_shape::<R>(&bars, &codes, &mut out[result..]);
 }
 
-/// The plan by which the CPU computes a mode of a search, item by item.
-fn plan<D, R: Item>(mode: Mode) -> Plan<R::Scalar>
+/// The function of one item in a mode of a search.
+fn item_in<D, R: Item>(mode: Mode) -> Each<R::Scalar>
 where
     D: Search<In<<R as Pack>::Scalar> = R>,
-    D::Out<R::Scalar>: Item,
 {
-    of_items(
-        mode,
-        leaves_of::<R>(),
-        widths::<D::Out<R::Scalar>>(),
-        match mode {
-            Mode::Value => |x, bar, out| item::<D, R>(x, bar, out, false),
-            Mode::Jacobian => |x, _, out| item_and_jacobian::<D, R>(x, out),
-            Mode::ValueGrad | Mode::Vjp => |x, bar, out| item::<D, R>(x, bar, out, true),
-        },
-    )
+    match mode {
+        Mode::Value => |x, bar, out| item::<D, R>(x, bar, out, false),
+        Mode::Jacobian => |x, _, out| item_and_jacobian::<D, R>(x, out),
+        Mode::ValueGrad | Mode::Vjp => |x, bar, out| item::<D, R>(x, bar, out, true),
+    }
 }
 
 /// The recording of a search, the same one at every call.
@@ -123,7 +119,7 @@ where
     }
     let made = known::<Searched<D>, _>(|| {
         let body = Body::Search(recording::Searched {
-            plan: plan::<D, R>,
+            item: item_in::<D, R>,
             replays: crate::kernels::replayed::of::<D, R>,
             steps: Vec::new(),
         });

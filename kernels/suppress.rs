@@ -1,8 +1,7 @@
 //! Suppression: shapes of one list, the best first, and the rules by which one takes another's place.
 use crate::error::Argument;
-use crate::kernels::cpu::greedy::Greed;
 use crate::kernels::item::Column;
-use crate::kernels::reduce::{Found, check_threshold};
+use crate::kernels::machine::found::{Found, check_threshold};
 use crate::suppression::{Pair, Rules, check_rules};
 use crate::{Error, Real};
 
@@ -32,6 +31,17 @@ pub(crate) fn checked<S: Real>(
     }
     check_rules(count, rules)?;
     check_threshold(rules.overlap)
+}
+
+/// The rules of suppression.
+#[derive(Clone, Copy, Debug)]
+pub struct Greed<'a, T> {
+    /// Results above this one suppress.
+    pub threshold: T,
+    /// The class of every shape, where there is more than one.
+    pub classes: Option<&'a [u32]>,
+    /// The most shapes that are kept.
+    pub most: usize,
 }
 
 /// The shapes that count, the best first.

@@ -13,8 +13,7 @@ use crate::ad::check::roughness::roughness;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::exchanged;
 use crate::ad::check::tolerances::{
-    DECIDED, DRAWS, ELSEWHERE, FEW_INPUTS, ROUGH, RUNS, SAFETY, TALL, TALL_BEND,
-    TIED,
+    DECIDED, DRAWS, ELSEWHERE, FEW_INPUTS, ROUGH, RUNS, SAFETY, TALL, TALL_BEND, TIED,
 };
 use crate::ad::check::witness::{Precision, axis, beside, combined, dot};
 use crate::ad::sample::Draw;

@@ -1,7 +1,8 @@
 //! How shapes lie: a batch for every two kinds, and one per kind for the walls, over data that stay.
 use crate::forms::{CLEARANCE, Form, Kind, Place, Size, Step, cost};
 use geograd::kernels::Backend;
-use geograd::kernels::resident::{Held, Resident};
+use geograd::kernels::Backend;
+use geograd::kernels::resident::Held;
 use geograd::{Error, Program, Sym};
 
 type Sized32 = (Size<f32>, Place<f32>);
@@ -28,7 +29,7 @@ struct Walls {
 
 /// Looks at shapes wherever a backend computes.
 pub struct Judge<'a> {
-    here: Resident<'a>,
+    here: Backend<'a>,
     forms: Vec<Form>,
     gaps: Vec<Gaps>,
     walls: Vec<Walls>,
@@ -141,7 +142,7 @@ impl<'a> Judge<'a> {
 
 /// Runs a program, from the second time on over the results of the time before.
 fn compute<'f, C, In, Out>(
-    here: Resident<'_>,
+    here: Backend<'_>,
     program: &Program<In, Out>,
     columns: C,
     found: &'f mut Option<Held<Out>>,

@@ -42,14 +42,14 @@ use crate::kernels::check::recorded_subject::{ByHand, Computations, RecordedSubj
 use crate::kernels::check::witness::{
     Batch, ByMachine, ask_any, ask_folds, ask_gradient, ask_pairs,
 };
+use crate::kernels::derivation::Mode;
 use crate::kernels::dynamic::Function;
 use crate::kernels::fold::{Fold, edge_by_edge};
 use crate::kernels::fuzz::{self, Fuzzed, Job};
 use crate::kernels::item::{Item, Single};
-use crate::kernels::op::{
-    Derivative, Invariance, Jumps, Op, inside_of, recording_of, roundings_of,
-};
-use crate::kernels::recording::{Mode, Recording};
+use crate::kernels::modes::recording_of;
+use crate::kernels::op::{Derivative, Invariance, Jumps, Op, inside_of, roundings_of};
+use crate::kernels::recording::Recording;
 use crate::kernels::search::Search;
 use crate::scalar::real::in_format;
 use crate::{Error, Fixed, Pack, Real};

@@ -1,11 +1,9 @@
 //! Operations, searches and folds as the harness takes them: one function, generic over the scalar, and its adjoint.
-use crate::kernels::cpu::folds::folding::Sizes;
-use crate::kernels::cpu::folds::programs::programs;
-use crate::kernels::cpu::folds::{Programs, backwards};
+use crate::kernels::derivation::Mode;
 use crate::kernels::fold::{Fold, by_hand, fold};
-use crate::kernels::op::program_of;
+use crate::kernels::folding::{Programs, Sizes, backwards, programs};
+use crate::kernels::line::program_of;
 use crate::kernels::op::{Derivative, Invariance, Jumps, Op};
-use crate::kernels::recording::Mode;
 use crate::kernels::search::Search;
 use crate::{Fixed, Jet, Pack, Real, Scalar};
 use std::sync::Arc;

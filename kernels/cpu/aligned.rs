@@ -2,10 +2,10 @@
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::{check, check_upstream};
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::plan::{Plan, Preparation};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::stretches::{self, Aligned};
-use crate::kernels::formats::kernels_in;
 use crate::kernels::item::{Column, Target};
 
 /// Checks columns: how many items there are, and whether some may be too rare for kernels.

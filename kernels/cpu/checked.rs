@@ -1,38 +1,13 @@
-//! Checks of columns of shapes, and their conversion to plain numbers with room for results.
+//! Checks of columns of shapes and of cotangents.
+use crate::Real;
 use crate::ad::adjoint::overlap::tamed;
 use crate::error::{Argument, Error, Validate};
-use crate::kernels::cpu::arch;
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::formats::kernels_in;
-use crate::kernels::item::{Column, get, put, width};
-use crate::{Fixed, Real};
-use std::borrow::Cow;
+use crate::kernels::item::Column;
 use std::sync::Mutex;
-
-/// Checks the number of items of an argument.
-pub(crate) fn expect(argument: Argument, expected: usize, found: usize) -> Result<(), Error> {
-    if expected == found {
-        Ok(())
-    } else {
-        Err(Error::Length {
-            argument,
-            expected,
-            found,
-        })
-    }
-}
-
-/// The number of entries of a matrix.
-pub(crate) fn entries(rows: usize, columns: usize, fields: usize) -> Result<usize, Error> {
-    let count = rows
-        .checked_mul(columns)
-        .and_then(|n| n.checked_mul(fields));
-    count
-        .filter(|&n| n <= isize::MAX as usize / 8)
-        .ok_or(Error::TooLarge)
-}
 
 /// Checks that every upstream derivative is finite; each has so many numbers.
 pub(crate) fn check_upstream<T: Real>(upstream: &[T], fields: usize) -> Result<(), Error> {
@@ -68,62 +43,6 @@ pub(crate) fn restore<T: Real>(derivatives: &mut [T], by: T) {
     for x in derivatives {
         *x = (*x * by).saturated();
     }
-}
-
-/// The numbers of shapes, one shape after another: as they are in memory, or written out.
-pub(crate) fn numbers<T: Real, P: Fixed<Scalar = T>>(shapes: &[P]) -> Cow<'_, [T]> {
-    match arch::numbers(shapes) {
-        Some(numbers) => Cow::Borrowed(numbers),
-        None => {
-            let mut rows = vec![T::default(); shapes.len() * width::<P>()];
-            // Shapes may have no numbers at all.
-            for (shape, row) in shapes
-                .iter()
-                .zip(rows.chunks_exact_mut(width::<P>().max(1)))
-            {
-                put(*shape, row);
-            }
-            Cow::Owned(rows)
-        }
-    }
-}
-
-/// Runs a function on room for the numbers of shapes, and makes shapes of its numbers. Shapes keep their codes.
-pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
-    shapes: &mut [P],
-    run: impl FnOnce(&mut [T]) -> R,
-) -> R {
-    if let Some(numbers) = arch::numbers_mut(shapes) {
-        return run(numbers);
-    }
-    let mut rows = vec![T::default(); shapes.len() * width::<P>()];
-    let out = run(&mut rows);
-    // Shapes may have no numbers at all.
-    let rows = rows.chunks_exact(width::<P>().max(1));
-    for (shape, row) in shapes.iter_mut().zip(rows) {
-        *shape = P::load(row).load_codes(&shape.codes());
-    }
-    out
-}
-
-/// The same for numbers that hold the codes of shapes, too. An error leaves the shapes as they were, if the function
-/// leaves its room so.
-pub(crate) fn fill_whole<T: Real, P: Fixed<Scalar = T>, R>(
-    shapes: &mut [P],
-    run: impl FnOnce(&mut [T]) -> Result<R, Error>,
-) -> Result<R, Error> {
-    if let Some(numbers) = arch::numbers_mut(shapes) {
-        return run(numbers);
-    }
-    let mut rows = vec![T::default(); shapes.len() * width::<P>()];
-    let out = run(&mut rows)?;
-    for (shape, row) in shapes
-        .iter_mut()
-        .zip(rows.chunks_exact(width::<P>().max(1)))
-    {
-        *shape = get(row);
-    }
-    Ok(out)
 }
 
 /// Shapes looked at together: few enough for the innermost cache.

@@ -2,9 +2,6 @@
 //! than what turns shapes into numbers.
 use crate::Real;
 use crate::error::Error;
-use crate::kernels::cpu::greedy::Greed;
-use crate::kernels::cpu::grouped;
-use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{self, Plan};
 use crate::kernels::cpu::polygons::{self, Pulled, RingPairs};
 use crate::kernels::recording::Call;
@@ -28,5 +25,4 @@ drivers! {
     plan: fn(&Call<T>, bool) -> Result<Arc<Plan<T>>, Error> = plan::plan;
     ring_scores: fn(RingPairs<'_, T>) -> Vec<T> = polygons::scores;
     ring_derivatives: fn(RingPairs<'_, T>, &[T]) -> Pulled<T> = polygons::derivatives;
-    suppress_grouped: fn(&Pairs<'_, T>, &[usize], Greed<'_, T>) -> Vec<usize> = grouped::suppress;
 }

@@ -4,17 +4,7 @@ use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::lane::Planes;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::sweep::Chooses;
-
-/// The rules of suppression.
-#[derive(Clone, Copy, Debug)]
-pub struct Greed<'a, T> {
-    /// Results above this one suppress.
-    pub threshold: T,
-    /// The class of every shape, where there is more than one.
-    pub classes: Option<&'a [u32]>,
-    /// The most shapes that are kept.
-    pub most: usize,
-}
+use crate::kernels::suppress::Greed;
 
 /// The shapes kept so far, and those suppressed.
 struct Kept<'a, T> {

@@ -5,7 +5,8 @@
 //! either way.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
-use crate::kernels::cpu::greedy::{self, Greed};
+use crate::kernels::cpu::formats::kernels_in;
+use crate::kernels::cpu::greedy;
 use crate::kernels::cpu::lane::{
     BLOCK, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
 };
@@ -15,64 +16,42 @@ use crate::kernels::cpu::plan::{List, Plan};
 use crate::kernels::cpu::reductions::{self, initial, raise};
 use crate::kernels::cpu::sweep::LEAST_OF_TREE;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::formats::kernels_in;
-use crate::kernels::reduce::{Best, Found};
+use crate::kernels::grouped::GroupSpans;
+use crate::kernels::machine::found::{Best, Found};
+use crate::kernels::suppress::Greed;
 use std::ops::Range;
 
 /// Work of a piece, in pairs that are looked at: a millisecond or less. A group of more is a piece of its own.
 const PIECE: usize = 1 << 18;
 
-/// Offsets of the groups of both lists, checked: group `g` has the rows `a[g]..a[g + 1]` and the columns
-/// `b[g]..b[g + 1]`.
-#[derive(Clone, Copy, Debug)]
-pub struct GroupSpans<'a> {
-    /// Offsets of the first list.
-    pub a: &'a [usize],
-    /// Offsets of the second list.
-    pub b: &'a [usize],
+/// Pieces of about equal work, which depend on the offsets alone.
+fn pieces(spans: &GroupSpans<'_>) -> Vec<Range<usize>> {
+    let (mut pieces, mut first, mut work) = (Vec::new(), 0, 0);
+    for group in 0..spans.count() {
+        let own = cost(spans, group);
+        if group > first && (work >= PIECE || is_alone(spans, group)) {
+            pieces.push(first..group);
+            (first, work) = (group, 0);
+        }
+        work += own;
+        if is_alone(spans, group) {
+            work = PIECE;
+        }
+    }
+    pieces.extend((first < spans.count()).then(|| first..spans.count()));
+    pieces
 }
 
-impl<'a> GroupSpans<'a> {
-    fn count(&self) -> usize {
-        self.a.len().saturating_sub(1)
-    }
-    fn rows(&self, group: usize) -> Range<usize> {
-        self.a[group]..self.a[group + 1]
-    }
-    fn columns(&self, group: usize) -> Range<usize> {
-        self.b[group]..self.b[group + 1]
-    }
-    /// Pieces of about equal work, which depend on the offsets alone.
-    fn pieces(&self) -> Vec<Range<usize>> {
-        let (mut pieces, mut first, mut work) = (Vec::new(), 0, 0);
-        for group in 0..self.count() {
-            let own = self.work(group);
-            if group > first && (work >= PIECE || self.is_alone(group)) {
-                pieces.push(first..group);
-                (first, work) = (group, 0);
-            }
-            work += own;
-            if self.is_alone(group) {
-                work = PIECE;
-            }
-        }
-        pieces.extend((first < self.count()).then(|| first..self.count()));
-        pieces
-    }
-    /// The cost of a group, in pairs. A row costs about `TILE` pairs more, since it is prepared and its bounds compared; a
-    /// column costs one.
-    fn work(&self, group: usize) -> usize {
-        let (rows, columns) = (self.rows(group).len(), self.columns(group).len());
-        rows.saturating_mul(columns + TILE).saturating_add(columns)
-    }
-    /// `true` if a group is large: it is a piece of its own, so the first group of a piece tells.
-    fn is_alone(&self, group: usize) -> bool {
-        self.columns(group).len() >= LEAST_OF_TREE || self.work(group) >= PIECE
-    }
-    /// The rows and the columns of a piece.
-    fn of(&self, piece: &Range<usize>) -> [Range<usize>; 2] {
-        [self.a, self.b].map(|offsets| offsets[piece.start]..offsets[piece.end])
-    }
+/// The cost of a group, in pairs. A row costs about `TILE` pairs more, since it is prepared and its bounds compared; a
+/// column costs one.
+fn cost(spans: &GroupSpans<'_>, group: usize) -> usize {
+    let (rows, columns) = (spans.rows(group).len(), spans.columns(group).len());
+    rows.saturating_mul(columns + TILE).saturating_add(columns)
+}
+
+/// `true` if a group is large: it is a piece of its own, so the first group of a piece tells.
+fn is_alone(spans: &GroupSpans<'_>, group: usize) -> bool {
+    spans.columns(group).len() >= LEAST_OF_TREE || cost(spans, group) >= PIECE
 }
 
 /// Pairs of some rows and columns alone.
@@ -278,12 +257,12 @@ fn each_piece<T: Real, W: Send>(
 
 /// Every pair within a group whose score is above the threshold, row by row and within a row by column.
 pub fn above<T: Real>(pairs: &Pairs<'_, T>, spans: GroupSpans<'_>, threshold: T) -> Vec<Found<T>> {
-    let pieces = spans.pieces();
+    let pieces = pieces(&spans);
     let mut found = vec![Vec::new(); pieces.len()];
     let work = pieces.into_iter().zip(&mut found).collect();
     each_piece(pairs, &spans, work, |piece, found: &mut Vec<Found<T>>| {
         let [a, b] = piece.from;
-        if spans.is_alone(piece.groups.start) {
+        if is_alone(&spans, piece.groups.start) {
             *found = reductions::above(&piece.pairs, threshold);
             for pair in found {
                 (pair.row, pair.column) = (pair.row + a, pair.column + b);
@@ -318,7 +297,7 @@ pub fn most<T: Real>(
     let side = usize::from(!of_rows);
     let mut best = vec![None; pairs.counts()[side]];
     let (mut work, mut rest) = (Vec::new(), &mut best[..]);
-    for piece in spans.pieces() {
+    for piece in pieces(&spans) {
         let own = spans.of(&piece)[side].len();
         let (now, later) = rest.split_at_mut(own);
         work.push((piece, now));
@@ -327,7 +306,7 @@ pub fn most<T: Real>(
     type Slots<'a, T> = &'a mut [Option<Best<T>>];
     each_piece(pairs, &spans, work, |piece, best: Slots<'_, T>| {
         let from = piece.from[1 - side];
-        if spans.is_alone(piece.groups.start) {
+        if is_alone(&spans, piece.groups.start) {
             if piece.pairs.counts().contains(&0) {
                 return;
             }
@@ -380,13 +359,13 @@ pub fn suppress<T: Real>(
         a: offsets,
         b: offsets,
     };
-    let pieces = spans.pieces();
+    let pieces = pieces(&spans);
     let mut kept = vec![Vec::new(); pieces.len()];
     let work = pieces.into_iter().zip(&mut kept).collect();
     each_piece(pairs, &spans, work, |piece, kept: &mut Vec<usize>| {
         let from = piece.from[0];
         let classes = rules.classes.map(|classes| &classes[from..]);
-        if spans.is_alone(piece.groups.start) {
+        if is_alone(&spans, piece.groups.start) {
             *kept = greedy::suppress(&piece.pairs, Greed { classes, ..rules });
             kept.iter_mut().for_each(|place| *place += from);
             return;

@@ -57,11 +57,17 @@ pub(crate) mod drivers;
 #[forbid(unsafe_code)]
 pub(crate) mod folds;
 #[forbid(unsafe_code)]
+pub(crate) mod formats;
+#[forbid(unsafe_code)]
 pub(crate) mod greedy;
 #[forbid(unsafe_code)]
 pub(crate) mod grouped;
 #[forbid(unsafe_code)]
+mod held;
+#[forbid(unsafe_code)]
 pub(crate) mod lane;
+#[forbid(unsafe_code)]
+pub(crate) mod matrix;
 #[forbid(unsafe_code)]
 pub(crate) mod nearest;
 #[forbid(unsafe_code)]
@@ -94,8 +100,6 @@ mod stretches;
 #[forbid(unsafe_code)]
 pub(crate) mod sweep;
 #[forbid(unsafe_code)]
-mod table;
-#[forbid(unsafe_code)]
 mod tree;
 #[forbid(unsafe_code)]
 pub(crate) mod upright_boxes;
@@ -106,9 +110,8 @@ use crate::kernels::machine::Machine;
 
 pub use crate::kernels::item::Single;
 #[doc(hidden)]
-pub use plan::{Compiled, Plan};
-pub(crate) use ragged::{check_offsets, check_ragged};
-pub use table::Table;
+pub use plan::Plan;
+pub(crate) use ragged::check_ragged;
 
 /// The CPU as a machine: all SIMD lanes, and all threads of rayon's current pool.
 ///

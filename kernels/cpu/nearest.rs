@@ -6,14 +6,14 @@
 //!
 //! Compiled in this library only, by the entries in `arch`.
 use crate::kernels::cpu::arch::{Vector, flat};
-use crate::kernels::cpu::checked::numbers;
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, TILE, tiles};
 use crate::kernels::cpu::ragged::cuts;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::formats::kernels_in;
+use crate::kernels::item::rows::numbers;
+use crate::kernels::machine::PathSpans;
 use crate::scalar::power_of_largest;
 use crate::{Real, Scalar, Vec2};
-use std::ops::Range;
 
 /// The limits within which squares and signs are right.
 #[derive(Clone, Copy, Debug)]
@@ -206,39 +206,6 @@ pub(crate) fn near_edges<T: Real, V: Vector<T>>(
         }
     }
     Some((count, seen.winding))
-}
-
-/// The ranges of the vertices of paths.
-#[derive(Clone, Copy, Debug)]
-pub enum PathSpans<'a> {
-    /// Path i has the vertices between two offsets.
-    Ragged(&'a [usize]),
-    /// So many paths have all of them.
-    Shared(usize, usize),
-}
-
-impl<'a> PathSpans<'a> {
-    /// The offsets of paths, or of one path that is all that is shared, between its ends.
-    pub(crate) const fn offsets(&self, ends: &'a [usize; 2]) -> &'a [usize] {
-        match *self {
-            PathSpans::Ragged(offsets) => offsets,
-            PathSpans::Shared(..) => ends,
-        }
-    }
-    /// How many paths there are.
-    pub(crate) fn count(&self) -> usize {
-        match *self {
-            PathSpans::Ragged(offsets) => offsets.len() - 1,
-            PathSpans::Shared(paths, _) => paths,
-        }
-    }
-    /// The vertices of a path.
-    pub(crate) fn of(&self, path: usize) -> Range<usize> {
-        match *self {
-            PathSpans::Ragged(offsets) => offsets[path]..offsets[path + 1],
-            PathSpans::Shared(_, vertices) => 0..vertices,
-        }
-    }
 }
 
 /// The edges of some paths that can be nearest to a point, one after another.

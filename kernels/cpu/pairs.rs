@@ -2,11 +2,11 @@
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::blocks::QUAD;
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{BLOCK, Lane, TILE, tiles};
 use crate::kernels::cpu::plan::{List, Plan, Shapes};
 use crate::kernels::cpu::sweep::{Chooses, Columns, Part, Sweep, Upstream};
 use crate::kernels::cpu::work::{rows_per_piece, spread};
-use crate::kernels::formats::kernels_in;
 use std::ops::Range;
 
 /// An operation and both lists as numbers, checked.

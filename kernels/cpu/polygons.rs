@@ -2,12 +2,14 @@
 use crate::ad::adjoint::overlap_rings;
 use crate::error::{Argument, Error, Flaw, VertexFault};
 use crate::kernels::cpu::Cpu;
-use crate::kernels::cpu::checked::{check_upstream, expect, numbers};
+use crate::kernels::cpu::checked::check_upstream;
+use crate::kernels::cpu::formats::{drivers_in, kernels_in};
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles, tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::ragged::check_offsets;
 use crate::kernels::cpu::work::{rows_per_piece, spread};
-use crate::kernels::formats::{drivers_in, kernels_in};
+use crate::kernels::item::counts::expect;
+use crate::kernels::item::rows::numbers;
 use crate::overlap_polygon::holed;
 use crate::reference::bounds_of;
 use crate::{Aabb2, Real, Vec2};

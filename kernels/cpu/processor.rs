@@ -3,23 +3,27 @@ use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::Processor;
 use crate::kernels::cpu::aligned::{checked, compute, compute_unchecked};
-use crate::kernels::cpu::checked::{
-    check, check_argument, check_upstream, entries, expect, restore, tame,
-};
-use crate::kernels::cpu::folds::{self, Folding, Input, VertexBars};
+use crate::kernels::cpu::checked::{check, check_argument, check_upstream, restore, tame};
+use crate::kernels::cpu::folds;
 use crate::kernels::cpu::greedy;
-use crate::kernels::cpu::grouped::{self, GroupSpans};
+use crate::kernels::cpu::grouped;
+use crate::kernels::cpu::matrix;
 use crate::kernels::cpu::pairs::{self, Pairs};
-use crate::kernels::cpu::plan::{Plan, Shapes, plan};
+use crate::kernels::cpu::plan::{Plan, Preparation, Shapes, plan};
 use crate::kernels::cpu::ragged::{measured, measured_vjp};
 use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
-use crate::kernels::item::{Column, Target};
+use crate::kernels::derivation::Mode;
+use crate::kernels::folding::Folding;
+use crate::kernels::grouped::{GroupSpans, ranked_groups};
+use crate::kernels::item::counts::{entries, expect};
+use crate::kernels::item::{Column, Leaf, Target};
+use crate::kernels::machine::found::Best;
 use crate::kernels::machine::{
-    Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Seed, count_of,
+    Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Sealed, Seed, count_of,
 };
-use crate::kernels::recording::{Call, Mode};
-use crate::kernels::reduce::{self, Best};
+use crate::kernels::machine::{Input, VertexBars};
+use crate::kernels::recording::Call;
 use crate::kernels::resident::{Bests, FOREIGN, Founds, Matrix, Ready, Stays, Stored};
 use crate::kernels::suppress::Ranked;
 use crate::scalar::real::in_format;
@@ -112,7 +116,18 @@ impl<T: Real> On<Processor> for T {
     }
 }
 
+impl Sealed for Processor {}
+
 impl<T: Real> Engine<T> for Processor {
+    fn check(
+        &self,
+        argument: Argument,
+        leaf: Leaf<T>,
+        column: &Column<'_, T>,
+    ) -> Result<(), Error> {
+        check(argument, &Preparation::plain(leaf), column).map(drop)
+    }
+
     fn keep(&self, count: usize, columns: Vec<Numbers<T>>) -> Result<Stored<T>, Error> {
         let columns = columns
             .into_iter()
@@ -122,6 +137,7 @@ impl<T: Real> Engine<T> for Processor {
 
     fn fold(&self, folding: &Folding<T>, input: &Input<'_, T>, out: &mut [T]) -> Result<(), Error> {
         if let Some(measure) = folding.measure {
+            folds::check_spans(input)?;
             let ends = [0, input.plane.len()];
             return measured(measure, input.plane, input.spans.offsets(&ends), out);
         }
@@ -139,6 +155,7 @@ impl<T: Real> Engine<T> for Processor {
     ) -> Result<(), Error> {
         match by_vertex {
             VertexBars::Plane(measure, bars) => {
+                folds::check_spans(input)?;
                 let ends = [0, input.plane.len()];
                 let offsets = input.spans.offsets(&ends);
                 measured_vjp(measure, input.plane, offsets, upstream, bars)
@@ -154,7 +171,7 @@ impl<T: Real> Engine<T> for Processor {
 
     fn room(&self, rows: usize, columns: usize) -> Result<Matrix<T>, Error> {
         let numbers = vec![T::default(); entries(rows, columns, 1)?];
-        Ok(Matrix(Box::new(reduce::Matrix::new(
+        Ok(Matrix(Box::new(matrix::Matrix::new(
             rows, columns, numbers,
         )?)))
     }
@@ -202,7 +219,7 @@ impl<T: Real> Engine<T> for Processor {
         let planes = match results {
             Room::Planes(planes) => planes,
             Room::Held(matrix) => {
-                let matrix = matrix.own_mut::<reduce::Matrix<T>>()?;
+                let matrix = matrix.own_mut::<matrix::Matrix<T>>()?;
                 expect(Argument::Values, lists[0].len(), matrix.rows())?;
                 expect(Argument::Values, lists[1].len(), matrix.columns())?;
                 &mut matrix.values
@@ -275,7 +292,7 @@ impl<T: Real> Engine<T> for Processor {
         let (derivatives, step) = match seed {
             Seed::Numbers(numbers) => (*numbers, columns),
             Seed::Matrix(matrix) => {
-                let own = matrix.own::<reduce::Matrix<T>>()?;
+                let own = matrix.own::<matrix::Matrix<T>>()?;
                 expect(Argument::Upstream, rows, own.rows())?;
                 expect(Argument::Upstream, columns, own.columns())?;
                 (&own.values[..], columns)
@@ -300,6 +317,7 @@ impl<T: Real> Engine<T> for Processor {
         &self,
         call: &Call<T>,
         shapes: &Column<'_, T>,
+        groups: Option<&[usize]>,
         scores: &[T],
         rules: Rules<'_, T>,
     ) -> Result<Vec<usize>, Error> {
@@ -307,10 +325,20 @@ impl<T: Real> Engine<T> for Processor {
         check_here(std::slice::from_ref(shapes))?;
         // All shapes are checked, so that errors name the caller's rows.
         check(Argument::A, &plan.arguments[0], shapes)?;
-        let ranked = Ranked::of(order(scores, rules.score)?, shapes, &rules);
-        let lists = ranked.lists();
+        let (order, ends) = match groups {
+            None => (order(scores, rules.score)?, None),
+            Some(offsets) => {
+                let (order, ends) = ranked_groups(scores, offsets, rules.score)?;
+                (order, Some(ends))
+            }
+        };
+        let ranked = Ranked::of(order, shapes, &rules);
+        let (lists, greed) = (ranked.lists(), ranked.greed(&rules));
         let pairs = self.lists(&plan, &lists)?;
-        let kept = greedy::suppress(&pairs, ranked.greed(&rules));
+        let kept = match ends {
+            None => greedy::suppress(&pairs, greed),
+            Some(ends) => grouped::suppress(&pairs, &ends, greed),
+        };
         Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
     }
 

@@ -6,9 +6,7 @@ use crate::kernels::cpu::arch::{LARGE, Vector};
 use crate::kernels::cpu::blocks::{all_up_to, bring};
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, TILE, Tiles};
 use crate::kernels::cpu::overlaps::{lanes_of, put, seed};
-use crate::kernels::formats::kernels_in;
-use crate::kernels::item::Leaf;
-use crate::overlap_polygon::{check_quad, intersection_area_quads, is_convex};
+use crate::overlap_polygon::{intersection_area_quads, is_convex};
 use crate::scalar::power_of_largest;
 use crate::{Fixed, Mask, Real, Scalar, Vec2};
 
@@ -18,15 +16,6 @@ pub(crate) const QUAD2: usize = 8;
 /// Coordinates beyond this take the scalar code: `10¹⁵` in single precision.
 pub(crate) fn farthest<T: Scalar>() -> f64 {
     power_of_largest::<T>(0.39)
-}
-
-/// The layout of a quadrilateral that has to be convex.
-pub(crate) fn convex<T: Real>(leaf: Leaf<T>) -> Leaf<T> {
-    Leaf {
-        check: |numbers| check_quad(<[Vec2<T>; 4]>::load(numbers)),
-        all_valid: |numbers| (kernels_in::<T>().all_convex_quads)(numbers),
-        ..leaf
-    }
 }
 
 /// A part of a tile of quadrilaterals.

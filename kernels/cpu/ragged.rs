@@ -1,9 +1,10 @@
 //! Ragged batches: paths of any number of vertices, and the measures of rings by kernels of their own.
 use crate::error::{Argument, Error, Validate};
-use crate::kernels::cpu::checked::{check_upstream, numbers};
+use crate::kernels::cpu::checked::check_upstream;
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::formats::kernels_in;
+use crate::kernels::item::rows::numbers;
 use crate::ring::Measure;
 use crate::{Real, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -1,12 +1,12 @@
 //! Reductions of all pairs over plain numbers, without the matrix.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::sweep::{Columns, Part};
 use crate::kernels::cpu::work::rows_per_piece;
-use crate::kernels::formats::kernels_in;
-use crate::kernels::reduce::{Best, Found};
+use crate::kernels::machine::found::{Best, Found};
 
 /// Scores of one row.
 enum Scores<'a, T> {

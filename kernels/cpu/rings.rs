@@ -1,9 +1,10 @@
 //! Block kernels of rings: small ones side by side, one ring per lane; long ones one after another.
 //!
 //! Compiled in this library only, by the entries in `arch`.
-use crate::kernels::cpu::arch::{Vector, numbers};
+use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::blocks::all_finite;
 use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::kernels::item::memory;
 pub use crate::ring::Measure;
 use crate::ring::{Measured, Vertices};
 use crate::{Mask, Real, Vec2, ad, ring};
@@ -73,7 +74,7 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
 /// `true` if every vertex is finite.
 #[inline(always)]
 fn finite<T: Real, V: Vector<T>>(vertices: &[Vec2<T>]) -> bool {
-    match numbers(vertices) {
+    match memory::lent(vertices) {
         Some(numbers) => all_finite::<T, V>(numbers),
         None => vertices.iter().all(|v| v.x.finite() && v.y.finite()),
     }
@@ -100,7 +101,7 @@ impl<T: Real> Side<T> {
         if same {
             // Rings of one size, which is most.
             self.count = count;
-            let all = numbers(vertices).unwrap_or_default();
+            let all = memory::lent(vertices).unwrap_or_default();
             let own = all.get(2 * ends[0]..).unwrap_or_default();
             let done = match count {
                 3 => self.fill_same::<V, 6>(own),

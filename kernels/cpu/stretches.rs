@@ -1,11 +1,11 @@
 //! Aligned items over plain numbers, block by block: the same code for every operation.
 use crate::Real;
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles, planes, tiles, with_lanes};
 use crate::kernels::cpu::plan::{Plan, Preparation};
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::rowwise::{Given, NEAR, Wanted};
 use crate::kernels::cpu::work::spread;
-use crate::kernels::formats::kernels_in;
 use crate::kernels::item::{Column, Piece, STRETCH, Target};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -6,13 +6,13 @@
 //! them. A consumer gets results with their columns, which do not depend on the pairs that were left out.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{
     BLOCK, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
 };
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::plan::{List, Maker, Plan, Rare};
 use crate::kernels::cpu::tree::Tree;
-use crate::kernels::formats::kernels_in;
 use std::ops::Range;
 
 /// A tree is made of at least so many columns, if at most this share of pairs is near.

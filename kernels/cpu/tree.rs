@@ -1,8 +1,8 @@
 //! A tree of bounds, to find the few of a long list that a row may overlap.
 use crate::Real;
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::kernels::cpu::overlaps::BOUNDS;
-use crate::kernels::formats::kernels_in;
 
 /// Bounds in tiles of sixteen, each tile bounded by one of a level above, up to a single tile.
 ///

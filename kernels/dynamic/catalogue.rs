@@ -12,9 +12,9 @@ use crate::ad::sample::{Sample, Sampler};
 use crate::error::{Argument, Error, Unrecordable};
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Item, Leaf, leaves_of};
+use crate::kernels::modes::recording_of;
 use crate::kernels::op::{
-    Derivative, Extremes, Finite, Invariance, Jumps, Op, Range, inside_of, recording_of,
-    roundings_of,
+    Derivative, Extremes, Finite, Invariance, Jumps, Op, Range, inside_of, roundings_of,
 };
 use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};

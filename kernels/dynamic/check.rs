@@ -14,7 +14,7 @@ use crate::ad::sample::{Draw, Sampler, moved};
 use crate::error::{Argument, Error};
 use crate::kernels::check::Harness;
 use crate::kernels::check::recorded_subject::{Computations, RecordedSubject};
-use crate::kernels::cpu::checked::expect;
+use crate::kernels::item::counts::expect;
 use crate::kernels::op::Jumps;
 use crate::kernels::recording::Recording;
 use std::sync::Arc;

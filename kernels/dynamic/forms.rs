@@ -3,12 +3,13 @@ use super::Mode;
 use super::rows::{Layout, Rows, renamed};
 use crate::Real;
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::checked::{entries, expect};
+use crate::kernels::cpu::formats::plan_of;
 use crate::kernels::cpu::plan::Plan;
+use crate::kernels::item::counts::{entries, expect};
 use crate::kernels::item::{Column, Target};
+use crate::kernels::machine::found::{Best, Found};
 use crate::kernels::machine::{Engine, Items, Reduced, Reduction, Room, Seed, count_of};
 use crate::kernels::recording::{Call, Recording};
-use crate::kernels::reduce::{Best, Found};
 use crate::kernels::{Backend, Cpu};
 use std::sync::Arc;
 
@@ -36,10 +37,6 @@ impl<T: Real> Function<T> {
     /// The call that machines run.
     pub(crate) fn call(&self) -> Result<Call<T>, Error> {
         Call::of(Arc::clone(&self.recording)).derived(self.mode)
-    }
-    /// The plan of the CPU.
-    pub(super) fn plan(&self, framed: bool) -> Result<Arc<Plan<T>>, Error> {
-        self.call()?.plan(framed)
     }
     /// A name and a layout for every column that it takes; cotangents of an adjoint come last.
     #[must_use]

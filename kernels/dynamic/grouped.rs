@@ -3,14 +3,12 @@ use super::forms::{Function, cpu};
 use super::rows::Rows;
 use crate::Real;
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::checked::check;
-use crate::kernels::formats::drivers_in;
-use crate::kernels::grouped::{Groups, ranked_groups};
+use crate::kernels::Backend;
+use crate::kernels::grouped::Groups;
 use crate::kernels::item::Column;
+use crate::kernels::machine::found::{Best, Found, check_threshold};
 use crate::kernels::machine::{Engine, GroupedReduction, Reduced};
-use crate::kernels::reduce::{Best, Found, check_threshold};
-use crate::kernels::suppress::{Ranked, checked};
-use crate::kernels::{Backend, Cpu};
+use crate::kernels::suppress::checked;
 use crate::suppression::{Rules, check_groups};
 
 /// Pairs within groups.
@@ -176,14 +174,7 @@ impl<T: Real> Function<T> {
         let [column, _] = self.lists(&shapes, &shapes)?;
         checked(column.len(), scores, &rules)?;
         check_groups(Argument::A, column.len(), offsets)?;
-        let plan = self.plan(true)?;
-        // All shapes are checked, so that errors name the caller's rows.
-        self.named(check(Argument::A, &plan.arguments[0], &column))?;
-        let (order, ends) = ranked_groups(scores, offsets, rules.score)?;
-        let ranked = Ranked::of(order, &column, &rules);
-        let lists = ranked.lists();
-        let pairs = Cpu::new().engine.lists(&plan, &lists)?;
-        let kept = (drivers_in::<T>().suppress_grouped)(&pairs, &ends, ranked.greed(&rules));
-        Ok(kept.into_iter().map(|place| ranked.order[place]).collect())
+        let kept = cpu().suppress(&self.call()?, &column, Some(offsets), scores, rules);
+        self.named(kept)
     }
 }

@@ -50,7 +50,7 @@ pub mod symbol;
 pub use crate::ad::sample::Sampler;
 pub use crate::kernels::bounds::Bound;
 pub use crate::kernels::cpu::work::on_this_thread;
-pub use crate::kernels::recording::Mode;
+pub use crate::kernels::derivation::Mode;
 pub use catalogue::{Operation, Parameter, Sort, operation, operations};
 #[doc(hidden)]
 pub use catalogue::{fold, search, straight};

@@ -1,6 +1,6 @@
 //! Columns of plain numbers, and what is asked of them.
 use crate::error::{Argument, Error, Field, Validate};
-use crate::kernels::cpu::checked::expect;
+use crate::kernels::item::counts::expect;
 use crate::kernels::item::{Column, Item, Leaf, leaf};
 use crate::{Fixed, Real};
 use std::borrow::Cow;

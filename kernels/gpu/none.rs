@@ -1,13 +1,15 @@
 //! The stand-in of the GPU in a build without the feature `gpu`: types without values, so that all else is the same in
 //! both.
+use crate::error::Argument;
 use crate::kernels::Fold;
-use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
-use crate::kernels::cpu::grouped::GroupSpans;
 use crate::kernels::dynamic::Operation;
-use crate::kernels::item::Column;
+use crate::kernels::folding::Folding;
+use crate::kernels::grouped::GroupSpans;
+use crate::kernels::item::{Column, Leaf};
 use crate::kernels::machine::{
-    Engine, GroupedReduction, Items, Machine, Numbers, Reduced, Reduction, Room, Seed,
+    Engine, GroupedReduction, Items, Machine, Numbers, On, Reduced, Reduction, Room, Sealed, Seed,
 };
+use crate::kernels::machine::{Input, VertexBars};
 use crate::kernels::recording::Call;
 use crate::kernels::resident::{Bests, Downloads, Matrix, Pending, Stored};
 use crate::ring::Measure;
@@ -51,7 +53,18 @@ impl std::fmt::Display for Machine<Device> {
     }
 }
 
+impl Sealed for Device {}
+
+impl On<Device> for f32 {
+    fn engine(engine: &Device) -> &dyn Engine<f32> {
+        match *engine {}
+    }
+}
+
 impl Engine<f32> for Device {
+    fn check(&self, _: Argument, _: Leaf<f32>, _: &Column<'_, f32>) -> Result<(), Error> {
+        match *self {}
+    }
     fn keep(&self, _: usize, _: Vec<Numbers<f32>>) -> Result<Stored<f32>, Error> {
         match *self {}
     }
@@ -112,6 +125,7 @@ impl Engine<f32> for Device {
         &self,
         _: &Call<f32>,
         _: &Column<'_, f32>,
+        _: Option<&[usize]>,
         _: &[f32],
         _: Rules<'_, f32>,
     ) -> Result<Vec<usize>, Error> {

@@ -1,6 +1,6 @@
 //! Columns: one argument of every item.
 use super::layout::{Item, by_shape, leaves_of, put, width};
-use crate::kernels::cpu::arch;
+use super::memory;
 use crate::kernels::machine::{Here, Place};
 use crate::kernels::resident::Stays;
 use crate::{Fixed, Pack, Real};
@@ -30,7 +30,7 @@ pub struct Column<'a, T> {
 impl<'a, T: Real> Column<'a, T> {
     /// Shapes as a column.
     pub(crate) fn of<P: Item<Scalar = T>>(shapes: &'a [P]) -> Self {
-        let numbers = match arch::numbers(shapes) {
+        let numbers = match memory::lent(shapes) {
             Some(numbers) => Numbers::Lent(numbers),
             None => Numbers::Read(Box::new(move |items, rows| {
                 let rows = rows.chunks_exact_mut(width::<P>());

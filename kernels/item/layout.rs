@@ -1,9 +1,9 @@
 //! Layouts of items, and the memory for their results.
+use super::memory;
 use crate::error::{Field, Flaw, Validate};
-use crate::kernels::cpu::arch;
-use crate::kernels::formats::kernels_in;
+use crate::overlap_polygon::check_quad;
 use crate::shape::{Obb3, YawBox3};
-use crate::{Aabb2, Fixed, Obb2, Pack, Real};
+use crate::{Aabb2, Fixed, Obb2, Pack, Real, Vec2};
 use std::any::TypeId;
 use std::marker::PhantomData;
 
@@ -20,8 +20,29 @@ pub struct Leaf<T> {
     pub name: fn(usize) -> Field,
     /// Returns the flaw of numbers that are no valid shape.
     pub check: fn(&[T]) -> Result<(), Flaw>,
-    /// A quick test: `true` only for numbers of valid shapes, `false` perhaps for these, too.
-    pub all_valid: fn(&[T]) -> bool,
+    /// What tells quickly that many shapes are valid.
+    pub quick: Quick,
+}
+
+/// A test of many numbers at once, which holds only for valid shapes, and perhaps not for all of these.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quick {
+    /// There is none.
+    Never,
+    /// All numbers are valid.
+    Always,
+    /// Finite numbers are valid.
+    Finite,
+    /// The rules of axis-aligned boxes.
+    Aabb2,
+    /// The rules of rotated boxes.
+    Obb2,
+    /// The rules of upright boxes.
+    Upright,
+    /// The rules of boxes of any orientation.
+    Obb3,
+    /// Convex quadrilaterals.
+    Quads,
 }
 
 impl<T> Clone for Leaf<T> {
@@ -51,7 +72,15 @@ impl<T: Real> Leaf<T> {
                     })
                 },
             },
-            all_valid: |x| (kernels_in::<T>().all_finite)(x),
+            quick: Quick::Finite,
+        }
+    }
+    /// Quadrilaterals that have to be convex.
+    pub(crate) fn convex(self) -> Self {
+        Leaf {
+            check: |numbers| check_quad(<[Vec2<T>; 4]>::load(numbers)),
+            quick: Quick::Quads,
+            ..self
         }
     }
 }
@@ -248,26 +277,25 @@ pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
         codes: P::CODES,
         name: P::name,
         check: |numbers| get::<P>(numbers).validate(),
-        all_valid: all_valid::<P>(),
+        quick: quick_of::<P>(),
     }
 }
 
-/// The quick way to tell that many shapes are valid: by their numbers alone, or by the rules of boxes, for which
-/// there are kernels.
-fn all_valid<P: Item + Validate>() -> fn(&[P::Scalar]) -> bool {
+/// What tells quickly that many shapes are valid: their numbers alone, or the rules of boxes.
+fn quick_of<P: Item + Validate>() -> Quick {
     let is = |shape: TypeId| TypeId::of::<P>() == shape;
     if P::FINITE_SUFFICES {
-        |x| (kernels_in::<P::Scalar>().all_finite)(x)
+        Quick::Finite
     } else if is(TypeId::of::<Obb2<P::Scalar>>()) {
-        |x| (kernels_in::<P::Scalar>().all_ordinary_obb2)(x)
+        Quick::Obb2
     } else if is(TypeId::of::<Aabb2<P::Scalar>>()) {
-        |x| (kernels_in::<P::Scalar>().all_aabb2)(x)
+        Quick::Aabb2
     } else if is(TypeId::of::<YawBox3<P::Scalar>>()) {
-        |x| (kernels_in::<P::Scalar>().all_common_upright)(x)
+        Quick::Upright
     } else if is(TypeId::of::<Obb3<P::Scalar>>()) {
-        |x| (kernels_in::<P::Scalar>().all_common_obb3)(x)
+        Quick::Obb3
     } else {
-        |_| false
+        Quick::Never
     }
 }
 
@@ -385,8 +413,8 @@ pub(crate) const STRETCH: usize = 2048;
 pub fn target<P: Item>(shapes: &mut [P]) -> Target<'_, P::Scalar> {
     let count = shapes.len();
     let pieces = shapes.chunks_mut(STRETCH).map(|shapes| {
-        if arch::is_plain::<P>() {
-            return Piece::Lent(arch::numbers_mut(shapes).unwrap_or_default());
+        if memory::is_plain::<P>() {
+            return Piece::Lent(memory::lent_mut(shapes).unwrap_or_default());
         }
         let room = vec![P::Scalar::default(); shapes.len() * width::<P>()];
         let write = move |rows: &[P::Scalar]| {

@@ -2,10 +2,11 @@
 use super::{Machine, Number, On, Place, Reduced, Reduction, Room, Seed};
 use crate::Real;
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::arch;
-use crate::kernels::cpu::checked::{entries, expect, fill_whole};
+use crate::kernels::item::counts::{entries, expect};
+use crate::kernels::item::memory;
+use crate::kernels::item::rows::fill_whole;
 use crate::kernels::item::{Column, Columns, Item, Results, get, width};
-use crate::kernels::op::Function;
+use crate::kernels::modes::Function;
 use crate::kernels::recording::Call;
 use crate::kernels::resident::Matrix;
 use crate::kernels::suppress::checked;
@@ -18,7 +19,7 @@ type Both<A, B> = <<A as Columns>::Place as Place>::With<<B as Columns>::Place>;
 /// Shapes from their numbers.
 pub(crate) fn shapes<P: Single>(count: usize, numbers: &[P::Scalar]) -> Vec<P> {
     let mut many = P::many(count);
-    match arch::numbers_mut(&mut many) {
+    match memory::lent_mut(&mut many) {
         Some(to) => to.copy_from_slice(numbers),
         None => {
             let rows = numbers.chunks_exact(width::<P>().max(1));
@@ -542,7 +543,8 @@ impl<E: ?Sized> Machine<E> {
     {
         let list = shapes.list_of_shapes();
         checked(list.len(), scores, &rules)?;
-        self.engine().suppress(&run.call()?, &list, scores, rules)
+        self.engine()
+            .suppress(&run.call()?, &list, None, scores, rules)
     }
 }
 

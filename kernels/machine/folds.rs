@@ -1,12 +1,11 @@
 //! Folds over paths, for every machine.
-use super::{Machine, On};
+use super::{Input, Machine, On, PathSpans, VertexBars};
 use crate::error::Argument;
 use crate::kernels::One;
-use crate::kernels::cpu::check_offsets;
-use crate::kernels::cpu::checked::{expect, fill, numbers};
-use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
-use crate::kernels::cpu::nearest::PathSpans;
 use crate::kernels::fold::Fold;
+use crate::kernels::folding::Folding;
+use crate::kernels::item::counts::expect;
+use crate::kernels::item::rows::{fill, numbers};
 use crate::kernels::item::{Columns, Item};
 use crate::{Error, Fixed, Pack, Real};
 
@@ -310,7 +309,7 @@ fn contexts_of<C: Columns>(contexts: &C) -> usize {
     count.unwrap_or(1)
 }
 
-/// Checks offsets, then calls `run` with the fold and its input as numbers.
+/// Calls `run` with the fold and its input as numbers.
 fn without_types<F, C: Columns, V: Fixed, R>(
     context: &C,
     vertices: &[V],
@@ -322,12 +321,11 @@ where
     F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
     C::Item: Pack<Scalar = V::Scalar>,
 {
-    let ends = [0, vertices.len()];
-    check_offsets::<V::Scalar>(vertices.len(), spans.offsets(&ends))?;
     let mut contexts = Vec::new();
     context.list(&mut |column| contexts.push(column));
     let input = Input {
         contexts,
+        count: vertices.len(),
         vertices: numbers(vertices),
         plane: F::in_plane(vertices),
         spans,

@@ -3,8 +3,8 @@ use super::{Engine, Items, Room, count_of, shapes};
 use crate::Real;
 use crate::error::Error;
 use crate::kernels::item::{Column, Results};
+use crate::kernels::machine::found::{Best, Found};
 use crate::kernels::recording::Call;
-use crate::kernels::reduce::{Best, Found};
 use crate::kernels::resident::{Bests, Founds, Held, Matrix, Stored};
 use crate::kernels::{Single, Table};
 

@@ -5,21 +5,27 @@
 //! of slices are vectors; results stay on the machine if one of the columns does.
 mod all_pairs;
 mod folds;
+pub(crate) mod found;
 mod location;
+mod paths;
 mod primitives;
+mod table;
 
 pub(crate) use all_pairs::shapes;
 pub use location::{Here, Place, There};
+pub use paths::{Input, PathSpans, VertexBars};
+pub(crate) use primitives::sealed::Sealed;
 pub use primitives::{
     Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Seed,
 };
+pub use table::Table;
 
 use crate::error::{Argument, Error};
 use crate::kernels::Single;
 use crate::kernels::Targets;
-use crate::kernels::cpu::checked::expect;
+use crate::kernels::item::counts::expect;
 use crate::kernels::item::{Column, Columns, Item, Results, Target};
-use crate::kernels::op::Function;
+use crate::kernels::modes::Function;
 use crate::kernels::recording::Call;
 use crate::kernels::resident::{Bests, Held, Matrix, numbers_of};
 use crate::{Pack, Real};
@@ -182,7 +188,9 @@ impl<E: ?Sized> Machine<E> {
     where
         <R as Pack>::Scalar: On<E>,
     {
-        let stored = self.engine().keep(items.len(), numbers_of(items)?)?;
+        let engine = self.engine();
+        let check = |_, leaf, column: &Column<'_, _>| engine.check(Argument::Shape, leaf, column);
+        let stored = engine.keep(items.len(), numbers_of(items, check)?)?;
         Ok(Held::of(stored))
     }
 

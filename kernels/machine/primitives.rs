@@ -1,22 +1,21 @@
 //! The interface of machines: calls over numbers, without the types of shapes.
 //!
 //! An engine implements these primitives; [`Machine`](super::Machine) has every named call, once, above them.
-use crate::kernels::cpu::Processor;
-use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
-use crate::kernels::cpu::grouped::GroupSpans;
-use crate::kernels::gpu::Device;
-use crate::kernels::item::{Column, Target};
+use super::{Input, VertexBars};
+use crate::error::Argument;
+use crate::kernels::folding::Folding;
+use crate::kernels::grouped::GroupSpans;
+use crate::kernels::item::{Column, Leaf, Target};
+use crate::kernels::machine::found::{Best, check_sides, check_threshold};
 use crate::kernels::recording::Call;
-use crate::kernels::reduce::{Best, check_sides, check_threshold};
 use crate::kernels::resident::{Bests, Founds, Matrix, Stored};
 use crate::suppression::Rules;
 use crate::{Error, Real};
 use std::fmt::Debug;
 
-mod sealed {
+/// Keeps engines within the library.
+pub(crate) mod sealed {
     pub trait Sealed {}
-    impl Sealed for super::Processor {}
-    impl Sealed for super::Device {}
 }
 
 /// Numbers of one shape of every item.
@@ -133,10 +132,16 @@ pub enum Seed<'a, T: Real> {
     Factor(T),
 }
 
-/// An engine that computes in a number type: [`Processor`] in `f32` and `f64`, [`Device`] in `f32`.
+/// An engine that computes in a number type: the [CPU's](crate::kernels::cpu::Processor) in `f32` and `f64`, a
+/// [GPU's](crate::kernels::gpu::Device) in `f32`.
 ///
 /// Columns come with what errors call them; engines check shapes before they compute.
 pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
+    /// Checks the shapes of a column.
+    #[doc(hidden)]
+    fn check(&self, argument: Argument, leaf: Leaf<T>, column: &Column<'_, T>)
+    -> Result<(), Error>;
+
     /// Keeps columns of so many items, whose numbers were checked.
     #[doc(hidden)]
     fn keep(&self, count: usize, columns: Vec<Numbers<T>>) -> Result<Stored<T>, Error>;
@@ -193,7 +198,7 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         bars: [&mut [T]; 2],
     ) -> Result<f64, Error>;
 
-    /// Writes the numbers of the result of every path, whose offsets were checked.
+    /// Checks paths, and writes the numbers of the result of every one.
     #[doc(hidden)]
     fn fold(&self, folding: &Folding<T>, input: &Input<'_, T>, out: &mut [T]) -> Result<(), Error>;
 
@@ -208,12 +213,14 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         by_vertex: VertexBars<'_, T>,
     ) -> Result<(), Error>;
 
-    /// The shapes that no better one, kept itself, overlaps by more than the threshold. Scores and rules were checked.
+    /// The shapes that no better one, kept itself, overlaps by more than the threshold; within groups if there are
+    /// offsets. Scores, rules and offsets were checked.
     #[doc(hidden)]
     fn suppress(
         &self,
         call: &Call<T>,
         shapes: &Column<'_, T>,
+        groups: Option<&[usize]>,
         scores: &[T],
         rules: Rules<'_, T>,
     ) -> Result<Vec<usize>, Error>;
@@ -235,11 +242,6 @@ pub trait On<E: ?Sized>: Real {
     fn engine(engine: &E) -> &dyn Engine<Self>;
 }
 
-impl On<Device> for f32 {
-    fn engine(engine: &Device) -> &dyn Engine<f32> {
-        engine
-    }
-}
 impl<T: Real> On<dyn Engine<T>> for T {
     fn engine(engine: &dyn Engine<T>) -> &dyn Engine<T> {
         engine

@@ -139,7 +139,7 @@ macro_rules! table {
                 }
             )?)?
             $(
-                fn compiled() -> Option<crate::kernels::cpu::plan::Compiled> {
+                fn compiled() -> Option<crate::kernels::compiled::Compiled> {
                     Some($compiled)
                 }
             )?

@@ -2,9 +2,8 @@
 use super::Pending;
 use crate::Real;
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::checked::{check, expect};
-use crate::kernels::cpu::plan::Preparation;
-use crate::kernels::item::{Column, Columns, Item, Results, leaves_of, targets_of, width};
+use crate::kernels::item::counts::expect;
+use crate::kernels::item::{Column, Columns, Item, Leaf, Results, leaves_of, targets_of, width};
 use crate::kernels::machine::{Numbers, There};
 use std::any::Any;
 use std::fmt;
@@ -18,6 +17,9 @@ pub(crate) trait Stays<T>: fmt::Debug + Send + Sync {
     /// The numbers, if they are in the memory of the program.
     #[doc(hidden)]
     fn here(&self) -> Option<&[T]>;
+    /// Checks the shapes of a column.
+    #[doc(hidden)]
+    fn check(&self, leaf: Leaf<T>, column: &Column<'_, T>) -> Result<(), Error>;
     /// Other numbers, checked, for as many shapes.
     #[doc(hidden)]
     fn update(&mut self, rows: Vec<T>);
@@ -26,27 +28,6 @@ pub(crate) trait Stays<T>: fmt::Debug + Send + Sync {
     fn started(&self, all: &[Box<dyn Stays<T>>]) -> Result<Pending<Vec<Vec<T>>>, Error>;
     #[doc(hidden)]
     fn any(&self) -> &dyn Any;
-}
-
-impl<T: Real> Stays<T> for Numbers<T> {
-    fn fields(&self) -> usize {
-        self.fields
-    }
-    fn here(&self) -> Option<&[T]> {
-        Some(&self.rows)
-    }
-    fn update(&mut self, rows: Vec<T>) {
-        self.rows = rows;
-    }
-    fn started(&self, all: &[Box<dyn Stays<T>>]) -> Result<Pending<Vec<Vec<T>>>, Error> {
-        let all = all
-            .iter()
-            .map(|own| own.here().unwrap_or_default().to_vec());
-        Ok(Pending::ready(all.collect()))
-    }
-    fn any(&self) -> &dyn Any {
-        self
-    }
 }
 
 /// Columns of a machine, without the types of their items.
@@ -173,8 +154,11 @@ impl<R: Results> Held<R> {
     }
 }
 
-/// The numbers of items, checked, shape by shape.
-pub(crate) fn numbers_of<R: Item>(items: &[R]) -> Result<Vec<Numbers<R::Scalar>>, Error> {
+/// The numbers of items, shape by shape, checked by a function of the shape's place.
+pub(crate) fn numbers_of<R: Item>(
+    items: &[R],
+    check: impl Fn(usize, Leaf<R::Scalar>, &Column<'_, R::Scalar>) -> Result<(), Error>,
+) -> Result<Vec<Numbers<R::Scalar>>, Error> {
     let columns = &items;
     let mut all = Vec::new();
     let mut leaves = leaves_of::<R>().into_iter();
@@ -182,7 +166,7 @@ pub(crate) fn numbers_of<R: Item>(items: &[R]) -> Result<Vec<Numbers<R::Scalar>>
     columns.list(&mut |column| {
         let Some(leaf) = leaves.next() else { return };
         if flaw.is_ok() {
-            flaw = check(Argument::Shape, &Preparation::plain(leaf), &column).map(drop);
+            flaw = check(all.len(), leaf, &column);
         }
         all.push(Numbers {
             fields: leaf.fields,
@@ -240,7 +224,8 @@ impl<R: Item> Held<R> {
     /// then as they were), and the errors of the device.
     pub fn update(&mut self, items: &[R]) -> Result<(), Error> {
         expect(Argument::Shape, self.len(), items.len())?;
-        let numbers = numbers_of(items)?;
+        let own = &self.stored.columns;
+        let numbers = numbers_of(items, |k, leaf, column| own[k].check(leaf, column))?;
         for (own, numbers) in self.stored.columns.iter_mut().zip(numbers) {
             own.update(numbers.rows);
         }

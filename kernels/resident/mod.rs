@@ -31,25 +31,22 @@
 //! # Ok::<(), geograd::Error>(())
 //! ```
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::checked::{check_upstream, expect};
+use crate::kernels::item::counts::{check_finite, expect};
+use crate::kernels::machine::found::{Best, Found};
 use crate::kernels::machine::{Reduced, Reduction};
-use crate::kernels::reduce::{self, Best, Found};
 use crate::{Fixed, GpuFault, Real, Vec2};
 use std::any::Any;
 use std::fmt;
 
 mod held;
 pub(crate) mod pending;
-mod rings;
 
 pub(crate) use held::Stays;
 pub(crate) use held::numbers_of;
 pub use held::{Held, Stored};
 pub use pending::Pending;
-pub use rings::Rings;
 
 #[doc(inline)]
-pub use crate::kernels::Backend as Resident;
 #[cfg(doc)]
 use crate::kernels::machine::Machine;
 
@@ -184,53 +181,6 @@ pub(crate) trait Matrices<T: Real>: fmt::Debug + Send + Sync {
     fn any_mut(&mut self) -> &mut dyn Any;
 }
 
-impl<T: Real> Matrices<T> for reduce::Matrix<T> {
-    fn size(&self) -> [usize; 2] {
-        [self.rows(), self.columns()]
-    }
-    fn update(&mut self, values: &[T]) -> Result<(), Error> {
-        self.values.copy_from_slice(values);
-        Ok(())
-    }
-    fn started(&self) -> Result<Pending<Vec<T>>, Error> {
-        Ok(Pending::ready(self.values.clone()))
-    }
-    fn reduce(&self, reduction: Reduction<T>) -> Result<Reduced<T>, Error> {
-        Ok(match reduction {
-            Reduction::Best { of_rows: true } => {
-                Reduced::Bests(Bests::new(Ready(self.row_max()?), self.columns()))
-            }
-            Reduction::Best { of_rows: false } => {
-                Reduced::Bests(Bests::new(Ready(self.column_max()?), self.rows()))
-            }
-            Reduction::Above(threshold) => {
-                Reduced::Founds(Founds::new(Ready(self.above(threshold)?)))
-            }
-            Reduction::Count(threshold) => Reduced::Count(self.count_above(threshold)?),
-            Reduction::Sum => Reduced::Sum(self.sum()),
-        })
-    }
-    fn duplicate(&self) -> Result<Matrix<T>, Error> {
-        Ok(self.boxed())
-    }
-    fn duplicate_into(&self, to: &mut Matrix<T>) -> Result<(), Error> {
-        let to = to.own_mut::<Self>()?;
-        expect(Argument::Values, self.rows(), to.rows())?;
-        expect(Argument::Values, self.columns(), to.columns())?;
-        to.values.copy_from_slice(&self.values);
-        Ok(())
-    }
-    fn boxed(&self) -> Matrix<T> {
-        Matrix(Box::new(self.clone()))
-    }
-    fn any(&self) -> &dyn Any {
-        self
-    }
-    fn any_mut(&mut self) -> &mut dyn Any {
-        self
-    }
-}
-
 /// One number per pair of two lists, row by row, on a machine.
 #[derive(Debug)]
 pub struct Matrix<T: Real = f32>(pub(crate) Box<dyn Matrices<T>>);
@@ -291,7 +241,7 @@ impl<T: Real> Matrix<T> {
             self.rows() * self.columns(),
             values.len(),
         )?;
-        check_upstream(values, 1)?;
+        check_finite(Argument::Upstream, values)?;
         self.0.update(values)
     }
 

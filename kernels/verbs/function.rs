@@ -2,10 +2,13 @@
 use crate::ad::program::record::record;
 use crate::ad::program::{Program, Sym};
 use crate::error::Error;
+use crate::kernels::derivation::Mode;
+use crate::kernels::derivatives::{Hvp, Jvp};
 use crate::kernels::item::{Item, leaves_of, widths};
-use crate::kernels::modes::{Hvp, Jvp};
-use crate::kernels::op::{Function, Jacobian, ValueGrad, Vjp};
-use crate::kernels::recording::{Body, Call, Mode, Recording, known};
+use crate::kernels::modes::Function;
+use crate::kernels::once::known;
+use crate::kernels::op::{Jacobian, ValueGrad, Vjp};
+use crate::kernels::recording::{Body, Call, Recording};
 use crate::{Fixed, Real};
 use std::marker::PhantomData;
 use std::sync::Arc;

@@ -4,8 +4,9 @@ use crate::{gpu, small};
 use geograd::ad::check::sample::{Draw, Sample};
 use geograd::ad::program::{Program, Sym};
 use geograd::error::Argument;
+use geograd::kernels::Backend;
 use geograd::kernels::Diameter;
-use geograd::kernels::resident::{Held, Resident};
+use geograd::kernels::resident::Held;
 use geograd::kernels::{Backend, One, Op};
 use geograd::{
     ConvexPolygon, Error, GpuFault, Obb2, Obb3, Pack, Scalar, Segment2, Unrecordable, Vec2, YawBox3,
@@ -30,7 +31,7 @@ fn near(found: &[Vec<f32>], expected: &[Vec<f32>], by: f32) {
 }
 
 /// The results of a chain of calls, which a test compares between machines.
-fn chain(here: Resident<'_>, count: usize) -> Result<Vec<Vec<f32>>, Error> {
+fn chain(here: Backend<'_>, count: usize) -> Result<Vec<Vec<f32>>, Error> {
     let points = here.upload(&ordinary::<Vec2<f64>, _>(count, 1))?;
     let segments = here.upload(&ordinary::<Segment2<f64>, _>(count, 2))?;
     let wall = One(ordinary::<Segment2<f64>, _>(1, 3)[0]);
@@ -138,7 +139,7 @@ fn other_shapes_in_the_same_buffers() {
     }
 }
 
-fn boxes(here: Resident<'_>, seed: u64) -> Held<Obb2<f32>> {
+fn boxes(here: Backend<'_>, seed: u64) -> Held<Obb2<f32>> {
     here.upload(&ordinary::<Obb2<f64>, _>(64, seed)).unwrap()
 }
 
@@ -153,7 +154,7 @@ fn many_columns() {
     .unwrap();
     let vjp = many.vjp();
     for gpu in [gpu, &small()] {
-        let run = |here: Resident<'_>| {
+        let run = |here: Backend<'_>| {
             let held = |k: usize| -> Held<f32> {
                 let numbers: Vec<f32> = (0..500).map(|i| ((i * k) as f32).sin()).collect();
                 here.upload(&numbers).unwrap()
@@ -174,7 +175,7 @@ fn all_pairs_reductions_and_derivatives() {
     let Some((_turn, gpu)) = gpu() else { return };
     let yaw: Vec<YawBox3<f32>> = ordinary::<YawBox3<f64>, _>(70, 9);
     let run = iou3::GiouYaw;
-    let told = |here: Resident<'_>| -> Result<_, Error> {
+    let told = |here: Backend<'_>| -> Result<_, Error> {
         let (a, b) = (here.upload(&yaw[..40])?, here.upload(&yaw)?);
         let matrix = here.all_pairs(run, &a, &b)?;
         let (by_a, by_b) = here.all_pairs_vjp(run, &a, &b, &matrix)?;

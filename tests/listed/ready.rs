@@ -3,8 +3,9 @@ use crate::list::Tested;
 use geograd::Error;
 use geograd::ad::check::sample::Draw;
 use geograd::kernels::Backend;
+use geograd::kernels::Backend;
 use geograd::kernels::dynamic::{Function, Layout, Mode, OnPaths, Rows};
-use geograd::kernels::resident::{HeldNumbers, Matrix, Resident};
+use geograd::kernels::resident::{HeldNumbers, Matrix};
 
 /// Corners of the paths.
 pub const CORNERS: usize = 16;
@@ -114,7 +115,7 @@ fn rows(columns: &[(Vec<f32>, usize)]) -> Vec<Rows<'_, f32>> {
 }
 
 struct Aligned<'a> {
-    here: Resident<'a>,
+    here: Backend<'a>,
     run: Function<f32>,
     items: Items,
     held: HeldNumbers,
@@ -172,7 +173,7 @@ pub fn aligned<'a>(
 }
 
 struct Pairs<'a> {
-    here: Resident<'a>,
+    here: Backend<'a>,
     run: Function<f32>,
     items: Items,
     a: HeldNumbers,

@@ -1,66 +1,6 @@
-//! Shapes and lanes as the numbers that they are in memory.
-use crate::distance::{Contact, FarthestPoints, PointPair};
-use crate::distance3::{Contact3, PointPair3};
-use crate::intersection::{Chord, CommonPart, CommonPoint, Hit};
-use crate::intersection3::{CommonLine3, CommonPoint3, Hit3};
+//! Lanes as the numbers that they are in memory.
 use crate::kernels::cpu::lane::{Lane, TILE};
-use crate::shape::{
-    Aabb3, Capsule2, Capsule3, Circle, Cone, Cylinder, Interval, Line2, Line3, Obb3, Plane3, Pose3,
-    Ray2, Ray3, Rotation3, RoundBox3, Segment2, Segment3, Sphere, Symmetric3, Tetrahedron,
-    Triangle2, Triangle3, YawBox3,
-};
-use crate::{Aabb2, Fixed, Obb2, Pose2, Rotation2, Vec2, Vec3};
-use std::any::TypeId;
 use std::slice;
-
-/// `true` if a shape is one of the library's, or an array of up to sixteen numbers: nothing but numbers of this format,
-/// in the order of their fields, without gaps.
-pub fn is_plain<P: Fixed>() -> bool
-where
-    P::Scalar: 'static,
-{
-    /// Lists the shapes: all of them `repr(C)`, of one type of number all through.
-    macro_rules! any_of {
-        ($($shape:ident)*; $($length:literal)*) => {
-            $(TypeId::of::<P>() == TypeId::of::<$shape<P::Scalar>>() ||)*
-            $(TypeId::of::<P>() == TypeId::of::<[P::Scalar; $length]>() ||)*
-            TypeId::of::<P>() == TypeId::of::<[Vec2<P::Scalar>; 3]>() ||
-            TypeId::of::<P>() == TypeId::of::<[Vec2<P::Scalar>; 4]>() ||
-            TypeId::of::<P>() == TypeId::of::<P::Scalar>()
-        };
-    }
-    const { assert!(size_of::<P::Scalar>() > 0) };
-    any_of!(Vec2 Vec3 Rotation2 Rotation3 Pose2 Pose3 Aabb2 Aabb3 Obb2 Obb3 YawBox3
-        Segment2 Line2 Ray2 Triangle2 Circle Capsule2 Interval
-        Segment3 Line3 Ray3 Triangle3 Plane3 Sphere Capsule3 Cylinder Cone Tetrahedron RoundBox3 Symmetric3
-        PointPair FarthestPoints Contact PointPair3 Contact3
-        Chord Hit CommonPoint CommonPart Hit3 CommonLine3 CommonPoint3; 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16)
-        && size_of::<P>() == P::LEN * size_of::<P::Scalar>()
-        && align_of::<P>() == align_of::<P::Scalar>()
-}
-
-/// The numbers of shapes, one shape after another; `None` for shapes that hold anything else.
-#[inline]
-pub fn numbers<P: Fixed>(shapes: &[P]) -> Option<&[P::Scalar]>
-where
-    P::Scalar: 'static,
-{
-    // Sound: the shapes are so many numbers, side by side.
-    is_plain::<P>()
-        .then(|| unsafe { slice::from_raw_parts(shapes.as_ptr().cast(), shapes.len() * P::LEN) })
-}
-
-/// The same, to be written.
-#[inline]
-pub fn numbers_mut<P: Fixed>(shapes: &mut [P]) -> Option<&mut [P::Scalar]>
-where
-    P::Scalar: 'static,
-{
-    // Sound: as above, and any number is a valid one.
-    is_plain::<P>().then(|| unsafe {
-        slice::from_raw_parts_mut(shapes.as_mut_ptr().cast(), shapes.len() * P::LEN)
-    })
-}
 
 /// The numbers of lanes, one lane after another.
 #[inline]

@@ -32,7 +32,6 @@ pub use entry::Kernels;
 pub use entry::of_f32::KERNELS as F32;
 pub use entry::of_f64::KERNELS as F64;
 pub(crate) use memory::flat;
-pub use memory::{is_plain, numbers, numbers_mut};
 #[cfg(all(target_arch = "x86_64", feature = "native", not(geograd_portable)))]
 pub(crate) use native::{Bound, Native};
 #[cfg(not(all(target_arch = "x86_64", feature = "native", not(geograd_portable))))]

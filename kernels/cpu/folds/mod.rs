@@ -1,39 +1,27 @@
 //! Folds over ragged lists of paths: edges side by side as a program, what they tell joined in order.
-pub(crate) mod folding;
 pub(crate) mod paths;
-pub(crate) mod programs;
 
 use crate::error::{Argument, Field, Flaw};
-use crate::kernels::cpu::checked::{check_argument, check_upstream, expect};
-use crate::kernels::cpu::nearest::PathSpans;
-use crate::kernels::cpu::plan::{Plan, of_recorded};
+use crate::kernels::cpu::checked::{check_argument, check_upstream};
+use crate::kernels::cpu::formats::kernels_in;
+use crate::kernels::cpu::plan::{Plan, Preparation, name, of_recorded};
+use crate::kernels::cpu::ragged::check_offsets;
 use crate::kernels::cpu::stretches::{self, Aligned};
 use crate::kernels::cpu::work::spread;
-use crate::kernels::formats::kernels_in;
-use crate::kernels::item::{Leaf, STRETCH, Target};
-use crate::kernels::recording::{Key, Mode};
-use crate::ring::Measure;
-use crate::{Error, Real, Vec2};
-pub(crate) use folding::backwards;
-pub use folding::{Folding, Sizes};
-pub use paths::Input;
+use crate::kernels::derivation::Mode;
+use crate::kernels::folding::{Folding, Programs, Sizes, backwards};
+use crate::kernels::item::counts::expect;
+use crate::kernels::item::{Leaf, Quick, STRETCH, Target};
+use crate::kernels::machine::{Input, PathSpans};
+use crate::kernels::once::Key;
+use crate::{Error, Real};
 use paths::{Paths, paths, told};
-pub(crate) use programs::Programs;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Cotangents of vertices.
-#[derive(Debug)]
-pub enum VertexBars<'a, T: 'static> {
-    /// Their numbers.
-    Numbers(&'a mut [T]),
-    /// Points of the plane, of a measure of rings.
-    Plane(Measure, &'a mut [Vec2<T>]),
-}
-
 /// The numbers of the result of every path.
 pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec<T>, Error> {
-    folding.checked(input)?;
+    check(folding, input)?;
     let (sizes, programs) = (&folding.sizes, (folding.programs)()?);
     let paths = paths(folding, input)?;
     let states = states(sizes, &programs, &paths)?;
@@ -67,7 +55,7 @@ pub fn cotangents<T: Real>(
     input: &Input<'_, T>,
     upstream: &[T],
 ) -> Result<(Vec<T>, Vec<T>), Error> {
-    folding.checked(input)?;
+    check(folding, input)?;
     let (sizes, programs) = (&folding.sizes, (folding.programs)()?);
     let results = input.spans.count();
     check_upstream(upstream, sizes.out.max(1))?;
@@ -148,39 +136,53 @@ pub fn cotangents<T: Real>(
     Ok((context_bars, path_bars))
 }
 
-impl<T: Real> Folding<T> {
-    /// Checks paths, whose offsets were checked, and their contexts. Whoever looks at every vertex anyway finds those that are not finite itself.
-    pub(crate) fn checked(&self, input: &Input<'_, T>) -> Result<(), Error> {
-        let (spans, winding) = (input.spans, self.sizes.winding);
-        let vertices = input.vertices.len() / self.sizes.element.max(1);
-        if winding.is_none() && !(kernels_in::<T>().all_finite)(&input.vertices) {
-            return Err(self.first_flaw(&input.vertices));
-        }
-        let edges = match spans {
-            PathSpans::Shared(paths, length) if winding.is_none() => paths.saturating_mul(length),
-            _ => vertices,
-        };
-        if edges.max(spans.count()) >= u32::MAX as usize {
-            return Err(Error::TooLarge);
-        }
-        let plans = self.preparations();
-        for (k, column) in input.contexts.iter().enumerate() {
-            if let Some(found) = column.count {
-                expect(plans[k].argument(k), spans.count(), found)?;
-            }
-            check_argument(k, &plans, column)?;
-        }
-        Ok(())
+/// How the arguments of contexts are checked.
+fn preparations<T: Real>(folding: &Folding<T>) -> Vec<Preparation<T>> {
+    let mut all: Vec<_> = (folding.leaves)()
+        .into_iter()
+        .map(Preparation::plain)
+        .collect();
+    name(&mut all, folding.arguments);
+    all
+}
+
+/// Checks offsets, paths and their contexts. Whoever looks at every vertex anyway finds those that are not finite itself.
+pub(crate) fn check<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<(), Error> {
+    check_spans(input)?;
+    let (spans, winding) = (input.spans, folding.sizes.winding);
+    if winding.is_none() && !(kernels_in::<T>().all_finite)(&input.vertices) {
+        return Err(first_flaw(folding, &input.vertices));
     }
-    /// The first number of a vertex that is not finite.
-    fn first_flaw(&self, vertices: &[T]) -> Error {
-        let at = vertices.iter().position(|x| !x.finite()).unwrap_or(0);
-        let element = self.sizes.element.max(1);
-        Error::Invalid {
-            argument: Argument::Vertices,
-            item: at / element,
-            flaw: Flaw::NotFinite((self.field)(at % element)),
+    let edges = match spans {
+        PathSpans::Shared(paths, length) if winding.is_none() => paths.saturating_mul(length),
+        _ => input.vertices.len() / folding.sizes.element.max(1),
+    };
+    if edges.max(spans.count()) >= u32::MAX as usize {
+        return Err(Error::TooLarge);
+    }
+    let plans = preparations(folding);
+    for (k, column) in input.contexts.iter().enumerate() {
+        if let Some(found) = column.count {
+            expect(plans[k].argument(k), spans.count(), found)?;
         }
+        check_argument(k, &plans, column)?;
+    }
+    Ok(())
+}
+
+/// Checks the offsets of paths.
+pub(crate) fn check_spans<T: Real>(input: &Input<'_, T>) -> Result<(), Error> {
+    check_offsets::<T>(input.count, input.spans.offsets(&[0, input.count]))
+}
+
+/// The first number of a vertex that is not finite.
+fn first_flaw<T: Real>(folding: &Folding<T>, vertices: &[T]) -> Error {
+    let at = vertices.iter().position(|x| !x.finite()).unwrap_or(0);
+    let element = folding.sizes.element.max(1);
+    Error::Invalid {
+        argument: Argument::Vertices,
+        item: at / element,
+        flaw: Flaw::NotFinite((folding.field)(at % element)),
     }
 }
 
@@ -197,7 +199,7 @@ fn plan<T: Real>(sizes: &Sizes, programs: &Programs, mode: Mode) -> Result<Arc<P
             codes: 0,
             name: |_| Field::VALUE,
             check: |_: &[T]| Ok(()),
-            all_valid: |_| true,
+            quick: Quick::Always,
         };
         let arguments = [sizes.wide, 2 * sizes.element]
             .into_iter()

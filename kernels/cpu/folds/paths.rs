@@ -1,9 +1,10 @@
 //! Paths that are folded, edge by edge.
-use super::folding::{Folding, Sizes};
-use crate::kernels::cpu::nearest::{PathSpans, sieved};
+use super::first_flaw;
+use crate::kernels::cpu::nearest::sieved;
+use crate::kernels::folding::{Folding, Sizes};
 use crate::kernels::item::Column;
+use crate::kernels::machine::Input;
 use crate::{Error, Fixed, Real, Vec2};
-use std::borrow::Cow;
 use std::ops::Range;
 
 /// Paths that are folded, with the numbers of every edge.
@@ -19,18 +20,6 @@ pub(crate) struct Paths<'a, T> {
     pub(crate) shared: Vec<T>,
     /// The winding number of every path; `None` where all of its edges are listed.
     pub(super) windings: Vec<Option<T>>,
-}
-
-/// Paths and all that is asked of their types.
-pub struct Input<'a, T: Clone> {
-    pub(crate) contexts: Vec<Column<'a, T>>,
-    /// The numbers of all vertices.
-    pub(crate) vertices: Cow<'a, [T]>,
-    /// The vertices as points of the plane, for a fold with a winding number.
-    pub(crate) plane: &'a [Vec2<T>],
-    pub(crate) spans: PathSpans<'a>,
-    /// Writes the reference of a context and of some vertices.
-    pub(crate) reference: &'a dyn Fn(&[T], Range<usize>, &mut [T]),
 }
 
 /// Lists the edges of checked paths.
@@ -70,7 +59,7 @@ pub(crate) fn paths<'a, T: Real>(
     if sizes.winding.is_some() {
         let found = sieved(&points, input.plane, spans, sizes.closed);
         let mut path = 0;
-        for piece in found.ok_or_else(|| folding.first_flaw(&input.vertices))? {
+        for piece in found.ok_or_else(|| first_flaw(folding, &input.vertices))? {
             let mut rest = piece.edges.iter().map(|&k| k as usize);
             for (count, winding) in piece.counts {
                 paths.add(path, spans.of(path), rest.by_ref().take(count));

@@ -6,8 +6,10 @@ use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
 use crate::ad::adjoint::upright::score_upright_vjp;
 use crate::error::Validate;
 use crate::iou::giou_framed;
+use crate::kernels::compiled::Compiled;
 use crate::kernels::cpu::arch::LARGE;
 use crate::kernels::cpu::boxes3::{OBB3, is_common_obb3};
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, Results, Tiles};
 use crate::kernels::cpu::overlaps::{
     AABB2, OBB2, SEEN, UPRIGHT, View, is_common_upright, is_solid_obb2,
@@ -15,8 +17,7 @@ use crate::kernels::cpu::overlaps::{
 use crate::kernels::cpu::quads::{QUAD2, farthest};
 use crate::kernels::cpu::solids;
 use crate::kernels::cpu::upright_boxes;
-use crate::kernels::formats::kernels_in;
-use crate::kernels::recording::Mode;
+use crate::kernels::derivation::Mode;
 use crate::overlap::{Denominator, score_framed};
 use crate::overlap_polygon::check_quad;
 use crate::overlap3::{score_obb3, score_obb3_vjp, score_yaw};
@@ -24,27 +25,6 @@ use crate::scalar::power_of_largest;
 use crate::shape::{Obb3, YawBox3};
 use crate::{Aabb2, Fixed, Obb2, Real, Vec2, clip};
 use std::sync::Arc;
-
-/// The compiled kernels, or bounds, that batches have for an operation beside its program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Compiled {
-    /// A score of rotated boxes.
-    Obb2(Denominator),
-    /// A score of axis-aligned boxes.
-    Aabb2(Denominator),
-    /// Generalised IoU of rotated boxes.
-    Giou,
-    /// A score of upright boxes.
-    Upright(Denominator),
-    /// A score of upright boxes seen from above.
-    BirdsEye(Denominator),
-    /// The area that two convex quadrilaterals share.
-    Quads,
-    /// A score of axis-aligned boxes in space: no kernels, but boxes that are apart score zero.
-    Aabb3,
-    /// A score of boxes of any orientation in space.
-    Obb3(Denominator),
-}
 
 /// How an operation with compiled kernels is computed; `None` where it has none.
 pub(super) fn of_compiled<T: Real>(compiled: Compiled, mode: Mode) -> Option<Plan<T>> {

@@ -1,12 +1,12 @@
 //! The preparation of shapes, alone and in lists, and the maker of blocks of results: the same for every kind of maker.
 use crate::Real;
 use crate::error::{Argument, Flaw};
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, Lent, Results, TILE, Tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::program::Interpreted;
-use crate::kernels::formats::kernels_in;
-use crate::kernels::item::{Column, Leaf, STRETCH};
-use crate::kernels::recording::Mode;
+use crate::kernels::derivation::Mode;
+use crate::kernels::item::{Column, Leaf, Quick, STRETCH};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -58,6 +58,9 @@ impl<T> Preparation<T> {
     pub fn argument(&self, k: usize) -> Argument {
         self.name.map_or(Argument::input(k), Argument::named)
     }
+}
+
+impl<T: Real> Preparation<T> {
     /// A shape that is left as it is.
     pub fn plain(leaf: Leaf<T>) -> Self {
         Preparation {
@@ -65,10 +68,24 @@ impl<T> Preparation<T> {
             fields: leaf.fields,
             frame: None,
             bounds: None,
-            all_ordinary: leaf.all_valid,
+            all_ordinary: quick(leaf.quick),
             check: leaf.check,
             is_rare: |_| false,
         }
+    }
+}
+
+/// The kernel of a quick test.
+fn quick<T: Real>(test: Quick) -> fn(&[T]) -> bool {
+    match test {
+        Quick::Never => |_| false,
+        Quick::Always => |_| true,
+        Quick::Finite => |x| (kernels_in::<T>().all_finite)(x),
+        Quick::Aabb2 => |x| (kernels_in::<T>().all_aabb2)(x),
+        Quick::Obb2 => |x| (kernels_in::<T>().all_ordinary_obb2)(x),
+        Quick::Upright => |x| (kernels_in::<T>().all_common_upright)(x),
+        Quick::Obb3 => |x| (kernels_in::<T>().all_common_obb3)(x),
+        Quick::Quads => |x| (kernels_in::<T>().all_convex_quads)(x),
     }
 }
 

@@ -9,7 +9,7 @@ use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::cpu::program::{Interpreted, Skipping};
 use crate::kernels::derivation::{Mode, Replays};
 use crate::kernels::item::Leaf;
-use crate::kernels::recording::{Recording, Searched};
+use crate::kernels::recording::{Each, Recording, Searched};
 use std::sync::Arc;
 
 /// How a recorded program is computed. Its inputs are the numbers of its arguments and then those of
@@ -58,10 +58,6 @@ pub(crate) fn prepared<T: Real>(
     };
     Ok((frame.outputs.len(), Arc::new(prepare)))
 }
-
-/// Something that computes one item: its numbers, the cotangent of its result or nothing, and room for
-/// a result, or for a result and derivatives.
-pub type Each<T> = fn(&[T], Option<&[T]>, &mut [T]);
 
 /// Computes item by item.
 struct Items<T> {

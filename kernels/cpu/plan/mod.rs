@@ -3,14 +3,14 @@ mod compiled;
 mod computation;
 pub(crate) mod makers;
 
-pub use compiled::Compiled;
 pub use computation::{List, Plan, Preparation, Rare, Shapes};
 pub(crate) use computation::{Maker, name};
 pub(crate) use makers::{of_items, of_recorded};
 
 use crate::Real;
 use crate::error::Error;
-use crate::kernels::recording::{Body, Call, Key};
+use crate::kernels::once::Key;
+use crate::kernels::recording::{Body, Call};
 use compiled::{of_compiled, outline};
 use makers::of_replays;
 use std::sync::Arc;
@@ -22,7 +22,12 @@ pub(crate) fn plan<T: Real>(call: &Call<T>, framed: bool) -> Result<Arc<Plan<T>>
     let framed = framed && !matches!(recording.body, Body::Search(_));
     recording.made(Key::Cpu(mode, framed), &|| {
         let mut plan = match (&recording.body, recording.compiled) {
-            (Body::Search(search), _) if search.steps.is_empty() => (search.plan)(mode),
+            (Body::Search(search), _) if search.steps.is_empty() => of_items(
+                mode,
+                recording.takes.clone(),
+                recording.outputs.clone(),
+                (search.item)(mode),
+            ),
             (Body::Search(search), _) => of_replays(mode, recording, search),
             (_, compiled) => match compiled.and_then(|compiled| of_compiled(compiled, mode)) {
                 Some(plan) => plan,

@@ -7,10 +7,10 @@
 //! an operand was, since every lane is read before it is written.
 use crate::Real;
 use crate::kernels::cpu::arch::{Bound, Native, Vector};
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
 use crate::kernels::cpu::program::instructions::{Code, Op, instructions};
 use crate::kernels::cpu::program::lower::Tape;
-use crate::kernels::formats::kernels_in;
 use std::cell::Cell;
 
 /// Lanes that one turn of an instruction's loop computes. The number of lanes of a slot is a multiple.

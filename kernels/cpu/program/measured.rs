@@ -1,12 +1,12 @@
 //! Programs in batches, for tests and measurements: rows of numbers in, rows of numbers out, on one thread.
 use crate::ad::program::Program;
 use crate::ad::program::recorded::Recorded;
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{BLOCK, Lane, Planes, Results, TILE, Tiles, planes, tiles};
 use crate::kernels::cpu::plan::Maker;
 use crate::kernels::cpu::program::rowwise::{Given, Wanted};
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::cpu::program::{Interpreted, Skipping};
-use crate::kernels::formats::kernels_in;
 use crate::{Real, Unrecordable};
 
 /// How a program is carried out. Results are the same bits any way.

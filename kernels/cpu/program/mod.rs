@@ -21,10 +21,10 @@ pub(crate) mod split;
 
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::arch::Native;
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, TILE, Tiles, with_room};
 use crate::kernels::cpu::plan::Maker;
 use crate::kernels::cpu::simd::Simd;
-use crate::kernels::formats::kernels_in;
 use crate::{Real, Unrecordable};
 use execute::STRIP;
 pub(crate) use execute::{Memory, Pass, Run, carry_out, interpret};

@@ -6,9 +6,9 @@ use crate::Real;
 use crate::kernels::cpu::arch::memory::prefetch;
 use crate::kernels::cpu::arch::{Native, Vector};
 use crate::kernels::cpu::blocks::QUAD;
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::kernels::cpu::program::lower::Tape;
-use crate::kernels::formats::kernels_in;
 use crate::kernels::item::STRETCH;
 use std::cell::Cell;
 

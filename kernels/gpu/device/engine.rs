@@ -4,14 +4,20 @@ use super::lists::Lists;
 use super::seed::Seed;
 use super::{Bests, Device, Matrix};
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::checked::{check_upstream, expect};
-use crate::kernels::cpu::folds::{Folding, Input, VertexBars};
-use crate::kernels::cpu::grouped::GroupSpans;
-use crate::kernels::item::Column;
+use crate::kernels::cpu::Cpu;
+use crate::kernels::cpu::checked::check;
+use crate::kernels::cpu::checked::check_upstream;
+use crate::kernels::cpu::plan::plan;
+use crate::kernels::derivation::Mode;
+use crate::kernels::folding::Folding;
+use crate::kernels::grouped::GroupSpans;
+use crate::kernels::item::counts::expect;
+use crate::kernels::item::{Column, Leaf};
 use crate::kernels::machine::{
-    self, Engine, GroupedReduction, Items, Numbers, Reduced, Reduction, Room,
+    self, Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Sealed,
 };
-use crate::kernels::recording::{Call, Mode};
+use crate::kernels::machine::{Input, VertexBars};
+use crate::kernels::recording::Call;
 use crate::kernels::resident::{self, Stays, Stored};
 use crate::suppression::Rules;
 
@@ -26,7 +32,24 @@ fn stored(count: usize, columns: impl IntoIterator<Item = HeldColumn>) -> Stored
     )
 }
 
+impl Sealed for Device {}
+
+impl On<Device> for f32 {
+    fn engine(engine: &Device) -> &dyn Engine<f32> {
+        engine
+    }
+}
+
 impl Engine<f32> for Device {
+    fn check(
+        &self,
+        argument: Argument,
+        leaf: Leaf<f32>,
+        column: &Column<'_, f32>,
+    ) -> Result<(), Error> {
+        Engine::check(&Cpu::new().engine, argument, leaf, column)
+    }
+
     fn keep(&self, count: usize, columns: Vec<Numbers<f32>>) -> Result<Stored<f32>, Error> {
         let own = |own: Numbers<f32>| HeldColumn::new(self, own.fields, own.rows);
         let columns = columns
@@ -146,17 +169,34 @@ impl Engine<f32> for Device {
         &self,
         call: &Call<f32>,
         shapes: &Column<'_, f32>,
+        groups: Option<&[usize]>,
         scores: &[f32],
         rules: Rules<'_, f32>,
     ) -> Result<Vec<usize>, Error> {
-        match super::generated::held::held(self, shapes)? {
-            Some(own) => {
-                let rows = own.numbers()?;
-                let here = Column::lent(&rows, shapes.fields, shapes.count);
-                self.kept(call, &here, scores, rules)
-            }
-            None => self.kept(call, shapes, scores, rules),
+        let own = super::generated::held::held(self, shapes)?;
+        let rows = own.map(|own| own.numbers()).transpose()?;
+        let here = rows
+            .as_ref()
+            .map(|rows| Column::lent(rows, shapes.fields, shapes.count));
+        let shapes = here.as_ref().unwrap_or(shapes);
+        let Some(offsets) = groups else {
+            return self.kept(call, shapes, scores, rules);
+        };
+        // Group after group. All shapes are checked first, so that errors name the caller's rows.
+        check(Argument::A, &plan(call, true)?.arguments[0], shapes)?;
+        let (all, mut kept) = (shapes.all(), Vec::new());
+        for ends in offsets.windows(2) {
+            let group = ends[0]..ends[1];
+            let numbers = &all[group.start * shapes.fields..group.end * shapes.fields];
+            let list = Column::lent(numbers, shapes.fields, Some(group.len()));
+            let rules = Rules {
+                classes: rules.classes.map(|classes| &classes[group.clone()]),
+                ..rules
+            };
+            let found = self.kept(call, &list, &scores[group.clone()], rules)?;
+            kept.extend(found.into_iter().map(|place| place + group.start));
         }
+        Ok(kept)
     }
 
     fn pick(&self, list: &Stored<f32>, bests: &resident::Bests<f32>) -> Result<Stored<f32>, Error> {

@@ -5,7 +5,7 @@ use super::work::{Params, Work};
 use super::written::{Kernel, Take};
 use super::{Device, Pending};
 use crate::Error;
-use crate::kernels::reduce::Found;
+use crate::kernels::machine::found::Found;
 use crate::kernels::resident::Downloads;
 
 /// Pairs whose score is above a threshold, on the GPU.

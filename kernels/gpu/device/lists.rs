@@ -6,11 +6,11 @@ use super::seed::Seed;
 use super::{Device, Matrix};
 use crate::Error;
 use crate::error::Argument;
-use crate::kernels::cpu::grouped::GroupSpans;
+use crate::kernels::grouped::GroupSpans;
 use crate::kernels::item::Column;
+use crate::kernels::machine::found::Best;
 use crate::kernels::machine::{GroupedReduction, Reduced, Reduction};
 use crate::kernels::recording::Call;
-use crate::kernels::reduce::Best;
 use crate::kernels::resident::Founds;
 use std::sync::Arc;
 

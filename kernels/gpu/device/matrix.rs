@@ -5,7 +5,7 @@ use super::work::{MOST_GROUPS, Params, Work, groups};
 use super::written::{GROUP, Kernel};
 use super::{Device, Pending};
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::checked::{entries, expect};
+use crate::kernels::item::counts::{entries, expect};
 use crate::kernels::machine::{Reduced, Reduction};
 use crate::kernels::resident::{self, Matrices};
 use std::any::Any;

@@ -1,7 +1,9 @@
 //! The plans of a call for a GPU, made once per function, mode and form.
 use super::generated::operation::Generated;
-use crate::kernels::derivation::Replays;
-use crate::kernels::recording::{Body, Call, Key, Mode, Recording};
+use super::generated::replays::Replayed;
+use crate::kernels::derivation::Mode;
+use crate::kernels::once::Key;
+use crate::kernels::recording::{Body, Call, Recording};
 use crate::{Error, Unrecordable};
 use std::sync::Arc;
 
@@ -24,14 +26,16 @@ impl Call<f32> {
         })
     }
     /// The replays of a search; `None` of any other function.
-    pub(crate) fn replays(&self) -> Option<Arc<dyn Replays<f32>>> {
+    pub(crate) fn replays(&self) -> Option<Arc<Replayed>> {
         let Body::Search(search) = &self.recording.body else {
             return None;
         };
         let (key, mode) = (Key::Replays(self.mode), self.mode);
-        let made = self.recording.made(key, &|| Ok(search.replays(mode)));
+        let made = self
+            .recording
+            .made(key, &|| Ok(Replayed::new(search.replays(mode))));
         let made = made.unwrap_or_else(|_: Error| unreachable!("a replay is recorded later"));
-        Some(Arc::clone(&made))
+        Some(made)
     }
     /// A call with the kernels of another one on a GPU, for tests of drivers that compute wrong numbers.
     ///

@@ -9,8 +9,8 @@ use super::work::{Work, groups};
 use super::written::{Kernel, Take};
 use super::{Device, Pending};
 use crate::Error;
+use crate::kernels::machine::found::Best;
 use crate::kernels::machine::{Reduced, Reduction};
-use crate::kernels::reduce::Best;
 use crate::kernels::resident::{self, Downloads};
 
 /// The largest score of every row (or column) and where it is, on the GPU.

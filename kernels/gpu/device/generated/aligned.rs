@@ -1,12 +1,12 @@
 //! Item i of every column: one thread per item.
 use super::operation::Generated;
+use super::replays::Replayed;
 use super::text::{Form, GROUP, MOST_GROUPS};
 use crate::Error;
 use crate::kernels::cpu::aligned::{items, sound};
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::cpu::plan::Plan;
+use crate::kernels::cpu::plan::{Plan, plan};
 use crate::kernels::cpu::work::spread;
-use crate::kernels::derivation::Replays;
 use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::Inner;
 use crate::kernels::gpu::device::download::Arrival;
@@ -123,13 +123,13 @@ impl Device {
 /// The code that computes items: a kernel, or replays of decisions of the processor.
 enum Made {
     Kernel(Arc<Generated<f32>>),
-    Replays(Arc<dyn Replays<f32>>, Arc<Plan<f32>>),
+    Replays(Arc<Replayed>, Arc<Plan<f32>>),
 }
 
 impl Made {
     fn of(call: &Call<f32>) -> Result<Self, Error> {
         Ok(match call.replays() {
-            Some(replays) => Made::Replays(replays, call.plan(false)?),
+            Some(replays) => Made::Replays(replays, plan(call, false)?),
             None => Made::Kernel(call.generated(false)?),
         })
     }

@@ -1,9 +1,11 @@
 //! Bodies by hand: the overlap of boxes in the plane, which mirror their Rust source in WGSL.
 use super::operation::{Body, Generated, Kind, Name};
 use crate::Error;
-use crate::kernels::cpu::plan::Compiled;
+use crate::kernels::compiled::Compiled;
+use crate::kernels::cpu::plan::plan;
+use crate::kernels::derivation::Mode;
 use crate::kernels::gpu::device::written::{CLIP, OVERLAP, PRELUDE, policy};
-use crate::kernels::recording::{Call, Mode};
+use crate::kernels::recording::Call;
 use crate::overlap::Denominator;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -43,7 +45,7 @@ impl Generated<f32> {
             Mode::ValueGrad | Mode::Jacobian => return Ok(None),
         };
         let made = |is_extreme: bool| {
-            let arguments = call.plan(true)?.arguments.clone();
+            let arguments = plan(call, true)?.arguments.clone();
             let mut widths: Vec<usize> = arguments.iter().map(|x| x.frame_fields()).collect();
             widths.extend(has_seed.then_some(1));
             let fields: Vec<usize> = arguments.iter().map(|x| x.fields).collect();

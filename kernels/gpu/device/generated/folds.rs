@@ -3,14 +3,17 @@ use super::operation::{Body, Name, body_of, part};
 use super::text::{Form, GROUP, MOST_GROUPS, call};
 use crate::ad::program::WGSL;
 use crate::ad::program::recorded::Recorded;
-use crate::kernels::cpu::checked::{check_upstream, numbers};
+use crate::kernels::cpu::checked::check_upstream;
+use crate::kernels::cpu::folds::check;
 use crate::kernels::cpu::folds::paths::paths;
-use crate::kernels::cpu::folds::{Folding, Input, Programs, Sizes, VertexBars};
-use crate::kernels::cpu::nearest::PathSpans;
 use crate::kernels::cpu::program::split::Piece;
+use crate::kernels::derivation::Mode;
+use crate::kernels::folding::{Folding, Programs, Sizes};
 use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::work::Work;
-use crate::kernels::recording::{Key, Mode};
+use crate::kernels::item::rows::numbers;
+use crate::kernels::machine::{Input, PathSpans, VertexBars};
+use crate::kernels::once::Key;
 use crate::{Error, Vec2};
 use std::borrow::Cow;
 use std::fmt::Write;
@@ -327,7 +330,7 @@ impl<'a> Listed<'a> {
 
 /// Checks paths; of every one its context and then its reference, as numbers.
 fn shared(folding: &Folding<f32>, input: &Input<'_, f32>) -> Result<Vec<f32>, Error> {
-    folding.checked(input)?;
+    check(folding, input)?;
     Ok(paths(folding, input)?.shared)
 }
 

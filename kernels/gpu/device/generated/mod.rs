@@ -5,9 +5,10 @@ mod columns;
 mod derivatives;
 mod folds;
 pub(crate) mod held;
+mod instructions;
 pub(crate) mod operation;
 mod pairs;
-mod replays;
+pub(super) mod replays;
 mod shader;
 mod suppress;
 pub(super) mod template;
@@ -17,11 +18,13 @@ pub(super) mod uploaded;
 use super::written::{Seed, Take, ring_source};
 use super::{Inner, locked};
 use crate::kernels::Fold;
-use crate::kernels::cpu::folds as cpu_folds;
+use crate::kernels::derivation::Mode;
 use crate::kernels::dynamic::Operation;
+use crate::kernels::folding;
 use crate::kernels::item::Item;
-use crate::kernels::op::{Op, recording_of};
-use crate::kernels::recording::{Call, Mode, Recording};
+use crate::kernels::modes::recording_of;
+use crate::kernels::op::Op;
+use crate::kernels::recording::{Call, Recording};
 use crate::{Error, Pack, Unrecordable};
 use operation::{Generated, Name};
 use std::collections::HashMap;
@@ -166,10 +169,10 @@ pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
     if let Some(measure) = F::MEASURE {
         return Ok(vec![(F::NAME.to_owned(), ring_source(measure))]);
     }
-    let programs = cpu_folds::programs::programs::<F, f32>()?;
+    let programs = folding::programs::<F, f32>()?;
     let made = folds::shaders(
         &programs,
-        &cpu_folds::Sizes::of::<F>(),
+        &folding::Sizes::of::<F>(),
         F::empty::<f32>().scalars(),
     )?;
     Ok([Form::Fold, Form::FoldDerivatives]

@@ -7,8 +7,8 @@ use crate::error::Field;
 use crate::kernels::cpu::plan::makers::prepared;
 use crate::kernels::cpu::plan::{List, Preparation, Shapes, name};
 use crate::kernels::cpu::program::split::{Piece, split};
-use crate::kernels::item::{Column, Leaf};
-use crate::kernels::recording::Mode;
+use crate::kernels::derivation::Mode;
+use crate::kernels::item::{Column, Leaf, Quick};
 use crate::{Error, Real};
 use std::iter::repeat;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -229,7 +229,7 @@ impl<T: Real> Generated<T> {
                     codes: 0,
                     name: |_| Field::VALUE,
                     check: |_| Ok(()),
-                    all_valid: |_| true,
+                    quick: Quick::Always,
                 });
                 &plain
             }

@@ -2,20 +2,21 @@
 //!
 //! A replay is a list of instructions, and one kernel carries out those of any operation: what a thread
 //! does is data, so that no record asks for a pipeline of its own.
+use super::instructions::{Replay, instructions, numbers};
 use super::operation::Name;
 use super::text::{Form, GROUP, MOST_GROUPS};
 use crate::Error;
 use crate::ad::program::WGSL;
+use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::derivation::Replays;
 use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::item::{Column, Piece, STRETCH, Target};
-use crate::kernels::replays::{Replay, numbers};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::ops::Range;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, OnceLock, PoisonError, RwLock};
 
 /// Bytes of the slots of all items of a dispatch.
 const MOST_SLOTS: usize = 1 << 28;
@@ -38,6 +39,46 @@ fn name() -> &'static Name {
     NAME.get_or_init(Name::default)
 }
 
+/// Replays that are kept as instructions; one more, and all are dropped. A bound of memory.
+const MOST_KEPT: usize = 1 << 14;
+
+/// Recorded replays by their addresses, which no other one has as long as they are kept, and their instructions.
+type Known = HashMap<usize, (Arc<Recorded>, Arc<Replay>)>;
+
+/// The replays of a search, and those that have occurred as instructions.
+pub(crate) struct Replayed {
+    replays: Arc<dyn Replays<f32>>,
+    known: RwLock<Known>,
+}
+
+impl Replayed {
+    /// The replays of a search.
+    pub(crate) fn new(replays: Arc<dyn Replays<f32>>) -> Self {
+        Replayed {
+            replays,
+            known: RwLock::default(),
+        }
+    }
+    /// Decides an item: the instructions of its record, and the numbers that they take, which are appended.
+    fn instructions(&self, numbers: &[f32], taken: &mut Vec<f32>) -> Result<Arc<Replay>, Error> {
+        let recorded = self.replays.decide(numbers, taken)?;
+        let address = Arc::as_ptr(&recorded) as usize;
+        let known = self.known.read().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, replay)) = known.get(&address) {
+            return Ok(Arc::clone(replay));
+        }
+        drop(known);
+        let value = &recorded.value;
+        let made = Arc::new(instructions(&value.graph, recorded.inputs, &value.outputs)?);
+        let mut known = self.known.write().unwrap_or_else(PoisonError::into_inner);
+        if known.len() >= MOST_KEPT {
+            known.clear();
+        }
+        let kept = known.entry(address).or_insert((recorded, made));
+        Ok(Arc::clone(&kept.1))
+    }
+}
+
 /// A stretch of items: their numbers, shape by shape, those that replays take, and which replays.
 #[derive(Default)]
 struct Stretch {
@@ -52,7 +93,7 @@ struct Stretch {
 
 impl Stretch {
     /// Decides its items.
-    fn decide(&mut self, replays: &dyn Replays<f32>, columns: &[Column<'_, f32>]) {
+    fn decide(&mut self, replayed: &Replayed, columns: &[Column<'_, f32>]) {
         let mut rooms = vec![Vec::new(); columns.len()];
         let parts: Vec<&[f32]> = columns
             .iter()
@@ -66,7 +107,7 @@ impl Stretch {
                 let own = &part[at * column.fields..][..column.fields];
                 self.numbers.extend_from_slice(own);
             }
-            match replays.instructions(&self.numbers[first..], &mut self.taken) {
+            match replayed.instructions(&self.numbers[first..], &mut self.taken) {
                 Ok(replay) => self.replays.push(replay),
                 Err(error) => return self.failed = Some(error),
             }
@@ -128,13 +169,14 @@ impl Device {
     /// Decides and replays all items.
     pub(super) fn replayed(
         &self,
-        replays: &dyn Replays<f32>,
+        replayed: &Replayed,
         gives: &[usize],
         columns: &[Column<'_, f32>],
         count: usize,
         targets: Vec<Option<Target<'_, f32>>>,
     ) -> Result<(), Error> {
         self.inner.alive()?;
+        let replays = &*replayed.replays;
         let mut targets: Vec<Vec<Piece<'_, f32>>> = targets
             .into_iter()
             .map(|target| target.map_or_else(Vec::new, Target::pieces))
@@ -150,7 +192,7 @@ impl Device {
             let each = |stretches: &mut Vec<Stretch>, run: &(dyn Fn(&mut Stretch) + Sync)| {
                 spread(stretches.iter_mut().collect(), run);
             };
-            each(&mut stretches, &|stretch| stretch.decide(replays, columns));
+            each(&mut stretches, &|stretch| stretch.decide(replayed, columns));
             if let Some(error) = stretches.iter().find_map(|stretch| stretch.failed) {
                 return Err(error);
             }

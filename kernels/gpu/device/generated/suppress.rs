@@ -11,15 +11,15 @@ use crate::error::Argument;
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::checked::check;
-use crate::kernels::cpu::greedy::Greed;
 use crate::kernels::cpu::lane::{Planes, TILE};
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::plan::List;
+use crate::kernels::cpu::plan::{List, plan};
 use crate::kernels::cpu::sweep::{Chooses, Sweep};
 use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::item::Column;
 use crate::kernels::recording::Call;
+use crate::kernels::suppress::Greed;
 use crate::kernels::suppress::Ranked;
 use crate::suppression::{Rules, order};
 use crate::{Error, Scalar};
@@ -50,7 +50,7 @@ impl Device {
         scores: &[f32],
         rules: Rules<'_, f32>,
     ) -> Result<Vec<usize>, Error> {
-        let (plan, made) = (call.plan(true)?, call.generated(true)?);
+        let (plan, made) = (plan(call, true)?, call.generated(true)?);
         // All shapes are checked, so that errors name the caller's rows.
         check(Argument::A, &plan.arguments[0], shapes)?;
         let ranked = Ranked::of(order(scores, rules.score)?, shapes, &rules);

@@ -5,14 +5,17 @@
 //! Results are columns, too. They are read where they are by whatever prepares nothing; an operation that
 //! has something computed of them beforehand has them brought to the processor once.
 use crate::Error;
+use crate::error::Argument;
+use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::gpu::device::generated::aligned::tiles;
 use crate::kernels::gpu::device::generated::operation::Generated;
 use crate::kernels::gpu::device::generated::text::{GROUP, MOST_GROUPS};
 use crate::kernels::gpu::device::generated::uploaded::Side;
 use crate::kernels::gpu::device::{Device, Inner, Pending, locked};
-use crate::kernels::item::Column;
-use crate::kernels::reduce::Best;
+use crate::kernels::item::{Column, Leaf};
+use crate::kernels::machine::Engine;
+use crate::kernels::machine::found::Best;
 use crate::kernels::resident::{self, FOREIGN, Stays};
 use std::any::Any;
 use std::collections::HashMap;
@@ -122,6 +125,9 @@ impl Stays<f32> for HeldColumn {
     }
     fn here(&self) -> Option<&[f32]> {
         None
+    }
+    fn check(&self, leaf: Leaf<f32>, column: &Column<'_, f32>) -> Result<(), Error> {
+        Engine::check(&Cpu::new().engine, Argument::Shape, leaf, column)
     }
     fn update(&mut self, rows: Vec<f32>) {
         let mut state = locked(&self.state);

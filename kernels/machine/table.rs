@@ -1,6 +1,6 @@
 //! Matrices of results, of all pairs.
 use crate::error::Error;
-use crate::kernels::cpu::checked::entries;
+use crate::kernels::item::counts::entries;
 use crate::kernels::item::{Item, Results, by_kind, get, width};
 use std::marker::PhantomData;
 

@@ -1,51 +1,13 @@
-//! Reductions on the CPU, of all pairs without the matrix or of a [`Matrix`] that is there already:
-//! what `gpu` reduces where it is.
+//! A matrix that is there already, and its reductions on the CPU.
 use crate::Real;
-use crate::error::{Argument, Error, Validate};
-use crate::kernels::cpu::checked::{entries, expect};
+use crate::error::{Argument, Error};
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::formats::kernels_in;
-
-/// The largest score of a row or column, and where in it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Best<T = f32> {
-    /// The score.
-    pub value: T,
-    /// The column (of a row) or the row (of a column); of several the first.
-    pub index: usize,
-}
-
-/// A pair whose score is above a threshold.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Found<T = f32> {
-    /// The row: a shape of the first list.
-    pub row: usize,
-    /// The column: a shape of the second list.
-    pub column: usize,
-    /// The score.
-    pub value: T,
-}
-
-/// Refuses to look for the largest of nothing.
-pub(crate) fn check_sides(rows: usize, columns: usize, of_rows: bool) -> Result<(), Error> {
-    let (own, other, argument) = match of_rows {
-        true => (rows, columns, Argument::B),
-        false => (columns, rows, Argument::A),
-    };
-    if own > 0 && other == 0 {
-        return Err(Error::NoLargest { argument });
-    }
-    Ok(())
-}
-
-/// Refuses a threshold that is not a number.
-pub(crate) fn check_threshold<T: Real>(threshold: T) -> Result<(), Error> {
-    threshold.validate().map_err(|flaw| Error::Invalid {
-        argument: Argument::Threshold,
-        item: 0,
-        flaw,
-    })
-}
+use crate::kernels::item::counts::{entries, expect};
+use crate::kernels::machine::found::{Best, Found, check_sides, check_threshold};
+use crate::kernels::machine::{Reduced, Reduction};
+use crate::kernels::resident::{self, Bests, Founds, Matrices, Pending, Ready};
+use std::any::Any;
 
 /// Nothing found yet in so many columns.
 fn no_best<T: Real>(columns: usize) -> Vec<Best<T>> {
@@ -182,5 +144,52 @@ impl<T: Real> Matrix<T> {
     #[must_use]
     pub fn mean(&self) -> f64 {
         self.sum() / (self.rows as f64 * self.columns as f64).max(1.0)
+    }
+}
+
+impl<T: Real> Matrices<T> for Matrix<T> {
+    fn size(&self) -> [usize; 2] {
+        [self.rows(), self.columns()]
+    }
+    fn update(&mut self, values: &[T]) -> Result<(), Error> {
+        self.values.copy_from_slice(values);
+        Ok(())
+    }
+    fn started(&self) -> Result<Pending<Vec<T>>, Error> {
+        Ok(Pending::ready(self.values.clone()))
+    }
+    fn reduce(&self, reduction: Reduction<T>) -> Result<Reduced<T>, Error> {
+        Ok(match reduction {
+            Reduction::Best { of_rows: true } => {
+                Reduced::Bests(Bests::new(Ready(self.row_max()?), self.columns()))
+            }
+            Reduction::Best { of_rows: false } => {
+                Reduced::Bests(Bests::new(Ready(self.column_max()?), self.rows()))
+            }
+            Reduction::Above(threshold) => {
+                Reduced::Founds(Founds::new(Ready(self.above(threshold)?)))
+            }
+            Reduction::Count(threshold) => Reduced::Count(self.count_above(threshold)?),
+            Reduction::Sum => Reduced::Sum(self.sum()),
+        })
+    }
+    fn duplicate(&self) -> Result<resident::Matrix<T>, Error> {
+        Ok(self.boxed())
+    }
+    fn duplicate_into(&self, to: &mut resident::Matrix<T>) -> Result<(), Error> {
+        let to = to.own_mut::<Self>()?;
+        expect(Argument::Values, self.rows(), to.rows())?;
+        expect(Argument::Values, self.columns(), to.columns())?;
+        to.values.copy_from_slice(&self.values);
+        Ok(())
+    }
+    fn boxed(&self) -> resident::Matrix<T> {
+        resident::Matrix(Box::new(self.clone()))
+    }
+    fn any(&self) -> &dyn Any {
+        self
+    }
+    fn any_mut(&mut self) -> &mut dyn Any {
+        self
     }
 }

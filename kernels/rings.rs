@@ -1,11 +1,12 @@
 //! Rings on the machine between calls.
-use super::{Ready, RingBars, RingValues};
 use crate::Vec2;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::check_ragged;
-use crate::kernels::cpu::checked::{expect, numbers};
 use crate::kernels::fold::Fold;
 use crate::kernels::gpu;
+use crate::kernels::item::counts::expect;
+use crate::kernels::item::rows::numbers;
+use crate::kernels::resident::{Ready, RingBars, RingValues};
 use crate::kernels::{Backend, Cpu};
 
 /// Rings on a machine, which are checked.

@@ -1,9 +1,12 @@
-//! A fold without its types: what batches ask of it, as functions of numbers. All else is compiled once, whatever the fold.
-use super::programs::{Programs, programs};
+//! A fold without its types: what batches ask of it, as functions of numbers and as programs. All else is compiled once,
+//! whatever the fold.
+use crate::ad::program::Sym;
+use crate::ad::program::record::record;
+use crate::ad::program::recorded::Recorded;
 use crate::error::Field;
-use crate::kernels::cpu::plan::{Preparation, name};
 use crate::kernels::fold::Fold;
 use crate::kernels::item::{Item, Leaf, leaves_of};
+use crate::kernels::once::{Kept, known};
 use crate::ring::Measure;
 use crate::{Error, Fixed, Pack, Real, Scalar};
 use std::sync::Arc;
@@ -61,17 +64,17 @@ pub struct Folding<T: 'static> {
     pub(crate) sizes: Sizes,
     /// The kernels by hand of a measure of rings.
     pub(crate) measure: Option<Measure>,
-    arguments: &'static [&'static str],
-    leaves: fn() -> Vec<Leaf<T>>,
+    pub(crate) arguments: &'static [&'static str],
+    pub(crate) leaves: fn() -> Vec<Leaf<T>>,
     /// The name of a number of an element.
-    pub(super) field: fn(usize) -> Field,
+    pub(crate) field: fn(usize) -> Field,
     pub(crate) programs: fn() -> Result<Arc<Programs>, Error>,
     /// Joins a list of states in order.
     pub(crate) joined: fn(&[T], &mut [T]),
     /// The joined states before every one of a list, and after the last.
-    pub(super) before: fn(&[T]) -> Vec<T>,
+    pub(crate) before: fn(&[T]) -> Vec<T>,
     /// From context and reference, and a state, to the result.
-    pub(super) finish: fn(&[T], &[T], &mut [T]),
+    pub(crate) finish: fn(&[T], &[T], &mut [T]),
 }
 
 impl<T: Real> Folding<T> {
@@ -87,15 +90,6 @@ impl<T: Real> Folding<T> {
             before: before::<F, T>,
             finish: finish::<F, T>,
         }
-    }
-    /// How the arguments of contexts are checked.
-    pub(super) fn preparations(&self) -> Vec<Preparation<T>> {
-        let mut all: Vec<_> = (self.leaves)()
-            .into_iter()
-            .map(Preparation::plain)
-            .collect();
-        name(&mut all, self.arguments);
-        all
     }
 }
 
@@ -154,4 +148,53 @@ pub(crate) fn backwards<S: Scalar>(
         place.copy_from_slice(&bars[sizes.state..]);
     }
     (shared_bar.to_vec(), state_bars)
+}
+
+/// The recording of a fold in a format: its bodies as programs.
+pub(crate) struct Programs {
+    /// From context, reference and both ends to a state, and its pull-back.
+    pub(crate) edge: Recorded,
+    pub(crate) edge_vjp: Recorded,
+    /// Joining two states, and its pull-back.
+    #[cfg_attr(
+        not(any(feature = "gpu", feature = "check")),
+        expect(dead_code, reason = "only a GPU and the harness join by it")
+    )]
+    pub(crate) join: Recorded,
+    pub(crate) join_vjp: Recorded,
+    /// The end, and its pull-back.
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "only a GPU ends by it")
+    )]
+    pub(crate) finish: Recorded,
+    pub(crate) finish_vjp: Recorded,
+    /// The plans of machines.
+    pub(crate) made: Kept,
+}
+
+pub(crate) fn programs<F: Fold, T: Real>() -> Result<Arc<Programs>, Error> {
+    type Context<F, T> = <F as Fold>::Context<Sym<T>>;
+    type Reference<F, T> = <F as Fold>::Reference<Sym<T>>;
+    type State<F, T> = <F as Fold>::State<Sym<T>>;
+    type Element<F, T> = <F as Fold>::Element<Sym<T>>;
+    type Edge<F, T> = (Context<F, T>, Reference<F, T>, Element<F, T>, Element<F, T>);
+    known::<(F, T), _>(|| {
+        let edge = record::<T, Edge<F, T>, State<F, T>>(|(context, reference, from, to)| {
+            F::edge(context, reference, from, to)
+        })?;
+        let join = record::<T, (State<F, T>, State<F, T>), State<F, T>>(|(a, b)| F::join(a, b))?;
+        let finish = record::<T, (Context<F, T>, Reference<F, T>, State<F, T>), F::Out<Sym<T>>>(
+            |(context, reference, state)| F::finish(context, reference, state),
+        )?;
+        Ok(Programs {
+            edge_vjp: edge.value_vjp(),
+            join_vjp: join.vjp(),
+            finish_vjp: finish.vjp(),
+            edge,
+            join,
+            finish,
+            made: Kept::default(),
+        })
+    })
 }

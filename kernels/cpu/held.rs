@@ -1,0 +1,33 @@
+//! Columns that stay on the CPU: plain vectors.
+use crate::Real;
+use crate::error::{Argument, Error};
+use crate::kernels::cpu::checked::check;
+use crate::kernels::cpu::plan::Preparation;
+use crate::kernels::item::{Column, Leaf};
+use crate::kernels::machine::Numbers;
+use crate::kernels::resident::{Pending, Stays};
+use std::any::Any;
+
+impl<T: Real> Stays<T> for Numbers<T> {
+    fn fields(&self) -> usize {
+        self.fields
+    }
+    fn here(&self) -> Option<&[T]> {
+        Some(&self.rows)
+    }
+    fn check(&self, leaf: Leaf<T>, column: &Column<'_, T>) -> Result<(), Error> {
+        check(Argument::Shape, &Preparation::plain(leaf), column).map(drop)
+    }
+    fn update(&mut self, rows: Vec<T>) {
+        self.rows = rows;
+    }
+    fn started(&self, all: &[Box<dyn Stays<T>>]) -> Result<Pending<Vec<Vec<T>>>, Error> {
+        let all = all
+            .iter()
+            .map(|own| own.here().unwrap_or_default().to_vec());
+        Ok(Pending::ready(all.collect()))
+    }
+    fn any(&self) -> &dyn Any {
+        self
+    }
+}

@@ -1,0 +1,62 @@
+//! Shapes as rows of numbers: as they lie in memory, or written out and read back.
+use super::layout::{get, put, width};
+use super::memory;
+use crate::error::Error;
+use crate::{Fixed, Real};
+use std::borrow::Cow;
+
+/// The numbers of shapes, one shape after another: as they are in memory, or written out.
+pub(crate) fn numbers<T: Real, P: Fixed<Scalar = T>>(shapes: &[P]) -> Cow<'_, [T]> {
+    match memory::lent(shapes) {
+        Some(numbers) => Cow::Borrowed(numbers),
+        None => {
+            let mut rows = vec![T::default(); shapes.len() * width::<P>()];
+            // Shapes may have no numbers at all.
+            for (shape, row) in shapes
+                .iter()
+                .zip(rows.chunks_exact_mut(width::<P>().max(1)))
+            {
+                put(*shape, row);
+            }
+            Cow::Owned(rows)
+        }
+    }
+}
+
+/// Runs a function on room for the numbers of shapes, and makes shapes of its numbers. Shapes keep their codes.
+pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
+    shapes: &mut [P],
+    run: impl FnOnce(&mut [T]) -> R,
+) -> R {
+    if let Some(numbers) = memory::lent_mut(shapes) {
+        return run(numbers);
+    }
+    let mut rows = vec![T::default(); shapes.len() * width::<P>()];
+    let out = run(&mut rows);
+    // Shapes may have no numbers at all.
+    let rows = rows.chunks_exact(width::<P>().max(1));
+    for (shape, row) in shapes.iter_mut().zip(rows) {
+        *shape = P::load(row).load_codes(&shape.codes());
+    }
+    out
+}
+
+/// The same for numbers that hold the codes of shapes, too. An error leaves the shapes as they were, if the function
+/// leaves its room so.
+pub(crate) fn fill_whole<T: Real, P: Fixed<Scalar = T>, R>(
+    shapes: &mut [P],
+    run: impl FnOnce(&mut [T]) -> Result<R, Error>,
+) -> Result<R, Error> {
+    if let Some(numbers) = memory::lent_mut(shapes) {
+        return run(numbers);
+    }
+    let mut rows = vec![T::default(); shapes.len() * width::<P>()];
+    let out = run(&mut rows)?;
+    for (shape, row) in shapes
+        .iter_mut()
+        .zip(rows.chunks_exact(width::<P>().max(1)))
+    {
+        *shape = get(row);
+    }
+    Ok(out)
+}

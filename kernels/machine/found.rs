@@ -1,0 +1,44 @@
+//! Results of reductions, and checks of what they are asked for.
+use crate::Real;
+use crate::error::{Argument, Error, Validate};
+
+/// The largest score of a row or column, and where in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Best<T = f32> {
+    /// The score.
+    pub value: T,
+    /// The column (of a row) or the row (of a column); of several the first.
+    pub index: usize,
+}
+
+/// A pair whose score is above a threshold.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found<T = f32> {
+    /// The row: a shape of the first list.
+    pub row: usize,
+    /// The column: a shape of the second list.
+    pub column: usize,
+    /// The score.
+    pub value: T,
+}
+
+/// Refuses to look for the largest of nothing.
+pub(crate) fn check_sides(rows: usize, columns: usize, of_rows: bool) -> Result<(), Error> {
+    let (own, other, argument) = match of_rows {
+        true => (rows, columns, Argument::B),
+        false => (columns, rows, Argument::A),
+    };
+    if own > 0 && other == 0 {
+        return Err(Error::NoLargest { argument });
+    }
+    Ok(())
+}
+
+/// Refuses a threshold that is not a number.
+pub(crate) fn check_threshold<T: Real>(threshold: T) -> Result<(), Error> {
+    threshold.validate().map_err(|flaw| Error::Invalid {
+        argument: Argument::Threshold,
+        item: 0,
+        flaw,
+    })
+}

@@ -1,0 +1,89 @@
+//! Things that are made once: programs, plans and derivatives, by the function or the recording that they belong to.
+use crate::error::Error;
+use crate::kernels::derivation::{Mode, Order};
+use std::any::{Any, TypeId};
+use std::collections::HashMap;
+use std::hash::Hash;
+use std::sync::{Arc, LazyLock, PoisonError, RwLock};
+
+/// The key of something kept with a recording: a program, a plan, or a derivative as a function of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Key {
+    /// The program of a mode.
+    Program(Mode),
+    /// The plan of the CPU; `true` for all pairs, with shapes prepared once.
+    Cpu(Mode, bool),
+    /// The kernels of a GPU, likewise.
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "used with the feature gpu")
+    )]
+    Gpu(Mode, bool),
+    /// The replays of a search.
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "used with the feature gpu")
+    )]
+    Replays(Mode),
+    /// A derivative as a function.
+    Derived(Mode),
+    /// A derivative along directions as a function.
+    Along(Order),
+}
+
+type Made = Arc<dyn Any + Send + Sync>;
+
+/// Things of any type that are made once each, by their keys.
+pub(crate) struct Once<K>(RwLock<HashMap<K, Made>>);
+
+impl<K> Default for Once<K> {
+    fn default() -> Self {
+        Once(RwLock::default())
+    }
+}
+
+impl<K: Eq + Hash> Once<K> {
+    /// The thing of a key, made on first use. A key stands for one type.
+    pub(crate) fn made<X: Send + Sync + 'static>(
+        &self,
+        key: K,
+        make: &dyn Fn() -> Result<X, Error>,
+    ) -> Result<Arc<X>, Error> {
+        let known = self.0.read().unwrap_or_else(PoisonError::into_inner);
+        let found = known.get(&key).cloned();
+        drop(known);
+        let found = match found {
+            Some(found) => found,
+            None => {
+                let made: Made = Arc::new(make()?);
+                let mut known = self.0.write().unwrap_or_else(PoisonError::into_inner);
+                // If two threads made one, both use the first.
+                Arc::clone(known.entry(key).or_insert(made))
+            }
+        };
+        Ok(found
+            .downcast()
+            .unwrap_or_else(|_| unreachable!("a key stands for one type")))
+    }
+}
+
+/// Things kept with a recording: programs of modes, plans of machines, derivatives.
+pub(crate) type Kept = Once<Key>;
+
+/// Recordings and programs of all functions, by the type of the function and that of what is kept.
+static KNOWN: LazyLock<Once<(TypeId, TypeId)>> = LazyLock::new(Once::default);
+
+/// The recording of a function, which is made once per type and format.
+pub(crate) fn known<F: 'static, X: Send + Sync + 'static>(
+    make: impl Fn() -> Result<X, Error>,
+) -> Result<Arc<X>, Error> {
+    known_by(TypeId::of::<F>(), &make)
+}
+
+/// The same by the type of the function.
+pub(crate) fn known_by<X: Send + Sync + 'static>(
+    function: TypeId,
+    make: &dyn Fn() -> Result<X, Error>,
+) -> Result<Arc<X>, Error> {
+    KNOWN.made((function, TypeId::of::<X>()), make)
+}
