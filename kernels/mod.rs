@@ -79,8 +79,6 @@ pub mod item;
 #[forbid(unsafe_code)]
 mod limits;
 #[forbid(unsafe_code)]
-mod line;
-#[forbid(unsafe_code)]
 pub mod machine;
 #[forbid(unsafe_code)]
 mod matches;
@@ -116,6 +114,8 @@ mod rings;
 #[forbid(unsafe_code)]
 pub mod search;
 #[forbid(unsafe_code)]
+mod straight;
+#[forbid(unsafe_code)]
 mod suppress;
 #[forbid(unsafe_code)]
 mod targets;
@@ -130,8 +130,8 @@ pub use backend::Backend;
 pub use cpu::{Cpu, Single};
 pub use fold::Fold;
 pub use grouped::Groups;
-pub use item::{Column, Columns, Item, One, Target};
-pub use machine::{Machine, Table};
+pub use item::{Item, Target};
+pub use machine::{Column, Columns, Machine, One, Table};
 pub use modes::Function;
 pub use op::Op;
 pub use rings::Rings;

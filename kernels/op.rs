@@ -26,16 +26,19 @@
 //! # Ok::<(), geograd::Error>(())
 //! ```
 pub use crate::ad::declared::{Effect, Invariance, Jumps, Motion};
-use crate::ad::program::Program;
+use crate::ad::program::recorded::Recorded;
+use crate::ad::program::{Program, Sym};
 use crate::error::Error;
 use crate::kernels::compiled::Compiled;
 use crate::kernels::derivation::Mode;
 pub use crate::kernels::derivatives::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
 pub use crate::kernels::limits::{Derivative, Extremes, Finite, Limits, Range};
-use crate::kernels::line::program_of;
+use crate::kernels::straight::Line;
 pub use crate::scalar::real::OneNumber;
-use crate::{Fixed, Real, Scalar};
+use crate::{Fixed, Pack, Real, Scalar};
+use std::any::TypeId;
 use std::fmt::Debug;
+use std::sync::Arc;
 
 /// A generic function of fixed size, its invariances, and the source of its derivatives.
 ///
@@ -179,6 +182,46 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     fn hessian(self) -> Jacobian<ValueGrad<Self>> {
         ValueGrad(self).jacobian()
     }
+}
+
+/// The straight line of an operation.
+pub(crate) const fn line_of<O: Op, T: Real>() -> Line<T> {
+    Line {
+        id: TypeId::of::<O>,
+        derivatives: O::DERIVATIVE,
+        inputs: O::In::<Sym<T>>::LEN,
+        outputs: O::Out::<Sym<T>>::LEN,
+        codes: O::In::<Sym<T>>::CODES + O::Out::<Sym<T>>::CODES,
+        // Functions and no closures, of which each would be compiled twice for every operation.
+        eval: eval::<O, T>,
+        adjoint: match O::DERIVATIVE {
+            Derivative::ByHand => adjoint::<O, T>,
+            Derivative::Reverse | Derivative::Forward => nothing::<T>,
+        },
+    }
+}
+
+/// The result.
+fn eval<O: Op, T: Real>(input: &[Sym<T>]) -> Vec<Sym<T>> {
+    O::eval(O::In::<Sym<T>>::load(input)).scalars()
+}
+fn nothing<T>(_input: &[Sym<T>], _out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
+    Vec::new()
+}
+
+/// The result and the derivatives by hand. Without them they are NaN: the program fails to be finite, which nothing
+/// then hides.
+fn adjoint<O: Op, T: Real>(input: &[Sym<T>], out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
+    let out_bar = O::Out::<Sym<T>>::load(out_bar);
+    match O::adjoint(O::In::<Sym<T>>::load(input), out_bar) {
+        Some((value, derivatives)) => [value.scalars(), derivatives.scalars()].concat(),
+        None => vec![Sym::lit(f64::NAN); O::Out::<Sym<T>>::LEN + O::In::<Sym<T>>::LEN],
+    }
+}
+
+/// The program of a mode of an operation.
+pub(crate) fn program_of<O: Op, T: Real>(mode: Mode) -> Result<Arc<Recorded>, Error> {
+    const { &line_of::<O, T>() }.program(mode)
 }
 
 /// The [`ROUNDINGS`](Op::ROUNDINGS) of an operation on plain numbers, if it states some.

@@ -6,7 +6,7 @@ use crate::ad::program::recorded::Recorded;
 use crate::kernels::decision::Search;
 use crate::kernels::derivation::{Mode, Order, Replays, Step};
 use crate::kernels::item::{Item, by_kind, by_shape, get, width};
-use crate::kernels::line::by_reverse;
+use crate::kernels::straight::by_reverse;
 use crate::{Fixed, Pack, Real};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};

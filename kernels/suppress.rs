@@ -1,6 +1,6 @@
 //! Suppression: shapes of one list, the best first, and the rules by which one takes another's place.
 use crate::error::Argument;
-use crate::kernels::item::Column;
+use crate::kernels::machine::Column;
 use crate::kernels::machine::found::{Found, check_threshold};
 use crate::suppression::{Pair, Rules, check_rules};
 use crate::{Error, Real};

@@ -8,12 +8,12 @@ use crate::error::{Error, Field};
 use crate::kernels::Backend;
 use crate::kernels::check::proofs::Proofs;
 use crate::kernels::check::{
-    Examined, Folded, Harness, ScalarCode, Stated, WithAdjoint, check_fold_on, check_fold_with,
+    Examined, Folded, ScalarCode, Stated, WithAdjoint, check_fold_on, check_fold_with,
     check_search_with, examined,
 };
 use crate::kernels::dynamic::{self, Operation};
 use crate::kernels::fold::{Fold, by_hand, fold};
-use crate::kernels::fuzz::{self, Fuzzed, Job, Straight};
+use crate::kernels::fuzz::{self, Fuzzed, Job, Straight, fuzzed_in};
 use crate::kernels::item::{Item, by_kind, get};
 use crate::kernels::op::Op;
 use crate::kernels::ops;
@@ -201,7 +201,7 @@ fn fuzz_straight<S: Real>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
         sample: row.inputs.random,
         show: row.inputs.show,
     });
-    (Harness::<S>::get().fuzzed)(&job, count, seed)
+    fuzzed_in::<S>()(&job, count, seed)
 }
 
 impl Inputs {
@@ -261,7 +261,7 @@ impl Walk for Values {
                     inputs: Inputs::of::<O::In<f64>>(),
                     single: formed::<O, f32>(),
                     double: formed::<O, f64>(),
-                    shaders: crate::kernels::gpu::line_sources,
+                    shaders: Operation::shaders,
                 }
             }
         });

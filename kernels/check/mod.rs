@@ -14,6 +14,7 @@
 //! An operation is judged by its recording, so that the harness is compiled once, in the library. An adjoint by
 //! hand has two further witnesses: the recording differentiated backwards in double precision, and num-dual's
 //! numbers.
+mod dynamic;
 mod jets;
 mod of;
 pub(crate) mod proofs;
@@ -22,6 +23,7 @@ pub(crate) mod subject;
 mod with_adjoint;
 pub mod witness;
 
+pub use dynamic::Inputs;
 pub use of::OfOperation;
 pub use subject::{Fused, OpSubject, Path};
 use with_adjoint::context_and_path;
@@ -45,7 +47,6 @@ use crate::kernels::check::witness::{
 use crate::kernels::derivation::Mode;
 use crate::kernels::dynamic::Function;
 use crate::kernels::fold::{Fold, edge_by_edge};
-use crate::kernels::fuzz::{self, Fuzzed, Job};
 use crate::kernels::item::{Item, Single};
 use crate::kernels::modes::recording_of;
 use crate::kernels::op::{Derivative, Invariance, Jumps, Op, inside_of, roundings_of};
@@ -61,17 +62,13 @@ use std::sync::Arc;
 pub(crate) struct Harness<S: Real> {
     /// Hands a recorded operation to whoever judges it.
     pub(crate) judged: fn(&RecordedSubject<'_, S>, &mut dyn FnMut(&dyn Subject)),
-    /// Fuzzes an operation.
-    pub(crate) fuzzed: fn(&Job<S>, count: u64, seed: u64) -> Fuzzed,
 }
 
 static F32: Harness<f32> = Harness {
     judged: |subject, judge| judge(subject),
-    fuzzed: fuzz::run,
 };
 static F64: Harness<f64> = Harness {
     judged: |subject, judge| judge(subject),
-    fuzzed: fuzz::run,
 };
 
 impl<S: Real> Harness<S> {
@@ -218,7 +215,7 @@ const ATTEMPTS: usize = 16;
 const LATTICE: usize = 3;
 
 /// The inputs that are judged.
-struct Inputs {
+struct Cases {
     /// Hard cases, then random inputs, all rounded to a format. Some may be outside the domain.
     all: Vec<Box<dyn Drawn>>,
     /// How many of them are hard.
@@ -227,7 +224,7 @@ struct Inputs {
     outside: u64,
 }
 
-impl Inputs {
+impl Cases {
     /// Returns the inputs of a sampling, rounded to a format.
     fn of(kinship: Kinship, sampling: &Sampling<'_>, precision: Precision) -> Self {
         let rounded = |x: Box<dyn Drawn>| {
@@ -261,7 +258,7 @@ impl Inputs {
             }
             all.extend(Some(x).filter(|x| x.is_inside()));
         }
-        Inputs {
+        Cases {
             all,
             random_from,
             outside,
@@ -276,11 +273,11 @@ type With<'a> = &'a dyn Fn(&dyn Drawn, Option<&Batch<'_>>, &mut dyn FnMut(&dyn S
 fn judged(
     name: &'static str,
     sampling: &Sampling<'_>,
-    inputs: Inputs,
+    inputs: Cases,
     asks: Vec<ByMachine<'_>>,
     with: With<'_>,
 ) -> Result<Report, Error> {
-    let Inputs {
+    let Cases {
         all: inputs,
         random_from,
         outside,
@@ -495,7 +492,7 @@ fn recorded<S: Real>(
         }
         Err(error) => return Err(error),
     };
-    let inputs = Inputs::of(kinship, sampling, Precision::of::<S>());
+    let inputs = Cases::of(kinship, sampling, Precision::of::<S>());
     judged(name, sampling, inputs, asks, &|x, batch, judge| {
         let subject = RecordedSubject {
             near: x.near(),
@@ -547,7 +544,7 @@ where
     F::Out<f64>: Sample,
 {
     let kinship = const { Kinship::of::<(F::Context<f64>, Vec<F::Element<f64>>)>() };
-    let inputs = Inputs::of(kinship, sampling, Precision::of::<S>());
+    let inputs = Cases::of(kinship, sampling, Precision::of::<S>());
     judged(F::NAME, sampling, inputs, asks, &|x, batch, judge| {
         // A measure by hand is the fold of its edges, too.
         let by_edges: [Path<S>; 1] = [value_by_edges::<F, S>];
@@ -566,7 +563,7 @@ where
     D::Out<f64>: Sample,
 {
     let kinship = const { Kinship::of::<D::In<f64>>() };
-    let inputs = Inputs::of(kinship, sampling, Precision::of::<S>());
+    let inputs = Cases::of(kinship, sampling, Precision::of::<S>());
     let report = judged(D::NAME, sampling, inputs, Vec::new(), &|x, _, judge| {
         judge(&OpSubject::<S>::of::<Replayed<D>>(typed(x), &[], None));
     });

@@ -2,7 +2,7 @@
 use crate::kernels::derivation::Mode;
 use crate::kernels::fold::{Fold, by_hand, fold};
 use crate::kernels::folding::{Programs, Sizes, backwards, programs};
-use crate::kernels::line::program_of;
+use crate::kernels::op::program_of;
 use crate::kernels::op::{Derivative, Invariance, Jumps, Op};
 use crate::kernels::search::Search;
 use crate::{Fixed, Jet, Pack, Real, Scalar};

@@ -6,7 +6,7 @@ use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::item::Column;
+use crate::kernels::machine::Column;
 use std::sync::Mutex;
 
 /// Checks that every upstream derivative is finite; each has so many numbers.

@@ -1,11 +1,7 @@
 //! Functions beside an engine's that are compiled in this library for both formats: whoever calls them compiles no more
 //! than what turns shapes into numbers.
 use crate::Real;
-use crate::error::Error;
-use crate::kernels::cpu::plan::{self, Plan};
 use crate::kernels::cpu::polygons::{self, Pulled, RingPairs};
-use crate::kernels::recording::Call;
-use std::sync::Arc;
 
 /// Lists the drivers: a name, a type, and the function of a format.
 macro_rules! drivers {
@@ -22,7 +18,6 @@ macro_rules! drivers {
 }
 
 drivers! {
-    plan: fn(&Call<T>, bool) -> Result<Arc<Plan<T>>, Error> = plan::plan;
     ring_scores: fn(RingPairs<'_, T>) -> Vec<T> = polygons::scores;
     ring_derivatives: fn(RingPairs<'_, T>, &[T]) -> Pulled<T> = polygons::derivatives;
 }

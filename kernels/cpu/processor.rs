@@ -17,7 +17,8 @@ use crate::kernels::derivation::Mode;
 use crate::kernels::folding::Folding;
 use crate::kernels::grouped::{GroupSpans, ranked_groups};
 use crate::kernels::item::counts::{entries, expect};
-use crate::kernels::item::{Column, Leaf, Target};
+use crate::kernels::item::{Leaf, Target};
+use crate::kernels::machine::Column;
 use crate::kernels::machine::found::Best;
 use crate::kernels::machine::{
     Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Sealed, Seed, count_of,

@@ -6,7 +6,8 @@ use crate::kernels::cpu::plan::{Plan, Preparation};
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::rowwise::{Given, NEAR, Wanted};
 use crate::kernels::cpu::work::spread;
-use crate::kernels::item::{Column, Piece, STRETCH, Target};
+use crate::kernels::item::{Piece, STRETCH, Target};
+use crate::kernels::machine::Column;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -11,6 +11,7 @@ use crate::ad::program::record::{TRIALS, listed};
 use crate::ad::sample::{Sample, Sampler};
 use crate::error::{Argument, Error, Unrecordable};
 use crate::kernels::fold::Fold;
+use crate::kernels::gpu::line_sources;
 use crate::kernels::item::{Item, Leaf, leaves_of};
 use crate::kernels::modes::recording_of;
 use crate::kernels::op::{
@@ -271,6 +272,18 @@ impl Operation {
         match (self.sort, self.of::<T>().body) {
             (Sort::Straight, Runner::Columns(recording)) => Some(recording()),
             _ => None,
+        }
+    }
+    /// The shaders of a straight line, each with a name.
+    ///
+    /// # Errors
+    ///
+    /// [`Unrecordable::Path`] for another operation, and the errors of recording it.
+    #[doc(hidden)]
+    pub fn shaders(&self) -> Result<Vec<(String, String)>, Error> {
+        match self.straight::<f32>() {
+            Some(recording) => line_sources(self.name, recording),
+            None => Err(Error::Program(Unrecordable::Path)),
         }
     }
     /// The same with its row in the table.

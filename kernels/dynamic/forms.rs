@@ -1,12 +1,13 @@
 //! Functions of columns of numbers, in every form of a batch.
 use super::Mode;
+#[cfg(feature = "check")]
+use super::rows::named;
 use super::rows::{Layout, Rows, renamed};
 use crate::Real;
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::formats::plan_of;
-use crate::kernels::cpu::plan::Plan;
+use crate::kernels::item::Target;
 use crate::kernels::item::counts::{entries, expect};
-use crate::kernels::item::{Column, Target};
+use crate::kernels::machine::Column;
 use crate::kernels::machine::found::{Best, Found};
 use crate::kernels::machine::{Engine, Items, Reduced, Reduction, Room, Seed, count_of};
 use crate::kernels::recording::{Call, Recording};
@@ -34,6 +35,15 @@ impl<T: Real> std::fmt::Debug for Function<T> {
 }
 
 impl<T: Real> Function<T> {
+    /// A mode of a straight line.
+    #[cfg(feature = "check")]
+    pub(crate) fn of_straight(recording: Arc<Recording<T>>, mode: Mode) -> Self {
+        Function {
+            mode,
+            names: named(recording.arguments, recording.takes.len()),
+            recording,
+        }
+    }
     /// The call that machines run.
     pub(crate) fn call(&self) -> Result<Call<T>, Error> {
         Call::of(Arc::clone(&self.recording)).derived(self.mode)

@@ -5,7 +5,7 @@ use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::Backend;
 use crate::kernels::grouped::Groups;
-use crate::kernels::item::Column;
+use crate::kernels::machine::Column;
 use crate::kernels::machine::found::{Best, Found, check_threshold};
 use crate::kernels::machine::{Engine, GroupedReduction, Reduced};
 use crate::kernels::suppress::checked;

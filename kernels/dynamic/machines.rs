@@ -3,7 +3,7 @@ use super::forms::Function;
 use super::rows::Rows;
 use crate::error::Error;
 use crate::kernels::backend::Backend;
-use crate::kernels::item::Column;
+use crate::kernels::machine::Column;
 use crate::kernels::machine::{Engine, Items, Machine, Numbers, Room, Seed};
 use crate::kernels::resident::{HeldNumbers, Matrix};
 

@@ -8,7 +8,7 @@
 //! | folds | [`OnPaths`] |
 //! | a function of any arguments and results, recorded call by call | [`Tracing`], [`symbol`] |
 //! | its derivatives, and its operations as data | [`Program`], [`Nodes`] |
-//! | its check by the harness, and that of any two functions of lists | [`Program::check`], [`Inputs`] |
+//! | its check by the harness, and that of any two functions of lists | [`Program::check`], [`Inputs`](crate::kernels::check::Inputs) |
 //!
 //! Columns are slices of numbers, row by row ([`Rows`]); results are vectors, or go into the caller's slices. A wrong
 //! argument is an error that names it as the operation does, before anything is written.
@@ -33,8 +33,6 @@
 //!
 //! A program that calls [`operations`] or [`operation`] compiles every row in both formats; other programs do not.
 mod catalogue;
-#[cfg(feature = "check")]
-mod check;
 mod described;
 mod fields;
 mod forms;
@@ -54,8 +52,6 @@ pub use crate::kernels::derivation::Mode;
 pub use catalogue::{Operation, Parameter, Sort, operation, operations};
 #[doc(hidden)]
 pub use catalogue::{fold, search, straight};
-#[cfg(feature = "check")]
-pub use check::Inputs;
 pub use described::{Number, Shape};
 pub use forms::Function;
 pub use names::{Name, Unnamed, named_rows, names};

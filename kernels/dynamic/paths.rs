@@ -6,8 +6,9 @@ use crate::kernels::backend::Backend;
 use crate::kernels::fold::Fold;
 use crate::kernels::item::counts::expect;
 use crate::kernels::item::rows::numbers;
-use crate::kernels::item::{Column, Columns, Item, Leaf};
+use crate::kernels::item::{Item, Leaf};
 use crate::kernels::machine::Here;
+use crate::kernels::machine::{Column, Columns};
 use crate::{Fixed, Real};
 use std::marker::PhantomData;
 

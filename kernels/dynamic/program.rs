@@ -132,7 +132,7 @@ impl<T: Real> Program<T> {
 
     /// Its graph.
     #[cfg(feature = "check")]
-    pub(super) fn recorded(&self) -> &Recorded {
+    pub(crate) fn recorded(&self) -> &Recorded {
         &self.inner.recorded
     }
     /// A name and a layout for every argument.

@@ -9,13 +9,13 @@ use crate::kernels::Cpu;
 use crate::kernels::check::{Folded, WithAdjoint};
 use crate::kernels::compiled::Compiled;
 use crate::kernels::cpu::aligned::{checked, compute};
-use crate::kernels::cpu::formats::plan_of;
 use crate::kernels::cpu::pairs::{self, Pairs};
-use crate::kernels::cpu::plan::{Plan, Shapes};
+use crate::kernels::cpu::plan::{Plan, Shapes, plan};
 use crate::kernels::derivation::Mode;
 use crate::kernels::fold::{Fold, by_hand, fold};
 use crate::kernels::item::rows::numbers;
-use crate::kernels::item::{Column, Item, Leaf, Target, by_kind, by_shape, get, leaves_of};
+use crate::kernels::item::{Item, Leaf, Target, by_kind, by_shape, get, leaves_of};
+use crate::kernels::machine::Column;
 use crate::kernels::modes::recording_of;
 use crate::kernels::op::{Extremes, Finite, Jumps, Op, Range, inside_of};
 use crate::kernels::recording::{Call, Recording};
@@ -179,7 +179,7 @@ type Planned<T> = Arc<dyn Fn(Mode, bool) -> Result<Arc<Plan<T>>, Error> + Send +
 
 fn planned<T: Real>(recording: &Arc<Recording<T>>) -> Planned<T> {
     let call = Call::of(Arc::clone(recording));
-    Arc::new(move |mode, framed| plan_of(&call.clone().derived(mode)?, framed))
+    Arc::new(move |mode, framed| plan(&call.clone().derived(mode)?, framed))
 }
 
 /// The results that batches compute by a plan.

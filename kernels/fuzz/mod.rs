@@ -35,11 +35,11 @@ pub(crate) use job::{Straight, all_numbers, sampled, shown};
 
 use crate::Real;
 use crate::ad::sample::{Draw, Sample};
-use crate::kernels::check::Harness;
 use crate::kernels::fold::Fold;
 use crate::kernels::item::Item;
 use crate::kernels::op::Op;
 use crate::kernels::search::Search;
+use crate::scalar::real::in_format;
 use arguments::Inputs;
 use properties::Thorough;
 use std::fmt;
@@ -156,6 +156,16 @@ impl fmt::Display for Fuzzed {
     }
 }
 
+/// A fuzzer of a format.
+type Run<T> = fn(&Job<T>, u64, u64) -> Fuzzed;
+static F32: Run<f32> = run;
+static F64: Run<f64> = run;
+
+/// The fuzzer of a format, which is compiled in this library with its optimisation.
+pub(crate) fn fuzzed_in<T: Real>() -> Run<T> {
+    *in_format::<Run<T>>([&F32, &F64])
+}
+
 /// Fuzzes an operation of fixed size on all cores; stops at the first broken property.
 #[must_use]
 pub fn operation<O: Op, T: Real>(count: u64, seed: u64) -> Fuzzed
@@ -164,7 +174,7 @@ where
     O::Out<T>: Item<Scalar = T>,
     O::In<f64>: Sample + Item<Scalar = f64>,
 {
-    (Harness::<T>::get().fuzzed)(&Job::of_op::<O>(), count, seed)
+    fuzzed_in::<T>()(&Job::of_op::<O>(), count, seed)
 }
 
 /// Fuzzes an operation with a search.
@@ -175,7 +185,7 @@ where
     D::Out<T>: Item<Scalar = T>,
     D::In<f64>: Sample + Item<Scalar = f64>,
 {
-    (Harness::<T>::get().fuzzed)(&Job::of_search::<D>(), count, seed)
+    fuzzed_in::<T>()(&Job::of_search::<D>(), count, seed)
 }
 
 /// Fuzzes a fold over paths.
@@ -187,7 +197,7 @@ where
     F::Element<f64>: Sample,
     Vec<F::Element<f64>>: Sample,
 {
-    (Harness::<T>::get().fuzzed)(&Job::of_fold::<F>(), count, seed)
+    fuzzed_in::<T>()(&Job::of_fold::<F>(), count, seed)
 }
 
 /// The name of a format.

@@ -2,21 +2,22 @@
 //! both.
 use crate::error::Argument;
 use crate::kernels::Fold;
-use crate::kernels::dynamic::Operation;
 use crate::kernels::folding::Folding;
 use crate::kernels::grouped::GroupSpans;
-use crate::kernels::item::{Column, Leaf};
+use crate::kernels::item::Leaf;
+use crate::kernels::machine::Column;
 use crate::kernels::machine::{
     Engine, GroupedReduction, Items, Machine, Numbers, On, Reduced, Reduction, Room, Sealed, Seed,
 };
 use crate::kernels::machine::{Input, VertexBars};
-use crate::kernels::recording::Call;
+use crate::kernels::recording::{Call, Recording};
 use crate::kernels::resident::{Bests, Downloads, Matrix, Pending, Stored};
 use crate::ring::Measure;
 use crate::suppression::Rules;
 use crate::{Error, GpuFault, Vec2};
 use std::any::Any;
 use std::marker::PhantomData;
+use std::sync::Arc;
 
 /// A GPU. There is none in a build without the feature `gpu`.
 pub type Gpu = Machine<Device>;
@@ -201,7 +202,7 @@ type Shaders = Result<Vec<(String, String)>, Error>;
 ///
 /// Always [`GpuFault::NotBuilt`](crate::GpuFault::NotBuilt).
 #[doc(hidden)]
-pub fn line_sources(_: &Operation) -> Shaders {
+pub fn line_sources(_: &str, _: Arc<Recording<f32>>) -> Shaders {
     Err(Error::Gpu(GpuFault::NotBuilt))
 }
 

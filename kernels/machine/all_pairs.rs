@@ -1,11 +1,12 @@
 //! All pairs of two lists, and their reductions.
+use super::{Column, Columns};
 use super::{Machine, Number, On, Place, Reduced, Reduction, Room, Seed};
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::item::counts::{entries, expect};
 use crate::kernels::item::memory;
 use crate::kernels::item::rows::fill_whole;
-use crate::kernels::item::{Column, Columns, Item, Results, get, width};
+use crate::kernels::item::{Item, Results, get, width};
 use crate::kernels::modes::Function;
 use crate::kernels::recording::Call;
 use crate::kernels::resident::Matrix;

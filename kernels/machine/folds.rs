@@ -1,12 +1,13 @@
 //! Folds over paths, for every machine.
+use super::Columns;
 use super::{Input, Machine, On, PathSpans, VertexBars};
 use crate::error::Argument;
 use crate::kernels::One;
 use crate::kernels::fold::Fold;
 use crate::kernels::folding::Folding;
+use crate::kernels::item::Item;
 use crate::kernels::item::counts::expect;
 use crate::kernels::item::rows::{fill, numbers};
-use crate::kernels::item::{Columns, Item};
 use crate::{Error, Fixed, Pack, Real};
 
 /// Cotangents of every context and every vertex.

@@ -1,8 +1,9 @@
 //! Where columns are, and with them the results of a call.
+use super::Column;
 use super::{Engine, Items, Room, count_of, shapes};
 use crate::Real;
 use crate::error::Error;
-use crate::kernels::item::{Column, Results};
+use crate::kernels::item::Results;
 use crate::kernels::machine::found::{Best, Found};
 use crate::kernels::recording::Call;
 use crate::kernels::resident::{Bests, Founds, Held, Matrix, Stored};

@@ -4,6 +4,7 @@
 //! Columns are slices, [`One`](crate::kernels::One), or [arrays that stay on the machine](crate::kernels::resident). Results
 //! of slices are vectors; results stay on the machine if one of the columns does.
 mod all_pairs;
+mod column;
 mod folds;
 pub(crate) mod found;
 mod location;
@@ -12,6 +13,7 @@ mod primitives;
 mod table;
 
 pub(crate) use all_pairs::shapes;
+pub use column::{Column, Columns, One};
 pub use location::{Here, Place, There};
 pub use paths::{Input, PathSpans, VertexBars};
 pub(crate) use primitives::sealed::Sealed;
@@ -24,7 +26,7 @@ use crate::error::{Argument, Error};
 use crate::kernels::Single;
 use crate::kernels::Targets;
 use crate::kernels::item::counts::expect;
-use crate::kernels::item::{Column, Columns, Item, Results, Target};
+use crate::kernels::item::{Item, Results, Target};
 use crate::kernels::modes::Function;
 use crate::kernels::recording::Call;
 use crate::kernels::resident::{Bests, Held, Matrix, numbers_of};

@@ -1,6 +1,6 @@
 //! Paths that are folded, as an engine takes them.
+use super::Column;
 use crate::Vec2;
-use crate::kernels::item::Column;
 use crate::ring::Measure;
 use std::borrow::Cow;
 use std::ops::Range;

@@ -1,11 +1,12 @@
 //! The interface of machines: calls over numbers, without the types of shapes.
 //!
 //! An engine implements these primitives; [`Machine`](super::Machine) has every named call, once, above them.
+use super::Column;
 use super::{Input, VertexBars};
 use crate::error::Argument;
 use crate::kernels::folding::Folding;
 use crate::kernels::grouped::GroupSpans;
-use crate::kernels::item::{Column, Leaf, Target};
+use crate::kernels::item::{Leaf, Target};
 use crate::kernels::machine::found::{Best, check_sides, check_threshold};
 use crate::kernels::recording::Call;
 use crate::kernels::resident::{Bests, Founds, Matrix, Stored};

@@ -1,7 +1,8 @@
 //! Inputs of rows, as the harness draws them: for tests.
 use crate::catalogue::verbs;
 use geograd::check::Sampling;
-use geograd::kernels::dynamic::{Inputs, Operation};
+use geograd::kernels::check::Inputs;
+use geograd::kernels::dynamic::Operation;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 

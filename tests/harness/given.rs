@@ -1,7 +1,8 @@
 //! Functions of which the harness sees nothing but values and a gradient, as bindings and tools give them: it accepts
 //! the right derivatives of every row at hard cases, kinks included, and refuses wrong ones.
 use geograd::check::{Conventions, Jumps, Report, Sampling};
-use geograd::kernels::dynamic::{Inputs, Mode, Operation, Rows, Sort};
+use geograd::kernels::check::Inputs;
+use geograd::kernels::dynamic::{Mode, Operation, Rows, Sort};
 use geograd::kernels::tested::Tested;
 use geograd_tests::list::{checked, each, sample};
 

@@ -184,13 +184,13 @@ pub fn all() -> Vec<Entry> {
     #[cfg(feature = "gpu")]
     {
         use geograd::kernels::dynamic::{Sort, operations};
-        use geograd::kernels::gpu::{common_sources, line_sources, replay_source};
+        use geograd::kernels::gpu::{common_sources, replay_source};
         for operation in operations() {
             if operation.sort == Sort::Straight {
                 all.0.push(Entry {
                     row: operation.name,
                     format: WGSL,
-                    run: Box::new(|| shaders(operation.name, line_sources(operation))),
+                    run: Box::new(|| shaders(operation.name, operation.shaders())),
                 });
             }
         }

@@ -2,7 +2,7 @@
 use super::first_flaw;
 use crate::kernels::cpu::nearest::sieved;
 use crate::kernels::folding::{Folding, Sizes};
-use crate::kernels::item::Column;
+use crate::kernels::machine::Column;
 use crate::kernels::machine::Input;
 use crate::{Error, Fixed, Real, Vec2};
 use std::ops::Range;

@@ -6,7 +6,8 @@ use crate::kernels::cpu::lane::{Lane, Lent, Results, TILE, Tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::derivation::Mode;
-use crate::kernels::item::{Column, Leaf, Quick, STRETCH};
+use crate::kernels::item::{Leaf, Quick, STRETCH};
+use crate::kernels::machine::Column;
 use std::ops::Range;
 use std::sync::Arc;
 

@@ -11,8 +11,9 @@ use crate::kernels::cpu::plan::plan;
 use crate::kernels::derivation::Mode;
 use crate::kernels::folding::Folding;
 use crate::kernels::grouped::GroupSpans;
+use crate::kernels::item::Leaf;
 use crate::kernels::item::counts::expect;
-use crate::kernels::item::{Column, Leaf};
+use crate::kernels::machine::Column;
 use crate::kernels::machine::{
     self, Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Sealed,
 };

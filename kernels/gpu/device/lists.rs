@@ -7,7 +7,7 @@ use super::{Device, Matrix};
 use crate::Error;
 use crate::error::Argument;
 use crate::kernels::grouped::GroupSpans;
-use crate::kernels::item::Column;
+use crate::kernels::machine::Column;
 use crate::kernels::machine::found::Best;
 use crate::kernels::machine::{GroupedReduction, Reduced, Reduction};
 use crate::kernels::recording::Call;

@@ -19,13 +19,12 @@ use super::written::{Seed, Take, ring_source};
 use super::{Inner, locked};
 use crate::kernels::Fold;
 use crate::kernels::derivation::Mode;
-use crate::kernels::dynamic::Operation;
 use crate::kernels::folding;
 use crate::kernels::item::Item;
 use crate::kernels::modes::recording_of;
 use crate::kernels::op::Op;
 use crate::kernels::recording::{Call, Recording};
-use crate::{Error, Pack, Unrecordable};
+use crate::{Error, Pack};
 use operation::{Generated, Name};
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
@@ -84,11 +83,11 @@ where
 
 /// The shaders of a straight line; of reductions, whose template is the same for all, one.
 #[doc(hidden)]
-pub fn line_sources(operation: &Operation) -> Result<Vec<(String, String)>, Error> {
-    let Some(recording) = operation.straight::<f32>() else {
-        return Err(Error::Program(Unrecordable::Path));
-    };
-    sources(operation.name, recording, &[Take::Best])
+pub fn line_sources(
+    name: &str,
+    recording: Arc<Recording<f32>>,
+) -> Result<Vec<(String, String)>, Error> {
+    sources(name, recording, &[Take::Best])
 }
 
 fn sources(

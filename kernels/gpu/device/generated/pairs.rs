@@ -3,7 +3,7 @@ use super::uploaded::Sides;
 use crate::Error;
 use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::block::place_block;
-use crate::kernels::item::Column;
+use crate::kernels::machine::Column;
 use crate::kernels::recording::Call;
 
 impl Device {

@@ -17,7 +17,7 @@ use crate::kernels::cpu::plan::{List, plan};
 use crate::kernels::cpu::sweep::{Chooses, Sweep};
 use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::work::Work;
-use crate::kernels::item::Column;
+use crate::kernels::machine::Column;
 use crate::kernels::recording::Call;
 use crate::kernels::suppress::Greed;
 use crate::kernels::suppress::Ranked;

@@ -9,7 +9,7 @@ use crate::kernels::gpu::device::generated::aligned::tiles;
 use crate::kernels::gpu::device::generated::operation::Generated;
 use crate::kernels::gpu::device::generated::text::{Form, GROUP, MOST_GROUPS};
 use crate::kernels::gpu::device::work::Work;
-use crate::kernels::item::Column;
+use crate::kernels::machine::Column;
 use std::sync::Arc;
 
 impl Device {

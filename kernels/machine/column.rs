@@ -1,7 +1,9 @@
 //! Columns: one argument of every item.
-use super::layout::{Item, by_shape, leaves_of, put, width};
-use super::memory;
-use crate::kernels::machine::{Here, Place};
+//!
+//! A *column* is a slice of shapes, or [`One`] that stands for all. Several columns are a tuple: `(&points, One(circle))`.
+//! Results come out column by column, too: a batch whose result is a number and a shape gives `(Vec<f64>, Vec<Shape>)`.
+use super::{Here, Place};
+use crate::kernels::item::{Item, by_shape, leaves_of, memory, put, width};
 use crate::kernels::resident::Stays;
 use crate::{Fixed, Pack, Real};
 use std::borrow::Cow;
@@ -155,7 +157,7 @@ pub trait Columns {
     #[doc(hidden)]
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <Self::Item as Pack>::Scalar>));
     /// The items as one column, for a list of all pairs. By default the first column: an item of a list is a
-    /// [`Single`](super::Single), which has no other.
+    /// [`Single`](crate::kernels::Single), which has no other.
     #[doc(hidden)]
     fn list_of_shapes(&self) -> Column<'_, <Self::Item as Pack>::Scalar> {
         let mut first = None;

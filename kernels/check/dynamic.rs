@@ -1,8 +1,6 @@
 //! Checks by the harness of functions whose shapes are known at run time.
-use super::Mode;
-use super::forms::Function;
-use super::program::Program;
-use super::rows::named;
+use super::Harness;
+use super::recorded_subject::{Computations, RecordedSubject};
 use crate::Real;
 use crate::ad::check::subject::Conventions;
 use crate::ad::check::{Check, Report, Sampling, examine};
@@ -12,18 +10,17 @@ use crate::ad::sample::drawn::Near;
 use crate::ad::sample::several::{TUPLES, combinations, mingle, together, units};
 use crate::ad::sample::{Draw, Sampler, moved};
 use crate::error::{Argument, Error};
-use crate::kernels::check::Harness;
-use crate::kernels::check::recorded_subject::{Computations, RecordedSubject};
+use crate::kernels::dynamic::Program;
 use crate::kernels::item::counts::expect;
 use crate::kernels::op::Jumps;
-use crate::kernels::recording::Recording;
 use std::sync::Arc;
 
 /// The inputs of a check: shapes one after another, each as its numbers.
 ///
 /// ```
 /// use geograd::check::Sampling;
-/// use geograd::kernels::dynamic::{Inputs, operation};
+/// use geograd::kernels::check::Inputs;
+/// use geograd::kernels::dynamic::operation;
 /// let iou = operation("iou_obb2").expect("is listed");
 /// let inputs = Inputs::new(iou.samplers());
 /// // The area of the first box less that of the second, and what somebody thinks is its gradient.
@@ -223,17 +220,6 @@ impl Near for Inputs {
     }
 }
 
-impl<T: Real> Function<T> {
-    /// A mode of a straight line.
-    pub(crate) fn of_straight(recording: Arc<Recording<T>>, mode: Mode) -> Self {
-        Function {
-            mode,
-            names: named(recording.arguments, recording.takes.len()),
-            recording,
-        }
-    }
-}
-
 impl<T: Real> Program<T> {
     /// The recording that the harness checks.
     fn computations(&self, jumps: Jumps) -> Computations<T> {
@@ -259,7 +245,8 @@ impl<T: Real> Program<T> {
     ///
     /// ```
     /// use geograd::check::{Jumps, Sampling};
-    /// use geograd::kernels::dynamic::{Inputs, operation};
+    /// use geograd::kernels::check::Inputs;
+    /// use geograd::kernels::dynamic::operation;
     /// let row = operation("distance_point_segment").expect("is listed");
     /// let (inputs, sampling) = (Inputs::new(row.samplers()), Sampling::new(20, 1));
     /// let wide = row.program::<f64>()?;

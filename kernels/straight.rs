@@ -6,8 +6,7 @@ use crate::error::Error;
 use crate::kernels::derivation::Mode;
 use crate::kernels::limits::Derivative;
 use crate::kernels::once::{Kept, Key, known_by};
-use crate::kernels::op::Op;
-use crate::{Fixed, Pack, Real, Scalar, Unrecordable};
+use crate::{Real, Scalar, Unrecordable};
 use std::any::TypeId;
 use std::marker::PhantomData;
 use std::sync::Arc;
@@ -76,44 +75,4 @@ impl<T: Real> Line<T> {
             (Derivative::Forward, _) => value()?.value_jacobian_forwards(),
         })
     }
-}
-
-/// The straight line of an operation.
-pub(crate) const fn line_of<O: Op, T: Real>() -> Line<T> {
-    Line {
-        id: TypeId::of::<O>,
-        derivatives: O::DERIVATIVE,
-        inputs: O::In::<Sym<T>>::LEN,
-        outputs: O::Out::<Sym<T>>::LEN,
-        codes: O::In::<Sym<T>>::CODES + O::Out::<Sym<T>>::CODES,
-        // Functions and no closures, of which each would be compiled twice for every operation.
-        eval: eval::<O, T>,
-        adjoint: match O::DERIVATIVE {
-            Derivative::ByHand => adjoint::<O, T>,
-            Derivative::Reverse | Derivative::Forward => nothing::<T>,
-        },
-    }
-}
-
-/// The result.
-fn eval<O: Op, T: Real>(input: &[Sym<T>]) -> Vec<Sym<T>> {
-    O::eval(O::In::<Sym<T>>::load(input)).scalars()
-}
-fn nothing<T>(_input: &[Sym<T>], _out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
-    Vec::new()
-}
-
-/// The result and the derivatives by hand. Without them they are NaN: the program fails to be finite, which nothing
-/// then hides.
-fn adjoint<O: Op, T: Real>(input: &[Sym<T>], out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
-    let out_bar = O::Out::<Sym<T>>::load(out_bar);
-    match O::adjoint(O::In::<Sym<T>>::load(input), out_bar) {
-        Some((value, derivatives)) => [value.scalars(), derivatives.scalars()].concat(),
-        None => vec![Sym::lit(f64::NAN); O::Out::<Sym<T>>::LEN + O::In::<Sym<T>>::LEN],
-    }
-}
-
-/// The program of a mode of an operation.
-pub(crate) fn program_of<O: Op, T: Real>(mode: Mode) -> Result<Arc<Recorded>, Error> {
-    const { &line_of::<O, T>() }.program(mode)
 }
