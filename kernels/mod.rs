@@ -70,8 +70,6 @@ mod folding;
 pub mod fuzz;
 #[forbid(unsafe_code)]
 pub mod gpu;
-#[forbid(unsafe_code)]
-mod grouped;
 #[cfg(feature = "check")]
 #[forbid(unsafe_code)]
 pub mod identities;
@@ -115,10 +113,6 @@ mod rings;
 pub mod search;
 #[forbid(unsafe_code)]
 mod straight;
-#[forbid(unsafe_code)]
-mod suppress;
-#[forbid(unsafe_code)]
-mod targets;
 #[cfg(feature = "check")]
 #[doc(hidden)]
 #[forbid(unsafe_code)]
@@ -129,12 +123,10 @@ pub mod verbs;
 pub use backend::Backend;
 pub use cpu::{Cpu, Single};
 pub use fold::Fold;
-pub use grouped::Groups;
 pub use item::{Item, Target};
-pub use machine::{Column, Columns, Machine, One, Table};
+pub use machine::{Column, Columns, Groups, Machine, One, Skip, Table, Targets};
 pub use modes::Function;
 pub use op::Op;
 pub use rings::Rings;
 pub use search::Search;
-pub use targets::{Skip, Targets};
 pub use verbs::*;

@@ -6,7 +6,7 @@ use crate::kernels::fold::Fold;
 use crate::kernels::gpu;
 use crate::kernels::item::counts::expect;
 use crate::kernels::item::rows::numbers;
-use crate::kernels::resident::{Ready, RingBars, RingValues};
+use crate::kernels::machine::{Ready, RingBars, RingValues};
 use crate::kernels::{Backend, Cpu};
 
 /// Rings on a machine, which are checked.

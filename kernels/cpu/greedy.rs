@@ -4,7 +4,7 @@ use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::lane::Planes;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::sweep::Chooses;
-use crate::kernels::suppress::Greed;
+use crate::kernels::machine::suppress::Greed;
 
 /// The shapes kept so far, and those suppressed.
 struct Kept<'a, T> {

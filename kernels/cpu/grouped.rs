@@ -16,9 +16,9 @@ use crate::kernels::cpu::plan::{List, Plan};
 use crate::kernels::cpu::reductions::{self, initial, raise};
 use crate::kernels::cpu::sweep::LEAST_OF_TREE;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::grouped::GroupSpans;
+use crate::kernels::machine::GroupSpans;
 use crate::kernels::machine::found::{Best, Found};
-use crate::kernels::suppress::Greed;
+use crate::kernels::machine::suppress::Greed;
 use std::ops::Range;
 
 /// Work of a piece, in pairs that are looked at: a millisecond or less. A group of more is a piece of its own.

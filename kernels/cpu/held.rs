@@ -6,7 +6,7 @@ use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::item::Leaf;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::Numbers;
-use crate::kernels::resident::{Pending, Stays};
+use crate::kernels::machine::{Pending, Stays};
 use std::any::Any;
 
 impl<T: Real> Stays<T> for Numbers<T> {
@@ -16,8 +16,10 @@ impl<T: Real> Stays<T> for Numbers<T> {
     fn here(&self) -> Option<&[T]> {
         Some(&self.rows)
     }
-    fn check(&self, leaf: Leaf<T>, column: &Column<'_, T>) -> Result<(), Error> {
-        check(Argument::Shape, &Preparation::plain(leaf), column).map(drop)
+    fn check(&self, leaf: Leaf<T>, numbers: &[T]) -> Result<(), Error> {
+        let count = numbers.len() / leaf.fields.max(1);
+        let column = Column::lent(numbers, leaf.fields, Some(count));
+        check(Argument::Shape, &Preparation::plain(leaf), &column).map(drop)
     }
     fn update(&mut self, rows: Vec<T>) {
         self.rows = rows;

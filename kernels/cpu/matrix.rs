@@ -5,8 +5,8 @@ use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::item::counts::{entries, expect};
 use crate::kernels::machine::found::{Best, Found, check_sides, check_threshold};
+use crate::kernels::machine::{self, Bests, Founds, Matrices, Pending, Ready};
 use crate::kernels::machine::{Reduced, Reduction};
-use crate::kernels::resident::{self, Bests, Founds, Matrices, Pending, Ready};
 use std::any::Any;
 
 /// Nothing found yet in so many columns.
@@ -173,18 +173,18 @@ impl<T: Real> Matrices<T> for Matrix<T> {
             Reduction::Sum => Reduced::Sum(self.sum()),
         })
     }
-    fn duplicate(&self) -> Result<resident::Matrix<T>, Error> {
+    fn duplicate(&self) -> Result<machine::Matrix<T>, Error> {
         Ok(self.boxed())
     }
-    fn duplicate_into(&self, to: &mut resident::Matrix<T>) -> Result<(), Error> {
+    fn duplicate_into(&self, to: &mut machine::Matrix<T>) -> Result<(), Error> {
         let to = to.own_mut::<Self>()?;
         expect(Argument::Values, self.rows(), to.rows())?;
         expect(Argument::Values, self.columns(), to.columns())?;
         to.values.copy_from_slice(&self.values);
         Ok(())
     }
-    fn boxed(&self) -> resident::Matrix<T> {
-        resident::Matrix(Box::new(self.clone()))
+    fn boxed(&self) -> machine::Matrix<T> {
+        machine::Matrix(Box::new(self.clone()))
     }
     fn any(&self) -> &dyn Any {
         self

@@ -15,18 +15,18 @@ use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::derivation::Mode;
 use crate::kernels::folding::Folding;
-use crate::kernels::grouped::{GroupSpans, ranked_groups};
 use crate::kernels::item::counts::{entries, expect};
 use crate::kernels::item::{Leaf, Target};
 use crate::kernels::machine::Column;
 use crate::kernels::machine::found::Best;
+use crate::kernels::machine::suppress::Ranked;
+use crate::kernels::machine::{Bests, FOREIGN, Founds, Matrix, Ready, Stays, Stored};
 use crate::kernels::machine::{
     Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Sealed, Seed, count_of,
 };
+use crate::kernels::machine::{GroupSpans, ranked_groups};
 use crate::kernels::machine::{Input, VertexBars};
 use crate::kernels::recording::Call;
-use crate::kernels::resident::{Bests, FOREIGN, Founds, Matrix, Ready, Stays, Stored};
-use crate::kernels::suppress::Ranked;
 use crate::scalar::real::in_format;
 use crate::suppression::{Rules, order};
 
@@ -120,13 +120,10 @@ impl<T: Real> On<Processor> for T {
 impl Sealed for Processor {}
 
 impl<T: Real> Engine<T> for Processor {
-    fn check(
-        &self,
-        argument: Argument,
-        leaf: Leaf<T>,
-        column: &Column<'_, T>,
-    ) -> Result<(), Error> {
-        check(argument, &Preparation::plain(leaf), column).map(drop)
+    fn check(&self, argument: Argument, leaf: Leaf<T>, numbers: &[T]) -> Result<(), Error> {
+        let count = numbers.len() / leaf.fields.max(1);
+        let column = Column::lent(numbers, leaf.fields, Some(count));
+        check(argument, &Preparation::plain(leaf), &column).map(drop)
     }
 
     fn keep(&self, count: usize, columns: Vec<Numbers<T>>) -> Result<Stored<T>, Error> {

@@ -4,11 +4,11 @@ use super::rows::Rows;
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::Backend;
-use crate::kernels::grouped::Groups;
 use crate::kernels::machine::Column;
+use crate::kernels::machine::Groups;
 use crate::kernels::machine::found::{Best, Found, check_threshold};
+use crate::kernels::machine::suppress::checked;
 use crate::kernels::machine::{Engine, GroupedReduction, Reduced};
-use crate::kernels::suppress::checked;
 use crate::suppression::{Rules, check_groups};
 
 /// Pairs within groups.

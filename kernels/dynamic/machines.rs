@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::kernels::backend::Backend;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::{Engine, Items, Machine, Numbers, Room, Seed};
-use crate::kernels::resident::{HeldNumbers, Matrix};
+use crate::kernels::machine::{HeldNumbers, Matrix};
 
 /// The same calls on a machine, where numbers are `f32`.
 impl Function<f32> {

@@ -3,15 +3,15 @@
 use crate::error::Argument;
 use crate::kernels::Fold;
 use crate::kernels::folding::Folding;
-use crate::kernels::grouped::GroupSpans;
 use crate::kernels::item::Leaf;
 use crate::kernels::machine::Column;
+use crate::kernels::machine::GroupSpans;
+use crate::kernels::machine::{Bests, Downloads, Matrix, Pending, Stored};
 use crate::kernels::machine::{
     Engine, GroupedReduction, Items, Machine, Numbers, On, Reduced, Reduction, Room, Sealed, Seed,
 };
 use crate::kernels::machine::{Input, VertexBars};
 use crate::kernels::recording::{Call, Recording};
-use crate::kernels::resident::{Bests, Downloads, Matrix, Pending, Stored};
 use crate::ring::Measure;
 use crate::suppression::Rules;
 use crate::{Error, GpuFault, Vec2};
@@ -63,7 +63,7 @@ impl On<Device> for f32 {
 }
 
 impl Engine<f32> for Device {
-    fn check(&self, _: Argument, _: Leaf<f32>, _: &Column<'_, f32>) -> Result<(), Error> {
+    fn check(&self, _: Argument, _: Leaf<f32>, _: &[f32]) -> Result<(), Error> {
         match *self {}
     }
     fn keep(&self, _: usize, _: Vec<Numbers<f32>>) -> Result<Stored<f32>, Error> {

@@ -1,5 +1,5 @@
 //! Shapes as rows of numbers: as they lie in memory, or written out and read back.
-use super::layout::{get, put, width};
+use super::layout::{Single, get, put, width};
 use super::memory;
 use crate::error::Error;
 use crate::{Fixed, Real};
@@ -59,4 +59,19 @@ pub(crate) fn fill_whole<T: Real, P: Fixed<Scalar = T>, R>(
         *shape = get(row);
     }
     Ok(out)
+}
+
+/// Shapes from their numbers.
+pub(crate) fn shapes<P: Single>(count: usize, numbers: &[P::Scalar]) -> Vec<P> {
+    let mut many = P::many(count);
+    match memory::lent_mut(&mut many) {
+        Some(to) => to.copy_from_slice(numbers),
+        None => {
+            let rows = numbers.chunks_exact(width::<P>().max(1));
+            many.iter_mut()
+                .zip(rows)
+                .for_each(|(shape, row)| *shape = get(row));
+        }
+    }
+    many
 }

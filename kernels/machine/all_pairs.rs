@@ -4,33 +4,17 @@ use super::{Machine, Number, On, Place, Reduced, Reduction, Room, Seed};
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::item::counts::{entries, expect};
-use crate::kernels::item::memory;
 use crate::kernels::item::rows::fill_whole;
-use crate::kernels::item::{Item, Results, get, width};
+use crate::kernels::item::{Item, Results, width};
+use crate::kernels::machine::Matrix;
+use crate::kernels::machine::suppress::checked;
 use crate::kernels::modes::Function;
 use crate::kernels::recording::Call;
-use crate::kernels::resident::Matrix;
-use crate::kernels::suppress::checked;
 use crate::kernels::{Single, Table};
 use crate::suppression::{Pair, Rules};
 
 /// The place of the results of two lists.
 type Both<A, B> = <<A as Columns>::Place as Place>::With<<B as Columns>::Place>;
-
-/// Shapes from their numbers.
-pub(crate) fn shapes<P: Single>(count: usize, numbers: &[P::Scalar]) -> Vec<P> {
-    let mut many = P::many(count);
-    match memory::lent_mut(&mut many) {
-        Some(to) => to.copy_from_slice(numbers),
-        None => {
-            let rows = numbers.chunks_exact(width::<P>().max(1));
-            many.iter_mut()
-                .zip(rows)
-                .for_each(|(shape, row)| *shape = get(row));
-        }
-    }
-    many
-}
 
 /// The cotangents of all results: a matrix, row by row, as a slice or on the machine.
 #[diagnostic::on_unimplemented(

@@ -1,11 +1,10 @@
-//! Columns: one argument of every item.
-//!
-//! A *column* is a slice of shapes, or [`One`] that stands for all. Several columns are a tuple: `(&points, One(circle))`.
-//! Results come out column by column, too: a batch whose result is a number and a shape gives `(Vec<f64>, Vec<Shape>)`.
-use super::{Here, Place};
+//! Columns as numbers: one argument of every item.
+use super::stays::Stays;
+use crate::Real;
+use crate::error::Error;
+use crate::kernels::item::counts::expect;
 use crate::kernels::item::{Item, by_shape, leaves_of, memory, put, width};
-use crate::kernels::resident::Stays;
-use crate::{Fixed, Pack, Real};
+use crate::kernels::recording::Call;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -95,6 +94,13 @@ impl<'a, T: Real> Column<'a, T> {
             held: None,
         }
     }
+    /// The same for all items.
+    pub(super) fn repeated(self) -> Self {
+        Column {
+            count: None,
+            ..self
+        }
+    }
     /// How many items it holds itself.
     pub(crate) fn len(&self) -> usize {
         self.count.unwrap_or(1)
@@ -127,46 +133,8 @@ impl<'a, T: Real> Column<'a, T> {
     }
 }
 
-/// One shape that stands for all items of its column.
-///
-/// ```
-/// use geograd::kernels::{Cpu, Iou, One};
-/// use geograd::Obb2;
-/// let goal = Obb2::new(0.0_f64, 0.0, 2.0, 2.0, 0.0);
-/// let boxes = [Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0), goal];
-/// assert_eq!(Cpu::new().aligned(Iou, (&boxes, One(goal)))?, [1.0 / 3.0, 1.0]);
-/// # Ok::<(), geograd::Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct One<P>(pub P);
-
-/// The arguments of a batch: a slice or vector of shapes or numbers, [`One`], an array on the machine
-/// ([`Held`](crate::kernels::resident::Held)), or a tuple of such.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a column",
-    label = "not a column",
-    note = "a column is a slice, `&a` or `&a[..]`, one shape for all items, `One(shape)`, or an array on the machine",
-    note = "a tuple has two to six columns; arrays, tuples and derived shapes hold more arguments in one"
-)]
-pub trait Columns {
-    /// The arguments of one item.
-    type Item: Item;
-    /// The place of the columns and their results: the memory of the program or the machine.
-    type Place: Place;
-    /// The columns, one per shape of an item.
-    #[doc(hidden)]
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <Self::Item as Pack>::Scalar>));
-    /// The items as one column, for a list of all pairs. By default the first column: an item of a list is a
-    /// [`Single`](crate::kernels::Single), which has no other.
-    #[doc(hidden)]
-    fn list_of_shapes(&self) -> Column<'_, <Self::Item as Pack>::Scalar> {
-        let mut first = None;
-        self.list(&mut |column| first = first.take().or(Some(column)));
-        first.unwrap_or_else(|| Column::lent(&[], 0, Some(0)))
-    }
-}
-
-fn list_slice<'a, P: Item>(shapes: &'a [P], add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
+/// Lists the columns of items in memory, one per shape of an item.
+pub(super) fn list_of<'a, P: Item>(shapes: &'a [P], add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
     let leaves = leaves_of::<P>();
     if leaves.len() == 1 {
         return add(Column::of(shapes));
@@ -178,61 +146,15 @@ fn list_slice<'a, P: Item>(shapes: &'a [P], add: &mut dyn FnMut(Column<'a, P::Sc
     }
 }
 
-/// Shapes in memory.
-macro_rules! slices {
-    ($(($($length:tt)*) $list:ty;)*) => { $(
-        impl<P: Item $($length)*> Columns for $list {
-            type Item = P;
-            type Place = Here;
-            fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
-                list_slice(&self[..], add);
-            }
-            fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
-                Column::of(&self[..])
-            }
+/// The number of items of the columns of a call.
+pub(crate) fn count_of<T: Real>(call: &Call<T>, columns: &[Column<'_, T>]) -> Result<usize, Error> {
+    let mut count = None;
+    for (k, column) in columns.iter().enumerate() {
+        match (count, column.count) {
+            (None, found) => count = found,
+            (Some(expected), Some(found)) => expect(call.argument(k), expected, found)?,
+            _ => (),
         }
-    )* };
-}
-slices!(() &[P]; () &Vec<P>; (, const N: usize) &[P; N];);
-
-impl<P: Item> Columns for One<P> {
-    type Item = P;
-    type Place = Here;
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, P::Scalar>)) {
-        list_slice(std::slice::from_ref(&self.0), &mut |column| {
-            add(Column {
-                count: None,
-                ..column
-            })
-        });
     }
-    fn list_of_shapes(&self) -> Column<'_, P::Scalar> {
-        Column::of(std::slice::from_ref(&self.0))
-    }
+    Ok(count.unwrap_or(1))
 }
-
-/// The place of several columns.
-macro_rules! joined {
-    ($last:ident) => { $last::Place };
-    ($first:ident $($name:ident)+) => { <$first::Place as Place>::With<joined!($($name)+)> };
-}
-
-/// Columns of several arguments.
-macro_rules! columns {
-    ($($first:ident $($name:ident)*;)*) => { $(
-        impl<$first: Columns, $($name: Columns),*> Columns for ($first, $($name,)*)
-        where
-            $($name::Item: Fixed<Scalar = <$first::Item as Pack>::Scalar>,)*
-        {
-            type Item = ($first::Item, $($name::Item,)*);
-            type Place = joined!($first $($name)*);
-            #[allow(non_snake_case)]
-            fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <$first::Item as Pack>::Scalar>)) {
-                let ($first, $($name,)*) = self;
-                $first.list(add);
-                $($name.list(add);)*
-            }
-        }
-    )* };
-}
-columns!(A B; A B C; A B C D; A B C D E; A B C D E F;);

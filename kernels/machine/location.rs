@@ -1,12 +1,13 @@
 //! Where columns are, and with them the results of a call.
 use super::Column;
-use super::{Engine, Items, Room, count_of, shapes};
+use super::{Engine, Items, Room, count_of};
 use crate::Real;
 use crate::error::Error;
 use crate::kernels::item::Results;
+use crate::kernels::item::rows::shapes;
 use crate::kernels::machine::found::{Best, Found};
+use crate::kernels::machine::{Bests, Founds, Held, Matrix, Stored};
 use crate::kernels::recording::Call;
-use crate::kernels::resident::{Bests, Founds, Held, Matrix, Stored};
 use crate::kernels::{Single, Table};
 
 /// The place of columns: [`Here`], in the memory of the program, or [`There`], on the machine.

@@ -5,32 +5,55 @@
 //! of slices are vectors; results stay on the machine if one of the columns does.
 mod all_pairs;
 mod column;
+mod columns;
 mod folds;
 pub(crate) mod found;
+mod grouped;
+mod groups;
+mod held;
 mod location;
 mod paths;
+mod pending;
 mod primitives;
+mod results;
+mod stays;
+mod stored;
+pub(crate) mod suppress;
 mod table;
+mod targets;
 
-pub(crate) use all_pairs::shapes;
-pub use column::{Column, Columns, One};
+pub use column::Column;
+pub(crate) use column::count_of;
+pub use columns::{Columns, One};
+pub(crate) use columns::{Number, listed};
+pub use found::{Best, Found};
+pub use grouped::Groups;
+pub(crate) use grouped::ranked_groups;
+pub use groups::GroupSpans;
+pub use held::Held;
+pub(crate) use held::numbers_of;
 pub use location::{Here, Place, There};
 pub use paths::{Input, PathSpans, VertexBars};
+#[cfg(feature = "gpu")]
+pub(crate) use pending::Later;
+pub use pending::Pending;
 pub(crate) use primitives::sealed::Sealed;
-pub use primitives::{
-    Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Seed,
+pub use primitives::{Engine, Items, On, Room, Seed};
+pub use results::{
+    Bests, Founds, GroupedReduction, Matrix, Reduced, Reduction, RingBars, RingValues,
 };
+pub(crate) use results::{Downloads, Matrices, Ready};
+pub use stays::Numbers;
+pub(crate) use stays::{FOREIGN, Stays};
+pub use stored::{HeldNumbers, Stored};
 pub use table::Table;
+pub use targets::{Skip, Targets};
 
+use crate::Pack;
 use crate::error::{Argument, Error};
-use crate::kernels::Single;
-use crate::kernels::Targets;
 use crate::kernels::item::counts::expect;
-use crate::kernels::item::{Item, Results, Target};
+use crate::kernels::item::{Item, Results, Single, Target};
 use crate::kernels::modes::Function;
-use crate::kernels::recording::Call;
-use crate::kernels::resident::{Bests, Held, Matrix, numbers_of};
-use crate::{Pack, Real};
 use std::fmt;
 
 /// A machine that runs batches: [`Cpu`](crate::kernels::Cpu), [`Gpu`](crate::kernels::gpu::Gpu), or either behind a
@@ -47,29 +70,6 @@ impl<E: fmt::Debug + ?Sized> fmt::Debug for Machine<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.engine.fmt(f)
     }
-}
-
-/// The number type of columns.
-pub(crate) type Number<C> = <<C as Columns>::Item as Pack>::Scalar;
-
-/// The columns as a list.
-pub(crate) fn listed<C: Columns>(columns: &C) -> Vec<Column<'_, Number<C>>> {
-    let mut all = Vec::new();
-    columns.list(&mut |column| all.push(column));
-    all
-}
-
-/// The number of items of the columns of a call.
-pub(crate) fn count_of<T: Real>(call: &Call<T>, columns: &[Column<'_, T>]) -> Result<usize, Error> {
-    let mut count = None;
-    for (k, column) in columns.iter().enumerate() {
-        match (count, column.count) {
-            (None, found) => count = found,
-            (Some(expected), Some(found)) => expect(call.argument(k), expected, found)?,
-            _ => (),
-        }
-    }
-    Ok(count.unwrap_or(1))
 }
 
 /// The targets as a list, each of so many items.
@@ -191,7 +191,7 @@ impl<E: ?Sized> Machine<E> {
         <R as Pack>::Scalar: On<E>,
     {
         let engine = self.engine();
-        let check = |_, leaf, column: &Column<'_, _>| engine.check(Argument::Shape, leaf, column);
+        let check = |_, leaf, rows: &[_]| engine.check(Argument::Shape, leaf, rows);
         let stored = engine.keep(items.len(), numbers_of(items, check)?)?;
         Ok(Held::of(stored))
     }

@@ -1,15 +1,16 @@
 //! The interface of machines: calls over numbers, without the types of shapes.
 //!
 //! An engine implements these primitives; [`Machine`](super::Machine) has every named call, once, above them.
-use super::Column;
-use super::{Input, VertexBars};
+use super::column::Column;
+use super::groups::GroupSpans;
+use super::paths::{Input, VertexBars};
+use super::results::{Bests, GroupedReduction, Matrix, Reduced, Reduction};
+use super::stays::Numbers;
+use super::stored::Stored;
 use crate::error::Argument;
 use crate::kernels::folding::Folding;
-use crate::kernels::grouped::GroupSpans;
 use crate::kernels::item::{Leaf, Target};
-use crate::kernels::machine::found::{Best, check_sides, check_threshold};
 use crate::kernels::recording::Call;
-use crate::kernels::resident::{Bests, Founds, Matrix, Stored};
 use crate::suppression::Rules;
 use crate::{Error, Real};
 use std::fmt::Debug;
@@ -17,55 +18,6 @@ use std::fmt::Debug;
 /// Keeps engines within the library.
 pub(crate) mod sealed {
     pub trait Sealed {}
-}
-
-/// Numbers of one shape of every item.
-#[derive(Clone, Debug)]
-pub struct Numbers<T> {
-    /// Numbers of a shape.
-    pub(crate) fields: usize,
-    /// Shape after shape.
-    pub(crate) rows: Vec<T>,
-}
-
-/// A reduction of all results.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Reduction<T> {
-    /// The largest of every row, or of every column.
-    Best {
-        /// `true` for rows.
-        of_rows: bool,
-    },
-    /// The pairs above a threshold.
-    Above(T),
-    /// The number of pairs above a threshold.
-    Count(T),
-    /// The sum.
-    Sum,
-}
-
-impl<T: Real> Reduction<T> {
-    /// Refuses the largest of nothing, and a threshold that is no number.
-    pub(crate) fn check(self, rows: usize, columns: usize) -> Result<(), Error> {
-        match self {
-            Reduction::Best { of_rows } => check_sides(rows, columns, of_rows),
-            Reduction::Above(threshold) | Reduction::Count(threshold) => check_threshold(threshold),
-            Reduction::Sum => Ok(()),
-        }
-    }
-}
-
-/// A reduction of the pairs within groups.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum GroupedReduction<T> {
-    /// The largest of every row, or of every column, within its group; none where the group has nothing on the other
-    /// side.
-    Best {
-        /// `true` for rows.
-        of_rows: bool,
-    },
-    /// The pairs above a threshold, row by row and within a row by column.
-    Above(T),
 }
 
 /// Memory for results of every item.
@@ -86,42 +38,6 @@ pub enum Room<'a, T: Real> {
     Held(&'a mut Matrix<T>),
 }
 
-/// The result of a reduction, on the machine.
-#[derive(Clone, Debug)]
-pub enum Reduced<T: Real> {
-    /// The largest of every row or column.
-    Bests(Bests<T>),
-    /// The same within groups.
-    BestsGrouped(Vec<Option<Best<T>>>),
-    /// The pairs above a threshold.
-    Founds(Founds<T>),
-    /// Their number.
-    Count(u64),
-    /// The sum.
-    Sum(f64),
-}
-
-/// Takes what a reduction gives: one name for every kind.
-macro_rules! taken {
-    ($($name:ident: $kind:ident -> $out:ty;)*) => {
-        impl<T: Real> Reduced<T> { $(
-            pub(crate) fn $name(self) -> $out {
-                match self {
-                    Reduced::$kind(found) => found,
-                    _ => unreachable!("a reduction gives what it is asked for"),
-                }
-            }
-        )* }
-    };
-}
-taken! {
-    bests: Bests -> Bests<T>;
-    bests_grouped: BestsGrouped -> Vec<Option<Best<T>>>;
-    founds: Founds -> Founds<T>;
-    count: Count -> u64;
-    sum: Sum -> f64;
-}
-
 /// The cotangents of all results.
 #[derive(Clone, Copy, Debug)]
 pub enum Seed<'a, T: Real> {
@@ -138,10 +54,9 @@ pub enum Seed<'a, T: Real> {
 ///
 /// Columns come with what errors call them; engines check shapes before they compute.
 pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
-    /// Checks the shapes of a column.
+    /// Checks shapes, one after another.
     #[doc(hidden)]
-    fn check(&self, argument: Argument, leaf: Leaf<T>, column: &Column<'_, T>)
-    -> Result<(), Error>;
+    fn check(&self, argument: Argument, leaf: Leaf<T>, numbers: &[T]) -> Result<(), Error>;
 
     /// Keeps columns of so many items, whose numbers were checked.
     #[doc(hidden)]

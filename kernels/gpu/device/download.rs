@@ -1,7 +1,7 @@
 //! How results come back: at once, later, or awaited.
 use super::data::Piece;
 use super::{Device, Inner};
-use crate::kernels::resident::pending::Later;
+use crate::kernels::machine::Later;
 use crate::{Error, GpuFault};
 use std::future::Future;
 use std::pin::Pin;

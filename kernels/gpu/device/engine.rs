@@ -10,16 +10,16 @@ use crate::kernels::cpu::checked::check_upstream;
 use crate::kernels::cpu::plan::plan;
 use crate::kernels::derivation::Mode;
 use crate::kernels::folding::Folding;
-use crate::kernels::grouped::GroupSpans;
 use crate::kernels::item::Leaf;
 use crate::kernels::item::counts::expect;
 use crate::kernels::machine::Column;
+use crate::kernels::machine::GroupSpans;
 use crate::kernels::machine::{
     self, Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Sealed,
 };
 use crate::kernels::machine::{Input, VertexBars};
+use crate::kernels::machine::{Stays, Stored};
 use crate::kernels::recording::Call;
-use crate::kernels::resident::{self, Stays, Stored};
 use crate::suppression::Rules;
 
 /// Columns that stay.
@@ -42,13 +42,8 @@ impl On<Device> for f32 {
 }
 
 impl Engine<f32> for Device {
-    fn check(
-        &self,
-        argument: Argument,
-        leaf: Leaf<f32>,
-        column: &Column<'_, f32>,
-    ) -> Result<(), Error> {
-        Engine::check(&Cpu::new().engine, argument, leaf, column)
+    fn check(&self, argument: Argument, leaf: Leaf<f32>, numbers: &[f32]) -> Result<(), Error> {
+        Engine::check(&Cpu::new().engine, argument, leaf, numbers)
     }
 
     fn keep(&self, count: usize, columns: Vec<Numbers<f32>>) -> Result<Stored<f32>, Error> {
@@ -80,9 +75,9 @@ impl Engine<f32> for Device {
         self.folded_back(folding, input, upstream, by_context, by_vertex)
     }
 
-    fn room(&self, rows: usize, columns: usize) -> Result<resident::Matrix, Error> {
+    fn room(&self, rows: usize, columns: usize) -> Result<machine::Matrix, Error> {
         let made = self.inner.guarded(|| Matrix::room(self, rows, columns))?;
-        Ok(resident::Matrix(Box::new(made)))
+        Ok(machine::Matrix(Box::new(made)))
     }
 
     fn map(
@@ -200,7 +195,7 @@ impl Engine<f32> for Device {
         Ok(kept)
     }
 
-    fn pick(&self, list: &Stored<f32>, bests: &resident::Bests<f32>) -> Result<Stored<f32>, Error> {
+    fn pick(&self, list: &Stored<f32>, bests: &machine::Bests<f32>) -> Result<Stored<f32>, Error> {
         let found: &Bests = bests.own()?;
         found.is_of(self)?;
         let own = list.own::<HeldColumn>()?;

@@ -5,8 +5,8 @@ use super::work::{Params, Work};
 use super::written::{Kernel, Take};
 use super::{Device, Pending};
 use crate::Error;
+use crate::kernels::machine::Downloads;
 use crate::kernels::machine::found::Found;
-use crate::kernels::resident::Downloads;
 
 /// Pairs whose score is above a threshold, on the GPU.
 #[derive(Clone, Debug)]

@@ -6,8 +6,8 @@ use super::written::{GROUP, Kernel};
 use super::{Device, Pending};
 use crate::error::{Argument, Error};
 use crate::kernels::item::counts::{entries, expect};
+use crate::kernels::machine::{self, Matrices};
 use crate::kernels::machine::{Reduced, Reduction};
-use crate::kernels::resident::{self, Matrices};
 use std::any::Any;
 
 /// A matrix on the GPU: one number per row of one list and row of another. Clones of a handle are
@@ -111,21 +111,21 @@ impl Matrices<f32> for Matrix {
             Ok(())
         })
     }
-    fn started(&self) -> Result<resident::Pending<Vec<f32>>, Error> {
-        Ok(resident::Pending::later(self.start_download()?))
+    fn started(&self) -> Result<machine::Pending<Vec<f32>>, Error> {
+        Ok(machine::Pending::later(self.start_download()?))
     }
     fn reduce(&self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
         let own_rows = reduction != Reduction::Best { of_rows: false };
         Reducer::of_matrix(self, own_rows).reduced(reduction)
     }
-    fn duplicate(&self) -> Result<resident::Matrix, Error> {
+    fn duplicate(&self) -> Result<machine::Matrix, Error> {
         Ok(self.copied()?.boxed())
     }
-    fn duplicate_into(&self, to: &mut resident::Matrix) -> Result<(), Error> {
+    fn duplicate_into(&self, to: &mut machine::Matrix) -> Result<(), Error> {
         self.copied_into(to.own()?)
     }
-    fn boxed(&self) -> resident::Matrix {
-        resident::Matrix(Box::new(self.clone()))
+    fn boxed(&self) -> machine::Matrix {
+        machine::Matrix(Box::new(self.clone()))
     }
     fn any(&self) -> &dyn Any {
         self

@@ -10,8 +10,8 @@ use super::written::{Kernel, Take};
 use super::{Device, Pending};
 use crate::Error;
 use crate::kernels::machine::found::Best;
+use crate::kernels::machine::{self, Downloads};
 use crate::kernels::machine::{Reduced, Reduction};
-use crate::kernels::resident::{self, Downloads};
 
 /// The largest score of every row (or column) and where it is, on the GPU.
 #[derive(Clone, Debug)]
@@ -141,10 +141,10 @@ impl Reducer<'_> {
         Ok(match reduction {
             Reduction::Best { .. } => {
                 let among = self.walked;
-                Reduced::Bests(resident::Bests::new(self.best()?, among))
+                Reduced::Bests(machine::Bests::new(self.best()?, among))
             }
             Reduction::Above(threshold) => {
-                Reduced::Founds(resident::Founds::new(self.above(threshold)?))
+                Reduced::Founds(machine::Founds::new(self.above(threshold)?))
             }
             Reduction::Count(threshold) => Reduced::Count(self.count_above(threshold)?),
             Reduction::Sum => Reduced::Sum(self.sum()?),

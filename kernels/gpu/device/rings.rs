@@ -8,7 +8,7 @@ use crate::error::Argument;
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::cpu::checked::check_upstream;
 use crate::kernels::item::counts::expect;
-use crate::kernels::resident::Downloads;
+use crate::kernels::machine::Downloads;
 use crate::ring::Measure;
 use crate::{Fixed, Vec2};
 use std::marker::PhantomData;

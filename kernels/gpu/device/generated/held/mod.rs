@@ -17,7 +17,7 @@ use crate::kernels::item::Leaf;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::Engine;
 use crate::kernels::machine::found::Best;
-use crate::kernels::resident::{self, FOREIGN, Stays};
+use crate::kernels::machine::{self, FOREIGN, Stays};
 use std::any::Any;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -127,8 +127,8 @@ impl Stays<f32> for HeldColumn {
     fn here(&self) -> Option<&[f32]> {
         None
     }
-    fn check(&self, leaf: Leaf<f32>, column: &Column<'_, f32>) -> Result<(), Error> {
-        Engine::check(&Cpu::new().engine, Argument::Shape, leaf, column)
+    fn check(&self, leaf: Leaf<f32>, numbers: &[f32]) -> Result<(), Error> {
+        Engine::check(&Cpu::new().engine, Argument::Shape, leaf, numbers)
     }
     fn update(&mut self, rows: Vec<f32>) {
         let mut state = locked(&self.state);
@@ -138,10 +138,10 @@ impl Stays<f32> for HeldColumn {
     fn started(
         &self,
         all: &[Box<dyn Stays<f32>>],
-    ) -> Result<resident::Pending<Vec<Vec<f32>>>, Error> {
+    ) -> Result<machine::Pending<Vec<Vec<f32>>>, Error> {
         let all = all.iter().map(|own| own.any().downcast_ref());
         let all: Vec<&HeldColumn> = all.collect::<Option<_>>().ok_or(FOREIGN)?;
-        Ok(resident::Pending::later(start_download(&self.gpu, &all)?))
+        Ok(machine::Pending::later(start_download(&self.gpu, &all)?))
     }
     fn any(&self) -> &dyn Any {
         self

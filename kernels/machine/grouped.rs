@@ -1,15 +1,15 @@
 //! All pairs within groups, such as the detections and the truths of every frame: one call for all frames.
+use super::GroupSpans;
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::item::Single;
 use crate::kernels::item::counts::expect;
 use crate::kernels::machine::found::{Best, Found, check_threshold};
+use crate::kernels::machine::suppress::checked;
 use crate::kernels::machine::{Column, Columns};
 use crate::kernels::machine::{GroupedReduction, Machine, Number, On};
 use crate::kernels::modes::Function;
-use crate::kernels::suppress::checked;
 use crate::suppression::{Rules, better, check_groups, check_scores};
-use std::ops::Range;
 
 /// Groups of two lists: group g pairs the shapes `a[g]..a[g + 1]` of the first list with `b[g]..b[g + 1]` of the second.
 ///
@@ -56,35 +56,6 @@ impl<'a> Groups<'a> {
             a: self.a,
             b: self.b,
         })
-    }
-}
-
-/// Offsets of the groups of both lists, checked: group `g` has the rows `a[g]..a[g + 1]` and the columns
-/// `b[g]..b[g + 1]`.
-#[derive(Clone, Copy, Debug)]
-pub struct GroupSpans<'a> {
-    /// Offsets of the first list.
-    pub a: &'a [usize],
-    /// Offsets of the second list.
-    pub b: &'a [usize],
-}
-
-impl GroupSpans<'_> {
-    /// The number of groups.
-    pub(crate) fn count(&self) -> usize {
-        self.a.len().saturating_sub(1)
-    }
-    /// The rows of a group.
-    pub(crate) fn rows(&self, group: usize) -> Range<usize> {
-        self.a[group]..self.a[group + 1]
-    }
-    /// The columns of a group.
-    pub(crate) fn columns(&self, group: usize) -> Range<usize> {
-        self.b[group]..self.b[group + 1]
-    }
-    /// The rows and the columns of some groups.
-    pub(crate) fn of(&self, groups: &Range<usize>) -> [Range<usize>; 2] {
-        [self.a, self.b].map(|offsets| offsets[groups.start]..offsets[groups.end])
     }
 }
 

@@ -1,60 +1,12 @@
-//! Data that stay on the machine between calls: the same code for the CPU and for a GPU.
-//!
-//! [`upload`](Machine::upload) makes an array on the machine, a column of every call. Results of such columns
-//! stay there, too, so that calls chain; only [`download`](Held::download) brings data back. Slices and
-//! [`One`](crate::kernels::One) may stand beside arrays. On the CPU an array is the data itself, at no cost.
-//!
-//! ```
-//! use geograd::Obb2;
-//! use geograd::kernels::{Backend, Iou, Op};
-//! let here = Backend::Cpu; // or a GPU
-//! let mut guesses = vec![Obb2::new(0.4, 0.0, 2.0, 2.0, 0.0); 3];
-//! let truths = vec![Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0); 3];
-//!
-//! let (mut a, b) = (here.upload(&guesses)?, here.upload(&truths)?);
-//! let mut found = here.aligned(Iou.value_grad(), (&a, &b))?;
-//! for _ in 0..20 {
-//!     let (_, (derivatives, _)) = found.download()?;
-//!     for (guess, derivative) in guesses.iter_mut().zip(derivatives) {
-//!         guess.center += derivative.center * 0.05;
-//!     }
-//!     a.update(&guesses)?; // into the same buffers, and so are the results
-//!     here.aligned_into(Iou.value_grad(), (&a, &b), &mut found)?;
-//! }
-//! let (iou, _) = found.split(); // a handle of each part
-//! assert!(iou.download()?.iter().all(|&iou| iou > 0.95));
-//!
-//! let matrix = here.all_pairs(Iou, &a, &b)?;
-//! let best = matrix.row_max()?; // of a matrix that is there already
-//! let matched = here.pick(&b, &best)?; // the truth of every guess
-//! assert!(here.aligned(Iou, (&a, &matched))?.download()?[0] > 0.95);
-//! # Ok::<(), geograd::Error>(())
-//! ```
+//! Results that stay on a machine until they are wanted: of reductions, of rings, and matrices with their reductions.
+use super::found::{Best, Found, check_sides, check_threshold};
+use super::pending::Pending;
+use super::stays::FOREIGN;
 use crate::error::{Argument, Error};
 use crate::kernels::item::counts::{check_finite, expect};
-use crate::kernels::machine::found::{Best, Found};
-use crate::kernels::machine::{Reduced, Reduction};
-use crate::{Fixed, GpuFault, Real, Vec2};
+use crate::{Fixed, Real, Vec2};
 use std::any::Any;
 use std::fmt;
-
-mod held;
-pub(crate) mod pending;
-
-pub(crate) use held::Stays;
-pub(crate) use held::numbers_of;
-pub use held::{Held, Stored};
-pub use pending::Pending;
-
-#[doc(inline)]
-#[cfg(doc)]
-use crate::kernels::machine::Machine;
-
-/// Columns of plain numbers that stay on the machine.
-pub type HeldNumbers = Stored<f32>;
-
-/// The error for data of another machine.
-pub(crate) const FOREIGN: Error = Error::Gpu(GpuFault::ForeignBuffer);
 
 /// A result that stays on a machine until it is wanted.
 pub(crate) trait Downloads<X>: Send + Sync {
@@ -306,4 +258,80 @@ impl<T: Real> Matrix<T> {
     pub fn mean(&self) -> Result<f64, Error> {
         Ok(self.sum()? / (self.rows() as f64 * self.columns() as f64).max(1.0))
     }
+}
+
+/// A reduction of all results.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Reduction<T> {
+    /// The largest of every row, or of every column.
+    Best {
+        /// `true` for rows.
+        of_rows: bool,
+    },
+    /// The pairs above a threshold.
+    Above(T),
+    /// The number of pairs above a threshold.
+    Count(T),
+    /// The sum.
+    Sum,
+}
+
+impl<T: Real> Reduction<T> {
+    /// Refuses the largest of nothing, and a threshold that is no number.
+    pub(crate) fn check(self, rows: usize, columns: usize) -> Result<(), Error> {
+        match self {
+            Reduction::Best { of_rows } => check_sides(rows, columns, of_rows),
+            Reduction::Above(threshold) | Reduction::Count(threshold) => check_threshold(threshold),
+            Reduction::Sum => Ok(()),
+        }
+    }
+}
+
+/// A reduction of the pairs within groups.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum GroupedReduction<T> {
+    /// The largest of every row, or of every column, within its group; none where the group has nothing on the other
+    /// side.
+    Best {
+        /// `true` for rows.
+        of_rows: bool,
+    },
+    /// The pairs above a threshold, row by row and within a row by column.
+    Above(T),
+}
+
+/// The result of a reduction, on the machine.
+#[derive(Clone, Debug)]
+pub enum Reduced<T: Real> {
+    /// The largest of every row or column.
+    Bests(Bests<T>),
+    /// The same within groups.
+    BestsGrouped(Vec<Option<Best<T>>>),
+    /// The pairs above a threshold.
+    Founds(Founds<T>),
+    /// Their number.
+    Count(u64),
+    /// The sum.
+    Sum(f64),
+}
+
+/// Takes what a reduction gives: one name for every kind.
+macro_rules! taken {
+    ($($name:ident: $kind:ident -> $out:ty;)*) => {
+        impl<T: Real> Reduced<T> { $(
+            pub(crate) fn $name(self) -> $out {
+                match self {
+                    Reduced::$kind(found) => found,
+                    _ => unreachable!("a reduction gives what it is asked for"),
+                }
+            }
+        )* }
+    };
+}
+taken! {
+    bests: Bests -> Bests<T>;
+    bests_grouped: BestsGrouped -> Vec<Option<Best<T>>>;
+    founds: Founds -> Founds<T>;
+    count: Count -> u64;
+    sum: Sum -> f64;
 }

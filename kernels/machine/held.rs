@@ -1,99 +1,13 @@
-//! Columns that stay on the machine between calls.
-use super::Pending;
-use crate::Real;
+//! Arrays of items that stay on the machine between calls.
+use super::column::list_of;
+use super::pending::Pending;
+use super::stays::Numbers;
+use super::stored::Stored;
 use crate::error::{Argument, Error};
 use crate::kernels::item::counts::expect;
-use crate::kernels::item::{Item, Leaf, Results, leaves_of, targets_of, width};
-use crate::kernels::machine::{Column, Columns};
-use crate::kernels::machine::{Numbers, There};
-use std::any::Any;
+use crate::kernels::item::{Item, Leaf, Results, leaves_of, targets_of};
 use std::fmt;
 use std::marker::PhantomData;
-
-/// Numbers of one shape of every item, on a machine.
-pub(crate) trait Stays<T>: fmt::Debug + Send + Sync {
-    /// Numbers of a shape.
-    #[doc(hidden)]
-    fn fields(&self) -> usize;
-    /// The numbers, if they are in the memory of the program.
-    #[doc(hidden)]
-    fn here(&self) -> Option<&[T]>;
-    /// Checks the shapes of a column.
-    #[doc(hidden)]
-    fn check(&self, leaf: Leaf<T>, column: &Column<'_, T>) -> Result<(), Error>;
-    /// Other numbers, checked, for as many shapes.
-    #[doc(hidden)]
-    fn update(&mut self, rows: Vec<T>);
-    /// Starts the download of columns of the same machine, of which this is one.
-    #[doc(hidden)]
-    fn started(&self, all: &[Box<dyn Stays<T>>]) -> Result<Pending<Vec<Vec<T>>>, Error>;
-    #[doc(hidden)]
-    fn any(&self) -> &dyn Any;
-}
-
-/// Columns of a machine, without the types of their items.
-#[derive(Debug)]
-pub struct Stored<T = f32> {
-    count: usize,
-    columns: Vec<Box<dyn Stays<T>>>,
-}
-
-impl<T> Default for Stored<T> {
-    /// No columns.
-    fn default() -> Self {
-        Stored {
-            count: 0,
-            columns: Vec::new(),
-        }
-    }
-}
-
-impl<T: Real> Stored<T> {
-    pub(crate) fn new(count: usize, columns: Vec<Box<dyn Stays<T>>>) -> Self {
-        Stored { count, columns }
-    }
-    /// The columns for a call.
-    pub(crate) fn columns(&self) -> impl Iterator<Item = Column<'_, T>> {
-        let own = self.columns.iter();
-        own.map(|own| Column::held(&**own, self.count))
-    }
-    /// The columns of a machine, if all are of that one.
-    pub(crate) fn own<C: 'static>(&self) -> Result<Vec<&C>, Error> {
-        let own = self.columns.iter().map(|own| own.any().downcast_ref());
-        own.collect::<Option<_>>().ok_or(super::FOREIGN)
-    }
-    /// The number of items.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.count
-    }
-    /// `true` without items.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.count == 0
-    }
-    fn started(&self) -> Result<Pending<Vec<Vec<T>>>, Error> {
-        match self.columns.first() {
-            Some(first) => first.started(&self.columns),
-            None => Ok(Pending::ready(Vec::new())),
-        }
-    }
-    /// The numbers of the items: those of the first shape of every item, item by item, then those of the
-    /// second.
-    ///
-    /// # Errors
-    ///
-    /// The errors of the device.
-    pub fn numbers(&self) -> Result<Vec<Vec<T>>, Error> {
-        self.started()?.wait()
-    }
-    /// The first columns, as many as are asked for, and the others.
-    fn cut(self, first: usize) -> [Self; 2] {
-        let (count, mut columns) = (self.count, self.columns);
-        let others = columns.split_off(first.min(columns.len()));
-        [columns, others].map(|columns| Stored { count, columns })
-    }
-}
 
 /// An array on the machine: shapes, numbers, or results of several of both.
 ///
@@ -108,7 +22,7 @@ impl<R: Results> fmt::Debug for Held<R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let is_here = self.stored.columns.iter().all(|own| own.here().is_some());
         f.debug_struct("Held")
-            .field("count", &self.stored.count)
+            .field("count", &self.stored.len())
             .field("place", &if is_here { "CPU" } else { "GPU" })
             .finish()
     }
@@ -158,21 +72,18 @@ impl<R: Results> Held<R> {
 /// The numbers of items, shape by shape, checked by a function of the shape's place.
 pub(crate) fn numbers_of<R: Item>(
     items: &[R],
-    check: impl Fn(usize, Leaf<R::Scalar>, &Column<'_, R::Scalar>) -> Result<(), Error>,
+    check: impl Fn(usize, Leaf<R::Scalar>, &[R::Scalar]) -> Result<(), Error>,
 ) -> Result<Vec<Numbers<R::Scalar>>, Error> {
-    let columns = &items;
     let mut all = Vec::new();
     let mut leaves = leaves_of::<R>().into_iter();
     let mut flaw = Ok(());
-    columns.list(&mut |column| {
+    list_of(items, &mut |column| {
         let Some(leaf) = leaves.next() else { return };
+        let (fields, rows) = (leaf.fields, column.all().into_owned());
         if flaw.is_ok() {
-            flaw = check(all.len(), leaf, &column);
+            flaw = check(all.len(), leaf, &rows);
         }
-        all.push(Numbers {
-            fields: leaf.fields,
-            rows: column.all().into_owned(),
-        });
+        all.push(Numbers { fields, rows });
     });
     flaw.map(|()| all)
 }
@@ -226,7 +137,7 @@ impl<R: Item> Held<R> {
     pub fn update(&mut self, items: &[R]) -> Result<(), Error> {
         expect(Argument::Shape, self.len(), items.len())?;
         let own = &self.stored.columns;
-        let numbers = numbers_of(items, |k, leaf, column| own[k].check(leaf, column))?;
+        let numbers = numbers_of(items, |k, leaf, rows| own[k].check(leaf, rows))?;
         for (own, numbers) in self.stored.columns.iter_mut().zip(numbers) {
             own.update(numbers.rows);
         }
@@ -251,15 +162,3 @@ macro_rules! split {
     )* };
 }
 split!(A B; A B C; A B C D; A B C D E; A B C D E F;);
-
-impl<R: Item> Columns for &Held<R> {
-    type Item = R;
-    type Place = There;
-    fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, R::Scalar>)) {
-        self.stored.columns().for_each(add);
-    }
-    fn list_of_shapes(&self) -> Column<'_, R::Scalar> {
-        let first = self.stored.columns().next();
-        first.unwrap_or_else(|| Column::lent(&[], width::<R>(), Some(self.len())))
-    }
-}

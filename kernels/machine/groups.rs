@@ -1,0 +1,31 @@
+//! Groups of two lists, as an engine takes them.
+use std::ops::Range;
+
+/// Offsets of the groups of both lists, checked: group `g` has the rows `a[g]..a[g + 1]` and the columns
+/// `b[g]..b[g + 1]`.
+#[derive(Clone, Copy, Debug)]
+pub struct GroupSpans<'a> {
+    /// Offsets of the first list.
+    pub a: &'a [usize],
+    /// Offsets of the second list.
+    pub b: &'a [usize],
+}
+
+impl GroupSpans<'_> {
+    /// The number of groups.
+    pub(crate) fn count(&self) -> usize {
+        self.a.len().saturating_sub(1)
+    }
+    /// The rows of a group.
+    pub(crate) fn rows(&self, group: usize) -> Range<usize> {
+        self.a[group]..self.a[group + 1]
+    }
+    /// The columns of a group.
+    pub(crate) fn columns(&self, group: usize) -> Range<usize> {
+        self.b[group]..self.b[group + 1]
+    }
+    /// The rows and the columns of some groups.
+    pub(crate) fn of(&self, groups: &Range<usize>) -> [Range<usize>; 2] {
+        [self.a, self.b].map(|offsets| offsets[groups.start]..offsets[groups.end])
+    }
+}

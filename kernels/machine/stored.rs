@@ -1,0 +1,73 @@
+//! Columns of a machine, without the types of their items.
+use super::column::Column;
+use super::pending::Pending;
+use super::stays::{FOREIGN, Stays};
+use crate::Real;
+use crate::error::Error;
+
+/// Columns of a machine, without the types of their items.
+#[derive(Debug)]
+pub struct Stored<T = f32> {
+    count: usize,
+    pub(super) columns: Vec<Box<dyn Stays<T>>>,
+}
+
+impl<T> Default for Stored<T> {
+    /// No columns.
+    fn default() -> Self {
+        Stored {
+            count: 0,
+            columns: Vec::new(),
+        }
+    }
+}
+
+impl<T: Real> Stored<T> {
+    pub(crate) fn new(count: usize, columns: Vec<Box<dyn Stays<T>>>) -> Self {
+        Stored { count, columns }
+    }
+    /// The columns for a call.
+    pub(crate) fn columns(&self) -> impl Iterator<Item = Column<'_, T>> {
+        let own = self.columns.iter();
+        own.map(|own| Column::held(&**own, self.count))
+    }
+    /// The columns of a machine, if all are of that one.
+    pub(crate) fn own<C: 'static>(&self) -> Result<Vec<&C>, Error> {
+        let own = self.columns.iter().map(|own| own.any().downcast_ref());
+        own.collect::<Option<_>>().ok_or(FOREIGN)
+    }
+    /// The number of items.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.count
+    }
+    /// `true` without items.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+    pub(super) fn started(&self) -> Result<Pending<Vec<Vec<T>>>, Error> {
+        match self.columns.first() {
+            Some(first) => first.started(&self.columns),
+            None => Ok(Pending::ready(Vec::new())),
+        }
+    }
+    /// The numbers of the items: those of the first shape of every item, item by item, then those of the
+    /// second.
+    ///
+    /// # Errors
+    ///
+    /// The errors of the device.
+    pub fn numbers(&self) -> Result<Vec<Vec<T>>, Error> {
+        self.started()?.wait()
+    }
+    /// The first columns, as many as are asked for, and the others.
+    pub(super) fn cut(self, first: usize) -> [Self; 2] {
+        let (count, mut columns) = (self.count, self.columns);
+        let others = columns.split_off(first.min(columns.len()));
+        [columns, others].map(|columns| Stored { count, columns })
+    }
+}
+
+/// Columns of plain numbers that stay on the machine.
+pub type HeldNumbers = Stored<f32>;
