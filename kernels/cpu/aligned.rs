@@ -95,7 +95,7 @@ pub(crate) fn compute_unchecked<'a, T: Real>(
     count: usize,
     targets: Vec<Option<Target<'a, T>>>,
 ) -> bool {
-    let is_program = plan.maker.program().is_some() && plan.rare.is_none();
+    let is_program = plan.maker.rows().is_some() && plan.rare.is_none();
     let is_plain = plan.arguments.iter().all(|x| x.frame.is_none());
     is_program
         && is_plain

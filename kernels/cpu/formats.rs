@@ -1,17 +1,10 @@
-//! Kernels and functions that are compiled in this library for each format of numbers.
+//! Kernels that are compiled in this library for each format of numbers.
 use crate::Real;
 use crate::kernels::cpu::arch::{self, Kernels};
-use crate::kernels::cpu::drivers::{self, Drivers};
 use crate::scalar::real::in_format;
 
 /// The kernels compiled for every level of vector instructions.
 #[inline]
 pub(crate) fn kernels_in<T: Real>() -> &'static Kernels<T> {
     in_format([&arch::F32, &arch::F64])
-}
-
-/// The functions compiled once, in this library.
-#[inline]
-pub(crate) fn drivers_in<T: Real>() -> &'static Drivers<T> {
-    in_format([&drivers::F32, &drivers::F64])
 }

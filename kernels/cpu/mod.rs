@@ -13,7 +13,7 @@
 //! # Method
 //!
 //! *From shapes to numbers.* Rows and columns of shapes become plain numbers, and all code below knows numbers only: it
-//! is compiled once, in the library (`drivers`). `plan` decides how each argument is checked and prepared, and which
+//! is compiled once, in the library. `plan` decides how each argument is checked and prepared, and which
 //! kernel computes blocks. Blocks are made of tiles, sixteen items of one field (`lane`).
 //!
 //! *Compiled kernels* serve the scores of boxes in the plane (`boxes`), boxes in space (`upright`, `boxes3`), areas of
@@ -53,8 +53,6 @@ mod boxes3;
 #[forbid(unsafe_code)]
 pub(crate) mod checked;
 #[forbid(unsafe_code)]
-pub(crate) mod drivers;
-#[forbid(unsafe_code)]
 pub(crate) mod folds;
 #[forbid(unsafe_code)]
 pub(crate) mod formats;
@@ -66,6 +64,8 @@ pub(crate) mod grouped;
 mod held;
 #[forbid(unsafe_code)]
 pub(crate) mod lane;
+#[forbid(unsafe_code)]
+mod maker;
 #[forbid(unsafe_code)]
 pub(crate) mod matrix;
 #[forbid(unsafe_code)]

@@ -3,7 +3,7 @@ use crate::ad::adjoint::overlap_rings;
 use crate::error::{Argument, Error, Flaw, VertexFault};
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::check_upstream;
-use crate::kernels::cpu::formats::{drivers_in, kernels_in};
+use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles, tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::ragged::check_offsets;
@@ -12,6 +12,7 @@ use crate::kernels::item::counts::expect;
 use crate::kernels::item::rows::numbers;
 use crate::overlap_polygon::holed;
 use crate::reference::bounds_of;
+use crate::scalar::real::in_format;
 use crate::{Aabb2, Real, Vec2};
 
 /// Polygons of one ring each, one after another: polygon i has the vertices `offsets[i]..offsets[i + 1]`. There
@@ -174,6 +175,27 @@ impl Cpu {
         check_upstream(upstream, 1)?;
         Ok((drivers_in::<T>().ring_derivatives)(pairs, upstream))
     }
+}
+
+/// The functions of pairs that are compiled in this library for both formats: whoever calls them compiles no more than
+/// what turns shapes into numbers.
+struct Drivers<T: Real> {
+    ring_scores: fn(RingPairs<'_, T>) -> Vec<T>,
+    ring_derivatives: fn(RingPairs<'_, T>, &[T]) -> Pulled<T>,
+}
+
+static F32: Drivers<f32> = Drivers {
+    ring_scores: scores,
+    ring_derivatives: derivatives,
+};
+static F64: Drivers<f64> = Drivers {
+    ring_scores: scores,
+    ring_derivatives: derivatives,
+};
+
+#[inline]
+fn drivers_in<T: Real>() -> &'static Drivers<T> {
+    in_format([&F32, &F64])
 }
 
 /// Polygons of the same row, checked.

@@ -2,8 +2,8 @@
 use crate::Real;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles, planes, tiles, with_lanes};
+use crate::kernels::cpu::maker::OverRows;
 use crate::kernels::cpu::plan::{Plan, Preparation};
-use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::cpu::program::rowwise::{Given, NEAR, Wanted};
 use crate::kernels::cpu::work::spread;
 use crate::kernels::item::{Piece, STRETCH, Target};
@@ -113,7 +113,7 @@ impl<T: Real> Stretch<'_, T> {
     fn compute(&self, count: usize, places: &mut [Option<&mut [T]>]) {
         let plan = self.plan;
         let is_plain = !self.rare && plan.arguments.iter().all(|x| x.frame.is_none());
-        if let (Some(program), true) = (plan.maker.program(), is_plain) {
+        if let (Some(program), true) = (plan.maker.rows(), is_plain) {
             return self.compute_rows(program, count, places);
         }
         let most = tiles(count.min(ITEMS));
@@ -159,7 +159,12 @@ impl<T: Real> Stretch<'_, T> {
         });
     }
     /// Computes a program from rows to rows.
-    fn compute_rows(&self, program: &Interpreted, count: usize, places: &mut [Option<&mut [T]>]) {
+    fn compute_rows(
+        &self,
+        program: &dyn OverRows<T>,
+        count: usize,
+        places: &mut [Option<&mut [T]>],
+    ) {
         let columns = self.numbers.iter().zip(&self.fields).zip(&self.ones);
         let given: Vec<Given<'_, T>> = columns
             .map(|((&rows, &fields), &is_one)| Given {

@@ -10,8 +10,9 @@ use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{
     BLOCK, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
 };
+use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::overlaps::BOUNDS;
-use crate::kernels::cpu::plan::{List, Maker, Plan, Rare};
+use crate::kernels::cpu::plan::{List, Plan, Rare};
 use crate::kernels::cpu::tree::Tree;
 use std::ops::Range;
 

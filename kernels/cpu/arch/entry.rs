@@ -7,9 +7,10 @@ use crate::kernels::cpu::boxes3;
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles};
 use crate::kernels::cpu::nearest;
 use crate::kernels::cpu::overlaps::{self, BOUNDS, View};
+use crate::kernels::cpu::program::execute::{self, Memory, Pass};
 use crate::kernels::cpu::program::instructions::Code;
-use crate::kernels::cpu::program::rowwise::{Rows, Wanted};
-use crate::kernels::cpu::program::{self, Memory, Pass, Tape};
+use crate::kernels::cpu::program::lower::Tape;
+use crate::kernels::cpu::program::rowwise::{self, Rows, Wanted};
 use crate::kernels::cpu::quads;
 use crate::kernels::cpu::rings::{self, Measure};
 use crate::kernels::cpu::upright_boxes;
@@ -153,11 +154,11 @@ entries! {
     /// `true` if offsets never decrease nor exceed a number of vertices.
     never_decreases(offsets: &[usize], vertices: usize) -> bool = rings::never_decreases::<T, V>;
     /// A part of a block by a recorded program.
-    interpret(tape: &Tape, pass: Pass<'_, T>, out: &mut [Lane<T>]) = program::interpret::<T, V>;
+    interpret(tape: &Tape, pass: Pass<'_, T>, out: &mut [Lane<T>]) = execute::interpret::<T, V>;
     /// The instructions of a recorded program on numbers in slots.
-    carry_out(code: &[Code], memory: Memory<'_, T>, native: Option<&Bound<'_, T>>) = program::carry_out::<T, V>;
+    carry_out(code: &[Code], memory: Memory<'_, T>, native: Option<&Bound<'_, T>>) = execute::carry_out::<T, V>;
     /// Some items by a recorded program, from rows to rows.
-    over_rows(tape: &Tape, part: Rows<'_, T>, wanted: &mut [Wanted<'_, T>]) = program::rowwise::over_rows::<T, V>;
+    over_rows(tape: &Tape, part: Rows<'_, T>, wanted: &mut [Wanted<'_, T>]) = rowwise::over_rows::<T, V>;
     /// The edges of a path that can be nearest to a point, and how often the path winds around it.
     near_edges(point: Vec2<T>, path: &nearest::Edges<T>, limits: nearest::Limits<T>, squares: &mut [Lane<T>], picked: &mut [u32]) -> Option<(usize, T)> = nearest::near_edges::<T, V>;
     /// Measures of rings; false, and any numbers, where a vertex is not finite.

@@ -13,8 +13,9 @@
 //! writes to numbers lent mutably only. It uses registers that its calling convention leaves to it, and the instructions of
 //! a level that the processor has.
 use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::kernels::cpu::program::instructions::Run;
+use crate::kernels::cpu::program::lower::Tape;
 use crate::kernels::cpu::program::native::{Encoder, MOST, compile};
-use crate::kernels::cpu::program::{Run, Tape};
 use crate::kernels::cpu::simd::Simd;
 use memmap2::{Mmap, MmapMut};
 use std::cell::Cell;

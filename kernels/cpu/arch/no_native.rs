@@ -1,6 +1,7 @@
 //! Builds without machine code: of other processors, or without the feature `native`.
 use crate::kernels::cpu::lane::Lane;
-use crate::kernels::cpu::program::{Run, Tape};
+use crate::kernels::cpu::program::instructions::Run;
+use crate::kernels::cpu::program::lower::Tape;
 use crate::kernels::cpu::simd::Simd;
 use std::cell::Cell;
 use std::marker::PhantomData;

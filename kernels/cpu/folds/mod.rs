@@ -1,5 +1,6 @@
 //! Folds over ragged lists of paths: edges side by side as a program, what they tell joined in order.
 pub(crate) mod paths;
+mod sieve;
 
 use crate::error::{Argument, Field, Flaw};
 use crate::kernels::cpu::checked::{check_argument, check_upstream};
@@ -15,7 +16,7 @@ use crate::kernels::item::{Leaf, Quick, STRETCH, Target};
 use crate::kernels::machine::{Input, PathSpans};
 use crate::kernels::once::Key;
 use crate::{Error, Real};
-use paths::{Paths, paths, told};
+use paths::{Paths, first_flaw, paths, told};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -173,17 +174,6 @@ pub(crate) fn check<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Resu
 /// Checks the offsets of paths.
 pub(crate) fn check_spans<T: Real>(input: &Input<'_, T>) -> Result<(), Error> {
     check_offsets::<T>(input.count, input.spans.offsets(&[0, input.count]))
-}
-
-/// The first number of a vertex that is not finite.
-fn first_flaw<T: Real>(folding: &Folding<T>, vertices: &[T]) -> Error {
-    let at = vertices.iter().position(|x| !x.finite()).unwrap_or(0);
-    let element = folding.sizes.element.max(1);
-    Error::Invalid {
-        argument: Argument::Vertices,
-        item: at / element,
-        flaw: Flaw::NotFinite((folding.field)(at % element)),
-    }
 }
 
 /// A body of edges as a batch sees it.

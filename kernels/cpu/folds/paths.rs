@@ -1,6 +1,6 @@
 //! Paths that are folded, edge by edge.
-use super::first_flaw;
-use crate::kernels::cpu::nearest::sieved;
+use super::sieve::sieved;
+use crate::error::{Argument, Flaw};
 use crate::kernels::folding::{Folding, Sizes};
 use crate::kernels::machine::Column;
 use crate::kernels::machine::Input;
@@ -132,4 +132,15 @@ pub(super) fn told<'a, T>(
     path: usize,
 ) -> &'a [T] {
     &states[paths.starts[path] * sizes.state..paths.starts[path + 1] * sizes.state]
+}
+
+/// The first number of a vertex that is not finite.
+pub(super) fn first_flaw<T: Real>(folding: &Folding<T>, vertices: &[T]) -> Error {
+    let at = vertices.iter().position(|x| !x.finite()).unwrap_or(0);
+    let element = folding.sizes.element.max(1);
+    Error::Invalid {
+        argument: Argument::Vertices,
+        item: at / element,
+        flaw: Flaw::NotFinite((folding.field)(at % element)),
+    }
 }

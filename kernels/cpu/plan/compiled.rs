@@ -1,5 +1,5 @@
 //! Operations with compiled kernels: which kernels, and the scalar code for what those do not serve.
-use super::computation::{Maker, Outline, Plan, Preparation, Prepare};
+use super::computation::{Outline, Plan, Preparation, Prepare};
 use crate::ad::adjoint::iou::giou_framed_vjp;
 use crate::ad::adjoint::overlap::{score_aabb2_vjp, score_framed_vjp};
 use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
@@ -11,6 +11,7 @@ use crate::kernels::cpu::arch::LARGE;
 use crate::kernels::cpu::boxes3::{OBB3, is_common_obb3};
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, Results, Tiles};
+use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::overlaps::{
     AABB2, OBB2, SEEN, UPRIGHT, View, is_common_upright, is_solid_obb2,
 };

@@ -2,27 +2,14 @@
 use crate::Real;
 use crate::error::{Argument, Flaw};
 use crate::kernels::cpu::formats::kernels_in;
-use crate::kernels::cpu::lane::{Lane, Lent, Results, TILE, Tiles};
+use crate::kernels::cpu::lane::{Lane, Lent, TILE, Tiles};
+use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::overlaps::BOUNDS;
-use crate::kernels::cpu::program::Interpreted;
 use crate::kernels::derivation::Mode;
 use crate::kernels::item::{Leaf, Quick, STRETCH};
 use crate::kernels::machine::Column;
 use std::ops::Range;
 use std::sync::Arc;
-
-/// Something that computes blocks of items from one or more arguments.
-///
-/// Compiled kernels and interpreted programs are makers. A maker does not depend on batches.
-pub(crate) trait Maker<T>: Send + Sync {
-    /// Computes as many tiles of results as are asked for. Each input has at least as many tiles, or
-    /// one that stands for all.
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>);
-    /// The program that computes the same from rows of numbers, if it is one.
-    fn program(&self) -> Option<&Interpreted> {
-        None
-    }
-}
 
 /// Something that is made of each of many shapes, as tiles of numbers.
 pub type Prepare<T> = Arc<dyn Fn(Tiles<'_, T>, &mut [Lane<T>]) + Send + Sync>;

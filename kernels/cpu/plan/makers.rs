@@ -1,10 +1,11 @@
 //! Recorded programs, and functions that are computed item by item, as makers of blocks.
-use super::computation::{Maker, Plan, Preparation, Prepare};
+use super::computation::{Plan, Preparation, Prepare};
 use crate::Real;
 use crate::ad::program::graph::{Graph, Id};
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
 use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
+use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::cpu::program::{Interpreted, Skipping};
 use crate::kernels::derivation::{Mode, Replays};

@@ -3,8 +3,8 @@ mod compiled;
 mod computation;
 pub(crate) mod makers;
 
+pub(crate) use computation::name;
 pub use computation::{List, Plan, Preparation, Rare, Shapes};
-pub(crate) use computation::{Maker, name};
 pub(crate) use makers::{of_items, of_recorded};
 
 use crate::Real;

@@ -7,7 +7,6 @@
 //! an operand was, since every lane is read before it is written.
 use crate::Real;
 use crate::kernels::cpu::arch::{Bound, Native, Vector};
-use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
 use crate::kernels::cpu::program::instructions::{Code, Op, instructions};
 use crate::kernels::cpu::program::lower::Tape;
@@ -197,20 +196,6 @@ macro_rules! by_arity {
     ($f:tt; $x:ident, $y:ident, $z:ident, $w:ident) => { four $f };
 }
 
-/// A run of instructions as a function of machine code.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Run {
-    /// Instructions from the first to before the last one.
-    pub(crate) from: usize,
-    pub(crate) to: usize,
-    /// The place of its function in the code.
-    #[cfg_attr(
-        not(all(target_arch = "x86_64", feature = "native", not(geograd_portable))),
-        expect(dead_code, reason = "builds without machine code have no runs")
-    )]
-    pub(crate) entry: usize,
-}
-
 /// A part of a block, and where its numbers come from and go to.
 #[derive(Clone, Copy)]
 pub(crate) struct Pass<'a, T> {
@@ -232,7 +217,12 @@ pub(crate) struct Pass<'a, T> {
     pub(crate) canonical: bool,
     /// The program's runs as machine code, if there are some.
     pub(crate) native: Option<&'a Native>,
+    /// Carries out the instructions: a kernel of its own, which is compiled once for all that brings numbers to slots.
+    pub(crate) carry_out: CarryOut<T>,
 }
+
+/// Carries out instructions on slots, or their runs as machine code.
+pub(crate) type CarryOut<T> = fn(&[Code], Memory<'_, T>, Option<&Bound<'_, T>>);
 
 #[inline(always)]
 fn copied<T: Real, V: Vector<T>>(from: &Lane<T>) -> Lane<T> {
@@ -270,9 +260,8 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
             }
         }
     }
-    // A kernel of its own, which is compiled once for all that brings numbers to slots.
     let native = pass.native.and_then(|native| native.bind(pass.lanes));
-    (kernels_in::<T>().carry_out)(&tape.code, memory, native.as_ref());
+    (pass.carry_out)(&tape.code, memory, native.as_ref());
     let [by_tile, by_number] = pass.steps;
     for (k, &slot) in tape.outputs.iter().enumerate() {
         for (t, lane) in memory

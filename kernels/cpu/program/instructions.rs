@@ -133,3 +133,21 @@ pub(crate) struct Code {
     /// Slots of operands.
     pub(crate) from: [u16; 4],
 }
+
+/// A run of instructions as a function of machine code.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Run {
+    /// Instructions from the first to before the last one.
+    pub(crate) from: usize,
+    pub(crate) to: usize,
+    /// The place of its function in the code.
+    #[cfg_attr(
+        not(all(target_arch = "x86_64", feature = "native", not(geograd_portable))),
+        expect(dead_code, reason = "builds without machine code have no runs")
+    )]
+    pub(crate) entry: usize,
+}
+
+/// How many bytes ahead results are prefetched: own functions of 6 to 14 columns with gradients take a fifth to a third
+/// less time (`BENCHMARKS.md`, Python).
+pub(crate) const AHEAD: usize = 1 << 10;

@@ -3,7 +3,7 @@ use crate::ad::program::Program;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{BLOCK, Lane, Planes, Results, TILE, Tiles, planes, tiles};
-use crate::kernels::cpu::plan::Maker;
+use crate::kernels::cpu::maker::{Maker, OverRows};
 use crate::kernels::cpu::program::rowwise::{Given, Wanted};
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::cpu::program::{Interpreted, Skipping};

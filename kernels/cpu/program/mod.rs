@@ -7,7 +7,7 @@
 //!
 //! After a thousand items the instructions between two calls of elementary functions become machine code (`native`),
 //! where the system allows it.
-mod execute;
+pub(crate) mod execute;
 mod fuse;
 pub(crate) mod instructions;
 pub(crate) mod lower;
@@ -23,11 +23,11 @@ use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::arch::Native;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, PLANE, Results, TILE, Tiles, with_room};
-use crate::kernels::cpu::plan::Maker;
+use crate::kernels::cpu::maker::{Maker, OverRows};
 use crate::kernels::cpu::simd::Simd;
 use crate::{Real, Unrecordable};
+use execute::Pass;
 use execute::STRIP;
-pub(crate) use execute::{Memory, Pass, Run, carry_out, interpret};
 pub use lower::Skipping;
 pub(crate) use lower::Tape;
 use rowwise::{Given, Rows, Wanted};
@@ -172,6 +172,7 @@ impl Interpreted {
                     first,
                     tiles: width.min(tiles - first),
                     native,
+                    carry_out: kernels_in::<T>().carry_out,
                 };
                 (kernels_in::<T>().interpret)(&self.tape, pass, out);
             }
@@ -186,10 +187,8 @@ impl Interpreted {
     }
 }
 
-impl Interpreted {
-    /// Computes so many items from rows to rows, which are prefetched if they are `far`. The results are those of the
-    /// program but for the first ones.
-    pub(crate) fn over_rows<T: Real>(
+impl<T: Real> OverRows<T> for Interpreted {
+    fn over_rows(
         &self,
         given: &[Given<'_, T>],
         items: usize,
@@ -212,6 +211,7 @@ impl Interpreted {
                     skipped,
                     far,
                     native,
+                    carry_out: kernels_in::<T>().carry_out,
                 };
                 (kernels_in::<T>().over_rows)(&self.tape, part, wanted);
             }
@@ -220,7 +220,7 @@ impl Interpreted {
 }
 
 impl<T: Real> Maker<T> for Interpreted {
-    fn program(&self) -> Option<&Interpreted> {
+    fn rows(&self) -> Option<&dyn OverRows<T>> {
         Some(self)
     }
     fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {

@@ -1,20 +1,17 @@
 //! A program over rows of numbers: from rows to slots, through the instructions, and back to rows.
 //!
 //! Rows and slots are exchanged in registers, four fields at a time; no tile lies between them.
-use super::execute::{Memory, STRIP};
+use super::execute::{CarryOut, Memory, STRIP};
 use crate::Real;
 use crate::kernels::cpu::arch::memory::prefetch;
 use crate::kernels::cpu::arch::{Native, Vector};
 use crate::kernels::cpu::blocks::QUAD;
-use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, TILE};
+use crate::kernels::cpu::program::instructions::AHEAD;
 use crate::kernels::cpu::program::lower::Tape;
 use crate::kernels::item::STRETCH;
 use std::cell::Cell;
 
-/// How many bytes ahead results are prefetched: own functions of 6 to 14 columns with gradients take a fifth to a third
-/// less time (`BENCHMARKS.md`, Python).
-pub(crate) const AHEAD: usize = 1 << 10;
 /// Arguments and results of a batch of no more bytes stay in a core's own cache; prefetching them took a twentieth of the
 /// time of a short program.
 pub(crate) const NEAR: usize = 1 << 18;
@@ -46,6 +43,8 @@ pub(crate) struct Rows<'a, T> {
     /// `true` if rows are prefetched.
     pub(crate) far: bool,
     pub(crate) native: Option<&'a Native>,
+    /// Carries out the instructions.
+    pub(crate) carry_out: CarryOut<T>,
 }
 
 /// Carries out a program on some items.
@@ -92,7 +91,7 @@ pub(crate) fn over_rows<T: Real, V: Vector<T>>(
         }
         first += *fields;
     }
-    (kernels_in::<T>().carry_out)(&tape.code, memory, native.as_ref());
+    (part.carry_out)(&tape.code, memory, native.as_ref());
     let mut first = part.skipped;
     for (rows, fields) in wanted {
         let slots = tape.outputs.get(first..first + *fields);

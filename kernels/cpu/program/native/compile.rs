@@ -6,9 +6,10 @@
 use super::encode::{AT_MOST, EQUAL, Encoder, LESS, Masked, NOT_AT_MOST, NOT_LESS, Operand, Two};
 use super::events::{Events, events, sizes};
 use super::far::Far;
+use crate::kernels::cpu::program::instructions::AHEAD;
+use crate::kernels::cpu::program::instructions::Run;
 use crate::kernels::cpu::program::instructions::{Code, Op};
-use crate::kernels::cpu::program::rowwise::AHEAD;
-use crate::kernels::cpu::program::{Run, Tape};
+use crate::kernels::cpu::program::lower::Tape;
 use crate::kernels::item::STRETCH;
 
 /// Shorter runs stay with the interpreter.
