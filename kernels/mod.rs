@@ -38,95 +38,44 @@
 //!
 //! [`gpu`] has the same calls, except all pairs of searches. [`Backend`] has one interface for both machines, and
 //! [`resident`] keeps columns and results on the machine between calls.
-#[forbid(unsafe_code)]
 pub mod backend;
-#[forbid(unsafe_code)]
-mod bounds;
+mod call;
 #[cfg(feature = "check")]
-#[forbid(unsafe_code)]
 #[allow(clippy::disallowed_methods)]
 pub mod check;
-#[doc(hidden)]
-#[forbid(unsafe_code)]
-pub mod compiled;
 pub mod cpu;
-#[forbid(unsafe_code)]
-mod decision;
-#[forbid(unsafe_code)]
-mod derivation;
-#[forbid(unsafe_code)]
-mod derivatives;
-#[forbid(unsafe_code)]
-mod directions;
-#[forbid(unsafe_code)]
 pub mod dynamic;
-#[forbid(unsafe_code)]
-pub mod fold;
-#[forbid(unsafe_code)]
-mod folding;
 #[cfg(feature = "check")]
-#[forbid(unsafe_code)]
 #[allow(clippy::disallowed_methods)]
 pub mod fuzz;
-#[forbid(unsafe_code)]
 pub mod gpu;
-#[cfg(feature = "check")]
-#[forbid(unsafe_code)]
-pub mod identities;
-pub mod item;
-#[forbid(unsafe_code)]
-mod limits;
-#[forbid(unsafe_code)]
 pub mod machine;
-#[forbid(unsafe_code)]
-mod matches;
-#[forbid(unsafe_code)]
-mod modes;
-#[forbid(unsafe_code)]
-mod once;
-#[forbid(unsafe_code)]
-pub mod op;
-#[forbid(unsafe_code)]
-mod operation;
 #[doc(hidden)]
-#[forbid(unsafe_code)]
 pub mod ops;
-#[forbid(unsafe_code)]
-pub mod points;
-#[forbid(unsafe_code)]
-mod program;
+mod row;
+pub mod verbs;
+
+pub use backend::{Backend, Rings};
+pub use call::modes::Function;
 #[doc(hidden)]
-#[forbid(unsafe_code)]
-pub mod recording;
+pub use call::recording;
+pub use call::search::{self, Search};
+pub use cpu::{Cpu, points};
+#[cfg(feature = "check")]
+pub use fuzz::identities;
+#[cfg(feature = "check")]
+#[doc(hidden)]
+pub use fuzz::tested;
+pub use machine::{Column, Columns, Groups, Machine, One, Skip, Table, Targets, resident};
+#[doc(hidden)]
+pub use row::compiled;
+pub use row::fold::{self, Fold};
+pub use row::item::{self, Item, Single, Target};
+pub use row::op::{self, Op};
+pub use verbs::*;
+
 /// Results of reductions of all pairs, and reductions of a [`Matrix`](reduce::Matrix) that is there already.
 pub mod reduce {
     pub use crate::kernels::cpu::matrix::Matrix;
     pub use crate::kernels::machine::found::{Best, Found};
 }
-#[forbid(unsafe_code)]
-mod replayed;
-#[forbid(unsafe_code)]
-pub mod resident;
-#[forbid(unsafe_code)]
-mod rings;
-#[forbid(unsafe_code)]
-pub mod search;
-#[forbid(unsafe_code)]
-mod straight;
-#[cfg(feature = "check")]
-#[doc(hidden)]
-#[forbid(unsafe_code)]
-pub mod tested;
-#[forbid(unsafe_code)]
-pub mod verbs;
-
-pub use backend::Backend;
-pub use cpu::{Cpu, Single};
-pub use fold::Fold;
-pub use item::{Item, Target};
-pub use machine::{Column, Columns, Groups, Machine, One, Skip, Table, Targets};
-pub use modes::Function;
-pub use op::Op;
-pub use rings::Rings;
-pub use search::Search;
-pub use verbs::*;

@@ -98,89 +98,50 @@
 #![warn(clippy::disallowed_methods)]
 // Pages of other modules link to the harness.
 #![cfg_attr(not(feature = "check"), allow(rustdoc::broken_intra_doc_links))]
-#![deny(unsafe_code)]
 
 // The code of `#[derive(Shape)]` calls the library by its name, inside the library, too.
 extern crate self as geograd;
 
-#[forbid(unsafe_code)]
 mod arrays;
-#[forbid(unsafe_code)]
 pub mod assignment;
-#[forbid(unsafe_code)]
 pub mod boolean;
-#[forbid(unsafe_code)]
 pub mod camera;
-#[forbid(unsafe_code)]
 pub mod clip;
-#[forbid(unsafe_code)]
 pub mod clipping;
-#[forbid(unsafe_code)]
 pub mod contain;
-#[forbid(unsafe_code)]
 pub mod convention;
 #[doc(hidden)]
-#[forbid(unsafe_code)]
 pub mod derived;
-#[forbid(unsafe_code)]
 pub mod detection;
-#[forbid(unsafe_code)]
 pub mod distance;
-#[forbid(unsafe_code)]
 pub mod distance3;
-#[forbid(unsafe_code)]
 pub mod error;
-#[forbid(unsafe_code)]
 pub mod gaussian;
-#[forbid(unsafe_code)]
 pub mod hull;
-#[forbid(unsafe_code)]
 mod interop;
-#[forbid(unsafe_code)]
 pub mod intersection;
-#[forbid(unsafe_code)]
 pub mod intersection3;
-#[forbid(unsafe_code)]
 pub mod iou;
-#[forbid(unsafe_code)]
 pub mod iou3;
-#[forbid(unsafe_code)]
 pub mod measure;
-#[forbid(unsafe_code)]
 pub mod metric;
-#[forbid(unsafe_code)]
 pub mod overlap;
-#[forbid(unsafe_code)]
 pub mod overlap3;
-#[forbid(unsafe_code)]
 pub mod overlap_polygon;
-#[forbid(unsafe_code)]
 pub mod pack;
-#[forbid(unsafe_code)]
 pub mod paper;
-#[forbid(unsafe_code)]
 pub mod polygon;
-#[forbid(unsafe_code)]
 pub mod predicate;
-#[forbid(unsafe_code)]
 pub mod procrustes;
-#[forbid(unsafe_code)]
 pub mod product;
-#[forbid(unsafe_code)]
 pub mod reference;
-#[forbid(unsafe_code)]
 pub mod ring;
-#[forbid(unsafe_code)]
 pub mod scalar;
-#[forbid(unsafe_code)]
 pub mod shape;
-#[forbid(unsafe_code)]
 pub mod suppression;
-#[forbid(unsafe_code)]
 mod twofold;
 
 #[path = "../ad/mod.rs"]
-#[forbid(unsafe_code)]
 pub mod ad;
 #[path = "../kernels/mod.rs"]
 pub mod kernels;
@@ -203,7 +164,6 @@ pub mod kernels;
 /// It needs the feature `check`, best in `[dev-dependencies]` alone: a build without it compiles nothing that only
 /// checks.
 #[cfg(feature = "check")]
-#[forbid(unsafe_code)]
 pub mod check {
     pub use crate::ad::check::subject::Conventions;
     pub use crate::ad::check::verdict::{Reason, Witness};
@@ -226,7 +186,6 @@ pub mod check {
 /// assert_eq!(Cpu::new().aligned(Distance, (One(car), &[mast]))?, [2.0]);
 /// # Ok::<(), geograd::Error>(())
 /// ```
-#[forbid(unsafe_code)]
 pub mod prelude {
     pub use crate::ad::forward::{gradient, jacobian, value};
     pub use crate::distance::Convex as _;

@@ -11,8 +11,8 @@ use crate::ad::sample::several::{TUPLES, combinations, mingle, together, units};
 use crate::ad::sample::{Draw, Sampler, moved};
 use crate::error::{Argument, Error};
 use crate::kernels::dynamic::Program;
-use crate::kernels::item::counts::expect;
-use crate::kernels::op::Jumps;
+use crate::kernels::row::item::counts::expect;
+use crate::kernels::row::op::Jumps;
 use std::sync::Arc;
 
 /// The inputs of a check: shapes one after another, each as its numbers.

@@ -40,18 +40,18 @@ use crate::ad::sample::Sample;
 use crate::ad::sample::drawn::{Drawn, Kinship};
 use crate::error::Field;
 use crate::kernels::Backend;
+use crate::kernels::call::modes::recording_of;
+use crate::kernels::call::recording::Recording;
+use crate::kernels::call::search::Search;
 use crate::kernels::check::recorded_subject::{ByHand, Computations, RecordedSubject};
 use crate::kernels::check::witness::{
     Batch, ByMachine, ask_any, ask_folds, ask_gradient, ask_pairs,
 };
-use crate::kernels::derivation::Mode;
 use crate::kernels::dynamic::Function;
-use crate::kernels::fold::{Fold, edge_by_edge};
-use crate::kernels::item::{Item, Single};
-use crate::kernels::modes::recording_of;
-use crate::kernels::op::{Derivative, Invariance, Jumps, Op, inside_of, roundings_of};
-use crate::kernels::recording::Recording;
-use crate::kernels::search::Search;
+use crate::kernels::row::derivation::Mode;
+use crate::kernels::row::fold::{Fold, edge_by_edge};
+use crate::kernels::row::item::{Item, Single};
+use crate::kernels::row::op::{Derivative, Invariance, Jumps, Op, inside_of, roundings_of};
 use crate::scalar::real::in_format;
 use crate::{Error, Fixed, Pack, Real};
 use std::any::Any;

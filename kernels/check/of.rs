@@ -2,8 +2,8 @@
 use crate::ad::check::{Check, Report, SEED, Sampling};
 use crate::ad::sample::Sample;
 use crate::kernels::check::check_with;
-use crate::kernels::item::Item;
-use crate::kernels::op::Op;
+use crate::kernels::row::item::Item;
+use crate::kernels::row::op::Op;
 use crate::{Fixed, Pack};
 use std::marker::PhantomData;
 use std::rc::Rc;

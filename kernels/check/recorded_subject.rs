@@ -13,7 +13,7 @@ use crate::kernels::check::jets::{self, moving, nearest, noisy_list, widened};
 use crate::kernels::check::subject::Path;
 use crate::kernels::check::witness::Batch;
 use crate::kernels::dynamic::{Function, Rows};
-use crate::kernels::op::Jumps;
+use crate::kernels::row::op::Jumps;
 use crate::{Jet, Real, Scalar};
 use std::sync::Arc;
 

@@ -1,10 +1,10 @@
 //! Operations, searches and folds as the harness takes them: one function, generic over the scalar, and its adjoint.
-use crate::kernels::derivation::Mode;
-use crate::kernels::fold::{Fold, by_hand, fold};
-use crate::kernels::folding::{Programs, Sizes, backwards, programs};
-use crate::kernels::op::program_of;
-use crate::kernels::op::{Derivative, Invariance, Jumps, Op};
-use crate::kernels::search::Search;
+use crate::kernels::call::folding::{Programs, Sizes, backwards, programs};
+use crate::kernels::call::search::Search;
+use crate::kernels::row::derivation::Mode;
+use crate::kernels::row::fold::{Fold, by_hand, fold};
+use crate::kernels::row::op::program_of;
+use crate::kernels::row::op::{Derivative, Invariance, Jumps, Op};
 use crate::{Fixed, Jet, Pack, Real, Scalar};
 use std::sync::Arc;
 

@@ -14,11 +14,11 @@
 use super::with_adjoint::context_and_path;
 use crate::Error;
 use crate::kernels::Backend;
-use crate::kernels::derivation::Mode;
+use crate::kernels::call::recording::Recording;
 use crate::kernels::dynamic::{Function, Layout, Rows};
-use crate::kernels::fold::Fold;
-use crate::kernels::item::Item;
-use crate::kernels::recording::Recording;
+use crate::kernels::row::derivation::Mode;
+use crate::kernels::row::fold::Fold;
+use crate::kernels::row::item::Item;
 use crate::{Fixed, Pack};
 use std::cell::Cell;
 use std::collections::HashMap;

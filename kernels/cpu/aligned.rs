@@ -6,8 +6,8 @@ use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::plan::{Plan, Preparation};
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::stretches::{self, Aligned};
-use crate::kernels::item::Target;
 use crate::kernels::machine::Column;
+use crate::kernels::row::item::Target;
 
 /// Checks columns: how many items there are, and whether some may be too rare for kernels.
 pub(crate) fn checked<T: Real>(

@@ -3,10 +3,10 @@ use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::plan::Preparation;
-use crate::kernels::item::Leaf;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::Numbers;
 use crate::kernels::machine::{Pending, Stays};
+use crate::kernels::row::item::Leaf;
 use std::any::Any;
 
 impl<T: Real> Stays<T> for Numbers<T> {

@@ -3,10 +3,10 @@ use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::item::counts::{entries, expect};
 use crate::kernels::machine::found::{Best, Found, check_sides, check_threshold};
 use crate::kernels::machine::{self, Bests, Founds, Matrices, Pending, Ready};
 use crate::kernels::machine::{Reduced, Reduction};
+use crate::kernels::row::item::counts::{entries, expect};
 use std::any::Any;
 
 /// Nothing found yet in so many columns.

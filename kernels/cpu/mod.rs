@@ -42,73 +42,44 @@
 //! closures do not inherit instruction sets. It contains no run-time case. `.ci/assembly` reads what the compiler made
 //! of them, and `.ci/run memory` runs them under valgrind. `GEOGRAD_SIMD` and [`Simd::limit`](simd::Simd::limit) force
 //! a level.
-#[forbid(unsafe_code)]
 pub(crate) mod aligned;
 #[allow(unsafe_code)]
 pub(crate) mod arch;
-#[forbid(unsafe_code)]
 mod blocks;
-#[forbid(unsafe_code)]
 mod boxes3;
-#[forbid(unsafe_code)]
 pub(crate) mod checked;
-#[forbid(unsafe_code)]
 pub(crate) mod folds;
-#[forbid(unsafe_code)]
 pub(crate) mod formats;
-#[forbid(unsafe_code)]
 pub(crate) mod greedy;
-#[forbid(unsafe_code)]
 pub(crate) mod grouped;
-#[forbid(unsafe_code)]
 mod held;
-#[forbid(unsafe_code)]
 pub(crate) mod lane;
-#[forbid(unsafe_code)]
 mod maker;
-#[forbid(unsafe_code)]
+pub(crate) mod matches;
 pub(crate) mod matrix;
-#[forbid(unsafe_code)]
 pub(crate) mod nearest;
-#[forbid(unsafe_code)]
 mod overlaps;
-#[forbid(unsafe_code)]
 pub(crate) mod pairs;
-#[forbid(unsafe_code)]
 pub(crate) mod plan;
-#[forbid(unsafe_code)]
+pub mod points;
 pub mod polygons;
-#[forbid(unsafe_code)]
 mod processor;
 #[doc(hidden)]
-#[forbid(unsafe_code)]
 pub mod program;
-#[forbid(unsafe_code)]
 pub(crate) mod quads;
-#[forbid(unsafe_code)]
 mod ragged;
-#[forbid(unsafe_code)]
 mod reductions;
-#[forbid(unsafe_code)]
 pub(crate) mod rings;
-#[forbid(unsafe_code)]
 pub mod simd;
-#[forbid(unsafe_code)]
 mod solids;
-#[forbid(unsafe_code)]
 mod stretches;
-#[forbid(unsafe_code)]
 pub(crate) mod sweep;
-#[forbid(unsafe_code)]
 mod tree;
-#[forbid(unsafe_code)]
 pub(crate) mod upright_boxes;
-#[forbid(unsafe_code)]
 pub(crate) mod work;
 
 use crate::kernels::machine::Machine;
 
-pub use crate::kernels::item::Single;
 #[doc(hidden)]
 pub use plan::Plan;
 pub(crate) use ragged::check_ragged;

@@ -1,6 +1,8 @@
 //! [`Engine`] on the CPU.
 use crate::Real;
 use crate::error::{Argument, Error};
+use crate::kernels::call::folding::Folding;
+use crate::kernels::call::recording::Call;
 use crate::kernels::cpu::Processor;
 use crate::kernels::cpu::aligned::{checked, compute, compute_unchecked};
 use crate::kernels::cpu::checked::{check, check_argument, check_upstream, restore, tame};
@@ -13,10 +15,6 @@ use crate::kernels::cpu::plan::{Plan, Preparation, Shapes, plan};
 use crate::kernels::cpu::ragged::{measured, measured_vjp};
 use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
-use crate::kernels::derivation::Mode;
-use crate::kernels::folding::Folding;
-use crate::kernels::item::counts::{entries, expect};
-use crate::kernels::item::{Leaf, Target};
 use crate::kernels::machine::Column;
 use crate::kernels::machine::found::Best;
 use crate::kernels::machine::suppress::Ranked;
@@ -26,7 +24,9 @@ use crate::kernels::machine::{
 };
 use crate::kernels::machine::{GroupSpans, ranked_groups};
 use crate::kernels::machine::{Input, VertexBars};
-use crate::kernels::recording::Call;
+use crate::kernels::row::derivation::Mode;
+use crate::kernels::row::item::counts::{entries, expect};
+use crate::kernels::row::item::{Leaf, Target};
 use crate::scalar::real::in_format;
 use crate::suppression::{Rules, order};
 

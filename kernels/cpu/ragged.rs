@@ -4,7 +4,7 @@ use crate::kernels::cpu::checked::check_upstream;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::item::rows::numbers;
+use crate::kernels::row::item::rows::numbers;
 use crate::ring::Measure;
 use crate::{Real, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -4,7 +4,7 @@
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::blocks::all_finite;
 use crate::kernels::cpu::lane::{Lane, TILE};
-use crate::kernels::item::memory;
+use crate::kernels::row::item::memory;
 pub use crate::ring::Measure;
 use crate::ring::{Measured, Vertices};
 use crate::{Mask, Real, Vec2, ad, ring};

@@ -6,8 +6,8 @@ use crate::kernels::cpu::maker::OverRows;
 use crate::kernels::cpu::plan::{Plan, Preparation};
 use crate::kernels::cpu::program::rowwise::{Given, NEAR, Wanted};
 use crate::kernels::cpu::work::spread;
-use crate::kernels::item::{Piece, STRETCH, Target};
 use crate::kernels::machine::Column;
+use crate::kernels::row::item::{Piece, STRETCH, Target};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -10,17 +10,17 @@ use crate::ad::declared::Kind;
 use crate::ad::program::record::{TRIALS, listed};
 use crate::ad::sample::{Sample, Sampler};
 use crate::error::{Argument, Error, Unrecordable};
-use crate::kernels::fold::Fold;
+use crate::kernels::call::modes::recording_of;
+use crate::kernels::call::recording::Recording;
+use crate::kernels::call::search::{self, Search};
 use crate::kernels::gpu::line_sources;
-use crate::kernels::item::{Item, Leaf, leaves_of};
-use crate::kernels::modes::recording_of;
-use crate::kernels::op::{
-    Derivative, Extremes, Finite, Invariance, Jumps, Op, Range, inside_of, roundings_of,
-};
 use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
-use crate::kernels::recording::Recording;
-use crate::kernels::search::{self, Search};
+use crate::kernels::row::fold::Fold;
+use crate::kernels::row::item::{Item, Leaf, leaves_of};
+use crate::kernels::row::op::{
+    Derivative, Extremes, Finite, Invariance, Jumps, Op, Range, inside_of, roundings_of,
+};
 use crate::scalar::real::in_format;
 use crate::{Fixed, Real};
 use std::sync::{Arc, OnceLock};

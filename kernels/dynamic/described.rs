@@ -2,8 +2,8 @@
 use super::rows::Layout;
 use crate::ad::declared::Kind;
 use crate::error::Field;
-use crate::kernels::bounds::{Bound, bounds};
-use crate::kernels::item::Leaf;
+use crate::kernels::row::bounds::{Bound, bounds};
+use crate::kernels::row::item::Leaf;
 
 /// A shape that an operation takes or gives.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,12 +5,12 @@ use super::rows::named;
 use super::rows::{Layout, Rows, renamed};
 use crate::Real;
 use crate::error::{Argument, Error};
-use crate::kernels::item::Target;
-use crate::kernels::item::counts::{entries, expect};
+use crate::kernels::call::recording::{Call, Recording};
 use crate::kernels::machine::Column;
 use crate::kernels::machine::found::{Best, Found};
 use crate::kernels::machine::{Engine, Items, Reduced, Reduction, Room, Seed, count_of};
-use crate::kernels::recording::{Call, Recording};
+use crate::kernels::row::item::Target;
+use crate::kernels::row::item::counts::{entries, expect};
 use crate::kernels::{Backend, Cpu};
 use std::sync::Arc;
 

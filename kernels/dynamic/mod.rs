@@ -46,9 +46,9 @@ mod rows;
 pub mod symbol;
 
 pub use crate::ad::sample::Sampler;
-pub use crate::kernels::bounds::Bound;
 pub use crate::kernels::cpu::work::on_this_thread;
-pub use crate::kernels::derivation::Mode;
+pub use crate::kernels::row::bounds::Bound;
+pub use crate::kernels::row::derivation::Mode;
 pub use catalogue::{Operation, Parameter, Sort, operation, operations};
 #[doc(hidden)]
 pub use catalogue::{fold, search, straight};

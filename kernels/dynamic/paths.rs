@@ -3,12 +3,12 @@ use super::rows::{Layout, Rows, named, renamed};
 use crate::ad::program::Sym;
 use crate::error::{Argument, Error};
 use crate::kernels::backend::Backend;
-use crate::kernels::fold::Fold;
-use crate::kernels::item::counts::expect;
-use crate::kernels::item::rows::numbers;
-use crate::kernels::item::{Item, Leaf};
 use crate::kernels::machine::Here;
 use crate::kernels::machine::{Column, Columns};
+use crate::kernels::row::fold::Fold;
+use crate::kernels::row::item::counts::expect;
+use crate::kernels::row::item::rows::numbers;
+use crate::kernels::row::item::{Item, Leaf};
 use crate::{Fixed, Real};
 use std::marker::PhantomData;
 
@@ -133,7 +133,7 @@ macro_rules! fold_in {
 }
 
 use crate::kernels::cpu::Cpu;
-use crate::kernels::fold::fold;
+use crate::kernels::row::fold::fold;
 
 pub(super) const fn fold_single<F: Fold>() -> Code<f32>
 where

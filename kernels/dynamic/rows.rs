@@ -1,8 +1,8 @@
 //! Columns of plain numbers, and what is asked of them.
 use crate::error::{Argument, Error, Field, Validate};
-use crate::kernels::item::counts::expect;
-use crate::kernels::item::{Item, Leaf, leaf};
 use crate::kernels::machine::Column;
+use crate::kernels::row::item::counts::expect;
+use crate::kernels::row::item::{Item, Leaf, leaf};
 use crate::{Fixed, Real};
 use std::borrow::Cow;
 use std::ops::Range;

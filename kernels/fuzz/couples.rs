@@ -6,7 +6,7 @@ use super::properties::{Found, Outcome, first_where, unless};
 use super::{Finding, Property};
 use crate::Real;
 use crate::ad::declared::Kind;
-use crate::kernels::op::Extremes;
+use crate::kernels::row::op::Extremes;
 
 /// Values may change by so many roundings, times the longest aspect, when shapes are exchanged, for aspects up to a
 /// limit.

@@ -2,7 +2,7 @@
 use crate::Real;
 use crate::ad::declared::Kind;
 use crate::ad::sample::Draw;
-use crate::kernels::op::{Finite, Limits};
+use crate::kernels::row::op::{Finite, Limits};
 use std::f64::consts::FRAC_PI_4;
 
 /// Numbers of a kind.

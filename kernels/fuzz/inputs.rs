@@ -6,7 +6,7 @@ use super::{Finding, Property};
 use crate::Real;
 use crate::ad::declared::Kind;
 use crate::ad::sample::Draw;
-use crate::kernels::op::Finite;
+use crate::kernels::row::op::Finite;
 
 /// How often an input of the harness is drawn anew when it is not valid or beyond limits.
 const ATTEMPTS: usize = 100;

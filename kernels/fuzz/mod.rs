@@ -23,11 +23,13 @@
 mod arguments;
 mod couples;
 mod families;
+pub mod identities;
 mod inputs;
 mod job;
 mod properties;
 mod rules;
 mod smaller;
+pub mod tested;
 
 #[doc(hidden)]
 pub use job::Job;
@@ -35,10 +37,10 @@ pub(crate) use job::{Straight, all_numbers, sampled, shown};
 
 use crate::Real;
 use crate::ad::sample::{Draw, Sample};
-use crate::kernels::fold::Fold;
-use crate::kernels::item::Item;
-use crate::kernels::op::Op;
-use crate::kernels::search::Search;
+use crate::kernels::call::search::Search;
+use crate::kernels::row::fold::Fold;
+use crate::kernels::row::item::Item;
+use crate::kernels::row::op::Op;
 use crate::scalar::real::in_format;
 use arguments::Inputs;
 use properties::Thorough;

@@ -7,7 +7,7 @@ use crate::ad::declared::Kind;
 use crate::ad::forward::First;
 use crate::ad::sample::Draw;
 use crate::kernels::cpu::simd::Simd;
-use crate::kernels::op::{Finite, Limits};
+use crate::kernels::row::op::{Finite, Limits};
 use crate::scalar::Guard;
 use crate::{Jet, Real, Scalar};
 

@@ -1,8 +1,8 @@
 //! How numbers of a shape are made to keep to its rules.
 use crate::Real;
 use crate::ad::declared::Kind;
-use crate::kernels::bounds::{Rule, rules_of};
-use crate::kernels::item::Leaf;
+use crate::kernels::row::bounds::{Rule, rules_of};
+use crate::kernels::row::item::Leaf;
 
 /// The rules of one shape.
 #[derive(Clone, Debug)]

@@ -2,8 +2,8 @@
 //! both.
 use crate::error::Argument;
 use crate::kernels::Fold;
-use crate::kernels::folding::Folding;
-use crate::kernels::item::Leaf;
+use crate::kernels::call::folding::Folding;
+use crate::kernels::call::recording::{Call, Recording};
 use crate::kernels::machine::Column;
 use crate::kernels::machine::GroupSpans;
 use crate::kernels::machine::{Bests, Downloads, Matrix, Pending, Stored};
@@ -11,7 +11,7 @@ use crate::kernels::machine::{
     Engine, GroupedReduction, Items, Machine, Numbers, On, Reduced, Reduction, Room, Sealed, Seed,
 };
 use crate::kernels::machine::{Input, VertexBars};
-use crate::kernels::recording::{Call, Recording};
+use crate::kernels::row::item::Leaf;
 use crate::ring::Measure;
 use crate::suppression::Rules;
 use crate::{Error, GpuFault, Vec2};

@@ -3,13 +3,13 @@ use super::{Column, Columns};
 use super::{Machine, Number, On, Place, Reduced, Reduction, Room, Seed};
 use crate::Real;
 use crate::error::{Argument, Error};
-use crate::kernels::item::counts::{entries, expect};
-use crate::kernels::item::rows::fill_whole;
-use crate::kernels::item::{Item, Results, width};
+use crate::kernels::call::modes::Function;
+use crate::kernels::call::recording::Call;
 use crate::kernels::machine::Matrix;
 use crate::kernels::machine::suppress::checked;
-use crate::kernels::modes::Function;
-use crate::kernels::recording::Call;
+use crate::kernels::row::item::counts::{entries, expect};
+use crate::kernels::row::item::rows::fill_whole;
+use crate::kernels::row::item::{Item, Results, width};
 use crate::kernels::{Single, Table};
 use crate::suppression::{Pair, Rules};
 

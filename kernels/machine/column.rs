@@ -2,9 +2,9 @@
 use super::stays::Stays;
 use crate::Real;
 use crate::error::Error;
-use crate::kernels::item::counts::expect;
-use crate::kernels::item::{Item, by_shape, leaves_of, memory, put, width};
-use crate::kernels::recording::Call;
+use crate::kernels::call::recording::Call;
+use crate::kernels::row::item::counts::expect;
+use crate::kernels::row::item::{Item, by_shape, leaves_of, memory, put, width};
 use std::borrow::Cow;
 use std::ops::Range;
 

@@ -5,7 +5,7 @@
 use super::column::{Column, list_of};
 use super::held::Held;
 use super::{Here, Place, There};
-use crate::kernels::item::{Item, width};
+use crate::kernels::row::item::{Item, width};
 use crate::{Fixed, Pack};
 
 /// One shape that stands for all items of its column.

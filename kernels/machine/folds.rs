@@ -3,11 +3,11 @@ use super::Columns;
 use super::{Input, Machine, On, PathSpans, VertexBars};
 use crate::error::Argument;
 use crate::kernels::One;
-use crate::kernels::fold::Fold;
-use crate::kernels::folding::Folding;
-use crate::kernels::item::Item;
-use crate::kernels::item::counts::expect;
-use crate::kernels::item::rows::{fill, numbers};
+use crate::kernels::call::folding::Folding;
+use crate::kernels::row::fold::Fold;
+use crate::kernels::row::item::Item;
+use crate::kernels::row::item::counts::expect;
+use crate::kernels::row::item::rows::{fill, numbers};
 use crate::{Error, Fixed, Pack, Real};
 
 /// Cotangents of every context and every vertex.

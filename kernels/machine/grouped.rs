@@ -2,13 +2,13 @@
 use super::GroupSpans;
 use crate::Real;
 use crate::error::{Argument, Error};
-use crate::kernels::item::Single;
-use crate::kernels::item::counts::expect;
+use crate::kernels::call::modes::Function;
 use crate::kernels::machine::found::{Best, Found, check_threshold};
 use crate::kernels::machine::suppress::checked;
 use crate::kernels::machine::{Column, Columns};
 use crate::kernels::machine::{GroupedReduction, Machine, Number, On};
-use crate::kernels::modes::Function;
+use crate::kernels::row::item::Single;
+use crate::kernels::row::item::counts::expect;
 use crate::suppression::{Rules, better, check_groups, check_scores};
 
 /// Groups of two lists: group g pairs the shapes `a[g]..a[g + 1]` of the first list with `b[g]..b[g + 1]` of the second.

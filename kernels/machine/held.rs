@@ -4,8 +4,8 @@ use super::pending::Pending;
 use super::stays::Numbers;
 use super::stored::Stored;
 use crate::error::{Argument, Error};
-use crate::kernels::item::counts::expect;
-use crate::kernels::item::{Item, Leaf, Results, leaves_of, targets_of};
+use crate::kernels::row::item::counts::expect;
+use crate::kernels::row::item::{Item, Leaf, Results, leaves_of, targets_of};
 use std::fmt;
 use std::marker::PhantomData;
 

@@ -3,11 +3,11 @@ use super::Column;
 use super::{Engine, Items, Room, count_of};
 use crate::Real;
 use crate::error::Error;
-use crate::kernels::item::Results;
-use crate::kernels::item::rows::shapes;
+use crate::kernels::call::recording::Call;
 use crate::kernels::machine::found::{Best, Found};
 use crate::kernels::machine::{Bests, Founds, Held, Matrix, Stored};
-use crate::kernels::recording::Call;
+use crate::kernels::row::item::Results;
+use crate::kernels::row::item::rows::shapes;
 use crate::kernels::{Single, Table};
 
 /// The place of columns: [`Here`], in the memory of the program, or [`There`], on the machine.
@@ -142,7 +142,7 @@ impl Place for There {
         count: usize,
         rows: Vec<P::Scalar>,
     ) -> Result<Held<P>, Error> {
-        let fields = crate::kernels::item::width::<P>();
+        let fields = crate::kernels::row::item::width::<P>();
         let numbers = super::Numbers { fields, rows };
         Ok(Held::of(engine.keep(count, vec![numbers])?))
     }

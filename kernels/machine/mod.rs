@@ -15,6 +15,7 @@ mod location;
 mod paths;
 mod pending;
 mod primitives;
+pub mod resident;
 mod results;
 mod stays;
 mod stored;
@@ -51,9 +52,9 @@ pub use targets::{Skip, Targets};
 
 use crate::Pack;
 use crate::error::{Argument, Error};
-use crate::kernels::item::counts::expect;
-use crate::kernels::item::{Item, Results, Single, Target};
-use crate::kernels::modes::Function;
+use crate::kernels::call::modes::Function;
+use crate::kernels::row::item::counts::expect;
+use crate::kernels::row::item::{Item, Results, Single, Target};
 use std::fmt;
 
 /// A machine that runs batches: [`Cpu`](crate::kernels::Cpu), [`Gpu`](crate::kernels::gpu::Gpu), or either behind a

@@ -3,7 +3,7 @@ use super::found::{Best, Found, check_sides, check_threshold};
 use super::pending::Pending;
 use super::stays::FOREIGN;
 use crate::error::{Argument, Error};
-use crate::kernels::item::counts::{check_finite, expect};
+use crate::kernels::row::item::counts::{check_finite, expect};
 use crate::{Fixed, Real, Vec2};
 use std::any::Any;
 use std::fmt;

@@ -2,7 +2,7 @@
 use super::pending::Pending;
 use crate::GpuFault;
 use crate::error::Error;
-use crate::kernels::item::Leaf;
+use crate::kernels::row::item::Leaf;
 use std::any::Any;
 use std::fmt;
 

@@ -1,7 +1,7 @@
 //! Matrices of results, of all pairs.
 use crate::error::Error;
-use crate::kernels::item::counts::entries;
-use crate::kernels::item::{Item, Results, by_kind, get, width};
+use crate::kernels::row::item::counts::entries;
+use crate::kernels::row::item::{Item, Results, by_kind, get, width};
 use std::marker::PhantomData;
 
 /// A matrix of results: a row per shape of the first list, a column per shape of the second.

@@ -1,6 +1,6 @@
 //! Memory for the results of batches.
-use crate::kernels::item::{Item, Results, Target, WithJacobian, jacobians, target};
 use crate::kernels::machine::{Held, Stored};
+use crate::kernels::row::item::{Item, Results, Target, WithJacobian, jacobians, target};
 
 /// The memory for the results of a batch: a slice or vector for every shape of a result, in a tuple like
 /// the result's, with [`Skip`] for what is not wanted; or an array on the machine.

@@ -1,6 +1,6 @@
 //! Classes of invariance, and the invariances that they give shapes.
-use crate::kernels::op::{Effect, Invariance, Motion};
 use crate::kernels::ops::noun::{Moves, Noun, same};
+use crate::kernels::row::op::{Effect, Invariance, Motion};
 
 /// The answer of a function's result to motions of its arguments: a few words that make a list of invariances.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@ use crate::intersection::{
     Chord, CommonPart, CommonPoint, Hit, crossing_of_lines, first_hit, length_inside, meeting_of_segments,
     span,
 };
-use crate::kernels::op::Limits;
+use crate::kernels::row::op::Limits;
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs;
 use crate::{Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Segment2, Triangle2};

@@ -5,7 +5,7 @@ use crate::intersection3::{
     first_hit_of_segment, first_hit_triangle, length_inside, span,
 };
 use crate::intersection3::planes::triple_terms;
-use crate::kernels::op::Limits;
+use crate::kernels::row::op::Limits;
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs;
 use crate::{

@@ -3,7 +3,7 @@ use crate::ad::adjoint::iou::giou_framed_vjp;
 use crate::clip::frame;
 use crate::iou;
 use crate::iou::Exponent;
-use crate::kernels::compiled::Compiled;
+use crate::kernels::row::compiled::Compiled;
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{
     AlphaIou, Ciou, CiouAabb, CiouFixedWeight, CiouHull, Diou, DiouAabb, DiouHull, Eiou, EiouAabb,

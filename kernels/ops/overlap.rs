@@ -2,7 +2,7 @@
 use crate::ad::adjoint::overlap::{score_aabb2_vjp, score_framed_vjp};
 use crate::ad::adjoint::overlap_quad::intersection_area_quads_vjp;
 use crate::clip::frame;
-use crate::kernels::compiled::Compiled;
+use crate::kernels::row::compiled::Compiled;
 use crate::kernels::ops::noun::Quad;
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{IntersectionArea, Iof, Iou};

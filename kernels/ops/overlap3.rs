@@ -2,7 +2,7 @@
 use crate::ad::adjoint::bounds3::{intersection_volume_aabb3_vjp, iof_aabb3_vjp, iou_aabb3_vjp};
 use crate::ad::adjoint::overlap::iou_obb2_vjp;
 use crate::ad::adjoint::upright::{intersection_volume_yaw_vjp, iof_yaw_vjp, iou_yaw_vjp};
-use crate::kernels::compiled::Compiled;
+use crate::kernels::row::compiled::Compiled;
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{IntersectionVolume, Iof, Iou, IouBev};
 use crate::overlap::Denominator;

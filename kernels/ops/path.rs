@@ -1,7 +1,7 @@
 //! Folds over paths as operations.
 use crate::distance::ring::{EdgeFold, Fill};
-use crate::kernels::fold::Fold;
-use crate::kernels::op::{Jumps, Invariance};
+use crate::kernels::row::fold::Fold;
+use crate::kernels::row::op::{Jumps, Invariance};
 use crate::kernels::ops::class::invariances;
 use crate::kernels::ops::walk::Written;
 use crate::kernels::ops::tables::listed;
@@ -161,7 +161,7 @@ of_point_and_path! {
 /// Joins verbs to the folds that serve paths.
 macro_rules! folds {
     ($($Verb:ty, $Path:ident $method:ident by $By:ident;)*) => { $(
-        impl crate::kernels::verbs::OverPath<crate::kernels::fold::$Path> for $Verb {
+        impl crate::kernels::verbs::OverPath<crate::kernels::row::fold::$Path> for $Verb {
             type By = $By;
             const BY: $By = $By;
         }

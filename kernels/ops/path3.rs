@@ -1,7 +1,7 @@
 //! Folds over polylines and clouds of space as operations.
 use crate::distance3::polyline::NearestEdge3;
-use crate::kernels::fold::Fold;
-use crate::kernels::op::{Invariance, Jumps};
+use crate::kernels::row::fold::Fold;
+use crate::kernels::row::op::{Invariance, Jumps};
 use crate::kernels::ops::class::invariances;
 use crate::kernels::ops::path::folds;
 use crate::kernels::ops::walk::Written;

@@ -1,6 +1,6 @@
 //! The measures of a ring as folds.
-use crate::kernels::fold::Fold;
-use crate::kernels::op::{Finite, Invariance, Jumps, Range};
+use crate::kernels::row::fold::Fold;
+use crate::kernels::row::op::{Finite, Invariance, Jumps, Range};
 use crate::kernels::ops::class::invariances;
 use crate::kernels::ops::path::folds;
 use crate::kernels::ops::tables::listed;

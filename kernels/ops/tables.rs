@@ -35,11 +35,11 @@ macro_rules! table {
     )*) => { $( crate::kernels::ops::tables::table! {
         @rows [concat!($($title),+)] $Verb, $arguments, $out, $formula, $class,
         [
-            $(crate::kernels::op::Finite::$finite $(($limits))?,)?
-            crate::kernels::op::Finite::Within(crate::kernels::op::Limits::ORDINARY),
+            $(crate::kernels::row::op::Finite::$finite $(($limits))?,)?
+            crate::kernels::row::op::Finite::Within(crate::kernels::row::op::Limits::ORDINARY),
         ],
-        [$(crate::kernels::op::Range::$range,)? crate::kernels::op::Range::ANY],
-        [$(crate::kernels::op::Extremes::$extremes,)? crate::kernels::op::Extremes::Undeclared],
+        [$(crate::kernels::row::op::Range::$range,)? crate::kernels::row::op::Range::ANY],
+        [$(crate::kernels::row::op::Extremes::$extremes,)? crate::kernels::row::op::Extremes::Undeclared],
         $jumps, [$($domain)?], [0.0 $(+ $absolute)?, 0.0 $(+ $share)?], [$($roundings)?],
         $derivative;
         $($rows)*
@@ -93,7 +93,7 @@ macro_rules! table {
 
         // One argument needs none.
         #[allow(unused_parens)]
-        impl crate::kernels::op::Op for Item {
+        impl crate::kernels::row::op::Op for Item {
             const NAME: &'static str = $name;
             const ARGUMENTS: &'static [&'static str] =
                 &crate::kernels::ops::tables::arguments!($arguments $($Shape)+);
@@ -101,19 +101,19 @@ macro_rules! table {
                 crate::kernels::ops::tables::text!($title, concat!($($own_title)?), $($Shape<f64>),+);
             type In<S: crate::Scalar> = ($($Shape<S>),+);
             type Out<S: crate::Scalar> = $out;
-            const INVARIANCES: &'static [crate::kernels::op::Invariance] = {
+            const INVARIANCES: &'static [crate::kernels::row::op::Invariance] = {
                 crate::kernels::ops::tables::first!(@class [$([$($own_class)*])? $class] $($Shape<f64>),+)
             };
-            const FINITE: crate::kernels::op::Finite =
-                [$(crate::kernels::op::Finite::$own_finite,)? $finite[0]][0];
-            const RANGE: crate::kernels::op::Range =
-                [$(crate::kernels::op::Range::$own_range,)? $range[0]][0];
-            const EXTREMES: crate::kernels::op::Extremes =
-                [$(crate::kernels::op::Extremes::$own_extremes,)? $extremes[0]][0];
-            const JUMPS: crate::kernels::op::Jumps =
-                [$(crate::kernels::op::Jumps::$own_jumps,)? crate::kernels::op::Jumps::$jumps][0];
-            const DERIVATIVE: crate::kernels::op::Derivative =
-                [$(crate::kernels::op::Derivative::$own_derivative,)? crate::kernels::op::Derivative::$derivative][0];
+            const FINITE: crate::kernels::row::op::Finite =
+                [$(crate::kernels::row::op::Finite::$own_finite,)? $finite[0]][0];
+            const RANGE: crate::kernels::row::op::Range =
+                [$(crate::kernels::row::op::Range::$own_range,)? $range[0]][0];
+            const EXTREMES: crate::kernels::row::op::Extremes =
+                [$(crate::kernels::row::op::Extremes::$own_extremes,)? $extremes[0]][0];
+            const JUMPS: crate::kernels::row::op::Jumps =
+                [$(crate::kernels::row::op::Jumps::$own_jumps,)? crate::kernels::row::op::Jumps::$jumps][0];
+            const DERIVATIVE: crate::kernels::row::op::Derivative =
+                [$(crate::kernels::row::op::Derivative::$own_derivative,)? crate::kernels::row::op::Derivative::$derivative][0];
             #[allow(unused_variables)]
             const DOMAIN: Option<fn(Self::In<f64>) -> bool> =
                 crate::kernels::ops::tables::domain!($arguments [$($own_domain)?] $domain);
@@ -139,7 +139,7 @@ macro_rules! table {
                 }
             )?)?
             $(
-                fn compiled() -> Option<crate::kernels::compiled::Compiled> {
+                fn compiled() -> Option<crate::kernels::row::compiled::Compiled> {
                     Some($compiled)
                 }
             )?
@@ -158,7 +158,7 @@ macro_rules! line {
         }
     };
     (each [$walk:ident] search $Verb:ty, $name:literal, [$($shape:tt)+] $input:ty) => {
-        $walk.search::<<<$Verb as crate::kernels::verbs::Takes<$input>>::By as crate::kernels::search::Searches>::Search>(
+        $walk.search::<<<$Verb as crate::kernels::verbs::Takes<$input>>::By as crate::kernels::call::search::Searches>::Search>(
             crate::kernels::ops::tables::line!(names [] search $Verb, $name, [$($shape)+] $input),
         )
     };
@@ -256,17 +256,17 @@ macro_rules! searches {
         #[derive(Clone, Copy, Debug, Default)]
         pub struct Item<$(const $N: usize),+>;
 
-        impl<$(const $N: usize),+> crate::kernels::search::Search for Item<$($N),+> {
+        impl<$(const $N: usize),+> crate::kernels::call::search::Search for Item<$($N),+> {
             const NAME: &'static str = $name;
             const ARGUMENTS: &'static [&'static str] = &[$(stringify!($arg)),+];
             const DOC: &'static str = crate::__doc!([] $([$($doc)*])*);
             type In<S: crate::Scalar> = $input;
             type Out<S: crate::Scalar> = $out;
             type Record = $record;
-            const INVARIANCES: &'static [crate::kernels::op::Invariance] =
+            const INVARIANCES: &'static [crate::kernels::row::op::Invariance] =
                 crate::kernels::ops::class::invariances!($class crate::ConvexPolygon<f64, 3>);
-            const JUMPS: crate::kernels::op::Jumps = crate::kernels::op::Jumps::$jumps;
-            $(const RANGE: crate::kernels::op::Range = crate::kernels::op::Range::$range;)?
+            const JUMPS: crate::kernels::row::op::Jumps = crate::kernels::row::op::Jumps::$jumps;
+            $(const RANGE: crate::kernels::row::op::Range = crate::kernels::row::op::Range::$range;)?
             fn decide<S: crate::Scalar<Mask = bool>>($decided: $input) -> $record {
                 $decide
             }
@@ -308,12 +308,12 @@ macro_rules! finds {
         impl<S: crate::Scalar<Mask = bool>, const N: usize>
             crate::kernels::verbs::Unary<crate::ConvexPolygon<S, N>> for $Verb
         {
-            type Out = <Item<N> as crate::kernels::search::Search>::Out<S>;
-            type By = crate::kernels::search::Searched<Item<N>>;
-            const BY: Self::By = crate::kernels::search::search(Item);
+            type Out = <Item<N> as crate::kernels::call::search::Search>::Out<S>;
+            type By = crate::kernels::call::search::Searched<Item<N>>;
+            const BY: Self::By = crate::kernels::call::search::search(Item);
             #[inline]
             fn apply(polygon: crate::ConvexPolygon<S, N>) -> Self::Out {
-                use crate::kernels::search::Search;
+                use crate::kernels::call::search::Search;
                 crate::scalar::guarded(polygon, |polygon| {
                     Item::<N>::replay(polygon, Item::<N>::decide(polygon))
                 })
@@ -344,12 +344,12 @@ macro_rules! finds {
     };
     (@pair [$($constant:tt)*] $Verb:ident, $A:ty, $B:ty, <$($capacity:tt),+>) => {
         impl<S: crate::Scalar<Mask = bool>, $($constant)*> crate::kernels::verbs::Binary<$A, $B> for $Verb {
-            type Out = <Item<$($capacity),+> as crate::kernels::search::Search>::Out<S>;
-            type By = crate::kernels::search::Searched<Item<$($capacity),+>>;
-            const BY: Self::By = crate::kernels::search::search(Item);
+            type Out = <Item<$($capacity),+> as crate::kernels::call::search::Search>::Out<S>;
+            type By = crate::kernels::call::search::Searched<Item<$($capacity),+>>;
+            const BY: Self::By = crate::kernels::call::search::search(Item);
             #[inline]
             fn apply(a: $A, b: $B) -> Self::Out {
-                use crate::kernels::search::Search;
+                use crate::kernels::call::search::Search;
                 crate::scalar::guarded((a, b), |both| {
                     let found = Item::<$($capacity),+>::decide(both);
                     Item::<$($capacity),+>::replay(both, found)

@@ -1,9 +1,9 @@
 //! The list of rows: what the tables hand over, and who takes it.
 use crate::ad::sample::Sample;
-use crate::kernels::fold::Fold;
-use crate::kernels::item::Item;
-use crate::kernels::op::Op;
-use crate::kernels::search::Search;
+use crate::kernels::call::search::Search;
+use crate::kernels::row::fold::Fold;
+use crate::kernels::row::item::Item;
+use crate::kernels::row::op::Op;
 
 /// A row as its table writes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -164,8 +164,8 @@ impl<To> Copy for Convert<To> {}
 impl<To> Convert<To> {
     /// The adjoint: batches take the shape and a cotangent of the result, and return the cotangent of the shape.
     #[must_use]
-    pub const fn vjp(self) -> crate::kernels::op::Vjp<Self> {
-        crate::kernels::op::Vjp::of(self)
+    pub const fn vjp(self) -> crate::kernels::row::op::Vjp<Self> {
+        crate::kernels::row::op::Vjp::of(self)
     }
 }
 crate::__verb_runs!([To,] Convert<To>: (shape));

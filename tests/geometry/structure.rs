@@ -294,6 +294,38 @@ fn beyond<'a>(file: &str, imports: &'a BTreeMap<String, BTreeSet<String>>) -> BT
     found
 }
 
+/// The folders of `kernels/`, from below: a file imports those of its own folder and of folders before it.
+const FLOORS: [&str; 12] = [
+    "row", "call", "machine", "cpu", "gpu", "backend", "verbs", "ops", "dynamic", "check", "fuzz",
+    "mod.rs",
+];
+
+/// The floor of a file of `kernels/`.
+fn floor(file: &str) -> Option<usize> {
+    let folder = file.strip_prefix("kernels/")?.split('/').next().unwrap();
+    let found = FLOORS.iter().position(|floor| *floor == folder);
+    Some(found.unwrap_or_else(|| panic!("{file} is on no floor")))
+}
+
+/// No file of `kernels/` imports one of a floor above its own.
+#[test]
+fn no_folder_imports_one_above() {
+    let all = imports("src/lib.rs");
+    let (mut upward, mut arrows) = (Vec::new(), 0);
+    for (file, others) in &all {
+        let Some(own) = floor(file) else { continue };
+        for other in others {
+            let Some(theirs) = floor(other) else { continue };
+            arrows += 1;
+            if theirs > own {
+                upward.push(format!("{file} imports {other}"));
+            }
+        }
+    }
+    assert!(upward.is_empty(), "{upward:#?}");
+    assert!(arrows > 700, "{arrows} imports");
+}
+
 /// Files that import each other on ways over others. The list may only shrink.
 const KNOWN: [&[&str]; 14] = [
     &["ad/check/agreed.rs", "ad/check/examine.rs"],

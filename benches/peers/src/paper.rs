@@ -4,9 +4,9 @@
 use super::timed::Timed;
 use super::{Dice, flat, narrow, on_threads};
 use common::cli::Machine;
+use geograd::kernels::Backend;
 use geograd::kernels::gpu::Gpu;
 use geograd::kernels::op::ValueGrad;
-use geograd::kernels::resident::Resident;
 use geograd::kernels::{Cpu, Function, Iou, Item, Single};
 use geograd::{Obb2, Obb3, Rotation3, Vec3, YawBox3};
 use std::fmt::Write;
@@ -80,7 +80,7 @@ fn done(gpu: &Gpu) {
 
 /// The same two curves on a GPU.
 fn curves_on<'a, O, B>(
-    here: Resident<'a>,
+    here: Backend<'a>,
     gpu: &'a Gpu,
     names: [&'static str; 2],
     colour: &'static str,

@@ -2,19 +2,19 @@
 pub(crate) mod paths;
 mod sieve;
 
-use crate::error::{Argument, Field, Flaw};
+use crate::error::Field;
+use crate::kernels::call::folding::{Folding, Programs, Sizes, backwards};
 use crate::kernels::cpu::checked::{check_argument, check_upstream};
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::plan::{Plan, Preparation, name, of_recorded};
 use crate::kernels::cpu::ragged::check_offsets;
 use crate::kernels::cpu::stretches::{self, Aligned};
 use crate::kernels::cpu::work::spread;
-use crate::kernels::derivation::Mode;
-use crate::kernels::folding::{Folding, Programs, Sizes, backwards};
-use crate::kernels::item::counts::expect;
-use crate::kernels::item::{Leaf, Quick, STRETCH, Target};
 use crate::kernels::machine::{Input, PathSpans};
-use crate::kernels::once::Key;
+use crate::kernels::row::derivation::Mode;
+use crate::kernels::row::item::counts::expect;
+use crate::kernels::row::item::{Leaf, Quick, STRETCH, Target};
+use crate::kernels::row::once::Key;
 use crate::{Error, Real};
 use paths::{Paths, first_flaw, paths, told};
 use std::ops::Range;

@@ -1,7 +1,7 @@
 //! Paths that are folded, edge by edge.
 use super::sieve::sieved;
 use crate::error::{Argument, Flaw};
-use crate::kernels::folding::{Folding, Sizes};
+use crate::kernels::call::folding::{Folding, Sizes};
 use crate::kernels::machine::Column;
 use crate::kernels::machine::Input;
 use crate::{Error, Fixed, Real, Vec2};

@@ -4,8 +4,8 @@ use crate::kernels::cpu::lane::{Lane, TILE, tiles};
 use crate::kernels::cpu::nearest::{Edges, Limits};
 use crate::kernels::cpu::ragged::cuts;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::item::rows::numbers;
 use crate::kernels::machine::PathSpans;
+use crate::kernels::row::item::rows::numbers;
 use crate::{Real, Vec2};
 
 /// The edges of some paths that can be nearest to a point, one after another.

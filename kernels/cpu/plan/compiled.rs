@@ -6,7 +6,6 @@ use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
 use crate::ad::adjoint::upright::score_upright_vjp;
 use crate::error::Validate;
 use crate::iou::giou_framed;
-use crate::kernels::compiled::Compiled;
 use crate::kernels::cpu::arch::LARGE;
 use crate::kernels::cpu::boxes3::{OBB3, is_common_obb3};
 use crate::kernels::cpu::formats::kernels_in;
@@ -18,7 +17,8 @@ use crate::kernels::cpu::overlaps::{
 use crate::kernels::cpu::quads::{QUAD2, farthest};
 use crate::kernels::cpu::solids;
 use crate::kernels::cpu::upright_boxes;
-use crate::kernels::derivation::Mode;
+use crate::kernels::row::compiled::Compiled;
+use crate::kernels::row::derivation::Mode;
 use crate::overlap::{Denominator, score_framed};
 use crate::overlap_polygon::check_quad;
 use crate::overlap3::{score_obb3, score_obb3_vjp, score_yaw};

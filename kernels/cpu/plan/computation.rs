@@ -5,9 +5,9 @@ use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, Lent, TILE, Tiles};
 use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::overlaps::BOUNDS;
-use crate::kernels::derivation::Mode;
-use crate::kernels::item::{Leaf, Quick, STRETCH};
 use crate::kernels::machine::Column;
+use crate::kernels::row::derivation::Mode;
+use crate::kernels::row::item::{Leaf, Quick, STRETCH};
 use std::ops::Range;
 use std::sync::Arc;
 

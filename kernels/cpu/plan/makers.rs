@@ -4,13 +4,13 @@ use crate::Real;
 use crate::ad::program::graph::{Graph, Id};
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
+use crate::kernels::call::recording::{Each, Recording, Searched};
 use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
 use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::cpu::program::{Interpreted, Skipping};
-use crate::kernels::derivation::{Mode, Replays};
-use crate::kernels::item::Leaf;
-use crate::kernels::recording::{Each, Recording, Searched};
+use crate::kernels::row::derivation::{Mode, Replays};
+use crate::kernels::row::item::Leaf;
 use std::sync::Arc;
 
 /// How a recorded program is computed. Its inputs are the numbers of its arguments and then those of

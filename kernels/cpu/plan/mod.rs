@@ -9,8 +9,8 @@ pub(crate) use makers::{of_items, of_recorded};
 
 use crate::Real;
 use crate::error::Error;
-use crate::kernels::once::Key;
-use crate::kernels::recording::{Body, Call};
+use crate::kernels::call::recording::{Body, Call};
+use crate::kernels::row::once::Key;
 use compiled::{of_compiled, outline};
 use makers::of_replays;
 use std::sync::Arc;

@@ -9,7 +9,7 @@ use crate::kernels::cpu::blocks::QUAD;
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::kernels::cpu::program::instructions::AHEAD;
 use crate::kernels::cpu::program::lower::Tape;
-use crate::kernels::item::STRETCH;
+use crate::kernels::row::item::STRETCH;
 use std::cell::Cell;
 
 /// Arguments and results of a batch of no more bytes stay in a core's own cache; prefetching them took a twentieth of the

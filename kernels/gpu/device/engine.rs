@@ -4,14 +4,12 @@ use super::lists::Lists;
 use super::seed::Seed;
 use super::{Bests, Device, Matrix};
 use crate::error::{Argument, Error};
+use crate::kernels::call::folding::Folding;
+use crate::kernels::call::recording::Call;
 use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::checked::check_upstream;
 use crate::kernels::cpu::plan::plan;
-use crate::kernels::derivation::Mode;
-use crate::kernels::folding::Folding;
-use crate::kernels::item::Leaf;
-use crate::kernels::item::counts::expect;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::GroupSpans;
 use crate::kernels::machine::{
@@ -19,7 +17,9 @@ use crate::kernels::machine::{
 };
 use crate::kernels::machine::{Input, VertexBars};
 use crate::kernels::machine::{Stays, Stored};
-use crate::kernels::recording::Call;
+use crate::kernels::row::derivation::Mode;
+use crate::kernels::row::item::Leaf;
+use crate::kernels::row::item::counts::expect;
 use crate::suppression::Rules;
 
 /// Columns that stay.

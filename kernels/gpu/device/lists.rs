@@ -6,12 +6,12 @@ use super::seed::Seed;
 use super::{Device, Matrix};
 use crate::Error;
 use crate::error::Argument;
+use crate::kernels::call::recording::Call;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::Founds;
 use crate::kernels::machine::GroupSpans;
 use crate::kernels::machine::found::Best;
 use crate::kernels::machine::{GroupedReduction, Reduced, Reduction};
-use crate::kernels::recording::Call;
 use std::sync::Arc;
 
 /// Two lists on the GPU and the kernels of their pairs.

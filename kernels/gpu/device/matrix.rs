@@ -5,9 +5,9 @@ use super::work::{MOST_GROUPS, Params, Work, groups};
 use super::written::{GROUP, Kernel};
 use super::{Device, Pending};
 use crate::error::{Argument, Error};
-use crate::kernels::item::counts::{entries, expect};
 use crate::kernels::machine::{self, Matrices};
 use crate::kernels::machine::{Reduced, Reduction};
+use crate::kernels::row::item::counts::{entries, expect};
 use std::any::Any;
 
 /// A matrix on the GPU: one number per row of one list and row of another. Clones of a handle are

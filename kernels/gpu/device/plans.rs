@@ -1,9 +1,9 @@
 //! The plans of a call for a GPU, made once per function, mode and form.
 use super::generated::operation::Generated;
 use super::generated::replays::Replayed;
-use crate::kernels::derivation::Mode;
-use crate::kernels::once::Key;
-use crate::kernels::recording::{Body, Call, Recording};
+use crate::kernels::call::recording::{Body, Call, Recording};
+use crate::kernels::row::derivation::Mode;
+use crate::kernels::row::once::Key;
 use crate::{Error, Unrecordable};
 use std::sync::Arc;
 

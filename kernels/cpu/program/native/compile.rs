@@ -10,7 +10,7 @@ use crate::kernels::cpu::program::instructions::AHEAD;
 use crate::kernels::cpu::program::instructions::Run;
 use crate::kernels::cpu::program::instructions::{Code, Op};
 use crate::kernels::cpu::program::lower::Tape;
-use crate::kernels::item::STRETCH;
+use crate::kernels::row::item::STRETCH;
 
 /// Shorter runs stay with the interpreter.
 const SHORTEST: usize = 3;

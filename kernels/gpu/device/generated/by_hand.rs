@@ -1,11 +1,11 @@
 //! Bodies by hand: the overlap of boxes in the plane, which mirror their Rust source in WGSL.
 use super::operation::{Body, Generated, Kind, Name};
 use crate::Error;
-use crate::kernels::compiled::Compiled;
+use crate::kernels::call::recording::Call;
 use crate::kernels::cpu::plan::plan;
-use crate::kernels::derivation::Mode;
 use crate::kernels::gpu::device::written::{CLIP, OVERLAP, PRELUDE, policy};
-use crate::kernels::recording::Call;
+use crate::kernels::row::compiled::Compiled;
+use crate::kernels::row::derivation::Mode;
 use crate::overlap::Denominator;
 use std::fmt::Write;
 use std::sync::Arc;

@@ -1,10 +1,10 @@
 //! Every row with every column.
 use super::uploaded::Sides;
 use crate::Error;
+use crate::kernels::call::recording::Call;
 use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::block::place_block;
 use crate::kernels::machine::Column;
-use crate::kernels::recording::Call;
 
 impl Device {
     /// Every row with every row of columns of numbers, plane after plane.

@@ -10,8 +10,8 @@ use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::block::Block;
 use crate::kernels::gpu::device::work::{Params, Work};
 use crate::kernels::gpu::device::{Device, Inner};
-use crate::kernels::item::STRETCH;
 use crate::kernels::machine::Column;
+use crate::kernels::row::item::STRETCH;
 use std::ops::Range;
 use std::sync::Arc;
 

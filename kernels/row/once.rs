@@ -1,6 +1,6 @@
 //! Things that are made once: programs, plans and derivatives, by the function or the recording that they belong to.
 use crate::error::Error;
-use crate::kernels::derivation::{Mode, Order};
+use crate::kernels::row::derivation::{Mode, Order};
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
 use std::hash::Hash;

@@ -2,7 +2,7 @@
 use crate::Real;
 use crate::ad::declared::Kind;
 use crate::error::Flaw;
-use crate::kernels::item::Leaf;
+use crate::kernels::row::item::Leaf;
 
 /// A rule of a shape's numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,12 +1,12 @@
 //! Functions that batches run ([`Function`]), and their derivatives, which are such functions, too.
 use crate::Pack;
 use crate::error::Error;
-use crate::kernels::derivation::{Mode, Order};
-use crate::kernels::derivatives::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
-use crate::kernels::item::{Item, Results, WithJacobian, leaves_of, widths};
-use crate::kernels::op::Op;
-use crate::kernels::op::line_of;
-use crate::kernels::recording::{Call, Parts, Recording};
+use crate::kernels::call::recording::{Call, Parts, Recording};
+use crate::kernels::row::derivation::{Mode, Order};
+use crate::kernels::row::derivatives::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
+use crate::kernels::row::item::{Item, Results, WithJacobian, leaves_of, widths};
+use crate::kernels::row::op::Op;
+use crate::kernels::row::op::line_of;
 use crate::scalar::real::OneNumber;
 use std::any::TypeId;
 use std::sync::Arc;

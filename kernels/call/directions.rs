@@ -2,11 +2,11 @@
 use crate::Real;
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
-use crate::kernels::derivation::{Mode, Order, Step};
-use crate::kernels::item::Leaf;
-use crate::kernels::limits::Derivative;
-use crate::kernels::once::Key;
-use crate::kernels::recording::{Body, Call, Recording};
+use crate::kernels::call::recording::{Body, Call, Recording};
+use crate::kernels::row::derivation::{Mode, Order, Step};
+use crate::kernels::row::item::Leaf;
+use crate::kernels::row::limits::Derivative;
+use crate::kernels::row::once::Key;
 use std::sync::Arc;
 
 impl<T: Real> Call<T> {

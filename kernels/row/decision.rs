@@ -1,5 +1,5 @@
 //! The contract of a search: decisions on plain numbers, and what they make of the input.
-use crate::kernels::op::{Extremes, Finite, Invariance, Jumps, Limits, Range};
+use crate::kernels::row::op::{Extremes, Finite, Invariance, Jumps, Limits, Range};
 use crate::{Fixed, Scalar};
 use std::fmt::Debug;
 use std::hash::Hash;

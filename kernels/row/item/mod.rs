@@ -1,11 +1,8 @@
 //! Items: the layouts of shapes as numbers, and the memory for results.
-#[forbid(unsafe_code)]
 pub(crate) mod counts;
-#[forbid(unsafe_code)]
 mod layout;
 #[allow(unsafe_code)]
 pub(crate) mod memory;
-#[forbid(unsafe_code)]
 pub(crate) mod rows;
 
 pub use layout::{Item, Leaf, Quick, Results, Single, Target, WithJacobian, leaf, target};

@@ -1,4 +1,8 @@
 //! The machine chosen at run time: the calls of [`Machine`] on the CPU or on a GPU, in `f32`.
+mod rings;
+
+pub use rings::Rings;
+
 use crate::kernels::cpu::Cpu;
 use crate::kernels::gpu::Gpu;
 use crate::kernels::machine::{Engine, Machine};

@@ -1,8 +1,8 @@
 //! Recorded programs in batches.
 use crate::ad::program::Program;
-use crate::kernels::item::{Item, Results, leaves_of};
-use crate::kernels::modes::Function;
-use crate::kernels::recording::{Body, Call, Recording};
+use crate::kernels::call::modes::Function;
+use crate::kernels::call::recording::{Body, Call, Recording};
+use crate::kernels::row::item::{Item, Results, leaves_of};
 use crate::{Error, Real};
 use std::sync::Arc;
 

@@ -4,7 +4,7 @@ use crate::ad::check::symmetry::moved_by;
 use crate::ad::declared::{Kind, Motion};
 use crate::ad::sample::Draw;
 use crate::ad::sample::lattice::{lattice, places};
-use crate::kernels::tested::Tested;
+use crate::kernels::fuzz::tested::Tested;
 use std::ops::Range;
 
 /// The numbers of two arguments.

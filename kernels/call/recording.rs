@@ -5,13 +5,13 @@
 //! function, a program, a derivative of one) yields a call and nothing else.
 use crate::ad::program::recorded::Recorded;
 use crate::error::{Argument, Error};
-use crate::kernels::compiled::Compiled;
-pub use crate::kernels::derivation::Mode;
-use crate::kernels::derivation::Replays;
-use crate::kernels::derivation::Step;
-use crate::kernels::item::Leaf;
-use crate::kernels::once::{Kept, Key, known_by};
-use crate::kernels::straight::{Line, by_reverse};
+use crate::kernels::row::compiled::Compiled;
+pub use crate::kernels::row::derivation::Mode;
+use crate::kernels::row::derivation::Replays;
+use crate::kernels::row::derivation::Step;
+use crate::kernels::row::item::Leaf;
+use crate::kernels::row::once::{Kept, Key, known_by};
+use crate::kernels::row::straight_line::{Line, by_reverse};
 use crate::{Real, Unrecordable};
 use std::any::TypeId;
 use std::fmt;

@@ -2,11 +2,11 @@
 use crate::Vec2;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::check_ragged;
-use crate::kernels::fold::Fold;
 use crate::kernels::gpu;
-use crate::kernels::item::counts::expect;
-use crate::kernels::item::rows::numbers;
 use crate::kernels::machine::{Ready, RingBars, RingValues};
+use crate::kernels::row::fold::Fold;
+use crate::kernels::row::item::counts::expect;
+use crate::kernels::row::item::rows::numbers;
 use crate::kernels::{Backend, Cpu};
 
 /// Rings on a machine, which are checked.

@@ -4,13 +4,13 @@
 //! from the input and the record by a straight line, which duals and batches replay. Between decisions
 //! the result is smooth. Where a decision changes, the derivatives are those of the branch that was taken.
 use crate::error::Error;
-pub use crate::kernels::decision::Search;
-use crate::kernels::derivation::Mode;
-use crate::kernels::item::{Item, by_kind, by_shape, get, leaves_of, width, widths};
-use crate::kernels::modes::Function;
-use crate::kernels::once::known;
-use crate::kernels::op::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
-use crate::kernels::recording::{self, Body, Call, Each, Recording};
+use crate::kernels::call::modes::Function;
+use crate::kernels::call::recording::{self, Body, Call, Each, Recording};
+pub use crate::kernels::row::decision::Search;
+use crate::kernels::row::derivation::Mode;
+use crate::kernels::row::item::{Item, by_kind, by_shape, get, leaves_of, width, widths};
+use crate::kernels::row::once::known;
+use crate::kernels::row::op::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::sync::Arc;
 
@@ -120,7 +120,7 @@ where
     let made = known::<Searched<D>, _>(|| {
         let body = Body::Search(recording::Searched {
             item: item_in::<D, R>,
-            replays: crate::kernels::replayed::of::<D, R>,
+            replays: crate::kernels::call::replayed::of::<D, R>,
             steps: Vec::new(),
         });
         let (takes, outputs) = (leaves_of::<R>(), widths::<D::Out<R::Scalar>>());

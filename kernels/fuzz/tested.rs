@@ -6,19 +6,19 @@ use crate::ad::sample::drawn::Kinship;
 use crate::ad::sample::{Draw, Family, Sample, random};
 use crate::error::{Error, Field};
 use crate::kernels::Backend;
+use crate::kernels::call::search::Search;
 use crate::kernels::check::proofs::Proofs;
 use crate::kernels::check::{
     Examined, Folded, ScalarCode, Stated, WithAdjoint, check_fold_on, check_fold_with,
     check_search_with, examined,
 };
 use crate::kernels::dynamic::{self, Operation};
-use crate::kernels::fold::{Fold, by_hand, fold};
 use crate::kernels::fuzz::{self, Fuzzed, Job, Straight, fuzzed_in};
-use crate::kernels::item::{Item, by_kind, get};
-use crate::kernels::op::Op;
 use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
-use crate::kernels::search::Search;
+use crate::kernels::row::fold::{Fold, by_hand, fold};
+use crate::kernels::row::item::{Item, by_kind, get};
+use crate::kernels::row::op::Op;
 use crate::scalar::real::in_format;
 use crate::{Fixed, Pack, Real};
 use std::fmt;

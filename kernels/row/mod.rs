@@ -1,0 +1,13 @@
+//! Rows: what a function is. Its shapes as numbers, its formula, what it declares, and its derivatives.
+pub(crate) mod bounds;
+pub mod compiled;
+pub(crate) mod decision;
+pub(crate) mod derivation;
+pub(crate) mod derivatives;
+pub mod fold;
+pub mod item;
+pub(crate) mod limits;
+pub(crate) mod once;
+pub mod op;
+mod operation;
+pub(crate) mod straight_line;
