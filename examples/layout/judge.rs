@@ -1,7 +1,6 @@
 //! How shapes lie: a batch for every two kinds, and one per kind for the walls, over data that stay.
 use crate::forms::{CLEARANCE, Form, Kind, Place, Size, Step, cost};
 use geograd::kernels::Backend;
-use geograd::kernels::Backend;
 use geograd::kernels::resident::Held;
 use geograd::{Error, Program, Sym};
 

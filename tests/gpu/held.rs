@@ -7,7 +7,7 @@ use geograd::error::Argument;
 use geograd::kernels::Backend;
 use geograd::kernels::Diameter;
 use geograd::kernels::resident::Held;
-use geograd::kernels::{Backend, One, Op};
+use geograd::kernels::{One, Op};
 use geograd::{
     ConvexPolygon, Error, GpuFault, Obb2, Obb3, Pack, Scalar, Segment2, Unrecordable, Vec2, YawBox3,
 };

@@ -3,7 +3,6 @@ use crate::list::Tested;
 use geograd::Error;
 use geograd::ad::check::sample::Draw;
 use geograd::kernels::Backend;
-use geograd::kernels::Backend;
 use geograd::kernels::dynamic::{Function, Layout, Mode, OnPaths, Rows};
 use geograd::kernels::resident::{HeldNumbers, Matrix};
 

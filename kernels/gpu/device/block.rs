@@ -1,5 +1,5 @@
 //! How lists and matrices are cut into buffers.
-use super::Inner;
+use super::context::Inner;
 
 /// A part of a matrix that fits one buffer: rows of one piece of `a` by all columns of one piece
 /// of `b`.

@@ -1,5 +1,5 @@
 //! Lists of numbers, in buffers that fit a binding each.
-use super::Inner;
+use super::context::Inner;
 
 /// A buffer and how many items it holds.
 #[derive(Clone, Debug)]

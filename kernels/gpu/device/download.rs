@@ -1,6 +1,6 @@
 //! How results come back: at once, later, or awaited.
+use super::context::{Device, Inner, locked};
 use super::data::Piece;
-use super::{Device, Inner};
 use crate::kernels::machine::Later;
 use crate::{Error, GpuFault};
 use std::future::Future;
@@ -71,7 +71,7 @@ impl State {
                     state.failed.store(true, Ordering::Release);
                 }
                 let waker = {
-                    let mut waker = super::locked(&state.waker);
+                    let mut waker = locked(&state.waker);
                     state.left.fetch_sub(1, Ordering::AcqRel);
                     state.arrived.notify_all();
                     waker.take()
@@ -94,7 +94,7 @@ impl State {
     /// end of the submission is not the end of the wait.
     pub fn wait(&self, inner: &Inner, submission: &wgpu::SubmissionIndex) -> Result<(), Error> {
         inner.wait(Some(submission.clone()))?;
-        let mut waker = super::locked(&self.waker);
+        let mut waker = locked(&self.waker);
         while !self.is_ready() {
             let told = self.arrived.wait_timeout(waker, PATIENCE);
             waker = told.unwrap_or_else(PoisonError::into_inner).0;
@@ -206,7 +206,7 @@ impl<T> Future for Pending<T> {
 
     fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
         let this = self.get_mut();
-        *super::locked(&this.arrival.state.waker) = Some(context.waker().clone());
+        *locked(&this.arrival.state.waker) = Some(context.waker().clone());
         match this.is_ready() {
             Ok(true) => return Poll::Ready((this.make)(&this.arrival)),
             Ok(false) => {}
@@ -219,7 +219,7 @@ impl<T> Future for Pending<T> {
             let submission = this.arrival.submission.clone();
             std::thread::spawn(move || {
                 let _ = gpu.inner.wait(Some(submission));
-                if let Some(waker) = super::locked(&state.waker).take() {
+                if let Some(waker) = locked(&state.waker).take() {
                     waker.wake();
                 }
             });

@@ -1,8 +1,10 @@
 //! The GPU behind the calls of [`Machine`](crate::kernels::machine::Machine).
+use super::context::Device;
 use super::generated::held::HeldColumn;
 use super::lists::Lists;
+use super::matrix::Matrix;
+use super::reduce::Bests;
 use super::seed::Seed;
-use super::{Bests, Device, Matrix};
 use crate::error::{Argument, Error};
 use crate::kernels::call::folding::Folding;
 use crate::kernels::call::recording::Call;

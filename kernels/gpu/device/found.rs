@@ -1,9 +1,10 @@
 //! Compacted lists on the GPU: the pairs whose score is above a threshold.
+use super::context::Device;
+use super::download::Pending;
 use super::download::downloads;
 use super::reducer::Reducer;
 use super::work::{Params, Work};
 use super::written::{Kernel, Take};
-use super::{Device, Pending};
 use crate::Error;
 use crate::kernels::machine::Downloads;
 use crate::kernels::machine::found::Found;

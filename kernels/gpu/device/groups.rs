@@ -1,6 +1,6 @@
 //! Pairs within groups on the GPU: every own row (or column) walks through a range of the others, in one dispatch for as
 //! many groups as possible.
-use super::Inner;
+use super::context::Inner;
 use super::reducer::{Part, Sweep};
 use super::written::STRIP;
 use std::ops::Range;

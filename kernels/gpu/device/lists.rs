@@ -1,9 +1,10 @@
 //! Two lists on the GPU and the kernels of their pairs.
+use super::context::Device;
 use super::generated::operation::Generated;
 use super::generated::uploaded::Sides;
+use super::matrix::Matrix;
 use super::reducer::{LISTS, Part, Reducer};
 use super::seed::Seed;
-use super::{Device, Matrix};
 use crate::Error;
 use crate::error::Argument;
 use crate::kernels::call::recording::Call;

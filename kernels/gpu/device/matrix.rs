@@ -1,9 +1,10 @@
 //! Matrices that stay on the GPU.
 use super::block::{Block, block_of, place_block};
-use super::reducer::Reducer;
+use super::context::Device;
+use super::download::Pending;
+use super::reducer::{MATRIX, Reducer, Sweep};
 use super::work::{MOST_GROUPS, Params, Work, groups};
-use super::written::{GROUP, Kernel};
-use super::{Device, Pending};
+use super::written::{GROUP, Kernel, STRIP};
 use crate::error::{Argument, Error};
 use crate::kernels::machine::{self, Matrices};
 use crate::kernels::machine::{Reduced, Reduction};
@@ -116,7 +117,7 @@ impl Matrices<f32> for Matrix {
     }
     fn reduce(&self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
         let own_rows = reduction != Reduction::Best { of_rows: false };
-        Reducer::of_matrix(self, own_rows).reduced(reduction)
+        self.reducer(own_rows).reduced(reduction)
     }
     fn duplicate(&self) -> Result<machine::Matrix, Error> {
         Ok(self.copied()?.boxed())
@@ -150,5 +151,38 @@ impl Device {
         self.owns(&matrix.gpu)?;
         expect(argument, rows, matrix.rows)?;
         expect(argument, columns, matrix.columns)
+    }
+}
+
+impl Matrix {
+    /// The dispatches of a reduction.
+    pub(super) fn reducer(&self, own_rows: bool) -> Reducer<'_> {
+        let sweep = |(block, buffer): &(Block, wgpu::Buffer)| {
+            let rows = (block.row_piece, block.row_start, block.row_base, block.rows);
+            let columns = (block.column_piece, 0, block.column_base, block.columns);
+            let (own, walked) = match own_rows {
+                true => (rows, columns),
+                false => (columns, rows),
+            };
+            Sweep {
+                own_start: 0,
+                out_piece: own.0,
+                out_start: own.1,
+                own_base: own.2,
+                own: own.3,
+                walked_start: 0,
+                walked_base: walked.2,
+                walked: walked.3,
+                strips: walked.3.div_ceil(STRIP),
+                more: walked.2 > 0,
+                bound: vec![(MATRIX, buffer.clone())],
+            }
+        };
+        let counts = match own_rows {
+            true => [self.rows, self.columns],
+            false => [self.columns, self.rows],
+        };
+        let sweeps = self.blocks.iter().map(sweep).collect();
+        Reducer::of_scores(&self.gpu, counts, own_rows, sweeps)
     }
 }

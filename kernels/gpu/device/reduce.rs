@@ -1,13 +1,14 @@
 //! Reductions on the GPU, of all pairs of two lists or of a matrix that is there already.
 //!
 //! The whole matrix of two lists never exists, so memory stays bounded.
+use super::context::Device;
 use super::data::Piece;
+use super::download::Pending;
 use super::download::{downloads, parts};
 use super::reducer::Reducer;
 use super::seed::sum_of;
 use super::work::{Work, groups};
 use super::written::{Kernel, Take};
-use super::{Device, Pending};
 use crate::Error;
 use crate::kernels::machine::found::Best;
 use crate::kernels::machine::{self, Downloads};

@@ -1,19 +1,18 @@
 //! The dispatches of a reduction on the GPU: over two lists, over blocks of results that are computed one after the other
 //! into the same buffer, or over a matrix that is there already.
-use super::block::Block;
-use super::generated::Form;
+use super::context::Device;
 use super::generated::operation::Generated;
+use super::generated::text::Form;
 use super::generated::uploaded::Sides;
 use super::work::Params;
 use super::written::{GROUP, Kernel, STRIP, Take};
-use super::{Device, Matrix};
 use crate::Error;
 use std::ops::Range;
 use std::sync::Arc;
 
 /// The bindings of both lists, and of a block of a matrix, as the shaders declare them.
 pub(super) const LISTS: [u32; 2] = [1, 2];
-const MATRIX: u32 = 3;
+pub(super) const MATRIX: u32 = 3;
 
 /// One dispatch of a reduction: a run of own rows (or columns) by a run of walked ones.
 #[derive(Clone, Debug)]
@@ -118,35 +117,14 @@ enum Kernels<'a> {
 }
 
 impl<'a> Reducer<'a> {
-    /// The reduction of a matrix that is there already.
-    pub fn of_matrix(matrix: &'a Matrix, own_rows: bool) -> Self {
-        let sweep = |(block, buffer): &(Block, wgpu::Buffer)| {
-            let rows = (block.row_piece, block.row_start, block.row_base, block.rows);
-            let columns = (block.column_piece, 0, block.column_base, block.columns);
-            let (own, walked) = match own_rows {
-                true => (rows, columns),
-                false => (columns, rows),
-            };
-            Sweep {
-                own_start: 0,
-                out_piece: own.0,
-                out_start: own.1,
-                own_base: own.2,
-                own: own.3,
-                walked_start: 0,
-                walked_base: walked.2,
-                walked: walked.3,
-                strips: walked.3.div_ceil(STRIP),
-                more: walked.2 > 0,
-                bound: vec![(MATRIX, buffer.clone())],
-            }
-        };
-        let counts = match own_rows {
-            true => [matrix.rows, matrix.columns],
-            false => [matrix.columns, matrix.rows],
-        };
-        let sweeps = matrix.blocks.iter().map(sweep).collect();
-        Reducer::new(&matrix.gpu, Kernels::Matrix, counts, own_rows, sweeps)
+    /// The reduction of scores that are there already, of so many own shapes with so many others.
+    pub fn of_scores(
+        gpu: &'a Device,
+        counts: [usize; 2],
+        own_rows: bool,
+        sweeps: Vec<Sweep>,
+    ) -> Self {
+        Reducer::new(gpu, Kernels::Matrix, counts, own_rows, sweeps)
     }
 
     fn new(

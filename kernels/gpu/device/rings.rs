@@ -1,8 +1,9 @@
 //! Batches of rings on the GPU.
+use super::context::{Device, Inner};
+use super::download::Pending;
 use super::download::downloads;
 use super::work::{Params, Work, groups};
 use super::written::{Kernel, LONG, ROW, SPAN};
-use super::{Device, Inner, Pending};
 use crate::Error;
 use crate::error::Argument;
 use crate::kernels::cpu::check_ragged;

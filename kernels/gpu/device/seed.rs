@@ -1,5 +1,5 @@
 //! The factors of derivatives of all pairs, and sums as they come back.
-use super::Matrix;
+use super::matrix::Matrix;
 
 /// The factors of derivatives.
 pub(crate) enum Seed<'a> {

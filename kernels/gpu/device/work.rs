@@ -1,7 +1,7 @@
 //! Running kernels: pipelines, dispatches, error scopes.
+use super::context::{Inner, locked};
 use super::download::State;
 use super::written::{GROUP, Kernel};
-use super::{Inner, locked};
 use crate::{Error, GpuFault};
 use std::sync::atomic::Ordering;
 use std::time::Duration;

@@ -2,7 +2,6 @@
 //!
 //! A shader is its constants and its files, one after the other. Constants are written down in Rust
 //! alone.
-use super::Inner;
 use crate::Scalar;
 use crate::clip::{FAR, LARGEST_INVERSE};
 use crate::overlap::Denominator;
@@ -180,13 +179,6 @@ impl Kernel {
         text.extend([PARAMS, BINDINGS]);
         text.extend(files.iter().copied());
         text
-    }
-}
-
-impl Inner {
-    /// The pipeline of a shader that has no body of two shapes.
-    pub(super) fn written(&self, kernel: Kernel, entry: &'static str) -> wgpu::ComputePipeline {
-        self.pipeline(kernel, entry, || kernel.text())
     }
 }
 

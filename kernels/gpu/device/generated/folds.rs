@@ -8,7 +8,7 @@ use crate::kernels::cpu::checked::check_upstream;
 use crate::kernels::cpu::folds::check;
 use crate::kernels::cpu::folds::paths::paths;
 use crate::kernels::cpu::program::split::Piece;
-use crate::kernels::gpu::device::Device;
+use crate::kernels::gpu::device::context::Device;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::machine::{Input, PathSpans, VertexBars};
 use crate::kernels::row::derivation::Mode;

@@ -10,13 +10,14 @@ pub(crate) mod operation;
 mod pairs;
 pub(super) mod replays;
 mod shader;
+mod side;
 mod suppress;
 pub(super) mod template;
-mod text;
+pub(super) mod text;
 pub(super) mod uploaded;
 
+use super::context::{Inner, locked};
 use super::written::{Seed, Take, ring_source};
-use super::{Inner, locked};
 use crate::kernels::Fold;
 use crate::kernels::call::folding;
 use crate::kernels::call::modes::recording_of;
@@ -26,14 +27,9 @@ use crate::kernels::row::item::Item;
 use crate::kernels::row::op::Op;
 use crate::{Error, Pack};
 use operation::{Generated, Name};
-use std::collections::HashMap;
-use std::sync::{Arc, Weak};
-pub(super) use text::Form;
-use text::Of;
+use std::sync::Arc;
+use text::{Form, Of};
 use uploaded::MOST_OPERATIONS;
-
-/// Pipelines of generated kernels, by the number of the program and the form of the kernel.
-pub(super) type Pipelines = HashMap<(u64, Form), (Weak<u64>, wgpu::ComputePipeline)>;
 
 impl Inner {
     /// The pipeline of a generated kernel, compiled at the first call. Pipelines of programs that are gone are

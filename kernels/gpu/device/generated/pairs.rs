@@ -2,8 +2,8 @@
 use super::uploaded::Sides;
 use crate::Error;
 use crate::kernels::call::recording::Call;
-use crate::kernels::gpu::device::Device;
 use crate::kernels::gpu::device::block::place_block;
+use crate::kernels::gpu::device::context::Device;
 use crate::kernels::machine::Column;
 
 impl Device {

@@ -9,7 +9,7 @@ use crate::Error;
 use crate::ad::program::WGSL;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::work::spread;
-use crate::kernels::gpu::device::Device;
+use crate::kernels::gpu::device::context::Device;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::machine::Column;
 use crate::kernels::row::derivation::Replays;

@@ -16,7 +16,7 @@ use crate::kernels::cpu::lane::{Planes, TILE};
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{List, plan};
 use crate::kernels::cpu::sweep::{Chooses, Sweep};
-use crate::kernels::gpu::device::Device;
+use crate::kernels::gpu::device::context::Device;
 use crate::kernels::gpu::device::work::Work;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::suppress::Greed;

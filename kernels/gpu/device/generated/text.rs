@@ -1,7 +1,9 @@
 //! Kernels around a generated function: what every thread reads, calls and writes.
 use super::operation::{Body, Generated};
 use crate::kernels::cpu::lane::TILE;
+use std::collections::HashMap;
 use std::fmt::Write;
+use std::sync::Weak;
 
 /// Threads per workgroup: few, as large programs need many registers.
 pub(in crate::kernels::gpu::device) const GROUP: usize = 64;
@@ -164,3 +166,7 @@ pub(super) fn results(gives: &[usize], parameter: usize) -> String {
     }
     text
 }
+
+/// Pipelines of generated kernels, by the number of the program and the form of the kernel.
+pub(in crate::kernels::gpu::device) type Pipelines =
+    HashMap<(u64, Form), (Weak<u64>, wgpu::ComputePipeline)>;

@@ -1,120 +1,20 @@
 //! Lists of all pairs on a GPU, and the blocks of results that they give: a thread per column and some rows.
 use super::held::held;
 use super::operation::Generated;
+use super::side::Side;
 use super::template::Size;
-use super::text::{Form, MOST_GROUPS, ROWS};
+use super::text::{Form, ROWS};
 use crate::Error;
 use crate::kernels::cpu::checked::check_argument;
-use crate::kernels::cpu::lane::TILE;
-use crate::kernels::cpu::work::spread;
 use crate::kernels::gpu::device::block::Block;
+use crate::kernels::gpu::device::context::{Device, Inner};
 use crate::kernels::gpu::device::work::{Params, Work};
-use crate::kernels::gpu::device::{Device, Inner};
 use crate::kernels::machine::Column;
-use crate::kernels::row::item::STRETCH;
 use std::ops::Range;
 use std::sync::Arc;
 
 /// Operations that a dispatch does at most: drivers reset a GPU that is busy with one for seconds.
 pub(super) const MOST_OPERATIONS: usize = 1 << 42;
-
-/// A list that went up: prepared shapes, in buffers that fit a binding each.
-#[derive(Clone, Debug)]
-pub(super) struct Side {
-    /// Shapes per buffer.
-    window: usize,
-    buffers: Vec<wgpu::Buffer>,
-    count: usize,
-    /// `true` if they need a body for extreme shapes.
-    is_extreme: bool,
-}
-
-impl Side {
-    /// Brings a list up that was checked.
-    pub fn new(
-        inner: &Inner,
-        made: &Generated<f32>,
-        k: usize,
-        column: &Column<'_, f32>,
-    ) -> Result<Self, Error> {
-        let count = column.len();
-        // Sums of derivatives, which have the numbers of a shape, must fit a binding, too.
-        let width = made.widths[k]
-            .next_multiple_of(4)
-            .max(made.arguments[k].fields)
-            .max(1);
-        let window = inner.most_bytes as usize / 4 / width;
-        // So that no dispatch has more workgroups than it may have.
-        let window = window.min(MOST_GROUPS * ROWS) / TILE * TILE;
-        if window == 0 {
-            return Err(inner.too_large(TILE * width));
-        }
-        let (mut buffers, mut is_extreme) = (Vec::new(), false);
-        for start in (0..count).step_by(window) {
-            let (numbers, is_so) = frames(made, k, column, start..count.min(start + window));
-            buffers.push(inner.guarded(|| Ok(inner.stored(&numbers)))?);
-            is_extreme |= is_so;
-        }
-        Ok(Side {
-            window,
-            buffers,
-            count,
-            is_extreme,
-        })
-    }
-    /// Puts as many other shapes in their place, without a new buffer.
-    pub fn rewrite(
-        &mut self,
-        inner: &Inner,
-        made: &Generated<f32>,
-        k: usize,
-        column: &Column<'_, f32>,
-    ) -> Result<(), Error> {
-        self.is_extreme = false;
-        for (start, buffer) in (0..self.count).step_by(self.window).zip(&self.buffers) {
-            let items = start..self.count.min(start + self.window);
-            let (numbers, is_extreme) = frames(made, k, column, items);
-            self.is_extreme |= is_extreme;
-            inner.guarded(|| {
-                inner.write(buffer, &numbers);
-                Ok(())
-            })?;
-        }
-        Ok(())
-    }
-    /// The parts of a range of shapes, each in one buffer: the buffer, where in it, which shapes.
-    fn parts(
-        &self,
-        range: Range<usize>,
-    ) -> impl Iterator<Item = (&wgpu::Buffer, usize, Range<usize>)> {
-        let buffers = self.buffers.iter().enumerate();
-        buffers.filter_map(move |(i, buffer)| {
-            let first = i * self.window;
-            let own = range.start.max(first)..range.end.min(first + self.window);
-            (!own.is_empty()).then(|| (buffer, own.start - first, own))
-        })
-    }
-}
-
-/// The prepared numbers of some shapes, and whether any of them is extreme.
-fn frames(
-    made: &Generated<f32>,
-    k: usize,
-    column: &Column<'_, f32>,
-    items: Range<usize>,
-) -> (Vec<f32>, bool) {
-    let starts = items.clone().step_by(STRETCH);
-    let mut parts = vec![(Vec::new(), false); starts.len()];
-    let work = starts.zip(&mut parts).collect();
-    spread(work, |(start, part): (usize, &mut (Vec<f32>, bool))| {
-        let mut room = Vec::new();
-        let numbers = column.numbers(start..items.end.min(start + STRETCH), &mut room);
-        *part = (made.prepare_rows(k, numbers), made.is_extreme(k, numbers));
-    });
-    let is_extreme = parts.iter().any(|part| part.1);
-    let numbers: Vec<_> = parts.into_iter().map(|part| part.0).collect();
-    (numbers.concat(), is_extreme)
-}
 
 /// Both lists, checked and brought up.
 pub(in crate::kernels::gpu::device) struct Sides {

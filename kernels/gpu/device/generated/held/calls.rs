@@ -4,7 +4,7 @@ use crate::Error;
 use crate::kernels::cpu::aligned::items;
 use crate::kernels::cpu::checked::{check, check_upstream};
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::gpu::device::Device;
+use crate::kernels::gpu::device::context::Device;
 use crate::kernels::gpu::device::generated::aligned::tiles;
 use crate::kernels::gpu::device::generated::operation::Generated;
 use crate::kernels::gpu::device::generated::text::{Form, GROUP, MOST_GROUPS};
