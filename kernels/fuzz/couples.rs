@@ -3,7 +3,7 @@ use super::arguments::Inputs;
 use super::inputs::is_inside;
 use super::job::Job;
 use super::properties::{Found, Outcome, first_where, unless};
-use super::{Finding, Property};
+use super::property::{Finding, Property};
 use crate::Real;
 use crate::ad::declared::Kind;
 use crate::kernels::row::op::Extremes;

@@ -2,7 +2,7 @@
 use super::arguments::Inputs;
 use super::families::{Family, is_angle_within, limited, limits_of, power};
 use super::job::Job;
-use super::{Finding, Property};
+use super::property::{Finding, Property};
 use crate::Real;
 use crate::ad::declared::Kind;
 use crate::ad::sample::Draw;

@@ -27,6 +27,7 @@ pub mod identities;
 mod inputs;
 mod job;
 mod properties;
+mod property;
 mod rules;
 mod smaller;
 pub mod tested;
@@ -34,6 +35,7 @@ pub mod tested;
 #[doc(hidden)]
 pub use job::Job;
 pub(crate) use job::{Straight, all_numbers, sampled, shown};
+pub use property::Property;
 
 use crate::Real;
 use crate::ad::sample::{Draw, Sample};
@@ -44,6 +46,7 @@ use crate::kernels::row::op::Op;
 use crate::scalar::real::in_format;
 use arguments::Inputs;
 use properties::Thorough;
+use property::Finding;
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -51,54 +54,6 @@ use std::time::{Duration, Instant};
 
 /// Inputs of one batch: few enough for one thread.
 const CHUNK: usize = 2048;
-
-/// How an operation broke a declared property.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Property {
-    /// No input inside of its domain was found.
-    Domain,
-    /// A valid input was refused.
-    Accepted,
-    /// A value or a derivative is infinite or not a number.
-    Finite,
-    /// The value is within the range of its row.
-    Range,
-    /// Identical shapes score 1 (or 0 where they count as empty) with derivatives of zero.
-    Identical,
-    /// Shapes apart score 0 with derivatives of zero.
-    Apart,
-    /// Exchanging the shapes changes nothing.
-    Symmetric,
-    /// All forms give the same bits.
-    SameBits,
-    /// Duals have the value of plain numbers.
-    Duals,
-    /// Rows of several verbs say the same; which sentence of [`identities`](crate::kernels::identities).
-    Identity(&'static str),
-    /// A NaN in a number of an input is NaN in every number of the result, which is as it was without one.
-    Nan,
-}
-
-impl fmt::Display for Property {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Property::Domain => "no input inside the domain was drawn",
-            Property::Accepted => "a valid input is refused",
-            Property::Finite => "a number is not finite",
-            Property::Range => "the value is out of range",
-            Property::Identical => "identical shapes do not score as such",
-            Property::Apart => "shapes apart do not score zero with derivatives of zero",
-            Property::Symmetric => "exchanging the shapes changes the value",
-            Property::SameBits => "two forms give different bits",
-            Property::Duals => "duals have another value",
-            Property::Identity(sentence) => {
-                return write!(f, "not so: {sentence}");
-            }
-            Property::Nan => "a NaN is lost, or a number became one",
-        })
-    }
-}
 
 /// The input at which a property is broken, made as simple as it can be.
 #[derive(Clone, Debug, PartialEq)]
@@ -208,12 +163,6 @@ pub(crate) fn format<T: Real>() -> &'static str {
         true => "f64",
         false => "f32",
     }
-}
-
-/// A broken property, and the place among many inputs.
-struct Finding {
-    property: Property,
-    at: usize,
 }
 
 /// Runs chunks of inputs on all cores until there are so many or one breaks a property. Every thread has lists of its

@@ -2,7 +2,7 @@
 use super::arguments::Inputs;
 use super::families::{Family, limits_of, power};
 use super::job::{Job, Lists};
-use super::{Finding, Property};
+use super::property::{Finding, Property};
 use crate::ad::declared::Kind;
 use crate::ad::forward::First;
 use crate::ad::sample::Draw;

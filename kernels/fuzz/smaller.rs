@@ -1,10 +1,11 @@
 //! A simpler input that breaks the same property.
+use super::Broken;
 use super::arguments::Inputs;
 use super::families::limits_of;
 use super::inputs::is_valid;
 use super::job::{Job, Lists};
 use super::properties::Thorough;
-use super::{Broken, Property};
+use super::property::Property;
 use crate::Real;
 
 /// Copies of an input, so that forms of more than a few are asked, too.

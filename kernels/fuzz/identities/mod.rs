@@ -19,7 +19,7 @@ use crate::kernels::dynamic::{Function, Rows};
 use crate::kernels::fuzz::tested::{Tested, rows};
 use crate::kernels::fuzz::{self, Broken, Fuzzed, Property};
 use operands::Parts;
-use sentences::{Part, SENTENCES, Sentence};
+use sentences::{Case, Part, SENTENCES, Sentence};
 use std::collections::HashMap;
 use std::time::Instant;
 
@@ -36,34 +36,6 @@ pub struct Identity {
     parts: Parts,
     /// The rows that are asked, and whether a row takes its arguments in the other order.
     asked: Vec<(&'static Tested, bool)>,
-}
-
-/// An input, and the result of the identity's own row.
-pub(crate) struct Case<'a> {
-    identity: &'a Identity,
-    input: &'a [f64],
-    value: Vec<f64>,
-    /// The largest error that rounding explains of a length in this input.
-    slack: f64,
-}
-
-impl Case<'_> {
-    /// The numbers of an argument.
-    fn argument(&self, k: usize) -> Vec<f64> {
-        self.input[self.identity.parts.range(k)].to_vec()
-    }
-    /// Some numbers of the result.
-    fn value(&self, range: std::ops::Range<usize>) -> Vec<f64> {
-        self.value[range].to_vec()
-    }
-    /// The numbers of a point.
-    fn dimension(&self) -> usize {
-        self.identity.parts.dimension
-    }
-    /// True for numbers that differ by rounding.
-    fn near(&self, x: f64, y: f64) -> bool {
-        (x - y).abs() <= self.slack
-    }
 }
 
 /// All identities of all rows.
@@ -200,7 +172,7 @@ impl Identity {
         let mut cases: Vec<Case<'_>> = Vec::new();
         for (input, value) in inputs.iter().zip(values) {
             cases.push(Case {
-                identity: self,
+                parts: &self.parts,
                 input,
                 value,
                 slack: 0.0,

@@ -1,5 +1,33 @@
 //! The identities.
-use super::Case;
+use super::operands::Parts;
+
+/// An input, and the result of the identity's own row.
+pub(crate) struct Case<'a> {
+    pub(super) parts: &'a Parts,
+    pub(super) input: &'a [f64],
+    pub(super) value: Vec<f64>,
+    /// The largest error that rounding explains of a length in this input.
+    pub(super) slack: f64,
+}
+
+impl Case<'_> {
+    /// The numbers of an argument.
+    pub(super) fn argument(&self, k: usize) -> Vec<f64> {
+        self.input[self.parts.range(k)].to_vec()
+    }
+    /// Some numbers of the result.
+    pub(super) fn value(&self, range: std::ops::Range<usize>) -> Vec<f64> {
+        self.value[range].to_vec()
+    }
+    /// The numbers of a point.
+    pub(super) fn dimension(&self) -> usize {
+        self.parts.dimension
+    }
+    /// True for numbers that differ by rounding.
+    pub(super) fn near(&self, x: f64, y: f64) -> bool {
+        (x - y).abs() <= self.slack
+    }
+}
 
 /// A shape that a row takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -191,7 +219,7 @@ pub(super) const SENTENCES: &[Sentence] = &[
             verb: "",
             of: [POINT, B],
             arguments: |case| {
-                let points: Vec<_> = case.identity.parts.points(1).collect();
+                let points: Vec<_> = case.parts.points(1).collect();
                 // One of them for every input, which the input selects.
                 let bits = case
                     .input
@@ -249,12 +277,12 @@ const fn shrunk(name: &'static str, asks: &'static [Question]) -> Sentence {
 
 /// The numbers of an argument that has shrunk to a point.
 fn shrunk_shape(case: &Case<'_>, k: usize) -> Option<Vec<f64>> {
-    Some(case.identity.parts.shrunk(case.input, k)?.0)
+    Some(case.parts.shrunk(case.input, k)?.0)
 }
 
 /// The point that an argument shrinks to.
 fn shrunk_point(case: &Case<'_>, k: usize) -> Option<Vec<f64>> {
-    Some(case.identity.parts.shrunk(case.input, k)?.1)
+    Some(case.parts.shrunk(case.input, k)?.1)
 }
 
 /// A verb of the point that a ray hits, and of the shape.

@@ -270,7 +270,7 @@ impl HeldColumn {
     }
 
     /// The column as a list of all pairs wants it.
-    pub(in crate::kernels::gpu::device::generated) fn for_pairs(
+    pub(in crate::kernels::gpu::device) fn for_pairs(
         &self,
         made: &Generated<f32>,
         k: usize,
