@@ -11,7 +11,7 @@ use std::ops::Range;
 
 /// A list that went up: prepared shapes, in buffers that fit a binding each.
 #[derive(Clone, Debug)]
-pub(super) struct Side {
+pub(in crate::kernels::gpu::device) struct Side {
     /// Shapes per buffer.
     pub(super) window: usize,
     pub(super) buffers: Vec<wgpu::Buffer>,
