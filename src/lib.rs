@@ -72,7 +72,7 @@
 //!    2⁻²⁰ to 2²⁰ in `f32` and from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`, and every angle is zero or at least 2⁻¹⁰⁰ in `f32` and 2⁻⁹⁰⁰
 //!    in `f64`, for cotangents of one; duals guarantee it for all operations. Derivatives of `crossing_of_lines`,
 //!    `crossing_of_two_planes` and `crossing_of_three_planes` grow with the square of the reciprocal of the sine between
-//!    the lines or planes: their numbers are from 2⁻⁸ to 2⁸ in `f32`. A row says so as data (`Op::FINITE`).
+//!    the lines or planes: their numbers are from 2⁻⁸ to 2⁸ in `f32`. A row says so as data (`Declared::finite`).
 //! 3. **Ratios stay in \[0, 1\].** Identical boxes give exactly 1 with derivative 0; boxes that are apart exactly 0
 //!    with derivative 0. Boxes without area (in space: volume) cover nothing: they score 0 with derivative 0, identical
 //!    ones, too.

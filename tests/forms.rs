@@ -106,7 +106,7 @@ where
     A: Single<Scalar = f32> + PartialEq + Debug,
     B: Single<Scalar = f32> + PartialEq + Debug,
 {
-    let name = O::NAME;
+    let name = O::DECLARED.name;
     let (of_a, of_b) = (
         a.iter().flat_map(Pack::scalars),
         b.iter().flat_map(Pack::scalars),

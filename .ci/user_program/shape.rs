@@ -66,11 +66,12 @@ geograd::operation! {
 #[derive(Clone, Copy, Debug, Default)]
 struct Climb;
 
+impl Declares for Climb {
+    const DECLARED: Declared = Declared::new("climb", &[], Jumps::Never);
+}
+
 impl Fold for Climb {
-    const NAME: &'static str = "climb";
     const CLOSED: bool = false;
-    const INVARIANCES: &'static [Invariance] = &[];
-    const JUMPS: Jumps = Jumps::Never;
     type Element<S: Scalar> = Vec3<S>;
     type Context<S: Scalar> = [S; 0];
     type Reference<S: Scalar> = [S; 0];

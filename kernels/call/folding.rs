@@ -82,7 +82,7 @@ impl<T: Real> Folding<T> {
         Folding {
             sizes: Sizes::of::<F>(),
             measure: F::MEASURE,
-            arguments: F::ARGUMENTS,
+            arguments: F::DECLARED.arguments,
             leaves: leaves_of::<R>,
             field: F::Element::<T>::name,
             programs: programs::<F, T>,

@@ -121,7 +121,7 @@ where
                 compiled: O::compiled,
                 takes: leaves_of::<R>,
                 outputs: widths::<O::Out<R::Scalar>>,
-                arguments: O::ARGUMENTS,
+                arguments: O::DECLARED.arguments,
                 line: const { &line_of::<O, R::Scalar>() },
             }
         },

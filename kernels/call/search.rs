@@ -124,7 +124,7 @@ where
             steps: Vec::new(),
         });
         let (takes, outputs) = (leaves_of::<R>(), widths::<D::Out<R::Scalar>>());
-        Ok(Recording::new(takes, outputs, D::ARGUMENTS, body))
+        Ok(Recording::new(takes, outputs, D::DECLARED.arguments, body))
     });
     made.unwrap_or_else(|_: Error| unreachable!("a search is not recorded"))
 }
@@ -138,7 +138,7 @@ pub struct Searched<D>(std::marker::PhantomData<fn() -> D>);
 /// Aligned batches run it on the CPU and on a GPU; all pairs and their reductions run on the CPU.
 ///
 /// ```
-/// use geograd::kernels::op::{Invariance, Jumps};
+/// use geograd::kernels::op::{Declared, Declares, Jumps};
 /// use geograd::kernels::search::{Search, search};
 /// use geograd::kernels::Cpu;
 /// use geograd::{Scalar, Segment2, Vec2};
@@ -147,13 +147,14 @@ pub struct Searched<D>(std::marker::PhantomData<fn() -> D>);
 /// #[derive(Clone, Copy, Debug, Default)]
 /// struct NearerEnd;
 ///
+/// impl Declares for NearerEnd {
+///     const DECLARED: Declared = Declared::new("nearer_end", &[], Jumps::Anywhere);
+/// }
+///
 /// impl Search for NearerEnd {
-///     const NAME: &'static str = "nearer_end";
 ///     type In<S: Scalar> = (Vec2<S>, Segment2<S>);
 ///     type Out<S: Scalar> = Vec2<S>;
 ///     type Record = bool;
-///     const INVARIANCES: &'static [Invariance] = &[];
-///     const JUMPS: Jumps = Jumps::Anywhere;
 ///     fn decide<S: Scalar<Mask = bool>>((point, segment): Self::In<S>) -> bool {
 ///         let [to_from, to_to] = [segment.from, segment.to].map(|end| (end - point).length_squared());
 ///         to_from.at_most(to_to)

@@ -51,7 +51,7 @@ use crate::kernels::dynamic::Function;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::fold::{Fold, edge_by_edge};
 use crate::kernels::row::item::{Item, Single};
-use crate::kernels::row::op::{Derivative, Invariance, Jumps, Op, inside_of, roundings_of};
+use crate::kernels::row::op::{Declared, Derivative, Op};
 use crate::scalar::real::in_format;
 use crate::{Error, Fixed, Pack, Real};
 use std::any::Any;
@@ -97,7 +97,7 @@ impl<S: Real> Copy for ScalarCode<S> {}
 
 impl<S: Real> ScalarCode<S> {
     pub(crate) const fn of<O: Op>() -> Self {
-        let is_by_hand = matches!(O::DERIVATIVE, Derivative::ByHand);
+        let is_by_hand = matches!(O::DECLARED.derivative, Derivative::ByHand);
         ScalarCode {
             alone: alone::<O, S>,
             by_hand: match is_by_hand {
@@ -146,8 +146,8 @@ impl<S: Real> Examined<S> {
             outputs: self.recording.outputs.iter().sum(),
             output_kinds: (stated.output_kinds)(),
             nests: true,
-            invariances: stated.invariances,
-            jumps: stated.jumps,
+            invariances: stated.declared.invariances,
+            jumps: stated.declared.jumps,
         })
     }
 }
@@ -172,17 +172,10 @@ fn on_num_dual<O: Op, S: Real>(x: &[S::NumDual]) -> Vec<S::NumDual> {
     O::eval(O::In::<S::NumDual>::load(x)).scalars()
 }
 
-/// The statements of a straight line that the harness holds it to.
+/// The declared properties of a straight line, and the kinds of the numbers of its result.
 #[derive(Clone, Copy)]
 pub(crate) struct Stated {
-    pub(crate) name: &'static str,
-    pub(crate) invariances: &'static [Invariance],
-    pub(crate) jumps: Jumps,
-    /// Its domain, if it states one.
-    pub(crate) inside: Option<fn(&[f64]) -> bool>,
-    pub(crate) resolution: [f64; 2],
-    /// How many roundings values may be off, if it states so.
-    pub(crate) roundings: Option<fn(&[f64]) -> f64>,
+    pub(crate) declared: &'static Declared,
     pub(crate) output_kinds: fn() -> Vec<Kind>,
 }
 
@@ -192,12 +185,7 @@ impl Stated {
         O::Out<f64>: Sample,
     {
         Stated {
-            name: O::NAME,
-            invariances: O::INVARIANCES,
-            jumps: O::JUMPS,
-            inside: inside_of::<O>(),
-            resolution: O::RESOLUTION,
-            roundings: roundings_of::<O>(),
+            declared: const { &O::DECLARED },
             output_kinds: || O::Out::<f64>::filled(1.0).kinds(),
         }
     }
@@ -407,17 +395,18 @@ pub(crate) fn examined<S: Real>(
     wide: &Examined<f64>,
     (sampling, backend, pairs): (&Sampling<'_>, Option<Backend<'_>>, bool),
 ) -> Result<Report, Error> {
-    let domain = stated
-        .inside
+    let declared = stated.declared;
+    let domain = declared
+        .domain
         .as_ref()
         .map(|inside| inside as &dyn Fn(&[f64]) -> bool);
-    let roundings = stated
+    let roundings = declared
         .roundings
         .as_ref()
         .map(|roundings| roundings as &dyn Fn(&[f64]) -> f64);
     let sampling = &Sampling {
         inside: sampling.inside.or(domain),
-        resolution: sampling.resolution.or(Some(stated.resolution)),
+        resolution: sampling.resolution.or(Some(declared.resolution)),
         roundings: sampling.roundings.or(roundings),
         ..*sampling
     };
@@ -441,7 +430,7 @@ pub(crate) fn examined<S: Real>(
         asks.extend([&any as ByMachine<'_>, &gradient]);
         asks.extend(pairs.then_some(&all_pairs as ByMachine<'_>));
     }
-    let report = recorded::<S>(stated.name, kinship, sampling, asks, recordings);
+    let report = recorded::<S>(declared.name, kinship, sampling, asks, recordings);
     report.map(|report| Report { names, ..report })
 }
 
@@ -545,15 +534,21 @@ where
 {
     let kinship = const { Kinship::of::<(F::Context<f64>, Vec<F::Element<f64>>)>() };
     let inputs = Cases::of(kinship, sampling, Precision::of::<S>());
-    judged(F::NAME, sampling, inputs, asks, &|x, batch, judge| {
-        // A measure by hand is the fold of its edges, too.
-        let by_edges: [Path<S>; 1] = [value_by_edges::<F, S>];
-        let paths = match F::MEASURE {
-            Some(_) => &by_edges[..],
-            None => &[],
-        };
-        judge(&OpSubject::<S>::of::<Folded<F>>(typed(x), paths, None).with_batch(batch));
-    })
+    judged(
+        F::DECLARED.name,
+        sampling,
+        inputs,
+        asks,
+        &|x, batch, judge| {
+            // A measure by hand is the fold of its edges, too.
+            let by_edges: [Path<S>; 1] = [value_by_edges::<F, S>];
+            let paths = match F::MEASURE {
+                Some(_) => &by_edges[..],
+                None => &[],
+            };
+            judge(&OpSubject::<S>::of::<Folded<F>>(typed(x), paths, None).with_batch(batch));
+        },
+    )
 }
 
 /// Runs every check of an operation with a search.
@@ -564,11 +559,17 @@ where
 {
     let kinship = const { Kinship::of::<D::In<f64>>() };
     let inputs = Cases::of(kinship, sampling, Precision::of::<S>());
-    let report = judged(D::NAME, sampling, inputs, Vec::new(), &|x, _, judge| {
-        judge(&OpSubject::<S>::of::<Replayed<D>>(typed(x), &[], None));
-    });
+    let report = judged(
+        D::DECLARED.name,
+        sampling,
+        inputs,
+        Vec::new(),
+        &|x, _, judge| {
+            judge(&OpSubject::<S>::of::<Replayed<D>>(typed(x), &[], None));
+        },
+    );
     Report {
-        names: names_of(D::In::<f64>::name, D::In::<f64>::LEN, D::ARGUMENTS),
+        names: names_of(D::In::<f64>::name, D::In::<f64>::LEN, D::DECLARED.arguments),
         ..without_batch(report)
     }
 }

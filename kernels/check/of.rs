@@ -83,7 +83,7 @@ where
         self
     }
     /// The domain of the operation, beside what its shapes say: inputs outside are not judged, and no step leads
-    /// there. It stands in the place of the [domain](Op::DOMAIN) that the row states.
+    /// there. It stands in the place of the [domain](Declared::domain) that the row states.
     ///
     /// ```
     /// use geograd::check::*;
@@ -111,7 +111,7 @@ where
     }
     /// How far values may be off, beyond rounding, in the unit of the result: by a table, by an iteration that stops,
     /// by digits that cancel in single precision. Derivatives are held to what they were held to. It stands in the
-    /// place of what the row [states](Op::RESOLUTION).
+    /// place of what the row [states](Declared::resolution).
     ///
     /// ```
     /// use geograd::check::*;
@@ -132,13 +132,17 @@ where
     /// ```
     #[must_use]
     pub fn resolution(mut self, absolute: f64) -> Self {
-        self.sampling.resolution.get_or_insert(O::RESOLUTION)[0] = absolute;
+        self.sampling
+            .resolution
+            .get_or_insert(O::DECLARED.resolution)[0] = absolute;
         self
     }
     /// The same as a share of each number of the result.
     #[must_use]
     pub fn relative_resolution(mut self, share: f64) -> Self {
-        self.sampling.resolution.get_or_insert(O::RESOLUTION)[1] = share;
+        self.sampling
+            .resolution
+            .get_or_insert(O::DECLARED.resolution)[1] = share;
         self
     }
     /// A derivative by hand must share exact ties as duals do.

@@ -150,10 +150,10 @@ impl<'a, S: Real> OpSubject<'a, S> {
             stated: Stated {
                 outputs: O::Out::<S>::LEN,
                 output_kinds: || Sample::kinds(&O::Out::<f64>::filled(1.0)),
-                invariances: O::INVARIANCES,
+                invariances: O::DECLARED.invariances,
                 conventions: Conventions {
                     flat: true,
-                    jumps: O::JUMPS,
+                    jumps: O::DECLARED.jumps,
                     shared_ties: false,
                     searches: O::SEARCHES,
                 },

@@ -4,23 +4,19 @@ use crate::kernels::call::search::Search;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::fold::{Fold, by_hand, fold};
 use crate::kernels::row::op::program_of;
-use crate::kernels::row::op::{Derivative, Invariance, Jumps, Op};
+use crate::kernels::row::op::{Declared, Derivative, Op};
 use crate::{Fixed, Jet, Pack, Real, Scalar};
 use std::sync::Arc;
 
 /// A function, generic over the scalar, with its adjoint: an operation, a search or a fold as the harness takes it.
 #[doc(hidden)]
 pub trait WithAdjoint: 'static {
-    /// The name of the forward function, letter for letter.
-    const NAME: &'static str;
+    /// The declared properties of the forward function.
+    const DECLARED: Declared;
     /// The argument, made of any scalar.
     type In<S: Scalar>: Pack<Scalar = S>;
     /// The result, made of the same scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// Motions of the argument and their effect on the result.
-    const INVARIANCES: &'static [Invariance];
-    /// Places at which the value may jump.
-    const JUMPS: Jumps;
     /// `true` for a search, whose derivatives are those of its replay.
     const SEARCHES: bool = false;
     /// The generic source.
@@ -45,11 +41,9 @@ pub trait WithAdjoint: 'static {
 pub struct Straight<O>(std::marker::PhantomData<O>);
 
 impl<O: Op> WithAdjoint for Straight<O> {
-    const NAME: &'static str = O::NAME;
+    const DECLARED: Declared = O::DECLARED;
     type In<S: Scalar> = O::In<S>;
     type Out<S: Scalar> = O::Out<S>;
-    const INVARIANCES: &'static [Invariance] = O::INVARIANCES;
-    const JUMPS: Jumps = O::JUMPS;
     fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
         O::eval(input)
     }
@@ -70,7 +64,7 @@ impl<O: Op> WithAdjoint for Straight<O> {
         }
     }
     fn on_num_dual<S: Real>(&input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
-        match const { matches!(O::DERIVATIVE, Derivative::ByHand) } {
+        match const { matches!(O::DECLARED.derivative, Derivative::ByHand) } {
             true => Some(O::eval(input)),
             false => None,
         }
@@ -102,11 +96,9 @@ fn along<S: Scalar>(result: &[Jet<S, 1>], out_bar: &[S]) -> S {
 pub struct Replayed<D>(std::marker::PhantomData<D>);
 
 impl<D: Search> WithAdjoint for Replayed<D> {
-    const NAME: &'static str = D::NAME;
+    const DECLARED: Declared = D::DECLARED;
     type In<S: Scalar> = D::In<S>;
     type Out<S: Scalar> = D::Out<S>;
-    const INVARIANCES: &'static [Invariance] = D::INVARIANCES;
-    const JUMPS: Jumps = D::JUMPS;
     const SEARCHES: bool = true;
     fn eval<S: Scalar<Mask = bool>>(&input: &Self::In<S>) -> Self::Out<S> {
         D::replay(input, decided::<D, S>(input))
@@ -139,11 +131,9 @@ impl<D: Search> WithAdjoint for Replayed<D> {
 pub struct Folded<F>(std::marker::PhantomData<F>);
 
 impl<F: Fold> WithAdjoint for Folded<F> {
-    const NAME: &'static str = F::NAME;
+    const DECLARED: Declared = F::DECLARED;
     type In<S: Scalar> = (F::Context<S>, Vec<F::Element<S>>);
     type Out<S: Scalar> = F::Out<S>;
-    const INVARIANCES: &'static [Invariance] = F::INVARIANCES;
-    const JUMPS: Jumps = F::JUMPS;
     fn eval<S: Scalar<Mask = bool>>((context, path): &Self::In<S>) -> F::Out<S> {
         fold::<F, S>(*context, path)
     }

@@ -18,11 +18,10 @@ use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
 use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::{Item, Leaf, leaves_of};
-use crate::kernels::row::op::{
-    Derivative, Extremes, Finite, Invariance, Jumps, Op, Range, inside_of, roundings_of,
-};
+use crate::kernels::row::op::{Declared, Derivative, Op};
 use crate::scalar::real::in_format;
 use crate::{Fixed, Real};
+use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
 /// The sort of function that an operation is.
@@ -36,43 +35,28 @@ pub enum Sort {
     Fold,
 }
 
-/// An operation of the library, without its types.
+/// An operation of the library, without its types. Its declared [properties](Declared) are fields: its `name`, its `doc`.
 #[derive(Clone, Copy, Debug)]
 pub struct Operation {
-    /// The name of its function.
-    pub name: &'static str,
+    /// The properties that it declares.
+    pub(crate) declared: &'static Declared,
     /// Its verb and its shapes.
     pub(crate) row: Written,
     /// The sort of function that it is.
     pub sort: Sort,
-    /// Its documentation in Markdown, with links to Rust's items; see [`summary`](Operation::summary).
-    pub doc: &'static str,
-    /// The names of its arguments; empty if errors call them by letters.
-    names: &'static [&'static str],
-    /// Its invariances.
-    pub invariances: &'static [Invariance],
-    /// The inputs at which its value may jump.
-    pub jumps: Jumps,
-    /// The source of derivatives of a straight line.
-    pub derivatives: Option<Derivative>,
-    /// The inputs of which values and derivatives are finite.
-    pub finite: Finite,
-    /// The range in which every number of its result lies.
-    pub range: Range,
-    /// The scores of identical shapes and of shapes apart.
-    pub extremes: Extremes,
-    /// Largest error of a value beyond rounding, in the unit of the result and as a share of it.
-    pub resolution: [f64; 2],
-    /// The roundings that a value may be off where terms cancel, times their size; given the numbers of its arguments.
-    pub roundings: Option<fn(&[f64]) -> f64>,
-    /// `true` at valid inputs of its domain; `None` for all.
-    pub(crate) inside: Option<fn(&[f64]) -> bool>,
     /// The kinds of the scalars of its arguments, and of its result.
     pub(crate) kinds: [fn() -> Vec<Kind>; 2],
     /// How its arguments are drawn.
     samplers: fn() -> Vec<Sampler>,
     single: InFormat<f32>,
     double: InFormat<f64>,
+}
+
+impl Deref for Operation {
+    type Target = Declared;
+    fn deref(&self) -> &Declared {
+        self.declared
+    }
 }
 
 /// An operation in one format.
@@ -124,15 +108,20 @@ impl Operation {
     /// The first paragraph of its documentation as plain text, without links.
     #[must_use]
     pub fn summary(&self) -> String {
-        summary(self.doc)
+        summary(self.declared.doc)
     }
     /// Its arguments, but for the path of a fold.
     #[must_use]
     pub fn arguments(&self) -> Vec<Parameter> {
         let shapes = shapes(&(self.double.takes)(), &(self.kinds[0])());
-        let names = named(self.names, shapes.len());
+        let names = named(self.declared.arguments, shapes.len());
         let all = names.into_iter().zip(shapes);
         all.map(|(name, shape)| Parameter { name, shape }).collect()
+    }
+    /// The source of derivatives of a straight line; `None` of a search or a fold.
+    #[must_use]
+    pub fn derivatives(&self) -> Option<Derivative> {
+        (self.sort == Sort::Straight).then_some(self.declared.derivative)
     }
     /// The shapes of its result: one, or those of a tuple.
     #[must_use]
@@ -148,7 +137,7 @@ impl Operation {
     /// are defined at every valid input.
     #[must_use]
     pub fn is_inside(&self, input: &[f64]) -> bool {
-        self.inside.is_none_or(|inside| inside(input))
+        self.declared.domain.is_none_or(|inside| inside(input))
     }
     /// The operation in a format.
     fn of<T: Real>(&self) -> &InFormat<T> {
@@ -172,7 +161,7 @@ impl Operation {
         let is_one = recording.outputs.iter().sum::<usize>() == 1;
         (is_one || mode != Mode::ValueGrad).then(|| Function {
             mode,
-            names: named(self.names, recording.takes.len()),
+            names: named(self.declared.arguments, recording.takes.len()),
             recording,
         })
     }
@@ -199,7 +188,12 @@ impl Operation {
             return None;
         };
         let gives = (own.gives)().iter().map(|leaf| leaf.fields).sum();
-        Some(OnPaths::new(code, self.names, (own.takes)(), gives))
+        Some(OnPaths::new(
+            code,
+            self.declared.arguments,
+            (own.takes)(),
+            gives,
+        ))
     }
 
     /// A straight line as a program, for its derivatives and its nodes.
@@ -214,13 +208,13 @@ impl Operation {
         };
         let value = recording.program(Mode::Value)?;
         let is_number = recording.outputs == [1];
-        let recorded = match self.derivatives {
+        let recorded = match self.derivatives() {
             Some(Derivative::ByHand) if is_number => {
                 value.with_gradient_after_result(&*recording.program(Mode::ValueGrad)?)
             }
             _ => (*value).clone(),
         };
-        let names = named(self.names, recording.takes.len());
+        let names = named(self.declared.arguments, recording.takes.len());
         Ok(Program::of_row(recorded, names, recording))
     }
 
@@ -235,7 +229,7 @@ impl Operation {
             return Err(Error::Program(Unrecordable::Path));
         };
         let leaves = (own.takes)();
-        let mut takes: Vec<_> = named(self.names, leaves.len())
+        let mut takes: Vec<_> = named(self.declared.arguments, leaves.len())
             .into_iter()
             .zip(leaves)
             .collect();
@@ -308,24 +302,13 @@ fn kinds_of<P: Fixed<Scalar = f64> + Sample>() -> Vec<Kind> {
 macro_rules! described {
     ($op:ty, $sort:ident, $In:ty, single: $single:expr, double: $double:expr) => {
         Operation {
-            name: <$op>::NAME,
+            declared: const { &<$op>::DECLARED },
             row: Written {
                 name: "",
                 verb: "",
                 shapes: &[],
             },
             sort: Sort::$sort,
-            doc: <$op>::DOC,
-            names: <$op>::ARGUMENTS,
-            invariances: <$op>::INVARIANCES,
-            jumps: <$op>::JUMPS,
-            derivatives: None,
-            finite: <$op>::FINITE,
-            range: <$op>::RANGE,
-            extremes: Extremes::Undeclared,
-            resolution: [0.0; 2],
-            roundings: None,
-            inside: None,
             kinds: [kinds_of::<$In>, kinds_of::<<$op>::Out<f64>>],
             samplers: <$In>::samplers,
             single: $single,
@@ -355,14 +338,7 @@ where
             body: Runner::Columns(recording_of::<O, O::In<T>>),
         }
     }
-    Operation {
-        derivatives: Some(O::DERIVATIVE),
-        extremes: O::EXTREMES,
-        resolution: O::RESOLUTION,
-        roundings: roundings_of::<O>(),
-        inside: inside_of::<O>(),
-        ..described!(O, Straight, O::In<f64>, single: of::<f32, O>(), double: of::<f64, O>())
-    }
+    described!(O, Straight, O::In<f64>, single: of::<f32, O>(), double: of::<f64, O>())
 }
 
 /// A search.
@@ -386,10 +362,7 @@ where
             body: Runner::Columns(search::recording::<D, D::In<T>>),
         }
     }
-    Operation {
-        extremes: D::EXTREMES,
-        ..described!(D, Search, D::In<f64>, single: of::<f32, D>(), double: of::<f64, D>())
-    }
+    described!(D, Search, D::In<f64>, single: of::<f32, D>(), double: of::<f64, D>())
 }
 
 /// A fold.

@@ -68,7 +68,7 @@ impl<T: Real> Job<T> {
         // Twins outside the domain are left out.
         let mut twins = inputs.twins();
         let mut places: Vec<usize> = (0..inputs.count).collect();
-        if self.domain.is_some() {
+        if self.declared.domain.is_some() {
             places.retain(|&i| is_inside(self, &twins.item(self, i)));
             if places.is_empty() {
                 return Ok(());
@@ -96,13 +96,13 @@ impl<T: Real> Job<T> {
     /// The same shapes in the other order.
     pub(super) fn exchanged(&self, inputs: &Inputs<T>, found: &Found<T>) -> Outcome {
         let [a, b] = [0, 1].map(|s| self.shapes[s].leaf.fields);
-        if !self.declared.symmetric || a != b || self.outputs.len() != 1 {
+        if !self.declared.is_symmetric() || a != b || self.outputs.len() != 1 {
             return Ok(());
         }
         let mut exchanged = inputs.exchanged();
         for i in 0..inputs.count {
             // One that leaves the domain stays as it is.
-            if self.domain.is_some() && !is_inside(self, &exchanged.item(self, i)) {
+            if self.declared.domain.is_some() && !is_inside(self, &exchanged.item(self, i)) {
                 exchanged.put(self, i, &inputs.item(self, i));
             }
         }
@@ -116,7 +116,7 @@ impl<T: Real> Job<T> {
             let apart = (own[k].widen() - others[0][k].widen()).abs();
             // A score without an end changes as it is large.
             let size = own[k].widen().abs().max(1.0);
-            let size = if self.declared.power == Some(0) {
+            let size = if self.declared.power() == Some(0) {
                 size
             } else {
                 1.0
@@ -129,7 +129,7 @@ impl<T: Real> Job<T> {
     /// By how many roundings of one a result may change when shapes are exchanged; infinite where nothing is
     /// declared.
     fn exchange_may_change(&self, inputs: &Inputs<T>, i: usize) -> f64 {
-        let Some(power) = self.declared.power else {
+        let Some(power) = self.declared.power() else {
             return f64::INFINITY;
         };
         let numbers = |s: usize| {

@@ -84,7 +84,7 @@ pub(super) fn is_valid<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
 
 /// `true` if numbers are inside the domain.
 pub(super) fn is_inside<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
-    job.domain.is_none_or(|inside| {
+    job.declared.domain.is_none_or(|inside| {
         let numbers: Vec<f64> = numbers.iter().map(|x| x.widen()).collect();
         inside(&numbers)
     })
@@ -169,7 +169,7 @@ impl<T: Real> Job<T> {
         inputs: &mut Inputs<T>,
         limits: Option<[i32; 2]>,
     ) -> Result<(), Finding> {
-        if self.domain.is_none() {
+        if self.declared.domain.is_none() {
             return Ok(());
         }
         let mut base = Vec::new();

@@ -1,7 +1,7 @@
 //! An operation of any sort on plain numbers, so that what fuzzes it is compiled once.
 use super::arguments::Inputs;
 use super::rules::Rules;
-use crate::ad::declared::{Effect, Invariance, Kind, Motion};
+use crate::ad::declared::Kind;
 use crate::ad::program::recorded::Recorded;
 use crate::ad::sample::{Draw, Sample, random};
 use crate::error::Error;
@@ -19,7 +19,7 @@ use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::fold::{Fold, by_hand, fold};
 use crate::kernels::row::item::rows::numbers;
 use crate::kernels::row::item::{Item, Leaf, Target, by_kind, by_shape, get, leaves_of};
-use crate::kernels::row::op::{Extremes, Finite, Jumps, Op, Range, inside_of};
+use crate::kernels::row::op::{Declared, Op};
 use crate::{Fixed, Pack, Real};
 use std::sync::Arc;
 
@@ -35,47 +35,8 @@ pub(super) struct Shape<T> {
     pub rules: Rules,
 }
 
-/// The declared properties of a row.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Declared {
-    pub finite: Finite,
-    pub range: Range,
-    pub extremes: Extremes,
-    /// Exchanging the shapes changes nothing.
-    pub symmetric: bool,
-    /// With which power of the scale the result grows.
-    pub power: Option<i32>,
-}
-
-impl Declared {
-    fn new(
-        (invariances, jumps): (&[Invariance], Jumps),
-        finite: Finite,
-        range: Range,
-        extremes: Extremes,
-    ) -> Self {
-        let power = invariances.iter().find_map(|invariance| {
-            match (invariance.motion, invariance.answer) {
-                (Motion::Scaling, Effect::Stays) => Some(0),
-                (Motion::Scaling, Effect::Power(power)) => Some(power),
-                _ => None,
-            }
-        });
-        Declared {
-            finite,
-            range,
-            extremes,
-            // Rounding decides on which side of a jump a value is.
-            symmetric: invariances.contains(&Invariance::new(Motion::Exchange, Effect::Stays))
-                && jumps != Jumps::Anywhere,
-            power,
-        }
-    }
-}
-
 /// An operation in one format.
 pub struct Job<T: Real> {
-    pub(super) name: &'static str,
     /// The name of its type.
     pub(super) op: &'static str,
     pub(super) shapes: Vec<Shape<T>>,
@@ -85,9 +46,7 @@ pub struct Job<T: Real> {
     pub(super) vertex: Vec<Kind>,
     /// Numbers of every shape of a result.
     pub(super) outputs: Vec<usize>,
-    pub(super) declared: Declared,
-    /// The test that an input is inside the domain that the row states, if it states one.
-    pub(super) domain: Option<fn(&[f64]) -> bool>,
+    pub(super) declared: &'static Declared,
     /// Results.
     pub(super) values: Compute<T, 0>,
     /// Derivatives of cotangents.
@@ -108,14 +67,8 @@ pub struct Job<T: Real> {
 
 /// A straight line in one format, with what makes and shows its inputs.
 pub(crate) struct Straight<T: Real> {
-    pub(crate) name: &'static str,
+    pub(crate) declared: &'static Declared,
     pub(crate) op: &'static str,
-    pub(crate) invariances: &'static [Invariance],
-    pub(crate) jumps: Jumps,
-    pub(crate) finite: Finite,
-    pub(crate) range: Range,
-    pub(crate) extremes: Extremes,
-    pub(crate) domain: Option<fn(&[f64]) -> bool>,
     pub(crate) recording: Arc<Recording<T>>,
     pub(crate) alone: fn(&[T]) -> Vec<T>,
     pub(crate) by_hand: fn(&[T], &[T]) -> Option<(Vec<T>, Vec<T>)>,
@@ -234,14 +187,8 @@ impl<T: Real> Job<T> {
         O::In<f64>: Sample + Item<Scalar = f64>,
     {
         Job::of_line(&Straight {
-            name: O::NAME,
+            declared: const { &O::DECLARED },
             op: short(std::any::type_name::<O>()),
-            invariances: O::INVARIANCES,
-            jumps: O::JUMPS,
-            finite: O::FINITE,
-            range: O::RANGE,
-            extremes: O::EXTREMES,
-            domain: inside_of::<O>(),
             recording: recording_of::<O, O::In<T>>(),
             alone: |x| O::eval(O::In::<T>::load(x)).scalars(),
             by_hand: |x, out_bar| {
@@ -262,7 +209,6 @@ impl<T: Real> Job<T> {
         let (kinds, leaves) = ((line.kinds)(), recording.takes.clone());
         let make = planned(recording);
         Job {
-            name: line.name,
             op: line.op,
             square: (leaves.len() == 2).then(|| {
                 let mode = match is_number {
@@ -276,13 +222,7 @@ impl<T: Real> Job<T> {
             kinds,
             vertex: Vec::new(),
             outputs,
-            declared: Declared::new(
-                (line.invariances, line.jumps),
-                line.finite,
-                line.range,
-                line.extremes,
-            ),
-            domain: line.domain,
+            declared: line.declared,
             values: computed(&make, Mode::Value),
             derivatives: computed(&make, Mode::Vjp),
             both: is_number.then(|| computed(&make, Mode::ValueGrad)),
@@ -314,7 +254,6 @@ impl<T: Real> Job<T> {
         }
         let make = planned(&search::recording::<D, D::In<T>>());
         Job {
-            name: D::NAME,
             op: short(std::any::type_name::<D>()),
             shapes: shapes(leaves_of::<D::In<T>>(), &scalars, false),
             kinds,
@@ -323,8 +262,7 @@ impl<T: Real> Job<T> {
                 .iter()
                 .map(|leaf| leaf.fields)
                 .collect(),
-            declared: Declared::new((D::INVARIANCES, D::JUMPS), D::FINITE, D::RANGE, D::EXTREMES),
-            domain: None,
+            declared: const { &D::DECLARED },
             values: computed(&make, Mode::Value),
             derivatives: computed(&make, Mode::Vjp),
             both: is_number.then(|| computed(&make, Mode::ValueGrad)),
@@ -350,19 +288,12 @@ impl<T: Real> Job<T> {
     {
         let kinds = kinds_of::<F::Context<f64>>();
         Job {
-            name: F::NAME,
             op: short(std::any::type_name::<F>()),
             shapes: shapes(leaves_of::<F::Context<T>>(), &kinds, false),
             kinds,
             vertex: kinds_of::<F::Element<f64>>(),
             outputs: vec![F::Out::<T>::LEN],
-            declared: Declared::new(
-                (F::INVARIANCES, F::JUMPS),
-                F::FINITE,
-                F::RANGE,
-                Extremes::Undeclared,
-            ),
-            domain: None,
+            declared: const { &F::DECLARED },
             values: Box::new(|inputs, []| {
                 let contexts = contexts::<F, T>(inputs);
                 let vertices = loaded::<F::Element<T>>(&inputs.vertices);

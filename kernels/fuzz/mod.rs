@@ -210,7 +210,7 @@ pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
     });
     let broken = broken.into_inner().unwrap_or_else(PoisonError::into_inner);
     Fuzzed {
-        op: job.name,
+        op: job.declared.name,
         format: format::<T>(),
         inputs: done.into_inner(),
         outside: outside.into_inner(),

@@ -76,7 +76,7 @@ impl Tested {
     /// The name of its function.
     #[must_use]
     pub const fn name(&self) -> &'static str {
-        self.operation.name
+        self.operation.declared.name
     }
     /// Runs every check of the harness; with a backend, batches on it are further witnesses of `f32`. Searches and
     /// folds have none.
@@ -140,12 +140,7 @@ impl Tested {
     }
     fn stated(&self) -> Stated {
         Stated {
-            name: self.operation.name,
-            invariances: self.operation.invariances,
-            jumps: self.operation.jumps,
-            inside: self.operation.inside,
-            resolution: self.operation.resolution,
-            roundings: self.operation.roundings,
+            declared: self.operation.declared,
             output_kinds: self.operation.kinds[1],
         }
     }
@@ -186,14 +181,8 @@ fn fuzz_straight<S: Real>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
     };
     let operation = &row.operation;
     let job = Job::of_line(&Straight {
-        name: operation.name,
+        declared: operation.declared,
         op: operation.name,
-        invariances: operation.invariances,
-        jumps: operation.jumps,
-        finite: operation.finite,
-        range: operation.range,
-        extremes: operation.extremes,
-        domain: operation.inside,
         recording,
         alone: code.alone,
         by_hand: code.by_hand,

@@ -1,7 +1,7 @@
 //! Folds over paths as operations.
 use crate::distance::ring::{EdgeFold, Fill};
 use crate::kernels::row::fold::Fold;
-use crate::kernels::row::op::{Jumps, Invariance};
+use crate::kernels::row::op::{Declared, Declares, Jumps};
 use crate::kernels::ops::class::invariances;
 use crate::kernels::ops::walk::Written;
 use crate::kernels::ops::tables::listed;
@@ -17,12 +17,13 @@ use crate::{Aabb2, Scalar, Vec2};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SecondMomentsOfRing;
 
+impl Declares for SecondMomentsOfRing {
+    const DECLARED: Declared = Declared::new("second_moments_of_ring", invariances!([rigid(4), along_axes] Vec2<f64>), Jumps::Anywhere)
+        .doc("The [second moments](crate::measure::moments::second_moments) of a ring's area about its centroid.");
+}
+
 impl Fold for SecondMomentsOfRing {
-    const NAME: &'static str = "second_moments_of_ring";
-    const DOC: &'static str = "The [second moments](crate::measure::moments::second_moments) of a ring's area about its centroid.";
     const CLOSED: bool = true;
-    const INVARIANCES: &'static [Invariance] = invariances!([rigid(4), along_axes] Vec2<f64>);
-    const JUMPS: Jumps = Jumps::Anywhere;
     type Element<S: Scalar> = Vec2<S>;
     type Context<S: Scalar> = [S; 0];
     type Reference<S: Scalar> = Reference<S>;
@@ -54,13 +55,13 @@ impl Fold for SecondMomentsOfRing {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LengthOfPolyline;
 
+impl Declares for LengthOfPolyline {
+    const DECLARED: Declared = Declared::new("length_of_polyline", invariances!([rigid(1)] Vec2<f64>), Jumps::Never)
+        .doc("The length of a polyline: the sum of the distances of neighbouring vertices.");
+}
+
 impl Fold for LengthOfPolyline {
-    const NAME: &'static str = "length_of_polyline";
-    const DOC: &'static str =
-        "The length of a polyline: the sum of the distances of neighbouring vertices.";
     const CLOSED: bool = false;
-    const INVARIANCES: &'static [Invariance] = invariances!([rigid(1)] Vec2<f64>);
-    const JUMPS: Jumps = Jumps::Never;
     type Element<S: Scalar> = Vec2<S>;
     type Context<S: Scalar> = [S; 0];
     type Reference<S: Scalar> = [S; 0];
@@ -95,13 +96,14 @@ macro_rules! of_point_and_path {
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $Name;
 
+        impl Declares for $Name {
+            const DECLARED: Declared = Declared::new($name, invariances!($class Vec2<f64>), Jumps::$jumps)
+                .arguments(&["point"])
+                .doc(crate::__doc!([] $([$($doc)*])*));
+        }
+
         impl Fold for $Name {
-            const NAME: &'static str = $name;
-            const ARGUMENTS: &'static [&'static str] = &["point"];
-            const DOC: &'static str = crate::__doc!([] $([$($doc)*])*);
             const CLOSED: bool = $closed;
-            const INVARIANCES: &'static [Invariance] = invariances!($class Vec2<f64>);
-            const JUMPS: Jumps = Jumps::$jumps;
             const WINDING: Option<usize> = Some(EdgeFold::<f64>::WINDING);
             type Element<S: Scalar> = Vec2<S>;
             type Context<S: Scalar> = Vec2<S>;
@@ -175,10 +177,10 @@ macro_rules! folds {
     )*
     listed! {
         names [$([Written {
-            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[crate::kernels::ops::path::path_name!($Path)],
+            name: <$By as crate::kernels::row::op::Declares>::DECLARED.name, verb: stringify!($Verb), shapes: &[crate::kernels::ops::path::path_name!($Path)],
         }]),*]
         each |walk| { $(walk.fold::<$By>(Written {
-            name: <$By as Fold>::NAME, verb: stringify!($Verb), shapes: &[crate::kernels::ops::path::path_name!($Path)],
+            name: <$By as crate::kernels::row::op::Declares>::DECLARED.name, verb: stringify!($Verb), shapes: &[crate::kernels::ops::path::path_name!($Path)],
         });)* }
     } };
 }

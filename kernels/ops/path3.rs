@@ -1,7 +1,7 @@
 //! Folds over polylines and clouds of space as operations.
 use crate::distance3::polyline::NearestEdge3;
 use crate::kernels::row::fold::Fold;
-use crate::kernels::row::op::{Invariance, Jumps};
+use crate::kernels::row::op::{Declared, Declares, Jumps};
 use crate::kernels::ops::class::invariances;
 use crate::kernels::ops::path::folds;
 use crate::kernels::ops::walk::Written;
@@ -28,13 +28,14 @@ macro_rules! in_space {
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $Name;
 
+        impl Declares for $Name {
+            const DECLARED: Declared = Declared::new($name, invariances!($class Vec3<f64>), Jumps::$jumps)
+                .arguments(&[$($argument)?])
+                .doc(crate::__doc!([] $([$($doc)*])*));
+        }
+
         impl Fold for $Name {
-            const NAME: &'static str = $name;
-            const ARGUMENTS: &'static [&'static str] = &[$($argument)?];
-            const DOC: &'static str = crate::__doc!([] $([$($doc)*])*);
             const CLOSED: bool = $closed;
-            const INVARIANCES: &'static [Invariance] = invariances!($class Vec3<f64>);
-            const JUMPS: Jumps = Jumps::$jumps;
             type Element<S: Scalar> = Vec3<S>;
             type Context<S: Scalar> = $Context;
             type Reference<S: Scalar> = $Reference;

@@ -1,6 +1,6 @@
 //! The measures of a ring as folds.
 use crate::kernels::row::fold::Fold;
-use crate::kernels::row::op::{Finite, Invariance, Jumps, Range};
+use crate::kernels::row::op::{Declared, Declares, Finite, Jumps, Range};
 use crate::kernels::ops::class::invariances;
 use crate::kernels::ops::path::folds;
 use crate::kernels::ops::tables::listed;
@@ -23,14 +23,15 @@ macro_rules! measures {
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         pub struct $Name;
 
+        impl Declares for $Name {
+            const DECLARED: Declared = Declared::new($name, invariances!($class Vec2<f64>), Jumps::$jumps)
+                .doc(crate::__doc!([] $([$($doc)*])*))
+                .finite(Finite::Always)
+                .range(Range::$range);
+        }
+
         impl Fold for $Name {
-            const NAME: &'static str = $name;
-            const DOC: &'static str = crate::__doc!([] $([$($doc)*])*);
             const CLOSED: bool = true;
-            const INVARIANCES: &'static [Invariance] = invariances!($class Vec2<f64>);
-            const JUMPS: Jumps = Jumps::$jumps;
-            const FINITE: Finite = Finite::Always;
-            const RANGE: Range = Range::$range;
             const MEASURE: Option<Measure> = Some(Measure::$measure);
             type Element<S: Scalar> = Vec2<S>;
             type Context<S: Scalar> = [S; 0];

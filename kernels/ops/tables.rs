@@ -35,13 +35,16 @@ macro_rules! table {
     )*) => { $( crate::kernels::ops::tables::table! {
         @rows [concat!($($title),+)] $Verb, $arguments, $out, $formula, $class,
         [
-            $(crate::kernels::row::op::Finite::$finite $(($limits))?,)?
-            crate::kernels::row::op::Finite::Within(crate::kernels::row::op::Limits::ORDINARY),
-        ],
-        [$(crate::kernels::row::op::Range::$range,)? crate::kernels::row::op::Range::ANY],
-        [$(crate::kernels::row::op::Extremes::$extremes,)? crate::kernels::row::op::Extremes::Undeclared],
-        $jumps, [$($domain)?], [0.0 $(+ $absolute)?, 0.0 $(+ $share)?], [$($roundings)?],
-        $derivative;
+            $(finite $finite $(($limits))?)?
+            $(range $range)?
+            $(extremes $extremes)?
+            jumps $jumps
+            $(domain $domain)?
+            $(resolution $absolute)?
+            $(relative_resolution $share)?
+            $(roundings $roundings)?
+            derivative $derivative
+        ];
         $($rows)*
     } )*
     crate::kernels::ops::tables::listed! {
@@ -69,8 +72,7 @@ macro_rules! table {
         [$(crate::kernels::ops::tables::line!($what $walk straight $Verb, $name, [$($Shape)+] ($($Shape<f64>),+))),*]
     };
     (
-        @rows [$title:expr] $Verb:ty, $arguments:tt, $out:ty, $formula:block, $class:tt, $finite:tt, $range:tt,
-        $extremes:tt, $jumps:ident, $domain:tt, $resolution:expr, $roundings:tt, $derivative:ident;
+        @rows [$title:expr] $Verb:ty, $arguments:tt, $out:ty, $formula:block, $class:tt, $head:tt;
         $(
             $(#[doc = $own_title:literal])?
             $name:literal: $($Shape:ident),+ $($own_formula:block)?
@@ -91,40 +93,36 @@ macro_rules! table {
         #[derive(Clone, Copy, Debug, Default)]
         pub struct Item;
 
+        impl crate::kernels::row::op::Declares for Item {
+            const DECLARED: crate::kernels::row::op::Declared = crate::__declared!(
+                crate::kernels::ops::tables::head!(
+                    crate::kernels::row::op::Declared::new(
+                        $name,
+                        crate::kernels::ops::tables::first!(@class [$([$($own_class)*])? $class] $($Shape<f64>),+),
+                        crate::kernels::row::op::Jumps::Never,
+                    )
+                    .arguments(&crate::kernels::ops::tables::arguments!($arguments $($Shape)+))
+                    .doc(crate::kernels::ops::tables::text!($title, concat!($($own_title)?), $($Shape<f64>),+)),
+                    <Self as crate::kernels::row::op::Op>::In<f64>, $arguments, $head
+                ),
+                <Self as crate::kernels::row::op::Op>::In<f64>, $arguments,
+                $(finite $own_finite)?
+                $(range $own_range)?
+                $(extremes $own_extremes)?
+                $(jumps $own_jumps)?
+                $(domain $own_domain)?
+                $(resolution $own_absolute)?
+                $(relative_resolution $own_share)?
+                $(roundings $own_roundings)?
+                $(derivative $own_derivative)?
+            );
+        }
+
         // One argument needs none.
         #[allow(unused_parens)]
         impl crate::kernels::row::op::Op for Item {
-            const NAME: &'static str = $name;
-            const ARGUMENTS: &'static [&'static str] =
-                &crate::kernels::ops::tables::arguments!($arguments $($Shape)+);
-            const DOC: &'static str =
-                crate::kernels::ops::tables::text!($title, concat!($($own_title)?), $($Shape<f64>),+);
             type In<S: crate::Scalar> = ($($Shape<S>),+);
             type Out<S: crate::Scalar> = $out;
-            const INVARIANCES: &'static [crate::kernels::row::op::Invariance] = {
-                crate::kernels::ops::tables::first!(@class [$([$($own_class)*])? $class] $($Shape<f64>),+)
-            };
-            const FINITE: crate::kernels::row::op::Finite =
-                [$(crate::kernels::row::op::Finite::$own_finite,)? $finite[0]][0];
-            const RANGE: crate::kernels::row::op::Range =
-                [$(crate::kernels::row::op::Range::$own_range,)? $range[0]][0];
-            const EXTREMES: crate::kernels::row::op::Extremes =
-                [$(crate::kernels::row::op::Extremes::$own_extremes,)? $extremes[0]][0];
-            const JUMPS: crate::kernels::row::op::Jumps =
-                [$(crate::kernels::row::op::Jumps::$own_jumps,)? crate::kernels::row::op::Jumps::$jumps][0];
-            const DERIVATIVE: crate::kernels::row::op::Derivative =
-                [$(crate::kernels::row::op::Derivative::$own_derivative,)? crate::kernels::row::op::Derivative::$derivative][0];
-            #[allow(unused_variables)]
-            const DOMAIN: Option<fn(Self::In<f64>) -> bool> =
-                crate::kernels::ops::tables::domain!($arguments [$($own_domain)?] $domain);
-            const RESOLUTION: [f64; 2] = {
-                let own = [0.0 $(+ $own_absolute)?, 0.0 $(+ $own_share)?];
-                let head: [f64; 2] = $resolution;
-                [if own[0] > 0.0 { own[0] } else { head[0] }, if own[1] > 0.0 { own[1] } else { head[1] }]
-            };
-            #[allow(unused_variables)]
-            const ROUNDINGS: Option<fn(Self::In<f64>) -> f64> =
-                crate::kernels::ops::tables::domain!($arguments [$($own_roundings)?] $roundings);
             #[inline]
             fn eval<S: crate::Scalar>($arguments: Self::In<S>) -> Self::Out<S> {
                 crate::kernels::ops::tables::first!($($own_formula)? $formula)
@@ -196,16 +194,10 @@ macro_rules! first {
     ($one:block $($other:block)?) => { $one };
 }
 
-/// The domain of a row, given its arguments: the line's, or else the head's, if there is one.
-macro_rules! domain {
-    ($arguments:tt [] []) => {
-        None
-    };
-    ($arguments:tt [$own:block] $head:tt) => {
-        Some(|$arguments| $own)
-    };
-    ($arguments:tt [] [$head:block]) => {
-        Some(|$arguments| $head)
+/// The clauses of a head over a base.
+macro_rules! head {
+    ($base:expr, $In:ty, $arguments:tt, [$($clauses:tt)*]) => {
+        crate::__declared!($base, $In, $arguments, $($clauses)*)
     };
 }
 
@@ -256,17 +248,21 @@ macro_rules! searches {
         #[derive(Clone, Copy, Debug, Default)]
         pub struct Item<$(const $N: usize),+>;
 
+        impl<$(const $N: usize),+> crate::kernels::row::op::Declares for Item<$($N),+> {
+            const DECLARED: crate::kernels::row::op::Declared = crate::kernels::row::op::Declared::new(
+                $name,
+                crate::kernels::ops::class::invariances!($class crate::ConvexPolygon<f64, 3>),
+                crate::kernels::row::op::Jumps::$jumps,
+            )
+            .arguments(&[$(stringify!($arg)),+])
+            .doc(crate::__doc!([] $([$($doc)*])*))
+            $(.range(crate::kernels::row::op::Range::$range))?;
+        }
+
         impl<$(const $N: usize),+> crate::kernels::call::search::Search for Item<$($N),+> {
-            const NAME: &'static str = $name;
-            const ARGUMENTS: &'static [&'static str] = &[$(stringify!($arg)),+];
-            const DOC: &'static str = crate::__doc!([] $([$($doc)*])*);
             type In<S: crate::Scalar> = $input;
             type Out<S: crate::Scalar> = $out;
             type Record = $record;
-            const INVARIANCES: &'static [crate::kernels::row::op::Invariance] =
-                crate::kernels::ops::class::invariances!($class crate::ConvexPolygon<f64, 3>);
-            const JUMPS: crate::kernels::row::op::Jumps = crate::kernels::row::op::Jumps::$jumps;
-            $(const RANGE: crate::kernels::row::op::Range = crate::kernels::row::op::Range::$range;)?
             fn decide<S: crate::Scalar<Mask = bool>>($decided: $input) -> $record {
                 $decide
             }
@@ -359,4 +355,4 @@ macro_rules! finds {
     };
 }
 
-pub(crate) use {arguments, capacity, domain, finds, first, line, listed, searches, table, text};
+pub(crate) use {arguments, capacity, finds, first, head, line, listed, searches, table, text};

@@ -3,15 +3,14 @@
 //! A fold has three parts: the state of one edge, the join of two states, and the result of the last state. Edges are
 //! independent, so batches compute them side by side, as a program, and join states in order.
 use crate::ad::adjoint::ring::measure_vjp;
-use crate::kernels::row::op::{Finite, Invariance, Jumps, Limits, Range};
+use crate::kernels::row::declared::Declares;
 use crate::ring::Measure;
 use crate::{Fixed, Pack, Scalar, Vec2};
-use std::fmt::Debug;
 
 /// An operation over the edges of a path.
 ///
 /// ```
-/// use geograd::kernels::op::{Jumps, Invariance};
+/// use geograd::kernels::op::{Declared, Declares, Jumps};
 /// use geograd::kernels::{Cpu, Fold, One};
 /// use geograd::{Scalar, Vec2};
 ///
@@ -19,11 +18,12 @@ use std::fmt::Debug;
 /// #[derive(Clone, Copy, Debug, Default)]
 /// struct LengthAbove;
 ///
+/// impl Declares for LengthAbove {
+///     const DECLARED: Declared = Declared::new("length_above", &[], Jumps::Never);
+/// }
+///
 /// impl Fold for LengthAbove {
-///     const NAME: &'static str = "length_above";
 ///     const CLOSED: bool = true;
-///     const INVARIANCES: &'static [Invariance] = &[];
-///     const JUMPS: Jumps = Jumps::Never;
 ///     type Element<S: Scalar> = Vec2<S>;
 ///     type Context<S: Scalar> = S;
 ///     type Reference<S: Scalar> = [S; 0];
@@ -59,24 +59,10 @@ use std::fmt::Debug;
 /// assert_eq!((by_height[0], by_vertex[2].y), (-2.0, 1.0));
 /// # Ok::<(), geograd::Error>(())
 /// ```
-pub trait Fold: Copy + Debug + Default + Send + Sync + 'static {
-    /// The name of the function, letter for letter.
-    const NAME: &'static str;
+pub trait Fold: Declares {
     /// `true` if an edge leads from the last vertex back to the first. A fold over vertices alone is closed, too: it
     /// looks at where an edge begins.
     const CLOSED: bool;
-    /// Its invariances under motions; `&[]` declares none.
-    const INVARIANCES: &'static [Invariance];
-    /// Places at which its value may jump.
-    const JUMPS: Jumps;
-    /// Inputs whose values and derivatives are finite.
-    const FINITE: Finite = Finite::Within(Limits::ORDINARY);
-    /// The range of every number of its result.
-    const RANGE: Range = Range::ANY;
-    /// The names of the shapes and numbers of its context, one for each; empty where they have none of their own.
-    const ARGUMENTS: &'static [&'static str] = &[];
-    /// Documentation in Markdown: the doc comment of its row, empty without one.
-    const DOC: &'static str = "";
     /// The index in the state of the winding number around the point with which the context begins. `Some` only for a fold
     /// that needs this number and the nearest edges alone: batches then fold only these.
     #[doc(hidden)]

@@ -6,8 +6,8 @@
 /// ```
 /// use geograd::kernels::op::Finite;
 /// use geograd::Obb2;
-/// use geograd::kernels::{Iou, Op, RowOf};
-/// assert_eq!(<RowOf<Iou, (Obb2<f64>, Obb2<f64>)>>::FINITE, Finite::Always);
+/// use geograd::kernels::{Iou, RowOf, op::Declares};
+/// assert_eq!(<RowOf<Iou, (Obb2<f64>, Obb2<f64>)>>::DECLARED.finite, Finite::Always);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -57,8 +57,8 @@ impl Limits {
 /// ```
 /// use geograd::kernels::op::Range;
 /// use geograd::Obb2;
-/// use geograd::kernels::{Iou, Op, RowOf};
-/// assert_eq!(<RowOf<Iou, (Obb2<f64>, Obb2<f64>)>>::RANGE, Range::RATIO);
+/// use geograd::kernels::{Iou, RowOf, op::Declares};
+/// assert_eq!(<RowOf<Iou, (Obb2<f64>, Obb2<f64>)>>::DECLARED.range, Range::RATIO);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {

@@ -1,7 +1,7 @@
 //! The contract of an operation: its function, and what the library has to know about it.
 //!
 //! ```
-//! use geograd::kernels::op::{Jumps, Op, Invariance, Derivative};
+//! use geograd::kernels::op::{Declared, Declares, Jumps, Op};
 //! use geograd::kernels::Cpu;
 //! use geograd::{Scalar, Vec2};
 //!
@@ -9,13 +9,13 @@
 //! #[derive(Clone, Copy, Debug, Default)]
 //! struct Distance;
 //!
+//! impl Declares for Distance {
+//!     const DECLARED: Declared = Declared::new("distance", &[], Jumps::Never);
+//! }
+//!
 //! impl Op for Distance {
-//!     const NAME: &'static str = "distance";
 //!     type In<S: Scalar> = (Vec2<S>, Vec2<S>);
 //!     type Out<S: Scalar> = S;
-//!     const INVARIANCES: &'static [Invariance] = &[];
-//!     const JUMPS: Jumps = Jumps::Never;
-//!     const DERIVATIVE: Derivative = Derivative::Reverse;
 //!     fn eval<S: Scalar>((a, b): (Vec2<S>, Vec2<S>)) -> S {
 //!         (a - b).length()
 //!     }
@@ -30,6 +30,9 @@ use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Program, Sym};
 use crate::error::Error;
 use crate::kernels::row::compiled::Compiled;
+#[doc(hidden)]
+pub use crate::kernels::row::declared::argument;
+pub use crate::kernels::row::declared::{Declared, Declares};
 use crate::kernels::row::derivation::Mode;
 pub use crate::kernels::row::derivatives::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
 pub use crate::kernels::row::limits::{Derivative, Extremes, Finite, Limits, Range};
@@ -37,10 +40,9 @@ use crate::kernels::row::straight_line::Line;
 pub use crate::scalar::real::OneNumber;
 use crate::{Fixed, Pack, Real, Scalar};
 use std::any::TypeId;
-use std::fmt::Debug;
 use std::sync::Arc;
 
-/// A generic function of fixed size, its invariances, and the source of its derivatives.
+/// A generic function of fixed size.
 ///
 /// A value of the type is the operation: `Cpu::new().aligned(Iou, (&a, &b))`.
 #[diagnostic::on_unimplemented(
@@ -48,37 +50,11 @@ use std::sync::Arc;
     label = "not an operation, nor a program",
     note = "`function(f)` runs a plain generic function, `operation!` makes it an operation, `Program::trace` makes a closure a program"
 )]
-pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
-    /// The name of the function, letter for letter.
-    const NAME: &'static str;
+pub trait Op: Declares {
     /// The argument, made of any scalar: a shape, a number, or a tuple of up to six.
     type In<S: Scalar>: Fixed<Scalar = S>;
     /// The result, made of the same scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// Motions of the argument and their effect on the result; `&[]` declares none.
-    const INVARIANCES: &'static [Invariance];
-    /// Places at which the value may jump.
-    const JUMPS: Jumps;
-    /// The source of the derivatives.
-    const DERIVATIVE: Derivative;
-    /// Inputs whose values and derivatives are finite.
-    const FINITE: Finite = Finite::Within(Limits::ORDINARY);
-    /// The range of every number of the result.
-    const RANGE: Range = Range::ANY;
-    /// The results of identical shapes and of shapes apart.
-    const EXTREMES: Extremes = Extremes::Undeclared;
-    /// The domain, in addition to the rules of its shapes; `None` for everywhere. The harness and the fuzzer keep to
-    /// it; batches compute outside, too.
-    const DOMAIN: Option<fn(Self::In<f64>) -> bool> = None;
-    /// The error of values beyond rounding: in the unit of the result, and relative to each of its numbers.
-    const RESOLUTION: [f64; 2] = [0.0; 2];
-    /// How many roundings of the format a value may be off where terms cancel, times the size of these terms in the
-    /// unit of the result; `None` for none. Derivatives may be off by as much over the units of the arguments' numbers.
-    const ROUNDINGS: Option<fn(Self::In<f64>) -> f64> = None;
-    /// The names of its arguments, one for each; empty without names of their own.
-    const ARGUMENTS: &'static [&'static str] = &[];
-    /// Documentation in Markdown: the doc comment of its row, empty without one.
-    const DOC: &'static str = "";
     /// The function.
     fn eval<S: Scalar>(input: Self::In<S>) -> Self::Out<S>;
     /// The result and the gradient of `out_bar · result` with respect to the input, by hand; `None` if they are
@@ -113,7 +89,7 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
     /// The errors of recording it: [`Error::Program`].
     fn program<T: Real>(self) -> Result<Program<Self::In<T>, Self::Out<T>>, Error> {
         let value = program_of::<Self, T>(Mode::Value)?;
-        if Self::DERIVATIVE != Derivative::ByHand || Self::Out::<T>::LEN != 1 {
+        if !matches!(Self::DECLARED.derivative, Derivative::ByHand) || Self::Out::<T>::LEN != 1 {
             return Ok(Program::of((*value).clone()));
         }
         let value_grad = program_of::<Self, T>(Mode::ValueGrad)?;
@@ -188,13 +164,13 @@ pub trait Op: Copy + Debug + Default + Send + Sync + 'static {
 pub(crate) const fn line_of<O: Op, T: Real>() -> Line<T> {
     Line {
         id: TypeId::of::<O>,
-        derivatives: O::DERIVATIVE,
+        derivatives: O::DECLARED.derivative,
         inputs: O::In::<Sym<T>>::LEN,
         outputs: O::Out::<Sym<T>>::LEN,
         codes: O::In::<Sym<T>>::CODES + O::Out::<Sym<T>>::CODES,
         // Functions and no closures, of which each would be compiled twice for every operation.
         eval: eval::<O, T>,
-        adjoint: match O::DERIVATIVE {
+        adjoint: match O::DECLARED.derivative {
             Derivative::ByHand => adjoint::<O, T>,
             Derivative::Reverse | Derivative::Forward => nothing::<T>,
         },
@@ -222,23 +198,4 @@ fn adjoint<O: Op, T: Real>(input: &[Sym<T>], out_bar: &[Sym<T>]) -> Vec<Sym<T>> 
 /// The program of a mode of an operation.
 pub(crate) fn program_of<O: Op, T: Real>(mode: Mode) -> Result<Arc<Recorded>, Error> {
     const { &line_of::<O, T>() }.program(mode)
-}
-
-/// The [`ROUNDINGS`](Op::ROUNDINGS) of an operation on plain numbers, if it states some.
-pub(crate) const fn roundings_of<O: Op>() -> Option<fn(&[f64]) -> f64> {
-    match O::ROUNDINGS.is_some() {
-        true => Some(|x| O::ROUNDINGS.map_or(0.0, |roundings| roundings(O::In::<f64>::load(x)))),
-        false => None,
-    }
-}
-
-/// The domain of an operation on plain numbers, if it states one.
-pub(crate) const fn inside_of<O: Op>() -> Option<fn(&[f64]) -> bool> {
-    match O::DOMAIN.is_some() {
-        true => Some(|x| {
-            let is_whole = x.len() == O::In::<f64>::LEN;
-            is_whole && O::DOMAIN.is_none_or(|inside| inside(O::In::<f64>::load(x)))
-        }),
-        false => None,
-    }
 }

@@ -18,7 +18,7 @@
 /// | `jumps` | `Never`, `FromZero` (where the value leaves zero), `Anywhere` |
 /// | \[`domain { … }`\] | a condition of the arguments outside of which nothing is checked |
 /// | \[`resolution x`\], \[`relative_resolution x`\] | the error of a value beyond rounding |
-/// | \[`roundings { … }`\] | the error of a value where terms cancel, in roundings of the format: [`ROUNDINGS`](crate::kernels::op::Op::ROUNDINGS) |
+/// | \[`roundings { … }`\] | the error of a value where terms cancel, in roundings of the format: [`roundings`](crate::kernels::op::Declared::roundings) |
 /// | `derivative` | `Reverse`; `Forward`, where large terms cancel backwards; <code>ByHand &#124;(a, b), out_bar&#124; { … }</code> |
 ///
 /// ```
@@ -165,16 +165,19 @@ macro_rules! operation {
         $crate::__derivatives!($Name);
         $crate::operation! {
             @row [$([$($doc)*])*] $Name, $name, [$($arg: $type),+] -> $out, $body
-            invariances [$($motion $answer $(($power))?),*]
-            $(finite $finite $(($limits))?)?
-            $(range $range)?
-            $(extremes $extremes)?
-            jumps $jumps
-            $(domain $domain)?
-            $(resolution $absolute)?
-            $(relative_resolution $share)?
-            $(roundings $roundings)?
-            derivative $derivative $(|$input, $out_bar| $adjoint)?
+            [
+                invariances [$($motion $answer $(($power))?),*]
+                $(finite $finite $(($limits))?)?
+                $(range $range)?
+                $(extremes $extremes)?
+                jumps $jumps
+                $(domain $domain)?
+                $(resolution $absolute)?
+                $(relative_resolution $share)?
+                $(roundings $roundings)?
+                derivative $derivative
+            ]
+            $(|$input, $out_bar| $adjoint)?
             $(=> compiled { $compiled })?
         }
     )+ };
@@ -228,16 +231,19 @@ macro_rules! operation {
                 @row [$([$($doc)*])*] This,
                 ::core::concat!(::core::stringify!($Verb), ::core::stringify!(($($type),+))),
                 [$($arg: $type),+] -> $out, $body
-                invariances [$($motion $answer $(($power))?),*]
-                $(finite $finite $(($limits))?)?
-                $(range $range)?
-                $(extremes $extremes)?
-                jumps $jumps
-                $(domain $domain)?
-                $(resolution $absolute)?
-                $(relative_resolution $share)?
-            $(roundings $roundings)?
-                derivative $derivative $(|$input, $out_bar| $adjoint)?
+                [
+                    invariances [$($motion $answer $(($power))?),*]
+                    $(finite $finite $(($limits))?)?
+                    $(range $range)?
+                    $(extremes $extremes)?
+                    jumps $jumps
+                    $(domain $domain)?
+                    $(resolution $absolute)?
+                    $(relative_resolution $share)?
+                    $(roundings $roundings)?
+                    derivative $derivative
+                ]
+                $(|$input, $out_bar| $adjoint)?
             }
             $crate::__takes!($Verb, ($($type),+), This, Item(::core::marker::PhantomData));
         };
@@ -253,46 +259,24 @@ macro_rules! operation {
     (
         @row [$([$($doc:tt)*])*] $Name:ident, $name:expr,
         [$($arg:ident: $type:ty),+] -> $out:ty, $body:block
-        invariances [$($motion:ident $answer:ident $(($power:literal))?),*]
-        $(finite $finite:ident $(($limits:expr))?)?
-        $(range $range:ident)?
-        $(extremes $extremes:ident)?
-        jumps $jumps:ident
-        $(domain $domain:block)?
-        $(resolution $absolute:literal)?
-        $(relative_resolution $share:literal)?
-        $(roundings $roundings:block)?
-        derivative $derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
+        [$($clauses:tt)*]
+        $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
         $(=> compiled { $compiled:expr })?
     ) => {
+        impl $crate::kernels::op::Declares for $Name {
+            const DECLARED: $crate::kernels::op::Declared = $crate::__declared!(
+                $crate::kernels::op::Declared::new($name, &[], $crate::kernels::op::Jumps::Never)
+                    .arguments(&[$(::core::stringify!($arg)),+])
+                    .doc($crate::__doc!([] $([$($doc)*])*)),
+                <Self as $crate::kernels::op::Op>::In<f64>, ($($arg),+), $($clauses)*
+            );
+        }
+
         // One argument needs none.
         #[allow(unused_parens)]
         impl $crate::kernels::op::Op for $Name {
-            const NAME: &'static str = $name;
-            const ARGUMENTS: &'static [&'static str] = &[$(::core::stringify!($arg)),+];
-            const DOC: &'static str = $crate::__doc!([] $([$($doc)*])*);
             type In<S: $crate::Scalar> = ($($type),+);
             type Out<S: $crate::Scalar> = $out;
-            const INVARIANCES: &'static [$crate::kernels::op::Invariance] = &[$(
-                $crate::kernels::op::Invariance {
-                    motion: $crate::kernels::op::Motion::$motion,
-                    answer: $crate::kernels::op::Effect::$answer $(($power))?,
-                }
-            ),*];
-            const JUMPS: $crate::kernels::op::Jumps = $crate::kernels::op::Jumps::$jumps;
-            const DERIVATIVE: $crate::kernels::op::Derivative = $crate::kernels::op::Derivative::$derivative;
-            $(const FINITE: $crate::kernels::op::Finite =
-                $crate::kernels::op::Finite::$finite $(($limits))?;)?
-            $(const RANGE: $crate::kernels::op::Range = $crate::kernels::op::Range::$range;)?
-            $(const EXTREMES: $crate::kernels::op::Extremes =
-                $crate::kernels::op::Extremes::$extremes;)?
-            #[allow(unused_parens, unused_variables)]
-            const DOMAIN: ::core::option::Option<fn(Self::In<f64>) -> bool> =
-                $crate::__domain!(($($arg),+) $($domain)?);
-            const RESOLUTION: [f64; 2] = [0.0 $(+ $absolute)?, 0.0 $(+ $share)?];
-            #[allow(unused_parens, unused_variables)]
-            const ROUNDINGS: ::core::option::Option<fn(Self::In<f64>) -> f64> =
-                $crate::__domain!(($($arg),+) $($roundings)?);
             #[allow(unused_imports, unused_parens)]
             fn eval<S: $crate::Scalar>(($($arg),+): Self::In<S>) -> Self::Out<S> {
                 use $crate::{Mask as _, Scalar as _};
@@ -425,12 +409,4 @@ macro_rules! __doc {
         $crate::__doc!([$($line,)* $next,] $($rest)*)
     };
     ([$($line:expr,)*] [$($other:tt)*] $($rest:tt)*) => { $crate::__doc!([$($line,)*] $($rest)*) };
-}
-
-/// A domain, given its arguments and its formula, if there is one.
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __domain {
-    (($($arg:ident),+)) => { ::core::option::Option::None };
-    (($($arg:ident),+) $domain:block) => { ::core::option::Option::Some(|($($arg),+)| $domain) };
 }

@@ -227,7 +227,7 @@ impl<O: Pair<T>, T: Number> Known<O, T> {
                 assert!(
                     here == *known && bits(&matrix[at..=at]) == known[..1],
                     "{}, {way}, rows {rows:?}, columns {columns:?}: {:?} {:?}",
-                    O::NAME,
+                    O::DECLARED.name,
                     a[i].scalars(),
                     b[j].scalars()
                 );
@@ -251,7 +251,7 @@ impl<O: Pair<T>, T: Number> Known<O, T> {
             assert!(
                 here == *known && bits(&values[i..=i]) == known[..1] && up == self.aligned[at],
                 "{}, {way}, aligned from {at} on, pair {i}: {:?} {:?}",
-                O::NAME,
+                O::DECLARED.name,
                 a[i].scalars(),
                 b[i].scalars()
             );
@@ -350,7 +350,11 @@ where
             for &threads in counts {
                 let here = on_threads(threads, || results::<O, T>(a, b));
                 let first = expected.get_or_insert_with(|| here.clone());
-                assert!(here == *first, "{}, {way}, {threads} threads", O::NAME);
+                assert!(
+                    here == *first,
+                    "{}, {way}, {threads} threads",
+                    O::DECLARED.name
+                );
             }
         });
     }
@@ -410,7 +414,7 @@ fn rings<O: OfRings<T>, T: Number>(
             for (i, at) in offsets.windows(2).enumerate() {
                 let ring = vertices[at[0]..at[1]].to_vec();
                 let value = eval(&ring);
-                let place = || format!("{}, {way}, ring {i}: {ring:?}", O::NAME);
+                let place = || format!("{}, {way}, ring {i}: {ring:?}", O::DECLARED.name);
                 assert_eq!(bits_of([&values[i]]), bits_of([&value]), "{}", place());
                 let bars = vjp(&ring, value);
                 assert_eq!(
@@ -438,7 +442,7 @@ impl Compiled {
         O: Pair<f32, A: Drawn, B: Drawn> + Pair<f64, A: Drawn, B: Drawn>,
     {
         Compiled {
-            name: <O as geograd::kernels::Op>::NAME,
+            name: O::DECLARED.name,
             positions: [positions::<O, f32>, positions::<O, f64>],
             scenes: [scenes::<O, f32>, scenes::<O, f64>],
         }

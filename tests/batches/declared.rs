@@ -64,7 +64,7 @@ fn the_documentation_says_within_which_limits_others_are_finite() {
 /// The sine between two lines that are not parallel is as small as their numbers allow.
 #[test]
 fn derivatives_of_a_crossing_are_finite_within_its_limits() {
-    let Finite::Within(Limits { single, .. }) = CrossingOfLines::FINITE else {
+    let Finite::Within(Limits { single, .. }) = CrossingOfLines::DECLARED.finite else {
         panic!("a crossing has limits");
     };
     let [small, large] = single.map(|exponent| 2.0_f32.powi(exponent));

@@ -249,11 +249,12 @@ fn bad_vertices_are_named() {
 #[derive(Clone, Copy, Debug, Default)]
 struct SurfaceArea;
 
+impl Declares for SurfaceArea {
+    const DECLARED: Declared = Declared::new("surface_area", &[], Jumps::Never);
+}
+
 impl Fold for SurfaceArea {
-    const NAME: &'static str = "surface_area";
     const CLOSED: bool = true;
-    const INVARIANCES: &'static [Invariance] = &[];
-    const JUMPS: Jumps = Jumps::Never;
     type Element<S: Scalar> = Triangle3<S>;
     type Context<S: Scalar> = [S; 0];
     type Reference<S: Scalar> = [S; 0];

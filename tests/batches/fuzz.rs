@@ -56,7 +56,7 @@ where
             let expected = [vec![value], derivatives.scalars()].concat();
             let bits =
                 |all: &[T]| -> Vec<u64> { all.iter().map(|x| x.widen().to_bits()).collect() };
-            let at = format!("{} {input:?} upstream {out_bar:?}", O::NAME);
+            let at = format!("{} {input:?} upstream {out_bar:?}", O::DECLARED.name);
             assert!(found.iter().all(|x| x.finite()), "{at}: {found:?}");
             assert_eq!(bits(&found), bits(&expected), "{at}");
         }
@@ -65,7 +65,7 @@ where
         assert!(
             apart <= 1e-4 * one.widen().abs(),
             "{} {input:?}: {one:?} {other:?}",
-            O::NAME
+            O::DECLARED.name
         );
     }
 }
@@ -377,16 +377,13 @@ const NOT_APART: usize = 5;
 /// The value beside derivatives is another one.
 const OTHERWISE_BY_HAND: usize = 6;
 
+impl<const FAULT: usize> Declares for Faulty<FAULT> {
+    const DECLARED: Declared = IouObb2::DECLARED.derivative(Derivative::ByHand);
+}
+
 impl<const FAULT: usize> Op for Faulty<FAULT> {
-    const NAME: &'static str = IouObb2::NAME;
     type In<S: Scalar> = (Obb2<S>, Obb2<S>);
     type Out<S: Scalar> = S;
-    const INVARIANCES: &'static [geograd::kernels::op::Invariance] = IouObb2::INVARIANCES;
-    const JUMPS: Jumps = IouObb2::JUMPS;
-    const DERIVATIVE: Derivative = Derivative::ByHand;
-    const FINITE: Finite = IouObb2::FINITE;
-    const RANGE: Range = IouObb2::RANGE;
-    const EXTREMES: Extremes = IouObb2::EXTREMES;
     fn eval<S: Scalar>((a, b): Self::In<S>) -> S {
         faulty::<S, FAULT>(a, b, IouObb2::eval((a, b)))
     }
@@ -493,17 +490,18 @@ fn what_is_found_is_simple_and_code() {
 #[derive(Clone, Copy, Debug, Default)]
 struct Unguarded<const LIMITED: bool>;
 
+impl<const LIMITED: bool> Declares for Unguarded<LIMITED> {
+    const DECLARED: Declared = Declared::new("unguarded", &[], Jumps::Anywhere)
+        .derivative(Derivative::Reverse)
+        .finite(match LIMITED {
+            true => Finite::Within(Limits::new([-20, 20], [-200, 200])),
+            false => Finite::Always,
+        });
+}
+
 impl<const LIMITED: bool> Op for Unguarded<LIMITED> {
-    const NAME: &'static str = "unguarded";
     type In<S: Scalar> = (Aabb2<S>, S);
     type Out<S: Scalar> = S;
-    const INVARIANCES: &'static [geograd::kernels::op::Invariance] = &[];
-    const JUMPS: Jumps = Jumps::Anywhere;
-    const DERIVATIVE: Derivative = Derivative::Reverse;
-    const FINITE: Finite = match LIMITED {
-        true => Finite::Within(Limits::new([-20, 20], [-200, 200])),
-        false => Finite::Always,
-    };
     fn eval<S: Scalar>((shape, x): Self::In<S>) -> S {
         (shape.max.x - shape.min.x) * x
     }

@@ -44,7 +44,11 @@ where
         calls::count_above::<O, T>(&a[1..], &b[1..], T::lit(0.1)).unwrap();
         // The same numbers elsewhere in memory.
         let moved = results::<O, T>(&a[1..], &b[1..]);
-        assert!(known == moved, "{}, {rows} times {columns}", O::NAME);
+        assert!(
+            known == moved,
+            "{}, {rows} times {columns}",
+            O::DECLARED.name
+        );
         let _ = calls::all_pairs_grad::<O, T>(&a[1..], &b[1..]).unwrap();
         let (a, b) = (list::<O::A>(20, MILD, 3), list::<O::B>(20, MILD, 4));
         let (a, b) = (&a[1..], &b[1..]);

@@ -14,13 +14,14 @@ static DECISIONS: AtomicU64 = AtomicU64::new(0);
 #[derive(Clone, Copy, Debug, Default)]
 struct Larger;
 
+impl Declares for Larger {
+    const DECLARED: Declared = Declared::new("larger", &[], Jumps::Never);
+}
+
 impl Search for Larger {
-    const NAME: &'static str = "larger";
     type In<S: Scalar> = [S; 2];
     type Out<S: Scalar> = S;
     type Record = bool;
-    const INVARIANCES: &'static [Invariance] = &[];
-    const JUMPS: Jumps = Jumps::Never;
     fn decide<S: Scalar<Mask = bool>>([a, b]: [S; 2]) -> bool {
         DECISIONS.fetch_add(1, Ordering::Relaxed);
         a.above(b)

@@ -25,17 +25,33 @@ where
     let mut all = inputs::<O, T>(600);
     let is_inside = |x: &O::In<T>| {
         let numbers: Vec<f64> = x.scalars().iter().map(|x| x.widen()).collect();
-        O::DOMAIN.is_none_or(|inside| inside(O::In::<f64>::load(&numbers)))
+        O::DECLARED
+            .domain
+            .is_none_or(|inside| inside(O::In::<f64>::load(&numbers)))
     };
     all.retain(|x| x.validate().is_ok() && is_inside(x));
-    let least = if O::DOMAIN.is_some() { 50 } else { 500 };
-    assert!(all.len() > least, "{}: {}", O::NAME, all.len());
+    let least = if O::DECLARED.domain.is_some() {
+        50
+    } else {
+        500
+    };
+    assert!(all.len() > least, "{}: {}", O::DECLARED.name, all.len());
     let batch = Cpu::new().aligned(O::default(), &all[..]).unwrap();
     for (i, &x) in all.iter().enumerate() {
-        assert_eq!(batch.item(i), bits(&O::eval(x)), "{}: {x:?}", O::NAME);
+        assert_eq!(
+            batch.item(i),
+            bits(&O::eval(x)),
+            "{}: {x:?}",
+            O::DECLARED.name
+        );
         for (k, spelling) in spellings.iter().enumerate() {
             let found = bits(&spelling(x));
-            assert_eq!(batch.item(i), found, "{}, spelling {k}: {x:?}", O::NAME);
+            assert_eq!(
+                batch.item(i),
+                found,
+                "{}, spelling {k}: {x:?}",
+                O::DECLARED.name
+            );
         }
     }
 }

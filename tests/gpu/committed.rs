@@ -45,7 +45,7 @@ where
 {
     let all = op_sources::<O>().unwrap();
     for wanted in wanted {
-        let name = format!("{} {wanted}", O::NAME);
+        let name = format!("{} {wanted}", O::DECLARED.name);
         let found = all.iter().find(|(own, _)| *own == name);
         compare(&name, &found.unwrap_or_else(|| panic!("no {name}")).1);
     }

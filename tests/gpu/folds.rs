@@ -154,7 +154,12 @@ fn folds_agree<F: Fold, C: geograd::kernels::Columns<Item = F::Context<f32>> + C
     let cpu = Cpu::new();
     let found = gpu.fold(run, context, vertices, offsets).unwrap();
     let expected = cpu.fold(run, context, vertices, offsets).unwrap();
-    near(F::NAME, &numbers(&found), &numbers(&expected), 1e-5);
+    near(
+        F::DECLARED.name,
+        &numbers(&found),
+        &numbers(&expected),
+        1e-5,
+    );
     let seeds: Vec<F::Out<f32>> = found.iter().map(|_| F::Out::filled(0.75)).collect();
     let (by_context, by_vertex) = gpu
         .fold_vjp(run, context, vertices, offsets, &seeds)
@@ -164,9 +169,19 @@ fn folds_agree<F: Fold, C: geograd::kernels::Columns<Item = F::Context<f32>> + C
         .unwrap();
     let flat =
         |all: &[F::Element<f32>]| -> Vec<f32> { all.iter().flat_map(Pack::scalars).collect() };
-    near(F::NAME, &flat(&by_vertex), &flat(&expected.1), 2e-5);
+    near(
+        F::DECLARED.name,
+        &flat(&by_vertex),
+        &flat(&expected.1),
+        2e-5,
+    );
     assert_eq!(by_context.len(), expected.0.len());
     for (found, expected) in by_context.iter().zip(&expected.0) {
-        near(F::NAME, &found.scalars(), &expected.scalars(), 2e-5);
+        near(
+            F::DECLARED.name,
+            &found.scalars(),
+            &expected.scalars(),
+            2e-5,
+        );
     }
 }

@@ -58,7 +58,7 @@ where
     A: Single<Scalar = f32>,
     B: Single<Scalar = f32>,
 {
-    let (run, name) = (O::default(), O::NAME);
+    let (run, name) = (O::default(), O::DECLARED.name);
     let all = [0, 1].map(|k| offsets(sizes, k));
     let groups = Groups::new(&all[0], &all[1]);
     let columns = b.len();

@@ -56,7 +56,7 @@ struct Boxes {
 impl Boxes {
     const fn of<O: shapes::Score>() -> Self {
         Boxes {
-            name: <O as Op>::NAME,
+            name: O::DECLARED.name,
             hard_pairs: parity::hard_pairs_agree::<O>,
             all_pairs: || {
                 let Some((_turn, gpu)) = gpu() else { return };

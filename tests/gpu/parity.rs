@@ -54,7 +54,7 @@ pub fn hard_pairs_agree<O: Score>() {
         assert!(
             (near - value).abs() <= bound,
             "{}: {a:?} {b:?}: {near} for {value} ± {bound}",
-            O::NAME
+            O::DECLARED.name
         );
         let bounds = derivative_bounds::<O>(a, b, near, &mut draws);
         let expected = [fields(by_a), fields(by_b)].concat();
@@ -62,7 +62,7 @@ pub fn hard_pairs_agree<O: Score>() {
             assert!(
                 (found[k] - expected[k]).abs() <= bounds[k],
                 "{}, derivative {k}: {a:?} {b:?}: {} for {} ± {}",
-                O::NAME,
+                O::DECLARED.name,
                 found[k],
                 expected[k],
                 bounds[k]
@@ -83,7 +83,7 @@ pub fn all_pairs_agree<O: Score>(gpu: &Gpu, rows: usize, columns: usize) {
         assert!(
             (f64::from(found) - f64::from(value)).abs() <= bound,
             "{} {at}: {found} for {value}",
-            O::NAME
+            O::DECLARED.name
         );
     }
 
@@ -119,7 +119,7 @@ fn sums_agree<O: Score>(
         assert!(
             (found - sum).abs() <= bound,
             "{}: {found} for {sum}",
-            O::NAME
+            O::DECLARED.name
         );
     };
     let term =
@@ -328,7 +328,7 @@ fn extremes_agree<O: Score<Shape = Obb2<f32>>>(gpu: &Gpu) {
             assert!(
                 found.is_finite() || !expected.is_finite(),
                 "{} {:?} {:?}, derivative {k}: {found}, on the CPU {expected}",
-                O::NAME,
+                O::DECLARED.name,
                 boxes[i],
                 boxes[j]
             );
@@ -337,7 +337,7 @@ fn extremes_agree<O: Score<Shape = Obb2<f32>>>(gpu: &Gpu) {
         assert!(
             (found - value).abs() <= 1e-5 * value.max(1.0),
             "{}: {found} for {value}",
-            O::NAME
+            O::DECLARED.name
         );
     }
 }

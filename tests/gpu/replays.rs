@@ -221,13 +221,14 @@ fn what_cannot_be_replayed_is_refused() {
 #[derive(Clone, Copy, Debug, Default)]
 struct Everything;
 
+impl Declares for Everything {
+    const DECLARED: Declared = Declared::new("everything", &[], Jumps::Anywhere);
+}
+
 impl Search for Everything {
-    const NAME: &'static str = "everything";
     type In<S: Scalar> = [S; 3];
     type Out<S: Scalar> = [S; 4];
     type Record = bool;
-    const INVARIANCES: &'static [Invariance] = &[];
-    const JUMPS: Jumps = Jumps::Anywhere;
     fn decide<S: Scalar<Mask = bool>>([a, b, _]: [S; 3]) -> bool {
         a.below(b)
     }

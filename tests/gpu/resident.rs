@@ -141,7 +141,7 @@ pub fn chains_agree<O: Score>() {
                     size += y.abs();
                 }
             }
-            assert!(off <= 1e-3 * size, "{}: {off} of {size}", O::NAME);
+            assert!(off <= 1e-3 * size, "{}: {off} of {size}", O::DECLARED.name);
         }
     }
 }

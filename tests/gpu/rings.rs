@@ -64,7 +64,7 @@ pub fn rings_agree<O: OfRings<f32>>(gpu: &Gpu) {
             assert!(
                 (found - expected).abs() <= bound,
                 "{} {ring}: {found} for {expected}",
-                O::NAME
+                O::DECLARED.name
             );
         }
         for i in offsets[ring]..offsets[ring + 1] {
@@ -73,7 +73,7 @@ pub fn rings_agree<O: OfRings<f32>>(gpu: &Gpu) {
                 assert!(
                     (found - expected).abs() <= bound,
                     "{} {ring}: {found} for {expected}",
-                    O::NAME
+                    O::DECLARED.name
                 );
             }
         }
@@ -134,7 +134,7 @@ pub fn long_rings_agree<O: OfRings<f32> + OfRings<f64>>(gpu: &Gpu, counts: &[usi
             assert!(
                 (found - expected).abs() <= bound,
                 "{} of {n}: {found} for {expected}",
-                O::NAME
+                O::DECLARED.name
             );
         }
         // Directions of edges turn by their displacement over their length.
@@ -147,12 +147,12 @@ pub fn long_rings_agree<O: OfRings<f32> + OfRings<f64>>(gpu: &Gpu, counts: &[usi
             assert!(
                 (f64::from(x.x) - y.x).abs() <= bound,
                 "{} {i}: {x:?} for {y:?}",
-                O::NAME
+                O::DECLARED.name
             );
             assert!(
                 (f64::from(x.y) - y.y).abs() <= bound,
                 "{} {i}: {x:?} for {y:?}",
-                O::NAME
+                O::DECLARED.name
             );
         }
     }

@@ -16,7 +16,7 @@ where
     A: Draw + Single<Scalar = f32>,
 {
     type Shape = A;
-    const OVER: Denominator = match O::NAME.as_bytes() {
+    const OVER: Denominator = match O::DECLARED.name.as_bytes() {
         [b'i', b'n', ..] => Denominator::None,
         [b'i', b'o', b'u', ..] => Denominator::Union,
         _ => Denominator::First,

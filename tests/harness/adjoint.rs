@@ -83,7 +83,7 @@ mod alarms {
         O::Out<f64>: Sample,
     {
         examine(
-            O::NAME,
+            O::DECLARED.name,
             &Sampling::new(1, seed ^ sample),
             &[pair],
             1,

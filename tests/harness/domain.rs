@@ -116,7 +116,7 @@ fn a_camera_is_checkable_inside_its_domain() {
 
 #[test]
 fn a_camera_is_refused_without_a_domain() {
-    assert!(ProjectAnywhere::DOMAIN.is_none());
+    assert!(ProjectAnywhere::DECLARED.domain.is_none());
     for report in Check::of(ProjectAnywhere).run() {
         assert!(!report.passed(), "{report}");
         assert_eq!(report.outside, 0);
@@ -179,7 +179,7 @@ fn a_resolution_is_the_rows() {
     Check::of(Rise).assert();
     Check::of(Loss).assert();
     assert_eq!(
-        (Rise::RESOLUTION, Loss::RESOLUTION),
+        (Rise::DECLARED.resolution, Loss::DECLARED.resolution),
         ([1e-7, 0.0], [0.0, 1e-4])
     );
     // A caller may ask for more.
@@ -194,7 +194,7 @@ fn a_resolution_is_the_rows() {
 #[test]
 fn terms_that_cancel_are_the_rows() {
     Check::of(Left).assert();
-    assert!(LeftUnsaid::ROUNDINGS.is_none());
+    assert!(LeftUnsaid::DECLARED.roundings.is_none());
     let [single, double] = Check::of(LeftUnsaid).run();
     assert!(
         single.refused_for(Reason::ValuesDisagree(Witness::Wide)),

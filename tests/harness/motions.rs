@@ -163,7 +163,8 @@ fn velocities_are_those_of_finite_motions() {
 fn answers<O: Op>() -> [Option<Effect>; 4] {
     let [x, y, z] = ROTATIONS;
     [x, y, z, Motion::TranslationZ].map(|motion| {
-        let found = O::INVARIANCES
+        let found = O::DECLARED
+            .invariances
             .iter()
             .find(|invariance| invariance.motion == motion);
         found.map(|invariance| invariance.answer)

@@ -74,7 +74,11 @@ where
     O::In<f32>: Item<Scalar = f32>,
     O::Out<f32>: Item<Scalar = f32>,
 {
-    sources(O::NAME, recording_of::<O, O::In<f32>>(), &Take::ALL)
+    sources(
+        O::DECLARED.name,
+        recording_of::<O, O::In<f32>>(),
+        &Take::ALL,
+    )
 }
 
 /// The shaders of a straight line; of reductions, whose template is the same for all, one.
@@ -162,7 +166,7 @@ fn forms(mode: Mode, made: &Generated<f32>, outputs: usize, taken: &[Take]) -> V
 #[doc(hidden)]
 pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
     if let Some(measure) = F::MEASURE {
-        return Ok(vec![(F::NAME.to_owned(), ring_source(measure))]);
+        return Ok(vec![(F::DECLARED.name.to_owned(), ring_source(measure))]);
     }
     let programs = folding::programs::<F, f32>()?;
     let made = folds::shaders(
