@@ -1,7 +1,7 @@
 //! A user's program with shapes and a function of its own: batches and programs; its tests run the harness. It runs
 //! here without the feature `check`, and is compiled outside the workspace with the feature `gpu`, too.
 use geograd::distance::Convex;
-use geograd::kernels::op::{Invariance, Jumps};
+use geograd::kernels::op::{Declared, Declares, Jumps};
 use geograd::kernels::{Cpu, Fold, One, Op, Skip};
 use geograd::{Capsule2, Circle, Error, Obb2, Pose2, Program, Scalar, Shape, Sym, Vec2, Vec3, ad};
 

@@ -2,7 +2,7 @@
 use crate::rows::finite;
 use geograd::ad::jacobian;
 use geograd::intersection::crossing_of_lines;
-use geograd::kernels::Op as _;
+use geograd::kernels::op::Declares as _;
 use geograd::kernels::op::{Finite, Limits};
 use geograd::{Line2, Pack, Vec2};
 use geograd_tests::rows::CrossingOfLines;

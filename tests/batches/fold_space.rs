@@ -2,7 +2,7 @@
 use geograd::distance3::polyline::distance_to_polyline;
 use geograd::error::{Argument, Field, Flaw};
 use geograd::kernels::fold::fold;
-use geograd::kernels::op::{Invariance, Jumps};
+use geograd::kernels::op::{Declared, Declares, Jumps};
 use geograd::kernels::{Cpu, Distance, Fold, Length, One, SecondMoments};
 use geograd::measure::cloud::{centroid, covariance};
 use geograd::{Error, Pack, Scalar, Symmetric3, Triangle3, Vec3};

@@ -1,6 +1,6 @@
 //! Unexpected inputs, and tests that the fuzzers find planted faults.
 use geograd::kernels::fuzz::{self, Fuzzed, Property};
-use geograd::kernels::op::{Derivative, Extremes, Finite, Jumps, Limits, Op, Range};
+use geograd::kernels::op::{Declared, Declares, Derivative, Finite, Jumps, Limits, Op};
 use geograd::kernels::{Cpu, Single};
 use geograd::{Aabb2, Fixed, Obb2, Pack, Real, Scalar};
 use geograd_tests::fuzzers::{Fuzzer, fuzzers, walk};

@@ -1,5 +1,5 @@
 //! Searches over shapes with codes (polygons, which count their vertices), all pairs.
-use geograd::kernels::op::{Invariance, Jumps};
+use geograd::kernels::op::{Declared, Declares, Jumps};
 use geograd::kernels::search::{Search, search};
 use geograd::kernels::{Cpu, Iou, MinimumCircle, MinimumRectangle, One, Width};
 use geograd::{ConvexPolygon, Fixed, Pack, Scalar, Vec2};

@@ -10,7 +10,7 @@ use geograd::{
     ConvexPolygon, Scalar, Triangle2, Vec2, distance, distance3, gaussian, intersection, iou, iou3,
     overlap, overlap3, ring,
 };
-use geograd::{Fixed, Pack};
+use geograd::Pack;
 use geograd_tests::Dice;
 use geograd_tests::calls::Number;
 use std::fmt::Debug;
@@ -25,9 +25,7 @@ where
     let mut all = inputs::<O, T>(600);
     let is_inside = |x: &O::In<T>| {
         let numbers: Vec<f64> = x.scalars().iter().map(|x| x.widen()).collect();
-        O::DECLARED
-            .domain
-            .is_none_or(|inside| inside(O::In::<f64>::load(&numbers)))
+        O::DECLARED.domain.is_none_or(|inside| inside(&numbers))
     };
     all.retain(|x| x.validate().is_ok() && is_inside(x));
     let least = if O::DECLARED.domain.is_some() {

@@ -19,7 +19,6 @@ mod rings;
 mod shapes;
 mod suppress;
 
-use geograd::kernels::Op;
 use geograd::kernels::dynamic::Sort;
 use geograd::kernels::gpu::{Gpu, Options, common_sources};
 use geograd_tests::adapter::{any_gpu, validate};

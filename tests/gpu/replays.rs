@@ -3,7 +3,7 @@ use crate::{any_gpu, gpu, small, validate};
 use geograd::ad::check::sample::Draw;
 use geograd::kernels::dynamic::{Mode, Rows, Sort};
 use geograd::kernels::gpu::replay_source;
-use geograd::kernels::op::{Invariance, Jumps};
+use geograd::kernels::op::{Declared, Declares, Jumps};
 use geograd::kernels::search::search;
 use geograd::kernels::{Backend, Cpu, One, Search};
 use geograd::kernels::{Diameter, Giou, Iou};

@@ -1,7 +1,7 @@
 //! Rows that state where they are defined and how far their values may be off.
 use geograd::check::*;
 use geograd::kernels::fuzz::{self, Property as Fuzzing};
-use geograd::kernels::op::Op;
+use geograd::kernels::op::Declares;
 use geograd::{Shape, Vec2, Vec3, operation};
 
 /// A pinhole camera at the origin that looks along z.
