@@ -578,6 +578,8 @@ pub enum GpuFault {
     NoAdapter,
     /// Adapters were found, but none as asked for: choose another index, name or kind.
     NoSuchAdapter,
+    /// A GPU computes in `f32`, and the call is one of `f64`: convert the numbers, or call the CPU.
+    OnlySingle,
     /// Only a driver in software was found, which is slower than the CPU: install the GPU's driver,
     /// or ask for software with `GEOGRAD_GPU=cpu`. Only [`Backend::auto`] says so.
     ///
@@ -622,6 +624,7 @@ impl fmt::Display for GpuFault {
                 "no GPU found as asked for: choose another with GEOGRAD_GPU (an index, a part of a \
                  name, or `cpu`)"
             }
+            GpuFault::OnlySingle => "a GPU computes in `f32`: convert the numbers, or call the CPU",
             GpuFault::OnlySoftware => {
                 "no GPU found but a driver in software, which is slower than the CPU: install the \
                  GPU's driver, or ask for software with GEOGRAD_GPU=cpu"

@@ -33,17 +33,32 @@ pub fn agree(row: &Tested, every: bool) {
     let (a, b) = (&columns[0][..20 * n], &columns[1][20 * m..]);
     let (a, b) = (Rows::new(a, n), Rows::new(b, m));
     if !every {
-        let found = value.all_pairs_on(Backend::Gpu(gpu), a, b).unwrap();
+        let found = value
+            .on(Backend::Gpu(gpu))
+            .unwrap()
+            .all_pairs(a, b)
+            .unwrap();
         return few_differ(row.name(), &found, &value.all_pairs(a, b).unwrap());
     }
     if list::outputs(row) == 1 {
         numbers_agree(gpu, operation, a, b, Bound::Most);
     } else {
-        let found = value.all_pairs_on(Backend::Gpu(gpu), a, b).unwrap();
+        let found = value
+            .on(Backend::Gpu(gpu))
+            .unwrap()
+            .all_pairs(a, b)
+            .unwrap();
         few_differ(row.name(), &found, &value.all_pairs(a, b).unwrap());
     }
     // One shape for all.
-    let on = |rows: &[Rows<'_, f32>]| value.aligned_on(Backend::Gpu(gpu), rows).unwrap().concat();
+    let on = |rows: &[Rows<'_, f32>]| {
+        value
+            .on(Backend::Gpu(gpu))
+            .unwrap()
+            .aligned(rows)
+            .unwrap()
+            .concat()
+    };
     let (of_a, of_b) = (a.numbers(), b.numbers());
     let (one, other) = (&of_a[3 * n..4 * n], &of_b[3 * m..4 * m]);
     let first = Rows::new(&of_b[..20 * m], m);
@@ -156,25 +171,25 @@ fn numbers_agree(
     let (name, on) = (operation.name, Backend::Gpu(gpu));
     let run = operation.value::<f32>().unwrap();
     let [rows, columns] = [a, b].map(|list| list.count().unwrap());
-    let values = run.all_pairs_on(on, a, b).unwrap();
+    let values = run.on(on).unwrap().all_pairs(a, b).unwrap();
     bound.holds(name, &values, &run.all_pairs(a, b).unwrap());
-    let again = run.all_pairs_on(on, a, b).unwrap();
+    let again = run.on(on).unwrap().all_pairs(a, b).unwrap();
     assert_eq!(bits(&values), bits(&again), "{name}");
     // A gradient per pair.
     let both = operation.function::<f32>(Mode::ValueGrad).unwrap();
-    let grads = both.all_pairs_on(on, a, b).unwrap();
+    let grads = both.on(on).unwrap().all_pairs(a, b).unwrap();
     let fields = 1 + a.fields() + b.fields();
     assert_eq!(grads.len(), fields * rows * columns, "{name}");
     bound.holds(name, &grads[..values.len()], &values);
     // Reductions are those of the matrix.
-    let best = run.row_max_on(on, a, b).unwrap();
+    let best = run.on(on).unwrap().row_max(a, b).unwrap();
     for (row, best) in values.chunks(columns).zip(&best) {
         let most = row.iter().copied().fold(f32::NEG_INFINITY, f32::max);
         assert_eq!(best.value, most, "{name}");
         let first = row.iter().position(|&x| x == most);
         assert_eq!(first, Some(best.index), "{name}");
     }
-    let best = run.column_max_on(on, a, b).unwrap();
+    let best = run.on(on).unwrap().column_max(a, b).unwrap();
     for (j, best) in best.iter().enumerate() {
         let column = || values.iter().skip(j).step_by(columns).copied();
         let most = column().fold(f32::NEG_INFINITY, f32::max);
@@ -185,7 +200,7 @@ fn numbers_agree(
     let mut sorted = values.clone();
     sorted.sort_by(f32::total_cmp);
     let threshold = sorted[sorted.len() / 2];
-    let above = run.above_on(on, a, b, threshold).unwrap();
+    let above = run.on(on).unwrap().above(a, b, threshold).unwrap();
     let found: Vec<(usize, f32)> = above
         .iter()
         .map(|found| (found.row * columns + found.column, found.value))
@@ -193,36 +208,36 @@ fn numbers_agree(
     let all = values.iter().copied().enumerate();
     let expected: Vec<(usize, f32)> = all.filter(|&(_, x)| x > threshold).collect();
     assert_eq!(found, expected, "{name}");
-    let count = run.count_above_on(on, a, b, threshold).unwrap();
+    let count = run.on(on).unwrap().count_above(a, b, threshold).unwrap();
     assert_eq!(count as usize, expected.len(), "{name}");
     let exact: f64 = values.iter().map(|&x| f64::from(x)).sum();
     let size: f64 = values.iter().map(|&x| f64::from(x).abs()).sum();
-    let sum = run.sum_on(on, a, b).unwrap();
+    let sum = run.on(on).unwrap().sum(a, b).unwrap();
     assert!(
         (sum - exact).abs() <= 1e-5 * size,
         "{name}: {sum} for {exact}"
     );
-    let mean = run.mean_on(on, a, b).unwrap();
+    let mean = run.on(on).unwrap().mean(a, b).unwrap();
     assert_eq!(mean, sum / values.len() as f64, "{name}");
     // Derivatives: sums of those of every pair.
     let mut draw = Draw::new(5);
     let upstream: Vec<f32> = values.iter().map(|_| draw.unit() as f32 - 0.5).collect();
-    let bars = run.all_pairs_vjp_on(on, a, b, &upstream).unwrap();
-    let again = run.all_pairs_vjp_on(on, a, b, &upstream).unwrap();
+    let bars = run.on(on).unwrap().all_pairs_vjp(a, b, &upstream).unwrap();
+    let again = run.on(on).unwrap().all_pairs_vjp(a, b, &upstream).unwrap();
     assert_eq!(again, bars, "{name}: the same bits");
     let sides = [(rows, a.fields()), (columns, b.fields())];
     let derivatives = |weights: &[f32], bars: [&[f32]; 2]| {
         derivatives_agree((name, bound), &grads, weights, bars, sides);
     };
     derivatives(&upstream, [&bars.0, &bars.1]);
-    let (found, a_grad, b_grad) = run.sum_grad_on(on, a, b).unwrap();
+    let (found, a_grad, b_grad) = run.on(on).unwrap().sum_grad(a, b).unwrap();
     // Kernels by hand add the sum in other groups beside its derivatives.
     assert!(
         (found - sum).abs() <= 1e-6 * size,
         "{name}: {found} for {sum}"
     );
     derivatives(&vec![1.0; values.len()], [&a_grad, &b_grad]);
-    let (found, mean_bar, _) = run.mean_grad_on(on, a, b).unwrap();
+    let (found, mean_bar, _) = run.on(on).unwrap().mean_grad(a, b).unwrap();
     assert!(
         (found - mean).abs() <= 1e-6 * size / values.len() as f64,
         "{name}: {found} for {mean}"

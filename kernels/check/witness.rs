@@ -134,7 +134,7 @@ fn asked(
 ) -> Result<Vec<Vec<f64>>, Error> {
     let columns = columns(function, inputs);
     let rows: Vec<_> = columns.iter().map(|(x, n)| Rows::new(x, *n)).collect();
-    let lists = function.aligned_on(backend, &rows)?;
+    let lists = function.on(backend)?.aligned(&rows)?;
     let gives = function.gives();
     let item = |i: usize| {
         let lists = lists.iter().zip(&gives);
@@ -169,8 +169,8 @@ pub(crate) fn ask_pairs(
         let (a, b) = (Rows::new(a, *a_fields), Rows::new(b, *b_fields));
         let mut own = vec![0.0; side * side];
         own.iter_mut().step_by(side + 1).for_each(|x| *x = 1.0);
-        let values = function.all_pairs_on(backend, a, b)?;
-        let (by_a, by_b) = function.all_pairs_vjp_on(backend, a, b, &own)?;
+        let values = function.on(backend)?.all_pairs(a, b)?;
+        let (by_a, by_b) = function.on(backend)?.all_pairs_vjp(a, b, &own)?;
         let derivatives = by_a
             .chunks_exact(*a_fields)
             .zip(by_b.chunks_exact(*b_fields));

@@ -160,6 +160,7 @@ impl Operation {
         let recording = recording();
         let is_one = recording.outputs.iter().sum::<usize>() == 1;
         (is_one || mode != Mode::ValueGrad).then(|| Function {
+            gpu: None,
             mode,
             names: named(self.declared.arguments, recording.takes.len()),
             recording,

@@ -3,15 +3,18 @@ use super::Mode;
 #[cfg(feature = "check")]
 use super::rows::named;
 use super::rows::{Layout, Rows, renamed};
+use crate::GpuFault;
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::call::recording::{Call, Recording};
+use crate::kernels::gpu::Gpu;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::found::{Best, Found};
 use crate::kernels::machine::{Engine, Items, Reduced, Reduction, Room, Seed, count_of};
 use crate::kernels::row::item::Target;
 use crate::kernels::row::item::counts::{entries, expect};
 use crate::kernels::{Backend, Cpu};
+use crate::scalar::real::in_format;
 use std::sync::Arc;
 
 /// A function of rows of numbers: an operation in one format, its gradient or its adjoint, or a program.
@@ -22,6 +25,8 @@ pub struct Function<T: Real> {
     pub(super) recording: Arc<Recording<T>>,
     pub(super) mode: Mode,
     pub(super) names: Vec<Argument>,
+    /// The GPU that runs it; `None` for the CPU.
+    pub(super) gpu: Option<Gpu>,
 }
 
 impl<T: Real> std::fmt::Debug for Function<T> {
@@ -42,7 +47,34 @@ impl<T: Real> Function<T> {
             mode,
             names: named(recording.arguments, recording.takes.len()),
             recording,
+            gpu: None,
         }
+    }
+    /// Returns the same function on another machine. A function runs on the CPU unless it is told otherwise.
+    ///
+    /// ```
+    /// use geograd::kernels::Backend;
+    /// use geograd::kernels::dynamic::{Rows, operation};
+    /// let iou = operation("iou_aabb2").and_then(|iou| iou.value::<f32>()).expect("is listed");
+    /// let boxes = Rows::new(&[0.0, 0.0, 2.0, 2.0], 4);
+    /// assert_eq!(iou.on(Backend::Cpu)?.row_max(boxes, boxes)?[0].value, 1.0);
+    /// # Ok::<(), geograd::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`GpuFault::OnlySingle`](crate::GpuFault::OnlySingle) for `f64` on a GPU.
+    pub fn on(&self, backend: Backend<'_>) -> Result<Self, Error> {
+        Ok(Function {
+            gpu: gpu_of::<T>(backend)?,
+            ..self.clone()
+        })
+    }
+    /// The engine that runs it.
+    pub(super) fn engine(&self) -> &dyn Engine<T> {
+        static CPU: Cpu = Cpu::new();
+        let of_gpu = |gpu| engine_of::<T>(gpu);
+        self.gpu.as_ref().and_then(of_gpu).unwrap_or(&CPU.engine)
     }
     /// The call that machines run.
     pub(crate) fn call(&self) -> Result<Call<T>, Error> {
@@ -83,13 +115,6 @@ impl<T: Real> Function<T> {
     /// [`Error::Arguments`] for another number of columns, [`Error::Fields`] for rows of another number of fields,
     /// [`Error::Length`] for columns of different lengths, [`Error::Invalid`] for a row that is not valid.
     pub fn aligned(&self, rows: &[Rows<'_, T>]) -> Result<Vec<Vec<T>>, Error> {
-        self.aligned_by(cpu(), rows)
-    }
-    pub(super) fn aligned_by(
-        &self,
-        engine: &dyn Engine<T>,
-        rows: &[Rows<'_, T>],
-    ) -> Result<Vec<Vec<T>>, Error> {
         let (call, columns) = (self.call()?, self.listed(rows)?);
         let count = self.named(count_of(&call, &columns))?;
         let mut lists = Vec::new();
@@ -98,7 +123,7 @@ impl<T: Real> Function<T> {
         }
         let mut results: Vec<Option<&mut [T]>> =
             lists.iter_mut().map(|list| Some(&mut list[..])).collect();
-        self.fill(engine, rows, &mut results, true)?;
+        self.fill(rows, &mut results, true)?;
         drop(results);
         Ok(lists)
     }
@@ -114,9 +139,9 @@ impl<T: Real> Function<T> {
         rows: &[Rows<'_, T>],
         results: &mut [Option<&mut [T]>],
     ) -> Result<(), Error> {
-        match rows.iter().any(Rows::is_apart) {
+        match self.gpu.is_none() && rows.iter().any(Rows::is_apart) {
             true => self.by_stretches(rows, results),
-            false => self.fill(cpu(), rows, results, true),
+            false => self.fill(rows, results, true),
         }
     }
 
@@ -132,12 +157,11 @@ impl<T: Real> Function<T> {
         rows: &[Rows<'_, T>],
         results: &mut [Option<&mut [T]>],
     ) -> Result<(), Error> {
-        self.fill(cpu(), rows, results, false)
+        self.fill(rows, results, false)
     }
 
     fn fill(
         &self,
-        engine: &dyn Engine<T>,
         rows: &[Rows<'_, T>],
         results: &mut [Option<&mut [T]>],
         new: bool,
@@ -148,7 +172,10 @@ impl<T: Real> Function<T> {
         // Whatever is wrong is named at the second attempt, and what needs a look before is computed.
         for new in [true, false].into_iter().filter(|&x| new || !x) {
             let targets = targets(&gives, count, results)?;
-            if self.named(engine.map(&call, &columns, Items::Targets(targets, new)))? {
+            if self.named(
+                self.engine()
+                    .map(&call, &columns, Items::Targets(targets, new)),
+            )? {
                 break;
             }
         }
@@ -209,17 +236,12 @@ impl<T: Real> Function<T> {
     /// As [`aligned`](Function::aligned), and [`Error::TooLarge`] when there are more numbers than memory has
     /// addresses.
     pub fn all_pairs(&self, a: Rows<'_, T>, b: Rows<'_, T>) -> Result<Vec<T>, Error> {
-        self.all_pairs_by(cpu(), a, b)
-    }
-    pub(super) fn all_pairs_by(
-        &self,
-        engine: &dyn Engine<T>,
-        a: Rows<'_, T>,
-        b: Rows<'_, T>,
-    ) -> Result<Vec<T>, Error> {
         let lists = self.lists(&a, &b)?;
         let mut planes = vec![T::default(); self.planes_of(&lists)?];
-        self.named(engine.pairs(&self.call()?, &lists, Room::Planes(&mut planes)))?;
+        self.named(
+            self.engine()
+                .pairs(&self.call()?, &lists, Room::Planes(&mut planes)),
+        )?;
         Ok(planes)
     }
     /// How many numbers all pairs give.
@@ -241,7 +263,10 @@ impl<T: Real> Function<T> {
     ) -> Result<(), Error> {
         let lists = self.lists(&a, &b)?;
         expect(Argument::Values, self.planes_of(&lists)?, planes.len())?;
-        self.named(cpu().pairs(&self.call()?, &lists, Room::Planes(planes)))
+        self.named(
+            self.engine()
+                .pairs(&self.call()?, &lists, Room::Planes(planes)),
+        )
     }
 
     /// How a result of one number is computed of all pairs.
@@ -253,9 +278,8 @@ impl<T: Real> Function<T> {
     }
 
     /// A reduction of all results.
-    pub(super) fn reduced_by(
+    pub(super) fn reduced(
         &self,
-        engine: &dyn Engine<T>,
         a: &Rows<'_, T>,
         b: &Rows<'_, T>,
         reduction: Reduction<T>,
@@ -263,13 +287,12 @@ impl<T: Real> Function<T> {
         self.one_number()?;
         let lists = self.lists(a, b)?;
         self.named(reduction.check(lists[0].len(), lists[1].len()))?;
-        self.named(engine.reduce(&self.call()?, &lists, reduction))
+        self.named(self.engine().reduce(&self.call()?, &lists, reduction))
     }
 
     /// The sum of all results where one factor is that of all, and derivatives of both lists.
-    pub(super) fn pulled_by(
+    pub(super) fn pulled(
         &self,
-        engine: &dyn Engine<T>,
         a: &Rows<'_, T>,
         b: &Rows<'_, T>,
         seed: &Seed<'_, T>,
@@ -284,7 +307,7 @@ impl<T: Real> Function<T> {
             .each_ref()
             .map(|list| vec![T::default(); list.len() * list.fields]);
         let bars = [&mut a_bar[..], &mut b_bar[..]];
-        let sum = self.named(engine.pull_back(&self.call()?, &lists, seed, bars))?;
+        let sum = self.named(self.engine().pull_back(&self.call()?, &lists, seed, bars))?;
         // A gradient has the codes of its shape.
         let bars = [(&mut a_bar, a), (&mut b_bar, b)];
         for ((bar, rows), leaf) in bars.into_iter().zip(&self.recording.takes) {
@@ -299,26 +322,27 @@ impl<T: Real> Function<T> {
         }
         Ok((sum, a_bar, b_bar))
     }
-    /// The mean of all results, and derivatives of both lists.
-    pub(super) fn mean_by(
-        &self,
-        engine: &dyn Engine<T>,
-        a: &Rows<'_, T>,
-        b: &Rows<'_, T>,
-    ) -> Result<Loss<T>, Error> {
-        let factor = 1.0 / pairs_of(a, b).max(1.0);
-        let (sum, a_bar, b_bar) = self.pulled_by(engine, a, b, &Seed::Factor(T::lit(factor)))?;
-        Ok((sum * factor, a_bar, b_bar))
-    }
 }
 
 /// A number, and derivatives of both lists.
 pub(super) type Loss<T> = (f64, Vec<T>, Vec<T>);
 
-/// The engine of the CPU.
-pub(super) fn cpu<T: Real>() -> &'static dyn Engine<T> {
-    static CPU: Cpu = Cpu::new();
-    &CPU.engine
+/// A GPU as an engine in a format: none computes in `f64`.
+type OfGpu<T> = fn(&Gpu) -> Option<&dyn Engine<T>>;
+static SINGLE: OfGpu<f32> = |gpu| Some(&gpu.engine);
+static DOUBLE: OfGpu<f64> = |_| None;
+
+fn engine_of<T: Real>(gpu: &Gpu) -> Option<&dyn Engine<T>> {
+    in_format::<OfGpu<T>>([&SINGLE, &DOUBLE])(gpu)
+}
+
+/// The GPU of a machine, which has to compute in a format; `None` for the CPU.
+pub(super) fn gpu_of<T: Real>(backend: Backend<'_>) -> Result<Option<Gpu>, Error> {
+    match backend {
+        Backend::Cpu => Ok(None),
+        Backend::Gpu(gpu) if engine_of::<T>(gpu).is_some() => Ok(Some(gpu.clone())),
+        Backend::Gpu(_) => Err(Error::Gpu(GpuFault::OnlySingle)),
+    }
 }
 
 /// The number of pairs.
@@ -327,11 +351,11 @@ pub(super) fn pairs_of<T: Real>(a: &Rows<'_, T>, b: &Rows<'_, T>) -> f64 {
     rows(a) * rows(b)
 }
 
-/// Reductions and losses of all pairs, on the CPU and on a machine: documentation, names, what else they take, and what they
-/// are of a function, an engine and both lists.
+/// Reductions and losses of all pairs: documentation, names, what else they take, and what they are of a function and both
+/// lists.
 macro_rules! of_pairs {
-    ($($(#[$doc:meta])* $name:ident, $on:ident($($more:ident: $type:ty, $type32:ty)?) -> $out:ty, $out32:ty
-        = |$own:ident, $engine:ident, $a:ident, $b:ident| $do:expr;)*) => {
+    ($($(#[$doc:meta])* $name:ident($($more:ident: $type:ty)?) -> $out:ty
+        = |$own:ident, $a:ident, $b:ident| $do:expr;)*) => {
         impl<T: Real> Function<T> { $(
             $(#[$doc])*
             ///
@@ -345,24 +369,7 @@ macro_rules! of_pairs {
                 $b: Rows<'_, T>,
                 $($more: $type,)?
             ) -> Result<$out, Error> {
-                let ($own, $engine) = (self, cpu());
-                $do
-            }
-        )* }
-        impl Function<f32> { $(
-            #[doc = concat!("[`", stringify!($name), "`](Function::", stringify!($name), ") on a machine.")]
-            ///
-            /// # Errors
-            ///
-            /// See there; [`Error::Gpu`] are the GPU's.
-            pub fn $on(
-                &self,
-                backend: Backend<'_>,
-                $a: Rows<'_, f32>,
-                $b: Rows<'_, f32>,
-                $($more: $type32,)?
-            ) -> Result<$out32, Error> {
-                let ($own, $engine) = (self, &backend.engine);
+                let $own = self;
                 $do
             }
         )* }
@@ -371,39 +378,44 @@ macro_rules! of_pairs {
 
 of_pairs! {
     /// The largest result of every row of `a` and its row of `b`, as [`Cpu::row_max`](crate::kernels::Cpu::row_max).
-    row_max, row_max_on() -> Vec<Best<T>>, Vec<Best>
-        = |own, engine, a, b| own.reduced_by(engine, &a, &b, Reduction::Best { of_rows: true })?.bests().taken();
+    row_max() -> Vec<Best<T>>
+        = |own, a, b| own.reduced(&a, &b, Reduction::Best { of_rows: true })?.bests().taken();
     /// The largest result of every row of `b` and its row of `a`, as
     /// [`Cpu::column_max`](crate::kernels::Cpu::column_max).
-    column_max, column_max_on() -> Vec<Best<T>>, Vec<Best>
-        = |own, engine, a, b| own.reduced_by(engine, &a, &b, Reduction::Best { of_rows: false })?.bests().taken();
+    column_max() -> Vec<Best<T>>
+        = |own, a, b| own.reduced(&a, &b, Reduction::Best { of_rows: false })?.bests().taken();
     /// Every pair whose result is above the threshold, row by row, as [`Cpu::above`](crate::kernels::Cpu::above).
-    above, above_on(threshold: T, f32) -> Vec<Found<T>>, Vec<Found>
-        = |own, engine, a, b| own.reduced_by(engine, &a, &b, Reduction::Above(threshold))?.founds().taken();
+    above(threshold: T) -> Vec<Found<T>>
+        = |own, a, b| own.reduced(&a, &b, Reduction::Above(threshold))?.founds().taken();
     /// How many pairs have a result above the threshold, as [`Cpu::count_above`](crate::kernels::Cpu::count_above).
-    count_above, count_above_on(threshold: T, f32) -> u64, u64
-        = |own, engine, a, b| Ok(own.reduced_by(engine, &a, &b, Reduction::Count(threshold))?.count());
+    count_above(threshold: T) -> u64
+        = |own, a, b| Ok(own.reduced(&a, &b, Reduction::Count(threshold))?.count());
     /// The sum of all results, as [`Cpu::sum`](crate::kernels::Cpu::sum).
-    sum, sum_on() -> f64, f64
-        = |own, engine, a, b| Ok(own.reduced_by(engine, &a, &b, Reduction::Sum)?.sum());
+    sum() -> f64
+        = |own, a, b| Ok(own.reduced(&a, &b, Reduction::Sum)?.sum());
     /// The mean of all results, zero where there are none, as [`Cpu::mean`](crate::kernels::Cpu::mean).
-    mean, mean_on() -> f64, f64
-        = |own, engine, a, b| {
-            let sum = own.reduced_by(engine, &a, &b, Reduction::Sum)?.sum();
+    mean() -> f64
+        = |own, a, b| {
+            let sum = own.reduced(&a, &b, Reduction::Sum)?.sum();
             Ok(sum / pairs_of(&a, &b).max(1.0))
         };
     /// The sum of all results and its derivatives by both lists, as [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
-    sum_grad, sum_grad_on() -> Loss<T>, Loss<f32>
-        = |own, engine, a, b| own.pulled_by(engine, &a, &b, &Seed::Factor(crate::Scalar::one()));
+    sum_grad() -> Loss<T>
+        = |own, a, b| own.pulled(&a, &b, &Seed::Factor(crate::Scalar::one()));
     /// The mean of all results and its derivatives by both lists, zero where there are none, as
     /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
-    mean_grad, mean_grad_on() -> Loss<T>, Loss<f32>
-        = |own, engine, a, b| own.mean_by(engine, &a, &b);
+    mean_grad() -> Loss<T>
+        = |own, a, b| {
+            let factor = 1.0 / pairs_of(&a, &b).max(1.0);
+            let each = Seed::Factor(crate::Scalar::lit(factor));
+            let (sum, a_bar, b_bar) = own.pulled(&a, &b, &each)?;
+            Ok((sum * factor, a_bar, b_bar))
+        };
     /// Derivatives of `Σ upstream[i, j] · result[i, j]` by both lists, as
     /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp). `upstream` is a matrix, row by row.
-    all_pairs_vjp, all_pairs_vjp_on(upstream: &[T], &[f32]) -> (Vec<T>, Vec<T>), (Vec<f32>, Vec<f32>)
-        = |own, engine, a, b| {
-            let (_, a, b) = own.pulled_by(engine, &a, &b, &Seed::Numbers(upstream))?;
+    all_pairs_vjp(upstream: &[T]) -> (Vec<T>, Vec<T>)
+        = |own, a, b| {
+            let (_, a, b) = own.pulled(&a, &b, &Seed::Numbers(upstream))?;
             Ok((a, b))
         };
 }

@@ -1,14 +1,13 @@
 //! Groups of rows, and suppression, on columns of numbers.
-use super::forms::{Function, cpu};
+use super::forms::Function;
 use super::rows::Rows;
 use crate::Real;
 use crate::error::{Argument, Error};
-use crate::kernels::Backend;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::Groups;
 use crate::kernels::machine::found::{Best, Found, check_threshold};
 use crate::kernels::machine::suppress::checked;
-use crate::kernels::machine::{Engine, GroupedReduction, Reduced};
+use crate::kernels::machine::{GroupedReduction, Reduced};
 use crate::suppression::{Rules, check_groups};
 
 /// Pairs within groups.
@@ -37,7 +36,15 @@ impl<T: Real> Function<T> {
         groups: Groups<'_>,
         threshold: T,
     ) -> Result<Vec<Found<T>>, Error> {
-        self.above_grouped_by(cpu(), &a, &b, groups, threshold)
+        check_threshold(threshold)?;
+        self.one_number()?;
+        let lists = self.lists(&a, &b)?;
+        let spans = self.named(groups.spans(lists.each_ref().map(Column::len)))?;
+        let above = GroupedReduction::Above(threshold);
+        let found = self
+            .engine()
+            .reduce_grouped(&self.call()?, &lists, spans, above);
+        self.named(found.and_then(|found| found.founds().taken()))
     }
 
     /// The largest result of every row within its group, as
@@ -52,7 +59,7 @@ impl<T: Real> Function<T> {
         b: Rows<'_, T>,
         groups: Groups<'_>,
     ) -> Result<Vec<Option<Best<T>>>, Error> {
-        self.most_grouped_by(cpu(), &a, &b, groups, true)
+        self.most_grouped(&a, &b, groups, true)
     }
 
     /// The largest result of every column within its group, as
@@ -67,30 +74,12 @@ impl<T: Real> Function<T> {
         b: Rows<'_, T>,
         groups: Groups<'_>,
     ) -> Result<Vec<Option<Best<T>>>, Error> {
-        self.most_grouped_by(cpu(), &a, &b, groups, false)
-    }
-
-    fn above_grouped_by(
-        &self,
-        engine: &dyn Engine<T>,
-        a: &Rows<'_, T>,
-        b: &Rows<'_, T>,
-        groups: Groups<'_>,
-        threshold: T,
-    ) -> Result<Vec<Found<T>>, Error> {
-        check_threshold(threshold)?;
-        self.one_number()?;
-        let lists = self.lists(a, b)?;
-        let spans = self.named(groups.spans(lists.each_ref().map(Column::len)))?;
-        let above = GroupedReduction::Above(threshold);
-        let found = engine.reduce_grouped(&self.call()?, &lists, spans, above);
-        self.named(found.and_then(|found| found.founds().taken()))
+        self.most_grouped(&a, &b, groups, false)
     }
 
     /// The largest result of every row, or of every column, within its group.
-    fn most_grouped_by(
+    fn most_grouped(
         &self,
-        engine: &dyn Engine<T>,
         a: &Rows<'_, T>,
         b: &Rows<'_, T>,
         groups: Groups<'_>,
@@ -100,61 +89,14 @@ impl<T: Real> Function<T> {
         let lists = self.lists(a, b)?;
         let spans = self.named(groups.spans(lists.each_ref().map(Column::len)))?;
         let best = GroupedReduction::Best { of_rows };
-        let found = engine.reduce_grouped(&self.call()?, &lists, spans, best);
+        let found = self
+            .engine()
+            .reduce_grouped(&self.call()?, &lists, spans, best);
         self.named(found.map(Reduced::bests_grouped))
     }
 }
 
-/// Pairs within groups on a machine.
-impl Function<f32> {
-    /// [`above_grouped`](Function::above_grouped) on a machine.
-    ///
-    /// # Errors
-    ///
-    /// See there; [`Error::Gpu`] are the GPU's.
-    pub fn above_grouped_on(
-        &self,
-        backend: Backend<'_>,
-        a: Rows<'_, f32>,
-        b: Rows<'_, f32>,
-        groups: Groups<'_>,
-        threshold: f32,
-    ) -> Result<Vec<Found>, Error> {
-        self.above_grouped_by(&backend.engine, &a, &b, groups, threshold)
-    }
-
-    /// [`row_max_grouped`](Function::row_max_grouped) on a machine.
-    ///
-    /// # Errors
-    ///
-    /// See there; [`Error::Gpu`] are the GPU's.
-    pub fn row_max_grouped_on(
-        &self,
-        backend: Backend<'_>,
-        a: Rows<'_, f32>,
-        b: Rows<'_, f32>,
-        groups: Groups<'_>,
-    ) -> Result<Vec<Option<Best>>, Error> {
-        self.most_grouped_by(&backend.engine, &a, &b, groups, true)
-    }
-
-    /// [`column_max_grouped`](Function::column_max_grouped) on a machine.
-    ///
-    /// # Errors
-    ///
-    /// See there; [`Error::Gpu`] are the GPU's.
-    pub fn column_max_grouped_on(
-        &self,
-        backend: Backend<'_>,
-        a: Rows<'_, f32>,
-        b: Rows<'_, f32>,
-        groups: Groups<'_>,
-    ) -> Result<Vec<Option<Best>>, Error> {
-        self.most_grouped_by(&backend.engine, &a, &b, groups, false)
-    }
-}
-
-/// Suppression, on the CPU.
+/// Suppression.
 impl<T: Real> Function<T> {
     /// The rows that no better one of their group, kept itself, suppresses, as
     /// [`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped). The offsets of a list without groups are zero and
@@ -174,7 +116,9 @@ impl<T: Real> Function<T> {
         let [column, _] = self.lists(&shapes, &shapes)?;
         checked(column.len(), scores, &rules)?;
         check_groups(Argument::A, column.len(), offsets)?;
-        let kept = cpu().suppress(&self.call()?, &column, Some(offsets), scores, rules);
+        let kept = self
+            .engine()
+            .suppress(&self.call()?, &column, Some(offsets), scores, rules);
         self.named(kept)
     }
 }

@@ -1,42 +1,10 @@
-//! Functions of `f32` on the CPU or on a GPU, and on columns that stay there.
+//! Functions of `f32` on columns that stay on a machine.
 use super::forms::Function;
 use super::rows::Rows;
 use crate::error::Error;
-use crate::kernels::backend::Backend;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::{Engine, Items, Machine, Numbers, Room, Seed};
 use crate::kernels::machine::{HeldNumbers, Matrix};
-
-/// The same calls on a machine, where numbers are `f32`.
-impl Function<f32> {
-    /// [`aligned`](Function::aligned) on a machine.
-    ///
-    /// # Errors
-    ///
-    /// See [there](Function::aligned); [`Error::Gpu`] are the GPU's.
-    pub fn aligned_on(
-        &self,
-        backend: Backend<'_>,
-        rows: &[Rows<'_, f32>],
-    ) -> Result<Vec<Vec<f32>>, Error> {
-        self.aligned_by(&backend.engine, rows)
-    }
-
-    /// [`all_pairs`](Function::all_pairs) on a machine.
-    ///
-    /// # Errors
-    ///
-    /// See [there](Function::all_pairs); [`Error::Gpu`] are the GPU's, and searches are refused there with
-    /// [`Unrecordable::Search`](crate::Unrecordable::Search).
-    pub fn all_pairs_on(
-        &self,
-        backend: Backend<'_>,
-        a: Rows<'_, f32>,
-        b: Rows<'_, f32>,
-    ) -> Result<Vec<f32>, Error> {
-        self.all_pairs_by(&backend.engine, a, b)
-    }
-}
 
 /// The first column of numbers.
 fn list(held: &HeldNumbers) -> Column<'_, f32> {

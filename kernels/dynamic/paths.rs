@@ -1,8 +1,10 @@
 //! Folds over paths on plain numbers.
+use super::forms::gpu_of;
 use super::rows::{Layout, Rows, named, renamed};
 use crate::ad::program::Sym;
 use crate::error::{Argument, Error};
 use crate::kernels::backend::Backend;
+use crate::kernels::gpu::Gpu;
 use crate::kernels::machine::Here;
 use crate::kernels::machine::{Column, Columns};
 use crate::kernels::row::fold::Fold;
@@ -175,6 +177,8 @@ pub struct OnPaths<T: Real> {
     pub(super) takes: Vec<Leaf<T>>,
     /// Numbers of the result.
     pub(super) gives: usize,
+    /// The GPU that runs it; `None` for the CPU.
+    pub(super) gpu: Option<Gpu>,
 }
 
 impl<T: Real> OnPaths<T> {
@@ -189,7 +193,23 @@ impl<T: Real> OnPaths<T> {
             names: named(names, takes.len()),
             takes,
             gives,
+            gpu: None,
         }
+    }
+    /// Returns the same fold on another machine. A fold runs on the CPU unless it is told otherwise.
+    ///
+    /// # Errors
+    ///
+    /// [`GpuFault::OnlySingle`](crate::GpuFault::OnlySingle) for `f64` on a GPU.
+    pub fn on(&self, backend: Backend<'_>) -> Result<Self, Error> {
+        Ok(OnPaths {
+            gpu: gpu_of::<T>(backend)?,
+            ..self.clone()
+        })
+    }
+    /// The machine that runs it.
+    fn backend(&self) -> Backend<'_> {
+        self.gpu.as_ref().map_or(Backend::Cpu, Backend::Gpu)
     }
     /// A name and a layout for every column that it takes beside paths.
     #[must_use]
@@ -221,7 +241,13 @@ impl<T: Real> OnPaths<T> {
         vertices: &[T],
         offsets: &[usize],
     ) -> Result<Vec<T>, Error> {
-        self.run(Backend::Cpu, contexts, vertices, offsets)
+        let backend = self.backend();
+        let count = self.checked(contexts, vertices)?;
+        let values = match self.shared(contexts, count, offsets) {
+            Some((shared, _)) => (shared.values)(backend, contexts, vertices),
+            None => (self.code.values)(backend, contexts, vertices, offsets),
+        };
+        values.map_err(|e| renamed(e, &self.names))
     }
 
     /// [`values`](OnPaths::values) into the caller's numbers.
@@ -254,52 +280,7 @@ impl<T: Real> OnPaths<T> {
         offsets: &[usize],
         upstream: &[T],
     ) -> Result<(Vec<Vec<T>>, Vec<T>), Error> {
-        self.pulled(Backend::Cpu, contexts, vertices, offsets, upstream)
-    }
-
-    /// Results of one number, and their derivatives by every column and every vertex of their path.
-    ///
-    /// # Errors
-    ///
-    /// As [`values`](OnPaths::values), and [`Error::NotOneNumber`] for other results.
-    pub fn value_grad(
-        &self,
-        contexts: &[Rows<'_, T>],
-        vertices: &[T],
-        offsets: &[usize],
-    ) -> Result<(Vec<T>, Vec<Vec<T>>, Vec<T>), Error> {
-        if self.gives != 1 {
-            return Err(Error::NotOneNumber { found: self.gives });
-        }
-        let values = self.values(contexts, vertices, offsets)?;
-        let ones = vec![T::one(); values.len()];
-        let (contexts, vertices) = self.vjp(contexts, vertices, offsets, &ones)?;
-        Ok((values, contexts, vertices))
-    }
-
-    fn run(
-        &self,
-        backend: Backend<'_>,
-        contexts: &[Rows<'_, T>],
-        vertices: &[T],
-        offsets: &[usize],
-    ) -> Result<Vec<T>, Error> {
-        let count = self.checked(contexts, vertices)?;
-        let values = match self.shared(contexts, count, offsets) {
-            Some((shared, _)) => (shared.values)(backend, contexts, vertices),
-            None => (self.code.values)(backend, contexts, vertices, offsets),
-        };
-        values.map_err(|e| renamed(e, &self.names))
-    }
-
-    fn pulled(
-        &self,
-        backend: Backend<'_>,
-        contexts: &[Rows<'_, T>],
-        vertices: &[T],
-        offsets: &[usize],
-        upstream: &[T],
-    ) -> Result<(Vec<Vec<T>>, Vec<T>), Error> {
+        let backend = self.backend();
         let count = self.checked(contexts, vertices)?;
         let shared = self.shared(contexts, count, offsets);
         let results = match shared {
@@ -328,6 +309,26 @@ impl<T: Real> OnPaths<T> {
         Ok((columns, vertices))
     }
 
+    /// Results of one number, and their derivatives by every column and every vertex of their path.
+    ///
+    /// # Errors
+    ///
+    /// As [`values`](OnPaths::values), and [`Error::NotOneNumber`] for other results.
+    pub fn value_grad(
+        &self,
+        contexts: &[Rows<'_, T>],
+        vertices: &[T],
+        offsets: &[usize],
+    ) -> Result<(Vec<T>, Vec<Vec<T>>, Vec<T>), Error> {
+        if self.gives != 1 {
+            return Err(Error::NotOneNumber { found: self.gives });
+        }
+        let values = self.values(contexts, vertices, offsets)?;
+        let ones = vec![T::one(); values.len()];
+        let (contexts, vertices) = self.vjp(contexts, vertices, offsets, &ones)?;
+        Ok((values, contexts, vertices))
+    }
+
     /// How many contexts share the only path, and what runs them, if they do.
     fn shared(
         &self,
@@ -354,37 +355,5 @@ impl<T: Real> OnPaths<T> {
         let (n, count) = (self.code.vertex, vertices.len() / self.code.vertex);
         expect(Argument::Vertices, count * n, vertices.len())?;
         Ok(count)
-    }
-}
-
-impl OnPaths<f32> {
-    /// [`values`](OnPaths::values) on the processor or on a GPU.
-    ///
-    /// # Errors
-    ///
-    /// As [`values`](OnPaths::values); [`Error::Gpu`] are the GPU's.
-    pub fn values_on(
-        &self,
-        backend: Backend<'_>,
-        contexts: &[Rows<'_, f32>],
-        vertices: &[f32],
-        offsets: &[usize],
-    ) -> Result<Vec<f32>, Error> {
-        self.run(backend, contexts, vertices, offsets)
-    }
-    /// [`vjp`](OnPaths::vjp) on the processor or on a GPU.
-    ///
-    /// # Errors
-    ///
-    /// As [`vjp`](OnPaths::vjp); [`Error::Gpu`] are the GPU's.
-    pub fn vjp_on(
-        &self,
-        backend: Backend<'_>,
-        contexts: &[Rows<'_, f32>],
-        vertices: &[f32],
-        offsets: &[usize],
-        upstream: &[f32],
-    ) -> Result<(Vec<Vec<f32>>, Vec<f32>), Error> {
-        self.pulled(backend, contexts, vertices, offsets, upstream)
     }
 }

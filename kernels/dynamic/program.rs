@@ -178,6 +178,7 @@ impl<T: Real> Program<T> {
     #[must_use]
     pub fn function(&self) -> Function<T> {
         Function {
+            gpu: None,
             recording: Arc::clone(&self.inner.recording),
             mode: Mode::Value,
             names: self.inner.names.clone(),

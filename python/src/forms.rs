@@ -118,7 +118,11 @@ impl<'py> Call<'_, 'py> {
         let rows: Vec<_> = rows.map(|(x, slices)| x.rows(slices, true)).collect();
         let (machine, is_new) = (&self.machine, self.out.is_none());
         self.filled::<T>(form, &lead, count, |slices| {
-            T::aligned(function, machine, &rows, slices, is_new)
+            let function = machine.of(function)?;
+            match is_new {
+                true => function.aligned_into_new(&rows, slices),
+                false => function.aligned_into(&rows, slices),
+            }
         })
     }
     /// Results that a call writes, of so many items.
@@ -362,7 +366,11 @@ impl<'py> Call<'_, 'py> {
         self.run(slice.len(), || {
             let mut slices = slice.chunks_exact_mut(size.max(1));
             each.into_iter().try_for_each(|lists| {
-                T::all_pairs(function, machine, lists, slices.next().unwrap_or_default())
+                machine.of(function)?.all_pairs_into(
+                    lists[0],
+                    lists[1],
+                    slices.next().unwrap_or_default(),
+                )
             })
         })?;
         drop(guard);
@@ -391,8 +399,8 @@ impl<'py> Call<'_, 'py> {
         let items = rows.saturating_mul(columns).saturating_mul(each.len());
         let found: Vec<Best<T>> = self.run(items, || {
             let all = each.into_iter().map(|lists| match of_rows {
-                true => T::row_max(function, machine, lists),
-                false => T::column_max(function, machine, lists),
+                true => machine.of(function)?.row_max(lists[0], lists[1]),
+                false => machine.of(function)?.column_max(lists[0], lists[1]),
             });
             Ok(all.collect::<Result<Vec<_>, geograd::Error>>()?.concat())
         })?;
@@ -416,7 +424,9 @@ impl<'py> Call<'_, 'py> {
         let function = self.of.function::<T>(Form::Value)?;
         let machine = &self.machine;
         let all: Vec<Found<T>> = self.reduced::<T, _>(given, |lists| {
-            T::pairs_above(function, machine, lists, T::narrowed(threshold))
+            machine
+                .of(function)?
+                .above(lists[0], lists[1], T::narrowed(threshold))
         })?;
         let rows = PyArray1::from_iter(self.py, all.iter().map(|found| found.row as isize));
         let columns = PyArray1::from_iter(self.py, all.iter().map(|found| found.column as isize));
@@ -433,7 +443,9 @@ impl<'py> Call<'_, 'py> {
         let function = self.of.function::<T>(Form::Value)?;
         let machine = &self.machine;
         self.reduced::<T, _>(given, |lists| {
-            T::count_above(function, machine, lists, T::narrowed(threshold))
+            machine
+                .of(function)?
+                .count_above(lists[0], lists[1], T::narrowed(threshold))
         })
     }
 
@@ -446,8 +458,8 @@ impl<'py> Call<'_, 'py> {
         let function = self.of.function::<T>(Form::Value)?;
         let machine = &self.machine;
         self.reduced::<T, _>(given, |lists| match is_mean {
-            true => T::mean(function, machine, lists),
-            false => T::sum(function, machine, lists),
+            true => machine.of(function)?.mean(lists[0], lists[1]),
+            false => machine.of(function)?.sum(lists[0], lists[1]),
         })
     }
 
@@ -461,8 +473,8 @@ impl<'py> Call<'_, 'py> {
         let machine = &self.machine;
         let shapes = self.shapes_of(&given);
         let (value, a, b) = self.reduced::<T, _>(given, |lists| match is_mean {
-            true => T::mean_grad(function, machine, lists),
-            false => T::sum_grad(function, machine, lists),
+            true => machine.of(function)?.mean_grad(lists[0], lists[1]),
+            false => machine.of(function)?.sum_grad(lists[0], lists[1]),
         })?;
         let derivatives = (self.shaped(a, &shapes[0])?, self.shaped(b, &shapes[1])?);
         Ok((value, derivatives).into_pyobject(self.py)?.into_any())
@@ -504,7 +516,9 @@ impl<'py> Call<'_, 'py> {
         let lists = [a.rows(&slices[0], false), b.rows(&slices[1], false)];
         let (numbers, machine) = (upstream.numbers()?, &self.machine);
         let (a, b) = self.run(wanted[0].saturating_mul(wanted[1]), || {
-            T::all_pairs_vjp(function, machine, lists, numbers)
+            machine
+                .of(function)?
+                .all_pairs_vjp(lists[0], lists[1], numbers)
         })?;
         Ok((self.shaped(a, &shapes[0])?, self.shaped(b, &shapes[1])?)
             .into_pyobject(self.py)?
@@ -654,7 +668,7 @@ impl<'py> Call<'_, 'py> {
         match form {
             Form::Value => {
                 let found = self.run(items, || {
-                    T::paths(function, machine, &rows, numbers, &offsets)
+                    machine.of_paths(function)?.values(&rows, numbers, &offsets)
                 })?;
                 match self.out {
                     None => value(found),
@@ -676,8 +690,12 @@ impl<'py> Call<'_, 'py> {
                 }
                 let ones = vec![T::narrowed(1.0); count];
                 let (values, bars) = self.run(items, || {
-                    let values = T::paths(function, machine, &rows, numbers, &offsets)?;
-                    let bars = T::paths_vjp(function, machine, &rows, numbers, &offsets, &ones)?;
+                    let values = machine
+                        .of_paths(function)?
+                        .values(&rows, numbers, &offsets)?;
+                    let bars = machine
+                        .of_paths(function)?
+                        .vjp(&rows, numbers, &offsets, &ones)?;
                     Ok((values, bars))
                 })?;
                 Ok((value(values)?, grouped(derivatives(bars)?)?)
@@ -690,7 +708,9 @@ impl<'py> Call<'_, 'py> {
                     .ok_or_else(|| PyTypeError::new_err("upstream is needed"))?;
                 let upstream = upstream.numbers()?;
                 let bars = self.run(items, || {
-                    T::paths_vjp(function, machine, &rows, numbers, &offsets, upstream)
+                    machine
+                        .of_paths(function)?
+                        .vjp(&rows, numbers, &offsets, upstream)
                 })?;
                 grouped(derivatives(bars)?)
             }

@@ -50,7 +50,9 @@ impl<'py> Call<'_, 'py> {
         let (function, machine) = (self.of.function::<T>(Form::Value)?, &self.machine);
         let all: Vec<Found<T>> = self.reduced::<T, _>(given, |lists| {
             let groups = Groups::new(&groups[0], &groups[1]);
-            T::above_grouped(function, machine, lists, groups, T::narrowed(threshold))
+            machine
+                .of(function)?
+                .above_grouped(lists[0], lists[1], groups, T::narrowed(threshold))
         })?;
         let rows = PyArray1::from_iter(self.py, all.iter().map(|found| found.row as isize));
         let columns = PyArray1::from_iter(self.py, all.iter().map(|found| found.column as isize));
@@ -74,8 +76,12 @@ impl<'py> Call<'_, 'py> {
         let all: Vec<Option<Best<T>>> = self.reduced::<T, _>(given, |lists| {
             let groups = Groups::new(&groups[0], &groups[1]);
             match of_rows {
-                true => T::row_max_grouped(function, machine, lists, groups),
-                false => T::column_max_grouped(function, machine, lists, groups),
+                true => machine
+                    .of(function)?
+                    .row_max_grouped(lists[0], lists[1], groups),
+                false => machine
+                    .of(function)?
+                    .column_max_grouped(lists[0], lists[1], groups),
             }
         })?;
         let nothing = T::narrowed(f64::NEG_INFINITY);

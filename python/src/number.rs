@@ -1,5 +1,4 @@
 //! The two formats of numbers, and what is made in each.
-use crate::machine::OnMachine;
 use geograd::Real;
 use geograd::kernels::dynamic::{Function, OnPaths, Program, Symbol};
 use numpy::Element;
@@ -54,7 +53,7 @@ const FOREIGN: &str = "this symbol belongs to a recording that is over, or to an
                        arguments and numbers only, and must not keep symbols";
 
 /// The two formats of arrays.
-pub trait Number: Real + Element + OnMachine {
+pub trait Number: Real + Element {
     const IS_DOUBLE: bool;
     fn made(made: &Made) -> &InFormat<Self>;
     fn narrowed(x: f64) -> Self;

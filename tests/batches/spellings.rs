@@ -1,5 +1,6 @@
 //! One formula behind one name: methods, free functions and batches of a verb give the same bits.
 use crate::straight::{Items, bits, inputs};
+use geograd::Pack;
 use geograd::ad::check::sample::Sample;
 use geograd::distance::Convex;
 use geograd::error::Validate;
@@ -10,7 +11,6 @@ use geograd::{
     ConvexPolygon, Scalar, Triangle2, Vec2, distance, distance3, gaussian, intersection, iou, iou3,
     overlap, overlap3, ring,
 };
-use geograd::Pack;
 use geograd_tests::Dice;
 use geograd_tests::calls::Number;
 use std::fmt::Debug;

@@ -28,7 +28,7 @@ fn the_untyped_face_has_the_bits_of_the_typed_one() {
         .function::<f32>(Mode::ValueGrad)
         .expect("is of fixed size");
     let one = Rows::one(&B[..5]);
-    let found = both.aligned_on(on, &[rows, one]).unwrap();
+    let found = both.on(on).unwrap().aligned(&[rows, one]).unwrap();
     let (value, (by_a, by_b)) = gpu
         .aligned(IouObb2.value_grad(), (&a, geograd::kernels::One(b[0])))
         .unwrap();
@@ -39,55 +39,65 @@ fn the_untyped_face_has_the_bits_of_the_typed_one() {
     ] {
         let value = all.value::<f32>().expect("is of fixed size");
         assert_eq!(
-            value.all_pairs_on(on, rows, columns).unwrap(),
+            value.on(on).unwrap().all_pairs(rows, columns).unwrap(),
             of_typed.values(),
             "{name}"
         );
     }
     let value = giou.value::<f32>().expect("is of fixed size");
     assert_eq!(
-        value.row_max_on(on, rows, columns).unwrap(),
+        value.on(on).unwrap().row_max(rows, columns).unwrap(),
         gpu.row_max(GiouObb2, &a, &b).unwrap()
     );
     assert_eq!(
-        value.column_max_on(on, rows, columns).unwrap(),
+        value.on(on).unwrap().column_max(rows, columns).unwrap(),
         gpu.column_max(GiouObb2, &a, &b).unwrap()
     );
     assert_eq!(
-        value.above_on(on, rows, columns, 0.1).unwrap(),
+        value.on(on).unwrap().above(rows, columns, 0.1).unwrap(),
         gpu.above(GiouObb2, &a, &b, 0.1).unwrap()
     );
     assert_eq!(
-        value.count_above_on(on, rows, columns, 0.1).unwrap(),
+        value
+            .on(on)
+            .unwrap()
+            .count_above(rows, columns, 0.1)
+            .unwrap(),
         gpu.count_above(GiouObb2, &a, &b, 0.1).unwrap()
     );
     assert_eq!(
-        value.sum_on(on, rows, columns).unwrap(),
+        value.on(on).unwrap().sum(rows, columns).unwrap(),
         gpu.sum(GiouObb2, &a, &b).unwrap()
     );
     assert_eq!(
-        value.mean_on(on, rows, columns).unwrap(),
+        value.on(on).unwrap().mean(rows, columns).unwrap(),
         gpu.mean(GiouObb2, &a, &b).unwrap()
     );
     let flat = |(x, a, b): (f64, Vec<Obb2<f32>>, Vec<Obb2<f32>>)| (x, a.scalars(), b.scalars());
     assert_eq!(
-        value.sum_grad_on(on, rows, columns).unwrap(),
+        value.on(on).unwrap().sum_grad(rows, columns).unwrap(),
         flat(gpu.sum_grad(GiouObb2, &a, &b).unwrap())
     );
     assert_eq!(
-        value.mean_grad_on(on, rows, columns).unwrap(),
+        value.on(on).unwrap().mean_grad(rows, columns).unwrap(),
         flat(gpu.mean_grad(GiouObb2, &a, &b).unwrap())
     );
     let upstream = [1.0, 0.0, 2.0, 0.5, 0.0, 1.0];
     let (a_bar, b_bar) = gpu.all_pairs_vjp(GiouObb2, &a, &b, &upstream).unwrap();
     assert_eq!(
         value
-            .all_pairs_vjp_on(on, rows, columns, &upstream)
+            .on(on)
+            .unwrap()
+            .all_pairs_vjp(rows, columns, &upstream)
             .unwrap(),
         (a_bar.scalars(), b_bar.scalars())
     );
     let wrong = [0.0, 0.0, 1.0, -1.0, 0.0];
-    let error = value.sum_on(on, rows, Rows::new(&wrong, 5)).unwrap_err();
+    let error = value
+        .on(on)
+        .unwrap()
+        .sum(rows, Rows::new(&wrong, 5))
+        .unwrap_err();
     assert_eq!(error.to_string(), "`b` item 0: height is negative");
 
     // A traced function: the distance of two points, twice.
@@ -103,13 +113,17 @@ fn the_untyped_face_has_the_bits_of_the_typed_one() {
     let (p, q) = ([3.0, 4.0, 0.0, 0.0], [0.0, 0.0]);
     assert_eq!(
         twice
-            .aligned_on(on, &[Rows::new(&p, 2), Rows::one(&q)])
+            .on(on)
+            .unwrap()
+            .aligned(&[Rows::new(&p, 2), Rows::one(&q)])
             .unwrap(),
         [[10.0, 0.0]]
     );
     assert_eq!(
         twice
-            .row_max_on(on, Rows::new(&q, 2), Rows::new(&p, 2))
+            .on(on)
+            .unwrap()
+            .row_max(Rows::new(&q, 2), Rows::new(&p, 2))
             .unwrap()[0]
             .index,
         0
@@ -128,16 +142,21 @@ fn the_untyped_face_has_the_bits_of_the_typed_one() {
         .into_iter()
         .chain(square.codes().into_iter().map(|x| x as f32))
         .collect();
-    let found = width.aligned_on(on, &[Rows::one(&numbers)]).unwrap();
+    let found = width
+        .on(on)
+        .unwrap()
+        .aligned(&[Rows::one(&numbers)])
+        .unwrap();
     assert_eq!(found, [gpu.aligned(Width, &[square]).unwrap()]);
     let polygons = operation("iou_polygons").expect("is listed");
     let layout = polygons.layouts::<f32>()[0];
     let polygon = vec![0.0; layout.fields()];
-    let refused = polygons.value::<f32>().expect("is of fixed size").sum_on(
-        on,
-        Rows::one(&polygon),
-        Rows::one(&polygon),
-    );
+    let refused = polygons
+        .value::<f32>()
+        .expect("is of fixed size")
+        .on(on)
+        .unwrap()
+        .sum(Rows::one(&polygon), Rows::one(&polygon));
     assert_eq!(refused, Err(Error::Program(Unrecordable::Search)));
 
     // Paths.
@@ -148,7 +167,11 @@ fn the_untyped_face_has_the_bits_of_the_typed_one() {
         .on_paths::<f32>()
         .expect("is a ring");
     assert_eq!(
-        perimeter.values_on(on, &[], &ring, &[0, 4]).unwrap(),
+        perimeter
+            .on(on)
+            .unwrap()
+            .values(&[], &ring, &[0, 4])
+            .unwrap(),
         gpu.ragged(Perimeter.over_ring(), &vertices, &[0, 4])
             .unwrap()
     );
@@ -158,7 +181,9 @@ fn the_untyped_face_has_the_bits_of_the_typed_one() {
         .expect("is a fold");
     let point = [1.0, 0.5];
     let (by_point, by_vertex) = distance
-        .vjp_on(on, &[Rows::new(&point, 2)], &ring, &[0, 4], &[1.0])
+        .on(on)
+        .unwrap()
+        .vjp(&[Rows::new(&point, 2)], &ring, &[0, 4], &[1.0])
         .unwrap();
     let expected = gpu
         .fold_vjp(
@@ -179,12 +204,18 @@ fn the_untyped_face_has_the_bits_of_the_typed_one() {
     let many: Vec<Vec2<f32>> = points.chunks_exact(2).map(Vec2::load).collect();
     let (contexts, upstream) = ([Rows::new(&points, 2)], [1.0, -2.0, 0.5]);
     assert_eq!(
-        distance.values_on(on, &contexts, &ring, &[0, 4]).unwrap(),
+        distance
+            .on(on)
+            .unwrap()
+            .values(&contexts, &ring, &[0, 4])
+            .unwrap(),
         gpu.fold_one(SignedDistancePointRing, &many, &vertices)
             .unwrap()
     );
     let (by_points, by_vertex) = distance
-        .vjp_on(on, &contexts, &ring, &[0, 4], &upstream)
+        .on(on)
+        .unwrap()
+        .vjp(&contexts, &ring, &[0, 4], &upstream)
         .unwrap();
     let expected = gpu
         .fold_one_vjp(SignedDistancePointRing, &many, &vertices, &upstream)

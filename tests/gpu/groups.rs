@@ -217,11 +217,11 @@ fn by_name() {
         for of_rows in [true, false] {
             let (found, expected) = match of_rows {
                 true => (
-                    run.row_max_grouped_on(on, a, b, groups),
+                    run.on(on).unwrap().row_max_grouped(a, b, groups),
                     run.row_max_grouped(a, b, groups),
                 ),
                 false => (
-                    run.column_max_grouped_on(on, a, b, groups),
+                    run.on(on).unwrap().column_max_grouped(a, b, groups),
                     run.column_max_grouped(a, b, groups),
                 ),
             };
@@ -244,16 +244,19 @@ fn by_name() {
         let lanes: Vec<Vec<f32>> = (0..fields[0]).map(lane).collect();
         let lanes: Vec<&[f32]> = lanes.iter().map(Vec::as_slice).collect();
         assert_eq!(
-            run.row_max_grouped_on(on, Rows::apart(&lanes), b, groups),
-            run.row_max_grouped_on(on, a, b, groups),
+            run.on(on)
+                .unwrap()
+                .row_max_grouped(Rows::apart(&lanes), b, groups),
+            run.on(on).unwrap().row_max_grouped(a, b, groups),
             "{name}"
         );
         assert_eq!(
-            run.aligned_on(
-                on,
-                &[Rows::apart(&lanes), Rows::one(&b.numbers()[..fields[1]])]
-            ),
-            run.aligned_on(on, &[a, Rows::one(&b.numbers()[..fields[1]])]),
+            run.on(on)
+                .unwrap()
+                .aligned(&[Rows::apart(&lanes), Rows::one(&b.numbers()[..fields[1]])]),
+            run.on(on)
+                .unwrap()
+                .aligned(&[a, Rows::one(&b.numbers()[..fields[1]])]),
             "{name}"
         );
         // A threshold between two results: the very pairs of the processor.
@@ -269,7 +272,11 @@ fn by_name() {
             (scores.len() / 4..3 * scores.len() / 4).max_by(|&i, &j| gap(i).total_cmp(&gap(j)));
         let k = widest.expect(name);
         let threshold = scores[k] + 0.5 * gap(k);
-        let found = run.above_grouped_on(on, a, b, groups, threshold).unwrap();
+        let found = run
+            .on(on)
+            .unwrap()
+            .above_grouped(a, b, groups, threshold)
+            .unwrap();
         let expected = run.above_grouped(a, b, groups, threshold).unwrap();
         let places = |all: &[geograd::kernels::reduce::Found]| -> Vec<_> {
             all.iter().map(|pair| (pair.row, pair.column)).collect()
@@ -350,8 +357,11 @@ fn faults_are_those_of_the_processor() {
         .expect("is listed");
     let polygon = vec![0.0; polygons.takes()[0].1.fields()];
     let one = Rows::new(&polygon, polygon.len());
-    let refused =
-        polygons.row_max_grouped_on(Backend::Gpu(gpu), one, one, Groups::new(&[0, 1], &[0, 1]));
+    let refused = polygons.on(Backend::Gpu(gpu)).unwrap().row_max_grouped(
+        one,
+        one,
+        Groups::new(&[0, 1], &[0, 1]),
+    );
     assert_eq!(refused, Err(Error::Program(Unrecordable::Search)));
 }
 
@@ -366,7 +376,9 @@ fn messages_name_arguments() {
     let (a, b) = (Rows::new(&points, 2), Rows::new(&boxes, Obb2::<f32>::LEN));
     let groups = Groups::new(&[0, 1], &[0, 1]);
     let error = run
-        .row_max_grouped_on(Backend::Gpu(gpu), a, b, groups)
+        .on(Backend::Gpu(gpu))
+        .unwrap()
+        .row_max_grouped(a, b, groups)
         .unwrap_err();
     assert_eq!(run.row_max_grouped(a, b, groups), Err(error));
     assert_eq!(

@@ -61,7 +61,7 @@ pub fn agrees(row: &Tested) {
         let mut rows: Vec<_> = columns.map(|(x, y)| Rows::new(x, y.fields())).collect();
         rows.extend(bar.map(Rows::one));
         let (lists, gives) = (
-            function.aligned_on(backend, &rows).unwrap(),
+            function.on(backend).unwrap().aligned(&rows).unwrap(),
             function.gives(),
         );
         let item = |i: usize| {

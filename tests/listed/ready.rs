@@ -316,9 +316,11 @@ impl Ready for Paths<'_> {
         let (contexts, run) = (rows(&self.contexts), &self.run);
         let (backend, vertices, offsets) = (self.backend, &self.vertices, &self.offsets);
         match self.ups.is_empty() {
-            true => self.values = run.values_on(backend, &contexts, vertices, offsets)?,
+            true => self.values = run.on(backend)?.values(&contexts, vertices, offsets)?,
             false => {
-                self.derivatives = run.vjp_on(backend, &contexts, vertices, offsets, &self.ups)?
+                self.derivatives = run
+                    .on(backend)?
+                    .vjp(&contexts, vertices, offsets, &self.ups)?
             }
         }
         Ok(())
