@@ -1,8 +1,6 @@
 //! Results of rows and of pairs of rows, on a machine: the one place where `table` and `iou_csv` compute.
 use crate::cli::Machine;
-use geograd::kernels::Groups;
 use geograd::kernels::dynamic::{Function, Rows};
-use geograd::kernels::reduce::Found;
 use geograd::{Error, Real, Unrecordable};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -16,88 +14,24 @@ pub const BLOCK: usize = 1 << 18;
 pub trait Number: Real + FromStr {
     /// The number nearest to one of f64.
     fn near(x: f64) -> Self;
-    /// Results of item i of every column.
-    ///
-    /// # Errors
-    ///
-    /// Rows that are not valid, and the errors of the machine; so of the other calls.
-    fn aligned(
-        function: &Function<Self>,
-        machine: &Machine,
-        rows: &[Rows<'_, Self>],
-    ) -> Result<Vec<Vec<Self>>, Error>;
-    /// Results of every row with every row, plane after plane.
-    fn planes(
-        function: &Function<Self>,
-        machine: &Machine,
-        lists: [Rows<'_, Self>; 2],
-    ) -> Result<Vec<Self>, Error>;
-    /// Pairs whose result is above a threshold.
-    fn found(
-        function: &Function<Self>,
-        machine: &Machine,
-        lists: [Rows<'_, Self>; 2],
-        threshold: Self,
-    ) -> Result<Vec<Found<Self>>, Error>;
-    /// The same within groups.
-    fn found_grouped(
-        function: &Function<Self>,
-        machine: &Machine,
-        lists: [Rows<'_, Self>; 2],
-        groups: Groups<'_>,
-        threshold: Self,
-    ) -> Result<Vec<Found<Self>>, Error>;
 }
 
-/// A format, its conversion from f64, and its calls; `$on` gives what they take first.
-macro_rules! number {
-    ($T:ty, |$x:ident| $near:expr, |$machine:pat_param| $($on:expr)?; $aligned:ident $planes:ident $found:ident $grouped:ident) => {
-        impl Number for $T {
-            fn near($x: f64) -> Self {
-                $near
-            }
-            fn aligned(
-                function: &Function<Self>,
-                $machine: &Machine,
-                rows: &[Rows<'_, Self>],
-            ) -> Result<Vec<Vec<Self>>, Error> {
-                function.$aligned($($on,)? rows)
-            }
-            fn planes(
-                function: &Function<Self>,
-                $machine: &Machine,
-                [a, b]: [Rows<'_, Self>; 2],
-            ) -> Result<Vec<Self>, Error> {
-                function.$planes($($on,)? a, b)
-            }
-            fn found(
-                function: &Function<Self>,
-                $machine: &Machine,
-                [a, b]: [Rows<'_, Self>; 2],
-                threshold: Self,
-            ) -> Result<Vec<Found<Self>>, Error> {
-                function.$found($($on,)? a, b, threshold)
-            }
-            fn found_grouped(
-                function: &Function<Self>,
-                $machine: &Machine,
-                [a, b]: [Rows<'_, Self>; 2],
-                groups: Groups<'_>,
-                threshold: Self,
-            ) -> Result<Vec<Found<Self>>, Error> {
-                function.$grouped($($on,)? a, b, groups, threshold)
-            }
-        }
-    };
+impl Number for f32 {
+    fn near(x: f64) -> f32 {
+        x as f32
+    }
 }
-number!(f32, |x| x as f32, |machine| machine.backend(); aligned_on all_pairs_on above_on above_grouped_on);
-number!(f64, |x| x, |_|; aligned all_pairs above above_grouped);
+impl Number for f64 {
+    fn near(x: f64) -> f64 {
+        x
+    }
+}
 
 /// Results of pairs of rows, given by their places in both lists: numbers for every column of a result, pair by pair.
 ///
 /// # Errors
 ///
-/// As [`Number::aligned`].
+/// As [`Function::aligned`], and the errors of the machine.
 pub fn of_places<T: Number>(
     function: &Function<T>,
     machine: &Machine,
@@ -114,7 +48,7 @@ pub fn of_places<T: Number>(
         rows
     });
     let rows = [0, 1].map(|k| Rows::new(&picked[k], fields[k]));
-    T::aligned(function, machine, &rows)
+    function.on(machine.backend())?.aligned(&rows)
 }
 
 /// Some rows of both lists, of their numbers.
@@ -133,7 +67,7 @@ fn parts<'a, T: Number>(
 ///
 /// # Errors
 ///
-/// As [`Number::aligned`].
+/// As [`Function::aligned`], and the errors of the machine.
 pub fn of_rows<T: Number>(
     function: &Function<T>,
     machine: &Machine,
@@ -142,14 +76,14 @@ pub fn of_rows<T: Number>(
 ) -> Result<Vec<Vec<T>>, Error> {
     let numbers = lists.map(|list| list.numbers());
     let rows = parts(&numbers, &lists, &[rows.clone(), rows.clone()]);
-    T::aligned(function, machine, &rows)
+    function.on(machine.backend())?.aligned(&rows)
 }
 
 /// The same of every row of some with every row of others, row by row.
 ///
 /// # Errors
 ///
-/// As [`Number::aligned`].
+/// As [`Function::aligned`], and the errors of the machine.
 pub fn of_all<T: Number>(
     function: &Function<T>,
     machine: &Machine,
@@ -158,7 +92,8 @@ pub fn of_all<T: Number>(
 ) -> Result<Vec<Vec<T>>, Error> {
     let [rows, columns] = block;
     let numbers = lists.map(|list| list.numbers());
-    let planes = T::planes(function, machine, parts(&numbers, &lists, block));
+    let [a, b] = parts(&numbers, &lists, block);
+    let planes = function.on(machine.backend())?.all_pairs(a, b);
     let planes = match planes {
         // A GPU replays searches item by item.
         Err(Error::Program(Unrecordable::Search)) => {

@@ -158,7 +158,7 @@ impl<'a, T: Number> Work<'a, T> {
                 };
             }
             let rows: Vec<_> = buffers.iter().map(|buffer| buffer.rows(count)).collect();
-            let mut columns = self.columns(T::aligned(&self.wanted, self.machine, &rows)?);
+            let mut columns = self.columns(self.wanted.on(self.machine.backend())?.aligned(&rows)?);
             let mut ids = Vec::new();
             if let Some(threshold) = self.options.above {
                 let told: Vec<usize> = (0..count)
@@ -223,7 +223,12 @@ impl<'a, T: Number> Work<'a, T> {
             match self.options.above {
                 Some(threshold) => {
                     let rows = [a.rows(count), b.rows(b.len())];
-                    let found = T::found(&self.value, self.machine, rows, T::near(threshold))?;
+                    let [of_a, of_b] = rows;
+                    let found = self.value.on(self.machine.backend())?.above(
+                        of_a,
+                        of_b,
+                        T::near(threshold),
+                    )?;
                     self.found([a, b], &found)?;
                 }
                 None => self.product([a, b], 0..count, 0..b.len())?,
@@ -284,7 +289,10 @@ impl<'a, T: Number> Work<'a, T> {
                     let groups = Groups::new(&offsets[0], &offsets[1]);
                     let rows = [a.rows(ends[0]), b.rows(ends[1])];
                     let (of, on, threshold) = (&self.value, self.machine, T::near(threshold));
-                    let found = T::found_grouped(of, on, rows, groups, threshold)?;
+                    let [of_a, of_b] = rows;
+                    let found = of
+                        .on(on.backend())?
+                        .above_grouped(of_a, of_b, groups, threshold)?;
                     self.found([a, b], &found)?;
                 }
                 None => {
