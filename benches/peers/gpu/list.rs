@@ -1,7 +1,7 @@
 //! The whole list by generated kernels over data that stay: kernel time, bytes and counted instructions of
 //! every form, and what share of the machine that is.
 use crate::count::count;
-use crate::{Settings, fastest};
+use crate::settings::{Settings, fastest};
 use geograd::kernels::Backend;
 use geograd::kernels::gpu::Gpu;
 use geograd::{Error, Program, Scalar, Sym, Unrecordable};

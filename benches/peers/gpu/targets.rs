@@ -1,6 +1,7 @@
 //! Targets of a large card, measured: `cargo bench -p peers --features gpu -- targets`.
+use crate::Draw;
 use crate::list::Roofs;
-use crate::{Draw, Settings, fastest};
+use crate::settings::{Settings, fastest};
 use geograd::Error;
 use geograd::Obb2;
 use geograd::kernels::gpu::{Gpu, op_sources};
