@@ -229,6 +229,7 @@ mod placed;
 pub mod report;
 pub mod roughness;
 mod rounding;
+mod sampling;
 mod second_order;
 mod shrink;
 pub mod subject;
@@ -241,8 +242,9 @@ pub mod witness;
 mod words;
 
 pub use crate::ad::check::builder::Check;
-pub use crate::ad::check::examine::{SEED, Sampling, examine};
+pub use crate::ad::check::examine::examine;
 pub use crate::ad::check::report::{Failure, Report};
+pub use crate::ad::check::sampling::{SEED, Sampling};
 pub use crate::ad::check::second_order::Bent;
 pub use crate::ad::sample;
 #[cfg(feature = "proptest")]
