@@ -1,4 +1,4 @@
-//! Distances between any two convex shapes: points ([`Vec2`]), [`Line2`](crate::Line2),
+//! Distances between any two convex shapes: points ([`Vec2`](crate::Vec2)), [`Line2`](crate::Line2),
 //! [`Ray2`](crate::Ray2), [`Segment2`](crate::Segment2), [`Triangle2`](crate::Triangle2),
 //! [`Aabb2`](crate::Aabb2), [`Obb2`](crate::Obb2), [`Circle`](crate::Circle),
 //! [`Capsule2`](crate::Capsule2) and arrays of corners; and from a point to rings and polylines.
