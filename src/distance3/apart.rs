@@ -134,9 +134,9 @@ pub fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S 
 
 /// The points in which two shapes of space are nearest to each other.
 ///
-/// Overlapping shapes have the points that [`penetration`] brings together. Balls with one centre, and other round shapes
-/// whose cores meet in a point, leave each other by several ways; the points are those of one. Ties and derivatives:
-/// see the [module](super).
+/// Overlapping shapes have the points that [`penetration`] brings together. Balls with one centre, and other round
+/// shapes whose cores meet in a point, leave each other by several ways; the points are those of one. Ties and
+/// derivatives: see the [module](super).
 ///
 /// ```
 /// use geograd::{Segment3, Vec3, distance3::closest_points};
