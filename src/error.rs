@@ -554,18 +554,6 @@ pub trait Validate {
     fn validate(&self) -> Result<(), Flaw>;
 }
 
-impl<S: crate::Scalar<Mask = bool>> Validate for S {
-    const FINITE_SUFFICES: bool = true;
-    #[inline(always)]
-    fn validate(&self) -> Result<(), Flaw> {
-        if self.finite() {
-            Ok(())
-        } else {
-            Err(Flaw::NotFinite(Field::VALUE))
-        }
-    }
-}
-
 /// The reason why no GPU is available or a call on it failed. Inputs are as they were and stay usable,
 /// except after [`GpuFault::DeviceLost`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,6 +1,6 @@
 //! A function together with what a sampling says of it: its ties, how far its values may be off, where it is defined.
-use crate::ad::check::Sampling;
 use crate::ad::check::certificate::Proof;
+use crate::ad::check::sampling::Sampling;
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::Trace;

@@ -1,6 +1,5 @@
 //! A check of closures, put together step by step.
-use crate::ad::check::placed::Near;
-use crate::ad::check::second_order::{BentFn, TracedBentFn};
+use crate::ad::check::bent::{BentFn, TracedBentFn};
 use crate::ad::check::subject::Conventions;
 use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::{Trace, Traced, of_num_duals, trace};
@@ -49,6 +48,18 @@ pub struct Check<'a, X: Pack> {
     pub(crate) resolution: [f64; 2],
     pub(crate) invariances: Vec<Invariance>,
     pub(crate) conventions: Conventions,
+}
+
+/// A check near one of its points.
+pub(crate) struct Near<'c, 'a, X: Pack> {
+    pub(crate) check: &'c Check<'a, X>,
+    pub(crate) near: &'c X,
+}
+
+impl<S: Real, X: Pack<Scalar = S>> Near<'_, '_, X> {
+    pub(crate) fn made(&self, x: &[f64]) -> X {
+        self.near.refill(&narrow::<S>(x))
+    }
 }
 
 /// A pack of floats as a list.

@@ -1,5 +1,5 @@
 //! A check of closures as a subject, near one of its points.
-use crate::ad::check::placed::Near;
+use crate::ad::check::builder::Near;
 use crate::ad::check::second_order::{Wide, bends, transposed};
 use crate::ad::check::subject::{Conventions, Subject, default_scales};
 use crate::ad::check::symmetry::{Invariance, Kind};

@@ -1,83 +1,17 @@
 //! Judging a function at many inputs.
 use crate::ad::check::agreed::{Agreed, Held};
 use crate::ad::check::candidate::{Candidate, Typed};
-use crate::ad::check::certificate::Proof;
 use crate::ad::check::compare::invariance;
 use crate::ad::check::judge::judge;
 use crate::ad::check::report::{Failure, Report};
+use crate::ad::check::sampling::Sampling;
 use crate::ad::check::shrink::{is_like, shrunk};
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{ENOUGH, INSIDE_ONE_IN, KEPT, SHRINKING, SMOOTH_ONE_IN, TIRED};
 use crate::ad::check::verdict::{Findings, Reason, Smoothness};
 use crate::ad::check::witness::Precision;
-use crate::ad::sample::Draw;
 use crate::{Pack, Real};
 use std::fmt::Debug;
-
-/// The seed of everything random, unless another one is given.
-pub const SEED: u64 = 0x6765_6f67_7261_6421;
-
-/// How many inputs to judge, and which.
-#[derive(Clone, Copy)]
-pub struct Sampling<'a> {
-    /// How many random inputs.
-    pub samples: usize,
-    /// The seed of the random inputs.
-    pub seed: u64,
-    /// Hard cases come first: every so many of them, all by default, none for zero.
-    pub hard: usize,
-    /// Inputs that come before all others, as lists of numbers, of an operation of fixed size.
-    pub points: &'a [Vec<f64>],
-    /// `true` to draw the worst case of an operation.
-    pub draws: bool,
-    /// Called after every sample: for a progress bar.
-    pub tick: Option<&'a dyn Fn()>,
-    /// `true` if a derivative by hand must share an exact tie as duals do. Otherwise any element between the
-    /// derivatives of both sides is right.
-    pub shared_ties: bool,
-    /// How far values may be off, absolutely and as a share: see
-    /// [`Check::resolution`](crate::check::Check::resolution). `None` takes the operation's own resolution.
-    pub resolution: Option<[f64; 2]>,
-    /// How many roundings of the format values may be off by terms that cancel, in the unit of the result. `None`
-    /// takes what the operation says.
-    pub roundings: Option<&'a dyn Fn(&[f64]) -> f64>,
-    /// The domain, beside the rules of the shapes: inputs outside are not judged, no step leads there. `None` takes
-    /// the operation's own domain.
-    pub inside: Option<&'a dyn Fn(&[f64]) -> bool>,
-    /// For each number, the length over which the function may be expected to change, if shapes do not give it.
-    pub scales: Option<&'a dyn Fn(&[f64]) -> Vec<f64>>,
-    /// What proves the value at an input, of a distance in space.
-    pub proof: Option<&'a dyn Fn(&[f64]) -> Option<Proof>>,
-}
-
-impl Sampling<'_> {
-    /// Hard cases and so many random inputs.
-    #[must_use]
-    pub fn new(samples: usize, seed: u64) -> Self {
-        Sampling {
-            samples,
-            seed,
-            hard: 1,
-            points: &[],
-            draws: false,
-            tick: None,
-            shared_ties: false,
-            resolution: None,
-            roundings: None,
-            inside: None,
-            scales: None,
-            proof: None,
-        }
-    }
-    /// The generator of random sample `i`: samples do not depend on each other.
-    #[must_use]
-    pub fn draw(&self, i: usize) -> Draw {
-        Draw::new(
-            self.seed
-                .wrapping_add((i as u64).wrapping_mul(0x2545_f491_4f6c_dd1d)),
-        )
-    }
-}
 
 /// Judges a function at many inputs. `meet` hands the function near an input to its argument;
 /// `random_from` is the number of the first input that was drawn at random.

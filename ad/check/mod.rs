@@ -210,6 +210,7 @@
 //! `tests/corpus` measures the harness and other checkers: functions, faults made by operators and by a scalar that
 //! makes one mistake, and a record of the harness's errors.
 mod agreed;
+mod bent;
 mod builder;
 pub(crate) mod candidate;
 pub mod certificate;
@@ -225,10 +226,10 @@ pub mod noise;
 mod notes;
 mod of_program;
 pub mod picture;
-mod placed;
 pub mod report;
 pub mod roughness;
 mod rounding;
+mod sampling;
 mod second_order;
 mod shrink;
 pub mod subject;
@@ -240,10 +241,11 @@ pub mod verdict;
 pub mod witness;
 mod words;
 
+pub use crate::ad::check::bent::Bent;
 pub use crate::ad::check::builder::Check;
-pub use crate::ad::check::examine::{SEED, Sampling, examine};
+pub use crate::ad::check::examine::examine;
 pub use crate::ad::check::report::{Failure, Report};
-pub use crate::ad::check::second_order::Bent;
+pub use crate::ad::check::sampling::{SEED, Sampling};
 pub use crate::ad::sample;
 #[cfg(feature = "proptest")]
 pub use crate::ad::sample::strategy;

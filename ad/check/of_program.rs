@@ -1,5 +1,5 @@
 //! A recorded program as what is checked.
-use crate::ad::check::second_order::Bent;
+use crate::ad::check::bent::Bent;
 use crate::ad::check::trace::{Traced, num_duals, of_num_duals, trace};
 use crate::ad::check::{Check, narrow};
 use crate::ad::program::Program;

@@ -196,6 +196,27 @@ impl Kinship {
     }
 }
 
+impl Family {
+    /// A random input of the family.
+    pub fn draw<X: Sample>(self, draw: &mut Draw) -> X {
+        typed(&*const { Kinship::of::<X>() }.of_family(self, draw))
+    }
+}
+
+/// A random input, moved and scaled now and then.
+pub fn random<X: Sample>(draw: &mut Draw) -> X {
+    typed(&*const { Kinship::of::<X>() }.random(draw))
+}
+
+/// The hard cases as they are, turned, scaled and moved away.
+pub fn hard_cases<X: Sample>() -> Vec<X> {
+    let plain = X::hard();
+    let placed = |x: &X, place| put(x, place).map(|there| x.refill(&there));
+    let places = PLACES.iter();
+    let all = places.flat_map(|place| plain.iter().filter_map(|x| placed(x, *place)));
+    all.collect()
+}
+
 /// An input scaled and moved, if it fits there.
 fn elsewhere(x: Box<dyn Drawn>, scale: f64, shift: [f64; 2]) -> Box<dyn Drawn> {
     let there = moved(&x.numbers(), &x.kinds(), 0.0, scale, shift);

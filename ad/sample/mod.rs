@@ -19,10 +19,11 @@ mod solid_boxes;
 pub mod strategy;
 
 use crate::ad::declared::Kind;
-use crate::ad::sample::drawn::Kinship;
 use crate::scalar::float::Float;
 use crate::{Pack, Scalar};
 use std::f64::consts::FRAC_PI_2;
+
+pub use crate::ad::sample::drawn::{hard_cases, random};
 
 /// A small seeded generator of random numbers (SplitMix64).
 #[derive(Clone, Debug)]
@@ -202,13 +203,6 @@ pub enum Family {
     Touching,
 }
 
-impl Family {
-    /// A random input of the family.
-    pub fn draw<X: Sample>(self, draw: &mut Draw) -> X {
-        drawn::typed(&*const { Kinship::of::<X>() }.of_family(self, draw))
-    }
-}
-
 /// Puts a whole input elsewhere: rotation about the origin of the plane, then scaling, then translation along x and y.
 ///
 /// Inputs need not stay what they are to be worth a look: heights and rotations of space stay.
@@ -233,11 +227,6 @@ pub fn moved(x: &[f64], kinds: &[Kind], angle: f64, scale: f64, shift: [f64; 2])
         .collect()
 }
 
-/// A random input, moved and scaled now and then.
-pub fn random<X: Sample>(draw: &mut Draw) -> X {
-    drawn::typed(&*const { Kinship::of::<X>() }.random(draw))
-}
-
 /// A place: an angle by which an input is turned, a scale, and a shift.
 type Placed = (f64, f64, [f64; 2]);
 /// The places of hard cases: turned by an angle, scaled, moved away.
@@ -250,15 +239,6 @@ const PLACES: [Placed; 7] = [
     (0.3, 1.0, [0.0, 0.0]),
     (FRAC_PI_2, 1.0, [0.0, 0.0]),
 ];
-
-/// The hard cases as they are, turned, scaled and moved away.
-pub fn hard_cases<X: Sample>() -> Vec<X> {
-    let plain = X::hard();
-    let put = |x: &X, place| drawn::put(x, place).map(|there| x.refill(&there));
-    let places = PLACES.iter();
-    let all = places.flat_map(|place| plain.iter().filter_map(|x| put(x, *place)));
-    all.collect()
-}
 
 /// Simpler inputs, simplest first: fewer elements, then fewer digits. For shrinking.
 pub fn simpler<S: Scalar + Float, X: Pack<Scalar = S>>(x: &X) -> impl Iterator<Item = X> {

@@ -1,7 +1,7 @@
 //! The core of an axis-aligned box: its bounds.
 use super::beam::{Beam, Inside};
-use super::convex::Core;
 use super::cores::{BoxCore, Upright};
+use super::corners::Core;
 use super::edge::size_of;
 use super::share::{Ahead, Best, Deepest, Nearest};
 use crate::{Scalar, Vec2};

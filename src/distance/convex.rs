@@ -1,9 +1,11 @@
-//! Convex shapes as distances take them: a core of few corners, inflated by a radius.
-use super::beam::{Beam, Inside};
-use super::edge::{Edge, reach, size_of};
-use super::share::{Ahead, Best, Deepest, Nearest};
+//! Convex shapes as distances take them, a core of few corners, inflated by a radius; and the functions of any two.
+use super::corners::Core;
+use super::edge::{direction, scale_of};
+use super::outcome::{Contact, FarthestPoints, PointPair};
+use super::quantity::{Closest, Farthest, Penetrating, Signed, Squared, Unsigned};
 use crate::scalar::Guard;
-use crate::{Aabb2, Obb2, Scalar, Vec2};
+use crate::{Aabb2, Fixed, Obb2, Scalar, Vec2};
+use std::marker::PhantomData;
 
 /// A convex shape: every point at most [`radius`](Convex::radius) from its [`core`](Convex::core).
 ///
@@ -66,43 +68,43 @@ pub trait Convex<S: Scalar>: Copy {
     #[must_use]
     #[inline]
     fn distance<B: Convex<S>>(self, other: B) -> S {
-        super::distance(self, other)
+        distance(self, other)
     }
     /// The square of the distance: [`squared_distance`](super::squared_distance).
     #[must_use]
     #[inline]
     fn squared_distance<B: Convex<S>>(self, other: B) -> S {
-        super::squared_distance(self, other)
+        squared_distance(self, other)
     }
     /// The distance, or minus the depth of overlap: [`signed_distance`](super::signed_distance).
     #[must_use]
     #[inline]
     fn signed_distance<B: Convex<S>>(self, other: B) -> S {
-        super::signed_distance(self, other)
+        signed_distance(self, other)
     }
     /// A point of each, nearest to each other: [`closest_points`](super::closest_points).
     #[must_use]
     #[inline]
-    fn closest_points<B: Convex<S>>(self, other: B) -> super::PointPair<S> {
-        super::closest_points(self, other)
+    fn closest_points<B: Convex<S>>(self, other: B) -> PointPair<S> {
+        closest_points(self, other)
     }
     /// How deep the shapes overlap, and the way out: [`penetration`](super::penetration).
     #[must_use]
     #[inline]
-    fn penetration<B: Convex<S>>(self, other: B) -> super::Contact<S> {
-        super::penetration(self, other)
+    fn penetration<B: Convex<S>>(self, other: B) -> Contact<S> {
+        penetration(self, other)
     }
     /// The longest distance: [`farthest_distance`](super::farthest_distance).
     #[must_use]
     #[inline]
     fn farthest_distance<B: Convex<S>>(self, other: B) -> S {
-        super::farthest_distance(self, other)
+        farthest_distance(self, other)
     }
     /// The points between which that is: [`farthest_points`](super::farthest_points).
     #[must_use]
     #[inline]
-    fn farthest_points<B: Convex<S>>(self, other: B) -> super::FarthestPoints<S> {
-        super::farthest_points(self, other)
+    fn farthest_points<B: Convex<S>>(self, other: B) -> FarthestPoints<S> {
+        farthest_points(self, other)
     }
     /// The function of this shape and another one by the [formula](super::pair) for their kinds.
     #[doc(hidden)]
@@ -149,129 +151,202 @@ pub trait PairFormula<S: Scalar> {
     fn obb2(a: Obb2<S>, b: Obb2<S>) -> Self::Out;
 }
 
-/// The core of a convex shape: the hull of some corners and of some directions in which it has no
-/// end. The cores are those of the library's shapes: a shape of one's own has that of the shape it
-/// is like.
+/// A formula whose result is NaN where a number of its arguments is.
+struct Guarded<F>(PhantomData<F>);
+
+impl<S: Scalar, F: PairFormula<S>> PairFormula<S> for Guarded<F>
+where
+    F::Out: Fixed<Scalar = S>,
+{
+    type Out = F::Out;
+    #[inline]
+    fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> F::Out {
+        b.guarded(a.guarded(Guard::new())).result(F::cores(a, b))
+    }
+    #[inline(always)]
+    fn points(a: Vec2<S>, b: Vec2<S>) -> F::Out {
+        match F::POINTS_KEEP_NAN {
+            true => F::points(a, b),
+            false => Guard::of(&a).and(&b).result(F::points(a, b)),
+        }
+    }
+    #[inline]
+    fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> F::Out {
+        Guard::of(&a).and(&b).result(F::aabb2(a, b))
+    }
+    #[inline]
+    fn obb2(a: Obb2<S>, b: Obb2<S>) -> F::Out {
+        Guard::of(&a).and(&b).result(F::obb2(a, b))
+    }
+}
+
+/// The signed distance of two convex shapes, in the unit of length: the shortest way between them, or
+/// minus the length of the shortest shift after which they only touch.
 ///
-/// Two halves make every distance: what the faces and edges of one core are to the corners of the
-/// other, and the same the other way round.
-#[doc(hidden)]
-pub trait Core<S: Scalar>: Copy {
-    /// The corners, in an array.
-    type Corners: AsRef<[Vec2<S>]>;
-    /// The directions without end, in an array.
-    type Away: AsRef<[Vec2<S>]>;
-    /// 0 for a point, 1 for a piece of a line, 2 for what has an area.
-    const DIMENSION: usize;
-    /// `true` if it ends in every direction.
-    const BOUNDED: bool = true;
-    /// `true` if it is a box, whose corners need not be compared to know the farthest one from a point.
-    const SYMMETRIC: bool = false;
-    /// A point of it, or near it, from which the others are seen.
-    fn anchor(&self) -> Vec2<S>;
-    /// How far its corners are from a point at most, coordinate by coordinate, as a constant.
-    fn extent(&self, from: Vec2<S>) -> S::Primal;
-    /// The core seen from a point, in other units.
-    #[must_use]
-    fn placed(self, from: Vec2<S>, scale: S) -> Self;
-    /// The corners, around the core where there are more than two.
-    fn corners(&self) -> Self::Corners;
-    /// The directions without end.
-    fn away(&self) -> Self::Away;
-    /// The corner that is nearest to an edge of this core, and where.
-    fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>>;
-    /// The square of the longest way from a corner of this core to one of others.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn far(&self, corners: &[Vec2<S>]) -> Best<S, S> {
-        farthest(self.corners().as_ref(), corners)
-    }
-    /// The part of a line inside of the core; for a piece of a line, inside of the strip of `radius` to both
-    /// sides of it.
-    fn inside(&self, beam: Beam<S>, radius: S) -> Inside<S>;
-    /// The least of `normal · point` over the corners, and the corner.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn lowest(&self, normal: Vec2<S>) -> Best<S, Ahead<S>> {
-        Best::least(self.corners().as_ref().iter().map(|&on_b| {
-            let ahead = normal.dot(on_b);
-            Best::of(ahead, Ahead { ahead, on_b })
-        }))
-    }
-    /// The face that parts this core best from another one.
-    fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>>;
+/// Minus the largest finite number for two lines that cross. Derivatives and kinks: see the
+/// [module](super); on the border of a shape with an area it is smooth.
+///
+/// ```
+/// use geograd::{Aabb2, Circle, Vec2, distance::signed_distance};
+/// let square = Aabb2::new(-1.0, -1.0, 1.0, 1.0);
+/// assert_eq!(signed_distance(Vec2::new(0.5, 0.0), square), -0.5);
+/// assert_eq!(signed_distance(square, Circle::new(Vec2::new(4.0, 5.0), 2.0)), 3.0);
+/// // On the extension of an edge is outside.
+/// assert_eq!(signed_distance(Vec2::new(3.0, 1.0), square), 2.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn signed_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    a.take_formula::<Guarded<Signed>, B>(b)
 }
 
-/// The square of the longest way from some corners to others.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn farthest<S: Scalar>(from: &[Vec2<S>], to: &[Vec2<S>]) -> Best<S, S> {
-    Best::most_of(from.iter().flat_map(|&p| {
-        to.iter().map(move |&q| {
-            let square = (q - p).length_squared();
-            Best::of(square, square)
-        })
-    }))
+/// The signed distance with DGAL's sign, in the unit of length: positive where shapes overlap, negative apart.
+///
+/// It measures what is to stay inside, such as a robot in its lane. The free way to an obstacle is [`distance`].
+///
+/// ```
+/// use geograd::{Aabb2, Vec2, distance::depth};
+/// assert_eq!(depth(Aabb2::new(-1.0, -1.0, 1.0, 1.0), Vec2::new(0.5, 0.0)), 0.5);
+/// ```
+#[must_use]
+#[inline]
+pub fn depth<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    (-signed_distance(a, b)).canonical()
 }
 
-/// The nearest of some corners to an edge.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn edge_near<S: Scalar>(edge: Edge<S>, corners: &[Vec2<S>]) -> Best<S, Nearest<S>> {
-    Best::least(corners.iter().map(|&corner| {
-        let found = reach(edge, corner - edge.from);
-        let on_self = edge.from + edge.along * found.t;
-        Best::of(
-            found.apart.length_squared(),
-            Nearest {
-                apart: found.apart,
-                on_a: on_self,
-                on_b: corner,
-            },
-        )
-    }))
+/// The distance of two convex shapes, in the unit of length; 0 with derivative zero where they touch or
+/// overlap.
+///
+/// Derivatives and kinks: see the [module](super).
+///
+/// ```
+/// use geograd::{Obb2, Segment2, Vec2, distance::distance};
+/// let car = Obb2::new(0.0, 0.0, 4.0, 2.0, 0.0);
+/// let curb = Segment2::new(Vec2::new(5.0, 5.0), Vec2::new(9.0, 5.0));
+/// assert_eq!(distance(car, curb), 5.0);
+/// assert_eq!(distance(curb, curb.from), 0.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    a.take_formula::<Guarded<Unsigned>, B>(b)
 }
 
-/// How far in front of a face another core begins. The normal points out and has length one, or zero
-/// where the face has no length: such a face parts nothing.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn face_deep<S: Scalar, B: Core<S>>(
-    face: Edge<S>,
-    normal: Vec2<S>,
-    other: &B,
-) -> Best<S, Deepest<S>> {
-    let first = other.lowest(normal);
-    let none = normal.x.equals(S::zero()) & normal.y.equals(S::zero());
-    let away = other.away();
-    let useless = away.as_ref().iter().fold(none, |useless, direction| {
-        useless | normal.dot(*direction).below(S::zero())
+/// The squared distance of two convex shapes; 0 where they touch or overlap. Once differentiable
+/// wherever the nearest points are. Saturates at the largest finite number.
+///
+/// ```
+/// use geograd::{Segment2, Vec2, distance::squared_distance};
+/// let curb = Segment2::new(Vec2::new(0.0, 1.0), Vec2::new(9.0, 1.0));
+/// assert_eq!(squared_distance(curb, Vec2::new(-3.0, 5.0)), 25.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn squared_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    a.take_formula::<Guarded<Squared>, B>(b)
+}
+
+/// The points in which two convex shapes are nearest to each other.
+///
+/// For shapes that overlap they are the points that [`penetration`] brings together: `on_b` is that point of b
+/// which is deepest in a (or the reverse), `on_a` the point of a's border to which it must go. Circles with one
+/// centre, and other round shapes whose cores meet in a point, leave each other by several ways; the points are those
+/// of one. Ties and derivatives: see the [module](super). The points of two lines that cross are nearest to each
+/// other's given points and mean nothing.
+///
+/// ```
+/// use geograd::{Aabb2, Circle, Vec2, distance::closest_points};
+/// let found = closest_points(Aabb2::new(0.0, 0.0, 2.0, 2.0), Circle::new(Vec2::new(5.0, 1.0), 1.0));
+/// assert_eq!((found.on_a, found.on_b), (Vec2::new(2.0, 1.0), Vec2::new(4.0, 1.0)));
+/// ```
+#[must_use]
+#[inline]
+pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> PointPair<S> {
+    a.take_formula::<Guarded<Closest>, B>(b)
+}
+
+/// How deep two convex shapes are in each other, and in which direction b leaves a by the shortest
+/// way.
+///
+/// The depth has derivatives by the envelope theorem, like a distance; it is 0 with derivative zero where the
+/// shapes are apart or touch, and the largest finite number for two lines that cross.
+///
+/// ```
+/// use geograd::{Aabb2, Obb2, Vec2, distance::penetration};
+/// let found = penetration(Aabb2::new(0.0, 0.0, 4.0, 4.0), Obb2::new(4.5, 2.0, 2.0, 2.0, 0.0));
+/// assert_eq!((found.depth, found.direction), (0.5, Vec2::new(1.0, 0.0)));
+/// ```
+#[must_use]
+#[inline]
+pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Contact<S> {
+    a.take_formula::<Guarded<Penetrating>, B>(b)
+}
+
+/// The longest distance of a point of one shape from a point of the other, in the unit of length. For
+/// bounded shapes; of a ray or a line only the given point counts.
+///
+/// Pairs of corners that are equally far share the derivative; two equal points have derivative zero.
+///
+/// ```
+/// use geograd::{Aabb2, distance::farthest_distance};
+/// // A small box in a large one: from a corner to the opposite corner of the other.
+/// let found = farthest_distance(Aabb2::new(0.0, 0.0, 10.0, 10.0), Aabb2::new(4.0, 4.0, 6.0, 6.0));
+/// assert_eq!(found, 72.0_f64.sqrt());
+/// ```
+#[must_use]
+#[inline]
+pub fn farthest_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
+    a.take_formula::<Guarded<Farthest>, B>(b)
+}
+
+/// The points between which [`farthest_distance`] is: corners of both, or the points of round shapes beyond their
+/// centres and ends. For bounded shapes; only the given point of a ray or a line counts.
+///
+/// The first of several pairs that are equally far counts, along a's corners and then b's, so that both are
+/// corners: points jump where pairs tie. Round shapes with one centre have two ends of one diameter.
+///
+/// ```
+/// use geograd::{Aabb2, Circle, Vec2, distance::farthest_points};
+/// let square = Aabb2::new(0.0, 0.0, 10.0, 10.0);
+/// let found = farthest_points(square, Vec2::new(6.0, 4.0));
+/// assert_eq!((found.on_a, found.on_b), (Vec2::new(0.0, 10.0), Vec2::new(6.0, 4.0)));
+/// let found = farthest_points(Vec2::new(0.0, 0.0), Circle::new(Vec2::new(3.0, 4.0), 5.0));
+/// assert_eq!(found.on_b, Vec2::new(6.0, 8.0));
+/// ```
+#[must_use]
+#[inline]
+pub fn farthest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> FarthestPoints<S> {
+    let (core_a, core_b) = (a.core(), b.core());
+    let origin = core_a.anchor();
+    let scale = scale_of::<S>(core_a.extent(origin).most(core_b.extent(origin)));
+    let (seen_a, seen_b) = (core_a.placed(origin, scale), core_b.placed(origin, scale));
+    let (from, to) = (core_a.corners(), core_b.corners());
+    let (seen_a, seen_b) = (seen_a.corners(), seen_b.corners());
+    let corners = seen_a.as_ref().iter().zip(from.as_ref());
+    let candidates = corners.flat_map(|(&p, &on_a)| {
+        let others = seen_b.as_ref().iter().zip(to.as_ref());
+        others.map(move |(&q, &on_b)| (q - p, on_a, on_b))
     });
-    let height = normal.dot(face.from);
-    // The middle of the corners that tie may lie beyond the end of the face, though some point between
-    // them does not; or it lies before another face of the same line.
-    let lowest = first.mean();
-    let foot = reach(face, lowest.on_b - face.from);
-    let on_a = face.from + face.along * foot.t;
-    // Above the face the point itself, which one found from the face would only be to the face's digits.
-    let above = foot.free.equals(foot.t);
-    let beside = on_a + normal * (lowest.ahead - height);
-    let beyond = (foot.free - foot.t).magnitude() * S::from_primal(size_of(face.along));
-    let (low, high) = (face.low.halved(), face.high.halved());
-    let middle = face.from + face.along * (low + high);
-    let half = (high - low) * normal.perp_dot(face.along).unsigned();
-    let value = S::select(useless, S::lit(-S::LARGEST), first.value - height);
-    Best {
-        value,
-        sum: Deepest {
-            ahead: first.sum.ahead - height * first.count,
-            level: value,
-            normal,
-            on_a,
-            on_b: Vec2::select(above, lowest.on_b, beside),
-            beyond,
-            middle: Vec2::new(
-                S::from_primal(middle.x.primal()),
-                S::from_primal(middle.y.primal()),
-            ),
-            half: S::from_primal(half.primal()),
-            lead: normal,
-        },
-        count: first.count,
+    let farther = |best: (Vec2<S>, Vec2<S>, Vec2<S>), other: (Vec2<S>, Vec2<S>, Vec2<S>)| {
+        let keep = other.0.length_squared().at_most(best.0.length_squared());
+        let pick = |x, y| Vec2::select(keep, x, y);
+        (
+            pick(best.0, other.0),
+            pick(best.1, other.1),
+            pick(best.2, other.2),
+        )
+    };
+    let best = candidates.reduce(farther);
+    let (way, mut on_a, mut on_b) = best.expect("a core has at least one corner");
+    if A::ROUND || B::ROUND {
+        let none = way.x.equals(S::zero()) & way.y.equals(S::zero());
+        let along = Vec2::new(S::one(), S::zero());
+        let direction = direction(Vec2::select(none, along, way));
+        on_a -= direction * a.radius();
+        on_b += direction * b.radius();
     }
+    b.guarded(a.guarded(Guard::new())).result(FarthestPoints {
+        on_a: on_a.canonical(),
+        on_b: on_b.canonical(),
+    })
 }

@@ -1,6 +1,6 @@
 //! The cores that shapes are made of: a point, a piece of a line, a polygon, a box.
 use super::beam::{Beam, Inside};
-use super::convex::{Core, edge_near, face_deep};
+use super::corners::{Core, edge_near, face_deep};
 use super::edge::{Edge, scale_of, size_of, unit};
 use super::share::{Ahead, Best, Deepest, Nearest};
 use crate::arrays::Each;

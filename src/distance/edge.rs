@@ -1,4 +1,5 @@
 //! The one primitive that distances are made of: an edge and a point.
+use crate::scalar::speck;
 use crate::shape::Segment2;
 use crate::{Scalar, Vec2};
 
@@ -197,4 +198,14 @@ pub(crate) fn unit<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
     let length = S::select(none, S::one(), square).root();
     let unit = Vec2::new(v.x.over(length), v.y.over(length));
     Vec2::select(none, Vec2::zero(), unit)
+}
+
+/// The vector with length one; zero for none. Beside a speck it is a constant, whose derivatives are beyond the format.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(crate) fn direction<S: Scalar>(way: Vec2<S>) -> Vec2<S> {
+    let length = way.length();
+    let none = length.at_most(S::zero());
+    let over = S::select(none, S::one(), length);
+    let unit = Vec2::new(way.x.over(over), way.y.over(over));
+    Vec2::select(length.at_most(S::lit(speck::<S>())), unit.constant(), unit)
 }

@@ -3,24 +3,14 @@
 //! Two points and two axis-aligned boxes have formulas of their own ([`upright`]), two rotated boxes, too
 //! ([`turned`]); all other pairs are compared by their cores. Function, method and batch come through here, so that
 //! they agree to the bit.
-use super::convex::{self, Convex, Core, PairFormula};
-use super::relation::{LENGTH, NORMAL, POINTS, direction, relate};
-use super::{Contact, PointPair, edge, turned, upright};
+use super::convex::{Convex, PairFormula};
+use super::corners::{Core, farthest};
+use super::outcome::{Contact, PointPair};
+use super::quantity::{Closest, Farthest, Penetrating, Signed, Squared, Unsigned};
+use super::relation::{LENGTH, NORMAL, POINTS, relate};
+use super::{edge, turned, upright};
 use crate::arrays::Each;
 use crate::{Aabb2, Obb2, Scalar, Vec2};
-
-/// [`signed_distance`](super::signed_distance).
-pub(super) struct Signed;
-/// [`distance`](super::distance()).
-pub(super) struct Unsigned;
-/// [`squared_distance`](super::squared_distance).
-pub(super) struct Squared;
-/// [`closest_points`](super::closest_points).
-pub(super) struct Closest;
-/// [`penetration`](super::penetration).
-pub(super) struct Penetrating;
-/// [`farthest_distance`](super::farthest_distance).
-pub(super) struct Farthest;
 
 impl<S: Scalar> PairFormula<S> for Signed {
     type Out = S;
@@ -155,7 +145,7 @@ impl<S: Scalar> PairFormula<S> for Farthest {
             (true, false) => core_a.far(to),
             (false, true) => core_b.far(from),
             // Neither of two boxes comes first, so that exchanging them changes no derivative.
-            _ => convex::farthest(from, to),
+            _ => farthest(from, to),
         };
         let square = square.mean();
         (square.root().over(scale) + (a.radius() + b.radius())).canonical()
@@ -185,7 +175,7 @@ fn aside<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec2<S> {
     };
     let way = way * edge::scale_of::<S>(edge::size_of(way));
     let none = way.length_squared().equals(S::zero());
-    Vec2::select(none, first, direction(way.perp())).constant()
+    Vec2::select(none, first, edge::direction(way.perp())).constant()
 }
 
 /// The way along a piece of a line.

@@ -1,7 +1,8 @@
 //! Two cores against each other, once for all functions of distance.
-use super::Contact;
-use super::convex::{Convex, Core};
-use super::edge::scale_of;
+use super::convex::Convex;
+use super::corners::Core;
+use super::edge::{direction, scale_of};
+use super::outcome::Contact;
 use super::share::{Best, Deepest, Nearest};
 use crate::scalar::speck;
 use crate::{Scalar, Vec2};
@@ -110,16 +111,6 @@ fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> 
     let near = nearest(a, b).mean();
     let direction = direction(near.apart);
     joined((near, direction), deepest(a, b), bounded, origin, scale)
-}
-
-/// The vector with length one; zero for none. Beside a speck it is a constant, whose derivatives are beyond the format.
-#[cfg_attr(not(debug_assertions), inline(always))]
-pub(crate) fn direction<S: Scalar>(way: Vec2<S>) -> Vec2<S> {
-    let length = way.length();
-    let none = length.at_most(S::zero());
-    let over = S::select(none, S::one(), length);
-    let unit = Vec2::new(way.x.over(over), way.y.over(over));
-    Vec2::select(length.at_most(S::lit(speck::<S>())), unit.constant(), unit)
 }
 
 /// The relation of two cores by their nearest points, the direction from a to b there, and by the face that parts

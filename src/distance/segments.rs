@@ -1,5 +1,6 @@
 //! The closest points of two segments, with their parameters.
-use super::convex::{Convex, Core};
+use super::convex::Convex;
+use super::corners::Core;
 use super::edge::{Edge, reach, scale_of, size_of};
 use super::share::{Best, Carry};
 use crate::{Scalar, Segment2, Vec2};

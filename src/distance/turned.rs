@@ -1,9 +1,9 @@
 //! Distances of two rotated boxes, in the frame of one of them.
 use super::cores::{BoxCore, Upright};
-use super::edge::{scale_of, size_of};
-use super::relation::{Relation, direction, joined};
+use super::edge::{direction, scale_of, size_of};
+use super::outcome::{Contact, PointPair};
+use super::relation::{Relation, joined};
 use super::share::{Best, Deepest, Nearest};
-use super::{Contact, PointPair};
 use crate::arrays::Each;
 use crate::clip::{Relative, frame, relate};
 use crate::{Obb2, Rotation2, Scalar, Vec2};

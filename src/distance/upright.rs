@@ -1,8 +1,7 @@
 //! Distances and nearest points of two axis-aligned boxes, axis by axis: what the functions of
 //! [`distance`](mod@crate::distance) do for them.
-use super::edge::{scale_of, size_of};
-use super::relation::direction;
-use super::{Contact, PointPair};
+use super::edge::{direction, scale_of, size_of};
+use super::outcome::{Contact, PointPair};
 use crate::arrays::Each;
 use crate::{Aabb2, Scalar, Vec2};
 

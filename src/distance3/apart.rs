@@ -1,7 +1,8 @@
-//! Pairs of shapes of space that have distances.
+//! Pairs of shapes of space that have distances, and the functions of any of them.
 use super::core::{Core, PointCore};
 use super::cored::Cored;
 use super::half_space::{self, Bounded};
+use super::outcome::{Contact3, PointPair3};
 use super::relation::Relation;
 use super::{aside, between, boxes, round};
 use crate::scalar::Guard;
@@ -47,38 +48,141 @@ pub trait Apart<B>: Copy {
     #[must_use]
     #[inline]
     fn farthest_distance(self, other: B) -> Self::Scalar {
-        super::farthest_distance(self, other)
+        farthest_distance(self, other)
     }
     /// The distance, 0 where the shapes touch or overlap: [`distance`](super::distance()).
     #[must_use]
     #[inline]
     fn distance(self, other: B) -> Self::Scalar {
-        super::distance(self, other)
+        distance(self, other)
     }
     /// The square of the distance: [`squared_distance`](super::squared_distance).
     #[must_use]
     #[inline]
     fn squared_distance(self, other: B) -> Self::Scalar {
-        super::squared_distance(self, other)
+        squared_distance(self, other)
     }
     /// The distance, or minus the depth of overlap: [`signed_distance`](super::signed_distance).
     #[must_use]
     #[inline]
     fn signed_distance(self, other: B) -> Self::Scalar {
-        super::signed_distance(self, other)
+        signed_distance(self, other)
     }
     /// A point of each, nearest to each other: [`closest_points`](super::closest_points).
     #[must_use]
     #[inline]
-    fn closest_points(self, other: B) -> super::PointPair3<Self::Scalar> {
-        super::closest_points(self, other)
+    fn closest_points(self, other: B) -> PointPair3<Self::Scalar> {
+        closest_points(self, other)
     }
     /// How deep the shapes overlap, and the way out: [`penetration`](super::penetration).
     #[must_use]
     #[inline]
-    fn penetration(self, other: B) -> super::Contact3<Self::Scalar> {
-        super::penetration(self, other)
+    fn penetration(self, other: B) -> Contact3<Self::Scalar> {
+        penetration(self, other)
     }
+}
+
+/// The signed distance of two shapes of space, in the unit of length: the shortest way between them, or minus the
+/// length of the shortest shift after which they only touch.
+///
+/// Derivatives and kinks: see the [module](super).
+///
+/// ```
+/// use geograd::{Obb3, Rotation3, Sphere, Vec3, distance3::signed_distance};
+/// let cube = Obb3::new(Vec3::zero(), Vec3::new(2.0, 2.0, 2.0), Rotation3::identity());
+/// assert_eq!(signed_distance(cube, Sphere::new(Vec3::new(0.0, 4.0, 5.0), 2.0)), 3.0);
+/// let above = Obb3::new(Vec3::new(0.5, 0.5, 1.75), cube.size, cube.rotation);
+/// assert_eq!(signed_distance(cube, above), -0.25);
+/// ```
+#[must_use]
+#[inline]
+pub fn signed_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
+    a.guarded_with(&b).result(a.relation(b).signed_distance())
+}
+
+/// The distance of two shapes of space, in the unit of length; 0 with derivative zero where they touch or overlap.
+///
+/// Derivatives and kinks: see the [module](super).
+///
+/// ```
+/// use geograd::{Aabb3, Segment3, Vec3, distance3::distance};
+/// let shape = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0));
+/// assert_eq!(distance(Vec3::new(0.5, 4.0, 5.0), shape), 5.0);
+/// assert_eq!(distance(Vec3::new(0.5, 0.5, 0.5), shape), 0.0);
+/// let wire = Segment3::new(Vec3::new(-9.0, 0.5, 3.0), Vec3::new(9.0, 0.5, 3.0));
+/// assert_eq!(distance(shape, wire), 2.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
+    a.guarded_with(&b).result(a.relation(b).distance())
+}
+
+/// The squared distance of two shapes of space; 0 where they touch or overlap. Once differentiable wherever the nearest
+/// points are. Saturates at the largest finite number.
+///
+/// ```
+/// use geograd::{Segment3, Vec3, distance3::squared_distance};
+/// let wire = Segment3::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(9.0, 0.0, 1.0));
+/// assert_eq!(squared_distance(wire, Vec3::new(-3.0, 0.0, 5.0)), 25.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
+    a.guarded_with(&b).result(a.relation(b).squared_distance())
+}
+
+/// The points in which two shapes of space are nearest to each other.
+///
+/// Overlapping shapes have the points that [`penetration`] brings together. Balls with one centre, and other round
+/// shapes whose cores meet in a point, leave each other by several ways; the points are those of one. Ties and
+/// derivatives: see the [module](super).
+///
+/// ```
+/// use geograd::{Segment3, Vec3, distance3::closest_points};
+/// let wire = Segment3::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(8.0, 0.0, 1.0));
+/// let rail = Segment3::new(Vec3::new(2.0, 3.0, 1.0), Vec3::new(4.0, 3.0, 1.0));
+/// let found = closest_points(wire, rail); // the middle of what faces each other
+/// assert_eq!((found.on_a, found.on_b), (Vec3::new(3.0, 0.0, 1.0), Vec3::new(3.0, 3.0, 1.0)));
+/// ```
+#[must_use]
+#[inline]
+pub fn closest_points<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> PointPair3<S> {
+    a.guarded_with(&b).result(a.relation(b).closest_points())
+}
+
+/// How deep two shapes of space are in each other, and in which direction b leaves a by the shortest way.
+///
+/// The depth has derivatives by the envelope theorem, like a distance; it is 0 with derivative zero where the shapes
+/// are apart or touch.
+///
+/// ```
+/// use geograd::{Plane3, Sphere, Vec3, distance3::penetration};
+/// let floor = Plane3::new(Vec3::new(0.0, 0.0, 2.0), 0.0);
+/// let found = penetration(floor, Sphere::new(Vec3::new(7.0, 0.0, 0.5), 1.0));
+/// assert_eq!((found.depth, found.direction), (0.5, Vec3::new(0.0, 0.0, 1.0)));
+/// ```
+#[must_use]
+#[inline]
+pub fn penetration<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Contact3<S> {
+    a.guarded_with(&b).result(a.relation(b).penetration())
+}
+
+/// The longest distance of a point of one shape of space from a point of the other, in the unit of length.
+///
+/// Pairs of corners that are equally far share the derivative; two equal points have derivative zero. A shape without
+/// end has the largest finite number, with derivative zero.
+///
+/// ```
+/// use geograd::{Sphere, Tetrahedron, Vec3, distance3::farthest_distance};
+/// let [x, y, z] = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)];
+/// let corner = Tetrahedron::new(Vec3::zero(), x, y, z);
+/// assert_eq!(farthest_distance(corner, Sphere::new(Vec3::new(5.0, 0.0, 0.0), 2.0)), 26.0_f64.sqrt() + 2.0);
+/// ```
+#[must_use]
+#[inline]
+pub fn farthest_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
+    a.guarded_with(&b).result(a.farthest(b))
 }
 
 impl<A: Cored, B: Cored<Scalar = A::Scalar>> Apart<B> for A {

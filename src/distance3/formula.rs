@@ -1,49 +1,36 @@
 //! The functions of [`distance3`](super) of shapes whose numbers are known to be finite.
-use super::{Apart, Contact3, PointPair3};
+use super::apart::Apart;
+use super::outcome::{Contact3, PointPair3};
 use crate::Scalar;
 
 /// [`signed_distance`](super::signed_distance).
 #[inline]
 pub(crate) fn signed_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.relation(b).apart.saturated().canonical()
+    a.relation(b).signed_distance()
 }
 
 /// [`distance`](super::distance()).
 #[inline]
 pub(crate) fn distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    let apart = a.relation(b).apart;
-    S::select(apart.above(S::zero()), apart, S::zero())
-        .saturated()
-        .canonical()
+    a.relation(b).distance()
 }
 
 /// [`squared_distance`](super::squared_distance).
 #[inline]
 pub(crate) fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.relation(b).square.saturated().canonical()
+    a.relation(b).squared_distance()
 }
 
 /// [`closest_points`](super::closest_points).
 #[inline]
 pub(crate) fn closest_points<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> PointPair3<S> {
-    let found = a.relation(b);
-    PointPair3 {
-        on_a: found.on_a.canonical(),
-        on_b: found.on_b.canonical(),
-    }
+    a.relation(b).closest_points()
 }
 
 /// [`penetration`](super::penetration).
 #[inline]
 pub(crate) fn penetration<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Contact3<S> {
-    let found = a.relation(b);
-    let depth = -found.apart;
-    Contact3 {
-        depth: S::select(depth.above(S::zero()), depth, S::zero())
-            .saturated()
-            .canonical(),
-        direction: found.normal.canonical(),
-    }
+    a.relation(b).penetration()
 }
 
 /// [`farthest_distance`](super::farthest_distance).

@@ -1,4 +1,4 @@
-//! Distances between shapes of space: points ([`Vec3`]), [`Segment3`](crate::Segment3),
+//! Distances between shapes of space: points ([`Vec3`](crate::Vec3)), [`Segment3`](crate::Segment3),
 //! [`Triangle3`](crate::Triangle3), [`Tetrahedron`](crate::Tetrahedron), [`Aabb3`](crate::Aabb3),
 //! [`YawBox3`](crate::YawBox3), [`Obb3`](crate::Obb3), [`RoundBox3`](crate::RoundBox3), [`Sphere`](crate::Sphere) and
 //! [`Capsule3`](crate::Capsule3), any two of them; half-spaces ([`Plane3`](crate::Plane3)) and all of these,
@@ -78,8 +78,6 @@
 //! Contacts: where a gap is as small as the roundings of the coordinates, the way between nearest points is mostly
 //! rounding. Shapes less than some roundings of their size apart have the direction of a plane that parts them, one of
 //! several. Beyond that a direction errs by a rounding of the size over the gap.
-use crate::{Scalar, Vec3};
-
 pub(crate) mod apart;
 mod aside;
 mod between;
@@ -92,10 +90,11 @@ pub(crate) mod deep;
 mod endless;
 pub(crate) mod formula;
 pub(crate) mod half_space;
+mod inherent;
 pub(crate) mod near;
+mod outcome;
 mod pair;
 pub(crate) mod parting;
-mod point;
 pub mod polyline;
 pub(crate) mod relation;
 pub(crate) mod round;
@@ -103,130 +102,8 @@ pub(crate) mod simplex;
 pub(crate) mod spot;
 pub(crate) mod straight;
 
-pub use apart::Apart;
-
-/// A point of each of two shapes of space.
-#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
-#[repr(C)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct PointPair3<S> {
-    /// The point of a.
-    pub on_a: Vec3<S>,
-    /// The point of b.
-    pub on_b: Vec3<S>,
-}
-
-/// The penetration depth of two shapes of space, and the direction in which it is least.
-#[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
-#[repr(C)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Contact3<S> {
-    /// The length of the shortest shift after which the shapes only touch; 0 where they are apart.
-    pub depth: S,
-    /// The direction, of length one, of that shift of b; where they are apart, the direction from a to b. Zero where
-    /// two points coincide and no direction is preferred.
-    pub direction: Vec3<S>,
-}
-
-/// The signed distance of two shapes of space, in the unit of length: the shortest way between them, or minus the
-/// length of the shortest shift after which they only touch.
-///
-/// Derivatives and kinks: see the [module](self).
-///
-/// ```
-/// use geograd::{Obb3, Rotation3, Sphere, Vec3, distance3::signed_distance};
-/// let cube = Obb3::new(Vec3::zero(), Vec3::new(2.0, 2.0, 2.0), Rotation3::identity());
-/// assert_eq!(signed_distance(cube, Sphere::new(Vec3::new(0.0, 4.0, 5.0), 2.0)), 3.0);
-/// let above = Obb3::new(Vec3::new(0.5, 0.5, 1.75), cube.size, cube.rotation);
-/// assert_eq!(signed_distance(cube, above), -0.25);
-/// ```
-#[must_use]
-#[inline]
-pub fn signed_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.guarded_with(&b).result(formula::signed_distance(a, b))
-}
-
-/// The distance of two shapes of space, in the unit of length; 0 with derivative zero where they touch or overlap.
-///
-/// Derivatives and kinks: see the [module](self).
-///
-/// ```
-/// use geograd::{Aabb3, Segment3, Vec3, distance3::distance};
-/// let shape = Aabb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0));
-/// assert_eq!(distance(Vec3::new(0.5, 4.0, 5.0), shape), 5.0);
-/// assert_eq!(distance(Vec3::new(0.5, 0.5, 0.5), shape), 0.0);
-/// let wire = Segment3::new(Vec3::new(-9.0, 0.5, 3.0), Vec3::new(9.0, 0.5, 3.0));
-/// assert_eq!(distance(shape, wire), 2.0);
-/// ```
-#[must_use]
-#[inline]
-pub fn distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.guarded_with(&b).result(formula::distance(a, b))
-}
-
-/// The squared distance of two shapes of space; 0 where they touch or overlap. Once differentiable wherever the nearest
-/// points are. Saturates at the largest finite number.
-///
-/// ```
-/// use geograd::{Segment3, Vec3, distance3::squared_distance};
-/// let wire = Segment3::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(9.0, 0.0, 1.0));
-/// assert_eq!(squared_distance(wire, Vec3::new(-3.0, 0.0, 5.0)), 25.0);
-/// ```
-#[must_use]
-#[inline]
-pub fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.guarded_with(&b).result(formula::squared_distance(a, b))
-}
-
-/// The points in which two shapes of space are nearest to each other.
-///
-/// Overlapping shapes have the points that [`penetration`] brings together. Balls with one centre, and other round shapes
-/// whose cores meet in a point, leave each other by several ways; the points are those of one. Ties and derivatives:
-/// see the [module](self).
-///
-/// ```
-/// use geograd::{Segment3, Vec3, distance3::closest_points};
-/// let wire = Segment3::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(8.0, 0.0, 1.0));
-/// let rail = Segment3::new(Vec3::new(2.0, 3.0, 1.0), Vec3::new(4.0, 3.0, 1.0));
-/// let found = closest_points(wire, rail); // the middle of what faces each other
-/// assert_eq!((found.on_a, found.on_b), (Vec3::new(3.0, 0.0, 1.0), Vec3::new(3.0, 3.0, 1.0)));
-/// ```
-#[must_use]
-#[inline]
-pub fn closest_points<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> PointPair3<S> {
-    a.guarded_with(&b).result(formula::closest_points(a, b))
-}
-
-/// How deep two shapes of space are in each other, and in which direction b leaves a by the shortest way.
-///
-/// The depth has derivatives by the envelope theorem, like a distance; it is 0 with derivative zero where the shapes
-/// are apart or touch.
-///
-/// ```
-/// use geograd::{Plane3, Sphere, Vec3, distance3::penetration};
-/// let floor = Plane3::new(Vec3::new(0.0, 0.0, 2.0), 0.0);
-/// let found = penetration(floor, Sphere::new(Vec3::new(7.0, 0.0, 0.5), 1.0));
-/// assert_eq!((found.depth, found.direction), (0.5, Vec3::new(0.0, 0.0, 1.0)));
-/// ```
-#[must_use]
-#[inline]
-pub fn penetration<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Contact3<S> {
-    a.guarded_with(&b).result(formula::penetration(a, b))
-}
-
-/// The longest distance of a point of one shape of space from a point of the other, in the unit of length.
-///
-/// Pairs of corners that are equally far share the derivative; two equal points have derivative zero. A shape without
-/// end has the largest finite number, with derivative zero.
-///
-/// ```
-/// use geograd::{Sphere, Tetrahedron, Vec3, distance3::farthest_distance};
-/// let [x, y, z] = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)];
-/// let corner = Tetrahedron::new(Vec3::zero(), x, y, z);
-/// assert_eq!(farthest_distance(corner, Sphere::new(Vec3::new(5.0, 0.0, 0.0), 2.0)), 26.0_f64.sqrt() + 2.0);
-/// ```
-#[must_use]
-#[inline]
-pub fn farthest_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
-    a.guarded_with(&b).result(formula::farthest_distance(a, b))
-}
+pub use apart::{
+    Apart, closest_points, distance, farthest_distance, penetration, signed_distance,
+    squared_distance,
+};
+pub use outcome::{Contact3, PointPair3};

@@ -1,4 +1,5 @@
 //! The relation of two shapes of space to each other: all that distances tell.
+use super::outcome::{Contact3, PointPair3};
 use crate::scalar::speck;
 use crate::{Scalar, Vec3};
 
@@ -19,6 +20,43 @@ pub struct Relation<S> {
 }
 
 impl<S: Scalar> Relation<S> {
+    /// The signed distance as a result.
+    #[inline]
+    pub(super) fn signed_distance(self) -> S {
+        self.apart.saturated().canonical()
+    }
+    /// The distance as a result.
+    #[inline]
+    pub(super) fn distance(self) -> S {
+        let apart = self.apart;
+        S::select(apart.above(S::zero()), apart, S::zero())
+            .saturated()
+            .canonical()
+    }
+    /// The square of the distance as a result.
+    #[inline]
+    pub(super) fn squared_distance(self) -> S {
+        self.square.saturated().canonical()
+    }
+    /// The nearest points as a result.
+    #[inline]
+    pub(super) fn closest_points(self) -> PointPair3<S> {
+        PointPair3 {
+            on_a: self.on_a.canonical(),
+            on_b: self.on_b.canonical(),
+        }
+    }
+    /// The depth of overlap and the way out as a result.
+    #[inline]
+    pub(super) fn penetration(self) -> Contact3<S> {
+        let depth = -self.apart;
+        Contact3 {
+            depth: S::select(depth.above(S::zero()), depth, S::zero())
+                .saturated()
+                .canonical(),
+            direction: self.normal.canonical(),
+        }
+    }
     /// With a and b exchanged.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]

@@ -2,9 +2,9 @@
 use super::lines::flag;
 use super::met::met;
 use crate::distance::beam::{Beam, Border};
-use crate::distance::convex::{Convex, Core};
 use crate::distance::edge::{scale_of, size_of};
 use crate::distance::share::Best;
+use crate::distance::{Convex, Core};
 use crate::scalar::Guard;
 use crate::{Line2, Ray2, Scalar, Segment2, Vec2};
 

@@ -1,6 +1,6 @@
 //! Shapes around a pair of boxes of any orientation.
-use super::enclosing::{gap, outside, shared};
-use super::{Enclosing, Terms};
+use super::enclosing::{Enclosing, gap, outside, shared};
+use super::terms::Terms;
 use crate::arrays::Each;
 use crate::iou::{larger, part, unit};
 use crate::overlap3::relate::relate3_in;

@@ -1,6 +1,6 @@
 //! Shapes around a pair of axis-aligned or of upright boxes.
-use super::Terms;
 use super::ground::least_rectangle;
+use super::terms::Terms;
 use crate::arrays::Each;
 use crate::clip::area_from_half;
 use crate::clip::{frame, relate};

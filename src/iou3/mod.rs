@@ -47,87 +47,21 @@
 //! by itself, and the sum may lie outside the slopes of both sides. Of tied rectangles of least area DIoU, CIoU and EIoU
 //! take the mean diagonal and mean sides, which may be those of none.
 use crate::iou::weighted;
-use crate::overlap3::{iou_aabb3, iou_obb3, iou_yaw};
-use crate::shape::{Aabb3, Obb3, YawBox3};
+use crate::shape::Obb3;
 use crate::{Scalar, Vec3};
 
 mod around;
 mod enclosing;
 mod ground;
+mod scored;
 mod separation;
+mod terms;
 
 pub use enclosing::Enclosing;
 pub use ground::smallest_rectangle;
+pub use scored::Solid;
 pub use separation::{penetration_or_gap, separation_aware};
-
-/// Terms of scores that come from an overlap: numbers without a unit, by the shape around two boxes.
-#[derive(Clone, Copy, Debug)]
-pub struct Terms<S> {
-    /// The share of the volume of the enclosing shape that neither box covers, in `[0, 1]`: GIoU's.
-    pub outside: S,
-    /// The square of the centres' distance over the enclosing shape's diameter, in `[0, 1]`: DIoU's.
-    pub way: S,
-    /// The sum of the squares of the differences of the sizes over lengths of the enclosing shape: EIoU's.
-    pub gaps: S,
-}
-
-/// A kind of box in space that the family of losses is for.
-pub trait Solid<S: Scalar>: Copy + Into<Obb3<S>> {
-    /// Intersection over union.
-    #[must_use]
-    fn overlap(self, other: Self) -> S;
-    /// The size along the box's own axes.
-    #[must_use]
-    fn own_size(self) -> Vec3<S>;
-    /// The terms that scores subtract from the IoU, by the chosen shape around both boxes.
-    #[must_use]
-    fn terms(self, other: Self, iou: S, kind: Enclosing) -> Terms<S>;
-}
-
-impl<S: Scalar> Solid<S> for Aabb3<S> {
-    #[inline]
-    fn overlap(self, other: Self) -> S {
-        iou_aabb3(self, other)
-    }
-    #[inline]
-    fn own_size(self) -> Vec3<S> {
-        self.size()
-    }
-    #[inline]
-    fn terms(self, other: Self, iou: S, kind: Enclosing) -> Terms<S> {
-        enclosing::of_aligned(self, other, iou, kind)
-    }
-}
-
-impl<S: Scalar> Solid<S> for YawBox3<S> {
-    #[inline]
-    fn overlap(self, other: Self) -> S {
-        iou_yaw(self, other)
-    }
-    #[inline]
-    fn own_size(self) -> Vec3<S> {
-        self.size
-    }
-    #[inline]
-    fn terms(self, other: Self, iou: S, kind: Enclosing) -> Terms<S> {
-        enclosing::of_upright(self, other, iou, kind)
-    }
-}
-
-impl<S: Scalar> Solid<S> for Obb3<S> {
-    #[inline]
-    fn overlap(self, other: Self) -> S {
-        iou_obb3(self, other)
-    }
-    #[inline]
-    fn own_size(self) -> Vec3<S> {
-        self.size
-    }
-    #[inline]
-    fn terms(self, other: Self, iou: S, kind: Enclosing) -> Terms<S> {
-        around::of_any(self, other, iou, kind)
-    }
-}
+pub use terms::Terms;
 
 /// Generalized IoU of two boxes, in `[−1, 1]`: IoU less the share of the enclosing shape that neither covers.
 ///

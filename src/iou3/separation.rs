@@ -1,5 +1,5 @@
 //! How far two boxes of any orientation are apart, or how deep they are in each other.
-use super::Solid;
+use super::scored::Solid;
 use crate::Scalar;
 use crate::overlap3::relate::{Relative3, relate3};
 use crate::scalar::most_of;

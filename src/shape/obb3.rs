@@ -2,6 +2,7 @@
 use crate::scalar::Guard;
 use crate::shape::{Aabb3, Plane3, Pose3, Rotation3, YawBox3};
 use crate::{Scalar, Shape, Vec3};
+use std::ops::Mul;
 
 /// A box of any orientation in space: centre, size along its own axes, rotation of those axes. Valid
 /// when finite, of non-negative size and with a quaternion that is not zero; zero size is valid.
@@ -138,6 +139,19 @@ impl<S: Scalar> Obb3<S> {
     #[inline]
     pub fn retract(self, turn: Vec3<S>) -> Self {
         Obb3::new(self.center, self.size, self.rotation.retract(turn))
+    }
+}
+
+impl<S: Scalar> Mul<Obb3<S>> for Pose3<S> {
+    type Output = Obb3<S>;
+    /// The box carried along: `world_from_car * box_in_car` is the box in the world.
+    #[inline]
+    fn mul(self, shape: Obb3<S>) -> Obb3<S> {
+        Obb3 {
+            center: self * shape.center,
+            size: shape.size,
+            rotation: self.rotation * shape.rotation,
+        }
     }
 }
 

@@ -1,7 +1,6 @@
 //! Planes in space.
 use super::within;
 use crate::arrays::Each;
-use crate::distance3::Apart;
 use crate::error::Field;
 use crate::shape::Pose3;
 use crate::{Flaw, Scalar, Shape, Vec3, twofold};
@@ -51,22 +50,6 @@ impl<S: Scalar> Plane3<S> {
     #[inline(always)]
     pub fn through(point: Vec3<S>, normal: Vec3<S>) -> Self {
         Plane3::new(normal, normal.dot(point))
-    }
-    /// The height of a point over the plane, or of the lowest point of another shape: positive on the side of the
-    /// normal. For a normal of length zero the offset counts alone, with its sign changed.
-    #[must_use]
-    #[inline(always)]
-    pub fn signed_distance<B>(self, other: B) -> S
-    where
-        Self: Apart<B, Scalar = S>,
-    {
-        crate::distance3::signed_distance(self, other)
-    }
-    /// The point of the plane nearest to a point.
-    #[must_use]
-    #[inline(always)]
-    pub fn project(self, point: Vec3<S>) -> Vec3<S> {
-        point - self.normal.normalize_or_zero() * self.signed_distance(point)
     }
     /// `true` where the point is behind the plane or on it.
     #[must_use]

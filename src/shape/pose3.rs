@@ -1,5 +1,5 @@
 //! Rigid motions of space.
-use crate::shape::{Obb3, Rotation3};
+use crate::shape::Rotation3;
 use crate::{Scalar, Shape, Vec3};
 use std::ops::Mul;
 
@@ -92,18 +92,5 @@ impl<S: Scalar> Mul<Vec3<S>> for Pose3<S> {
     #[inline]
     fn mul(self, point: Vec3<S>) -> Vec3<S> {
         self.rotation * point + self.translation
-    }
-}
-
-impl<S: Scalar> Mul<Obb3<S>> for Pose3<S> {
-    type Output = Obb3<S>;
-    /// The box carried along: `world_from_car * box_in_car` is the box in the world.
-    #[inline]
-    fn mul(self, shape: Obb3<S>) -> Obb3<S> {
-        Obb3 {
-            center: self * shape.center,
-            size: shape.size,
-            rotation: self.rotation * shape.rotation,
-        }
     }
 }

@@ -1,7 +1,5 @@
 //! Segments of the plane.
-use crate::distance::edge::{self, Placed};
 use crate::error::{Flaw, Validate};
-use crate::scalar::Guard;
 use crate::{Aabb2, Line2, Pose2, Ray2, Scalar, Shape, Vec2};
 use std::ops::Mul;
 
@@ -69,24 +67,6 @@ impl<S: Scalar> Segment2<S> {
     #[inline(always)]
     pub fn point_at(self, t: S) -> Vec2<S> {
         (self.from + self.along() * t).canonical()
-    }
-    /// The fraction of the way, in `[0, 1]`, at which it is nearest to a point.
-    ///
-    /// Kinks: where the nearest point becomes an end, the derivative is shared. A segment of zero length
-    /// (below ε² of the distance to the point) gives one half, with derivative zero.
-    #[must_use]
-    #[inline]
-    pub fn parameter_of(self, point: Vec2<S>) -> S {
-        let (edge, arm) = Placed::segment(self).near(point);
-        edge::reach(edge, arm).t.canonical()
-    }
-    /// The point of the segment nearest to a point. Kinks: see
-    /// [`parameter_of`](Segment2::parameter_of).
-    #[must_use]
-    #[inline]
-    pub fn nearest(self, point: Vec2<S>) -> Vec2<S> {
-        let nearest = self.point_at(self.parameter_of(point));
-        Guard::of(&self).and(&point).result(nearest)
     }
     /// The segment from end to start.
     #[must_use]

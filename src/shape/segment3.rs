@@ -1,5 +1,4 @@
 //! Segments in space.
-use crate::distance3::Apart;
 use crate::scalar::Guard;
 use crate::shape::{Aabb3, Pose3};
 use crate::{Scalar, Shape, Vec3};
@@ -77,23 +76,6 @@ impl<S: Scalar> Segment3<S> {
         let t = S::select(zero, S::zero(), t.clamp(S::zero(), S::one()));
         let nearest = self.at(t);
         Guard::of(&self).and(&point).result(nearest)
-    }
-    /// The distance to a shape, 0 where they touch: [`distance`](crate::distance3::distance()).
-    ///
-    /// ```
-    /// use geograd::{Segment3, Vec3};
-    /// let edge = Segment3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 0.0, 0.0));
-    /// let other = Segment3::new(Vec3::new(1.0, -1.0, 3.0), Vec3::new(1.0, 1.0, 3.0));
-    /// assert_eq!(edge.distance(Vec3::new(5.0, 4.0, 0.0)), 5.0);
-    /// assert_eq!(edge.distance(other), 3.0);
-    /// ```
-    #[must_use]
-    #[inline]
-    pub fn distance<B>(self, other: B) -> S
-    where
-        Self: Apart<B, Scalar = S>,
-    {
-        crate::distance3::distance(self, other)
     }
 }
 

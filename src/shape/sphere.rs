@@ -1,7 +1,6 @@
 //! Spheres.
 use super::within;
 use crate::arrays::Each;
-use crate::distance3::Apart;
 use crate::shape::{Aabb3, Pose3};
 use crate::{Scalar, Shape, Vec3, twofold};
 use std::ops::Mul;
@@ -45,16 +44,6 @@ impl<S: Scalar> Sphere<S> {
     #[inline(always)]
     pub fn surface(self) -> S {
         self.radius * self.radius * S::lit(4.0 * std::f64::consts::PI)
-    }
-    /// The distance from a point or another shape to the surface, negative inside; of a point the derivative is zero
-    /// at the centre: [`signed_distance`](crate::distance3::signed_distance).
-    #[must_use]
-    #[inline(always)]
-    pub fn signed_distance<B>(self, other: B) -> S
-    where
-        Self: Apart<B, Scalar = S>,
-    {
-        crate::distance3::signed_distance(self, other)
     }
     /// `true` where the point is in the ball; the surface belongs to it.
     #[must_use]

@@ -1,9 +1,51 @@
 //! How truths choose detections, and precision at the scores where it is read.
-use super::{Angles, Counts, Frame, Judged, check_angles};
+use super::frames::{Angles, Counts, Frame};
 use crate::Scalar;
 use crate::error::{Argument, Error, Field, Flaw};
-use crate::metric::{Outcome, Point};
+use crate::metric::{Outcome, Point, Recalls};
 use crate::suppression::invalid;
+
+/// Average precision by the rules, and what it was read from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judged {
+    /// Precision and recall at the scores where it was read, the highest one first.
+    pub curve: Vec<Point>,
+    /// Similarity of orientation at the same scores: of right detections the mean of `(1 + cos(a − b)) / 2` for the
+    /// angles of truth and detection, times precision. Empty where no angles were given.
+    pub similarity: Vec<f64>,
+    /// The truths that had to be found.
+    pub truths: usize,
+}
+
+impl Judged {
+    /// Average precision, in `[0, 1]`: at eleven recalls every fourth of the forty-one that the scores stand
+    /// for, at forty all but the first. [`Recalls::All`] counts as forty, which is all there are.
+    #[must_use]
+    pub fn average_precision(&self, recalls: Recalls) -> f64 {
+        average(self.curve.iter().map(|point| point.precision), recalls)
+    }
+    /// Average orientation similarity (AOS), in `[0, 1]`, at the same recalls; at most average precision. Zero where no
+    /// angles were given.
+    #[must_use]
+    pub fn average_orientation_similarity(&self, recalls: Recalls) -> f64 {
+        average(self.similarity.iter().copied(), recalls)
+    }
+}
+
+/// The mean over recalls of the best value at that recall or a higher one.
+fn average(values: impl Iterator<Item = f64>, recalls: Recalls) -> f64 {
+    let mut best = [0.0_f64; 41];
+    for (slot, value) in best.iter_mut().zip(values) {
+        *slot = value;
+    }
+    for i in (1..best.len()).rev() {
+        best[i - 1] = best[i - 1].max(best[i]);
+    }
+    match recalls {
+        Recalls::Eleven => best.iter().step_by(4).sum::<f64>() / 11.0,
+        Recalls::Forty | Recalls::All => best[1..].iter().sum::<f64>() / 40.0,
+    }
+}
 
 /// The outcomes of the detections of a frame of at least a score, and the number of truths missed.
 struct Matched {
@@ -234,4 +276,34 @@ impl<'a> Judging<'a> {
             truths: self.truths,
         }
     }
+}
+
+/// `Ok` for finite angles of every truth and detection.
+fn check_angles(frames: &[Frame<'_>], angles: &[Angles<'_>]) -> Result<(), Error> {
+    let length = |name, expected, found| match expected == found {
+        true => Ok(()),
+        false => Err(Error::Length {
+            argument: Argument::Named(name),
+            expected,
+            found,
+        }),
+    };
+    length("angles", frames.len(), angles.len())?;
+    for (frame, angles) in frames.iter().zip(angles) {
+        let lists = [
+            ("angles of truths", angles.truths, frame.truths.len()),
+            (
+                "angles of detections",
+                angles.detections,
+                frame.scores.len(),
+            ),
+        ];
+        for (name, own, expected) in lists {
+            length(name, expected, own.len())?;
+            if let Some(item) = own.iter().position(|x| !x.is_finite()) {
+                return Err(invalid(name, item, Flaw::NotFinite(Field::VALUE)));
+            }
+        }
+    }
+    Ok(())
 }

@@ -14,12 +14,13 @@
 //!
 //! Compared with public copies of the kit's source. They differ in one thing: newer ones ignore a truth whose
 //! height equals the limit, as is done here, older ones do not.
-use super::{Point, Recalls};
-use crate::error::{Argument, Error, Field, Flaw};
-use crate::suppression::{Pair, invalid};
+use crate::error::Error;
 
+mod frames;
 mod judging;
 
+pub use frames::{Angles, Counts, Frame};
+pub use judging::Judged;
 pub(crate) use judging::Judging;
 
 /// A difficulty of the benchmark.
@@ -118,84 +119,6 @@ pub struct GroundTruth {
     pub truncation: f64,
 }
 
-/// How a truth or a detection counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Counts {
-    /// It must be found, or must be right.
-    Fully,
-    /// It may be found, or may be wrong.
-    Ignored,
-    /// It is not there.
-    Not,
-}
-
-/// The truths and detections of one image or scan.
-#[derive(Clone, Copy, Debug)]
-pub struct Frame<'a> {
-    /// How every truth counts.
-    pub truths: &'a [Counts],
-    /// The score of every detection.
-    pub scores: &'a [f64],
-    /// How every detection counts.
-    pub detections: &'a [Counts],
-    /// Overlaps of detections (the first of a pair) and truths (the second); others do not overlap.
-    pub pairs: &'a [Pair<f64>],
-    /// For every detection the largest share of its box in the image in a region without labels; empty where
-    /// there are none, and for overlaps in space or seen from above.
-    pub unlabelled: &'a [f64],
-}
-
-/// Observation angles of a frame in radians: the kit's `alpha`.
-#[derive(Clone, Copy, Debug)]
-pub struct Angles<'a> {
-    /// Of every truth.
-    pub truths: &'a [f64],
-    /// Of every detection.
-    pub detections: &'a [f64],
-}
-
-/// Average precision by the rules, and what it was read from.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Judged {
-    /// Precision and recall at the scores where it was read, the highest one first.
-    pub curve: Vec<Point>,
-    /// Similarity of orientation at the same scores: of right detections the mean of `(1 + cos(a − b)) / 2` for the
-    /// angles of truth and detection, times precision. Empty where no angles were given.
-    pub similarity: Vec<f64>,
-    /// The truths that had to be found.
-    pub truths: usize,
-}
-
-impl Judged {
-    /// Average precision, in `[0, 1]`: at eleven recalls every fourth of the forty-one that the scores stand
-    /// for, at forty all but the first. [`Recalls::All`] counts as forty, which is all there are.
-    #[must_use]
-    pub fn average_precision(&self, recalls: Recalls) -> f64 {
-        average(self.curve.iter().map(|point| point.precision), recalls)
-    }
-    /// Average orientation similarity (AOS), in `[0, 1]`, at the same recalls; at most average precision. Zero where no
-    /// angles were given.
-    #[must_use]
-    pub fn average_orientation_similarity(&self, recalls: Recalls) -> f64 {
-        average(self.similarity.iter().copied(), recalls)
-    }
-}
-
-/// The mean over recalls of the best value at that recall or a higher one.
-fn average(values: impl Iterator<Item = f64>, recalls: Recalls) -> f64 {
-    let mut best = [0.0_f64; 41];
-    for (slot, value) in best.iter_mut().zip(values) {
-        *slot = value;
-    }
-    for i in (1..best.len()).rev() {
-        best[i - 1] = best[i - 1].max(best[i]);
-    }
-    match recalls {
-        Recalls::Eleven => best.iter().step_by(4).sum::<f64>() / 11.0,
-        Recalls::Forty | Recalls::All => best[1..].iter().sum::<f64>() / 40.0,
-    }
-}
-
 /// Judges the detections of all frames together, of one class and difficulty: overlaps above the threshold
 /// are right (0.7 for cars, 0.5 for pedestrians and cyclists).
 ///
@@ -256,33 +179,4 @@ pub fn judge_oriented(
     threshold: f64,
 ) -> Result<Judged, Error> {
     Ok(Judging::new(frames, Some(angles), threshold)?.judged())
-}
-
-fn check_angles(frames: &[Frame<'_>], angles: &[Angles<'_>]) -> Result<(), Error> {
-    let length = |name, expected, found| match expected == found {
-        true => Ok(()),
-        false => Err(Error::Length {
-            argument: Argument::Named(name),
-            expected,
-            found,
-        }),
-    };
-    length("angles", frames.len(), angles.len())?;
-    for (frame, angles) in frames.iter().zip(angles) {
-        let lists = [
-            ("angles of truths", angles.truths, frame.truths.len()),
-            (
-                "angles of detections",
-                angles.detections,
-                frame.scores.len(),
-            ),
-        ];
-        for (name, own, expected) in lists {
-            length(name, expected, own.len())?;
-            if let Some(item) = own.iter().position(|x| !x.is_finite()) {
-                return Err(invalid(name, item, Flaw::NotFinite(Field::VALUE)));
-            }
-        }
-    }
-    Ok(())
 }

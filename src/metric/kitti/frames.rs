@@ -1,0 +1,38 @@
+//! Frames of truths and detections, and how each of them counts.
+use crate::suppression::Pair;
+
+/// How a truth or a detection counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Counts {
+    /// It must be found, or must be right.
+    Fully,
+    /// It may be found, or may be wrong.
+    Ignored,
+    /// It is not there.
+    Not,
+}
+
+/// The truths and detections of one image or scan.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<'a> {
+    /// How every truth counts.
+    pub truths: &'a [Counts],
+    /// The score of every detection.
+    pub scores: &'a [f64],
+    /// How every detection counts.
+    pub detections: &'a [Counts],
+    /// Overlaps of detections (the first of a pair) and truths (the second); others do not overlap.
+    pub pairs: &'a [Pair<f64>],
+    /// For every detection the largest share of its box in the image in a region without labels; empty where
+    /// there are none, and for overlaps in space or seen from above.
+    pub unlabelled: &'a [f64],
+}
+
+/// Observation angles of a frame in radians: the kit's `alpha`.
+#[derive(Clone, Copy, Debug)]
+pub struct Angles<'a> {
+    /// Of every truth.
+    pub truths: &'a [f64],
+    /// Of every detection.
+    pub detections: &'a [f64],
+}

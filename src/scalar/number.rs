@@ -1,0 +1,448 @@
+//! Numbers, and the shapes that are made of them: a number is a shape, and a shape is lifted to other numbers.
+use crate::error::Field;
+use crate::scalar::mask::Mask;
+use std::fmt::Debug;
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A number that a shape can be made of; the [module](super) lists the implementing types and the rules at kinks.
+///
+/// Division in geometry goes through [`over`](Scalar::over), roots through
+/// [`root`](Scalar::root), absolute values through [`magnitude`](Scalar::magnitude): the
+/// operators and inherent methods of some dual types round differently or have no derivative there.
+///
+/// ```
+/// use geograd::Scalar;
+/// fn norm<S: Scalar>(x: S, y: S) -> S {
+///     x.hypot(y)
+/// }
+/// assert_eq!(norm(3.0_f32, 4.0), 5.0);
+/// let derivative = norm(num_dual::Dual64::new(0.0, 1.0), num_dual::Dual64::new(0.0, 0.0)).eps;
+/// assert_eq!(derivative, 0.0); // a norm at zero has derivative zero
+/// ```
+///
+#[doc = include_str!("generic.md")]
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a number that shapes are made of",
+    label = "not a `Scalar`",
+    note = "`f32`, `f64`, `Jet`, num-dual's numbers, `Lanes` and `Sym` are",
+    note = "a whole number is not: write `2.0`, or `S::lit(2.0)` in a generic function"
+)]
+pub trait Scalar:
+    Fixed<Scalar = Self>
+    + Copy
+    + Debug
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+{
+    /// The outcome of a comparison.
+    type Mask: Mask;
+    /// The plain number (or lanes of plain numbers) under all derivative parts.
+    type Primal: Scalar<Mask = Self::Mask, Primal = Self::Primal>;
+
+    /// `true` if products carry a low part through cancellation: for 24-bit significands, with which a rotated long
+    /// thin box would otherwise lose its width.
+    const COMPENSATED: bool;
+    /// The distance from 1 to the next larger number.
+    const EPSILON: f64;
+    /// A sine below which two directions count as exactly parallel, such as those of headings that
+    /// differ by π/2 as it is rounded. (With 24 bits a smaller one still matters to a long thin
+    /// box; its reciprocal's powers must not overflow.)
+    const PARALLEL: f64;
+    /// The largest finite number.
+    const LARGEST: f64;
+    /// At or below this an area counts as empty, where a box has a side of about one: its reciprocal,
+    /// sixty-four times over, would not be finite, and derivatives could not cancel.
+    const EMPTY: f64 = 64.0 / Self::LARGEST;
+
+    /// A literal: `S::lit(0.5)`. Rounded to the precision of the scalar.
+    fn lit(x: f64) -> Self;
+    /// A constant: no derivative.
+    fn from_primal(x: Self::Primal) -> Self;
+    /// The value without its derivatives.
+    fn primal(self) -> Self::Primal;
+
+    /// `self < other`, by value.
+    fn below(self, other: Self) -> Self::Mask;
+    /// `self ≤ other`, by value.
+    fn at_most(self, other: Self) -> Self::Mask;
+    /// `self = other`, by value.
+    fn equals(self, other: Self) -> Self::Mask;
+    /// `yes` where the mask is true, else `no`. The other value has no effect, even if it is NaN.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// The quotient, with the value of plain numbers.
+    fn over(self, divisor: Self) -> Self;
+    /// The square root; 0 with derivative 0 for zero and below, NaN for NaN.
+    fn root(self) -> Self;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// Sine and cosine, each as a short high part (half the significand, a constant) and the rest
+    /// (which carries the derivative): `[(sin_high, sin_low), (cos_high, cos_low)]`.
+    fn sin_cos_parts(self) -> [(Self, Self); 2];
+    /// `(high, low)` with `high + low = self` exactly, `high` a constant of half the significand.
+    fn parts(self) -> (Self, Self);
+    /// The angle of `(x, self)` in radians, in `[−π, π]`; 0 with derivative 0 at the origin. The sign of a zero does
+    /// not count: `(−1, −0)` is at π.
+    fn atan2(self, x: Self) -> Self;
+    /// The exponential.
+    fn exp(self) -> Self;
+    /// The natural logarithm.
+    fn ln(self) -> Self;
+    /// The power of two `2⁻ᵉ` (a constant) that brings `self > 0` into `[2, 4)`. Values too small
+    /// to be normal count as the smallest normal number.
+    fn binade(self) -> Self;
+
+    /// Zero.
+    #[inline(always)]
+    fn zero() -> Self {
+        Self::lit(0.0)
+    }
+    /// One.
+    #[inline(always)]
+    fn one() -> Self {
+        Self::lit(1.0)
+    }
+    /// `self > other`, by value.
+    #[inline(always)]
+    fn above(self, other: Self) -> Self::Mask {
+        other.below(self)
+    }
+    /// `self ≥ other`, by value.
+    #[inline(always)]
+    fn at_least(self, other: Self) -> Self::Mask {
+        other.at_most(self)
+    }
+    /// Half of it.
+    #[inline(always)]
+    fn halved(self) -> Self {
+        self * Self::lit(0.5)
+    }
+    /// The smaller value; an exact tie shares the derivative, half and half.
+    #[inline(always)]
+    fn least(self, other: Self) -> Self {
+        let nearer = Self::select(self.below(other), self, other);
+        Self::select(self.equals(other), self.halved() + other.halved(), nearer)
+    }
+    /// The larger value; an exact tie shares the derivative, half and half.
+    #[inline(always)]
+    fn most(self, other: Self) -> Self {
+        let nearer = Self::select(other.below(self), self, other);
+        Self::select(self.equals(other), self.halved() + other.halved(), nearer)
+    }
+    /// The nearest value in `[low, high]`; at either bound half of the derivative.
+    #[inline(always)]
+    fn clamp(self, low: Self, high: Self) -> Self {
+        self.most(low).least(high)
+    }
+    /// The absolute value; derivative zero at zero.
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        self.most(-self)
+    }
+    /// [`root`](Scalar::root), by the name that plain numbers have. Numbers below zero have the root 0, not NaN.
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.root()
+    }
+    /// [`magnitude`](Scalar::magnitude), by the name that plain numbers have.
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.magnitude()
+    }
+    /// [`least`](Scalar::least), by the name that plain numbers have; of NaN and a number it is not always the number.
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.least(other)
+    }
+    /// [`most`](Scalar::most), by the name that plain numbers have; of NaN and a number it is not always the number.
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.most(other)
+    }
+    /// Whichever of `self` and `−self` is not negative. Unlike [`magnitude`](Scalar::magnitude) it
+    /// has the derivative of `self` at zero: for choosing between two descriptions of the same thing,
+    /// where there is no kink.
+    #[inline(always)]
+    fn unsigned(self) -> Self {
+        Self::select(self.below(Self::zero()), -self, self)
+    }
+    /// `self`, negated where `side` is negative.
+    #[inline(always)]
+    fn signed_as(self, side: Self) -> Self {
+        Self::select(side.below(Self::zero()), -self, self)
+    }
+    /// `√(self² + other²)` without overflow; 0 with derivative 0 at the origin.
+    #[inline(always)]
+    fn hypot(self, other: Self) -> Self {
+        let (x, y) = (self.primal(), other.primal());
+        let large = x.magnitude().most(y.magnitude());
+        let zero = large.at_most(Self::Primal::zero());
+        let scale = Self::Primal::select(zero, Self::Primal::one(), large).binade();
+        let (scale, back) = (
+            Self::from_primal(scale),
+            Self::from_primal(Self::Primal::one().over(scale)),
+        );
+        let (x, y) = (self * scale, other * scale);
+        (x * x + y * y).root() * back
+    }
+    /// The same value with the derivatives multiplied by a constant: shares a derivative at a tie that one comparison
+    /// cannot detect.
+    #[inline(always)]
+    fn damp(self, share: Self::Primal) -> Self {
+        let value = Self::from_primal(self.primal());
+        value + (self - value) * Self::from_primal(share)
+    }
+    /// The same derivatives with another value, to correct rounding of the value alone.
+    ///
+    /// The literal zero as value says that products with it are zero: programs do not compute them, but their
+    /// derivatives.
+    #[inline(always)]
+    fn with_primal(self, value: Self::Primal) -> Self {
+        (self - Self::from_primal(self.primal())) + Self::from_primal(value)
+    }
+    /// `false` if it is known to be a number: an input of a program that is being recorded, whose columns are checked.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn may_be_nan(self) -> bool {
+        true
+    }
+    /// The same where the mask is true, else NaN in every part, made of the given NaN.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn known(self, known: Self::Mask, nan: Self::Primal) -> Self {
+        Self::select(known, self, self * Self::from_primal(nan))
+    }
+    /// True where the value is neither infinite nor NaN.
+    ///
+    /// A guard stands before the operation that needs it: `x.over(S::select(y.equals(zero), one, y))`, then a choice.
+    /// On a GPU a check of the result is none, because drivers fold a divisor that is always zero, and what they make
+    /// of the quotient is neither infinite nor NaN; nor does a check afterwards keep derivatives finite.
+    #[inline(always)]
+    fn finite(self) -> Self::Mask {
+        self.unsigned().at_most(Self::lit(Self::LARGEST))
+    }
+    /// The nearest finite number: for results that overflow. Not a guard of a division by zero, for which see
+    /// [`finite`](Scalar::finite).
+    #[inline(always)]
+    fn saturated(self) -> Self {
+        let largest = Self::lit(Self::LARGEST);
+        let low = Self::select(self.above(largest), largest, self);
+        Self::select(low.below(-largest), -largest, low)
+    }
+    /// The same number; a zero loses its sign. Results end in it: which zero a sum of products gives
+    /// depends on what was left out because nothing needed it.
+    #[inline(always)]
+    fn canonical(self) -> Self {
+        self + Self::zero()
+    }
+    /// The sine.
+    #[inline(always)]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+    /// The cosine.
+    #[inline(always)]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+    /// The tangent.
+    #[inline(always)]
+    fn tan(self) -> Self {
+        let (sin, cos) = self.sin_cos();
+        sin.over(cos)
+    }
+    /// `self` squared.
+    #[inline(always)]
+    fn squared(self) -> Self {
+        self * self
+    }
+    /// An integer power, by repeated multiplication.
+    #[inline]
+    fn powi(self, exponent: i32) -> Self {
+        let (mut left, mut square, mut out) = (exponent.unsigned_abs(), self, Self::one());
+        while left > 0 {
+            if left & 1 == 1 {
+                out *= square;
+            }
+            square *= square;
+            left >>= 1;
+        }
+        if exponent < 0 {
+            Self::one().over(out)
+        } else {
+            out
+        }
+    }
+}
+
+/// A shape made of scalars, in a fixed order.
+///
+/// `With<T>` is the same shape made of `T`: of dual numbers to differentiate, of gradients to hold a Hessian. Numbers,
+/// shapes, tuples and arrays of them, and vectors of run-time
+/// length are packs. `#[derive(Shape)]` makes a struct one.
+///
+/// ```
+/// use geograd::{Obb2, Pack};
+/// let car = Obb2::new(1.0, 2.0, 4.5, 1.8, 0.3);
+/// assert_eq!(car.scalars(), [1.0, 2.0, 4.5, 1.8, 0.3]);
+/// let names = ["x", "y", "width", "height", "heading"];
+/// let mut next = names.into_iter();
+/// let named = car.remake(&mut |_| next.next().unwrap());
+/// assert_eq!(named.heading, "heading");
+/// ```
+pub trait Pack: Clone {
+    /// The number type of the shape.
+    type Scalar: Clone;
+    /// The same shape made of `T`.
+    type With<T: Clone>: Clone;
+    /// `true` if it has lists of run-time length. [`fewer`](Pack::fewer) is not asked otherwise.
+    const LISTS: bool = false;
+    /// The same shape with every scalar replaced, first field first.
+    fn remake<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T>;
+    /// Calls a function with every scalar by reference, first field first.
+    fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar));
+
+    /// The shape as constants of another scalar: of dual numbers, to take part in a function that
+    /// is differentiated with respect to something else.
+    ///
+    /// ```
+    /// use geograd::{Obb2, Pack, ad};
+    /// let (here, there) = (Obb2::new(0.0, 0.0, 2.0, 2.0, 0.0), Obb2::new(1.0, 0.0, 2.0, 2.0, 0.0));
+    /// let (_, derivatives) = ad::gradient(|b: Obb2<_>| b.iou(there.lift()), here);
+    /// assert!(derivatives.center.x > 0.0);
+    /// ```
+    fn lift<D: Scalar>(&self) -> Self::With<D>
+    where
+        Self::Scalar: Into<f64> + Copy,
+    {
+        self.remake(&mut |&x| D::lit(x.into()))
+    }
+    /// The shape in another format, rounded.
+    ///
+    /// ```
+    /// use geograd::{Obb2, Pack};
+    /// let single: Obb2<f32> = Obb2::new(0.1_f64, 0.2, 1.0, 1.0, 0.3).cast();
+    /// assert_eq!(single.center.x, 0.1);
+    /// ```
+    fn cast<T: Copy + 'static>(&self) -> Self::With<T>
+    where
+        Self::Scalar: num_traits::AsPrimitive<T>,
+    {
+        self.remake(&mut |x| num_traits::AsPrimitive::as_(*x))
+    }
+    /// The same with some elements of a list of run-time length dropped: halves first, single ones
+    /// last. Nothing for shapes of fixed size. For shrinking.
+    ///
+    /// ```
+    /// use geograd::Pack;
+    /// let all: Vec<_> = vec![1.0, 2.0, 3.0].fewer().collect();
+    /// assert_eq!(all, [vec![3.0], vec![1.0, 2.0], vec![2.0, 3.0], vec![1.0, 3.0], vec![1.0, 2.0]]);
+    /// ```
+    fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
+        Box::new(std::iter::empty())
+    }
+    /// The number of scalars of the shape.
+    fn count(&self) -> usize {
+        let mut n = 0;
+        self.remake(&mut |_| n += 1);
+        n
+    }
+    /// All scalars, first field first.
+    fn scalars(&self) -> Vec<Self::Scalar> {
+        let mut all = Vec::new();
+        self.remake(&mut |x| all.push(x.clone()));
+        all
+    }
+    /// The same shape with its scalars taken from a list, which must have enough of them.
+    ///
+    /// # Panics
+    ///
+    /// When the list is shorter than [`count`](Pack::count).
+    fn refill(&self, from: &[Self::Scalar]) -> Self {
+        let mut shape = self.clone();
+        let mut next = from.iter();
+        shape.each(&mut |x| *x = next.next().expect("one scalar per field").clone());
+        shape
+    }
+}
+
+/// A shape with the same number of scalars for every value: numbers, [derived](crate::Shape)
+/// shapes, and arrays of them and tuples of up to six.
+///
+/// ```
+/// use geograd::{Fixed, Obb2, Pack, Vec2};
+/// let [start, end] = <[Vec2<f64>; 2]>::load(&[0.0, 1.0, 2.0, 3.0]);
+/// assert_eq!((start.y, end.x), (1.0, 2.0));
+/// let mut numbers = [0.0; 7];
+/// (Obb2::new(1.0, 2.0, 4.0, 2.0, 0.5), end).store(&mut numbers);
+/// assert_eq!(numbers, [1.0, 2.0, 4.0, 2.0, 0.5, 2.0, 3.0]);
+/// assert_eq!(<(Obb2<f64>, Vec2<f64>)>::name(3).as_str(), "0.height");
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a shape of fixed size",
+    label = "not a shape of fixed size",
+    note = "numbers, arrays, tuples of up to six and structs with `#[derive(geograd::Shape)]` are"
+)]
+pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static {
+    /// The same shape made of another scalar.
+    type Of<R: Scalar>: Fixed<Scalar = R>;
+    /// The number of scalars.
+    const LEN: usize;
+    /// The number of whole numbers: counts and codes, which have no derivatives and are no part of `LEN`.
+    const CODES: usize = 0;
+    /// The shape with the first `LEN` scalars of a slice, first field first. Its codes are zero.
+    ///
+    /// # Panics
+    ///
+    /// When there are fewer.
+    fn load(from: &[Self::Scalar]) -> Self;
+    /// Writes the scalars to the first `LEN` places of a slice, first field first.
+    ///
+    /// # Panics
+    ///
+    /// When there are fewer.
+    fn store(self, to: &mut [Self::Scalar]);
+    /// The shape with the same scalar everywhere. Its codes are zero.
+    fn filled(scalar: Self::Scalar) -> Self;
+    /// The name of scalar `i`, such as `links[0].x`; that of a lone number from `LEN` on.
+    fn name(i: usize) -> Field;
+    /// The same shape with its codes taken from the first `CODES` places of a slice.
+    ///
+    /// # Panics
+    ///
+    /// When there are fewer.
+    #[inline]
+    #[must_use]
+    fn load_codes(self, _from: &[u32]) -> Self {
+        self
+    }
+    /// Writes the codes to the first `CODES` places of a slice, first field first.
+    ///
+    /// # Panics
+    ///
+    /// When there are fewer.
+    #[inline]
+    fn store_codes(self, _to: &mut [u32]) {}
+
+    /// The names of all scalars, first field first.
+    #[must_use]
+    fn names() -> Vec<Field> {
+        (0..Self::LEN).map(Self::name).collect()
+    }
+    /// All codes, first field first.
+    #[must_use]
+    fn codes(self) -> Vec<u32> {
+        let mut all = vec![0; Self::CODES];
+        self.store_codes(&mut all);
+        all
+    }
+}
