@@ -34,6 +34,25 @@
 //! Without pairs a sum is 0, a count 0 and a list empty. The mean is 0 with a gradient of zero, as the loss of a step
 //! without matches. The maximum of an empty row is an error: [`Error::NoLargest`](crate::Error::NoLargest).
 //!
+//! # One call
+//!
+//! The way of `cpu.all_pairs(Iou, &a, &b)`, with the files of `kernels/` that it leads through. A folder imports those below
+//! it, in this order: `row`, `call`, `machine`, `cpu`, `gpu`, `backend`, `verbs`, `ops`, `dynamic`, `check`, `fuzz`.
+//!
+//! ```text
+//! verbs/mod.rs           Iou of two boxes selects its row
+//! ops/overlap.rs         the row: a formula, and what it declares   row/op.rs  row/declares.rs
+//! call/modes.rs          the row becomes a call                     call/recording.rs
+//! machine/all_pairs.rs   columns become numbers for an engine       machine/column.rs  machine/primitives.rs
+//! cpu/processor.rs       the engine makes a plan and checks shapes  cpu/plan/mod.rs  cpu/checked.rs
+//! cpu/pairs.rs           all pairs are walked, block by block       cpu/sweep.rs
+//! cpu/overlaps.rs        the kernel computes a block of pairs       cpu/arch/entry.rs  cpu/lane.rs
+//! machine/table.rs       the results
+//! ```
+//!
+//! A row without a compiled kernel is recorded (`row/straight_line.rs`) and interpreted (`cpu/program/`). A GPU writes its
+//! recording in WGSL (`gpu/device/generated/`).
+//!
 //! # GPUs
 //!
 //! [`gpu`] has the same calls, except all pairs of searches. [`Backend`] has one interface for both machines, and

@@ -83,7 +83,7 @@ where
         self
     }
     /// The domain of the operation, beside what its shapes say: inputs outside are not judged, and no step leads
-    /// there. It stands in the place of the [domain](Declared::domain) that the row states.
+    /// there. It stands in the place of the [domain](crate::kernels::op::Declared::domain) that the row states.
     ///
     /// ```
     /// use geograd::check::*;
@@ -111,7 +111,7 @@ where
     }
     /// How far values may be off, beyond rounding, in the unit of the result: by a table, by an iteration that stops,
     /// by digits that cancel in single precision. Derivatives are held to what they were held to. It stands in the
-    /// place of what the row [states](Declared::resolution).
+    /// place of what the row [states](crate::kernels::op::Declared::resolution).
     ///
     /// ```
     /// use geograd::check::*;

@@ -1,7 +1,7 @@
 //! Machines and their calls.
 //!
 //! [`Machine`] has every call once: for the CPU, for a GPU, and for a [`Backend`](crate::kernels::Backend) that is either.
-//! Columns are slices, [`One`](crate::kernels::One), or [arrays that stay on the machine](crate::kernels::resident). Results
+//! Columns are slices, [`One`], or [arrays that stay on the machine](crate::kernels::resident). Results
 //! of slices are vectors; results stay on the machine if one of the columns does.
 mod all_pairs;
 mod column;
@@ -141,7 +141,7 @@ impl<E: ?Sized> Machine<E> {
     }
 
     /// [`aligned`](Machine::aligned) into the caller's memory: a slice for every shape of a result, in a tuple
-    /// like the result's, with [`Skip`](crate::kernels::Skip) for what is not wanted; or an array on the machine, whose
+    /// like the result's, with [`Skip`] for what is not wanted; or an array on the machine, whose
     /// buffers are used again.
     ///
     /// # Errors

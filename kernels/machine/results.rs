@@ -210,7 +210,8 @@ impl<T: Real> Matrix<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] for a matrix of another size, [`GpuFault::ForeignBuffer`] for one of another machine, and
+    /// [`Error::Length`] for a matrix of another size,
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer) for one of another machine, and
     /// those of the device.
     pub fn duplicate_into(&self, to: &mut Matrix<T>) -> Result<(), Error> {
         self.0.duplicate_into(to)

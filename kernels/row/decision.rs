@@ -1,5 +1,5 @@
 //! The contract of a search: decisions on plain numbers, and what they make of the input.
-use crate::kernels::row::declared::Declares;
+use crate::kernels::row::declares::Declares;
 use crate::{Fixed, Scalar};
 use std::hash::Hash;
 

@@ -3,7 +3,7 @@
 //! A fold has three parts: the state of one edge, the join of two states, and the result of the last state. Edges are
 //! independent, so batches compute them side by side, as a program, and join states in order.
 use crate::ad::adjoint::ring::measure_vjp;
-use crate::kernels::row::declared::Declares;
+use crate::kernels::row::declares::Declares;
 use crate::ring::Measure;
 use crate::{Fixed, Pack, Scalar, Vec2};
 

@@ -2,7 +2,7 @@
 pub(crate) mod bounds;
 pub mod compiled;
 pub(crate) mod decision;
-pub(crate) mod declared;
+pub(crate) mod declares;
 pub(crate) mod derivation;
 pub(crate) mod derivatives;
 pub mod fold;

@@ -31,8 +31,8 @@ use crate::ad::program::{Program, Sym};
 use crate::error::Error;
 use crate::kernels::row::compiled::Compiled;
 #[doc(hidden)]
-pub use crate::kernels::row::declared::argument;
-pub use crate::kernels::row::declared::{Declared, Declares};
+pub use crate::kernels::row::declares::argument;
+pub use crate::kernels::row::declares::{Declared, Declares};
 use crate::kernels::row::derivation::Mode;
 pub use crate::kernels::row::derivatives::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
 pub use crate::kernels::row::limits::{Derivative, Extremes, Finite, Limits, Range};
