@@ -10,6 +10,7 @@ use crate::kernels::call::recording::{Call, Recording};
 use crate::kernels::gpu::Gpu;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::found::{Best, Found};
+use crate::kernels::machine::losses::{self, try_then_check};
 use crate::kernels::machine::{Engine, Items, Reduced, Reduction, Room, Seed, count_of};
 use crate::kernels::row::item::Target;
 use crate::kernels::row::item::counts::{entries, expect};
@@ -169,17 +170,17 @@ impl<T: Real> Function<T> {
         let (call, columns) = (self.call()?, self.listed(rows)?);
         let count = self.named(count_of(&call, &columns))?;
         let gives = self.gives();
-        // Whatever is wrong is named at the second attempt, and what needs a look before is computed.
-        for new in [true, false].into_iter().filter(|&x| new || !x) {
+        let mut attempt = |new| {
             let targets = targets(&gives, count, results)?;
-            if self.named(
+            self.named(
                 self.engine()
                     .map(&call, &columns, Items::Targets(targets, new)),
-            )? {
-                break;
-            }
+            )
+        };
+        match new {
+            true => try_then_check(attempt),
+            false => attempt(false).map(drop),
         }
-        Ok(())
     }
 
     /// An error with the names of arguments.
@@ -277,49 +278,40 @@ impl<T: Real> Function<T> {
         }
     }
 
+    /// A form of two lists: something of an engine, the call and both as columns, for results of one number.
+    pub(super) fn of_lists<X>(
+        &self,
+        a: &Rows<'_, T>,
+        b: &Rows<'_, T>,
+        form: impl FnOnce(&dyn Engine<T>, &Call<T>, &[Column<'_, T>; 2]) -> Result<X, Error>,
+    ) -> Result<X, Error> {
+        self.one_number()?;
+        let lists = self.lists(a, b)?;
+        self.named(form(self.engine(), &self.call()?, &lists))
+    }
+
     /// A reduction of all results.
-    pub(super) fn reduced(
+    fn reduced(
         &self,
         a: &Rows<'_, T>,
         b: &Rows<'_, T>,
         reduction: Reduction<T>,
     ) -> Result<Reduced<T>, Error> {
-        self.one_number()?;
-        let lists = self.lists(a, b)?;
-        self.named(reduction.check(lists[0].len(), lists[1].len()))?;
-        self.named(self.engine().reduce(&self.call()?, &lists, reduction))
+        self.of_lists(a, b, |engine, call, lists| {
+            losses::reduced(engine, call, lists, reduction)
+        })
     }
 
     /// The sum of all results where one factor is that of all, and derivatives of both lists.
-    pub(super) fn pulled(
+    fn pulled(
         &self,
         a: &Rows<'_, T>,
         b: &Rows<'_, T>,
         seed: &Seed<'_, T>,
     ) -> Result<Loss<T>, Error> {
-        self.one_number()?;
-        let lists = self.lists(a, b)?;
-        if let Seed::Numbers(numbers) = seed {
-            let wanted = entries(lists[0].len(), lists[1].len(), 1)?;
-            expect(Argument::Upstream, wanted, numbers.len())?;
-        }
-        let [mut a_bar, mut b_bar] = lists
-            .each_ref()
-            .map(|list| vec![T::default(); list.len() * list.fields]);
-        let bars = [&mut a_bar[..], &mut b_bar[..]];
-        let sum = self.named(self.engine().pull_back(&self.call()?, &lists, seed, bars))?;
-        // A gradient has the codes of its shape.
-        let bars = [(&mut a_bar, a), (&mut b_bar, b)];
-        for ((bar, rows), leaf) in bars.into_iter().zip(&self.recording.takes) {
-            if leaf.codes == 0 {
-                continue;
-            }
-            let scalars = leaf.fields - leaf.codes;
-            let bars = bar.chunks_exact_mut(leaf.fields);
-            for (bar, row) in bars.zip(rows.numbers().chunks_exact(leaf.fields)) {
-                bar[scalars..].copy_from_slice(&row[scalars..]);
-            }
-        }
+        let (sum, [a_bar, b_bar]) = self.of_lists(a, b, |engine, call, lists| {
+            losses::pulled(engine, call, lists, seed)
+        })?;
         Ok((sum, a_bar, b_bar))
     }
 }
@@ -343,12 +335,6 @@ pub(super) fn gpu_of<T: Real>(backend: Backend<'_>) -> Result<Option<Gpu>, Error
         Backend::Gpu(gpu) if engine_of::<T>(gpu).is_some() => Ok(Some(gpu.clone())),
         Backend::Gpu(_) => Err(Error::Gpu(GpuFault::OnlySingle)),
     }
-}
-
-/// The number of pairs.
-pub(super) fn pairs_of<T: Real>(a: &Rows<'_, T>, b: &Rows<'_, T>) -> f64 {
-    let rows = |rows: &Rows<'_, T>| rows.count().unwrap_or(1) as f64;
-    rows(a) * rows(b)
 }
 
 /// Reductions and losses of all pairs: documentation, names, what else they take, and what they are of a function and both
@@ -395,10 +381,7 @@ of_pairs! {
         = |own, a, b| Ok(own.reduced(&a, &b, Reduction::Sum)?.sum());
     /// The mean of all results, zero where there are none, as [`Cpu::mean`](crate::kernels::Cpu::mean).
     mean() -> f64
-        = |own, a, b| {
-            let sum = own.reduced(&a, &b, Reduction::Sum)?.sum();
-            Ok(sum / pairs_of(&a, &b).max(1.0))
-        };
+        = |own, a, b| own.of_lists(&a, &b, losses::mean);
     /// The sum of all results and its derivatives by both lists, as [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
     sum_grad() -> Loss<T>
         = |own, a, b| own.pulled(&a, &b, &Seed::Factor(crate::Scalar::one()));
@@ -406,10 +389,8 @@ of_pairs! {
     /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
     mean_grad() -> Loss<T>
         = |own, a, b| {
-            let factor = 1.0 / pairs_of(&a, &b).max(1.0);
-            let each = Seed::Factor(crate::Scalar::lit(factor));
-            let (sum, a_bar, b_bar) = own.pulled(&a, &b, &each)?;
-            Ok((sum * factor, a_bar, b_bar))
+            let (mean, [a_bar, b_bar]) = own.of_lists(&a, &b, losses::mean_pulled)?;
+            Ok((mean, a_bar, b_bar))
         };
     /// Derivatives of `Σ upstream[i, j] · result[i, j]` by both lists, as
     /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp). `upstream` is a matrix, row by row.

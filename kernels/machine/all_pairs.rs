@@ -1,15 +1,16 @@
 //! All pairs of two lists, and their reductions.
+use super::losses::{self, pull_into, pulled, reduced};
 use super::{Column, Columns};
-use super::{Machine, Number, On, Place, Reduced, Reduction, Room, Seed};
+use super::{Machine, Number, On, Place, Reduction, Room, Seed};
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::call::modes::Function;
 use crate::kernels::call::recording::Call;
 use crate::kernels::machine::Matrix;
 use crate::kernels::machine::suppress::checked;
+use crate::kernels::row::item::Results;
 use crate::kernels::row::item::counts::{entries, expect};
 use crate::kernels::row::item::rows::fill_whole;
-use crate::kernels::row::item::{Item, Results, width};
 use crate::kernels::{Single, Table};
 use crate::suppression::{Pair, Rules};
 
@@ -68,17 +69,6 @@ impl<T: Real, R: Results<Scalar = T>> Rooms<R> for &mut Matrix<T> {
     }
     fn room(&mut self) -> Room<'_, T> {
         Room::Held(self)
-    }
-}
-
-/// Puts the codes of shapes into their gradients, which have the codes of their shapes.
-fn put_codes<P: Item>(column: &Column<'_, P::Scalar>, bars: &mut [P::Scalar]) {
-    if P::CODES > 0 {
-        let shapes = column.all();
-        let rows = shapes.chunks_exact(width::<P>());
-        for (bar, row) in bars.chunks_exact_mut(width::<P>()).zip(rows) {
-            bar[P::LEN..].copy_from_slice(&row[P::LEN..]);
-        }
     }
 }
 
@@ -278,7 +268,7 @@ impl<E: ?Sized> Machine<E> {
     {
         called!(run, a, b => |call, lists| {
             let best = Reduction::Best { of_rows: true };
-            Both::<A, B>::bests(self.reduced::<A>(&call, &lists, best)?.bests())
+            Both::<A, B>::bests(reduced(self.engine(), &call, &lists, best)?.bests())
         })
     }
 
@@ -301,7 +291,7 @@ impl<E: ?Sized> Machine<E> {
     {
         called!(run, a, b => |call, lists| {
             let best = Reduction::Best { of_rows: false };
-            Both::<A, B>::bests(self.reduced::<A>(&call, &lists, best)?.bests())
+            Both::<A, B>::bests(reduced(self.engine(), &call, &lists, best)?.bests())
         })
     }
 
@@ -324,7 +314,7 @@ impl<E: ?Sized> Machine<E> {
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
-            Both::<A, B>::founds(self.reduced::<A>(&call, &lists, Reduction::Above(threshold))?.founds())
+            Both::<A, B>::founds(reduced(self.engine(), &call, &lists, Reduction::Above(threshold))?.founds())
         })
     }
 
@@ -347,7 +337,7 @@ impl<E: ?Sized> Machine<E> {
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
-            Ok(self.reduced::<A>(&call, &lists, Reduction::Count(threshold))?.count())
+            Ok(reduced(self.engine(), &call, &lists, Reduction::Count(threshold))?.count())
         })
     }
 
@@ -363,7 +353,7 @@ impl<E: ?Sized> Machine<E> {
         R: Function<(A::Item, B::Item), Out = Number<A>>,
         Number<A>: On<E>,
     {
-        called!(run, a, b => |call, lists| Ok(self.reduced::<A>(&call, &lists, Reduction::Sum)?.sum()))
+        called!(run, a, b => |call, lists| Ok(reduced(self.engine(), &call, &lists, Reduction::Sum)?.sum()))
     }
 
     /// The mean of all results; 0 without pairs, as the loss of a step without matches.
@@ -379,8 +369,7 @@ impl<E: ?Sized> Machine<E> {
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
-            let sum = self.reduced::<A>(&call, &lists, Reduction::Sum)?.sum();
-            Ok(sum / pairs_of(&lists).max(1.0))
+            losses::mean(self.engine(), &call, &lists)
         })
     }
 
@@ -428,10 +417,9 @@ impl<E: ?Sized> Machine<E> {
         Number<A>: On<E>,
     {
         called!(run, a, b => |call, lists| {
-            let factor = 1.0 / pairs_of(&lists).max(1.0);
-            let each = Seed::Factor(crate::Scalar::lit(factor));
-            let (sum, (a_bar, b_bar)) = self.bars::<A, B>(&call, &lists, &each)?;
-            Ok((sum * factor, a_bar, b_bar))
+            let (mean, bars) = losses::mean_pulled(self.engine(), &call, &lists)?;
+            let (a_bar, b_bar) = self.placed::<A, B>(&lists, bars)?;
+            Ok((mean, a_bar, b_bar))
         })
     }
 
@@ -479,7 +467,7 @@ impl<E: ?Sized> Machine<E> {
         Number<A>: On<E>,
     {
         called!(run, shapes, shapes => |call, lists| {
-            let found = self.reduced::<A>(&call, &lists, Reduction::Above(threshold))?;
+            let found = reduced(self.engine(), &call, &lists, Reduction::Above(threshold))?;
             let found = found.founds().taken()?.into_iter();
             Ok(found.filter(|pair| pair.row < pair.column).map(Pair::from).collect())
         })
@@ -546,40 +534,8 @@ pub(crate) type Loss<A, B> = (
     <Both<A, B> as Place>::List<<B as Columns>::Item>,
 );
 
-/// The number of pairs.
-fn pairs_of<T: Real>(lists: &[Column<'_, T>; 2]) -> f64 {
-    lists[0].len() as f64 * lists[1].len() as f64
-}
-
-/// Refuses cotangents of another number than pairs.
-fn fits<T: Real>(lists: &[Column<'_, T>; 2], seed: &Seed<'_, T>) -> Result<(), Error> {
-    let [rows, columns] = [lists[0].len(), lists[1].len()];
-    match seed {
-        Seed::Numbers(numbers) => expect(
-            Argument::Upstream,
-            entries(rows, columns, 1)?,
-            numbers.len(),
-        ),
-        _ => Ok(()),
-    }
-}
-
 /// What the calls above share.
 impl<E: ?Sized> Machine<E> {
-    /// A reduction, checked.
-    fn reduced<A: Columns>(
-        &self,
-        call: &Call<Number<A>>,
-        lists: &[Column<'_, Number<A>>; 2],
-        reduction: Reduction<Number<A>>,
-    ) -> Result<Reduced<Number<A>>, Error>
-    where
-        Number<A>: On<E>,
-    {
-        reduction.check(lists[0].len(), lists[1].len())?;
-        self.engine().reduce(call, lists, reduction)
-    }
-
     /// The sum of all results where one factor is that of all, and cotangents of both lists.
     fn bars<A, B>(
         &self,
@@ -592,21 +548,25 @@ impl<E: ?Sized> Machine<E> {
         B: Columns<Item: Single<Scalar = Number<A>>>,
         Number<A>: On<E>,
     {
-        fits(lists, seed)?;
+        let (sum, bars) = pulled(self.engine(), call, lists, seed)?;
+        Ok((sum, self.placed::<A, B>(lists, bars)?))
+    }
+
+    /// Cotangents of both lists where their results are.
+    fn placed<A, B>(
+        &self,
+        lists: &[Column<'_, Number<A>>; 2],
+        [a_bar, b_bar]: [Vec<Number<A>>; 2],
+    ) -> Result<Lists<A, B>, Error>
+    where
+        A: Columns<Item: Single>,
+        B: Columns<Item: Single<Scalar = Number<A>>>,
+        Number<A>: On<E>,
+    {
         let engine = self.engine::<Number<A>>();
-        let [mut a_bar, mut b_bar] = lists
-            .each_ref()
-            .map(|list| vec![Number::<A>::default(); list.len() * list.fields]);
-        let sum = engine.pull_back(call, lists, seed, [&mut a_bar, &mut b_bar])?;
-        put_codes::<A::Item>(&lists[0], &mut a_bar);
-        put_codes::<B::Item>(&lists[1], &mut b_bar);
-        let a_bar = Both::<A, B>::list::<A::Item>(engine, lists[0].len(), a_bar)?;
         Ok((
-            sum,
-            (
-                a_bar,
-                Both::<A, B>::list::<B::Item>(engine, lists[1].len(), b_bar)?,
-            ),
+            Both::<A, B>::list::<A::Item>(engine, lists[0].len(), a_bar)?,
+            Both::<A, B>::list::<B::Item>(engine, lists[1].len(), b_bar)?,
         ))
     }
 
@@ -624,17 +584,11 @@ impl<E: ?Sized> Machine<E> {
         B: Columns<Item: Single<Scalar = Number<A>>>,
         Number<A>: On<E>,
     {
-        fits(lists, seed)?;
         expect(Argument::GradA, lists[0].len(), a_bar.len())?;
         expect(Argument::GradB, lists[1].len(), b_bar.len())?;
         fill_whole(a_bar, |a_bar| {
             fill_whole(b_bar, |b_bar| {
-                let sum = self
-                    .engine()
-                    .pull_back(call, lists, seed, [&mut *a_bar, &mut *b_bar])?;
-                put_codes::<A::Item>(&lists[0], a_bar);
-                put_codes::<B::Item>(&lists[1], b_bar);
-                Ok(sum)
+                pull_into(self.engine(), call, lists, seed, [a_bar, b_bar])
             })
         })
     }

@@ -1,5 +1,6 @@
 //! Where columns are, and with them the results of a call.
 use super::Column;
+use super::losses::try_then_check;
 use super::{Engine, Items, Room, count_of};
 use crate::Real;
 use crate::error::Error;
@@ -69,13 +70,11 @@ impl Place for Here {
         columns: &[Column<'_, R::Scalar>],
     ) -> Result<R::Many, Error> {
         let mut many = R::room(count_of(call, columns)?);
-        for new in [true, false] {
+        try_then_check(|new| {
             let mut targets = Vec::new();
             R::places(&mut many, &mut |target| targets.push(Some(target)));
-            if engine.map(call, columns, Items::Targets(targets, new))? {
-                break;
-            }
-        }
+            engine.map(call, columns, Items::Targets(targets, new))
+        })?;
         Ok(many)
     }
     fn all_pairs<R: Results>(

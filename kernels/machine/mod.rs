@@ -12,6 +12,7 @@ mod grouped;
 mod groups;
 mod held;
 mod location;
+pub(crate) mod losses;
 mod paths;
 mod pending;
 mod primitives;

@@ -5,7 +5,8 @@ use crate::{gpu, small};
 use geograd::error::Argument;
 use geograd::kernels::dynamic::{Rows, operation};
 use geograd::kernels::gpu::Gpu;
-use geograd::kernels::{Backend, Groups, Iou, Op, Single};
+use geograd::kernels::{Backend, Cpu, Groups, Iou, Op, Single};
+use geograd::suppression::Rules;
 use geograd::{Error, Fixed, GpuFault, Obb2, Pack, Unrecordable};
 use geograd_tests::list;
 use geograd_tests::rows::{distance, iou, overlap};
@@ -363,6 +364,53 @@ fn faults_are_those_of_the_processor() {
         Groups::new(&[0, 1], &[0, 1]),
     );
     assert_eq!(refused, Err(Error::Program(Unrecordable::Search)));
+}
+
+/// Suppression within groups keeps the shapes that the processor keeps, by types and by name, of classes and at most so many.
+#[test]
+fn suppression_keeps_what_the_processor_keeps() {
+    let Some((_turn, gpu)) = gpu() else { return };
+    let sizes = [0, 40, 1, 0, 150, 7].map(|own| [own, own]);
+    let offsets = offsets(&sizes, 0);
+    let count = offsets[offsets.len() - 1];
+    let shapes = drawn::<Obb2<f32>>(count, 5);
+    let scores: Vec<f32> = (0..count)
+        .map(|i| ((i * 37) % 101) as f32 / 101.0)
+        .collect();
+    let classes: Vec<u32> = (0..count).map(|i| (i % 3) as u32).collect();
+    let cpu = Cpu::new();
+    let plain = Rules::above(0.1);
+    let by_class = Rules {
+        classes: Some(&classes),
+        most: 4,
+        score: 0.2,
+        ..plain
+    };
+    for rules in [plain, by_class] {
+        let expected = cpu
+            .suppress_grouped(Iou, &shapes, &offsets, &scores, rules)
+            .unwrap();
+        assert!(expected.len() > 5 && expected.len() < count);
+        let found = gpu.suppress_grouped(Iou, &shapes, &offsets, &scores, rules);
+        assert_eq!(found.as_ref(), Ok(&expected));
+        let run = operation("iou_obb2")
+            .and_then(|row| row.value::<f32>())
+            .expect("is listed");
+        let numbers = shapes.scalars();
+        let rows = Rows::new(&numbers, Obb2::<f32>::LEN);
+        let run = run.on(Backend::Gpu(gpu)).unwrap();
+        assert_eq!(run.suppress(rows, &offsets, &scores, rules), Ok(expected));
+    }
+    let offsets = [0, count + 1];
+    let fault = gpu.suppress_grouped(Iou, &shapes, &offsets, &scores, plain);
+    assert_eq!(
+        fault,
+        cpu.suppress_grouped(Iou, &shapes, &offsets, &scores, plain)
+    );
+    // A GPU has no double precision.
+    let double = operation("iou_obb2").and_then(|row| row.value::<f64>());
+    let refused = double.expect("is listed").on(Backend::Gpu(gpu)).map(drop);
+    assert_eq!(refused, Err(Error::Gpu(GpuFault::OnlySingle)));
 }
 
 /// The name of an argument in messages is the row's.
