@@ -332,8 +332,10 @@ fn engine_of<T: Real>(gpu: &Gpu) -> Option<&dyn Engine<T>> {
 pub(super) fn gpu_of<T: Real>(backend: Backend<'_>) -> Result<Option<Gpu>, Error> {
     match backend {
         Backend::Cpu => Ok(None),
-        Backend::Gpu(gpu) if engine_of::<T>(gpu).is_some() => Ok(Some(gpu.clone())),
-        Backend::Gpu(_) => Err(Error::Gpu(GpuFault::OnlySingle)),
+        Backend::Gpu(gpu) => {
+            let own = engine_of::<T>(gpu).map(|_| gpu.clone());
+            own.map(Some).ok_or(Error::Gpu(GpuFault::OnlySingle))
+        }
     }
 }
 
