@@ -5,6 +5,7 @@ use common::cli::{Failure, Wish, say};
 use indicatif::{ProgressBar, ProgressStyle};
 use lexopt::prelude::*;
 use std::f32::consts::{PI, TAU};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -42,7 +43,7 @@ pub fn run() -> Result<String, Failure> {
             Long("program") => Box::new(|| program(false)),
             Long("wgsl") => Box::new(|| program(true)),
             Long("svg") => {
-                let file = arguments.value()?;
+                let file = PathBuf::from(arguments.value()?);
                 Box::new(move || draw::write(&file))
             }
             Long("help") | Short('h') => Box::new(|| Ok(HELP.into())),
