@@ -213,10 +213,10 @@ fn run(options: &Options) -> Result<bool, Failure> {
     let at = number.unwrap_or(0);
     let picture = svg::picture(&svg::Scene {
         number: at,
-        before: frames.get(&at).unwrap_or(&empty.0),
-        after: refined.get(&at).unwrap_or(&empty.0),
-        matches_before: before.get(&at).unwrap_or(&empty.1),
-        matches_after: after.get(&at).unwrap_or(&empty.1),
+        states: [(&frames, &before), (&refined, &after)].map(|(frames, matches)| svg::State {
+            frame: frames.get(&at).unwrap_or(&empty.0),
+            matches: matches.get(&at).unwrap_or(&empty.1),
+        }),
         goal: options.goal,
     });
     write(&options.svg, &picture)?;
