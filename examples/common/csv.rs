@@ -73,12 +73,12 @@ impl Reader {
         let failed = |error: io::Error| Failure::Work(format!("{name}: {error}"));
         let file = File::open(path).map_err(failed)?;
         let bar = progress::bar(program, file.metadata().map_err(failed)?.len());
-        // With a line break at the end, every row ends on a line of its own.
+        // A line break at the end: every row has one, which the count of lines takes for granted.
         let bytes: Box<dyn Read> = Box::new(bar.wrap_read(file).chain(&b"\n"[..]));
         let rows = ReaderBuilder::new()
             .has_headers(false)
             .flexible(true)
-            // Lines are counted right only so; the other byte of a line break goes with the spaces around a field.
+            // The crate counts lines right for this byte alone; the other one of a line break is space around a field.
             .terminator(Terminator::Any(b'\n'))
             .buffer_capacity(1 << 16)
             .from_reader(bytes);
