@@ -38,8 +38,9 @@ impl Page {
             size,
             digits,
         };
+        let area = format_args!(r#"viewBox="0 0 {w:.0} {h:.0}" width="{w:.0}" height="{h:.0}""#);
         page.element(format_args!(
-            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {w:.0} {h:.0}" width="{w:.0}" height="{h:.0}" {style}>"#
+            r#"<svg xmlns="http://www.w3.org/2000/svg" {area} {style}>"#
         ));
         page
     }

@@ -173,8 +173,9 @@ fn arm(page: &mut Page, arm: Arm<f32>, colour: &str, opacity: f32) {
     let links = arm.links();
     let joints = [links[0].from, links[0].to, links[1].to].map(place);
     let width = arm.thickness * SIDE / PLACE;
+    let round = r#"stroke-linecap="round" stroke-linejoin="round""#;
     let style = format_args!(
-        r#"fill="none" stroke-width="{width:.1}" stroke-linecap="round" stroke-linejoin="round" stroke="{colour}" stroke-opacity="{opacity}""#
+        r#"fill="none" stroke-width="{width:.1}" {round} stroke="{colour}" stroke-opacity="{opacity}""#
     );
     page.strokes([joints], style);
 }

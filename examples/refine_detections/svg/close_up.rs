@@ -108,14 +108,16 @@ fn close_up(page: &mut Page, index: usize, top: f32, pair: &CloseUp, from_side: 
     );
     let beside = Vec2::new(foot.x + bar * scale + 6.0, foot.y);
     page.text(beside, SMALL, format_args!("{bar} m"));
+    let strong =
+        |colour, iou: f32| format!(r#"<tspan fill="{colour}" font-weight="600">{iou:.2}</tspan>"#);
     let words = match from_side {
         true => "the same from its right".into(),
         false => format!(
-            r#"{} at {:.0} m: IoU <tspan fill="{ORANGE}" font-weight="600">{:.2}</tspan> → <tspan fill="{BLUE}" font-weight="600">{:.2}</tspan>"#,
+            "{} at {:.0} m: IoU {} → {}",
             pair.truth.class.name(),
             pair.truth.shape.center.y,
-            pair.iou[0],
-            pair.iou[1],
+            strong(ORANGE, pair.iou[0]),
+            strong(BLUE, pair.iou[1]),
         ),
     };
     let caption = Vec2::new(left + 0.5 * width, top + CLOSE_UP_HEIGHT + 20.0);
