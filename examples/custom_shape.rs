@@ -111,5 +111,5 @@ fn program(wgsl: bool) -> Result<String, Failure> {
 }
 
 fn main() -> std::process::ExitCode {
-    command::run().map_or_else(|failure| failure.report("custom_shape"), command::done)
+    common::cli::finish("custom_shape", command::run())
 }

@@ -1,11 +1,12 @@
 //! The command line, and the batch of random configurations.
 use crate::arm::{COUNT, Joints, RADIUS, clearance};
 use crate::{draw, nearest, path};
-use common::cli::Failure;
+use common::cli::{Failure, usage};
 use common::file::write;
+use common::progress::styled;
 use common::random::Draw;
 use geograd::kernels::{Cpu, One, function};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use lexopt::prelude::*;
 use std::f32::consts::TAU;
 use std::path::PathBuf;
@@ -56,7 +57,7 @@ fn options() -> Result<Option<Options>, Failure> {
         }
     }
     if options.points < 3 {
-        return Err(Failure::Usage("`--points` is at least 3".into()));
+        return usage("`--points` is at least 3");
     }
     Ok(Some(options))
 }
@@ -64,8 +65,7 @@ fn options() -> Result<Option<Options>, Failure> {
 /// A bar for so many of something.
 fn progress(count: usize, things: &str) -> ProgressBar {
     let style = format!("{{bar:30}} {{pos}}/{{len}} {things} ({{elapsed}})");
-    let style = ProgressStyle::with_template(&style);
-    ProgressBar::new(count as u64).with_style(style.expect("a valid template"))
+    styled(&style, count as u64)
 }
 
 /// Does what the command line asks for, and says what to print.

@@ -1,13 +1,9 @@
 //! The picture: a path before and after from three sides, and the clearance along it.
 use crate::arm::{Joints, MOUNT, RADIUS, Solids, scene, solids};
 use crate::path::{self, MARGIN, Path};
+use common::svg::{BLUE, END, FAINT, INK, Page, RED};
 use geograd::{Capsule3, Error, Obb3, Vec2, Vec3};
-use std::fmt::Write as _;
 
-const INK: &str = "#212529";
-const FAINT: &str = "#868e96";
-const RED: &str = "#c92a2a";
-const BLUE: &str = "#1864ab";
 /// Outlines of what is red and blue.
 const DEEP_RED: &str = "#5c0f0f";
 const DEEP_BLUE: &str = "#0b3054";
@@ -104,24 +100,15 @@ impl Panel {
             self.corner.y + (size.y - up(point) + low.y) * SCALE,
         )
     }
-    fn rod(self, page: &mut String, rod: Capsule3<f64>, colour: &str) {
-        self.wider_rod(page, rod, colour, 0.0);
-    }
     /// A rod with so many more pixels all around.
-    fn wider_rod(self, page: &mut String, rod: Capsule3<f64>, colour: &str, more: f64) {
-        let [a, b] = [rod.start, rod.end].map(|end| self.place(end));
-        let _ = writeln!(
-            page,
-            r#"<line x1="{:.2}" y1="{:.2}" x2="{:.2}" y2="{:.2}" stroke="{colour}" stroke-width="{:.2}" stroke-linecap="round"/>"#,
-            a.x,
-            a.y,
-            b.x,
-            b.y,
-            2.0 * (rod.radius * SCALE + more)
-        );
+    fn rod(self, page: &mut Page, rod: Capsule3<f64>, colour: &str, more: f64) {
+        let width = 2.0 * (rod.radius * SCALE + more);
+        let style =
+            format_args!(r#"stroke="{colour}" stroke-width="{width:.2}" stroke-linecap="round""#);
+        page.line([rod.start, rod.end].map(|end| self.place(end)), style);
     }
     /// All six faces: together they cover what the box does.
-    fn solid(self, page: &mut String, solid: Obb3<f64>, style: &str) {
+    fn solid(self, page: &mut Page, solid: Obb3<f64>, style: &str) {
         let corners = solid.corners().map(|corner| self.place(corner));
         let faces = [
             [0, 1, 3, 2],
@@ -131,45 +118,35 @@ impl Panel {
             [0, 2, 6, 4],
             [1, 3, 7, 5],
         ];
-        let mut path = String::new();
-        for face in faces {
-            let [a, mut b, c, mut d] = face.map(|k: usize| corners[k]);
+        let faces = faces.map(|face| {
+            let [a, b, c, d] = face.map(|k: usize| corners[k]);
             // Turned the same way round, faces that cover each other add up.
-            if (c - a).perp().dot(d - b) < 0.0 {
-                (b, d) = (d, b);
+            match (c - a).perp().dot(d - b) < 0.0 {
+                true => [a, d, c, b],
+                false => [a, b, c, d],
             }
-            let _ = write!(
-                path,
-                "M{:.2},{:.2}L{:.2},{:.2}L{:.2},{:.2}L{:.2},{:.2}Z",
-                a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y
-            );
-        }
-        let _ = writeln!(
-            page,
-            r#"<path d="{path}" stroke-linejoin="round" {style}/>"#
-        );
+        });
+        page.rings(faces, format_args!(r#"stroke-linejoin="round" {style}"#));
     }
     /// The arm with an outline, so that arms which cover each other can be told apart.
-    fn arm(self, page: &mut String, joints: Joints<f64>, colour: [&str; 2], opacity: f64) {
+    fn arm(self, page: &mut Page, joints: Joints<f64>, colour: [&str; 2], opacity: f64) {
         let Solids { links, hand } = solids(joints, RADIUS);
         let [fill, edge] = colour;
-        let _ = writeln!(page, r#"<g opacity="{opacity}">"#);
-        for link in links {
-            self.wider_rod(page, link, edge, OUTLINE);
-        }
-        let style = format!(
-            r#"fill="{edge}" stroke="{edge}" stroke-width="{}""#,
-            2.0 * OUTLINE
-        );
-        self.solid(page, hand, &style);
-        for link in links {
-            self.rod(page, link, fill);
-        }
-        self.solid(page, hand, &format!(r#"fill="{fill}" stroke="none""#));
-        page.push_str("</g>\n");
+        page.group(format_args!(r#"opacity="{opacity}""#), |page| {
+            for link in links {
+                self.rod(page, link, edge, OUTLINE);
+            }
+            let width = 2.0 * OUTLINE;
+            let style = format!(r#"fill="{edge}" stroke="{edge}" stroke-width="{width}""#);
+            self.solid(page, hand, &style);
+            for link in links {
+                self.rod(page, link, fill, 0.0);
+            }
+            self.solid(page, hand, &format!(r#"fill="{fill}" stroke="none""#));
+        });
     }
     /// The names of what is around, where the view from the front has room for them.
-    fn names(self, page: &mut String) {
+    fn names(self, page: &mut Page) {
         let names = [
             ("pipe", [-0.74, 1.035], "#fff"),
             ("bench", [-0.67, 0.03], INK),
@@ -178,38 +155,39 @@ impl Panel {
         ];
         for (name, [right, up], colour) in names {
             let at = self.place(Vec3::new(0.0, right, up));
-            let style = format!(r#"font-size="11.5" fill="{colour}""#);
-            text(page, (at.x, at.y), &style, name);
+            let style = format_args!(r#"font-size="11.5" fill="{colour}""#);
+            page.text(at, style, name);
         }
     }
-    fn draw(self, page: &mut String, way: &Way) {
-        let (Vec2 { x: left, y: top }, around) = (self.corner, scene::<f64>());
-        let (width, height) = (self.view.size.x * SCALE, self.view.size.y * SCALE);
-        let name = format!("{}{:.0}", &self.view.name[..1], top);
-        let _ = writeln!(
-            page,
-            r##"<clipPath id="{name}"><rect x="{left}" y="{top}" width="{width:.2}" height="{height:.2}"/></clipPath>
-<g clip-path="url(#{name})"><rect x="{left}" y="{top}" width="{width:.2}" height="{height:.2}" fill="#f8f9fa"/>"##
-        );
-        let (floor, above) = (
-            self.place(Vec3::zero()).y,
-            self.view.name.starts_with("top"),
-        );
+    fn draw(self, page: &mut Page, way: &Way) {
+        let Vec2 { x: left, y: top } = self.corner;
+        let size = self.view.size * SCALE;
+        let area = [left, top, size.x, size.y];
+        let id = format!("{}{top:.0}", &self.view.name[..1]);
+        page.window(&id, area);
+        page.inside(&id, |page| {
+            page.rect(area, r##"fill="#f8f9fa""##);
+            self.contents(page, way);
+        });
+        page.rect(area, r##"fill="none" stroke="#ced4da""##);
+    }
+    fn contents(self, page: &mut Page, way: &Way) {
+        let (size, around) = (self.view.size * SCALE, scene::<f64>());
+        let floor = self.place(Vec3::zero()).y;
+        let above = self.view.name.starts_with("top");
         if !above {
-            let _ = writeln!(
-                page,
-                r##"<rect x="{left}" y="{floor:.2}" width="{width:.2}" height="{height:.2}" fill="#adb5bd"/>"##
-            );
+            let area = [self.corner.x, floor, size.x, size.y];
+            page.rect(area, r##"fill="#adb5bd""##);
         }
-        let style = |fill| format!(r##"fill="{fill}" stroke="#868e96" stroke-width="0.8""##);
+        let style = |fill| format!(r#"fill="{fill}" stroke="{FAINT}" stroke-width="0.8""#);
         self.solid(page, around.pedestal, &style("#ced4da"));
         for (solid, fill) in around.boxes.into_iter().zip(["#dee2e6", "#ffd8a8"]) {
             self.solid(page, solid, &style(fill));
         }
         let [post, pipe] = around.rods;
-        self.rod(page, post, WOOD);
+        self.rod(page, post, WOOD, 0.0);
         if !above {
-            self.rod(page, pipe, WOOD);
+            self.rod(page, pipe, WOOD, 0.0);
         }
         let last = way.fine.len() - 1;
         for i in 0..ARMS {
@@ -227,42 +205,26 @@ impl Panel {
         line(page, way.fine.iter().map(hand), INK, 1.6);
         if above {
             // Seen from there, it hides the arm.
-            page.push_str("<g opacity=\"0.6\">");
-            self.rod(page, pipe, WOOD);
-            page.push_str("</g>\n");
+            page.group(r#"opacity="0.6""#, |page| self.rod(page, pipe, WOOD, 0.0));
         }
         if self.view.name.starts_with("front") {
             self.names(page);
         }
         let base = self.place(Vec3::new(0.0, 0.0, MOUNT));
-        let _ = writeln!(
-            page,
-            r##"<circle cx="{:.2}" cy="{:.2}" r="4" fill="#fff" stroke="{INK}" stroke-width="1.5"/></g>
-<rect x="{left}" y="{top}" width="{width:.2}" height="{height:.2}" fill="none" stroke="#ced4da"/>"##,
-            base.x, base.y
-        );
+        let style = format_args!(r##"fill="#fff" stroke="{INK}" stroke-width="1.5""##);
+        page.circle(base, 4, style);
     }
 }
 
-fn line(page: &mut String, points: impl Iterator<Item = Vec2<f64>>, colour: &str, width: f64) {
-    let points: Vec<_> = points.map(|p| format!("{:.2},{:.2}", p.x, p.y)).collect();
-    let _ = writeln!(
-        page,
-        r#"<polyline points="{}" fill="none" stroke="{colour}" stroke-width="{width}" stroke-linejoin="round"/>"#,
-        points.join(" ")
+fn line(page: &mut Page, points: impl IntoIterator<Item = Vec2<f64>>, colour: &str, width: f64) {
+    let style = format_args!(
+        r#"fill="none" stroke="{colour}" stroke-width="{width}" stroke-linejoin="round""#
     );
-}
-
-fn text(page: &mut String, at: (f64, f64), style: &str, words: &str) {
-    let _ = writeln!(
-        page,
-        r#"<text x="{:.1}" y="{:.1}" {style}>{words}</text>"#,
-        at.0, at.1
-    );
+    page.polyline(points, style);
 }
 
 /// The clearance along both paths.
-fn plot(page: &mut String, ways: &[Way; 2], corner: Vec2<f64>, size: Vec2<f64>) {
+fn plot(page: &mut Page, ways: &[Way; 2], corner: Vec2<f64>, size: Vec2<f64>) {
     let all = || ways.iter().flat_map(|way| way.clearances.iter().copied());
     let low = (all().fold(0.0, f64::min) / 0.05).floor() * 0.05;
     let high = (all().fold(MARGIN, f64::max) / 0.05).ceil() * 0.05;
@@ -273,69 +235,38 @@ fn plot(page: &mut String, ways: &[Way; 2], corner: Vec2<f64>, size: Vec2<f64>) 
         )
     };
     let small = format!(r#"font-size="12" fill="{FAINT}""#);
-    let zero = at(0.0, 0.0).y;
-    let _ = writeln!(
-        page,
-        r##"<rect x="{}" y="{zero:.2}" width="{}" height="{:.2}" fill="#fff5f5"/>"##,
-        corner.x,
-        size.x,
-        corner.y + size.y - zero
-    );
+    let (zero, foot) = (at(0.0, 0.0).y, corner.y + size.y);
+    let area = [corner.x, zero, size.x, foot - zero];
+    page.rect(area, r##"fill="#fff5f5""##);
     for k in (low / 0.05).round() as i32..=(high / 0.05).round() as i32 {
         let value = 0.05 * f64::from(k);
         let colour = if k == 0 { INK } else { "#e9ecef" };
-        line(
-            page,
-            [at(0.0, value), at(1.0, value)].into_iter(),
-            colour,
-            1.0,
-        );
-        let (style, words) = (
-            format!(r#"{small} text-anchor="end""#),
-            format!("{value:.2}").replace('-', "−"),
-        );
-        text(
-            page,
-            (corner.x - 7.0, at(0.0, value).y + 4.0),
-            &style,
-            &words,
-        );
+        line(page, [at(0.0, value), at(1.0, value)], colour, 1.0);
+        let words = format!("{value:.2}").replace('-', "−");
+        page.left_of(at(0.0, value), &small, words);
     }
     let [from, to] = [0.0, 1.0].map(|t| at(t, MARGIN));
-    let _ = writeln!(
-        page,
-        r#"<line x1="{:.2}" y1="{:.2}" x2="{:.2}" y2="{:.2}" stroke="{FAINT}" stroke-dasharray="5 4"/>"#,
-        from.x, from.y, to.x, to.y
-    );
-    text(page, (to.x + 6.0, to.y + 4.0), &small, "wanted");
-    let below = corner.y + size.y + 17.0;
-    text(page, (corner.x, below), &small, "start");
-    let style = format!(r#"{small} text-anchor="end""#);
-    text(page, (corner.x + size.x, below), &style, "end");
-    for ((way, colour), words) in ways.iter().zip([RED, BLUE]).zip(["before", "after"]) {
+    let style = format_args!(r#"stroke="{FAINT}" stroke-dasharray="5 4""#);
+    page.line([from, to], style);
+    page.text(to + Vec2::new(6.0, 4.0), &small, "wanted");
+    let below = foot + 17.0;
+    page.text(Vec2::new(corner.x, below), &small, "start");
+    let end = Vec2::new(corner.x + size.x, below);
+    page.text(end, format_args!("{small} {END}"), "end");
+    for (way, (colour, words, left)) in ways
+        .iter()
+        .zip([(RED, "before", 120.0), (BLUE, "after", 50.0)])
+    {
         let last = way.clearances.len() - 1;
         let points = way.clearances.iter().enumerate();
-        line(
-            page,
-            points.map(|(i, &value)| at(i as f64 / last as f64, value)),
-            colour,
-            2.4,
-        );
-        let shift = if words == "before" { 0.0 } else { 70.0 };
-        let style = format!(r#"font-size="13" font-weight="bold" fill="{colour}""#);
-        text(
-            page,
-            (corner.x + size.x - 120.0 + shift, corner.y - 9.0),
-            &style,
-            words,
-        );
+        let points = points.map(|(i, &value)| at(i as f64 / last as f64, value));
+        line(page, points, colour, 2.4);
+        let style = format_args!(r#"font-size="13" font-weight="bold" fill="{colour}""#);
+        page.text(corner + Vec2::new(size.x - left, -9.0), style, words);
     }
-    text(
-        page,
-        (corner.x, corner.y - 9.0),
-        &format!(r#"font-size="13.5" fill="{INK}""#),
-        "clearance along the path, in m",
-    );
+    let style = format_args!(r#"font-size="13.5" fill="{INK}""#);
+    let words = "clearance along the path, in m";
+    page.text(corner - Vec2::new(0.0, 9.0), style, words);
 }
 
 /// The whole picture.
@@ -352,34 +283,26 @@ pub fn page(ways: &[Way; 2]) -> String {
         + 44.0;
     let chart = TOP + 2.0 * row + 26.0;
     let (tall, chart_height) = (chart + 262.0, 220.0);
-    let mut page = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {tall:.0}\" width=\"{width:.0}\" \
-         height=\"{tall:.0}\" font-family=\"Helvetica, Arial, sans-serif\">\n\
-         <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
-    );
-    let title = format!(r#"font-size="21" font-weight="bold" fill="{INK}""#);
-    text(
-        &mut page,
-        (MARGINS, 38.0),
-        &title,
-        "A path of six joints leaves what it collides with",
-    );
+    let font = r#"font-family="Helvetica, Arial, sans-serif""#;
+    let mut page = Page::new(Vec2::new(width, tall), 2, font);
+    page.paper(r##"fill="#fff""##);
+    let style = format_args!(r#"font-size="21" font-weight="bold" fill="{INK}""#);
+    let title = "A path of six joints leaves what it collides with";
+    page.text(Vec2::new(MARGINS, 38.0), style, title);
     let words = "the arm along its path, red where it collides, dark at both ends; the line is the hand's way";
-    let under = format!(r#"font-size="13.5" fill="{FAINT}""#);
-    text(&mut page, (MARGINS, 60.0), &under, words);
+    let style = format_args!(r#"font-size="13.5" fill="{FAINT}""#);
+    page.text(Vec2::new(MARGINS, 60.0), style, words);
     for (k, (way, when)) in ways.iter().zip(["before", "after"]).enumerate() {
-        let (mut left, top) = (MARGINS, TOP + k as f64 * row);
+        let mut corner = Vec2::new(MARGINS, TOP + k as f64 * row);
         for view in VIEWS {
-            let style = format!(r#"font-size="13.5" fill="{INK}""#);
-            let words = format!("{when}: {}", view.name);
-            text(&mut page, (left, top - 9.0), &style, &words);
-            let corner = Vec2::new(left, top);
+            let style = format_args!(r#"font-size="13.5" fill="{INK}""#);
+            let words = format_args!("{when}: {}", view.name);
+            page.text(corner - Vec2::new(0.0, 9.0), style, words);
             Panel { view, corner }.draw(&mut page, way);
-            left += view.size.x * SCALE + MARGINS;
+            corner.x += view.size.x * SCALE + MARGINS;
         }
     }
     let size = Vec2::new(width - 2.0 * MARGINS - 92.0, chart_height);
     plot(&mut page, ways, Vec2::new(MARGINS + 42.0, chart), size);
-    page.push_str("</svg>\n");
-    page
+    page.finish()
 }

@@ -15,15 +15,9 @@ mod draw;
 mod nearest;
 mod path;
 
-use common::cli::say;
+use common::cli::finish;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    match command::run() {
-        Ok(text) => {
-            say(&text);
-            ExitCode::SUCCESS
-        }
-        Err(failure) => failure.report("arm_clearance"),
-    }
+    finish("arm_clearance", command::run())
 }

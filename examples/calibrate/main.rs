@@ -17,16 +17,14 @@ mod descent;
 mod picture;
 mod scene;
 
-use common::cli::{Failure, say};
+use common::cli::{Failure, finish, say, usage};
 use common::file::write;
+use common::progress::styled;
 use descent::State;
-use indicatif::{ProgressBar, ProgressStyle};
 use scene::Scene;
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::process::ExitCode;
-
-const PROGRAM: &str = "calibrate";
 
 const HELP: &str = "\
 The rigid motion between two sensors, from the boxes that both see: descent on the overlap of these
@@ -72,17 +70,9 @@ fn options() -> Result<Option<Options>, Failure> {
         }
     }
     if options.svg.is_some() && options.svg == options.csv {
-        let why = "`--svg` and `--csv` are the same file";
-        return Err(Failure::Usage(why.into()));
+        return usage("`--svg` and `--csv` are the same file");
     }
     Ok(Some(options))
-}
-
-/// Shows itself only where stderr is a terminal.
-fn progress(steps: usize) -> ProgressBar {
-    let style = ProgressStyle::with_template("descending {bar:40} {pos}/{len}");
-    ProgressBar::new(steps as u64 + 1)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 /// A table of some of the states.
@@ -122,10 +112,12 @@ fn csv(states: &[State]) -> String {
     text
 }
 
-fn run(options: &Options) -> Result<(), Failure> {
+/// Gives the text that is left to print.
+fn run(options: &Options) -> Result<String, Failure> {
     let scene = Scene::new(options.seed);
     let mut states = Vec::new();
-    let bar = progress(options.steps);
+    let steps = options.steps as u64 + 1;
+    let bar = styled("descending {bar:40} {pos}/{len}", steps);
     descent::descend(&scene, options.steps, |state| {
         states.push(state);
         bar.inc(1);
@@ -137,24 +129,16 @@ fn run(options: &Options) -> Result<(), Failure> {
     }
     if let Some(path) = &options.svg {
         write(path, &picture::picture(&scene, &states))?;
-        say(&format!(
-            "\nBefore and after are drawn in {}.\n",
-            path.display()
-        ));
+        let name = path.display();
+        return Ok(format!("\nBefore and after are drawn in {name}.\n"));
     }
-    Ok(())
+    Ok(String::new())
 }
 
 fn main() -> ExitCode {
     let done = options().and_then(|options| match options {
-        None => {
-            say(HELP);
-            Ok(())
-        }
+        None => Ok(HELP.into()),
         Some(options) => run(&options),
     });
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(PROGRAM),
-    }
+    finish("calibrate", done)
 }

@@ -1,5 +1,5 @@
 //! Shared parts of the examples' command lines: how they fail, and which machine runs the batches.
-pub use crate::failure::{Failure, say};
+pub use crate::failure::{Failure, finish, say, usage};
 use geograd::kernels::Backend;
 use geograd::kernels::backend::Auto;
 use geograd::kernels::gpu::Gpu;
@@ -24,13 +24,11 @@ impl Wish {
     /// From the text on the command line. A build without GPU support refuses to wish for one.
     pub fn from_name(name: &str) -> Result<Self, Failure> {
         match name {
-            "cpu" => Ok(Wish::Cpu),
-            "auto" => Ok(Wish::Auto),
-            "gpu" if cfg!(feature = "gpu") => Ok(Wish::Gpu),
-            "gpu" => Err(Failure::Usage(format!("`--backend gpu`: {UNSUPPORTED}"))),
-            other => Err(Failure::Usage(format!(
-                "`--backend {other}`: it is cpu, gpu or auto"
-            ))),
+            "gpu" if cfg!(not(feature = "gpu")) => usage(format!("`--backend gpu`: {UNSUPPORTED}")),
+            _ => {
+                let known = [("cpu", Wish::Cpu), ("gpu", Wish::Gpu), ("auto", Wish::Auto)];
+                choice("--backend", name, known)
+            }
         }
     }
 
@@ -51,14 +49,28 @@ impl Wish {
 
 /// `true` for the value `f64` of `--precision`, `false` for `f32`.
 pub fn is_double(name: &str) -> Result<bool, Failure> {
-    match name {
-        "f32" => Ok(false),
-        "f64" => Ok(true),
-        other => Err(Failure::Usage(format!(
-            "`--precision {other}`: it is f32 or f64"
-        ))),
-    }
+    choice("--precision", name, [("f32", false), ("f64", true)])
 }
+
+/// The value of an option that has one of these names.
+pub fn choice<T, const N: usize>(
+    option: &str,
+    name: &str,
+    known: [(&str, T); N],
+) -> Result<T, Failure> {
+    let names = known.each_ref().map(|own| own.0);
+    if let Some((_, found)) = known.into_iter().find(|own| own.0 == name) {
+        return Ok(found);
+    }
+    let list = match &names[..] {
+        [first @ .., last] if N < 4 => format!("{} or {last}", first.join(", ")),
+        all => format!("one of {}", all.join(", ")),
+    };
+    usage(format!("`{option} {name}`: it is {list}"))
+}
+
+/// Why no GPU computes in double precision.
+pub const NO_F64: &str = "GPUs have no f64; `--precision f32` allows one";
 
 /// Why there is no GPU in a build without the feature.
 const UNSUPPORTED: &str =

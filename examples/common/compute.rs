@@ -1,6 +1,7 @@
 //! Results of rows and of pairs of rows, on a machine: the one place where `table` and `iou_csv` compute.
 use crate::cli::Machine;
 use geograd::kernels::dynamic::{Function, Rows};
+use geograd::kernels::item::Single;
 use geograd::{Error, Real, Unrecordable};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -11,21 +12,8 @@ use std::str::FromStr;
 pub const BLOCK: usize = 1 << 18;
 
 /// A format of numbers that machines compute in. A GPU has no `f64`: command lines refuse it.
-pub trait Number: Real + FromStr {
-    /// The number nearest to one of f64.
-    fn near(x: f64) -> Self;
-}
-
-impl Number for f32 {
-    fn near(x: f64) -> f32 {
-        x as f32
-    }
-}
-impl Number for f64 {
-    fn near(x: f64) -> f64 {
-        x
-    }
-}
+pub trait Number: Real + Single<Scalar = Self> + FromStr + Into<f64> {}
+impl<T: Real + Single<Scalar = T> + FromStr + Into<f64>> Number for T {}
 
 /// Results of pairs of rows, given by their places in both lists: numbers for every column of a result, pair by pair.
 ///

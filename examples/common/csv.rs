@@ -2,106 +2,60 @@
 use crate::failure::Failure;
 use crate::output::Output;
 use crate::progress;
+use ::csv::{ReaderBuilder, StringRecord, Terminator};
 use indicatif::ProgressBar;
 use std::fmt::{Debug, Write as _};
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read};
+use std::io::{self, Read};
 use std::path::Path;
 use std::str::FromStr;
 
 /// Rows turned into text at a time by one thread.
 const STRETCH: usize = 1 << 14;
 
-/// Bytes after which a row ends though its quotes do not.
-const LONGEST: usize = 1 << 20;
-
-/// A file whose bytes move a bar.
-struct Watched {
-    file: File,
-    bar: ProgressBar,
-}
-
-impl Read for Watched {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.file.read(buffer)?;
-        self.bar.inc(count as u64);
-        Ok(count)
-    }
-}
-
 /// A row of a file.
 #[derive(Clone, Debug, Default)]
 pub struct Record {
-    /// The fields, one after another, without quotes and the spaces around them.
-    text: String,
-    ends: Vec<usize>,
+    fields: StringRecord,
     /// The line on which it begins, from 1.
-    pub line: usize,
+    pub line: u64,
+}
+
+/// A field without the spaces around it. Quotes after a space, which other programs write, are text to the crate.
+fn plain(field: &str) -> &str {
+    let inner = field.trim();
+    let quoted = inner.strip_prefix('"').and_then(|x| x.strip_suffix('"'));
+    match quoted {
+        Some(quoted) if !field.starts_with('"') => quoted,
+        _ => inner,
+    }
 }
 
 impl Record {
     /// The fields.
-    pub fn fields(&self) -> impl Iterator<Item = &str> + Clone {
-        let starts = [0].into_iter().chain(self.ends.iter().copied());
-        starts
-            .zip(&self.ends)
-            .map(|(start, &end)| &self.text[start..end])
+    pub fn fields(&self) -> impl Iterator<Item = &str> {
+        self.fields.iter().map(plain)
+    }
+    /// The field of a column.
+    pub fn field(&self, column: usize) -> Option<&str> {
+        self.fields.get(column).map(plain)
     }
     /// How many fields it has.
     pub fn count(&self) -> usize {
-        self.ends.len()
+        self.fields.len()
     }
     /// `true` if it is a line of spaces.
     pub fn is_empty(&self) -> bool {
-        self.text.is_empty() && self.ends.len() < 2
-    }
-
-    /// Splits a line. A field in quotes may have commas, and quotes as two quotes.
-    fn split(&mut self, line: &str, number: usize) {
-        self.text.clear();
-        self.ends.clear();
-        self.line = number;
-        let mut rest = line;
-        loop {
-            let field = rest.trim_start();
-            let (length, after) = match field.strip_prefix('"') {
-                None => {
-                    let end = field.find(',').unwrap_or(field.len());
-                    self.text.push_str(field[..end].trim_end());
-                    (end, field)
-                }
-                Some(mut quoted) => {
-                    loop {
-                        let end = quoted.find('"').unwrap_or(quoted.len());
-                        self.text.push_str(&quoted[..end]);
-                        quoted = quoted.get(end + 1..).unwrap_or_default();
-                        match quoted.strip_prefix('"') {
-                            Some(more) => quoted = more,
-                            None => break,
-                        }
-                        self.text.push('"');
-                    }
-                    (quoted.find(',').unwrap_or(quoted.len()), quoted)
-                }
-            };
-            self.ends.push(self.text.len());
-            match after.get(length + 1..) {
-                Some(more) => rest = more,
-                None => break,
-            }
-        }
+        self.count() < 2 && self.fields.as_slice().trim().is_empty()
     }
 }
 
 /// The rows of a file, read when they are asked for. Empty lines at its end are no rows.
 pub struct Reader {
     name: String,
-    lines: BufReader<Watched>,
-    bytes: Vec<u8>,
-    /// Lines that were read.
-    line: usize,
+    rows: ::csv::Reader<Box<dyn Read>>,
     /// Empty lines that come before `ahead`.
-    empty: usize,
+    empty: u64,
     ahead: Option<Record>,
     now: Record,
     /// Grows with the bytes that are read.
@@ -119,15 +73,18 @@ impl Reader {
         let failed = |error: io::Error| Failure::Work(format!("{name}: {error}"));
         let file = File::open(path).map_err(failed)?;
         let bar = progress::bar(program, file.metadata().map_err(failed)?.len());
-        let watched = Watched {
-            file,
-            bar: bar.clone(),
-        };
+        // A line break at the end: every row has one, which the count of lines takes for granted.
+        let bytes: Box<dyn Read> = Box::new(bar.wrap_read(file).chain(&b"\n"[..]));
+        let rows = ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            // The crate counts lines right for this byte alone; the other one of a line break is space around a field.
+            .terminator(Terminator::Any(b'\n'))
+            .buffer_capacity(1 << 16)
+            .from_reader(bytes);
         let mut reader = Reader {
-            lines: BufReader::with_capacity(1 << 16, watched),
             name,
-            bytes: Vec::new(),
-            line: 0,
+            rows,
             empty: 0,
             ahead: None,
             now: Record::default(),
@@ -141,42 +98,27 @@ impl Reader {
         &self.name
     }
 
-    /// Reads the next line that is not empty, if there is one.
+    /// Reads the next row that is not empty, if there is one.
     fn look(&mut self) -> Result<(), Failure> {
-        let (mut record, mut empty) = (self.ahead.take().unwrap_or_default(), 0);
+        let next = self.rows.position().line();
+        let mut record = self.ahead.take().unwrap_or_default();
         loop {
-            self.bytes.clear();
-            let first = self.line + 1;
-            // A field in quotes goes on over lines; one that never ends does not fill memory.
-            let mut is_open = true;
-            while is_open && self.bytes.len() < LONGEST {
-                let before = self.bytes.len();
-                let read = self.lines.read_until(b'\n', &mut self.bytes);
-                let read =
-                    read.map_err(|error| Failure::Work(format!("{}: {error}", self.name)))?;
-                if read == 0 {
-                    break;
-                }
-                self.line += 1;
-                let quotes = self.bytes[before..].iter().filter(|&&byte| byte == b'"');
-                is_open = (quotes.count() % 2 == 1) != (before > 0);
-            }
-            if self.bytes.is_empty() {
+            let start = self.rows.position().line();
+            let mut bytes = record.fields.into_byte_record();
+            let is_there = self.rows.read_byte_record(&mut bytes);
+            if !is_there.map_err(|error| Failure::Work(format!("{}: {error}", self.name)))? {
                 return Ok(());
             }
             // A byte that is no UTF-8 becomes a character that is no number, so that its row is told.
-            let text = String::from_utf8_lossy(&self.bytes);
-            let text = match first {
-                1 => text.strip_prefix('\u{feff}').unwrap_or(&text),
-                _ => &text,
-            };
-            record.split(text.trim_end(), first);
+            record.fields = StringRecord::from_byte_record_lossy(bytes);
+            let breaks = record.fields.as_slice().matches('\n').count() as u64;
+            // The crate passes over empty lines. A quote that never ends has no line break after it.
+            record.line = start.max(self.rows.position().line() - breaks - 1);
             if !record.is_empty() {
                 break;
             }
-            empty += 1;
         }
-        (self.empty, self.ahead) = (empty, Some(record));
+        (self.empty, self.ahead) = (record.line - next, Some(record));
         Ok(())
     }
 
@@ -195,7 +137,8 @@ impl Reader {
             return Ok(None);
         };
         if self.empty > 0 {
-            self.now.split("", ahead.line - self.empty);
+            self.now.fields.clear();
+            self.now.line = ahead.line - self.empty;
             self.empty -= 1;
         } else {
             std::mem::swap(&mut self.now, ahead);

@@ -33,6 +33,26 @@ impl Failure {
     }
 }
 
+/// A command line that makes no sense.
+///
+/// # Errors
+///
+/// Always.
+pub fn usage<X>(why: impl Into<String>) -> Result<X, Failure> {
+    Err(Failure::Usage(why.into()))
+}
+
+/// Prints the text that a program ends with, or says why it failed.
+pub fn finish(program: &str, done: Result<String, Failure>) -> ExitCode {
+    match done {
+        Ok(text) => {
+            say(&text);
+            ExitCode::SUCCESS
+        }
+        Err(failure) => failure.report(program),
+    }
+}
+
 /// Prints a text. Output that the reader has closed is no failure.
 pub fn say(text: &str) {
     let _ = std::io::stdout().write_all(text.as_bytes());

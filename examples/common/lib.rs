@@ -8,3 +8,4 @@ pub mod known;
 pub mod output;
 pub mod progress;
 pub mod random;
+pub mod svg;

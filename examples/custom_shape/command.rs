@@ -1,11 +1,12 @@
 //! The command line, and what is told about a batch.
 use crate::draw::posture;
 use crate::{Arm, batch, check, draw, program};
-use common::cli::{Failure, Wish, say};
-use indicatif::{ProgressBar, ProgressStyle};
+use common::cli::{Failure, Wish, usage};
+use common::progress::styled;
+use indicatif::ProgressBar;
 use lexopt::prelude::*;
 use std::f32::consts::{PI, TAU};
-use std::process::ExitCode;
+use std::path::PathBuf;
 use std::time::Duration;
 
 const HELP: &str = "\
@@ -42,7 +43,7 @@ pub fn run() -> Result<String, Failure> {
             Long("program") => Box::new(|| program(false)),
             Long("wgsl") => Box::new(|| program(true)),
             Long("svg") => {
-                let file = arguments.value()?;
+                let file = PathBuf::from(arguments.value()?);
                 Box::new(move || draw::write(&file))
             }
             Long("help") | Short('h') => Box::new(|| Ok(HELP.into())),
@@ -57,16 +58,8 @@ pub fn run() -> Result<String, Failure> {
             batch(count.unwrap_or(1_000_000), &machine)
         }
         Some(job) if is_alone && count.is_none() && backend.is_none() => job(),
-        Some(_) => Err(Failure::Usage(
-            "what is done instead of a batch takes no other option".into(),
-        )),
+        Some(_) => usage("what is done instead of a batch takes no other option"),
     }
-}
-
-/// Prints what came out.
-pub fn done(text: String) -> ExitCode {
-    say(&text);
-    ExitCode::SUCCESS
 }
 
 /// So many postures, evenly spread over both joints.
@@ -79,8 +72,7 @@ pub fn postures(count: usize) -> Vec<Arm<f32>> {
 
 /// A bar for so many postures.
 pub fn progress(count: usize) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} postures ({elapsed})");
-    ProgressBar::new(count as u64).with_style(style.expect("a valid template"))
+    styled("{bar:30} {pos}/{len} postures ({elapsed})", count as u64)
 }
 
 /// The summary of a batch.

@@ -1,11 +1,12 @@
 //! The picture: the arm among its obstacles, and its clearance over both joints with its derivatives.
 use crate::{Arm, Clearance, Post};
 use common::cli::Failure;
+use common::file;
+use common::svg::{BLUE, END, FAINT, INK, MIDDLE, Page, RED, SMALL};
 use geograd::kernels::{Cpu, One};
 use geograd::{Error, Obb2, Vec2};
 use std::f32::consts::{PI, TAU};
-use std::ffi::OsStr;
-use std::fmt::Write as _;
+use std::path::Path;
 
 /// The obstacles around the arm.
 pub const WALL: Obb2<f32> = Obb2::new(0.85, 1.05, 1.1, 0.24, -0.35);
@@ -42,10 +43,8 @@ const BAND: f32 = 0.1;
 /// Contours below and above zero.
 const BANDS: std::ops::RangeInclusive<i32> = -3..=7;
 
-const INK: &str = "#212529";
-const FAINT: &str = "#868e96";
-const START: &str = "#c92a2a";
-const END: &str = "#1864ab";
+const FRAME: &str = "#ced4da";
+const STEEL: &str = "#495057";
 
 /// Values and derivatives at postures.
 type Found = (Vec<f32>, Vec<Arm<f32>>);
@@ -139,8 +138,8 @@ impl Field {
         joints(Vec2::new(angle(at.x), angle(at.y)))
     }
 
-    /// The outlines of where the field exceeds a level, as a path (marching squares).
-    fn above(&self, level: f32) -> String {
+    /// The outlines of where the field exceeds a level (marching squares).
+    fn above(&self, level: f32) -> Vec<Vec<Vec2<f32>>> {
         let inside = |k: usize| self.values[k] > level;
         // By the edge through which an outline enters a cell the one by which it leaves it.
         let mut next = vec![usize::MAX; 2 * self.values.len()];
@@ -155,119 +154,106 @@ impl Field {
                 }
             }
         }
-        let mut path = String::new();
+        let mut outlines = Vec::new();
         for start in 0..next.len() {
-            let (mut edge, mut pen) = (start, 'M');
+            let (mut edge, mut outline) = (start, Vec::new());
             while next[edge] != usize::MAX {
-                let p = self.crossing(level, edge / 2, edge % 2 == 1);
-                let _ = write!(path, "{pen}{:.1},{:.1}", p.x, p.y);
+                outline.push(self.crossing(level, edge / 2, edge % 2 == 1));
                 edge = std::mem::replace(&mut next[edge], usize::MAX);
-                pen = 'L';
             }
-            if pen == 'L' {
-                path.push('Z');
-            }
+            outlines.push(outline);
         }
-        path
+        outlines.retain(|outline| !outline.is_empty());
+        outlines
     }
-}
-
-fn text(page: &mut String, at: (f32, f32), style: &str, words: &str) {
-    let _ = writeln!(
-        page,
-        r#"<text x="{:.1}" y="{:.1}" {style}>{words}</text>"#,
-        at.0, at.1
-    );
 }
 
 /// The arm as two thick lines.
-fn arm(page: &mut String, arm: Arm<f32>, style: &str) {
-    let scale = SIDE / PLACE;
+fn arm(page: &mut Page, arm: Arm<f32>, colour: &str, opacity: f32) {
     let links = arm.links();
-    let [a, b, c] = [links[0].from, links[0].to, links[1].to].map(place);
-    let _ = writeln!(
-        page,
-        r#"<path d="M{:.1},{:.1}L{:.1},{:.1}L{:.1},{:.1}" fill="none" stroke-width="{:.1}" stroke-linecap="round" stroke-linejoin="round" {style}/>"#,
-        a.x,
-        a.y,
-        b.x,
-        b.y,
-        c.x,
-        c.y,
-        arm.thickness * scale
+    let joints = [links[0].from, links[0].to, links[1].to].map(place);
+    let width = arm.thickness * SIDE / PLACE;
+    let round = r#"stroke-linecap="round" stroke-linejoin="round""#;
+    let style = format_args!(
+        r#"fill="none" stroke-width="{width:.1}" {round} stroke="{colour}" stroke-opacity="{opacity}""#
     );
+    page.strokes([joints], style);
 }
 
 /// The left panel: wall, post, and the arm on its way out.
-fn scene(page: &mut String, way: &[Vec2<f32>]) {
-    let (scale, left) = (SIDE / PLACE, LEFT[0]);
-    let _ = writeln!(
-        page,
-        r##"<rect x="{left}" y="{TOP}" width="{SIDE}" height="{SIDE}" fill="#f8f9fa" stroke="#ced4da"/>"##
-    );
-    let reach = place(Vec2::new(0.0, 0.0));
-    let _ = writeln!(
-        page,
-        r##"<circle cx="{}" cy="{}" r="{:.1}" fill="none" stroke="#ced4da" stroke-dasharray="4 4"/>"##,
-        reach.x,
-        reach.y,
-        1.75 * scale
-    );
-    let corners = WALL.corners().map(place);
-    let points: Vec<_> = corners
-        .iter()
-        .map(|p| format!("{:.1},{:.1}", p.x, p.y))
-        .collect();
-    let post = place(POST.center);
-    let _ = writeln!(
-        page,
-        r##"<g fill="#495057"><polygon points="{}"/><circle cx="{:.1}" cy="{:.1}" r="{:.1}"/></g>"##,
-        points.join(" "),
-        post.x,
-        post.y,
-        POST.radius * scale
-    );
-    let last = way.len() - 1;
-    let steps = 6;
+fn scene(page: &mut Page, way: &[Vec2<f32>]) {
+    let scale = SIDE / PLACE;
+    let style = format_args!(r##"fill="#f8f9fa" stroke="{FRAME}""##);
+    page.rect([LEFT[0], TOP, SIDE, SIDE], style);
+    let base = place(Vec2::new(0.0, 0.0));
+    let style = format_args!(r#"fill="none" stroke="{FRAME}" stroke-dasharray="4 4""#);
+    page.circle(base, format_args!("{:.1}", 1.75 * scale), style);
+    page.group(format_args!(r#"fill="{STEEL}""#), |page| {
+        page.polygon(WALL.corners().map(place), "");
+        let radius = format_args!("{:.1}", POST.radius * scale);
+        page.circle(place(POST.center), radius, "");
+    });
+    let (last, steps) = (way.len() - 1, 6);
     for i in 0..=steps {
         let at = way[i * last / steps];
-        let style = match i {
-            0 => format!(r#"stroke="{START}" stroke-opacity="0.85""#),
-            i if i == steps => format!(r#"stroke="{END}" stroke-opacity="0.9""#),
-            _ => format!(r#"stroke="{FAINT}" stroke-opacity="0.22""#),
+        let (colour, opacity) = match i {
+            0 => (RED, 0.85),
+            i if i == steps => (BLUE, 0.9),
+            _ => (FAINT, 0.22),
         };
-        arm(page, posture(at.x, at.y), &style);
+        arm(page, posture(at.x, at.y), colour, opacity);
     }
-    let _ = writeln!(
-        page,
-        r##"<circle cx="{}" cy="{}" r="5" fill="#fff" stroke="{INK}" stroke-width="2"/>"##,
-        reach.x, reach.y
-    );
+    let style = format_args!(r##"fill="#fff" stroke="{INK}" stroke-width="2""##);
+    page.circle(base, 5, style);
 }
 
 /// The right panel: the field in bands, its derivatives as arrows, the way.
-fn field(page: &mut String, way: &[Vec2<f32>]) -> Result<(), Error> {
-    let left = LEFT[1];
-    let _ = writeln!(
-        page,
-        r#"<rect x="{left}" y="{TOP}" width="{SIDE}" height="{SIDE}" fill="{}"/>"#,
-        colour(BANDS.start() - 1)
-    );
+fn field(page: &mut Page, way: &[Vec2<f32>]) -> Result<(), Error> {
+    let (left, foot) = (LEFT[1], TOP + SIDE);
+    let square = [left, TOP, SIDE, SIDE];
+    let style = format_args!(r#"fill="{}""#, colour(BANDS.start() - 1));
+    page.rect(square, style);
     let field = Field::new()?;
     for band in BANDS {
         let outline = match band {
-            0 => format!(r#"stroke="{INK}" stroke-width="1.8""#),
-            _ => r##"stroke="#495057" stroke-opacity="0.18" stroke-width="0.7""##.into(),
+            0 => r##"stroke="#212529" stroke-width="1.8""##,
+            _ => r##"stroke="#495057" stroke-opacity="0.18" stroke-width="0.7""##,
         };
-        let d = field.above(band as f32 * BAND);
-        let _ = writeln!(page, r#"<path d="{d}" fill="{}" {outline}/>"#, colour(band));
+        let style = format_args!(r#"fill="{}" {outline}"#, colour(band));
+        page.rings(field.above(band as f32 * BAND), style);
     }
+    let style = format_args!(
+        r#"fill="none" stroke="{INK}" stroke-opacity="0.72" stroke-width="1.1" stroke-linecap="round""#
+    );
+    page.strokes(arrows()?, style);
+    for (stroke, width) in [("#fff", 6.0), (BLUE, 3.0)] {
+        let style = format_args!(
+            r#"fill="none" stroke="{stroke}" stroke-width="{width}" stroke-linejoin="round""#
+        );
+        page.polyline(way.iter().map(|&at| joints(at)), style);
+    }
+    for (at, fill) in [(way[0], RED), (way[way.len() - 1], BLUE)] {
+        let style = format_args!(r##"fill="{fill}" stroke="#fff" stroke-width="2""##);
+        page.circle(joints(at), 6.5, style);
+    }
+    page.rect(square, format_args!(r#"fill="none" stroke="{STEEL}""#));
+    let style = format!(r#"font-size="12" fill="{FAINT}""#);
+    for (i, name) in ["−180°", "−90°", "0°", "90°", "180°"].iter().enumerate() {
+        let off = SIDE * i as f32 / 4.0;
+        page.below(Vec2::new(left + off, foot), &style, name);
+        page.left_of(Vec2::new(left, foot - off), &style, name);
+    }
+    Ok(())
+}
+
+/// The derivatives of the field as arrows: a line and a tip each.
+fn arrows() -> Result<Vec<Vec<Vec2<f32>>>, Error> {
     let angle = |i: usize| TAU * (i as f32 + 0.5) / ARROWS as f32 - PI;
     let at = |k: usize| Vec2::new(angle(k % ARROWS), angle(k / ARROWS));
     let count = ARROWS * ARROWS;
     let postures: Vec<_> = (0..count).map(|k| posture(at(k).x, at(k).y)).collect();
     let (_, by_arm) = clearances(&postures)?;
-    let mut arrows = String::new();
+    let mut arrows = Vec::new();
     for (k, by) in by_arm.iter().enumerate() {
         // Up is less on a page.
         let (foot, derivative) = (joints(at(k)), Vec2::new(by.shoulder, -by.elbow));
@@ -278,126 +264,52 @@ fn field(page: &mut String, way: &[Vec2<f32>]) -> Result<(), Error> {
         let (tail, tip) = (foot - along * 0.5, foot + along * 0.5);
         let barb = along * (4.2 / along.length());
         let [p, q] = [1.0, -1.0].map(|side| tip - barb + barb.perp() * (0.55 * side));
-        let _ = write!(
-            arrows,
-            "M{:.1},{:.1}L{:.1},{:.1}M{:.1},{:.1}L{:.1},{:.1}L{:.1},{:.1}",
-            tail.x, tail.y, tip.x, tip.y, p.x, p.y, tip.x, tip.y, q.x, q.y
-        );
+        arrows.extend([vec![tail, tip], vec![p, tip, q]]);
     }
-    let _ = writeln!(
-        page,
-        r#"<path d="{arrows}" fill="none" stroke="{INK}" stroke-opacity="0.72" stroke-width="1.1" stroke-linecap="round"/>"#
-    );
-    let points: Vec<_> = way
-        .iter()
-        .map(|p| joints(*p))
-        .map(|p| format!("{:.1},{:.1}", p.x, p.y))
-        .collect();
-    let points = points.join(" ");
-    for (stroke, width) in [("#fff", 6.0), (END, 3.0)] {
-        let _ = writeln!(
-            page,
-            r#"<polyline points="{points}" fill="none" stroke="{stroke}" stroke-width="{width}" stroke-linejoin="round"/>"#
-        );
-    }
-    for (at, fill) in [(way[0], START), (way[way.len() - 1], END)] {
-        let p = joints(at);
-        let _ = writeln!(
-            page,
-            r##"<circle cx="{:.1}" cy="{:.1}" r="6.5" fill="{fill}" stroke="#fff" stroke-width="2"/>"##,
-            p.x, p.y
-        );
-    }
-    let _ = writeln!(
-        page,
-        r##"<rect x="{left}" y="{TOP}" width="{SIDE}" height="{SIDE}" fill="none" stroke="#495057"/>"##
-    );
-    for (i, name) in ["−180°", "−90°", "0°", "90°", "180°"].iter().enumerate() {
-        let off = SIDE * i as f32 / 4.0;
-        let small = format!(r#"font-size="12" fill="{FAINT}""#);
-        text(
-            page,
-            (left + off, TOP + SIDE + 17.0),
-            &format!(r#"{small} text-anchor="middle""#),
-            name,
-        );
-        text(
-            page,
-            (left - 7.0, TOP + SIDE - off + 4.0),
-            &format!(r#"{small} text-anchor="end""#),
-            name,
-        );
-    }
-    Ok(())
+    Ok(arrows)
 }
 
-/// Writes the legend of the colours.
-fn legend(page: &mut String) {
+/// Draws the legend of the colours.
+fn legend(page: &mut Page) {
     let (width, x, y) = (24.0, LEFT[1] + 110.0, TOP + SIDE + 40.0);
     for (i, band) in (BANDS.start() - 1..=*BANDS.end()).enumerate() {
         let at = x + width * i as f32;
-        let _ = writeln!(
-            page,
-            r#"<rect x="{at}" y="{y}" width="{width}" height="12" fill="{}"/>"#,
-            colour(band)
-        );
+        let style = format_args!(r#"fill="{}""#, colour(band));
+        page.rect([at, y, width, 12.0], style);
         if band % 2 == 0 && band >= *BANDS.start() {
-            let style = format!(r#"font-size="11" fill="{FAINT}" text-anchor="middle""#);
-            text(
-                page,
-                (at, y + 25.0),
-                &style,
-                &format!("{:.1}", band as f32 * BAND).replace('-', "−"),
-            );
+            let words = format!("{:.1}", band as f32 * BAND).replace('-', "−");
+            let style = format_args!("{SMALL} {MIDDLE}");
+            page.text(Vec2::new(at, y + 25.0), style, words);
         }
     }
-    text(
-        page,
-        (x - 10.0, y + 10.0),
-        &format!(r#"font-size="12" fill="{INK}" text-anchor="end""#),
-        "clearance in m",
-    );
+    let style = format_args!(r#"font-size="12" fill="{INK}" {END}"#);
+    page.text(Vec2::new(x - 10.0, y + 10.0), style, "clearance in m");
 }
 
 /// Draws all of it into a file.
-pub fn write(file: &OsStr) -> Result<String, Failure> {
-    let failed = |error| Failure::Work(format!("{}: {error}", file.display()));
-    std::fs::write(file, picture()?).map_err(failed)?;
+pub fn write(path: &Path) -> Result<String, Failure> {
+    file::write(path, &picture()?)?;
     Ok(String::new())
 }
 
 /// All of it as SVG.
 fn picture() -> Result<String, Error> {
     let way = way_out()?;
-    let mut page = format!(
-        r##"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {}" font-family="Helvetica, Arial, sans-serif">
-<rect width="100%" height="100%" fill="#fff"/>
-"##,
-        PAGE.x, PAGE.y
-    );
-    let title = format!(r#"font-size="21" font-weight="bold" fill="{INK}""#);
+    let mut page = Page::new(PAGE, 1, r#"font-family="Helvetica, Arial, sans-serif""#);
+    page.paper(r##"fill="#fff""##);
+    let title = format_args!(r#"font-size="21" font-weight="bold" fill="{INK}""#);
     let under = format!(r#"font-size="13.5" fill="{FAINT}""#);
-    text(
-        &mut page,
-        (LEFT[0], 38.0),
-        &title,
-        "Up the derivative of its clearance the arm leaves the wall",
-    );
-    text(
-        &mut page,
-        (LEFT[0], 66.0),
-        &under,
+    let heading = "Up the derivative of its clearance the arm leaves the wall";
+    page.text(Vec2::new(LEFT[0], 38.0), title, heading);
+    let words = [
         "the arm at the start (red), on its way, and free (blue)",
-    );
-    text(
-        &mut page,
-        (LEFT[1], 66.0),
-        &under,
         "clearance by shoulder (right) and elbow (up), and its derivatives",
-    );
+    ];
+    for (left, words) in LEFT.into_iter().zip(words) {
+        page.text(Vec2::new(left, 66.0), &under, words);
+    }
     scene(&mut page, &way);
     field(&mut page, &way)?;
     legend(&mut page);
-    page.push_str("</svg>\n");
-    Ok(page)
+    Ok(page.finish())
 }

@@ -1,5 +1,5 @@
 //! Reads a table of shapes, or says everything that is wrong with it.
-use crate::PROGRAM;
+use crate::options::PROGRAM;
 use common::cli::Failure;
 use common::csv::{self, Reader, Record};
 use std::path::Path;
@@ -23,18 +23,18 @@ pub fn read<P: Shape>(path: &Path, option: &str) -> Result<Vec<P>, String> {
         Failure::Work(why) | Failure::Usage(why) => why.replacen(':', &format!(" ({option}):"), 1),
     };
     let mut reader = Reader::open(path, PROGRAM).map_err(told)?;
-    if let Some(first) = reader.peek() {
-        let is_header =
-            header::<P>(first).map_err(|why| format!("{name}: header (line 1): {why}"))?;
-        if is_header {
-            reader.row().map_err(told)?;
-        }
+    let is_header = reader.peek().map_or(Ok(false), is_header::<P>);
+    if is_header.map_err(|why| format!("{name}: header (line 1): {why}"))? {
+        reader.row().map_err(told)?;
     }
-    let mut shapes = Vec::new();
-    let (mut wrong, mut more) = (Vec::new(), 0);
+    let (mut shapes, mut wrong, mut more) = (Vec::new(), Vec::new(), 0);
     while let Some(record) = reader.row().map_err(told)? {
         let row = shapes.len() + wrong.len() + more + 1;
-        match parse(record) {
+        let parsed = match record.is_empty() {
+            true => Err("is empty".into()),
+            false => P::parse(&record.fields().collect::<Vec<_>>()),
+        };
+        match parsed {
             Ok(shape) => shapes.push(shape),
             Err(why) if wrong.len() < TOLD => {
                 wrong.push(format!("{name}: row {row} (line {}): {why}", record.line));
@@ -53,19 +53,10 @@ pub fn read<P: Shape>(path: &Path, option: &str) -> Result<Vec<P>, String> {
 }
 
 /// `true` if the first row is a header: no field of it is a number.
-fn header<P: Shape>(first: &Record) -> Result<bool, String> {
+fn is_header<P: Shape>(first: &Record) -> Result<bool, String> {
     let names: Vec<String> = first.fields().map(str::to_lowercase).collect();
-    if names.iter().any(|name| name.parse::<f64>().is_ok()) {
-        return Ok(false);
-    }
-    P::is_header(&names)
-}
-
-fn parse<P: Shape>(record: &Record) -> Result<P, String> {
-    if record.is_empty() {
-        return Err("is empty".into());
-    }
-    P::parse(&record.fields().collect::<Vec<_>>())
+    let is_number = |name: &String| name.parse::<f64>().is_ok();
+    Ok(!names.iter().any(is_number) && P::is_header(&names)?)
 }
 
 /// `true` if names are a header of these columns. A header in another order is an error,

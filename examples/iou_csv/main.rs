@@ -13,18 +13,17 @@
 //! | --- | --- |
 //! | `options.rs`, `metric.rs` | the command line and its words |
 //! | `input.rs` | tables of shapes; `common/csv.rs` reads and writes rows, here and for `table` |
-//! | `boxes/`, `number.rs` | boxes of the plane and of space, in both formats; `common/compute.rs` computes, here and for `table` |
+//! | `boxes/` | boxes of the plane and of space; `common/compute.rs` computes, here and for `table` |
 //! | `polygon/` | polygons |
 mod boxes;
 mod input;
 mod metric;
-mod number;
 mod options;
 mod polygon;
 
-use boxes::{Boxes, Pairs, Which};
-use common::cli::{Failure, Machine, Wish, on_the_cpu, say};
-use common::compute::{self, BLOCK};
+use boxes::{Boxes, Which};
+use common::cli::{Failure, Machine, NO_F64, Wish, finish, on_the_cpu};
+use common::compute::{self, BLOCK, Number};
 use common::csv::Writer;
 use common::file;
 use common::output::Output;
@@ -33,25 +32,19 @@ use geograd::kernels::dynamic::Rows;
 use geograd::{Obb2, Obb3, YawBox3};
 use input::Shape;
 use metric::Format;
-use number::Number;
-use options::{HELP, Options, options};
+use options::{HELP, Options, PROGRAM, options};
 use polygon::{Derivatives, Polygon};
 use std::process::ExitCode;
 
-const PROGRAM: &str = "iou_csv";
-
 /// The machine asked for, as far as it has the format and computes the metric.
-fn machine<T: Number>(options: &Options) -> Result<Machine, Failure> {
-    let wish = options.wish;
-    if wish == Wish::Auto && !T::ON_GPUS {
-        let why = "GPUs have no f64; `--precision f32` allows one";
-        return Ok(on_the_cpu(PROGRAM, why));
-    }
-    if wish == Wish::Auto && !(options.format == Format::Obb2 && options.metric.is_on_gpus()) {
-        let why = "GPUs compute iou and iof of obb2 only";
-        return Ok(on_the_cpu(PROGRAM, why));
-    }
-    wish.machine(PROGRAM)
+fn machine(options: &Options) -> Result<Machine, Failure> {
+    let is_computed = options.format == Format::Obb2 && options.metric.is_on_gpus();
+    let why = match options.wish {
+        Wish::Auto if options.double => NO_F64,
+        Wish::Auto if !is_computed => "GPUs compute iou and iof of obb2 only",
+        wish => return wish.machine(PROGRAM),
+    };
+    Ok(on_the_cpu(PROGRAM, why))
 }
 
 /// Both files. Both are checked before either is refused: one run shows all that is wrong.
@@ -80,60 +73,60 @@ fn read<P: Shape>(options: &Options) -> Result<(Vec<P>, Vec<P>), Failure> {
     Ok((a, b))
 }
 
-/// The columns of the result: the metric's, and those of derivatives by these numbers of a and of b.
-fn columns(options: &Options, by: [&[String]; 2]) -> Vec<String> {
+/// The result, with the metric's column, and those of derivatives by these numbers of a and of b.
+fn result(options: &Options, by: [Vec<String>; 2]) -> Result<Writer, Failure> {
     let mut columns = vec![options.metric.name().to_string()];
     if options.grad {
         for (owner, by) in ["da", "db"].iter().zip(by) {
             columns.extend(by.iter().map(|name| format!("{owner}{name}")));
         }
     }
-    columns
+    Ok(Writer::new(
+        Output::create(options.out.as_deref())?,
+        &columns,
+    ))
 }
 
 fn boxes<P: Boxes>(options: &Options) -> Result<(), Failure> {
     let (a, b) = read::<P>(options)?;
-    let machine = machine::<P::Scalar>(options)?;
-    let by: Vec<String> = P::DERIVATIVE.iter().map(|name| name.to_string()).collect();
-    let output = Output::create(options.out.as_deref())?;
-    let mut sink = Writer::new(output, &columns(options, [&by, &by]));
+    let machine = machine(options)?;
+    let names = || P::DERIVATIVE.iter().map(|name| name.to_string()).collect();
+    let mut result = result(options, [names(), names()])?;
     let numbers = [&a, &b].map(|all| all.iter().flat_map(|own| own.scalars()).collect::<Vec<_>>());
     let lists = numbers.each_ref().map(|own| Rows::new(own, P::LEN));
-    let mut block = |which: Which| {
-        let pairs = Pairs { lists, which };
-        let scores = P::scores(options.metric, &machine, &pairs, options.grad)?;
-        let places = pairs.places();
-        sink.rows(scores.values.len(), |i, fields| {
+    let blocks: Vec<Which> = match options.all_pairs {
+        true => compute::blocks(0..a.len(), 0..b.len())
+            .map(Which::All)
+            .collect(),
+        false => (0..a.len())
+            .step_by(BLOCK)
+            .map(|start| Which::Aligned(start..a.len().min(start + BLOCK)))
+            .collect(),
+    };
+    let progress = bar(PROGRAM, count(options, &a, &b) as u64);
+    for which in blocks {
+        let scores = boxes::scores::<P>(options.metric, &machine, lists, &which, options.grad)?;
+        let places = which.places();
+        result.rows(scores.values.len(), |i, fields| {
             fields.number(scores.values[i]);
             let shapes = [a[places[0][i]], b[places[1][i]]];
             for (by, shape) in scores.derivatives.iter().flatten().zip(shapes) {
-                shape.derivatives(by[i], &mut |derivative| fields.number(derivative));
+                let own = shape.derivatives(by[i]);
+                own.into_iter().for_each(|x| fields.number(x));
             }
         })?;
-        Ok::<bool, Failure>(sink.is_closed())
-    };
-    if options.all_pairs {
-        let progress = bar(PROGRAM, a.len() as u64 * b.len() as u64);
-        for own in compute::blocks(0..a.len(), 0..b.len()) {
-            let pairs = own[0].len() * own[1].len();
-            if block(Which::All(own))? {
-                break;
-            }
-            progress.inc(pairs as u64);
+        if result.is_closed() {
+            break;
         }
-        progress.finish_and_clear();
-    } else {
-        let progress = bar(PROGRAM, a.len() as u64);
-        for start in (0..a.len()).step_by(BLOCK) {
-            let rows = start..a.len().min(start + BLOCK);
-            if block(Which::Aligned(rows.clone()))? {
-                break;
-            }
-            progress.inc(rows.len() as u64);
-        }
-        progress.finish_and_clear();
+        progress.inc(scores.values.len() as u64);
     }
-    sink.finish()
+    progress.finish_and_clear();
+    result.finish()
+}
+
+/// How many pairs there are.
+fn count<P>(options: &Options, a: &[P], b: &[P]) -> usize {
+    a.len() * if options.all_pairs { b.len() } else { 1 }
 }
 
 /// Pairs of polygons computed between two looks at the progress bar.
@@ -142,74 +135,59 @@ const STRIDE: usize = 1 << 15;
 fn polygons<T: Number>(options: &Options) -> Result<(), Failure> {
     let (a, b) = read::<Polygon<T>>(options)?;
     // Only to say which machine it was.
-    machine::<T>(options)?;
-    let longest = |all: &[Polygon<T>]| all.iter().map(Polygon::count).max().unwrap_or(0);
-    let counts = [longest(&a), longest(&b)];
-    let names = counts.map(|count| {
+    machine(options)?;
+    let longest = [&a, &b].map(|all| all.iter().map(Polygon::count).max().unwrap_or(0));
+    let names = longest.map(|count| {
         let names = (1..=count).flat_map(|k| [format!("{k}x"), format!("{k}y")]);
-        names.collect::<Vec<_>>()
+        names.collect()
     });
-    let columns = columns(options, [&names[0], &names[1]]);
-    let mut sink = Writer::new(Output::create(options.out.as_deref())?, &columns);
-    let all = if options.all_pairs {
-        a.len() * b.len()
-    } else {
-        a.len()
-    };
+    let mut result = result(options, names)?;
+    let count = count(options, &a, &b);
     let pair = |i: usize| match options.all_pairs {
         true => (&a[i / b.len()], &b[i % b.len()]),
         false => (&a[i], &b[i]),
     };
-    let progress = bar(PROGRAM, all as u64);
-    for start in (0..all).step_by(STRIDE) {
-        let count = STRIDE.min(all - start);
-        sink.rows(count, |i, fields| {
+    let progress = bar(PROGRAM, count as u64);
+    for start in (0..count).step_by(STRIDE) {
+        let stride = STRIDE.min(count - start);
+        result.rows(stride, |i, fields| {
             let (a, b) = pair(start + i);
-            if !options.grad {
-                return fields.number(polygon::score(options.metric, a, b, None));
-            }
-            let mut derivatives = Derivatives::new(a, b);
-            fields.number(polygon::score(options.metric, a, b, Some(&mut derivatives)));
-            for (by, count) in [
-                (a.given(&derivatives.a), counts[0]),
-                (b.given(&derivatives.b), counts[1]),
-            ] {
-                for vertex in &by {
+            let mut by = options.grad.then(|| Derivatives::new(a, b));
+            fields.number(polygon::score(options.metric, a, b, by.as_mut()));
+            let Some(by) = by else { return };
+            for (by, longest) in [a.given(&by.a), b.given(&by.b)].iter().zip(longest) {
+                for vertex in by {
                     fields.number(vertex.x);
                     fields.number(vertex.y);
                 }
-                (2 * by.len()..2 * count).for_each(|_| fields.empty());
+                (2 * by.len()..2 * longest).for_each(|_| fields.empty());
             }
         })?;
-        progress.inc(count as u64);
-        if sink.is_closed() {
+        progress.inc(stride as u64);
+        if result.is_closed() {
             break;
         }
     }
     progress.finish_and_clear();
-    sink.finish()
+    result.finish()
 }
 
-fn run<T: Number>(options: &Options) -> Result<(), Failure> {
+/// Computes in one format, and gives the text that is left to print.
+fn run<T: Number>(options: &Options) -> Result<String, Failure> {
     match options.format {
         Format::Obb2 => boxes::<Obb2<T>>(options),
         Format::Polygons => polygons::<T>(options),
         Format::Yaw3 => boxes::<YawBox3<T>>(options),
         Format::Obb3 => boxes::<Obb3<T>>(options),
-    }
+    }?;
+    Ok(String::new())
 }
 
 fn main() -> ExitCode {
     let done = options().and_then(|options| match options {
-        None => {
-            say(HELP);
-            Ok(())
-        }
+        None => Ok(HELP.into()),
         Some(options) if options.double => run::<f64>(&options),
         Some(options) => run::<f32>(&options),
     });
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(PROGRAM),
-    }
+    finish(PROGRAM, done)
 }

@@ -1,5 +1,5 @@
 //! The scores of a pair and the formats of its shapes, by the words of the command line.
-use common::cli::Failure;
+use common::cli::{Failure, choice};
 
 /// The score of a pair of shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,11 +56,7 @@ impl Metric {
     }
 
     pub fn from_name(name: &str) -> Result<Self, Failure> {
-        let found = Self::ALL.into_iter().find(|metric| metric.name() == name);
-        found.ok_or_else(|| {
-            let known = Self::ALL.map(Metric::name).join(", ");
-            Failure::Usage(format!("`--metric {name}`: it is one of {known}"))
-        })
+        choice("--metric", name, Self::ALL.map(|own| (own.name(), own)))
     }
 
     /// `true` if GPUs compute it.
@@ -82,14 +78,12 @@ pub enum Enclosing {
 
 impl Enclosing {
     pub fn from_name(name: &str) -> Result<Self, Failure> {
-        match name {
-            "aabb" => Ok(Enclosing::Aabb),
-            "rect" => Ok(Enclosing::Rect),
-            "hull" => Ok(Enclosing::Hull),
-            other => Err(Failure::Usage(format!(
-                "`--enclosing {other}`: it is aabb, rect or hull"
-            ))),
-        }
+        let known = [
+            ("aabb", Enclosing::Aabb),
+            ("rect", Enclosing::Rect),
+            ("hull", Enclosing::Hull),
+        ];
+        choice("--enclosing", name, known)
     }
 }
 
@@ -103,23 +97,14 @@ pub enum Format {
 }
 
 impl Format {
-    const ALL: [Format; 4] = [Format::Obb2, Format::Polygons, Format::Yaw3, Format::Obb3];
-
-    pub fn name(self) -> &'static str {
-        match self {
-            Format::Obb2 => "obb2",
-            Format::Polygons => "polygons",
-            Format::Yaw3 => "yaw3",
-            Format::Obb3 => "obb3",
-        }
-    }
-
     pub fn from_name(name: &str) -> Result<Self, Failure> {
-        let found = Self::ALL.into_iter().find(|format| format.name() == name);
-        found.ok_or_else(|| {
-            let known = Self::ALL.map(Format::name).join(", ");
-            Failure::Usage(format!("`--format {name}`: it is one of {known}"))
-        })
+        let known = [
+            ("obb2", Format::Obb2),
+            ("polygons", Format::Polygons),
+            ("yaw3", Format::Yaw3),
+            ("obb3", Format::Obb3),
+        ];
+        choice("--format", name, known)
     }
 
     /// The tightest shape that there is around a pair: what the library's plain names put there.

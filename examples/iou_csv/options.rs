@@ -1,8 +1,10 @@
 //! The command line.
 use crate::metric::{Enclosing, Format, Metric};
-use common::cli::{Failure, Wish, is_double};
+use common::cli::{Failure, Wish, is_double, usage};
 use common::file;
 use std::path::PathBuf;
+
+pub const PROGRAM: &str = "iou_csv";
 
 pub const HELP: &str = "\
 Overlap (intersection over union) of rotated boxes, and its derivatives. Also other scores, and
@@ -104,7 +106,6 @@ pub fn options() -> Result<Option<Options>, Failure> {
         }
     }
     let missing = |name| Failure::Usage(format!("`{name}` is missing"));
-    let usage = |why: &str| Err(Failure::Usage(why.into()));
     if let Some(out) = &out
         && [&a, &b]
             .into_iter()
@@ -114,10 +115,10 @@ pub fn options() -> Result<Option<Options>, Failure> {
         return usage("`--out` is an input as well");
     }
     if metric.compares_sizes() && format == Format::Polygons {
-        return Err(Failure::Usage(format!(
+        return usage(format!(
             "`--metric {}` compares widths and heights, which polygons do not have",
             metric.name()
-        )));
+        ));
     }
     match (metric.enclosing(), enclosing) {
         (Some(around), chosen) => *around = chosen.unwrap_or(format.enclosing()),

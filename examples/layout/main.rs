@@ -12,9 +12,9 @@ mod forms;
 mod judge;
 mod pack;
 
-use common::cli::{Failure, Wish, say};
+use common::cli::{Failure, Wish, finish, usage};
 use common::file::write;
-use indicatif::{ProgressBar, ProgressStyle};
+use common::progress::styled;
 use lexopt::prelude::*;
 use pack::Layout;
 use std::fmt::Write as _;
@@ -64,9 +64,7 @@ fn options() -> Result<Option<Options>, Failure> {
         }
     }
     if options.csv.as_ref() == Some(&options.svg) {
-        return Err(Failure::Usage(
-            "`--svg` and `--csv` are the same file".into(),
-        ));
+        return usage("`--svg` and `--csv` are the same file");
     }
     Ok(Some(options))
 }
@@ -76,9 +74,10 @@ fn run() -> Result<String, Failure> {
         return Ok(HELP.into());
     };
     let machine = options.wish.machine("layout")?;
-    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} steps ({elapsed})");
-    let style = style.map_err(|error| Failure::Work(error.to_string()))?;
-    let bar = ProgressBar::new(options.iterations as u64).with_style(style);
+    let bar = styled(
+        "{bar:30} {pos}/{len} steps ({elapsed})",
+        options.iterations as u64,
+    );
     let (seed, steps) = (options.seed, options.iterations);
     let layout = Layout::run(machine.backend(), seed, steps, || bar.inc(1))?;
     bar.finish_and_clear();
@@ -105,11 +104,5 @@ fn run() -> Result<String, Failure> {
 }
 
 fn main() -> std::process::ExitCode {
-    match run() {
-        Ok(text) => {
-            say(&text);
-            std::process::ExitCode::SUCCESS
-        }
-        Err(failure) => failure.report("layout"),
-    }
+    finish("layout", run())
 }

@@ -4,10 +4,10 @@ mod draw;
 mod fit;
 mod target;
 
-use common::cli::{Failure, say};
+use common::cli::{Failure, finish, usage};
 use common::file::write;
+use common::progress::styled;
 use fit::{Fit, Loss};
-use indicatif::{ProgressBar, ProgressStyle};
 use lexopt::prelude::*;
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -59,9 +59,7 @@ fn options() -> Result<Option<Options>, Failure> {
         }
     }
     if options.csv.as_ref() == Some(&options.svg) {
-        return Err(Failure::Usage(
-            "`--svg` and `--csv` are the same file".into(),
-        ));
+        return usage("`--svg` and `--csv` are the same file");
     }
     Ok(Some(options))
 }
@@ -75,9 +73,8 @@ fn run() -> Result<String, Failure> {
         .iter()
         .flat_map(|&shape| options.losses.iter().map(move |&loss| (shape, loss)));
     let pairs: Vec<_> = pairs.collect();
-    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} steps ({elapsed})");
-    let style = style.map_err(|error| Failure::Work(error.to_string()))?;
-    let bar = ProgressBar::new((pairs.len() * options.iterations) as u64).with_style(style);
+    let steps = pairs.len() * options.iterations;
+    let bar = styled("{bar:30} {pos}/{len} steps ({elapsed})", steps as u64);
     let mut fits = Vec::new();
     for (shape, loss) in pairs {
         let target = Target::new(options.seed, shape);
@@ -106,11 +103,5 @@ fn run() -> Result<String, Failure> {
 }
 
 fn main() -> std::process::ExitCode {
-    match run() {
-        Ok(text) => {
-            say(&text);
-            std::process::ExitCode::SUCCESS
-        }
-        Err(failure) => failure.report("polygon_fit"),
-    }
+    finish("polygon_fit", run())
 }

@@ -1,6 +1,6 @@
 //! The scores that move boxes: of a box and its truth, 1 where both are the same. A loss is one minus
 //! the score.
-use common::cli::Failure;
+use common::cli::{Failure, choice};
 
 /// The space in which boxes overlap.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,13 +14,8 @@ pub enum Space {
 
 impl Space {
     pub fn from_name(name: &str) -> Result<Self, Failure> {
-        match name {
-            "bev" => Ok(Space::BirdsEye),
-            "3d" => Ok(Space::Full),
-            other => Err(Failure::Usage(format!(
-                "`--space {other}`: it is bev or 3d"
-            ))),
-        }
+        let known = [("bev", Space::BirdsEye), ("3d", Space::Full)];
+        choice("--space", name, known)
     }
 }
 
@@ -45,24 +40,19 @@ pub enum Loss {
 }
 
 impl Loss {
-    const ALL: [(&str, Loss); 9] = [
-        ("iou", Loss::Iou),
-        ("giou", Loss::Giou),
-        ("diou", Loss::Diou),
-        ("ciou", Loss::Ciou),
-        ("gwd", Loss::Gwd),
-        ("kld", Loss::Kld),
-        ("kfiou", Loss::Kfiou),
-        ("probiou", Loss::Probiou),
-        ("separation", Loss::Separation),
-    ];
-
     pub fn from_name(name: &str) -> Result<Self, Failure> {
-        let found = Self::ALL.into_iter().find(|(known, _)| *known == name);
-        found.map(|(_, loss)| loss).ok_or_else(|| {
-            let known = Self::ALL.map(|(name, _)| name).join(", ");
-            Failure::Usage(format!("`--loss {name}`: it is one of {known}"))
-        })
+        let known = [
+            ("iou", Loss::Iou),
+            ("giou", Loss::Giou),
+            ("diou", Loss::Diou),
+            ("ciou", Loss::Ciou),
+            ("gwd", Loss::Gwd),
+            ("kld", Loss::Kld),
+            ("kfiou", Loss::Kfiou),
+            ("probiou", Loss::Probiou),
+            ("separation", Loss::Separation),
+        ];
+        choice("--loss", name, known)
     }
 
     /// The score as it is written.

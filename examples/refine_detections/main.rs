@@ -38,9 +38,10 @@ mod table;
 
 use common::cli::{Failure, say};
 use common::file::write;
+use common::progress::styled;
 use geograd::kernels::Backend;
 use geograd::{Error, Vec3, YawBox3};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use loss::{Goal, Space};
 use matching::{Match, Quality};
 use model::{Class, Frame, Frames, Seen};
@@ -78,29 +79,20 @@ fn load(options: &Options) -> Result<(Frames, usize), Failure> {
 /// The matches of every frame.
 type Matches = BTreeMap<u32, Vec<Match>>;
 
-fn match_all(
-    backend: Backend<'_>,
-    space: Space,
-    frames: &Frames,
-    progress: &ProgressBar,
-) -> Result<Matches, Error> {
+fn match_all(backend: Backend<'_>, space: Space, frames: &Frames) -> Result<Matches, Error> {
+    let progress = progress("matching", frames.len() as u64);
     let mut matches = Matches::new();
     for (&number, frame) in frames {
-        matches.insert(
-            number,
-            matching::match_frame(backend, space, number, frame)?,
-        );
+        let own = matching::match_frame(backend, space, number, frame)?;
+        matches.insert(number, own);
         progress.inc(1);
     }
+    progress.finish_and_clear();
     Ok(matches)
 }
 
-/// Shows itself only where stderr is a terminal.
 fn progress(what: &'static str, length: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg:10} {bar:40} {pos}/{len}");
-    ProgressBar::new(length)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
-        .with_message(what)
+    styled("{msg:10} {bar:40} {pos}/{len}", length).with_message(what)
 }
 
 /// A GPU compiles what it runs at its first call; the clock starts after that.
@@ -134,15 +126,11 @@ fn run(options: &Options) -> Result<bool, Failure> {
     let scorer = Scorer::new(options.goal)?;
     warm_up(backend, &scorer)?;
     let Goal { loss, space } = options.goal;
-    let suppressed = match options.nms {
-        Some(threshold) => Some(suppress::suppress(&mut frames, space, threshold)?),
-        None => None,
-    };
+    let suppress = |threshold| suppress::suppress(&mut frames, space, threshold);
+    let suppressed = options.nms.map(suppress).transpose()?;
 
     let started = Instant::now();
-    let bar = progress("matching", frames.len() as u64);
-    let before = match_all(backend, space, &frames, &bar)?;
-    bar.finish_and_clear();
+    let before = match_all(backend, space, &frames)?;
     let matching_time = started.elapsed();
 
     let mut pairs: Vec<Match> = before.values().flatten().copied().collect();
@@ -170,16 +158,14 @@ fn run(options: &Options) -> Result<bool, Failure> {
         }
     }
 
-    let bar = progress("matching", frames.len() as u64);
-    let after = match_all(backend, space, &refined, &bar)?;
-    bar.finish_and_clear();
+    let after = match_all(backend, space, &refined)?;
     let time = started.elapsed();
 
     let (detections, labelled, scored) = matching::count(&frames);
-    let quality = |matches: &Matches| {
+    let [first, last] = [&before, &after].map(|matches| {
         let all: Vec<Match> = matches.values().flatten().copied().collect();
         Quality::of(&all, detections, labelled)
-    };
+    });
     let counts = Counts {
         frames: frames.len(),
         detections,
@@ -194,13 +180,10 @@ fn run(options: &Options) -> Result<bool, Failure> {
         refining: cost,
         all: time,
     };
-    let (first, last) = (quality(&before), quality(&after));
     say(&table::table(&counts, &first, &last, &times));
     if options.judged {
-        let (first, last) = (
-            precision::by_class(&frames, space)?,
-            precision::by_class(&refined, space)?,
-        );
+        let first = precision::by_class(&frames, space)?;
+        let last = precision::by_class(&refined, space)?;
         say(&table::precision(options.goal, &first, &last));
         if let Some(csv) = &options.csv {
             write(csv, &table::csv(&first, &last))?;
@@ -209,14 +192,13 @@ fn run(options: &Options) -> Result<bool, Failure> {
 
     let empty = (Frame::default(), Vec::new());
     let number = options.frame.or_else(|| most_improved(&before, &after));
-    let number = number.or_else(|| frames.keys().next().copied());
     let at = number.unwrap_or(0);
     let picture = svg::picture(&svg::Scene {
         number: at,
-        before: frames.get(&at).unwrap_or(&empty.0),
-        after: refined.get(&at).unwrap_or(&empty.0),
-        matches_before: before.get(&at).unwrap_or(&empty.1),
-        matches_after: after.get(&at).unwrap_or(&empty.1),
+        states: [(&frames, &before), (&refined, &after)].map(|(frames, matches)| svg::State {
+            frame: frames.get(&at).unwrap_or(&empty.0),
+            matches: matches.get(&at).unwrap_or(&empty.1),
+        }),
         goal: options.goal,
     });
     write(&options.svg, &picture)?;

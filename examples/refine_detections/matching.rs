@@ -1,7 +1,7 @@
 //! Which detection belongs to which truth, and how good the detections are by that.
 use crate::assign::assign;
 use crate::loss::Space;
-use crate::model::{Frame, Frames, Seen};
+use crate::model::{Frame, Frames, in_space};
 use geograd::Error;
 use geograd::assignment::greedy;
 use geograd::kernels::{Backend, Iou};
@@ -31,20 +31,14 @@ pub fn match_frame(
     frame: &Frame,
 ) -> Result<Vec<Match>, Error> {
     let (detections, truths) = (&frame.detections, &frame.truths);
-    let table = match space {
-        Space::BirdsEye => {
-            let grounds = |all: &[Seen]| all.iter().map(Seen::ground).collect::<Vec<_>>();
-            backend.all_pairs(Iou, &grounds(detections), &grounds(truths))?
-        }
-        Space::Full => {
-            let shapes = |all: &[Seen]| all.iter().map(|seen| seen.shape).collect::<Vec<_>>();
-            backend.all_pairs(Iou, &shapes(detections), &shapes(truths))?
-        }
-    };
+    let table = in_space!(space, |detections, truths| backend.all_pairs(
+        Iou,
+        &detections,
+        &truths
+    ))?;
     let mut overlaps = table.into_planes();
     for (i, iou) in overlaps.iter_mut().enumerate() {
-        let (detection, truth) = (i / truths.len(), i % truths.len());
-        if frame.detections[detection].class != frame.truths[truth].class {
+        if detections[i / truths.len()].class != truths[i % truths.len()].class {
             *iou = 0.0;
         }
     }

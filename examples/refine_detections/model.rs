@@ -40,6 +40,23 @@ impl Seen {
     }
 }
 
+/// A call on lists of what was seen, with the boxes of a space in their place.
+macro_rules! in_space {
+    ($space:expr, |$($list:ident),+| $call:expr) => {
+        match $space {
+            $crate::loss::Space::BirdsEye => {
+                $(let $list: Vec<_> = $list.iter().map($crate::model::Seen::ground).collect();)+
+                $call
+            }
+            $crate::loss::Space::Full => {
+                $(let $list: Vec<_> = $list.iter().map(|seen| seen.shape).collect();)+
+                $call
+            }
+        }
+    };
+}
+pub(crate) use in_space;
+
 /// One moment.
 #[derive(Clone, Debug, Default)]
 pub struct Frame {

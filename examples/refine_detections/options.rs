@@ -1,6 +1,6 @@
 //! The command line.
 use crate::loss::{Goal, Loss, Space};
-use common::cli::{Failure, Wish};
+use common::cli::{Failure, Wish, usage};
 use std::path::PathBuf;
 
 pub const HELP: &str = "\
@@ -134,7 +134,6 @@ pub fn options() -> Result<Option<Options>, Failure> {
             _ => return Err(argument.unexpected().into()),
         }
     }
-    let usage = |why: &str| Err(Failure::Usage(why.into()));
     if options.min_score.is_nan() {
         return usage("`--min-score` is not a number");
     }

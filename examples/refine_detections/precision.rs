@@ -1,6 +1,6 @@
 //! Average precision by class, as the benchmarks of the field report it.
 use crate::loss::Space;
-use crate::model::{Class, Frames, Seen};
+use crate::model::{Class, Frames, Seen, in_space};
 use geograd::Error;
 use geograd::kernels::{Cpu, Iou};
 use geograd::metric::{self, Recalls, average_precision, curve, outcomes};
@@ -67,17 +67,12 @@ pub fn by_class(frames: &Frames, space: Space) -> Result<Vec<Precision>, Error> 
 
 /// Every detection with every truth that it overlaps.
 fn near(detections: &[Seen], truths: &[Seen], space: Space) -> Result<Vec<Pair<f64>>, Error> {
-    let cpu = Cpu::new();
-    let found = match space {
-        Space::BirdsEye => {
-            let grounds = |all: &[Seen]| all.iter().map(Seen::ground).collect::<Vec<_>>();
-            cpu.above(Iou, &grounds(detections), &grounds(truths), 0.0)?
-        }
-        Space::Full => {
-            let shapes = |all: &[Seen]| all.iter().map(|seen| seen.shape).collect::<Vec<_>>();
-            cpu.above(Iou, &shapes(detections), &shapes(truths), 0.0)?
-        }
-    };
+    let found = in_space!(space, |detections, truths| Cpu::new().above(
+        Iou,
+        &detections,
+        &truths,
+        0.0
+    ))?;
     let pairs = found.into_iter().map(|found| Pair {
         first: found.row,
         second: found.column,

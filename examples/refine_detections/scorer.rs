@@ -4,7 +4,7 @@
 //! and their overlap, which makes batches of it as fast; what a score adds to the overlap is recorded by
 //! itself (`known.rs`).
 use crate::loss::{Goal, Loss, Space};
-use common::known::known;
+use common::known::{Known, known};
 use geograd::gaussian::{self, solid};
 use geograd::iou::{ciou_obb2, diou_obb2, hull_area_obb2};
 use geograd::iou3::{Enclosing, ciou, diou, giou, separation_aware};
@@ -61,11 +61,32 @@ fn flat<S: Scalar>(shape: YawBox3<S>) -> YawBox3<S> {
 
 /// Two boxes and their overlap.
 type Pair = (YawBox3<f32>, YawBox3<f32>, f32);
-type Recorded = (YawBox3<Sym<f32>>, YawBox3<Sym<f32>>, Sym<f32>);
+type Number = Sym<f32>;
+type Solid = YawBox3<Number>;
+type Recorded = (Solid, Solid, Number);
+type Score = Result<Program<Pair, f32>, Error>;
+
+/// The score of two boxes, seen from above.
+fn of_grounds(score: fn(Obb2<Number>, Obb2<Number>) -> Number) -> Score {
+    Program::trace(|(a, b, _): Recorded| score(a.birds_eye(), b.birds_eye()))
+}
+
+/// The score of two boxes in space.
+fn of_boxes(score: fn(Solid, Solid) -> Number) -> Score {
+    Program::trace(|(a, b, _): Recorded| score(a, b))
+}
+
+/// The score of two boxes with their overlap.
+fn of_known(score: fn(Known<Solid, Number>, Known<Solid, Number>) -> Number) -> Score {
+    Program::trace(|(a, b, iou): Recorded| {
+        let [a, b] = known(a, b, iou);
+        score(a, b)
+    })
+}
 
 impl Goal {
     /// The score as a program; that of IoU is IoU.
-    fn program(self) -> Result<Program<Pair, f32>, Error> {
+    fn program(self) -> Score {
         match self.space {
             Space::BirdsEye => on_ground(self.loss),
             Space::Full => in_space(self.loss),
@@ -73,83 +94,51 @@ impl Goal {
     }
 }
 
-fn on_ground(loss: Loss) -> Result<Program<Pair, f32>, Error> {
-    let ground = |(a, b, iou): Recorded| (a.birds_eye(), b.birds_eye(), iou);
+fn on_ground(loss: Loss) -> Score {
     match loss {
-        Loss::Iou => Program::trace(|(_, _, iou): Recorded| iou),
-        Loss::Giou => Program::trace(|x| {
-            let (a, b, iou) = ground(x);
-            giou_of_ground(a, b, iou)
-        }),
-        Loss::Diou => Program::trace(|x| {
-            let (a, b, _) = ground(x);
-            diou_obb2(a, b)
-        }),
-        Loss::Ciou => Program::trace(|x| {
-            let (a, b, _) = ground(x);
-            ciou_obb2(a, b)
-        }),
-        Loss::Gwd => Program::trace(|x| {
-            let (a, b, _) = ground(x);
-            saturated(gaussian::wasserstein(a, b))
-        }),
-        Loss::Kld => Program::trace(|x| {
-            let (a, b, _) = ground(x);
-            saturated(gaussian::kullback_leibler(a, b))
-        }),
-        Loss::Kfiou => Program::trace(|(a, b, _): Recorded| {
+        Loss::Iou => of_known(|a, _| a.iou),
+        Loss::Giou => {
+            of_known(|a, b| giou_of_ground(a.shape.birds_eye(), b.shape.birds_eye(), a.iou))
+        }
+        Loss::Diou => of_grounds(diou_obb2),
+        Loss::Ciou => of_grounds(ciou_obb2),
+        Loss::Gwd => of_grounds(|a, b| saturated(gaussian::wasserstein(a, b))),
+        Loss::Kld => of_grounds(|a, b| saturated(gaussian::kullback_leibler(a, b))),
+        Loss::Kfiou => of_boxes(|a, b| {
             let shapes = gaussian::kfiou(a.birds_eye(), b.birds_eye());
             kfiou(shapes, 1.0 / 3.0, flat(a), flat(b))
         }),
-        Loss::Probiou => Program::trace(|x| {
-            let (a, b, _) = ground(x);
-            gaussian::probiou(a, b)
-        }),
-        Loss::Separation => Program::trace(|(a, b, iou): Recorded| {
-            let [a, b] = known(flat(a), flat(b), iou);
+        Loss::Probiou => of_grounds(gaussian::probiou),
+        Loss::Separation => of_known(|a, b| {
+            let [a, b] = known(flat(a.shape), flat(b.shape), a.iou);
             separation_aware(a, b)
         }),
     }
 }
 
 /// Around a pair is the convex hull of both grounds times the height of both.
-fn in_space(loss: Loss) -> Result<Program<Pair, f32>, Error> {
-    let around = Enclosing::Hull;
+fn in_space(loss: Loss) -> Score {
     match loss {
-        Loss::Iou => Program::trace(|(_, _, iou): Recorded| iou),
-        Loss::Giou => Program::trace(|(a, b, iou): Recorded| {
-            let [a, b] = known(a, b, iou);
-            giou(a, b, around)
-        }),
-        Loss::Diou => Program::trace(|(a, b, iou): Recorded| {
-            let [a, b] = known(a, b, iou);
-            diou(a, b, around)
-        }),
-        Loss::Ciou => Program::trace(|(a, b, iou): Recorded| {
-            let [a, b] = known(a, b, iou);
-            ciou(a, b, around)
-        }),
-        Loss::Gwd => Program::trace(|(a, b, _): Recorded| {
+        Loss::Iou => of_known(|a, _| a.iou),
+        Loss::Giou => of_known(|a, b| giou(a, b, Enclosing::Hull)),
+        Loss::Diou => of_known(|a, b| diou(a, b, Enclosing::Hull)),
+        Loss::Ciou => of_known(|a, b| ciou(a, b, Enclosing::Hull)),
+        Loss::Gwd => of_boxes(|a, b| {
             // Upright boxes: heights have a term of their own, with deviations of half the size.
             let ground = gaussian::wasserstein_squared(a.birds_eye(), b.birds_eye());
             let up = (a.center.z - b.center.z).squared();
             let heights = (a.size.z - b.size.z).halved().squared();
             saturated((ground + up + heights).root())
         }),
-        Loss::Kld => Program::trace(|(a, b, _): Recorded| {
-            saturated(solid::kullback_leibler(Obb3::from(a), Obb3::from(b)))
-        }),
-        Loss::Kfiou => Program::trace(|(a, b, _): Recorded| {
+        Loss::Kld => {
+            of_boxes(|a, b| saturated(solid::kullback_leibler(Obb3::from(a), Obb3::from(b))))
+        }
+        Loss::Kfiou => of_boxes(|a, b| {
             let shapes = solid::kfiou(Obb3::from(a), Obb3::from(b));
             kfiou(shapes, 1.0 / (2.0 * 8.0_f64.sqrt() - 1.0), a, b)
         }),
-        Loss::Probiou => {
-            Program::trace(|(a, b, _): Recorded| solid::probiou(Obb3::from(a), Obb3::from(b)))
-        }
-        Loss::Separation => Program::trace(|(a, b, iou): Recorded| {
-            let [a, b] = known(a, b, iou);
-            separation_aware(a, b)
-        }),
+        Loss::Probiou => of_boxes(|a, b| solid::probiou(Obb3::from(a), Obb3::from(b))),
+        Loss::Separation => of_known(separation_aware),
     }
 }
 
@@ -205,29 +194,22 @@ impl Scorer {
         boxes: &[YawBox3<f32>],
         truths: &[YawBox3<f32>],
     ) -> Result<Scores, Error> {
-        match self.goal.space {
-            Space::BirdsEye => {
-                let ground = |all: &[YawBox3<f32>]| -> Vec<_> {
-                    all.iter().map(|shape| shape.birds_eye()).collect()
-                };
-                let (boxes, truths) = (ground(boxes), ground(truths));
-                let columns = (&boxes, &truths);
-                let (ious, (derivatives, _)) = backend.aligned(Iou.value_grad(), columns)?;
-                let raised = derivatives.into_iter().map(|by| {
-                    YawBox3::new(
-                        Vec3::new(by.center.x, by.center.y, 0.0),
-                        Vec3::new(by.size.x, by.size.y, 0.0),
-                        by.heading,
-                    )
-                });
-                Ok((ious, raised.collect()))
-            }
-            Space::Full => {
-                let columns = (boxes, truths);
-                let (ious, (derivatives, _)) = backend.aligned(Iou.value_grad(), columns)?;
-                Ok((ious, derivatives))
-            }
+        let iou = Iou.value_grad();
+        if self.goal.space == Space::Full {
+            let (ious, (derivatives, _)) = backend.aligned(iou, (boxes, truths))?;
+            return Ok((ious, derivatives));
         }
+        let grounds = [boxes, truths].map(|all| {
+            all.iter()
+                .map(|shape| shape.birds_eye())
+                .collect::<Vec<_>>()
+        });
+        let (ious, (derivatives, _)) = backend.aligned(iou, (&grounds[0], &grounds[1]))?;
+        let raised = derivatives.into_iter().map(|by| {
+            let [center, size] = [by.center, by.size].map(|own| Vec3::new(own.x, own.y, 0.0));
+            YawBox3::new(center, size, by.heading)
+        });
+        Ok((ious, raised.collect()))
     }
 }
 

@@ -1,9 +1,9 @@
 //! Detections that overlap a better one of their class are left out before anything else.
 use crate::loss::Space;
-use crate::model::{Frames, Seen};
+use crate::model::{Frames, in_space};
 use geograd::Error;
 use geograd::kernels::{Cpu, Iou};
-use geograd::suppression::{Pair, Rules, hard};
+use geograd::suppression::{Rules, hard};
 
 /// Leaves out detections that overlap a better one of their class by more than the threshold. Gives their
 /// number.
@@ -17,7 +17,8 @@ pub fn suppress(frames: &mut Frames, space: Space, threshold: f32) -> Result<usi
             classes: Some(&classes),
             ..Rules::above(threshold)
         };
-        let kept = hard(&scores, &overlaps(all, space, threshold)?, rules)?;
+        let overlaps = in_space!(space, |all| Cpu::new().overlaps(Iou, &all, threshold))?;
+        let kept = hard(&scores, &overlaps, rules)?;
         gone += all.len() - kept.len();
         let mut stays = vec![false; all.len()];
         kept.into_iter().for_each(|i| stays[i] = true);
@@ -25,19 +26,4 @@ pub fn suppress(frames: &mut Frames, space: Space, threshold: f32) -> Result<usi
         frame.detections.retain(|_| stays.next() == Some(true));
     }
     Ok(gone)
-}
-
-/// The pairs that overlap by more than a threshold.
-fn overlaps(all: &[Seen], space: Space, threshold: f32) -> Result<Vec<Pair<f32>>, Error> {
-    let cpu = Cpu::new();
-    match space {
-        Space::BirdsEye => {
-            let grounds: Vec<_> = all.iter().map(Seen::ground).collect();
-            cpu.overlaps(Iou, &grounds, threshold)
-        }
-        Space::Full => {
-            let shapes: Vec<_> = all.iter().map(|seen| seen.shape).collect();
-            cpu.overlaps(Iou, &shapes, threshold)
-        }
-    }
 }

@@ -81,7 +81,7 @@ fn add<T: Number>(
         return Err(format!("{found} fields where the header has {needed}"));
     }
     let begin = block.numbers.len();
-    let field = |column: usize| match record.fields().nth(column) {
+    let field = |column: usize| match record.field(column) {
         Some("") | None => Err(format!("{} is empty", names[column])),
         Some(field) => Ok(field),
     };

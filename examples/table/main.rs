@@ -27,7 +27,7 @@ mod sink;
 mod source;
 mod work;
 
-use common::cli::{Failure, Machine, Wish, on_the_cpu, say};
+use common::cli::{Failure, Machine, NO_F64, Wish, finish, on_the_cpu, usage};
 use options::{Asked, HELP, Options, list, options};
 use std::process::ExitCode;
 
@@ -35,39 +35,28 @@ const PROGRAM: &str = "table";
 
 /// The machine asked for, as far as it has the format.
 fn machine(options: &Options) -> Result<Machine, Failure> {
-    if !options.double {
-        return options.wish.machine(PROGRAM);
-    }
-    let why = "GPUs have no f64; `--precision f32` allows one";
     match options.wish {
-        Wish::Cpu => Ok(Machine::Cpu),
-        Wish::Auto => Ok(on_the_cpu(PROGRAM, why)),
-        Wish::Gpu => Err(Failure::Usage(format!("`--backend gpu`: {why}"))),
+        Wish::Auto if options.double => Ok(on_the_cpu(PROGRAM, NO_F64)),
+        Wish::Gpu if options.double => usage(format!("`--backend gpu`: {NO_F64}")),
+        wish => wish.machine(PROGRAM),
     }
 }
 
-fn run() -> Result<(), Failure> {
+/// Does what the command line asks for, and gives the text that is left to print.
+fn run() -> Result<String, Failure> {
     let options = match options()? {
         Asked::Work(options) => options,
-        Asked::Help => {
-            say(HELP);
-            return Ok(());
-        }
-        Asked::List => {
-            say(&list());
-            return Ok(());
-        }
+        Asked::Help => return Ok(HELP.into()),
+        Asked::List => return Ok(list()),
     };
     let machine = machine(&options)?;
     match options.double {
         true => work::run::<f64>(&options, &machine),
         false => work::run::<f32>(&options, &machine),
-    }
+    }?;
+    Ok(String::new())
 }
 
 fn main() -> ExitCode {
-    match run() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(PROGRAM),
-    }
+    finish(PROGRAM, run())
 }

@@ -1,5 +1,5 @@
 //! The command line, and the row of the verb that it means.
-use common::cli::{Failure, Wish, is_double};
+use common::cli::{Failure, Wish, is_double, usage};
 use common::file;
 use geograd::kernels::dynamic::{Operation, Sort};
 use std::path::PathBuf;
@@ -74,10 +74,6 @@ pub enum Asked {
     Work(Options),
     Help,
     List,
-}
-
-fn usage<X>(why: impl Into<String>) -> Result<X, Failure> {
-    Err(Failure::Usage(why.into()))
 }
 
 pub fn options() -> Result<Asked, Failure> {

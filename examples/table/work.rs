@@ -5,7 +5,7 @@ use crate::options::{LETTERS, Options, Which};
 use crate::sink::Sink;
 use crate::source::Source;
 use arrow::datatypes::{DataType, Field, Schema};
-use common::cli::{Failure, Machine};
+use common::cli::{Failure, Machine, usage};
 use common::compute::{self, BLOCK};
 use geograd::kernels::Groups;
 use geograd::kernels::dynamic::{Function, Mode};
@@ -53,7 +53,7 @@ pub fn run<T: Number>(options: &Options, machine: &Machine) -> Result<(), Failur
         (Which::Aligned, buffers) => work.aligned(buffers),
         (Which::AllPairs, [a, b]) => work.all_pairs(a, b),
         (Which::Groups(_), [a, b]) => work.groups(a, b),
-        _ => Err(Failure::Usage("pairs need two arguments".to_owned())),
+        _ => usage("pairs need two arguments"),
     };
     bar.finish_and_clear();
     done?;
@@ -70,10 +70,10 @@ impl<'a, T: Number> Work<'a, T> {
         };
         let (Some(value), Some(wanted)) = (operation.value::<T>(), operation.function::<T>(mode))
         else {
-            return Err(Failure::Usage(format!(
+            return usage(format!(
                 "{} takes paths, which tables do not hold",
                 operation.verb()
-            )));
+            ));
         };
         let (verb, number) = (operation.verb(), T::data_type());
         let mut fields = Vec::new();
@@ -162,7 +162,7 @@ impl<'a, T: Number> Work<'a, T> {
             let mut ids = Vec::new();
             if let Some(threshold) = self.options.above {
                 let told: Vec<usize> = (0..count)
-                    .filter(|&i| columns[0][i] > T::near(threshold))
+                    .filter(|&i| columns[0][i] > T::lit(threshold))
                     .collect();
                 columns
                     .iter_mut()
@@ -222,13 +222,9 @@ impl<'a, T: Number> Work<'a, T> {
             }
             match self.options.above {
                 Some(threshold) => {
-                    let rows = [a.rows(count), b.rows(b.len())];
-                    let [of_a, of_b] = rows;
-                    let found = self.value.on(self.machine.backend())?.above(
-                        of_a,
-                        of_b,
-                        T::near(threshold),
-                    )?;
+                    let value = self.value.on(self.machine.backend())?;
+                    let (of_a, of_b) = (a.rows(count), b.rows(b.len()));
+                    let found = value.above(of_a, of_b, T::lit(threshold))?;
                     self.found([a, b], &found)?;
                 }
                 None => self.product([a, b], 0..count, 0..b.len())?,
@@ -287,12 +283,9 @@ impl<'a, T: Number> Work<'a, T> {
             match self.options.above {
                 Some(threshold) => {
                     let groups = Groups::new(&offsets[0], &offsets[1]);
-                    let rows = [a.rows(ends[0]), b.rows(ends[1])];
-                    let (of, on, threshold) = (&self.value, self.machine, T::near(threshold));
-                    let [of_a, of_b] = rows;
-                    let found = of
-                        .on(on.backend())?
-                        .above_grouped(of_a, of_b, groups, threshold)?;
+                    let value = self.value.on(self.machine.backend())?;
+                    let (of_a, of_b) = (a.rows(ends[0]), b.rows(ends[1]));
+                    let found = value.above_grouped(of_a, of_b, groups, T::lit(threshold))?;
                     self.found([a, b], &found)?;
                 }
                 None => {

@@ -1,16 +1,14 @@
 //! Boxes: their columns, and the scores of many pairs of them.
-mod plane;
-mod space;
+mod kinds;
 
 use crate::input::{self, Shape};
 use crate::metric::Metric;
-use crate::number::Number;
 use common::cli::{Failure, Machine};
-use common::compute;
-use geograd::Program;
+use common::compute::{self, Number};
 use geograd::kernels::Cpu;
 use geograd::kernels::dynamic::{Mode, Operation, Rows};
 use geograd::kernels::item::Single;
+use geograd::{Error, Program};
 use std::ops::Range;
 
 /// A kind of box.
@@ -25,17 +23,22 @@ pub trait Boxes: Single<Scalar: Number> + Send + Sync {
         Ok(())
     }
 
-    /// Shows the derivatives of a result with respect to this box, given those with respect to its numbers.
-    fn derivatives(self, by: Self, show: &mut dyn FnMut(Self::Scalar));
+    /// The derivatives of a result with respect to this box, given those with respect to its numbers.
+    fn derivatives(self, by: Self) -> Vec<Self::Scalar> {
+        by.scalars()
+    }
 
-    /// The scores of pairs, with derivatives if they are wanted.
-    fn scores(
-        metric: Metric,
-        machine: &Machine,
-        pairs: &Pairs<'_, Self::Scalar>,
-        grad: bool,
-    ) -> Result<Scores<Self>, Failure>;
+    /// The row of the library that computes a metric, or what [`rest`](Boxes::rest) needs.
+    fn row(metric: Metric) -> Operation;
+
+    /// A metric that no row computes: a function of two boxes and of the result of the row.
+    fn rest(_metric: Metric) -> Option<Result<Rest<Self, Self::Scalar>, Error>> {
+        None
+    }
 }
+
+/// A score of two boxes and of another score of theirs, which is known.
+pub type Rest<P, T> = Program<(P, P, T), T>;
 
 impl<P: Boxes> Shape for P {
     fn is_header(names: &[String]) -> Result<bool, String> {
@@ -71,30 +74,13 @@ pub enum Which {
     All([Range<usize>; 2]),
 }
 
-/// Pairs of two lists of boxes as numbers.
-#[derive(Clone, Debug)]
-pub struct Pairs<'a, T> {
-    pub lists: [Rows<'a, T>; 2],
-    pub which: Which,
-}
-
-impl<T: Number> Pairs<'_, T> {
+impl Which {
     /// The places of the pairs in both lists.
     pub fn places(&self) -> [Vec<usize>; 2] {
-        match &self.which {
+        match self {
             Which::Aligned(rows) => [rows.clone().collect(), rows.clone().collect()],
             Which::All([rows, columns]) => compute::places(rows, columns),
         }
-    }
-    /// The boxes of the pairs, as two lists.
-    fn listed<P: Boxes<Scalar = T>>(&self) -> [Vec<P>; 2] {
-        let places = self.places();
-        [0, 1].map(|k| {
-            let (all, fields) = (self.lists[k].numbers(), self.lists[k].fields());
-            let own = places[k].iter();
-            own.map(|&row| P::load(&all[row * fields..(row + 1) * fields]))
-                .collect()
-        })
     }
 }
 
@@ -105,83 +91,72 @@ pub struct Scores<P: Boxes> {
     pub derivatives: Option<[Vec<P>; 2]>,
 }
 
-impl<P: Boxes> Scores<P> {
-    pub fn new(values: Vec<P::Scalar>) -> Self {
-        Scores {
-            values,
-            derivatives: None,
-        }
-    }
-
-    pub fn with_derivatives(values: Vec<P::Scalar>, a_bar: Vec<P>, b_bar: Vec<P>) -> Self {
-        Scores {
-            values,
-            derivatives: Some([a_bar, b_bar]),
-        }
-    }
-}
-
-/// The scores of a row of two boxes.
-pub fn of_row<P: Boxes>(
-    row: &Operation,
+/// The scores of pairs of two lists of boxes as numbers, with derivatives if they are wanted.
+pub fn scores<P: Boxes>(
+    metric: Metric,
     machine: &Machine,
-    pairs: &Pairs<'_, P::Scalar>,
+    lists: [Rows<'_, P::Scalar>; 2],
+    which: &Which,
     grad: bool,
 ) -> Result<Scores<P>, Failure> {
+    let row = P::row(metric);
     let mode = if grad { Mode::ValueGrad } else { Mode::Value };
     let Some(function) = row.function::<P::Scalar>(mode) else {
         return Err(Failure::Work(format!("{} takes paths", row.name)));
     };
-    let lists = match &pairs.which {
-        Which::Aligned(rows) => compute::of_rows(&function, machine, pairs.lists, rows)?,
-        Which::All(block) => compute::of_all(&function, machine, pairs.lists, block)?,
+    let found = match which {
+        Which::Aligned(rows) => compute::of_rows(&function, machine, lists, rows)?,
+        Which::All(block) => compute::of_all(&function, machine, lists, block)?,
     };
-    let shapes =
-        |numbers: &[P::Scalar]| -> Vec<P> { numbers.chunks_exact(P::LEN).map(P::load).collect() };
-    let mut lists = lists.into_iter();
-    let values = lists.next().unwrap_or_default();
-    Ok(match (lists.next(), lists.next()) {
-        (Some(a_bar), Some(b_bar)) => {
-            Scores::with_derivatives(values, shapes(&a_bar), shapes(&b_bar))
-        }
-        _ => Scores::new(values),
-    })
-}
-
-/// The row of a verb for two boxes of a kind.
-macro_rules! row {
-    ($verb:ident, $shape:ident) => {
-        const {
-            geograd::kernels::dynamic::straight::<
-                geograd::kernels::RowOf<
-                    geograd::kernels::$verb,
-                    (geograd::$shape<f64>, geograd::$shape<f64>),
-                >,
-            >()
-        }
+    let mut found = found.into_iter();
+    let values = found.next().unwrap_or_default();
+    let by = [found.next(), found.next()].map(|numbers| {
+        let numbers = numbers.unwrap_or_default();
+        numbers.chunks_exact(P::LEN).map(P::load).collect()
+    });
+    let known = Scores {
+        values,
+        derivatives: grad.then_some(by),
     };
+    match P::rest(metric) {
+        Some(program) => on_scores(&program?, lists, which, known),
+        None => Ok(known),
+    }
 }
-use row;
 
 /// The scores of a program of two boxes and a score of theirs that is known, with its derivatives.
 fn on_scores<P: Boxes>(
-    program: &Program<(P, P, P::Scalar), P::Scalar>,
-    pairs: &Pairs<'_, P::Scalar>,
+    program: &Rest<P, P::Scalar>,
+    lists: [Rows<'_, P::Scalar>; 2],
+    which: &Which,
     known: Scores<P>,
 ) -> Result<Scores<P>, Failure> {
-    let cpu = Cpu::new();
-    let [a, b] = pairs.listed::<P>();
+    let places = which.places();
+    let [a, b] = [0, 1].map(|k| {
+        let numbers = lists[k].numbers();
+        let own = places[k].iter();
+        let own = own.map(|&row| P::load(&numbers[row * P::LEN..(row + 1) * P::LEN]));
+        own.collect::<Vec<P>>()
+    });
     let columns = (&a, &b, &known.values);
-    let Some([mut known_a, mut known_b]) = known.derivatives else {
-        return Ok(Scores::new(cpu.aligned(program, columns)?));
+    let Some(by_known) = known.derivatives else {
+        let values = Cpu::new().aligned(program, columns)?;
+        return Ok(Scores {
+            values,
+            derivatives: None,
+        });
     };
-    let (values, (a_bar, b_bar, along)) = cpu.aligned(&program.value_grad(), columns)?;
-    for (known, own) in [(&mut known_a, a_bar), (&mut known_b, b_bar)] {
-        for ((known, own), &along) in known.iter_mut().zip(own).zip(&along) {
-            *known = sum(*known, along, own);
-        }
-    }
-    Ok(Scores::with_derivatives(values, known_a, known_b))
+    let (values, (by_a, by_b, along)) = Cpu::new().aligned(&program.value_grad(), columns)?;
+    let [known_a, known_b] = by_known;
+    let derivatives = [(known_a, by_a), (known_b, by_b)].map(|(known, own)| {
+        let all = known.into_iter().zip(own).zip(&along);
+        all.map(|((known, own), &along)| sum(known, along, own))
+            .collect()
+    });
+    Ok(Scores {
+        values,
+        derivatives: Some(derivatives),
+    })
 }
 
 /// `x · factor + y`, number by number.

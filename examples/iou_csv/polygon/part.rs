@@ -2,8 +2,8 @@
 //!
 //! The area of intersection is the library's
 //! ([`intersection_area`](geograd::overlap_polygon::holed::intersection_area), with its adjoint).
-use super::Polygon;
-use crate::number::Number;
+use super::simple::Polygon;
+use common::compute::Number;
 use geograd::Vec2;
 use geograd::ad::adjoint::overlap_rings::intersection_area_vjp;
 use geograd::ad::adjoint::ring::signed_area_vjp;

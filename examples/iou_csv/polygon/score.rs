@@ -1,8 +1,8 @@
 //! Scores of two simple polygons, and their derivatives by the vertices of both.
 use super::part::{Derivatives, bounding_area, diagonal, diameter, hull, intersection, own_areas};
-use super::{Polygon, unit};
+use super::simple::{Polygon, unit};
 use crate::metric::{Enclosing, Metric};
-use crate::number::Number;
+use common::compute::Number;
 use geograd::ad::adjoint::ring::centroid_vjp;
 use geograd::{Vec2, ring};
 

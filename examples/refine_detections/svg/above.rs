@@ -1,9 +1,8 @@
 //! A map of a frame seen from above.
-use super::page::{FAINT, INK, Kind, View, line, metres, text};
-use crate::matching::Match;
-use crate::model::{Frame, Seen};
+use super::page::{Kind, State, View, line, metres, tens};
+use crate::model::Seen;
+use common::svg::{INK, MIDDLE, Page, SMALL};
 use geograd::Vec2;
-use std::fmt::Write as _;
 
 /// The part of the plane that a map shows.
 pub struct Extent {
@@ -42,48 +41,37 @@ impl Extent {
 }
 
 /// Lines every ten metres with their numbers, the frame of the map, and the camera.
-pub fn grid(page: &mut String, view: View, extent: &Extent, index: usize) {
-    let (low, high) = (view.place(extent.min), view.place(extent.max));
-    let _ = writeln!(
-        page,
-        r##"<clipPath id="map{index}"><rect x="{x:.1}" y="{y:.1}" width="{w:.1}" height="{h:.1}"/></clipPath>
-<rect x="{x:.1}" y="{y:.1}" width="{w:.1}" height="{h:.1}" fill="#fcfcfd" stroke="#ced4da"/>"##,
-        x = low.x,
-        y = high.y,
-        w = high.x - low.x,
-        h = low.y - high.y,
-    );
-    let small = format!(r#"font-size="11" fill="{FAINT}""#);
-    let middle = format!(r#"{small} text-anchor="middle""#);
-    let end = format!(r#"{small} text-anchor="end""#);
-    let tens = |min: f32, max: f32| (min / 10.0).ceil() as i32..=(max / 10.0).floor() as i32;
-    for ten in tens(extent.min.x, extent.max.x) {
-        let x = view.place(Vec2::new(ten as f32 * 10.0, 0.0)).x;
-        line(page, Vec2::new(x, low.y), Vec2::new(x, high.y), ten == 0);
-        text(page, x, low.y + 16.0, &middle, &metres(ten));
-    }
-    for ten in tens(extent.min.y, extent.max.y) {
+pub fn grid(page: &mut Page, view: View, extent: &Extent, id: &str) {
+    let Extent { min, max } = *extent;
+    let (low, high) = (view.place(min), view.place(max));
+    view.ground(page, id, min, max);
+    view.upright(page, min, max, true);
+    for ten in tens(min.y, max.y) {
         let y = view.place(Vec2::new(0.0, ten as f32 * 10.0)).y;
-        line(page, Vec2::new(low.x, y), Vec2::new(high.x, y), ten == 0);
-        text(page, low.x - 7.0, y + 4.0, &end, &metres(ten));
+        let ends = [low.x, high.x].map(|x| Vec2::new(x, y));
+        line(page, ends, ten == 0);
+        page.left_of(ends[0], SMALL, metres(ten));
     }
-    let x = low.x.midpoint(high.x);
-    text(page, x, low.y + 33.0, &middle, "to the right, metres");
-    let (x, y) = (low.x - 33.0, low.y.midpoint(high.y));
-    let turned = format!(r#"{middle} transform="rotate(-90 {x:.1} {y:.1})""#);
-    text(page, x, y, &turned, "forward, metres");
-    let camera = view.place(Vec2::zero());
-    let _ = writeln!(
-        page,
-        r#"<path d="M{:.1},{:.1}l-6,11h12z" fill="{INK}"><title>camera</title></path>"#,
-        camera.x,
-        camera.y - 6.0,
+    let middle = format!("{SMALL} {MIDDLE}");
+    let foot = Vec2::new(low.x.midpoint(high.x), low.y + 33.0);
+    page.text(foot, &middle, "to the right, metres");
+    let side = Vec2::new(low.x - 33.0, low.y.midpoint(high.y));
+    let turned = format_args!(
+        r#"{middle} transform="rotate(-90 {:.1} {:.1})""#,
+        side.x, side.y
     );
-    text(page, camera.x + 10.0, camera.y - 4.0, &small, "camera");
+    page.text(side, turned, "forward, metres");
+    let Vec2 { x, y } = view.place(Vec2::zero());
+    page.element(format_args!(
+        r#"<path d="M{x:.1},{:.1}l-6,11h12z" fill="{INK}"><title>camera</title></path>"#,
+        y - 6.0,
+    ));
+    page.text(Vec2::new(x + 10.0, y - 4.0), SMALL, "camera");
 }
 
 /// All boxes of a frame: truths below, what belongs to nothing next, matched detections on top.
-pub fn map(page: &mut String, view: View, kind: Kind, frame: &Frame, matches: &[Match]) {
+pub fn map(page: &mut Page, view: View, kind: Kind, state: State<'_>) {
+    let State { frame, matches } = state;
     for (i, truth) in frame.truths.iter().enumerate() {
         let found = matches.iter().any(|m| m.truth == i);
         let kind = if found { Kind::Truth } else { Kind::Missed };
@@ -91,9 +79,9 @@ pub fn map(page: &mut String, view: View, kind: Kind, frame: &Frame, matches: &[
     }
     let is_matched = |i: usize| matches.iter().any(|m| m.detection == i);
     for pass in [false, true] {
+        let kind = if pass { kind } else { Kind::Unmatched };
         for (i, detection) in frame.detections.iter().enumerate() {
             if is_matched(i) == pass {
-                let kind = if pass { kind } else { Kind::Unmatched };
                 view.draw(page, detection.ground(), kind);
             }
         }

@@ -1,6 +1,9 @@
-//! The page: its measures, the looks of boxes, and what is written and drawn on it.
+//! The page: what is on it, its measures, the looks of boxes, and the map from metres to it.
+use crate::loss::Goal;
+use crate::matching::Match;
+use crate::model::Frame;
+use common::svg::{MIDDLE, Page, SMALL};
 use geograd::{Obb2, Vec2};
-use std::fmt::Write as _;
 
 /// The page, in pixels.
 pub const WIDTH: f32 = 1160.0;
@@ -11,8 +14,22 @@ pub const HEAD: f32 = 116.0;
 pub const SIDE: f32 = 40.0;
 pub const FOOT: f32 = 44.0;
 
-pub const INK: &str = "#212529";
-pub const FAINT: &str = "#868e96";
+/// One frame before and after.
+pub struct Scene<'a> {
+    pub number: u32,
+    pub states: [State<'a>; 2],
+    pub goal: Goal,
+}
+
+/// The detections of a frame, and their matches.
+#[derive(Clone, Copy)]
+pub struct State<'a> {
+    pub frame: &'a Frame,
+    pub matches: &'a [Match],
+}
+
+/// The looks and the names of both states.
+pub const STATES: [(Kind, &str); 2] = [(Kind::Before, "Before"), (Kind::After, "After")];
 
 /// The kinds of boxes and their looks.
 #[derive(Clone, Copy)]
@@ -25,6 +42,14 @@ pub enum Kind {
 }
 
 impl Kind {
+    pub const ALL: [Kind; 5] = [
+        Kind::Truth,
+        Kind::Missed,
+        Kind::Before,
+        Kind::After,
+        Kind::Unmatched,
+    ];
+
     pub fn style(self) -> &'static str {
         match self {
             Kind::Truth => r##"fill="#b2d8a5" stroke="#5c9a4a" stroke-width="1""##,
@@ -71,49 +96,50 @@ impl View {
     }
 
     /// A box without its front.
-    pub fn outline(self, page: &mut String, shape: Obb2<f32>, kind: Kind) {
-        let corners = shape.corners().map(|corner| self.place(corner));
-        let points: Vec<_> = corners
-            .iter()
-            .map(|p| format!("{:.1},{:.1}", p.x, p.y))
-            .collect();
-        let style = kind.style();
-        let _ = writeln!(page, r#"<polygon points="{}" {style}/>"#, points.join(" "));
+    pub fn outline(self, page: &mut Page, shape: Obb2<f32>, kind: Kind) {
+        page.polygon(shape.corners().map(|p| self.place(p)), kind.style());
     }
 
-    pub fn draw(self, page: &mut String, shape: Obb2<f32>, kind: Kind) {
+    pub fn draw(self, page: &mut Page, shape: Obb2<f32>, kind: Kind) {
         self.outline(page, shape, kind);
         // From the centre to the front, where there is room for it.
         if shape.size.x * self.scale > 14.0 {
-            let style = kind.style();
             let [_, right, left, _] = shape.corners().map(|corner| self.place(corner));
-            let front = right.lerp(left, 0.5);
-            let center = self.place(shape.center);
-            let _ = writeln!(
-                page,
-                r#"<path d="M{:.1},{:.1}L{:.1},{:.1}" {style}/>"#,
-                center.x, center.y, front.x, front.y,
-            );
+            let way = [self.place(shape.center), right.lerp(left, 0.5)];
+            page.strokes([way], kind.style());
+        }
+    }
+
+    /// The ground of a map, from its lower left corner to the upper right one, given in metres.
+    pub fn ground(self, page: &mut Page, id: &str, min: Vec2<f32>, max: Vec2<f32>) {
+        let (low, high) = (self.place(min), self.place(max));
+        page.ground(id, [low.x, high.y, high.x - low.x, low.y - high.y]);
+    }
+
+    /// Upright lines every ten metres, with their numbers if they are wanted.
+    pub fn upright(self, page: &mut Page, min: Vec2<f32>, max: Vec2<f32>, numbers: bool) {
+        for ten in tens(min.x, max.x) {
+            let x = ten as f32 * 10.0;
+            let ends = [min.y, max.y].map(|y| self.place(Vec2::new(x, y)));
+            line(page, ends, ten == 0);
+            if numbers {
+                let foot = Vec2::new(ends[0].x, ends[0].y + 16.0);
+                page.text(foot, format_args!("{SMALL} {MIDDLE}"), metres(ten));
+            }
         }
     }
 }
 
-pub fn text(page: &mut String, x: f32, y: f32, style: &str, words: &str) {
-    let _ = writeln!(
-        page,
-        r#"<text x="{x:.1}" y="{y:.1}" {style}>{words}</text>"#
-    );
+/// The multiples of ten metres in a range.
+pub fn tens(min: f32, max: f32) -> std::ops::RangeInclusive<i32> {
+    (min / 10.0).ceil() as i32..=(max / 10.0).floor() as i32
 }
 
 pub fn metres(ten: i32) -> String {
-    format!("{}{}", if ten < 0 { "−" } else { "" }, 10 * ten.abs())
+    (10 * ten).to_string().replace('-', "−")
 }
 
-pub fn line(page: &mut String, from: Vec2<f32>, to: Vec2<f32>, strong: bool) {
+pub fn line(page: &mut Page, ends: [Vec2<f32>; 2], strong: bool) {
     let color = if strong { "#ced4da" } else { "#e9ecef" };
-    let _ = writeln!(
-        page,
-        r#"<path d="M{:.1},{:.1}L{:.1},{:.1}" stroke="{color}"/>"#,
-        from.x, from.y, to.x, to.y,
-    );
+    page.strokes([ends], format_args!(r#"stroke="{color}""#));
 }

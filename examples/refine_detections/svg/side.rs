@@ -1,11 +1,8 @@
 //! A frame seen from the side: forward to the right, up upwards, at one scale.
-use super::Scene;
-use super::page::{FAINT, Kind, MARGIN, SIDE, View, WIDTH, line, metres, text};
+use super::page::{Kind, MARGIN, SIDE, STATES, Scene, State, View, WIDTH, line};
 use crate::loss::Space;
-use crate::matching::Match;
-use crate::model::Frame;
+use common::svg::{MIDDLE, Page, SMALL, headed};
 use geograd::{Obb2, Vec2, YawBox3};
-use std::fmt::Write as _;
 
 /// Above each strip for its name, and below both for the numbers.
 const NAME: f32 = 24.0;
@@ -34,22 +31,21 @@ fn silhouette(shape: YawBox3<f32>) -> Obb2<f32> {
     )
 }
 
+/// The matched boxes of a state: truths with detections.
+fn silhouettes(state: &State<'_>) -> impl Iterator<Item = [Obb2<f32>; 2]> {
+    let State { frame, matches } = *state;
+    matches.iter().map(|pair| {
+        let (truth, seen) = (&frame.truths[pair.truth], &frame.detections[pair.detection]);
+        [truth, seen].map(|own| silhouette(own.shape))
+    })
+}
+
 impl Strips {
     pub fn of(scene: &Scene<'_>, top: f32) -> Self {
         let (mut min, mut max) = (Vec2::new(0.0, -1.7), Vec2::new(20.0_f32, 0.3));
-        let states = [
-            (scene.before, scene.matches_before),
-            (scene.after, scene.matches_after),
-        ];
-        for (frame, pair) in states.iter().flat_map(|(frame, matches)| {
-            let pairs = matches.iter();
-            pairs.map(move |pair| (frame, pair))
-        }) {
-            let (truth, seen) = (&frame.truths[pair.truth], &frame.detections[pair.detection]);
-            for shape in [truth.shape, seen.shape] {
-                let bounds = silhouette(shape).bounding();
-                (min, max) = (min.least(bounds.min), max.most(bounds.max));
-            }
+        for shape in scene.states.iter().flat_map(silhouettes).flatten() {
+            let bounds = shape.bounding();
+            (min, max) = (min.least(bounds.min), max.most(bounds.max));
         }
         let round = |x: f32, up: f32| ((x + up) / 5.0).floor() * 5.0;
         let air = Vec2::new(0.0, 0.25);
@@ -83,72 +79,37 @@ impl Strips {
         }
     }
 
-    pub fn draw(&self, page: &mut String, scene: &Scene<'_>) {
+    pub fn draw(&self, page: &mut Page, scene: &Scene<'_>) {
         if self.scale <= 0.0 {
             return;
         }
-        let states = [
-            (Kind::Before, scene.before, scene.matches_before, "Before"),
-            (Kind::After, scene.after, scene.matches_after, "After"),
-        ];
-        for (i, (kind, frame, matches, name)) in states.into_iter().enumerate() {
+        for (i, (state, (kind, name))) in scene.states.iter().zip(STATES).enumerate() {
             let top = self.top + NAME + i as f32 * (NAME + self.strip());
             let view = View {
                 corner: self.min,
                 at: Vec2::new(MARGIN + SIDE, top + self.strip()),
                 scale: self.scale,
             };
-            let words = format!(
-                r##"<tspan font-weight="600">{name}</tspan><tspan fill="{FAINT}">, from the right: matched boxes</tspan>"##
-            );
-            text(page, MARGIN + SIDE, top - 8.0, "", &words);
-            self.grid(page, view, i);
-            let _ = writeln!(page, r#"<g clip-path="url(#side{i})">"#);
-            boxes(page, view, kind, frame, matches);
-            page.push_str("</g>\n");
+            let words = headed(name, ", from the right: matched boxes");
+            page.text(Vec2::new(MARGIN + SIDE, top - 8.0), "", words);
+            let id = format!("side{i}");
+            view.ground(page, &id, self.min, self.max);
+            view.upright(page, self.min, self.max, i == 1);
+            // The camera's height.
+            let ends = [self.min.x, self.max.x].map(|x| view.place(Vec2::new(x, 0.0)));
+            line(page, ends, true);
+            page.left_of(ends[0], SMALL, "camera");
+            page.inside(&id, |page| {
+                for [truth, _] in silhouettes(state) {
+                    view.outline(page, truth, Kind::Truth);
+                }
+                for [_, detection] in silhouettes(state) {
+                    view.outline(page, detection, kind);
+                }
+            });
         }
-        let small = format!(r#"font-size="11" fill="{FAINT}" text-anchor="middle""#);
-        let (middle, foot) = (0.5 * (SIDE + WIDTH), self.top + self.height() - FOOT);
-        text(page, middle, foot + 33.0, &small, "forward, metres");
-    }
-
-    fn grid(&self, page: &mut String, view: View, index: usize) {
-        let (low, high) = (view.place(self.min), view.place(self.max));
-        let _ = writeln!(
-            page,
-            r##"<clipPath id="side{index}"><rect x="{x:.1}" y="{y:.1}" width="{w:.1}" height="{h:.1}"/></clipPath>
-<rect x="{x:.1}" y="{y:.1}" width="{w:.1}" height="{h:.1}" fill="#fcfcfd" stroke="#ced4da"/>"##,
-            x = low.x,
-            y = high.y,
-            w = high.x - low.x,
-            h = low.y - high.y,
-        );
-        let small = format!(r#"font-size="11" fill="{FAINT}""#);
-        let middle = format!(r#"{small} text-anchor="middle""#);
-        let end = format!(r#"{small} text-anchor="end""#);
-        let tens = (self.min.x / 10.0).ceil() as i32..=(self.max.x / 10.0).floor() as i32;
-        for ten in tens {
-            let x = view.place(Vec2::new(ten as f32 * 10.0, 0.0)).x;
-            line(page, Vec2::new(x, low.y), Vec2::new(x, high.y), ten == 0);
-            if index == 1 {
-                text(page, x, low.y + 16.0, &middle, &metres(ten));
-            }
-        }
-        // The camera's height.
-        let y = view.place(Vec2::zero()).y;
-        line(page, Vec2::new(low.x, y), Vec2::new(high.x, y), true);
-        text(page, low.x - 7.0, y + 4.0, &end, "camera");
-    }
-}
-
-/// The matched boxes of a frame.
-fn boxes(page: &mut String, view: View, kind: Kind, frame: &Frame, matches: &[Match]) {
-    for pair in matches {
-        let truth = frame.truths[pair.truth].shape;
-        view.outline(page, silhouette(truth), Kind::Truth);
-    }
-    for pair in matches {
-        let detection = frame.detections[pair.detection].shape;
-        view.outline(page, silhouette(detection), kind);
+        let foot = self.top + self.height() - FOOT + 33.0;
+        let at = Vec2::new(0.5 * (SIDE + WIDTH), foot);
+        page.text(at, format_args!("{SMALL} {MIDDLE}"), "forward, metres");
     }
 }
