@@ -23,7 +23,7 @@ use std::sync::Arc;
 pub type Gpu = Machine<Device>;
 
 /// The engine of a GPU, which a build without the feature `gpu` cannot have.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum Device {}
 
 impl Machine<Device> {

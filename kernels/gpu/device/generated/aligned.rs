@@ -41,7 +41,7 @@ impl Device {
         match made {
             Made::Kernel(made) => self.compute(made, columns, count, targets),
             Made::Replays(replays, plan) => {
-                self.replayed(&**replays, &plan.gives, columns, count, targets)
+                self.replayed(replays, &plan.gives, columns, count, targets)
             }
         }
     }
