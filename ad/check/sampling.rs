@@ -34,7 +34,7 @@ pub struct Sampling<'a> {
     pub inside: Option<&'a dyn Fn(&[f64]) -> bool>,
     /// For each number, the length over which the function may be expected to change, if shapes do not give it.
     pub scales: Option<&'a dyn Fn(&[f64]) -> Vec<f64>>,
-    /// What proves the value at an input, of a distance in space.
+    /// The proof of the value at an input, of a distance in space.
     pub proof: Option<&'a dyn Fn(&[f64]) -> Option<Proof>>,
 }
 

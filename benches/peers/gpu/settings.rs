@@ -1,4 +1,4 @@
-//! What the parts of the bench share: its settings, and the fastest of several runs.
+//! Settings of the bench, and the fastest of several runs.
 use geograd::Error;
 use geograd::kernels::gpu::Gpu;
 use std::time::{Duration, Instant};

@@ -20,7 +20,7 @@ pub struct Leaf<T> {
     pub name: fn(usize) -> Field,
     /// Returns the flaw of numbers that are no valid shape.
     pub check: fn(&[T]) -> Result<(), Flaw>,
-    /// What tells quickly that many shapes are valid.
+    /// The test that tells quickly that many shapes are valid.
     pub quick: Quick,
 }
 
@@ -281,7 +281,7 @@ pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
     }
 }
 
-/// What tells quickly that many shapes are valid: their numbers alone, or the rules of boxes.
+/// The test that tells quickly that many shapes are valid: of their numbers alone, or of the rules of boxes.
 fn quick_of<P: Item + Validate>() -> Quick {
     let is = |shape: TypeId| TypeId::of::<P>() == shape;
     if P::FINITE_SUFFICES {
