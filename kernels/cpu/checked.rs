@@ -7,6 +7,7 @@ use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::cpu::simd::Simd;
 use crate::kernels::cpu::work::spread;
 use crate::kernels::machine::Column;
+use crate::kernels::row::item::Leaf;
 use std::sync::Mutex;
 
 /// Checks that every upstream derivative is finite; each has so many numbers.
@@ -56,6 +57,17 @@ pub(crate) fn check_argument<T: Real>(
     column: &Column<'_, T>,
 ) -> Result<bool, Error> {
     check(arguments[k].argument(k), &arguments[k], column)
+}
+
+/// Checks shapes of a layout, one after another.
+pub(crate) fn check_numbers<T: Real>(
+    argument: Argument,
+    leaf: Leaf<T>,
+    numbers: &[T],
+) -> Result<(), Error> {
+    let count = numbers.len() / leaf.fields.max(1);
+    let column = Column::lent(numbers, leaf.fields, Some(count));
+    check(argument, &Preparation::plain(leaf), &column).map(drop)
 }
 
 /// Checks every shape of a column; `true` if some may be too rare for kernels.

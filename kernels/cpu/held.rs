@@ -1,9 +1,7 @@
 //! Columns that stay on the CPU: plain vectors.
 use crate::Real;
 use crate::error::{Argument, Error};
-use crate::kernels::cpu::checked::check;
-use crate::kernels::cpu::plan::Preparation;
-use crate::kernels::machine::Column;
+use crate::kernels::cpu::checked::check_numbers;
 use crate::kernels::machine::Numbers;
 use crate::kernels::machine::{Pending, Stays};
 use crate::kernels::row::item::Leaf;
@@ -17,9 +15,7 @@ impl<T: Real> Stays<T> for Numbers<T> {
         Some(&self.rows)
     }
     fn check(&self, leaf: Leaf<T>, numbers: &[T]) -> Result<(), Error> {
-        let count = numbers.len() / leaf.fields.max(1);
-        let column = Column::lent(numbers, leaf.fields, Some(count));
-        check(Argument::Shape, &Preparation::plain(leaf), &column).map(drop)
+        check_numbers(Argument::Shape, leaf, numbers)
     }
     fn update(&mut self, rows: Vec<T>) {
         self.rows = rows;

@@ -5,13 +5,15 @@ use crate::kernels::call::folding::Folding;
 use crate::kernels::call::recording::Call;
 use crate::kernels::cpu::Processor;
 use crate::kernels::cpu::aligned::{checked, compute, compute_unchecked};
-use crate::kernels::cpu::checked::{check, check_argument, check_upstream, restore, tame};
+use crate::kernels::cpu::checked::{
+    check, check_argument, check_numbers, check_upstream, restore, tame,
+};
 use crate::kernels::cpu::folds;
 use crate::kernels::cpu::greedy;
 use crate::kernels::cpu::grouped;
 use crate::kernels::cpu::matrix;
 use crate::kernels::cpu::pairs::{self, Pairs};
-use crate::kernels::cpu::plan::{Plan, Preparation, Shapes, plan};
+use crate::kernels::cpu::plan::{Plan, Shapes, plan};
 use crate::kernels::cpu::ragged::{measured, measured_vjp};
 use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
@@ -121,9 +123,7 @@ impl Sealed for Processor {}
 
 impl<T: Real> Engine<T> for Processor {
     fn check(&self, argument: Argument, leaf: Leaf<T>, numbers: &[T]) -> Result<(), Error> {
-        let count = numbers.len() / leaf.fields.max(1);
-        let column = Column::lent(numbers, leaf.fields, Some(count));
-        check(argument, &Preparation::plain(leaf), &column).map(drop)
+        check_numbers(argument, leaf, numbers)
     }
 
     fn keep(&self, count: usize, columns: Vec<Numbers<T>>) -> Result<Stored<T>, Error> {

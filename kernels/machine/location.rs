@@ -1,6 +1,6 @@
 //! Where columns are, and with them the results of a call.
 use super::Column;
-use super::losses::try_then_check;
+use super::primitives::try_then_check;
 use super::{Engine, Items, Room, count_of};
 use crate::Real;
 use crate::error::Error;

@@ -7,17 +7,6 @@ use crate::error::{Argument, Error};
 use crate::kernels::call::recording::Call;
 use crate::kernels::row::item::counts::{entries, expect};
 
-/// Runs a call into new memory: first without checks beforehand, which is faster where all is well; then, if that came
-/// back unfinished, with all checks, so that an error names the first item that is not valid.
-pub(crate) fn try_then_check(
-    mut attempt: impl FnMut(bool) -> Result<bool, Error>,
-) -> Result<(), Error> {
-    match attempt(true)? {
-        true => Ok(()),
-        false => attempt(false).map(drop),
-    }
-}
-
 /// Reduces all pairs, of a reduction that is checked here.
 pub(crate) fn reduced<T: Real>(
     engine: &dyn Engine<T>,

@@ -40,6 +40,7 @@ pub use paths::{Input, PathSpans, VertexBars};
 pub(crate) use pending::Later;
 pub use pending::Pending;
 pub(crate) use primitives::sealed::Sealed;
+pub(crate) use primitives::try_then_check;
 pub use primitives::{Engine, Items, On, Room, Seed};
 pub use results::{
     Bests, Founds, GroupedReduction, Matrix, Reduced, Reduction, RingBars, RingValues,

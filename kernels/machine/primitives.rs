@@ -146,6 +146,17 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
     fn pick(&self, list: &Stored<T>, bests: &Bests<T>) -> Result<Stored<T>, Error>;
 }
 
+/// Runs a call into new memory: first without checks beforehand, which is faster where all is well; then, if that came
+/// back unfinished, with all checks, so that an error names the first item that is not valid.
+pub(crate) fn try_then_check(
+    mut attempt: impl FnMut(bool) -> Result<bool, Error>,
+) -> Result<(), Error> {
+    match attempt(true)? {
+        true => Ok(()),
+        false => attempt(false).map(drop),
+    }
+}
+
 /// A number that an engine computes in: `f32` and `f64` on the CPU, `f32` on a GPU.
 #[diagnostic::on_unimplemented(
     message = "`{E}` does not compute in `{Self}`",

@@ -8,8 +8,8 @@ use super::seed::Seed;
 use crate::error::{Argument, Error};
 use crate::kernels::call::folding::Folding;
 use crate::kernels::call::recording::Call;
-use crate::kernels::cpu::Cpu;
 use crate::kernels::cpu::checked::check;
+use crate::kernels::cpu::checked::check_numbers;
 use crate::kernels::cpu::checked::check_upstream;
 use crate::kernels::cpu::plan::plan;
 use crate::kernels::machine::Column;
@@ -45,7 +45,7 @@ impl On<Device> for f32 {
 
 impl Engine<f32> for Device {
     fn check(&self, argument: Argument, leaf: Leaf<f32>, numbers: &[f32]) -> Result<(), Error> {
-        Engine::check(&Cpu::new().engine, argument, leaf, numbers)
+        check_numbers(argument, leaf, numbers)
     }
 
     fn keep(&self, count: usize, columns: Vec<Numbers<f32>>) -> Result<Stored<f32>, Error> {

@@ -31,8 +31,8 @@ pub struct Frame<'a> {
 /// Observation angles of a frame in radians: the kit's `alpha`.
 #[derive(Clone, Copy, Debug)]
 pub struct Angles<'a> {
-    /// Of every truth.
+    /// One angle for every truth.
     pub truths: &'a [f64],
-    /// Of every detection.
+    /// One angle for every detection.
     pub detections: &'a [f64],
 }

@@ -6,7 +6,7 @@
 //! has something computed of them beforehand has them brought to the processor once.
 use crate::Error;
 use crate::error::Argument;
-use crate::kernels::cpu::Cpu;
+use crate::kernels::cpu::checked::check_numbers;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::gpu::device::context::{Device, Inner, locked};
 use crate::kernels::gpu::device::download::Pending;
@@ -15,7 +15,6 @@ use crate::kernels::gpu::device::generated::operation::Generated;
 use crate::kernels::gpu::device::generated::side::Side;
 use crate::kernels::gpu::device::generated::text::{GROUP, MOST_GROUPS};
 use crate::kernels::machine::Column;
-use crate::kernels::machine::Engine;
 use crate::kernels::machine::found::Best;
 use crate::kernels::machine::{self, FOREIGN, Stays};
 use crate::kernels::row::item::Leaf;
@@ -129,7 +128,7 @@ impl Stays<f32> for HeldColumn {
         None
     }
     fn check(&self, leaf: Leaf<f32>, numbers: &[f32]) -> Result<(), Error> {
-        Engine::check(&Cpu::new().engine, Argument::Shape, leaf, numbers)
+        check_numbers(Argument::Shape, leaf, numbers)
     }
     fn update(&mut self, rows: Vec<f32>) {
         let mut state = locked(&self.state);
