@@ -7,8 +7,7 @@ mod draw;
 
 use common::cli::{Failure, Machine};
 use draw::{POST, WALL};
-use geograd::ad::check::Sampling;
-use geograd::kernels::{One, Op, Skip, check::check_with};
+use geograd::kernels::{One, Op, Skip};
 use geograd::{Capsule2, Circle, Obb2, Pose2, Program, Scalar, Shape, Sym, Vec2};
 use geograd::{ad::program::WGSL, distance::Convex, operation};
 
@@ -79,7 +78,9 @@ fn batch(count: usize, machine: &Machine) -> Result<String, Failure> {
 }
 
 /// The report of the harness in both formats.
+#[cfg(feature = "check")]
 fn check() -> Result<String, Failure> {
+    use geograd::{ad::check::Sampling, kernels::check::check_with};
     // Every eighth of the hard cases, which are many for three shapes; fewer in slow, unoptimised builds.
     let (samples, every) = if cfg!(debug_assertions) {
         (40, 101)

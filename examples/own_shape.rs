@@ -1,5 +1,5 @@
 //! A shape of your own in a verb of the library: batches, gradients and the harness follow from one row.
-//! `cargo run --release -p geograd-examples --example own_shape`
+//! `cargo run -p geograd-examples --features check --example own_shape`
 use geograd::check::Check;
 use geograd::operation;
 use geograd::prelude::*;

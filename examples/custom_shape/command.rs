@@ -1,6 +1,6 @@
 //! The command line, and what is told about a batch.
 use crate::draw::posture;
-use crate::{Arm, batch, check, draw, program};
+use crate::{Arm, batch, draw, program};
 use common::cli::{Failure, Wish, usage};
 use common::progress::styled;
 use indicatif::ProgressBar;
@@ -39,7 +39,10 @@ pub fn run() -> Result<String, Failure> {
                 backend = Some(Wish::from_name(&arguments.value()?.string()?)?);
                 continue;
             }
-            Long("check") => Box::new(check),
+            #[cfg(feature = "check")]
+            Long("check") => Box::new(crate::check),
+            #[cfg(not(feature = "check"))]
+            Long("check") => return usage("a build with `--features check` checks derivatives"),
             Long("program") => Box::new(|| program(false)),
             Long("wgsl") => Box::new(|| program(true)),
             Long("svg") => {
