@@ -121,7 +121,7 @@ pub struct Invariance {
 }
 
 impl Invariance {
-    /// The property that this motion has this answer.
+    /// Returns the property that this motion has this answer.
     #[must_use]
     pub const fn new(motion: Motion, answer: Effect) -> Self {
         Invariance { motion, answer }

@@ -32,7 +32,7 @@ pub fn value<X: Pack, Y>(f: impl Fn(X) -> Y, x: X) -> Y {
     f(x)
 }
 
-/// A number without derivative as a jet.
+/// Returns a number without derivative as a jet.
 #[inline]
 fn constant<S: Scalar, const N: usize>(value: S) -> Jet<S, N> {
     Jet {

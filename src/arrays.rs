@@ -4,8 +4,8 @@
 pub trait Each<T> {
     /// The same list of other elements.
     type Of<U: Copy>: Copy + AsRef<[U]>;
-    /// The results of a function of every element, first element first. Builds without optimisation compile some 300
-    /// lines of LLVM's for every use of the standard library's `map`, and a tenth of that for this loop.
+    /// Returns the results of a function of every element, first element first. Builds without optimisation compile
+    /// some 300 lines of LLVM's for every use of the standard library's `map`, and a tenth of that for this loop.
     fn each_as<U: Copy>(self, f: impl FnMut(T) -> U) -> Self::Of<U>;
 }
 

@@ -49,7 +49,7 @@ pub fn greedy<S: Scalar<Mask = bool>>(pairs: &[Pair<S>]) -> Vec<Pair<S>> {
     order
 }
 
-/// The one-to-one pairs of rows and columns with the largest sum of gains, by row: as many as there are
+/// Returns the one-to-one pairs of rows and columns with the largest sum of gains, by row: as many as there are
 /// rows or columns, whichever are fewer. Gains come row by row.
 ///
 /// Shortest augmenting paths with potentials, one row at a time (Jonker and Volgenant, *A shortest
@@ -106,8 +106,8 @@ pub fn optimal(gains: &[f64], rows: usize, columns: usize) -> Result<Vec<(usize,
     Ok(pairs)
 }
 
-/// The one-to-one pairs of a list with the largest sum of overlaps, by their first place. Overlaps of zero or less add
-/// nothing and are left out.
+/// Returns the one-to-one pairs of a list with the largest sum of overlaps, by their first place. Overlaps of zero or
+/// less add nothing and are left out.
 ///
 /// Pairs that share no place, as those of two frames, are independent: one call serves the pairs of all frames, as
 /// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped) gives them, and costs no more than a call per frame.

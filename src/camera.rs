@@ -62,7 +62,8 @@ fn polynomial<S: Scalar, const N: usize>(u: S, k: [S; N]) -> S {
     sum + S::one()
 }
 
-/// `true` only where `1 + 3 k₁ u + 5 k₂ u² + …` is positive from zero to u: there `r (1 + k₁ r² + …)` increases.
+/// Returns `true` only where `1 + 3 k₁ u + 5 k₂ u² + …` is positive from zero to u: there `r (1 + k₁ r² + …)`
+/// increases.
 ///
 /// Bernstein's coefficients bound a polynomial on each of sixteen parts; the answer may be `false` close to a turn.
 fn increases<S: Scalar, const N: usize>(u: S, k: [S; N]) -> S::Mask {
@@ -106,19 +107,20 @@ impl<S> Pinhole<S> {
 }
 
 impl<S: Scalar> Pinhole<S> {
-    /// The image of a point, in pixels. Points at z = 0 are outside the domain; they get the principal point, with
-    /// derivative zero.
+    /// Returns the image of a point, in pixels. Points at z = 0 are outside the domain; they get the principal point,
+    /// with derivative zero.
     #[must_use]
     pub fn project(self, point: Vec3<S>) -> Vec2<S> {
         self.place(ahead(point))
     }
-    /// `true` where the point is ahead of the camera: z is more than a thousandth of its distance from the axis.
+    /// Returns `true` where the point is ahead of the camera: z is more than a thousandth of its distance from the
+    /// axis.
     #[must_use]
     pub fn sees(self, point: Vec3<S>) -> S::Mask {
         let aside = Vec2::new(point.x, point.y).length();
         point.z.above(S::zero()) & point.z.at_least(aside * S::lit(1e-3))
     }
-    /// The pixel of an image at focal length one.
+    /// Returns the pixel of an image at focal length one.
     fn place(self, image: Vec2<S>) -> Vec2<S> {
         let (focal, center) = (self.focal, self.center);
         let pixel = Vec2::new(image.x * focal.x, image.y * focal.y) + center;
@@ -126,7 +128,7 @@ impl<S: Scalar> Pinhole<S> {
     }
 }
 
-/// The image at focal length one.
+/// Returns the image at focal length one.
 fn ahead<S: Scalar>(point: Vec3<S>) -> Vec2<S> {
     let none = point.z.equals(S::zero());
     let z = S::select(none, S::one(), point.z);
@@ -158,7 +160,7 @@ impl<S> BrownConrady<S> {
 }
 
 impl<S: Scalar> BrownConrady<S> {
-    /// The image of a point, in pixels. Points at z = 0 are outside the domain.
+    /// Returns the image of a point, in pixels. Points at z = 0 are outside the domain.
     ///
     /// ```
     /// use geograd::camera::{BrownConrady, Pinhole};
@@ -181,8 +183,8 @@ impl<S: Scalar> BrownConrady<S> {
         self.pinhole
             .place(image * polynomial(u, self.radial) + bent)
     }
-    /// `true` where the point is ahead of the camera and the radial distortion increases from the axis to it. It may be
-    /// `false` close to the first turn, too.
+    /// Returns `true` where the point is ahead of the camera and the radial distortion increases from the axis to it.
+    /// It may be `false` close to the first turn, too.
     #[must_use]
     pub fn sees(self, point: Vec3<S>) -> S::Mask {
         self.pinhole.sees(point) & increases(ahead(point).length_squared(), self.radial)
@@ -190,8 +192,8 @@ impl<S: Scalar> BrownConrady<S> {
 }
 
 impl<S: Scalar> Fisheye<S> {
-    /// The image of a point, in pixels; the angle may exceed a right angle. Points straight behind are outside the
-    /// domain; they and the origin get the principal point, with derivative zero.
+    /// Returns the image of a point, in pixels; the angle may exceed a right angle. Points straight behind are outside
+    /// the domain; they and the origin get the principal point, with derivative zero.
     ///
     /// ```
     /// use geograd::camera::{Fisheye, Pinhole};
@@ -225,8 +227,8 @@ impl<S: Scalar> Fisheye<S> {
         self.pinhole
             .place(aside * (per * polynomial(theta, self.radial)))
     }
-    /// `true` where the angle is up to 3 radians and the distance from the image's centre increases from the axis to
-    /// it. It may be `false` close to the first turn, too.
+    /// Returns `true` where the angle is up to 3 radians and the distance from the image's centre increases from the
+    /// axis to it. It may be `false` close to the first turn, too.
     #[must_use]
     pub fn sees(self, point: Vec3<S>) -> S::Mask {
         let aside = Vec2::new(point.x, point.y).length();

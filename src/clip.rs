@@ -19,7 +19,7 @@
 use crate::scalar::power_of_largest;
 use crate::{Obb2, Scalar, Shape, Vec2, twofold};
 
-/// The area of a box from half its size. Doubled first, so that an area that can be represented is
+/// Returns the area of a box from half its size. Doubled first, so that an area that can be represented is
 /// rounded once.
 #[inline(always)]
 pub fn area_from_half<S: Scalar>(half: Vec2<S>) -> S {
@@ -80,7 +80,7 @@ pub fn frame<S: Scalar>(shape: Obb2<S>) -> Framed<S> {
     }
 }
 
-/// The power of two by which a pair of boxes, given by half their sizes, is multiplied so that no
+/// Returns the power of two by which a pair of boxes, given by half their sizes, is multiplied so that no
 /// area over- or underflows: it brings the larger side of the smaller box near one, unless that is
 /// zero or the other box would become too large.
 #[inline(always)]
@@ -276,14 +276,14 @@ pub struct Clip<S: Scalar> {
     pub steepness: S,
 }
 
-/// The point of `[−half, half]` nearest to `x`, as a constant.
+/// Returns the point of `[−half, half]` nearest to `x`, as a constant.
 #[inline(always)]
 fn nearest_inside<S: Scalar>(x: S, half: S) -> S {
     let half = half.primal();
     S::from_primal(x.primal().clamp(-half, half))
 }
 
-/// How much of a side of b parallel to a's top and bottom counts as inside: all, nothing, or half
+/// Returns how much of a side of b parallel to a's top and bottom counts as inside: all, nothing, or half
 /// where it lies along one of them. Values do not notice.
 #[inline(always)]
 fn share_inside<S: Scalar>(y: S, low: S, high: S, parallel: S::Mask) -> S::Primal {
@@ -365,13 +365,13 @@ pub fn clip<S: Scalar>(pair: Relative<S>) -> Clip<S> {
     }
 }
 
-/// How much the clamp bends an edge: `(X₁ − X₀)(e₀ + e₁)`.
+/// Returns how much the clamp bends an edge: `(X₁ − X₀)(e₀ + e₁)`.
 #[inline(always)]
 fn bend<S: Scalar>(edge: [End<S>; 2]) -> S {
     (edge[1].x - edge[0].x) * (edge[0].beyond + edge[1].beyond)
 }
 
-/// The area inside the clamped border, `∮ x dy`; rounding can leave it a little outside `[0, …]`.
+/// Returns the area inside the clamped border, `∮ x dy`; rounding can leave it a little outside `[0, …]`.
 ///
 /// An edge from `(x₀, y₀)` to `(x₁, y₁)`, both y clamped, contributes the mean of its clamped x
 /// times its height. With `X` the clamped x and `e = x − X` that is
@@ -388,7 +388,7 @@ pub fn clipped_area<S: Scalar>(clip: &Clip<S>) -> S {
     (straight + (flat - upright)).halved()
 }
 
-/// The area of intersection of a related pair from its [`clipped_area`], in units of `1 / scale²`:
+/// Returns the area of intersection of a related pair from its [`clipped_area`], in units of `1 / scale²`:
 /// exactly zero for boxes that are apart, never more than either box has.
 #[inline(always)]
 pub fn related_area<S: Scalar>(pair: &Relative<S>, area: S) -> S {
@@ -402,7 +402,7 @@ pub fn related_area<S: Scalar>(pair: &Relative<S>, area: S) -> S {
     S::select(nothing_shared(pair, area), S::zero(), area)
 }
 
-/// `true` where a pair counts as sharing nothing, so that value and derivatives are zero.
+/// Returns `true` where a pair counts as sharing nothing, so that value and derivatives are zero.
 #[inline(always)]
 pub fn nothing_shared<S: Scalar>(pair: &Relative<S>, area: S) -> S::Mask {
     pair.apart | area.below(S::zero())
@@ -426,7 +426,7 @@ pub(crate) const COMMON_LARGE: f64 = 1e6;
 /// Coordinates of the centre of such shapes are not beyond this.
 pub(crate) const COMMON_FAR: f64 = 1e9;
 
-/// `true` where a box is valid and plain products of its numbers stay far from over- and underflow, so
+/// Returns `true` where a box is valid and plain products of its numbers stay far from over- and underflow, so
 /// that a batch of such boxes needs no [`size_scale`]. The results are the same bits either way.
 ///
 /// Without branches: a batch asks this of every box before anything else.
@@ -443,7 +443,7 @@ pub fn is_ordinary<S: Scalar>(shape: Obb2<S>) -> S::Mask {
         & zero_or_within(shape.heading.unsigned(), fine, S::lit(S::LARGEST))
 }
 
-/// `true` where a number is zero or from `low` to `high`.
+/// Returns `true` where a number is zero or from `low` to `high`.
 #[inline(always)]
 pub(crate) fn zero_or_within<S: Scalar>(x: S, low: S, high: S) -> S::Mask {
     x.equals(S::zero()) | (x.at_least(low) & x.at_most(high))

@@ -17,9 +17,9 @@ pub enum Location {
     Off(i32),
 }
 
-/// The contribution of an edge to the winding number of a ring around a point: +1 where it passes to the right of
-/// the point upwards, −1 downwards, else 0. The sum over a closed ring is the winding number; its odd values are
-/// the inside by the even-odd rule. Straight line, no derivative.
+/// Returns the contribution of an edge to the winding number of a ring around a point: +1 where it passes to the right
+/// of the point upwards, −1 downwards, else 0. The sum over a closed ring is the winding number; its odd values are the
+/// inside by the even-odd rule. Straight line, no derivative.
 ///
 /// An edge has its lower end and not its upper one. Sunday, Inclusion of a point in a polygon, 2001. Backwards it
 /// contributes the opposite, so that a point on the common edge of two polygons is in one of them, however it rounds.
@@ -36,7 +36,7 @@ pub fn crossing<S: Scalar>(start: Vec2<S>, end: Vec2<S>, point: Vec2<S>) -> S {
     edge_winding(point, start, end)
 }
 
-/// The place of a point with respect to some rings, decided exactly.
+/// Returns the place of a point with respect to some rings, decided exactly.
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, contain::{Location, locate}};
@@ -87,14 +87,14 @@ pub fn winding_number<S: Scalar<Mask = bool>>(ring: &[Vec2<S>], point: Vec2<S>) 
     }
 }
 
-/// `true` if a point is on the border of some rings or they wind around it a number of times that is not
+/// Returns `true` if a point is on the border of some rings or they wind around it a number of times that is not
 /// zero (the non-zero rule). Holes are rings of the other orientation.
 #[must_use]
 pub fn contains<S: Scalar<Mask = bool>>(rings: &[&[Vec2<S>]], point: Vec2<S>) -> bool {
     locate(rings, point) != Location::Off(0)
 }
 
-/// `true` if a point is on the border of some rings or they wind around it an odd number of times (the
+/// Returns `true` if a point is on the border of some rings or they wind around it an odd number of times (the
 /// even-odd rule). Holes may have either orientation.
 #[must_use]
 pub fn contains_even_odd<S: Scalar<Mask = bool>>(rings: &[&[Vec2<S>]], point: Vec2<S>) -> bool {
@@ -128,7 +128,7 @@ pub struct NearestEdge {
     pub inside: bool,
 }
 
-/// How far a point is from the border of a polygon, in units of length: positive inside, negative
+/// Returns how far a point is from the border of a polygon, in units of length: positive inside, negative
 /// outside, and what decided it; `None` for rings without vertices. (The sign is the DGAL paper's,
 /// opposite to that of [`signed_distance`](crate::distance::signed_distance()).)
 ///
@@ -181,9 +181,9 @@ pub fn depth_search<S: Scalar<Mask = bool>>(
     best.map(|(_, record)| (depth_replay(rings, point, record), record))
 }
 
-/// The signed distance of a point from the part of an edge that a record names. Its derivatives are to the point
-/// and to that edge's ends. At distance zero between the ends of an edge, the derivative is that of the side on the
-/// edge's left, else zero.
+/// Returns the signed distance of a point from the part of an edge that a record names. Its derivatives are to the
+/// point and to that edge's ends. At distance zero between the ends of an edge, the derivative is that of the side on
+/// the edge's left, else zero.
 ///
 /// # Panics
 ///
@@ -212,7 +212,7 @@ pub fn depth_replay<S: Scalar>(rings: &[&[Vec2<S>]], point: Vec2<S>, record: Nea
 }
 
 impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
-    /// `true` if a point is in the polygon; the border belongs to it. Search exactly.
+    /// Returns `true` if a point is in the polygon; the border belongs to it. Search exactly.
     #[must_use]
     #[inline]
     pub fn contains(&self, point: Vec2<S>) -> bool
@@ -221,7 +221,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
     {
         contains(&[self.as_slice()], point)
     }
-    /// How far a point is from the border: positive inside, negative outside; zero for no vertices.
+    /// Returns how far a point is from the border: positive inside, negative outside; zero for no vertices.
     #[must_use]
     #[inline]
     pub fn depth(&self, point: Vec2<S>) -> S

@@ -108,13 +108,13 @@ impl<T: Copy + std::fmt::Debug + PartialEq> Standard for T {}
 /// A shape of numbers: the first implementation of the derive, so that the compiler first says what is missing.
 pub trait Derived: Standard {}
 
-/// The flaw of scalar `i` of a part that begins at scalar `at` of a shape.
+/// Returns the flaw of scalar `i` of a part that begins at scalar `at` of a shape.
 #[cold]
 fn flawed<W: Fixed>(_: &W, flaw: fn(Field) -> Flaw, i: usize) -> Result<(), Flaw> {
     Err(flaw(W::name(i)))
 }
 
-/// The place of the first scalar for which something holds.
+/// Returns the place of the first scalar for which something holds.
 #[inline(always)]
 fn first<P: Pack<Scalar: Copy>>(
     part: &P,
@@ -130,7 +130,7 @@ fn first<P: Pack<Scalar: Copy>>(
     found
 }
 
-/// A part's first flaw; the numbers have names of their own.
+/// Returns a part's first flaw; the numbers have names of their own.
 #[inline]
 pub fn valid_as<P: Fixed + Validate>(part: &P, names: &[&str]) -> Result<(), Flaw> {
     let renamed = |own: Field| {
@@ -141,7 +141,7 @@ pub fn valid_as<P: Fixed + Validate>(part: &P, names: &[&str]) -> Result<(), Fla
     part.validate().map_err(|flaw| flaw.renamed(renamed))
 }
 
-/// `Ok` when no number of a part is below zero; the part begins at scalar `at` of the whole.
+/// Returns `Ok` when no number of a part is below zero; the part begins at scalar `at` of the whole.
 #[inline]
 pub fn non_negative<W: Fixed, P: Fixed>(whole: &W, part: &P, at: usize) -> Result<(), Flaw>
 where
@@ -153,7 +153,7 @@ where
     }
 }
 
-/// `Ok` when all numbers of a part are above zero.
+/// Returns `Ok` when all numbers of a part are above zero.
 #[inline]
 pub fn positive<W: Fixed, P: Fixed>(whole: &W, part: &P, at: usize) -> Result<(), Flaw>
 where
@@ -165,7 +165,7 @@ where
     }
 }
 
-/// `Ok` when no number of a part exceeds that of another part, the field `upper` of the whole.
+/// Returns `Ok` when no number of a part exceeds that of another part, the field `upper` of the whole.
 #[inline]
 pub fn at_most<W: Fixed, P: Fixed>(
     _: &W,

@@ -59,7 +59,7 @@ impl Argument {
             Argument::Input(i)
         }
     }
-    /// An input by the name that its operation gives it: `A` for `a`, and so on up to `F`.
+    /// Returns an input by the name that its operation gives it: `A` for `a`, and so on up to `F`.
     ///
     /// ```
     /// use geograd::error::Argument;
@@ -133,18 +133,18 @@ impl Field {
     pub const fn new(name: &str) -> Self {
         Field::joined([name, "", ""])
     }
-    /// The same number as part of a field of another shape.
+    /// Returns the same number as part of a field of another shape.
     #[must_use]
     pub const fn within(self, field: &str) -> Self {
         let is_joined = field.is_empty() || self.len == 0 || self.text[0] == b'[';
         Field::joined([field, if is_joined { "" } else { "." }, self.raw()])
     }
-    /// The same number as part of an item of an array.
+    /// Returns the same number as part of an item of an array.
     #[must_use]
     pub fn within_item(self, item: usize) -> Self {
         self.within(&format!("[{item}]"))
     }
-    /// The name.
+    /// Returns the name.
     #[must_use]
     pub const fn as_str(&self) -> &str {
         if self.len == 0 { "value" } else { self.raw() }
@@ -281,7 +281,7 @@ impl fmt::Display for VertexFault {
 }
 
 impl Flaw {
-    /// The field that is flawed.
+    /// Returns the field that is flawed.
     #[must_use]
     pub fn field(self) -> Field {
         match self {
@@ -298,7 +298,7 @@ impl Flaw {
             }
         }
     }
-    /// The same flaw, its fields by other names.
+    /// Returns the same flaw, its fields by other names.
     #[must_use]
     pub fn renamed(self, name: impl Fn(Field) -> Field) -> Self {
         match self {
@@ -311,12 +311,12 @@ impl Flaw {
             Flaw::Vertex { .. } | Flaw::Ring { .. } => self,
         }
     }
-    /// The same flaw of a part of another shape, which calls the part so.
+    /// Returns the same flaw of a part of another shape, which calls the part so.
     #[must_use]
     pub fn within(self, field: &str) -> Self {
         self.renamed(|own| own.within(field))
     }
-    /// The same flaw of an item of an array.
+    /// Returns the same flaw of an item of an array.
     #[must_use]
     pub fn within_item(self, item: usize) -> Self {
         self.renamed(|own| own.within_item(item))
@@ -546,7 +546,7 @@ impl std::error::Error for Error {}
 pub trait Validate {
     /// `true` if finite fields make a shape valid; batches then check many shapes at once.
     const FINITE_SUFFICES: bool = false;
-    /// `Ok` when every field is finite and the shape's own rules hold.
+    /// Returns `Ok` when every field is finite and the shape's own rules hold.
     ///
     /// # Errors
     ///

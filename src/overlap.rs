@@ -101,7 +101,7 @@ pub enum Denominator {
     First,
 }
 
-/// A score from areas.
+/// Returns a score from areas.
 #[inline(always)]
 pub fn score_of<S: Scalar>(over: Denominator, inter: S, area_a: S, area_b: S) -> S {
     match over {
@@ -111,7 +111,7 @@ pub fn score_of<S: Scalar>(over: Denominator, inter: S, area_a: S, area_b: S) ->
     }
 }
 
-/// A score in the caller's unit: ratios have none, areas go back from units of `1 / scale²`.
+/// Returns a score in the caller's unit: ratios have none, areas go back from units of `1 / scale²`.
 #[inline(always)]
 pub fn in_outer_unit<S: Scalar>(over: Denominator, value: S, scale: S) -> S {
     match over {
@@ -120,7 +120,7 @@ pub fn in_outer_unit<S: Scalar>(over: Denominator, value: S, scale: S) -> S {
     }
 }
 
-/// An upstream derivative of at most about one, and the power of two that its results are to be multiplied
+/// Returns an upstream derivative of at most about one, and the power of two that its results are to be multiplied
 /// by: boxes of extreme sizes have derivatives that bear no larger one.
 #[inline(always)]
 pub(crate) fn tamed<S: Scalar>(out_bar: S) -> (S, S) {
@@ -130,7 +130,7 @@ pub(crate) fn tamed<S: Scalar>(out_bar: S) -> (S, S) {
     (out_bar * unit, one.over(unit))
 }
 
-/// A score of two rotated boxes with their trigonometry done.
+/// Returns a score of two rotated boxes with their trigonometry done.
 #[inline(always)]
 pub fn score_framed<S: Scalar, const EXTREME: bool>(
     over: Denominator,
@@ -148,7 +148,7 @@ pub fn score_framed<S: Scalar, const EXTREME: bool>(
     value.canonical()
 }
 
-/// A score of two axis-aligned boxes.
+/// Returns a score of two axis-aligned boxes.
 #[inline(always)]
 pub fn score_aabb2<S: Scalar>(over: Denominator, a: Aabb2<S>, b: Aabb2<S>) -> S {
     let shared = share(a, b);
@@ -157,7 +157,7 @@ pub fn score_aabb2<S: Scalar>(over: Denominator, a: Aabb2<S>, b: Aabb2<S>) -> S 
     in_outer_unit(over, value, shared.scale).canonical()
 }
 
-/// The area shared by two rotated boxes, from 0 to the area of the smaller one, in squared units
+/// Returns the area shared by two rotated boxes, from 0 to the area of the smaller one, in squared units
 /// of length. Saturates at the largest finite number.
 ///
 /// By the boundary integral of [`clip`](crate::clip). Kinks and conventions: see the
@@ -192,7 +192,7 @@ pub fn iou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     score_framed::<S, true>(Denominator::Union, frame(a), frame(b))
 }
 
-/// The share of the first rotated box that lies in the second, in `[0, 1]`.
+/// Returns the share of the first rotated box that lies in the second, in `[0, 1]`.
 ///
 /// Kinks and conventions: see the [module](self).
 ///
@@ -248,13 +248,13 @@ pub fn share<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Shared<S> {
     }
 }
 
-/// The area of the shared part, in units of `1 / scale²`.
+/// Returns the area of the shared part, in units of `1 / scale²`.
 #[inline(always)]
 pub fn area_of_shared<S: Scalar>(shared: &Shared<S>) -> S {
     S::select(shared.apart, S::zero(), area_from_half(shared.half))
 }
 
-/// The area shared by two axis-aligned boxes, from 0 to the area of the smaller one, in squared
+/// Returns the area shared by two axis-aligned boxes, from 0 to the area of the smaller one, in squared
 /// units of length. Saturates at the largest finite number.
 ///
 /// Kinks and conventions: see the [module](self).
@@ -285,7 +285,7 @@ pub fn iou_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     score_aabb2(Denominator::Union, a, b)
 }
 
-/// The share of the first axis-aligned box that lies in the second, in `[0, 1]`.
+/// Returns the share of the first axis-aligned box that lies in the second, in `[0, 1]`.
 ///
 /// Kinks and conventions: see the [module](self).
 ///

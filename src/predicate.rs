@@ -21,7 +21,7 @@ pub enum Turn {
 }
 
 impl Turn {
-    /// The turn of the mirror image.
+    /// Returns the turn of the mirror image.
     #[must_use]
     #[inline]
     pub fn mirrored(self) -> Self {
@@ -33,7 +33,7 @@ impl Turn {
     }
 }
 
-/// The value as an `f64`, exactly, for the formats that fit into one.
+/// Returns the value as an `f64`, exactly, for the formats that fit into one.
 #[inline(always)]
 fn widened<S: Scalar<Mask = bool>>(x: S) -> Option<f64> {
     let x = x.primal();
@@ -44,7 +44,7 @@ fn widened<S: Scalar<Mask = bool>>(x: S) -> Option<f64> {
     }
 }
 
-/// The coordinates of a point as `f64`, exactly.
+/// Returns the coordinates of a point as `f64`, exactly.
 #[inline(always)]
 pub(crate) fn wide<S: Scalar<Mask = bool>>(p: Vec2<S>) -> Option<[f64; 2]> {
     Some([widened(p.x)?, widened(p.y)?])
@@ -94,7 +94,7 @@ pub fn turn_between<S: Scalar<Mask = bool>>(from: [Vec2<S>; 2], to: [Vec2<S>; 2]
     }
 }
 
-/// The order of two points by x, then by y.
+/// Returns the order of two points by x, then by y.
 #[inline]
 pub(crate) fn left_to_right<S: Scalar<Mask = bool>>(a: Vec2<S>, b: Vec2<S>) -> Ordering {
     let order = |a: S, b: S| match (a.below(b), b.below(a)) {
@@ -105,13 +105,13 @@ pub(crate) fn left_to_right<S: Scalar<Mask = bool>>(a: Vec2<S>, b: Vec2<S>) -> O
     order(a.x, b.x).then(order(a.y, b.y))
 }
 
-/// `true` if two points have the same coordinates.
+/// Returns `true` if two points have the same coordinates.
 #[inline]
 pub(crate) fn same<S: Scalar<Mask = bool>>(a: Vec2<S>, b: Vec2<S>) -> bool {
     a.x.equals(b.x) && a.y.equals(b.y)
 }
 
-/// A number with the sign of `(b − a) × (d − c)`.
+/// Returns a number with the sign of `(b − a) × (d − c)`.
 ///
 /// The plain value decides when it is farther from zero than its rounding can be (Shewchuk, Adaptive
 /// precision floating-point arithmetic and fast robust geometric predicates, 1997); else the sum of
@@ -147,7 +147,7 @@ fn exact_cross(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> f64 {
     sum.sign()
 }
 
-/// The two coordinates of `b − a`, each as an exact sum of two numbers, times a power of two.
+/// Returns the two coordinates of `b − a`, each as an exact sum of two numbers, times a power of two.
 fn differences(a: [f64; 2], b: [f64; 2]) -> [[f64; 2]; 2] {
     let largest = a
         .iter()
@@ -197,7 +197,7 @@ impl Expansion {
         }
         self.count = kept;
     }
-    /// A number with the sign of the sum: its largest part.
+    /// Returns a number with the sign of the sum: its largest part.
     fn sign(&self) -> f64 {
         self.count.checked_sub(1).map_or(0.0, |k| self.parts[k])
     }

@@ -154,8 +154,8 @@ impl<S: Scalar> Moments<S> {
 }
 
 impl<S: Scalar> Rotation3<S> {
-    /// The rotation whose matrix is nearest to a matrix, column by column, by the sum of squared differences: nine
-    /// coordinates without jumps where the determinant is positive.
+    /// Returns the rotation whose matrix is nearest to a matrix, column by column, by the sum of squared differences:
+    /// nine coordinates without jumps where the determinant is positive.
     ///
     /// Kinks: where the two smaller singular values, the smaller negative for a mirroring matrix, have the sum zero.
     /// There the rotation is the smallest of those equally near, and its derivative about the free axis is zero. The
@@ -220,7 +220,7 @@ impl<S: Scalar> Rotation3<S> {
 /// Sweeps of Jacobi's method. After six, 900,000 matrices of nine kinds of singular values were off by rounding only.
 const SWEEPS: usize = 6;
 
-/// The rotation nearest to a matrix, and the inverse of the second derivative in its body tangent; zero along
+/// Returns the rotation nearest to a matrix, and the inverse of the second derivative in its body tangent; zero along
 /// directions in which the rotation is free.
 fn optimum<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> (Rotation3<S>, [Vec3<S>; 3]) {
     let (zero, one) = (S::zero(), S::one());

@@ -171,7 +171,7 @@ impl<X> Iterator for OneAfterAnother<'_, X> {
     }
 }
 
-/// A list with one element replaced by one with fewer numbers.
+/// Returns a list with one element replaced by one with fewer numbers.
 fn fewer_inside<P: Pack, L: Clone + AsMut<[P]>>(
     list: &L,
     elements: &[P],
@@ -342,14 +342,14 @@ pub fn store_code<C: Code>(code: C, to: &mut &mut [u32]) {
     *to = rest;
     code.store(own);
 }
-/// A code of a shape of which only the scalars are known.
+/// Returns a code of a shape of which only the scalars are known.
 #[inline]
 pub fn no_code<C: Code>() -> C {
     const MOST: usize = 64;
     const { assert!(C::CODES <= MOST, "a field has at most 64 codes") };
     C::load(&[0; MOST])
 }
-/// The name of scalar `i` among parts with a name, a length and names of their own.
+/// Returns the name of scalar `i` among parts with a name, a length and names of their own.
 pub fn name(mut i: usize, parts: &[(&str, usize, fn(usize) -> Field)]) -> Field {
     for (part, len, name) in parts {
         if i < *len {
@@ -359,7 +359,7 @@ pub fn name(mut i: usize, parts: &[(&str, usize, fn(usize) -> Field)]) -> Field 
     }
     Field::VALUE
 }
-/// A part's first flaw, with the part's name.
+/// Returns a part's first flaw, with the part's name.
 #[inline]
 pub fn valid(part: &impl Validate, name: &str) -> Result<(), Flaw> {
     part.validate().map_err(|flaw| flaw.within(name))

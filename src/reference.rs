@@ -75,7 +75,7 @@ impl<S: Scalar> Reference<S> {
         };
         (seen, in_a, apart)
     }
-    /// The same for fourth powers of length. A shape longer than 2³⁰ in single precision is 2²⁶ local units
+    /// Returns the same for fourth powers of length. A shape longer than 2³⁰ in single precision is 2²⁶ local units
     /// instead of one. Then the fourth power of the unit is finite. So is the factor of derivatives by local
     /// coordinates on the way back, before the unit itself divides them. A shape longer than 2³⁵ stays as it is:
     /// see [`too_long`](Reference::too_long).
@@ -96,19 +96,19 @@ impl<S: Scalar> Reference<S> {
         let far = seen.place(bounds.max);
         seen.shifted(Vec2::new(far.x.halved(), far.y.halved()))
     }
-    /// `true` where the fourth power of the unit need not be finite.
+    /// Returns `true` where the fourth power of the unit need not be finite.
     #[inline(always)]
     pub(crate) fn too_long(&self) -> S::Mask {
         self.scale.below(least_unit::<S>())
     }
-    /// The same with local coordinates that start elsewhere, at a place in present ones.
+    /// Returns the same with local coordinates that start elsewhere, at a place in present ones.
     #[must_use]
     #[inline(always)]
     pub fn shifted(mut self, by: Vec2<S>) -> Self {
         self.shift += by.constant();
         self
     }
-    /// A vertex in local coordinates. A vertex too far away to matter stays where it is just that far.
+    /// Returns a vertex in local coordinates. A vertex too far away to matter stays where it is just that far.
     #[must_use]
     #[inline(always)]
     pub fn place(&self, vertex: Vec2<S>) -> Vec2<S> {
@@ -121,7 +121,7 @@ impl<S: Scalar> Reference<S> {
         let seen = (halved(vertex) - halved(self.origin)) * self.scale;
         Vec2::new(near(seen.x), near(seen.y)) - self.shift
     }
-    /// The area of a ring in local units, seen from its own first vertex.
+    /// Returns the area of a ring in local units, seen from its own first vertex.
     #[must_use]
     #[inline]
     pub(crate) fn own_area(&self, ring: &[Vec2<S>]) -> S {
@@ -135,13 +135,13 @@ impl<S: Scalar> Reference<S> {
         let twice = ways.clone().zip(ways.skip(1)).map(|(p, q)| p.perp_dot(q));
         twice.fold(S::zero(), |sum, twice| sum + twice).halved()
     }
-    /// A local length in the caller's unit. Areas go through it twice.
+    /// Returns a local length in the caller's unit. Areas go through it twice.
     #[must_use]
     #[inline(always)]
     pub fn outer(&self, length: S) -> S {
         (length + length).over(self.scale)
     }
-    /// A local position in the caller's coordinates.
+    /// Returns a local position in the caller's coordinates.
     #[must_use]
     #[inline(always)]
     pub fn outer_place(&self, at: Vec2<S>) -> Vec2<S> {
@@ -151,7 +151,7 @@ impl<S: Scalar> Reference<S> {
             (self.origin.y + self.outer(at.y)).saturated(),
         )
     }
-    /// The caller's derivative by a vertex, from a derivative by its local coordinates of something whose unit
+    /// Returns the caller's derivative by a vertex, from a derivative by its local coordinates of something whose unit
     /// is length to the power `power`.
     #[must_use]
     #[inline(always)]
@@ -167,7 +167,7 @@ impl<S: Scalar> Reference<S> {
     }
 }
 
-/// The smallest axis-aligned box around points, as constants; `None` for none.
+/// Returns the smallest axis-aligned box around points, as constants; `None` for none.
 #[must_use]
 #[inline]
 pub fn bounds_of<S: Scalar>(points: &[Vec2<S>]) -> Option<Aabb2<S>> {
@@ -189,13 +189,13 @@ fn ratio<S: Scalar>() -> f64 {
     power_of_largest::<S>(0.21875)
 }
 
-/// The scale of the longest unit with a fourth power that is finite, the unit being two lengths.
+/// Returns the scale of the longest unit with a fourth power that is finite, the unit being two lengths.
 #[inline(always)]
 fn least_unit<S: Scalar>() -> S {
     S::lit(4.0 * ratio::<S>()).binade()
 }
 
-/// The power of two that brings the smaller size near one, unless the other becomes too large.
+/// Returns the power of two that brings the smaller size near one, unless the other becomes too large.
 #[inline(always)]
 fn unit<S: Scalar>(smaller: S, larger: S) -> S {
     let bounded = smaller.most(larger * S::lit(1.0 / ratio::<S>()));

@@ -19,7 +19,7 @@ pub(crate) trait Vertices<S>: Copy {
     fn count(self) -> usize;
     /// One of them.
     fn at(self, k: usize) -> Vec2<S>;
-    /// All of them, where they lie side by side.
+    /// Returns all of them, where they lie side by side.
     fn slice(&self) -> &[Vec2<S>];
 }
 
@@ -80,7 +80,7 @@ impl<S: Scalar> Local<S> {
             scale: Some(S::from_primal(scale)),
         }
     }
-    /// A vertex in the local frame.
+    /// Returns a vertex in the local frame.
     #[inline(always)]
     pub fn place(&self, vertex: Vec2<S>) -> Vec2<S> {
         match self.scale {
@@ -89,7 +89,7 @@ impl<S: Scalar> Local<S> {
             Some(scale) => (halved(vertex) - self.first) * scale,
         }
     }
-    /// A local length in the caller's unit.
+    /// Returns a local length in the caller's unit.
     #[inline(always)]
     fn outer(&self, length: S) -> S {
         match self.scale {
@@ -97,7 +97,7 @@ impl<S: Scalar> Local<S> {
             Some(scale) => (length + length).over(scale),
         }
     }
-    /// The sums of some quantities of an edge over all edges, from start and end of each.
+    /// Returns the sums of some quantities of an edge over all edges, from start and end of each.
     ///
     /// Rings of more than [`SIDE`] vertices have as many sums of their own, which are added first.
     #[inline(always)]
@@ -159,7 +159,7 @@ fn primal<S: Scalar>(v: Vec2<S>) -> Vec2<S::Primal> {
     Vec2::new(v.x.primal(), v.y.primal())
 }
 
-/// The largest coordinate of a ring seen from its first vertex.
+/// Returns the largest coordinate of a ring seen from its first vertex.
 #[inline(always)]
 fn extent_of<S: Scalar>(ring: impl Vertices<S>) -> S::Primal {
     let first = primal(ring.at(0));
@@ -170,7 +170,7 @@ fn extent_of<S: Scalar>(ring: impl Vertices<S>) -> S::Primal {
     )
 }
 
-/// The largest coordinate of what vertices are placed at.
+/// Returns the largest coordinate of what vertices are placed at.
 #[inline(always)]
 fn largest_of<S: Scalar>(
     ring: impl Vertices<S>,
@@ -203,7 +203,7 @@ fn largest_of<S: Scalar>(
     largest
 }
 
-/// `true` where products of three lengths of that extent stay far from over- and underflow.
+/// Returns `true` where products of three lengths of that extent stay far from over- and underflow.
 #[inline(always)]
 fn is_ordinary<S: Scalar>(extent: S::Primal) -> S::Mask {
     // A quarter of the range of exponents, to either side of one.
@@ -212,7 +212,7 @@ fn is_ordinary<S: Scalar>(extent: S::Primal) -> S::Mask {
     extent.at_most(S::Primal::lit(large)) & (extent.at_least(S::Primal::lit(1.0 / large)) | zero)
 }
 
-/// A measure of a ring by sums over its edges, in the caller's unit: `finish` is given the sums, and
+/// Returns a measure of a ring by sums over its edges, in the caller's unit: `finish` is given the sums, and
 /// what turns a local length into one of the caller.
 #[inline(always)]
 fn measure<S: Scalar, const K: usize, const N: usize>(
@@ -234,7 +234,7 @@ fn measure<S: Scalar, const K: usize, const N: usize>(
     scaled
 }
 
-/// The signed area of a ring, in squared units of length: positive when it runs counter-clockwise.
+/// Returns the signed area of a ring, in squared units of length: positive when it runs counter-clockwise.
 /// Saturates at the largest finite number.
 ///
 /// Each region counts as often as the ring winds around it. Zero for fewer than three vertices.
@@ -270,7 +270,7 @@ pub(crate) fn signed_area_of<S: Scalar>(ring: impl Vertices<S>) -> S {
     area
 }
 
-/// The perimeter of a ring, in units of length: the sum of the lengths of its edges. Saturates at
+/// Returns the perimeter of a ring, in units of length: the sum of the lengths of its edges. Saturates at
 /// the largest finite number.
 ///
 /// Zero for fewer than two vertices; two vertices count their distance twice. Kink: an edge of
@@ -303,7 +303,7 @@ pub(crate) fn perimeter_of<S: Scalar>(ring: impl Vertices<S>) -> S {
     perimeter
 }
 
-/// The centroid of the area of a ring (not of its vertices): where a plate of that shape balances.
+/// Returns the centroid of the area of a ring (not of its vertices): where a plate of that shape balances.
 ///
 /// If the signed area is exactly zero (fewer than three vertices, collinear vertices, a symmetric figure of
 /// eight) there is no such point. The result is then the mean of the vertices, with its derivative; the origin

@@ -15,7 +15,7 @@ pub(crate) fn lost<P: Scalar>(a: P, b: P, rounded: P) -> P {
     (a - (rounded - taken)) - (b + taken)
 }
 
-/// The sum of two numbers: first what the rounded one lacks.
+/// Returns the sum of two numbers: first what the rounded one lacks.
 #[inline(always)]
 pub(crate) fn sum<P: Scalar>(a: P, b: P) -> [P; 2] {
     let rounded = a + b;
@@ -45,7 +45,7 @@ impl<P: Scalar> Halves<P> {
         };
         Halves { whole, high, low }
     }
-    /// The product: first what the rounded one lacks (Dekker).
+    /// Returns the product: first what the rounded one lacks (Dekker).
     #[inline(always)]
     pub(crate) fn times(self, other: Self) -> [P; 2] {
         let rounded = self.whole * other.whole;
@@ -64,7 +64,7 @@ pub(crate) struct Twofold<P> {
 }
 
 impl<P: Scalar> Twofold<P> {
-    /// A number that is not rounded.
+    /// Returns a number that is not rounded.
     #[inline(always)]
     pub(crate) fn of(x: P) -> Self {
         Twofold {
@@ -79,7 +79,7 @@ impl<P: Scalar> Twofold<P> {
         let low = lost(a, b, high);
         Twofold { high, low }
     }
-    /// The product of two numbers, exactly.
+    /// Returns the product of two numbers, exactly.
     #[inline(always)]
     pub(crate) fn product(a: P, b: P) -> Self {
         let [low, high] = Halves::of(a).times(Halves::of(b));
@@ -93,7 +93,7 @@ impl<P: Scalar> Twofold<P> {
             low: self.low * by,
         }
     }
-    /// The sum of a number and a smaller one.
+    /// Returns the sum of a number and a smaller one.
     #[inline(always)]
     fn of_parts(high: P, low: P) -> Self {
         let rounded = high + low;
@@ -102,13 +102,13 @@ impl<P: Scalar> Twofold<P> {
             low: low - (rounded - high),
         }
     }
-    /// The sum, to ε² of what is added.
+    /// Returns the sum, to ε² of what is added.
     #[inline(always)]
     pub(crate) fn plus(self, other: Self) -> Self {
         let [lost, high] = sum(self.high, other.high);
         Twofold::of_parts(high, lost + (self.low + other.low))
     }
-    /// The difference, to ε² of both.
+    /// Returns the difference, to ε² of both.
     #[inline(always)]
     pub(crate) fn minus(self, other: Self) -> Self {
         self.plus(Twofold {
@@ -116,7 +116,7 @@ impl<P: Scalar> Twofold<P> {
             low: -other.low,
         })
     }
-    /// The product, to two ε².
+    /// Returns the product, to two ε².
     #[inline(always)]
     pub(crate) fn times(self, other: Self) -> Self {
         let product = Twofold::product(self.high, other.high);
@@ -139,19 +139,19 @@ impl<P: Scalar> Twofold<P> {
 /// A vector of the plane or of space by exact differences, in units of a power of two.
 pub(crate) type Way<P, const N: usize> = [Twofold<P>; N];
 
-/// The numbers of a point of the plane, without derivatives.
+/// Returns the numbers of a point of the plane, without derivatives.
 #[inline(always)]
 pub(crate) fn flat<S: Scalar>(p: Vec2<S>) -> [S::Primal; 2] {
     [p.x.primal(), p.y.primal()]
 }
 
-/// The numbers of a point of space, without derivatives.
+/// Returns the numbers of a point of space, without derivatives.
 #[inline(always)]
 pub(crate) fn deep<S: Scalar>(p: Vec3<S>) -> [S::Primal; 3] {
     [p.x.primal(), p.y.primal(), p.z.primal()]
 }
 
-/// The way between two points, exact, times a power of two.
+/// Returns the way between two points, exact, times a power of two.
 #[inline(always)]
 pub(crate) fn way<P: Scalar, const N: usize>(from: [P; N], to: [P; N], unit: P) -> Way<P, N> {
     let mut way = [Twofold::of(P::zero()); N];
@@ -161,13 +161,13 @@ pub(crate) fn way<P: Scalar, const N: usize>(from: [P; N], to: [P; N], unit: P) 
     way
 }
 
-/// The rounded coordinates.
+/// Returns the rounded coordinates.
 #[inline(always)]
 pub(crate) fn rounded<P: Scalar, const N: usize>(way: Way<P, N>) -> [P; N] {
     way.each_as(|x| x.high)
 }
 
-/// An outer product of two numbers each, and the sum of its terms' magnitudes.
+/// Returns an outer product of two numbers each, and the sum of its terms' magnitudes.
 #[inline(always)]
 fn outer<P: Scalar>(a: [Twofold<P>; 2], b: [Twofold<P>; 2]) -> (Twofold<P>, P) {
     let (left, right) = (a[0].times(b[1]), a[1].times(b[0]));
@@ -175,14 +175,14 @@ fn outer<P: Scalar>(a: [Twofold<P>; 2], b: [Twofold<P>; 2]) -> (Twofold<P>, P) {
     (left.minus(right), terms)
 }
 
-/// The outer product of two ways of the plane; exactly zero for parallel ones.
+/// Returns the outer product of two ways of the plane; exactly zero for parallel ones.
 #[inline(always)]
 pub(crate) fn turn<P: Scalar>(a: Way<P, 2>, b: Way<P, 2>) -> P {
     let (value, terms) = outer(a, b);
     value.settled(terms)
 }
 
-/// The inner product of two ways; exactly zero for orthogonal ones.
+/// Returns the inner product of two ways; exactly zero for orthogonal ones.
 #[inline(always)]
 pub(crate) fn dot<P: Scalar, const N: usize>(a: Way<P, N>, b: Way<P, N>) -> P {
     let mut sum = a[0].times(b[0]);
@@ -195,7 +195,7 @@ pub(crate) fn dot<P: Scalar, const N: usize>(a: Way<P, N>, b: Way<P, N>) -> P {
     sum.settled(terms)
 }
 
-/// The outer products of two ways of space; exactly zero for parallel ones.
+/// Returns the outer products of two ways of space; exactly zero for parallel ones.
 #[inline(always)]
 pub(crate) fn cross<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>) -> [P; 3] {
     outer_products(a, b).each_as(|(value, terms)| value.settled(terms))
@@ -206,7 +206,7 @@ fn outer_products<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>) -> [(Twofold<P>, P); 3]
     [(1, 2), (2, 0), (0, 1)].each_as(|(i, j)| outer([a[i], a[j]], [b[i], b[j]]))
 }
 
-/// The triple product of three ways of space; exactly zero for those of one plane.
+/// Returns the triple product of three ways of space; exactly zero for those of one plane.
 #[inline(always)]
 pub(crate) fn volume<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>, c: Way<P, 3>) -> P {
     let faces = outer_products(a, b);

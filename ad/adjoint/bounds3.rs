@@ -13,13 +13,13 @@ use crate::{Scalar, Vec3};
 /// Derivatives by both boxes.
 pub type Bars<S> = (Aabb3<S>, Aabb3<S>);
 
-/// The areas of a box's faces across each axis, in quarters, from half its size.
+/// Returns the areas of a box's faces across each axis, in quarters, from half its size.
 #[inline(always)]
 fn faces<S: Scalar>(half: Vec3<S>) -> Vec3<S> {
     Vec3::new(half.y * half.z, half.z * half.x, half.x * half.y)
 }
 
-/// The product field by field.
+/// Returns the product field by field.
 #[inline(always)]
 fn times<S: Scalar>(x: Vec3<S>, y: Vec3<S>) -> Vec3<S> {
     Vec3::new(x.x * y.x, x.y * y.y, x.z * y.z)
@@ -101,7 +101,7 @@ fn score_vjp<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>, out_bar: S)
     )
 }
 
-/// The volume shared by two axis-aligned boxes, and `out_bar` times its derivatives by both.
+/// Returns the volume shared by two axis-aligned boxes, and `out_bar` times its derivatives by both.
 ///
 /// ```
 /// use geograd::{Aabb3, Vec3, ad::adjoint::bounds3::intersection_volume_aabb3_vjp};
@@ -130,8 +130,8 @@ pub fn iou_aabb3_vjp<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>, out_bar: S) -> (S, Bar
     score_vjp(Denominator::Union, a, b, out_bar)
 }
 
-/// The share of the first axis-aligned box in space that lies in the second, and `out_bar` times its derivatives by
-/// both.
+/// Returns the share of the first axis-aligned box in space that lies in the second, and `out_bar` times its
+/// derivatives by both.
 #[must_use]
 #[inline]
 pub fn iof_aabb3_vjp<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>, out_bar: S) -> (S, Bars<S>) {

@@ -26,7 +26,7 @@ pub struct Derivatives<S> {
     pub half_b: Vec2<S>,
 }
 
-/// The heights at which an upright edge from `low` to `high` enters and leaves a. Both ends beyond the
+/// Returns the heights at which an upright edge from `low` to `high` enters and leaves a. Both ends beyond the
 /// same side put both crossings at the upper end.
 #[inline(always)]
 fn crossings<S: Scalar>(low: S, high: S, lower: End<S>, upper: End<S>, steepness: S) -> (S, S) {
@@ -39,7 +39,7 @@ fn crossings<S: Scalar>(low: S, high: S, lower: End<S>, upper: End<S>, steepness
     )
 }
 
-/// A height within bounds; the upper one for an edge that runs outside.
+/// Returns a height within bounds; the upper one for an edge that runs outside.
 #[inline(always)]
 fn crossing<S: Scalar>(from: S, low: S, high: S, rise: S, out: S::Mask) -> S {
     let at = from + rise;
@@ -47,7 +47,7 @@ fn crossing<S: Scalar>(from: S, low: S, high: S, rise: S, out: S::Mask) -> S {
     S::select(out | at.above(high), high, at)
 }
 
-/// The height of a that an edge beside it covers: the part beyond a's right side minus the part beyond the left
+/// Returns the height of a that an edge beside it covers: the part beyond a's right side minus the part beyond the left
 /// one, from the edge's first end to its last.
 ///
 /// An edge with both ends beyond one side covers its whole `rise`. The distances beyond the side do not give it:
@@ -63,7 +63,7 @@ fn beside<S: Scalar>(out: S::Mask, [first, last]: [End<S>; 2], rise: S, derivati
     S::select(out, S::zero(), covered)
 }
 
-/// The length of a's top and bottom inside b that an edge adds: the x at which it returns below
+/// Returns the length of a's top and bottom inside b that an edge adds: the x at which it returns below
 /// (above) minus the x at which it leaves.
 #[inline(always)]
 fn between<S: Scalar>(out: S::Mask, from: S, start: End<S>, to: S, end: End<S>) -> S {
@@ -74,7 +74,7 @@ fn between<S: Scalar>(out: S::Mask, from: S, start: End<S>, to: S, end: End<S>) 
     )
 }
 
-/// Half of `whole` where an edge lies along one of two sides of a, else zero.
+/// Returns half of `whole` where an edge lies along one of two sides of a, else zero.
 #[inline(always)]
 fn half_along<S: Scalar>(parallel: S::Mask, at: S, beyond: S, low: S, high: S, whole: S) -> S {
     let along = beyond.equals(S::zero()) & (at.equals(low) | at.equals(high));

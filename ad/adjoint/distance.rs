@@ -9,7 +9,7 @@ use crate::distance::pair::distance;
 use crate::distance::segments::{way_between_segments, way_to_segment};
 use crate::{Scalar, Segment2, Vec2};
 
-/// The cotangents of the ends of a segment from that of the point at a fraction of the way, zeros without
+/// Returns the cotangents of the ends of a segment from that of the point at a fraction of the way, zeros without
 /// a sign.
 #[inline(always)]
 fn shared<S: Scalar>(fraction: S, bar: Vec2<S>) -> Segment2<S> {
@@ -20,7 +20,7 @@ fn shared<S: Scalar>(fraction: S, bar: Vec2<S>) -> Segment2<S> {
     }
 }
 
-/// The [distance](crate::distance::distance()) of a point and a segment and its adjoint: the distance, and
+/// Returns the [distance](crate::distance::distance()) of a point and a segment and its adjoint: the distance, and
 /// `out_bar` times its derivatives with respect to both. Zero where the point is on the segment.
 ///
 /// ```
@@ -44,7 +44,7 @@ pub fn distance_point_segment_vjp<S: Scalar>(
     (apart, ((-bar).canonical(), shared(way.along_b, bar)))
 }
 
-/// The [distance](crate::distance::distance()) of two segments and its adjoint: the distance, and `out_bar`
+/// Returns the [distance](crate::distance::distance()) of two segments and its adjoint: the distance, and `out_bar`
 /// times its derivatives with respect to both. Derivatives are zero where the segments meet. Ends that are equally
 /// near, as those of parallel segments, share the derivative equally.
 ///

@@ -29,7 +29,7 @@ fn per<S: Scalar>(x: S) -> S {
     let empty = x.at_most(S::lit(S::EMPTY));
     S::select(empty, zero, one.over(S::select(empty, one, x)))
 }
-/// A term so far below the largest number that a sum of some of them is one.
+/// Returns a term so far below the largest number that a sum of some of them is one.
 #[inline(always)]
 fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
     let most = S::lit(S::LARGEST / 16.0);
@@ -47,7 +47,7 @@ struct Bars<S: Scalar> {
 }
 
 impl<S: Scalar> Bars<S> {
-    /// The derivative with respect to a number: the parts by both areas plus the part by its own box's area.
+    /// Returns the derivative with respect to a number: the parts by both areas plus the part by its own box's area.
     #[inline(always)]
     fn sum<const EXTREME: bool>(&self, shared: S, around: S, own_area: S) -> S {
         let x = S::select(self.nothing, S::zero(), shared);
@@ -56,7 +56,7 @@ impl<S: Scalar> Bars<S> {
         (outside + bounded::<S, EXTREME>(self.own * own_area))
             + (bounded::<S, EXTREME>(x * self.gained) + bounded::<S, EXTREME>(self.lost * own_area))
     }
-    /// The same for a size. A box's own area is four times the product of its halves, a size twice a half.
+    /// Returns the same for a size. A box's own area is four times the product of its halves, a size twice a half.
     #[inline(always)]
     fn size<const EXTREME: bool>(
         &self,
@@ -74,7 +74,7 @@ impl<S: Scalar> Bars<S> {
     }
 }
 
-/// A derivative no larger than the largest number, times what was taken from the upstream derivative.
+/// Returns a derivative no larger than the largest number, times what was taken from the upstream derivative.
 #[inline(always)]
 fn outer<S: Scalar, const EXTREME: bool>(x: S, steep: S) -> S {
     if EXTREME {
@@ -84,7 +84,7 @@ fn outer<S: Scalar, const EXTREME: bool>(x: S, steep: S) -> S {
     }
 }
 
-/// A box's derivatives in the caller's unit.
+/// Returns a box's derivatives in the caller's unit.
 #[inline(always)]
 fn finished<S: Scalar, const EXTREME: bool>(
     center: Vec2<S>,

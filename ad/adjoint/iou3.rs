@@ -31,7 +31,7 @@ fn derivatives_of<S: Scalar>(
     score_with_iou(score, kind, Jet::variable(iou, 0), a, b)
 }
 
-/// A score of two boxes and `out_bar` times its derivatives by both; those by a rotation are by its quaternion.
+/// Returns a score of two boxes and `out_bar` times its derivatives by both; those by a rotation are by its quaternion.
 pub(crate) fn score_obb3_vjp<S: Scalar>(
     score: (Score, Enclosing),
     a: Obb3<S>,

@@ -199,14 +199,14 @@ fn own_size_bar<S: Scalar, const EXTREME: bool>(half: Vec2<S>, own: S, falling: 
     )
 }
 
-/// A term of a sum of derivatives: no larger than the largest number, so that two of opposite sign leave
+/// Returns a term of a sum of derivatives: no larger than the largest number, so that two of opposite sign leave
 /// a number. Ordinary boxes have none so large.
 #[inline(always)]
 pub(super) fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
     if EXTREME { x.saturated() } else { x }
 }
 
-/// Every field with zeros without sign.
+/// Returns every field with zeros without sign.
 #[inline(always)]
 fn canonical<S: Scalar>(x: Obb2<S>) -> Obb2<S> {
     Obb2 {
@@ -216,7 +216,7 @@ fn canonical<S: Scalar>(x: Obb2<S>) -> Obb2<S> {
     }
 }
 
-/// Every field at the nearest finite number, times what was taken from the upstream derivative.
+/// Returns every field at the nearest finite number, times what was taken from the upstream derivative.
 #[inline(always)]
 fn saturated<S: Scalar>(x: Obb2<S>, steep: S) -> Obb2<S> {
     let times = |x: S| (x.saturated() * steep).saturated();
@@ -305,20 +305,20 @@ pub(crate) fn tame_score_aabb2_vjp<S: Scalar>(
     )
 }
 
-/// A box's own derivatives by its bounds, no larger than the largest number.
+/// Returns a box's own derivatives by its bounds, no larger than the largest number.
 #[inline(always)]
 fn own_bound_bar<S: Scalar>(half: Vec2<S>, own: S) -> Vec2<S> {
     Vec2::new((half.y * own).saturated(), (half.x * own).saturated())
 }
 
-/// The part of a bound's derivative that the first of two bounds takes when the smaller one decides.
+/// Returns the part of a bound's derivative that the first of two bounds takes when the smaller one decides.
 #[inline(always)]
 pub(crate) fn part_taken<S: Scalar>(mine: S, other: S) -> S {
     let won = S::select(mine.below(other), S::one(), S::zero());
     S::select(mine.equals(other), S::lit(0.5), won)
 }
 
-/// The product field by field.
+/// Returns the product field by field.
 #[inline(always)]
 fn times<S: Scalar>(x: Vec2<S>, y: Vec2<S>) -> Vec2<S> {
     Vec2::new(x.x * y.x, x.y * y.y)
@@ -330,7 +330,7 @@ fn rest<S: Scalar>(x: Vec2<S>) -> Vec2<S> {
     Vec2::new(S::one() - x.x, S::one() - x.y)
 }
 
-/// A bound's derivatives in the caller's unit of length.
+/// Returns a bound's derivatives in the caller's unit of length.
 #[inline(always)]
 fn in_unit<S: Scalar>(x: Vec2<S>, unit: S) -> Vec2<S> {
     Vec2::new((x.x * unit).saturated(), (x.y * unit).saturated()).canonical()

@@ -24,7 +24,7 @@ struct Piece<S> {
     weight: S,
 }
 
-/// The pieces of `f` and `g` that bound what their triangles share.
+/// Returns the pieces of `f` and `g` that bound what their triangles share.
 #[inline(always)]
 fn pieces<S: Scalar>(pair: &Wedge<S>) -> [Piece<S>; 2] {
     let (zero, one, half) = (S::zero(), S::one(), S::lit(0.5));
@@ -88,7 +88,7 @@ fn pull<S: Scalar>(edge: [Vec2<S>; 2], piece: &Piece<S>, turned: S::Mask, bar: S
     [out * start, out * end]
 }
 
-/// The derivatives of what the triangles over two edges share, to the ends of both.
+/// Returns the derivatives of what the triangles over two edges share, to the ends of both.
 #[inline(always)]
 pub(super) fn pair_derivatives<S: Scalar>(
     f: [Vec2<S>; 2],

@@ -31,7 +31,7 @@ struct Part<S> {
     weight: S,
 }
 
-/// `true` where two corners are apart.
+/// Returns `true` where two corners are apart.
 #[inline(always)]
 fn is_side<S: Scalar>(from: Vec2<S>, to: Vec2<S>) -> S::Mask {
     !(from.x.equals(to.x) & from.y.equals(to.y))
@@ -109,7 +109,7 @@ fn derivatives<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
     (swapped(of_a, a_bar), swapped(of_b, b_bar))
 }
 
-/// A derivative times factors one after another, of which `EXTREME` ones leave no more than the largest number.
+/// Returns a derivative times factors one after another, of which `EXTREME` ones leave no more than the largest number.
 #[inline(always)]
 fn outer<S: Scalar, const EXTREME: bool>(x: S, [bar, unit, steep]: [S; 3]) -> S {
     let x = if EXTREME {
@@ -120,8 +120,8 @@ fn outer<S: Scalar, const EXTREME: bool>(x: S, [bar, unit, steep]: [S; 3]) -> S 
     x.canonical()
 }
 
-/// The area that two quadrilaterals share, and `out_bar` times its derivatives. `EXTREME` says whether coordinates and
-/// `out_bar` may be so large that products overflow; the bits are the same for ordinary ones.
+/// Returns the area that two quadrilaterals share, and `out_bar` times its derivatives. `EXTREME` says whether
+/// coordinates and `out_bar` may be so large that products overflow; the bits are the same for ordinary ones.
 #[inline(always)]
 pub(crate) fn area_of_quads_vjp<S: Scalar, const EXTREME: bool>(
     a: [Vec2<S>; 4],

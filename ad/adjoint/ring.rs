@@ -3,7 +3,7 @@ use crate::ring::{Local, Measure, SIDE};
 use crate::scalar::power_of_largest;
 use crate::{Mask, Scalar, Vec2};
 
-/// A vertex's derivatives at the nearest finite numbers.
+/// Returns a vertex's derivatives at the nearest finite numbers.
 #[inline(always)]
 fn limited<S: Scalar>(x: S, y: S) -> Vec2<S> {
     Vec2::new(x, y).saturated().canonical()

@@ -36,7 +36,7 @@ fn upright<S: Scalar>(x: YawBox3<S>) -> Upright<S> {
     }
 }
 
-/// `true` where both boxes are the same set of points, given by the same numbers.
+/// Returns `true` where both boxes are the same set of points, given by the same numbers.
 #[inline(always)]
 fn same<S: Scalar>(a: &Upright<S>, b: &Upright<S>) -> S::Mask {
     let (p, q) = (&a.flat, &b.flat);
@@ -99,7 +99,7 @@ fn parts<S: Scalar>(
     }
 }
 
-/// The derivative of the smaller of two bounds by the first: one, zero, or half in a tie.
+/// Returns the derivative of the smaller of two bounds by the first: one, zero, or half in a tie.
 #[inline(always)]
 fn part_of_smaller<S: Scalar>(mine: S, other: S) -> S {
     let won = S::select(mine.below(other), S::one(), S::zero());
@@ -126,7 +126,7 @@ struct Units<S> {
     steep: S,
 }
 
-/// A derivative in the caller's units, no larger than the largest number.
+/// Returns a derivative in the caller's units, no larger than the largest number.
 #[inline(always)]
 fn outer<S: Scalar, const EXTREME: bool>(x: S, by: &[S; 3], steep: S) -> S {
     if !EXTREME {
@@ -137,7 +137,7 @@ fn outer<S: Scalar, const EXTREME: bool>(x: S, by: &[S; 3], steep: S) -> S {
     (x * steep).saturated().canonical()
 }
 
-/// A box's derivatives, from those of the area shared, by that area and by its own (but for `falling`), and by
+/// Returns a box's derivatives, from those of the area shared, by that area and by its own (but for `falling`), and by
 /// its middle and height.
 #[inline(always)]
 fn box_bar<S: Scalar, const EXTREME: bool>(
@@ -272,7 +272,7 @@ pub(crate) fn score_upright_vjp<S: Scalar>(
     score_from_area_vjp::<S, true>(over, &a, &b, area, scales, out_bar)
 }
 
-/// The volume shared by two upright boxes, and `out_bar` times its derivatives by both.
+/// Returns the volume shared by two upright boxes, and `out_bar` times its derivatives by both.
 #[must_use]
 #[inline]
 pub fn intersection_volume_yaw_vjp<S: Scalar>(
@@ -301,7 +301,7 @@ pub fn iou_yaw_vjp<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>, out_bar: S) -> (S, B
     score_upright_vjp(Denominator::Union, a, b, out_bar)
 }
 
-/// The share of the first upright box that lies in the second, and `out_bar` times its derivatives by both.
+/// Returns the share of the first upright box that lies in the second, and `out_bar` times its derivatives by both.
 #[must_use]
 #[inline]
 pub fn iof_yaw_vjp<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>, out_bar: S) -> (S, Bars<S>) {

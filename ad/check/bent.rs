@@ -10,7 +10,7 @@ pub(crate) type BentFn<'a, X> = Box<dyn Fn(&X, [&[f64]; 3]) -> Vec<Bent<f64>> + 
 /// The same with its branches.
 pub(crate) type TracedBentFn<'a, X> = Box<dyn Fn(&X, [&[f64]; 3]) -> (Vec<Bent<f64>>, Trace) + 'a>;
 
-/// A shape of duals of duals, its numbers made by `of`.
+/// Returns a shape of duals of duals, its numbers made by `of`.
 pub(crate) fn bent<X: Pack, T: Scalar>(
     near: &X,
     [x, u, v]: [&[f64]; 3],
@@ -30,7 +30,7 @@ pub(crate) fn bent<X: Pack, T: Scalar>(
     })
 }
 
-/// The results as a list.
+/// Returns the results as a list.
 pub(crate) fn straight<T: Scalar, Y: Pack<Scalar = Bent<T>>>(
     y: &Y,
     of: impl Fn(T) -> f64,

@@ -62,7 +62,7 @@ impl<S: Real, X: Pack<Scalar = S>> Near<'_, '_, X> {
     }
 }
 
-/// A pack of floats as a list.
+/// Returns a pack of floats as a list.
 fn wide<S: Real, X: Pack<Scalar = S>>(x: &X) -> Vec<f64> {
     x.scalars().iter().map(|x| x.widen()).collect()
 }
@@ -122,19 +122,19 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         self.name = name.to_owned();
         self
     }
-    /// The function.
+    /// Returns the function.
     #[must_use]
     pub fn value<Y: Pack<Scalar = S>>(mut self, f: impl Fn(X) -> Y + 'a) -> Self {
         self.value = Some(Box::new(move |x| wide(&f(x.clone()))));
         self
     }
-    /// The function by another path, which must give the same value.
+    /// Returns the function by another path, which must give the same value.
     #[must_use]
     pub fn path<Y: Pack<Scalar = S>>(mut self, f: impl Fn(X) -> Y + 'a) -> Self {
         self.paths.push(Box::new(move |x| wide(&f(x.clone()))));
         self
     }
-    /// The derivative by hand of a function with one number as result.
+    /// Returns the derivative by hand of a function with one number as result.
     #[must_use]
     pub fn gradient(mut self, f: impl Fn(X) -> X + 'a) -> Self {
         self.adjoint = Some(Box::new(move |x, y_bar| {
@@ -146,7 +146,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// The derivative by hand: the derivatives of `y_bar · value` with respect to the input.
+    /// Returns the derivative by hand: the derivatives of `y_bar · value` with respect to the input.
     #[must_use]
     pub fn adjoint(mut self, f: impl Fn(X, &[S]) -> X + 'a) -> Self {
         self.adjoint = Some(Box::new(move |x, y_bar| {
@@ -154,7 +154,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// A further witness of the same kind: another path, a GPU.
+    /// Returns a further witness of the same kind: another path, a GPU.
     #[must_use]
     pub fn witness(mut self, f: impl Fn(X, &[S]) -> X + 'a) -> Self {
         self.further.push(Box::new(move |x, y_bar| {
@@ -162,7 +162,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// The generic source, called with duals.
+    /// Returns the generic source, called with duals.
     #[must_use]
     pub fn dual<Y>(mut self, f: impl Fn(X::With<Jet<S, 1>>) -> Y + 'a) -> Self
     where
@@ -182,8 +182,8 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// The generic source, called with num-dual's own dual numbers: another implementation of duals than ours, and a
-    /// witness of its own. A mistake that a derivative by hand shares with one of them is no mistake of both.
+    /// Returns the generic source, called with num-dual's own dual numbers: another implementation of duals than ours,
+    /// and a witness of its own. A mistake that a derivative by hand shares with one of them is no mistake of both.
     #[must_use]
     pub fn num_dual<Y>(mut self, f: impl Fn(X::With<S::NumDual>) -> Y + 'a) -> Self
     where
@@ -199,7 +199,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// The generic source, called with numbers that record every comparison.
+    /// Returns the generic source, called with numbers that record every comparison.
     #[must_use]
     pub fn traced<Y>(mut self, f: impl Fn(X::With<Traced<S>>) -> Y + 'a) -> Self
     where
@@ -211,7 +211,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// The Hessian by hand times a direction, of a function with one number as result.
+    /// Returns the Hessian by hand times a direction, of a function with one number as result.
     #[must_use]
     pub fn hessian_times(mut self, f: impl Fn(X, X) -> X + 'a) -> Self {
         self.curvature = Some(Box::new(move |x, direction| {
@@ -219,7 +219,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// The domain of the function: no step leads outside. A refused input is shrunk, to other
+    /// Returns the domain of the function: no step leads outside. A refused input is shrunk, to other
     /// lengths too: those outside, and those at which the function panics, are passed over. Without
     /// this a function is taken to be defined wherever it does not panic.
     #[must_use]
@@ -234,21 +234,21 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         self.scales = Some(Box::new(move |x| wide(&f(x))));
         self
     }
-    /// The function's invariances under motions, and the kind of each number of the input.
+    /// Returns the function's invariances under motions, and the kind of each number of the input.
     #[must_use]
     pub fn invariances(mut self, kinds: &[Kind], invariances: &[Invariance]) -> Self {
         self.kinds = kinds.to_vec();
         self.invariances = invariances.to_vec();
         self
     }
-    /// The kind of each number of the result, for invariances that it
+    /// Returns the kind of each number of the result, for invariances that it
     /// [follows](crate::ad::check::symmetry::Effect::Follows).
     #[must_use]
     pub fn result_kinds(mut self, kinds: &[Kind]) -> Self {
         self.output_kinds = kinds.to_vec();
         self
     }
-    /// How far values may be off, beyond rounding, because of how they are computed: from a table, by an
+    /// Returns how far values may be off, beyond rounding, because of how they are computed: from a table, by an
     /// iteration that stops. In the unit of the result; for a share of the result, see
     /// [`relative_resolution`](Check::relative_resolution). Differences are then as coarse as that allows, and
     /// a change as small is no jump. Derivatives are held to what they were held to.
@@ -266,7 +266,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         self.resolution[0] = absolute;
         self
     }
-    /// The same as a share of each number of the result.
+    /// Returns the same as a share of each number of the result.
     #[must_use]
     pub fn relative_resolution(mut self, share: f64) -> Self {
         self.resolution[1] = share;

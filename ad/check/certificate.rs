@@ -54,14 +54,14 @@ fn difference_of_all(corners: &[Vector]) -> Vec<Vector> {
         .collect()
 }
 
-/// A direction of length one; none of zero.
+/// Returns a direction of length one; none of zero.
 fn unit(v: Vector) -> Option<Vector> {
     let size = v.x.abs().max(v.y.abs()).max(v.z.abs());
     let length = (v * (1.0 / size)).length() * size;
     (length.is_finite() && length > 0.0).then(|| v * (1.0 / length))
 }
 
-/// The part of a vector that is orthogonal to another one.
+/// Returns the part of a vector that is orthogonal to another one.
 fn aside(v: Vector, from: Vector) -> Vector {
     match unit(from) {
         Some(from) => v - from * from.dot(v),
@@ -73,7 +73,7 @@ fn aside(v: Vector, from: Vector) -> Vector {
 const ORTHOGONAL: f64 = 1e-14;
 
 impl Body {
-    /// The hull of at most four corners.
+    /// Returns the hull of at most four corners.
     #[must_use]
     pub fn hull(corners: &[Vec3<f64>], radius: f64) -> Self {
         Body {
@@ -84,7 +84,7 @@ impl Body {
             radius,
         }
     }
-    /// A box, given the ways from its centre to three faces, with edges rounded by a radius.
+    /// Returns a box, given the ways from its centre to three faces, with edges rounded by a radius.
     #[must_use]
     pub fn boxed(
         center: Vec3<f64>,
@@ -117,7 +117,7 @@ impl Body {
             radius: 0.0,
         }
     }
-    /// All points with `normal · point <= offset`.
+    /// Returns all points with `normal · point <= offset`.
     #[must_use]
     pub fn half_space(normal: Vec3<f64>, offset: f64) -> Self {
         let scale = 1.0 / normal.x.abs().max(normal.y.abs()).max(normal.z.abs());
@@ -131,7 +131,7 @@ impl Body {
             radius: 0.0,
         }
     }
-    /// A cylinder between two points.
+    /// Returns a cylinder between two points.
     #[must_use]
     pub fn cylinder(start: Vec3<f64>, end: Vec3<f64>, radius: f64) -> Self {
         let axis = unit(end - start).unwrap_or_else(Vec3::zero);
@@ -148,7 +148,7 @@ impl Body {
             radius: 0.0,
         }
     }
-    /// A cone.
+    /// Returns a cone.
     #[must_use]
     pub fn cone(apex: Vec3<f64>, base: Vec3<f64>, radius: f64) -> Self {
         let axis = unit(base - apex).unwrap_or_else(Vec3::zero);
@@ -164,7 +164,7 @@ impl Body {
             radius: 0.0,
         }
     }
-    /// How far it reaches along a direction of length one.
+    /// Returns how far it reaches along a direction of length one.
     fn reach(&self, normal: Vector) -> f64 {
         let ends = |way: &Vector| unit(*way).is_none_or(|way| normal.dot(way) <= ORTHOGONAL);
         if !self.endless.iter().all(ends) {
@@ -187,7 +187,7 @@ impl Body {
             .fold(0.0, f64::max)
             + self.radius
     }
-    /// The same in other units.
+    /// Returns the same in other units.
     fn scaled(&self, by: f64) -> Self {
         let all = |list: &[Vector]| list.iter().map(|&v| v * by).collect();
         let rim = |rim: &Rim| Rim {
@@ -221,7 +221,7 @@ impl Body {
         }
         (corners, ways)
     }
-    /// How far a point is outside, as far as its faces and edges tell; 0 inside.
+    /// Returns how far a point is outside, as far as its faces and edges tell; 0 inside.
     fn outside(&self, point: Vector) -> f64 {
         let (_, ways) = self.flat(&[point]);
         let mut normals = ways.clone();
@@ -234,7 +234,7 @@ impl Body {
     }
 }
 
-/// Two directions across another one and each other.
+/// Returns two directions across another one and each other.
 fn across(axis: Vector) -> [Vector; 2] {
     let least = axis.x.abs().min(axis.y.abs()).min(axis.z.abs());
     let other = match least {
@@ -258,7 +258,7 @@ pub(crate) struct Bounds {
 }
 
 impl Proof {
-    /// `true` if lines or rays are among the bodies.
+    /// Returns `true` if lines or rays are among the bodies.
     pub(crate) fn is_endless(&self) -> bool {
         self.bodies.iter().any(|body| !body.endless.is_empty())
     }
@@ -288,8 +288,8 @@ impl Proof {
     }
 }
 
-/// The gap of the plane that parts two bodies best: of those along faces and pairs of edges, and across the ways from
-/// corner to corner and from corner to edge.
+/// Returns the gap of the plane that parts two bodies best: of those along faces and pairs of edges, and across the
+/// ways from corner to corner and from corner to edge.
 fn best(a: &Body, b: &Body) -> f64 {
     let centers = |body: &Body| -> Vec<Vector> {
         let rims = body.rims.iter().map(|rim| rim.center);

@@ -5,7 +5,7 @@ use crate::ad::check::verdict::{PAIRS, Reason, Witness, Worst};
 use crate::ad::check::words::write_numbers;
 use std::fmt::{self, Write};
 
-/// A witness as the subject of a sentence.
+/// Returns a witness as the subject of a sentence.
 fn who(witness: Witness) -> &'static str {
     match witness {
         Witness::Value => "value",

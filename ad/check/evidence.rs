@@ -35,11 +35,11 @@ pub(crate) struct Combination {
 }
 
 impl Combination {
-    /// How much two exact derivatives with respect to an input may differ.
+    /// Returns how much two exact derivatives with respect to an input may differ.
     pub(crate) fn allowed(&self, input: usize) -> f64 {
         self.tolerance.borrow()[input]
     }
-    /// How much they may differ together along a direction.
+    /// Returns how much they may differ together along a direction.
     pub(crate) fn allowed_along(&self, direction: &[f64]) -> f64 {
         let tolerance = self.tolerance.borrow();
         let each = direction.iter().zip(tolerance.iter());
@@ -92,18 +92,18 @@ pub(crate) struct Evidence<'a> {
     pub(crate) rows: Vec<Combination>,
 }
 
-/// `true` if all numbers are finite.
+/// Returns `true` if all numbers are finite.
 pub(crate) fn finite(list: &[f64]) -> bool {
     list.iter().all(|x| x.is_finite())
 }
 
-/// `true` if two lists have the same bits.
+/// Returns `true` if two lists have the same bits.
 pub(crate) fn same_bits(a: &[f64], b: &[f64]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
 }
 
 impl<'a> Evidence<'a> {
-    /// The values at an input; `None` where there is nothing to judge, and `said` says why if it is the
+    /// Returns the values at an input; `None` where there is nothing to judge, and `said` says why if it is the
     /// function's fault.
     pub(crate) fn of_values(
         subject: &'a dyn Subject,
@@ -218,7 +218,7 @@ impl<'a> Evidence<'a> {
         m == 0 || !self.rows.is_empty()
     }
 
-    /// Every output by itself, or random combinations of many.
+    /// Returns every output by itself, or random combinations of many.
     fn combinations(&self, draw: &mut Draw) -> Vec<Vec<f64>> {
         let m = self.y.len();
         if m <= FEW_OUTPUTS {
@@ -272,7 +272,7 @@ impl<'a> Evidence<'a> {
         }
     }
 
-    /// The rounding noise of a combined value: what changes beside the point and is not derivative, and no less
+    /// Returns the rounding noise of a combined value: what changes beside the point and is not derivative, and no less
     /// than the function says itself.
     fn noise(&self, weights: &[f64], derivatives: Option<&[f64]>) -> f64 {
         let here = dot(weights, &self.y);
@@ -293,17 +293,17 @@ impl<'a> Evidence<'a> {
         noise
     }
 
-    /// The function on which steps are taken: in double precision if it is known there.
+    /// Returns the function on which steps are taken: in double precision if it is known there.
     pub(crate) fn on(&self) -> &dyn Subject {
         self.wide.as_deref().unwrap_or(self.subject)
     }
 
-    /// `true` if the input is a tie of the source, to the bit.
+    /// Returns `true` if the input is a tie of the source, to the bit.
     pub(crate) fn exactly_tied(&self) -> bool {
         self.trace.is_some_and(|trace| trace.margin == 0.0)
     }
 
-    /// `true` if the duals may be wrong because the input is an exact tie of their source, of which they
+    /// Returns `true` if the duals may be wrong because the input is an exact tie of their source, of which they
     /// take a share although it may be no kink of the function; the adjoint is asked anyway.
     pub(crate) fn tie_of_duals(&self) -> bool {
         self.exactly_tied() && !self.subject.conventions().shared_ties
@@ -315,7 +315,7 @@ pub(crate) const SMALLEST: f64 = f32::MIN_POSITIVE as f64;
 /// Its largest number.
 const LARGEST: f64 = f32::MAX as f64;
 
-/// How far each output may be off by how it is computed.
+/// Returns how far each output may be off by how it is computed.
 fn resolution(subject: &dyn Subject, y: &[f64], off_scale: &[bool]) -> Vec<f64> {
     let mut own = subject.resolution(y);
     own.resize(y.len(), 0.0);
@@ -342,7 +342,7 @@ fn off_scale(wide: Option<&dyn Subject>, x: &[f64], outputs: usize) -> Vec<bool>
 }
 
 impl Evidence<'_> {
-    /// `true` if two numbers say no more than that both are above the largest one of single precision.
+    /// Returns `true` if two numbers say no more than that both are above the largest one of single precision.
     pub(crate) fn both_saturated(&self, one: f64, other: f64) -> bool {
         let most = one.abs().min(other.abs());
         self.subject.precision() == Precision::F32
@@ -351,7 +351,7 @@ impl Evidence<'_> {
     }
 }
 
-/// A comparison at an output and an input, before it is known how near to refusal it is.
+/// Returns a comparison at an output and an input, before it is known how near to refusal it is.
 pub(crate) fn comparison(
     row: &Combination,
     input: usize,

@@ -29,7 +29,7 @@ pub fn examine<S: Real, X: Pack<Scalar = S> + Debug>(
     examined(name, sampling, &inputs, random_from)
 }
 
-/// The same of inputs without types.
+/// Returns the same of inputs without types.
 pub(crate) fn examined<'a>(
     name: &str,
     sampling: &Sampling<'_>,
@@ -168,7 +168,8 @@ pub(crate) fn examined<'a>(
     report
 }
 
-/// `true` if smooth inputs are fewer than one in `SMOOTH_ONE_IN`, beyond two standard deviations of a count by chance.
+/// Returns `true` if smooth inputs are fewer than one in `SMOOTH_ONE_IN`, beyond two standard deviations of a count by
+/// chance.
 fn too_few(smooth: usize, drawn: usize) -> bool {
     let expected = drawn as f64 / SMOOTH_ONE_IN as f64;
     smooth == 0 || (smooth as f64) < expected - 2.0 * expected.sqrt()

@@ -4,7 +4,7 @@ use crate::ad::check::verdict::{Fault, PAIRS};
 use std::fmt::Write;
 
 impl Report {
-    /// The whole report as one JSON object.
+    /// Returns the whole report as one JSON object.
     #[must_use]
     pub fn json(&self) -> String {
         let mut out = String::new();
@@ -88,7 +88,7 @@ impl Report {
     }
 }
 
-/// A number as JSON, which knows no infinity.
+/// Returns a number as JSON, which knows no infinity.
 fn json_number(x: f64) -> String {
     if x.is_finite() {
         format!("{x:?}")
@@ -97,7 +97,7 @@ fn json_number(x: f64) -> String {
     }
 }
 
-/// A string as JSON.
+/// Returns a string as JSON.
 fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {

@@ -88,7 +88,7 @@ fn unchanged(e: &Evidence<'_>) -> Notes {
 }
 
 impl Evidence<'_> {
-    /// `true` if a complaint of duals may be explained by differences: at a tie duals and adjoint may each
+    /// Returns `true` if a complaint of duals may be explained by differences: at a tie duals and adjoint may each
     /// take an element of their own.
     pub(crate) fn excusable(&self, fault: &Fault) -> bool {
         let by_duals = [Witness::Dual, Witness::NumDual, Witness::Wide]
@@ -98,7 +98,7 @@ impl Evidence<'_> {
     }
 }
 
-/// The verdict: which complaints stand, what is outvoted, and what kind of place it is.
+/// Returns the verdict: which complaints stand, what is outvoted, and what kind of place it is.
 fn decided(e: Option<&Evidence<'_>>, said: Notes) -> Findings {
     let (excusable, others): (Vec<Fault>, Vec<Fault>) = said
         .complaints
@@ -152,8 +152,8 @@ fn one_of_a_kind(all: Vec<Fault>) -> Vec<Fault> {
     kept
 }
 
-/// `true` if the complaint of the duals is explained: the input is a kink there, and the adjoint agrees with every
-/// step. Then it is between the derivatives of both sides, as the duals are, and a convention. If steps could not
+/// Returns `true` if the complaint of the duals is explained: the input is a kink there, and the adjoint agrees with
+/// every step. Then it is between the derivatives of both sides, as the duals are, and a convention. If steps could not
 /// tell, it must be between the derivatives of the pieces that meet there.
 fn explained(e: Option<&Evidence<'_>>, fault: &Fault, said: &Notes, others: &[Fault]) -> bool {
     let Some(e) = e else { return false };

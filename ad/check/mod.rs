@@ -250,7 +250,7 @@ pub use crate::ad::sample;
 #[cfg(feature = "proptest")]
 pub use crate::ad::sample::strategy;
 
-/// A list as floats.
+/// Returns a list as floats.
 pub(crate) fn narrow<S: crate::Real>(list: &[f64]) -> Vec<S> {
     list.iter().map(|&x| S::nearest(x)).collect()
 }

@@ -32,7 +32,7 @@ pub struct Noisy<T>(
 );
 
 impl<T: Real> Noisy<T> {
-    /// A result, rounded otherwise.
+    /// Returns a result, rounded otherwise.
     fn rounded(x: T) -> Self {
         let x = x.widen();
         let mut draw = Draw::new(x.abs().to_bits() ^ SEED.get().wrapping_mul(0x9e37_79b9));

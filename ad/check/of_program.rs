@@ -44,7 +44,7 @@ fn unbent<T: Scalar>(y: Vec<Bent<T>>, of: impl Fn(T) -> f64) -> Vec<Bent<f64>> {
 }
 
 impl<'a, S: Real, X: Fixed<Scalar = S> + Debug + 'a> Check<'a, X> {
-    /// A recorded function, with its derivatives: those by hand, if it [has](Program::with_adjoint) some, or
+    /// Returns a recorded function, with its derivatives: those by hand, if it [has](Program::with_adjoint) some, or
     /// those of its recording backwards. Witnesses are the recording on duals, on traced numbers, in
     /// double precision, and of one result on duals of duals.
     ///

@@ -6,7 +6,7 @@ use crate::ad::sample::Sample;
 use crate::ad::sample::drawn::Drawn;
 use std::fmt::Write;
 
-/// The derivatives of the sum of all outputs by hand, by duals and by differences.
+/// Returns the derivatives of the sum of all outputs by hand, by duals and by differences.
 #[must_use]
 pub fn derivatives_of_witnesses(subject: &dyn Subject, x: &[f64]) -> [Vec<f64>; 3] {
     let wide = subject.wide();
@@ -55,13 +55,13 @@ const SIZE: f64 = 560.0;
 const MARGIN: f64 = 40.0;
 const TOP: f64 = 70.0;
 
-/// A picture of an input of a function and of what the witnesses say there, as SVG.
+/// Returns a picture of an input of a function and of what the witnesses say there, as SVG.
 #[must_use]
 pub fn picture<X: Sample>(title: &str, input: &X, subject: &dyn Subject) -> String {
     drawn(title, input, subject)
 }
 
-/// The same of an input without its type.
+/// Returns the same of an input without its type.
 pub(crate) fn drawn(title: &str, input: &dyn Drawn, subject: &dyn Subject) -> String {
     let x = input.numbers();
     let kinds = input.kinds();

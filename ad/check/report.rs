@@ -20,7 +20,7 @@ pub struct Failure {
 }
 
 impl Failure {
-    /// A failure of the function as a whole, without an input.
+    /// Returns a failure of the function as a whole, without an input.
     pub(crate) fn of_all(reason: Reason, sample: usize, input: usize) -> Self {
         Failure {
             sample,
@@ -104,7 +104,7 @@ impl Report {
             failures: Vec::new(),
         }
     }
-    /// The report on a function that cannot be judged.
+    /// Returns the report on a function that cannot be judged.
     pub(crate) fn refused_whole(
         name: &str,
         seed: u64,
@@ -118,19 +118,19 @@ impl Report {
             ..Report::empty(name, seed)
         }
     }
-    /// `true` if nothing was refused.
+    /// Returns `true` if nothing was refused.
     #[must_use]
     pub fn passed(&self) -> bool {
         self.refused == 0 && self.failures.is_empty()
     }
-    /// `true` if something was refused for this reason.
+    /// Returns `true` if something was refused for this reason.
     #[must_use]
     pub fn refused_for(&self, reason: Reason) -> bool {
         self.failures
             .iter()
             .any(|failure| failure.fault.reason == reason)
     }
-    /// The meaning of the columns of a table.
+    /// Returns the meaning of the columns of a table.
     #[must_use]
     pub fn legend() -> &'static str {
         "Every gradient of a function was compared with those of other ways to compute it: dual numbers, differences of \
@@ -142,7 +142,7 @@ impl Report {
          at every input. More than 100 % is refused; - was not compared. `--details` has the numbers.\n\
          smooth, kink, undefined: whether the function has a derivative at an input, one on either side, or none."
     }
-    /// The lines over the lines of a table; see [`legend`](Report::legend).
+    /// Returns the lines over the lines of a table; see [`legend`](Report::legend).
     #[must_use]
     pub fn heading() -> String {
         let groups = format!(

@@ -19,7 +19,7 @@ use crate::ad::check::witness::{Precision, axis, beside, combined, dot};
 use crate::ad::sample::Draw;
 
 impl Evidence<'_> {
-    /// The largest change of a list-valued function under provoked rounding, per number. With
+    /// Returns the largest change of a list-valued function under provoked rounding, per number. With
     /// `sizes`, a change of branch that may have broken an exact tie counts only when it changes
     /// less than a thousandth of them: more is a kink, and a tie must be decided as it stands.
     pub(crate) fn spread(
@@ -31,9 +31,9 @@ impl Evidence<'_> {
         self.spread_if(base, sizes, |beside| beside != Beside::Loose, f)
     }
 
-    /// The largest change of an output under provoked rounding as far as derivatives explain it: beside a tie every
-    /// input takes another branch, and the value changes by no more than the derivative there times the move. A jump is
-    /// larger.
+    /// Returns the largest change of an output under provoked rounding as far as derivatives explain it: beside a tie
+    /// every input takes another branch, and the value changes by no more than the derivative there times the move. A
+    /// jump is larger.
     pub(crate) fn explained(&self, output: usize) -> f64 {
         let mut weights = vec![0.0; self.y.len()];
         weights[output] = 1.0;
@@ -52,8 +52,8 @@ impl Evidence<'_> {
         places.filter_map(explained).fold(0.0, f64::max)
     }
 
-    /// The same of many more inputs beside this one, whatever branches they take; at one of them numbers below the
-    /// rounding of their unit are zero, which no draw hits: edges that are parallel but for 10⁻¹⁷.
+    /// Returns the same of many more inputs beside this one, whatever branches they take; at one of them numbers below
+    /// the rounding of their unit are zero, which no draw hits: edges that are parallel but for 10⁻¹⁷.
     pub(crate) fn spread_of_many(
         &self,
         base: &[f64],
@@ -89,8 +89,8 @@ impl Evidence<'_> {
         (0..DRAWS).map(move |round| beside(precision, self.x, &rounding, round))
     }
 
-    /// `true` if something holds at an input within the rounding of this one, or within the width of a tie: decisions
-    /// there may fall otherwise.
+    /// Returns `true` if something holds at an input within the rounding of this one, or within the width of a tie:
+    /// decisions there may fall otherwise.
     pub(crate) fn holds_beside(&self, holds: impl Fn(&[f64]) -> bool) -> bool {
         let near = self.around.iter().map(|(there, _)| there.clone());
         near.chain(self.drawn_beside(1.0))
@@ -98,7 +98,7 @@ impl Evidence<'_> {
             .any(|there| self.subject.inside(&there) && holds(&there))
     }
 
-    /// The same; `decides` says beside which inputs a change that is no rounding may count all the same.
+    /// Returns the same; `decides` says beside which inputs a change that is no rounding may count all the same.
     fn spread_if(
         &self,
         base: &[f64],
@@ -128,7 +128,7 @@ impl Evidence<'_> {
         spread
     }
 
-    /// The largest change of a derivative when its own roundings fall differently. A change of more
+    /// Returns the largest change of a derivative when its own roundings fall differently. A change of more
     /// than a thousandth of the size comes from another decision, not from rounding.
     pub(crate) fn roundings(
         &self,
@@ -139,8 +139,8 @@ impl Evidence<'_> {
         self.rounded(base, sizes, noisy, true)
     }
 
-    /// The same, number by number: how far the roundings of a number that only changes by them carry it, although
-    /// others were decided differently.
+    /// Returns the same, number by number: how far the roundings of a number that only changes by them carry it,
+    /// although others were decided differently.
     pub(crate) fn roundings_of_each(
         &self,
         base: &[f64],
@@ -172,7 +172,7 @@ impl Evidence<'_> {
         spread
     }
 
-    /// The value of a function linear in a direction, by a shorter direction: the factor is drawn from
+    /// Returns the value of a function linear in a direction, by a shorter direction: the factor is drawn from
     /// a seed, and the result divided by it. It is for [`roundings`](Self::roundings).
     pub(crate) fn along_shorter(
         &self,
@@ -267,7 +267,7 @@ impl Evidence<'_> {
         self.roughly(weights, base, derivatives, TALL)
     }
 
-    /// The same of second derivatives along a direction.
+    /// Returns the same of second derivatives along a direction.
     pub(crate) fn rough_bends(
         &self,
         weights: &[f64],
@@ -302,7 +302,7 @@ impl Evidence<'_> {
         rough
     }
 
-    /// `true` if a derivative lies among those at inputs beside this one, by another witness if there is
+    /// Returns `true` if a derivative lies among those at inputs beside this one, by another witness if there is
     /// one. Otherwise rounding does not explain it: it is wrong at this input alone. For each number of a
     /// short input, only inputs with another value of that number count: the fault may be a special case
     /// of it.
@@ -371,7 +371,7 @@ impl Evidence<'_> {
         }
     }
 
-    /// How far rounding carries each derivative by duals: those of inputs beside this one, along an axis made
+    /// Returns how far rounding carries each derivative by duals: those of inputs beside this one, along an axis made
     /// shorter, and what makes them rough.
     pub(crate) fn rounding_of_duals(
         &self,
@@ -427,7 +427,7 @@ impl Evidence<'_> {
         row.allow(|i| SAFETY * spread[i]);
     }
 
-    /// The derivative of a row along a direction by num-dual's numbers.
+    /// Returns the derivative of a row along a direction by num-dual's numbers.
     pub(crate) fn num_dual_along(
         &self,
         row: &Combination,
@@ -438,12 +438,12 @@ impl Evidence<'_> {
         let usable = ahead.len() == self.y.len();
         usable.then(|| dot(&row.weights, &ahead))
     }
-    /// The derivatives of a row by num-dual's numbers.
+    /// Returns the derivatives of a row by num-dual's numbers.
     pub(crate) fn by_num_dual(&self, row: &Combination, x: &[f64]) -> Option<Vec<f64>> {
         let derivative = |i| self.num_dual_along(row, x, &axis(x.len(), i));
         (0..x.len()).map(derivative).collect()
     }
-    /// The derivative of a row along a direction by duals.
+    /// Returns the derivative of a row along a direction by duals.
     pub(crate) fn by_duals(&self, row: &Combination, direction: &[f64]) -> Option<f64> {
         let ahead = self.subject.along(self.x, direction)?;
         let usable = ahead.len() == self.y.len() && ahead.iter().all(|y| y.is_finite());

@@ -57,7 +57,7 @@ impl Sampling<'_> {
             proof: None,
         }
     }
-    /// The generator of random sample `i`: samples do not depend on each other.
+    /// Returns the generator of random sample `i`: samples do not depend on each other.
     #[must_use]
     pub fn draw(&self, i: usize) -> Draw {
         Draw::new(

@@ -10,7 +10,7 @@ use crate::{Pack, Real};
 use std::fmt::Debug;
 
 impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
-    /// The generic source, called with duals of duals: a witness for [`hessian_times`].
+    /// Returns the generic source, called with duals of duals: a witness for [`hessian_times`].
     ///
     /// ```
     /// use geograd::{Scalar, ad::check::Check};
@@ -36,7 +36,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// The generic source in double precision, of a function of `f32`: then values and derivatives are
+    /// Returns the generic source in double precision, of a function of `f32`: then values and derivatives are
     /// compared with those, and differences are taken there, where they are not mostly rounding.
     /// A function of `f64` does not use it.
     ///
@@ -66,7 +66,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
     }
 }
 
-/// A matrix of `rows` lists of equal length by columns.
+/// Returns a matrix of `rows` lists of equal length by columns.
 pub(crate) fn transposed(columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let rows = columns.first().map_or(0, Vec::len);
     (0..rows)
@@ -74,7 +74,7 @@ pub(crate) fn transposed(columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// The Hessian of `y_bar · f` times a direction.
+/// Returns the Hessian of `y_bar · f` times a direction.
 pub(crate) fn bends(
     f: impl Fn([&[f64]; 3]) -> Vec<Bent<f64>>,
     x: &[f64],

@@ -5,13 +5,13 @@ use crate::ad::check::verdict::{Fault, Findings, Smoothness};
 use crate::ad::sample::fewer_digits;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// `true` for the same complaint: for the same reason, with no other witness outvoted.
+/// Returns `true` for the same complaint: for the same reason, with no other witness outvoted.
 pub(crate) fn is_like(found: &Fault, fault: &Fault) -> bool {
     let blamed = fault.suspect.is_none() || found.suspect == fault.suspect;
     found.reason == fault.reason && blamed
 }
 
-/// The simplest input found that fails in the same way: for the same reason, at the same number of an
+/// Returns the simplest input found that fails in the same way: for the same reason, at the same number of an
 /// input of the same length, at the same kind of place, with no other witness outvoted. A function
 /// that panics at an input of another length does not fail there in the same way. `left` is how many numbers inputs may
 /// have together that are tried.

@@ -29,28 +29,28 @@ pub struct Conventions {
 ///
 /// Only [`value`](Subject::value) is required. A method that returns `None` is not checked.
 pub trait Subject {
-    /// The format the function computes in.
+    /// Returns the format the function computes in.
     fn precision(&self) -> Precision;
-    /// The function.
+    /// Returns the function.
     fn value(&self, x: &[f64]) -> Vec<f64>;
-    /// The function by other paths.
+    /// Returns the function by other paths.
     fn other_values(&self, _x: &[f64]) -> Vec<Vec<f64>> {
         Vec::new()
     }
-    /// The derivative by hand: the derivatives of `y_bar · value`.
+    /// Returns the derivative by hand: the derivatives of `y_bar · value`.
     fn adjoint(&self, _x: &[f64], _y_bar: &[f64]) -> Option<Vec<f64>> {
         None
     }
-    /// The derivative by hand with every rounding on the way drawn from a seed
+    /// Returns the derivative by hand with every rounding on the way drawn from a seed
     /// ([`noise`](crate::ad::check::noise)).
     fn noisy(&self, _x: &[f64], _y_bar: &[f64], _seed: u64) -> Option<Vec<f64>> {
         None
     }
-    /// The same by further witnesses: a fused path, a GPU.
+    /// Returns the same by further witnesses: a fused path, a GPU.
     fn further(&self, _x: &[f64], _y_bar: &[f64]) -> Vec<Vec<f64>> {
         Vec::new()
     }
-    /// A further witness, by its position, with every rounding on the way drawn from a seed.
+    /// Returns a further witness, by its position, with every rounding on the way drawn from a seed.
     fn noisy_further(
         &self,
         _x: &[f64],
@@ -60,7 +60,7 @@ pub trait Subject {
     ) -> Option<Vec<f64>> {
         None
     }
-    /// How many forms of batches there are to ask.
+    /// Returns how many forms of batches there are to ask.
     fn forms(&self) -> usize {
         0
     }
@@ -68,15 +68,15 @@ pub trait Subject {
     fn batch(&self, _form: usize, _x: &[f64], _y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         None
     }
-    /// The Jacobian by duals, one row per output.
+    /// Returns the Jacobian by duals, one row per output.
     fn jacobian(&self, _x: &[f64]) -> Option<Vec<Vec<f64>>> {
         None
     }
-    /// The value that duals carry.
+    /// Returns the value that duals carry.
     fn dual_values(&self, _x: &[f64]) -> Option<Vec<f64>> {
         None
     }
-    /// The derivatives of all outputs along a direction by duals: the Jacobian times the direction, for
+    /// Returns the derivatives of all outputs along a direction by duals: the Jacobian times the direction, for
     /// inputs too long for a whole one.
     fn along(&self, _x: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
         None
@@ -86,19 +86,19 @@ pub trait Subject {
     fn num_dual(&self, _x: &[f64], _direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         None
     }
-    /// The value through the same source on traced numbers.
+    /// Returns the value through the same source on traced numbers.
     fn traced(&self, _x: &[f64]) -> Option<(Vec<f64>, Trace)> {
         None
     }
-    /// The same at many inputs; nothing if one of them has none.
+    /// Returns the same at many inputs; nothing if one of them has none.
     fn traced_all(&self, inputs: &[Vec<f64>]) -> Option<Vec<(Vec<f64>, Trace)>> {
         inputs.iter().map(|x| self.traced(x)).collect()
     }
-    /// The Hessian of `y_bar · value` times a direction, through the adjoint.
+    /// Returns the Hessian of `y_bar · value` times a direction, through the adjoint.
     fn curvature(&self, _x: &[f64], _y_bar: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
         None
     }
-    /// The same with every rounding on the way drawn from a seed.
+    /// Returns the same with every rounding on the way drawn from a seed.
     fn noisy_curvature(
         &self,
         _x: &[f64],
@@ -108,11 +108,11 @@ pub trait Subject {
     ) -> Option<Vec<f64>> {
         None
     }
-    /// The same by duals of duals through the value.
+    /// Returns the same by duals of duals through the value.
     fn second_order(&self, _x: &[f64], _y_bar: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
         None
     }
-    /// The same function in double precision, when it computes in single.
+    /// Returns the same function in double precision, when it computes in single.
     fn wide(&self) -> Option<Box<dyn Subject + '_>> {
         None
     }
@@ -120,11 +120,11 @@ pub trait Subject {
     fn proof(&self, _x: &[f64]) -> Option<Proof> {
         None
     }
-    /// `true` if an input is valid.
+    /// Returns `true` if an input is valid.
     fn inside(&self, _x: &[f64]) -> bool {
         true
     }
-    /// `true` if the function may be asked at inputs that are not valid, too: at the border of its domain that
+    /// Returns `true` if the function may be asked at inputs that are not valid, too: at the border of its domain that
     /// shows both sides of a kink that lies exactly there.
     fn total(&self) -> bool {
         false
@@ -133,7 +133,7 @@ pub trait Subject {
     fn scales(&self, x: &[f64]) -> Vec<f64> {
         default_scales(x)
     }
-    /// `true` if the scales are only guessed from the numbers.
+    /// Returns `true` if the scales are only guessed from the numbers.
     fn guessed_scales(&self) -> bool {
         false
     }
@@ -142,7 +142,7 @@ pub trait Subject {
     fn units(&self, x: &[f64]) -> Vec<f64> {
         self.scales(x)
     }
-    /// `true` if derivatives times units are sums of terms as large as the largest of them, so that none can
+    /// Returns `true` if derivatives times units are sums of terms as large as the largest of them, so that none can
     /// be held to less than its rounding. If not, every derivative is held to its own digits and to what
     /// provoked rounding shows.
     fn comparable(&self) -> bool {
@@ -155,31 +155,31 @@ pub trait Subject {
         let eps = self.precision().epsilon();
         x.iter().map(|x| eps * x.abs()).collect()
     }
-    /// How far each number of the result `y` may be off by the way it is computed, beyond rounding: a table,
+    /// Returns how far each number of the result `y` may be off by the way it is computed, beyond rounding: a table,
     /// an iteration.
     fn resolution(&self, y: &[f64]) -> Vec<f64> {
         vec![0.0; y.len()]
     }
-    /// How many roundings of the format the results at `x` may be off by terms that cancel, times the size of these
-    /// terms; derivatives by as much over the [units](Subject::units).
+    /// Returns how many roundings of the format the results at `x` may be off by terms that cancel, times the size of
+    /// these terms; derivatives by as much over the [units](Subject::units).
     fn roundings(&self, x: &[f64]) -> f64 {
         let _ = x;
         0.0
     }
-    /// The kind of each number; only invariances need it.
+    /// Returns the kind of each number; only invariances need it.
     fn kinds(&self) -> Vec<Kind> {
         Vec::new()
     }
-    /// The kind of each number of the result; only results that [follow](crate::ad::check::symmetry::Effect::Follows)
-    /// need it. Numbers without a kind stay where they are.
+    /// Returns the kind of each number of the result; only results that
+    /// [follow](crate::ad::check::symmetry::Effect::Follows) need it. Numbers without a kind stay where they are.
     fn output_kinds(&self) -> Vec<Kind> {
         Vec::new()
     }
-    /// The function's invariances under motions.
+    /// Returns the function's invariances under motions.
     fn invariances(&self) -> &[Invariance] {
         &[]
     }
-    /// The function's conventions at kinks and jumps.
+    /// Returns the function's conventions at kinks and jumps.
     fn conventions(&self) -> Conventions {
         Conventions::default()
     }

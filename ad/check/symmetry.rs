@@ -22,7 +22,7 @@ enum Group {
 }
 
 impl Group {
-    /// The group that a list of kinds begins with, and its length.
+    /// Returns the group that a list of kinds begins with, and its length.
     fn first(kinds: &[Kind]) -> (Group, usize) {
         use Kind::{
             DirectionX, DirectionY, DirectionZ, Offset, QuaternionW, QuaternionX, QuaternionY,
@@ -83,8 +83,8 @@ fn lies_on(kind: Kind, axis: usize) -> bool {
     }
 }
 
-/// The two axes that a turn about an axis moves, the second one towards the negative first; nothing where numbers of
-/// the plane have only one of them.
+/// Returns the two axes that a turn about an axis moves, the second one towards the negative first; nothing where
+/// numbers of the plane have only one of them.
 fn turning(axis: usize, numbers: usize) -> Option<[usize; 2]> {
     let across = [(axis + 1) % 3, (axis + 2) % 3];
     across.iter().all(|&i| i < numbers).then_some(across)
@@ -95,7 +95,7 @@ fn unit(axis: usize) -> Vec3<f64> {
     Vec3::new(at(0), at(1), at(2))
 }
 
-/// The velocity of numbers of the given kinds under a motion of unit speed.
+/// Returns the velocity of numbers of the given kinds under a motion of unit speed.
 #[must_use]
 pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
     let mut speed = vec![0.0; x.len()];
@@ -133,8 +133,8 @@ pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
     speed
 }
 
-/// The velocity of a rotation vector when the world turns about an axis at unit speed: the inverse of the left Jacobian
-/// of SO(3), times the axis. It has a pole at a length of 2π.
+/// Returns the velocity of a rotation vector when the world turns about an axis at unit speed: the inverse of the left
+/// Jacobian of SO(3), times the axis. It has a pole at a length of 2π.
 fn left_jacobian_inverse(v: Vec3<f64>, axis: Vec3<f64>) -> Vec3<f64> {
     let (angle, square) = (v.length(), v.length_squared());
     // Below this angle four terms are exact in double precision; the closed form loses digits.
@@ -148,7 +148,7 @@ fn left_jacobian_inverse(v: Vec3<f64>, axis: Vec3<f64>) -> Vec3<f64> {
     axis - side * 0.5 + v.cross(side) * factor
 }
 
-/// The velocity of the output that the answer declares, when its numbers are of these kinds.
+/// Returns the velocity of the output that the answer declares, when its numbers are of these kinds.
 #[must_use]
 pub fn answer(invariance: Invariance, kinds: &[Kind], y: &[f64]) -> Vec<f64> {
     match invariance.answer {
@@ -158,14 +158,14 @@ pub fn answer(invariance: Invariance, kinds: &[Kind], y: &[f64]) -> Vec<f64> {
     }
 }
 
-/// The input with its two halves exchanged.
+/// Returns the input with its two halves exchanged.
 #[must_use]
 pub fn exchanged(x: &[f64]) -> Vec<f64> {
     let (a, b) = x.split_at(x.len() / 2);
     [b, a].concat()
 }
 
-/// The numbers of the given kinds after a motion by an amount: a distance, an angle in radians, a factor.
+/// Returns the numbers of the given kinds after a motion by an amount: a distance, an angle in radians, a factor.
 #[must_use]
 pub fn moved_by(motion: Motion, amount: f64, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
     let way = way(motion);
@@ -210,7 +210,7 @@ pub fn moved_by(motion: Motion, amount: f64, kinds: &[Kind], x: &[f64]) -> Vec<f
     there
 }
 
-/// The rotation vector after a turn of the world: of all vectors of that rotation the one nearest to it.
+/// Returns the rotation vector after a turn of the world: of all vectors of that rotation the one nearest to it.
 fn turned_vector(v: Vec3<f64>, axis: Vec3<f64>, angle: f64) -> Vec3<f64> {
     let turn = Rotation3::from_axis_angle(axis, angle);
     let there = (turn * Rotation3::from_rotation_vector(v)).rotation_vector();

@@ -74,7 +74,7 @@ pub struct Traced<T>(
     pub T,
 );
 
-/// A list of num-dual's dual numbers: values and derivatives along a direction.
+/// Returns a list of num-dual's dual numbers: values and derivatives along a direction.
 pub(crate) fn num_duals<S: Real>(x: &[f64], direction: &[f64]) -> Vec<S::NumDual> {
     let each = x.iter().zip(direction);
     each.map(|(&x, &d)| S::num_dual(S::nearest(x), S::nearest(d)))

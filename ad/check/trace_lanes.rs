@@ -71,7 +71,7 @@ impl<T: Real> TracedLanes<T> {
     fn both(self, other: Self, of: impl Fn(T, T) -> T) -> Self {
         TracedLanes(lanes(|i| of(self.0[i], other.0[i])))
     }
-    /// Two results of each lane.
+    /// Returns two results of each lane.
     #[inline(always)]
     fn pair(self, of: impl Fn(T) -> (T, T)) -> (Self, Self) {
         let pairs = lanes(|i| of(self.0[i]));

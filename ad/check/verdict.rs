@@ -98,7 +98,7 @@ pub struct ByWitness {
 }
 
 impl ByWitness {
-    /// Two numbers that should be one: that of the function, and what it should be.
+    /// Returns two numbers that should be one: that of the function, and what it should be.
     pub(crate) fn pair(own: f64, other: f64) -> Self {
         ByWitness {
             adjoint: Some(own),
@@ -190,7 +190,7 @@ impl Worst {
             self.nearest = here;
         }
     }
-    /// The power of ten of units of the precision that 99 of 100 differences stay below. The
+    /// Returns the power of ten of units of the precision that 99 of 100 differences stay below. The
     /// largest ones belong to inputs that no format can decide, such as nearly parallel sides.
     #[must_use]
     pub fn usual(&self) -> f64 {

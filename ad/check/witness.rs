@@ -32,7 +32,7 @@ impl Precision {
             Precision::F64
         }
     }
-    /// The name of its type.
+    /// Returns the name of its type.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -40,7 +40,7 @@ impl Precision {
             Precision::F64 => "f64",
         }
     }
-    /// The distance from 1 to the next larger number.
+    /// Returns the distance from 1 to the next larger number.
     #[must_use]
     pub fn epsilon(self) -> f64 {
         match self {
@@ -48,7 +48,7 @@ impl Precision {
             Precision::F64 => f64::EPSILON,
         }
     }
-    /// The nearest number of the format.
+    /// Returns the nearest number of the format.
     #[must_use]
     pub fn round(self, x: f64) -> f64 {
         match self {
@@ -123,7 +123,7 @@ pub struct Ladder {
 }
 
 impl Ladder {
-    /// `true` if a side has fewer than two steps: the domain ends there.
+    /// Returns `true` if a side has fewer than two steps: the domain ends there.
     pub fn is_at_border(&self) -> bool {
         self.ahead.len() < 2 || self.behind.len() < 2
     }
@@ -192,7 +192,7 @@ impl Ladder {
         }
     }
 
-    /// The central derivative of `weights · value`. With `within`, only from steps inside which the
+    /// Returns the central derivative of `weights · value`. With `within`, only from steps inside which the
     /// branches are those of the point.
     #[must_use]
     pub fn central(&self, weights: &[f64], noise: f64, within: bool) -> Option<Estimate> {
@@ -219,7 +219,7 @@ impl Ladder {
         extrapolated(&points, 2, noise)
     }
 
-    /// The derivative of `weights · value` on one side.
+    /// Returns the derivative of `weights · value` on one side.
     #[must_use]
     pub fn one_sided(&self, ahead: bool, weights: &[f64], noise: f64) -> Option<Estimate> {
         let (side, sign) = if ahead {
@@ -246,7 +246,7 @@ impl Ladder {
         Some(estimate)
     }
 
-    /// The rounding noise that the smallest steps show: how far they are from a straight
+    /// Returns the rounding noise that the smallest steps show: how far they are from a straight
     /// continuation of the next larger ones, on the calmer side. Rounding need not show at the
     /// point itself, where values may be quantised.
     #[must_use]
@@ -278,7 +278,7 @@ impl Ladder {
         side(&self.ahead).min(side(&self.behind))
     }
 
-    /// `true` if both sides have a branch of their own long enough to be judged by.
+    /// Returns `true` if both sides have a branch of their own long enough to be judged by.
     #[must_use]
     pub fn settled(&self) -> bool {
         [&self.ahead, &self.behind].iter().all(|side| {
@@ -292,14 +292,14 @@ impl Ladder {
         })
     }
 
-    /// `true` if the value stands still along the whole ladder.
+    /// Returns `true` if the value stands still along the whole ladder.
     #[must_use]
     pub fn still(&self) -> bool {
         let rungs = self.ahead.iter().chain(&self.behind);
         rungs.into_iter().all(|rung| rung.values == self.center)
     }
 
-    /// How far an output jumps on either side, if it does: the change to the nearest rungs does not
+    /// Returns how far an output jumps on either side, if it does: the change to the nearest rungs does not
     /// shrink with the step.
     #[must_use]
     pub fn jump(&self, output: usize, noise: f64) -> Option<f64> {
@@ -317,7 +317,7 @@ impl Ladder {
     }
 }
 
-/// The rungs nearest to the point that all took the same branches; all rungs when those are too
+/// Returns the rungs nearest to the point that all took the same branches; all rungs when those are too
 /// few.
 fn nearest_branch(side: &[Rung]) -> &[Rung] {
     let branch = side.last().map_or(0, |rung| rung.branch);
@@ -333,7 +333,7 @@ fn nearest_branch(side: &[Rung]) -> &[Rung] {
     }
 }
 
-/// The inner product, by halves when long: so it is off by less than a few units in the last place
+/// Returns the inner product, by halves when long: so it is off by less than a few units in the last place
 /// of its terms, however many there are.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let n = a.len().min(b.len());
@@ -347,12 +347,12 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
         .sum()
 }
 
-/// The direction of one number.
+/// Returns the direction of one number.
 pub(crate) fn axis(length: usize, i: usize) -> Vec<f64> {
     (0..length).map(|k| f64::from(u8::from(k == i))).collect()
 }
 
-/// The derivatives of one combination of the outputs, from a Jacobian with one row per output.
+/// Returns the derivatives of one combination of the outputs, from a Jacobian with one row per output.
 pub(crate) fn combined(weights: &[f64], jacobian: &[Vec<f64>], inputs: usize) -> Vec<f64> {
     let derivative = |i: usize| {
         let column: Vec<f64> = jacobian.iter().map(|row| row[i]).collect();
@@ -403,7 +403,7 @@ fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimat
     best
 }
 
-/// The point with its rounding provoked, in three ways by turns: every number moves by one or two
+/// Returns the point with its rounding provoked, in three ways by turns: every number moves by one or two
 /// units in its last place, equal numbers alike, so that ties stay ties; every number moves by up
 /// to twice its `rounding`; the same, equal numbers alike.
 #[must_use]

@@ -80,7 +80,7 @@ impl fmt::Display for Reason {
     }
 }
 
-/// The remedy of a refusal that need not be a mistake of the derivative, in lines.
+/// Returns the remedy of a refusal that need not be a mistake of the derivative, in lines.
 pub(crate) fn remedy(reason: Reason) -> &'static [&'static str] {
     const SEARCHES: &[&str] = &[
         "remedy: implement `Search` (a search and its replay), and check it with `check_search_with`;",
@@ -117,7 +117,7 @@ pub(crate) fn remedy(reason: Reason) -> &'static [&'static str] {
     }
 }
 
-/// The names of the two numbers beside a verdict: the tested derivative's, and the other one.
+/// Returns the names of the two numbers beside a verdict: the tested derivative's, and the other one.
 fn names(reason: Reason) -> [&'static str; 2] {
     match reason {
         Reason::ValuesDisagree(_) => ["the value", "the other value"],
@@ -134,7 +134,7 @@ fn names(reason: Reason) -> [&'static str; 2] {
     }
 }
 
-/// How far apart the two numbers are that a verdict is about.
+/// Returns how far apart the two numbers are that a verdict is about.
 fn gap(reason: Reason, numbers: &ByWitness) -> Option<f64> {
     let of = |witness: Witness| match witness {
         Witness::Value | Witness::Adjoint => numbers.adjoint,
@@ -221,7 +221,7 @@ pub(crate) fn place(fault: &Fault, names: &[String]) -> String {
     }
 }
 
-/// The sentence about the suspect: the witness that the others outvote.
+/// Returns the sentence about the suspect: the witness that the others outvote.
 pub(crate) fn outvoted(suspect: Witness) -> String {
     format!("at fault, as far as the others tell: {suspect}")
 }

@@ -32,13 +32,13 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// All operations together.
+    /// Returns all operations together.
     #[must_use]
     pub fn total(&self) -> usize {
         self.kinds().iter().map(|kind| kind.1).sum()
     }
 
-    /// Every kind with its name in the plural.
+    /// Returns every kind with its name in the plural.
     fn kinds(&self) -> [(&'static str, usize); 8] {
         [
             ("additions", self.additions),

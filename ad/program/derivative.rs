@@ -5,7 +5,7 @@
 //! ([reverse](super::reverse)). Both are the same product.
 use super::graph::{Graph, Id, Node};
 
-/// The operands through which derivatives pass, by their place. The others are decisions or constants.
+/// Returns the operands through which derivatives pass, by their place. The others are decisions or constants.
 pub(super) fn carriers(node: Node) -> &'static [usize] {
     use Node::*;
     match node {
@@ -30,7 +30,7 @@ pub(super) fn carriers(node: Node) -> &'static [usize] {
     }
 }
 
-/// `true` if a zero times the derivative by this operand is zero, whatever the values are.
+/// Returns `true` if a zero times the derivative by this operand is zero, whatever the values are.
 pub(super) fn keeps_zero(graph: &Graph, node: Node, operand: usize) -> bool {
     use Node::*;
     let finite = |x| graph.constant(x).is_some_and(f64::is_finite);
@@ -59,7 +59,7 @@ pub(super) fn keeps_zero(graph: &Graph, node: Node, operand: usize) -> bool {
     }
 }
 
-/// The condition, a mask and what it must be, under which a node takes an operand at all. Elsewhere
+/// Returns the condition, a mask and what it must be, under which a node takes an operand at all. Elsewhere
 /// its derivative is zero, also where the operand's own is infinite.
 pub(super) fn taken(graph: &mut Graph, node: Node, operand: usize) -> Option<(Id, bool)> {
     use Node::*;

@@ -24,7 +24,7 @@ impl<S: Scalar> Slot<S> {
     }
 }
 
-/// The result of a node, from the results of its operands.
+/// Returns the result of a node, from the results of its operands.
 ///
 /// Derivatives follow the scalar's own rules, so that a program evaluated on dual numbers has the derivatives
 /// that the recorded function has on them.
@@ -93,12 +93,12 @@ pub(crate) fn apply<S: Scalar>(node: Node, inputs: &[S], slot: impl Fn(Id) -> Sl
     })
 }
 
-/// The outputs of a graph at an input, which must have every number that the graph asks for.
+/// Returns the outputs of a graph at an input, which must have every number that the graph asks for.
 pub(crate) fn evaluate<S: Scalar>(graph: &Graph, outputs: &[Id], inputs: &[S]) -> Vec<S> {
     evaluate_needed(graph, |_| true, outputs, inputs)
 }
 
-/// The same, without the nodes that no output needs.
+/// Returns the same, without the nodes that no output needs.
 pub(crate) fn evaluate_needed<S: Scalar>(
     graph: &Graph,
     needed: impl Fn(usize) -> bool,

@@ -115,7 +115,7 @@ impl std::ops::Deref for Operands {
 }
 
 impl Node {
-    /// The node with its operands replaced, first operand first.
+    /// Returns the node with its operands replaced, first operand first.
     pub(crate) fn renamed(self, mut name: impl FnMut(Id) -> Id) -> Node {
         use Node::*;
         let mut r = |x| name(x);
@@ -164,7 +164,7 @@ impl Node {
         }
     }
 
-    /// The operands of the node.
+    /// Returns the operands of the node.
     pub(crate) fn operands(self) -> Operands {
         let mut found = Operands::default();
         self.renamed(|x| {
@@ -175,7 +175,7 @@ impl Node {
         found
     }
 
-    /// `true` if the node is a truth, not a number.
+    /// Returns `true` if the node is a truth, not a number.
     pub(crate) fn is_mask(self) -> bool {
         use Node::*;
         matches!(
@@ -213,7 +213,7 @@ pub(crate) struct Graph {
 }
 
 impl Graph {
-    /// A graph without nodes.
+    /// Returns a graph without nodes.
     pub(crate) fn new(format: Format) -> Self {
         Graph {
             format,
@@ -223,22 +223,22 @@ impl Graph {
         }
     }
 
-    /// The operations, each after its operands.
+    /// Returns the operations, each after its operands.
     pub(crate) fn nodes(&self) -> &[Node] {
         &self.nodes
     }
 
-    /// How many nodes there are.
+    /// Returns how many nodes there are.
     pub(crate) fn len(&self) -> usize {
         self.nodes.len()
     }
 
-    /// The node at a place.
+    /// Returns the node at a place.
     pub(crate) fn at(&self, x: Id) -> Node {
         self.nodes[x as usize]
     }
 
-    /// The place of a node as it is, without simplification: the old one if it is known.
+    /// Returns the place of a node as it is, without simplification: the old one if it is known.
     pub(crate) fn push(&mut self, node: Node) -> Id {
         let next = self.nodes.len() as Id;
         let id = *self.known.entry(node).or_insert(next);
@@ -248,13 +248,13 @@ impl Graph {
         id
     }
 
-    /// A number, rounded to the format.
+    /// Returns a number, rounded to the format.
     pub(crate) fn lit(&mut self, x: f64) -> Id {
         let rounded = self.format.round(x);
         self.push(Node::Const(rounded.to_bits()))
     }
 
-    /// The number, if the node is one.
+    /// Returns the number, if the node is one.
     pub(crate) fn constant(&self, x: Id) -> Option<f64> {
         match self.at(x) {
             Node::Const(bits) => Some(f64::from_bits(bits)),
@@ -262,7 +262,7 @@ impl Graph {
         }
     }
 
-    /// The truth, if the node is a known one.
+    /// Returns the truth, if the node is a known one.
     pub(crate) fn truth(&self, x: Id) -> Option<bool> {
         match self.at(x) {
             Node::Bool(truth) => Some(truth),
@@ -270,7 +270,7 @@ impl Graph {
         }
     }
 
-    /// `true` if the number is known to be no NaN: inputs are finite, as columns are checked.
+    /// Returns `true` if the number is known to be no NaN: inputs are finite, as columns are checked.
     pub(crate) fn is_number(&self, x: Id) -> bool {
         self.known_size(x, DEPTH) >= Size::Number
     }
@@ -310,7 +310,7 @@ impl Graph {
         }
     }
 
-    /// The nodes that the outputs need, for derivatives (grafts included) or for values only.
+    /// Returns the nodes that the outputs need, for derivatives (grafts included) or for values only.
     pub(crate) fn live(&self, outputs: &[Id], with_derivatives: bool) -> Vec<bool> {
         let mut live = vec![false; self.nodes.len()];
         let mut open = outputs.to_vec();
@@ -326,7 +326,7 @@ impl Graph {
         live
     }
 
-    /// The graph of the values alone, and its outputs: without grafts and dead code, simplified
+    /// Returns the graph of the values alone, and its outputs: without grafts and dead code, simplified
     /// once more, [`Node::Unsigned`] and [`Node::Magnitude`] one operation (the latter), in
     /// depth-first order from the first output, which keeps few numbers alive at a time.
     pub(crate) fn lowered(&self, outputs: &[Id]) -> (Graph, Vec<Id>) {
@@ -347,7 +347,7 @@ impl Graph {
         graph.depth_first(&outputs)
     }
 
-    /// `true` if the value is zero because a function said so of a number with derivatives
+    /// Returns `true` if the value is zero because a function said so of a number with derivatives
     /// ([`with_primal`](crate::Scalar::with_primal)): then its products are zero, too.
     fn vanishes(&self, node: Node, vanish: &[bool]) -> bool {
         use Node::*;
@@ -366,7 +366,7 @@ impl Graph {
         }
     }
 
-    /// The live nodes, ordered depth-first from the first output.
+    /// Returns the live nodes, ordered depth-first from the first output.
     fn depth_first(&self, outputs: &[Id]) -> (Graph, Vec<Id>) {
         let mut graph = Graph::new(self.format);
         let mut names = vec![None; self.nodes.len()];

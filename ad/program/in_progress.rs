@@ -91,7 +91,7 @@ impl Recording {
         OPEN.with_borrow(|open| !open.is_empty())
     }
 
-    /// An error unless the recording that is open on this thread is of this format, and sound.
+    /// Returns an error unless the recording that is open on this thread is of this format, and sound.
     pub(super) fn takes(format: Format) -> Result<(), Unrecordable> {
         OPEN.with_borrow(|open| match open.last() {
             Some(recording) if recording.graph.format == format => recording.sound(),
@@ -99,7 +99,7 @@ impl Recording {
         })
     }
 
-    /// An error unless the recording that is open on this thread made the symbol, and is sound.
+    /// Returns an error unless the recording that is open on this thread made the symbol, and is sound.
     pub(super) fn owns(symbol: Symbol) -> Result<(), Unrecordable> {
         OPEN.with_borrow(|open| match open.last() {
             Some(recording) if recording.name == symbol.recording => recording.sound(),
@@ -107,12 +107,12 @@ impl Recording {
         })
     }
 
-    /// An error if the recording was spoiled.
+    /// Returns an error if the recording was spoiled.
     pub(super) fn sound(&self) -> Result<(), Unrecordable> {
         self.flaw.map_or(Ok(()), Err)
     }
 
-    /// The node of a symbol of this recording; a symbol of another recording spoils this one.
+    /// Returns the node of a symbol of this recording; a symbol of another recording spoils this one.
     pub(super) fn place(&mut self, symbol: Symbol) -> Id {
         if symbol.recording != self.name {
             self.spoil(Unrecordable::ForeignSymbol);
@@ -124,7 +124,7 @@ impl Recording {
         self.flaw.get_or_insert(flaw);
     }
 
-    /// The symbol of a place.
+    /// Returns the symbol of a place.
     fn symbol(&self, place: Id) -> Symbol {
         Symbol {
             recording: self.name,
@@ -147,7 +147,7 @@ impl Symbol {
         place: 0,
     };
 
-    /// The symbol of an operation on symbols, in the recording that is open; `node` gets their
+    /// Returns the symbol of an operation on symbols, in the recording that is open; `node` gets their
     /// places.
     pub(super) fn made<const N: usize>(
         format: Format,
@@ -174,7 +174,7 @@ impl Symbol {
         })
     }
 
-    /// The answer to a hint: the truth if it is known, else `unknown`. (The other way round in a
+    /// Returns the answer to a hint: the truth if it is known, else `unknown`. (The other way round in a
     /// recording that is spoiled, for loops to end.)
     pub(super) fn hint(self, unknown: bool) -> bool {
         OPEN.with_borrow_mut(|open| {
@@ -196,7 +196,7 @@ impl Symbol {
         })
     }
 
-    /// `true` if it stands for no NaN, whatever the inputs are.
+    /// Returns `true` if it stands for no NaN, whatever the inputs are.
     pub(super) fn is_number(self) -> bool {
         OPEN.with_borrow(|open| match open.last() {
             Some(recording) if recording.name == self.recording && recording.flaw.is_none() => {

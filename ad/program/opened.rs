@@ -28,12 +28,12 @@ impl<T: Real> Opened<T> {
             thread: PhantomData,
         })
     }
-    /// The symbols of its input.
+    /// Returns the symbols of its input.
     pub(crate) fn inputs(&self) -> Vec<Sym<T>> {
         let places = 0..self.inputs as u32;
         places.map(|place| Sym::leaf(Node::Input(place))).collect()
     }
-    /// The program with these results.
+    /// Returns the program with these results.
     pub(crate) fn finish(self, outputs: &[Sym<T>]) -> Result<Recorded, Unrecordable> {
         for output in outputs {
             output.belongs()?;
@@ -65,13 +65,13 @@ pub(crate) fn is_open_in<T: Real>() -> Result<(), Unrecordable> {
 }
 
 impl<T: Real> Sym<T> {
-    /// An error unless it is of the recording that is open on this thread.
+    /// Returns an error unless it is of the recording that is open on this thread.
     pub(crate) fn belongs(self) -> Result<(), Unrecordable> {
         Recording::owns(self.symbol)
     }
 }
 impl<T: Real> SymMask<T> {
-    /// An error unless it is of the recording that is open on this thread.
+    /// Returns an error unless it is of the recording that is open on this thread.
     pub(crate) fn belongs(self) -> Result<(), Unrecordable> {
         Recording::owns(self.symbol)
     }

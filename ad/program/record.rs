@@ -63,7 +63,7 @@ pub(crate) fn listed<T: Real>(
     Ok(recorded)
 }
 
-/// The program of a function, and how many hints it asked for that were not known.
+/// Returns the program of a function, and how many hints it asked for that were not known.
 fn recorded<T: Real>(
     inputs: usize,
     function: Listed<'_, T>,
@@ -90,7 +90,7 @@ fn run<T: Real>(
     (outputs, recording)
 }
 
-/// The places of the results, which must be of this recording, too.
+/// Returns the places of the results, which must be of this recording, too.
 pub(super) fn places<T: Real>(
     recording: &mut Recording,
     results: &[Sym<T>],
@@ -99,8 +99,8 @@ pub(super) fn places<T: Real>(
     recording.sound().map(|()| places)
 }
 
-/// `true` if the program gives the results of the function on plain numbers, for which every hint is answered by
-/// the truth. Plain numbers are symbols of constants here, and every operation on them is carried out at once.
+/// Returns `true` if the program gives the results of the function on plain numbers, for which every hint is answered
+/// by the truth. Plain numbers are symbols of constants here, and every operation on them is carried out at once.
 fn agrees<T: Real>(
     recorded: &Recorded,
     inputs: usize,

@@ -30,7 +30,7 @@ pub(crate) struct Lowered {
 }
 
 impl Recorded {
-    /// A program with these results.
+    /// Returns a program with these results.
     pub(crate) fn new(mut graph: Graph, inputs: usize, outputs: &[Id]) -> Self {
         let outputs: Vec<Id> = outputs
             .iter()
@@ -50,12 +50,12 @@ impl Recorded {
         }
     }
 
-    /// The format of its numbers.
+    /// Returns the format of its numbers.
     pub(crate) fn format(&self) -> Format {
         self.graph.format
     }
 
-    /// An error if a result depends on an infinite or NaN constant.
+    /// Returns an error if a result depends on an infinite or NaN constant.
     pub(crate) fn checked_constants(self) -> Result<Self, Unrecordable> {
         let needed = (0..self.graph.len()).filter(|&x| self.needed[x]);
         let mut constants = needed.filter_map(|x| self.graph.constant(x as Id));
@@ -66,27 +66,27 @@ impl Recorded {
         }
     }
 
-    /// The results for an input, on plain numbers.
+    /// Returns the results for an input, on plain numbers.
     pub(crate) fn run<T: Scalar>(&self, inputs: &[T]) -> Vec<T> {
         evaluate(&self.value.graph, &self.value.outputs, inputs)
     }
 
-    /// The results for an input on any scalar, with its derivatives.
+    /// Returns the results for an input on any scalar, with its derivatives.
     pub(crate) fn run_on<S: Scalar>(&self, inputs: &[S]) -> Vec<S> {
         // Nodes that came later belong to a gradient.
         let needed = |i| self.needed.get(i) == Some(&true);
         evaluate_needed(&self.graph, needed, &self.outputs, inputs)
     }
 
-    /// `true` if derivatives in it are multiplied by a share: by a gradient by hand, or by `damp`. Duals of duals do not see
-    /// the derivatives of a share.
+    /// Returns `true` if derivatives in it are multiplied by a share: by a gradient by hand, or by `damp`. Duals of
+    /// duals do not see the derivatives of a share.
     #[cfg(feature = "check")]
     pub(crate) fn has_shares(&self) -> bool {
         let is_part = |node: &Node| matches!(node, Node::Graft { share: Some(_), .. });
         self.graph.nodes().iter().any(is_part)
     }
 
-    /// A copy of the graph with the gradient added, and the nodes of the gradient's numbers.
+    /// Returns a copy of the graph with the gradient added, and the nodes of the gradient's numbers.
     fn gradient(&self) -> (Graph, Vec<Id>) {
         let mut graph = self.graph.clone();
         let gradient = match &self.by_hand {
@@ -99,12 +99,12 @@ impl Recorded {
         (graph, gradient)
     }
 
-    /// The result, one number, and its gradient.
+    /// Returns the result, one number, and its gradient.
     pub(crate) fn value_grad(&self) -> Recorded {
         self.value_jacobian()
     }
 
-    /// The pull-back: from an input and a cotangent of the result to the cotangent of the input.
+    /// Returns the pull-back: from an input and a cotangent of the result to the cotangent of the input.
     pub(crate) fn vjp(&self) -> Recorded {
         let mut graph = self.graph.clone();
         let seeds = places(&mut graph, self.inputs, self.outputs.len());
@@ -118,7 +118,7 @@ impl Recorded {
         Recorded::new(graph, self.inputs + seeds.len(), &bars)
     }
 
-    /// The result and the pull-back: from an input and a cotangent of the result to the result and the
+    /// Returns the result and the pull-back: from an input and a cotangent of the result to the result and the
     /// cotangent of the input.
     pub(crate) fn value_vjp(&self) -> Recorded {
         self.after_result(self.vjp())
@@ -145,7 +145,7 @@ impl Recorded {
         Recorded::new(graph, self.inputs + seeds.len(), &outputs)
     }
 
-    /// The results, and then the gradient of each.
+    /// Returns the results, and then the gradient of each.
     pub(crate) fn value_jacobian(&self) -> Recorded {
         let mut graph = self.graph.clone();
         let mut outputs = self.outputs.clone();
@@ -172,8 +172,8 @@ impl Recorded {
         Recorded::new(graph, self.inputs, &outputs)
     }
 
-    /// The results, and then the gradient of each, of a program that gives `results` numbers and their pull-back: the
-    /// pull-back is repeated with every unit cotangent.
+    /// Returns the results, and then the gradient of each, of a program that gives `results` numbers and their
+    /// pull-back: the pull-back is repeated with every unit cotangent.
     pub(crate) fn value_jacobian_of_vjp(&self, results: usize) -> Recorded {
         let inputs = self.inputs - results;
         let mut graph = Graph::new(self.format());
@@ -198,7 +198,7 @@ impl Recorded {
         Recorded::new(graph, inputs, &[outputs, rows].concat())
     }
 
-    /// The derivatives of some nodes along an axis of the input.
+    /// Returns the derivatives of some nodes along an axis of the input.
     fn along(&self, graph: &mut Graph, nodes: &[Id], axis: usize) -> Vec<Id> {
         let (zero, one) = (graph.lit(0.0), graph.lit(1.0));
         let mut direction = vec![zero; self.inputs];
@@ -206,13 +206,14 @@ impl Recorded {
         forward(graph, nodes, &direction)
     }
 
-    /// The result, followed by the results of a program whose graph begins with this one's; it may take more inputs.
+    /// Returns the result, followed by the results of a program whose graph begins with this one's; it may take more
+    /// inputs.
     fn after_result(&self, other: Recorded) -> Recorded {
         let outputs: Vec<Id> = self.outputs.iter().chain(&other.outputs).copied().collect();
         Recorded::new(other.graph, other.inputs, &outputs)
     }
 
-    /// The result, and its derivative along a direction, which follows the input.
+    /// Returns the result, and its derivative along a direction, which follows the input.
     pub(crate) fn jvp(&self) -> Recorded {
         let mut graph = self.graph.clone();
         let direction = places(&mut graph, self.inputs, self.inputs);
@@ -231,7 +232,7 @@ impl Recorded {
         Recorded::new(graph, 2 * self.inputs, &outputs)
     }
 
-    /// The derivative of the gradient along a direction, which follows the input.
+    /// Returns the derivative of the gradient along a direction, which follows the input.
     pub(crate) fn hvp(&self) -> Recorded {
         let (mut graph, gradient) = self.gradient();
         let direction = places(&mut graph, self.inputs, self.inputs);
@@ -239,7 +240,7 @@ impl Recorded {
         Recorded::new(graph, 2 * self.inputs, &curved)
     }
 
-    /// The derivative of the gradient along every axis, one after the other.
+    /// Returns the derivative of the gradient along every axis, one after the other.
     pub(crate) fn hessian(&self) -> Recorded {
         let (mut graph, gradient) = self.gradient();
         let mut rows = Vec::with_capacity(self.inputs * self.inputs);
@@ -249,7 +250,7 @@ impl Recorded {
         Recorded::new(graph, self.inputs, &rows)
     }
 
-    /// The derivatives of all results by all numbers of the input: of the first result first.
+    /// Returns the derivatives of all results by all numbers of the input: of the first result first.
     pub(crate) fn jacobian(&self) -> Recorded {
         // Backwards by results or forwards by inputs, whichever are fewer.
         let is_backwards = self.by_hand.is_some() || self.outputs.len() <= self.inputs;
@@ -260,12 +261,12 @@ impl Recorded {
         both.without_first(self.outputs.len())
     }
 
-    /// The program without its first `count` results.
+    /// Returns the program without its first `count` results.
     pub(crate) fn without_first(&self, count: usize) -> Recorded {
         Recorded::new(self.graph.clone(), self.inputs, &self.outputs[count..])
     }
 
-    /// The same with a gradient by hand, a program with the same input.
+    /// Returns the same with a gradient by hand, a program with the same input.
     pub(crate) fn with_gradient(&self, gradient: &Recorded) -> Recorded {
         let mut made = self.clone();
         let mut ids: Vec<Id> = Vec::with_capacity(gradient.graph.len());
@@ -278,14 +279,14 @@ impl Recorded {
         made
     }
 
-    /// The same with a gradient by hand that another program of the same input gives after the result.
+    /// Returns the same with a gradient by hand that another program of the same input gives after the result.
     pub(crate) fn with_gradient_after_result(&self, value_grad: &Recorded) -> Recorded {
         let derivatives = &value_grad.outputs[self.outputs.len()..];
         let gradient = Recorded::new(value_grad.graph.clone(), self.inputs, derivatives);
         self.with_gradient(&gradient)
     }
 
-    /// The same graph with the gradient by hand as result.
+    /// Returns the same graph with the gradient by hand as result.
     pub(crate) fn gradient_by_hand(&self) -> Option<Recorded> {
         let gradient = self.by_hand.as_ref()?;
         Some(Recorded::new(self.graph.clone(), self.inputs, gradient))

@@ -31,7 +31,7 @@ struct Sweep<'a> {
     bars: Vec<Option<Bar>>,
 }
 
-/// The cotangents of the first so many numbers of the input, from those of the outputs, which are
+/// Returns the cotangents of the first so many numbers of the input, from those of the outputs, which are
 /// nodes of the graph.
 pub(super) fn reverse(graph: &mut Graph, outputs: &[Id], seeds: &[Id], inputs: usize) -> Vec<Id> {
     let count = graph.len();
@@ -107,7 +107,7 @@ impl Sweep<'_> {
         self.bars[to as usize] = Some(merged);
     }
 
-    /// The sum of two cotangents, each where it counts.
+    /// Returns the sum of two cotangents, each where it counts.
     fn merged(&mut self, old: &Bar, new: &Bar) -> Bar {
         let mut path: Vec<Guard> = old
             .path
@@ -149,7 +149,7 @@ impl Sweep<'_> {
         Bar { value, path }
     }
 
-    /// The node that is true if all conditions hold.
+    /// Returns the node that is true if all conditions hold.
     fn hold<'a>(&mut self, path: impl IntoIterator<Item = &'a Guard>) -> Id {
         let mut all = self.graph.push(Node::Bool(true));
         for guard in path {
@@ -162,7 +162,7 @@ impl Sweep<'_> {
         all
     }
 
-    /// The cotangent where the conditions from this one on hold, else zero.
+    /// Returns the cotangent where the conditions from this one on hold, else zero.
     fn chosen(&mut self, bar: &Bar, from: usize) -> Id {
         let counts = self.hold(bar.path[from..].iter().filter(|guard| !guard.zero));
         let zero = self.graph.lit(0.0);

@@ -7,7 +7,7 @@ use super::evaluate::{Slot, apply};
 use super::graph::{Format, Graph, Id, Node};
 
 impl Graph {
-    /// The place of a node, or of a simpler one that gives the same.
+    /// Returns the place of a node, or of a simpler one that gives the same.
     pub(crate) fn make(&mut self, node: Node) -> Id {
         use Node::*;
         if let Some(known) = self.folded(node) {
@@ -86,7 +86,7 @@ impl Graph {
         }
     }
 
-    /// The constant that an operation on constants gives, in the format of the program; nothing if
+    /// Returns the constant that an operation on constants gives, in the format of the program; nothing if
     /// it is infinite or NaN, which programs do not write down (unless run on plain numbers).
     fn folded(&self, node: Node) -> Option<Node> {
         let operands = node.operands();
@@ -107,12 +107,12 @@ impl Graph {
         (self.plain || number.is_finite()).then(|| Node::Const(number.to_bits()))
     }
 
-    /// `true` if one is the negation of the other.
+    /// Returns `true` if one is the negation of the other.
     fn opposite(&self, a: Id, b: Id) -> bool {
         self.at(a) == Node::Not(b) || self.at(b) == Node::Not(a)
     }
 
-    /// The result of an operation on constants.
+    /// Returns the result of an operation on constants.
     fn outcome<T: crate::Scalar<Mask = bool>>(&self, node: Node) -> Slot<T> {
         apply::<T>(node, &[], |x| match self.at(x) {
             Node::Bool(truth) => Slot::Mask(truth),

@@ -31,7 +31,7 @@ impl<T: Real> Sym<T> {
             number: PhantomData,
         }
     }
-    /// The symbol of a node without operands.
+    /// Returns the symbol of a node without operands.
     #[inline(never)]
     pub(super) fn leaf(node: Node) -> Self {
         Self::new(Symbol::made(T::FORMAT, [], |[]| node))
@@ -51,7 +51,7 @@ impl<T: Real> Sym<T> {
         let operands = [self.symbol, other.symbol];
         SymMask::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
     }
-    /// The value of `value`, and of every symbol of the list its derivatives times the number beside it.
+    /// Returns the value of `value`, and of every symbol of the list its derivatives times the number beside it.
     pub(crate) fn with_derivatives(
         value: Self,
         derivatives: impl Iterator<Item = (Self, Self)>,
@@ -153,11 +153,11 @@ impl<T: Real> Not for SymMask<T> {
     }
 }
 impl<T: Real> Mask for SymMask<T> {
-    /// `true` if it is not known to be false.
+    /// Returns `true` if it is not known to be false.
     fn any(self) -> bool {
         self.symbol.hint(true)
     }
-    /// `true` if it is known to be true.
+    /// Returns `true` if it is known to be true.
     fn all(self) -> bool {
         self.symbol.hint(false)
     }

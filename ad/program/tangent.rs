@@ -2,7 +2,7 @@
 use super::derivative::{active, along, carriers};
 use super::graph::{Graph, Id, Node};
 
-/// The derivative of every output along a direction, of which each number is a node.
+/// Returns the derivative of every output along a direction, of which each number is a node.
 pub(super) fn forward(graph: &mut Graph, outputs: &[Id], direction: &[Id]) -> Vec<Id> {
     let active = active(graph, direction.len());
     let live = graph.live(outputs, true);

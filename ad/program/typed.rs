@@ -80,19 +80,19 @@ impl<In, Out> Program<In, Out> {
         record(function).map(Self::of)
     }
 
-    /// The format of its numbers: `f32` or `f64`.
+    /// Returns the format of its numbers: `f32` or `f64`.
     #[must_use]
     pub fn format(&self) -> Format {
         self.recorded.format()
     }
 
-    /// The number of operations of a value, by kind.
+    /// Returns the number of operations of a value, by kind.
     #[must_use]
     pub fn cost(&self) -> Cost {
         Cost::of(&self.recorded.value.graph)
     }
 
-    /// The operations.
+    /// Returns the operations.
     pub(crate) fn recorded(&self) -> &Recorded {
         &self.recorded
     }
@@ -124,14 +124,14 @@ impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
         })
     }
 
-    /// The pull-back as a program: from an input and a cotangent of the result, of the result's shape,
+    /// Returns the pull-back as a program: from an input and a cotangent of the result, of the result's shape,
     /// to the cotangent of the input, of the input's shape.
     #[must_use]
     pub fn vjp(&self) -> Program<(In, Out), In> {
         Program::of(self.recorded.vjp())
     }
 
-    /// The value and its gradient, of the input's shape, as a program.
+    /// Returns the value and its gradient, of the input's shape, as a program.
     #[must_use]
     pub fn value_grad(&self) -> Program<In, (Out, In)>
     where
@@ -140,8 +140,8 @@ impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
         Program::of(self.recorded.value_grad())
     }
 
-    /// The result with its Jacobian: the result's shape with its gradient, of the input's shape, in the place of every
-    /// number. It [runs](crate::kernels::Function) in aligned batches.
+    /// Returns the result with its Jacobian: the result's shape with its gradient, of the input's shape, in the place
+    /// of every number. It [runs](crate::kernels::Function) in aligned batches.
     ///
     /// ```
     /// use geograd::ad::program::{Program, Sym};
@@ -159,7 +159,7 @@ impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
         Jacobian(self.clone())
     }
 
-    /// The push-forward as a program: from an input and a direction, of the input's shape, to the
+    /// Returns the push-forward as a program: from an input and a direction, of the input's shape, to the
     /// result and its derivative along the direction, of the result's shape.
     #[must_use]
     pub fn jvp(&self) -> Program<(In, In), (Out, Out)> {
@@ -168,14 +168,14 @@ impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
 }
 
 impl<T: Real, In: Fixed<Scalar = T>> Program<In, T> {
-    /// The Hessian times a direction as a program: from an input and a direction, of the input's
+    /// Returns the Hessian times a direction as a program: from an input and a direction, of the input's
     /// shape, to the derivative of the gradient along it.
     #[must_use]
     pub fn hvp(&self) -> Program<(In, In), In> {
         Program::of(self.recorded.hvp())
     }
 
-    /// The Hessian as a program: in row `i` the derivative of the gradient with respect to number `i`
+    /// Returns the Hessian as a program: in row `i` the derivative of the gradient with respect to number `i`
     /// of the input. `N` must be how many numbers the input has, or the call does not compile.
     ///
     /// ```
@@ -191,7 +191,7 @@ impl<T: Real, In: Fixed<Scalar = T>> Program<In, T> {
         Program::of(self.recorded.hessian())
     }
 
-    /// The same function, whose gradient is given by another one, which is recorded, too: an adjoint by
+    /// Returns the same function, whose gradient is given by another one, which is recorded, too: an adjoint by
     /// hand. [`value_grad`](Program::value_grad), [`vjp`](Program::vjp), [`jvp`](Program::jvp) and
     /// second derivatives come from it. The harness checks it.
     ///
@@ -247,12 +247,12 @@ impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Jacobian<Program<In
         let jacobian = result.remake(&mut |_| gradient());
         (result, jacobian)
     }
-    /// The number of operations of a result and its Jacobian, by kind.
+    /// Returns the number of operations of a result and its Jacobian, by kind.
     #[must_use]
     pub fn cost(&self) -> Cost {
         Cost::of(&self.recorded().value.graph)
     }
-    /// The operations, which are made once for a program and its clones.
+    /// Returns the operations, which are made once for a program and its clones.
     fn recorded(&self) -> Arc<Recorded> {
         let made = || Arc::new(self.0.recorded.value_jacobian());
         Arc::clone(self.0.kept.jacobian.get_or_init(made))
@@ -260,7 +260,7 @@ impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Jacobian<Program<In
 }
 
 impl<In: Fixed<Scalar = f32>, Out: Fixed<Scalar = f32>> Program<In, Out> {
-    /// The program as a function in WGSL, from an array of numbers to an array of numbers, in the order
+    /// Returns the program as a function in WGSL, from an array of numbers to an array of numbers, in the order
     /// of the fields. It calls functions of [`WGSL`](super::WGSL), which belongs into the same shader,
     /// once.
     ///

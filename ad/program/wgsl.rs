@@ -18,7 +18,7 @@ const RESERVED: &str = include_str!("reserved.txt");
 const USED: &str =
     "f32 i32 u32 bool array vec2f select bitcast abs min max floor clamp log sqrt round";
 
-/// `Ok` for a name that a function of a shader may have beside [`WGSL`].
+/// Returns `Ok` for a name that a function of a shader may have beside [`WGSL`].
 pub(crate) fn checked(name: &str) -> Result<(), Unrecordable> {
     let letters = |c: char| c == '_' || c.is_ascii_alphanumeric();
     let identifier = name.chars().all(letters)
@@ -33,7 +33,7 @@ pub(crate) fn checked(name: &str) -> Result<(), Unrecordable> {
     }
 }
 
-/// The program as a function. One `let` per operation: deep expressions overflow the stacks of
+/// Returns the program as a function. One `let` per operation: deep expressions overflow the stacks of
 /// compilers (gfx-rs/wgpu#5759, #9497). A constant is a `let`, too, so that no compiler computes
 /// with it and finds an overflow where the program would go on.
 pub(crate) fn function(name: &str, recorded: &Recorded) -> String {
@@ -54,7 +54,7 @@ pub(crate) struct Taken {
     pub is_exact: bool,
 }
 
-/// A graph without grafts as a function of so many numbers, of which the first ones are described.
+/// Returns a graph without grafts as a function of so many numbers, of which the first ones are described.
 pub(crate) fn function_of(
     name: &str,
     graph: &Graph,
@@ -90,7 +90,7 @@ pub(crate) fn function_of(
     text
 }
 
-/// The number that a node rounds to a whole one by adding and subtracting a large one. Drivers may
+/// Returns the number that a node rounds to a whole one by adding and subtracting a large one. Drivers may
 /// remove both steps (Mesa's do); WGSL has a function for it, which rounds the same way.
 fn rounded(graph: &Graph, node: Node) -> Option<Id> {
     const SHIFT: f64 = 1.5 * (1 << 23) as f64;
@@ -229,13 +229,13 @@ fn expression(node: Node, known: &[String]) -> String {
     }
 }
 
-/// The share of one of two numbers in the cotangent of their minimum: `less` if a is less, `more` if it is more,
-/// half of the cotangent in a tie.
+/// Returns the share of one of two numbers in the cotangent of their minimum: `less` if a is less, `more` if it is
+/// more, half of the cotangent in a tie.
 fn shared(a: &str, b: &str, (more, less): (&str, &str), bar: &str) -> String {
     format!("select(select({more}, {bar} * 0.5f, {a} == {b}), {less}, {a} < {b})")
 }
 
-/// A finite number. Numbers below the smallest normal one are given by their bits.
+/// Returns a finite number. Numbers below the smallest normal one are given by their bits.
 fn literal(x: f32) -> String {
     if x == 0.0 || x.is_normal() {
         format!("{x:e}f")

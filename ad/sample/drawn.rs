@@ -35,7 +35,7 @@ impl<X: Sample> Near for X {
 /// An input that was drawn.
 pub(crate) trait Drawn: Near {
     fn numbers(&self) -> Vec<f64>;
-    /// The same shapes made of other numbers.
+    /// Returns the same shapes made of other numbers.
     fn refilled(&self, numbers: &[f64]) -> Box<dyn Drawn>;
     /// Inputs with fewer shapes in their lists.
     fn fewer(&self) -> Box<dyn Iterator<Item = Box<dyn Drawn>> + '_>;
@@ -79,7 +79,7 @@ impl<X: Sample> Drawn for X {
     }
 }
 
-/// The text of an input as code.
+/// Returns the text of an input as code.
 pub(crate) fn code<X>(text: &str) -> String {
     as_code(std::any::type_name::<X>(), text)
 }
@@ -104,7 +104,7 @@ pub(crate) struct Kinship {
     touching: fn(&mut Draw) -> Box<dyn Drawn>,
 }
 
-/// An input in its type.
+/// Returns an input in its type.
 pub(crate) fn typed<X: Sample>(x: &dyn Drawn) -> X {
     match x.as_any().downcast_ref::<X>() {
         Some(x) => x.clone(),
@@ -129,7 +129,7 @@ impl Kinship {
             touching: |draw| Box::new(X::touching(draw)),
         }
     }
-    /// A random input of a family.
+    /// Returns a random input of a family.
     pub(crate) fn of_family(self, family: Family, draw: &mut Draw) -> Box<dyn Drawn> {
         match family {
             Family::Any => self.random(draw),
@@ -164,7 +164,7 @@ impl Kinship {
             Family::Touching => (self.touching)(draw),
         }
     }
-    /// The hard cases as they are, turned, scaled and moved away.
+    /// Returns the hard cases as they are, turned, scaled and moved away.
     pub(crate) fn hard_cases(self) -> Vec<Box<dyn Drawn>> {
         let plain = (self.hard)();
         let places = PLACES.iter();
@@ -173,7 +173,7 @@ impl Kinship {
             .filter_map(|(x, there)| Some(x.refilled(&there?)))
             .collect()
     }
-    /// An input on a grid of few numbers; a random one where its shapes take none.
+    /// Returns an input on a grid of few numbers; a random one where its shapes take none.
     #[cfg(feature = "check")]
     pub(crate) fn lattice(self, draw: &mut Draw) -> Box<dyn Drawn> {
         let x = (self.ordinary)(draw);
@@ -186,7 +186,7 @@ impl Kinship {
         }
         self.random(draw)
     }
-    /// A random input, moved and scaled now and then.
+    /// Returns a random input, moved and scaled now and then.
     pub(crate) fn random(self, draw: &mut Draw) -> Box<dyn Drawn> {
         let x = (self.draw)(draw);
         match placed(&*x, draw) {
@@ -197,18 +197,18 @@ impl Kinship {
 }
 
 impl Family {
-    /// A random input of the family.
+    /// Returns a random input of the family.
     pub fn draw<X: Sample>(self, draw: &mut Draw) -> X {
         typed(&*const { Kinship::of::<X>() }.of_family(self, draw))
     }
 }
 
-/// A random input, moved and scaled now and then.
+/// Returns a random input, moved and scaled now and then.
 pub fn random<X: Sample>(draw: &mut Draw) -> X {
     typed(&*const { Kinship::of::<X>() }.random(draw))
 }
 
-/// The hard cases as they are, turned, scaled and moved away.
+/// Returns the hard cases as they are, turned, scaled and moved away.
 pub fn hard_cases<X: Sample>() -> Vec<X> {
     let plain = X::hard();
     let placed = |x: &X, place| put(x, place).map(|there| x.refill(&there));
@@ -217,7 +217,7 @@ pub fn hard_cases<X: Sample>() -> Vec<X> {
     all.collect()
 }
 
-/// An input scaled and moved, if it fits there.
+/// Returns an input scaled and moved, if it fits there.
 fn elsewhere(x: Box<dyn Drawn>, scale: f64, shift: [f64; 2]) -> Box<dyn Drawn> {
     let there = moved(&x.numbers(), &x.kinds(), 0.0, scale, shift);
     match x.inside(&there) {
@@ -226,7 +226,7 @@ fn elsewhere(x: Box<dyn Drawn>, scale: f64, shift: [f64; 2]) -> Box<dyn Drawn> {
     }
 }
 
-/// The numbers of a hard case in a place; nothing for a shape that cannot turn or does not fit there.
+/// Returns the numbers of a hard case in a place; nothing for a shape that cannot turn or does not fit there.
 pub(crate) fn put(x: &dyn Drawn, (angle, scale, shift): Placed) -> Option<Vec<f64>> {
     let kinds = x.kinds();
     let turns = |kind: &Kind| kind.is_angle() || *kind == Kind::DirectionX;
@@ -237,7 +237,7 @@ pub(crate) fn put(x: &dyn Drawn, (angle, scale, shift): Placed) -> Option<Vec<f6
     x.inside(&there).then_some(there)
 }
 
-/// The numbers of an input where a place was drawn for it; nothing if it does not fit there.
+/// Returns the numbers of an input where a place was drawn for it; nothing if it does not fit there.
 pub(crate) fn placed(x: &dyn Drawn, draw: &mut Draw) -> Option<Vec<f64>> {
     let scale = match draw.below(16) {
         0 => 1e-4,

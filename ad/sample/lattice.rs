@@ -55,7 +55,7 @@ fn repeat(kinds: &[Kind], x: &mut [f64], draw: &mut Draw, step: f64) {
     }
 }
 
-/// A quarter of a turn, or half of that.
+/// Returns a quarter of a turn, or half of that.
 fn quarter(draw: &mut Draw) -> f64 {
     match draw.once_in(4) {
         true => FRAC_PI_4,
@@ -63,7 +63,7 @@ fn quarter(draw: &mut Draw) -> f64 {
     }
 }
 
-/// The places of points among numbers: where each begins, and how many numbers it has.
+/// Returns the places of points among numbers: where each begins, and how many numbers it has.
 pub(crate) fn places(kinds: &[Kind]) -> Vec<(usize, usize)> {
     let starts = (0..kinds.len()).filter(|&i| kinds[i] == Kind::X);
     let length = |i: usize| {

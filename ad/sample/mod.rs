@@ -45,19 +45,19 @@ impl Draw {
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
     }
-    /// A number in `[0, 1)`.
+    /// Returns a number in `[0, 1)`.
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
-    /// A number in `[low, high)`.
+    /// Returns a number in `[low, high)`.
     pub fn within(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
-    /// A positive number in `[low, high)`, all magnitudes alike.
+    /// Returns a positive number in `[low, high)`, all magnitudes alike.
     pub fn magnitude(&mut self, low: f64, high: f64) -> f64 {
         self.within(low.ln(), high.ln()).exp()
     }
-    /// A whole number below `n`.
+    /// Returns a whole number below `n`.
     pub fn below(&mut self, n: usize) -> usize {
         (self.unit() * n as f64) as usize
     }
@@ -69,9 +69,9 @@ impl Draw {
 
 /// An input the harness can make up by itself.
 pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
-    /// A random one, of about unit size near the origin.
+    /// Returns a random one, of about unit size near the origin.
     fn ordinary(draw: &mut Draw) -> Self;
-    /// A random one that is much longer than wide.
+    /// Returns a random one that is much longer than wide.
     fn thin(draw: &mut Draw) -> Self {
         Self::ordinary(draw)
     }
@@ -79,11 +79,11 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
     fn beside(&self, _draw: &mut Draw) -> Self {
         self.clone()
     }
-    /// A random one whose parts touch.
+    /// Returns a random one whose parts touch.
     fn touching(draw: &mut Draw) -> Self {
         Self::ordinary(draw)
     }
-    /// A random one of any of these, mostly an ordinary one.
+    /// Returns a random one of any of these, mostly an ordinary one.
     fn draw(draw: &mut Draw) -> Self {
         if draw.once_in(10) {
             Self::thin(draw)
@@ -91,9 +91,9 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
             Self::ordinary(draw)
         }
     }
-    /// The cases at which geometry fails.
+    /// Returns the cases at which geometry fails.
     fn hard() -> Vec<Self>;
-    /// The kind of each number.
+    /// Returns the kind of each number.
     fn kinds(&self) -> Vec<Kind>;
     /// For each number, the length over which the function may be expected to change.
     fn scales(&self) -> Vec<f64>;
@@ -111,9 +111,9 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
     fn units(&self) -> Vec<f64> {
         self.extents()
     }
-    /// `true` if it is valid.
+    /// Returns `true` if it is valid.
     fn inside(&self) -> bool;
-    /// The outlines that a picture of it shows.
+    /// Returns the outlines that a picture of it shows.
     fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
         Vec::new()
     }
@@ -164,12 +164,12 @@ impl Sampler {
             inside: |x| like::<X>(x).is_some_and(|x| x.inside()),
         }
     }
-    /// The scalars of a random one.
+    /// Returns the scalars of a random one.
     #[must_use]
     pub fn draw(&self, draw: &mut Draw) -> Vec<f64> {
         (self.draw)(draw)
     }
-    /// The scalars of the cases at which geometry fails.
+    /// Returns the scalars of the cases at which geometry fails.
     #[must_use]
     pub fn hard(&self) -> Vec<Vec<f64>> {
         (self.hard)()

@@ -6,7 +6,7 @@ use crate::error::Validate;
 use crate::{Aabb2, ConvexPolygon, Obb2, Rotation2, Vec2};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-/// A scale that is never zero.
+/// Returns a scale that is never zero.
 fn positive(x: f64) -> f64 {
     if x > 0.0 { x } else { 1.0 }
 }
@@ -159,7 +159,7 @@ impl Sample for Aabb2<f64> {
     }
 }
 
-/// A ring from pairs of coordinates.
+/// Returns a ring from pairs of coordinates.
 fn ring(points: &[[f64; 2]]) -> Vec<Vec2<f64>> {
     points.iter().map(|&[x, y]| Vec2::new(x, y)).collect()
 }
@@ -286,7 +286,7 @@ impl Sample for Rotation2<f64> {
     }
 }
 
-/// A convex polygon on an ellipse: corners at sorted angles.
+/// Returns a convex polygon on an ellipse: corners at sorted angles.
 fn on_ellipse<const N: usize>(draw: &mut Draw, wide: f64, high: f64) -> ConvexPolygon<f64, N> {
     let count = 3 + draw.below(N.saturating_sub(2).max(1));
     let mut angles: Vec<f64> = (0..count.min(N))

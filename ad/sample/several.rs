@@ -12,7 +12,7 @@ const SHAPES: usize = 20;
 /// The most hard cases of a tuple of three or more.
 pub(crate) const TUPLES: usize = 500;
 
-/// A random input whose numbers were made to fit its rules.
+/// Returns a random input whose numbers were made to fit its rules.
 pub fn drawn<X: Sample>(
     draw: &mut Draw,
     make: impl Fn(&mut Draw) -> X,
@@ -31,7 +31,7 @@ pub fn drawn<X: Sample>(
     others.find(Sample::inside).unwrap_or(first)
 }
 
-/// A random input, now and then a thin one.
+/// Returns a random input, now and then a thin one.
 pub fn one_of<X: Sample>(draw: &mut Draw) -> X {
     if draw.once_in(10) {
         X::thin(draw)
@@ -40,22 +40,22 @@ pub fn one_of<X: Sample>(draw: &mut Draw) -> X {
     }
 }
 
-/// The hard cases, as a function that needs no type.
+/// Returns the hard cases, as a function that needs no type.
 pub fn hard<X: Sample>() -> Vec<X> {
     X::hard()
 }
 
-/// All parts one after another.
+/// Returns all parts one after another.
 pub fn joined<T: Clone, const N: usize>(parts: [Vec<T>; N]) -> Vec<T> {
     parts.concat()
 }
 
-/// The same kind so many times.
+/// Returns the same kind so many times.
 pub fn all(kind: Kind, count: usize) -> Vec<Kind> {
     vec![kind; count]
 }
 
-/// The kinds of points as those of directions.
+/// Returns the kinds of points as those of directions.
 pub fn as_directions(kinds: Vec<Kind>) -> Vec<Kind> {
     let of = |kind| match kind {
         Kind::X => Kind::DirectionX,
@@ -66,7 +66,7 @@ pub fn as_directions(kinds: Vec<Kind>) -> Vec<Kind> {
     kinds.into_iter().map(of).collect()
 }
 
-/// The kinds of points as lengths: sizes, which are not below zero, do not move.
+/// Returns the kinds of points as lengths: sizes, which are not below zero, do not move.
 pub fn as_lengths(kinds: Vec<Kind>) -> Vec<Kind> {
     let of = |kind| match kind {
         Kind::X | Kind::Y | Kind::Z => Kind::Length,
@@ -75,7 +75,7 @@ pub fn as_lengths(kinds: Vec<Kind>) -> Vec<Kind> {
     kinds.into_iter().map(of).collect()
 }
 
-/// The kinds of points in space as those of rotation vectors.
+/// Returns the kinds of points in space as those of rotation vectors.
 pub fn as_rotation_vectors(kinds: Vec<Kind>) -> Vec<Kind> {
     let of = |kind| match kind {
         Kind::X => Kind::RotationVectorX,
@@ -164,7 +164,7 @@ pub fn mingled<X: Sample>(x: X, lengths: &[usize], draw: &mut Draw) -> X {
     if mingled.inside() { mingled } else { x }
 }
 
-/// The same of plain numbers; false where all stay as they are.
+/// Returns the same of plain numbers; false where all stay as they are.
 pub(crate) fn mingle(
     numbers: &mut [f64],
     kinds: &[Kind],
@@ -195,7 +195,7 @@ pub(crate) fn mingle(
     true
 }
 
-/// An input whose second part is put beside its first, where they are of one kind.
+/// Returns an input whose second part is put beside its first, where they are of one kind.
 fn beside<X: Sample>(x: X, lengths: &[usize], near: Option<Vec<f64>>) -> X {
     let (Some(near), [n, m, ..]) = (near, lengths) else {
         return x;

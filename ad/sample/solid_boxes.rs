@@ -8,7 +8,7 @@ use crate::shape::{Aabb3, Obb3, Ray3, Rotation3, YawBox3};
 use crate::{Obb2, Vec3};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-/// A height of about unit size.
+/// Returns a height of about unit size.
 fn tall(draw: &mut Draw) -> f64 {
     draw.within(0.2, 3.0)
 }
@@ -18,12 +18,12 @@ fn sign(draw: &mut Draw) -> f64 {
     if draw.once_in(2) { -1.0 } else { 1.0 }
 }
 
-/// A vector of three numbers.
+/// Returns a vector of three numbers.
 fn vector([x, y, z]: [f64; 3]) -> Vec3<f64> {
     Vec3::new(x, y, z)
 }
 
-/// The scale of every number of a place, and of every size: sizes of their own magnitude, where there is
+/// Returns the scale of every number of a place, and of every size: sizes of their own magnitude, where there is
 /// one, and places in which a box of such sizes moves by a share of itself.
 fn lengths(size: Vec3<f64>) -> [f64; 6] {
     let size = [size.x, size.y, size.z];
@@ -37,7 +37,7 @@ fn lengths(size: Vec3<f64>) -> [f64; 6] {
     [place, place, place, own[0], own[1], own[2]]
 }
 
-/// How far a turn may go: what moves the ends of a box by about as much as its place may.
+/// Returns how far a turn may go: what moves the ends of a box by about as much as its place may.
 fn turn(lengths: &[f64; 6]) -> f64 {
     lengths[0] / lengths[3].max(lengths[4]).max(lengths[5])
 }
@@ -58,7 +58,7 @@ fn touching(own: Vec3<f64>, other: Vec3<f64>, draw: &mut Draw) -> [f64; 3] {
     offset
 }
 
-/// A rotation about any axis, now and then by an eighth of a turn about one of the world's, by any
+/// Returns a rotation about any axis, now and then by an eighth of a turn about one of the world's, by any
 /// quaternion of about unit length.
 fn rotation(draw: &mut Draw) -> Rotation3<f64> {
     let axis = [0; 3].map(|_| draw.within(-1.0, 1.0));
@@ -275,7 +275,7 @@ impl Sample for Obb3<f64> {
     }
 }
 
-/// The axis-aligned box of such a centre and size.
+/// Returns the axis-aligned box of such a centre and size.
 fn upright(center: Vec3<f64>, size: Vec3<f64>) -> Aabb3<f64> {
     Aabb3::new(center - size * 0.5, center + size * 0.5)
 }

@@ -98,7 +98,7 @@ fn group(token: Option<&TokenTree>, delimiter: Delimiter) -> Option<&Group> {
         _ => None,
     }
 }
-/// The tokens; what a macro put in is not set apart.
+/// Returns the tokens; what a macro put in is not set apart.
 fn list(stream: TokenStream) -> Vec<TokenTree> {
     let one = |token| match token {
         TokenTree::Group(group) if group.delimiter() == Delimiter::None => list(group.stream()),
@@ -162,7 +162,7 @@ fn visibility(tokens: &mut Tokens<'_>) {
     }
 }
 
-/// A string literal's text.
+/// Returns a string literal's text.
 fn text_of(token: Option<&TokenTree>) -> Option<String> {
     let text = token?.to_string();
     let text = text.strip_prefix('"')?.strip_suffix('"')?;
@@ -396,7 +396,7 @@ fn form(tokens: Tokens<'_>, scalar: &str) -> Result<Form, Refusal> {
     }
 }
 
-/// `true` if a type contains the scalar.
+/// Returns `true` if a type contains the scalar.
 fn mentions(tokens: Tokens<'_>, scalar: &str) -> bool {
     tokens.iter().any(|token| match token {
         TokenTree::Group(group) => mentions(&list(group.stream()), scalar),

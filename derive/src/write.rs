@@ -4,7 +4,7 @@ use crate::parse::{Field, Form, Motions, Parameter, Shape};
 use proc_macro::{Group, TokenStream, TokenTree};
 use std::fmt::Write;
 
-/// The name that stands for a field's type until [`weave`].
+/// Returns the name that stands for a field's type until [`weave`].
 fn hole(i: usize) -> String {
     format!("__type_{i}")
 }
@@ -32,7 +32,7 @@ fn weave(text: &str, types: &[&TokenStream]) -> TokenStream {
     fill(text.parse().expect("the derive writes Rust"), types)
 }
 
-/// The name of a field in messages.
+/// Returns the name of a field in messages.
 fn shown(field: &Field) -> &str {
     field.member.strip_prefix("r#").unwrap_or(&field.member)
 }
@@ -51,7 +51,7 @@ impl Writer<'_> {
         });
         format!("<{}>", each.collect::<Vec<_>>().join(", "))
     }
-    /// The same without a scalar.
+    /// Returns the same without a scalar.
     fn constants(&self) -> String {
         let each = self.shape.parameters.iter().filter_map(|p| match p {
             Parameter::Scalar => None,
@@ -59,7 +59,7 @@ impl Writer<'_> {
         });
         each.collect::<Vec<_>>().join(", ")
     }
-    /// The struct of another scalar.
+    /// Returns the struct of another scalar.
     fn of(&self, scalar: &str) -> String {
         let each = self.shape.parameters.iter().map(|p| match p {
             Parameter::Scalar => scalar,
@@ -88,7 +88,7 @@ impl Writer<'_> {
     }
 }
 
-/// The value of a place with every scalar replaced.
+/// Returns the value of a place with every scalar replaced.
 fn remake(form: &Form, place: &str, depth: usize) -> String {
     match form {
         Form::Scalar => format!("__f(&{place})"),
@@ -124,7 +124,8 @@ fn each(form: &Form, place: &str, depth: usize) -> String {
     }
 }
 
-/// The text of a test that two places are about equal; `compare` is a function's name and its further arguments.
+/// Returns the text of a test that two places are about equal; `compare` is a function's name and its further
+/// arguments.
 fn about(form: &Form, [a, b]: [&str; 2], depth: usize, compare: (&str, &str)) -> String {
     match form {
         Form::Scalar | Form::Shape => format!("{}(&{a}, &{b}, {})", compare.0, compare.1),
@@ -145,7 +146,7 @@ fn about(form: &Form, [a, b]: [&str; 2], depth: usize, compare: (&str, &str)) ->
     }
 }
 
-/// All implementations.
+/// Returns all implementations.
 pub fn impls(shape: &Shape) -> TokenStream {
     let writer = Writer { shape };
     let mut text = derived(&writer) + &pack(&writer) + &fixed(&writer) + &item(&writer);
@@ -174,7 +175,8 @@ pub fn impls(shape: &Shape) -> TokenStream {
     weave(&text, &types)
 }
 
-/// The first error if a derive of the standard library is missing. Whoever writes a part by hand may not need all.
+/// Returns the first error if a derive of the standard library is missing. Whoever writes a part by hand may not need
+/// all.
 fn derived(writer: &Writer<'_>) -> String {
     if writer.leaves("approx") || writer.leaves("Sample") {
         return String::new();

@@ -68,7 +68,7 @@ impl Deref for Backend<'_> {
 }
 
 impl<'a> Backend<'a> {
-    /// The same machine: its calls take arrays that stay there, too.
+    /// Returns the same machine: its calls take arrays that stay there, too.
     #[must_use]
     pub const fn resident(self) -> Backend<'a> {
         self
@@ -76,7 +76,7 @@ impl<'a> Backend<'a> {
 }
 
 impl Auto {
-    /// The chosen backend.
+    /// Returns the chosen backend.
     #[must_use]
     pub fn backend(&self) -> Backend<'_> {
         match self {

@@ -10,7 +10,7 @@ use crate::kernels::row::once::Key;
 use std::sync::Arc;
 
 impl<T: Real> Call<T> {
-    /// The derivative of what is called along directions, as a function of arguments and directions.
+    /// Returns the derivative of what is called along directions, as a function of arguments and directions.
     pub(crate) fn along(self, order: Order) -> Result<Self, Error> {
         Ok(Call::of(self.function()?.along(order)?))
     }

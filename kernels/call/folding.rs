@@ -40,7 +40,7 @@ impl Sizes {
             winding: F::WINDING,
         }
     }
-    /// The states of a list of numbers; none of a fold whose states have no numbers.
+    /// Returns the states of a list of numbers; none of a fold whose states have no numbers.
     pub(crate) fn states<'a, S>(&self, numbers: &'a [S]) -> std::slice::ChunksExact<'a, S> {
         numbers.chunks_exact(self.state.max(1))
     }
@@ -50,7 +50,7 @@ impl Sizes {
             state[place] = winding;
         }
     }
-    /// How many edges so many vertices have.
+    /// Returns how many edges so many vertices have.
     pub(crate) fn edges(&self, vertices: usize) -> usize {
         match self.closed {
             true => vertices,
@@ -121,8 +121,8 @@ fn finish<F: Fold, T: Scalar>(shared: &[T], state: &[T], out: &mut [T]) {
     .store(out);
 }
 
-/// The cotangents of context and reference, and of the states of all edges one after another, from that of a result.
-/// `before` has the joined states before every edge, and after the last one.
+/// Returns the cotangents of context and reference, and of the states of all edges one after another, from that of a
+/// result. `before` has the joined states before every edge, and after the last one.
 pub(crate) fn backwards<S: Scalar>(
     sizes: &Sizes,
     programs: &Programs,

@@ -23,7 +23,7 @@ use std::sync::Arc;
 pub trait Function<R: Item> {
     /// The result per item.
     type Out: Results<Scalar = R::Scalar>;
-    /// The function without its types, and the derivative of it.
+    /// Returns the function without its types, and the derivative of it.
     ///
     /// # Errors
     ///
@@ -108,7 +108,7 @@ where
     }
 }
 
-/// The recording of an operation, the same one at every call.
+/// Returns the recording of an operation, the same one at every call.
 pub(crate) fn recording_of<O, R: Item>() -> Arc<Recording<R::Scalar>>
 where
     O: Op<In<<R as Pack>::Scalar> = R>,

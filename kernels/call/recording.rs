@@ -32,7 +32,7 @@ pub(crate) struct Searched<T> {
 }
 
 impl<T> Searched<T> {
-    /// The same with one more derivative.
+    /// Returns the same with one more derivative.
     pub(crate) fn then(&self, step: Step) -> Self {
         let steps = [&self.steps[..], &[step]].concat();
         let (item, replays) = (self.item, self.replays);
@@ -42,7 +42,7 @@ impl<T> Searched<T> {
             steps,
         }
     }
-    /// The replays of a mode of the function.
+    /// Returns the replays of a mode of the function.
     pub(crate) fn replays(&self, mode: Mode) -> Arc<dyn Replays<T>> {
         (self.replays)(self.then(Step::Mode(mode)).steps)
     }
@@ -105,7 +105,7 @@ impl<T: Real> fmt::Debug for Recording<T> {
 }
 
 impl<T: Real> Recording<T> {
-    /// A function of such shapes.
+    /// Returns a function of such shapes.
     pub(crate) fn new(
         takes: Vec<Leaf<T>>,
         outputs: Vec<usize>,
@@ -122,7 +122,7 @@ impl<T: Real> Recording<T> {
         }
     }
 
-    /// The recording of an operation, the same one at every call.
+    /// Returns the recording of an operation, the same one at every call.
     pub(crate) fn of_line(operation: TypeId, parts: &Parts<T>) -> Arc<Self> {
         let made = known_by(operation, &|| {
             let compiled = (parts.compiled)();
@@ -152,7 +152,7 @@ impl<T: Real> Recording<T> {
         self.made.made(key, make)
     }
 
-    /// The program of a mode: the result, or the result and derivatives, from the input and then the cotangent.
+    /// Returns the program of a mode: the result, or the result and derivatives, from the input and then the cotangent.
     pub(crate) fn program(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
         match &self.body {
             Body::Line(line) => line.program(mode),
@@ -164,7 +164,7 @@ impl<T: Real> Recording<T> {
         }
     }
 
-    /// A derivative as a function of its own, whose derivatives are of the next order.
+    /// Returns a derivative as a function of its own, whose derivatives are of the next order.
     fn derivative(&self, mode: Mode) -> Result<Arc<Recording<T>>, Error> {
         self.made(Key::Derived(mode), &|| {
             let fields: Vec<usize> = self.takes.iter().map(|leaf| leaf.fields).collect();
@@ -208,15 +208,15 @@ impl<T: Real> Clone for Call<T> {
 }
 
 impl<T: Real> Call<T> {
-    /// The value of a function.
+    /// Returns the value of a function.
     pub(crate) const fn of(recording: Arc<Recording<T>>) -> Self {
         Call {
             recording,
             mode: Mode::Value,
         }
     }
-    /// The derivative of what is called: of a value another mode of the same function, of a derivative one of the
-    /// next order.
+    /// Returns the derivative of what is called: of a value another mode of the same function, of a derivative one of
+    /// the next order.
     ///
     /// # Errors
     ///
@@ -225,14 +225,14 @@ impl<T: Real> Call<T> {
         let recording = self.function()?;
         Ok(Call { recording, mode })
     }
-    /// The function that is called: a recording, or a derivative of one as a recording of its own.
+    /// Returns the function that is called: a recording, or a derivative of one as a recording of its own.
     pub(crate) fn function(self) -> Result<Arc<Recording<T>>, Error> {
         match self.mode {
             Mode::Value => Ok(self.recording),
             inner => self.recording.derivative(inner),
         }
     }
-    /// The name of a column: an argument, or a cotangent after them.
+    /// Returns the name of a column: an argument, or a cotangent after them.
     pub(crate) fn argument(&self, k: usize) -> Argument {
         let (takes, names) = (self.recording.takes.len(), self.recording.arguments);
         match names.get(k) {

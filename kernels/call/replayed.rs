@@ -47,7 +47,7 @@ struct Differentiated<D: Search, T> {
     format: std::marker::PhantomData<fn() -> T>,
 }
 
-/// The replays of a search, differentiated by some steps.
+/// Returns the replays of a search, differentiated by some steps.
 pub(crate) fn of<D, R: Item>(steps: Vec<Step>) -> Arc<dyn Replays<R::Scalar>>
 where
     D: Search<In<<R as Pack>::Scalar> = R>,
@@ -89,12 +89,12 @@ where
     })
 }
 
-/// The numbers of some blocks in a program, which has no codes.
+/// Returns the numbers of some blocks in a program, which has no codes.
 fn numbers_of<R: Item>(blocks: &[Block]) -> usize {
     blocks.iter().map(|block| block.sizes::<R>()[0]).sum()
 }
 
-/// The value of a key, made on first use. Two threads may make it; the first is kept.
+/// Returns the value of a key, made on first use. Two threads may make it; the first is kept.
 fn made<D: Search, X>(
     all: &Cache<D, X>,
     key: (Vec<u32>, D::Record),
@@ -152,7 +152,7 @@ where
     }
 }
 
-/// The input of a search that an item begins with.
+/// Returns the input of a search that an item begins with.
 fn input<D: Search, T: Real>(numbers: &[T]) -> D::In<T>
 where
     D::In<T>: Item<Scalar = T>,

@@ -17,7 +17,7 @@ use std::sync::Arc;
 /// Inputs per replay on duals. More need fewer replays, but each dual holds so many derivatives.
 const AT_A_TIME: usize = 4;
 
-/// The result on duals, with derivatives by inputs `first..first + AT_A_TIME`. `codes` are the input's.
+/// Returns the result on duals, with derivatives by inputs `first..first + AT_A_TIME`. `codes` are the input's.
 fn replayed<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     numbers: &[R::Scalar],
     codes: &[u32],
@@ -93,7 +93,7 @@ fn item<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     by_shape::<R>(&bars, &codes, &mut out[result..]);
 }
 
-/// The function of one item in a mode of a search.
+/// Returns the function of one item in a mode of a search.
 fn item_in<D, R: Item>(mode: Mode) -> Each<R::Scalar>
 where
     D: Search<In<<R as Pack>::Scalar> = R>,
@@ -105,7 +105,7 @@ where
     }
 }
 
-/// The recording of a search, the same one at every call.
+/// Returns the recording of a search, the same one at every call.
 pub(crate) fn recording<D, R: Item>() -> Arc<Recording<R::Scalar>>
 where
     D: Search<In<<R as Pack>::Scalar> = R>,
@@ -178,29 +178,30 @@ pub const fn search<D: Search>(_search: D) -> Searched<D> {
 }
 
 impl<D: Search> Searched<D> {
-    /// The search with its gradient: batches return the result, one number, and the gradient by every argument.
+    /// Returns the search with its gradient: batches return the result, one number, and the gradient by every argument.
     #[must_use]
     pub const fn value_grad(self) -> ValueGrad<Self> {
         ValueGrad(self)
     }
-    /// The search with its Jacobian: aligned batches return the result, and in its shape the gradient of every number.
+    /// Returns the search with its Jacobian: aligned batches return the result, and in its shape the gradient of every
+    /// number.
     #[must_use]
     pub const fn jacobian(self) -> Jacobian<Self> {
         Jacobian(self)
     }
-    /// The adjoint: batches take the arguments and a cotangent of the result, and return the cotangents of the
+    /// Returns the adjoint: batches take the arguments and a cotangent of the result, and return the cotangents of the
     /// arguments.
     #[must_use]
     pub const fn vjp(self) -> Vjp<Self> {
         Vjp(self)
     }
-    /// The search with its derivative along a direction: aligned batches take arguments and directions of them. The
-    /// decisions are those at the arguments.
+    /// Returns the search with its derivative along a direction: aligned batches take arguments and directions of them.
+    /// The decisions are those at the arguments.
     #[must_use]
     pub const fn jvp(self) -> Jvp<Self> {
         Jvp::of(self)
     }
-    /// The Hessian of the search times a direction; the result is one number.
+    /// Returns the Hessian of the search times a direction; the result is one number.
     #[must_use]
     pub const fn hvp(self) -> Hvp<Self> {
         Hvp::of(self)

@@ -37,7 +37,7 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// The inputs that such shapes make up.
+    /// Returns the inputs that such shapes make up.
     #[must_use]
     pub fn new(parts: Vec<Sampler>) -> Self {
         let kinds: Vec<Vec<Kind>> = parts.iter().map(|part| (part.kinds)()).collect();
@@ -47,12 +47,12 @@ impl Inputs {
             kinds: kinds.concat(),
         }
     }
-    /// How many numbers an input has.
+    /// Returns how many numbers an input has.
     #[must_use]
     pub fn count(&self) -> usize {
         self.kinds.len()
     }
-    /// The numbers of every part.
+    /// Returns the numbers of every part.
     fn split<'a>(&self, x: &'a [f64]) -> Vec<&'a [f64]> {
         let mut rest = x;
         let part = |&n: &usize| {
@@ -62,7 +62,7 @@ impl Inputs {
         };
         self.lengths.iter().map(part).collect()
     }
-    /// `true` if every part is valid.
+    /// Returns `true` if every part is valid.
     #[must_use]
     pub fn inside(&self, x: &[f64]) -> bool {
         let all = || self.parts.iter().zip(self.split(x));
@@ -75,7 +75,7 @@ impl Inputs {
         let own: Vec<f64> = all.flat_map(|(part, own)| (part.scales)(own)).collect();
         together(own, &self.kinds)
     }
-    /// A random input, of which now and then shapes touch, share numbers, are far away, tiny or huge.
+    /// Returns a random input, of which now and then shapes touch, share numbers, are far away, tiny or huge.
     #[must_use]
     pub fn draw(&self, draw: &mut Draw) -> Vec<f64> {
         let mut parts: Vec<Vec<f64>> = self.parts.iter().map(|part| (part.draw)(draw)).collect();
@@ -111,7 +111,7 @@ impl Inputs {
         let length = self.lengths.get(part).copied().unwrap_or(0);
         &self.kinds[start..start + length]
     }
-    /// The hard cases of every shape, combined: all combinations, or some of many.
+    /// Returns the hard cases of every shape, combined: all combinations, or some of many.
     #[must_use]
     pub fn hard(&self) -> Vec<Vec<f64>> {
         let cases: Vec<Vec<Vec<f64>>> = self.parts.iter().map(|part| (part.hard)()).collect();
@@ -127,8 +127,8 @@ impl Inputs {
         all.map(input).filter(|x| self.inside(x)).collect()
     }
 
-    /// The inputs of a sampling, rounded to a format; how many of them are no random ones; and how many more were drawn
-    /// outside the domain.
+    /// Returns the inputs of a sampling, rounded to a format; how many of them are no random ones; and how many more
+    /// were drawn outside the domain.
     fn points<S: Real>(&self, sampling: &Sampling<'_>) -> (Vec<Vec<f64>>, usize, u64) {
         let inside = |x: &[f64]| sampling.inside.is_none_or(|inside| inside(x));
         let rounded =
@@ -164,7 +164,7 @@ impl Inputs {
         searches: false,
     };
 
-    /// A check at the inputs of a sampling, rounded to the format, to which a function is added; by
+    /// Returns a check at the inputs of a sampling, rounded to the format, to which a function is added; by
     /// [these conventions](Inputs::CONVENTIONS), unless others are set.
     #[must_use]
     pub fn check<'a, S: Real>(&'a self, name: &str, sampling: &Sampling<'a>) -> Check<'a, Vec<S>> {
@@ -221,7 +221,7 @@ impl Near for Inputs {
 }
 
 impl<T: Real> Program<T> {
-    /// The recording that the harness checks.
+    /// Returns the recording that the harness checks.
     fn computations(&self, jumps: Jumps) -> Computations<T> {
         let recorded = self.recorded();
         Computations {
@@ -240,8 +240,8 @@ impl<T: Real> Program<T> {
         }
     }
 
-    /// A check of the derivatives of the program: backwards against forwards and differences, second ones against duals of
-    /// duals, and, in `f32`, all of them against the same function in `f64` if that is given.
+    /// Returns a check of the derivatives of the program: backwards against forwards and differences, second ones
+    /// against duals of duals, and, in `f32`, all of them against the same function in `f64` if that is given.
     ///
     /// ```
     /// use geograd::check::{Jumps, Sampling};

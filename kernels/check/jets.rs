@@ -29,7 +29,7 @@ pub(crate) fn moving<S: Real, T: Scalar>(
     });
     jets.collect()
 }
-/// The derivatives of jets along one direction.
+/// Returns the derivatives of jets along one direction.
 pub(crate) fn slopes<T: Copy>(jets: &[Jet<T, 1>]) -> Vec<T> {
     jets.iter().map(|jet| jet.derivative[0]).collect()
 }
@@ -41,7 +41,7 @@ fn variables<S: Real>(x: &[f64], start: usize) -> Vec<First<S>> {
     jets.collect()
 }
 
-/// The values that jets carry through a function.
+/// Returns the values that jets carry through a function.
 pub(crate) fn values_of_jets<S: Real>(
     x: &[f64],
     eval: impl Fn(&[First<S>]) -> Vec<First<S>>,
@@ -50,7 +50,7 @@ pub(crate) fn values_of_jets<S: Real>(
     jets.iter().map(|jet| jet.value.widen()).collect()
 }
 
-/// The Jacobian of a function of so many results, some variables at a time: one row per result.
+/// Returns the Jacobian of a function of so many results, some variables at a time: one row per result.
 pub(crate) fn jacobian<S: Real>(
     outputs: usize,
     x: &[f64],
@@ -68,7 +68,7 @@ pub(crate) fn jacobian<S: Real>(
     rows
 }
 
-/// The Hessian of `y_bar · value` times a direction, by duals of duals.
+/// Returns the Hessian of `y_bar · value` times a direction, by duals of duals.
 pub(crate) fn second_order<S: Real>(
     x: &[f64],
     y_bar: &[f64],

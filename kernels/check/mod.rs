@@ -130,7 +130,7 @@ impl<S: Real> Examined<S> {
             code: const { ScalarCode::of::<O>() },
         }
     }
-    /// All that the harness needs of it.
+    /// Returns all that the harness needs of it.
     fn computations(&self, stated: &Stated) -> Result<Computations<S>, Error> {
         let value = self.recording.program(Mode::Value)?;
         let is_wide = Precision::of::<S>() == Precision::F64;
@@ -152,7 +152,7 @@ impl<S: Real> Examined<S> {
     }
 }
 
-/// The function.
+/// Returns the function.
 fn alone<O: Op, S: Real>(x: &[S]) -> Vec<S> {
     O::eval(O::In::<S>::load(x)).scalars()
 }
@@ -161,13 +161,13 @@ fn nothing<S>(_x: &[S], _out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
     None
 }
 
-/// The value and derivatives by hand.
+/// Returns the value and derivatives by hand.
 fn by_hand<O: Op, S: Real>(x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
     let (value, bars) = O::adjoint(O::In::<S>::load(x), O::Out::<S>::load(out_bar))?;
     Some((value.scalars(), bars.scalars()))
 }
 
-/// The function itself on num-dual's numbers.
+/// Returns the function itself on num-dual's numbers.
 fn on_num_dual<O: Op, S: Real>(x: &[S::NumDual]) -> Vec<S::NumDual> {
     O::eval(O::In::<S::NumDual>::load(x)).scalars()
 }
@@ -191,7 +191,7 @@ impl Stated {
     }
 }
 
-/// The value of a fold edge by edge.
+/// Returns the value of a fold edge by edge.
 fn value_by_edges<F: Fold, S: Real>(x: &[S]) -> Vec<S> {
     let (context, path) = context_and_path::<F, S>(x);
     edge_by_edge::<F, S>(context, &path).scalars()
@@ -296,7 +296,7 @@ fn judged(
     }
 }
 
-/// The input of a subject that is made for one type.
+/// Returns the input of a subject that is made for one type.
 fn typed<X: Sample>(x: &dyn Drawn) -> &X {
     let found = x.as_any().downcast_ref();
     found.unwrap_or_else(|| unreachable!("inputs of one kind are of one type"))
@@ -313,7 +313,7 @@ where
     check_with::<O, S>(&Sampling::new(samples, seed))
 }
 
-/// The same by a sampling.
+/// Returns the same by a sampling.
 pub fn check_with<O: Op, S: Real>(sampling: &Sampling<'_>) -> Report
 where
     O::In<f64>: Sample + Item,
@@ -324,8 +324,8 @@ where
     without_batch(straight::<O, S>(sampling, None, false))
 }
 
-/// The same in `f32`, with batches of items side by side on a backend as further witnesses (values and adjoints, and
-/// the value with its gradient): on a GPU its [generated](crate::kernels::gpu) kernels.
+/// Returns the same in `f32`, with batches of items side by side on a backend as further witnesses (values and
+/// adjoints, and the value with its gradient): on a GPU its [generated](crate::kernels::gpu) kernels.
 ///
 /// A backend rounds differently: a GPU may fuse products and sums, divides to within two and a half
 /// units in the last place, and takes numbers below the smallest normal one for zero. All of it is
@@ -344,8 +344,8 @@ where
     straight::<O, f32>(sampling, Some(backend), false)
 }
 
-/// The same with the kernels of all pairs as one witness more: other kernels, of which boxes in the plane have some
-/// by hand on a GPU.
+/// Returns the same with the kernels of all pairs as one witness more: other kernels, of which boxes in the plane have
+/// some by hand on a GPU.
 ///
 /// # Errors
 ///
@@ -434,7 +434,7 @@ pub(crate) fn examined<S: Real>(
     report.map(|report| Report { names, ..report })
 }
 
-/// The names of the numbers of an input, given those of its arguments: `point.x`.
+/// Returns the names of the numbers of an input, given those of its arguments: `point.x`.
 fn names_of(name: fn(usize) -> Field, count: usize, arguments: &[&str]) -> Vec<String> {
     let named = |i: usize| {
         let field = name(i).to_string();
@@ -502,7 +502,7 @@ where
     without_batch(folded::<F, S>(sampling, Vec::new()))
 }
 
-/// The same in `f32`, with batches of measures of rings on a backend as a further witness; see [`check_on`].
+/// Returns the same in `f32`, with batches of measures of rings on a backend as a further witness; see [`check_on`].
 ///
 /// # Errors
 ///

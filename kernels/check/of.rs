@@ -22,7 +22,7 @@ pub struct OfOperation<O> {
 }
 
 impl Check<'static, f64> {
-    /// A check of an operation, in single and in double precision: at the hard cases of its shapes and at
+    /// Returns a check of an operation, in single and in double precision: at the hard cases of its shapes and at
     /// two hundred random inputs, unless told otherwise.
     ///
     /// ```
@@ -82,8 +82,8 @@ where
         self.points.push(point.scalars());
         self
     }
-    /// The domain of the operation, beside what its shapes say: inputs outside are not judged, and no step leads
-    /// there. It stands in the place of the [domain](crate::kernels::op::Declared::domain) that the row states.
+    /// Returns the domain of the operation, beside what its shapes say: inputs outside are not judged, and no step
+    /// leads there. It stands in the place of the [domain](crate::kernels::op::Declared::domain) that the row states.
     ///
     /// ```
     /// use geograd::check::*;
@@ -109,9 +109,9 @@ where
         self.scales = Some(Rc::new(move |x| f(&O::In::<f64>::load(x)).scalars()));
         self
     }
-    /// How far values may be off, beyond rounding, in the unit of the result: by a table, by an iteration that stops,
-    /// by digits that cancel in single precision. Derivatives are held to what they were held to. It stands in the
-    /// place of what the row [states](crate::kernels::op::Declared::resolution).
+    /// Returns how far values may be off, beyond rounding, in the unit of the result: by a table, by an iteration that
+    /// stops, by digits that cancel in single precision. Derivatives are held to what they were held to. It stands in
+    /// the place of what the row [states](crate::kernels::op::Declared::resolution).
     ///
     /// ```
     /// use geograd::check::*;
@@ -137,7 +137,7 @@ where
             .get_or_insert(O::DECLARED.resolution)[0] = absolute;
         self
     }
-    /// The same as a share of each number of the result.
+    /// Returns the same as a share of each number of the result.
     #[must_use]
     pub fn relative_resolution(mut self, share: f64) -> Self {
         self.sampling

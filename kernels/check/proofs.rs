@@ -6,13 +6,13 @@ use crate::{
     Sphere, Tetrahedron, Triangle3, Vec3, YawBox3,
 };
 
-/// A box by its size and its axes.
+/// Returns a box by its size and its axes.
 fn boxed(center: Vec3<f64>, size: Vec3<f64>, axes: [Vec3<f64>; 3], radius: f64) -> Body {
     let half = [size.x, size.y, size.z].map(|side| side / 2.0);
     Body::boxed(center, [0, 1, 2].map(|k| axes[k] * half[k]), axes, radius)
 }
 
-/// A shape as a body, and the numbers after it.
+/// Returns a shape as a body, and the numbers after it.
 fn body<'a>(shape: &str, x: &'a [f64]) -> Option<(Body, &'a [f64])> {
     fn of<P: Fixed<Scalar = f64>>(x: &[f64], body: fn(P) -> Body) -> Option<(Body, &[f64])> {
         let (own, rest) = x.split_at_checked(P::LEN)?;
@@ -77,7 +77,7 @@ fn body<'a>(shape: &str, x: &'a [f64]) -> Option<(Body, &'a [f64])> {
     }
 }
 
-/// The axes of the world, turned.
+/// Returns the axes of the world, turned.
 fn turned(turn: impl Fn(Vec3<f64>) -> Vec3<f64>) -> [Vec3<f64>; 3] {
     let (x, y, z) = (
         Vec3::new(1.0, 0.0, 0.0),
@@ -120,7 +120,7 @@ impl<S: Real> Proofs<S> {
             points: points.and_then(Operation::value),
         })
     }
-    /// The proof at an input.
+    /// Returns the proof at an input.
     pub(crate) fn at(&self, x: &[f64]) -> Option<Proof> {
         let (a, rest) = body(self.shapes[0], x)?;
         let (b, _) = body(self.shapes[1], rest)?;
@@ -132,7 +132,7 @@ impl<S: Real> Proofs<S> {
     }
 }
 
-/// The nearest points by a batch of one item.
+/// Returns the nearest points by a batch of one item.
 fn points<S: Real>(row: &Function<S>, x: &[f64]) -> Option<[Vec3<f64>; 2]> {
     let list: Vec<S> = x.iter().map(|&x| S::nearest(x)).collect();
     let mut rest = &list[..];

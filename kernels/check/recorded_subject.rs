@@ -52,7 +52,7 @@ pub(crate) struct Computations<S: Real> {
 }
 
 impl<S: Real> Computations<S> {
-    /// The result by a batch of one item; nothing where the batch refuses it.
+    /// Returns the result by a batch of one item; nothing where the batch refuses it.
     fn batch_value(&self, x: &[S]) -> Vec<S> {
         let mut rest = x;
         let takes = self.batch.takes().into_iter();
@@ -67,17 +67,17 @@ impl<S: Real> Computations<S> {
             .aligned(&rows)
             .map_or(Vec::new(), |lists| lists.concat())
     }
-    /// The derivatives, on any scalar.
+    /// Returns the derivatives, on any scalar.
     fn derivatives_on<T: Scalar>(&self, x: Vec<T>, y_bar: Vec<T>) -> Vec<T> {
         let mut all = self.derivatives.run_on(&[x, y_bar].concat());
         all.split_off(self.outputs)
     }
-    /// The derivatives by differentiating the recorded function backwards, where that is another derivation.
+    /// Returns the derivatives by differentiating the recorded function backwards, where that is another derivation.
     fn reversed_on<T: Scalar>(&self, x: &[T], y_bar: &[T]) -> Option<Vec<T>> {
         let mut all = self.reversed.as_ref()?.run_on(&[x, y_bar].concat());
         Some(all.split_off(self.outputs))
     }
-    /// The Hessian times a direction, through the derivatives, on another kind of number.
+    /// Returns the Hessian times a direction, through the derivatives, on another kind of number.
     fn bends<T>(&self, x: &[f64], y_bar: &[f64], direction: &[f64], of: impl Fn(S) -> T) -> Vec<T>
     where
         T: Scalar<Primal = T>,

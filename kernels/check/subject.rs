@@ -61,7 +61,7 @@ trait Code<S: Real> {
         x: &[Jet<Noisy<S>, 1>],
         y_bar: &[Jet<Noisy<S>, 1>],
     ) -> Vec<Jet<Noisy<S>, 1>>;
-    /// The same source in double precision.
+    /// Returns the same source in double precision.
     fn wide(&self) -> OpSubject<'_, f64>;
 }
 
@@ -130,7 +130,7 @@ where
 }
 
 impl<'a, S: Real> OpSubject<'a, S> {
-    /// A source near an input, which says how many numbers there are.
+    /// Returns a source near an input, which says how many numbers there are.
     #[must_use]
     pub fn of<O: WithAdjoint>(
         near: &'a O::In<f64>,

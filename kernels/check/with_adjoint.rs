@@ -19,19 +19,19 @@ pub trait WithAdjoint: 'static {
     type Out<S: Scalar>: Fixed<Scalar = S>;
     /// `true` for a search, whose derivatives are those of its replay.
     const SEARCHES: bool = false;
-    /// The generic source.
+    /// Returns the generic source.
     fn eval<S: Scalar<Mask = bool>>(input: &Self::In<S>) -> Self::Out<S>;
-    /// The numbers of the gradient of `out_bar · output` with respect to the input.
+    /// Returns the numbers of the gradient of `out_bar · output` with respect to the input.
     fn pulled<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Vec<S>;
-    /// The same in the shapes of the input.
+    /// Returns the same in the shapes of the input.
     fn vjp<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
         input.refill(&Self::pulled(input, out_bar))
     }
-    /// The function on num-dual's numbers; only for operations with an adjoint by hand, as a witness of it.
+    /// Returns the function on num-dual's numbers; only for operations with an adjoint by hand, as a witness of it.
     fn on_num_dual<S: Real>(_input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
         None
     }
-    /// An input like another one, made of the numbers of a list.
+    /// Returns an input like another one, made of the numbers of a list.
     fn made<T: Scalar>(like: &Self::In<f64>, numbers: &[T]) -> Self::In<T>;
 }
 
@@ -74,7 +74,7 @@ impl<O: Op> WithAdjoint for Straight<O> {
     }
 }
 
-/// The decisions, which derivatives have no part in: a search is compiled for plain numbers alone.
+/// Returns the decisions, which derivatives have no part in: a search is compiled for plain numbers alone.
 fn decided<D: Search, S: Scalar<Mask = bool>>(input: D::In<S>) -> D::Record {
     let mut numbers = Vec::new();
     for x in input.scalars() {
@@ -83,7 +83,7 @@ fn decided<D: Search, S: Scalar<Mask = bool>>(input: D::In<S>) -> D::Record {
     D::decide(D::In::<S::Primal>::load(&numbers).load_codes(&input.codes()))
 }
 
-/// The derivative of a result along a direction, times a cotangent.
+/// Returns the derivative of a result along a direction, times a cotangent.
 fn along<S: Scalar>(result: &[Jet<S, 1>], out_bar: &[S]) -> S {
     let terms = result.iter().zip(out_bar);
     let terms = terms.map(|(jet, &bar)| jet.derivative[0] * bar);
@@ -167,7 +167,7 @@ impl<F: Fold> WithAdjoint for Folded<F> {
     }
 }
 
-/// The context and the path that a list of numbers makes up.
+/// Returns the context and the path that a list of numbers makes up.
 pub(super) fn context_and_path<F: Fold, S: Scalar>(
     numbers: &[S],
 ) -> (F::Context<S>, Vec<F::Element<S>>) {
@@ -180,7 +180,7 @@ pub(super) fn context_and_path<F: Fold, S: Scalar>(
     (F::Context::load(context), path)
 }
 
-/// The programs of a fold, in the format that a scalar has.
+/// Returns the programs of a fold, in the format that a scalar has.
 fn programs_of<F: Fold, S: Scalar>() -> Option<Arc<Programs>> {
     match S::EPSILON > 1e-10 {
         true => programs::<F, f32>().ok(),
@@ -188,8 +188,8 @@ fn programs_of<F: Fold, S: Scalar>() -> Option<Arc<Programs>> {
     }
 }
 
-/// The adjoint of a fold for one path by its programs, on any scalar: cotangents of the context and of every number
-/// of the path. `shared` has the context and the reference.
+/// Returns the adjoint of a fold for one path by its programs, on any scalar: cotangents of the context and of every
+/// number of the path. `shared` has the context and the reference.
 fn pull_back<S: Scalar>(
     sizes: &Sizes,
     programs: &Programs,

@@ -34,7 +34,7 @@ pub struct BatchResult {
 }
 
 impl BatchResult {
-    /// The derivatives of `y_bar · value`.
+    /// Returns the derivatives of `y_bar · value`.
     #[must_use]
     pub fn derivatives(&self, y_bar: &[f64]) -> Vec<f64> {
         let count = self.rows.first().map_or(0, Vec::len);
@@ -81,12 +81,12 @@ impl<'a> Batch<'a> {
             error: Cell::new(None),
         })
     }
-    /// How many forms there are.
+    /// Returns how many forms there are.
     #[must_use]
     pub fn forms(&self) -> usize {
         self.asks.len()
     }
-    /// The answer of a form for an input; nothing after an error, which [`error`](Batch::error) keeps.
+    /// Returns the answer of a form for an input; nothing after an error, which [`error`](Batch::error) keeps.
     #[must_use]
     pub fn about(&self, form: usize, x: &[f64]) -> Option<BatchResult> {
         let x = single(x);
@@ -104,7 +104,7 @@ impl<'a> Batch<'a> {
             }
         }
     }
-    /// The first error, if there was one.
+    /// Returns the first error, if there was one.
     #[must_use]
     pub fn error(&self) -> Option<Error> {
         self.error.get()
@@ -126,7 +126,7 @@ fn columns(function: &Function<f32>, inputs: &[Vec<f32>]) -> Vec<(Vec<f32>, usiz
     function.takes().into_iter().map(column).collect()
 }
 
-/// The results of a function of columns on a backend, item by item.
+/// Returns the results of a function of columns on a backend, item by item.
 fn asked(
     backend: Backend<'_>,
     function: &Function<f32>,

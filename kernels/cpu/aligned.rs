@@ -19,13 +19,13 @@ pub(crate) fn checked<T: Real>(
     Ok((count, rare))
 }
 
-/// The name of a column, given those of arguments: cotangents follow.
+/// Returns the name of a column, given those of arguments: cotangents follow.
 pub(crate) fn name_of<T>(arguments: &[Preparation<T>], k: usize) -> Argument {
     let own = arguments.get(k);
     own.map_or(Argument::Upstream, |argument| argument.argument(k))
 }
 
-/// The number of items of the columns of arguments and cotangents.
+/// Returns the number of items of the columns of arguments and cotangents.
 pub(crate) fn items<T: Real>(
     arguments: &[Preparation<T>],
     columns: &[Column<'_, T>],

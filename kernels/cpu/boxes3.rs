@@ -15,7 +15,7 @@ use crate::{Fixed, Real};
 /// Numbers of a box of any orientation: centre, size, quaternion.
 pub(crate) const OBB3: usize = 10;
 
-/// A part of a tile of boxes.
+/// Returns a part of a tile of boxes.
 #[inline(always)]
 fn obb3<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<Obb3<V>> {
     let tile = tiles.tile::<OBB3>(t)?;
@@ -86,7 +86,7 @@ pub(crate) fn derivatives<T: Real, V: Vector<T>>(
 const LONG: f64 = 1e3;
 const SHORT: f64 = 1e-3;
 
-/// `true` if a valid box is of common size and place, like those of [`all_common`].
+/// Returns `true` if a valid box is of common size and place, like those of [`all_common`].
 pub(crate) fn is_common_obb3<T: Real>(x: &[T]) -> bool {
     let place = |x: &T| x.unsigned() <= T::lit(COMMON_FAR);
     let size = |x: &T| is_within(*x, COMMON_SMALL, COMMON_LARGE);
@@ -95,8 +95,8 @@ pub(crate) fn is_common_obb3<T: Real>(x: &[T]) -> bool {
     sized && x[6..].iter().all(turn) && x[6..].iter().any(|x| x.unsigned() >= T::lit(SHORT))
 }
 
-/// `true` if every box is valid, of a size from 10⁻⁵ to 10⁶ or zero, no farther than 10⁹ from the origin, with a
-/// quaternion that is neither very long nor very short.
+/// Returns `true` if every box is valid, of a size from 10⁻⁵ to 10⁶ or zero, no farther than 10⁹ from the origin, with
+/// a quaternion that is neither very long nor very short.
 #[inline(always)]
 pub(crate) fn all_common<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     let (small, large, far) = (COMMON_SMALL, COMMON_LARGE, COMMON_FAR);

@@ -39,7 +39,7 @@ impl<T: Real> Chooses<T> for Kept<'_, T> {
     }
 }
 
-/// The shapes of a list, given the best first, that no better one, kept itself, suppresses. The better one of a
+/// Returns the shapes of a list, given the best first, that no better one, kept itself, suppresses. The better one of a
 /// pair is the first argument.
 pub fn suppress<T: Real>(pairs: &Pairs<'_, T>, rules: Greed<'_, T>) -> Vec<usize> {
     let [count, _] = pairs.counts();

@@ -42,14 +42,14 @@ fn pieces(spans: &GroupSpans<'_>) -> Vec<Range<usize>> {
     pieces
 }
 
-/// The cost of a group, in pairs. A row costs about `TILE` pairs more, since it is prepared and its bounds compared; a
-/// column costs one.
+/// Returns the cost of a group, in pairs. A row costs about `TILE` pairs more, since it is prepared and its bounds
+/// compared; a column costs one.
 fn cost(spans: &GroupSpans<'_>, group: usize) -> usize {
     let (rows, columns) = (spans.rows(group).len(), spans.columns(group).len());
     rows.saturating_mul(columns + TILE).saturating_add(columns)
 }
 
-/// `true` if a group is large: it is a piece of its own, so the first group of a piece tells.
+/// Returns `true` if a group is large: it is a piece of its own, so the first group of a piece tells.
 fn is_alone(spans: &GroupSpans<'_>, group: usize) -> bool {
     spans.columns(group).len() >= LEAST_OF_TREE || cost(spans, group) >= PIECE
 }
@@ -255,7 +255,7 @@ fn each_piece<T: Real, W: Send>(
     });
 }
 
-/// Every pair within a group whose score is above the threshold, row by row and within a row by column.
+/// Returns every pair within a group whose score is above the threshold, row by row and within a row by column.
 pub fn above<T: Real>(pairs: &Pairs<'_, T>, spans: GroupSpans<'_>, threshold: T) -> Vec<Found<T>> {
     let pieces = pieces(&spans);
     let mut found = vec![Vec::new(); pieces.len()];
@@ -287,8 +287,8 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, spans: GroupSpans<'_>, threshold: T)
     found.concat()
 }
 
-/// The largest score of every row, or of every column, within its group; of several the first. `None` for rows of
-/// groups without columns, and columns of groups without rows.
+/// Returns the largest score of every row, or of every column, within its group; of several the first. `None` for rows
+/// of groups without columns, and columns of groups without rows.
 pub fn most<T: Real>(
     pairs: &Pairs<'_, T>,
     spans: GroupSpans<'_>,
@@ -348,8 +348,8 @@ pub fn most<T: Real>(
     best
 }
 
-/// The shapes that stay. The list is given group by group, in a group the best first. A kept shape suppresses later ones of
-/// its group and class; at most as many as the rules say stay of a group.
+/// Returns the shapes that stay. The list is given group by group, in a group the best first. A kept shape suppresses
+/// later ones of its group and class; at most as many as the rules say stay of a group.
 pub fn suppress<T: Real>(
     pairs: &Pairs<'_, T>,
     offsets: &[usize],

@@ -51,7 +51,7 @@ impl<'a, T> Tiles<'a, T> {
     pub fn one(lanes: &'a [Lane<T>]) -> Self {
         Tiles { lanes, step: 0 }
     }
-    /// The fields of a tile; `None` where there is no such tile.
+    /// Returns the fields of a tile; `None` where there is no such tile.
     #[inline(always)]
     pub fn tile<const FIELDS: usize>(&self, t: usize) -> Option<&'a [Lane<T>; FIELDS]> {
         self.lanes.get(t * self.step..)?.first_chunk()
@@ -74,14 +74,14 @@ pub(crate) struct Results<'a, T> {
 }
 
 impl<T> Results<'_, T> {
-    /// The same room, lent on.
+    /// Returns the same room, lent on.
     pub fn again(&mut self) -> Results<'_, T> {
         Results {
             lanes: self.lanes,
             tiles: self.tiles,
         }
     }
-    /// The lane of a field of a tile.
+    /// Returns the lane of a field of a tile.
     #[inline(always)]
     pub fn lane(&mut self, t: usize, k: usize) -> Option<&mut Lane<T>> {
         self.lanes.get_mut(k * PLANE + t)
@@ -106,7 +106,7 @@ impl<T> Clone for Planes<'_, T> {
 impl<T> Copy for Planes<'_, T> {}
 
 impl<'a, T> Planes<'a, T> {
-    /// The tiles of a field and whatever follows.
+    /// Returns the tiles of a field and whatever follows.
     #[inline(always)]
     pub fn field(&self, k: usize) -> &'a [Lane<T>] {
         self.0.get(k * PLANE..).unwrap_or_default()
@@ -118,7 +118,7 @@ impl<'a, T> Planes<'a, T> {
     }
 }
 
-/// How many tiles so many items take.
+/// Returns how many tiles so many items take.
 pub(crate) const fn tiles(items: usize) -> usize {
     items.div_ceil(TILE)
 }
@@ -150,7 +150,7 @@ impl<T> Stock<T> {
     }
 }
 
-/// The lanes that this thread keeps.
+/// Returns the lanes that this thread keeps.
 #[inline]
 fn stock<T: Real>() -> &'static LocalKey<Stock<T>> {
     in_format([&F32, &F64])

@@ -9,7 +9,7 @@ pub(crate) trait Maker<T>: Send + Sync {
     /// Computes as many tiles of results as are asked for. Each input has at least as many tiles, or
     /// one that stands for all.
     fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>);
-    /// The same computation from rows of numbers, if there is one.
+    /// Returns the same computation from rows of numbers, if there is one.
     fn rows(&self) -> Option<&dyn OverRows<T>> {
         None
     }

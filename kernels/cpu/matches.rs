@@ -92,12 +92,12 @@ impl<'a, T: Real> Split<'a, T> {
     fn count(&self) -> usize {
         self.ends.len() - 1
     }
-    /// The places of some groups in both lists.
+    /// Returns the places of some groups in both lists.
     fn places(&self, groups: &Range<usize>) -> [Range<usize>; 2] {
         self.offsets
             .map(|offsets| offsets[groups.start]..offsets[groups.end])
     }
-    /// The pairs of some groups, with places counted from the first ones of these groups.
+    /// Returns the pairs of some groups, with places counted from the first ones of these groups.
     fn own(&self, groups: &Range<usize>) -> Vec<Pair<T>> {
         let [first, second] = self.places(groups).map(|places| places.start);
         let pairs = &self.pairs[self.ends[groups.start]..self.ends[groups.end]];
@@ -125,7 +125,7 @@ fn shifted<T>(pairs: Vec<Pair<T>>, [first, second]: [usize; 2]) -> impl Iterator
     })
 }
 
-/// The numbers of both lists, by the offsets of their groups.
+/// Returns the numbers of both lists, by the offsets of their groups.
 fn counts(groups: Groups<'_>) -> [usize; 2] {
     let last = |offsets: &[usize]| offsets.last().copied().unwrap_or(0);
     groups.offsets().map(last)

@@ -47,12 +47,12 @@ impl<T: Real> Matrix<T> {
         })
     }
 
-    /// How many rows.
+    /// Returns how many rows.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.rows
     }
-    /// How many columns.
+    /// Returns how many columns.
     #[must_use]
     pub fn columns(&self) -> usize {
         self.columns
@@ -66,7 +66,7 @@ impl<T: Real> Matrix<T> {
     fn rows_of(&self) -> impl Iterator<Item = &[T]> {
         self.values.chunks(self.columns.max(1))
     }
-    /// The largest number of every row and its column; of several the first.
+    /// Returns the largest number of every row and its column; of several the first.
     ///
     /// # Errors
     ///
@@ -81,7 +81,7 @@ impl<T: Real> Matrix<T> {
         Ok(best.collect())
     }
 
-    /// The largest number of every column and its row; of several the first.
+    /// Returns the largest number of every column and its row; of several the first.
     ///
     /// # Errors
     ///
@@ -99,7 +99,7 @@ impl<T: Real> Matrix<T> {
         Ok(best)
     }
 
-    /// Every number above the threshold, row by row and within a row by column.
+    /// Returns every number above the threshold, row by row and within a row by column.
     ///
     /// # Errors
     ///
@@ -120,7 +120,7 @@ impl<T: Real> Matrix<T> {
         Ok(found)
     }
 
-    /// How many numbers are above the threshold.
+    /// Returns how many numbers are above the threshold.
     ///
     /// # Errors
     ///
@@ -130,7 +130,7 @@ impl<T: Real> Matrix<T> {
         Ok((kernels_in::<T>().count_above)(&self.values, threshold))
     }
 
-    /// The sum of all numbers, added in `f64`, always in the same order.
+    /// Returns the sum of all numbers, added in `f64`, always in the same order.
     #[must_use]
     pub fn sum(&self) -> f64 {
         let mut sums = [0.0; TILE];
@@ -140,7 +140,7 @@ impl<T: Real> Matrix<T> {
         sums.iter().sum()
     }
 
-    /// The mean of all numbers; zero where there are none.
+    /// Returns the mean of all numbers; zero where there are none.
     #[must_use]
     pub fn mean(&self) -> f64 {
         self.sum() / (self.rows as f64 * self.columns as f64).max(1.0)

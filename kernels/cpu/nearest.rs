@@ -129,7 +129,7 @@ impl<T: Real> Edges<T> {
     }
 }
 
-/// A lane that begins one number later than a lane of some.
+/// Returns a lane that begins one number later than a lane of some.
 #[inline(always)]
 fn later<T: Real>(lanes: &[Lane<T>], t: usize) -> Option<Lane<T>> {
     Some(Lane(*flat(lanes).get(t * TILE + 1..)?.first_chunk()?))

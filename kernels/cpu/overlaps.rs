@@ -91,7 +91,7 @@ pub(crate) fn obb2_frames<T: Real, V: Vector<T>>(
     }
 }
 
-/// The lanes of a tile of results: the one of field `k` is `[k * PLANE]`.
+/// Returns the lanes of a tile of results: the one of field `k` is `[k * PLANE]`.
 #[inline(always)]
 pub(crate) fn lanes_of<'a, T, const LANES: usize>(
     out: &'a mut Results<'_, T>,
@@ -115,7 +115,7 @@ pub(crate) fn put<T: Real, V: Vector<T>, const N: usize, const LANES: usize>(
     }
 }
 
-/// The factor of the derivatives of a tile: one where none is given.
+/// Returns the factor of the derivatives of a tile: one where none is given.
 #[inline(always)]
 pub(crate) fn seed<T: Real, V: Vector<T>>(seeds: Option<Tiles<'_, T>>, t: usize, at: usize) -> V {
     match seeds.and_then(|seeds| seeds.tile::<1>(t)) {
@@ -124,7 +124,7 @@ pub(crate) fn seed<T: Real, V: Vector<T>>(seeds: Option<Tiles<'_, T>>, t: usize,
     }
 }
 
-/// A part of a tile of prepared boxes.
+/// Returns a part of a tile of prepared boxes.
 #[inline(always)]
 pub(crate) fn framed<T: Real, V: Vector<T>>(
     tiles: Tiles<'_, T>,
@@ -256,7 +256,7 @@ pub(crate) fn giou_derivatives<T: Real, V: Vector<T>>(
     }
 }
 
-/// A part of a tile of axis-aligned boxes.
+/// Returns a part of a tile of axis-aligned boxes.
 #[inline(always)]
 fn aabb2<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<Aabb2<V>> {
     let tile = tiles.tile::<AABB2>(t)?;
@@ -315,7 +315,7 @@ pub(crate) fn aabb2_derivatives<T: Real, V: Vector<T>>(
     }
 }
 
-/// `true` if every rotated box is valid and [ordinary](crate::clip::is_ordinary).
+/// Returns `true` if every rotated box is valid and [ordinary](crate::clip::is_ordinary).
 #[inline(always)]
 pub(crate) fn all_ordinary_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     let fine = fine::<T>();
@@ -327,7 +327,7 @@ pub(crate) fn all_ordinary_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     )
 }
 
-/// `true` if every rotated box is valid, of a size from 10⁻⁵ to 10⁶ or zero, and no farther than 10⁹ from the
+/// Returns `true` if every rotated box is valid, of a size from 10⁻⁵ to 10⁶ or zero, and no farther than 10⁹ from the
 /// origin.
 #[inline(always)]
 pub(crate) fn all_common_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
@@ -341,13 +341,13 @@ pub(crate) fn all_common_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     )
 }
 
-/// `true` if one number is zero or within limits; of a place or angle the magnitude.
+/// Returns `true` if one number is zero or within limits; of a place or angle the magnitude.
 pub(crate) fn is_within<T: Real>(x: T, low: f64, high: f64) -> bool {
     let x = x.unsigned();
     x == T::default() || (x >= T::lit(low) && x <= T::lit(high))
 }
 
-/// `true` if a valid upright box is of common size, as [`all_common_upright`] says of many.
+/// Returns `true` if a valid upright box is of common size, as [`all_common_upright`] says of many.
 pub(crate) fn is_common_upright<T: Real>(x: &[T]) -> bool {
     let fine = fine::<T>();
     let place = |x: &T| is_within(*x, fine, COMMON_FAR);
@@ -355,7 +355,7 @@ pub(crate) fn is_common_upright<T: Real>(x: &[T]) -> bool {
     x[..3].iter().all(place) && x[3..6].iter().all(size) && is_within(x[6], fine, T::LARGEST)
 }
 
-/// `true` if a valid rotated box is of common size, and not of zero size.
+/// Returns `true` if a valid rotated box is of common size, and not of zero size.
 pub(crate) fn is_solid_obb2<T: Real>(x: &[T]) -> bool {
     let fine = fine::<T>();
     let place = |x: &T| is_within(*x, fine, COMMON_FAR);
@@ -363,7 +363,7 @@ pub(crate) fn is_solid_obb2<T: Real>(x: &[T]) -> bool {
     x[..2].iter().all(place) && x[2..4].iter().all(size) && is_within(x[4], fine, T::LARGEST)
 }
 
-/// The same of upright boxes.
+/// Returns the same of upright boxes.
 #[inline(always)]
 pub(crate) fn all_common_upright<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     let fine = fine::<T>();

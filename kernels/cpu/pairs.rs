@@ -22,11 +22,11 @@ pub struct Pairs<'a, T> {
 }
 
 impl<T: Real> Pairs<'_, T> {
-    /// How many shapes each list has.
+    /// Returns how many shapes each list has.
     pub fn counts(&self) -> [usize; 2] {
         self.shapes.each_ref().map(Shapes::len)
     }
-    /// `true` if pairs whose bounds do not meet may be left out.
+    /// Returns `true` if pairs whose bounds do not meet may be left out.
     pub fn is_filtered(&self) -> bool {
         self.filter && self.plan.arguments.iter().all(|x| x.bounds.is_some())
     }
@@ -34,7 +34,7 @@ impl<T: Real> Pairs<'_, T> {
     pub fn filter_above(&mut self, threshold: T) {
         self.filter &= threshold >= T::default();
     }
-    /// Both lists, prepared.
+    /// Returns both lists, prepared.
     pub fn lists(&self) -> [List<'_, T>; 2] {
         let bounded = self.is_filtered();
         [0, 1].map(|k| {
@@ -156,7 +156,7 @@ impl Lay {
             false => Lay::Tiles,
         }
     }
-    /// The number of field `k` of an item of so many fields.
+    /// Returns the number of field `k` of an item of so many fields.
     #[inline]
     fn number<T: Copy>(self, lanes: &[Lane<T>], fields: usize, item: usize, k: usize) -> T {
         match self {
@@ -166,7 +166,7 @@ impl Lay {
     }
 }
 
-/// The sum of sixteen numbers: halves added to halves.
+/// Returns the sum of sixteen numbers: halves added to halves.
 #[inline]
 fn folded<T: Real>(mut numbers: [T; TILE]) -> T {
     let mut half = TILE / 2;

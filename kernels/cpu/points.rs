@@ -17,13 +17,13 @@ const PIECE: usize = 1024;
 pub trait Container: Copy + Validate + Sync {
     /// A point of its space.
     type Point: Copy + Validate + Sync;
-    /// The coordinates of a point; the third one is zero in the plane.
+    /// Returns the coordinates of a point; the third one is zero in the plane.
     #[doc(hidden)]
     fn place(point: Self::Point) -> [f64; 3];
-    /// `true` if the point is in the box; the border belongs to it.
+    /// Returns `true` if the point is in the box; the border belongs to it.
     #[must_use]
     fn holds(self, point: Self::Point) -> bool;
-    /// The lower and the upper ends of bounds that no point in it is outside of, whatever was rounded.
+    /// Returns the lower and the upper ends of bounds that no point in it is outside of, whatever was rounded.
     #[doc(hidden)]
     fn ends(self) -> [[f64; 3]; 2];
 }
@@ -89,7 +89,7 @@ struct Tree {
     order: Vec<usize>,
 }
 
-/// The smallest bounds around some.
+/// Returns the smallest bounds around some.
 fn around(all: impl Iterator<Item = [[f64; 3]; 2]>) -> [[f64; 3]; 2] {
     let none = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
     all.fold(none, |[low, high], [l, h]| {
@@ -210,7 +210,7 @@ fn check<P: Validate>(name: &'static str, shapes: &[P]) -> Result<(), Error> {
     Ok(())
 }
 
-/// The results of `of` for every piece of the points, in their order.
+/// Returns the results of `of` for every piece of the points, in their order.
 fn pieces<B: Container, R: Send>(
     points: &[B::Point],
     boxes: &[B],
@@ -230,7 +230,7 @@ fn pieces<B: Container, R: Send>(
 }
 
 impl Cpu {
-    /// The first box that holds each point, by its place in the list; `None` for points in no box.
+    /// Returns the first box that holds each point, by its place in the list; `None` for points in no box.
     ///
     /// # Errors
     ///
@@ -264,7 +264,7 @@ impl Cpu {
         Ok(all.concat())
     }
 
-    /// Every point with every box that holds it, as their places in the lists: by point, then by box.
+    /// Returns every point with every box that holds it, as their places in the lists: by point, then by box.
     ///
     /// # Errors
     ///
@@ -289,7 +289,7 @@ impl Cpu {
         Ok(all.concat())
     }
 
-    /// How many of the points every box holds.
+    /// Returns how many of the points every box holds.
     ///
     /// # Errors
     ///

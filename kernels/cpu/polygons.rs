@@ -29,11 +29,11 @@ pub struct RingList<'a, T> {
 }
 
 impl<'a, T> RingList<'a, T> {
-    /// How many polygons there are.
+    /// Returns how many polygons there are.
     fn count(&self) -> usize {
         self.offsets.len() - 1
     }
-    /// The vertices of a polygon.
+    /// Returns the vertices of a polygon.
     fn ring(&self, i: usize) -> &'a [Vec2<T>] {
         &self.vertices[self.offsets[i]..self.offsets[i + 1]]
     }
@@ -89,7 +89,7 @@ pub struct RingPairs<'a, T> {
 pub type Pulled<T> = (Vec<T>, [Vec<Vec2<T>>; 2]);
 
 impl Cpu {
-    /// How much polygons of the same row overlap, one result per row.
+    /// Returns how much polygons of the same row overlap, one result per row.
     ///
     /// Every result has the bits of the function for two polygons, on any number of threads.
     ///
@@ -141,7 +141,7 @@ impl Cpu {
         Ok((drivers_in::<T>().ring_derivatives)(pairs, upstream))
     }
 
-    /// How much every polygon of one list overlaps every one of another: row after row, a row per polygon of
+    /// Returns how much every polygon of one list overlaps every one of another: row after row, a row per polygon of
     /// the first list. Pairs whose bounds are apart cost next to nothing.
     ///
     /// # Errors
@@ -212,7 +212,7 @@ fn aligned<'a, T: Real>(
     Ok(RingPairs { score, lists, all })
 }
 
-/// All pairs, checked.
+/// Returns all pairs, checked.
 fn crossed<'a, T: Real>(
     score: RingScore,
     a: RingList<'a, T>,
@@ -283,7 +283,7 @@ impl<'a, T: Real> Near<'a, T> {
         let bounds = pairs.all.then(|| pairs.lists.map(bounds));
         Near { pairs, bounds }
     }
-    /// How many results there are for every polygon of a.
+    /// Returns how many results there are for every polygon of a.
     fn wide(&self) -> usize {
         match self.bounds {
             Some(_) => self.pairs.lists[1].count(),

@@ -18,7 +18,7 @@ pub(crate) fn farthest<T: Scalar>() -> f64 {
     power_of_largest::<T>(0.39)
 }
 
-/// A part of a tile of quadrilaterals.
+/// Returns a part of a tile of quadrilaterals.
 #[inline(always)]
 fn quad<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<[Vec2<V>; 4]> {
     let tile = tiles.tile::<QUAD2>(t)?;
@@ -31,8 +31,8 @@ fn quad<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Opti
     Some(quad)
 }
 
-/// `true` if all quadrilaterals are convex, in either order, and of ordinary size. A quick test: `false` perhaps for
-/// such, too.
+/// Returns `true` if all quadrilaterals are convex, in either order, and of ordinary size. A quick test: `false`
+/// perhaps for such, too.
 #[inline(always)]
 pub(crate) fn all_convex<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     let far = farthest::<T>();

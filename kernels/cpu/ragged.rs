@@ -39,7 +39,7 @@ pub(crate) fn measured<T: Real>(
     }
 }
 
-/// The cotangents of vertices, for the numbers of those of results. Offsets were checked.
+/// Returns the cotangents of vertices, for the numbers of those of results. Offsets were checked.
 pub(crate) fn measured_vjp<T: Real>(
     measure: Measure,
     vertices: &[Vec2<T>],
@@ -112,7 +112,7 @@ pub(crate) fn check_vertices<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error>
     Ok(())
 }
 
-/// The cuts of a ragged batch: indices of rings, about [`STRETCH`] vertices or rings apart.
+/// Returns the cuts of a ragged batch: indices of rings, about [`STRETCH`] vertices or rings apart.
 pub(crate) fn cuts(offsets: &[usize]) -> Vec<usize> {
     let rings = offsets.len() - 1;
     let mut cuts = vec![0];

@@ -16,7 +16,7 @@ enum Scores<'a, T> {
     Picked(&'a [u32], &'a [T]),
 }
 
-/// The scores of a part.
+/// Returns the scores of a part.
 fn scores<'a, T: Real>(part: &Part<'a, T>) -> Scores<'a, T> {
     let scores = flat(part.results.field(0));
     match &part.columns {
@@ -34,7 +34,7 @@ fn picked<'a, T: Real>(
     columns.zip(scores.iter().copied())
 }
 
-/// The maximum before any score: zero where pairs may be left out, since those score zero; else minus infinity.
+/// Returns the maximum before any score: zero where pairs may be left out, since those score zero; else minus infinity.
 pub fn initial<T: Real>(filtered: bool, index: usize) -> Best<T> {
     let value = T::lit(if filtered { 0.0 } else { f64::NEG_INFINITY });
     Best { value, index }
@@ -48,7 +48,7 @@ pub fn raise<T: Real>(best: &mut Best<T>, value: T, index: usize) {
     }
 }
 
-/// The largest score of every row and its column; of several the first.
+/// Returns the largest score of every row and its column; of several the first.
 pub fn most_of_rows<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     let [rows, columns] = pairs.counts();
     let mut best = vec![initial(false, 0); rows];
@@ -80,7 +80,7 @@ pub fn most_of_rows<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     best
 }
 
-/// The largest score of every column and its row; of several the first.
+/// Returns the largest score of every column and its row; of several the first.
 pub fn most_of_columns<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     let [rows, columns] = pairs.counts();
     let mut best = vec![initial(false, 0); columns];
@@ -112,7 +112,7 @@ pub fn most_of_columns<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     best
 }
 
-/// Every pair whose score is above the threshold, row by row and within a row by column.
+/// Returns every pair whose score is above the threshold, row by row and within a row by column.
 pub fn above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> Vec<Found<T>> {
     let [rows, _] = pairs.counts();
     let mut found = vec![Vec::new(); rows.div_ceil(rows_per_piece(rows))];
@@ -147,7 +147,7 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> Vec<Found<T>> {
     found.concat()
 }
 
-/// The number of pairs whose score is above the threshold.
+/// Returns the number of pairs whose score is above the threshold.
 pub fn count_above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> u64 {
     let [rows, _] = pairs.counts();
     let mut counts = vec![0; rows.div_ceil(rows_per_piece(rows))];
@@ -165,7 +165,7 @@ pub fn count_above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> u64 {
     counts.iter().sum()
 }
 
-/// The sum of all scores in `f64`: of a row sixteen sums, column `j` in sum `j` modulo sixteen, then
+/// Returns the sum of all scores in `f64`: of a row sixteen sums, column `j` in sum `j` modulo sixteen, then
 /// rows, then pieces of rows, all in a fixed order.
 pub fn sum<T: Real>(pairs: &Pairs<'_, T>) -> f64 {
     let [rows, _] = pairs.counts();

@@ -71,7 +71,7 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
     true
 }
 
-/// `true` if every vertex is finite.
+/// Returns `true` if every vertex is finite.
 #[inline(always)]
 fn finite<T: Real, V: Vector<T>>(vertices: &[Vec2<T>]) -> bool {
     match memory::lent(vertices) {
@@ -128,7 +128,7 @@ impl<T: Real> Side<T> {
             }
         }
     }
-    /// `true` if every vertex is finite, unless finite ones add up to what is not.
+    /// Returns `true` if every vertex is finite, unless finite ones add up to what is not.
     #[inline(always)]
     fn is_finite<V: Vector<T>>(&self) -> bool {
         let (mut x, mut y) = (V::zero(), V::zero());
@@ -237,7 +237,7 @@ pub(crate) fn bars<T: Real, V: Vector<T>>(
     }
 }
 
-/// `true` if offsets never decrease nor exceed a number of vertices.
+/// Returns `true` if offsets never decrease nor exceed a number of vertices.
 #[inline(always)]
 pub(crate) fn never_decreases<T: Real, V: Vector<T>>(offsets: &[usize], vertices: usize) -> bool {
     let rises = offsets

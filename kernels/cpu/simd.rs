@@ -45,7 +45,7 @@ impl Simd {
         let best = best();
         Self::ALL.into_iter().filter(|&x| x <= best).collect()
     }
-    /// The level's word: `baseline`, `avx2` or `v4`.
+    /// Returns the level's word: `baseline`, `avx2` or `v4`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -54,7 +54,7 @@ impl Simd {
             Simd::V4 => "v4",
         }
     }
-    /// The level batches use now.
+    /// Returns the level batches use now.
     ///
     /// # Errors
     ///
@@ -94,7 +94,7 @@ impl Simd {
     fn named(word: &str) -> Option<Simd> {
         Self::ALL.into_iter().find(|level| level.name() == word)
     }
-    /// The level of kernels: a level that the processor has, whatever happened before.
+    /// Returns the level of kernels: a level that the processor has, whatever happened before.
     #[inline]
     pub(crate) fn in_use() -> Simd {
         match LEVEL.load(Ordering::Relaxed) {
@@ -105,7 +105,7 @@ impl Simd {
     }
 }
 
-/// The best level there is.
+/// Returns the best level there is.
 fn best() -> Simd {
     #[cfg(all(target_arch = "x86_64", not(geograd_portable)))]
     {

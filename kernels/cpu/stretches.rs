@@ -103,7 +103,7 @@ struct Stretch<'a, T> {
 }
 
 impl<T: Real> Stretch<'_, T> {
-    /// `true` if quick tests find all numbers valid; they may fail for valid numbers, too.
+    /// Returns `true` if quick tests find all numbers valid; they may fail for valid numbers, too.
     fn is_sound(&self) -> bool {
         self.numbers.iter().enumerate().all(|(k, numbers)| {
             let own = self.plan.arguments.get(k);
@@ -179,7 +179,7 @@ impl<T: Real> Stretch<'_, T> {
             .collect();
         program.over_rows(&given, count, self.plan.skipped, &mut wanted, self.far);
     }
-    /// The numbers of a column for some items.
+    /// Returns the numbers of a column for some items.
     fn of(&self, k: usize, items: &Range<usize>) -> &[T] {
         let fields = self.fields[k];
         match self.ones[k] {
@@ -187,7 +187,7 @@ impl<T: Real> Stretch<'_, T> {
             false => &self.numbers[k][items.start * fields..items.end * fields],
         }
     }
-    /// A block's shapes in tiles, prepared. One shape that stands for all is prepared for the first
+    /// Returns a block's shapes in tiles, prepared. One shape that stands for all is prepared for the first
     /// block and stays.
     fn prepared<'r>(
         &self,

@@ -64,9 +64,9 @@ pub enum Columns<'a> {
 
 /// A choice of rows, and of the later columns whose results with a row are wanted.
 pub(crate) trait Chooses<T> {
-    /// The next row.
+    /// Returns the next row.
     fn next(&mut self) -> Option<usize>;
-    /// `true` if the row's result with a column is wanted.
+    /// Returns `true` if the row's result with a column is wanted.
     fn wants(&self, _column: usize) -> bool {
         true
     }
@@ -162,8 +162,8 @@ impl<'a, T: Real> Sweep<'a, T> {
         });
     }
 
-    /// The columns whose bounds meet the row's, ascending; without bounds all from the row's own place on. Earlier ones may
-    /// be among them: [`Chooses::wants`] rejects these.
+    /// Returns the columns whose bounds meet the row's, ascending; without bounds all from the row's own place on.
+    /// Earlier ones may be among them: [`Chooses::wants`] rejects these.
     fn near<'r>(&self, row: usize, room: &'r mut Vec<u32>) -> &'r [u32] {
         let count = self.b.count;
         match (&self.tree, &self.b.bounds, self.a.bounds_of(row)) {
@@ -184,12 +184,12 @@ impl<'a, T: Real> Sweep<'a, T> {
         }
     }
 
-    /// `true` if pairs whose bounds do not meet are left out.
+    /// Returns `true` if pairs whose bounds do not meet are left out.
     pub fn is_filtered(&self) -> bool {
         !self.picking.is_empty()
     }
 
-    /// The share of pairs whose bounds meet, of some rows.
+    /// Returns the share of pairs whose bounds meet, of some rows.
     fn share_of_near(&self) -> f64 {
         let Some(bounds) = &self.b.bounds else {
             return 1.0;
@@ -306,7 +306,7 @@ impl<'a, T: Real> Desk<'a, T> {
             planes(sweep.fields),
         ]
     }
-    /// A desk on some lanes; their contents do not matter.
+    /// Returns a desk on some lanes; their contents do not matter.
     fn new(sweep: &'a Sweep<'a, T>, lanes: &'a mut [Lane<T>]) -> Self {
         let [own, picked, seeds, _] = Self::lanes(sweep);
         let (own, lanes) = lanes.split_at_mut(own);
@@ -333,7 +333,7 @@ impl<'a, T: Real> Desk<'a, T> {
             self.row_is_rare = !self.sweep.a.rare.is_empty() && self.sweep.a.is_rare(row);
         }
     }
-    /// The row's upstream derivatives.
+    /// Returns the row's upstream derivatives.
     fn upstream(&self) -> Option<&'a [T]> {
         let Upstream { derivatives, step } = self.sweep.upstream?;
         Some(&derivatives[self.row * step..][..self.sweep.b.count])

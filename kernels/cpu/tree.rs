@@ -12,7 +12,7 @@ pub struct Tree<T> {
     order: Vec<u32>,
 }
 
-/// A place among 2¹⁶, its bits spread out to every second.
+/// Returns a place among 2¹⁶, its bits spread out to every second.
 fn spread(place: f64) -> u32 {
     let place = place as u32 & 0xffff;
     let place = (place | place << 8) & 0x00ff_00ff;
@@ -22,7 +22,7 @@ fn spread(place: f64) -> u32 {
 }
 
 impl<T: Real> Tree<T> {
-    /// A tree over bounds in tiles.
+    /// Returns a tree over bounds in tiles.
     pub fn new(bounds: &[Lane<T>], count: usize) -> Self {
         let of = |i: usize| -> [T; BOUNDS] {
             std::array::from_fn(|k| bounds[i / TILE * BOUNDS + k].0[i % TILE])
@@ -82,7 +82,7 @@ impl<T: Real> Tree<T> {
             boxes = boxes.chunks(TILE).map(around).collect();
         }
     }
-    /// Every item whose bounds meet the given ones, ascending; `room` is kept for the next call.
+    /// Returns every item whose bounds meet the given ones, ascending; `room` is kept for the next call.
     pub fn near<'r>(&self, bounds: &[T; BOUNDS], room: &'r mut Vec<u32>) -> &'r [u32] {
         let [start, end] = (kernels_in::<T>().search)(bounds, &self.levels, room);
         let hits = &mut room[start..end];

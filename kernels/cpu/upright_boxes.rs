@@ -30,7 +30,7 @@ pub(crate) fn spread_derivatives<T: Real>(out: &mut Results<'_, T>) {
     }
 }
 
-/// A part of a tile of prepared upright boxes.
+/// Returns a part of a tile of prepared upright boxes.
 #[inline(always)]
 fn upright<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<Upright<V>> {
     let flat = framed(tiles, t, at)?;

@@ -30,7 +30,7 @@ pub fn on_this_thread<R>(run: impl FnOnce() -> R) -> R {
     run()
 }
 
-/// `true` if work of the calling thread may use others.
+/// Returns `true` if work of the calling thread may use others.
 #[cfg(feature = "parallel")]
 pub(crate) fn is_spread() -> bool {
     !STAYS.get()

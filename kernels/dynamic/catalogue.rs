@@ -100,12 +100,13 @@ pub struct Parameter {
 }
 
 impl Operation {
-    /// The name of its [verb](crate::kernels::verbs) in lower case: `iou` of `iou_obb2`, `convert` of conversions.
+    /// Returns the name of its [verb](crate::kernels::verbs) in lower case: `iou` of `iou_obb2`, `convert` of
+    /// conversions.
     #[must_use]
     pub fn verb(&self) -> String {
         verb_of(self.row.verb)
     }
-    /// The first paragraph of its documentation as plain text, without links.
+    /// Returns the first paragraph of its documentation as plain text, without links.
     #[must_use]
     pub fn summary(&self) -> String {
         summary(self.declared.doc)
@@ -118,12 +119,12 @@ impl Operation {
         let all = names.into_iter().zip(shapes);
         all.map(|(name, shape)| Parameter { name, shape }).collect()
     }
-    /// The source of derivatives of a straight line; `None` of a search or a fold.
+    /// Returns the source of derivatives of a straight line; `None` of a search or a fold.
     #[must_use]
     pub fn derivatives(&self) -> Option<Derivative> {
         (self.sort == Sort::Straight).then_some(self.declared.derivative)
     }
-    /// The shapes of its result: one, or those of a tuple.
+    /// Returns the shapes of its result: one, or those of a tuple.
     #[must_use]
     pub fn result(&self) -> Vec<Shape> {
         shapes(&(self.double.gives)(), &(self.kinds[1])())
@@ -139,18 +140,18 @@ impl Operation {
     pub fn is_inside(&self, input: &[f64]) -> bool {
         self.declared.domain.is_none_or(|inside| inside(input))
     }
-    /// The operation in a format.
+    /// Returns the operation in a format.
     fn of<T: Real>(&self) -> &InFormat<T> {
         in_format([&self.single, &self.double])
     }
-    /// The layouts of its arguments in a format, to trace functions of the same shapes.
+    /// Returns the layouts of its arguments in a format, to trace functions of the same shapes.
     #[must_use]
     pub fn layouts<T: Real>(&self) -> Vec<Layout<T>> {
         let leaves = (self.of::<T>().takes)().into_iter();
         leaves.map(|leaf| Layout { leaf }).collect()
     }
 
-    /// The operation on columns: its value, its gradient or its adjoint; `None` for folds, which run
+    /// Returns the operation on columns: its value, its gradient or its adjoint; `None` for folds, which run
     /// [on paths](Operation::on_paths), and for the gradient of several numbers.
     #[must_use]
     pub fn function<T: Real>(&self, mode: Mode) -> Option<Function<T>> {
@@ -166,22 +167,22 @@ impl Operation {
             recording,
         })
     }
-    /// The value on columns.
+    /// Returns the value on columns.
     #[must_use]
     pub fn value<T: Real>(&self) -> Option<Function<T>> {
         self.function(Mode::Value)
     }
-    /// The value, one number, and its gradient on columns; `None` also for other results.
+    /// Returns the value, one number, and its gradient on columns; `None` also for other results.
     #[must_use]
     pub fn value_grad<T: Real>(&self) -> Option<Function<T>> {
         self.function(Mode::ValueGrad)
     }
-    /// The adjoint on columns, of which cotangents come last.
+    /// Returns the adjoint on columns, of which cotangents come last.
     #[must_use]
     pub fn vjp<T: Real>(&self) -> Option<Function<T>> {
         self.function(Mode::Vjp)
     }
-    /// The operation on paths; `None` for those of fixed size.
+    /// Returns the operation on paths; `None` for those of fixed size.
     #[must_use]
     pub fn on_paths<T: Real>(&self) -> Option<OnPaths<T>> {
         let own = self.of::<T>();
@@ -197,7 +198,7 @@ impl Operation {
         ))
     }
 
-    /// A straight line as a program, for its derivatives and its nodes.
+    /// Returns a straight line as a program, for its derivatives and its nodes.
     ///
     /// # Errors
     ///
@@ -219,7 +220,7 @@ impl Operation {
         Ok(Program::of_row(recorded, names, recording))
     }
 
-    /// A fold as a program, for paths of `vertices` vertices; their numbers follow the other arguments.
+    /// Returns a fold as a program, for paths of `vertices` vertices; their numbers follow the other arguments.
     ///
     /// # Errors
     ///
@@ -262,14 +263,14 @@ impl Operation {
         program.on_symbols(arguments)
     }
 
-    /// The recording of a straight line.
+    /// Returns the recording of a straight line.
     pub(crate) fn straight<T: Real>(&self) -> Option<Arc<Recording<T>>> {
         match (self.sort, self.of::<T>().body) {
             (Sort::Straight, Runner::Columns(recording)) => Some(recording()),
             _ => None,
         }
     }
-    /// The shaders of a straight line, each with a name.
+    /// Returns the shaders of a straight line, each with a name.
     ///
     /// # Errors
     ///
@@ -281,11 +282,11 @@ impl Operation {
             None => Err(Error::Program(Unrecordable::Path)),
         }
     }
-    /// The same with its row in the table.
+    /// Returns the same with its row in the table.
     pub(crate) const fn written(self, row: Written) -> Self {
         Operation { row, ..self }
     }
-    /// The error for an operation that is no program.
+    /// Returns the error for an operation that is no program.
     const fn not_a_program(&self) -> Error {
         Error::Program(match self.sort {
             Sort::Search => Unrecordable::Search,
@@ -318,7 +319,7 @@ macro_rules! described {
     };
 }
 
-/// A straight line.
+/// Returns a straight line.
 #[doc(hidden)]
 #[must_use]
 pub const fn straight<O: Op>() -> Operation
@@ -342,7 +343,7 @@ where
     described!(O, Straight, O::In<f64>, single: of::<f32, O>(), double: of::<f64, O>())
 }
 
-/// A search.
+/// Returns a search.
 #[doc(hidden)]
 #[must_use]
 pub const fn search<D: Search>() -> Operation
@@ -366,7 +367,7 @@ where
     described!(D, Search, D::In<f64>, single: of::<f32, D>(), double: of::<f64, D>())
 }
 
-/// A fold.
+/// Returns a fold.
 #[doc(hidden)]
 #[must_use]
 pub const fn fold<F: Fold>() -> Operation
@@ -441,7 +442,7 @@ pub fn operations() -> &'static [Operation] {
     })
 }
 
-/// The operation of a name.
+/// Returns the operation of a name.
 ///
 /// ```
 /// use geograd::kernels::dynamic::operation;

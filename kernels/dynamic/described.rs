@@ -25,7 +25,7 @@ pub struct Number {
     pub bound: Bound,
 }
 
-/// The verb of a type, in lower case: `signed_area` of `verbs::SignedArea`.
+/// Returns the verb of a type, in lower case: `signed_area` of `verbs::SignedArea`.
 pub(super) fn verb_of(path: &str) -> String {
     let verb = path.split('<').next().unwrap_or(path);
     let verb = verb.rsplit("::").next().unwrap_or(verb).trim();
@@ -39,7 +39,7 @@ pub(super) fn verb_of(path: &str) -> String {
     snake
 }
 
-/// The first paragraph of Markdown as plain text.
+/// Returns the first paragraph of Markdown as plain text.
 pub(super) fn summary(doc: &str) -> String {
     let lines = doc.lines().map(str::trim);
     let lines: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
@@ -59,7 +59,7 @@ pub(super) fn summary(doc: &str) -> String {
     plain.replace(['`', '[', ']'], "")
 }
 
-/// The shapes of leaves whose scalars are of these kinds.
+/// Returns the shapes of leaves whose scalars are of these kinds.
 pub(super) fn shapes(leaves: &[Leaf<f64>], kinds: &[Kind]) -> Vec<Shape> {
     let mut rest = kinds;
     let shape = |&leaf: &Leaf<f64>| {

@@ -41,7 +41,7 @@ impl<T: Real> std::fmt::Debug for Function<T> {
 }
 
 impl<T: Real> Function<T> {
-    /// A mode of a straight line.
+    /// Returns a mode of a straight line.
     #[cfg(feature = "check")]
     pub(crate) fn of_straight(recording: Arc<Recording<T>>, mode: Mode) -> Self {
         Function {
@@ -71,17 +71,17 @@ impl<T: Real> Function<T> {
             ..self.clone()
         })
     }
-    /// The engine that runs it.
+    /// Returns the engine that runs it.
     pub(super) fn engine(&self) -> &dyn Engine<T> {
         static CPU: Cpu = Cpu::new();
         let of_gpu = |gpu| engine_of::<T>(gpu);
         self.gpu.as_ref().and_then(of_gpu).unwrap_or(&CPU.engine)
     }
-    /// The call that machines run.
+    /// Returns the call that machines run.
     pub(crate) fn call(&self) -> Result<Call<T>, Error> {
         Call::of(Arc::clone(&self.recording)).derived(self.mode)
     }
-    /// A name and a layout for every column that it takes; cotangents of an adjoint come last.
+    /// Returns a name and a layout for every column that it takes; cotangents of an adjoint come last.
     #[must_use]
     pub fn takes(&self) -> Vec<(Argument, Layout<T>)> {
         let own = self.recording.takes.iter().map(|&leaf| Layout { leaf });
@@ -96,7 +96,7 @@ impl<T: Real> Function<T> {
         }
         all
     }
-    /// The number of fields of every column that it gives.
+    /// Returns the number of fields of every column that it gives.
     #[must_use]
     pub fn gives(&self) -> Vec<usize> {
         let takes: Vec<usize> = self
@@ -183,7 +183,7 @@ impl<T: Real> Function<T> {
         }
     }
 
-    /// An error with the names of arguments.
+    /// Returns an error with the names of arguments.
     pub(super) fn named<X>(&self, result: Result<X, Error>) -> Result<X, Error> {
         result.map_err(|error| renamed(error, &self.names))
     }
@@ -203,7 +203,7 @@ impl<T: Real> Function<T> {
             .collect()
     }
 
-    /// Both lists as columns of the right number of fields.
+    /// Returns both lists as columns of the right number of fields.
     pub(super) fn lists<'a>(
         &self,
         a: &Rows<'a, T>,
@@ -229,8 +229,8 @@ impl<T: Real> Function<T> {
         Ok(columns)
     }
 
-    /// Every row of `a` with every row of `b`, as [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs): plane after
-    /// plane, one for every number of the result, each a matrix, row by row.
+    /// Returns every row of `a` with every row of `b`, as [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs): plane
+    /// after plane, one for every number of the result, each a matrix, row by row.
     ///
     /// # Errors
     ///
@@ -245,7 +245,7 @@ impl<T: Real> Function<T> {
         )?;
         Ok(planes)
     }
-    /// How many numbers all pairs give.
+    /// Returns how many numbers all pairs give.
     fn planes_of(&self, lists: &[Column<'_, T>; 2]) -> Result<usize, Error> {
         entries(lists[0].len(), lists[1].len(), self.gives().iter().sum())
     }
@@ -278,7 +278,7 @@ impl<T: Real> Function<T> {
         }
     }
 
-    /// A form of two lists: something of an engine, the call and both as columns, for results of one number.
+    /// Returns a form of two lists: something of an engine, the call and both as columns, for results of one number.
     pub(super) fn of_lists<X>(
         &self,
         a: &Rows<'_, T>,
@@ -290,7 +290,7 @@ impl<T: Real> Function<T> {
         self.named(form(self.engine(), &self.call()?, &lists))
     }
 
-    /// A reduction of all results.
+    /// Returns a reduction of all results.
     fn reduced(
         &self,
         a: &Rows<'_, T>,
@@ -302,7 +302,7 @@ impl<T: Real> Function<T> {
         })
     }
 
-    /// The sum of all results where one factor is that of all, and derivatives of both lists.
+    /// Returns the sum of all results where one factor is that of all, and derivatives of both lists.
     fn pulled(
         &self,
         a: &Rows<'_, T>,
@@ -328,7 +328,7 @@ fn engine_of<T: Real>(gpu: &Gpu) -> Option<&dyn Engine<T>> {
     in_format::<OfGpu<T>>([&SINGLE, &DOUBLE])(gpu)
 }
 
-/// The GPU of a machine, which has to compute in a format; `None` for the CPU.
+/// Returns the GPU of a machine, which has to compute in a format; `None` for the CPU.
 pub(super) fn gpu_of<T: Real>(backend: Backend<'_>) -> Result<Option<Gpu>, Error> {
     match backend {
         Backend::Cpu => Ok(None),
@@ -403,7 +403,7 @@ of_pairs! {
         };
 }
 
-/// The caller's slices as targets, each of so many rows.
+/// Returns the caller's slices as targets, each of so many rows.
 pub(super) fn targets<'a, T: Real>(
     gives: &[usize],
     count: usize,

@@ -12,7 +12,7 @@ use crate::suppression::{Rules, check_groups};
 
 /// Pairs within groups.
 impl<T: Real> Function<T> {
-    /// Every pair within a group whose result is above the threshold, as
+    /// Returns every pair within a group whose result is above the threshold, as
     /// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped).
     ///
     /// # Errors
@@ -47,7 +47,7 @@ impl<T: Real> Function<T> {
         self.named(found.and_then(|found| found.founds().taken()))
     }
 
-    /// The largest result of every row within its group, as
+    /// Returns the largest result of every row within its group, as
     /// [`Cpu::row_max_grouped`](crate::kernels::Cpu::row_max_grouped).
     ///
     /// # Errors
@@ -62,7 +62,7 @@ impl<T: Real> Function<T> {
         self.most_grouped(&a, &b, groups, true)
     }
 
-    /// The largest result of every column within its group, as
+    /// Returns the largest result of every column within its group, as
     /// [`Cpu::column_max_grouped`](crate::kernels::Cpu::column_max_grouped).
     ///
     /// # Errors
@@ -77,7 +77,7 @@ impl<T: Real> Function<T> {
         self.most_grouped(&a, &b, groups, false)
     }
 
-    /// The largest result of every row, or of every column, within its group.
+    /// Returns the largest result of every row, or of every column, within its group.
     fn most_grouped(
         &self,
         a: &Rows<'_, T>,
@@ -98,7 +98,7 @@ impl<T: Real> Function<T> {
 
 /// Suppression.
 impl<T: Real> Function<T> {
-    /// The rows that no better one of their group, kept itself, suppresses, as
+    /// Returns the rows that no better one of their group, kept itself, suppresses, as
     /// [`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped). The offsets of a list without groups are zero and
     /// its length.
     ///

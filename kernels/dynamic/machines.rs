@@ -6,7 +6,7 @@ use crate::kernels::machine::Column;
 use crate::kernels::machine::{Engine, Items, Machine, Numbers, Room, Seed};
 use crate::kernels::machine::{HeldNumbers, Matrix};
 
-/// The first column of numbers.
+/// Returns the first column of numbers.
 fn list(held: &HeldNumbers) -> Column<'_, f32> {
     let first = held.columns().next();
     first.unwrap_or_else(|| Column::lent(&[], 1, Some(0)))
@@ -48,7 +48,7 @@ impl Machine<dyn Engine<f32>> {
         Ok(stored)
     }
 
-    /// Every row of one column with every row of another, for results of one number, as
+    /// Returns every row of one column with every row of another, for results of one number, as
     /// [`all_pairs`](Machine::all_pairs), into an existing matrix if there is one.
     ///
     /// # Errors
@@ -71,7 +71,7 @@ impl Machine<dyn Engine<f32>> {
         Ok(matrix)
     }
 
-    /// The adjoint of all pairs, as [`all_pairs_vjp`](Machine::all_pairs_vjp).
+    /// Returns the adjoint of all pairs, as [`all_pairs_vjp`](Machine::all_pairs_vjp).
     ///
     /// # Errors
     ///

@@ -46,7 +46,7 @@ impl fmt::Display for Unnamed {
 
 impl std::error::Error for Unnamed {}
 
-/// The names of all rows, in the order of [`operations`](super::operations).
+/// Returns the names of all rows, in the order of [`operations`](super::operations).
 #[must_use]
 pub fn names() -> Vec<Name> {
     let name = |row: &Written| {
@@ -62,7 +62,7 @@ pub fn names() -> Vec<Name> {
     written().map(name).collect()
 }
 
-/// The names of rows in reports that a verb or a spelling names; those of all rows for an empty one.
+/// Returns the names of rows in reports that a verb or a spelling names; those of all rows for an empty one.
 ///
 /// ```
 /// use geograd::kernels::dynamic::{Unnamed, named_rows};
@@ -90,7 +90,7 @@ pub fn named_rows(asked: &str) -> Result<Vec<&'static str>, Unnamed> {
     Err(function.map_or(Unnamed::Unknown, Unnamed::Function))
 }
 
-/// A shape as tables write it, spelled as its type is.
+/// Returns a shape as tables write it, spelled as its type is.
 fn spelled(shape: &str) -> String {
     match shape {
         "Number" => "number",

@@ -135,7 +135,7 @@ elementary! {
     Select = "select": Node::Select(..),
 }
 
-/// The operations of a program.
+/// Returns the operations of a program.
 pub(super) fn nodes(recorded: &Recorded) -> Nodes {
     let lowered = &recorded.value;
     let step = |&node: &Node| Step {

@@ -207,11 +207,11 @@ impl<T: Real> OnPaths<T> {
             ..self.clone()
         })
     }
-    /// The machine that runs it.
+    /// Returns the machine that runs it.
     fn backend(&self) -> Backend<'_> {
         self.gpu.as_ref().map_or(Backend::Cpu, Backend::Gpu)
     }
-    /// A name and a layout for every column that it takes beside paths.
+    /// Returns a name and a layout for every column that it takes beside paths.
     #[must_use]
     pub fn takes(&self) -> Vec<(Argument, Layout<T>)> {
         let layouts = self.takes.iter().map(|&leaf| Layout { leaf });
@@ -229,7 +229,7 @@ impl<T: Real> OnPaths<T> {
         self.code.vertex
     }
 
-    /// The numbers of one result per path, or per row where all share one path.
+    /// Returns the numbers of one result per path, or per row where all share one path.
     ///
     /// # Errors
     ///
@@ -329,7 +329,7 @@ impl<T: Real> OnPaths<T> {
         Ok((values, contexts, vertices))
     }
 
-    /// How many contexts share the only path, and what runs them, if they do.
+    /// Returns how many contexts share the only path, and what runs them, if they do.
     fn shared(
         &self,
         contexts: &[Rows<'_, T>],
@@ -341,7 +341,7 @@ impl<T: Real> OnPaths<T> {
         (is_one && count != 1).then_some((self.code.shared, count))
     }
 
-    /// The number of vertices, where there are as many columns, as wide, as there should be.
+    /// Returns the number of vertices, where there are as many columns, as wide, as there should be.
     fn checked(&self, contexts: &[Rows<'_, T>], vertices: &[T]) -> Result<usize, Error> {
         if contexts.len() != self.takes.len() {
             return Err(Error::Arguments {

@@ -35,7 +35,7 @@ struct Inner<T: Real> {
     is_row: bool,
 }
 
-/// The results for some numbers; NaN if one of them is.
+/// Returns the results for some numbers; NaN if one of them is.
 fn guarded<S: Scalar>(input: &[S], mut results: Vec<S>) -> Vec<S> {
     let guard = Guard::of_numbers(input);
     for result in &mut results {
@@ -90,7 +90,7 @@ impl<T: Real> Program<T> {
             }),
         }
     }
-    /// The program of an operation.
+    /// Returns the program of an operation.
     pub(super) fn of_row(
         recorded: Recorded,
         names: Vec<Argument>,
@@ -106,7 +106,7 @@ impl<T: Real> Program<T> {
         }
     }
 
-    /// The same with names for its arguments, by which errors call them.
+    /// Returns the same with names for its arguments, by which errors call them.
     ///
     /// # Errors
     ///
@@ -135,7 +135,7 @@ impl<T: Real> Program<T> {
     pub(crate) fn recorded(&self) -> &Recorded {
         &self.inner.recorded
     }
-    /// A name and a layout for every argument.
+    /// Returns a name and a layout for every argument.
     #[must_use]
     pub fn takes(&self) -> Vec<(Argument, Layout<T>)> {
         let layouts = self
@@ -151,7 +151,7 @@ impl<T: Real> Program<T> {
     pub fn gives(&self) -> &[usize] {
         &self.inner.recording.outputs
     }
-    /// How many numbers go in, and how many come out.
+    /// Returns how many numbers go in, and how many come out.
     #[must_use]
     pub fn sizes(&self) -> [usize; 2] {
         [
@@ -159,12 +159,12 @@ impl<T: Real> Program<T> {
             self.inner.recording.outputs.iter().sum(),
         ]
     }
-    /// The format of its numbers.
+    /// Returns the format of its numbers.
     #[must_use]
     pub fn format(&self) -> Format {
         T::FORMAT
     }
-    /// How many operations a value takes, by kind.
+    /// Returns how many operations a value takes, by kind.
     #[must_use]
     pub fn cost(&self) -> Cost {
         Cost::of(&self.inner.recorded.value.graph)
@@ -174,7 +174,7 @@ impl<T: Real> Program<T> {
     pub fn nodes(&self) -> Nodes {
         nodes(&self.inner.recorded)
     }
-    /// The program as what runs on columns, in every form.
+    /// Returns the program as what runs on columns, in every form.
     #[must_use]
     pub fn function(&self) -> Function<T> {
         Function {
@@ -184,7 +184,7 @@ impl<T: Real> Program<T> {
             names: self.inner.names.clone(),
         }
     }
-    /// The results for the numbers of one input, unchecked but for how many there are.
+    /// Returns the results for the numbers of one input, unchecked but for how many there are.
     ///
     /// # Errors
     ///
@@ -193,7 +193,7 @@ impl<T: Real> Program<T> {
         expect(Argument::Shape, self.inner.recorded.inputs, input.len())?;
         Ok(guarded(input, self.inner.recorded.run(input)))
     }
-    /// The results for the numbers of one input on any scalar, with its derivatives if it has any.
+    /// Returns the results for the numbers of one input on any scalar, with its derivatives if it has any.
     ///
     /// # Errors
     ///
@@ -211,7 +211,7 @@ impl<T: Real> Program<T> {
         self.function().aligned(rows)
     }
 
-    /// A derivative of it, from the arguments that it takes beside the same ones, and its results.
+    /// Returns a derivative of it, from the arguments that it takes beside the same ones, and its results.
     fn derived(
         &self,
         recorded: Recorded,
@@ -242,8 +242,8 @@ impl<T: Real> Program<T> {
         }
     }
 
-    /// The result, one number, and its gradient. An operation's is the one that its row says: by hand, backwards or
-    /// forwards.
+    /// Returns the result, one number, and its gradient. An operation's is the one that its row says: by hand,
+    /// backwards or forwards.
     ///
     /// # Errors
     ///
@@ -254,8 +254,8 @@ impl<T: Real> Program<T> {
         let gives = [self.gives(), &self.inputs()].concat();
         Ok(self.derived(recorded, Vec::new(), gives))
     }
-    /// The adjoint: from an input and a cotangent of the result to the cotangent of the input. An operation's is the
-    /// one that its row says.
+    /// Returns the adjoint: from an input and a cotangent of the result to the cotangent of the input. An operation's
+    /// is the one that its row says.
     ///
     /// # Errors
     ///
@@ -289,7 +289,8 @@ impl<T: Real> Program<T> {
         let recorded = self.inner.recorded.hvp();
         Ok(self.derived(recorded, self.directions(), self.inputs()))
     }
-    /// The derivatives of every number of the result by every number of the input, those of the first result first.
+    /// Returns the derivatives of every number of the result by every number of the input, those of the first result
+    /// first.
     ///
     /// # Errors
     ///
@@ -306,7 +307,7 @@ impl<T: Real> Program<T> {
         };
         Ok(self.derived(recorded, Vec::new(), vec![inputs * outputs]))
     }
-    /// The second derivatives by all numbers of the input, those by the first number first.
+    /// Returns the second derivatives by all numbers of the input, those by the first number first.
     ///
     /// # Errors
     ///
@@ -318,8 +319,8 @@ impl<T: Real> Program<T> {
         Ok(self.derived(recorded, Vec::new(), vec![inputs * inputs]))
     }
 
-    /// The result as part of a larger function that is being recorded: a list of symbols for every argument. A gradient
-    /// by hand comes along.
+    /// Returns the result as part of a larger function that is being recorded: a list of symbols for every argument. A
+    /// gradient by hand comes along.
     ///
     /// # Errors
     ///
@@ -345,7 +346,7 @@ impl<T: Real> Program<T> {
 }
 
 impl Program<f32> {
-    /// The program as a function in WGSL, as [`Program::wgsl`](crate::Program::wgsl).
+    /// Returns the program as a function in WGSL, as [`Program::wgsl`](crate::Program::wgsl).
     ///
     /// # Errors
     ///
@@ -356,7 +357,7 @@ impl Program<f32> {
     }
 }
 
-/// The symbols of all arguments, each of so many.
+/// Returns the symbols of all arguments, each of so many.
 pub(super) fn flat<T: Real>(
     layouts: &[(Argument, usize)],
     arguments: &[&[Symbol<T>]],
@@ -435,7 +436,7 @@ impl<T: Real> Tracing<T> {
             takes: takes.iter().map(|layout| layout.leaf).collect(),
         })
     }
-    /// The symbols of every argument.
+    /// Returns the symbols of every argument.
     #[must_use]
     pub fn inputs(&self) -> Vec<Vec<Symbol<T>>> {
         let mut all = self.opened.inputs().into_iter().map(Symbol);
@@ -444,7 +445,7 @@ impl<T: Real> Tracing<T> {
             .map(|leaf| all.by_ref().take(leaf.fields).collect())
             .collect()
     }
-    /// The program with these results, each a list of numbers.
+    /// Returns the program with these results, each a list of numbers.
     ///
     /// # Errors
     ///

@@ -63,7 +63,7 @@ impl<'a, T: Real> Rows<'a, T> {
             is_one: false,
         }
     }
-    /// The numbers, row by row; a copy of those whose fields lie apart.
+    /// Returns the numbers, row by row; a copy of those whose fields lie apart.
     #[must_use]
     pub fn numbers(&self) -> Cow<'a, [T]> {
         match self.numbers {
@@ -76,7 +76,7 @@ impl<'a, T: Real> Rows<'a, T> {
             }
         }
     }
-    /// How many rows there are; `None` for one that stands for all.
+    /// Returns how many rows there are; `None` for one that stands for all.
     #[must_use]
     pub fn count(&self) -> Option<usize> {
         let numbers = match self.numbers {
@@ -90,11 +90,11 @@ impl<'a, T: Real> Rows<'a, T> {
     pub const fn fields(&self) -> usize {
         self.fields
     }
-    /// `true` if every field is on its own.
+    /// Returns `true` if every field is on its own.
     pub(super) const fn is_apart(&self) -> bool {
         matches!(self.numbers, Numbers::Apart(_))
     }
-    /// Some rows, in the caller's memory where they have to be put together; one that stands for all as it is.
+    /// Returns some rows, in the caller's memory where they have to be put together; one that stands for all as it is.
     pub(super) fn some<'s>(&'s self, items: Range<usize>, room: &'s mut Vec<T>) -> Rows<'s, T> {
         match self.numbers {
             Numbers::Together(_) if self.is_one => *self,
@@ -183,7 +183,7 @@ impl<T: Real> Layout<T> {
             leaf: Leaf::numbers(fields),
         }
     }
-    /// A shape.
+    /// Returns a shape.
     ///
     /// ```
     /// use geograd::Obb2;
@@ -196,7 +196,7 @@ impl<T: Real> Layout<T> {
     pub fn of<P: Item<Scalar = T> + Fixed + Validate>() -> Self {
         Layout { leaf: leaf::<P>() }
     }
-    /// The name of the shape; `number` or `numbers` without one.
+    /// Returns the name of the shape; `number` or `numbers` without one.
     #[must_use]
     pub fn name(&self) -> String {
         match ((self.leaf.shape)(), self.leaf.fields) {
@@ -210,18 +210,18 @@ impl<T: Real> Layout<T> {
     pub const fn fields(&self) -> usize {
         self.leaf.fields
     }
-    /// How many of them are whole numbers, which have no derivatives.
+    /// Returns how many of them are whole numbers, which have no derivatives.
     #[must_use]
     pub const fn codes(&self) -> usize {
         self.leaf.codes
     }
-    /// The names of its scalars.
+    /// Returns the names of its scalars.
     #[must_use]
     pub fn names(&self) -> Vec<Field> {
         let scalars = 0..self.leaf.fields - self.leaf.codes;
         scalars.map(self.leaf.name).collect()
     }
-    /// `Ok` when a row is valid.
+    /// Returns `Ok` when a row is valid.
     ///
     /// # Errors
     ///
@@ -243,7 +243,7 @@ impl<T: Real> Layout<T> {
     }
 }
 
-/// The name of a shape, from that of its type: without paths and without the format of its numbers.
+/// Returns the name of a shape, from that of its type: without paths and without the format of its numbers.
 pub(super) fn shape_name(of_type: &str) -> String {
     let mut name = String::new();
     for part in of_type.split_inclusive(|c: char| !c.is_alphanumeric() && c != '_' && c != ':') {
@@ -260,7 +260,7 @@ pub(super) fn shape_name(of_type: &str) -> String {
     name
 }
 
-/// The names of arguments: their own, or those of their places.
+/// Returns the names of arguments: their own, or those of their places.
 pub(super) fn named(names: &[&'static str], count: usize) -> Vec<Argument> {
     (0..count)
         .map(|k| match names.get(k) {
@@ -270,7 +270,7 @@ pub(super) fn named(names: &[&'static str], count: usize) -> Vec<Argument> {
         .collect()
 }
 
-/// An error with the names of arguments in place of their letters.
+/// Returns an error with the names of arguments in place of their letters.
 pub(super) fn renamed(error: Error, names: &[Argument]) -> Error {
     let name = |argument: Argument| {
         let place = (0..names.len()).find(|&k| Argument::input(k) == argument);

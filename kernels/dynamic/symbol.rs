@@ -22,7 +22,7 @@ pub struct Truth<T>(SymMask<T>);
 pub type Made<X> = Result<X, Error>;
 
 impl<T: Real> Symbol<T> {
-    /// `Ok` when it is of the recording that is open on this thread.
+    /// Returns `Ok` when it is of the recording that is open on this thread.
     ///
     /// # Errors
     ///
@@ -32,7 +32,7 @@ impl<T: Real> Symbol<T> {
     }
 }
 impl<T: Real> Truth<T> {
-    /// `Ok` when it is of the recording that is open on this thread.
+    /// Returns `Ok` when it is of the recording that is open on this thread.
     ///
     /// # Errors
     ///
@@ -48,7 +48,7 @@ pub fn is_recording() -> bool {
     is_open()
 }
 
-/// A literal, rounded to the format.
+/// Returns a literal, rounded to the format.
 ///
 /// # Errors
 ///
@@ -156,7 +156,7 @@ functions! {
     select(truth: Truth, yes: Symbol, no: Symbol) -> Symbol = Sym::select(truth, yes, no);
 }
 
-/// A whole power, by repeated multiplication: [`Scalar::powi`].
+/// Returns a whole power, by repeated multiplication: [`Scalar::powi`].
 ///
 /// # Errors
 ///

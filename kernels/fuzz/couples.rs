@@ -56,7 +56,7 @@ impl<T: Real> Job<T> {
         unless(Property::Apart, place)
     }
 
-    /// A shape and itself.
+    /// Returns a shape and itself.
     pub(super) fn identical(&self, inputs: &Inputs<T>) -> Outcome {
         use Extremes::{One, Ratio, Union};
         let extremes = self.declared.extremes;
@@ -93,7 +93,7 @@ impl<T: Real> Job<T> {
             })
     }
 
-    /// The same shapes in the other order.
+    /// Returns the same shapes in the other order.
     pub(super) fn exchanged(&self, inputs: &Inputs<T>, found: &Found<T>) -> Outcome {
         let [a, b] = [0, 1].map(|s| self.shapes[s].leaf.fields);
         if !self.declared.is_symmetric() || a != b || self.outputs.len() != 1 {

@@ -31,12 +31,12 @@ const SHARED: [f64; 16] = [
     0.0, -0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -0.5, 3.0, 0.1, -0.1, 1e-3, 1e3, 0.25, 1.5, -3.0,
 ];
 
-/// `true` if a format is double precision.
+/// Returns `true` if a format is double precision.
 pub(super) fn is_wide<T: Real>() -> bool {
     T::LARGEST > f64::from(f32::MAX)
 }
 
-/// The exponents of the least and of the largest number.
+/// Returns the exponents of the least and of the largest number.
 fn exponents<T: Real>() -> [i32; 2] {
     match is_wide::<T>() {
         true => [-1074, 1023],
@@ -44,7 +44,7 @@ fn exponents<T: Real>() -> [i32; 2] {
     }
 }
 
-/// Two to a power, subnormal ones included.
+/// Returns two to a power, subnormal ones included.
 pub(super) fn power(exponent: i32) -> f64 {
     match exponent {
         ..-1074 => 0.0,
@@ -54,13 +54,13 @@ pub(super) fn power(exponent: i32) -> f64 {
     }
 }
 
-/// The finite number of the format that is nearest.
+/// Returns the finite number of the format that is nearest.
 fn nearest<T: Real>(x: f64) -> T {
     T::lit(x.clamp(-T::LARGEST, T::LARGEST))
 }
 
 impl Family {
-    /// A family that batches compute at full speed.
+    /// Returns a family that batches compute at full speed.
     pub fn quick(draw: &mut Draw) -> Self {
         match draw.below(6) {
             0 | 1 => Family::Moderate,
@@ -82,7 +82,7 @@ impl Family {
             _ => Family::quick(draw),
         }
     }
-    /// A number of a kind.
+    /// Returns a number of a kind.
     #[inline]
     pub fn number<T: Real>(self, kind: Kind, draw: &mut Draw) -> T {
         let bits = draw.bits();
@@ -151,7 +151,7 @@ impl Family {
     }
 }
 
-/// The exponents that a row limits its numbers to.
+/// Returns the exponents that a row limits its numbers to.
 pub(super) fn limits_of<T: Real>(finite: Finite) -> Option<[i32; 2]> {
     let of = |limits: Limits| match is_wide::<T>() {
         true => limits.double,
@@ -172,7 +172,8 @@ pub(super) fn is_angle_within<T: Real>(x: T) -> bool {
     size == 0.0 || size >= power(least)
 }
 
-/// A number within limits: its own digits with another exponent where that is beyond them; zero for a lesser angle.
+/// Returns a number within limits: its own digits with another exponent where that is beyond them; zero for a lesser
+/// angle.
 pub(super) fn limited<T: Real>(x: T, kind: Kind, [least, most]: [i32; 2]) -> T {
     let wide = x.widen();
     if kind.is_angle() && !is_angle_within(x) {

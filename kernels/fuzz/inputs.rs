@@ -18,7 +18,7 @@ const GROUP: usize = 16;
 const MOST: usize = 8;
 
 impl<T: Real> Inputs<T> {
-    /// All numbers of an input, its vertices last.
+    /// Returns all numbers of an input, its vertices last.
     pub fn item(&self, job: &Job<T>, i: usize) -> Vec<T> {
         let mut numbers = Vec::with_capacity(job.kinds.len());
         for (column, shape) in self.columns.iter().zip(&job.shapes) {
@@ -31,7 +31,7 @@ impl<T: Real> Inputs<T> {
         }
         numbers
     }
-    /// An input so many times.
+    /// Returns an input so many times.
     pub fn repeated(job: &Job<T>, numbers: &[T], count: usize) -> Self {
         let (mut columns, mut rest) = (Vec::new(), numbers);
         for shape in &job.shapes {
@@ -71,7 +71,7 @@ impl<T: Real> Inputs<T> {
     }
 }
 
-/// `true` if numbers are valid shapes.
+/// Returns `true` if numbers are valid shapes.
 pub(super) fn is_valid<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
     let mut rest = numbers;
     job.shapes.iter().all(|shape| {
@@ -82,7 +82,7 @@ pub(super) fn is_valid<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
         && is_inside(job, numbers)
 }
 
-/// `true` if numbers are inside the domain.
+/// Returns `true` if numbers are inside the domain.
 pub(super) fn is_inside<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
     job.declared.domain.is_none_or(|inside| {
         let numbers: Vec<f64> = numbers.iter().map(|x| x.widen()).collect();
@@ -291,8 +291,8 @@ impl<T: Real> Job<T> {
         }
     }
 
-    /// An input of the harness that is valid, inside the domain, and within limits if one of them is; nothing if none
-    /// is valid.
+    /// Returns an input of the harness that is valid, inside the domain, and within limits if one of them is; nothing
+    /// if none is valid.
     fn sampled(&self, draw: &mut Draw, limits: Option<[i32; 2]>) -> Vec<T> {
         let mut last = Vec::new();
         for _ in 0..ATTEMPTS {
@@ -307,7 +307,7 @@ impl<T: Real> Job<T> {
         last
     }
 
-    /// The same input stretched along x and y by powers of two; nothing where that does not fit.
+    /// Returns the same input stretched along x and y by powers of two; nothing where that does not fit.
     fn stretched(&self, draw: &mut Draw, x: &[T], limits: Option<[i32; 2]>) -> Option<Vec<T>> {
         let [least, most] = limits.unwrap_or([-20, 20]);
         let power = |draw: &mut Draw| {
@@ -325,7 +325,7 @@ impl<T: Real> Job<T> {
         (self.fits(&x, limits) && is_valid(self, &x)).then_some(x)
     }
 
-    /// `true` if lengths and angles are within limits.
+    /// Returns `true` if lengths and angles are within limits.
     fn fits(&self, x: &[T], limits: Option<[i32; 2]>) -> bool {
         let Some([least, most]) = limits else {
             return true;

@@ -81,14 +81,14 @@ pub(crate) struct Straight<T: Real> {
 pub(super) type Square<T> =
     Box<dyn Fn(&Inputs<T>, std::ops::Range<usize>) -> Result<Vec<T>, Error> + Sync>;
 
-/// The last part of a type's name.
+/// Returns the last part of a type's name.
 fn short(name: &'static str) -> &'static str {
     let end = name.find('<').unwrap_or(name.len());
     let start = name[..end].rfind("::").map_or(0, |at| at + 2);
     &name[start..]
 }
 
-/// The scalars and codes of a shape, as they lie in columns.
+/// Returns the scalars and codes of a shape, as they lie in columns.
 pub(crate) fn all_numbers<X: Item>(x: &X) -> Vec<X::Scalar> {
     if const { X::CODES == 0 } {
         return x.scalars();
@@ -106,7 +106,7 @@ pub(crate) fn shown<X: Sample + Item>(numbers: &[f64]) -> String {
     format!("{:?}", get::<X>(&by_kind::<X>(numbers)))
 }
 
-/// The shapes of an input.
+/// Returns the shapes of an input.
 fn shapes<T: Real>(leaves: Vec<Leaf<T>>, kinds: &[Kind], is_convex: bool) -> Vec<Shape<T>> {
     let mut rest = kinds;
     let shape = |leaf: Leaf<T>| {
@@ -122,7 +122,7 @@ fn shapes<T: Real>(leaves: Vec<Leaf<T>>, kinds: &[Kind], is_convex: bool) -> Vec
     leaves.into_iter().map(shape).collect()
 }
 
-/// The kinds of the numbers of a shape: common to all sorts of jobs.
+/// Returns the kinds of the numbers of a shape: common to all sorts of jobs.
 fn kinds_of<X: Sample + Fixed>() -> Vec<Kind> {
     X::filled(1.0).kinds()
 }
@@ -135,7 +135,7 @@ fn planned<T: Real>(recording: &Arc<Recording<T>>) -> Planned<T> {
     Arc::new(move |mode, framed| plan(&call.clone().derived(mode)?, framed))
 }
 
-/// The results that batches compute by a plan.
+/// Returns the results that batches compute by a plan.
 fn computed<T: Real, const N: usize>(make: &Planned<T>, mode: Mode) -> Compute<T, N> {
     let make = Arc::clone(make);
     Box::new(move |inputs, bars| {
@@ -156,7 +156,7 @@ fn computed<T: Real, const N: usize>(make: &Planned<T>, mode: Mode) -> Compute<T
     })
 }
 
-/// All pairs by a plan of two shapes.
+/// Returns all pairs by a plan of two shapes.
 fn squared<T: Real>(plan: impl Fn() -> Result<Arc<Plan<T>>, Error> + Sync + 'static) -> Square<T> {
     Box::new(move |inputs, items| {
         let plan = plan()?;
@@ -179,7 +179,7 @@ fn squared<T: Real>(plan: impl Fn() -> Result<Arc<Plan<T>>, Error> + Sync + 'sta
 }
 
 impl<T: Real> Job<T> {
-    /// The job of an operation of fixed size.
+    /// Returns the job of an operation of fixed size.
     pub(super) fn of_op<O: Op>() -> Self
     where
         O::In<T>: Item<Scalar = T>,
@@ -201,7 +201,7 @@ impl<T: Real> Job<T> {
         })
     }
 
-    /// The job of a straight line without its types.
+    /// Returns the job of a straight line without its types.
     pub(crate) fn of_line(line: &Straight<T>) -> Self {
         let recording = &line.recording;
         let outputs = recording.outputs.clone();
@@ -234,7 +234,7 @@ impl<T: Real> Job<T> {
         }
     }
 
-    /// The job of an operation with a search.
+    /// Returns the job of an operation with a search.
     pub(super) fn of_search<D: Search>() -> Self
     where
         D::In<T>: Item<Scalar = T>,
@@ -278,7 +278,7 @@ impl<T: Real> Job<T> {
         }
     }
 
-    /// The job of a fold over a path.
+    /// Returns the job of a fold over a path.
     pub(super) fn of_fold<F: Fold>() -> Self
     where
         F::Context<T>: Item<Scalar = T>,
@@ -352,7 +352,7 @@ where
     all
 }
 
-/// The numbers of all shapes of a context, context by context.
+/// Returns the numbers of all shapes of a context, context by context.
 fn context_rows<T: Real>(inputs: &Inputs<T>) -> Vec<T> {
     let mut all = Vec::new();
     for i in 0..inputs.count {
@@ -373,7 +373,7 @@ fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P> {
     all
 }
 
-/// The numbers of results for columns of shapes and cotangents: a list for every shape of a result.
+/// Returns the numbers of results for columns of shapes and cotangents: a list for every shape of a result.
 fn run_columns<T: Real>(plan: &Plan<T>, columns: Vec<Column<'_, T>>) -> Result<Vec<Vec<T>>, Error> {
     let (count, rare) = checked(plan, &columns)?;
     let lists = plan.gives.iter().map(|n| vec![T::default(); n * count]);

@@ -118,7 +118,7 @@ type Run<T> = fn(&Job<T>, u64, u64) -> Fuzzed;
 static F32: Run<f32> = run;
 static F64: Run<f64> = run;
 
-/// The fuzzer of a format, which is compiled in this library with its optimisation.
+/// Returns the fuzzer of a format, which is compiled in this library with its optimisation.
 pub(crate) fn fuzzed_in<T: Real>() -> Run<T> {
     *in_format::<Run<T>>([&F32, &F64])
 }
@@ -157,7 +157,7 @@ where
     fuzzed_in::<T>()(&Job::of_fold::<F>(), count, seed)
 }
 
-/// The name of a format.
+/// Returns the name of a format.
 pub(crate) fn format<T: Real>() -> &'static str {
     match families::is_wide::<T>() {
         true => "f64",

@@ -44,7 +44,7 @@ impl Thorough {
         single: 1,
         dual: 1,
     };
-    /// Some of it.
+    /// Returns some of it.
     pub fn some(draw: &mut Draw) -> Self {
         Thorough {
             levels: draw.once_in(8),
@@ -69,13 +69,13 @@ pub(super) fn unless(property: Property, place: Option<usize>) -> Outcome {
     place.map_or(Ok(()), |at| Err(Finding { property, at }))
 }
 
-/// `true` if two lists have the same bits.
+/// Returns `true` if two lists have the same bits.
 fn same<T: Real>(a: &[T], b: &[T]) -> bool {
     let bits = |x: &T| x.widen().to_bits();
     a.len() == b.len() && a.iter().map(bits).eq(b.iter().map(bits))
 }
 
-/// The first place of a number that is not finite.
+/// Returns the first place of a number that is not finite.
 #[allow(clippy::eq_op)]
 fn not_finite<T: Real>(list: &[T]) -> Option<usize> {
     // A number less itself is zero, unless it is infinite or none; sums need no branches.
@@ -92,7 +92,7 @@ fn not_finite<T: Real>(list: &[T]) -> Option<usize> {
     }
 }
 
-/// The first place of which something is true, which it hardly ever is.
+/// Returns the first place of which something is true, which it hardly ever is.
 pub(super) fn first_where<T>(list: &[T], ill: impl Fn(&T) -> bool) -> Option<usize> {
     let found = list.iter().fold(false, |any, x| any | ill(x));
     found.then(|| list.iter().position(ill)).flatten()
@@ -127,7 +127,7 @@ impl<T: Real> Job<T> {
         })
     }
 
-    /// The input of which a derivative of a list is.
+    /// Returns the input of which a derivative of a list is.
     fn input_at(&self, inputs: &Inputs<T>, list: usize, at: usize) -> usize {
         match self.shapes.get(list) {
             Some(shape) => at / shape.leaf.fields,
@@ -140,7 +140,7 @@ impl<T: Real> Job<T> {
         }
     }
 
-    /// The derivatives of one input.
+    /// Returns the derivatives of one input.
     pub(super) fn derivatives_of(
         &self,
         inputs: &Inputs<T>,
@@ -381,7 +381,7 @@ impl<T: Real> Job<T> {
         Ok(())
     }
 
-    /// `true` if duals are declared to be finite, too.
+    /// Returns `true` if duals are declared to be finite, too.
     fn is_for_duals(&self, x: &[T]) -> bool {
         let [least, most] = limits_of::<T>(Finite::Within(Limits::ORDINARY)).unwrap_or_default();
         let range = power(least)..=power(most);

@@ -13,7 +13,7 @@ pub(super) struct Rules {
 }
 
 impl Rules {
-    /// The rules of a shape with numbers of these kinds.
+    /// Returns the rules of a shape with numbers of these kinds.
     pub fn of<T: Real>(leaf: &Leaf<T>, kinds: &[Kind], is_convex: bool) -> Self {
         let mut rules = Rules {
             rules: rules_of(leaf, kinds, is_convex),
@@ -65,7 +65,7 @@ impl Rules {
         }
     }
 
-    /// The lengths of its sides; none for what is no box.
+    /// Returns the lengths of its sides; none for what is no box.
     pub fn sides<T: Real>(&self, x: &[T]) -> Vec<f64> {
         let at = |i: usize| x[i].widen();
         let size = |x: f64| x.abs();

@@ -14,7 +14,7 @@ const COPIES: usize = 20;
 /// The most attempts.
 const ATTEMPTS: usize = 4000;
 
-/// The property that an input breaks by itself.
+/// Returns the property that an input breaks by itself.
 fn broken<T: Real>(job: &Job<T>, x: &[T], bars: &[T]) -> Option<Property> {
     let inputs = Inputs::repeated(job, x, COPIES);
     let mut rest = bars;
@@ -28,7 +28,7 @@ fn broken<T: Real>(job: &Job<T>, x: &[T], bars: &[T]) -> Option<Property> {
     found.err().map(|found| found.property)
 }
 
-/// `true` if a number is as limits want it.
+/// Returns `true` if a number is as limits want it.
 fn fits<T: Real>(job: &Job<T>, x: T) -> bool {
     let Some([least, most]) = limits_of::<T>(job.declared.finite) else {
         return true;
@@ -58,7 +58,7 @@ fn simpler<T: Real>(x: T, others: &[T]) -> Vec<T> {
     all
 }
 
-/// How many digits all numbers have, about.
+/// Returns how many digits all numbers have, about.
 fn length<T: Real>(numbers: &[T]) -> usize {
     let digits = |x: &T| match x.widen() {
         0.0 => 0,
@@ -68,7 +68,7 @@ fn length<T: Real>(numbers: &[T]) -> usize {
     numbers.iter().map(digits).sum()
 }
 
-/// The simplest input near one that breaks a property, and what it breaks.
+/// Returns the simplest input near one that breaks a property, and what it breaks.
 pub(super) fn shrunk<T: Real>(job: &Job<T>, x: Vec<T>, bars: Vec<T>, property: Property) -> Broken {
     let (mut x, mut bars) = (x, bars);
     let is_alone = broken(job, &x, &bars) == Some(property);

@@ -73,7 +73,7 @@ impl<S: Real> Clone for Formed<S> {
 impl<S: Real> Copy for Formed<S> {}
 
 impl Tested {
-    /// The name of its function.
+    /// Returns the name of its function.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         self.operation.declared.name
@@ -96,37 +96,37 @@ impl Tested {
     pub fn fuzz<S: Real>(&self, count: u64, seed: u64) -> Fuzzed {
         (self.formed::<S>().fuzz)(self, count, seed)
     }
-    /// The result of one input by the function itself.
+    /// Returns the result of one input by the function itself.
     #[must_use]
     pub fn alone<S: Real>(&self, x: &[S]) -> Vec<S> {
         (self.formed::<S>().code.alone)(x)
     }
-    /// The result and the derivatives of a cotangent by hand; `None` where there are none.
+    /// Returns the result and the derivatives of a cotangent by hand; `None` where there are none.
     #[must_use]
     pub fn by_hand<S: Real>(&self, x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
         (self.formed::<S>().code.by_hand)(x, out_bar)
     }
-    /// A random input.
+    /// Returns a random input.
     #[must_use]
     pub fn random(&self, draw: &mut Draw) -> Vec<f64> {
         (self.inputs.random)(draw)
     }
-    /// A random input of about unit size near the origin.
+    /// Returns a random input of about unit size near the origin.
     #[must_use]
     pub fn ordinary(&self, draw: &mut Draw) -> Vec<f64> {
         (self.inputs.ordinary)(draw)
     }
-    /// The cases at which geometry fails.
+    /// Returns the cases at which geometry fails.
     #[must_use]
     pub fn hard(&self) -> Vec<Vec<f64>> {
         (self.inputs.hard)()
     }
-    /// An input as code.
+    /// Returns an input as code.
     #[must_use]
     pub fn show(&self, x: &[f64]) -> String {
         (self.inputs.show)(x)
     }
-    /// Every shader that it may need; a search has none of its own.
+    /// Returns every shader that it may need; a search has none of its own.
     ///
     /// # Errors
     ///

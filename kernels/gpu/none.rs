@@ -27,7 +27,7 @@ pub type Gpu = Machine<Device>;
 pub enum Device {}
 
 impl Machine<Device> {
-    /// A context, which a build without the feature `gpu` cannot have.
+    /// Returns a context, which a build without the feature `gpu` cannot have.
     ///
     /// # Errors
     ///
@@ -196,7 +196,7 @@ impl Device {
 /// Texts of shaders, each with a name.
 type Shaders = Result<Vec<(String, String)>, Error>;
 
-/// The shaders of a straight line, which a build without the feature `gpu` does not have.
+/// Returns the shaders of a straight line, which a build without the feature `gpu` does not have.
 ///
 /// # Errors
 ///
@@ -206,7 +206,7 @@ pub fn line_sources(_: &str, _: Arc<Recording<f32>>) -> Shaders {
     Err(Error::Gpu(GpuFault::NotBuilt))
 }
 
-/// The same of a fold.
+/// Returns the same of a fold.
 ///
 /// # Errors
 ///

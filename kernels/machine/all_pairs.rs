@@ -174,7 +174,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// The adjoint of [`all_pairs`](Machine::all_pairs) for one number as result: derivatives of
+    /// Returns the adjoint of [`all_pairs`](Machine::all_pairs) for one number as result: derivatives of
     /// `Σ upstream[i, j] · result[i, j]` with respect to every shape of both lists. `upstream` is a
     /// matrix, row by row: a slice, or a [`Matrix`] on the machine.
     ///
@@ -239,7 +239,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// The largest result of every row and its column; of several the first.
+    /// Returns the largest result of every row and its column; of several the first.
     ///
     /// # Errors
     ///
@@ -272,7 +272,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// The largest result of every column and its row; of several the first.
+    /// Returns the largest result of every column and its row; of several the first.
     ///
     /// # Errors
     ///
@@ -295,7 +295,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// Every pair whose result is above the threshold, row by row and within a row by column.
+    /// Returns every pair whose result is above the threshold, row by row and within a row by column.
     ///
     /// # Errors
     ///
@@ -318,7 +318,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// The number of pairs whose result is above the threshold.
+    /// Returns the number of pairs whose result is above the threshold.
     ///
     /// # Errors
     ///
@@ -341,7 +341,8 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// The sum of all results, added in `f64`, always in the same order; a GPU adds up to 1024 of them in `f32` before.
+    /// Returns the sum of all results, added in `f64`, always in the same order; a GPU adds up to 1024 of them in `f32`
+    /// before.
     ///
     /// # Errors
     ///
@@ -356,7 +357,7 @@ impl<E: ?Sized> Machine<E> {
         called!(run, a, b => |call, lists| Ok(reduced(self.engine(), &call, &lists, Reduction::Sum)?.sum()))
     }
 
-    /// The mean of all results; 0 without pairs, as the loss of a step without matches.
+    /// Returns the mean of all results; 0 without pairs, as the loss of a step without matches.
     ///
     /// # Errors
     ///
@@ -373,7 +374,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// The sum of all results and its gradient with respect to every shape of both lists: a loss and its
+    /// Returns the sum of all results and its gradient with respect to every shape of both lists: a loss and its
     /// gradient without a matrix of results or cotangents.
     ///
     /// # Errors
@@ -404,7 +405,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// The mean of all results and its gradient, as [`sum_grad`](Machine::sum_grad); zeros without pairs.
+    /// Returns the mean of all results and its gradient, as [`sum_grad`](Machine::sum_grad); zeros without pairs.
     ///
     /// # Errors
     ///
@@ -423,7 +424,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// The sum of all results; into the caller's slices the derivatives of the sum times `factor`.
+    /// Returns the sum of all results; into the caller's slices the derivatives of the sum times `factor`.
     ///
     /// # Errors
     ///
@@ -449,7 +450,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// Every two shapes of a list whose result is above the threshold, each two once: for
+    /// Returns every two shapes of a list whose result is above the threshold, each two once: for
     /// [`suppression`](crate::suppression). The one that comes first in the list is the first argument.
     ///
     /// # Errors
@@ -473,7 +474,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// The shapes that no better one, kept itself, overlaps by more than the threshold: their places, the
+    /// Returns the shapes that no better one, kept itself, overlaps by more than the threshold: their places, the
     /// best first.
     ///
     /// Only pairs with a kept shape are computed, the better one of two shapes as the first argument. The result is that
@@ -536,7 +537,7 @@ pub(crate) type Loss<A, B> = (
 
 /// What the calls above share.
 impl<E: ?Sized> Machine<E> {
-    /// The sum of all results where one factor is that of all, and cotangents of both lists.
+    /// Returns the sum of all results where one factor is that of all, and cotangents of both lists.
     fn bars<A, B>(
         &self,
         call: &Call<Number<A>>,
@@ -570,7 +571,7 @@ impl<E: ?Sized> Machine<E> {
         ))
     }
 
-    /// The same into the caller's slices.
+    /// Returns the same into the caller's slices.
     fn bars_into<A, B>(
         &self,
         call: &Call<Number<A>>,

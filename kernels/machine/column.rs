@@ -47,7 +47,7 @@ impl<'a, T: Real> Column<'a, T> {
             held: None,
         }
     }
-    /// A column that stays on a machine, with its numbers if that is the CPU.
+    /// Returns a column that stays on a machine, with its numbers if that is the CPU.
     pub(crate) fn held(own: &'a dyn Stays<T>, count: usize) -> Self {
         Column {
             held: Some(own),
@@ -76,7 +76,7 @@ impl<'a, T: Real> Column<'a, T> {
             held: None,
         }
     }
-    /// Some numbers of every shape of a list.
+    /// Returns some numbers of every shape of a list.
     fn part<P: Item<Scalar = T>>(shapes: &'a [P], part: Range<usize>) -> Self {
         let fields = part.len();
         Column {
@@ -94,18 +94,18 @@ impl<'a, T: Real> Column<'a, T> {
             held: None,
         }
     }
-    /// The same for all items.
+    /// Returns the same for all items.
     pub(super) fn repeated(self) -> Self {
         Column {
             count: None,
             ..self
         }
     }
-    /// How many items it holds itself.
+    /// Returns how many items it holds itself.
     pub(crate) fn len(&self) -> usize {
         self.count.unwrap_or(1)
     }
-    /// The numbers of some items, as they lie in memory or written into `room`.
+    /// Returns the numbers of some items, as they lie in memory or written into `room`.
     pub(crate) fn numbers<'r>(&'r self, items: Range<usize>, room: &'r mut Vec<T>) -> &'r [T] {
         let items = match self.count {
             Some(_) => items,
@@ -120,7 +120,7 @@ impl<'a, T: Real> Column<'a, T> {
             }
         }
     }
-    /// All its numbers.
+    /// Returns all its numbers.
     pub(crate) fn all(&self) -> Cow<'_, [T]> {
         match &self.numbers {
             Numbers::Lent(numbers) => Cow::Borrowed(numbers),
@@ -146,7 +146,7 @@ pub(super) fn list_of<'a, P: Item>(shapes: &'a [P], add: &mut dyn FnMut(Column<'
     }
 }
 
-/// The number of items of the columns of a call.
+/// Returns the number of items of the columns of a call.
 pub(crate) fn count_of<T: Real>(call: &Call<T>, columns: &[Column<'_, T>]) -> Result<usize, Error> {
     let mut count = None;
     for (k, column) in columns.iter().enumerate() {

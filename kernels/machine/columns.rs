@@ -37,7 +37,7 @@ pub trait Columns {
     /// The columns, one per shape of an item.
     #[doc(hidden)]
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <Self::Item as Pack>::Scalar>));
-    /// The items as one column, for a list of all pairs. By default the first column: an item of a list is a
+    /// Returns the items as one column, for a list of all pairs. By default the first column: an item of a list is a
     /// [`Single`](crate::kernels::Single), which has no other.
     #[doc(hidden)]
     fn list_of_shapes(&self) -> Column<'_, <Self::Item as Pack>::Scalar> {
@@ -118,7 +118,7 @@ impl<R: Item> Columns for &Held<R> {
 /// The number type of columns.
 pub(crate) type Number<C> = <<C as Columns>::Item as Pack>::Scalar;
 
-/// The columns as a list.
+/// Returns the columns as a list.
 pub(crate) fn listed<C: Columns>(columns: &C) -> Vec<Column<'_, Number<C>>> {
     let mut all = Vec::new();
     columns.list(&mut |column| all.push(column));

@@ -83,7 +83,7 @@ impl<E: ?Sized> Machine<E> {
         self.folded::<F, C, V>(&contexts, path, spans)
     }
 
-    /// The adjoint of [`fold`](Machine::fold): one cotangent per context and one per vertex, for one of
+    /// Returns the adjoint of [`fold`](Machine::fold): one cotangent per context and one per vertex, for one of
     /// every result.
     ///
     /// # Errors
@@ -105,8 +105,8 @@ impl<E: ?Sized> Machine<E> {
         self.pulled_back::<F, C, V>(&context, vertices, PathSpans::Ragged(offsets), upstream)
     }
 
-    /// The adjoint of [`fold_one`](Machine::fold_one): one cotangent per context, and one per vertex, added up over all
-    /// contexts.
+    /// Returns the adjoint of [`fold_one`](Machine::fold_one): one cotangent per context, and one per vertex, added up
+    /// over all contexts.
     ///
     /// # Errors
     ///
@@ -179,7 +179,7 @@ impl<E: ?Sized> Machine<E> {
         Ok(())
     }
 
-    /// The adjoint of [`ragged`](Machine::ragged) for one cotangent per result: one cotangent per vertex.
+    /// Returns the adjoint of [`ragged`](Machine::ragged) for one cotangent per result: one cotangent per vertex.
     ///
     /// # Errors
     ///
@@ -303,7 +303,7 @@ impl<E: ?Sized> Machine<E> {
     }
 }
 
-/// How many contexts there are: one where one stands for all.
+/// Returns how many contexts there are: one where one stands for all.
 fn contexts_of<C: Columns>(contexts: &C) -> usize {
     let mut count = None;
     contexts.list(&mut |column| count = count.or(column.count));

@@ -41,7 +41,7 @@ impl<'a> Groups<'a> {
     pub const fn new(a: &'a [usize], b: &'a [usize]) -> Self {
         Groups { a, b }
     }
-    /// The offsets of both lists.
+    /// Returns the offsets of both lists.
     #[must_use]
     pub const fn offsets(&self) -> [&'a [usize]; 2] {
         [self.a, self.b]
@@ -59,8 +59,8 @@ impl<'a> Groups<'a> {
     }
 }
 
-/// The places of all scores of each group that are at least so large, the best first, and the offsets of the groups
-/// among them.
+/// Returns the places of all scores of each group that are at least so large, the best first, and the offsets of the
+/// groups among them.
 pub(crate) fn ranked_groups<T: Real>(
     scores: &[T],
     offsets: &[usize],
@@ -80,7 +80,7 @@ pub(crate) fn ranked_groups<T: Real>(
 /// Pairs within groups. A GPU takes all groups together; it refuses searches
 /// ([`Unrecordable::Search`](crate::Unrecordable::Search)).
 impl<E: ?Sized> Machine<E> {
-    /// Every pair within a group whose result is above the threshold, row by row and within a row by column:
+    /// Returns every pair within a group whose result is above the threshold, row by row and within a row by column:
     /// [`above`](Machine::above) of every group, with the places that shapes have in the whole lists.
     ///
     /// # Errors
@@ -109,8 +109,8 @@ impl<E: ?Sized> Machine<E> {
         found.founds().taken()
     }
 
-    /// The largest result of every row within its group, and its column in the whole list; of several the first. `None`
-    /// for a row whose group has no columns.
+    /// Returns the largest result of every row within its group, and its column in the whole list; of several the
+    /// first. `None` for a row whose group has no columns.
     ///
     /// # Errors
     ///
@@ -142,8 +142,8 @@ impl<E: ?Sized> Machine<E> {
         self.most_grouped(&run, &a, &b, groups, true)
     }
 
-    /// The largest result of every column within its group, and its row in the whole list; of several the first. `None`
-    /// for a column whose group has no rows.
+    /// Returns the largest result of every column within its group, and its row in the whole list; of several the
+    /// first. `None` for a column whose group has no rows.
     ///
     /// # Errors
     ///
@@ -164,7 +164,7 @@ impl<E: ?Sized> Machine<E> {
         self.most_grouped(&run, &a, &b, groups, false)
     }
 
-    /// The largest result of every row, or of every column, within its group.
+    /// Returns the largest result of every row, or of every column, within its group.
     fn most_grouped<A, B, R>(
         &self,
         run: &R,
@@ -189,8 +189,9 @@ impl<E: ?Sized> Machine<E> {
 
 /// Suppression within groups.
 impl<E: ?Sized> Machine<E> {
-    /// The shapes that no better one of their group, kept itself, overlaps by more than the threshold: their places in
-    /// the whole list, group by group and in a group the best first. Each group keeps at most as many as the rules say. A GPU computes group after group.
+    /// Returns the shapes that no better one of their group, kept itself, overlaps by more than the threshold: their
+    /// places in the whole list, group by group and in a group the best first. Each group keeps at most as many as the
+    /// rules say. A GPU computes group after group.
     ///
     /// # Errors
     ///

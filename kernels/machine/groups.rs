@@ -12,19 +12,19 @@ pub struct GroupSpans<'a> {
 }
 
 impl GroupSpans<'_> {
-    /// The number of groups.
+    /// Returns the number of groups.
     pub(crate) fn count(&self) -> usize {
         self.a.len().saturating_sub(1)
     }
-    /// The rows of a group.
+    /// Returns the rows of a group.
     pub(crate) fn rows(&self, group: usize) -> Range<usize> {
         self.a[group]..self.a[group + 1]
     }
-    /// The columns of a group.
+    /// Returns the columns of a group.
     pub(crate) fn columns(&self, group: usize) -> Range<usize> {
         self.b[group]..self.b[group + 1]
     }
-    /// The rows and the columns of some groups.
+    /// Returns the rows and the columns of some groups.
     pub(crate) fn of(&self, groups: &Range<usize>) -> [Range<usize>; 2] {
         [self.a, self.b].map(|offsets| offsets[groups.start]..offsets[groups.end])
     }

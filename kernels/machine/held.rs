@@ -41,7 +41,7 @@ impl<R: Results> Held<R> {
     pub(crate) fn stored_mut(&mut self) -> &mut Stored<R::Scalar> {
         &mut self.stored
     }
-    /// The number of items.
+    /// Returns the number of items.
     #[must_use]
     pub fn len(&self) -> usize {
         self.stored.len()
@@ -51,7 +51,7 @@ impl<R: Results> Held<R> {
     pub fn is_empty(&self) -> bool {
         self.stored.is_empty()
     }
-    /// The numbers of the items: those of the first shape of every item, item by item, then those of the
+    /// Returns the numbers of the items: those of the first shape of every item, item by item, then those of the
     /// second.
     ///
     /// ```
@@ -69,7 +69,7 @@ impl<R: Results> Held<R> {
     }
 }
 
-/// The numbers of items, shape by shape, checked by a function of the shape's place.
+/// Returns the numbers of items, shape by shape, checked by a function of the shape's place.
 pub(crate) fn numbers_of<R: Item>(
     items: &[R],
     check: impl Fn(usize, Leaf<R::Scalar>, &[R::Scalar]) -> Result<(), Error>,
@@ -149,7 +149,7 @@ impl<R: Item> Held<R> {
 macro_rules! split {
     ($($first:ident $($name:ident)*;)*) => { $(
         impl<$first: Item, $($name: Item<Scalar = $first::Scalar>),*> Held<($first, $($name,)*)> {
-            /// The parts of every item, each as an array of its own. No data are copied.
+            /// Returns the parts of every item, each as an array of its own. No data are copied.
             #[must_use]
             #[allow(non_snake_case)]
             pub fn split(self) -> (Held<$first>, $(Held<$name>,)*) {

@@ -75,7 +75,7 @@ impl<E: fmt::Debug + ?Sized> fmt::Debug for Machine<E> {
     }
 }
 
-/// The targets as a list, each of so many items.
+/// Returns the targets as a list, each of so many items.
 pub(crate) fn fitting<R: Results>(
     targets: &mut impl Targets<R>,
     count: usize,
@@ -93,7 +93,7 @@ pub(crate) fn fitting<R: Results>(
 
 /// Aligned batches, and arrays on the machine.
 impl<E: ?Sized> Machine<E> {
-    /// The engine in a number type.
+    /// Returns the engine in a number type.
     pub(crate) fn engine<T: On<E>>(&self) -> &dyn Engine<T> {
         T::engine(&self.engine)
     }
@@ -218,7 +218,7 @@ impl<E: ?Sized> Machine<E> {
         Ok(matrix)
     }
 
-    /// The shape of a list that each row (or column) found best: `pick(&b, &row_max)` has as many shapes as
+    /// Returns the shape of a list that each row (or column) found best: `pick(&b, &row_max)` has as many shapes as
     /// `a`, ready to be aligned with it.
     ///
     /// # Errors

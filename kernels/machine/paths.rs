@@ -15,21 +15,21 @@ pub enum PathSpans<'a> {
 }
 
 impl<'a> PathSpans<'a> {
-    /// The offsets of paths, or of one path that is all that is shared, between its ends.
+    /// Returns the offsets of paths, or of one path that is all that is shared, between its ends.
     pub(crate) const fn offsets(&self, ends: &'a [usize; 2]) -> &'a [usize] {
         match *self {
             PathSpans::Ragged(offsets) => offsets,
             PathSpans::Shared(..) => ends,
         }
     }
-    /// How many paths there are.
+    /// Returns how many paths there are.
     pub(crate) fn count(&self) -> usize {
         match *self {
             PathSpans::Ragged(offsets) => offsets.len().saturating_sub(1),
             PathSpans::Shared(paths, _) => paths,
         }
     }
-    /// The vertices of a path.
+    /// Returns the vertices of a path.
     pub(crate) fn of(&self, path: usize) -> Range<usize> {
         match *self {
             PathSpans::Ragged(offsets) => offsets[path]..offsets[path + 1],

@@ -43,7 +43,7 @@ impl<X> Pending<X> {
     pub(crate) fn later(download: impl Later<X> + 'static) -> Self {
         Pending(State::Later(Box::new(download)))
     }
-    /// The same download, with a function of its result.
+    /// Returns the same download, with a function of its result.
     pub(crate) fn map<Y: 'static>(
         self,
         with: impl Fn(X) -> Y + Send + Unpin + 'static,

@@ -129,8 +129,8 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         by_vertex: VertexBars<'_, T>,
     ) -> Result<(), Error>;
 
-    /// The shapes that no better one, kept itself, overlaps by more than the threshold; within groups if there are
-    /// offsets. Scores, rules and offsets were checked.
+    /// Returns the shapes that no better one, kept itself, overlaps by more than the threshold; within groups if there
+    /// are offsets. Scores, rules and offsets were checked.
     #[doc(hidden)]
     fn suppress(
         &self,
@@ -141,7 +141,7 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         rules: Rules<'_, T>,
     ) -> Result<Vec<usize>, Error>;
 
-    /// The shapes that rows or columns found best, in their order.
+    /// Returns the shapes that rows or columns found best, in their order.
     #[doc(hidden)]
     fn pick(&self, list: &Stored<T>, bests: &Bests<T>) -> Result<Stored<T>, Error>;
 }
@@ -164,7 +164,7 @@ pub(crate) fn try_then_check(
     note = "GPUs compute in `f32`: convert shapes with `cast`, or use `Cpu`"
 )]
 pub trait On<E: ?Sized>: Real {
-    /// The engine, in this number.
+    /// Returns the engine, in this number.
     #[doc(hidden)]
     fn engine(engine: &E) -> &dyn Engine<Self>;
 }

@@ -13,7 +13,7 @@ pub(crate) trait Downloads<X>: Send + Sync {
     /// Starts its download.
     #[doc(hidden)]
     fn started(&self) -> Result<Pending<X>, Error>;
-    /// The result itself, if it is in the memory of the program.
+    /// Returns the result itself, if it is in the memory of the program.
     #[doc(hidden)]
     fn taken(self: Box<Self>) -> Result<X, Error>;
     #[doc(hidden)]
@@ -66,7 +66,7 @@ macro_rules! handles {
             pub(crate) fn new(found: impl Downloads<$out> + 'static $(, $more: $type)?) -> Self {
                 $name { found: Box::new(found) $(, $more)? }
             }
-            /// The handle of a machine, if it is of that one.
+            /// Returns the handle of a machine, if it is of that one.
             #[allow(dead_code)]
             pub(crate) fn own<D: 'static>(&self) -> Result<&D, Error> {
                 self.found.any().downcast_ref().ok_or(FOREIGN)
@@ -118,7 +118,7 @@ pub(crate) trait Matrices<T: Real>: fmt::Debug + Send + Sync {
     fn update(&mut self, values: &[T]) -> Result<(), Error>;
     #[doc(hidden)]
     fn started(&self) -> Result<Pending<Vec<T>>, Error>;
-    /// A reduction, which was checked.
+    /// Returns a reduction, which was checked.
     #[doc(hidden)]
     fn reduce(&self, reduction: Reduction<T>) -> Result<Reduced<T>, Error>;
     #[doc(hidden)]
@@ -144,7 +144,7 @@ impl<T: Real> Clone for Matrix<T> {
 }
 
 impl<T: Real> Matrix<T> {
-    /// The matrix of a machine, if it is of that one.
+    /// Returns the matrix of a machine, if it is of that one.
     pub(crate) fn own<M: 'static>(&self) -> Result<&M, Error> {
         self.0.any().downcast_ref().ok_or(FOREIGN)
     }
@@ -152,12 +152,12 @@ impl<T: Real> Matrix<T> {
         self.0.any_mut().downcast_mut().ok_or(FOREIGN)
     }
 
-    /// The number of rows.
+    /// Returns the number of rows.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.0.size()[0]
     }
-    /// The number of columns.
+    /// Returns the number of columns.
     #[must_use]
     pub fn columns(&self) -> usize {
         self.0.size()[1]
@@ -197,7 +197,7 @@ impl<T: Real> Matrix<T> {
         self.0.update(values)
     }
 
-    /// A copy of the numbers on the same machine.
+    /// Returns a copy of the numbers on the same machine.
     ///
     /// # Errors
     ///
@@ -251,7 +251,7 @@ reductions! {
 }
 
 impl<T: Real> Matrix<T> {
-    /// The mean of all numbers; 0 without any.
+    /// Returns the mean of all numbers; 0 without any.
     ///
     /// # Errors
     ///

@@ -23,7 +23,7 @@ pub(crate) trait Stays<T>: fmt::Debug + Send + Sync {
     /// Numbers of a shape.
     #[doc(hidden)]
     fn fields(&self) -> usize;
-    /// The numbers, if they are in the memory of the program.
+    /// Returns the numbers, if they are in the memory of the program.
     #[doc(hidden)]
     fn here(&self) -> Option<&[T]>;
     /// Checks shapes, one after another.

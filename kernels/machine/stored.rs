@@ -26,17 +26,17 @@ impl<T: Real> Stored<T> {
     pub(crate) fn new(count: usize, columns: Vec<Box<dyn Stays<T>>>) -> Self {
         Stored { count, columns }
     }
-    /// The columns for a call.
+    /// Returns the columns for a call.
     pub(crate) fn columns(&self) -> impl Iterator<Item = Column<'_, T>> {
         let own = self.columns.iter();
         own.map(|own| Column::held(&**own, self.count))
     }
-    /// The columns of a machine, if all are of that one.
+    /// Returns the columns of a machine, if all are of that one.
     pub(crate) fn own<C: 'static>(&self) -> Result<Vec<&C>, Error> {
         let own = self.columns.iter().map(|own| own.any().downcast_ref());
         own.collect::<Option<_>>().ok_or(FOREIGN)
     }
-    /// The number of items.
+    /// Returns the number of items.
     #[must_use]
     pub fn len(&self) -> usize {
         self.count
@@ -52,7 +52,7 @@ impl<T: Real> Stored<T> {
             None => Ok(Pending::ready(Vec::new())),
         }
     }
-    /// The numbers of the items: those of the first shape of every item, item by item, then those of the
+    /// Returns the numbers of the items: those of the first shape of every item, item by item, then those of the
     /// second.
     ///
     /// # Errors
@@ -61,7 +61,7 @@ impl<T: Real> Stored<T> {
     pub fn numbers(&self) -> Result<Vec<Vec<T>>, Error> {
         self.started()?.wait()
     }
-    /// The first columns, as many as are asked for, and the others.
+    /// Returns the first columns, as many as are asked for, and the others.
     pub(super) fn cut(self, first: usize) -> [Self; 2] {
         let (count, mut columns) = (self.count, self.columns);
         let others = columns.split_off(first.min(columns.len()));

@@ -6,7 +6,7 @@ use crate::suppression::{Pair, Rules, check_rules};
 use crate::{Error, Real};
 
 impl<T> From<Found<T>> for Pair<T> {
-    /// The same pair.
+    /// Returns the same pair.
     fn from(found: Found<T>) -> Self {
         Pair {
             first: found.row,
@@ -69,11 +69,11 @@ impl<T: Real> Ranked<T> {
             order,
         }
     }
-    /// The shapes as both lists of all pairs.
+    /// Returns the shapes as both lists of all pairs.
     pub fn lists(&self) -> [Column<'_, T>; 2] {
         [(); 2].map(|()| Column::lent(&self.numbers, self.fields, Some(self.order.len())))
     }
-    /// The rules of suppression, with the classes of the ranked shapes.
+    /// Returns the rules of suppression, with the classes of the ranked shapes.
     pub fn greed(&self, rules: &Rules<'_, T>) -> Greed<'_, T> {
         Greed {
             threshold: rules.overlap,

@@ -30,17 +30,17 @@ impl<P: Results> Table<P> {
             result: PhantomData,
         })
     }
-    /// The number of rows: shapes of the first list.
+    /// Returns the number of rows: shapes of the first list.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.rows
     }
-    /// The number of columns: shapes of the second list.
+    /// Returns the number of columns: shapes of the second list.
     #[must_use]
     pub fn columns(&self) -> usize {
         self.columns
     }
-    /// The first number of every result, row by row; of results of one number that is the whole matrix.
+    /// Returns the first number of every result, row by row; of results of one number that is the whole matrix.
     #[must_use]
     pub fn values(&self) -> &[P::Scalar] {
         self.plane(0)
@@ -53,17 +53,17 @@ impl<P: Results> Table<P> {
             .get(k * size..(k + 1) * size)
             .unwrap_or_default()
     }
-    /// All numbers, plane by plane: a plane has number `k` of every result, row by row.
+    /// Returns all numbers, plane by plane: a plane has number `k` of every result, row by row.
     #[must_use]
     pub fn planes(&self) -> &[P::Scalar] {
         &self.planes
     }
-    /// All numbers, to be written.
+    /// Returns all numbers, to be written.
     #[must_use]
     pub fn planes_mut(&mut self) -> &mut [P::Scalar] {
         &mut self.planes
     }
-    /// All numbers: plane after plane; of results of one number the matrix, row by row.
+    /// Returns all numbers: plane after plane; of results of one number the matrix, row by row.
     #[must_use]
     pub fn into_planes(self) -> Vec<P::Scalar> {
         self.planes
@@ -71,7 +71,7 @@ impl<P: Results> Table<P> {
 }
 
 impl<P: Item> Table<P> {
-    /// The result of a row with a column.
+    /// Returns the result of a row with a column.
     ///
     /// # Panics
     ///

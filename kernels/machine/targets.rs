@@ -8,7 +8,7 @@ pub trait Targets<R: Results> {
     /// The targets, one per shape of a result.
     #[doc(hidden)]
     fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>));
-    /// The array on the machine, if the results go there.
+    /// Returns the array on the machine, if the results go there.
     #[doc(hidden)]
     fn held(&mut self) -> Option<&mut Stored<R::Scalar>> {
         None

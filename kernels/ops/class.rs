@@ -48,7 +48,7 @@ impl Class {
             ..self.isometric()
         }
     }
-    /// The result moves along, as the points, lengths and angles that it is made of do.
+    /// Returns the result moves along, as the points, lengths and angles that it is made of do.
     pub const fn follows(self) -> Self {
         Class {
             shifts: Some(Effect::Follows),
@@ -57,28 +57,28 @@ impl Class {
             ..self
         }
     }
-    /// The axes of the world count: nothing is said of turns.
+    /// Returns the axes of the world count: nothing is said of turns.
     pub const fn along_axes(self) -> Self {
         Class {
             turns: None,
             ..self
         }
     }
-    /// The origin counts: nothing is said of shifts.
+    /// Returns the origin counts: nothing is said of shifts.
     pub const fn about_origin(self) -> Self {
         Class {
             shifts: None,
             ..self
         }
     }
-    /// Two arguments of one kind may be exchanged.
+    /// Returns two arguments of one kind may be exchanged.
     pub const fn symmetric(self) -> Self {
         Class {
             exchange: Some(Effect::Stays),
             ..self
         }
     }
-    /// The invariances of this class for the motions that all of these arguments have.
+    /// Returns the invariances of this class for the motions that all of these arguments have.
     pub const fn invariances(self, arguments: &[Noun]) -> Invariances {
         let (mut moves, mut i) = (Moves::WITH_ALL, 0);
         while i < arguments.len() {

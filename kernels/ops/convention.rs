@@ -11,7 +11,7 @@ use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Convert, Corners, FlipY};
 use crate::{Obb2, Obb3, Pack, Scalar, YawBox3};
 
-/// The same shape, its zeros without sign, as all results have them.
+/// Returns the same shape, its zeros without sign, as all results have them.
 #[inline]
 fn unsigned<S: Scalar, P: Pack<Scalar = S>>(mut shape: P) -> P {
     shape.each(&mut |x| *x = x.canonical());

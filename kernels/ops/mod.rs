@@ -15,7 +15,7 @@ macro_rules! families {
             $($family::each(walk);)*
         }
 
-        /// The names of all rows, in the same order.
+        /// Returns the names of all rows, in the same order.
         pub fn written() -> impl Iterator<Item = &'static walk::Written> {
             let families = [$($family::NAMES),*].into_iter().flatten();
             families.flat_map(|rows| rows.iter())

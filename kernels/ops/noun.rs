@@ -53,7 +53,7 @@ impl Moves {
     /// Axis-aligned shapes of space.
     const SPACE_ALIGNED: Moves = Moves::new([true; 3], [false; 3]);
 
-    /// The motions of both.
+    /// Returns the motions of both.
     pub const fn and(self, other: Moves) -> Self {
         let (mut both, mut i) = (self, 0);
         while i < 3 {
@@ -148,7 +148,7 @@ pub(crate) const fn same(a: &str, b: &str) -> bool {
     alike
 }
 
-/// The names of two arguments: what they are, or `a` and `b` of two of one kind.
+/// Returns the names of two arguments: what they are, or `a` and `b` of two of one kind.
 pub(crate) const fn named(a: &'static str, b: &'static str) -> [&'static str; 2] {
     match same(a, b) {
         true => ["a", "b"],
@@ -156,8 +156,8 @@ pub(crate) const fn named(a: &'static str, b: &'static str) -> [&'static str; 2]
     }
 }
 
-/// The parts of a documentation: the title, its `{}` the arguments (but for parameters after the first two), and the
-/// sentence of the row alone.
+/// Returns the parts of a documentation: the title, its `{}` the arguments (but for parameters after the first two),
+/// and the sentence of the row alone.
 pub(crate) const fn sentences(
     title: &'static str,
     own: &'static str,
@@ -183,7 +183,7 @@ pub(crate) const fn sentences(
     }
 }
 
-/// The length of all parts.
+/// Returns the length of all parts.
 pub(crate) const fn length(parts: &[&str]) -> usize {
     let (mut sum, mut i) = (0, 0);
     while i < parts.len() {
@@ -193,7 +193,7 @@ pub(crate) const fn length(parts: &[&str]) -> usize {
     sum
 }
 
-/// The bytes of all parts, one after the other.
+/// Returns the bytes of all parts, one after the other.
 pub(crate) const fn joined<const N: usize>(parts: &[&str]) -> [u8; N] {
     let (mut bytes, mut at, mut i) = ([0; N], 0, 0);
     while i < parts.len() {

@@ -31,7 +31,7 @@ fn birds_eye_vjp<S: Scalar>(
 /// was off by 0.7 roundings.
 const CANCELLED: f64 = 1.0 / 32.0;
 
-/// The same in the unit of volume.
+/// Returns the same in the unit of volume.
 fn lost(a: impl Into<Obb3<f64>>, b: impl Into<Obb3<f64>>) -> f64 {
     let (a, b): (Obb3<f64>, Obb3<f64>) = (a.into(), b.into());
     let small = if a.volume() < b.volume() { a } else { b };
@@ -39,7 +39,7 @@ fn lost(a: impl Into<Obb3<f64>>, b: impl Into<Obb3<f64>>) -> f64 {
     CANCELLED * small.surface() * size.x.max(size.y).max(size.z)
 }
 
-/// The same as a share of a volume.
+/// Returns the same as a share of a volume.
 fn lost_of(whole: f64, lost: f64) -> f64 {
     if whole > 0.0 { lost / whole } else { 0.0 }
 }

@@ -168,7 +168,7 @@ macro_rules! folds {
             const BY: $By = $By;
         }
         impl $Verb {
-            /// The operation over the edges of a path, for [`Cpu::fold`](crate::kernels::Cpu::fold).
+            /// Returns the operation over the edges of a path, for [`Cpu::fold`](crate::kernels::Cpu::fold).
             #[must_use]
             pub const fn $method(self) -> $By {
                 $By

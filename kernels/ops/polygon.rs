@@ -12,7 +12,7 @@ use crate::kernels::verbs::{
 use crate::overlap_polygon::{intersection_area_polygons, iof_polygons, iou_polygons};
 use crate::{ConvexPolygon, Scalar, Vec2};
 
-/// The vertices of the joint hull of two polygons. With too little room it does not compile.
+/// Returns the vertices of the joint hull of two polygons. With too little room it does not compile.
 fn joint_hull<S: Scalar<Mask = bool>, const N: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, N>,

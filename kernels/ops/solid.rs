@@ -3,8 +3,8 @@ use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Centroid, Inertia, Surface, Volume};
 use crate::{Capsule3, Cone, Cylinder, Obb3, RoundBox3, Sphere, Symmetric3, Tetrahedron, Vec3};
 
-/// How many roundings of its own moments a turned tensor may be off: products by the axes of the world cancel, to none
-/// where two moments are equal.
+/// Returns how many roundings of its own moments a turned tensor may be off: products by the axes of the world cancel,
+/// to none where two moments are equal.
 fn turned(inertia: Symmetric3<f64>) -> f64 {
     4.0 * inertia.xx.max(inertia.yy).max(inertia.zz)
 }

@@ -39,7 +39,7 @@ pub enum Bound {
     Whole,
 }
 
-/// The bounds of every number of a shape, as far as its refusals tell.
+/// Returns the bounds of every number of a shape, as far as its refusals tell.
 pub(crate) fn bounds<T: Real>(leaf: &Leaf<T>, kinds: &[Kind]) -> Vec<Bound> {
     let mut bounds = vec![Bound::Any; leaf.fields];
     for rule in rules_of(leaf, kinds, false) {
@@ -57,7 +57,7 @@ pub(crate) fn bounds<T: Real>(leaf: &Leaf<T>, kinds: &[Kind]) -> Vec<Bound> {
     bounds
 }
 
-/// The rules of a shape with numbers of these kinds, as far as its refusals tell; none of a shape with codes.
+/// Returns the rules of a shape with numbers of these kinds, as far as its refusals tell; none of a shape with codes.
 pub(crate) fn rules_of<T: Real>(leaf: &Leaf<T>, kinds: &[Kind], is_convex: bool) -> Vec<Rule> {
     let (n, mut rules) = (leaf.fields, Vec::new());
     if leaf.codes > 0 {

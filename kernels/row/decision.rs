@@ -14,8 +14,8 @@ pub trait Search: Declares {
     type Out<S: Scalar>: Fixed<Scalar = S>;
     /// The decisions. Items of the same record are replayed alike: a GPU gets every replay once.
     type Record: Copy + Eq + Hash + Send + Sync + 'static;
-    /// The search.
+    /// Returns the search.
     fn decide<S: Scalar<Mask = bool>>(input: Self::In<S>) -> Self::Record;
-    /// The result, given the decisions.
+    /// Returns the result, given the decisions.
     fn replay<S: Scalar>(input: Self::In<S>, record: Self::Record) -> Self::Out<S>;
 }

@@ -29,7 +29,7 @@ impl Mode {
             Mode::Vjp => takes.to_vec(),
         }
     }
-    /// How many numbers its program gives before those, for results of so many numbers.
+    /// Returns how many numbers its program gives before those, for results of so many numbers.
     pub(crate) fn skipped(self, outputs: &[usize]) -> usize {
         match self {
             Mode::Value | Mode::ValueGrad | Mode::Jacobian => 0,
@@ -65,7 +65,7 @@ pub(crate) trait Replays<T>: Send + Sync {
     ///
     /// The errors of recording it.
     fn decide(&self, numbers: &[T], taken: &mut Vec<T>) -> Result<Arc<Recorded>, Error>;
-    /// How many numbers a replay takes, and how many it gives.
+    /// Returns how many numbers a replay takes, and how many it gives.
     fn sizes(&self) -> [usize; 2];
     /// Makes a row of results of what a replay gave for an item.
     fn put(&self, numbers: &[T], found: &[T], row: &mut [T]);

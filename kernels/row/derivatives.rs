@@ -10,12 +10,12 @@ pub struct ValueGrad<O>(pub(crate) O);
 pub struct Vjp<O>(pub(crate) O);
 
 impl<O> ValueGrad<O> {
-    /// The same as [`Op::value_grad`](crate::kernels::Op::value_grad), for code that is generic over what runs.
+    /// Returns the same as [`Op::value_grad`](crate::kernels::Op::value_grad), for code that is generic over what runs.
     #[must_use]
     pub const fn of(function: O) -> Self {
         ValueGrad(function)
     }
-    /// The value, the gradient, and the Jacobian of both: the gradient again, and the Hessian.
+    /// Returns the value, the gradient, and the Jacobian of both: the gradient again, and the Hessian.
     ///
     /// ```
     /// use geograd::kernels::Cpu;
@@ -35,32 +35,32 @@ impl<O> ValueGrad<O> {
     pub const fn jacobian(self) -> Jacobian<Self> {
         Jacobian(self)
     }
-    /// The adjoint of the value with its gradient: cotangents of a value of 0 and of a gradient that is a direction give
-    /// the Hessian times that direction.
+    /// Returns the adjoint of the value with its gradient: cotangents of a value of 0 and of a gradient that is a
+    /// direction give the Hessian times that direction.
     #[must_use]
     pub const fn vjp(self) -> Vjp<Self> {
         Vjp(self)
     }
 }
 impl<O> Jacobian<O> {
-    /// The same as [`Op::jacobian`](crate::kernels::Op::jacobian), for code that is generic over what runs.
+    /// Returns the same as [`Op::jacobian`](crate::kernels::Op::jacobian), for code that is generic over what runs.
     #[must_use]
     pub const fn of(function: O) -> Self {
         Jacobian(function)
     }
 }
 impl<O> Vjp<O> {
-    /// The same as [`Op::vjp`](crate::kernels::Op::vjp), for code that is generic over what runs.
+    /// Returns the same as [`Op::vjp`](crate::kernels::Op::vjp), for code that is generic over what runs.
     #[must_use]
     pub const fn of(function: O) -> Self {
         Vjp(function)
     }
-    /// The adjoint of the adjoint: second derivatives of functions of any result.
+    /// Returns the adjoint of the adjoint: second derivatives of functions of any result.
     #[must_use]
     pub const fn vjp(self) -> Vjp<Self> {
         Vjp(self)
     }
-    /// The cotangents of the arguments with their Jacobian by arguments and cotangents.
+    /// Returns the cotangents of the arguments with their Jacobian by arguments and cotangents.
     #[must_use]
     pub const fn jacobian(self) -> Jacobian<Self> {
         Jacobian(self)
@@ -84,12 +84,12 @@ macro_rules! derivatives {
             pub const fn of(function: O) -> Self {
                 $Name(function)
             }
-            /// The adjoint: takes arguments, directions and a cotangent of the result.
+            /// Returns the adjoint: takes arguments, directions and a cotangent of the result.
             #[must_use]
             pub const fn vjp(self) -> Vjp<Self> {
                 Vjp::of(self)
             }
-            /// The function with its Jacobian by arguments and directions.
+            /// Returns the function with its Jacobian by arguments and directions.
             #[must_use]
             pub const fn jacobian(self) -> Jacobian<Self> {
                 Jacobian::of(self)
@@ -102,7 +102,7 @@ derivatives! {
     Hvp: "The same as [`Op::hvp`](crate::kernels::Op::hvp), for code that is generic over what runs."
 }
 impl<O> ValueGrad<O> {
-    /// The Hessian times a direction; see [`Op::hvp`](crate::kernels::Op::hvp).
+    /// Returns the Hessian times a direction; see [`Op::hvp`](crate::kernels::Op::hvp).
     #[must_use]
     pub fn hvp(self) -> Hvp<O> {
         Hvp(self.0)

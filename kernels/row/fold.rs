@@ -71,12 +71,12 @@ pub trait Fold: Declares {
     /// place of its edges, and see the path as points of the plane.
     #[doc(hidden)]
     const MEASURE: Option<Measure> = None;
-    /// The path as points of the plane, for a fold with a winding number or a measure of rings.
+    /// Returns the path as points of the plane, for a fold with a winding number or a measure of rings.
     #[doc(hidden)]
     fn in_plane<S: Scalar>(_path: &[Self::Element<S>]) -> &[Vec2<S>] {
         &[]
     }
-    /// The same for cotangents, of a measure of rings.
+    /// Returns the same for cotangents, of a measure of rings.
     #[doc(hidden)]
     fn in_plane_mut<S: Scalar>(_path: &mut [Self::Element<S>]) -> &mut [Vec2<S>] {
         &mut []
@@ -92,24 +92,25 @@ pub trait Fold: Declares {
     type State<S: Scalar>: Fixed<Scalar = S>;
     /// The result.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// The local origin or unit of a path, which may be empty. It counts as a constant in derivatives, so the result must
-    /// not depend on it but for rounding.
+    /// Returns the local origin or unit of a path, which may be empty. It counts as a constant in derivatives, so the
+    /// result must not depend on it but for rounding.
     fn reference<S: Scalar>(
         context: Self::Context<S>,
         path: &[Self::Element<S>],
     ) -> Self::Reference<S>;
-    /// The state of no edge: `join` with it changes nothing.
+    /// Returns the state of no edge: `join` with it changes nothing.
     fn empty<S: Scalar>() -> Self::State<S>;
-    /// The state of one edge.
+    /// Returns the state of one edge.
     fn edge<S: Scalar>(
         context: Self::Context<S>,
         reference: Self::Reference<S>,
         from: Self::Element<S>,
         to: Self::Element<S>,
     ) -> Self::State<S>;
-    /// The state of two stretches, `one` before `other`. Associative but for rounding; it need not be commutative.
+    /// Returns the state of two stretches, `one` before `other`. Associative but for rounding; it need not be
+    /// commutative.
     fn join<S: Scalar>(one: Self::State<S>, other: Self::State<S>) -> Self::State<S>;
-    /// The result.
+    /// Returns the result.
     fn finish<S: Scalar>(
         context: Self::Context<S>,
         reference: Self::Reference<S>,
@@ -133,7 +134,7 @@ pub enum Polyline3 {}
 #[derive(Clone, Copy, Debug)]
 pub enum Cloud3 {}
 
-/// The result of a fold for one path.
+/// Returns the result of a fold for one path.
 ///
 /// ```
 /// use geograd::kernels::fold::{Ring, fold};
@@ -169,7 +170,7 @@ pub fn edge_by_edge<F: Fold, S: Scalar>(
     F::finish(context, reference, state)
 }
 
-/// How many edges so many vertices have.
+/// Returns how many edges so many vertices have.
 pub(crate) fn edges<F: Fold>(vertices: usize) -> usize {
     if F::CLOSED {
         vertices
@@ -178,7 +179,7 @@ pub(crate) fn edges<F: Fold>(vertices: usize) -> usize {
     }
 }
 
-/// The numbers of the cotangents of a path's vertices by hand, if the fold has them.
+/// Returns the numbers of the cotangents of a path's vertices by hand, if the fold has them.
 #[doc(hidden)]
 pub fn by_hand<F: Fold, S: Scalar>(path: &[F::Element<S>], out_bar: F::Out<S>) -> Option<Vec<S>> {
     let measure = F::MEASURE?;

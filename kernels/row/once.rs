@@ -43,7 +43,7 @@ impl<K> Default for Once<K> {
 }
 
 impl<K: Eq + Hash> Once<K> {
-    /// The thing of a key, made on first use. A key stands for one type.
+    /// Returns the thing of a key, made on first use. A key stands for one type.
     pub(crate) fn made<X: Send + Sync + 'static>(
         &self,
         key: K,
@@ -73,14 +73,14 @@ pub(crate) type Kept = Once<Key>;
 /// Recordings and programs of all functions, by the type of the function and that of what is kept.
 static KNOWN: LazyLock<Once<(TypeId, TypeId)>> = LazyLock::new(Once::default);
 
-/// The recording of a function, which is made once per type and format.
+/// Returns the recording of a function, which is made once per type and format.
 pub(crate) fn known<F: 'static, X: Send + Sync + 'static>(
     make: impl Fn() -> Result<X, Error>,
 ) -> Result<Arc<X>, Error> {
     known_by(TypeId::of::<F>(), &make)
 }
 
-/// The same by the type of the function.
+/// Returns the same by the type of the function.
 pub(crate) fn known_by<X: Send + Sync + 'static>(
     function: TypeId,
     make: &dyn Fn() -> Result<X, Error>,

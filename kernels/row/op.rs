@@ -55,9 +55,9 @@ pub trait Op: Declares {
     type In<S: Scalar>: Fixed<Scalar = S>;
     /// The result, made of the same scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// The function.
+    /// Returns the function.
     fn eval<S: Scalar>(input: Self::In<S>) -> Self::Out<S>;
-    /// The result and the gradient of `out_bar · result` with respect to the input, by hand; `None` if they are
+    /// Returns the result and the gradient of `out_bar · result` with respect to the input, by hand; `None` if they are
     /// recorded.
     #[inline(always)]
     fn adjoint<S: Scalar>(
@@ -71,8 +71,8 @@ pub trait Op: Declares {
     fn compiled() -> Option<Compiled> {
         None
     }
-    /// The function as a [`Program`], to print, count, differentiate further, or run on a GPU. It includes an adjoint
-    /// by hand of a lone number.
+    /// Returns the function as a [`Program`], to print, count, differentiate further, or run on a GPU. It includes an
+    /// adjoint by hand of a lone number.
     ///
     /// ```
     /// use geograd::kernels::{Iou, Op};
@@ -95,13 +95,13 @@ pub trait Op: Declares {
         let value_grad = program_of::<Self, T>(Mode::ValueGrad)?;
         Ok(Program::of(value.with_gradient_after_result(&value_grad)))
     }
-    /// The operation that returns the result and its gradient; the result is one number.
+    /// Returns the operation that returns the result and its gradient; the result is one number.
     fn value_grad(self) -> ValueGrad<Self> {
         ValueGrad(self)
     }
-    /// The operation whose result is the result with its Jacobian: the result's shape with its gradient, a shape like
-    /// the input, in the place of every number, as of [`ad::jacobian`](crate::ad::jacobian). Aligned batches run it,
-    /// on a GPU where the operation is recorded.
+    /// Returns the operation whose result is the result with its Jacobian: the result's shape with its gradient, a
+    /// shape like the input, in the place of every number, as of [`ad::jacobian`](crate::ad::jacobian). Aligned batches
+    /// run it, on a GPU where the operation is recorded.
     ///
     /// ```
     /// use geograd::kernels::{ClosestPoints, Cpu, Op};
@@ -116,14 +116,14 @@ pub trait Op: Declares {
     fn jacobian(self) -> Jacobian<Self> {
         Jacobian(self)
     }
-    /// The adjoint: the operation that takes the input and a cotangent of the result, and returns the cotangent of the
-    /// input.
+    /// Returns the adjoint: the operation that takes the input and a cotangent of the result, and returns the cotangent
+    /// of the input.
     fn vjp(self) -> Vjp<Self> {
         Vjp(self)
     }
-    /// The operation with its derivative along a direction: takes the input and then a direction of it, and returns the
-    /// result and its derivative. A direction is a list of numbers in the shape of the input; one of boxes need not be a
-    /// box.
+    /// Returns the operation with its derivative along a direction: takes the input and then a direction of it, and
+    /// returns the result and its derivative. A direction is a list of numbers in the shape of the input; one of boxes
+    /// need not be a box.
     ///
     /// ```
     /// use geograd::kernels::Cpu;
@@ -138,8 +138,8 @@ pub trait Op: Declares {
     fn jvp(self) -> Jvp<Self> {
         Jvp::of(self)
     }
-    /// The Hessian times a direction: takes the input and then a direction of it, and returns the derivative of the
-    /// gradient along it. The result of the operation is one number.
+    /// Returns the Hessian times a direction: takes the input and then a direction of it, and returns the derivative of
+    /// the gradient along it. The result of the operation is one number.
     ///
     /// ```
     /// use geograd::kernels::Cpu;
@@ -154,13 +154,13 @@ pub trait Op: Declares {
     fn hvp(self) -> Hvp<Self> {
         Hvp::of(self)
     }
-    /// The operation with its gradient and Hessian: [`value_grad`](Op::value_grad) with its Jacobian.
+    /// Returns the operation with its gradient and Hessian: [`value_grad`](Op::value_grad) with its Jacobian.
     fn hessian(self) -> Jacobian<ValueGrad<Self>> {
         ValueGrad(self).jacobian()
     }
 }
 
-/// The straight line of an operation.
+/// Returns the straight line of an operation.
 pub(crate) const fn line_of<O: Op, T: Real>() -> Line<T> {
     Line {
         id: TypeId::of::<O>,
@@ -177,7 +177,7 @@ pub(crate) const fn line_of<O: Op, T: Real>() -> Line<T> {
     }
 }
 
-/// The result.
+/// Returns the result.
 fn eval<O: Op, T: Real>(input: &[Sym<T>]) -> Vec<Sym<T>> {
     O::eval(O::In::<Sym<T>>::load(input)).scalars()
 }
@@ -185,8 +185,8 @@ fn nothing<T>(_input: &[Sym<T>], _out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
     Vec::new()
 }
 
-/// The result and the derivatives by hand. Without them they are NaN: the program fails to be finite, which nothing
-/// then hides.
+/// Returns the result and the derivatives by hand. Without them they are NaN: the program fails to be finite, which
+/// nothing then hides.
 fn adjoint<O: Op, T: Real>(input: &[Sym<T>], out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
     let out_bar = O::Out::<Sym<T>>::load(out_bar);
     match O::adjoint(O::In::<Sym<T>>::load(input), out_bar) {
@@ -195,7 +195,7 @@ fn adjoint<O: Op, T: Real>(input: &[Sym<T>], out_bar: &[Sym<T>]) -> Vec<Sym<T>> 
     }
 }
 
-/// The program of a mode of an operation.
+/// Returns the program of a mode of an operation.
 pub(crate) fn program_of<O: Op, T: Real>(mode: Mode) -> Result<Arc<Recorded>, Error> {
     const { &line_of::<O, T>() }.program(mode)
 }

@@ -320,37 +320,37 @@ macro_rules! __derivatives {
     ($Name:ident) => {
         #[allow(dead_code)]
         impl $Name {
-            /// The function with its gradient: batches return the result, one number, and the gradient by every
+            /// Returns the function with its gradient: batches return the result, one number, and the gradient by every
             /// argument.
             #[must_use]
             pub const fn value_grad(self) -> $crate::kernels::op::ValueGrad<Self> {
                 $crate::kernels::op::ValueGrad::of(self)
             }
-            /// The function with its Jacobian: aligned batches return the result, and in its shape the gradient of
-            /// every number.
+            /// Returns the function with its Jacobian: aligned batches return the result, and in its shape the gradient
+            /// of every number.
             #[must_use]
             pub const fn jacobian(self) -> $crate::kernels::op::Jacobian<Self> {
                 $crate::kernels::op::Jacobian::of(self)
             }
-            /// The adjoint: batches take the arguments and a cotangent of the result, and return the cotangents of the
-            /// arguments.
+            /// Returns the adjoint: batches take the arguments and a cotangent of the result, and return the cotangents
+            /// of the arguments.
             #[must_use]
             pub const fn vjp(self) -> $crate::kernels::op::Vjp<Self> {
                 $crate::kernels::op::Vjp::of(self)
             }
-            /// The function with its derivative along a direction: batches take the arguments and then as many directions, and
-            /// return the result and its derivative.
+            /// Returns the function with its derivative along a direction: batches take the arguments and then as many
+            /// directions, and return the result and its derivative.
             #[must_use]
             pub const fn jvp(self) -> $crate::kernels::op::Jvp<Self> {
                 $crate::kernels::op::Jvp::of(self)
             }
-            /// The Hessian times a direction: batches take the arguments and then as many directions, and return the derivative
-            /// of the gradient along them. The result is one number.
+            /// Returns the Hessian times a direction: batches take the arguments and then as many directions, and
+            /// return the derivative of the gradient along them. The result is one number.
             #[must_use]
             pub const fn hvp(self) -> $crate::kernels::op::Hvp<Self> {
                 $crate::kernels::op::Hvp::of(self)
             }
-            /// The function with its gradient and Hessian: [`value_grad`](Self::value_grad) with its Jacobian.
+            /// Returns the function with its gradient and Hessian: [`value_grad`](Self::value_grad) with its Jacobian.
             #[must_use]
             pub const fn hessian(
                 self,

@@ -30,7 +30,7 @@ pub(crate) struct Line<T: 'static> {
     pub(crate) adjoint: fn(&[Sym<T>], &[Sym<T>]) -> Vec<Sym<T>>,
 }
 
-/// The program of a mode, by reverse accumulation; that of `Vjp` gives the result first.
+/// Returns the program of a mode, by reverse accumulation; that of `Vjp` gives the result first.
 pub(crate) fn by_reverse(value: &Recorded, mode: Mode) -> Recorded {
     match mode {
         Mode::Value => value.clone(),
@@ -44,7 +44,7 @@ pub(crate) fn by_reverse(value: &Recorded, mode: Mode) -> Recorded {
 struct Programs<T>(Kept, PhantomData<fn() -> T>);
 
 impl<T: Real> Line<T> {
-    /// The program of a mode, by the source that the row says.
+    /// Returns the program of a mode, by the source that the row says.
     pub(crate) fn program(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
         if self.codes > 0 {
             return Err(Error::Program(Unrecordable::Codes));

@@ -73,12 +73,13 @@ pub const fn function<F: Copy, N>(function: F) -> OwnFunction<F, N> {
 }
 
 impl<F: Copy, N> OwnFunction<F, N> {
-    /// The function with its gradient; the result is one number.
+    /// Returns the function with its gradient; the result is one number.
     #[must_use]
     pub const fn value_grad(self) -> ValueGrad<Self> {
         ValueGrad::of(self)
     }
-    /// The function with its Jacobian: aligned batches return the result, and in its shape the gradient of every number.
+    /// Returns the function with its Jacobian: aligned batches return the result, and in its shape the gradient of
+    /// every number.
     ///
     /// ```
     /// use geograd::kernels::function;
@@ -95,29 +96,29 @@ impl<F: Copy, N> OwnFunction<F, N> {
     pub const fn jacobian(self) -> Jacobian<Self> {
         Jacobian::of(self)
     }
-    /// The adjoint: takes the arguments and a cotangent of the result, returns the cotangents of the arguments.
+    /// Returns the adjoint: takes the arguments and a cotangent of the result, returns the cotangents of the arguments.
     #[must_use]
     pub const fn vjp(self) -> Vjp<Self> {
         Vjp::of(self)
     }
-    /// The function with its derivative along a direction: batches take the arguments and then as many directions, and
-    /// return the result and its derivative.
+    /// Returns the function with its derivative along a direction: batches take the arguments and then as many
+    /// directions, and return the result and its derivative.
     #[must_use]
     pub const fn jvp(self) -> Jvp<Self> {
         Jvp::of(self)
     }
-    /// The Hessian times a direction: batches take the arguments and then as many directions, and return the derivative
-    /// of the gradient along them. The result is one number.
+    /// Returns the Hessian times a direction: batches take the arguments and then as many directions, and return the
+    /// derivative of the gradient along them. The result is one number.
     #[must_use]
     pub const fn hvp(self) -> Hvp<Self> {
         Hvp::of(self)
     }
-    /// The function with its gradient and Hessian: [`value_grad`](Self::value_grad) with its Jacobian.
+    /// Returns the function with its gradient and Hessian: [`value_grad`](Self::value_grad) with its Jacobian.
     #[must_use]
     pub const fn hessian(self) -> Jacobian<ValueGrad<Self>> {
         ValueGrad::of(self).jacobian()
     }
-    /// The function as a [`Program`], to print, count or differentiate further.
+    /// Returns the function as a [`Program`], to print, count or differentiate further.
     ///
     /// ```
     /// use geograd::kernels::function;
@@ -210,7 +211,7 @@ where
     }
 }
 
-/// The recording of a function, the same one at every call.
+/// Returns the recording of a function, the same one at every call.
 fn recording<In: Item<Scalar: Real>, F: Traced<In>>(
     function: F,
 ) -> Result<Arc<Recording<In::Scalar>>, Error> {

@@ -162,7 +162,8 @@ impl<To> Clone for Convert<To> {
 }
 impl<To> Copy for Convert<To> {}
 impl<To> Convert<To> {
-    /// The adjoint: batches take the shape and a cotangent of the result, and return the cotangent of the shape.
+    /// Returns the adjoint: batches take the shape and a cotangent of the result, and return the cotangent of the
+    /// shape.
     #[must_use]
     pub const fn vjp(self) -> crate::kernels::row::op::Vjp<Self> {
         crate::kernels::row::op::Vjp::of(self)

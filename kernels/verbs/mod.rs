@@ -147,7 +147,8 @@ macro_rules! verb {
 
         $crate::__derivatives!($Verb);
         impl $Verb {
-            /// The operation for the shapes `In`, `(A<f64>, B<f64>)` or a lone one: for the harness and programs.
+            /// Returns the operation for the shapes `In`, `(A<f64>, B<f64>)` or a lone one: for the harness and
+            /// programs.
             #[must_use]
             pub const fn row<In: $crate::Fixed>(self) -> <Self as $crate::kernels::verbs::Takes<In>>::By
             where

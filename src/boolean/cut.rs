@@ -72,7 +72,7 @@ fn is_level([a, b]: [Point; 2]) -> bool {
     a.x == b.x || a.y == b.y
 }
 
-/// The direction of an edge without its sign, from 0 to 2 in half a turn and growing with the angle.
+/// Returns the direction of an edge without its sign, from 0 to 2 in half a turn and growing with the angle.
 fn direction([a, b]: [Point; 2]) -> f64 {
     let (x, y) = ((b.x - a.x) as f64, (b.y - a.y) as f64);
     let (x, y) = if y < 0.0 { (-x, -y) } else { (x, y) };
@@ -352,7 +352,7 @@ fn square_distance(a: Point, b: Point) -> u128 {
     x * x + y * y
 }
 
-/// The crossing of two lines that are not parallel, rounded: to the nearest step, and towards the start of the
+/// Returns the crossing of two lines that are not parallel, rounded: to the nearest step, and towards the start of the
 /// first where that one is parallel to an axis.
 fn meeting(p: [Point; 2], q: [Point; 2]) -> Point {
     let start = p[0];

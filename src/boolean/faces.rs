@@ -15,18 +15,19 @@ pub(super) struct Piece {
 /// A ring by the numbers of its pieces.
 pub(super) type Ring = Vec<usize>;
 
-/// Twice the area of a triangle, positive when its corners run counter-clockwise. Coordinates have up to 54 bits.
+/// Returns twice the area of a triangle, positive when its corners run counter-clockwise. Coordinates have up to 54
+/// bits.
 fn turn(a: Point, b: Point, c: Point) -> i128 {
     let [ux, uy, vx, vy] = [b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y].map(i128::from);
     ux * vy - uy * vx
 }
 
-/// `true` if three places of a ring are in line.
+/// Returns `true` if three places of a ring are in line.
 pub(super) fn is_straight(a: Point, b: Point, c: Point) -> bool {
     turn(a, b, c) == 0
 }
 
-/// The parts of what pieces bound, each as its outer ring, counter-clockwise, and its holes.
+/// Returns the parts of what pieces bound, each as its outer ring, counter-clockwise, and its holes.
 pub(super) fn parts(mut pieces: Vec<Piece>) -> Vec<Vec<Ring>> {
     pieces.sort_unstable();
     // Pieces on each other: as often as one runs one way, one the other way takes it back.
@@ -89,13 +90,13 @@ struct Border {
 }
 
 impl Border {
-    /// The pieces that begin at a place.
+    /// Returns the pieces that begin at a place.
     fn leaving(&self, at: Point) -> std::ops::Range<usize> {
         let first = self.pieces.partition_point(|piece| piece.from < at);
         let last = self.pieces.partition_point(|piece| piece.from <= at);
         first..last
     }
-    /// The piece after one: the first in clockwise order from it, so that the inside stays on the left.
+    /// Returns the piece after one: the first in clockwise order from it, so that the inside stays on the left.
     fn next(&self, k: usize) -> Option<usize> {
         let Piece {
             from: back, to: at, ..
@@ -132,7 +133,7 @@ impl Border {
         }
         cycles
     }
-    /// A closed walk as rings that visit no place twice.
+    /// Returns a closed walk as rings that visit no place twice.
     fn simple(&self, cycle: &[usize]) -> Vec<Ring> {
         let (mut rings, mut open): (Vec<Ring>, Ring) = (Vec::new(), Vec::new());
         // The places of the walk so far, each with its index in `open`.
@@ -152,14 +153,14 @@ impl Border {
         rings.push(open);
         rings
     }
-    /// Twice the signed area of a ring.
+    /// Returns twice the signed area of a ring.
     fn area(&self, ring: &[usize]) -> i128 {
         let Some(&first) = ring.first() else { return 0 };
         let seen = self.pieces[first].from;
         let of = |&k: &usize| turn(seen, self.pieces[k].from, self.pieces[k].to);
         ring.iter().map(of).sum()
     }
-    /// `true` if a place is inside a ring and not on its border.
+    /// Returns `true` if a place is inside a ring and not on its border.
     fn is_inside(&self, at: Point, ring: &[usize]) -> bool {
         let mut is_inside = false;
         for &k in ring {
@@ -184,7 +185,7 @@ impl Border {
     }
 }
 
-/// `true` if two places in line with a third one lie on one side of it.
+/// Returns `true` if two places in line with a third one lie on one side of it.
 fn is_same_way(at: Point, a: Point, b: Point) -> bool {
     let [ux, uy, vx, vy] = [a.x - at.x, a.y - at.y, b.x - at.x, b.y - at.y].map(i128::from);
     ux * vx + uy * vy > 0

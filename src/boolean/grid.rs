@@ -24,7 +24,7 @@ pub(super) struct Edge {
 }
 
 impl Edge {
-    /// The vertex that one of its ends is.
+    /// Returns the vertex that one of its ends is.
     pub fn vertex(&self, at_end: bool) -> VertexId {
         VertexId {
             owner: self.id.owner,
@@ -32,7 +32,7 @@ impl Edge {
             vertex: if at_end { self.end } else { self.id.edge },
         }
     }
-    /// How far along it a place is that lies on it: 0 at its start, 1 at its end.
+    /// Returns how far along it a place is that lies on it: 0 at its start, 1 at its end.
     pub fn share(&self, at: IntPoint<i64>) -> f64 {
         let start = self.ends[0];
         let way = Vec2::new((at.x - start.x) as f64, (at.y - start.y) as f64);
@@ -155,8 +155,8 @@ impl Grid {
         }
         Ok(())
     }
-    /// The edges in pieces that meet at their ends only, on a coarser grid: each piece with the number of its edge. Ends
-    /// of edges and vertices are on that grid from now on.
+    /// Returns the edges in pieces that meet at their ends only, on a coarser grid: each piece with the number of its
+    /// edge. Ends of edges and vertices are on that grid from now on.
     pub fn snap(&mut self, squares: Squares) -> Numbered {
         let ends: Vec<_> = self.edges.iter().map(|edge| edge.ends).collect();
         let mut pieces = Vec::new();
@@ -176,12 +176,12 @@ impl Grid {
         }
         pieces
     }
-    /// The coordinates of a place of the grid of [`squares`].
+    /// Returns the coordinates of a place of the grid of [`squares`].
     pub fn coordinates<S: Scalar>(&self, at: IntPoint<i64>) -> [f64; 2] {
         let steps = EXTENT / (1_u64 << squares::<S>().bits) as f64;
         [at.x, at.y].map(|x| x as f64 / steps / self.unit * 2.0)
     }
-    /// `true` if two vertices are one, or follow each other in a ring at one place.
+    /// Returns `true` if two vertices are one, or follow each other in a ring at one place.
     pub fn is_joined(&self, a: VertexId, b: VertexId) -> bool {
         if (a.owner, a.ring) != (b.owner, b.ring) {
             return false;
@@ -231,7 +231,7 @@ impl Axis {
     }
 }
 
-/// A flaw of one of the inputs.
+/// Returns a flaw of one of the inputs.
 pub(super) fn invalid(owner: Owner, flaw: Flaw) -> Error {
     let argument = match owner {
         Owner::A => Argument::A,

@@ -25,7 +25,7 @@ impl OverlayEdgeData for Tag {
     }
 }
 
-/// Both polygons on a grid.
+/// Returns both polygons on a grid.
 fn grid<S: Scalar<Mask = bool>>(inputs: [Rings<'_, S>; 2], steps: Steps) -> Result<Grid, Error> {
     for (owner, rings) in [Owner::A, Owner::B].into_iter().zip(inputs) {
         rings.validate().map_err(|flaw| invalid(owner, flaw))?;
@@ -54,7 +54,7 @@ impl Pieces {
         }
         Ok(Pieces::of(grid, edges, fill))
     }
-    /// The pieces of polygons whose edges are rounded to numbers of the format.
+    /// Returns the pieces of polygons whose edges are rounded to numbers of the format.
     pub fn snapped<S: Scalar<Mask = bool>>(
         inputs: [Rings<'_, S>; 2],
         fill: Fill,
@@ -84,7 +84,7 @@ impl Pieces {
             fill,
         }
     }
-    /// The border of the result: the inside is left of every piece.
+    /// Returns the border of the result: the inside is left of every piece.
     pub fn parts(&mut self, operation: BooleanOperation) -> Vec<DataVectorShape<i64, Tag>> {
         let rule = match operation {
             BooleanOperation::Union => OverlayRule::Union,
@@ -121,7 +121,7 @@ impl Pieces {
             trace.rings.push(trace.vertices.len());
         }
     }
-    /// The edges that a piece lies on, of inputs that it bounds.
+    /// Returns the edges that a piece lies on, of inputs that it bounds.
     pub fn border(&self, piece: &DataVectorEdge<i64, Tag>) -> Border {
         let mut edges = Vec::new();
         piece.data.edges(self.overlay.data_store(), &mut edges);
@@ -166,7 +166,7 @@ pub fn is_cut_alike<'a, S: Scalar<Mask = bool>>(
     Ok(Some(border(own, pieces) == border(whole, edges)))
 }
 
-/// The origin of every vertex of the result of a boolean operation. See the [module](super).
+/// Returns the origin of every vertex of the result of a boolean operation. See the [module](super).
 ///
 /// # Errors
 ///

@@ -74,7 +74,7 @@ pub struct OverlayTrace {
 }
 
 impl OverlayTrace {
-    /// The origins of each vertex of the result, one ring after the other. A vertex with several origins, which
+    /// Returns the origins of each vertex of the result, one ring after the other. A vertex with several origins, which
     /// are then at one place, is the mean of them.
     pub fn origins(&self) -> impl Iterator<Item = &[Origin]> {
         let starts = std::iter::once(&0).chain(&self.vertices);
@@ -82,17 +82,17 @@ impl OverlayTrace {
             .zip(&self.vertices)
             .map(|(&from, &to)| &self.origins[from..to])
     }
-    /// How many vertices the result has.
+    /// Returns how many vertices the result has.
     #[must_use]
     pub fn vertex_count(&self) -> usize {
         self.vertices.len()
     }
-    /// The number of vertices up to the end of each ring of the result.
+    /// Returns the number of vertices up to the end of each ring of the result.
     #[must_use]
     pub fn ends(&self) -> &[usize] {
         &self.rings
     }
-    /// The parts of the result as numbers of rings: the first of each bounds the part, the others are its
+    /// Returns the parts of the result as numbers of rings: the first of each bounds the part, the others are its
     /// holes.
     pub fn parts(&self) -> impl Iterator<Item = std::ops::Range<usize>> {
         let starts = std::iter::once(&0).chain(&self.parts);
@@ -134,12 +134,12 @@ pub struct ValidTrace {
 }
 
 impl ValidTrace {
-    /// How many parts the result has.
+    /// Returns how many parts the result has.
     #[must_use]
     pub fn part_count(&self) -> usize {
         self.parts.len()
     }
-    /// How many vertices the result has.
+    /// Returns how many vertices the result has.
     #[must_use]
     pub fn vertex_count(&self) -> usize {
         self.places.len()

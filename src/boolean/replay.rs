@@ -7,13 +7,13 @@ use crate::polygon::{Polygon, Rings};
 use crate::reference::Reference;
 use crate::{Scalar, Vec2, ring};
 
-/// A vertex of an input.
+/// Returns a vertex of an input.
 #[inline]
 pub(crate) fn input_vertex<S: Scalar>(inputs: [Rings<'_, S>; 2], id: VertexId) -> Vec2<S> {
     inputs[id.owner as usize].ring(id.ring)[id.vertex]
 }
 
-/// Both ends of an edge of an input, with the number of the second one.
+/// Returns both ends of an edge of an input, with the number of the second one.
 #[inline]
 pub(crate) fn input_edge<S: Scalar>(
     inputs: [Rings<'_, S>; 2],
@@ -28,7 +28,7 @@ pub(crate) fn input_edge<S: Scalar>(
     ([ring[id.edge], ring[next]], next)
 }
 
-/// The place of a line nearest to a point: where it is seen from, the direction of the line, the fraction
+/// Returns the place of a line nearest to a point: where it is seen from, the direction of the line, the fraction
 /// of the way along it, and the square of its length (one for a point).
 #[inline]
 pub(crate) fn foot<S: Scalar>(point: Vec2<S>, line: [Vec2<S>; 2]) -> (Reference<S>, Vec2<S>, S, S) {
@@ -56,7 +56,7 @@ fn place<S: Scalar>(inputs: [Rings<'_, S>; 2], origin: Origin) -> Vec2<S> {
     }
 }
 
-/// The mean of some places.
+/// Returns the mean of some places.
 pub(super) fn mean<S: Scalar>(inputs: [Rings<'_, S>; 2], all: &[Origin]) -> Vec2<S> {
     match all {
         [only] => place(inputs, *only),
@@ -68,7 +68,7 @@ pub(super) fn mean<S: Scalar>(inputs: [Rings<'_, S>; 2], all: &[Origin]) -> Vec2
     }
 }
 
-/// The result of a boolean operation, from both inputs and the record of
+/// Returns the result of a boolean operation, from both inputs and the record of
 /// `overlay_search`: parts counter-clockwise, holes clockwise. Derivatives of a crossing are those of
 /// the two edges that cross; its own are unbounded as these become parallel, though those of areas are
 /// not.
@@ -94,9 +94,9 @@ pub fn overlay_replay<'a, S: Scalar>(
     made
 }
 
-/// The result of a boolean operation as polygons that are valid by the OGC's rules, one per part, from both inputs and
-/// the record of `valid_search`: the outer ring first, counter-clockwise, then the holes, clockwise. Values are those
-/// of the record, on its grid; derivatives are those of where each vertex is from.
+/// Returns the result of a boolean operation as polygons that are valid by the OGC's rules, one per part, from both
+/// inputs and the record of `valid_search`: the outer ring first, counter-clockwise, then the holes, clockwise. Values
+/// are those of the record, on its grid; derivatives are those of where each vertex is from.
 ///
 /// # Panics
 ///

@@ -14,7 +14,7 @@ fn made<S: Scalar<Mask = bool>>(
     overlay_search(a, b, operation, fill).map(|trace| overlay_replay(a, b, &trace))
 }
 
-/// The union of two polygons of any kind. See the [module](super).
+/// Returns the union of two polygons of any kind. See the [module](super).
 ///
 /// ```
 /// use geograd::{Aabb2, boolean::union, polygon::{Fill, perimeter}};
@@ -34,7 +34,7 @@ pub fn union<'a, S: Scalar<Mask = bool>>(
     made(a.into(), b.into(), BooleanOperation::Union, fill)
 }
 
-/// The intersection of two polygons of any kind. See the [module](super).
+/// Returns the intersection of two polygons of any kind. See the [module](super).
 ///
 /// # Errors
 ///
@@ -47,7 +47,8 @@ pub fn intersection<'a, S: Scalar<Mask = bool>>(
     made(a.into(), b.into(), BooleanOperation::Intersection, fill)
 }
 
-/// The difference of two polygons of any kind: what is in the first and not in the second. See the [module](super).
+/// Returns the difference of two polygons of any kind: what is in the first and not in the second. See the
+/// [module](super).
 ///
 /// ```
 /// use geograd::{Aabb2, boolean::difference, polygon::{Fill, area}};
@@ -68,7 +69,8 @@ pub fn difference<'a, S: Scalar<Mask = bool>>(
     made(a.into(), b.into(), BooleanOperation::Difference, fill)
 }
 
-/// The symmetric difference of two polygons of any kind: what is in exactly one of them. See the [module](super).
+/// Returns the symmetric difference of two polygons of any kind: what is in exactly one of them. See the
+/// [module](super).
 ///
 /// # Errors
 ///

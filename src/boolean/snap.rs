@@ -18,12 +18,12 @@ impl Squares {
     fn half(self) -> i64 {
         1 << (self.bits - 1)
     }
-    /// The square of a place.
+    /// Returns the square of a place.
     pub fn of(self, at: Point) -> Point {
         let number = |x: i64| (x + self.half()) >> self.bits;
         Point::new(number(at.x), number(at.y))
     }
-    /// The centre of a square.
+    /// Returns the centre of a square.
     pub fn center(self, square: Point) -> Point {
         Point::new(square.x << self.bits, square.y << self.bits)
     }
@@ -45,7 +45,7 @@ impl Squares {
         hot.dedup();
         edges.iter().map(|&edge| self.path(edge, &hot)).collect()
     }
-    /// The hot squares that an edge meets; `hot` is in ascending order.
+    /// Returns the hot squares that an edge meets; `hot` is in ascending order.
     fn path(self, [from, to]: [Point; 2], hot: &[Point]) -> Vec<Point> {
         let [start, end] = [from, to].map(|p| self.of(p));
         let (left, right) = (start.x.min(end.x), start.x.max(end.x));
@@ -61,8 +61,8 @@ impl Squares {
         });
         path
     }
-    /// `true` if an edge meets a square: neither an axis nor the normal of the edge separates them. The upper and
-    /// right sides of the square are infinitely little inside of where they are.
+    /// Returns `true` if an edge meets a square: neither an axis nor the normal of the edge separates them. The upper
+    /// and right sides of the square are infinitely little inside of where they are.
     fn meets(self, from: Point, to: Point, square: Point) -> bool {
         let (center, half) = (self.center(square), self.half());
         let apart = |from: i64, to: i64, center: i64| {
@@ -91,7 +91,7 @@ impl Squares {
     }
 }
 
-/// The crossing of two edges that are not parallel, rounded down in both coordinates.
+/// Returns the crossing of two edges that are not parallel, rounded down in both coordinates.
 fn crossing(a: [Point; 2], b: [Point; 2]) -> Option<Point> {
     let apart = |a: [i64; 2], b: [i64; 2]| {
         a[0].max(a[1]) < b[0].min(b[1]) || b[0].max(b[1]) < a[0].min(a[1])
@@ -123,7 +123,7 @@ fn crossing(a: [Point; 2], b: [Point; 2]) -> Option<Point> {
     Some(Point::new(number(a[0].x, a[1].x), number(a[0].y, a[1].y)))
 }
 
-/// A part of a length, the part given as a fraction of at most one: rounded down, and whether there is a rest.
+/// Returns a part of a length, the part given as a fraction of at most one: rounded down, and whether there is a rest.
 fn share(length: u64, part: u128, whole: u128) -> (i64, bool) {
     let (mut quotient, mut rest) = (0, 0);
     for bit in (0..64).rev() {

@@ -8,10 +8,9 @@ use crate::Scalar;
 use crate::error::Error;
 use crate::polygon::{Fill, Polygon, Rings};
 
-/// The result of a boolean operation as polygons that are valid by the OGC's rules (Simple Features, OGC 06-103r4,
-/// section 6.1.11): one polygon per part, its outer ring first, counter-clockwise, then its holes, clockwise. See the
-/// [module](super).
-/// Time grows with the number of pairs of edges that share a range of x.
+/// Returns the result of a boolean operation as polygons that are valid by the OGC's rules (Simple Features, OGC
+/// 06-103r4, section 6.1.11): one polygon per part, its outer ring first, counter-clockwise, then its holes, clockwise.
+/// See the [module](super). Time grows with the number of pairs of edges that share a range of x.
 ///
 /// ```
 /// use geograd::{Vec2, boolean::{BooleanOperation, valid}, polygon::{self, Fill}};
@@ -37,7 +36,7 @@ pub fn valid<'a, S: Scalar<Mask = bool>>(
     valid_search(a, b, operation, fill).map(|trace| valid_replay(a, b, &trace))
 }
 
-/// The vertices of a result that is valid by the OGC's rules, and where each is from: the record of
+/// Returns the vertices of a result that is valid by the OGC's rules, and where each is from: the record of
 /// [`valid_replay`]. See the [module](super).
 ///
 /// # Errors

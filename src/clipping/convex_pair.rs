@@ -12,7 +12,7 @@ use crate::error::Flaw;
 use crate::predicate::{Turn, turn_between};
 use crate::{ConvexPolygon, Scalar};
 
-/// The record of the intersection of two convex polygons: where every vertex and every side of it is from.
+/// Returns the record of the intersection of two convex polygons: where every vertex and every side of it is from.
 /// Search exactly, `O(n log m)`; the polygons must be valid, or the record means nothing.
 ///
 /// ```
@@ -88,12 +88,12 @@ pub fn clip_search<S: Scalar<Mask = bool>, const N: usize, const M: usize, const
     Ok(trace)
 }
 
-/// The numbers of the vertices strictly between two places on a border, the end excluded.
+/// Returns the numbers of the vertices strictly between two places on a border, the end excluded.
 fn vertices_between(from: usize, to: usize) -> (usize, usize) {
     (from / 2 + 1, to.div_ceil(2))
 }
 
-/// `true` if the first vertex of a chain of `inner` lies in `outer`.
+/// Returns `true` if the first vertex of a chain of `inner` lies in `outer`.
 fn starts_inside<S: Scalar<Mask = bool>>(
     outer: Border<'_, S>,
     inner: Border<'_, S>,
@@ -102,8 +102,8 @@ fn starts_inside<S: Scalar<Mask = bool>>(
     chain.0 < chain.1 && outer.contains(inner.at(chain.0))
 }
 
-/// The intersection of two convex polygons, from both and the record of [`clip_search`]. Derivatives of a crossing
-/// are those of the two edges that cross; its own are unbounded as these become parallel, though those of
+/// Returns the intersection of two convex polygons, from both and the record of [`clip_search`]. Derivatives of a
+/// crossing are those of the two edges that cross; its own are unbounded as these become parallel, though those of
 /// areas are not.
 #[must_use]
 pub fn clip_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
@@ -117,7 +117,8 @@ pub fn clip_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
     )
 }
 
-/// The intersection of two convex polygons: a polygon, a segment (two vertices), a point (one) or nothing (none).
+/// Returns the intersection of two convex polygons: a polygon, a segment (two vertices), a point (one) or nothing
+/// (none).
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, Vec2, clipping::clip};
@@ -138,7 +139,7 @@ pub fn clip<S: Scalar<Mask = bool>, const N: usize, const M: usize, const K: usi
 }
 
 impl<S: Scalar<Mask = bool>, const N: usize> ConvexPolygon<S, N> {
-    /// `true` if both polygons have a point in common; borders belong to both. Search exactly.
+    /// Returns `true` if both polygons have a point in common; borders belong to both. Search exactly.
     ///
     /// ```
     /// use geograd::{Aabb2, ConvexPolygon};

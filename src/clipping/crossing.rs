@@ -17,7 +17,7 @@ pub(crate) struct Meeting<S> {
     pub cross: S,
 }
 
-/// The crossing of two edges that are known to cross; the middle of the first one if rounding leaves them
+/// Returns the crossing of two edges that are known to cross; the middle of the first one if rounding leaves them
 /// parallel.
 #[inline]
 pub(crate) fn meet<S: Scalar>(a: [Vec2<S>; 2], b: [Vec2<S>; 2]) -> Meeting<S> {
@@ -44,7 +44,7 @@ pub(crate) fn meet<S: Scalar>(a: [Vec2<S>; 2], b: [Vec2<S>; 2]) -> Meeting<S> {
     }
 }
 
-/// The crossing of two edges that are known to cross.
+/// Returns the crossing of two edges that are known to cross.
 #[inline]
 pub(crate) fn crossing<S: Scalar>(a: [Vec2<S>; 2], b: [Vec2<S>; 2]) -> Vec2<S> {
     let met = meet(a, b);

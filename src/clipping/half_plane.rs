@@ -4,7 +4,7 @@ use crate::error::{Flaw, VertexFault};
 use crate::predicate::{Turn, turn};
 use crate::{ConvexPolygon, Scalar, Vec2};
 
-/// The part of a convex polygon on the left of the line through two points, as a record: corners of the polygon
+/// Returns the part of a convex polygon on the left of the line through two points, as a record: corners of the polygon
 /// are `A`, the line is edge 0 of `B`. `O(n)`. The line itself belongs to its left, so a polygon that only
 /// touches it leaves a point or a segment. If both points of the line are the same, the whole polygon is left.
 ///
@@ -36,7 +36,7 @@ pub fn half_plane_search<S: Scalar<Mask = bool>, const N: usize, const K: usize>
     Ok(trace)
 }
 
-/// The part of a polygon on the left of a line, from both and the record of [`half_plane_search`].
+/// Returns the part of a polygon on the left of a line, from both and the record of [`half_plane_search`].
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, Vec2};
@@ -56,7 +56,7 @@ pub fn half_plane_replay<S: Scalar, const N: usize, const K: usize>(
 }
 
 impl<const K: usize> ClipTrace<K> {
-    /// A record of nothing.
+    /// Returns a record of nothing.
     pub(super) fn empty() -> Self {
         ClipTrace {
             corners: [Corner::A(0); K],
@@ -77,7 +77,7 @@ impl<const K: usize> ClipTrace<K> {
         self.count += 1;
         Ok(())
     }
-    /// The vertices, from the edges of both.
+    /// Returns the vertices, from the edges of both.
     pub(super) fn replay<S: Scalar>(
         &self,
         edge_a: impl Fn(usize) -> [Vec2<S>; 2],

@@ -42,13 +42,13 @@ impl<S: Scalar<Mask = bool>> Border<'_, S> {
     pub fn contains(&self, point: Vec2<S>) -> bool {
         (0..self.len()).all(|k| self.side(k, point) != Turn::Right)
     }
-    /// The vertex from which the way on no longer turns to `side` of a direction, but the way there did.
+    /// Returns the vertex from which the way on no longer turns to `side` of a direction, but the way there did.
     fn extreme(&self, direction: [Vec2<S>; 2], side: Turn) -> usize {
         let turns = |k: usize| turn_between(direction, self.edge(k)) == side;
         let n = self.len();
         (0..n).find(|&k| turns(k + n - 1) && !turns(k)).unwrap_or(0)
     }
-    /// The same for a direction that has turned on since.
+    /// Returns the same for a direction that has turned on since.
     fn advance(&self, from: usize, direction: [Vec2<S>; 2], side: Turn) -> usize {
         let turns = |k: usize| turn_between(direction, self.edge(k)) == side;
         let end = from + self.len();
@@ -57,7 +57,7 @@ impl<S: Scalar<Mask = bool>> Border<'_, S> {
     }
 }
 
-/// The last number up to `len` for which a condition holds that holds for zero and, once it does not,
+/// Returns the last number up to `len` for which a condition holds that holds for zero and, once it does not,
 /// never again.
 fn last_where(len: usize, holds: impl Fn(usize) -> bool) -> usize {
     let (mut low, mut high) = (0, len + 1);
@@ -81,8 +81,8 @@ struct Reach<'a, S> {
 }
 
 impl<S: Scalar<Mask = bool>> Reach<'_, S> {
-    /// The position on the edge of a place on its line: `Equal` at the start, `Greater` behind it and before the
-    /// end, else `None`.
+    /// Returns the position on the edge of a place on its line: `Equal` at the start, `Greater` behind it and before
+    /// the end, else `None`.
     fn order(&self, point: Vec2<S>) -> Option<Ordering> {
         let [start, end] = self.a.edge(self.i);
         let ahead = left_to_right(start, end);
@@ -95,7 +95,7 @@ impl<S: Scalar<Mask = bool>> Reach<'_, S> {
             None
         }
     }
-    /// The edge of b that lies along the line, if one does.
+    /// Returns the edge of b that lies along the line, if one does.
     fn along(&self) -> Option<usize> {
         match self.contacts {
             [Contact::Vertex(enter), Contact::Vertex(leave)] if enter != leave => {
@@ -111,7 +111,7 @@ impl<S: Scalar<Mask = bool>> Reach<'_, S> {
             _ => None,
         }
     }
-    /// The meeting at the start of the edge, if that is on the border of b.
+    /// Returns the meeting at the start of the edge, if that is on the border of b.
     fn at_start(&self) -> Option<Meeting> {
         let start = self.a.at(self.i);
         let met = |on_b| Meeting {
@@ -133,7 +133,7 @@ impl<S: Scalar<Mask = bool>> Reach<'_, S> {
         let inside = left_to_right(p, start) == left_to_right(start, q);
         inside.then(|| met(2 * j + 1))
     }
-    /// The meeting at one of the contacts, if that is between the ends of the edge.
+    /// Returns the meeting at one of the contacts, if that is between the ends of the edge.
     fn between(&self, which: usize) -> Option<Meeting> {
         let on_a = 2 * self.i + 1;
         match self.contacts[which] {

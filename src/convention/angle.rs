@@ -94,7 +94,7 @@ pub enum Period {
 }
 
 impl Period {
-    /// How many of them make a full turn.
+    /// Returns how many of them make a full turn.
     #[inline(always)]
     fn count(self) -> f64 {
         match self {
@@ -103,14 +103,14 @@ impl Period {
             Period::Quarter => 4.0,
         }
     }
-    /// The same angle, in radians, in `[−p/2, p/2]` for the period p; derivative one.
+    /// Returns the same angle, in radians, in `[−p/2, p/2]` for the period p; derivative one.
     #[must_use]
     #[inline]
     pub fn wrap<S: Scalar>(self, angle: S) -> S {
         let (sin, cos) = (angle * S::lit(self.count())).sin_cos();
         sin.atan2(cos) * S::lit(1.0 / self.count())
     }
-    /// The smallest turn from a to b, in radians, in `[−p/2, p/2]`. Kink: where both ways round are equally
+    /// Returns the smallest turn from a to b, in radians, in `[−p/2, p/2]`. Kink: where both ways round are equally
     /// long.
     ///
     /// ```
@@ -122,7 +122,7 @@ impl Period {
     pub fn difference<S: Scalar>(self, a: S, b: S) -> S {
         self.wrap(b - a)
     }
-    /// A loss for headings without kinks: `½ (1 − cos(k (b − a)))`, for k periods in a full turn, in
+    /// Returns a loss for headings without kinks: `½ (1 − cos(k (b − a)))`, for k periods in a full turn, in
     /// `[0, 1]`; zero for headings that are the same.
     #[must_use]
     #[inline]

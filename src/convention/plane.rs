@@ -30,7 +30,7 @@ pub struct ImageBox<S> {
 }
 
 impl<S: Scalar> ImageBox<S> {
-    /// The box where y points up, in an image of a height.
+    /// Returns the box where y points up, in an image of a height.
     #[must_use]
     #[inline]
     pub fn upright(self, image_height: S) -> Obb2<S> {
@@ -40,7 +40,7 @@ impl<S: Scalar> ImageBox<S> {
             heading: Counterclockwise::from(self.heading).radians,
         }
     }
-    /// The inverse of [`upright`](Self::upright).
+    /// Returns the inverse of [`upright`](Self::upright).
     #[must_use]
     #[inline]
     pub fn from_upright(shape: Obb2<S>, image_height: S) -> Self {
@@ -53,8 +53,8 @@ impl<S: Scalar> ImageBox<S> {
             .into(),
         }
     }
-    /// The box in a mirror: the same numbers read where y points up. Measures that mirrors do not change, such as
-    /// areas and overlaps of two boxes that are both mirrored, can be computed from it.
+    /// Returns the box in a mirror: the same numbers read where y points up. Measures that mirrors do not change, such
+    /// as areas and overlaps of two boxes that are both mirrored, can be computed from it.
     #[must_use]
     #[inline(always)]
     pub fn mirrored(self) -> Obb2<S> {
@@ -64,7 +64,7 @@ impl<S: Scalar> ImageBox<S> {
             heading: self.heading.radians,
         }
     }
-    /// The inverse of [`mirrored`](Self::mirrored).
+    /// Returns the inverse of [`mirrored`](Self::mirrored).
     #[must_use]
     #[inline(always)]
     pub fn from_mirrored(shape: Obb2<S>) -> Self {
@@ -76,7 +76,7 @@ impl<S: Scalar> ImageBox<S> {
             },
         }
     }
-    /// The same box with its longer side as width.
+    /// Returns the same box with its longer side as width.
     #[inline(always)]
     fn long_edge(self) -> (Vec2<S>, S) {
         let swap = self.size.x.below(self.size.y);
@@ -153,7 +153,7 @@ ranged! {
     }
 }
 
-/// An angle of `[−π/2, π/2]` in `[low, low + π)`, for a negative low.
+/// Returns an angle of `[−π/2, π/2]` in `[low, low + π)`, for a negative low.
 #[inline(always)]
 fn from<S: Scalar>(angle: S, low: f64) -> S {
     let half = S::lit(PI);

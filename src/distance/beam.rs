@@ -95,7 +95,7 @@ impl<S: Scalar> Inside<S> {
         }
         .unless(self.is_empty() | (parallel & ahead.above(S::zero())))
     }
-    /// Both pieces of a convex whole.
+    /// Returns both pieces of a convex whole.
     #[inline(always)]
     pub fn joined(self, other: Self) -> Self {
         Inside {

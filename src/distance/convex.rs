@@ -48,14 +48,14 @@ pub trait Convex<S: Scalar>: Copy {
     type Core: Core<S>;
     /// `true` if the radius may be other than zero.
     const ROUND: bool = false;
-    /// The core that is inflated.
+    /// Returns the core that is inflated.
     fn core(self) -> Self::Core;
-    /// The radius of inflation; not negative.
+    /// Returns the radius of inflation; not negative.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn radius(&self) -> S {
         S::zero()
     }
-    /// A guard with the numbers of the shape: by default with those of its corners and its radius.
+    /// Returns a guard with the numbers of the shape: by default with those of its corners and its radius.
     #[doc(hidden)]
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn guarded(&self, guard: Guard<S>) -> Guard<S> {
@@ -64,25 +64,25 @@ pub trait Convex<S: Scalar>: Copy {
         let all = corners.as_ref().iter().chain(away.as_ref());
         all.fold(guard.and(&self.radius()), |guard, corner| guard.and(corner))
     }
-    /// The distance, 0 where the shapes touch or overlap: [`distance`](super::distance()).
+    /// Returns the distance, 0 where the shapes touch or overlap: [`distance`](super::distance()).
     #[must_use]
     #[inline]
     fn distance<B: Convex<S>>(self, other: B) -> S {
         distance(self, other)
     }
-    /// The square of the distance: [`squared_distance`](super::squared_distance).
+    /// Returns the square of the distance: [`squared_distance`](super::squared_distance).
     #[must_use]
     #[inline]
     fn squared_distance<B: Convex<S>>(self, other: B) -> S {
         squared_distance(self, other)
     }
-    /// The distance, or minus the depth of overlap: [`signed_distance`](super::signed_distance).
+    /// Returns the distance, or minus the depth of overlap: [`signed_distance`](super::signed_distance).
     #[must_use]
     #[inline]
     fn signed_distance<B: Convex<S>>(self, other: B) -> S {
         signed_distance(self, other)
     }
-    /// A point of each, nearest to each other: [`closest_points`](super::closest_points).
+    /// Returns a point of each, nearest to each other: [`closest_points`](super::closest_points).
     #[must_use]
     #[inline]
     fn closest_points<B: Convex<S>>(self, other: B) -> PointPair<S> {
@@ -94,37 +94,37 @@ pub trait Convex<S: Scalar>: Copy {
     fn penetration<B: Convex<S>>(self, other: B) -> Contact<S> {
         penetration(self, other)
     }
-    /// The longest distance: [`farthest_distance`](super::farthest_distance).
+    /// Returns the longest distance: [`farthest_distance`](super::farthest_distance).
     #[must_use]
     #[inline]
     fn farthest_distance<B: Convex<S>>(self, other: B) -> S {
         farthest_distance(self, other)
     }
-    /// The points between which that is: [`farthest_points`](super::farthest_points).
+    /// Returns the points between which that is: [`farthest_points`](super::farthest_points).
     #[must_use]
     #[inline]
     fn farthest_points<B: Convex<S>>(self, other: B) -> FarthestPoints<S> {
         farthest_points(self, other)
     }
-    /// The function of this shape and another one by the [formula](super::pair) for their kinds.
+    /// Returns the function of this shape and another one by the [formula](super::pair) for their kinds.
     #[doc(hidden)]
     #[inline]
     fn take_formula<F: PairFormula<S>, B: Convex<S>>(self, other: B) -> F::Out {
         F::cores(self, other)
     }
-    /// The same where the first shape is known to be a point.
+    /// Returns the same where the first shape is known to be a point.
     #[doc(hidden)]
     #[inline]
     fn take_formula_after_point<F: PairFormula<S>>(self, first: Vec2<S>) -> F::Out {
         F::cores(first, self)
     }
-    /// The same where the first shape is known to be an axis-aligned box.
+    /// Returns the same where the first shape is known to be an axis-aligned box.
     #[doc(hidden)]
     #[inline]
     fn take_formula_after_aabb2<F: PairFormula<S>>(self, first: Aabb2<S>) -> F::Out {
         F::cores(first, self)
     }
-    /// The same where the first shape is known to be a rotated box.
+    /// Returns the same where the first shape is known to be a rotated box.
     #[doc(hidden)]
     #[inline]
     fn take_formula_after_obb2<F: PairFormula<S>>(self, first: Obb2<S>) -> F::Out {
@@ -138,16 +138,16 @@ pub trait PairFormula<S: Scalar> {
     type Out;
     /// `true` if the result for two points is NaN anyway where one of their numbers is.
     const POINTS_KEEP_NAN: bool = false;
-    /// The result for any two shapes, by their cores.
+    /// Returns the result for any two shapes, by their cores.
     fn cores<A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Self::Out;
-    /// The result for two points.
+    /// Returns the result for two points.
     #[inline]
     fn points(a: Vec2<S>, b: Vec2<S>) -> Self::Out {
         Self::cores(a, b)
     }
-    /// The result for two axis-aligned boxes.
+    /// Returns the result for two axis-aligned boxes.
     fn aabb2(a: Aabb2<S>, b: Aabb2<S>) -> Self::Out;
-    /// The result for two rotated boxes.
+    /// Returns the result for two rotated boxes.
     fn obb2(a: Obb2<S>, b: Obb2<S>) -> Self::Out;
 }
 
@@ -180,7 +180,7 @@ where
     }
 }
 
-/// The signed distance of two convex shapes, in the unit of length: the shortest way between them, or
+/// Returns the signed distance of two convex shapes, in the unit of length: the shortest way between them, or
 /// minus the length of the shortest shift after which they only touch.
 ///
 /// Minus the largest finite number for two lines that cross. Derivatives and kinks: see the
@@ -200,7 +200,7 @@ pub fn signed_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     a.take_formula::<Guarded<Signed>, B>(b)
 }
 
-/// The signed distance with DGAL's sign, in the unit of length: positive where shapes overlap, negative apart.
+/// Returns the signed distance with DGAL's sign, in the unit of length: positive where shapes overlap, negative apart.
 ///
 /// It measures what is to stay inside, such as a robot in its lane. The free way to an obstacle is [`distance`].
 ///
@@ -214,7 +214,7 @@ pub fn depth<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     (-signed_distance(a, b)).canonical()
 }
 
-/// The distance of two convex shapes, in the unit of length; 0 with derivative zero where they touch or
+/// Returns the distance of two convex shapes, in the unit of length; 0 with derivative zero where they touch or
 /// overlap.
 ///
 /// Derivatives and kinks: see the [module](super).
@@ -232,7 +232,7 @@ pub fn distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     a.take_formula::<Guarded<Unsigned>, B>(b)
 }
 
-/// The squared distance of two convex shapes; 0 where they touch or overlap. Once differentiable
+/// Returns the squared distance of two convex shapes; 0 where they touch or overlap. Once differentiable
 /// wherever the nearest points are. Saturates at the largest finite number.
 ///
 /// ```
@@ -246,7 +246,7 @@ pub fn squared_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S 
     a.take_formula::<Guarded<Squared>, B>(b)
 }
 
-/// The points in which two convex shapes are nearest to each other.
+/// Returns the points in which two convex shapes are nearest to each other.
 ///
 /// For shapes that overlap they are the points that [`penetration`] brings together: `on_b` is that point of b
 /// which is deepest in a (or the reverse), `on_a` the point of a's border to which it must go. Circles with one
@@ -282,7 +282,7 @@ pub fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Contact
     a.take_formula::<Guarded<Penetrating>, B>(b)
 }
 
-/// The longest distance of a point of one shape from a point of the other, in the unit of length. For
+/// Returns the longest distance of a point of one shape from a point of the other, in the unit of length. For
 /// bounded shapes; of a ray or a line only the given point counts.
 ///
 /// Pairs of corners that are equally far share the derivative; two equal points have derivative zero.
@@ -299,8 +299,8 @@ pub fn farthest_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S
     a.take_formula::<Guarded<Farthest>, B>(b)
 }
 
-/// The points between which [`farthest_distance`] is: corners of both, or the points of round shapes beyond their
-/// centres and ends. For bounded shapes; only the given point of a ray or a line counts.
+/// Returns the points between which [`farthest_distance`] is: corners of both, or the points of round shapes beyond
+/// their centres and ends. For bounded shapes; only the given point of a ray or a line counts.
 ///
 /// The first of several pairs that are equally far counts, along a's corners and then b's, so that both are
 /// corners: points jump where pairs tie. Round shapes with one centre have two ends of one diameter.

@@ -69,7 +69,7 @@ pub struct EdgeCore<S, const CORNERS: usize, const AWAY: usize> {
 }
 
 impl<S: Scalar> EdgeCore<S, 2, 0> {
-    /// The segment between two points.
+    /// Returns the segment between two points.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn segment(from: Vec2<S>, to: Vec2<S>) -> Self {
         EdgeCore {
@@ -80,7 +80,7 @@ impl<S: Scalar> EdgeCore<S, 2, 0> {
 }
 
 impl<S: Scalar, const AWAY: usize> EdgeCore<S, 1, AWAY> {
-    /// The ray, or the line, from a point in a direction.
+    /// Returns the ray, or the line, from a point in a direction.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn endless(from: Vec2<S>, direction: Vec2<S>) -> Self {
         let large = S::lit(S::LARGEST);
@@ -154,7 +154,7 @@ impl<S: Scalar, const CORNERS: usize, const AWAY: usize> Core<S> for EdgeCore<S,
 pub struct PolygonCore<S, const N: usize, const TRIANGLE: bool = false>(pub [Vec2<S>; N]);
 
 impl<S: Scalar, const N: usize, const TRIANGLE: bool> PolygonCore<S, N, TRIANGLE> {
-    /// The corners counter-clockwise, as they are placed.
+    /// Returns the corners counter-clockwise, as they are placed.
     ///
     /// The turn is that at the corner of the two shorter sides, which is known best: rounding is as small beside the
     /// product of these as it can be. The normal of a short side depends on it.
@@ -227,7 +227,7 @@ impl<S: Scalar, const N: usize, const TRIANGLE: bool> Core<S> for PolygonCore<S,
     }
 }
 
-/// The corners of a convex polygon counter-clockwise; the first one stays.
+/// Returns the corners of a convex polygon counter-clockwise; the first one stays.
 ///
 /// All corners turn to one side, and the sum of their turns has its sign. Each turn counts beside the sizes of its two
 /// sides, so that a corner of short sides tells as much as one of long ones. Repeated corners turn nothing.
@@ -302,7 +302,7 @@ pub struct BoxCore<S, R> {
 }
 
 impl<S: Scalar, R: Turn<S>> BoxCore<S, R> {
-    /// The normals of the faces, how far the faces are from the centre, and half their lengths.
+    /// Returns the normals of the faces, how far the faces are from the centre, and half their lengths.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn faces(&self) -> [(Vec2<S>, S, S); 4] {
         let (right, up) = (
@@ -312,7 +312,7 @@ impl<S: Scalar, R: Turn<S>> BoxCore<S, R> {
         let Vec2 { x, y } = self.half;
         [(right, x, y), (-right, x, y), (up, y, x), (-up, y, x)]
     }
-    /// How far in front of each face another core begins.
+    /// Returns how far in front of each face another core begins.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn faces_deep<B: Core<S>>(&self, other: &B) -> [Best<S, Deepest<S>>; 4] {
         self.faces().each_as(|(normal, half, side)| {

@@ -22,28 +22,28 @@ pub trait Core<S: Scalar>: Copy {
     const BOUNDED: bool = true;
     /// `true` if it is a box, whose corners need not be compared to know the farthest one from a point.
     const SYMMETRIC: bool = false;
-    /// A point of it, or near it, from which the others are seen.
+    /// Returns a point of it, or near it, from which the others are seen.
     fn anchor(&self) -> Vec2<S>;
-    /// How far its corners are from a point at most, coordinate by coordinate, as a constant.
+    /// Returns how far its corners are from a point at most, coordinate by coordinate, as a constant.
     fn extent(&self, from: Vec2<S>) -> S::Primal;
-    /// The core seen from a point, in other units.
+    /// Returns the core seen from a point, in other units.
     #[must_use]
     fn placed(self, from: Vec2<S>, scale: S) -> Self;
-    /// The corners, around the core where there are more than two.
+    /// Returns the corners, around the core where there are more than two.
     fn corners(&self) -> Self::Corners;
-    /// The directions without end.
+    /// Returns the directions without end.
     fn away(&self) -> Self::Away;
-    /// The corner that is nearest to an edge of this core, and where.
+    /// Returns the corner that is nearest to an edge of this core, and where.
     fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>>;
-    /// The square of the longest way from a corner of this core to one of others.
+    /// Returns the square of the longest way from a corner of this core to one of others.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn far(&self, corners: &[Vec2<S>]) -> Best<S, S> {
         farthest(self.corners().as_ref(), corners)
     }
-    /// The part of a line inside of the core; for a piece of a line, inside of the strip of `radius` to both
+    /// Returns the part of a line inside of the core; for a piece of a line, inside of the strip of `radius` to both
     /// sides of it.
     fn inside(&self, beam: Beam<S>, radius: S) -> Inside<S>;
-    /// The least of `normal · point` over the corners, and the corner.
+    /// Returns the least of `normal · point` over the corners, and the corner.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn lowest(&self, normal: Vec2<S>) -> Best<S, Ahead<S>> {
         Best::least(self.corners().as_ref().iter().map(|&on_b| {
@@ -51,11 +51,11 @@ pub trait Core<S: Scalar>: Copy {
             Best::of(ahead, Ahead { ahead, on_b })
         }))
     }
-    /// The face that parts this core best from another one.
+    /// Returns the face that parts this core best from another one.
     fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>>;
 }
 
-/// The square of the longest way from some corners to others.
+/// Returns the square of the longest way from some corners to others.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn farthest<S: Scalar>(from: &[Vec2<S>], to: &[Vec2<S>]) -> Best<S, S> {
     Best::most_of(from.iter().flat_map(|&p| {
@@ -66,7 +66,7 @@ pub(super) fn farthest<S: Scalar>(from: &[Vec2<S>], to: &[Vec2<S>]) -> Best<S, S
     }))
 }
 
-/// The nearest of some corners to an edge.
+/// Returns the nearest of some corners to an edge.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn edge_near<S: Scalar>(edge: Edge<S>, corners: &[Vec2<S>]) -> Best<S, Nearest<S>> {
     Best::least(corners.iter().map(|&corner| {
@@ -83,7 +83,7 @@ pub(super) fn edge_near<S: Scalar>(edge: Edge<S>, corners: &[Vec2<S>]) -> Best<S
     }))
 }
 
-/// How far in front of a face another core begins. The normal points out and has length one, or zero
+/// Returns how far in front of a face another core begins. The normal points out and has length one, or zero
 /// where the face has no length: such a face parts nothing.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn face_deep<S: Scalar, B: Core<S>>(

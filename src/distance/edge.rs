@@ -17,7 +17,7 @@ pub struct Edge<S> {
 }
 
 impl<S: Scalar> Edge<S> {
-    /// The edge from one point to another.
+    /// Returns the edge from one point to another.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn between(from: Vec2<S>, to: Vec2<S>) -> Self {
         Edge {
@@ -41,7 +41,7 @@ pub struct Reach<S> {
     pub apart: Vec2<S>,
 }
 
-/// The place of an edge that is nearest to the point `edge.from + arm`. Coordinates are of a size near one, or
+/// Returns the place of an edge that is nearest to the point `edge.from + arm`. Coordinates are of a size near one, or
 /// smaller.
 ///
 /// Edges shorter than ε² count as points: t is ½ (or the bound nearest to it), with derivative zero.
@@ -63,13 +63,13 @@ pub fn reach<S: Scalar>(edge: Edge<S>, arm: Vec2<S>) -> Reach<S> {
     }
 }
 
-/// The larger coordinate of a vector, without sign, as a constant.
+/// Returns the larger coordinate of a vector, without sign, as a constant.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn size_of<S: Scalar>(v: Vec2<S>) -> S::Primal {
     v.x.primal().magnitude().most(v.y.primal().magnitude())
 }
 
-/// The power of two, a constant, in whose units a size is about one; one for zero.
+/// Returns the power of two, a constant, in whose units a size is about one; one for zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn scale_of<S: Scalar>(size: S::Primal) -> S {
     let zero = size.at_most(S::Primal::zero());
@@ -87,13 +87,13 @@ impl<S: Scalar> Placed<S> {
     pub fn segment(segment: Segment2<S>) -> Self {
         Placed { segment }
     }
-    /// The edge and the way from its start to a point, both in units of the larger one.
+    /// Returns the edge and the way from its start to a point, both in units of the larger one.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn near(self, point: Vec2<S>) -> (Edge<S>, Vec2<S>) {
         let (edge, arm, _) = self.near_scaled(point);
         (edge, arm)
     }
-    /// The same with the power of two that lengths were multiplied by.
+    /// Returns the same with the power of two that lengths were multiplied by.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn near_scaled(self, point: Vec2<S>) -> (Edge<S>, Vec2<S>, S) {
         let arm = point - self.segment.from;
@@ -109,7 +109,7 @@ impl<S: Scalar> Placed<S> {
     }
 }
 
-/// The distance from a point to the edge between two points, not negative; 0 with derivative zero on the
+/// Returns the distance from a point to the edge between two points, not negative; 0 with derivative zero on the
 /// edge.
 ///
 /// Derivatives, by the envelope theorem: with n the unit vector from the nearest point to `point` and t the
@@ -130,7 +130,7 @@ pub fn edge_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S
     reach(edge, arm).apart.length().over(scale).canonical()
 }
 
-/// The [distance](edge_distance) of a point and an edge, and where that is zero how far the point is on
+/// Returns the [distance](edge_distance) of a point and an edge, and where that is zero how far the point is on
 /// the left of the edge's line: zero, with the derivative of the edge's normal.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn edge_sides<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> (S, S) {
@@ -143,7 +143,7 @@ pub(super) fn edge_sides<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) 
     (distance, S::select(on, side, S::zero()))
 }
 
-/// The squared distance from a point to the edge between two points; smooth where the point is off
+/// Returns the squared distance from a point to the edge between two points; smooth where the point is off
 /// the ends' perpendiculars, and everywhere once differentiable. Saturates at the largest finite
 /// number.
 ///
@@ -160,7 +160,7 @@ pub fn edge_squared_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<
     square.over(scale).over(scale).saturated().canonical()
 }
 
-/// The part of the edge between two points in the winding number around a point: 1 where it crosses
+/// Returns the part of the edge between two points in the winding number around a point: 1 where it crosses
 /// the ray from the point along +x upwards, −1 where downwards, else 0. A constant: no derivative.
 ///
 /// An edge has its lower end and lacks its upper one, so a ring's edges add up to a whole number for
@@ -190,7 +190,7 @@ pub(crate) fn winding_of<S: Scalar>(up: S::Mask, down: S::Mask) -> S {
     S::select(up, S::one(), S::select(down, -S::one(), S::zero()))
 }
 
-/// The vector with length one; zero for a vector so short that it counts as none.
+/// Returns the vector with length one; zero for a vector so short that it counts as none.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn unit<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
     let square = v.length_squared();
@@ -200,7 +200,8 @@ pub(crate) fn unit<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
     Vec2::select(none, Vec2::zero(), unit)
 }
 
-/// The vector with length one; zero for none. Beside a speck it is a constant, whose derivatives are beyond the format.
+/// Returns the vector with length one; zero for none. Beside a speck it is a constant, whose derivatives are beyond the
+/// format.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn direction<S: Scalar>(way: Vec2<S>) -> Vec2<S> {
     let length = way.length();

@@ -83,7 +83,7 @@ impl<S: Scalar> EdgeFold<S> {
         self.count += S::one();
         self
     }
-    /// Both sets of edges together: the nearer one, the sum of the winding numbers.
+    /// Returns both sets of edges together: the nearer one, the sum of the winding numbers.
     #[must_use]
     #[inline(always)]
     pub fn join(self, other: Self) -> Self {
@@ -106,7 +106,7 @@ impl<S: Scalar> EdgeFold<S> {
     pub fn with_edge(self, point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> Self {
         self.join(Self::of_edge(point, from, to))
     }
-    /// The distance of the nearest edge; the largest finite number without edges. Edges that tie share
+    /// Returns the distance of the nearest edge; the largest finite number without edges. Edges that tie share
     /// the derivative equally.
     #[must_use]
     #[inline(always)]
@@ -116,14 +116,14 @@ impl<S: Scalar> EdgeFold<S> {
         let mean = self.sum.over(S::select(none, S::one(), self.count));
         mean.with_primal(self.distance.primal()).canonical()
     }
-    /// `true` where the point is inside: by the rule, a winding number that is not zero, or that is odd.
+    /// Returns `true` where the point is inside: by the rule, a winding number that is not zero, or that is odd.
     #[must_use]
     #[inline(always)]
     pub fn inside(self, fill: Fill) -> S::Mask {
         fills(self.winding, fill)
     }
-    /// The distance of the border, negative inside. Exactly on an edge, across which it is smooth, the derivative
-    /// is that of the outward normal; where several edges meet it is zero.
+    /// Returns the distance of the border, negative inside. Exactly on an edge, across which it is smooth, the
+    /// derivative is that of the outward normal; where several edges meet it is zero.
     #[must_use]
     #[inline(always)]
     pub fn signed_distance(self, fill: Fill) -> S {
@@ -147,7 +147,7 @@ impl<S: Scalar> EdgeFold<S> {
     }
 }
 
-/// `true` where a rule puts a winding number inside.
+/// Returns `true` where a rule puts a winding number inside.
 #[inline(always)]
 fn fills<S: Scalar>(winding: S, fill: Fill) -> S::Mask {
     match fill {
@@ -156,7 +156,7 @@ fn fills<S: Scalar>(winding: S, fill: Fill) -> S::Mask {
     }
 }
 
-/// `true` where a whole number is even.
+/// Returns `true` where a whole number is even.
 #[inline(always)]
 fn is_even<S: Scalar>(whole: S) -> S::Mask {
     // Adding and taking away 1.5 / ε rounds to a whole number.

@@ -5,7 +5,7 @@ use crate::scalar::Guard;
 use crate::{Scalar, Segment2, Vec2};
 
 impl<S: Scalar> Vec2<S> {
-    /// The distance of the point from a convex shape, another point among them: [`distance`].
+    /// Returns the distance of the point from a convex shape, another point among them: [`distance`].
     ///
     /// ```
     /// use geograd::{Obb2, Vec2};
@@ -18,7 +18,7 @@ impl<S: Scalar> Vec2<S> {
     pub fn distance<B: Convex<S>>(self, other: B) -> S {
         distance(self, other)
     }
-    /// The square of the distance of the point from a convex shape: [`squared_distance`].
+    /// Returns the square of the distance of the point from a convex shape: [`squared_distance`].
     #[must_use]
     #[inline(always)]
     pub fn squared_distance<B: Convex<S>>(self, other: B) -> S {
@@ -27,7 +27,7 @@ impl<S: Scalar> Vec2<S> {
 }
 
 impl<S: Scalar> Segment2<S> {
-    /// The fraction of the way, in `[0, 1]`, at which it is nearest to a point.
+    /// Returns the fraction of the way, in `[0, 1]`, at which it is nearest to a point.
     ///
     /// Kinks: where the nearest point becomes an end, the derivative is shared. A segment of zero length
     /// (below ε² of the distance to the point) gives one half, with derivative zero.
@@ -37,7 +37,7 @@ impl<S: Scalar> Segment2<S> {
         let (edge, arm) = Placed::segment(self).near(point);
         edge::reach(edge, arm).t.canonical()
     }
-    /// The point of the segment nearest to a point. Kinks: see
+    /// Returns the point of the segment nearest to a point. Kinks: see
     /// [`parameter_of`](Segment2::parameter_of).
     #[must_use]
     #[inline]

@@ -7,7 +7,7 @@ use crate::{Scalar, Vec2};
 /// Edges worked on side by side, in arrays that the compiler turns into SIMD.
 const SIDE: usize = 16;
 
-/// The squared distance of the origin from an edge, and what the edge adds to the winding number
+/// Returns the squared distance of the origin from an edge, and what the edge adds to the winding number
 /// around the origin.
 #[inline(always)]
 fn measure<P: Scalar>(a: Vec2<P>, b: Vec2<P>) -> (P, P) {
@@ -24,13 +24,13 @@ fn measure<P: Scalar>(a: Vec2<P>, b: Vec2<P>) -> (P, P) {
     (P::select(inside, across, end), winding_of(up, down))
 }
 
-/// The larger one of two numbers that are not negative.
+/// Returns the larger one of two numbers that are not negative.
 #[inline(always)]
 fn larger<P: Scalar>(a: P, b: P) -> P {
     P::select(a.below(b), b, a)
 }
 
-/// `true` where a square is no larger than another one but for rounding.
+/// Returns `true` where a square is no larger than another one but for rounding.
 #[inline(always)]
 fn about_least<P: Scalar>(square: P, least: P) -> P::Mask {
     square.at_most(least * P::lit(1.0 + 64.0 * P::EPSILON))
@@ -58,7 +58,7 @@ impl<P: Scalar<Mask = bool>> Found<P> {
     }
 }
 
-/// The fold over the edges between neighbours in a path and, for a ring, from the last vertex to the
+/// Returns the fold over the edges between neighbours in a path and, for a ring, from the last vertex to the
 /// first. `None` where squares over- or underflow, or there are too many edges to count.
 ///
 /// The nearest edges are found by their squared distance, and only they are measured with derivatives.

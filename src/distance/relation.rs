@@ -30,13 +30,14 @@ pub(crate) struct Relation<S: Scalar> {
 }
 
 impl<S: Scalar> Relation<S> {
-    /// The signed distance of the shapes, of which both radii together are taken away.
+    /// Returns the signed distance of the shapes, of which both radii together are taken away.
     #[inline(always)]
     pub fn signed(&self, radius: S) -> S {
         self.parted(self.apart.over(self.scale) - radius)
             .canonical()
     }
-    /// The squared distance of cores without radii: no root, so that curvature is right, too, where it vanishes.
+    /// Returns the squared distance of cores without radii: no root, so that curvature is right, too, where it
+    /// vanishes.
     #[inline(always)]
     pub fn square(&self) -> S {
         S::select(
@@ -45,13 +46,13 @@ impl<S: Scalar> Relation<S> {
             self.way.length_squared(),
         )
     }
-    /// A square in the unit of length.
+    /// Returns a square in the unit of length.
     #[inline(always)]
     pub fn unscaled_square(&self, square: S) -> S {
         let square = square.over(self.scale).over(self.scale);
         square.saturated().canonical()
     }
-    /// The depth of overlap with both radii together, and a direction.
+    /// Returns the depth of overlap with both radii together, and a direction.
     #[inline(always)]
     pub fn penetration(&self, radius: S, direction: Vec2<S>) -> Contact<S> {
         let depth = -self.parted(self.apart.over(self.scale) - radius);
@@ -60,7 +61,7 @@ impl<S: Scalar> Relation<S> {
             direction: direction.canonical(),
         }
     }
-    /// A way in the unit of length.
+    /// Returns a way in the unit of length.
     #[inline(always)]
     pub fn unscaled(&self, way: Vec2<S>) -> Vec2<S> {
         Vec2::new(way.x.over(self.scale), way.y.over(self.scale))
@@ -113,8 +114,8 @@ fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> 
     joined((near, direction), deepest(a, b), bounded, origin, scale)
 }
 
-/// The relation of two cores by their nearest points, the direction from a to b there, and by the face that parts
-/// them best, seen from `origin` in units of `1 / scale`; `bounded` says that one of them is.
+/// Returns the relation of two cores by their nearest points, the direction from a to b there, and by the face that
+/// parts them best, seen from `origin` in units of `1 / scale`; `bounded` says that one of them is.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn joined<S: Scalar>(
     (near, direction): (Nearest<S>, Vec2<S>),
@@ -175,7 +176,7 @@ pub(crate) fn joined<S: Scalar>(
     }
 }
 
-/// The nearest points of two cores that do not overlap.
+/// Returns the nearest points of two cores that do not overlap.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Best<S, Nearest<S>> {
     // A point is nothing but a corner: the other core's edges have seen it.
@@ -189,7 +190,7 @@ fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Best<S, Nearest<S>>
     first.less(b.near(a.corners().as_ref()).flipped())
 }
 
-/// The face that parts two cores best; `None` where neither their overlap nor their difference has an
+/// Returns the face that parts two cores best; `None` where neither their overlap nor their difference has an
 /// area. The faces of the set of all differences of two convex sets are those of the one and those
 /// of the other.
 #[cfg_attr(not(debug_assertions), inline(always))]

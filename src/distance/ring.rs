@@ -11,7 +11,7 @@ use super::nearest_edge::nearest;
 use crate::scalar::Guard;
 use crate::{Scalar, Vec2};
 
-/// The distance from a point to the edges of a polyline, not negative; 0 with derivative zero on it. For a
+/// Returns the distance from a point to the edges of a polyline, not negative; 0 with derivative zero on it. For a
 /// single vertex the distance to it, for none the largest finite number.
 ///
 /// Edges that are equally near share the derivative equally.
@@ -27,14 +27,14 @@ pub fn distance_to_polyline<S: Scalar<Mask = bool>>(point: Vec2<S>, path: &[Vec2
     known(point, path).result(fold_path(point, path).distance())
 }
 
-/// The distance from a point to the edges of a ring, not negative, inside as outside.
+/// Returns the distance from a point to the edges of a ring, not negative, inside as outside.
 #[must_use]
 #[inline]
 pub fn distance_to_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[Vec2<S>]) -> S {
     known(point, ring).result(fold_ring(point, ring).distance())
 }
 
-/// The signed distance from a point to a ring in either orientation: negative inside, by the winding
+/// Returns the signed distance from a point to a ring in either orientation: negative inside, by the winding
 /// number. Self-intersecting rings are valid. Without vertices the largest finite number.
 ///
 /// Derivatives: the unit vector from the nearest point of the ring (inside: towards it), to the ends of
@@ -53,7 +53,7 @@ pub fn signed_distance_to_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[V
     known(point, ring).result(fold_ring(point, ring).signed_distance(Fill::NonZero))
 }
 
-/// The winding number of a ring around a point. On the ring it is that of one of its sides.
+/// Returns the winding number of a ring around a point. On the ring it is that of one of its sides.
 ///
 /// ```
 /// use geograd::{Vec2, distance::ring::winding_of_ring};
@@ -67,7 +67,7 @@ pub fn winding_of_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[Vec2<S>])
     known(point, ring).result(turns.fold(S::zero(), |sum, edge| sum + edge))
 }
 
-/// A guard of a point and vertices: these by comparisons that do not wait for each other.
+/// Returns a guard of a point and vertices: these by comparisons that do not wait for each other.
 #[inline(always)]
 fn known<S: Scalar<Mask = bool>>(point: Vec2<S>, vertices: &[Vec2<S>]) -> Guard<S> {
     let is_known = |v: &Vec2<S>| v.x.equals(v.x) & v.y.equals(v.y);
@@ -78,7 +78,7 @@ fn known<S: Scalar<Mask = bool>>(point: Vec2<S>, vertices: &[Vec2<S>]) -> Guard<
     }
 }
 
-/// The fold over the edges of a polyline; over its vertex where it has only one.
+/// Returns the fold over the edges of a polyline; over its vertex where it has only one.
 #[must_use]
 #[inline]
 pub fn fold_path<S: Scalar<Mask = bool>>(point: Vec2<S>, path: &[Vec2<S>]) -> EdgeFold<S> {
@@ -92,7 +92,7 @@ pub fn fold_path<S: Scalar<Mask = bool>>(point: Vec2<S>, path: &[Vec2<S>]) -> Ed
     })
 }
 
-/// The fold over the edges of a ring.
+/// Returns the fold over the edges of a ring.
 #[must_use]
 #[inline]
 pub fn fold_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[Vec2<S>]) -> EdgeFold<S> {
@@ -103,7 +103,7 @@ pub fn fold_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[Vec2<S>]) -> Ed
     })
 }
 
-/// The edges of a ring, the closing one first.
+/// Returns the edges of a ring, the closing one first.
 #[inline(always)]
 fn edges<S: Copy>(ring: &[Vec2<S>]) -> impl Iterator<Item = (Vec2<S>, Vec2<S>)> {
     let previous = ring.last().into_iter().chain(ring);

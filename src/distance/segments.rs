@@ -40,7 +40,7 @@ impl<S: Scalar> Carry<S> for Pair<S> {
     }
 }
 
-/// The points in which two segments are nearest to each other, and where along the segments they lie.
+/// Returns the points in which two segments are nearest to each other, and where along the segments they lie.
 /// For segments that cross it is the point of crossing, with its derivatives.
 ///
 /// Kinks: parallel segments, where the nearest pairs of an end and a segment share equally (for
@@ -203,7 +203,7 @@ fn way<S: Scalar>(link: Link<S>, distance: S) -> Way<S> {
 // Both see what `relation` sees, in the same order, so that a recording of the distance and of the way has every
 // number once.
 
-/// The shortest way from a point to a segment at some distance.
+/// Returns the shortest way from a point to a segment at some distance.
 #[inline(always)]
 pub(crate) fn way_to_segment<S: Scalar>(
     point: Vec2<S>,
@@ -216,7 +216,7 @@ pub(crate) fn way_to_segment<S: Scalar>(
     way(flipped(link(b.edge, a.0, S::zero())).mean(), distance)
 }
 
-/// The shortest way between two segments at some distance.
+/// Returns the shortest way between two segments at some distance.
 #[inline(always)]
 pub(crate) fn way_between_segments<S: Scalar>(
     a: Segment2<S>,

@@ -181,7 +181,7 @@ impl<S: Scalar, const N: usize> Convex<S> for ConvexPolygon<S, N> {
     }
 }
 
-/// The first `used` corners, and the last of them again to the end of the array: the same polygon.
+/// Returns the first `used` corners, and the last of them again to the end of the array: the same polygon.
 /// Derivatives of corners beyond are zero. `used` is a whole number from 1 to N.
 ///
 /// ```

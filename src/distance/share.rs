@@ -3,9 +3,9 @@ use crate::{Scalar, Vec2};
 
 /// Values that can be added up and divided: a [`Best`] carries one.
 pub trait Carry<S: Scalar>: Copy {
-    /// The sum where `tie`, else `self` where `keep`, else `other`.
+    /// Returns the sum where `tie`, else `self` where `keep`, else `other`.
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self;
-    /// All of it, times a number.
+    /// Returns all of it, times a number.
     fn times(self, factor: S) -> Self;
 }
 
@@ -65,14 +65,14 @@ impl<S: Scalar, C: Carry<S>> Best<S, C> {
             count: S::one(),
         }
     }
-    /// The smaller of two; all of both where they are equal.
+    /// Returns the smaller of two; all of both where they are equal.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn less(self, other: Self) -> Self {
         let keep = self.value.below(other.value);
         self.join(other, keep)
     }
-    /// The larger of two; all of both where they are equal.
+    /// Returns the larger of two; all of both where they are equal.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn most(self, other: Self) -> Self {
@@ -88,21 +88,21 @@ impl<S: Scalar, C: Carry<S>> Best<S, C> {
             count: self.count.join(other.count, keep, tie),
         }
     }
-    /// The smallest of at least one.
+    /// Returns the smallest of at least one.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn least(candidates: impl Iterator<Item = Self>) -> Self {
         candidates
             .reduce(Self::less)
             .expect("a core has at least one corner")
     }
-    /// The largest of at least one.
+    /// Returns the largest of at least one.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn most_of(candidates: impl Iterator<Item = Self>) -> Self {
         candidates
             .reduce(Self::most)
             .expect("a core has at least one face")
     }
-    /// The mean of the values that the best ones carry.
+    /// Returns the mean of the values that the best ones carry.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn mean(self) -> C {
         self.sum.times(S::one().over(self.count))
@@ -259,8 +259,8 @@ impl<S: Scalar> Best<S, Deepest<S>> {
         };
         self
     }
-    /// The larger of two that are faces of different shapes, as [`most`](Best::most) but where both are parallel and
-    /// part the shapes equally.
+    /// Returns the larger of two that are faces of different shapes, as [`most`](Best::most) but where both are
+    /// parallel and part the shapes equally.
     ///
     /// With b turned by t from there its own face parts them by `−offset t + (p − h) |t|` more than that of a, where
     /// p and h are half the lengths of the faces of b and a, and offset is how far their middles are apart. So for

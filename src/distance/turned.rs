@@ -29,7 +29,7 @@ fn seen<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (Relative<S>, Rotation2<S>, S) {
 const SIGNS: [bool; 2] = [false, true];
 const CORNERS: [[bool; 2]; 4] = [[false, false], [true, false], [true, true], [false, true]];
 
-/// A number or minus it.
+/// Returns a number or minus it.
 #[inline(always)]
 fn signed<S: Scalar>(negative: bool, x: S) -> S {
     if negative { -x } else { x }
@@ -41,8 +41,8 @@ fn short<S: Scalar>(pair: &Relative<S>) -> S {
     (pair.sin * pair.sin).over(S::one() + pair.cos)
 }
 
-/// The length by which `first + last` is beyond `half` on either side, zero between. The large `half` and `first`
-/// are subtracted before the small `last` is added.
+/// Returns the length by which `first + last` is beyond `half` on either side, zero between. The large `half` and
+/// `first` are subtracted before the small `last` is added.
 #[inline(always)]
 fn beyond<S: Scalar>(first: S, last: S, half: S) -> S {
     let zero = S::zero();
@@ -52,8 +52,8 @@ fn beyond<S: Scalar>(first: S, last: S, half: S) -> S {
     S::select(out, by, zero)
 }
 
-/// The corner of b that is nearest to a, or the corner of a that is nearest to b, and the direction from a to b. The
-/// point of b is seen from b's centre, so that its distance from a costs no digits.
+/// Returns the corner of b that is nearest to a, or the corner of a that is nearest to b, and the direction from a to
+/// b. The point of b is seen from b's centre, so that its distance from a costs no digits.
 #[inline(always)]
 fn nearest<S: Scalar>(pair: &Relative<S>) -> Best<S, (Nearest<S>, Vec2<S>)> {
     let (h, p, cos, sin) = (pair.half_a, pair.half_b, pair.cos, pair.sin);
@@ -89,7 +89,7 @@ fn nearest<S: Scalar>(pair: &Relative<S>) -> Best<S, (Nearest<S>, Vec2<S>)> {
     Best::least(of_b.into_iter().chain(of_a))
 }
 
-/// The face of a or b that parts them best; the point of b is seen from b's centre.
+/// Returns the face of a or b that parts them best; the point of b is seen from b's centre.
 #[inline(always)]
 fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
     let (h, p, cos, sin) = (pair.half_a, pair.half_b, pair.cos, pair.sin);
@@ -141,7 +141,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
     Best::most_of(pairs)
 }
 
-/// The relation, in which each point is seen from the centre of its box along the axes of a.
+/// Returns the relation, in which each point is seen from the centre of its box along the axes of a.
 #[inline(always)]
 fn related<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (Relation<S>, Rotation2<S>) {
     let (pair, turn, scale) = seen(a, b);
@@ -151,7 +151,7 @@ fn related<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (Relation<S>, Rotation2<S>) {
     (found, turn)
 }
 
-/// The [signed distance](super::signed_distance) of two rotated boxes, in the unit of length.
+/// Returns the [signed distance](super::signed_distance) of two rotated boxes, in the unit of length.
 ///
 /// ```
 /// use geograd::{Obb2, distance::turned::signed_distance_obb2};
@@ -165,7 +165,7 @@ pub fn signed_distance_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     related(a, b).0.signed(S::zero())
 }
 
-/// The [distance](super::distance()) of two rotated boxes, in the unit of length.
+/// Returns the [distance](super::distance()) of two rotated boxes, in the unit of length.
 ///
 /// ```
 /// use geograd::{Obb2, distance::turned::distance_obb2};
@@ -180,7 +180,7 @@ pub fn distance_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     S::select(apart.above(S::zero()), apart, S::zero()).canonical()
 }
 
-/// The square of [`distance_obb2`], smooth where that vanishes.
+/// Returns the square of [`distance_obb2`], smooth where that vanishes.
 ///
 /// ```
 /// use geograd::{Obb2, distance::turned::squared_distance_obb2};
@@ -209,7 +209,7 @@ pub fn penetration_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Contact<S> {
     found.penetration(S::zero(), turn * found.normal)
 }
 
-/// The [nearest points](super::closest_points) of two rotated boxes.
+/// Returns the [nearest points](super::closest_points) of two rotated boxes.
 ///
 /// ```
 /// use geograd::{Obb2, Vec2, distance::turned::closest_points_obb2};
@@ -228,7 +228,7 @@ pub fn closest_points_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> PointPair<S> {
     }
 }
 
-/// The [longest distance](super::farthest_distance) of points of two rotated boxes, in the unit of length.
+/// Returns the [longest distance](super::farthest_distance) of points of two rotated boxes, in the unit of length.
 ///
 /// With c the way between the centres and s, t the ways from the centres of b and a to corners of theirs it is the
 /// largest `|c + s − t|`, whose square is `|c|² + |s|² + |t|²`, the same for all corners, and

@@ -5,8 +5,8 @@ use super::outcome::{Contact, PointPair};
 use crate::arrays::Each;
 use crate::{Aabb2, Scalar, Vec2};
 
-/// The signed distance of two axis-aligned boxes, in the unit of length: the shortest way between them, or minus
-/// the length of the shortest shift after which they only touch.
+/// Returns the signed distance of two axis-aligned boxes, in the unit of length: the shortest way between them, or
+/// minus the length of the shortest shift after which they only touch.
 ///
 /// Their [`signed_distance`](super::signed_distance), by the two gaps between their bounds alone: it
 /// has no kink beside those of the distance itself, however flat the boxes are. Kinks: where bounds tie, or
@@ -29,7 +29,7 @@ pub fn signed_distance_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
         .canonical()
 }
 
-/// The [distance](super::distance()) of two axis-aligned boxes by their bounds, in the unit of length.
+/// Returns the [distance](super::distance()) of two axis-aligned boxes by their bounds, in the unit of length.
 ///
 /// ```
 /// use geograd::{Aabb2, distance::upright::distance_aabb2};
@@ -42,7 +42,7 @@ pub fn distance_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     open(gaps(a, b)).length().saturated().canonical()
 }
 
-/// The square of [`distance_aabb2`], smooth where that vanishes.
+/// Returns the square of [`distance_aabb2`], smooth where that vanishes.
 ///
 /// ```
 /// use geograd::{Aabb2, distance::upright::squared_distance_aabb2};
@@ -55,8 +55,8 @@ pub fn squared_distance_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     open(gaps(a, b)).length_squared().saturated().canonical()
 }
 
-/// The [longest distance](super::farthest_distance) of points of two axis-aligned boxes by their bounds, in the unit
-/// of length. Kinks: boxes with one centre along x or along y.
+/// Returns the [longest distance](super::farthest_distance) of points of two axis-aligned boxes by their bounds, in the
+/// unit of length. Kinks: boxes with one centre along x or along y.
 ///
 /// ```
 /// use geograd::{Aabb2, distance::upright::farthest_distance_aabb2};
@@ -70,7 +70,7 @@ pub fn farthest_distance_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     right.most(left).length().saturated().canonical()
 }
 
-/// How far two boxes are apart along x and along y; negative where they overlap.
+/// Returns how far two boxes are apart along x and along y; negative where they overlap.
 #[inline(always)]
 fn gaps<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Vec2<S> {
     let (right, left) = (b.min - a.max, a.min - b.max);
@@ -84,7 +84,7 @@ fn open<S: Scalar>(gap: Vec2<S>) -> Vec2<S> {
     Vec2::new(open(gap.x), open(gap.y))
 }
 
-/// The bounds of two intervals that face each other, and how far they are apart; negative where they overlap.
+/// Returns the bounds of two intervals that face each other, and how far they are apart; negative where they overlap.
 #[inline(always)]
 fn facing<S: Scalar>(a: [S; 2], b: [S; 2]) -> ([S; 2], S) {
     let (right, left) = (b[0] - a[1], a[0] - b[1]);
@@ -93,8 +93,8 @@ fn facing<S: Scalar>(a: [S; 2], b: [S; 2]) -> ([S; 2], S) {
     ([pick(a[1], a[0]), pick(b[0], b[1])], pick(right, left))
 }
 
-/// The points in which two axis-aligned boxes are nearest to each other, or which the shortest shift brings together
-/// where they overlap.
+/// Returns the points in which two axis-aligned boxes are nearest to each other, or which the shortest shift brings
+/// together where they overlap.
 ///
 /// Their [`closest_points`](super::closest_points): along sides
 /// that face each other the middle of what they share. All coordinates are bounds, or

@@ -32,43 +32,43 @@ use crate::{Scalar, Vec3};
 pub trait Apart<B>: Copy {
     /// Their numbers.
     type Scalar: Scalar;
-    /// The relation of the shapes to each other.
+    /// Returns the relation of the shapes to each other.
     #[doc(hidden)]
     fn relation(self, other: B) -> Relation<Self::Scalar>;
-    /// The longest distance. By default that of a shape without end.
+    /// Returns the longest distance. By default that of a shape without end.
     #[doc(hidden)]
     #[inline]
     fn farthest(self, _other: B) -> Self::Scalar {
         Self::Scalar::lit(Self::Scalar::LARGEST)
     }
-    /// A guard of the numbers of both.
+    /// Returns a guard of the numbers of both.
     #[doc(hidden)]
     fn guarded_with(&self, other: &B) -> Guard<Self::Scalar>;
-    /// The longest distance: [`farthest_distance`](super::farthest_distance).
+    /// Returns the longest distance: [`farthest_distance`](super::farthest_distance).
     #[must_use]
     #[inline]
     fn farthest_distance(self, other: B) -> Self::Scalar {
         farthest_distance(self, other)
     }
-    /// The distance, 0 where the shapes touch or overlap: [`distance`](super::distance()).
+    /// Returns the distance, 0 where the shapes touch or overlap: [`distance`](super::distance()).
     #[must_use]
     #[inline]
     fn distance(self, other: B) -> Self::Scalar {
         distance(self, other)
     }
-    /// The square of the distance: [`squared_distance`](super::squared_distance).
+    /// Returns the square of the distance: [`squared_distance`](super::squared_distance).
     #[must_use]
     #[inline]
     fn squared_distance(self, other: B) -> Self::Scalar {
         squared_distance(self, other)
     }
-    /// The distance, or minus the depth of overlap: [`signed_distance`](super::signed_distance).
+    /// Returns the distance, or minus the depth of overlap: [`signed_distance`](super::signed_distance).
     #[must_use]
     #[inline]
     fn signed_distance(self, other: B) -> Self::Scalar {
         signed_distance(self, other)
     }
-    /// A point of each, nearest to each other: [`closest_points`](super::closest_points).
+    /// Returns a point of each, nearest to each other: [`closest_points`](super::closest_points).
     #[must_use]
     #[inline]
     fn closest_points(self, other: B) -> PointPair3<Self::Scalar> {
@@ -82,8 +82,8 @@ pub trait Apart<B>: Copy {
     }
 }
 
-/// The signed distance of two shapes of space, in the unit of length: the shortest way between them, or minus the
-/// length of the shortest shift after which they only touch.
+/// Returns the signed distance of two shapes of space, in the unit of length: the shortest way between them, or minus
+/// the length of the shortest shift after which they only touch.
 ///
 /// Derivatives and kinks: see the [module](super).
 ///
@@ -100,7 +100,8 @@ pub fn signed_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
     a.guarded_with(&b).result(a.relation(b).signed_distance())
 }
 
-/// The distance of two shapes of space, in the unit of length; 0 with derivative zero where they touch or overlap.
+/// Returns the distance of two shapes of space, in the unit of length; 0 with derivative zero where they touch or
+/// overlap.
 ///
 /// Derivatives and kinks: see the [module](super).
 ///
@@ -118,8 +119,8 @@ pub fn distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
     a.guarded_with(&b).result(a.relation(b).distance())
 }
 
-/// The squared distance of two shapes of space; 0 where they touch or overlap. Once differentiable wherever the nearest
-/// points are. Saturates at the largest finite number.
+/// Returns the squared distance of two shapes of space; 0 where they touch or overlap. Once differentiable wherever the
+/// nearest points are. Saturates at the largest finite number.
 ///
 /// ```
 /// use geograd::{Segment3, Vec3, distance3::squared_distance};
@@ -132,7 +133,7 @@ pub fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S 
     a.guarded_with(&b).result(a.relation(b).squared_distance())
 }
 
-/// The points in which two shapes of space are nearest to each other.
+/// Returns the points in which two shapes of space are nearest to each other.
 ///
 /// Overlapping shapes have the points that [`penetration`] brings together. Balls with one centre, and other round
 /// shapes whose cores meet in a point, leave each other by several ways; the points are those of one. Ties and
@@ -168,7 +169,7 @@ pub fn penetration<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Contact
     a.guarded_with(&b).result(a.relation(b).penetration())
 }
 
-/// The longest distance of a point of one shape of space from a point of the other, in the unit of length.
+/// Returns the longest distance of a point of one shape of space from a point of the other, in the unit of length.
 ///
 /// Pairs of corners that are equally far share the derivative; two equal points have derivative zero. A shape without
 /// end has the largest finite number, with derivative zero.
@@ -220,7 +221,7 @@ impl<A: Cored, B: Cored<Scalar = A::Scalar>> Apart<B> for A {
     }
 }
 
-/// The distances of a point from a point and from a box, in place of those by their cores.
+/// Returns the distances of a point from a point and from a box, in place of those by their cores.
 #[inline(always)]
 fn from_point<B: Cored>(
     found: Relation<B::Scalar>,

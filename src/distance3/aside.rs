@@ -3,8 +3,8 @@ use super::core::Core;
 use super::spot::fixed_vector;
 use crate::{Scalar, Vec3};
 
-/// A direction of length one across both of two cores, a constant: across the two ways along their edges that are the
-/// farthest from parallel, else across the longest one, and along the first axis where both are points.
+/// Returns a direction of length one across both of two cores, a constant: across the two ways along their edges that
+/// are the farthest from parallel, else across the longest one, and along the first axis where both are points.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn of_cores<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec3<S> {
     let (a, b) = (a.plain(), b.plain());
@@ -17,7 +17,7 @@ pub(super) fn of_cores<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec3<S>
     }
 }
 
-/// The same of ways. No product of four lengths of a size that is promised over- or underflows.
+/// Returns the same of ways. No product of four lengths of a size that is promised over- or underflows.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn across<S: Scalar>(ways: impl Iterator<Item = Vec3<S::Primal>> + Clone) -> Vec3<S> {
     let along = longest(ways.clone());
@@ -33,7 +33,7 @@ pub(super) fn across<S: Scalar>(ways: impl Iterator<Item = Vec3<S::Primal>> + Cl
     fixed_vector(unit(Vec3::select(clear, product, beside(along))))
 }
 
-/// The longest of some vectors; zero of none.
+/// Returns the longest of some vectors; zero of none.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn longest<P: Scalar>(vectors: impl Iterator<Item = Vec3<P>>) -> Vec3<P> {
     vectors.fold(Vec3::zero(), |most, v| {
@@ -42,7 +42,7 @@ fn longest<P: Scalar>(vectors: impl Iterator<Item = Vec3<P>>) -> Vec3<P> {
     })
 }
 
-/// A vector across another one, along the first axis where that is zero.
+/// Returns a vector across another one, along the first axis where that is zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn beside<P: Scalar>(Vec3 { x, y, z }: Vec3<P>) -> Vec3<P> {
     let zero = P::zero();
@@ -52,7 +52,7 @@ fn beside<P: Scalar>(Vec3 { x, y, z }: Vec3<P>) -> Vec3<P> {
     Vec3::select(none, Vec3::new(P::one(), zero, zero), across)
 }
 
-/// A vector with length one.
+/// Returns a vector with length one.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn unit<P: Scalar>(v: Vec3<P>) -> Vec3<P> {
     v * P::one().over(v.length_squared().root())

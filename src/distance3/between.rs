@@ -27,7 +27,8 @@ fn view<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
     (origin, scale_of::<S>(size))
 }
 
-/// The relation of two cores: plain numbers say which features are nearest, and the distance of these is computed once.
+/// Returns the relation of two cores: plain numbers say which features are nearest, and the distance of these is
+/// computed once.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<S> {
     if let (Some(a), Some(b)) = (a.as_box(), b.as_box()) {
@@ -54,7 +55,7 @@ pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<
     }
 }
 
-/// The features that are nearest, or the planes that part two cores of plain numbers best.
+/// Returns the features that are nearest, or the planes that part two cores of plain numbers best.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
     let (
@@ -111,7 +112,8 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
     }
 }
 
-/// The relation of the features that were chosen, with derivatives; the values are those that were found with them.
+/// Returns the relation of the features that were chosen, with derivatives; the values are those that were found with
+/// them.
 ///
 /// A feature that is free along two ways is in a plane, whose normal turns; along one it is a line, to which the way is
 /// orthogonal; along none the way is that of two fixed points. The height of the way along the normal, held fixed, has
@@ -201,7 +203,7 @@ fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
     }
 }
 
-/// The nearest points of two cores that do not overlap, in the mean of all that tie.
+/// Returns the nearest points of two cores that do not overlap, in the mean of all that tie.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn nearest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Candidate<P> {
     let mut n = 0;
@@ -250,7 +252,7 @@ fn nearest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Candidate<P> {
     sum.times(P::one().over(count))
 }
 
-/// The relation by the nearest points, or by the plane that parts two cores best.
+/// Returns the relation by the nearest points, or by the plane that parts two cores best.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> Joined<S> {
     let given = near.normal.length_squared().above(S::zero());
@@ -311,7 +313,7 @@ pub(super) struct Joined<S: Scalar> {
     pub inside: S::Mask,
 }
 
-/// The square of the longest way from a corner of one core to one of another; ties share.
+/// Returns the square of the longest way from a corner of one core to one of another; ties share.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn farthest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> S {
     if let (Some(a), Some(b)) = (a.as_box(), b.as_box()) {

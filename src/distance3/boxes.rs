@@ -8,7 +8,7 @@ use crate::{Rotation2, Scalar, Vec2, Vec3};
 
 /// A kind of box in space whose faces a point can be beyond.
 pub trait Faces<S: Scalar>: Copy {
-    /// How far a point is beyond the nearer face across each of the box's own axes; negative between both.
+    /// Returns how far a point is beyond the nearer face across each of the box's own axes; negative between both.
     #[must_use]
     fn beyond(self, point: Vec3<S>) -> Vec3<S>;
 }
@@ -21,7 +21,7 @@ impl<S: Scalar> Faces<S> for Aabb3<S> {
     }
 }
 
-/// The same from a point in the box's own frame.
+/// Returns the same from a point in the box's own frame.
 #[inline(always)]
 fn from_center<S: Scalar>(at: Vec3<S>, size: Vec3<S>) -> Vec3<S> {
     let across = |x: S, size: S| x.magnitude() - size.halved();
@@ -48,7 +48,7 @@ impl<S: Scalar> Faces<S> for Obb3<S> {
     }
 }
 
-/// The signed distance by how far a point is beyond faces.
+/// Returns the signed distance by how far a point is beyond faces.
 #[inline(always)]
 pub(super) fn signed<S: Scalar>(beyond: Vec3<S>) -> S {
     let nearest = most_of([beyond.x, beyond.y, beyond.z]);
@@ -63,8 +63,8 @@ pub(super) fn open<S: Scalar>(gap: Vec3<S>) -> Vec3<S> {
     Vec3::new(gap.x.most(zero), gap.y.most(zero), gap.z.most(zero))
 }
 
-/// The relation of two axis-aligned boxes, by their bounds alone. Ties of bounds share the derivative; of boxes that
-/// overlap equally deep along several axes the points and the direction are those of the first.
+/// Returns the relation of two axis-aligned boxes, by their bounds alone. Ties of bounds share the derivative; of boxes
+/// that overlap equally deep along several axes the points and the direction are those of the first.
 #[inline(always)]
 pub(super) fn upright<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> Relation<S> {
     let (zero, one) = (S::zero(), S::one());
@@ -108,7 +108,7 @@ pub(super) fn upright<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> Relation<S> {
     }
 }
 
-/// The longest distance of points of two axis-aligned boxes. Kinks: boxes with one centre along an axis.
+/// Returns the longest distance of points of two axis-aligned boxes. Kinks: boxes with one centre along an axis.
 #[inline(always)]
 pub(super) fn farthest_upright<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> S {
     (b.max - a.min).most(a.max - b.min).length()

@@ -28,42 +28,42 @@ pub trait Core<S: Scalar>: Copy {
     /// `true` if corners are computed from a centre, to which a distance from the origin would cost digits. Corners
     /// that are given lose some where they are moved.
     const CENTERED: bool = false;
-    /// A point of it, from which the others are seen.
+    /// Returns a point of it, from which the others are seen.
     fn anchor(&self) -> Vec3<S>;
-    /// How far its corners are from a point at most, coordinate by coordinate, as a constant.
+    /// Returns how far its corners are from a point at most, coordinate by coordinate, as a constant.
     fn extent(&self, from: Vec3<S>) -> S::Primal;
-    /// The core seen from a point.
+    /// Returns the core seen from a point.
     #[must_use]
     fn seen_from(self, from: Vec3<S>) -> Self;
-    /// The core seen from a point, in other units.
+    /// Returns the core seen from a point, in other units.
     #[must_use]
     fn placed(self, from: Vec3<S>, scale: S) -> Self;
-    /// The core without derivatives.
+    /// Returns the core without derivatives.
     fn plain(&self) -> Self::Plain;
-    /// The point at a spot, which is fixed on the core.
+    /// Returns the point at a spot, which is fixed on the core.
     fn point(&self, spot: Spot<S::Primal>) -> Vec3<S>;
-    /// The ways along the feature of a spot, and how many they are; zero for those that there are not.
+    /// Returns the ways along the feature of a spot, and how many they are; zero for those that there are not.
     fn free(&self, spot: Spot<S::Primal>) -> ([Vec3<S>; 2], S::Primal);
-    /// The spot of a corner.
+    /// Returns the spot of a corner.
     fn at_corner(&self, k: usize) -> Spot<S>;
-    /// The spot on an edge, from 0 to 1, whose ends are not counted among its points.
+    /// Returns the spot on an edge, from 0 to 1, whose ends are not counted among its points.
     fn at_edge(&self, k: usize, t: S) -> Spot<S>;
-    /// The derivative of the heights of spots along a direction, less that of others.
+    /// Returns the derivative of the heights of spots along a direction, less that of others.
     fn pull(&self, spot: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S>;
-    /// The height that has that derivative, but for a constant.
+    /// Returns the height that has that derivative, but for a constant.
     fn height(&self, pull: Pull<S::Primal>) -> S;
-    /// The corners.
+    /// Returns the corners.
     fn corners(&self) -> Self::Corners;
-    /// The edges.
+    /// Returns the edges.
     fn edges(&self) -> Self::Edges;
-    /// The ways from end to end of edges, parallel ones once.
+    /// Returns the ways from end to end of edges, parallel ones once.
     fn ways(&self) -> Self::Ways;
-    /// The numbers of its faces.
+    /// Returns the numbers of its faces.
     fn faces(&self) -> Self::Faces;
-    /// The point of the core, or of its surface, that is nearest to a corner of another one, at a spot there.
+    /// Returns the point of the core, or of its surface, that is nearest to a corner of another one, at a spot there.
     fn near(&self, corner: Vec3<S>, there: Spot<S>) -> Candidate<S>;
-    /// The edge along one of the [ways](Core::ways) that is farthest against a direction orthogonal to it: of boxes its
-    /// middle, of others its first end.
+    /// Returns the edge along one of the [ways](Core::ways) that is farthest against a direction orthogonal to it: of
+    /// boxes its middle, of others its first end.
     fn lowest(&self, normal: Vec3<S>, way: usize) -> Lowest<S>;
     /// Of edges along a way that are equally far but for rounding the one on the side of a point.
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -76,22 +76,22 @@ pub trait Core<S: Scalar>: Copy {
     ) -> Lowest<S> {
         lowest
     }
-    /// The spot at a parameter along a way from that of [`lowest`](Core::lowest).
+    /// Returns the spot at a parameter along a way from that of [`lowest`](Core::lowest).
     fn along(&self, spot: Spot<S>, way: usize, t: S) -> Spot<S>;
-    /// The least of `normal · corner`, and the corner; corners that tie share the derivative, and the point is their
-    /// mean.
+    /// Returns the least of `normal · corner`, and the corner; corners that tie share the derivative, and the point is
+    /// their mean.
     fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>);
-    /// How much closer sides of length zero come along a direction as they grow: zero, with that derivative.
+    /// Returns how much closer sides of length zero come along a direction as they grow: zero, with that derivative.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn growth(&self, _normal: Vec3<S>) -> S {
         S::zero()
     }
-    /// The core as a box, where it is one.
+    /// Returns the core as a box, where it is one.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn as_box(&self) -> Option<BoxCore<S>> {
         None
     }
-    /// The core as a straight feature, where it is one.
+    /// Returns the core as a straight feature, where it is one.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn straight(&self) -> Option<Straight<S>> {
         None
@@ -119,7 +119,7 @@ pub struct BoxCore<S> {
 }
 
 impl<S: Scalar> BoxCore<S> {
-    /// A point as its own axes see it, from the centre.
+    /// Returns a point as its own axes see it, from the centre.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn seen(&self, point: Vec3<S>) -> [S; 3] {
         let arm = point - self.center;
@@ -127,7 +127,7 @@ impl<S: Scalar> BoxCore<S> {
     }
 }
 
-/// How far points are from another one at most.
+/// Returns how far points are from another one at most.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn extent_of<S: Scalar, const N: usize>(
     points: [Vec3<S>; N],

@@ -21,22 +21,22 @@ pub trait Cored: Copy {
     type Core: Core<Self::Scalar>;
     /// `true` if the radius may be other than zero.
     const ROUND: bool = false;
-    /// The shape that is inflated.
+    /// Returns the shape that is inflated.
     fn core(self) -> Self::Core;
-    /// A guard with its numbers.
+    /// Returns a guard with its numbers.
     fn guarded(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
     /// By how much; not negative.
     #[inline(always)]
     fn radius(&self) -> Self::Scalar {
         Self::Scalar::zero()
     }
-    /// The bounds, where the core is an axis-aligned box.
+    /// Returns the bounds, where the core is an axis-aligned box.
     #[doc(hidden)]
     #[inline(always)]
     fn bounds(&self) -> Option<Aabb3<Self::Scalar>> {
         None
     }
-    /// How far a point is beyond the faces, where the core is a box.
+    /// Returns how far a point is beyond the faces, where the core is a box.
     #[doc(hidden)]
     #[inline(always)]
     fn beyond(&self, _: Vec3<Self::Scalar>) -> Option<Vec3<Self::Scalar>> {
@@ -77,8 +77,8 @@ cored! {
     Tetrahedron: TetrahedronCore, |solid| SimplexCore(solid.corners());
 }
 
-/// The axes of a rotation: quotients by the squared length of its quaternion, so that quarter turns have none but zeros
-/// and ones. The zero quaternion is no rotation.
+/// Returns the axes of a rotation: quotients by the squared length of its quaternion, so that quarter turns have none
+/// but zeros and ones. The zero quaternion is no rotation.
 #[inline(always)]
 fn axes<S: Scalar>(q: Rotation3<S>) -> [Vec3<S>; 3] {
     let scale = scale_of::<S>(largest([q.w, q.x, q.y, q.z]));
@@ -109,7 +109,7 @@ fn axes<S: Scalar>(q: Rotation3<S>) -> [Vec3<S>; 3] {
     ]
 }
 
-/// A box with axes of length one.
+/// Returns a box with axes of length one.
 #[inline(always)]
 fn box_core<S: Scalar>(center: Vec3<S>, size: Vec3<S>, axes: [Vec3<S>; 3]) -> BoxCore<S> {
     BoxCore {

@@ -32,7 +32,7 @@ struct Over<P: Scalar> {
     there: Spot<P>,
 }
 
-/// The corners of b that are least ahead of a face of a; of equal ones those whose foot is on it, if any are.
+/// Returns the corners of b that are least ahead of a face of a; of equal ones those whose foot is on it, if any are.
 ///
 /// Where only corners have a foot on it that rounding may have put ahead of the others, those are taken: an edge that is
 /// parallel to the face meets it there, and not beyond its border.
@@ -92,7 +92,7 @@ fn least<P: Scalar, B: Core<P>>(
     found
 }
 
-/// Both faces of a box across an axis, against another core.
+/// Returns both faces of a box across an axis, against another core.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn box_faces<P: Scalar, B: Core<P>>(
     a: &BoxCore<P>,
@@ -126,8 +126,8 @@ pub(super) fn box_faces<P: Scalar, B: Core<P>>(
     PartingPlane::of_sides(sides)
 }
 
-/// Both sides of a triangle, the face of a solid with a corner behind it or alone, against another core. A spot on it is
-/// one of the shares of its corners.
+/// Returns both sides of a triangle, the face of a solid with a corner behind it or alone, against another core. A spot
+/// on it is one of the shares of its corners.
 ///
 /// A solid without volume has two sides; the inner side of any other one is a bound, whose feet are on no face.
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -183,7 +183,7 @@ pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
     PartingPlane::of_sides(sides)
 }
 
-/// Both sides of the normal of an edge of each core.
+/// Returns both sides of the normal of an edge of each core.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn across_edges<P: Scalar, A: Core<P>, B: Core<P>>(
     (a, i, u): (&A, usize, Vec3<P>),
@@ -270,7 +270,7 @@ pub(super) struct Deepest<P> {
     pub lead: Vec3<P>,
 }
 
-/// The planes that part two cores best; `None` where their difference has no volume.
+/// Returns the planes that part two cores best; `None` where their difference has no volume.
 ///
 /// Of planes that part them equally but for rounding those of the highest grade count: their points are on both cores.
 #[cfg_attr(not(debug_assertions), inline(always))]

@@ -16,8 +16,8 @@ use crate::shape::{Line3, Ray3};
 use crate::{Scalar, Vec3};
 
 impl<S: Scalar> Straight<S> {
-    /// The relation of a line or ray to a core, seen from there: far from the origin the ends of a part of the line would
-    /// lose digits.
+    /// Returns the relation of a line or ray to a core, seen from there: far from the origin the ends of a part of the
+    /// line would lose digits.
     #[inline(always)]
     fn relation<B: Core<S>>(self, core: B) -> Relation<S> {
         let anchor = core.anchor();
@@ -33,7 +33,7 @@ impl<S: Scalar> Straight<S> {
             ..found
         }
     }
-    /// A direction across the line or ray and a core that meet.
+    /// Returns a direction across the line or ray and a core that meet.
     #[inline(always)]
     fn aside<B: Core<S>>(self, core: B) -> Vec3<S> {
         let unit = |way: Vec3<S::Primal>| way * scale_of::<S::Primal>(size_of(way));
@@ -42,8 +42,8 @@ impl<S: Scalar> Straight<S> {
         let ways = ways.as_ref().iter().copied();
         aside::across(ways.chain([along]).map(unit))
     }
-    /// The part of a line or ray that is all a core has to do with: it ends where the line's nearest points to the core
-    /// are, and farther by more than the core is large, so that no shift along it is shorter than one across.
+    /// Returns the part of a line or ray that is all a core has to do with: it ends where the line's nearest points to
+    /// the core are, and farther by more than the core is large, so that no shift along it is shorter than one across.
     #[inline(always)]
     fn before<B: Core<S>>(&self, core: &B) -> SegmentCore<S> {
         let plain = |x: S::Primal| S::from_primal(x.primal());
@@ -66,7 +66,7 @@ impl<S: Scalar> Straight<S> {
     }
 }
 
-/// The relation of two straight features.
+/// Returns the relation of two straight features.
 ///
 /// The parameter of the first one is that of the common normal; of parallel features it is the middle of what faces
 /// each other, as far as that ends. A sine below eight roundings counts as parallel. The other parameter follows from
@@ -141,7 +141,7 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
     }
 }
 
-/// The relation of two features that cross, with second derivatives where their normal has few digits.
+/// Returns the relation of two features that cross, with second derivatives where their normal has few digits.
 ///
 /// The way between two points held fixed has the first derivatives alone. Both slide: with the residuals r and q of
 /// orthogonality to u and v, which are zero, the square of the shortest way is less by `|v r − u q|² / |u × v|²`.
@@ -160,7 +160,7 @@ fn bent<S: Scalar>(found: Relation<S>, slides: S::Mask, less: S) -> Relation<S> 
 macro_rules! endless {
     ($($Shape:ident: $field:ident $Reach:ident;)*) => { $(
         impl<S: Scalar> $Shape<S> {
-            /// The line or ray as a feature.
+            /// Returns the line or ray as a feature.
             #[inline(always)]
             fn feature(self) -> Straight<S> {
                 Straight {

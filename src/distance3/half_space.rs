@@ -15,10 +15,10 @@ use crate::{Scalar, Vec3};
 pub trait Bounded: Copy {
     /// Its numbers.
     type Scalar: Scalar;
-    /// The least of `normal · point`, given a normal of length one, and a point of the shape there. Points that tie
-    /// share the derivative, and the point is their mean.
+    /// Returns the least of `normal · point`, given a normal of length one, and a point of the shape there. Points that
+    /// tie share the derivative, and the point is their mean.
     fn lowest(self, normal: Vec3<Self::Scalar>) -> (Self::Scalar, Vec3<Self::Scalar>);
-    /// A guard with its numbers.
+    /// Returns a guard with its numbers.
     fn all_guarded(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
 }
 
@@ -39,8 +39,8 @@ impl<A: Cored> Bounded for A {
     }
 }
 
-/// The lowest of a circle's points: how far below its centre, and the way to there. A circle that lies in the plane
-/// has its centre.
+/// Returns the lowest of a circle's points: how far below its centre, and the way to there. A circle that lies in the
+/// plane has its centre.
 #[inline(always)]
 fn lowest_of_circle<S: Scalar>(axis: Vec3<S>, radius: S, normal: Vec3<S>) -> (S, Vec3<S>) {
     let axis = direction(axis * scale_of::<S>(largest([axis.x, axis.y, axis.z])));
@@ -48,7 +48,7 @@ fn lowest_of_circle<S: Scalar>(axis: Vec3<S>, radius: S, normal: Vec3<S>) -> (S,
     (slope.length() * radius, direction(slope) * radius)
 }
 
-/// The lower of two points.
+/// Returns the lower of two points.
 #[inline(always)]
 fn lower<S: Scalar>(a: (S, Vec3<S>), b: (S, Vec3<S>)) -> (S, Vec3<S>) {
     let Low(height, point) = Best::of(a.0, Low(a.0, a.1))
@@ -86,7 +86,7 @@ impl<S: Scalar> Bounded for Cone<S> {
     }
 }
 
-/// The relation of a half-space and a shape.
+/// Returns the relation of a half-space and a shape.
 #[inline(always)]
 pub(super) fn relate<S: Scalar, B: Bounded<Scalar = S>>(plane: Plane3<S>, shape: B) -> Relation<S> {
     let n = plane.normal;

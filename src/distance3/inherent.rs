@@ -3,7 +3,7 @@ use super::{Apart, distance, signed_distance, squared_distance};
 use crate::{Plane3, Scalar, Segment3, Sphere, Vec3};
 
 impl<S: Scalar> Vec3<S> {
-    /// The distance of the point from another one or from a shape: [`distance`].
+    /// Returns the distance of the point from another one or from a shape: [`distance`].
     ///
     /// ```
     /// use geograd::{Aabb3, Vec3};
@@ -19,7 +19,7 @@ impl<S: Scalar> Vec3<S> {
     {
         distance(self, other)
     }
-    /// The signed distance of the point from the surface of a shape, negative inside: [`signed_distance`].
+    /// Returns the signed distance of the point from the surface of a shape, negative inside: [`signed_distance`].
     #[must_use]
     #[inline]
     pub fn signed_distance<B>(self, shape: B) -> S
@@ -28,7 +28,7 @@ impl<S: Scalar> Vec3<S> {
     {
         signed_distance(self, shape)
     }
-    /// The square of the distance from another point, where it is smooth everywhere, or from a shape:
+    /// Returns the square of the distance from another point, where it is smooth everywhere, or from a shape:
     /// [`squared_distance`].
     #[must_use]
     #[inline(always)]
@@ -41,7 +41,7 @@ impl<S: Scalar> Vec3<S> {
 }
 
 impl<S: Scalar> Segment3<S> {
-    /// The distance to a shape, 0 where they touch: [`distance`](crate::distance3::distance()).
+    /// Returns the distance to a shape, 0 where they touch: [`distance`](crate::distance3::distance()).
     ///
     /// ```
     /// use geograd::{Segment3, Vec3};
@@ -61,8 +61,8 @@ impl<S: Scalar> Segment3<S> {
 }
 
 impl<S: Scalar> Sphere<S> {
-    /// The distance from a point or another shape to the surface, negative inside; of a point the derivative is zero
-    /// at the centre: [`signed_distance`](crate::distance3::signed_distance).
+    /// Returns the distance from a point or another shape to the surface, negative inside; of a point the derivative is
+    /// zero at the centre: [`signed_distance`](crate::distance3::signed_distance).
     #[must_use]
     #[inline(always)]
     pub fn signed_distance<B>(self, other: B) -> S
@@ -74,8 +74,8 @@ impl<S: Scalar> Sphere<S> {
 }
 
 impl<S: Scalar> Plane3<S> {
-    /// The height of a point over the plane, or of the lowest point of another shape: positive on the side of the
-    /// normal. For a normal of length zero the offset counts alone, with its sign changed.
+    /// Returns the height of a point over the plane, or of the lowest point of another shape: positive on the side of
+    /// the normal. For a normal of length zero the offset counts alone, with its sign changed.
     #[must_use]
     #[inline(always)]
     pub fn signed_distance<B>(self, other: B) -> S
@@ -84,7 +84,7 @@ impl<S: Scalar> Plane3<S> {
     {
         signed_distance(self, other)
     }
-    /// The point of the plane nearest to a point.
+    /// Returns the point of the plane nearest to a point.
     #[must_use]
     #[inline(always)]
     pub fn project(self, point: Vec3<S>) -> Vec3<S> {

@@ -17,7 +17,7 @@ pub struct Edge<S> {
 }
 
 impl<S: Scalar> Edge<S> {
-    /// The edge from one point to another.
+    /// Returns the edge from one point to another.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn between(from: Vec3<S>, to: Vec3<S>) -> Self {
         Edge {
@@ -81,7 +81,7 @@ pub struct Candidate<P> {
 }
 
 impl<P: Scalar> Candidate<P> {
-    /// The nearest points at spots.
+    /// Returns the nearest points at spots.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn new(near: Best<P, Nearest<P>>, at_a: Spot<P>, at_b: Spot<P>) -> Self {
         Candidate {
@@ -102,7 +102,7 @@ impl<P: Scalar> Candidate<P> {
             ..self
         }
     }
-    /// The nearer of two; of equal ones the first.
+    /// Returns the nearer of two; of equal ones the first.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn less(self, other: Self) -> Self {
@@ -130,7 +130,7 @@ impl<P: Scalar> Candidate<P> {
         self.at_b.add(ties, other.at_b, ties);
         P::select(ties, P::one(), P::zero())
     }
-    /// All nothing, with the least of some squares.
+    /// Returns all nothing, with the least of some squares.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn none(square: P) -> Self {
         let zero = Vec3::zero();
@@ -146,7 +146,7 @@ impl<P: Scalar> Candidate<P> {
             at_b: Spot::none(),
         }
     }
-    /// A part of it.
+    /// Returns a part of it.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn times(self, share: P) -> Self {
         Candidate {
@@ -203,19 +203,19 @@ impl<S: Scalar> Carry<S> for Low<S> {
     }
 }
 
-/// The largest coordinate of a vector, without sign, as a constant.
+/// Returns the largest coordinate of a vector, without sign, as a constant.
 #[inline(always)]
 pub(crate) fn size_of<S: Scalar>(v: Vec3<S>) -> S::Primal {
     largest([v.x, v.y, v.z])
 }
 
-/// The number without derivatives.
+/// Returns the number without derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn fixed<S: Scalar>(x: S) -> S {
     S::from_primal(x.primal())
 }
 
-/// The sum of the squares.
+/// Returns the sum of the squares.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn square_of<S: Scalar>(x: [S; 3]) -> S {
     (x[0] * x[0] + x[1] * x[1]) + x[2] * x[2]
@@ -236,8 +236,8 @@ pub(super) struct Normal<S: Scalar> {
     pub clear: S::Mask,
 }
 
-/// The normal of two ways. In units of the cores' size a product shorter than ε² counts as none: what its features
-/// lie beyond their neighbours is then below ε.
+/// Returns the normal of two ways. In units of the cores' size a product shorter than ε² counts as none: what its
+/// features lie beyond their neighbours is then below ε.
 ///
 /// The product of ways that are all but parallel is mostly rounding. What is left of it along the first way is taken
 /// away, so that it is orthogonal to both to the digits of the format.
@@ -263,8 +263,8 @@ pub(super) fn normal<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> Normal<S> {
     }
 }
 
-/// The way between two points of features with a common normal, and its direction. That is the normal's, whose digits
-/// do not depend on how long the way is; where the normal has few, the way itself, and no direction.
+/// Returns the way between two points of features with a common normal, and its direction. That is the normal's, whose
+/// digits do not depend on how long the way is; where the normal has few, the way itself, and no direction.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn across<S: Scalar>(normal: Normal<S>, way: Vec3<S>) -> (Vec3<S>, Vec3<S>) {
     let height = normal.unit.dot(way);
@@ -276,8 +276,8 @@ pub(super) fn across<S: Scalar>(normal: Normal<S>, way: Vec3<S>) -> (Vec3<S>, Ve
     )
 }
 
-/// The point of an edge that is nearest to a corner, seen from the nearer end, whose distance has more digits; where on
-/// the edge, from 0 to 1, and `true` if that is between its ends.
+/// Returns the point of an edge that is nearest to a corner, seen from the nearer end, whose distance has more digits;
+/// where on the edge, from 0 to 1, and `true` if that is between its ends.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn edge_near<S: Scalar>(
     edge: Edge<S>,
@@ -300,8 +300,8 @@ pub(super) fn edge_near<S: Scalar>(
     (Nearest::of(apart, on_a, corner), along, between)
 }
 
-/// The foot of a corner on a triangle, the largest number where that is outside; the shares of the triangle's corners in
-/// it, and `true` if the normal has at least half the digits of the format.
+/// Returns the foot of a corner on a triangle, the largest number where that is outside; the shares of the triangle's
+/// corners in it, and `true` if the normal has at least half the digits of the format.
 ///
 /// The foot is made of weights, so that it is a point of the triangle even where the normal is mostly rounding. They
 /// are seen from the corner opposite to the longest edge, where the angle of a needle keeps its digits.
@@ -340,8 +340,8 @@ pub(super) fn face_near<S: Scalar>(
     (found, shares, normal.clear)
 }
 
-/// The nearest points of two edges where they are between the ends of both, else the largest number; where on both
-/// edges, from 0 to 1, and `true` if the normal has at least half the digits of the format.
+/// Returns the nearest points of two edges where they are between the ends of both, else the largest number; where on
+/// both edges, from 0 to 1, and `true` if the normal has at least half the digits of the format.
 ///
 /// The parameter of the first edge is as wrong as its direction is all but that of the second one. The other parameter
 /// is that of the point nearest to it, so that the way errs by the square of that.

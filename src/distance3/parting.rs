@@ -69,7 +69,7 @@ impl<P: Scalar> PartingPlane<P> {
             area: P::one(),
         }
     }
-    /// The side that parts more; of equal ones that of the higher grade, or else both.
+    /// Returns the side that parts more; of equal ones that of the higher grade, or else both.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_sides([one, other]: [Self; 2]) -> Self {
         let same = one.value.equals(other.value);
@@ -134,7 +134,7 @@ pub struct Lowest<S: Scalar> {
 }
 
 impl<S: Scalar> Lowest<S> {
-    /// An edge, of which a spot is known.
+    /// Returns an edge, of which a spot is known.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn edge(point: Vec3<S>, spot: Spot<S>) -> Self {
         let zero = S::zero();

@@ -18,7 +18,7 @@ pub struct NearestEdge3<S> {
 }
 
 impl<S: Scalar> NearestEdge3<S> {
-    /// The state without edges: the largest finite number.
+    /// Returns the state without edges: the largest finite number.
     #[must_use]
     #[inline(always)]
     pub fn empty() -> Self {
@@ -40,7 +40,7 @@ impl<S: Scalar> NearestEdge3<S> {
             count: S::one(),
         }
     }
-    /// The nearer of both; where they tie, both.
+    /// Returns the nearer of both; where they tie, both.
     #[must_use]
     #[inline(always)]
     pub fn join(self, other: Self) -> Self {
@@ -56,7 +56,7 @@ impl<S: Scalar> NearestEdge3<S> {
             count,
         }
     }
-    /// The distance, to which edges that tie contribute equally.
+    /// Returns the distance, to which edges that tie contribute equally.
     #[must_use]
     #[inline(always)]
     pub fn result(self) -> S {
@@ -66,8 +66,8 @@ impl<S: Scalar> NearestEdge3<S> {
     }
 }
 
-/// The distance of a point and a polyline of space; without edges the largest finite number. Edges that tie share the
-/// derivative equally.
+/// Returns the distance of a point and a polyline of space; without edges the largest finite number. Edges that tie
+/// share the derivative equally.
 ///
 /// ```
 /// use geograd::{Vec3, distance3::polyline::distance_to_polyline};

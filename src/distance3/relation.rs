@@ -20,12 +20,12 @@ pub struct Relation<S> {
 }
 
 impl<S: Scalar> Relation<S> {
-    /// The signed distance as a result.
+    /// Returns the signed distance as a result.
     #[inline]
     pub(super) fn signed_distance(self) -> S {
         self.apart.saturated().canonical()
     }
-    /// The distance as a result.
+    /// Returns the distance as a result.
     #[inline]
     pub(super) fn distance(self) -> S {
         let apart = self.apart;
@@ -33,12 +33,12 @@ impl<S: Scalar> Relation<S> {
             .saturated()
             .canonical()
     }
-    /// The square of the distance as a result.
+    /// Returns the square of the distance as a result.
     #[inline]
     pub(super) fn squared_distance(self) -> S {
         self.square.saturated().canonical()
     }
-    /// The nearest points as a result.
+    /// Returns the nearest points as a result.
     #[inline]
     pub(super) fn closest_points(self) -> PointPair3<S> {
         PointPair3 {
@@ -46,7 +46,7 @@ impl<S: Scalar> Relation<S> {
             on_b: self.on_b.canonical(),
         }
     }
-    /// The depth of overlap and the way out as a result.
+    /// Returns the depth of overlap and the way out as a result.
     #[inline]
     pub(super) fn penetration(self) -> Contact3<S> {
         let depth = -self.apart;
@@ -68,8 +68,8 @@ impl<S: Scalar> Relation<S> {
             ..self
         }
     }
-    /// The relation of shapes whose points are at most some radii from these. Where these meet and no direction is
-    /// preferred, the points are in a given one.
+    /// Returns the relation of shapes whose points are at most some radii from these. Where these meet and no direction
+    /// is preferred, the points are in a given one.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn inflated(self, radius_a: S, radius_b: S, aside: Vec3<S>) -> Self {
@@ -86,13 +86,14 @@ impl<S: Scalar> Relation<S> {
     }
 }
 
-/// The square of a signed distance, zero where that is negative.
+/// Returns the square of a signed distance, zero where that is negative.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn square_of_gap<S: Scalar>(apart: S) -> S {
     S::select(apart.above(S::zero()), apart * apart, S::zero())
 }
 
-/// The vector with length one; zero for none. Beside a speck it is a constant, whose derivatives are beyond the format.
+/// Returns the vector with length one; zero for none. Beside a speck it is a constant, whose derivatives are beyond the
+/// format.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn direction<S: Scalar>(way: Vec3<S>) -> Vec3<S> {
     let length = way.length();

@@ -15,20 +15,20 @@ pub trait Revolved: Copy {
     type Scalar: Scalar;
     /// Its section by a plane through the axis.
     type Section: Convex<Self::Scalar>;
-    /// The start of the axis.
+    /// Returns the start of the axis.
     fn start(self) -> Vec3<Self::Scalar>;
-    /// The way from there to its end.
+    /// Returns the way from there to its end.
     fn axis(self) -> Vec3<Self::Scalar>;
-    /// The radius.
+    /// Returns the radius.
     fn radius(self) -> Self::Scalar;
-    /// The section as the nearest point sees it, which is not across the axis: x along the axis from its start, y
-    /// across, the axis in the middle. A circle of the radius is at the end of the axis.
+    /// Returns the section as the nearest point sees it, which is not across the axis: x along the axis from its start,
+    /// y across, the axis in the middle. A circle of the radius is at the end of the axis.
     fn near_section(height: Self::Scalar, radius: Self::Scalar) -> Self::Section;
-    /// The section as the farthest point sees it, which is across the axis.
+    /// Returns the section as the farthest point sees it, which is across the axis.
     fn far_section(height: Self::Scalar, radius: Self::Scalar) -> Self::Section;
 }
 
-/// The end of a section at a radius of either sign. Without a radius both ends are one, and tie: they have the
+/// Returns the end of a section at a radius of either sign. Without a radius both ends are one, and tie: they have the
 /// derivative of the one that counts.
 #[inline(always)]
 fn unless_none<S: Scalar>(end: S, that_counts: S) -> S {
@@ -91,7 +91,7 @@ impl<S: Scalar> Revolved for Cone<S> {
     }
 }
 
-/// The section of a cone whose base ends at some places across the axis.
+/// Returns the section of a cone whose base ends at some places across the axis.
 #[inline(always)]
 fn ends<S: Scalar>(height: S, low: S, high: S) -> Triangle2<S> {
     Triangle2::new(
@@ -123,8 +123,8 @@ fn seen<S: Scalar>(axis: Vec3<S>, arm: Vec3<S>) -> Seen<S> {
     }
 }
 
-/// The relation of a point and a solid. On the axis no direction is nearest: the derivative across is zero, and point
-/// and direction are those of any.
+/// Returns the relation of a point and a solid. On the axis no direction is nearest: the derivative across is zero, and
+/// point and direction are those of any.
 #[inline(always)]
 pub(super) fn relate<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: B) -> Relation<S> {
     let start = shape.start();
@@ -151,7 +151,7 @@ pub(super) fn relate<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: 
     }
 }
 
-/// The longest distance of a point from points of a solid.
+/// Returns the longest distance of a point from points of a solid.
 #[inline(always)]
 pub(super) fn farthest<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: B) -> S {
     let Seen { at, height, .. } = seen(shape.axis(), point - shape.start());

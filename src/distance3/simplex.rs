@@ -27,7 +27,7 @@ const FACES: [[usize; 4]; 4] = [[0, 1, 2, 3], [0, 3, 1, 2], [1, 3, 2, 0], [2, 3,
 /// The number of the first face as a feature, after those of six edges.
 const FACE: usize = 8;
 
-/// A spot in the plane of a face by shares of its corners.
+/// Returns a spot in the plane of a face by shares of its corners.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn on_face<S: Scalar>(k: usize, shares: [S; 3]) -> Spot<S> {
     let mut parts = [S::zero(); 4];
@@ -41,7 +41,7 @@ fn on_face<S: Scalar>(k: usize, shares: [S; 3]) -> Spot<S> {
 }
 
 impl<S: Scalar, const C: usize, const E: usize, const F: usize> SimplexCore<S, C, E, F> {
-    /// The corners of a face.
+    /// Returns the corners of a face.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn face(&self, k: usize) -> [Vec3<S>; 3] {
         [0, 1, 2].each_as(|i| self.0[FACES[k][i]])

@@ -13,7 +13,7 @@ pub struct Spot<P> {
 }
 
 impl<P: Scalar> Spot<P> {
-    /// A corner of a hull.
+    /// Returns a corner of a hull.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn corner(k: usize) -> Self {
         let mut parts = [P::zero(); 4];
@@ -79,7 +79,7 @@ pub struct Counted<P> {
 }
 
 impl<P: Scalar> Counted<P> {
-    /// The sum of one of the parts.
+    /// Returns the sum of one of the parts.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn part(&self, k: usize) -> P {
         self.spot.parts[k] * self.count
@@ -114,7 +114,7 @@ impl<P: Scalar> Pull<P> {
             *sum += half;
         }
     }
-    /// A part of it.
+    /// Returns a part of it.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn times(self, share: P) -> Self {
@@ -151,7 +151,7 @@ pub(super) struct Chosen<P: Scalar> {
     pub pull_b: Pull<P>,
 }
 
-/// A length's part of another one, from -1 to 1.
+/// Returns a length's part of another one, from -1 to 1.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn part<P: Scalar>(x: P, whole: P) -> P {
     let (zero, one) = (P::zero(), P::one());
@@ -160,38 +160,38 @@ pub(super) fn part<P: Scalar>(x: P, whole: P) -> P {
     P::select(x.below(-one), -one, x)
 }
 
-/// A constant of a number with derivatives.
+/// Returns a constant of a number with derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn fixed<S: Scalar>(x: S::Primal) -> S {
     S::from_primal(x.primal())
 }
 
-/// The vector of constants.
+/// Returns the vector of constants.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn fixed_vector<S: Scalar>(v: Vec3<S::Primal>) -> Vec3<S> {
     Vec3::new(fixed(v.x), fixed(v.y), fixed(v.z))
 }
 
-/// The vector with other values and the same derivatives.
+/// Returns the vector with other values and the same derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn valued<S: Scalar>(v: Vec3<S>, value: Vec3<S::Primal>) -> Vec3<S> {
     let one = |x: S, value: S::Primal| x.with_primal(value.primal());
     Vec3::new(one(v.x, value.x), one(v.y, value.y), one(v.z, value.z))
 }
 
-/// The number that is zero but for rounding, as zero with its derivatives.
+/// Returns the number that is zero but for rounding, as zero with its derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn vanish<S: Scalar>(x: S) -> S {
     x.with_primal(S::Primal::zero())
 }
 
-/// The vector that is zero but for rounding, as zero with its derivatives.
+/// Returns the vector that is zero but for rounding, as zero with its derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn vanishing<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
     Vec3::new(vanish(v.x), vanish(v.y), vanish(v.z))
 }
 
-/// The vector without derivatives.
+/// Returns the vector without derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn plain<S: Scalar>(v: Vec3<S>) -> Vec3<S::Primal> {
     Vec3::new(v.x.primal(), v.y.primal(), v.z.primal())

@@ -25,7 +25,7 @@ pub struct Straight<S> {
 }
 
 impl<S: Scalar> Straight<S> {
-    /// A point.
+    /// Returns a point.
     #[inline(always)]
     pub(super) fn point(from: Vec3<S>) -> Self {
         Straight {
@@ -34,7 +34,7 @@ impl<S: Scalar> Straight<S> {
             reach: Reach::Point,
         }
     }
-    /// A segment.
+    /// Returns a segment.
     #[inline(always)]
     pub(super) fn segment([from, to]: [Vec3<S>; 2]) -> Self {
         Straight {
@@ -51,7 +51,7 @@ impl<S: Scalar> Straight<S> {
             _ => S::Primal::zero(),
         }
     }
-    /// The way along it: of a segment in the units of both features, else in units of its own size.
+    /// Returns the way along it: of a segment in the units of both features, else in units of its own size.
     #[inline(always)]
     pub(super) fn way(&self, scale: S) -> Vec3<S> {
         match self.reach {
@@ -59,7 +59,7 @@ impl<S: Scalar> Straight<S> {
             _ => self.along * scale_of::<S>(size_of(self.along)),
         }
     }
-    /// The parameter inside the bounds that is nearest to one, and `true` where it is between them.
+    /// Returns the parameter inside the bounds that is nearest to one, and `true` where it is between them.
     #[inline(always)]
     pub(super) fn held(&self, t: S) -> (S, S::Mask) {
         let (zero, one) = (S::zero(), S::one());

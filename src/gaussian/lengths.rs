@@ -20,7 +20,7 @@ pub(super) struct Shapes<S: Scalar> {
     pub none: S::Mask,
 }
 
-/// The power of two that brings a length into `[2, 4)`; no larger than three quarters of the range of exponents
+/// Returns the power of two that brings a length into `[2, 4)`; no larger than three quarters of the range of exponents
 /// allow, so that derivatives by lengths stay finite in that unit.
 #[inline(always)]
 fn bounded_unit<S: Scalar>(length: S) -> S {
@@ -50,8 +50,8 @@ impl<S: Scalar> Shapes<S> {
             none,
         }
     }
-    /// A number that says how the boxes are turned, or a constant where derivatives by it might not be finite: they
-    /// grow as the larger size to a power.
+    /// Returns a number that says how the boxes are turned, or a constant where derivatives by it might not be finite:
+    /// they grow as the larger size to a power.
     #[inline(always)]
     pub fn finite_derivatives<const POWER: usize>(&self) -> impl Fn(S) -> S + use<S, POWER> {
         let both = self.both.primal();
@@ -99,7 +99,7 @@ impl<S: Scalar> Way<S> {
     }
 }
 
-/// The sum of the squares of a distance of shapes and of a way, in squared units of length.
+/// Returns the sum of the squares of a distance of shapes and of a way, in squared units of length.
 #[inline(always)]
 pub(super) fn sum_of_squares<S: Scalar>(shape: S, units: &Shapes<S>, way: &Way<S>) -> S {
     let shape = shape.over(units.both).over(units.both);

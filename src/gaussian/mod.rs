@@ -61,8 +61,8 @@ struct Pair<S> {
 /// The least size, as a share of the largest size or distance of a pair: 2⁻²³, in every format.
 const LEAST: f64 = 1.0 / (1_u32 << 23) as f64;
 
-/// The power of two by which the lengths of a pair are multiplied, from a quarter of the largest one (so that it is
-/// finite), and the least size in that unit; where all lengths are zero the least size is one.
+/// Returns the power of two by which the lengths of a pair are multiplied, from a quarter of the largest one (so that
+/// it is finite), and the least size in that unit; where all lengths are zero the least size is one.
 #[inline(always)]
 fn unit<S: Scalar>(quarter: S) -> (S, S) {
     let none = quarter.at_most(S::zero());
@@ -72,8 +72,8 @@ fn unit<S: Scalar>(quarter: S) -> (S, S) {
     (scale, S::select(none, S::one(), least))
 }
 
-/// A length, or a constant where derivatives by lengths might not be finite: they grow as the unit's scale times the
-/// third power of what one is over the smallest size. A function of the scale and that size.
+/// Returns a length, or a constant where derivatives by lengths might not be finite: they grow as the unit's scale
+/// times the third power of what one is over the smallest size. A function of the scale and that size.
 #[inline(always)]
 fn finite_derivatives<S: Scalar>(scale: S, smallest: S) -> impl Fn(S) -> S + use<S> {
     let per = S::Primal::one().over(smallest.primal());
@@ -117,7 +117,7 @@ fn pair<S: Scalar>(a: Obb2<S>, b: Obb2<S>, deviation: f64) -> Pair<S> {
     }
 }
 
-/// The Kullback-Leibler divergence of box a from box b as Gaussians, `KL(a ‖ b)`, from 0.
+/// Returns the Kullback-Leibler divergence of box a from box b as Gaussians, `KL(a ‖ b)`, from 0.
 ///
 /// `½ (dᵀ Σb⁻¹ d + f(a₁²/b₁²) + f(a₂²/b₂²) + sin² (a₁²−a₂²)(b₁²−b₂²) / (b₁² b₂²))` with
 /// `f(r) = r − 1 − ln r`.
@@ -154,7 +154,7 @@ pub fn jeffreys<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
         .canonical()
 }
 
-/// The mean of both Kullback-Leibler divergences, from 0: half of [`jeffreys`].
+/// Returns the mean of both Kullback-Leibler divergences, from 0: half of [`jeffreys`].
 #[must_use]
 #[inline]
 pub fn kullback_leibler_mean<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
@@ -221,7 +221,7 @@ pub(crate) fn similarity<S: Scalar>(distance: S) -> S {
     S::select(far, S::zero(), value).canonical()
 }
 
-/// The overlap of two boxes as Gaussians when they are fused as a Kalman filter does, over their union, in
+/// Returns the overlap of two boxes as Gaussians when they are fused as a Kalman filter does, over their union, in
 /// `[0, 1/3]`: the product's volume `V`, over `Va + Vb − V`. The centres do not count; losses add a term
 /// for them.
 #[must_use]
@@ -248,7 +248,7 @@ pub(crate) fn fused<S: Scalar>(of_a: S, of_b: S) -> S {
     S::select(empty, S::zero(), value).canonical()
 }
 
-/// The loss `1 − 1 / (τ + ln(1 + d))` of a distance or divergence `d ≥ 0`, in `[1 − 1/τ, 1)`; at
+/// Returns the loss `1 − 1 / (τ + ln(1 + d))` of a distance or divergence `d ≥ 0`, in `[1 − 1/τ, 1)`; at
 /// least 0 with `τ = 1`. The papers apply it to [`wasserstein`] and [`kullback_leibler`].
 #[must_use]
 #[inline]

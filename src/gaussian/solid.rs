@@ -83,7 +83,7 @@ fn pair<S: Scalar>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> Pair<S> {
     }
 }
 
-/// The Kullback-Leibler divergence of box a from box b as Gaussians, `KL(a ‖ b)`, from 0.
+/// Returns the Kullback-Leibler divergence of box a from box b as Gaussians, `KL(a ‖ b)`, from 0.
 #[must_use]
 #[inline]
 pub fn kullback_leibler<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
@@ -121,14 +121,14 @@ pub fn jeffreys<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
         .canonical()
 }
 
-/// The mean of both Kullback-Leibler divergences, from 0: half of [`jeffreys`].
+/// Returns the mean of both Kullback-Leibler divergences, from 0: half of [`jeffreys`].
 #[must_use]
 #[inline]
 pub fn kullback_leibler_mean<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     jeffreys(a, b).halved()
 }
 
-/// How much larger `det(Σa + Σb)` is than the product of all `a_k² + b_k²`, relative to that product, which
+/// Returns how much larger `det(Σa + Σb)` is than the product of all `a_k² + b_k²`, relative to that product, which
 /// is what it would be if the axes agreed; and the lengths `√(a_k² + b_k²)`.
 ///
 /// By Cauchy and Binet the determinant is `Π a² + Π b² + Σ_ij D_ij G_ij`, where `G_ij` is the product of the
@@ -197,7 +197,7 @@ pub fn probiou<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     similarity(distance(&pair(a, b, (1.0 / 12.0_f64).sqrt())))
 }
 
-/// The overlap of two boxes as Gaussians when they are fused as a Kalman filter does, over their union, in
+/// Returns the overlap of two boxes as Gaussians when they are fused as a Kalman filter does, over their union, in
 /// `[0, 1 / (2√8 − 1)]`. The centres do not count.
 #[must_use]
 #[inline]

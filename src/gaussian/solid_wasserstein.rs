@@ -53,7 +53,7 @@ fn pair<S: Scalar, const POWER: usize>(a: Obb3<S>, b: Obb3<S>) -> Pair<S> {
     }
 }
 
-/// The orthogonal matrix nearest to a matrix of positive determinant, as a constant: the rotation that
+/// Returns the orthogonal matrix nearest to a matrix of positive determinant, as a constant: the rotation that
 /// aligns one cloud with another.
 ///
 /// Newton's iteration `X ← ½ (γ X + X⁻ᵀ / γ)` with Higham's scaling γ; nine steps reach rounding from any
@@ -95,7 +95,7 @@ fn nearest_rotation<S: Scalar>(mut x: [[S::Primal; 3]; 3]) -> [[S; 3]; 3] {
     x.each_as(|row| row.each_as(S::from_primal))
 }
 
-/// The squared distance of both shapes, as if their centres agreed, in squared units of [`Shapes`].
+/// Returns the squared distance of both shapes, as if their centres agreed, in squared units of [`Shapes`].
 ///
 /// The trace of `Σa + Σb − 2 (√Σa Σb √Σa)^½` is the least `‖√Σa − √Σb Q‖²` over all rotations Q: a sum of
 /// squares. At the best Q derivatives by Q vanish, so Q is a constant.
@@ -138,8 +138,8 @@ fn of_shapes<S: Scalar>(pair: &Pair<S>) -> S {
     sum - gain(&aligned, &best) * (units.share_a * units.share_b)
 }
 
-/// The decrease of the sum of squares as the best rotation Q moves along with the pair. Its value and derivative
-/// are zero here; its second derivative is not.
+/// Returns the decrease of the sum of squares as the best rotation Q moves along with the pair. Its value and
+/// derivative are zero here; its second derivative is not.
 ///
 /// With `K = Qᵀ M`, symmetric where Q is the best, a further turn ω changes `⟨M, Q⟩` by `ω · v − ½ ωᵀ P ω`,
 /// where v is twice the skew part of K and `P = tr K − K`; the best ω gains `½ vᵀ P⁻¹ v` of it, so twice that
@@ -182,7 +182,7 @@ fn gain<S: Scalar>(aligned: &[[S; 3]; 3], best: &[[S; 3]; 3]) -> S {
     sum
 }
 
-/// The square of [`wasserstein`], in squared units of length.
+/// Returns the square of [`wasserstein`], in squared units of length.
 #[must_use]
 #[inline]
 pub fn wasserstein_squared<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {

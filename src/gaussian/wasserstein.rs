@@ -14,8 +14,8 @@ fn small_as_constant<S: Scalar>(size: Vec2<S>) -> Vec2<S> {
     Vec2::new(held(size.x), held(size.y))
 }
 
-/// The squared distance of both shapes, as if their centres agreed, in squared units of [`Shapes`]. `POWER` is that
-/// of the result in lengths.
+/// Returns the squared distance of both shapes, as if their centres agreed, in squared units of [`Shapes`]. `POWER` is
+/// that of the result in lengths.
 fn of_shapes<S: Scalar, const POWER: usize>(a: Obb2<S>, b: Obb2<S>) -> (S, Shapes<S>) {
     let units = Shapes::of(a.size.x.most(a.size.y), b.size.x.most(b.size.y));
     let half = S::lit(0.5);
@@ -48,7 +48,7 @@ fn of_shapes<S: Scalar, const POWER: usize>(a: Obb2<S>, b: Obb2<S>) -> (S, Shape
     (apart.length_squared() + (twist + twist), units)
 }
 
-/// The square of [`wasserstein`], in squared units of length; smooth but for boxes of zero size.
+/// Returns the square of [`wasserstein`], in squared units of length; smooth but for boxes of zero size.
 ///
 /// `|Δ|² + (a₁−b₁)² + (a₂−b₂)² + 2 sin² (a₁²−a₂²)(b₁²−b₂²) / (P + T)` with the deviations a, b,
 /// `P = a₁b₁ + a₂b₂`, `Q = a₁b₂ + a₂b₁` and `T = √(P² cos² + Q² sin²)`, axes named so that no term is

@@ -54,7 +54,7 @@ pub fn merge_search<S: Scalar<Mask = bool>, const N: usize, const M: usize, cons
     Ok(trace)
 }
 
-/// The joint hull from both polygons and the record of [`merge_search`].
+/// Returns the joint hull from both polygons and the record of [`merge_search`].
 #[must_use]
 pub fn merge_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,
@@ -76,7 +76,7 @@ pub fn merge_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
     }
 }
 
-/// The hull of two convex polygons.
+/// Returns the hull of two convex polygons.
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, hull::merge};

@@ -16,7 +16,7 @@ use crate::{ConvexPolygon, Scalar, Vec2, ring};
 pub use merge::{MergeTrace, merge, merge_replay, merge_search};
 pub use sum::{SumTrace, minkowski_sum, minkowski_sum_replay, minkowski_sum_search};
 
-/// The convex hull of points, counter-clockwise from the leftmost one, as indices: written to the front
+/// Returns the convex hull of points, counter-clockwise from the leftmost one, as indices: written to the front
 /// of `order`, and returned. `O(n log n)`, no allocation.
 ///
 /// ```
@@ -93,7 +93,7 @@ fn left<S: Scalar<Mask = bool>>(points: &[Vec2<S>], a: usize, b: usize, c: usize
     turn(points[a], points[b], points[c]) == Turn::Left
 }
 
-/// The convex hull of points, counter-clockwise from the leftmost one, as indices. `O(n log n)`.
+/// Returns the convex hull of points, counter-clockwise from the leftmost one, as indices. `O(n log n)`.
 #[must_use]
 pub fn hull_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Vec<usize> {
     let mut order = vec![0; points.len()];
@@ -102,7 +102,7 @@ pub fn hull_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Vec<usize> {
     order
 }
 
-/// The hull's vertices from points and record.
+/// Returns the hull's vertices from points and record.
 ///
 /// # Panics
 ///
@@ -114,7 +114,7 @@ pub fn hull_replay<'a, S: Copy>(
     record.iter().map(|&k| points[k])
 }
 
-/// The convex hull of points as a polygon of up to `K` vertices.
+/// Returns the convex hull of points as a polygon of up to `K` vertices.
 ///
 /// ```
 /// use geograd::{ConvexPolygon, Vec2, hull::hull};
@@ -143,7 +143,7 @@ pub fn hull<S: Scalar<Mask = bool>, const K: usize>(
     Ok(made)
 }
 
-/// The area of the convex hull of points, in squared units of length, and its record. Zero for
+/// Returns the area of the convex hull of points, in squared units of length, and its record. Zero for
 /// fewer than three points that are not on a line. Derivatives: see [`hull_area_replay`].
 #[must_use]
 pub fn hull_area_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> (S, Vec<usize>) {
@@ -151,7 +151,7 @@ pub fn hull_area_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> (S, Vec<u
     (hull_area_replay(points, &record), record)
 }
 
-/// The area of a hull from points and record. Derivatives are those of the vertices on the hull; kinks
+/// Returns the area of a hull from points and record. Derivatives are those of the vertices on the hull; kinks
 /// where a point passes through the hull's border.
 ///
 /// # Panics

@@ -80,7 +80,7 @@ where
     Ok(trace)
 }
 
-/// The Minkowski sum from both polygons and the record of [`minkowski_sum_search`].
+/// Returns the Minkowski sum from both polygons and the record of [`minkowski_sum_search`].
 #[must_use]
 pub fn minkowski_sum_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,
@@ -96,7 +96,7 @@ pub fn minkowski_sum_replay<S: Scalar, const N: usize, const M: usize, const K: 
     }
 }
 
-/// The Minkowski sum of two convex polygons: all sums of a point of one and a point of the other.
+/// Returns the Minkowski sum of two convex polygons: all sums of a point of one and a point of the other.
 /// Coordinates saturate at the largest finite number.
 ///
 /// Kinks: parallel edges, where the sum is smooth but its vertices are not.

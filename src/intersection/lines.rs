@@ -42,7 +42,7 @@ pub(crate) fn flag<S: Scalar>(mask: S::Mask) -> S {
     S::select(mask, S::one(), S::zero())
 }
 
-/// The point in which two lines cross, with its parameters on both.
+/// Returns the point in which two lines cross, with its parameters on both.
 ///
 /// Lines count as parallel by the sine of their angle, whatever the lengths of their directions:
 /// there is no tolerance in units of length. Parallel lines have parameters 0 with derivative zero.
@@ -83,8 +83,8 @@ pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> CommonPoint<S> 
     })
 }
 
-/// The part that two segments share: nothing, a point, or a segment where they lie along each other. Ends belong
-/// to segments.
+/// Returns the part that two segments share: nothing, a point, or a segment where they lie along each other. Ends
+/// belong to segments.
 ///
 /// What they share is decided as in exact arithmetic on the given numbers: segments lie along each other if their four
 /// ends are on one line, and end on each other if an end is on the other segment. An end in which they meet is the
@@ -170,7 +170,7 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> CommonP
     })
 }
 
-/// A point without derivatives, as one of plain numbers.
+/// Returns a point without derivatives, as one of plain numbers.
 #[inline(always)]
 pub(super) fn plain<S: Scalar>(v: Vec2<S>) -> Vec2<S::Primal> {
     Vec2::new(v.x.primal(), v.y.primal())

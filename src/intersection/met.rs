@@ -6,8 +6,8 @@ use crate::distance::share::Best;
 use crate::twofold::Twofold;
 use crate::{Line2, Mask, Scalar, Vec2};
 
-/// The side of a corner of the line through a point, in units of the given sizes: positive to the left, zero on the
-/// line to some ε².
+/// Returns the side of a corner of the line through a point, in units of the given sizes: positive to the left, zero on
+/// the line to some ε².
 #[inline(always)]
 fn side<P: Scalar<Primal = P>>(point: Vec2<P>, way: Vec2<P>, corner: Vec2<P>, unit: P) -> P {
     let rounded = way.perp_dot((corner - point) * unit);
@@ -22,7 +22,7 @@ fn side<P: Scalar<Primal = P>>(point: Vec2<P>, way: Vec2<P>, corner: Vec2<P>, un
     P::select(doubt, P::select(zero, P::zero(), exact), rounded)
 }
 
-/// The same in twice the digits.
+/// Returns the same in twice the digits.
 #[cold]
 #[inline(never)]
 fn wide_side<P: Scalar>(point: Vec2<P>, way: Vec2<P>, corner: Vec2<P>, unit: P) -> P {
@@ -50,8 +50,8 @@ impl<S: Scalar> Seen<S> {
     }
 }
 
-/// The range of a line inside a hull of corners, from that behind its faces: empty where all corners are on one side,
-/// and the crossing of the hull where rounding leaves none or the hull is flat. Along a side it is that side.
+/// Returns the range of a line inside a hull of corners, from that behind its faces: empty where all corners are on one
+/// side, and the crossing of the hull where rounding leaves none or the hull is flat. Along a side it is that side.
 ///
 /// The corners are given as they are and as the beam sees them.
 #[inline(always)]

@@ -3,7 +3,7 @@ use crate::distance::edge::{scale_of, size_of};
 use crate::scalar::Guard;
 use crate::{Scalar, Segment2, Vec2};
 
-/// The part of the edge between two points in the share of a segment that lies inside a ring, in
+/// Returns the part of the edge between two points in the share of a segment that lies inside a ring, in
 /// `[−1, 1]`.
 ///
 /// The winding number around the segment's point at parameter s is the number of edges that cross its line
@@ -33,7 +33,7 @@ pub fn edge_inside<S: Scalar>(segment: Segment2<S>, from: Vec2<S>, to: Vec2<S>) 
     S::select(down, -t, t)
 }
 
-/// The length of the part of a segment that lies in a ring of any kind and either orientation; parts
+/// Returns the length of the part of a segment that lies in a ring of any kind and either orientation; parts
 /// that a ring winds around twice count twice.
 ///
 /// Derivatives: exact for the segment and every vertex. Kinks: an end on the border, where the derivative is

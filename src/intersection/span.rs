@@ -95,7 +95,7 @@ fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Found<S> {
     }
 }
 
-/// The parameters at which a line enters and leaves a convex shape. The border belongs to it.
+/// Returns the parameters at which a line enters and leaves a convex shape. The border belongs to it.
 ///
 /// Triangles, arrays of corners and segments are met where their corners are not all on one side of the line, by the
 /// given numbers to some ε²: also where they are flat, or met in a corner alone. Other shapes are as their faces round: a
@@ -119,7 +119,7 @@ pub fn span<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Chord<S> {
     })
 }
 
-/// The first point of a ray on the border of a convex shape: where it enters or, from inside, where it
+/// Returns the first point of a ray on the border of a convex shape: where it enters or, from inside, where it
 /// leaves.
 ///
 /// A start on the border is a hit from outside with parameter 0 if the ray enters there. A ray without a direction hits
@@ -156,7 +156,7 @@ pub fn first_hit<S: Scalar, A: Convex<S>>(ray: Ray2<S>, shape: A) -> Hit<S> {
     })
 }
 
-/// The length of the part of a segment that lies in a convex shape, from 0 to the segment's own length;
+/// Returns the length of the part of a segment that lies in a convex shape, from 0 to the segment's own length;
 /// the border belongs to the shape.
 ///
 /// Derivative zero where the segment misses or only touches the shape. Kinks: an end on the border, where

@@ -13,7 +13,7 @@ pub(super) struct Sides<P> {
     pub of_base: [P; 2],
 }
 
-/// The sum of two exact sums, from small to large (Shewchuk's expansion sum; zeros stay).
+/// Returns the sum of two exact sums, from small to large (Shewchuk's expansion sum; zeros stay).
 #[inline(always)]
 fn joined<P: Scalar, const N: usize, const M: usize, const SUM: usize>(
     a: [P; N],
@@ -33,14 +33,15 @@ fn joined<P: Scalar, const N: usize, const M: usize, const SUM: usize>(
 
 type Point<P> = [Halves<P>; 2];
 
-/// The cross product of two points, exactly.
+/// Returns the cross product of two points, exactly.
 #[inline(always)]
 fn cross<P: Scalar>(p: Point<P>, q: Point<P>) -> [P; 4] {
     let less = p[1].times(q[0]);
     joined(p[0].times(q[1]), [-less[0], -less[1]])
 }
 
-/// The side of c as seen from a to b, from the cross products a × b, b × c and c × a: a number with the exact sign.
+/// Returns the side of c as seen from a to b, from the cross products a × b, b × c and c × a: a number with the exact
+/// sign.
 #[inline(always)]
 fn side<P: Scalar>(ab: [P; 4], bc: [P; 4], ca: [P; 4]) -> P {
     let two: [P; 8] = joined(ab, bc);
@@ -49,7 +50,7 @@ fn side<P: Scalar>(ab: [P; 4], bc: [P; 4], ca: [P; 4]) -> P {
     all.into_iter().fold(P::zero(), |sum, part| sum + part)
 }
 
-/// The exact signs, from the cross products of all pairs of points.
+/// Returns the exact signs, from the cross products of all pairs of points.
 #[cold]
 #[inline(never)]
 fn exact<P: Scalar>(base: [Vec2<P>; 2], other: [Vec2<P>; 2], scale: P) -> Sides<P> {

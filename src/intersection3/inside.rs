@@ -51,9 +51,9 @@ pub struct Inside<S> {
     pub exit: Best<S, Border<S>>,
 }
 
-/// The parameters of both points at which a quadratic `a t² − 2 b t + c` vanishes, that of the smaller magnitude first,
-/// given `b² − a c`, with `a` not zero. The root that would cancel follows from the product of both: it is exactly zero
-/// where `c` is, and does not depend on `a` but by the discriminant.
+/// Returns the parameters of both points at which a quadratic `a t² − 2 b t + c` vanishes, that of the smaller
+/// magnitude first, given `b² − a c`, with `a` not zero. The root that would cancel follows from the product of both:
+/// it is exactly zero where `c` is, and does not depend on `a` but by the discriminant.
 #[inline(always)]
 pub(super) fn roots<S: Scalar>(a: S, b: S, c: S, square: S) -> (S, S) {
     let (negative, root) = (b.below(S::zero()), square.root());
@@ -90,7 +90,7 @@ pub(super) fn discriminant<S: Scalar>(a: S, b: S, c: S, square: S) -> S {
     S::select(product.at_most(S::zero()), b * b - product, square)
 }
 
-/// A vector in units of its own size.
+/// Returns a vector in units of its own size.
 #[inline(always)]
 pub(super) fn sized<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
     v * scale_of::<S>(size_of(v))
@@ -169,12 +169,12 @@ impl<S: Scalar> Inside<S> {
         self.exit.value = S::select(empty, -large, self.exit.value);
         self
     }
-    /// `true` for an empty range.
+    /// Returns `true` for an empty range.
     #[inline(always)]
     pub fn is_empty(&self) -> S::Mask {
         self.exit.value.below(self.enter.value)
     }
-    /// The range that both have in common.
+    /// Returns the range that both have in common.
     #[must_use]
     #[inline(always)]
     pub fn meet(self, other: Self) -> Self {
@@ -269,7 +269,7 @@ impl<S: Scalar> Inside<S> {
         }
         .unless(self.is_empty())
     }
-    /// Both pieces of a convex whole.
+    /// Returns both pieces of a convex whole.
     #[must_use]
     #[inline(always)]
     pub fn joined(self, other: Self) -> Self {
@@ -298,7 +298,7 @@ pub(super) fn choose<S: Scalar>(
     }
 }
 
-/// The normal of a round border; zero where the radius is.
+/// Returns the normal of a round border; zero where the radius is.
 #[inline(always)]
 pub(super) fn outwards<S: Scalar>(arm: Vec3<S>, radius: S) -> Vec3<S> {
     let none = radius.at_most(S::zero());

@@ -99,7 +99,7 @@ fn find<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Found<S>
     }
 }
 
-/// The parameters at which a line of space enters and leaves a convex solid. The surface belongs to it.
+/// Returns the parameters at which a line of space enters and leaves a convex solid. The surface belongs to it.
 ///
 /// ```
 /// use geograd::{Line3, Sphere, Vec3, intersection3::span};
@@ -119,7 +119,7 @@ pub fn span<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Chor
     })
 }
 
-/// The first point of a ray on the surface of a convex solid: where it enters or, from inside, where it leaves.
+/// Returns the first point of a ray on the surface of a convex solid: where it enters or, from inside, where it leaves.
 ///
 /// A start on the surface is a hit from outside with parameter 0 if the ray enters there. A ray without a direction
 /// hits nothing. The parameter has finite derivatives everywhere; they grow without bound as the ray comes to graze a round
@@ -157,8 +157,8 @@ pub fn first_hit<S: Scalar, A: Pierced<Scalar = S>>(ray: Ray3<S>, shape: A) -> H
     })
 }
 
-/// The length of the part of a segment of space that lies in a convex solid, from 0 to the segment's own length; the
-/// surface belongs to the solid.
+/// Returns the length of the part of a segment of space that lies in a convex solid, from 0 to the segment's own
+/// length; the surface belongs to the solid.
 ///
 /// Derivative zero where the segment misses or only touches the solid. Kinks: an end on the surface, where the
 /// derivative is shared; a segment along a face, where the length jumps.

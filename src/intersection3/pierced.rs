@@ -21,14 +21,14 @@ use crate::{Scalar, Vec3};
 pub trait Pierced: Copy {
     /// Its numbers.
     type Scalar: Scalar;
-    /// A guard with its numbers, too.
+    /// Returns a guard with its numbers, too.
     #[doc(hidden)]
     fn guarded(self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
-    /// A point of it, from which it is seen.
+    /// Returns a point of it, from which it is seen.
     fn anchor(self) -> Vec3<Self::Scalar>;
-    /// How far it reaches from there, as a constant.
+    /// Returns how far it reaches from there, as a constant.
     fn extent(self) -> <Self::Scalar as Scalar>::Primal;
-    /// The range of a beam inside, both seen from the anchor in units of `1 / scale`.
+    /// Returns the range of a beam inside, both seen from the anchor in units of `1 / scale`.
     fn inside(self, beam: Beam<Self::Scalar>, scale: Self::Scalar) -> Inside<Self::Scalar>;
 }
 
@@ -172,7 +172,7 @@ fn in_round_box<S: Scalar>(shape: BoxCore<S>, radius: S, beam: Beam<S>, scale: S
     }
 }
 
-/// A vector of its numbers.
+/// Returns a vector of its numbers.
 #[inline(always)]
 fn vector<S: Scalar>([x, y, z]: [S; 3]) -> Vec3<S> {
     Vec3::new(x, y, z)

@@ -22,7 +22,7 @@ pub struct CommonLine3<S> {
 }
 
 impl<S> CommonLine3<S> {
-    /// The line; not valid for parallel planes.
+    /// Returns the line; not valid for parallel planes.
     #[must_use]
     #[inline(always)]
     pub fn line(self) -> Line3<S> {
@@ -42,14 +42,14 @@ pub struct CommonPoint3<S> {
     pub found: S,
 }
 
-/// A normal and an offset in units of the normal's own size.
+/// Returns a normal and an offset in units of the normal's own size.
 #[inline(always)]
 fn sized<S: Scalar>(plane: Plane3<S>) -> (Vec3<S>, S) {
     let scale = scale_of::<S>(size_of(plane.normal));
     (plane.normal * scale, plane.offset * scale)
 }
 
-/// The line in which two planes cross.
+/// Returns the line in which two planes cross.
 ///
 /// Planes count as parallel by the sine of their angle. The point is made of both offsets, so it has the digits that
 /// planes so far from the origin have. Derivatives grow with the square of the reciprocal of the sine; they are finite
@@ -81,7 +81,7 @@ pub fn crossing_of_two_planes<S: Scalar>(a: Plane3<S>, b: Plane3<S>) -> CommonLi
     })
 }
 
-/// The sum of the sizes of the terms of a triple product.
+/// Returns the sum of the sizes of the terms of a triple product.
 #[inline(always)]
 pub(crate) fn triple_terms<S: Scalar>(l: Vec3<S>, m: Vec3<S>, n: Vec3<S>) -> S {
     let size = |v: Vec3<S>| Vec3::new(v.x.magnitude(), v.y.magnitude(), v.z.magnitude());
@@ -89,7 +89,7 @@ pub(crate) fn triple_terms<S: Scalar>(l: Vec3<S>, m: Vec3<S>, n: Vec3<S>) -> S {
     l.x * (m.y * n.z + m.z * n.y) + l.y * (m.z * n.x + m.x * n.z) + l.z * (m.x * n.y + m.y * n.x)
 }
 
-/// The point in which three planes meet.
+/// Returns the point in which three planes meet.
 ///
 /// Planes whose normals have a triple product within its own rounding, four ε of its terms, count as without one point.
 /// Derivatives and where they are finite: as of [two planes](crossing_of_two_planes), by the triple product.

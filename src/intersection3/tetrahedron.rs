@@ -62,13 +62,13 @@ impl<S: Scalar> Sight<S> {
     }
 }
 
-/// The edges of a face, each opposite to a corner.
+/// Returns the edges of a face, each opposite to a corner.
 #[inline(always)]
 fn around([i, j, k]: [usize; 3]) -> [[usize; 2]; 3] {
     [[j, k], [k, i], [i, j]]
 }
 
-/// A number of an edge from one corner to another, which changes its sign with the direction.
+/// Returns a number of an edge from one corner to another, which changes its sign with the direction.
 #[inline(always)]
 fn of_edge<S: Scalar>(numbers: [S; 6], from: usize, to: usize) -> S {
     // Edges are in the order of their corners.
@@ -108,7 +108,7 @@ impl<S: Scalar> Met<S> {
     fn is_some(&self) -> S::Mask {
         self.count.above(S::zero())
     }
-    /// The mean of the places.
+    /// Returns the mean of the places.
     #[inline(always)]
     fn mean(&self) -> S {
         self.place.over(self.count.most(S::one()))
@@ -210,8 +210,8 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
     .unless(still | !both & !alone & no_edge)
 }
 
-/// The first and the last place of the corners and edges that the line meets; the share of the way along an edge is a
-/// constant.
+/// Returns the first and the last place of the corners and edges that the line meets; the share of the way along an
+/// edge is a constant.
 #[inline(always)]
 fn edges_met<S: Scalar>(sight: &Sight<S>) -> (Best<S, S>, Best<S, S>) {
     let wide = sight.aside.each_as(size_of);

@@ -68,13 +68,13 @@ impl<P: Scalar<Primal = P>> Behind<P> {
     }
 }
 
-/// `true` where a number is at most a part of another one.
+/// Returns `true` where a number is at most a part of another one.
 #[inline(always)]
 fn within<P: Scalar>(x: P, of: P, part: f64) -> P::Mask {
     x.unsigned().at_most(of * P::lit(part))
 }
 
-/// A number of twice the digits, zero where it is within so many of its roundings.
+/// Returns a number of twice the digits, zero where it is within so many of its roundings.
 #[inline(always)]
 fn unless_zero<P: Scalar>(x: P, of: P, roundings: f64) -> P {
     let zero = within(x, of, roundings * P::EPSILON.powi(2));
@@ -86,14 +86,14 @@ fn plain<S: Scalar>(v: Vec3<S>) -> Vec3<S::Primal> {
     Vec3::new(v.x.primal(), v.y.primal(), v.z.primal())
 }
 
-/// The larger coordinate of a pair, without sign.
+/// Returns the larger coordinate of a pair, without sign.
 #[inline(always)]
 fn most_of<P: Scalar>([x, y]: [P; 2]) -> P {
     x.unsigned().most(y.unsigned())
 }
 
 impl<P: Scalar<Primal = P>> Sight<P> {
-    /// The axis along which the direction is longest comes last; the order around stays.
+    /// Returns the axis along which the direction is longest comes last; the order around stays.
     #[inline(always)]
     fn turned(self, [a, b, c]: [Vec3<P>; 3]) -> (Self, [Vec3<P>; 3]) {
         let [x, y, z] = [self.way.x, self.way.y, self.way.z].map(Scalar::unsigned);
@@ -115,14 +115,14 @@ impl<P: Scalar<Primal = P>> Sight<P> {
         (sight, [turn(a), turn(b), turn(c)])
     }
 
-    /// The way from a place of its own to another place, in twice the digits.
+    /// Returns the way from a place of its own to another place, in twice the digits.
     #[inline(always)]
     fn arm(from: Vec3<P>, to: Vec3<P>, unit: P) -> Wide3<P> {
         [(to.x, from.x), (to.y, from.y), (to.z, from.z)]
             .map(|(to, from)| Twofold::difference(to, from).scaled(unit))
     }
 
-    /// The sides of the edges bc, ca, ab on which the line passes, times the direction's last coordinate.
+    /// Returns the sides of the edges bc, ca, ab on which the line passes, times the direction's last coordinate.
     #[inline(always)]
     fn sides(self, corners: [Vec3<P>; 3], units: Units<P>) -> Sides<P> {
         let d = self.way * units.way;
@@ -152,7 +152,7 @@ impl<P: Scalar<Primal = P>> Sight<P> {
         }
     }
 
-    /// The same in twice the digits: to 320 ε² of the seen coordinates.
+    /// Returns the same in twice the digits: to 320 ε² of the seen coordinates.
     #[cold]
     #[inline(never)]
     fn wide_sides(self, corners: [Vec3<P>; 3], units: Units<P>) -> [P; 3] {
@@ -171,8 +171,8 @@ impl<P: Scalar<Primal = P>> Sight<P> {
     }
 }
 
-/// How far a place is behind a triangle's plane, times twice the area. All in plain numbers, in units of the edges and
-/// of the way from the place.
+/// Returns how far a place is behind a triangle's plane, times twice the area. All in plain numbers, in units of the
+/// edges and of the way from the place.
 #[inline(always)]
 fn behind<P: Scalar<Primal = P>>(
     place: Vec3<P>,
@@ -192,7 +192,7 @@ fn behind<P: Scalar<Primal = P>>(
     }
 }
 
-/// The same in twice the digits: to 138 ε² of the edges' product.
+/// Returns the same in twice the digits: to 138 ε² of the edges' product.
 #[cold]
 #[inline(never)]
 fn wide_behind<P: Scalar<Primal = P>>(
@@ -303,7 +303,7 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
     })
 }
 
-/// The point of a triangle that a ray hits; its border belongs to it.
+/// Returns the point of a triangle that a ray hits; its border belongs to it.
 ///
 /// The border is that of the given numbers to a part of ε² of what the signs are made of: rays through a vertex or an
 /// edge hit every triangle there that is not edge-on, and none passes between triangles that share one. A triangle
@@ -323,7 +323,7 @@ pub fn first_hit_triangle<S: Scalar>(ray: Ray3<S>, triangle: Triangle3<S>) -> Hi
     hit(ray, None, triangle)
 }
 
-/// The point in which a segment meets a triangle; both ends and the border belong to them. The parameter is the
+/// Returns the point in which a segment meets a triangle; both ends and the border belong to them. The parameter is the
 /// fraction of the way from start to end.
 ///
 /// As of [rays](first_hit_triangle), on the line through both ends: a triangle without area is missed, one seen

@@ -61,7 +61,7 @@ fn generalised<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, hull: bool) -> S {
     (iou_aabb2(a, b) - outside_share(rest, union + rest)).canonical()
 }
 
-/// The terms by the box around both, or by the diameter of their hull.
+/// Returns the terms by the box around both, or by the diameter of their hull.
 #[inline(always)]
 fn terms<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, hull: bool) -> Terms<S> {
     let scale = joint_unit(a, b);

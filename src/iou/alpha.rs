@@ -20,7 +20,7 @@ fn powered<S: Scalar>(iou: S, alpha: S) -> S {
     S::select(none, S::zero(), power).canonical()
 }
 
-/// A power of the IoU of two rotated boxes, in `[0, 1]`, for `alpha > 0`: He et al., Alpha-IoU, NeurIPS
+/// Returns a power of the IoU of two rotated boxes, in `[0, 1]`, for `alpha > 0`: He et al., Alpha-IoU, NeurIPS
 /// 2021 (who use 3). See the [module](super).
 #[must_use]
 #[inline]
@@ -28,7 +28,7 @@ pub fn alpha_iou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>, alpha: S) -> S {
     powered(iou_obb2(a, b), alpha)
 }
 
-/// A power of the IoU of two axis-aligned boxes, in `[0, 1]`, for `alpha > 0`: He et al., Alpha-IoU,
+/// Returns a power of the IoU of two axis-aligned boxes, in `[0, 1]`, for `alpha > 0`: He et al., Alpha-IoU,
 /// NeurIPS 2021 (who use 3). See the [module](super).
 #[must_use]
 #[inline]

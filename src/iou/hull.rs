@@ -62,7 +62,7 @@ pub struct HullOfBoxes<S: Scalar> {
     pub lean_b: Vec2<S>,
 }
 
-/// The power of two by which a pair of boxes is multiplied before their hull is measured: that of
+/// Returns the power of two by which a pair of boxes is multiplied before their hull is measured: that of
 /// [`size_scale`], unless one is so large, or they are so far apart, that the hull of boxes of that size, or
 /// its derivatives, might overflow.
 #[inline(always)]
@@ -96,7 +96,7 @@ fn larger<S: Scalar>(x: S, y: S) -> S {
     S::select(x.equals(y), S::lit(0.5), won)
 }
 
-/// The hull of a related pair.
+/// Returns the hull of a related pair.
 #[inline(always)]
 pub fn hull_of_related<S: Scalar>(pair: &Relative<S>) -> HullOfBoxes<S> {
     let mirrored = pair.sin.below(S::zero());
@@ -151,14 +151,14 @@ impl<S: Scalar> HullOfBoxes<S> {
             (py * lean.y - qy * lean.x) - a.y * own.x,
         )
     }
-    /// The gain of a's right and upper side by b's arms, per length: the factors of x and y.
+    /// Returns the gain of a's right and upper side by b's arms, per length: the factors of x and y.
     #[must_use]
     #[inline(always)]
     pub fn beside(&self) -> Vec2<S> {
         let ([px, py, qx, qy], gaps) = (self.arms, self.gaps);
         Vec2::new(qy * gaps[1] - py * gaps[2], px * gaps[3] - qx * gaps[0])
     }
-    /// The hull's area, in units of the related pair.
+    /// Returns the hull's area, in units of the related pair.
     #[must_use]
     #[inline(always)]
     pub fn area(&self) -> S {
@@ -169,7 +169,7 @@ impl<S: Scalar> HullOfBoxes<S> {
     }
 }
 
-/// The area of the convex hull of two rotated boxes, in squared units of length. Saturates at the largest
+/// Returns the area of the convex hull of two rotated boxes, in squared units of length. Saturates at the largest
 /// finite number. Kinks: a corner passes through the border of the hull.
 ///
 /// ```
@@ -191,7 +191,7 @@ pub fn hull_area_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     area.over(scale).over(scale).saturated().canonical()
 }
 
-/// Half the size of the smallest box around two axis-aligned ones, and the share of its area that the
+/// Returns half the size of the smallest box around two axis-aligned ones, and the share of its area that the
 /// four corners outside the hull have, as areas in quarter units.
 #[inline(always)]
 pub(super) fn hull_of_bounds<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, scale: Vec2<S>) -> (Vec2<S>, S) {
@@ -207,7 +207,7 @@ pub(super) fn hull_of_bounds<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, scale: Vec2<S>
     (gaps(joint.min, joint.max), cuts)
 }
 
-/// The area of the convex hull of two axis-aligned boxes, in squared units of length: of the box around
+/// Returns the area of the convex hull of two axis-aligned boxes, in squared units of length: of the box around
 /// both without the triangles at its corners. Saturates at the largest finite number.
 ///
 /// ```
@@ -225,7 +225,7 @@ pub fn hull_area_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     area.over(scale).over(scale).saturated().canonical()
 }
 
-/// Half the size of the box around two others.
+/// Returns half the size of the box around two others.
 #[inline(always)]
 fn joint_half<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Vec2<S> {
     let joint = a.join(b);
@@ -235,14 +235,14 @@ fn joint_half<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Vec2<S> {
     )
 }
 
-/// The power of two that brings the longer half side of the box around two others into `[½, 1)`.
+/// Returns the power of two that brings the longer half side of the box around two others into `[½, 1)`.
 #[inline(always)]
 pub(super) fn joint_unit<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     let half = joint_half(a, b);
     unit([half.x, half.y])
 }
 
-/// The powers of two that bring either half side into `[½, 1)`.
+/// Returns the powers of two that bring either half side into `[½, 1)`.
 #[inline(always)]
 pub(super) fn joint_units<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Vec2<S> {
     let half = joint_half(a, b);

@@ -15,7 +15,7 @@ pub(crate) struct Across<S> {
     pub sizes: [Vec2<S>; 2],
 }
 
-/// The power of two that brings the longest of half the way between the centres and half the sizes into
+/// Returns the power of two that brings the longest of half the way between the centres and half the sizes into
 /// `[½, 1)`.
 #[inline(always)]
 pub(crate) fn unit_of_pair<S: Scalar>(a: &Framed<S>, b: &Framed<S>) -> S {
@@ -23,7 +23,7 @@ pub(crate) fn unit_of_pair<S: Scalar>(a: &Framed<S>, b: &Framed<S>) -> S {
     unit([way.x, way.y, a.half.x, a.half.y, b.half.x, b.half.y])
 }
 
-/// Half the way between the centres.
+/// Returns half the way between the centres.
 #[inline(always)]
 fn half_way<S: Scalar>(a: Vec2<S>, b: Vec2<S>) -> Vec2<S> {
     Vec2::new(b.x.halved() - a.x.halved(), b.y.halved() - a.y.halved())
@@ -60,7 +60,7 @@ pub(crate) fn across<S: Scalar>(a: Framed<S>, b: Framed<S>, scale: S) -> Across<
     }
 }
 
-/// The terms by the diameter of the joint hull.
+/// Returns the terms by the diameter of the joint hull.
 #[inline(always)]
 fn terms<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Terms<S> {
     let (a, b) = (frame(a), frame(b));
@@ -108,7 +108,7 @@ pub(crate) fn bounds<S: Scalar>(a: Framed<S>, b: Framed<S>, scale: S) -> Bounds<
     }
 }
 
-/// The terms by the box around both along the axes of the plane.
+/// Returns the terms by the box around both along the axes of the plane.
 #[inline(always)]
 fn terms_of_bounds<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Terms<S> {
     let (a, b) = (frame(a), frame(b));

@@ -132,7 +132,7 @@ pub fn diou_polygons_replay<S: Scalar, const N: usize, const M: usize>(
     (iou_polygons(a, b) - part(way, across)).canonical()
 }
 
-/// A polygon in local coordinates.
+/// Returns a polygon in local coordinates.
 fn placed<S: Scalar, const N: usize>(
     polygon: &ConvexPolygon<S, N>,
     seen: &Reference<S>,

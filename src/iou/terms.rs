@@ -9,7 +9,7 @@ pub(crate) fn share<S: Scalar>(x: S, y: S) -> S {
     S::select(none, S::zero(), x.over(S::select(none, S::one(), y)))
 }
 
-/// The same for `x ≤ y`: rounding makes it no larger than one.
+/// Returns the same for `x ≤ y`: rounding makes it no larger than one.
 #[inline(always)]
 pub(crate) fn part<S: Scalar>(x: S, y: S) -> S {
     let part = share(x, y);
@@ -17,7 +17,7 @@ pub(crate) fn part<S: Scalar>(x: S, y: S) -> S {
     S::select(over, part.with_primal(S::Primal::one()), part)
 }
 
-/// The power of two that brings the longest of some lengths into `[½, 1)`; one where all are zero. Derivatives
+/// Returns the power of two that brings the longest of some lengths into `[½, 1)`; one where all are zero. Derivatives
 /// of ratios of such lengths have no intermediate result much larger than themselves.
 #[inline(always)]
 pub(crate) fn unit<S: Scalar, const N: usize>(lengths: [S; N]) -> S {
@@ -31,13 +31,13 @@ pub(crate) fn unit<S: Scalar, const N: usize>(lengths: [S; N]) -> S {
     S::from_primal(S::Primal::select(none, S::Primal::one(), unit))
 }
 
-/// The larger one; of equal ones the first, with its derivatives.
+/// Returns the larger one; of equal ones the first, with its derivatives.
 #[inline(always)]
 pub(crate) fn larger<S: Scalar>(x: S, y: S) -> S {
     S::select(x.below(y), y, x)
 }
 
-/// The weighted difference of the aspects of boxes whose `v` is known: `v² / (1 − IoU + v)`.
+/// Returns the weighted difference of the aspects of boxes whose `v` is known: `v² / (1 − IoU + v)`.
 #[inline(always)]
 pub(crate) fn weighted<S: Scalar>(v: S, iou: S, fixed: bool) -> S {
     let weight = share(v, (S::one() - iou) + v);

@@ -38,7 +38,7 @@ fn choose<S: Scalar>(mask: S::Mask, yes: S, no: S) -> S {
 }
 
 impl<S: Scalar> Pair<S> {
-    /// The terms by a box of which the sides are given.
+    /// Returns the terms by a box of which the sides are given.
     #[inline(always)]
     fn terms(&self, around: Three<S>) -> Terms<S> {
         let all = volume(around);
@@ -58,13 +58,13 @@ impl<S: Scalar> Pair<S> {
     }
 }
 
-/// The extents of two boxes about a centre: of one that reaches so far along its own axes, and one elsewhere.
+/// Returns the extents of two boxes about a centre: of one that reaches so far along its own axes, and one elsewhere.
 #[inline(always)]
 fn extents<S: Scalar>(own: Three<S>, center: Three<S>, reach: Three<S>) -> Three<S> {
     [0, 1, 2].each_as(|i| own[i].most(reach[i] + center[i]) + own[i].most(reach[i] - center[i]))
 }
 
-/// The terms of two boxes of any orientation.
+/// Returns the terms of two boxes of any orientation.
 #[inline(always)]
 pub(super) fn of_any<S: Scalar>(a: Obb3<S>, b: Obb3<S>, iou: S, kind: Enclosing) -> Terms<S> {
     let half = S::lit(0.5);

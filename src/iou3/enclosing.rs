@@ -25,7 +25,7 @@ pub enum Enclosing {
     Hull,
 }
 
-/// The share of an enclosing shape that neither box covers, from those that they cover and their IoU.
+/// Returns the share of an enclosing shape that neither box covers, from those that they cover and their IoU.
 #[inline(always)]
 pub(super) fn outside<S: Scalar>(covered: [S; 2], shared: S, empty: S::Mask) -> S {
     let [a, b] = covered;
@@ -37,19 +37,19 @@ pub(super) fn outside<S: Scalar>(covered: [S; 2], shared: S, empty: S::Mask) -> 
     S::select(empty, S::zero(), rest)
 }
 
-/// The shared part, from the parts that both cover: with `I/U = i` and `U = A + B − I`.
+/// Returns the shared part, from the parts that both cover: with `I/U = i` and `U = A + B − I`.
 #[inline(always)]
 pub(super) fn shared<S: Scalar>(covered: [S; 2], iou: S) -> S {
     (covered[0] + covered[1]) * iou.over(S::one() + iou)
 }
 
-/// The square of a difference of two sizes over a length that is no smaller than either.
+/// Returns the square of a difference of two sizes over a length that is no smaller than either.
 #[inline(always)]
 pub(super) fn gap<S: Scalar>(a: S, b: S, against: S) -> S {
     share(a - b, against).squared()
 }
 
-/// The terms by the smallest axis-aligned box around two others.
+/// Returns the terms by the smallest axis-aligned box around two others.
 #[inline(always)]
 fn of_bounds<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> Terms<S> {
     let half = |low: S, high: S| high.halved() - low.halved();
@@ -90,7 +90,7 @@ fn of_bounds<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> Terms<S> {
     }
 }
 
-/// The terms of two axis-aligned boxes.
+/// Returns the terms of two axis-aligned boxes.
 #[inline(always)]
 pub(super) fn of_aligned<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>, iou: S, kind: Enclosing) -> Terms<S> {
     if kind == Enclosing::Aabb {
@@ -121,7 +121,7 @@ struct Ground<S: Scalar> {
     scale: S,
 }
 
-/// The grounds of two upright boxes.
+/// Returns the grounds of two upright boxes.
 #[inline(always)]
 fn ground<S: Scalar>(a: Obb2<S>, b: Obb2<S>, kind: Enclosing) -> Ground<S> {
     let (a, b) = (frame(a), frame(b));
@@ -190,7 +190,7 @@ fn ground<S: Scalar>(a: Obb2<S>, b: Obb2<S>, kind: Enclosing) -> Ground<S> {
     }
 }
 
-/// The terms of two upright boxes.
+/// Returns the terms of two upright boxes.
 #[inline(always)]
 pub(super) fn of_upright<S: Scalar>(
     a: YawBox3<S>,

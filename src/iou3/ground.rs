@@ -50,7 +50,7 @@ fn weight<S: Scalar>(x: S, terms: [S; 3]) -> S::Primal {
     S::Primal::select(near, S::Primal::lit(0.5), won)
 }
 
-/// The farther one of what a reaches and what b reaches from its centre at `way`; as good as a tie shares
+/// Returns the farther one of what a reaches and what b reaches from its centre at `way`; as good as a tie shares
 /// the derivative, and so does what is known to be one.
 #[inline(always)]
 fn farther<S: Scalar>(own: S, way: S, other: S, tie: S::Mask) -> S {
@@ -113,7 +113,7 @@ impl<S: Scalar> Seen<S> {
             is_edge: is_edge & !point,
         }
     }
-    /// The ten directions.
+    /// Returns the ten directions.
     #[inline(always)]
     fn directions(&self) -> [Along<S>; 10] {
         let (c, turn, a, b) = (self.center, self.turn, self.half_a, self.half_b);
@@ -183,7 +183,7 @@ impl<S: Scalar> Seen<S> {
     }
 }
 
-/// The rectangle of least area around a related pair.
+/// Returns the rectangle of least area around a related pair.
 #[inline(always)]
 pub(super) fn least_rectangle<S: Scalar>(pair: &Relative<S>) -> Rectangle<S> {
     let all = Seen::of(pair).directions();
@@ -224,7 +224,7 @@ pub(super) fn least_rectangle<S: Scalar>(pair: &Relative<S>) -> Rectangle<S> {
     }
 }
 
-/// The size of the rectangle of least area around two boxes of the plane, in units of length: along the side
+/// Returns the size of the rectangle of least area around two boxes of the plane, in units of length: along the side
 /// nearer to the first box's own x axis, and across. If several are equal to within rounding, it is their mean.
 ///
 /// Kinks: where another direction becomes the best; exact ties, and areas that differ by less than rounding,

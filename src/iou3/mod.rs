@@ -94,7 +94,7 @@ pub fn diou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     score_of(Score::Diou, a.overlap(b), a, b, kind).canonical()
 }
 
-/// The mean over the pairs (x, y), (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²`.
+/// Returns the mean over the pairs (x, y), (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²`.
 #[inline(always)]
 fn proportions<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> S {
     let turn = |p: S, q: S| {
@@ -160,7 +160,7 @@ pub(crate) enum Score {
     Separation,
 }
 
-/// A score of boxes whose IoU is known.
+/// Returns a score of boxes whose IoU is known.
 #[inline(always)]
 fn score_of<S: Scalar, B: Solid<S>>(score: Score, iou: S, a: B, b: B, kind: Enclosing) -> S {
     let terms = a.terms(b, iou, kind);
@@ -175,7 +175,7 @@ fn score_of<S: Scalar, B: Solid<S>>(score: Score, iou: S, a: B, b: B, kind: Encl
     }
 }
 
-/// A score of boxes of any orientation whose IoU is known: with derivatives by that and by all else.
+/// Returns a score of boxes of any orientation whose IoU is known: with derivatives by that and by all else.
 #[inline(always)]
 pub(crate) fn score_with_iou<S: Scalar>(
     score: Score,

@@ -11,10 +11,10 @@ pub trait Solid<S: Scalar>: Copy + Into<Obb3<S>> {
     /// Intersection over union.
     #[must_use]
     fn overlap(self, other: Self) -> S;
-    /// The size along the box's own axes.
+    /// Returns the size along the box's own axes.
     #[must_use]
     fn own_size(self) -> Vec3<S>;
-    /// The terms that scores subtract from the IoU, by the chosen shape around both boxes.
+    /// Returns the terms that scores subtract from the IoU, by the chosen shape around both boxes.
     #[must_use]
     fn terms(self, other: Self, iou: S, kind: Enclosing) -> Terms<S>;
 }

@@ -5,7 +5,7 @@ use crate::overlap3::relate::{Relative3, relate3};
 use crate::scalar::most_of;
 use crate::shape::Obb3;
 
-/// The largest gap between the boxes' shadows over all fifteen axes that could separate them: a face's normal
+/// Returns the largest gap between the boxes' shadows over all fifteen axes that could separate them: a face's normal
 /// of either or the cross product of two edges. In units of `1 / scale`.
 ///
 /// An axis made of two edges that are nearly parallel says nothing that faces do not; it counts as far as the
@@ -47,7 +47,7 @@ fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
     gap.most(of_edges)
 }
 
-/// How far two boxes are apart along the axis that separates them most, a length; negative for boxes that
+/// Returns how far two boxes are apart along the axis that separates them most, a length; negative for boxes that
 /// overlap: how far one must move to leave the other.
 ///
 /// For boxes apart it is at most their distance, and equal to it where that is between faces, or edges, or a face and
@@ -85,7 +85,7 @@ pub fn separation_aware<S: Scalar, B: Solid<S>>(a: B, b: B) -> S {
     or_overlap(a.into(), b.into(), || a.overlap(b)).canonical()
 }
 
-/// The separation of boxes apart, the overlap of others.
+/// Returns the separation of boxes apart, the overlap of others.
 #[inline(always)]
 pub(super) fn or_overlap<S: Scalar>(a: Obb3<S>, b: Obb3<S>, overlap: impl Fn() -> S) -> S {
     let pair = relate3(a, b);

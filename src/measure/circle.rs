@@ -15,7 +15,7 @@ pub enum Support {
     Three([usize; 3]),
 }
 
-/// The smallest circle that has all points inside, and the points that decide it. `None` for no
+/// Returns the smallest circle that has all points inside, and the points that decide it. `None` for no
 /// points. Expected `O(n)` after the hull, at worst cubic in the hull's size.
 ///
 /// Kink: another point on the circle. Derivatives: see [`circle_replay`]. Source: Welzl, Smallest enclosing
@@ -78,7 +78,7 @@ pub fn circle_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(Circ
     Some((circle_replay(points, support), support))
 }
 
-/// The circle through one, two or three points.
+/// Returns the circle through one, two or three points.
 fn local<S: Scalar>(support: Support, place: impl Fn(usize) -> Vec2<S>) -> Circle<S> {
     match support {
         Support::One(p) => Circle {
@@ -112,7 +112,7 @@ fn local<S: Scalar>(support: Support, place: impl Fn(usize) -> Vec2<S>) -> Circl
     }
 }
 
-/// The circle that a record's points decide, with derivatives to those: for two, half their distance and
+/// Returns the circle that a record's points decide, with derivatives to those: for two, half their distance and
 /// their middle; for three, the circle through them (the triangle's circumcircle).
 ///
 /// # Panics

@@ -16,7 +16,7 @@ pub struct CloudSums<S> {
     pub second: Symmetric3<S>,
 }
 
-/// The points' centroid as a constant; zero without points.
+/// Returns the points' centroid as a constant; zero without points.
 #[must_use]
 pub fn place_of<S: Scalar>(points: &[Vec3<S>]) -> Vec3<S> {
     let Some(&start) = points.first() else {
@@ -28,7 +28,7 @@ pub fn place_of<S: Scalar>(points: &[Vec3<S>]) -> Vec3<S> {
 }
 
 impl<S: Scalar> CloudSums<S> {
-    /// The sums of no point.
+    /// Returns the sums of no point.
     #[must_use]
     pub fn empty() -> Self {
         CloudSums {
@@ -37,7 +37,7 @@ impl<S: Scalar> CloudSums<S> {
             second: Symmetric3::isotropic(S::zero()),
         }
     }
-    /// The sums of one point, by its offset.
+    /// Returns the sums of one point, by its offset.
     #[must_use]
     #[inline(always)]
     pub fn of(offset: Vec3<S>) -> Self {
@@ -47,7 +47,7 @@ impl<S: Scalar> CloudSums<S> {
             second: Symmetric3::square_of(offset),
         }
     }
-    /// The sums of both.
+    /// Returns the sums of both.
     #[must_use]
     #[inline(always)]
     pub fn join(self, other: Self) -> Self {
@@ -67,13 +67,13 @@ impl<S: Scalar> CloudSums<S> {
             S::one().over(S::select(none, S::one(), self.count)),
         )
     }
-    /// The centroid of the points, given the place from which they were seen.
+    /// Returns the centroid of the points, given the place from which they were seen.
     #[must_use]
     #[inline(always)]
     pub fn centroid(self, place: Vec3<S>) -> Vec3<S> {
         (place + self.first * self.share()).canonical()
     }
-    /// The covariance of the points.
+    /// Returns the covariance of the points.
     #[must_use]
     #[inline(always)]
     pub fn covariance(self) -> Symmetric3<S> {
@@ -88,7 +88,7 @@ fn sums_of<S: Scalar>(points: &[Vec3<S>], place: Vec3<S>) -> CloudSums<S> {
     all.fold(CloudSums::empty(), CloudSums::join)
 }
 
-/// The mean of points of space; zero without points.
+/// Returns the mean of points of space; zero without points.
 ///
 /// ```
 /// use geograd::{Vec3, measure::cloud::centroid};
@@ -101,8 +101,8 @@ pub fn centroid<S: Scalar>(points: &[Vec3<S>]) -> Vec3<S> {
     sums_of(points, place).centroid(place)
 }
 
-/// The mean of the outer products of points' offsets from their centroid, in squares of the unit of length; zero
-/// without points. The divisor is the number of points.
+/// Returns the mean of the outer products of points' offsets from their centroid, in squares of the unit of length;
+/// zero without points. The divisor is the number of points.
 ///
 /// ```
 /// use geograd::{Vec3, measure::cloud::covariance};

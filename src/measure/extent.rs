@@ -54,7 +54,7 @@ pub(crate) fn calipers<S: Scalar<Mask = bool>>(
     }
 }
 
-/// The diameter of points, in units of length: the largest distance between two of them, and which
+/// Returns the diameter of points, in units of length: the largest distance between two of them, and which
 /// they are. `None` for no points; zero, between a point and itself, for one. `O(n log n)`.
 ///
 /// Kink: several pairs equally far apart. Derivatives: see [`diameter_replay`].
@@ -97,7 +97,7 @@ pub fn diameter_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(S,
     Some((diameter_replay(points, best), best))
 }
 
-/// The distance of the two points of a record. Derivatives pull both apart; zero where they coincide.
+/// Returns the distance of the two points of a record. Derivatives pull both apart; zero where they coincide.
 ///
 /// # Panics
 ///
@@ -113,7 +113,7 @@ pub fn diameter_replay<S: Scalar>(points: &[Vec2<S>], record: Farthest) -> S {
     distance(points[record.from], points[record.to])
 }
 
-/// The width of points, in units of length: the least distance between two parallel lines that have
+/// Returns the width of points, in units of length: the least distance between two parallel lines that have
 /// them all between them, and what decided it. `None` for no points, and for points on a line, whose
 /// width is zero. `O(n log n)`.
 ///
@@ -148,12 +148,12 @@ pub fn width_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(S, Na
     best.map(|(_, record)| (width_replay(points, record), record))
 }
 
-/// How far a point is to the left of the line from `start` to `end`, zero where those coincide.
+/// Returns how far a point is to the left of the line from `start` to `end`, zero where those coincide.
 fn height<S: Scalar>(start: Vec2<S>, end: Vec2<S>, point: Vec2<S>) -> S {
     (end - start).normalize_or_zero().perp_dot(point - start)
 }
 
-/// The distance of the third point of a record from the line through the other two: the width as long
+/// Returns the distance of the third point of a record from the line through the other two: the width as long
 /// as these decide, with derivatives to all three.
 ///
 /// # Panics

@@ -12,14 +12,14 @@ use crate::shape::{
 use crate::{Scalar, Vec3};
 use std::f64::consts::PI;
 
-/// The inertia of what has these second moments, `∫ x xᵀ dV`: their trace less them.
+/// Returns the inertia of what has these second moments, `∫ x xᵀ dV`: their trace less them.
 #[must_use]
 #[inline(always)]
 pub fn of_second_moments<S: Scalar>(m: Symmetric3<S>) -> Symmetric3<S> {
     Symmetric3::new(m.yy + m.zz, m.xx + m.zz, m.xx + m.yy, -m.xy, -m.xz, -m.yz).canonical()
 }
 
-/// The inertia about a point at an offset from the centroid, given that about the centroid and the volume.
+/// Returns the inertia about a point at an offset from the centroid, given that about the centroid and the volume.
 ///
 /// ```
 /// use geograd::{Sphere, Vec3, measure::inertia::displaced};
@@ -34,7 +34,7 @@ pub fn displaced<S: Scalar>(inertia: Symmetric3<S>, volume: S, by: Vec3<S>) -> S
     inertia + of_second_moments(Symmetric3::square_of(by)) * volume
 }
 
-/// The inertia of a solid of revolution, by its moments about its axis and across it.
+/// Returns the inertia of a solid of revolution, by its moments about its axis and across it.
 #[inline(always)]
 fn round<S: Scalar>(way: Vec3<S>, along: S, across: S) -> Symmetric3<S> {
     let none = way.length().at_most(S::zero());
@@ -45,7 +45,7 @@ fn round<S: Scalar>(way: Vec3<S>, along: S, across: S) -> Symmetric3<S> {
     (axis * along + plane * across).canonical()
 }
 
-/// The moments of a box about its own axes, by its sizes.
+/// Returns the moments of a box about its own axes, by its sizes.
 #[inline(always)]
 fn of_sizes<S: Scalar>(size: Vec3<S>) -> [S; 3] {
     let share = size.x * size.y * size.z * S::lit(1.0 / 12.0);
@@ -60,7 +60,7 @@ fn diagonal<S: Scalar>([x, y, z]: [S; 3]) -> Symmetric3<S> {
 }
 
 impl<S: Scalar> Aabb3<S> {
-    /// The inertia about the centre by unit density.
+    /// Returns the inertia about the centre by unit density.
     #[must_use]
     #[inline]
     pub fn inertia(self) -> Symmetric3<S> {
@@ -69,7 +69,7 @@ impl<S: Scalar> Aabb3<S> {
 }
 
 impl<S: Scalar> YawBox3<S> {
-    /// The inertia about the centre by unit density.
+    /// Returns the inertia about the centre by unit density.
     #[must_use]
     #[inline]
     pub fn inertia(self) -> Symmetric3<S> {
@@ -83,7 +83,7 @@ impl<S: Scalar> YawBox3<S> {
 }
 
 impl<S: Scalar> Obb3<S> {
-    /// The inertia about the centre by unit density.
+    /// Returns the inertia about the centre by unit density.
     ///
     /// ```
     /// use geograd::{Obb3, Rotation3, Vec3};
@@ -100,7 +100,7 @@ impl<S: Scalar> Obb3<S> {
 }
 
 impl<S: Scalar> Sphere<S> {
-    /// The inertia about the centre by unit density.
+    /// Returns the inertia about the centre by unit density.
     #[must_use]
     #[inline]
     pub fn inertia(self) -> Symmetric3<S> {
@@ -110,7 +110,7 @@ impl<S: Scalar> Sphere<S> {
 }
 
 impl<S: Scalar> Cylinder<S> {
-    /// The inertia about the centroid by unit density; zero where it has no height.
+    /// Returns the inertia about the centroid by unit density; zero where it has no height.
     #[must_use]
     #[inline]
     pub fn inertia(self) -> Symmetric3<S> {
@@ -123,7 +123,7 @@ impl<S: Scalar> Cylinder<S> {
 }
 
 impl<S: Scalar> Cone<S> {
-    /// The inertia about the centroid by unit density; zero where it has no height.
+    /// Returns the inertia about the centroid by unit density; zero where it has no height.
     #[must_use]
     #[inline]
     pub fn inertia(self) -> Symmetric3<S> {
@@ -136,7 +136,8 @@ impl<S: Scalar> Cone<S> {
 }
 
 impl<S: Scalar> Capsule3<S> {
-    /// The inertia about the centroid by unit density. Kink: both ends at one point, with derivative zero by them.
+    /// Returns the inertia about the centroid by unit density. Kink: both ends at one point, with derivative zero by
+    /// them.
     #[must_use]
     #[inline]
     pub fn inertia(self) -> Symmetric3<S> {
@@ -159,7 +160,7 @@ impl<S: Scalar> Capsule3<S> {
 }
 
 impl<S: Scalar> Tetrahedron<S> {
-    /// The inertia about the centroid by unit density. Kink: volume zero, with derivative zero by it.
+    /// Returns the inertia about the centroid by unit density. Kink: volume zero, with derivative zero by it.
     #[must_use]
     #[inline]
     pub fn inertia(self) -> Symmetric3<S> {
@@ -172,8 +173,8 @@ impl<S: Scalar> Tetrahedron<S> {
 }
 
 impl<S: Scalar> RoundBox3<S> {
-    /// The inertia about the centre by unit density: the sum over the box inside, what is beyond its faces, quarters
-    /// of cylinders along its edges, and eighths of a ball at its corners.
+    /// Returns the inertia about the centre by unit density: the sum over the box inside, what is beyond its faces,
+    /// quarters of cylinders along its edges, and eighths of a ball at its corners.
     #[must_use]
     #[inline]
     pub fn inertia(self) -> Symmetric3<S> {
@@ -185,7 +186,7 @@ impl<S: Scalar> RoundBox3<S> {
     }
 }
 
-/// The second moment along the axis of the third of three half sizes of a box with edges of a radius.
+/// Returns the second moment along the axis of the third of three half sizes of a box with edges of a radius.
 #[inline(always)]
 fn half<S: Scalar>(a: S, b: S, c: S, r: S) -> S {
     let (n, square, r2) = (S::lit, c * c, r * r);

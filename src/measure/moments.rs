@@ -33,7 +33,7 @@ pub struct PrincipalAxes<S> {
 }
 
 impl<S: Scalar> AreaMoments<S> {
-    /// The principal axes.
+    /// Returns the principal axes.
     ///
     /// Kink: equal moments in all directions (a square, a circle), where angle and derivative are zero.
     ///
@@ -57,7 +57,7 @@ impl<S: Scalar> AreaMoments<S> {
             angle: self.xy.atan2(half).halved().canonical(),
         }
     }
-    /// The moments about a point at a distance from the centroid, given the area: the parallel axis
+    /// Returns the moments about a point at a distance from the centroid, given the area: the parallel axis
     /// theorem. `self` is about the centroid.
     #[must_use]
     #[inline]
@@ -74,7 +74,7 @@ impl<S: Scalar> AreaMoments<S> {
 /// In order: twice the area, six times `∫x`, `∫y`, twelve times `∫x²`, `∫y²`, twenty-four times `∫xy`.
 pub type Sums<S> = [S; 6];
 
-/// The body of the fold: what the edge from `start` to `end`, [placed](Reference::place), contributes.
+/// Returns the body of the fold: what the edge from `start` to `end`, [placed](Reference::place), contributes.
 ///
 /// With `k = p × q`: `k`, `(p + q) k`, `(p² + p q + q²) k` by coordinate, and
 /// `(2 p_x p_y + p_x q_y + q_x p_y + 2 q_x q_y) k` (Green's theorem).
@@ -95,8 +95,8 @@ pub fn of_edge<S: Scalar>(start: Vec2<S>, end: Vec2<S>) -> Sums<S> {
     ]
 }
 
-/// The end of the fold: second moments about the centroid, in the caller's unit. If the area is zero, there is no
-/// centroid: they are zero, with derivative zero. A ring longer than 2³⁵ in single precision (2²⁶⁶ in double) has no
+/// Returns the end of the fold: second moments about the centroid, in the caller's unit. If the area is zero, there is
+/// no centroid: they are zero, with derivative zero. A ring longer than 2³⁵ in single precision (2²⁶⁶ in double) has no
 /// derivative: its moments are beyond all numbers unless nearly nothing is enclosed.
 #[must_use]
 #[inline(always)]
@@ -122,7 +122,7 @@ pub fn finish<S: Scalar>(sums: Sums<S>, seen: &Reference<S>) -> AreaMoments<S> {
     }
 }
 
-/// The second moments of the area of a polygon about its centroid. The polygon is any number of rings:
+/// Returns the second moments of the area of a polygon about its centroid. The polygon is any number of rings:
 /// holes are rings of the other orientation, and clockwise regions count negative.
 ///
 /// Zero where the area is zero. Smooth elsewhere. Seen from the middle of the bounds, so the distance

@@ -2,7 +2,7 @@
 use crate::measure::moments::{AreaMoments, second_moments};
 use crate::{ConvexPolygon, Scalar, Vec2, ring};
 
-/// The mean of some points; the origin for none. The mean of a polygon's vertices is not the centroid of its
+/// Returns the mean of some points; the origin for none. The mean of a polygon's vertices is not the centroid of its
 /// area: see [`ring::centroid`].
 ///
 /// ```
@@ -26,7 +26,7 @@ pub fn vertex_mean<S: Scalar>(points: &[Vec2<S>]) -> Vec2<S> {
 }
 
 impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
-    /// The area, in squared units of length, never negative for a valid polygon. Saturates at the
+    /// Returns the area, in squared units of length, never negative for a valid polygon. Saturates at the
     /// largest finite number.
     ///
     /// ```
@@ -40,31 +40,31 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
     pub fn area(&self) -> S {
         ring::signed_area(self.as_slice())
     }
-    /// The sum of the lengths of all edges. Derivative zero at edges of length zero.
+    /// Returns the sum of the lengths of all edges. Derivative zero at edges of length zero.
     #[must_use]
     #[inline]
     pub fn perimeter(&self) -> S {
         ring::perimeter(self.as_slice())
     }
-    /// The centroid of the area (not of the vertices); the mean of the vertices where the area is zero.
+    /// Returns the centroid of the area (not of the vertices); the mean of the vertices where the area is zero.
     #[must_use]
     #[inline]
     pub fn centroid(&self) -> Vec2<S> {
         ring::centroid(self.as_slice())
     }
-    /// The mean of the vertices (not the centroid of the area).
+    /// Returns the mean of the vertices (not the centroid of the area).
     #[must_use]
     #[inline]
     pub fn vertex_mean(&self) -> Vec2<S> {
         vertex_mean(self.as_slice())
     }
-    /// The centre of the bounding box. Ties of bounds share the derivative.
+    /// Returns the centre of the bounding box. Ties of bounds share the derivative.
     #[must_use]
     #[inline]
     pub fn center(&self) -> Vec2<S> {
         self.bounding().center()
     }
-    /// The second moments of the area about its centroid.
+    /// Returns the second moments of the area about its centroid.
     #[must_use]
     #[inline]
     pub fn second_moments(&self) -> AreaMoments<S> {

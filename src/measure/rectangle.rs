@@ -21,7 +21,7 @@ pub struct Resting {
     pub left: usize,
 }
 
-/// A point turned back by a quarter: a cross product with what is turned is a dot product.
+/// Returns a point turned back by a quarter: a cross product with what is turned is a dot product.
 fn turned_back<S: Scalar>(p: Vec2<S>) -> Vec2<S> {
     Vec2::new(p.y, -p.x)
 }
@@ -41,7 +41,7 @@ fn advance<S: Scalar<Mask = bool>>(
     from
 }
 
-/// The rectangle of least area that has all points inside, and what it rests on. Its heading is that
+/// Returns the rectangle of least area that has all points inside, and what it rests on. Its heading is that
 /// of an edge of the hull. `None` for no points, and for points on a line. `O(n log n)`.
 ///
 /// Kink: several rectangles of the same area. Derivatives: see [`rectangle_replay`]. Source: Freeman and
@@ -108,7 +108,7 @@ fn sides<S: Scalar>(seen: &Reference<S>, points: &[Vec2<S>], record: Resting) ->
     }
 }
 
-/// The rectangle that rests on the points of a record, with derivatives to all five.
+/// Returns the rectangle that rests on the points of a record, with derivatives to all five.
 ///
 /// # Panics
 ///

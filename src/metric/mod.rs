@@ -81,7 +81,7 @@ fn flags(name: &'static str, flags: &[bool], count: usize) -> Result<(), Error> 
 /// The truths that a detection overlaps by at least the threshold, with the overlaps.
 type Near = Vec<(f64, usize)>;
 
-/// The truths near every detection of a valid frame.
+/// Returns the truths near every detection of a valid frame.
 fn near(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Near>, Error> {
     let count = frame.scores.len();
     flags("ignored_truths", frame.ignored_truths, frame.truths)?;
@@ -112,7 +112,7 @@ fn is(flags: &[bool], i: usize) -> bool {
     flags.get(i).copied().unwrap_or(false)
 }
 
-/// The truth that is overlapped most, of equal ones the first.
+/// Returns the truth that is overlapped most, of equal ones the first.
 fn most(near: impl Iterator<Item = (f64, usize)>) -> Option<usize> {
     let better = |(most, at): (f64, usize), (overlap, truth): (f64, usize)| {
         if overlap > most || (overlap == most && truth < at) {
@@ -124,7 +124,7 @@ fn most(near: impl Iterator<Item = (f64, usize)>) -> Option<usize> {
     near.reduce(better).map(|(_, truth)| truth)
 }
 
-/// The outcomes of all detections of a frame, by COCO's rule.
+/// Returns the outcomes of all detections of a frame, by COCO's rule.
 ///
 /// By descending score every detection takes the truth that it overlaps most, of those that no other one
 /// took and that it overlaps by at least the threshold. It takes an ignored truth only where no other one is
@@ -153,7 +153,7 @@ pub fn outcomes(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Outcome>, Error
     })
 }
 
-/// The outcomes of all detections of a frame, by PASCAL VOC's rule.
+/// Returns the outcomes of all detections of a frame, by PASCAL VOC's rule.
 ///
 /// By descending score every detection is judged by the truth that it overlaps most, taken or not: right if it is the
 /// first one there, wrong if another one took that truth or the overlap is below the threshold, ignored if the truth is
@@ -185,8 +185,8 @@ pub fn outcomes_voc(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Outcome>, E
     })
 }
 
-/// The outcomes of all detections by descending score; ignored ones take nothing. `rule` is given the truths near a
-/// detection and those that are taken, and takes one.
+/// Returns the outcomes of all detections by descending score; ignored ones take nothing. `rule` is given the truths
+/// near a detection and those that are taken, and takes one.
 fn judged(
     frame: &Frame<'_>,
     threshold: f64,

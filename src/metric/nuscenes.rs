@@ -40,7 +40,7 @@ pub struct Object {
 }
 
 impl Object {
-    /// An object without velocity or attribute.
+    /// Returns an object without velocity or attribute.
     #[must_use]
     pub const fn new(center: [f64; 2], size: [f64; 3], yaw: f64) -> Self {
         Object {
@@ -55,7 +55,7 @@ impl Object {
         let [x, y] = [0, 1].map(|k| self.center[k] - other.center[k]);
         Scalar::hypot(x, y)
     }
-    /// The flaw of numbers that have no meaning.
+    /// Returns the flaw of numbers that have no meaning.
     fn flaw(&self) -> Option<Flaw> {
         let is_finite = |all: &[f64]| all.iter().all(|x| x.is_finite());
         let velocity = self.velocity.unwrap_or_default();
@@ -146,7 +146,7 @@ impl Judged {
         // A mean of ones may round to more than one.
         (sum / counted.len() as f64 / (1.0 - LEAST)).min(1.0)
     }
-    /// The mean of an error over recalls above a tenth that are reached; 1 where none is.
+    /// Returns the mean of an error over recalls above a tenth that are reached; 1 where none is.
     #[must_use]
     pub fn error(&self, which: TruePositive) -> f64 {
         let last = self.score.iter().rposition(|&score| score != 0.0);
@@ -160,8 +160,8 @@ impl Judged {
     }
 }
 
-/// The nuScenes detection score, in `[0, 1]`, of the mean average precision of all classes and the mean errors of true
-/// positives.
+/// Returns the nuScenes detection score, in `[0, 1]`, of the mean average precision of all classes and the mean errors
+/// of true positives.
 ///
 /// ```
 /// use geograd::metric::nuscenes::detection_score;
@@ -203,8 +203,8 @@ fn errors(detection: &Object, truth: &Object, period: f64) -> [f64; 5] {
     ]
 }
 
-/// The mean of all numbers up to each, without those that are unknown: zero before the first one known, one everywhere
-/// if none is.
+/// Returns the mean of all numbers up to each, without those that are unknown: zero before the first one known, one
+/// everywhere if none is.
 fn running_means(numbers: impl Iterator<Item = f64> + Clone) -> Vec<f64> {
     if numbers.clone().all(f64::is_nan) {
         return numbers.map(|_| 1.0).collect();
@@ -219,7 +219,7 @@ fn running_means(numbers: impl Iterator<Item = f64> + Clone) -> Vec<f64> {
     numbers.map(mean).collect()
 }
 
-/// The value at a place, linearly between the values at ascending places; of equal places the last one counts.
+/// Returns the value at a place, linearly between the values at ascending places; of equal places the last one counts.
 fn between(at: f64, places: &[f64], values: &[f64], beyond: f64) -> f64 {
     let after = places.partition_point(|&place| place <= at);
     let last = places.len() - 1;
@@ -357,7 +357,7 @@ pub(crate) fn found_truths(
     }
 }
 
-/// The curve of ranked detections, given the truth that each found.
+/// Returns the curve of ranked detections, given the truth that each found.
 pub(crate) fn judged(frames: &Frames<'_>, order: &[usize], found: &[Option<usize>]) -> Judged {
     let (truths, scores) = (frames.truths.len(), frames.scores);
     // Precision, recall and score after every detection; scores and errors of those that are right.

@@ -62,7 +62,7 @@ fn score_aabb3<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>) -> S {
     }
 }
 
-/// The volume shared by two axis-aligned boxes, from 0 to the volume of the smaller one, in cubed units of
+/// Returns the volume shared by two axis-aligned boxes, from 0 to the volume of the smaller one, in cubed units of
 /// length. Saturates at the largest finite number.
 ///
 /// Kinks and conventions: see the [module](super).
@@ -88,7 +88,7 @@ pub fn iou_aabb3<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> S {
     score_aabb3(Denominator::Union, a, b)
 }
 
-/// The share of the first axis-aligned box that lies in the second, in `[0, 1]`.
+/// Returns the share of the first axis-aligned box that lies in the second, in `[0, 1]`.
 ///
 /// Kinks and conventions: see the [module](super).
 #[must_use]

@@ -108,7 +108,7 @@ fn glance<S: Scalar>(pair: &Relative3<S>) -> Glance<S> {
     }
 }
 
-/// The volume that two related boxes share and, if asked for, its derivatives. Straight line, but for pairs all
+/// Returns the volume that two related boxes share and, if asked for, its derivatives. Straight line, but for pairs all
 /// of which are apart.
 ///
 /// `PIECES` keeps the repeated pieces functions of their own, which costs less to build and less stack;
@@ -182,7 +182,7 @@ pub fn shared_volume<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
     same_box::<S, DERIVATIVE>(pair, out)
 }
 
-/// The part of the volume that corners have: the product of their clamped coordinates, positive where an odd
+/// Returns the part of the volume that corners have: the product of their clamped coordinates, positive where an odd
 /// number of sides is upper ones.
 #[inline(always)]
 fn corners<S: Scalar>(cut: &Cut<S>) -> S {
@@ -265,7 +265,7 @@ fn nested<S: Scalar, const DERIVATIVE: bool>(
     }
 }
 
-/// The derivative of a box's volume by half of one of its sizes.
+/// Returns the derivative of a box's volume by half of one of its sizes.
 #[inline(always)]
 fn by_half<S: Scalar>(half: [S; 3], i: usize) -> S {
     let (j, l) = ((i + 1) % 3, (i + 2) % 3);

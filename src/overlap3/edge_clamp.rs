@@ -2,13 +2,13 @@
 use super::relate::Relative3;
 use crate::Scalar;
 
-/// The nearest number of `[low, high]`.
+/// Returns the nearest number of `[low, high]`.
 #[inline(always)]
 pub(super) fn clamped<S: Scalar>(x: S, low: S, high: S) -> S {
     x.most(low).least(high)
 }
 
-/// A number without derivatives where a mask is true.
+/// Returns a number without derivatives where a mask is true.
 #[inline(always)]
 pub(super) fn fixed<S: Scalar>(mask: S::Mask, x: S) -> S {
     S::select(mask, S::from_primal(x.primal()), x)
@@ -127,7 +127,7 @@ pub(super) fn signed<S: Scalar>(sum: S, side: usize, x: S) -> S {
 /// A side of b is cut off where a reaches less than this part of its half.
 const REACHED: f64 = 0.125;
 
-/// The bounds of b along its own axes, without what of its long sides a cannot reach: the integrals over a
+/// Returns the bounds of b along its own axes, without what of its long sides a cannot reach: the integrals over a
 /// thin long box that another one crosses would be of terms 10⁴ times as large as their sum.
 ///
 /// Between two opposite faces of a, across its axis i, `Σ R_in w_n` is within h_i of `−c_i`, so w_m is known up
@@ -235,7 +235,7 @@ pub(super) fn cut<S: Scalar>(pair: &Relative3<S>) -> (Cut<S>, [S; 3]) {
     (cut, origin)
 }
 
-/// The edge of b along axis `M`, on side `a` of the next axis and side `b` of the one after.
+/// Returns the edge of b along axis `M`, on side `a` of the next axis and side `b` of the one after.
 #[inline(always)]
 pub(super) fn edge<S: Scalar, const PIECES: bool, const M: usize>(
     cut: &Cut<S>,
@@ -293,7 +293,7 @@ pub(super) fn coordinate<S: Scalar>(cut: &Cut<S>, edge: &Edge<S>, i: usize, t: S
     clamped(t * cut.r[i][0] + edge.start[i], cut.k[i][0], cut.k[i][1])
 }
 
-/// The integral of clamped coordinate i over `[low, high]`, where it is between its bounds from `enter`
+/// Returns the integral of clamped coordinate i over `[low, high]`, where it is between its bounds from `enter`
 /// to `leave`.
 #[inline(always)]
 fn along<S: Scalar>(cut: &Cut<S>, edge: &Edge<S>, i: usize, low: S, high: S) -> S {

@@ -139,7 +139,7 @@ impl<S: Scalar> Sums<S> {
     }
 }
 
-/// A face of b: the one across b's axis 2, low or high `side`, seen along a's axis 2; and its edges along
+/// Returns a face of b: the one across b's axis 2, low or high `side`, seen along a's axis 2; and its edges along
 /// axis 0.
 ///
 /// The face seen so is a parallelogram F' in the plane of x = axis 0 and y = axis 1, over which the plane
@@ -237,7 +237,7 @@ impl<S: Scalar> Seen<'_, S> {
         sums.add::<DERIVATIVE, PIECES>(border, weight, self.raised, &self.points);
     }
 
-    /// The other coordinate of an edge where it crosses the lower or the upper (`G`) bound of coordinate `OWN`.
+    /// Returns the other coordinate of an edge where it crosses the lower or the upper (`G`) bound of coordinate `OWN`.
     #[inline(always)]
     fn crossing<const N: usize, const OWN: usize, const G: usize>(&self, edge: usize) -> S {
         let (edge, own, other) = (&self.edges[N][edge], OF_EDGE[N][OWN], OF_EDGE[N][1 - OWN]);
@@ -313,7 +313,7 @@ impl<S: Scalar> Seen<'_, S> {
     }
 }
 
-/// The range of a coordinate over F': along `own` it goes as `along` says, along `other` as `across` does.
+/// Returns the range of a coordinate over F': along `own` it goes as `along` says, along `other` as `across` does.
 #[inline(always)]
 fn reach<S: Scalar>([own, other]: [[S; 2]; 2], along: S, across: S, middle: S) -> [S; 2] {
     let (p, q) = (other[0] * across, other[1] * across);

@@ -12,13 +12,13 @@ use crate::{Fixed, Pack, Scalar};
 pub trait Overlaps<B> {
     /// The numbers that boxes are made of.
     type Scalar: Scalar;
-    /// The volume that both share, in cubed units of length.
+    /// Returns the volume that both share, in cubed units of length.
     #[must_use]
     fn volume_shared_with(self, other: B) -> Self::Scalar;
     /// Intersection over union, in `[0, 1]`.
     #[must_use]
     fn iou_with(self, other: B) -> Self::Scalar;
-    /// The share of this box that lies in the other one, in `[0, 1]`.
+    /// Returns the share of this box that lies in the other one, in `[0, 1]`.
     #[must_use]
     fn iof_with(self, other: B) -> Self::Scalar;
 }
@@ -67,7 +67,7 @@ macro_rules! methods {
             {
                 guarded((self, other), |(a, b)| a.iou_with(b))
             }
-            /// The share of this box that lies in a box of any kind, in `[0, 1]`.
+            /// Returns the share of this box that lies in a box of any kind, in `[0, 1]`.
             #[must_use]
             #[inline]
             pub fn iof<B>(self, other: B) -> S
@@ -77,7 +77,7 @@ macro_rules! methods {
             {
                 guarded((self, other), |(a, b)| a.iof_with(b))
             }
-            /// The volume shared with a box of any kind, in cubed units of length.
+            /// Returns the volume shared with a box of any kind, in cubed units of length.
             #[must_use]
             #[inline]
             pub fn intersection_volume<B>(self, other: B) -> S
@@ -92,7 +92,7 @@ macro_rules! methods {
 }
 methods! { Aabb3 YawBox3 Obb3 }
 
-/// The gradient by an upright box from that by the same box as one of any orientation: the turn about the
+/// Returns the gradient by an upright box from that by the same box as one of any orientation: the turn about the
 /// z axis is the third of its body tangents.
 #[inline]
 fn upright<S: Scalar>(shape: YawBox3<S>, g: Obb3<S>) -> YawBox3<S> {
@@ -104,7 +104,7 @@ fn upright<S: Scalar>(shape: YawBox3<S>, g: Obb3<S>) -> YawBox3<S> {
     YawBox3::new(g.center, g.size, (turn.z * S::lit(8.0)).saturated())
 }
 
-/// The gradient by bounds from that by the same box as one of any orientation.
+/// Returns the gradient by bounds from that by the same box as one of any orientation.
 #[inline]
 fn bounds<S: Scalar>(g: Obb3<S>) -> Aabb3<S> {
     let half = g.center * S::lit(0.5);
@@ -139,7 +139,7 @@ pub fn iou_aabb3_obb3_vjp<S: Scalar>(
 
 /// A box of space as one of any orientation, and its gradient from that one's.
 pub(crate) trait AnyBox<S: Scalar>: Copy + Into<Obb3<S>> + Pack<Scalar = S> {
-    /// The gradient by this box from that by the same box as one of any orientation.
+    /// Returns the gradient by this box from that by the same box as one of any orientation.
     fn own_gradient(self, g: Obb3<S>) -> Self;
 }
 impl<S: Scalar> AnyBox<S> for Obb3<S> {
@@ -161,7 +161,7 @@ impl<S: Scalar> AnyBox<S> for Aabb3<S> {
     }
 }
 
-/// The result and gradients for boxes of two kinds, from those for boxes of any orientation.
+/// Returns the result and gradients for boxes of two kinds, from those for boxes of any orientation.
 #[inline]
 pub(crate) fn mixed_vjp<S: Scalar, A: AnyBox<S>, B: AnyBox<S>>(
     a: A,

@@ -56,14 +56,14 @@ pub use yaw::{intersection_volume_yaw, iof_yaw, iou_birds_eye, iou_yaw};
 use crate::Scalar;
 use crate::overlap::{Denominator, ratio_of_first, ratio_of_union};
 
-/// The volume of a box from half its size. Doubled first, so that a volume that can be represented is
+/// Returns the volume of a box from half its size. Doubled first, so that a volume that can be represented is
 /// rounded no more than it must be.
 #[inline(always)]
 pub(crate) fn volume_from_half<S: Scalar>([x, y, z]: [S; 3]) -> S {
     (x + x) * (y + y) * (z + z)
 }
 
-/// A score from volumes in units of `1 / scale³`, in the caller's unit.
+/// Returns a score from volumes in units of `1 / scale³`, in the caller's unit.
 #[inline(always)]
 pub(crate) fn score<S: Scalar>(over: Denominator, shared: S, a: S, b: S, scale: S) -> S {
     match over {

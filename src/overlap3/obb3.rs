@@ -9,7 +9,7 @@ use crate::shape::Obb3;
 use crate::{Mask, Scalar};
 use std::any::TypeId;
 
-/// The volume that two related boxes share, in units of `1 / scale³`.
+/// Returns the volume that two related boxes share, in units of `1 / scale³`.
 ///
 /// Floats take the value alone. For numbers with derivatives, and symbols of programs to be differentiated, the
 /// derivatives g come from the formula for derivatives, because those of the value's own arithmetic are lost where
@@ -34,22 +34,22 @@ fn volume<S: Scalar, const PIECES: bool>(pair: &Relative3<S>) -> S {
     }
 }
 
-/// `true` for numbers without derivatives.
+/// Returns `true` for numbers without derivatives.
 #[inline(always)]
 fn is_plain<S: Scalar>() -> bool {
     let number = TypeId::of::<S>();
     number == TypeId::of::<f32>() || number == TypeId::of::<f64>()
 }
 
-/// The volume of numbers with derivatives.
+/// Returns the volume of numbers with derivatives.
 #[inline(never)]
 fn volume_and_curvature<S: Scalar>(pair: &Relative3<S>) -> S {
     let found = shared_volume::<S, true, true>(&without_curvature(pair));
     moved_by(pair, &found, |g| (g + S::from_primal(g.primal())).halved())
 }
 
-/// A volume as a constant, and what it gains as the numbers of a pair move, by what the derivatives of each are taken
-/// for.
+/// Returns a volume as a constant, and what it gains as the numbers of a pair move, by what the derivatives of each are
+/// taken for.
 ///
 /// The rotation enters by the entries of its matrix R: a turn ω changes them by `ω × R`, so the derivative τ by a turn
 /// is `½ τ × R` by the entries.
@@ -70,13 +70,13 @@ fn moved_by<S: Scalar>(pair: &Relative3<S>, g: &Shared3<S>, of: impl Fn(S) -> S)
     volume
 }
 
-/// A volume whose derivatives are known, with the first ones.
+/// Returns a volume whose derivatives are known, with the first ones.
 #[inline(never)]
 fn volume_and_slope<S: Scalar>(pair: &Relative3<S>, found: &Shared3<S>) -> S {
     moved_by(pair, found, |g| S::from_primal(g.primal()))
 }
 
-/// The pair as constants where sizes or places are so different that second derivatives could overflow:
+/// Returns the pair as constants where sizes or places are so different that second derivatives could overflow:
 /// there only first ones are served.
 #[inline(always)]
 fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
@@ -97,7 +97,7 @@ fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
     }
 }
 
-/// `true` where two related boxes can share nothing at a glance: balls around them are apart.
+/// Returns `true` where two related boxes can share nothing at a glance: balls around them are apart.
 #[inline(always)]
 pub(super) fn far_apart<S: Scalar>(pair: &Relative3<S>) -> S::Mask {
     // (|h| + |p|)² ≤ 2 |h|² + 2 |p|², with room for rounding.
@@ -112,19 +112,19 @@ fn squared_length<S: Scalar>(v: [S; 3]) -> S::Primal {
     (x * x + y * y) + z * z
 }
 
-/// The pair as a function of its own: what it needs of the stack is free again when volumes are measured.
+/// Returns the pair as a function of its own: what it needs of the stack is free again when volumes are measured.
 #[inline(never)]
 pub(super) fn related<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
     relate3(a, b)
 }
 
-/// A score as a function of its own, one for each kind of number however many callers.
+/// Returns a score as a function of its own, one for each kind of number however many callers.
 #[inline(never)]
 pub(crate) fn score_obb3<S: Scalar>(over: Denominator, a: Obb3<S>, b: Obb3<S>) -> S {
     score_related::<S, true>(over, &related(a, b))
 }
 
-/// A score in one piece, as code for vector instructions must be.
+/// Returns a score in one piece, as code for vector instructions must be.
 #[inline(always)]
 pub(crate) fn score_obb3_here<S: Scalar>(over: Denominator, a: Obb3<S>, b: Obb3<S>) -> S {
     score_related::<S, false>(over, &relate3(a, b))
@@ -150,8 +150,8 @@ fn score_related<S: Scalar, const PIECES: bool>(over: Denominator, pair: &Relati
     }
 }
 
-/// The volume of a box of the pair; a constant where its derivatives by the sizes could overflow: sizes far below
-/// one of which one is 10⁸ times as large as another, or more.
+/// Returns the volume of a box of the pair; a constant where its derivatives by the sizes could overflow: sizes far
+/// below one of which one is 10⁸ times as large as another, or more.
 #[inline(always)]
 fn own_volume<S: Scalar>(pair: &Relative3<S>, half: [S; 3]) -> S {
     let [x, y, z] = half;
@@ -162,7 +162,7 @@ fn own_volume<S: Scalar>(pair: &Relative3<S>, half: [S; 3]) -> S {
     S::select(steep, S::from_primal(volume.primal()), volume)
 }
 
-/// A volume that is not above that of either box, as scores measure boxes; derivatives stay.
+/// Returns a volume that is not above that of either box, as scores measure boxes; derivatives stay.
 #[inline(always)]
 pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
     let limit = volume_a.primal().least(volume_b.primal());
@@ -171,7 +171,8 @@ pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
     S::select(beyond, shared.with_primal(limit), shared)
 }
 
-/// The same for a volume with derivatives, whose value has them, too: those of a ratio of volumes go on through it.
+/// Returns the same for a volume with derivatives, whose value has them, too: those of a ratio of volumes go on through
+/// it.
 #[inline(always)]
 pub(super) fn shared_within<S: Scalar, const PIECES: bool>(
     pair: &Relative3<S>,
@@ -185,7 +186,7 @@ pub(super) fn shared_within<S: Scalar, const PIECES: bool>(
     (shared, volume_a, volume_b)
 }
 
-/// The volume shared by two boxes of any orientation, from 0 to the volume of the smaller one, in cubed
+/// Returns the volume shared by two boxes of any orientation, from 0 to the volume of the smaller one, in cubed
 /// units of length. Saturates at the largest finite number.
 ///
 /// By the integral over the clamped [`border`](super::border): straight line, continuous in every number. The error
@@ -232,7 +233,7 @@ pub fn iou_obb3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     score_obb3(Denominator::Union, a, b)
 }
 
-/// The share of the first box that lies in the second, in `[0, 1]`.
+/// Returns the share of the first box that lies in the second, in `[0, 1]`.
 ///
 /// As for [`intersection_volume_obb3`].
 #[must_use]

@@ -26,7 +26,7 @@ pub(super) fn sum<S: Scalar>(a: Quaternion<S>, b: Quaternion<S>) -> Quaternion<S
     [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]]
 }
 
-/// A number of `[−1, 1]` as a multiple of 2⁻¹² and the rest. Sums of products of such multiples that
+/// Returns a number of `[−1, 1]` as a multiple of 2⁻¹² and the rest. Sums of products of such multiples that
 /// stay within `[−1, 1]` are exact in 24 bits.
 #[inline(always)]
 fn split<S: Scalar>(x: S) -> (S, S) {
@@ -41,7 +41,7 @@ fn split_all<S: Scalar>(q: Quaternion<S>) -> (Quaternion<S>, Quaternion<S>) {
     ([w.0, x.0, y.0, z.0], [w.1, x.1, y.1, z.1])
 }
 
-/// The power of two that brings the largest of some numbers into `[¼, ½)`; one for zeros.
+/// Returns the power of two that brings the largest of some numbers into `[¼, ½)`; one for zeros.
 #[inline(always)]
 fn to_half<S: Scalar>(largest: S::Primal) -> S {
     let zero = largest.at_most(S::Primal::zero());
@@ -55,7 +55,7 @@ fn largest<S: Scalar>(x: S, y: S, z: S) -> S::Primal {
     x.magnitude().most(y.magnitude()).most(z.magnitude())
 }
 
-/// A quaternion of length at most one, whose products stay far from over- and underflow; no rotation
+/// Returns a quaternion of length at most one, whose products stay far from over- and underflow; no rotation
 /// for zero.
 #[inline(always)]
 pub(super) fn bounded<S: Scalar>(q: Rotation3<S>) -> Quaternion<S> {
@@ -72,8 +72,8 @@ pub(super) fn bounded<S: Scalar>(q: Rotation3<S>) -> Quaternion<S> {
     ]
 }
 
-/// A quaternion times a power of two that brings its largest number into `[¼, ½)` (one too small to be normal not
-/// all the way), and that power.
+/// Returns a quaternion times a power of two that brings its largest number into `[¼, ½)` (one too small to be normal
+/// not all the way), and that power.
 #[inline(always)]
 pub(super) fn to_about_half<S: Scalar>(q: Rotation3<S>) -> (Rotation3<S>, S) {
     let scale = to_half(largest(q.x, q.y, q.z).most(q.w.primal().magnitude()));
@@ -81,7 +81,7 @@ pub(super) fn to_about_half<S: Scalar>(q: Rotation3<S>) -> (Rotation3<S>, S) {
     (q, scale)
 }
 
-/// The rotation from a to b, of any length. With products that carry low parts it is right to about 2⁻³⁵ even
+/// Returns the rotation from a to b, of any length. With products that carry low parts it is right to about 2⁻³⁵ even
 /// where they cancel, which long thin boxes need. `cube` is one of the 24 rotations of the cube, made of zeros
 /// and ones.
 #[inline(always)]
@@ -99,7 +99,7 @@ pub(super) fn relative<S: Scalar>(
     }
 }
 
-/// The matrix of a quaternion of any length. Small parts of it keep their digits where x, y and z are
+/// Returns the matrix of a quaternion of any length. Small parts of it keep their digits where x, y and z are
 /// small.
 #[inline(always)]
 pub(super) fn matrix<S: Scalar>([w, x, y, z]: Quaternion<S>) -> [[S; 3]; 3] {
@@ -145,18 +145,18 @@ fn add<S: Scalar>(a: Parts<S>, b: Parts<S>) -> Parts<S> {
 fn less<S: Scalar>(a: Parts<S>, b: Parts<S>) -> Parts<S> {
     (a.0 - b.0, a.1 - b.1)
 }
-/// The square of a number, given with its high part and the rest.
+/// Returns the square of a number, given with its high part and the rest.
 #[inline(always)]
 fn square<S: Scalar>(x: S, (high, low): Parts<S>) -> Parts<S> {
     (high * high, low * (high + x))
 }
-/// Twice the product of two numbers.
+/// Returns twice the product of two numbers.
 #[inline(always)]
 fn twice<S: Scalar>(a: Parts<S>, y: S, b: Parts<S>) -> Parts<S> {
     let rest = a.0 * b.1 + a.1 * y;
     (S::lit(2.0) * (a.0 * b.0), rest + rest)
 }
-/// The product of a column and a vector, whose parts are given, too.
+/// Returns the product of a column and a vector, whose parts are given, too.
 #[inline(always)]
 fn along<S: Scalar>(column: [Parts<S>; 3], v: [S; 3], v_parts: [Parts<S>; 3], unit: S) -> S {
     let (mut exact, mut rest) = (S::zero(), S::zero());
@@ -168,7 +168,7 @@ fn along<S: Scalar>(column: [Parts<S>; 3], v: [S; 3], v_parts: [Parts<S>; 3], un
     (exact + rest).over(unit)
 }
 
-/// A vector in the frame of a rotation. For a scalar with 24 bits it is right to about 2⁻³⁵ of its length.
+/// Returns a vector in the frame of a rotation. For a scalar with 24 bits it is right to about 2⁻³⁵ of its length.
 #[inline(always)]
 pub(super) fn into_frame<S: Scalar>(q: Quaternion<S>, v: [S; 3], lost: [S; 3]) -> [S; 3] {
     if !S::COMPENSATED {

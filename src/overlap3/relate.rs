@@ -29,7 +29,7 @@ pub struct Relative3<S: Scalar> {
     pub same: S::Mask,
 }
 
-/// The power of two by which a pair of boxes is multiplied so that no volume over- or underflows: it
+/// Returns the power of two by which a pair of boxes is multiplied so that no volume over- or underflows: it
 /// brings the largest side of the smaller box near one, unless that is zero or the other box would
 /// become too large.
 #[inline(always)]
@@ -43,7 +43,7 @@ pub fn size_scale3<S: Scalar>(half_a: Vec3<S>, half_b: Vec3<S>) -> S {
     S::select(zero, S::one(), S::select(zero, S::one(), size).binade())
 }
 
-/// A number, or zero where it is smaller than another one.
+/// Returns a number, or zero where it is smaller than another one.
 #[inline(always)]
 fn levelled<S: Scalar>(x: S, flat: S) -> S {
     let nothing = x.unsigned().below(flat);

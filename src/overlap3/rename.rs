@@ -19,7 +19,7 @@ impl<S: Scalar> Renaming<S> {
     pub fn rename(&self, [x, y, z]: [S; 3]) -> [S; 3] {
         self.pick([x, y, z], [y, z, x], [z, x, y])
     }
-    /// The same numbers under the old names.
+    /// Returns the same numbers under the old names.
     #[inline(always)]
     pub fn restore(&self, [x, y, z]: [S; 3]) -> [S; 3] {
         self.pick([x, y, z], [z, x, y], [y, z, x])
@@ -81,7 +81,7 @@ impl<P: Scalar> Best<P> {
     }
 }
 
-/// The rotation of the cube by which b's axes are renamed, as zeros and ones with signs, and the
+/// Returns the rotation of the cube by which b's axes are renamed, as zeros and ones with signs, and the
 /// renaming.
 ///
 /// After it the real part is the largest that is possible: one number of the quaternion alone (a half

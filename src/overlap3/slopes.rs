@@ -44,7 +44,7 @@ pub(crate) fn score_obb3_vjp<S: Scalar>(
     score_related_vjp::<S, true, true>(over, &related(a, b), [a, b], out_bar)
 }
 
-/// The same in one piece, as code for vector instructions must be, for boxes of common size.
+/// Returns the same in one piece, as code for vector instructions must be, for boxes of common size.
 #[inline(always)]
 pub(crate) fn score_obb3_vjp_here<S: Scalar>(
     over: Denominator,
@@ -55,8 +55,8 @@ pub(crate) fn score_obb3_vjp_here<S: Scalar>(
     score_related_vjp::<S, false, false>(over, &relate3(a, b), [a, b], out_bar)
 }
 
-/// A derivative times factors, all but the first powers of two, one after another. `EXTREME` ones grow no farther than
-/// the largest number.
+/// Returns a derivative times factors, all but the first powers of two, one after another. `EXTREME` ones grow no
+/// farther than the largest number.
 #[inline(always)]
 fn times<S: Scalar, const EXTREME: bool>(x: S, by: [S; 4]) -> S {
     let mut x = x;
@@ -187,7 +187,7 @@ fn zero_where<S: Scalar>(mask: S::Mask, x: [S; 3]) -> [S; 3] {
     ]
 }
 
-/// A vector given along three axes.
+/// Returns a vector given along three axes.
 #[inline(always)]
 fn along_axes<S: Scalar>(axes: [Vec3<S>; 3], v: Vec3<S>) -> Vec3<S> {
     (axes[0] * v.x + axes[1] * v.y) + axes[2] * v.z
@@ -215,7 +215,7 @@ fn by_size<S: Scalar, const EXTREME: bool>(
     out
 }
 
-/// The gradient by a quaternion from that by a body tangent.
+/// Returns the gradient by a quaternion from that by a body tangent.
 #[inline(always)]
 fn by_quaternion<S: Scalar, const EXTREME: bool>(
     rotation: Rotation3<S>,
@@ -243,7 +243,7 @@ fn by_quaternion<S: Scalar, const EXTREME: bool>(
     )
 }
 
-/// A derivative without the sign of a zero, times what was taken from the upstream derivative.
+/// Returns a derivative without the sign of a zero, times what was taken from the upstream derivative.
 #[inline(always)]
 fn finished<S: Scalar, const EXTREME: bool>(x: S, steep: S) -> S {
     if EXTREME {
@@ -261,7 +261,7 @@ fn finished_each<S: Scalar, const EXTREME: bool>(v: Vec3<S>, steep: S) -> Vec3<S
     )
 }
 
-/// A gradient without signs of zeros, times what was taken from the upstream derivative.
+/// Returns a gradient without signs of zeros, times what was taken from the upstream derivative.
 #[inline(always)]
 fn gradient<S: Scalar, const EXTREME: bool>(
     center: Vec3<S>,
@@ -282,7 +282,7 @@ fn gradient<S: Scalar, const EXTREME: bool>(
     }
 }
 
-/// The volume shared by two boxes of any orientation, and `out_bar` times its derivatives by both.
+/// Returns the volume shared by two boxes of any orientation, and `out_bar` times its derivatives by both.
 ///
 /// Derivatives by the rotations are by the four numbers of their quaternions;
 /// [`Rotation3::tangent_gradient`] makes those of body tangents of them.
@@ -315,7 +315,7 @@ pub fn iou_obb3_vjp<S: Scalar>(a: Obb3<S>, b: Obb3<S>, out_bar: S) -> (S, (Obb3<
     score_obb3_vjp(Denominator::Union, a, b, out_bar)
 }
 
-/// The share of the first box that lies in the second, and `out_bar` times its derivatives by both.
+/// Returns the share of the first box that lies in the second, and `out_bar` times its derivatives by both.
 ///
 /// As for [`intersection_volume_obb3_vjp`].
 #[must_use]

@@ -69,7 +69,7 @@ pub(crate) fn heights<S: Scalar>(
     }
 }
 
-/// A score of upright boxes from areas seen from above (shared, of a, of b; in units of `1 / scale²`) and
+/// Returns a score of upright boxes from areas seen from above (shared, of a, of b; in units of `1 / scale²`) and
 /// heights.
 #[inline(always)]
 pub(crate) fn score_of_columns<S: Scalar, const EXTREME: bool>(
@@ -93,7 +93,7 @@ pub(crate) fn score_of_columns<S: Scalar, const EXTREME: bool>(
     }
 }
 
-/// A score of two upright boxes.
+/// Returns a score of two upright boxes.
 pub(crate) fn score_yaw<S: Scalar>(over: Denominator, a: YawBox3<S>, b: YawBox3<S>) -> S {
     let (flat_a, flat_b) = (frame(a.birds_eye()), frame(b.birds_eye()));
     let (tall_a, tall_b) = (a.size.z.halved(), b.size.z.halved());
@@ -111,7 +111,7 @@ pub(crate) fn score_yaw<S: Scalar>(over: Denominator, a: YawBox3<S>, b: YawBox3<
     value.canonical()
 }
 
-/// The volume shared by two upright boxes, from 0 to the volume of the smaller one, in cubed units of
+/// Returns the volume shared by two upright boxes, from 0 to the volume of the smaller one, in cubed units of
 /// length. Saturates at the largest finite number.
 ///
 /// The area shared seen from above times the height shared. Kinks and conventions: see the
@@ -139,7 +139,7 @@ pub fn iou_yaw<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>) -> S {
     score_yaw(Denominator::Union, a, b)
 }
 
-/// The share of the first upright box that lies in the second, in `[0, 1]`.
+/// Returns the share of the first upright box that lies in the second, in `[0, 1]`.
 ///
 /// Kinks and conventions: see the [module](super).
 #[must_use]

@@ -42,7 +42,7 @@ pub(crate) struct Pair<'a, S: Scalar> {
 }
 
 impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
-    /// `None` where neither has vertices.
+    /// Returns `None` where neither has vertices.
     pub fn new(a: Rings<'a, S>, b: Rings<'a, S>) -> Option<Self> {
         let (bounds_a, bounds_b) = (a.bounds(), b.bounds());
         let empty = bounds_a.is_none() || bounds_b.is_none();
@@ -100,7 +100,7 @@ impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
             f(&tile);
         }
     }
-    /// The area of one of them, in local units.
+    /// Returns the area of one of them, in local units.
     pub fn own_area(&self, which: usize) -> S {
         let mut sum = S::zero();
         self.each_tile(which, |tile| {
@@ -143,16 +143,16 @@ impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
         let area = S::select(beyond, area.with_primal(limit), area);
         [area, area_a, area_b]
     }
-    /// A local area in the caller's unit.
+    /// Returns a local area in the caller's unit.
     pub fn outer(&self, area: S) -> S {
         let area = self.seen.outer(self.seen.outer(area));
         area.saturated().canonical()
     }
 }
 
-/// The area that two polygons share, from 0 to the area of the smaller one, in squared units of length. Exactly zero
-/// where their bounds are apart; of polygons apart whose bounds overlap, to a few roundings of the smaller area. See
-/// the [module](self).
+/// Returns the area that two polygons share, from 0 to the area of the smaller one, in squared units of length. Exactly
+/// zero where their bounds are apart; of polygons apart whose bounds overlap, to a few roundings of the smaller area.
+/// See the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, overlap_polygon::holed::intersection_area};
@@ -169,7 +169,7 @@ pub fn intersection_area<'a, S: Scalar<Mask = bool>>(
     Pair::new(a.into(), b.into()).map_or(S::zero(), |pair| pair.outer(pair.areas()[0]))
 }
 
-/// The area that two polygons cover together, in squared units of length. See the [module](self).
+/// Returns the area that two polygons cover together, in squared units of length. See the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, overlap_polygon::holed::union_area};
@@ -210,7 +210,7 @@ pub fn iou<'a, S: Scalar<Mask = bool>>(
     })
 }
 
-/// The share of the first polygon that lies in the second, in `[0, 1]`; zero with derivative zero where the
+/// Returns the share of the first polygon that lies in the second, in `[0, 1]`; zero with derivative zero where the
 /// first has no area. See the [module](self).
 #[must_use]
 pub fn iof<'a, S: Scalar<Mask = bool>>(

@@ -64,7 +64,7 @@ fn least_bounds<S: Scalar>(polygon: &[Vec2<S>]) -> Aabb2<S> {
     })
 }
 
-/// A place inside a convex polygon, in local coordinates, at which no vertex of another one is to be
+/// Returns a place inside a convex polygon, in local coordinates, at which no vertex of another one is to be
 /// expected: there it would have no direction. So the vertices have weights of no simple ratio.
 #[inline(always)]
 fn middle<S: Scalar>(polygon: &[Vec2<S>], seen: &Reference<S>) -> Vec2<S> {
@@ -86,7 +86,7 @@ fn pair_reference<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> (Reference<S>, S::
     (seen.shifted(middle), in_a, apart)
 }
 
-/// `true` where two polygons are the same vertices in the same order.
+/// Returns `true` where two polygons are the same vertices in the same order.
 #[inline(always)]
 fn same_vertices<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> S::Mask {
     let zero = S::zero();
@@ -142,8 +142,8 @@ fn measure_counted<S: Scalar, const N: usize, const M: usize>(
     }
 }
 
-/// The contribution of an edge, as a call: in line, for every edge of full polygons, derivatives of many numbers are
-/// megabytes of code.
+/// Returns the contribution of an edge, as a call: in line, for every edge of full polygons, derivatives of many
+/// numbers are megabytes of code.
 #[inline(never)]
 fn shared_of_edge<S: Scalar, const M: usize>(
     fan: &Fan<S, M>,
@@ -166,7 +166,7 @@ pub(crate) fn measure<S: Scalar, const N: usize, const M: usize>(
     measure_counted(&a.vertices, a.count.min(N), &b.vertices, b.count.min(M))
 }
 
-/// The area shared by two convex polygons, from 0 to the area of the smaller one, in squared units of
+/// Returns the area shared by two convex polygons, from 0 to the area of the smaller one, in squared units of
 /// length. Exactly zero, with derivative zero, where they are apart or merely touch; saturates at the
 /// largest finite number.
 ///
@@ -213,7 +213,7 @@ pub fn iou_polygons<S: Scalar, const N: usize, const M: usize>(
     ratio_of_union(inter, area_a, area_b).canonical()
 }
 
-/// The share of the first convex polygon that lies in the second, in `[0, 1]`; zero with derivative zero
+/// Returns the share of the first convex polygon that lies in the second, in `[0, 1]`; zero with derivative zero
 /// where the first has no area. See the [module](self).
 #[must_use]
 #[inline]
@@ -259,14 +259,14 @@ impl<S: Scalar, const M: usize> Window<S, M> {
             apart,
         }
     }
-    /// The body of the fold: what the edge from `start` to `end` contributes. Contributions are added.
+    /// Returns the body of the fold: what the edge from `start` to `end` contributes. Contributions are added.
     #[must_use]
     #[inline(always)]
     pub fn of_edge(&self, start: Vec2<S>, end: Vec2<S>) -> S {
         let edge = [self.seen.place(start), self.seen.place(end)];
         self.fan.shared_with(edge, self.smaller)
     }
-    /// The end of the fold: the area inside, in the caller's unit, from the sum over all edges.
+    /// Returns the end of the fold: the area inside, in the caller's unit, from the sum over all edges.
     #[must_use]
     #[inline(always)]
     pub fn finish(&self, sum: S) -> S {
@@ -275,7 +275,7 @@ impl<S: Scalar, const M: usize> Window<S, M> {
     }
 }
 
-/// The signed area of the part of a polygon that lies in a convex one, in squared units of length. The
+/// Returns the signed area of the part of a polygon that lies in a convex one, in squared units of length. The
 /// polygon is any number of rings: holes are rings of the other orientation, and each region counts as
 /// often as the rings wind around it, clockwise negative. Rings may touch and cross themselves and
 /// each other.
@@ -309,7 +309,7 @@ pub fn area_inside<S: Scalar, const M: usize>(
     inside.finish(sum)
 }
 
-/// The smallest axis-aligned box around all rings, as constants.
+/// Returns the smallest axis-aligned box around all rings, as constants.
 #[inline]
 pub(crate) fn bounds_of_rings<S: Scalar>(rings: &[&[Vec2<S>]]) -> Option<Aabb2<S>> {
     let each = rings.iter().filter_map(|ring| bounds_of(ring));
@@ -317,12 +317,12 @@ pub(crate) fn bounds_of_rings<S: Scalar>(rings: &[&[Vec2<S>]]) -> Option<Aabb2<S
 }
 
 impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
-    /// A guard with the vertices of both.
+    /// Returns a guard with the vertices of both.
     fn guard_with<const M: usize>(&self, other: &ConvexPolygon<S, M>) -> Guard<S> {
         let all = self.as_slice().iter().chain(other.as_slice());
         all.fold(Guard::new(), |guard, vertex| guard.and(vertex))
     }
-    /// The area shared with another convex polygon, from 0 to the area of the smaller one.
+    /// Returns the area shared with another convex polygon, from 0 to the area of the smaller one.
     #[must_use]
     #[inline]
     pub fn intersection_area<const M: usize>(&self, other: &ConvexPolygon<S, M>) -> S {
@@ -335,7 +335,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
     pub fn iou<const M: usize>(&self, other: &ConvexPolygon<S, M>) -> S {
         self.guard_with(other).result(iou_polygons(self, other))
     }
-    /// The share of this polygon that lies in the other one, in `[0, 1]`.
+    /// Returns the share of this polygon that lies in the other one, in `[0, 1]`.
     #[must_use]
     #[inline]
     pub fn iof<const M: usize>(&self, other: &ConvexPolygon<S, M>) -> S {

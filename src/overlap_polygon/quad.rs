@@ -19,8 +19,8 @@
 use crate::error::{Flaw, Validate, VertexFault};
 use crate::{Scalar, Vec2};
 
-/// Twice the mean of the positive part of a linear function between two values: the square of what is positive of both
-/// over what they are without a sign.
+/// Returns twice the mean of the positive part of a linear function between two values: the square of what is positive
+/// of both over what they are without a sign.
 #[inline(always)]
 fn positive<S: Scalar>(start: S, end: S) -> S {
     let zero = S::zero();
@@ -29,7 +29,7 @@ fn positive<S: Scalar>(start: S, end: S) -> S {
     part * part.over(all.most(S::lit(S::EMPTY)))
 }
 
-/// The area that a ring shares with a triangle, from oblique coordinates.
+/// Returns the area that a ring shares with a triangle, from oblique coordinates.
 #[inline(always)]
 fn in_triangle<S: Scalar>(x: [S; 4], y: [S; 4], all: S) -> S {
     let (zero, one) = (S::zero(), S::one());
@@ -71,7 +71,7 @@ fn half<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
 fn against<S: Scalar>(x: [S; 4]) -> [S; 4] {
     [-x[0], -x[1], -x[2], -x[3]]
 }
-/// How far corners are to the left of the side between two ways, from what they are to the left of either.
+/// Returns how far corners are to the left of the side between two ways, from what they are to the left of either.
 #[inline(always)]
 fn far<S: Scalar>(of: [S; 4], to: [S; 4], all: S) -> [S; 4] {
     let mut side = [S::zero(); 4];
@@ -82,7 +82,7 @@ fn far<S: Scalar>(of: [S; 4], to: [S; 4], all: S) -> [S; 4] {
     }
     side
 }
-/// `true` where a side has all corners on its right or on itself.
+/// Returns `true` where a side has all corners on its right or on itself.
 #[inline(always)]
 fn separates<S: Scalar>(side: [S; 4], along: Vec2<S>) -> S::Mask {
     let zero = S::zero();
@@ -128,7 +128,7 @@ pub(crate) struct QuadPair<S: Scalar> {
 /// So many times [`Scalar::EMPTY`] counts as nothing, in units of which the larger quadrilateral has about one.
 pub(crate) const TINY: f64 = 1e6;
 
-/// The longest of the ways from the first corner to the others, along x or y.
+/// Returns the longest of the ways from the first corner to the others, along x or y.
 #[inline(always)]
 fn reach<S: Scalar>(ways: &[Vec2<S>; 4]) -> S {
     let mut reach = ways[1].x.unsigned().most(ways[1].y.unsigned());
@@ -140,7 +140,7 @@ fn reach<S: Scalar>(ways: &[Vec2<S>; 4]) -> S {
     reach
 }
 
-/// The first quadrilateral where a mask says so, else the second.
+/// Returns the first quadrilateral where a mask says so, else the second.
 #[inline(always)]
 pub(crate) fn choose_quad<S: Scalar>(
     mask: S::Mask,
@@ -155,7 +155,8 @@ pub(crate) fn choose_quad<S: Scalar>(
     ]
 }
 
-/// A quadrilateral counter-clockwise, and whether it was not: by the cross product of its diagonals, twice its area.
+/// Returns a quadrilateral counter-clockwise, and whether it was not: by the cross product of its diagonals, twice its
+/// area.
 #[inline(always)]
 fn counter_clockwise<S: Scalar>(q: [Vec2<S>; 4]) -> ([Vec2<S>; 4], S::Mask) {
     let twice = (q[2] - q[0]).perp_dot(q[3] - q[1]);
@@ -163,21 +164,22 @@ fn counter_clockwise<S: Scalar>(q: [Vec2<S>; 4]) -> ([Vec2<S>; 4], S::Mask) {
     (swapped(clockwise, q), clockwise)
 }
 
-/// The second and the fourth of four vectors exchanged where a mask says so.
+/// Returns the second and the fourth of four vectors exchanged where a mask says so.
 #[inline(always)]
 pub(crate) fn swapped<S: Scalar>(mask: S::Mask, q: [Vec2<S>; 4]) -> [Vec2<S>; 4] {
     choose_quad(mask, [q[0], q[3], q[2], q[1]], q)
 }
 
-/// `true` for a convex quadrilateral in either order: no corner turns to the other side by more than coordinates round.
-/// One with repeated corners or without an area is one, too.
+/// Returns `true` for a convex quadrilateral in either order: no corner turns to the other side by more than
+/// coordinates round. One with repeated corners or without an area is one, too.
 #[inline(always)]
 pub(crate) fn is_convex<S: Scalar>(q: [Vec2<S>; 4]) -> S::Mask {
     let (least, most) = turns(q);
     least.at_least(S::zero()) | most.at_most(S::zero())
 }
 
-/// The least turn of the corners of a quadrilateral and the greatest one; a turn that is due to rounding is none.
+/// Returns the least turn of the corners of a quadrilateral and the greatest one; a turn that is due to rounding is
+/// none.
 #[inline(always)]
 fn turns<S: Scalar>(q: [Vec2<S>; 4]) -> (S, S) {
     let (mut least, mut most) = (S::zero(), S::zero());
@@ -190,13 +192,13 @@ fn turns<S: Scalar>(q: [Vec2<S>; 4]) -> (S, S) {
     (least, most)
 }
 
-/// The size of a vector, up to a factor.
+/// Returns the size of a vector, up to a factor.
 #[inline(always)]
 fn size<S: Scalar>(v: Vec2<S>) -> S {
     v.x.unsigned() + v.y.unsigned()
 }
 
-/// The turn at a corner: the cross product of the sides there, 0 where coordinates round by as much.
+/// Returns the turn at a corner: the cross product of the sides there, 0 where coordinates round by as much.
 #[inline(always)]
 fn turn_of<S: Scalar>(q: [Vec2<S>; 4], k: usize) -> S {
     let far = size(q[0])
@@ -345,7 +347,7 @@ impl<S: Scalar> QuadPair<S> {
             scale,
         }
     }
-    /// The area in the caller's unit; infinite where that is too small.
+    /// Returns the area in the caller's unit; infinite where that is too small.
     #[inline(always)]
     pub fn outer_area(&self) -> S {
         // Twice for each length, which was halved.
@@ -354,9 +356,9 @@ impl<S: Scalar> QuadPair<S> {
     }
 }
 
-/// The area shared by two convex quadrilaterals, each in either order, from 0 to the area of the smaller one, in
-/// squared units of length. Exactly zero, with derivative zero, where they are apart or merely touch;
-/// saturates at the largest finite number. Repeated and collinear vertices are fine.
+/// Returns the area shared by two convex quadrilaterals, each in either order, from 0 to the area of the smaller one,
+/// in squared units of length. Exactly zero, with derivative zero, where they are apart or merely touch; saturates at
+/// the largest finite number. Repeated and collinear vertices are fine.
 ///
 /// A quadrilateral that is not convex has a finite result without a meaning, and is an error in batches. Right to a few roundings of the smaller area if sizes are alike or one contains the other. Right to
 /// about R of them if one is R times longer and reaches across the other's border. Kinks: edges lying along each

@@ -88,7 +88,7 @@ fn wedge<S: Scalar>(
     })
 }
 
-/// The triangle over an edge `f` against that over an edge `g`, given twice the area of both.
+/// Returns the triangle over an edge `f` against that over an edge `g`, given twice the area of both.
 #[inline(always)]
 pub(crate) fn between<S: Scalar>(
     f: [Vec2<S>; 2],
@@ -114,8 +114,8 @@ pub(crate) fn between<S: Scalar>(
     )
 }
 
-/// Twice the area that both triangles share, with the sign of their orientations; `of_g` says that the second edge is
-/// of the smaller polygon.
+/// Returns twice the area that both triangles share, with the sign of their orientations; `of_g` says that the second
+/// edge is of the smaller polygon.
 ///
 /// It is found as a part of the smaller polygon's triangle: of one that is R times as long the part is R² times smaller,
 /// and what is left of one.
@@ -153,7 +153,7 @@ pub(crate) fn shared_twice<S: Scalar>(pair: &Wedge<S>, of_g: S::Mask) -> S {
     S::select(mixed::<S>(pair), -area, area)
 }
 
-/// `true` where the two triangles are of opposite orientation.
+/// Returns `true` where the two triangles are of opposite orientation.
 #[inline(always)]
 pub(crate) fn mixed<S: Scalar>(pair: &Wedge<S>) -> S::Mask {
     (pair.turned_f & !pair.turned_g) | (pair.turned_g & !pair.turned_f)
@@ -191,17 +191,17 @@ impl<S: Scalar, const M: usize> Fan<S, M> {
         }
         fan
     }
-    /// The vertex after vertex `k`.
+    /// Returns the vertex after vertex `k`.
     #[inline(always)]
     pub fn after(&self, k: usize) -> usize {
         if k + 1 < self.count { k + 1 } else { 0 }
     }
-    /// The edge from vertex `k`.
+    /// Returns the edge from vertex `k`.
     #[inline(always)]
     pub fn edge(&self, k: usize) -> [Vec2<S>; 2] {
         [self.at[k], self.at[self.after(k)]]
     }
-    /// The area.
+    /// Returns the area.
     #[inline(always)]
     pub fn area(&self) -> S {
         let mut sum = S::zero();
@@ -212,13 +212,13 @@ impl<S: Scalar, const M: usize> Fan<S, M> {
         }
         sum.halved()
     }
-    /// The triangle over an edge `f` of a ring against that over edge `k`.
+    /// Returns the triangle over an edge `f` of a ring against that over edge `k`.
     #[inline(always)]
     pub fn wedge(&self, f: [Vec2<S>; 2], k: usize) -> Option<Wedge<S>> {
         between(f, self.edge(k), [f[0].perp_dot(f[1]), self.twice[k]])
     }
-    /// The contribution of an edge of a ring to twice the area that the ring shares with this polygon, which may
-    /// be the smaller one.
+    /// Returns the contribution of an edge of a ring to twice the area that the ring shares with this polygon, which
+    /// may be the smaller one.
     #[inline(always)]
     pub fn shared_with(&self, edge: [Vec2<S>; 2], smaller: S::Mask) -> S {
         let mut sum = S::zero();
@@ -231,7 +231,7 @@ impl<S: Scalar, const M: usize> Fan<S, M> {
         }
         sum
     }
-    /// `true` where one of the edges has all of the other polygon on its right or on itself, both being convex:
+    /// Returns `true` where one of the edges has all of the other polygon on its right or on itself, both being convex:
     /// they are apart or merely touch.
     #[inline(always)]
     pub fn separates<const N: usize>(&self, other: &Fan<S, N>) -> S::Mask {

@@ -5,7 +5,7 @@ use crate::distance::ring::{EdgeFold, fold_ring};
 use crate::{Scalar, Vec2};
 
 impl<S: Scalar<Mask = bool>> Rings<'_, S> {
-    /// The place of a point: on the border, or how often the rings wind around it. Search exactly.
+    /// Returns the place of a point: on the border, or how often the rings wind around it. Search exactly.
     #[must_use]
     pub fn locate(&self, point: Vec2<S>) -> Location {
         let mut sum = 0;
@@ -17,7 +17,7 @@ impl<S: Scalar<Mask = bool>> Rings<'_, S> {
         }
         Location::Off(sum)
     }
-    /// `true` if a point is in the polygon by a fill rule; its border belongs to it. Search exactly.
+    /// Returns `true` if a point is in the polygon by a fill rule; its border belongs to it. Search exactly.
     ///
     /// ```
     /// use geograd::{Aabb2, Rings, Vec2, polygon::Fill};
@@ -35,7 +35,7 @@ impl<S: Scalar<Mask = bool>> Rings<'_, S> {
             (Location::Off(winding), Fill::EvenOdd) => winding % 2 != 0,
         }
     }
-    /// How far a point is from the nearest edge of any ring, in units of length: positive inside,
+    /// Returns how far a point is from the nearest edge of any ring, in units of length: positive inside,
     /// negative outside, by a fill rule. Without vertices the lowest finite number.
     ///
     /// The sign is decided exactly. Derivatives are exact for the point and the ends of the nearest edge.

@@ -4,7 +4,7 @@ use crate::measure::moments::{AreaMoments, finish, of_edge};
 use crate::reference::Reference;
 use crate::{Scalar, Vec2, ring};
 
-/// The sums of moments over all rings, each counted by its side, in a local frame.
+/// Returns the sums of moments over all rings, each counted by its side, in a local frame.
 fn sums<S: Scalar>(rings: Rings<'_, S>, sides: &Sides) -> Option<(Reference<S>, [S; 6])> {
     let seen = Reference::of_moments(rings.bounds()?);
     let mut sums = [S::zero(); 6];
@@ -17,7 +17,7 @@ fn sums<S: Scalar>(rings: Rings<'_, S>, sides: &Sides) -> Option<(Reference<S>, 
     Some((seen, sums))
 }
 
-/// The area of a polygon whose rings count as they run, in squared units of length: each region as often
+/// Returns the area of a polygon whose rings count as they run, in squared units of length: each region as often
 /// as the rings wind around it, clockwise negative. Straight line; smooth. Saturates at the largest
 /// finite number.
 #[must_use]
@@ -29,7 +29,7 @@ pub fn signed_area<'a, S: Scalar>(rings: impl Into<Rings<'a, S>>) -> S {
     sum.saturated().canonical()
 }
 
-/// The area of a polygon, in squared units of length, of rings that do not cross and have either
+/// Returns the area of a polygon, in squared units of length, of rings that do not cross and have either
 /// orientation: what an odd number of them enclose. Smooth. Saturates at the largest finite number.
 ///
 /// ```
@@ -49,7 +49,7 @@ pub fn area<'a, S: Scalar<Mask = bool>>(rings: impl Into<Rings<'a, S>>) -> S {
     sum.saturated().canonical()
 }
 
-/// The perimeter of a polygon, in units of length: the borders of its holes count, too. Straight line.
+/// Returns the perimeter of a polygon, in units of length: the borders of its holes count, too. Straight line.
 /// Kink: an edge of length zero, where the derivative is zero.
 #[must_use]
 pub fn perimeter<'a, S: Scalar>(rings: impl Into<Rings<'a, S>>) -> S {
@@ -60,8 +60,8 @@ pub fn perimeter<'a, S: Scalar>(rings: impl Into<Rings<'a, S>>) -> S {
     sum.saturated().canonical()
 }
 
-/// The centroid of the area of a polygon, of rings that do not cross and have either orientation. If the area is
-/// exactly zero it is the mean of the vertices (a jump); the origin without vertices.
+/// Returns the centroid of the area of a polygon, of rings that do not cross and have either orientation. If the area
+/// is exactly zero it is the mean of the vertices (a jump); the origin without vertices.
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, polygon};
@@ -86,7 +86,7 @@ pub fn centroid<'a, S: Scalar<Mask = bool>>(rings: impl Into<Rings<'a, S>>) -> V
     seen.outer_place(at).canonical()
 }
 
-/// The second moments of the area of a polygon about its centroid, in fourth powers of length, of rings
+/// Returns the second moments of the area of a polygon about its centroid, in fourth powers of length, of rings
 /// that do not cross and have either orientation. Zero where the area is zero.
 ///
 /// ```

@@ -36,7 +36,7 @@ impl<'a, S> Rings<'a, S> {
         let source = Given::Flat(vertices, ends);
         Rings { source }
     }
-    /// How many rings there are.
+    /// Returns how many rings there are.
     #[must_use]
     #[inline]
     pub fn count(&self) -> usize {
@@ -47,7 +47,7 @@ impl<'a, S> Rings<'a, S> {
             Given::Flat(_, ends) => ends.len(),
         }
     }
-    /// The vertices of a ring; none for one that is not there.
+    /// Returns the vertices of a ring; none for one that is not there.
     #[must_use]
     #[inline]
     pub fn ring(&self, k: usize) -> &'a [Vec2<S>] {
@@ -62,7 +62,7 @@ impl<'a, S> Rings<'a, S> {
         };
         found.unwrap_or(&[])
     }
-    /// All rings.
+    /// Returns all rings.
     #[inline]
     pub fn iter(&self) -> impl Iterator<Item = &'a [Vec2<S>]> + 'a
     where
@@ -71,7 +71,7 @@ impl<'a, S> Rings<'a, S> {
         let all = *self;
         (0..all.count()).map(move |k| all.ring(k))
     }
-    /// How many vertices all rings have together.
+    /// Returns how many vertices all rings have together.
     #[must_use]
     #[inline]
     pub fn vertex_count(&self) -> usize
@@ -83,13 +83,13 @@ impl<'a, S> Rings<'a, S> {
 }
 
 impl<S: Scalar> Rings<'_, S> {
-    /// The smallest axis-aligned box around all rings, without derivatives; `None` without vertices.
+    /// Returns the smallest axis-aligned box around all rings, without derivatives; `None` without vertices.
     #[must_use]
     #[inline]
     pub(crate) fn bounds(&self) -> Option<Aabb2<S>> {
         self.iter().filter_map(bounds_of).reduce(|a, b| a.join(b))
     }
-    /// The smallest axis-aligned box around all rings; ties share the derivative. `None` without vertices.
+    /// Returns the smallest axis-aligned box around all rings; ties share the derivative. `None` without vertices.
     ///
     /// ```
     /// use geograd::{Aabb2, Rings, Vec2};
@@ -105,7 +105,7 @@ impl<S: Scalar> Rings<'_, S> {
             max: a.max.most(b.max),
         })
     }
-    /// `Ok` when every coordinate is finite and every ring has three distinct vertices.
+    /// Returns `Ok` when every coordinate is finite and every ring has three distinct vertices.
     ///
     /// # Errors
     ///
@@ -135,7 +135,7 @@ impl<S: Scalar> Rings<'_, S> {
         }
         Ok(())
     }
-    /// The same rings with vertices of their own.
+    /// Returns the same rings with vertices of their own.
     #[must_use]
     pub fn to_polygon(&self) -> Polygon<S> {
         Polygon::from_rings(self.iter())
@@ -176,7 +176,7 @@ impl<'a, S> From<&'a [Vec<Vec2<S>>]> for Rings<'a, S> {
     }
 }
 impl<'a, S> From<&'a Polygon<S>> for Rings<'a, S> {
-    /// The rings of the polygon.
+    /// Returns the rings of the polygon.
     fn from(polygon: &'a Polygon<S>) -> Self {
         Rings::flat(&polygon.vertices, &polygon.ends)
     }
@@ -242,27 +242,27 @@ impl<S> Polygon<S> {
         self.vertices.extend(ring);
         self.ends.push(self.vertices.len());
     }
-    /// The rings.
+    /// Returns the rings.
     #[must_use]
     pub fn rings(&self) -> Rings<'_, S> {
         self.into()
     }
-    /// The vertices of a ring; none for one that is not there.
+    /// Returns the vertices of a ring; none for one that is not there.
     #[must_use]
     pub fn ring(&self, k: usize) -> &[Vec2<S>] {
         self.rings().ring(k)
     }
-    /// The vertices of all rings, one ring after the other.
+    /// Returns the vertices of all rings, one ring after the other.
     #[must_use]
     pub fn vertices(&self) -> &[Vec2<S>] {
         &self.vertices
     }
-    /// The vertices of all rings, one ring after the other, for change.
+    /// Returns the vertices of all rings, one ring after the other, for change.
     #[must_use]
     pub fn vertices_mut(&mut self) -> &mut [Vec2<S>] {
         &mut self.vertices
     }
-    /// The number of vertices up to the end of each ring.
+    /// Returns the number of vertices up to the end of each ring.
     #[must_use]
     pub fn ends(&self) -> &[usize] {
         &self.ends

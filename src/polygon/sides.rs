@@ -48,7 +48,7 @@ impl Sides {
             others: (1..rings.count()).map(turned).collect(),
         }
     }
-    /// `true` if a ring counts the other way round.
+    /// Returns `true` if a ring counts the other way round.
     #[must_use]
     #[inline]
     pub fn is_turned(&self, ring: usize) -> bool {

@@ -79,7 +79,7 @@ impl<W: Scalar<Primal = W>> Octant<W> {
             sign,
         }
     }
-    /// The numerator and the denominator of `r`, each with what it lacks.
+    /// Returns the numerator and the denominator of `r`, each with what it lacks.
     #[inline(always)]
     fn quotient(short: W, long: W, is_diagonal: W::Mask) -> [[W; 2]; 2] {
         let (zero, one) = (W::zero(), W::one());
@@ -95,7 +95,7 @@ impl<W: Scalar<Primal = W>> Octant<W> {
     }
 }
 
-/// The angle above or below the x axis; of NaN it is NaN.
+/// Returns the angle above or below the x axis; of NaN it is NaN.
 #[inline(always)]
 fn signed<W: Scalar<Primal = W>>(angle: W, y: W, x: W) -> W {
     let angle = W::select(y.below(W::zero()), -angle, angle);
@@ -103,7 +103,7 @@ fn signed<W: Scalar<Primal = W>>(angle: W, y: W, x: W) -> W {
     W::select(is_known, angle, x + y)
 }
 
-/// Two halves of the digits (Veltkamp): products of halves are exact.
+/// Returns two halves of the digits (Veltkamp): products of halves are exact.
 #[inline(always)]
 fn halves<W: Scalar>(x: W) -> [W; 2] {
     let large = x * W::lit(134_217_729.0);
@@ -111,8 +111,9 @@ fn halves<W: Scalar>(x: W) -> [W; 2] {
     [high, x - high]
 }
 
-/// The angle of the vector `(x, y)` in radians, in `[−π, π]`; 0 at the origin. The sign of a zero does not count. It errs
-/// by 0.7 units in the last place at most: the nearest number but for one of a hundred, for which it is a neighbour.
+/// Returns the angle of the vector `(x, y)` in radians, in `[−π, π]`; 0 at the origin. The sign of a zero does not
+/// count. It errs by 0.7 units in the last place at most: the nearest number but for one of a hundred, for which it is
+/// a neighbour.
 #[inline(always)]
 pub(crate) fn atan2_wide<W: Scalar<Primal = W>>(y: W, x: W) -> W {
     let octant = Octant::of(y, x);
@@ -138,7 +139,7 @@ pub(crate) fn atan2_wide<W: Scalar<Primal = W>>(y: W, x: W) -> W {
     signed(sum + (more + (lacks + rest)), y, x)
 }
 
-/// The angle in `f64` of a vector of two `f32`: right to 2⁻⁴⁸.
+/// Returns the angle in `f64` of a vector of two `f32`: right to 2⁻⁴⁸.
 #[inline(always)]
 pub(crate) fn atan2_single<W: Scalar<Primal = W>>(y: W, x: W) -> W {
     let octant = Octant::of(y, x);

@@ -30,11 +30,11 @@ pub trait Tangent:
 {
     /// The scalar of the value and of the derivatives.
     type Inner: Scalar;
-    /// The value.
+    /// Returns the value.
     fn value(self) -> Self::Inner;
-    /// A constant.
+    /// Returns a constant.
     fn constant(value: Self::Inner) -> Self;
-    /// The chain rule: `f(self)` from `f` and its first three derivatives at `self.value()`.
+    /// Returns the chain rule: `f(self)` from `f` and its first three derivatives at `self.value()`.
     fn chain(self, f: [Self::Inner; 4]) -> Self;
     /// Part by part `yes` or `no`.
     fn pick(mask: <Self::Inner as Scalar>::Mask, yes: Self, no: Self) -> Self;
@@ -44,7 +44,7 @@ pub trait Tangent:
     fn operation<R>(run: impl FnOnce() -> R) -> R {
         run()
     }
-    /// Half of every part. A product has the derivative `∞ · 0` where the value is infinite.
+    /// Returns half of every part. A product has the derivative `∞ · 0` where the value is infinite.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn half(self) -> Self {
         self * Self::constant(Self::Inner::lit(0.5))

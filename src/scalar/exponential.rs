@@ -47,14 +47,14 @@ impl Exponents for f64 {
     }
 }
 
-/// The nearest whole number.
+/// Returns the nearest whole number.
 #[inline(always)]
 fn rounded<W: Scalar>(x: W) -> W {
     let shift = W::lit(SHIFT);
     (x + shift) - shift
 }
 
-/// The exponential; within one unit in the last place.
+/// Returns the exponential; within one unit in the last place.
 ///
 /// `eᵏ ˡⁿ² ⁺ ʳ = 2ᵏ eʳ` with `|r| ≤ ln 2 / 2`, and Taylor's series of `eʳ`: its first term left out is below 2⁻⁵⁷.
 #[inline(always)]
@@ -83,7 +83,7 @@ pub(crate) fn exp_wide<W: Exponents>(x: W) -> W {
     W::select(x.equals(x), all, x)
 }
 
-/// The exponential in `f64` of a number that is an `f32`: right to 2⁻³⁶.
+/// Returns the exponential in `f64` of a number that is an `f32`: right to 2⁻³⁶.
 #[inline(always)]
 pub(crate) fn exp_single<W: Exponents>(x: W) -> W {
     // 1/n! from n = 2.
@@ -114,7 +114,7 @@ fn reduced<W: Scalar, const N: usize>(x: W, series: [f64; N]) -> (W, W) {
     (k, W::one() + (r + (r * r * polynomial(series, r) + rest)))
 }
 
-/// The natural logarithm; within one unit in the last place. −∞ for zero, NaN below.
+/// Returns the natural logarithm; within one unit in the last place. −∞ for zero, NaN below.
 ///
 /// The reduction and the minimax polynomial of fdlibm (`e_log.c`).
 #[inline(always)]
@@ -133,7 +133,7 @@ pub(crate) fn ln_wide<W: Exponents>(x: W) -> W {
     )
 }
 
-/// The natural logarithm in `f64` of a number that is an `f32`: right to 2⁻³⁴.
+/// Returns the natural logarithm in `f64` of a number that is an `f32`: right to 2⁻³⁴.
 ///
 /// With the series of the inverse hyperbolic tangent in place of the minimax polynomial.
 #[inline(always)]

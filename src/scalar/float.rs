@@ -10,7 +10,7 @@ use crate::scalar::polynomial::{SHIFT, polynomial};
 /// Above this angle the three-part reduction loses digits, and that of fdlibm by all digits of π takes over (`libm`).
 const REDUCED: f64 = 800_000.0;
 
-/// The nearest multiple of a quarter turn, in quarters.
+/// Returns the nearest multiple of a quarter turn, in quarters.
 #[inline(always)]
 fn quadrant_of<W: Scalar>(angle: W) -> W {
     let shift = W::lit(SHIFT);
@@ -142,7 +142,7 @@ pub(crate) fn sin_cos_single<W: Scalar<Primal = W>>(angle: W, far: impl Fn(W) ->
     sin_cos_by(true, angle, far)
 }
 
-/// An `f64` as the twelve high bits of its significand, which an `f32` holds, and the rest, rounded
+/// Returns an `f64` as the twelve high bits of its significand, which an `f32` holds, and the rest, rounded
 /// to `f32`.
 #[inline(always)]
 pub(crate) fn split_single(wide: f64) -> (f32, f32) {
@@ -159,11 +159,11 @@ pub trait Float: Copy + std::fmt::Debug + Send + Sync + 'static {
     type Bits: Copy + std::fmt::Debug + Send + Sync + 'static;
     /// All zeros.
     const NONE: Self::Bits;
-    /// The exact value as `f64`.
+    /// Returns the exact value as `f64`.
     fn widen(self) -> f64;
-    /// The high half of the significand.
+    /// Returns the high half of the significand.
     fn high(self) -> Self;
-    /// All ones if `yes`.
+    /// Returns all ones if `yes`.
     fn mask(yes: bool) -> Self::Bits;
     /// Bitwise choice.
     fn choose(mask: Self::Bits, yes: Self, no: Self) -> Self;

@@ -52,13 +52,13 @@ impl<S: Scalar> Guard<S> {
             Some(sum) => Guard(Some(sum + x.primal())),
         }
     }
-    /// A truth of these shapes: as it is, or false.
+    /// Returns a truth of these shapes: as it is, or false.
     #[must_use]
     #[inline(always)]
     pub fn truth(self, holds: S::Mask) -> S::Mask {
         self.0.map_or(holds, |sum| holds & sum.equals(sum))
     }
-    /// The result of a function of these shapes: as it is, or NaN everywhere. Codes stay.
+    /// Returns the result of a function of these shapes: as it is, or NaN everywhere. Codes stay.
     #[must_use]
     #[inline(always)]
     pub fn result<Out: Fixed<Scalar = S>>(self, mut out: Out) -> Out {
@@ -76,7 +76,8 @@ impl<S: Scalar> Default for Guard<S> {
     }
 }
 
-/// The result of a function of a shape, made of the scalar of the shape: NaN everywhere if a number of the shape is NaN.
+/// Returns the result of a function of a shape, made of the scalar of the shape: NaN everywhere if a number of the
+/// shape is NaN.
 #[doc(hidden)]
 #[must_use]
 #[inline(always)]

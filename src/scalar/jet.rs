@@ -36,7 +36,7 @@ impl<T: Scalar, const N: usize> Jet<T, N> {
     /// instructions.
     const LARGE: bool = size_of::<T>() > size_of::<T::Primal>() && size_of::<Self>() >= 128;
 
-    /// The independent variable of direction `i`; a constant when `i` is `N` or more.
+    /// Returns the independent variable of direction `i`; a constant when `i` is `N` or more.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn variable(value: T, i: usize) -> Self {
         let derivative = from_fn(|k| if k == i { T::one() } else { T::zero() });

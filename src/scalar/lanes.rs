@@ -42,12 +42,12 @@ macro_rules! lanes_of {
 }
 
 impl<T: Float + Copy, const N: usize> Lanes<T, N> {
-    /// The same number in every lane.
+    /// Returns the same number in every lane.
     #[inline(always)]
     pub fn splat(x: T) -> Self {
         Lanes([x; N])
     }
-    /// The first `N` numbers of a slice.
+    /// Returns the first `N` numbers of a slice.
     ///
     /// # Panics
     ///

@@ -11,10 +11,11 @@ use std::ops::{BitAnd, BitOr, Not};
 pub trait Mask:
     Copy + Debug + Send + Sync + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {
-    /// `true` if any lane is true or that is unknown. A hint: `false` allows to skip work that only true lanes need.
+    /// Returns `true` if any lane is true or that is unknown. A hint: `false` allows to skip work that only true lanes
+    /// need.
     fn any(self) -> bool;
-    /// `true` if every lane is true, `false` if that is unknown. A hint: `true` allows to skip work that only false
-    /// lanes need.
+    /// Returns `true` if every lane is true, `false` if that is unknown. A hint: `true` allows to skip work that only
+    /// false lanes need.
     fn all(self) -> bool;
 }
 

@@ -51,14 +51,15 @@ pub use real::{Format, Real};
 pub(crate) use ties::Span;
 pub use ties::{least_of, most_of};
 
-/// A length that is negligible in a sum with one, 2⁻⁶⁴ in single precision and 2⁻⁵¹² in double precision: no
+/// Returns a length that is negligible in a sum with one, 2⁻⁶⁴ in single precision and 2⁻⁵¹² in double precision: no
 /// difference of [ordinary](crate::kernels::op::Limits::ORDINARY) coordinates is so small, but one times the sine of
 /// a small angle is. Quotients by it may have infinite derivatives.
 pub(crate) fn speck<S: Scalar>() -> f64 {
     power_of_largest::<S>(-0.5)
 }
 
-/// The largest number of the format to a power between −1 and 1, as bounds of sizes are given: the same on every machine.
+/// Returns the largest number of the format to a power between −1 and 1, as bounds of sizes are given: the same on
+/// every machine.
 #[inline]
 pub(crate) fn power_of_largest<S: Scalar>(power: f64) -> f64 {
     // It is 2ⁿ less half a unit in its last place.
@@ -69,7 +70,7 @@ pub(crate) fn power_of_largest<S: Scalar>(power: f64) -> f64 {
     all - all * (power * (S::EPSILON / 2.0))
 }
 
-/// The largest of some magnitudes, without derivative.
+/// Returns the largest of some magnitudes, without derivative.
 #[inline(always)]
 pub(crate) fn largest<S: Scalar, const N: usize>(x: [S; N]) -> S::Primal {
     let zero = S::Primal::zero();

@@ -63,11 +63,11 @@ pub trait Scalar:
     /// sixty-four times over, would not be finite, and derivatives could not cancel.
     const EMPTY: f64 = 64.0 / Self::LARGEST;
 
-    /// A literal: `S::lit(0.5)`. Rounded to the precision of the scalar.
+    /// Returns a literal: `S::lit(0.5)`. Rounded to the precision of the scalar.
     fn lit(x: f64) -> Self;
-    /// A constant: no derivative.
+    /// Returns a constant: no derivative.
     fn from_primal(x: Self::Primal) -> Self;
-    /// The value without its derivatives.
+    /// Returns the value without its derivatives.
     fn primal(self) -> Self::Primal;
 
     /// `self < other`, by value.
@@ -79,9 +79,9 @@ pub trait Scalar:
     /// `yes` where the mask is true, else `no`. The other value has no effect, even if it is NaN.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
-    /// The quotient, with the value of plain numbers.
+    /// Returns the quotient, with the value of plain numbers.
     fn over(self, divisor: Self) -> Self;
-    /// The square root; 0 with derivative 0 for zero and below, NaN for NaN.
+    /// Returns the square root; 0 with derivative 0 for zero and below, NaN for NaN.
     fn root(self) -> Self;
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
@@ -90,14 +90,14 @@ pub trait Scalar:
     fn sin_cos_parts(self) -> [(Self, Self); 2];
     /// `(high, low)` with `high + low = self` exactly, `high` a constant of half the significand.
     fn parts(self) -> (Self, Self);
-    /// The angle of `(x, self)` in radians, in `[−π, π]`; 0 with derivative 0 at the origin. The sign of a zero does
-    /// not count: `(−1, −0)` is at π.
+    /// Returns the angle of `(x, self)` in radians, in `[−π, π]`; 0 with derivative 0 at the origin. The sign of a zero
+    /// does not count: `(−1, −0)` is at π.
     fn atan2(self, x: Self) -> Self;
-    /// The exponential.
+    /// Returns the exponential.
     fn exp(self) -> Self;
-    /// The natural logarithm.
+    /// Returns the natural logarithm.
     fn ln(self) -> Self;
-    /// The power of two `2⁻ᵉ` (a constant) that brings `self > 0` into `[2, 4)`. Values too small
+    /// Returns the power of two `2⁻ᵉ` (a constant) that brings `self > 0` into `[2, 4)`. Values too small
     /// to be normal count as the smallest normal number.
     fn binade(self) -> Self;
 
@@ -121,29 +121,29 @@ pub trait Scalar:
     fn at_least(self, other: Self) -> Self::Mask {
         other.at_most(self)
     }
-    /// Half of it.
+    /// Returns half of it.
     #[inline(always)]
     fn halved(self) -> Self {
         self * Self::lit(0.5)
     }
-    /// The smaller value; an exact tie shares the derivative, half and half.
+    /// Returns the smaller value; an exact tie shares the derivative, half and half.
     #[inline(always)]
     fn least(self, other: Self) -> Self {
         let nearer = Self::select(self.below(other), self, other);
         Self::select(self.equals(other), self.halved() + other.halved(), nearer)
     }
-    /// The larger value; an exact tie shares the derivative, half and half.
+    /// Returns the larger value; an exact tie shares the derivative, half and half.
     #[inline(always)]
     fn most(self, other: Self) -> Self {
         let nearer = Self::select(other.below(self), self, other);
         Self::select(self.equals(other), self.halved() + other.halved(), nearer)
     }
-    /// The nearest value in `[low, high]`; at either bound half of the derivative.
+    /// Returns the nearest value in `[low, high]`; at either bound half of the derivative.
     #[inline(always)]
     fn clamp(self, low: Self, high: Self) -> Self {
         self.most(low).least(high)
     }
-    /// The absolute value; derivative zero at zero.
+    /// Returns the absolute value; derivative zero at zero.
     #[inline(always)]
     fn magnitude(self) -> Self {
         self.most(-self)
@@ -194,14 +194,14 @@ pub trait Scalar:
         let (x, y) = (self * scale, other * scale);
         (x * x + y * y).root() * back
     }
-    /// The same value with the derivatives multiplied by a constant: shares a derivative at a tie that one comparison
-    /// cannot detect.
+    /// Returns the same value with the derivatives multiplied by a constant: shares a derivative at a tie that one
+    /// comparison cannot detect.
     #[inline(always)]
     fn damp(self, share: Self::Primal) -> Self {
         let value = Self::from_primal(self.primal());
         value + (self - value) * Self::from_primal(share)
     }
-    /// The same derivatives with another value, to correct rounding of the value alone.
+    /// Returns the same derivatives with another value, to correct rounding of the value alone.
     ///
     /// The literal zero as value says that products with it are zero: programs do not compute them, but their
     /// derivatives.
@@ -215,7 +215,7 @@ pub trait Scalar:
     fn may_be_nan(self) -> bool {
         true
     }
-    /// The same where the mask is true, else NaN in every part, made of the given NaN.
+    /// Returns the same where the mask is true, else NaN in every part, made of the given NaN.
     #[doc(hidden)]
     #[inline(always)]
     fn known(self, known: Self::Mask, nan: Self::Primal) -> Self {
@@ -230,7 +230,7 @@ pub trait Scalar:
     fn finite(self) -> Self::Mask {
         self.unsigned().at_most(Self::lit(Self::LARGEST))
     }
-    /// The nearest finite number: for results that overflow. Not a guard of a division by zero, for which see
+    /// Returns the nearest finite number: for results that overflow. Not a guard of a division by zero, for which see
     /// [`finite`](Scalar::finite).
     #[inline(always)]
     fn saturated(self) -> Self {
@@ -238,23 +238,23 @@ pub trait Scalar:
         let low = Self::select(self.above(largest), largest, self);
         Self::select(low.below(-largest), -largest, low)
     }
-    /// The same number; a zero loses its sign. Results end in it: which zero a sum of products gives
+    /// Returns the same number; a zero loses its sign. Results end in it: which zero a sum of products gives
     /// depends on what was left out because nothing needed it.
     #[inline(always)]
     fn canonical(self) -> Self {
         self + Self::zero()
     }
-    /// The sine.
+    /// Returns the sine.
     #[inline(always)]
     fn sin(self) -> Self {
         self.sin_cos().0
     }
-    /// The cosine.
+    /// Returns the cosine.
     #[inline(always)]
     fn cos(self) -> Self {
         self.sin_cos().1
     }
-    /// The tangent.
+    /// Returns the tangent.
     #[inline(always)]
     fn tan(self) -> Self {
         let (sin, cos) = self.sin_cos();
@@ -265,7 +265,7 @@ pub trait Scalar:
     fn squared(self) -> Self {
         self * self
     }
-    /// An integer power, by repeated multiplication.
+    /// Returns an integer power, by repeated multiplication.
     #[inline]
     fn powi(self, exponent: i32) -> Self {
         let (mut left, mut square, mut out) = (exponent.unsigned_abs(), self, Self::one());
@@ -306,12 +306,12 @@ pub trait Pack: Clone {
     type With<T: Clone>: Clone;
     /// `true` if it has lists of run-time length. [`fewer`](Pack::fewer) is not asked otherwise.
     const LISTS: bool = false;
-    /// The same shape with every scalar replaced, first field first.
+    /// Returns the same shape with every scalar replaced, first field first.
     fn remake<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T>;
     /// Calls a function with every scalar by reference, first field first.
     fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar));
 
-    /// The shape as constants of another scalar: of dual numbers, to take part in a function that
+    /// Returns the shape as constants of another scalar: of dual numbers, to take part in a function that
     /// is differentiated with respect to something else.
     ///
     /// ```
@@ -326,7 +326,7 @@ pub trait Pack: Clone {
     {
         self.remake(&mut |&x| D::lit(x.into()))
     }
-    /// The shape in another format, rounded.
+    /// Returns the shape in another format, rounded.
     ///
     /// ```
     /// use geograd::{Obb2, Pack};
@@ -339,7 +339,7 @@ pub trait Pack: Clone {
     {
         self.remake(&mut |x| num_traits::AsPrimitive::as_(*x))
     }
-    /// The same with some elements of a list of run-time length dropped: halves first, single ones
+    /// Returns the same with some elements of a list of run-time length dropped: halves first, single ones
     /// last. Nothing for shapes of fixed size. For shrinking.
     ///
     /// ```
@@ -350,19 +350,19 @@ pub trait Pack: Clone {
     fn fewer(&self) -> Box<dyn Iterator<Item = Self> + '_> {
         Box::new(std::iter::empty())
     }
-    /// The number of scalars of the shape.
+    /// Returns the number of scalars of the shape.
     fn count(&self) -> usize {
         let mut n = 0;
         self.remake(&mut |_| n += 1);
         n
     }
-    /// All scalars, first field first.
+    /// Returns all scalars, first field first.
     fn scalars(&self) -> Vec<Self::Scalar> {
         let mut all = Vec::new();
         self.remake(&mut |x| all.push(x.clone()));
         all
     }
-    /// The same shape with its scalars taken from a list, which must have enough of them.
+    /// Returns the same shape with its scalars taken from a list, which must have enough of them.
     ///
     /// # Panics
     ///
@@ -399,7 +399,7 @@ pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static
     const LEN: usize;
     /// The number of whole numbers: counts and codes, which have no derivatives and are no part of `LEN`.
     const CODES: usize = 0;
-    /// The shape with the first `LEN` scalars of a slice, first field first. Its codes are zero.
+    /// Returns the shape with the first `LEN` scalars of a slice, first field first. Its codes are zero.
     ///
     /// # Panics
     ///
@@ -411,11 +411,11 @@ pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static
     ///
     /// When there are fewer.
     fn store(self, to: &mut [Self::Scalar]);
-    /// The shape with the same scalar everywhere. Its codes are zero.
+    /// Returns the shape with the same scalar everywhere. Its codes are zero.
     fn filled(scalar: Self::Scalar) -> Self;
-    /// The name of scalar `i`, such as `links[0].x`; that of a lone number from `LEN` on.
+    /// Returns the name of scalar `i`, such as `links[0].x`; that of a lone number from `LEN` on.
     fn name(i: usize) -> Field;
-    /// The same shape with its codes taken from the first `CODES` places of a slice.
+    /// Returns the same shape with its codes taken from the first `CODES` places of a slice.
     ///
     /// # Panics
     ///
@@ -433,12 +433,12 @@ pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static
     #[inline]
     fn store_codes(self, _to: &mut [u32]) {}
 
-    /// The names of all scalars, first field first.
+    /// Returns the names of all scalars, first field first.
     #[must_use]
     fn names() -> Vec<Field> {
         (0..Self::LEN).map(Self::name).collect()
     }
-    /// All codes, first field first.
+    /// Returns all codes, first field first.
     #[must_use]
     fn codes(self) -> Vec<u32> {
         let mut all = vec![0; Self::CODES];

@@ -4,7 +4,7 @@ use crate::Scalar;
 /// Adding and taking away 1.5 · 2⁵² rounds an `f64` to the nearest integer.
 pub(crate) const SHIFT: f64 = 6_755_399_441_055_744.0;
 
-/// A polynomial, the constant first.
+/// Returns a polynomial, the constant first.
 #[inline(always)]
 pub(crate) fn polynomial<W: Scalar, const N: usize>(coefficients: [f64; N], z: W) -> W {
     let mut sum = W::lit(coefficients[N - 1]);

@@ -13,7 +13,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// The nearest number of the format; infinite beyond the largest one.
+    /// Returns the nearest number of the format; infinite beyond the largest one.
     #[must_use]
     pub(crate) fn round(self, x: f64) -> f64 {
         match self {
@@ -43,7 +43,7 @@ pub trait Real:
     const FORMAT: Format;
     /// num-dual's own dual number over it.
     type NumDual: Scalar<Mask = bool>;
-    /// A dual number of num-dual's.
+    /// Returns a dual number of num-dual's.
     fn num_dual(value: Self, derivative: Self) -> Self::NumDual;
     /// Its value and its derivative.
     fn of_num_dual(dual: Self::NumDual) -> (Self, Self);
@@ -72,7 +72,7 @@ macro_rules! real {
 }
 real!(f32 is F32 f64 is F64);
 
-/// The one of two values, in `f32` and in `f64`, that has the type of the format in question.
+/// Returns the one of two values, in `f32` and in `f64`, that has the type of the format in question.
 #[inline]
 pub(crate) fn in_format<X: 'static>(both: [&dyn Any; 2]) -> &X {
     let found = both.into_iter().find_map(|one| one.downcast_ref());

@@ -5,7 +5,7 @@
 use crate::Scalar;
 use std::any::TypeId;
 
-/// The least of `N ≥ 1` numbers; those that tie share the derivative equally.
+/// Returns the least of `N ≥ 1` numbers; those that tie share the derivative equally.
 ///
 /// Kinks: ties. Infinite numbers that tie leave the derivative to the first.
 ///
@@ -21,7 +21,7 @@ pub fn least_of<S: Scalar, const N: usize>(x: [S; N]) -> S {
     Extreme::<S, false>::of_all(x)
 }
 
-/// The largest of `N ≥ 1` numbers; those that tie share the derivative equally.
+/// Returns the largest of `N ≥ 1` numbers; those that tie share the derivative equally.
 ///
 /// Kinks: ties. Infinite numbers that tie leave the derivative to the first.
 ///
@@ -70,8 +70,8 @@ impl<S: Scalar, const MOST: bool> Extreme<S, MOST> {
         }
         best.value()
     }
-    /// The extreme of three numbers, by two comparisons. A tie of all takes a sixth from the share of the third:
-    /// from a half to a third.
+    /// Returns the extreme of three numbers, by two comparisons. A tie of all takes a sixth from the share of the
+    /// third: from a half to a third.
     #[inline(always)]
     fn of_three(x: S, y: S, z: S) -> S {
         let of = |x: S, y: S| if MOST { x.most(y) } else { x.least(y) };
@@ -111,7 +111,7 @@ impl<S: Scalar, const MOST: bool> Extreme<S, MOST> {
             count: S::Primal::select(better, one, count),
         }
     }
-    /// The value, with the mean of the derivatives.
+    /// Returns the value, with the mean of the derivatives.
     #[must_use]
     #[inline(always)]
     fn value(self) -> S {
@@ -128,7 +128,7 @@ pub(crate) struct Span<S: Scalar> {
 }
 
 impl<S: Scalar> Span<S> {
-    /// The span of one number.
+    /// Returns the span of one number.
     #[inline(always)]
     pub(crate) fn new(x: S) -> Self {
         Span {
@@ -145,13 +145,13 @@ impl<S: Scalar> Span<S> {
             high: self.high.or(x),
         }
     }
-    /// The least; those that tie share the derivative equally.
+    /// Returns the least; those that tie share the derivative equally.
     #[must_use]
     #[inline(always)]
     pub(crate) fn least(self) -> S {
         self.low.value()
     }
-    /// The largest; those that tie share the derivative equally.
+    /// Returns the largest; those that tie share the derivative equally.
     #[must_use]
     #[inline(always)]
     pub(crate) fn most(self) -> S {

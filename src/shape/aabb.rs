@@ -48,8 +48,8 @@ impl<S: Scalar> Aabb2<S> {
         let made = Aabb2 { min, max };
         made.validate().map(|()| made)
     }
-    /// The smallest box around the points; `None` without points. Points that share a bound share its derivative
-    /// equally.
+    /// Returns the smallest box around the points; `None` without points. Points that share a bound share its
+    /// derivative equally.
     #[must_use]
     pub fn around(points: &[Vec2<S>]) -> Option<Self> {
         let (&first, rest) = points.split_first()?;
@@ -68,7 +68,7 @@ impl<S: Scalar> Aabb2<S> {
     pub fn size(self) -> Vec2<S> {
         self.max - self.min
     }
-    /// The centre.
+    /// Returns the centre.
     #[must_use]
     #[inline(always)]
     pub fn center(self) -> Vec2<S> {
@@ -77,20 +77,20 @@ impl<S: Scalar> Aabb2<S> {
             self.min.y.halved() + self.max.y.halved(),
         )
     }
-    /// The area; infinite beyond the largest number.
+    /// Returns the area; infinite beyond the largest number.
     #[must_use]
     #[inline(always)]
     pub fn area(self) -> S {
         let size = self.size();
         size.x * size.y
     }
-    /// The length of the diagonal; derivative zero for a point.
+    /// Returns the length of the diagonal; derivative zero for a point.
     #[must_use]
     #[inline(always)]
     pub fn diagonal(self) -> S {
         self.size().length()
     }
-    /// The corners, counter-clockwise from the lower left.
+    /// Returns the corners, counter-clockwise from the lower left.
     #[must_use]
     #[inline(always)]
     pub fn corners(self) -> [Vec2<S>; 4] {
@@ -101,7 +101,7 @@ impl<S: Scalar> Aabb2<S> {
             Vec2::new(self.min.x, self.max.y),
         ]
     }
-    /// The shared part. Inverted (`min > max`, not valid) when the boxes are apart. Ties share
+    /// Returns the shared part. Inverted (`min > max`, not valid) when the boxes are apart. Ties share
     /// the derivative.
     #[must_use]
     #[inline(always)]
@@ -111,7 +111,7 @@ impl<S: Scalar> Aabb2<S> {
             max: self.max.least(other.max),
         }
     }
-    /// The smallest box around both. Ties share the derivative.
+    /// Returns the smallest box around both. Ties share the derivative.
     #[must_use]
     #[inline(always)]
     pub fn join(self, other: Self) -> Self {
@@ -120,13 +120,13 @@ impl<S: Scalar> Aabb2<S> {
             max: self.max.most(other.max),
         }
     }
-    /// `true` where the other box is in this one; borders belong to both.
+    /// Returns `true` where the other box is in this one; borders belong to both.
     #[must_use]
     #[inline(always)]
     pub fn encloses(self, other: Self) -> S::Mask {
         self.contains(other.min) & self.contains(other.max)
     }
-    /// `true` where both boxes have a point in common; borders belong to both.
+    /// Returns `true` where both boxes have a point in common; borders belong to both.
     ///
     /// ```
     /// use geograd::Aabb2;
@@ -143,7 +143,7 @@ impl<S: Scalar> Aabb2<S> {
         let across = other.min.x.at_most(self.max.x) & other.min.y.at_most(self.max.y);
         x & y & across
     }
-    /// `true` where the point is in the box; the border belongs to it.
+    /// Returns `true` where the point is in the box; the border belongs to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {

@@ -45,8 +45,8 @@ impl<S> Aabb3<S> {
 }
 
 impl<S: Scalar> Aabb3<S> {
-    /// The smallest box around the points; `None` without points. Points that share a bound share its derivative
-    /// equally.
+    /// Returns the smallest box around the points; `None` without points. Points that share a bound share its
+    /// derivative equally.
     #[must_use]
     pub fn around(points: &[Vec3<S>]) -> Option<Self> {
         let (&first, rest) = points.split_first()?;
@@ -61,7 +61,7 @@ impl<S: Scalar> Aabb3<S> {
             Vec3::new(x.most(), y.most(), z.most()),
         ))
     }
-    /// The smallest box around at least one point; points that share a bound share its derivative equally.
+    /// Returns the smallest box around at least one point; points that share a bound share its derivative equally.
     #[inline(always)]
     pub(crate) fn of<const N: usize>(points: [Vec3<S>; N]) -> Self {
         const { assert!(N > 0, "there is no box around no points") };
@@ -75,27 +75,27 @@ impl<S: Scalar> Aabb3<S> {
             Vec3::new(x.most(), y.most(), z.most()),
         )
     }
-    /// The size along x, y and z.
+    /// Returns the size along x, y and z.
     #[must_use]
     #[inline(always)]
     pub fn size(self) -> Vec3<S> {
         self.max - self.min
     }
-    /// The centre.
+    /// Returns the centre.
     #[must_use]
     #[inline(always)]
     pub fn center(self) -> Vec3<S> {
         let half = S::lit(0.5);
         self.min * half + self.max * half
     }
-    /// The volume.
+    /// Returns the volume.
     #[must_use]
     #[inline(always)]
     pub fn volume(self) -> S {
         let size = self.size();
         size.x * size.y * size.z
     }
-    /// The area of all six faces.
+    /// Returns the area of all six faces.
     #[must_use]
     #[inline(always)]
     pub fn surface(self) -> S {
@@ -103,7 +103,7 @@ impl<S: Scalar> Aabb3<S> {
         let half = size.x * size.y + size.y * size.z + size.z * size.x;
         half + half
     }
-    /// The corners: x changes fastest, z slowest; see [`FACES`].
+    /// Returns the corners: x changes fastest, z slowest; see [`FACES`].
     #[must_use]
     #[inline(always)]
     pub fn corners(self) -> [Vec3<S>; 8] {
@@ -119,19 +119,19 @@ impl<S: Scalar> Aabb3<S> {
             b,
         ]
     }
-    /// The shared part. Inverted (`min > max`, not valid) when the boxes are apart. Ties share the derivative.
+    /// Returns the shared part. Inverted (`min > max`, not valid) when the boxes are apart. Ties share the derivative.
     #[must_use]
     #[inline(always)]
     pub fn meet(self, other: Self) -> Self {
         Aabb3::new(self.min.most(other.min), self.max.least(other.max))
     }
-    /// The smallest box around both. Ties share the derivative.
+    /// Returns the smallest box around both. Ties share the derivative.
     #[must_use]
     #[inline(always)]
     pub fn join(self, other: Self) -> Self {
         Aabb3::new(self.min.least(other.min), self.max.most(other.max))
     }
-    /// `true` where the point is in the box; the border belongs to it.
+    /// Returns `true` where the point is in the box; the border belongs to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
@@ -140,7 +140,7 @@ impl<S: Scalar> Aabb3<S> {
             & (low.y.at_most(point.y) & point.y.at_most(high.y))
             & (low.z.at_most(point.z) & point.z.at_most(high.z))
     }
-    /// The box seen from above, without its height.
+    /// Returns the box seen from above, without its height.
     #[must_use]
     #[inline(always)]
     pub fn birds_eye(self) -> Aabb2<S> {

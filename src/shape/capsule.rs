@@ -49,26 +49,26 @@ impl<S: Scalar> Capsule2<S> {
         let made = Capsule2 { from, to, radius };
         made.validate().map(|()| made)
     }
-    /// The segment inside.
+    /// Returns the segment inside.
     #[must_use]
     #[inline(always)]
     pub fn segment(self) -> Segment2<S> {
         Segment2::new(self.from, self.to)
     }
-    /// The area.
+    /// Returns the area.
     #[must_use]
     #[inline(always)]
     pub fn area(self) -> S {
         let (length, two) = (self.segment().length(), S::lit(2.0));
         (self.radius * (length * two + self.radius * S::lit(PI))).canonical()
     }
-    /// The length of its border.
+    /// Returns the length of its border.
     #[must_use]
     #[inline(always)]
     pub fn perimeter(self) -> S {
         (self.segment().length() * S::lit(2.0) + self.radius * S::lit(TAU)).canonical()
     }
-    /// The smallest axis-aligned box around it; ends that share a bound share its derivative.
+    /// Returns the smallest axis-aligned box around it; ends that share a bound share its derivative.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb2<S> {
@@ -81,7 +81,7 @@ impl<S: Scalar> Capsule2<S> {
             max: (inner.max + reach).canonical(),
         }
     }
-    /// `true` where the point is in the capsule; the border belongs to it.
+    /// Returns `true` where the point is in the capsule; the border belongs to it.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {
@@ -98,7 +98,7 @@ impl<S: Scalar> Capsule2<S> {
 
 impl<S: Scalar> Mul<Capsule2<S>> for Pose2<S> {
     type Output = Capsule2<S>;
-    /// The capsule carried along.
+    /// Returns the capsule carried along.
     #[inline(always)]
     fn mul(self, shape: Capsule2<S>) -> Capsule2<S> {
         Capsule2::new(self * shape.from, self * shape.to, shape.radius)

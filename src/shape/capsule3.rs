@@ -50,33 +50,33 @@ impl<S: Scalar> Capsule3<S> {
         let made = Capsule3 { start, end, radius };
         made.validate().map(|()| made)
     }
-    /// The segment inside.
+    /// Returns the segment inside.
     #[must_use]
     #[inline(always)]
     pub fn segment(self) -> Segment3<S> {
         Segment3::new(self.start, self.end)
     }
-    /// The volume.
+    /// Returns the volume.
     #[must_use]
     #[inline(always)]
     pub fn volume(self) -> S {
         let (length, r) = (self.segment().length(), self.radius);
         (r * r * (length + r * S::lit(4.0 / 3.0)) * S::lit(PI)).canonical()
     }
-    /// The area of the surface.
+    /// Returns the area of the surface.
     #[must_use]
     #[inline(always)]
     pub fn surface(self) -> S {
         let (length, r) = (self.segment().length(), self.radius);
         (r * (length + r + r) * S::lit(2.0 * PI)).canonical()
     }
-    /// The centre of its volume.
+    /// Returns the centre of its volume.
     #[must_use]
     #[inline(always)]
     pub fn center(self) -> Vec3<S> {
         self.segment().center()
     }
-    /// The smallest axis-aligned box around it; ends that share a bound share its derivative.
+    /// Returns the smallest axis-aligned box around it; ends that share a bound share its derivative.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb3<S> {
@@ -87,7 +87,7 @@ impl<S: Scalar> Capsule3<S> {
             (inner.max + reach).canonical(),
         )
     }
-    /// `true` where the point is in the capsule; the surface belongs to it.
+    /// Returns `true` where the point is in the capsule; the surface belongs to it.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
@@ -104,7 +104,7 @@ impl<S: Scalar> Capsule3<S> {
 
 impl<S: Scalar> Mul<Capsule3<S>> for Pose3<S> {
     type Output = Capsule3<S>;
-    /// The capsule carried along.
+    /// Returns the capsule carried along.
     #[inline(always)]
     fn mul(self, shape: Capsule3<S>) -> Capsule3<S> {
         Capsule3::new(self * shape.start, self * shape.end, shape.radius)

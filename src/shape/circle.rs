@@ -48,19 +48,19 @@ impl<S: Scalar> Circle<S> {
         let made = Circle { center, radius };
         made.validate().map(|()| made)
     }
-    /// The area.
+    /// Returns the area.
     #[must_use]
     #[inline(always)]
     pub fn area(self) -> S {
         (self.radius * S::lit(PI) * self.radius).canonical()
     }
-    /// The length of its border.
+    /// Returns the length of its border.
     #[must_use]
     #[inline(always)]
     pub fn perimeter(self) -> S {
         (self.radius * S::lit(TAU)).canonical()
     }
-    /// The smallest axis-aligned box around it.
+    /// Returns the smallest axis-aligned box around it.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb2<S> {
@@ -70,7 +70,7 @@ impl<S: Scalar> Circle<S> {
             max: (self.center + reach).canonical(),
         }
     }
-    /// `true` where the point is in the disc; the border belongs to it.
+    /// Returns `true` where the point is in the disc; the border belongs to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {
@@ -79,7 +79,7 @@ impl<S: Scalar> Circle<S> {
     }
 }
 
-/// The circle through three points.
+/// Returns the circle through three points.
 ///
 /// For points on one line there is none, and the result is the circle with the longest side as its
 /// diameter, which is also the smallest one around the points; sides of equal length share the
@@ -154,7 +154,7 @@ pub fn circumcircle<S: Scalar>(a: Vec2<S>, b: Vec2<S>, c: Vec2<S>) -> Circle<S> 
 
 impl<S: Scalar> Mul<Circle<S>> for Pose2<S> {
     type Output = Circle<S>;
-    /// The circle carried along.
+    /// Returns the circle carried along.
     #[inline(always)]
     fn mul(self, shape: Circle<S>) -> Circle<S> {
         Circle::new(self * shape.center, shape.radius)
@@ -169,7 +169,7 @@ impl<S: std::fmt::Display> std::fmt::Display for Circle<S> {
     }
 }
 
-/// The power of two, a constant, that brings the larger coordinate of a vector to about one; one for
+/// Returns the power of two, a constant, that brings the larger coordinate of a vector to about one; one for
 /// the zero vector.
 #[inline(always)]
 pub(super) fn unit_power<S: Scalar>(v: Vec2<S>) -> S {

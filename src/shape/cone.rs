@@ -32,7 +32,7 @@ pub struct Cone<S> {
     pub radius: S,
 }
 
-/// `Ok` for a height that is not zero.
+/// Returns `Ok` for a height that is not zero.
 fn has_height<S: Scalar<Mask = bool>>(shape: &Cone<S>) -> Result<(), Flaw> {
     let Cone {
         apex: p, base: q, ..
@@ -64,38 +64,38 @@ impl<S: Scalar> Cone<S> {
         let made = Cone { apex, base, radius };
         made.validate().map(|()| made)
     }
-    /// The height: how far both ends of the axis are apart.
+    /// Returns the height: how far both ends of the axis are apart.
     #[must_use]
     #[inline(always)]
     pub fn height(self) -> S {
         (self.base - self.apex).length()
     }
-    /// The length of a straight line on its side, from the base's rim to the apex.
+    /// Returns the length of a straight line on its side, from the base's rim to the apex.
     #[must_use]
     #[inline(always)]
     pub fn slant(self) -> S {
         self.height().hypot(self.radius)
     }
-    /// The volume.
+    /// Returns the volume.
     #[must_use]
     #[inline(always)]
     pub fn volume(self) -> S {
         (self.radius * self.radius * self.height() * S::lit(PI / 3.0)).canonical()
     }
-    /// The area of the surface, the base included.
+    /// Returns the area of the surface, the base included.
     #[must_use]
     #[inline(always)]
     pub fn surface(self) -> S {
         (self.radius * (self.radius + self.slant()) * S::lit(PI)).canonical()
     }
-    /// The centre of its volume, at three quarters of the way from the apex to the base.
+    /// Returns the centre of its volume, at three quarters of the way from the apex to the base.
     #[must_use]
     #[inline(always)]
     pub fn center(self) -> Vec3<S> {
         self.apex.lerp(self.base, S::lit(0.75))
     }
-    /// The smallest axis-aligned box around it. Kinks where the apex reaches as far as the base, and where the axis is
-    /// orthogonal to one of the world's.
+    /// Returns the smallest axis-aligned box around it. Kinks where the apex reaches as far as the base, and where the
+    /// axis is orthogonal to one of the world's.
     #[must_use]
     #[inline]
     pub fn bounding(self) -> Aabb3<S> {
@@ -105,7 +105,7 @@ impl<S: Scalar> Cone<S> {
             self.apex.most(self.base + reach).canonical(),
         )
     }
-    /// `true` where the point is in the cone; the surface belongs to it.
+    /// Returns `true` where the point is in the cone; the surface belongs to it.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
@@ -121,7 +121,7 @@ impl<S: Scalar> Cone<S> {
 
 impl<S: Scalar> Mul<Cone<S>> for Pose3<S> {
     type Output = Cone<S>;
-    /// The cone carried along.
+    /// Returns the cone carried along.
     #[inline(always)]
     fn mul(self, shape: Cone<S>) -> Cone<S> {
         Cone::new(self * shape.apex, self * shape.base, shape.radius)

@@ -23,7 +23,7 @@ pub(super) fn check_finite<S: Scalar>(vertices: &[Vec2<S>]) -> Result<(), Flaw> 
     }
 }
 
-/// `Ok` when every vertex turns strictly left and the border runs around once.
+/// Returns `Ok` when every vertex turns strictly left and the border runs around once.
 pub(crate) fn check_convex<S: Scalar<Mask = bool>>(vertices: &[Vec2<S>]) -> Result<(), Flaw> {
     let n = vertices.len();
     let flaw = |index, fault| Err(Flaw::Vertex { index, fault });
@@ -57,18 +57,18 @@ pub(crate) fn check_convex<S: Scalar<Mask = bool>>(vertices: &[Vec2<S>]) -> Resu
     Ok(())
 }
 
-/// `true` if `q` is between `p` and `r`, all three on a line.
+/// Returns `true` if `q` is between `p` and `r`, all three on a line.
 pub(super) fn between<S: Scalar<Mask = bool>>(p: Vec2<S>, q: Vec2<S>, r: Vec2<S>) -> bool {
     use crate::predicate::left_to_right as order;
     order(p, q) != order(r, q)
 }
 
-/// The place of the lowest vertex by x, then by y: always a corner.
+/// Returns the place of the lowest vertex by x, then by y: always a corner.
 pub(super) fn corner_of<S: Scalar<Mask = bool>>(ring: &[Vec2<S>]) -> Option<usize> {
     (0..ring.len()).min_by(|&i, &j| crate::predicate::left_to_right(ring[i], ring[j]))
 }
 
-/// `true` if a simple ring runs clockwise, by the turn at its lowest vertex.
+/// Returns `true` if a simple ring runs clockwise, by the turn at its lowest vertex.
 pub(super) fn runs_clockwise<S: Scalar<Mask = bool>>(ring: &[Vec2<S>]) -> bool {
     let Some(corner) = corner_of(ring) else {
         return false;

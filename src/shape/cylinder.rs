@@ -31,7 +31,7 @@ pub struct Cylinder<S> {
     pub radius: S,
 }
 
-/// `Ok` for a height that is not zero.
+/// Returns `Ok` for a height that is not zero.
 fn has_height<S: Scalar<Mask = bool>>(shape: &Cylinder<S>) -> Result<(), Flaw> {
     let Cylinder {
         start: p, end: q, ..
@@ -42,7 +42,7 @@ fn has_height<S: Scalar<Mask = bool>>(shape: &Cylinder<S>) -> Result<(), Flaw> {
     }
 }
 
-/// How far a disc of radius one reaches along x, y and z, given its unit normal.
+/// Returns how far a disc of radius one reaches along x, y and z, given its unit normal.
 #[inline(always)]
 pub(super) fn disc_reach<S: Scalar>(normal: Vec3<S>) -> Vec3<S> {
     Vec3::new(
@@ -73,32 +73,32 @@ impl<S: Scalar> Cylinder<S> {
         let made = Cylinder { start, end, radius };
         made.validate().map(|()| made)
     }
-    /// The height: how far both ends of the axis are apart.
+    /// Returns the height: how far both ends of the axis are apart.
     #[must_use]
     #[inline(always)]
     pub fn height(self) -> S {
         (self.end - self.start).length()
     }
-    /// The volume.
+    /// Returns the volume.
     #[must_use]
     #[inline(always)]
     pub fn volume(self) -> S {
         (self.radius * self.radius * self.height() * S::lit(PI)).canonical()
     }
-    /// The area of the surface, both ends included.
+    /// Returns the area of the surface, both ends included.
     #[must_use]
     #[inline(always)]
     pub fn surface(self) -> S {
         (self.radius * (self.radius + self.height()) * S::lit(2.0 * PI)).canonical()
     }
-    /// The centre of its volume.
+    /// Returns the centre of its volume.
     #[must_use]
     #[inline(always)]
     pub fn center(self) -> Vec3<S> {
         let half = S::lit(0.5);
         self.start * half + self.end * half
     }
-    /// The smallest axis-aligned box around it. Kinks where the axis is orthogonal to one of the world's.
+    /// Returns the smallest axis-aligned box around it. Kinks where the axis is orthogonal to one of the world's.
     #[must_use]
     #[inline]
     pub fn bounding(self) -> Aabb3<S> {
@@ -110,7 +110,7 @@ impl<S: Scalar> Cylinder<S> {
             (inner.max + reach).canonical(),
         )
     }
-    /// `true` where the point is in the cylinder; the surface belongs to it.
+    /// Returns `true` where the point is in the cylinder; the surface belongs to it.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
@@ -126,7 +126,7 @@ impl<S: Scalar> Cylinder<S> {
 
 impl<S: Scalar> Mul<Cylinder<S>> for Pose3<S> {
     type Output = Cylinder<S>;
-    /// The cylinder carried along.
+    /// Returns the cylinder carried along.
     #[inline(always)]
     fn mul(self, shape: Cylinder<S>) -> Cylinder<S> {
         Cylinder::new(self * shape.start, self * shape.end, shape.radius)

@@ -38,7 +38,7 @@ impl EulerOrder {
         EulerOrder::Zxz,
         EulerOrder::Zyz,
     ];
-    /// The three axes: 0 is x, 1 is y, 2 is z.
+    /// Returns the three axes: 0 is x, 1 is y, 2 is z.
     #[must_use]
     pub const fn axes(self) -> [usize; 3] {
         match self {
@@ -116,7 +116,7 @@ impl<S: Scalar> Rotation3<S> {
     }
 }
 
-/// An angle of `(−2π, 2π)` in radians, brought to `[−π, π]`.
+/// Returns an angle of `(−2π, 2π)` in radians, brought to `[−π, π]`.
 fn wrap<S: Scalar>(angle: S) -> S {
     let (pi, turn) = (
         S::lit(std::f64::consts::PI),

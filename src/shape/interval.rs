@@ -50,25 +50,25 @@ impl<S: Scalar> Interval<S> {
     pub fn from_center(center: S, length: S) -> Self {
         Interval::new(center - length.halved(), center + length.halved())
     }
-    /// The length.
+    /// Returns the length.
     #[must_use]
     #[inline(always)]
     pub fn length(self) -> S {
         (self.max - self.min).canonical()
     }
-    /// The centre.
+    /// Returns the centre.
     #[must_use]
     #[inline(always)]
     pub fn center(self) -> S {
         (self.min.halved() + self.max.halved()).canonical()
     }
-    /// `true` where the number is in the interval; its bounds belong to it.
+    /// Returns `true` where the number is in the interval; its bounds belong to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, x: S) -> S::Mask {
         self.min.at_most(x) & x.at_most(self.max)
     }
-    /// The signed distance of two intervals: the gap between them, or minus the shortest shift that
+    /// Returns the signed distance of two intervals: the gap between them, or minus the shortest shift that
     /// parts them. Ties share the derivative.
     #[must_use]
     #[inline(always)]
@@ -76,7 +76,7 @@ impl<S: Scalar> Interval<S> {
         let gap = (self.min - other.max).most(other.min - self.max);
         Guard::of(&self).and(&other).result(gap.canonical())
     }
-    /// The gap between two intervals; 0 with derivative zero where they touch or overlap.
+    /// Returns the gap between two intervals; 0 with derivative zero where they touch or overlap.
     #[must_use]
     #[inline(always)]
     pub fn distance(self, other: Self) -> S {
@@ -84,7 +84,7 @@ impl<S: Scalar> Interval<S> {
         let gap = S::select(gap.above(S::zero()), gap, S::zero());
         Guard::of(&self).and(&other).result(gap.canonical())
     }
-    /// The signed distance of a number: negative inside. Kink: the centre, which has derivative zero, with
+    /// Returns the signed distance of a number: negative inside. Kink: the centre, which has derivative zero, with
     /// half of each bound's derivative.
     #[must_use]
     #[inline(always)]
@@ -92,13 +92,13 @@ impl<S: Scalar> Interval<S> {
         let gap = (self.min - x).most(x - self.max);
         Guard::of(&self).and(&x).result(gap.canonical())
     }
-    /// The distance of a number; 0 with derivative zero inside and on the bounds.
+    /// Returns the distance of a number; 0 with derivative zero inside and on the bounds.
     #[must_use]
     #[inline(always)]
     pub fn distance_to(self, x: S) -> S {
         self.distance(Interval::new(x, x))
     }
-    /// The length that both share; 0 with derivative zero where they are apart or touch.
+    /// Returns the length that both share; 0 with derivative zero where they are apart or touch.
     #[must_use]
     #[inline(always)]
     pub fn intersection_length(self, other: Self) -> S {

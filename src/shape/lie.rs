@@ -102,21 +102,21 @@ fn combine<S: Scalar>(v: Vec3<S>, a: S, b: S, c: S) -> [Vec3<S>; 3] {
     ]
 }
 
-/// The left Jacobian times a vector.
+/// Returns the left Jacobian times a vector.
 fn by_left_jacobian<S: Scalar>(v: Vec3<S>, x: Vec3<S>) -> Vec3<S> {
     let [a, b, c] = forward(v);
     x * a + (v.cross(x) * b + v * (v.dot(x) * c))
 }
 
-/// The inverse of the left Jacobian times a vector.
+/// Returns the inverse of the left Jacobian times a vector.
 fn by_left_jacobian_inverse<S: Scalar>(v: Vec3<S>, x: Vec3<S>) -> Vec3<S> {
     let [a, c] = backward(v);
     x * a - (v.cross(x) * S::lit(0.5) - v * (v.dot(x) * c))
 }
 
 impl<S: Scalar> Rotation3<S> {
-    /// The left Jacobian of the exponential at a rotation vector, column by column: a small change δ of the vector
-    /// turns the rotation by `J δ` radians about the world's axes.
+    /// Returns the left Jacobian of the exponential at a rotation vector, column by column: a small change δ of the
+    /// vector turns the rotation by `J δ` radians about the world's axes.
     ///
     /// It is smooth everywhere and singular at whole turns but zero. Source: Solà, Deray and Atchuthan, *A micro Lie
     /// theory for state estimation in robotics*, 2018.
@@ -134,14 +134,14 @@ impl<S: Scalar> Rotation3<S> {
         let [a, b, c] = forward(v);
         combine(v, a, b, c)
     }
-    /// The right Jacobian of the exponential at a rotation vector, column by column: the turn is about the body's axes.
-    /// It is the transposed left Jacobian.
+    /// Returns the right Jacobian of the exponential at a rotation vector, column by column: the turn is about the
+    /// body's axes. It is the transposed left Jacobian.
     #[must_use]
     pub fn right_jacobian(v: Vec3<S>) -> [Vec3<S>; 3] {
         Self::left_jacobian(-v)
     }
-    /// The inverse of the left Jacobian at a rotation vector shorter than 2π, column by column: the derivative of the
-    /// logarithm by a small turn about the world's axes.
+    /// Returns the inverse of the left Jacobian at a rotation vector shorter than 2π, column by column: the derivative
+    /// of the logarithm by a small turn about the world's axes.
     ///
     /// It is smooth up to 2π, half turns included. There it has a pole, at which it takes a finite value.
     ///
@@ -157,13 +157,13 @@ impl<S: Scalar> Rotation3<S> {
         let [a, c] = backward(v);
         combine(v, a, S::lit(-0.5), c)
     }
-    /// The inverse of the right Jacobian at a rotation vector shorter than 2π, column by column: the derivative of the
-    /// logarithm by a small turn about the body's axes. It is the transposed inverse of the left Jacobian.
+    /// Returns the inverse of the right Jacobian at a rotation vector shorter than 2π, column by column: the derivative
+    /// of the logarithm by a small turn about the body's axes. It is the transposed inverse of the left Jacobian.
     #[must_use]
     pub fn right_jacobian_inverse(v: Vec3<S>) -> [Vec3<S>; 3] {
         Self::left_jacobian_inverse(-v)
     }
-    /// The angle in radians between two rotations, in `[0, π]`: that of the turn from one to the other.
+    /// Returns the angle in radians between two rotations, in `[0, π]`: that of the turn from one to the other.
     ///
     /// Kinks: equal rotations, with derivative 0, and rotations half a turn apart.
     ///
@@ -178,19 +178,19 @@ impl<S: Scalar> Rotation3<S> {
     pub fn angle_to(self, other: Self) -> S {
         (self.inverse() * other).angle()
     }
-    /// The square of the angle between two rotations, in `[0, π²]`: smooth but at rotations half a turn apart.
+    /// Returns the square of the angle between two rotations, in `[0, π²]`: smooth but at rotations half a turn apart.
     #[must_use]
     pub fn squared_angle_to(self, other: Self) -> S {
         self.tangent_to(other).length_squared()
     }
-    /// The first two columns of the matrix: six coordinates without jumps, as networks learn them.
+    /// Returns the first two columns of the matrix: six coordinates without jumps, as networks learn them.
     #[must_use]
     pub fn to_6d(self) -> [Vec3<S>; 2] {
         let [x, y, _] = self.axes();
         [x, y]
     }
-    /// The rotation whose x axis is along the first vector and whose y axis is in the half plane of both: the inverse
-    /// of [`to_6d`](Self::to_6d).
+    /// Returns the rotation whose x axis is along the first vector and whose y axis is in the half plane of both: the
+    /// inverse of [`to_6d`](Self::to_6d).
     ///
     /// Kinks: at parallel vectors, or a second of zero, the y axis is any that is orthogonal to the first, with
     /// derivative zero by the second; for a first of zero the x axis stays, with derivative zero.
@@ -230,8 +230,8 @@ impl<S: Scalar> Rotation3<S> {
 }
 
 impl<S: Scalar> Pose3<S> {
-    /// The coupled exponential: the motion after one unit of time at constant velocity, a screw, from the turn as a
-    /// rotation vector in radians and the shift, in the unit of length.
+    /// Returns the coupled exponential: the motion after one unit of time at constant velocity, a screw, from the turn
+    /// as a rotation vector in radians and the shift, in the unit of length.
     ///
     /// [`retract`](Self::retract) turns and shifts apart; it is the default of optimisers. Smooth everywhere.
     ///
@@ -248,8 +248,8 @@ impl<S: Scalar> Pose3<S> {
             Rotation3::from_rotation_vector(turn),
         )
     }
-    /// The coupled logarithm: the turn, of length 0 to π radians, and the shift of the screw to this motion; the
-    /// inverse of [`from_twist`](Self::from_twist).
+    /// Returns the coupled logarithm: the turn, of length 0 to π radians, and the shift of the screw to this motion;
+    /// the inverse of [`from_twist`](Self::from_twist).
     ///
     /// Kinks: half turns, as of [`rotation_vector`](Rotation3::rotation_vector).
     ///
@@ -264,8 +264,8 @@ impl<S: Scalar> Pose3<S> {
         let turn = self.rotation.rotation_vector();
         (turn, by_left_jacobian_inverse(turn, self.translation))
     }
-    /// The adjoint, the 6 by 6 matrix of the motion, times a twist: `a_from_b.adjoint(turn, shift)` is in frame a the
-    /// velocity that in frame b is `turn` and `shift`.
+    /// Returns the adjoint, the 6 by 6 matrix of the motion, times a twist: `a_from_b.adjoint(turn, shift)` is in frame
+    /// a the velocity that in frame b is `turn` and `shift`.
     ///
     /// ```
     /// use geograd::{Pose3, Rotation3, Vec3};
@@ -281,16 +281,16 @@ impl<S: Scalar> Pose3<S> {
         let turn = self.rotation * turn;
         (turn, self.rotation * shift + self.translation.cross(turn))
     }
-    /// The transposed adjoint times a gradient by a twist, or times a moment and a force: `a_from_b` takes them from
-    /// frame a to frame b.
+    /// Returns the transposed adjoint times a gradient by a twist, or times a moment and a force: `a_from_b` takes them
+    /// from frame a to frame b.
     #[must_use]
     pub fn adjoint_transposed(self, by_turn: Vec3<S>, by_shift: Vec3<S>) -> (Vec3<S>, Vec3<S>) {
         let back = self.rotation.inverse();
         let moment = by_turn - self.translation.cross(by_shift);
         (back * moment, back * by_shift)
     }
-    /// The gradient by the turn and the shift of [`retract`](Self::retract) at zero, from the gradient by the seven
-    /// numbers of the pose.
+    /// Returns the gradient by the turn and the shift of [`retract`](Self::retract) at zero, from the gradient by the
+    /// seven numbers of the pose.
     ///
     /// A batch returns a column of the former when its function takes the step as an argument of its own:
     ///

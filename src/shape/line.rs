@@ -27,7 +27,7 @@ pub struct Line2<S> {
     pub direction: Vec2<S>,
 }
 
-/// `Ok` for coordinates of a direction that are not all zero.
+/// Returns `Ok` for coordinates of a direction that are not all zero.
 pub(super) fn not_zero<S: Scalar<Mask = bool>, const N: usize>(
     direction: [S; N],
 ) -> Result<(), Flaw> {
@@ -37,7 +37,7 @@ pub(super) fn not_zero<S: Scalar<Mask = bool>, const N: usize>(
     }
 }
 
-/// `Ok` for a direction that is not zero.
+/// Returns `Ok` for a direction that is not zero.
 fn has_direction<S: Scalar<Mask = bool>>(shape: &Line2<S>) -> Result<(), Flaw> {
     let Vec2 { x, y } = shape.direction;
     not_zero([x, y])
@@ -64,13 +64,13 @@ impl<S: Scalar> Line2<S> {
         let made = Line2 { point, direction };
         made.validate().map(|()| made)
     }
-    /// The line from one point through another: parameters 0 and 1.
+    /// Returns the line from one point through another: parameters 0 and 1.
     #[must_use]
     #[inline(always)]
     pub fn through(a: Vec2<S>, b: Vec2<S>) -> Self {
         Line2::new(a, b - a)
     }
-    /// The line where `a x + b y + c = 0`. Its point is the one nearest to the origin, its direction
+    /// Returns the line where `a x + b y + c = 0`. Its point is the one nearest to the origin, its direction
     /// `(b, −a)`, so that `a x + b y + c` is positive on the left. Not valid (direction zero) where a
     /// and b are both zero.
     #[must_use]
@@ -97,27 +97,27 @@ impl<S: Scalar> Line2<S> {
         let c = -normal.dot(self.point);
         [normal.x.canonical(), normal.y.canonical(), c.canonical()]
     }
-    /// The point at a parameter: `point + t direction`.
+    /// Returns the point at a parameter: `point + t direction`.
     #[must_use]
     #[inline(always)]
     pub fn point_at(self, t: S) -> Vec2<S> {
         (self.point + self.direction * t).canonical()
     }
-    /// The parameter of the point of the line that is nearest to a point.
+    /// Returns the parameter of the point of the line that is nearest to a point.
     #[must_use]
     #[inline]
     pub fn parameter_of(self, point: Vec2<S>) -> S {
         let (unit, length) = self.unit();
         (point - self.point).dot(unit).over(length).canonical()
     }
-    /// The point of the line nearest to a point.
+    /// Returns the point of the line nearest to a point.
     #[must_use]
     #[inline]
     pub fn nearest(self, point: Vec2<S>) -> Vec2<S> {
         let (unit, _) = self.unit();
         (self.point + unit * (point - self.point).dot(unit)).canonical()
     }
-    /// The signed distance of a point, in the unit of length: positive on the left of the direction,
+    /// Returns the signed distance of a point, in the unit of length: positive on the left of the direction,
     /// negative on the right. Smooth, also on the line. (DGAL's sign is the opposite.)
     ///
     /// ```
@@ -131,7 +131,7 @@ impl<S: Scalar> Line2<S> {
         let (unit, _) = self.unit();
         unit.perp_dot(point - self.point).canonical()
     }
-    /// The direction with length one, and its length; the zero vector and 1 for a zero direction.
+    /// Returns the direction with length one, and its length; the zero vector and 1 for a zero direction.
     #[inline(always)]
     fn unit(self) -> (Vec2<S>, S) {
         let length = self.direction.length();
@@ -143,7 +143,7 @@ impl<S: Scalar> Line2<S> {
 
 impl<S: Scalar> Mul<Line2<S>> for Pose2<S> {
     type Output = Line2<S>;
-    /// The line carried along.
+    /// Returns the line carried along.
     #[inline(always)]
     fn mul(self, shape: Line2<S>) -> Line2<S> {
         Line2::new(self * shape.point, self.rotation * shape.direction)

@@ -24,7 +24,7 @@ pub struct Line3<S> {
     pub direction: Vec3<S>,
 }
 
-/// `Ok` for a direction that is not zero.
+/// Returns `Ok` for a direction that is not zero.
 fn has_direction<S: Scalar<Mask = bool>>(shape: &Line3<S>) -> Result<(), Flaw> {
     let Vec3 { x, y, z } = shape.direction;
     not_zero([x, y, z])
@@ -51,19 +51,19 @@ impl<S: Scalar> Line3<S> {
         let made = Line3 { point, direction };
         made.validate().map(|()| made)
     }
-    /// The line from one point through another: parameters 0 and 1.
+    /// Returns the line from one point through another: parameters 0 and 1.
     #[must_use]
     #[inline(always)]
     pub fn through(a: Vec3<S>, b: Vec3<S>) -> Self {
         Line3::new(a, b - a)
     }
-    /// The point at a parameter: `point + t direction`.
+    /// Returns the point at a parameter: `point + t direction`.
     #[must_use]
     #[inline(always)]
     pub fn point_at(self, t: S) -> Vec3<S> {
         self.point + self.direction * t
     }
-    /// The parameter of the point of the line that is nearest to a point.
+    /// Returns the parameter of the point of the line that is nearest to a point.
     #[must_use]
     #[inline]
     pub fn parameter_of(self, point: Vec3<S>) -> S {
@@ -74,7 +74,7 @@ impl<S: Scalar> Line3<S> {
         let square = S::select(zero, S::one(), unit.length_squared());
         ((point - self.point) * scale).dot(unit).over(square)
     }
-    /// The point of the line nearest to a point.
+    /// Returns the point of the line nearest to a point.
     #[must_use]
     #[inline]
     pub fn nearest(self, point: Vec3<S>) -> Vec3<S> {
@@ -84,7 +84,7 @@ impl<S: Scalar> Line3<S> {
 
 impl<S: Scalar> Mul<Line3<S>> for Pose3<S> {
     type Output = Line3<S>;
-    /// The line carried along.
+    /// Returns the line carried along.
     #[inline(always)]
     fn mul(self, shape: Line3<S>) -> Line3<S> {
         Line3::new(self * shape.point, self.rotation * shape.direction)

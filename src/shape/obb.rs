@@ -60,7 +60,7 @@ impl<S: Scalar> Obb2<S> {
         };
         made.validate().map(|()| made)
     }
-    /// The box nearest to a quadrilateral, given by its corners in order around it.
+    /// Returns the box nearest to a quadrilateral, given by its corners in order around it.
     ///
     /// The centre is the mean of the corners, the width runs along the first edge, and the axes
     /// are the mean of the directions of all four edges, weighted by length. Exact for
@@ -95,19 +95,19 @@ impl<S: Scalar> Obb2<S> {
             heading,
         }
     }
-    /// The area; infinite beyond the largest number.
+    /// Returns the area; infinite beyond the largest number.
     #[must_use]
     #[inline(always)]
     pub fn area(self) -> S {
         self.size.x * self.size.y
     }
-    /// The motion from the box's own frame (centre at the origin, axes aligned) to the world.
+    /// Returns the motion from the box's own frame (centre at the origin, axes aligned) to the world.
     #[must_use]
     #[inline(always)]
     pub fn world_from_local(self) -> Pose2<S> {
         Pose2::new(self.center, self.heading)
     }
-    /// The corners, counter-clockwise; the first one is at minus half the size in the box's own
+    /// Returns the corners, counter-clockwise; the first one is at minus half the size in the box's own
     /// frame, so the first edge runs along the heading.
     #[must_use]
     #[inline(always)]
@@ -121,7 +121,7 @@ impl<S: Scalar> Obb2<S> {
             pose * Vec2::new(-x, y),
         ]
     }
-    /// `true` where the point is in the box; the border belongs to it.
+    /// Returns `true` where the point is in the box; the border belongs to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {
@@ -129,7 +129,7 @@ impl<S: Scalar> Obb2<S> {
         local.x.magnitude().at_most(self.size.x.halved())
             & local.y.magnitude().at_most(self.size.y.halved())
     }
-    /// The smallest axis-aligned box around it. Kinks at multiples of a quarter turn, where the
+    /// Returns the smallest axis-aligned box around it. Kinks at multiples of a quarter turn, where the
     /// derivative with respect to the heading is zero.
     #[must_use]
     #[inline(always)]
@@ -146,7 +146,7 @@ impl<S: Scalar> Obb2<S> {
 }
 
 impl<S: Scalar> From<Aabb2<S>> for Obb2<S> {
-    /// The same box with heading zero.
+    /// Returns the same box with heading zero.
     #[inline(always)]
     fn from(bounds: Aabb2<S>) -> Self {
         Obb2 {
@@ -172,7 +172,7 @@ impl<S: std::fmt::Display> std::fmt::Display for Obb2<S> {
 
 impl<S: Scalar> Mul<Obb2<S>> for Pose2<S> {
     type Output = Obb2<S>;
-    /// The box carried along: `world_from_car * box_in_car` is the box in the world. Its heading
+    /// Returns the box carried along: `world_from_car * box_in_car` is the box in the world. Its heading
     /// grows by [`Pose2::angle`] and is not brought back into a range.
     ///
     /// ```

@@ -43,13 +43,13 @@ impl<S> Obb3<S> {
 }
 
 impl<S: Scalar> Obb3<S> {
-    /// The volume.
+    /// Returns the volume.
     #[must_use]
     #[inline(always)]
     pub fn volume(self) -> S {
         self.size.x * self.size.y * self.size.z
     }
-    /// The area of all six faces.
+    /// Returns the area of all six faces.
     #[must_use]
     #[inline(always)]
     pub fn surface(self) -> S {
@@ -57,13 +57,13 @@ impl<S: Scalar> Obb3<S> {
         let half = size.x * size.y + size.y * size.z + size.z * size.x;
         half + half
     }
-    /// The motion from the box's own frame (centre at the origin, axes aligned) to the world.
+    /// Returns the motion from the box's own frame (centre at the origin, axes aligned) to the world.
     #[must_use]
     #[inline(always)]
     pub fn world_from_local(self) -> Pose3<S> {
         Pose3::new(self.center, self.rotation)
     }
-    /// The corners, in the order of [`FACES`](crate::shape::FACES).
+    /// Returns the corners, in the order of [`FACES`](crate::shape::FACES).
     #[must_use]
     #[inline]
     pub fn corners(self) -> [Vec3<S>; 8] {
@@ -86,7 +86,7 @@ impl<S: Scalar> Obb3<S> {
             high + y + x,
         ]
     }
-    /// The planes of its faces, normals outwards: low x, high x, low y, high y, low z, high z.
+    /// Returns the planes of its faces, normals outwards: low x, high x, low y, high y, low z, high z.
     #[must_use]
     #[inline]
     pub fn planes(self) -> [Plane3<S>; 6] {
@@ -106,7 +106,7 @@ impl<S: Scalar> Obb3<S> {
         };
         [face(0), face(1), face(2), face(3), face(4), face(5)]
     }
-    /// `true` where the point is in the box; the border belongs to it.
+    /// Returns `true` where the point is in the box; the border belongs to it.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
@@ -116,7 +116,7 @@ impl<S: Scalar> Obb3<S> {
             & p.z.magnitude().at_most(self.size.z.halved());
         Guard::of(&self.rotation).truth(inside)
     }
-    /// The smallest axis-aligned box around it. Kinks where an axis of the box is orthogonal to one of
+    /// Returns the smallest axis-aligned box around it. Kinks where an axis of the box is orthogonal to one of
     /// the world's.
     #[must_use]
     #[inline]
@@ -134,7 +134,7 @@ impl<S: Scalar> Obb3<S> {
             + reach(z, self.size.z.halved());
         Aabb3::new(self.center - reach, self.center + reach)
     }
-    /// The box after a small turn about its own axes, as a rotation vector in radians.
+    /// Returns the box after a small turn about its own axes, as a rotation vector in radians.
     #[must_use]
     #[inline]
     pub fn retract(self, turn: Vec3<S>) -> Self {
@@ -144,7 +144,7 @@ impl<S: Scalar> Obb3<S> {
 
 impl<S: Scalar> Mul<Obb3<S>> for Pose3<S> {
     type Output = Obb3<S>;
-    /// The box carried along: `world_from_car * box_in_car` is the box in the world.
+    /// Returns the box carried along: `world_from_car * box_in_car` is the box in the world.
     #[inline]
     fn mul(self, shape: Obb3<S>) -> Obb3<S> {
         Obb3 {
@@ -163,7 +163,7 @@ impl<S: Scalar> From<YawBox3<S>> for Obb3<S> {
 }
 
 impl<S: Scalar> From<Aabb3<S>> for Obb3<S> {
-    /// The same box, not turned; a side longer than the largest number is that.
+    /// Returns the same box, not turned; a side longer than the largest number is that.
     #[inline(always)]
     fn from(bounds: Aabb3<S>) -> Self {
         Obb3::new(

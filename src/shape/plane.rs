@@ -51,7 +51,7 @@ impl<S: Scalar> Plane3<S> {
     pub fn through(point: Vec3<S>, normal: Vec3<S>) -> Self {
         Plane3::new(normal, normal.dot(point))
     }
-    /// `true` where the point is behind the plane or on it.
+    /// Returns `true` where the point is behind the plane or on it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
@@ -62,7 +62,7 @@ impl<S: Scalar> Plane3<S> {
 
 impl<S: Scalar> Mul<Plane3<S>> for Pose3<S> {
     type Output = Plane3<S>;
-    /// The plane carried along; the normal keeps its length.
+    /// Returns the plane carried along; the normal keeps its length.
     #[inline(always)]
     fn mul(self, shape: Plane3<S>) -> Plane3<S> {
         let normal = self.rotation * shape.normal;

@@ -34,14 +34,14 @@ pub struct ConvexPolygon<S, const N: usize> {
 }
 
 impl<S: PartialEq, const N: usize> PartialEq for ConvexPolygon<S, N> {
-    /// `true` if both have the same vertices in the same order.
+    /// Returns `true` if both have the same vertices in the same order.
     fn eq(&self, other: &Self) -> bool {
         self.as_slice() == other.as_slice()
     }
 }
 
 impl<S, const N: usize> ConvexPolygon<S, N> {
-    /// The vertices, counter-clockwise.
+    /// Returns the vertices, counter-clockwise.
     #[must_use]
     #[inline]
     pub fn as_slice(&self) -> &[Vec2<S>] {
@@ -151,7 +151,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
             Err(other) => Err(other),
         }
     }
-    /// A vertex by number, counted around and around; the origin for a polygon without vertices.
+    /// Returns a vertex by number, counted around and around; the origin for a polygon without vertices.
     #[must_use]
     #[inline]
     pub fn vertex(&self, k: usize) -> Vec2<S> {
@@ -175,7 +175,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
             if k <= count { vertex } else { first }
         })
     }
-    /// The polygon's edges, each from its start to its end.
+    /// Returns the polygon's edges, each from its start to its end.
     #[inline]
     pub fn edges(&self) -> impl Iterator<Item = [Vec2<S>; 2]> + '_ {
         edges(self.as_slice())
@@ -187,7 +187,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
         let all = self.padded();
         std::array::from_fn(|k| [all[k], all[if k + 1 < N { k + 1 } else { 0 }]])
     }
-    /// The smallest axis-aligned box around it; a point at the origin for no vertices. Ties share
+    /// Returns the smallest axis-aligned box around it; a point at the origin for no vertices. Ties share
     /// the derivative.
     #[must_use]
     #[inline]
@@ -200,7 +200,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
     }
 }
 
-/// The edges of a ring, each from its start to its end; the last one leads back to the first vertex.
+/// Returns the edges of a ring, each from its start to its end; the last one leads back to the first vertex.
 ///
 /// ```
 /// use geograd::{Vec2, shape::edges};
@@ -213,7 +213,7 @@ pub fn edges<S: Copy>(ring: &[Vec2<S>]) -> impl Iterator<Item = [Vec2<S>; 2]> + 
     ring.iter().zip(ends).map(|(&start, &end)| [start, end])
 }
 
-/// The edges of a polyline, each from its start to its end: one fewer than vertices.
+/// Returns the edges of a polyline, each from its start to its end: one fewer than vertices.
 #[inline]
 pub fn polyline_edges<S: Copy>(path: &[Vec2<S>]) -> impl Iterator<Item = [Vec2<S>; 2]> + '_ {
     path.windows(2).map(|pair| [pair[0], pair[1]])

@@ -47,13 +47,14 @@ impl<S: Scalar> Rotation2<S> {
         let (sin, cos) = angle.sin_cos();
         Rotation2 { cos, sin }
     }
-    /// The angle in radians, in `[−π, π]`.
+    /// Returns the angle in radians, in `[−π, π]`.
     #[must_use]
     #[inline(always)]
     pub fn angle(self) -> S {
         self.sin.atan2(self.cos)
     }
-    /// The rotation by the same angle with numbers of length one; no rotation (with derivative zero) for two zeros.
+    /// Returns the rotation by the same angle with numbers of length one; no rotation (with derivative zero) for two
+    /// zeros.
     ///
     /// ```
     /// use geograd::Rotation2;
@@ -76,7 +77,7 @@ impl<S: Scalar> Rotation2<S> {
             sin: sin.over(length),
         }
     }
-    /// The rotation back.
+    /// Returns the rotation back.
     #[must_use]
     #[inline(always)]
     pub fn inverse(self) -> Self {
@@ -148,13 +149,14 @@ impl<S: Scalar> Pose2<S> {
             translation: Vec2::zero(),
         }
     }
-    /// The angle of the rotation in radians, in `[−π, π]`.
+    /// Returns the angle of the rotation in radians, in `[−π, π]`.
     #[must_use]
     #[inline(always)]
     pub fn angle(self) -> S {
         self.rotation.angle()
     }
-    /// The motion with its rotation [normalized](Rotation2::normalized): rigid, whatever the length of cosine and sine.
+    /// Returns the motion with its rotation [normalized](Rotation2::normalized): rigid, whatever the length of cosine
+    /// and sine.
     #[must_use]
     #[inline(always)]
     pub fn normalized(self) -> Self {
@@ -163,7 +165,7 @@ impl<S: Scalar> Pose2<S> {
             ..self
         }
     }
-    /// The motion back.
+    /// Returns the motion back.
     #[must_use]
     #[inline(always)]
     pub fn inverse(self) -> Self {

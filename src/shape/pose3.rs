@@ -40,14 +40,14 @@ impl<S: Scalar> Pose3<S> {
     pub fn identity() -> Self {
         Pose3::new(Vec3::zero(), Rotation3::identity())
     }
-    /// The motion back.
+    /// Returns the motion back.
     #[must_use]
     #[inline]
     pub fn inverse(self) -> Self {
         let rotation = self.rotation.inverse();
         Pose3::new(-(rotation * self.translation), rotation)
     }
-    /// The motion a fraction `t` of the way to another one: the rotation along the shorter way round,
+    /// Returns the motion a fraction `t` of the way to another one: the rotation along the shorter way round,
     /// the origin along a straight line.
     #[must_use]
     #[inline]
@@ -57,7 +57,7 @@ impl<S: Scalar> Pose3<S> {
             self.rotation.interpolate(other.rotation, t),
         )
     }
-    /// The motion after a small one in the body's own frame: a turn as a rotation vector in radians and
+    /// Returns the motion after a small one in the body's own frame: a turn as a rotation vector in radians and
     /// a shift. The step of an optimiser in six numbers.
     #[must_use]
     #[inline]
@@ -67,7 +67,7 @@ impl<S: Scalar> Pose3<S> {
             self.rotation.retract(turn),
         )
     }
-    /// The turn and the shift that lead to another motion: the inverse of [`retract`](Self::retract).
+    /// Returns the turn and the shift that lead to another motion: the inverse of [`retract`](Self::retract).
     #[must_use]
     #[inline]
     pub fn tangent_to(self, other: Self) -> (Vec3<S>, Vec3<S>) {

@@ -25,7 +25,7 @@ pub struct Ray2<S> {
     pub direction: Vec2<S>,
 }
 
-/// `Ok` for a direction that is not zero.
+/// Returns `Ok` for a direction that is not zero.
 fn has_direction<S: Scalar<Mask = bool>>(shape: &Ray2<S>) -> Result<(), Flaw> {
     let Vec2 { x, y } = shape.direction;
     not_zero([x, y])
@@ -52,33 +52,33 @@ impl<S: Scalar> Ray2<S> {
         let made = Ray2 { point, direction };
         made.validate().map(|()| made)
     }
-    /// The ray from one point through another: parameters 0 and 1.
+    /// Returns the ray from one point through another: parameters 0 and 1.
     #[must_use]
     #[inline(always)]
     pub fn through(a: Vec2<S>, b: Vec2<S>) -> Self {
         Ray2::new(a, b - a)
     }
-    /// The point at a parameter: `point + t direction`.
+    /// Returns the point at a parameter: `point + t direction`.
     #[must_use]
     #[inline(always)]
     pub fn point_at(self, t: S) -> Vec2<S> {
         self.line().point_at(t)
     }
-    /// The parameter, at least 0, of the point of the ray that is nearest to a point. Kink: where
+    /// Returns the parameter, at least 0, of the point of the ray that is nearest to a point. Kink: where
     /// that becomes the start, the derivative is shared.
     #[must_use]
     #[inline]
     pub fn parameter_of(self, point: Vec2<S>) -> S {
         self.line().parameter_of(point).most(S::zero())
     }
-    /// The point of the ray nearest to a point. Kink: see [`parameter_of`](Ray2::parameter_of).
+    /// Returns the point of the ray nearest to a point. Kink: see [`parameter_of`](Ray2::parameter_of).
     #[must_use]
     #[inline]
     pub fn nearest(self, point: Vec2<S>) -> Vec2<S> {
         let nearest = self.point_at(self.parameter_of(point));
         Guard::of(&self).and(&point).result(nearest)
     }
-    /// The line that it is half of.
+    /// Returns the line that it is half of.
     #[must_use]
     #[inline(always)]
     pub fn line(self) -> Line2<S> {
@@ -88,7 +88,7 @@ impl<S: Scalar> Ray2<S> {
 
 impl<S: Scalar> Mul<Ray2<S>> for Pose2<S> {
     type Output = Ray2<S>;
-    /// The ray carried along.
+    /// Returns the ray carried along.
     #[inline(always)]
     fn mul(self, shape: Ray2<S>) -> Ray2<S> {
         Ray2::new(self * shape.point, self.rotation * shape.direction)

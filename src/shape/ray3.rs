@@ -28,7 +28,7 @@ pub struct Ray3<S> {
     pub direction: Vec3<S>,
 }
 
-/// `Ok` for a direction that is not zero.
+/// Returns `Ok` for a direction that is not zero.
 fn has_direction<S: Scalar<Mask = bool>>(shape: &Ray3<S>) -> Result<(), Flaw> {
     let Vec3 { x, y, z } = shape.direction;
     not_zero([x, y, z])
@@ -55,33 +55,33 @@ impl<S: Scalar> Ray3<S> {
         let made = Ray3 { point, direction };
         made.validate().map(|()| made)
     }
-    /// The ray from one point through another: parameters 0 and 1.
+    /// Returns the ray from one point through another: parameters 0 and 1.
     #[must_use]
     #[inline(always)]
     pub fn through(a: Vec3<S>, b: Vec3<S>) -> Self {
         Ray3::new(a, b - a)
     }
-    /// The point at a parameter: `point + t direction`.
+    /// Returns the point at a parameter: `point + t direction`.
     #[must_use]
     #[inline(always)]
     pub fn point_at(self, t: S) -> Vec3<S> {
         self.point + self.direction * t
     }
-    /// The parameter, at least 0, of the point of the ray that is nearest to a point. Kink: where that becomes the
-    /// start, the derivative is shared.
+    /// Returns the parameter, at least 0, of the point of the ray that is nearest to a point. Kink: where that becomes
+    /// the start, the derivative is shared.
     #[must_use]
     #[inline]
     pub fn parameter_of(self, point: Vec3<S>) -> S {
         self.line().parameter_of(point).most(S::zero())
     }
-    /// The point of the ray nearest to a point. Kink: see [`parameter_of`](Ray3::parameter_of).
+    /// Returns the point of the ray nearest to a point. Kink: see [`parameter_of`](Ray3::parameter_of).
     #[must_use]
     #[inline]
     pub fn nearest(self, point: Vec3<S>) -> Vec3<S> {
         let nearest = self.point_at(self.parameter_of(point));
         Guard::of(&self).and(&point).result(nearest)
     }
-    /// The line that it is half of.
+    /// Returns the line that it is half of.
     #[must_use]
     #[inline(always)]
     pub fn line(self) -> Line3<S> {
@@ -91,7 +91,7 @@ impl<S: Scalar> Ray3<S> {
 
 impl<S: Scalar> Mul<Ray3<S>> for Pose3<S> {
     type Output = Ray3<S>;
-    /// The ray carried along.
+    /// Returns the ray carried along.
     #[inline(always)]
     fn mul(self, shape: Ray3<S>) -> Ray3<S> {
         Ray3::new(self * shape.point, self.rotation * shape.direction)

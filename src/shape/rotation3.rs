@@ -65,13 +65,13 @@ impl<S: Scalar> Rotation3<S> {
         let zero = S::zero();
         Rotation3::new(S::one(), zero, zero, zero)
     }
-    /// The vector part.
+    /// Returns the vector part.
     #[must_use]
     #[inline(always)]
     pub fn vector(self) -> Vec3<S> {
         Vec3::new(self.x, self.y, self.z)
     }
-    /// The quaternion of length one; no rotation (with derivative zero) for the zero quaternion.
+    /// Returns the quaternion of length one; no rotation (with derivative zero) for the zero quaternion.
     #[must_use]
     #[inline(always)]
     pub fn normalized(self) -> Self {
@@ -94,8 +94,8 @@ impl<S: Scalar> Rotation3<S> {
             z.over(length),
         )
     }
-    /// The same rotation with a quaternion of length one and `w ≥ 0`. If `w = 0`, the first of x, y and z that is
-    /// not zero is positive.
+    /// Returns the same rotation with a quaternion of length one and `w ≥ 0`. If `w = 0`, the first of x, y and z that
+    /// is not zero is positive.
     #[must_use]
     #[inline(always)]
     pub fn canonical(self) -> Self {
@@ -129,7 +129,7 @@ impl<S: Scalar> Rotation3<S> {
         let (sin, cos) = angle.halved().sin_cos();
         Rotation3::new(cos, S::zero(), S::zero(), sin)
     }
-    /// The exponential: the rotation about the vector by its length in radians. Smooth everywhere; near
+    /// Returns the exponential: the rotation about the vector by its length in radians. Smooth everywhere; near
     /// zero it is a power series.
     #[must_use]
     #[inline]
@@ -152,7 +152,7 @@ impl<S: Scalar> Rotation3<S> {
         let w = S::select(small, cos_series, cos);
         Rotation3::new(w, v.x * per_angle, v.y * per_angle, v.z * per_angle)
     }
-    /// The logarithm: the axis times the angle in radians, of length 0 to π. Smooth but at half turns,
+    /// Returns the logarithm: the axis times the angle in radians, of length 0 to π. Smooth but at half turns,
     /// where the axis jumps to its opposite; there the first of its coordinates that is not zero is
     /// positive.
     #[must_use]
@@ -174,7 +174,7 @@ impl<S: Scalar> Rotation3<S> {
         let half = safe.atan2(unit.w);
         v * S::select(small, series, (half + half).over(safe))
     }
-    /// The angle in radians, in `[0, π]`; derivative zero at no rotation.
+    /// Returns the angle in radians, in `[0, π]`; derivative zero at no rotation.
     #[must_use]
     #[inline]
     pub fn angle(self) -> S {
@@ -182,7 +182,7 @@ impl<S: Scalar> Rotation3<S> {
         let half = unit.vector().length().atan2(unit.w);
         half + half
     }
-    /// The images of the axes x, y and z: the columns of the matrix.
+    /// Returns the images of the axes x, y and z: the columns of the matrix.
     #[must_use]
     #[inline(always)]
     pub fn axes(self) -> [Vec3<S>; 3] {
@@ -198,7 +198,7 @@ impl<S: Scalar> Rotation3<S> {
             Vec3::new(xz + wy, yz - wx, one - (xx + yy)),
         ]
     }
-    /// The matrix, row by row: `m[i][j]` is coordinate i of the image of axis j.
+    /// Returns the matrix, row by row: `m[i][j]` is coordinate i of the image of axis j.
     #[must_use]
     #[inline(always)]
     pub fn matrix(self) -> [[S; 3]; 3] {
@@ -246,20 +246,20 @@ impl<S: Scalar> Rotation3<S> {
         let column = |j: usize| Vec3::new(m[0][j], m[1][j], m[2][j]);
         Self::from_axes([column(0), column(1), column(2)])
     }
-    /// The rotation back.
+    /// Returns the rotation back.
     #[must_use]
     #[inline(always)]
     pub fn inverse(self) -> Self {
         Rotation3::new(self.w, -self.x, -self.y, -self.z)
     }
-    /// The rotation a fraction `t` of the way to another one, along the shorter way round and at even
+    /// Returns the rotation a fraction `t` of the way to another one, along the shorter way round and at even
     /// speed. Kink: rotations half a turn apart, where both ways are equally long.
     #[must_use]
     #[inline]
     pub fn interpolate(self, other: Self, t: S) -> Self {
         self.retract(self.tangent_to(other) * t)
     }
-    /// The rotation after a small turn about the body's own axes, as a rotation vector: the step of an
+    /// Returns the rotation after a small turn about the body's own axes, as a rotation vector: the step of an
     /// optimiser in three numbers.
     ///
     /// ```
@@ -273,14 +273,14 @@ impl<S: Scalar> Rotation3<S> {
     pub fn retract(self, tangent: Vec3<S>) -> Self {
         self * Rotation3::from_rotation_vector(tangent)
     }
-    /// The small turn about the body's own axes that leads to another rotation: the inverse of
+    /// Returns the small turn about the body's own axes that leads to another rotation: the inverse of
     /// [`retract`](Self::retract).
     #[must_use]
     #[inline]
     pub fn tangent_to(self, other: Self) -> Vec3<S> {
         (self.inverse() * other).rotation_vector()
     }
-    /// The gradient by the body tangent from the gradient by the four numbers (of any function of the
+    /// Returns the gradient by the body tangent from the gradient by the four numbers (of any function of the
     /// rotation): `½ ⟨gradient, q e⟩` for e = i, j, k.
     ///
     /// ```
@@ -307,7 +307,7 @@ impl<S: Scalar> Rotation3<S> {
             ((g.z * q.w - g.w * q.z) + (g.x * q.y - g.y * q.x)).halved(),
         )
     }
-    /// The gradient by the four numbers from the gradient by the body tangent: the inverse of
+    /// Returns the gradient by the four numbers from the gradient by the body tangent: the inverse of
     /// [`tangent_gradient`](Self::tangent_gradient) among gradients that do not change the length.
     #[must_use]
     #[inline(always)]

@@ -51,7 +51,7 @@ impl<S: Scalar> RoundBox3<S> {
         let made = RoundBox3 { inner, radius };
         made.validate().map(|()| made)
     }
-    /// The volume.
+    /// Returns the volume.
     #[must_use]
     #[inline]
     pub fn volume(self) -> S {
@@ -60,7 +60,7 @@ impl<S: Scalar> RoundBox3<S> {
         let round = (r * S::lit(4.0 / 3.0 * PI) + edges) * r;
         (self.inner.volume() + (round + self.inner.surface()) * r).canonical()
     }
-    /// The area of the surface.
+    /// Returns the area of the surface.
     #[must_use]
     #[inline]
     pub fn surface(self) -> S {
@@ -68,7 +68,8 @@ impl<S: Scalar> RoundBox3<S> {
         let edges = (size.x + size.y + size.z) * S::lit(2.0 * PI);
         (self.inner.surface() + (r * S::lit(4.0 * PI) + edges) * r).canonical()
     }
-    /// The smallest axis-aligned box around it. Kinks where an axis of the box is orthogonal to one of the world's.
+    /// Returns the smallest axis-aligned box around it. Kinks where an axis of the box is orthogonal to one of the
+    /// world's.
     #[must_use]
     #[inline]
     pub fn bounding(self) -> Aabb3<S> {
@@ -79,7 +80,7 @@ impl<S: Scalar> RoundBox3<S> {
             (bounds.max + reach).canonical(),
         )
     }
-    /// `true` where the point is in the box; the surface belongs to it.
+    /// Returns `true` where the point is in the box; the surface belongs to it.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
@@ -106,7 +107,7 @@ impl<S: Scalar> RoundBox3<S> {
 
 impl<S: Scalar> Mul<RoundBox3<S>> for Pose3<S> {
     type Output = RoundBox3<S>;
-    /// The box carried along.
+    /// Returns the box carried along.
     #[inline]
     fn mul(self, shape: RoundBox3<S>) -> RoundBox3<S> {
         RoundBox3::new(self * shape.inner, shape.radius)

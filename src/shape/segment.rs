@@ -43,50 +43,50 @@ impl<S: Scalar> Segment2<S> {
         let made = Segment2 { from, to };
         made.validate().map(|()| made)
     }
-    /// The way from its start to its end.
+    /// Returns the way from its start to its end.
     #[must_use]
     #[inline(always)]
     pub fn along(self) -> Vec2<S> {
         self.to - self.from
     }
-    /// The length; derivative zero where the ends coincide.
+    /// Returns the length; derivative zero where the ends coincide.
     #[must_use]
     #[inline(always)]
     pub fn length(self) -> S {
         self.along().length().canonical()
     }
-    /// The point half way.
+    /// Returns the point half way.
     #[must_use]
     #[inline(always)]
     pub fn midpoint(self) -> Vec2<S> {
         self.point_at(S::lit(0.5))
     }
-    /// The point a fraction `t` of the way from start to end; beyond the ends for `t` outside
+    /// Returns the point a fraction `t` of the way from start to end; beyond the ends for `t` outside
     /// `[0, 1]`.
     #[must_use]
     #[inline(always)]
     pub fn point_at(self, t: S) -> Vec2<S> {
         (self.from + self.along() * t).canonical()
     }
-    /// The segment from end to start.
+    /// Returns the segment from end to start.
     #[must_use]
     #[inline(always)]
     pub fn reversed(self) -> Self {
         Segment2::new(self.to, self.from)
     }
-    /// The line through its ends.
+    /// Returns the line through its ends.
     #[must_use]
     #[inline(always)]
     pub fn line(self) -> Line2<S> {
         Line2::new(self.from, self.along())
     }
-    /// The ray from its start through its end.
+    /// Returns the ray from its start through its end.
     #[must_use]
     #[inline(always)]
     pub fn ray(self) -> Ray2<S> {
         Ray2::new(self.from, self.along())
     }
-    /// The smallest axis-aligned box around it; ends that share a bound share its derivative.
+    /// Returns the smallest axis-aligned box around it; ends that share a bound share its derivative.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb2<S> {
@@ -99,7 +99,7 @@ impl<S: Scalar> Segment2<S> {
 
 impl<S: Scalar> Mul<Segment2<S>> for Pose2<S> {
     type Output = Segment2<S>;
-    /// The segment carried along.
+    /// Returns the segment carried along.
     #[inline(always)]
     fn mul(self, shape: Segment2<S>) -> Segment2<S> {
         Segment2::new(self * shape.from, self * shape.to)

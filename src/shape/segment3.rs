@@ -30,7 +30,7 @@ impl<S> Segment3<S> {
 }
 
 impl<S: Scalar> Segment3<S> {
-    /// The length; derivative zero at length zero.
+    /// Returns the length; derivative zero at length zero.
     #[must_use]
     #[inline(always)]
     pub fn length(self) -> S {
@@ -42,26 +42,26 @@ impl<S: Scalar> Segment3<S> {
     pub fn vector(self) -> Vec3<S> {
         self.end - self.start
     }
-    /// The point a fraction `t` of the way along it.
+    /// Returns the point a fraction `t` of the way along it.
     #[must_use]
     #[inline(always)]
     pub fn at(self, t: S) -> Vec3<S> {
         self.start.lerp(self.end, t)
     }
-    /// The middle.
+    /// Returns the middle.
     #[must_use]
     #[inline(always)]
     pub fn center(self) -> Vec3<S> {
         let half = S::lit(0.5);
         self.start * half + self.end * half
     }
-    /// The smallest axis-aligned box around it; ends that share a bound share its derivative.
+    /// Returns the smallest axis-aligned box around it; ends that share a bound share its derivative.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb3<S> {
         Aabb3::of([self.start, self.end])
     }
-    /// The point of the segment nearest to a point. Kinks where that begins to be an end.
+    /// Returns the point of the segment nearest to a point. Kinks where that begins to be an end.
     #[must_use]
     #[inline(always)]
     pub fn nearest(self, point: Vec3<S>) -> Vec3<S> {
@@ -81,7 +81,7 @@ impl<S: Scalar> Segment3<S> {
 
 impl<S: Scalar> Mul<Segment3<S>> for Pose3<S> {
     type Output = Segment3<S>;
-    /// The segment carried along.
+    /// Returns the segment carried along.
     #[inline(always)]
     fn mul(self, shape: Segment3<S>) -> Segment3<S> {
         Segment3::new(self * shape.start, self * shape.end)

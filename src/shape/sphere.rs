@@ -33,26 +33,26 @@ impl<S> Sphere<S> {
 }
 
 impl<S: Scalar> Sphere<S> {
-    /// The volume.
+    /// Returns the volume.
     #[must_use]
     #[inline(always)]
     pub fn volume(self) -> S {
         self.radius * self.radius * self.radius * S::lit(4.0 / 3.0 * std::f64::consts::PI)
     }
-    /// The area of the surface.
+    /// Returns the area of the surface.
     #[must_use]
     #[inline(always)]
     pub fn surface(self) -> S {
         self.radius * self.radius * S::lit(4.0 * std::f64::consts::PI)
     }
-    /// `true` where the point is in the ball; the surface belongs to it.
+    /// Returns `true` where the point is in the ball; the surface belongs to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         let [center, at] = [self.center, point].each_as(twofold::deep);
         within::in_ball(center, at, self.radius.primal())
     }
-    /// The smallest axis-aligned box around it.
+    /// Returns the smallest axis-aligned box around it.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb3<S> {
@@ -63,7 +63,7 @@ impl<S: Scalar> Sphere<S> {
 
 impl<S: Scalar> Mul<Sphere<S>> for Pose3<S> {
     type Output = Sphere<S>;
-    /// The sphere carried along.
+    /// Returns the sphere carried along.
     #[inline(always)]
     fn mul(self, shape: Sphere<S>) -> Sphere<S> {
         Sphere::new(self * shape.center, shape.radius)

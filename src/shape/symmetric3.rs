@@ -50,13 +50,13 @@ impl<S> Symmetric3<S> {
 }
 
 impl<S: Scalar> Symmetric3<S> {
-    /// The same number along the whole diagonal.
+    /// Returns the same number along the whole diagonal.
     #[must_use]
     #[inline(always)]
     pub fn isotropic(x: S) -> Self {
         Symmetric3::new(x, x, x, S::zero(), S::zero(), S::zero())
     }
-    /// The outer product of a vector with itself.
+    /// Returns the outer product of a vector with itself.
     #[must_use]
     #[inline(always)]
     pub fn square_of(v: Vec3<S>) -> Self {
@@ -69,13 +69,13 @@ impl<S: Scalar> Symmetric3<S> {
             v.y * v.z,
         )
     }
-    /// The sum of the diagonal.
+    /// Returns the sum of the diagonal.
     #[must_use]
     #[inline(always)]
     pub fn trace(self) -> S {
         self.xx + self.yy + self.zz
     }
-    /// The determinant.
+    /// Returns the determinant.
     #[must_use]
     #[inline]
     pub fn determinant(self) -> S {
@@ -92,7 +92,7 @@ impl<S: Scalar> Symmetric3<S> {
             Vec3::new(self.xz, self.yz, self.zz),
         ]
     }
-    /// The matrix of the turned thing: `R M Rᵀ`.
+    /// Returns the matrix of the turned thing: `R M Rᵀ`.
     ///
     /// ```
     /// use geograd::{Rotation3, Symmetric3};
@@ -119,7 +119,7 @@ impl<S: Scalar> Symmetric3<S> {
             part(|p| p.y, |p| p.z),
         )
     }
-    /// Every number with +0 for −0.
+    /// Returns every number with +0 for −0.
     #[must_use]
     #[inline(always)]
     pub fn canonical(self) -> Self {

@@ -37,13 +37,13 @@ impl<S> Tetrahedron<S> {
 }
 
 impl<S: Scalar> Tetrahedron<S> {
-    /// The corners.
+    /// Returns the corners.
     #[must_use]
     #[inline(always)]
     pub fn corners(self) -> [Vec3<S>; 4] {
         [self.a, self.b, self.c, self.d]
     }
-    /// The faces, each opposite to one corner. Their normals point outwards where the
+    /// Returns the faces, each opposite to one corner. Their normals point outwards where the
     /// [signed volume](Self::signed_volume) is positive, inwards where it is negative.
     #[must_use]
     #[inline(always)]
@@ -56,42 +56,42 @@ impl<S: Scalar> Tetrahedron<S> {
             Triangle3::new(a, c, b),
         ]
     }
-    /// The volume: positive where the corners b, c and d are counter-clockwise seen from the side away from a. Smooth
-    /// everywhere.
+    /// Returns the volume: positive where the corners b, c and d are counter-clockwise seen from the side away from a.
+    /// Smooth everywhere.
     #[must_use]
     #[inline(always)]
     pub fn signed_volume(self) -> S {
         let [b, c, d] = [self.b - self.a, self.c - self.a, self.d - self.a];
         (b.cross(c).dot(d) * S::lit(1.0 / 6.0)).canonical()
     }
-    /// The volume, not negative. Kink: volume zero, with derivative zero.
+    /// Returns the volume, not negative. Kink: volume zero, with derivative zero.
     #[must_use]
     #[inline(always)]
     pub fn volume(self) -> S {
         self.signed_volume().magnitude()
     }
-    /// The area of all four faces.
+    /// Returns the area of all four faces.
     #[must_use]
     #[inline]
     pub fn surface(self) -> S {
         let [a, b, c, d] = self.faces().each_as(Triangle3::area);
         (a + b) + (c + d)
     }
-    /// The centre of its volume: the mean of the corners.
+    /// Returns the centre of its volume: the mean of the corners.
     #[must_use]
     #[inline(always)]
     pub fn center(self) -> Vec3<S> {
         let arms = (self.b - self.a) + (self.c - self.a) + (self.d - self.a);
         (self.a + arms * S::lit(0.25)).canonical()
     }
-    /// The smallest axis-aligned box around it; corners that share a bound share its derivative equally.
+    /// Returns the smallest axis-aligned box around it; corners that share a bound share its derivative equally.
     #[must_use]
     #[inline]
     pub fn bounding(self) -> Aabb3<S> {
         Aabb3::of(self.corners())
     }
-    /// `true` where the point is in the tetrahedron, which may be flat; the surface belongs to it. Decided in numbers
-    /// of twice the digits.
+    /// Returns `true` where the point is in the tetrahedron, which may be flat; the surface belongs to it. Decided in
+    /// numbers of twice the digits.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
@@ -101,7 +101,7 @@ impl<S: Scalar> Tetrahedron<S> {
 
 impl<S: Scalar> Mul<Tetrahedron<S>> for Pose3<S> {
     type Output = Tetrahedron<S>;
-    /// The tetrahedron carried along.
+    /// Returns the tetrahedron carried along.
     #[inline]
     fn mul(self, shape: Tetrahedron<S>) -> Tetrahedron<S> {
         let [a, b, c, d] = shape.corners().each_as(|corner| self * corner);

@@ -50,13 +50,13 @@ impl<S: Scalar> Triangle2<S> {
         let made = Triangle2 { a, b, c };
         made.validate().map(|()| made)
     }
-    /// The corners in order.
+    /// Returns the corners in order.
     #[must_use]
     #[inline(always)]
     pub fn corners(self) -> [Vec2<S>; 3] {
         [self.a, self.b, self.c]
     }
-    /// The corners in counter-clockwise order, from the first one.
+    /// Returns the corners in counter-clockwise order, from the first one.
     #[must_use]
     #[inline(always)]
     pub fn counter_clockwise(self) -> [Vec2<S>; 3] {
@@ -72,7 +72,7 @@ impl<S: Scalar> Triangle2<S> {
         };
         [self.a, pick(self.c, self.b), pick(self.b, self.c)]
     }
-    /// The area: positive for corners in counter-clockwise order, negative for clockwise ones.
+    /// Returns the area: positive for corners in counter-clockwise order, negative for clockwise ones.
     /// Smooth everywhere.
     #[must_use]
     #[inline(always)]
@@ -80,26 +80,26 @@ impl<S: Scalar> Triangle2<S> {
         let (b, c) = (self.b - self.a, self.c - self.a);
         b.perp_dot(c * S::lit(0.5)).canonical()
     }
-    /// The area, not negative. Kink: zero area, with derivative zero.
+    /// Returns the area, not negative. Kink: zero area, with derivative zero.
     #[must_use]
     #[inline(always)]
     pub fn area(self) -> S {
         self.signed_area().magnitude()
     }
-    /// The sum of the lengths of its sides.
+    /// Returns the sum of the lengths of its sides.
     #[must_use]
     #[inline(always)]
     pub fn perimeter(self) -> S {
         (self.a.distance(self.b) + self.b.distance(self.c) + self.c.distance(self.a)).canonical()
     }
-    /// The centre of its area: the mean of the corners.
+    /// Returns the centre of its area: the mean of the corners.
     #[must_use]
     #[inline(always)]
     pub fn centroid(self) -> Vec2<S> {
         let arms = (self.b - self.a) + (self.c - self.a);
         (self.a + arms * S::lit(1.0 / 3.0)).canonical()
     }
-    /// The smallest axis-aligned box around it; corners that share a bound share its derivative equally.
+    /// Returns the smallest axis-aligned box around it; corners that share a bound share its derivative equally.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb2<S> {
@@ -112,13 +112,13 @@ impl<S: Scalar> Triangle2<S> {
             max: Vec2::new(most_of(x), most_of(y)).canonical(),
         }
     }
-    /// The circle through its corners. For corners on one line see [`circumcircle`].
+    /// Returns the circle through its corners. For corners on one line see [`circumcircle`].
     #[must_use]
     #[inline(always)]
     pub fn circumcircle(self) -> Circle<S> {
         circumcircle(self.a, self.b, self.c)
     }
-    /// The largest circle inside: it touches all three sides. Center and radius are in units of length.
+    /// Returns the largest circle inside: it touches all three sides. Center and radius are in units of length.
     ///
     /// The center is the mean of the corners, each weighted by the length of the side opposite; the
     /// radius is twice the area over the perimeter, for either orientation. Corners on one line give
@@ -153,8 +153,8 @@ impl<S: Scalar> Triangle2<S> {
             radius: b.perp_dot(short).magnitude().canonical(),
         }
     }
-    /// `true` where the point is in the triangle, which may be flat; the border belongs to it. Decided in numbers of
-    /// twice the digits.
+    /// Returns `true` where the point is in the triangle, which may be flat; the border belongs to it. Decided in
+    /// numbers of twice the digits.
     #[must_use]
     #[inline]
     pub fn contains(self, point: Vec2<S>) -> S::Mask {
@@ -165,7 +165,7 @@ impl<S: Scalar> Triangle2<S> {
 
 impl<S: Scalar> Mul<Triangle2<S>> for Pose2<S> {
     type Output = Triangle2<S>;
-    /// The triangle carried along.
+    /// Returns the triangle carried along.
     #[inline(always)]
     fn mul(self, shape: Triangle2<S>) -> Triangle2<S> {
         Triangle2::new(self * shape.a, self * shape.b, self * shape.c)

@@ -36,43 +36,43 @@ impl<S> Triangle3<S> {
 }
 
 impl<S: Scalar> Triangle3<S> {
-    /// The normal whose length is twice the area: smooth everywhere.
+    /// Returns the normal whose length is twice the area: smooth everywhere.
     #[must_use]
     #[inline(always)]
     pub fn twice_area_normal(self) -> Vec3<S> {
         (self.b - self.a).cross(self.c - self.a)
     }
-    /// The area; derivative zero at area zero.
+    /// Returns the area; derivative zero at area zero.
     #[must_use]
     #[inline(always)]
     pub fn area(self) -> S {
         self.twice_area_normal().length().halved()
     }
-    /// The normal of length one, or the zero vector (with derivative zero) for area zero.
+    /// Returns the normal of length one, or the zero vector (with derivative zero) for area zero.
     #[must_use]
     #[inline(always)]
     pub fn normal(self) -> Vec3<S> {
         self.twice_area_normal().normalize_or_zero()
     }
-    /// The mean of the corners.
+    /// Returns the mean of the corners.
     #[must_use]
     #[inline(always)]
     pub fn center(self) -> Vec3<S> {
         self.a + ((self.b - self.a) + (self.c - self.a)) * S::lit(1.0 / 3.0)
     }
-    /// The corners.
+    /// Returns the corners.
     #[must_use]
     #[inline(always)]
     pub fn corners(self) -> [Vec3<S>; 3] {
         [self.a, self.b, self.c]
     }
-    /// The smallest axis-aligned box around it; corners that share a bound share its derivative equally.
+    /// Returns the smallest axis-aligned box around it; corners that share a bound share its derivative equally.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb3<S> {
         Aabb3::of(self.corners())
     }
-    /// The plane it lies in; not valid for area zero.
+    /// Returns the plane it lies in; not valid for area zero.
     #[must_use]
     #[inline(always)]
     pub fn plane(self) -> Plane3<S> {
@@ -89,7 +89,7 @@ impl<S: Scalar> Triangle3<S> {
 
 impl<S: Scalar> Mul<Triangle3<S>> for Pose3<S> {
     type Output = Triangle3<S>;
-    /// The triangle carried along.
+    /// Returns the triangle carried along.
     #[inline(always)]
     fn mul(self, shape: Triangle3<S>) -> Triangle3<S> {
         Triangle3::new(self * shape.a, self * shape.b, self * shape.c)

@@ -26,12 +26,12 @@ macro_rules! vector {
         }
 
         impl<S: Scalar> $name<S> {
-            /// The zero vector.
+            /// Returns the zero vector.
             #[inline(always)]
             pub fn zero() -> Self {
                 Self { $($field: S::zero()),* }
             }
-            /// The inner product.
+            /// Returns the inner product.
             #[must_use]
             #[inline(always)]
             pub fn dot(self, other: Self) -> S {
@@ -39,13 +39,13 @@ macro_rules! vector {
                 $(sum += self.$field * other.$field;)*
                 sum
             }
-            /// The squared length; smooth everywhere.
+            /// Returns the squared length; smooth everywhere.
             #[must_use]
             #[inline(always)]
             pub fn length_squared(self) -> S {
                 self.dot(self)
             }
-            /// The vector of length one in the same direction, or the zero vector (with derivative
+            /// Returns the vector of length one in the same direction, or the zero vector (with derivative
             /// zero) for the zero vector.
             #[must_use]
             #[inline(always)]
@@ -55,7 +55,7 @@ macro_rules! vector {
                 let length = S::select(zero, S::one(), length);
                 Self { $($field: S::select(zero, S::zero(), self.$field.over(length))),* }
             }
-            /// The vector of length one in the same direction; `None` for the zero vector.
+            /// Returns the vector of length one in the same direction; `None` for the zero vector.
             #[must_use]
             #[inline]
             pub fn try_normalize(self) -> Option<Self>
@@ -64,7 +64,7 @@ macro_rules! vector {
             {
                 self.length().above(S::zero()).then(|| self.normalize_or_zero())
             }
-            /// The point a fraction `t` of the way to another one.
+            /// Returns the point a fraction `t` of the way to another one.
             #[must_use]
             #[inline(always)]
             pub fn lerp(self, other: Self, t: S) -> Self {
@@ -82,18 +82,18 @@ macro_rules! vector {
             pub fn most(self, other: Self) -> Self {
                 Self { $($field: self.$field.most(other.$field)),* }
             }
-            /// The same vector; zeros lose their sign.
+            /// Returns the same vector; zeros lose their sign.
             #[must_use]
             #[inline(always)]
             pub fn canonical(self) -> Self {
                 Self { $($field: self.$field.canonical()),* }
             }
-            /// The same vector with coordinates beyond the largest number at that.
+            /// Returns the same vector with coordinates beyond the largest number at that.
             #[inline(always)]
             pub(crate) fn saturated(self) -> Self {
                 Self { $($field: self.$field.saturated()),* }
             }
-            /// `true` if every coordinate is a finite number.
+            /// Returns `true` if every coordinate is a finite number.
             #[must_use]
             #[inline]
             pub fn is_finite(self) -> bool {
@@ -179,38 +179,38 @@ impl<S: Scalar> Vec2<S> {
     pub(crate) fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
         Vec2::new(S::select(mask, yes.x, no.x), S::select(mask, yes.y, no.y))
     }
-    /// The vector without derivatives.
+    /// Returns the vector without derivatives.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn constant(self) -> Self {
         let part = |x: S| S::from_primal(x.primal());
         Vec2::new(part(self.x), part(self.y))
     }
-    /// The length; derivative zero at the zero vector.
+    /// Returns the length; derivative zero at the zero vector.
     #[must_use]
     #[inline(always)]
     pub fn length(self) -> S {
         self.x.hypot(self.y)
     }
-    /// The cross product's third coordinate: positive when `other` is counter-clockwise of `self`.
+    /// Returns the cross product's third coordinate: positive when `other` is counter-clockwise of `self`.
     #[must_use]
     #[inline(always)]
     pub fn perp_dot(self, other: Self) -> S {
         self.x * other.y - self.y * other.x
     }
-    /// A quarter turn counter-clockwise.
+    /// Returns a quarter turn counter-clockwise.
     #[must_use]
     #[inline(always)]
     pub fn perp(self) -> Self {
         Vec2::new(-self.y, self.x)
     }
-    /// The direction's angle in radians, counter-clockwise from x, in `[−π, π]`; zero with derivative
+    /// Returns the direction's angle in radians, counter-clockwise from x, in `[−π, π]`; zero with derivative
     /// zero for the zero vector.
     #[must_use]
     #[inline(always)]
     pub fn angle(self) -> S {
         self.y.atan2(self.x)
     }
-    /// The angle in radians that turns `self` into the direction of `other`, in `[−π, π]`.
+    /// Returns the angle in radians that turns `self` into the direction of `other`, in `[−π, π]`.
     #[must_use]
     #[inline(always)]
     pub fn angle_to(self, other: Self) -> S {
@@ -225,19 +225,20 @@ impl<S: Scalar> Vec3<S> {
         let pick = |yes: S, no: S| S::select(mask, yes, no);
         Vec3::new(pick(yes.x, no.x), pick(yes.y, no.y), pick(yes.z, no.z))
     }
-    /// The vector without derivatives.
+    /// Returns the vector without derivatives.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn constant(self) -> Self {
         let part = |x: S| S::from_primal(x.primal());
         Vec3::new(part(self.x), part(self.y), part(self.z))
     }
-    /// The length; derivative zero at the zero vector.
+    /// Returns the length; derivative zero at the zero vector.
     #[must_use]
     #[inline(always)]
     pub fn length(self) -> S {
         norm(self.x, self.y, self.z)
     }
-    /// The angle in radians between two vectors, in `[0, π]`; zero with derivative zero where one of them is zero.
+    /// Returns the angle in radians between two vectors, in `[0, π]`; zero with derivative zero where one of them is
+    /// zero.
     ///
     /// Kinks: parallel vectors, with derivative 0.
     ///
@@ -253,7 +254,7 @@ impl<S: Scalar> Vec3<S> {
         let (a, b) = (self.normalize_or_zero(), other.normalize_or_zero());
         a.cross(b).length().atan2(a.dot(b))
     }
-    /// The cross product.
+    /// Returns the cross product.
     #[must_use]
     #[inline(always)]
     pub fn cross(self, other: Self) -> Self {

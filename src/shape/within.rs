@@ -4,13 +4,13 @@ use crate::scalar::largest;
 use crate::twofold::{Twofold, Way, cross, dot, rounded, turn, volume, way};
 use crate::{Mask, Scalar};
 
-/// The power of two that brings the largest of some sizes to about one; one for zeros.
+/// Returns the power of two that brings the largest of some sizes to about one; one for zeros.
 #[inline(always)]
 pub(super) fn unit<P: Scalar<Primal = P>, const N: usize>(sizes: [P; N]) -> P {
     crate::distance::edge::scale_of::<P>(largest(sizes))
 }
 
-/// The size of the way between two points: its largest coordinate, rounded.
+/// Returns the size of the way between two points: its largest coordinate, rounded.
 #[inline(always)]
 pub(super) fn size<P: Scalar<Primal = P>, const N: usize>(from: [P; N], to: [P; N]) -> P {
     let mut ways = [P::zero(); N];
@@ -20,7 +20,7 @@ pub(super) fn size<P: Scalar<Primal = P>, const N: usize>(from: [P; N], to: [P; 
     largest(ways)
 }
 
-/// `true` where a comparison with zero holds for all numbers.
+/// Returns `true` where a comparison with zero holds for all numbers.
 #[inline(always)]
 fn all<P: Scalar, const N: usize>(numbers: [P; N], holds: fn(P, P) -> P::Mask) -> P::Mask {
     let mut all = holds(numbers[0], P::zero());
@@ -30,13 +30,13 @@ fn all<P: Scalar, const N: usize>(numbers: [P; N], holds: fn(P, P) -> P::Mask) -
     all
 }
 
-/// `true` where no number is negative, or none is positive.
+/// Returns `true` where no number is negative, or none is positive.
 #[inline(always)]
 pub(super) fn one_sided<P: Scalar, const N: usize>(numbers: [P; N]) -> P::Mask {
     all(numbers, P::at_least) | all(numbers, P::at_most)
 }
 
-/// `true` where a point is in the tetrahedron of four corners, which may be flat.
+/// Returns `true` where a point is in the tetrahedron of four corners, which may be flat.
 #[inline]
 pub(super) fn in_tetrahedron<P: Scalar<Primal = P>>(
     corners: [[P; 3]; 4],
@@ -67,7 +67,7 @@ pub(super) fn in_tetrahedron<P: Scalar<Primal = P>>(
     inside | is_flat & in_faces
 }
 
-/// `true` where the origin, known to be in the plane of three points, is in their triangle, which may be flat.
+/// Returns `true` where the origin, known to be in the plane of three points, is in their triangle, which may be flat.
 #[inline(always)]
 fn in_face<P: Scalar>(arms: [Way<P, 3>; 3]) -> P::Mask {
     let turns = [(0, 1), (1, 2), (2, 0)].each_as(|(i, j)| cross(arms[i], arms[j]));
@@ -78,13 +78,13 @@ fn in_face<P: Scalar>(arms: [Way<P, 3>; 3]) -> P::Mask {
     in_sight(0) & in_sight(1) & in_sight(2)
 }
 
-/// `true` where all numbers are positive, or all are negative.
+/// Returns `true` where all numbers are positive, or all are negative.
 #[inline(always)]
 fn one_sign<P: Scalar, const N: usize>(numbers: [P; N]) -> P::Mask {
     all(numbers, P::above) | all(numbers, P::below)
 }
 
-/// `true` where a point of the plane is in the triangle of three corners, which may be flat.
+/// Returns `true` where a point of the plane is in the triangle of three corners, which may be flat.
 #[inline]
 pub(super) fn in_triangle<P: Scalar<Primal = P>>(corners: [[P; 2]; 3], point: [P; 2]) -> P::Mask {
     let [a, b, c] = corners;
@@ -110,7 +110,7 @@ pub(super) struct Along<P, const N: usize> {
 }
 
 impl<P: Scalar<Primal = P>, const N: usize> Along<P, N> {
-    /// A point as seen from an axis of a solid with a radius.
+    /// Returns a point as seen from an axis of a solid with a radius.
     #[inline(always)]
     pub fn new(start: [P; N], end: [P; N], point: [P; N], radius: P) -> Self {
         let unit = unit([size(start, end), size(start, point), radius]);
@@ -124,7 +124,7 @@ impl<P: Scalar<Primal = P>, const N: usize> Along<P, N> {
             unit,
         }
     }
-    /// `true` where the point is neither before the start nor beyond the end, and the axis has a length.
+    /// Returns `true` where the point is neither before the start nor beyond the end, and the axis has a length.
     #[inline(always)]
     pub fn is_between(&self) -> P::Mask {
         let zero = P::zero();
@@ -134,7 +134,7 @@ impl<P: Scalar<Primal = P>, const N: usize> Along<P, N> {
     }
 }
 
-/// The sum of the squares.
+/// Returns the sum of the squares.
 #[inline(always)]
 pub(super) fn square<P: Scalar, const N: usize>(x: [P; N]) -> P {
     let mut sum = x[0] * x[0];
@@ -144,7 +144,7 @@ pub(super) fn square<P: Scalar, const N: usize>(x: [P; N]) -> P {
     sum
 }
 
-/// `true` where a point is at most a radius from another.
+/// Returns `true` where a point is at most a radius from another.
 #[inline]
 pub(super) fn in_ball<P: Scalar<Primal = P>, const N: usize>(
     center: [P; N],
@@ -163,7 +163,7 @@ pub(super) fn in_ball<P: Scalar<Primal = P>, const N: usize>(
     sum.settled(terms).at_most(P::zero())
 }
 
-/// `true` where `normal · point ≤ offset`.
+/// Returns `true` where `normal · point ≤ offset`.
 #[inline]
 pub(super) fn is_behind<P: Scalar<Primal = P>>(
     normal: [P; 3],

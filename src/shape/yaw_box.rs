@@ -41,13 +41,13 @@ impl<S> YawBox3<S> {
 }
 
 impl<S: Scalar> YawBox3<S> {
-    /// The volume.
+    /// Returns the volume.
     #[must_use]
     #[inline(always)]
     pub fn volume(self) -> S {
         self.size.x * self.size.y * self.size.z
     }
-    /// The area of all six faces.
+    /// Returns the area of all six faces.
     #[must_use]
     #[inline(always)]
     pub fn surface(self) -> S {
@@ -55,7 +55,7 @@ impl<S: Scalar> YawBox3<S> {
         let half = size.x * size.y + size.y * size.z + size.z * size.x;
         half + half
     }
-    /// The box seen from above, without its height.
+    /// Returns the box seen from above, without its height.
     #[must_use]
     #[inline(always)]
     pub fn birds_eye(self) -> Obb2<S> {
@@ -65,7 +65,7 @@ impl<S: Scalar> YawBox3<S> {
             heading: self.heading,
         }
     }
-    /// The corners, in the order of [`FACES`](crate::shape::FACES).
+    /// Returns the corners, in the order of [`FACES`](crate::shape::FACES).
     #[must_use]
     #[inline(always)]
     pub fn corners(self) -> [Vec3<S>; 8] {
@@ -84,14 +84,14 @@ impl<S: Scalar> YawBox3<S> {
             at(c, high),
         ]
     }
-    /// `true` where the point is in the box; the border belongs to it.
+    /// Returns `true` where the point is in the box; the border belongs to it.
     #[must_use]
     #[inline(always)]
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         let up = (point.z - self.center.z).magnitude();
         self.birds_eye().contains(Vec2::new(point.x, point.y)) & up.at_most(self.size.z.halved())
     }
-    /// The smallest axis-aligned box around it. Kinks at multiples of a quarter turn.
+    /// Returns the smallest axis-aligned box around it. Kinks at multiples of a quarter turn.
     #[must_use]
     #[inline(always)]
     pub fn bounding(self) -> Aabb3<S> {
@@ -102,7 +102,7 @@ impl<S: Scalar> YawBox3<S> {
             Vec3::new(flat.max.x, flat.max.y, self.center.z + half),
         )
     }
-    /// The rotation of its own axes.
+    /// Returns the rotation of its own axes.
     #[must_use]
     #[inline(always)]
     pub fn rotation(self) -> Rotation3<S> {
@@ -111,7 +111,7 @@ impl<S: Scalar> YawBox3<S> {
 }
 
 impl<S: Scalar> From<Aabb3<S>> for YawBox3<S> {
-    /// The same box with heading zero; a side longer than the largest number is that.
+    /// Returns the same box with heading zero; a side longer than the largest number is that.
     #[inline(always)]
     fn from(bounds: Aabb3<S>) -> Self {
         YawBox3::new(bounds.center(), bounds.size().saturated(), S::zero())

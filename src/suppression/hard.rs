@@ -3,7 +3,7 @@ use super::{Pair, Rules, neighbours, order};
 use crate::Scalar;
 use crate::error::Error;
 
-/// The detections that no better one, kept itself, overlaps by more than the threshold: their places, the
+/// Returns the detections that no better one, kept itself, overlaps by more than the threshold: their places, the
 /// best first.
 ///
 /// # Errors
@@ -45,7 +45,7 @@ pub fn hard<S: Scalar<Mask = bool>>(
     Ok(kept)
 }
 
-/// The same as [`hard`], round by round: in every round a detection stays if no better one that stayed in
+/// Returns the same as [`hard`], round by round: in every round a detection stays if no better one that stayed in
 /// the round before overlaps it, until nothing changes. Gives the kept ones, the best first, and the number
 /// of rounds, which is at most the length of the longest chain of overlaps.
 ///

@@ -78,7 +78,7 @@ pub enum Decay<S> {
 }
 
 impl<S: Scalar<Mask = bool>> Decay<S> {
-    /// The factor of an overlap, and its derivative by the overlap.
+    /// Returns the factor of an overlap, and its derivative by the overlap.
     fn factor(self, overlap: S, threshold: S) -> (S, S) {
         match self {
             Decay::Linear if overlap.above(S::one()) => (S::zero(), S::zero()),
@@ -122,7 +122,7 @@ pub(crate) fn invalid(name: &'static str, row: usize, flaw: Flaw) -> Error {
     }
 }
 
-/// `Ok` when all scores are finite.
+/// Returns `Ok` when all scores are finite.
 pub(crate) fn check_scores<S: Scalar<Mask = bool>>(scores: &[S]) -> Result<(), Error> {
     match scores.iter().position(|&x| !is_finite(x)) {
         Some(row) => Err(invalid("scores", row, Flaw::NotFinite(Field::VALUE))),
@@ -152,7 +152,7 @@ pub(crate) fn check_groups(
     }
 }
 
-/// The higher score first, of equal ones the smaller index.
+/// Returns the higher score first, of equal ones the smaller index.
 pub(crate) fn better<S: Scalar<Mask = bool>>(scores: &[S], i: usize, j: usize) -> Ordering {
     if scores[i].above(scores[j]) {
         Ordering::Less
@@ -163,7 +163,7 @@ pub(crate) fn better<S: Scalar<Mask = bool>>(scores: &[S], i: usize, j: usize) -
     }
 }
 
-/// The places of all scores that are at least so large, the best first; of equal ones the one that comes
+/// Returns the places of all scores that are at least so large, the best first; of equal ones the one that comes
 /// first.
 ///
 /// # Errors

@@ -123,7 +123,7 @@ impl<S: Scalar<Mask = bool>> PartialEq for Entry<S> {
 }
 impl<S: Scalar<Mask = bool>> Eq for Entry<S> {}
 
-/// The scores of the kept detections, by a record: straight line.
+/// Returns the scores of the kept detections, by a record: straight line.
 #[must_use]
 pub fn soft_replay<S: Scalar<Mask = bool>>(
     scores: &[S],

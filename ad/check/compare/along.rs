@@ -56,7 +56,7 @@ impl Derivatives {
             ..ByWitness::default()
         }
     }
-    /// The derivative by the other of the two exact witnesses.
+    /// Returns the derivative by the other of the two exact witnesses.
     fn other(&self, witness: Witness) -> Option<f64> {
         match witness {
             Witness::Adjoint => self.by_duals,
@@ -66,16 +66,16 @@ impl Derivatives {
 }
 
 impl Along<'_> {
-    /// `true` if no source is known and the convention [`flat`](Conventions::flat) holds, as for shapes.
+    /// Returns `true` if no source is known and the convention [`flat`](Conventions::flat) holds, as for shapes.
     fn is_of_shapes(&self) -> bool {
         !self.here.traced && self.e.subject.conventions().flat
     }
 
-    /// `true` if the direction is that of one number.
+    /// Returns `true` if the direction is that of one number.
     fn is_axis(&self) -> bool {
         self.e.x.len() <= FEW_INPUTS && self.k < self.e.x.len()
     }
-    /// The input that a complaint names: the axis, or 0 along another direction.
+    /// Returns the input that a complaint names: the axis, or 0 along another direction.
     fn input(&self) -> usize {
         if self.is_axis() { self.k } else { 0 }
     }
@@ -313,7 +313,7 @@ impl Along<'_> {
         (place, opinion)
     }
 
-    /// The kind of place, and whether branches switch, where steps give another derivative.
+    /// Returns the kind of place, and whether branches switch, where steps give another derivative.
     fn other(
         &self,
         row: &Combination,
@@ -379,7 +379,7 @@ impl Along<'_> {
         (Smoothness::Smooth, false)
     }
 
-    /// The kind of place, and whether branches switch, where the derivative is not between those of both sides.
+    /// Returns the kind of place, and whether branches switch, where the derivative is not between those of both sides.
     fn outside(
         &self,
         row: &Combination,
@@ -419,8 +419,8 @@ impl Along<'_> {
         (place, true)
     }
 
-    /// `true` if a declared convention allows the derivative. Where the value is zero, it may be zero. At the border of
-    /// the domain it may lie between zero and that of the only side.
+    /// Returns `true` if a declared convention allows the derivative. Where the value is zero, it may be zero. At the
+    /// border of the domain it may lie between zero and that of the only side.
     fn flat(
         &self,
         row: &Combination,
@@ -437,14 +437,14 @@ impl Along<'_> {
             }
     }
 
-    /// `true` for a function of unknown source that may jump anywhere and whose derivatives are right beside the input. At
-    /// the input it then chooses among several results.
+    /// Returns `true` for a function of unknown source that may jump anywhere and whose derivatives are right beside
+    /// the input. At the input it then chooses among several results.
     fn chosen_here(&self, row: &Combination) -> bool {
         self.e.subject.conventions().jumps == Jumps::Anywhere
             && self.e.is_right_beside(row, self.direction)
     }
 
-    /// `true` if a kink exactly on the border of the domain has its other side beyond, and the derivative is
+    /// Returns `true` if a kink exactly on the border of the domain has its other side beyond, and the derivative is
     /// between both.
     fn beyond(&self, test: &DerivativeTest<'_>) -> bool {
         let border = self.here.is_at_border();
@@ -462,20 +462,20 @@ impl Along<'_> {
         !said.undefined() && !said.complains()
     }
 
-    /// `true` if steps cannot decide although both witnesses agree. Either cancellation leaves no digits, or the feature
-    /// is smaller than the smallest step: lines parallel but for 1e-11, a ball of 1e-13.
+    /// Returns `true` if steps cannot decide although both witnesses agree. Either cancellation leaves no digits, or
+    /// the feature is smaller than the smallest step: lines parallel but for 1e-11, a ball of 1e-13.
     fn tell_nothing(&self, test: &DerivativeTest<'_>) -> bool {
         self.here.still() || self.seen_nearer(test) || self.left_at_once()
     }
 
-    /// `true` if the function may jump anywhere, and no step takes the branches of the input.
+    /// Returns `true` if the function may jump anywhere, and no step takes the branches of the input.
     fn left_at_once(&self) -> bool {
         let mut rungs = self.here.ahead.iter().chain(&self.here.behind);
         let jumps = self.e.subject.conventions().jumps == Jumps::Anywhere;
         jumps && self.here.traced && rungs.all(|rung| !rung.same)
     }
 
-    /// `true` if far smaller steps confirm the derivative.
+    /// Returns `true` if far smaller steps confirm the derivative.
     fn seen_nearer(&self, test: &DerivativeTest<'_>) -> bool {
         let here = (self.climb)(self.direction, NEAR_JUMP);
         let said = DerivativeTest {
@@ -486,9 +486,9 @@ impl Along<'_> {
         matches!(said, Opinion::Fine { .. }) && !said.undefined()
     }
 
-    /// `true` if there is no gradient at the input. Derivatives exist along two directions, from both sides or one, but
-    /// that along their sum is another number. This is so where a function of degree one that is not linear begins: the
-    /// circle through three points where these coincide.
+    /// Returns `true` if there is no gradient at the input. Derivatives exist along two directions, from both sides or
+    /// one, but that along their sum is another number. This is so where a function of degree one that is not linear
+    /// begins: the circle through three points where these coincide.
     fn bent(&self, row: &Combination) -> bool {
         let (e, weights, noise) = (self.e, &row.weights, row.noise);
         let derivatives = |direction: &[f64]| {
@@ -518,7 +518,8 @@ impl Along<'_> {
         })
     }
 
-    /// `true` if a difference is precise enough for the usual size of the derivative, though not for the largest.
+    /// Returns `true` if a difference is precise enough for the usual size of the derivative, though not for the
+    /// largest.
     fn coarsely_covered(&self, row: &Combination, said: Opinion, exact: f64) -> bool {
         let Opinion::Fine {
             estimate: Some(found),
@@ -537,7 +538,8 @@ impl Along<'_> {
     }
 }
 
-/// `true` if the result is chosen from several, not a least or greatest number: by a search, or as points that may jump.
+/// Returns `true` if the result is chosen from several, not a least or greatest number: by a search, or as points that
+/// may jump.
 ///
 /// If several choices are as good to the bit, derivatives are those of one of them, or their mean. They need not be
 /// between the derivatives of the two choices on either side. Numbers that are no points do not count: scores and areas

@@ -9,7 +9,7 @@ use crate::ad::check::witness::{Estimate, Ladder, Probe, Probed, axis, dot};
 use crate::ad::sample::Draw;
 use std::cell::OnceCell;
 
-/// `true` if a complaint stands: some other ladder repeats it, and none contradicts.
+/// Returns `true` if a complaint stands: some other ladder repeats it, and none contradicts.
 fn confirmed(again: impl Iterator<Item = Option<bool>>) -> bool {
     let mut repeated = false;
     for said in again.flatten() {
@@ -98,8 +98,8 @@ impl<'e> Bend<'e> {
         short.then(nested).flatten()
     }
 
-    /// The error that roundings alone explain: a share of the largest second derivative in the same unit where such
-    /// are summed, otherwise of its own size.
+    /// Returns the error that roundings alone explain: a share of the largest second derivative in the same unit where
+    /// such are summed, otherwise of its own size.
     fn exact(&self, i: usize) -> f64 {
         let size = if self.e.subject.comparable() {
             self.sizes[i]
@@ -310,7 +310,7 @@ impl BendTest<'_> {
         SAFETY * e.error <= INFORMATIVE * self.size.max(e.value.abs())
     }
 
-    /// The estimate of a ladder that contradicts the second derivative, and how much they may differ.
+    /// Returns the estimate of a ladder that contradicts the second derivative, and how much they may differ.
     fn wrong(&self, ladder: &Ladder) -> Option<(Estimate, f64)> {
         let e = ladder.central(self.weights, self.noise, true)?;
         let tolerance = SAFETY * e.error + self.exact;
@@ -326,7 +326,7 @@ impl BendTest<'_> {
         (wrong && !between).then_some((e, tolerance))
     }
 
-    /// `true` if another ladder says the same; nothing when it is too coarse to tell.
+    /// Returns `true` if another ladder says the same; nothing when it is too coarse to tell.
     fn repeats(&self, again: &Ladder, found: Estimate) -> Option<bool> {
         let covered = again.central(self.weights, self.noise, true)?;
         self.informative(&covered).then(|| {

@@ -29,12 +29,12 @@ pub(crate) struct DerivativeTest<'l> {
 }
 
 impl DerivativeTest<'_> {
-    /// The opinion of the first ladder.
+    /// Returns the opinion of the first ladder.
     pub(crate) fn first(&self) -> Opinion {
         self.compare(self.here)
     }
 
-    /// The opinion of a ladder with another first step.
+    /// Returns the opinion of a ladder with another first step.
     fn other(&self, first: f64) -> Opinion {
         let ladder = (self.climb)(first);
         if ladder.still() && !self.here.still() {
@@ -48,14 +48,14 @@ impl DerivativeTest<'_> {
         self.compare(&ladder)
     }
 
-    /// The opinions of ladders that begin at the number's own size, where that is far smaller than its scale.
+    /// Returns the opinions of ladders that begin at the number's own size, where that is far smaller than its scale.
     fn of_own_size(&self) -> Vec<Opinion> {
         let worth = self.guessed && self.own > 0.0 && self.own < OWN_SIZE;
         let firsts = OWN_FIRST.iter().filter(|_| worth);
         firsts.map(|first| self.other(first * self.own)).collect()
     }
 
-    /// The opinion of finer steps, where the first ones decide nothing.
+    /// Returns the opinion of finer steps, where the first ones decide nothing.
     pub(crate) fn finer(&self, said: Opinion) -> Opinion {
         if !said.undefined() || !self.guessed {
             return said;
@@ -67,7 +67,7 @@ impl DerivativeTest<'_> {
         own.chain(finer.filter(fine)).last().unwrap_or(said)
     }
 
-    /// The review of a complaint by all ladders. Against two witnesses that `agree` the finest steps must
+    /// Returns the review of a complaint by all ladders. Against two witnesses that `agree` the finest steps must
     /// decide: a trace has no comparison that shows a pole between two steps.
     pub(crate) fn again(&self, said: Opinion, agree: bool) -> Review {
         let mut all = vec![said];
@@ -81,7 +81,7 @@ impl DerivativeTest<'_> {
         covered
     }
 
-    /// The derivative against an estimate that is the same on both sides.
+    /// Returns the derivative against an estimate that is the same on both sides.
     fn smooth(&self, e: Estimate, informative: bool, switched: bool, rough: f64) -> Opinion {
         let tolerance = SAFETY * e.error + self.exact;
         let gap = (e.value - self.derivative).abs();
@@ -108,7 +108,7 @@ impl DerivativeTest<'_> {
         }
     }
 
-    /// The opinion of a ladder about the derivative.
+    /// Returns the opinion of a ladder about the derivative.
     fn compare(&self, ladder: &Ladder) -> Opinion {
         let (weights, derivative, exact) = (self.weights, self.derivative, self.exact);
         let noise = self.noise.max(ladder.noise(weights));

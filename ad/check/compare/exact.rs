@@ -6,7 +6,7 @@ use crate::ad::check::tolerances::{CONVENTION_BORDER, DECIDED, FEW_INPUTS, SAFET
 use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::dot;
 
-/// `true` if a convention may decide about this derivative: the value is zero and the input cannot be
+/// Returns `true` if a convention may decide about this derivative: the value is zero and the input cannot be
 /// moved both ways.
 pub(crate) fn conventional_border(e: &Evidence<'_>, row: &Combination, i: usize) -> bool {
     let stuck = |sign: f64| {
@@ -17,7 +17,7 @@ pub(crate) fn conventional_border(e: &Evidence<'_>, row: &Combination, i: usize)
     e.subject.conventions().flat && dot(&row.weights, &e.y) == 0.0 && (stuck(1.0) || stuck(-1.0))
 }
 
-/// All rows against all witnesses that take no steps.
+/// Returns all rows against all witnesses that take no steps.
 pub(crate) fn exact(e: &Evidence<'_>) -> Notes {
     let mut said = Notes::new(e.x.len());
     for row in &e.rows {
@@ -26,7 +26,7 @@ pub(crate) fn exact(e: &Evidence<'_>) -> Notes {
     said
 }
 
-/// The error that a witness other than the adjoint and the duals may have, per number. It is the change of its
+/// Returns the error that a witness other than the adjoint and the duals may have, per number. It is the change of its
 /// derivative when inputs move by their last digits, or when its own roundings fall differently. `form` is the
 /// number of the batch.
 fn rounding_of(

@@ -39,7 +39,7 @@ pub(crate) fn invariances(e: &Evidence<'_>) -> Notes {
     said
 }
 
-/// How far an input moves, by the scales of its numbers.
+/// Returns how far an input moves, by the scales of its numbers.
 fn amount_of(motion: Motion, scales: &[f64]) -> f64 {
     match motion {
         Motion::TranslationX | Motion::TranslationY | Motion::TranslationZ => {
@@ -51,7 +51,7 @@ fn amount_of(motion: Motion, scales: &[f64]) -> f64 {
     }
 }
 
-/// An input, moved as a whole by an amount.
+/// Returns an input, moved as a whole by an amount.
 fn there(
     subject: &dyn Subject,
     motion: Motion,
@@ -64,13 +64,13 @@ fn there(
     there.iter().map(|x| precision.round(*x)).collect()
 }
 
-/// The input whose value breaks an invariance, of one that is moved.
+/// Returns the input whose value breaks an invariance, of one that is moved.
 pub(crate) fn moved(subject: &dyn Subject, motion: Motion, x: &[f64]) -> Vec<f64> {
     let amount = amount_of(motion, &subject.scales(x));
     there(subject, motion, amount, &subject.kinds(), x)
 }
 
-/// The kind of each number of the result.
+/// Returns the kind of each number of the result.
 fn outputs(e: &Evidence<'_>) -> Vec<Kind> {
     let kinds = e.subject.output_kinds();
     if kinds.len() == e.y.len() {
@@ -80,7 +80,7 @@ fn outputs(e: &Evidence<'_>) -> Vec<Kind> {
     }
 }
 
-/// The value of the whole input, moved, against the moved value.
+/// Returns the value of the whole input, moved, against the moved value.
 fn value_moves(
     e: &Evidence<'_>,
     invariance: Invariance,
@@ -129,7 +129,7 @@ fn value_moves(
     said
 }
 
-/// The derivatives with the arguments exchanged against the exchanged derivatives.
+/// Returns the derivatives with the arguments exchanged against the exchanged derivatives.
 fn derivatives_exchange(e: &Evidence<'_>, row: &Combination, derivatives: &[f64]) -> Notes {
     let mut said = Notes::new(e.x.len());
     let Some(other) = e.subject.adjoint(&exchanged(e.x), &row.weights) else {
@@ -153,7 +153,7 @@ fn derivatives_exchange(e: &Evidence<'_>, row: &Combination, derivatives: &[f64]
     said
 }
 
-/// The derivatives along the motion of the input against the motion of the value.
+/// Returns the derivatives along the motion of the input against the motion of the value.
 fn derivatives_balance(
     e: &Evidence<'_>,
     invariance: Invariance,

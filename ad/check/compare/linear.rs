@@ -9,8 +9,9 @@ use crate::ad::sample::Draw;
 /// Inputs a last digit away at which an adjoint is asked for.
 const NEIGHBOURS: u64 = 12;
 
-/// How far a derivative of a weighted sum is from itself at inputs a last digit away, equal numbers moved alike. Terms that
-/// cancel inside a function differ by their roundings there; a derivative that is not linear does not.
+/// Returns how far a derivative of a weighted sum is from itself at inputs a last digit away, equal numbers moved
+/// alike. Terms that cancel inside a function differ by their roundings there; a derivative that is not linear does
+/// not.
 fn spread(e: &Evidence<'_>, weights: &[f64], derivative: f64, i: usize) -> f64 {
     let still = vec![0.0; e.x.len()];
     (0..NEIGHBOURS)
@@ -24,7 +25,7 @@ fn spread(e: &Evidence<'_>, weights: &[f64], derivative: f64, i: usize) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// The adjoint of a random sum against the sum of the adjoints, and that of nothing against nothing.
+/// Returns the adjoint of a random sum against the sum of the adjoints, and that of nothing against nothing.
 pub(crate) fn linear(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
     let mut said = Notes::new(e.x.len());
     if e.rows.is_empty() || e.rows.iter().any(|row| row.adjoint.is_none()) {

@@ -7,13 +7,13 @@ use crate::ad::check::tolerances::{
 use crate::ad::check::witness::{Estimate, Ladder, Precision, combined, dot};
 use crate::ad::sample::Draw;
 
-/// The difference of two lists.
+/// Returns the difference of two lists.
 fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
 impl Evidence<'_> {
-    /// `true` if a derivative along a direction is between those at places beside the input.
+    /// Returns `true` if a derivative along a direction is between those at places beside the input.
     ///
     /// Kinks of both signs may meet (the larger one of two functions with kinks of their own), or the input may be
     /// at the border of its domain. The derivatives to both sides of the input do not bound a right derivative there;
@@ -76,7 +76,8 @@ impl Evidence<'_> {
         false
     }
 
-    /// `true` if the derivatives by hand along a direction are those of differences at several places beside the input.
+    /// Returns `true` if the derivatives by hand along a direction are those of differences at several places beside
+    /// the input.
     pub(crate) fn is_right_beside(&self, row: &Combination, direction: &[f64]) -> bool {
         let on = self.on();
         let mut draw = Draw::new(17);
@@ -111,8 +112,8 @@ impl Evidence<'_> {
         false
     }
 
-    /// The derivative along a direction at a place beside the input by differences, of steps that are small beside the
-    /// way to it; `None` where they see a kink.
+    /// Returns the derivative along a direction at a place beside the input by differences, of steps that are small
+    /// beside the way to it; `None` where they see a kink.
     fn by_steps(
         &self,
         weights: &[f64],
@@ -150,9 +151,9 @@ impl Evidence<'_> {
         ladder.central(weights, noise, false)
     }
 
-    /// `true` if the derivatives by hand lie between those of the smooth pieces that meet at the input, as duals tell a
-    /// few last digits beside it: along every axis, along random directions, and along those that lead from the
-    /// pieces' derivatives and their mean to the derivatives in question.
+    /// Returns `true` if the derivatives by hand lie between those of the smooth pieces that meet at the input, as
+    /// duals tell a few last digits beside it: along every axis, along random directions, and along those that lead
+    /// from the pieces' derivatives and their mean to the derivatives in question.
     ///
     /// Steps need both sides of a kink, at several steps each. Here it is enough that the pieces are there, which
     /// may end as near as a millionth of the scales.

@@ -22,7 +22,7 @@ pub(crate) enum Opinion {
 }
 
 impl Opinion {
-    /// `true` if the steps decide nothing.
+    /// Returns `true` if the steps decide nothing.
     pub(crate) fn undefined(&self) -> bool {
         matches!(
             self,
@@ -32,7 +32,7 @@ impl Opinion {
             }
         )
     }
-    /// `true` if it is a complaint.
+    /// Returns `true` if it is a complaint.
     pub(crate) fn complains(&self) -> bool {
         !matches!(self, Opinion::Fine { .. })
     }

@@ -33,7 +33,7 @@ impl Product {
         let gap = (self.adjoint - self.other).abs();
         if gap.is_nan() { f64::INFINITY } else { gap }
     }
-    /// Both derivatives, divided by `per`.
+    /// Returns both derivatives, divided by `per`.
     fn numbers(&self, witness: Witness, per: f64, along: bool) -> ByWitness {
         let other = self.other / per;
         ByWitness {
@@ -46,7 +46,7 @@ impl Product {
     }
 }
 
-/// The direction without the numbers outside a range.
+/// Returns the direction without the numbers outside a range.
 fn part(direction: &[f64], range: &Range<usize>) -> Vec<f64> {
     let keep = |i| {
         if range.contains(&i) {
@@ -58,7 +58,7 @@ fn part(direction: &[f64], range: &Range<usize>) -> Vec<f64> {
     (0..direction.len()).map(keep).collect()
 }
 
-/// The adjoint against duals along random directions, and that of a function of `f32` against
+/// Returns the adjoint against duals along random directions, and that of a function of `f32` against
 /// its duals in double precision.
 pub(crate) fn projections(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
     let (n, subject) = (e.x.len(), e.subject);
@@ -157,7 +157,7 @@ impl Along<'_> {
         said.complain_of(reason, suspect, (row.output, input), numbers, tolerance);
     }
 
-    /// The smallest part of a direction at which both sides differ by more than they may. Halves are
+    /// Returns the smallest part of a direction at which both sides differ by more than they may. Halves are
     /// searched although the whole is within its tolerance: what a few numbers on a kink may be off by
     /// must not hide the others.
     fn search(
@@ -187,7 +187,7 @@ impl Along<'_> {
         (product.gap() > product.tolerance).then_some((range, product))
     }
 
-    /// Both products along a part of the direction; rounding is provoked when they differ. `None` when
+    /// Returns both products along a part of the direction; rounding is provoked when they differ. `None` when
     /// there is nothing to compare, or a length or number that is complained about.
     fn product(&self, direction: &[f64], said: &mut Notes) -> Option<Product> {
         let &Along {
@@ -254,7 +254,7 @@ impl Along<'_> {
     }
 }
 
-/// The number of the input at which a derivative that differences refuse along a direction is off
+/// Returns the number of the input at which a derivative that differences refuse along a direction is off
 /// most, as far as halving the direction tells.
 pub(crate) fn worst_input(
     e: &Evidence<'_>,

@@ -5,8 +5,8 @@ use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{PROVED_ROUNDINGS, SAFETY};
 use crate::ad::check::verdict::{ByWitness, Reason, Tightest, Witness};
 
-/// The value with the gap of the plane that parts the bodies best, and with the way between the points that are said
-/// to be nearest.
+/// Returns the value with the gap of the plane that parts the bodies best, and with the way between the points that are
+/// said to be nearest.
 ///
 /// Both may be off by roundings of the largest coordinate. Points of bodies that overlap bound nothing.
 pub(crate) fn proof(e: &Evidence<'_>) -> Notes {

@@ -106,7 +106,7 @@ pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: 
     said
 }
 
-/// The axes, or random directions of a long input, and more for a kink.
+/// Returns the axes, or random directions of a long input, and more for a kink.
 fn directions(e: &Evidence<'_>, draw: &mut Draw) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     let n = e.x.len();
     let mut random = || -> Vec<f64> {
@@ -130,7 +130,7 @@ fn directions(e: &Evidence<'_>, draw: &mut Draw) -> (Vec<Vec<f64>>, Vec<Vec<f64>
     (axes.collect(), more)
 }
 
-/// `true` if a number is at the border of its domain.
+/// Returns `true` if a number is at the border of its domain.
 fn bordered(e: &Evidence<'_>, i: usize) -> bool {
     let inside = [-BORDER, BORDER].map(|step| {
         let mut there = e.x.to_vec();

@@ -2,7 +2,7 @@
 use crate::kernels::cpu::lane::{Lane, TILE};
 use std::slice;
 
-/// The numbers of lanes, one lane after another.
+/// Returns the numbers of lanes, one lane after another.
 #[inline]
 pub fn flat<T: Copy>(lanes: &[Lane<T>]) -> &[T] {
     const { assert!(size_of::<Lane<T>>() == TILE * size_of::<T>()) };

@@ -53,7 +53,7 @@ pub(crate) trait Vector<T>: Scalar<Primal = Self> {
     /// `true` if a loop over the parts of a lane must hide that they are few. Out of plain code the compiler
     /// would compute all parts at once, out of registers and across each other.
     const HIDDEN: bool = false;
-    /// The index at which each part of a lane begins.
+    /// Returns the index at which each part of a lane begins.
     #[inline(always)]
     fn starts() -> impl Iterator<Item = usize> {
         (0..TILE / Self::WIDTH).map(
@@ -64,17 +64,17 @@ pub(crate) trait Vector<T>: Scalar<Primal = Self> {
             },
         )
     }
-    /// The numbers of a lane from an index on, which is a multiple of the width below [`TILE`].
+    /// Returns the numbers of a lane from an index on, which is a multiple of the width below [`TILE`].
     fn read(lane: &Lane<T>, at: usize) -> Self;
     /// Puts the numbers into a lane from an index on.
     fn write(self, lane: &mut Lane<T>, at: usize);
-    /// The same number everywhere.
+    /// Returns the same number everywhere.
     fn splat(x: T) -> Self;
     /// One bit per number, the first one lowest.
     fn bits(mask: Self::Mask) -> u32;
     /// Truths as numbers all of whose bits are ones or zeros.
     fn word(mask: Self::Mask) -> Self;
-    /// The truths again.
+    /// Returns the truths again.
     fn truth(self) -> Self::Mask;
     /// One vector for each of four fields, from as many items as it is wide, each with those fields.
     fn from_items(item: impl Fn(usize) -> [T; 4]) -> [Self; 4];

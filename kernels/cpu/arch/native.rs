@@ -37,9 +37,9 @@ pub(crate) struct Native {
 }
 
 impl Native {
-    /// The runs of a program whose slots begin every `stride` lanes; `None` without any, at the baseline, or if the
-    /// system refuses the memory. Code of rows reads inputs and writes results where they lie, the latter with zeros that
-    /// have no sign.
+    /// Returns the runs of a program whose slots begin every `stride` lanes; `None` without any, at the baseline, or if
+    /// the system refuses the memory. Code of rows reads inputs and writes results where they lie, the latter with
+    /// zeros that have no sign.
     pub(crate) fn new<T>(tape: &Tape, stride: usize, level: Simd, of_rows: bool) -> Option<Self> {
         let number = size_of::<T>();
         let is_512 = match level {
@@ -67,15 +67,15 @@ impl Native {
             number,
         })
     }
-    /// `true` if the code can read an input where it lies.
+    /// Returns `true` if the code can read an input where it lies.
     pub(crate) fn has_input(&self, k: usize) -> bool {
         self.table.get(k).is_some_and(Option::is_some)
     }
-    /// `true` if the code can write a result where it goes.
+    /// Returns `true` if the code can write a result where it goes.
     pub(crate) fn has_output(&self, k: usize) -> bool {
         self.has_input(self.inputs + k)
     }
-    /// The code with the memory of its slots; `None` if that is not what it was made for.
+    /// Returns the code with the memory of its slots; `None` if that is not what it was made for.
     #[inline]
     pub(crate) fn bind<'a, T>(&'a self, lanes: &'a [Cell<Lane<T>>]) -> Option<Bound<'a, T>> {
         if lanes.len() < self.lanes || self.number != size_of::<T>() {
@@ -109,7 +109,7 @@ pub(crate) struct Bound<'a, T> {
 }
 
 impl<'a, T> Bound<'a, T> {
-    /// The runs, the first one first.
+    /// Returns the runs, the first one first.
     pub(crate) fn runs(&self) -> &'a [Run] {
         &self.native.runs
     }

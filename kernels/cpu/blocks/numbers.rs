@@ -6,7 +6,7 @@ use crate::{Mask, Real};
 /// Numbers looked at side by side.
 const SIDE: usize = 32;
 
-/// The largest of some numbers; minus infinity of none.
+/// Returns the largest of some numbers; minus infinity of none.
 #[inline(always)]
 pub(crate) fn largest<T: Real, V: Vector<T>>(numbers: &[T]) -> T {
     let least = T::lit(f64::NEG_INFINITY);
@@ -21,7 +21,7 @@ pub(crate) fn largest<T: Real, V: Vector<T>>(numbers: &[T]) -> T {
     all.fold(least, |most, &x| if x > most { x } else { most })
 }
 
-/// How many numbers are above a threshold.
+/// Returns how many numbers are above a threshold.
 #[inline(always)]
 pub(crate) fn count_above<T: Real, V: Vector<T>>(numbers: &[T], threshold: T) -> u64 {
     numbers.iter().map(|&x| u64::from(x > threshold)).sum()
@@ -41,7 +41,7 @@ pub(crate) fn add_up<T: Real, V: Vector<T>>(numbers: &[T], sums: &mut [f64; TILE
     }
 }
 
-/// `true` if every number is finite.
+/// Returns `true` if every number is finite.
 #[allow(clippy::eq_op)]
 #[inline(always)]
 pub(crate) fn all_finite<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
@@ -60,7 +60,7 @@ pub(crate) fn all_finite<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     sum.equals(V::zero()).all() && rest.iter().all(|x| x.finite())
 }
 
-/// `true` if every number is finite and none beyond a limit.
+/// Returns `true` if every number is finite and none beyond a limit.
 #[inline(always)]
 pub(crate) fn all_up_to<T: Real, V: Vector<T>>(numbers: &[T], limit: f64) -> bool {
     let (whole, rest) = numbers.as_chunks::<TILE>();
@@ -75,8 +75,8 @@ pub(crate) fn all_up_to<T: Real, V: Vector<T>>(numbers: &[T], limit: f64) -> boo
     all.all() && rest.iter().all(|x| x.unsigned().at_most(limit))
 }
 
-/// `true` if the numbers of a lane are zero or within limits, and all before were. `limits` are −1 for a limit of
-/// magnitudes, else 1; the smallest size; the largest size.
+/// Returns `true` if the numbers of a lane are zero or within limits, and all before were. `limits` are −1 for a limit
+/// of magnitudes, else 1; the smallest size; the largest size.
 #[inline(always)]
 fn within<T: Real, V: Vector<T>>(
     numbers: &[T; TILE],
@@ -96,7 +96,7 @@ fn within<T: Real, V: Vector<T>>(
     all
 }
 
-/// `true` if every number is zero or within the limits of its field, for items of so many fields; of
+/// Returns `true` if every number is zero or within the limits of its field, for items of so many fields; of
 /// signed fields the magnitude.
 #[inline(always)]
 pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
@@ -141,7 +141,7 @@ pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
         })
 }
 
-/// `true` if every axis-aligned box is finite and no lower bound is above its upper one.
+/// Returns `true` if every axis-aligned box is finite and no lower bound is above its upper one.
 #[inline(always)]
 pub(crate) fn all_aabb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     let (items, _) = numbers.as_chunks::<4>();

@@ -6,7 +6,7 @@ use crate::kernels::cpu::lane::{Lane, Planes, TILE};
 /// Numbers that are brought and taken together.
 pub(crate) const QUAD: usize = 4;
 
-/// The first field of a quad: one quad after another, the last one moved back to end with the fields.
+/// Returns the first field of a quad: one quad after another, the last one moved back to end with the fields.
 #[inline(always)]
 const fn quad_start(quad: usize, fields: usize) -> usize {
     let (next, last) = (quad * QUAD, fields - QUAD);
@@ -260,7 +260,7 @@ fn take_wide<T: Real, V: Vector<T>>(
     whole
 }
 
-/// The first fields of a tile of results.
+/// Returns the first fields of a tile of results.
 #[inline(always)]
 pub(super) fn tile_of<'a, T: Real, const FIELDS: usize>(
     results: Planes<'a, T>,

@@ -20,7 +20,7 @@ use paths::{Paths, first_flaw, paths, told};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The numbers of the result of every path.
+/// Returns the numbers of the result of every path.
 pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec<T>, Error> {
     check(folding, input)?;
     let (sizes, programs) = (&folding.sizes, (folding.programs)()?);
@@ -50,7 +50,7 @@ pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec
     Ok(out)
 }
 
-/// The numbers of the cotangents of every context and every vertex, for those of results.
+/// Returns the numbers of the cotangents of every context and every vertex, for those of results.
 pub fn cotangents<T: Real>(
     folding: &Folding<T>,
     input: &Input<'_, T>,
@@ -176,7 +176,7 @@ pub(crate) fn check_spans<T: Real>(input: &Input<'_, T>) -> Result<(), Error> {
     check_offsets::<T>(input.count, input.spans.offsets(&[0, input.count]))
 }
 
-/// A body of edges as a batch sees it.
+/// Returns a body of edges as a batch sees it.
 fn plan<T: Real>(sizes: &Sizes, programs: &Programs, mode: Mode) -> Result<Arc<Plan<T>>, Error> {
     let recorded = match mode {
         Mode::Vjp => &programs.edge_vjp,
@@ -205,7 +205,7 @@ fn plan<T: Real>(sizes: &Sizes, programs: &Programs, mode: Mode) -> Result<Arc<P
     })
 }
 
-/// The states of all edges.
+/// Returns the states of all edges.
 fn states<T: Real>(
     sizes: &Sizes,
     programs: &Programs,

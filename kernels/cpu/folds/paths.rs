@@ -90,7 +90,7 @@ impl<T: Real> Paths<'_, T> {
             to.copy_from_slice(&self.vertices[edge.2 as usize * n..][..n]);
         }
     }
-    /// The arguments of the body, edge by edge, as columns.
+    /// Returns the arguments of the body, edge by edge, as columns.
     pub(super) fn columns<'a>(
         &'a self,
         wide: usize,
@@ -124,7 +124,7 @@ impl<T: Real> Paths<'_, T> {
     }
 }
 
-/// The states of the listed edges of a path.
+/// Returns the states of the listed edges of a path.
 pub(super) fn told<'a, T>(
     sizes: &Sizes,
     paths: &Paths<'_, T>,
@@ -134,7 +134,7 @@ pub(super) fn told<'a, T>(
     &states[paths.starts[path] * sizes.state..paths.starts[path + 1] * sizes.state]
 }
 
-/// The first number of a vertex that is not finite.
+/// Returns the first number of a vertex that is not finite.
 pub(super) fn first_flaw<T: Real>(folding: &Folding<T>, vertices: &[T]) -> Error {
     let at = vertices.iter().position(|x| !x.finite()).unwrap_or(0);
     let element = folding.sizes.element.max(1);

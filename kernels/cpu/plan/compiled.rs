@@ -42,7 +42,7 @@ pub(super) fn of_compiled<T: Real>(compiled: Compiled, mode: Mode) -> Option<Pla
     }
 }
 
-/// The bounds in the plane of shapes whose program alone is known.
+/// Returns the bounds in the plane of shapes whose program alone is known.
 pub(super) fn outline<T: Real>(compiled: Compiled) -> Option<Outline<T>> {
     match compiled {
         Compiled::Aabb3 => Some(Arc::new(|[shapes, _], bounds| {
@@ -66,7 +66,7 @@ where
     }
 }
 
-/// The kernel of a mode: that of values, or that of values with derivatives.
+/// Returns the kernel of a mode: that of values, or that of values with derivatives.
 fn maker<T: Real>(
     mode: Mode,
     values: impl Fn(Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>) + Send + Sync + 'static,
@@ -85,14 +85,14 @@ fn maker<T: Real>(
     }
 }
 
-/// The largest cotangent that kernels take, 10¹² in single precision. Derivatives of ordinary shapes, and their terms, are
-/// below 10²⁶, so products stay finite: 5/16 of the digits of the largest number are left for the cotangent.
+/// Returns the largest cotangent that kernels take, 10¹² in single precision. Derivatives of ordinary shapes, and their
+/// terms, are below 10²⁶, so products stay finite: 5/16 of the digits of the largest number are left for the cotangent.
 fn steepest<T: Real>() -> f64 {
     power_of_largest::<T>(0.3125)
 }
 
-/// A score of two shapes of a kind: how they are prepared, what its kernels make, and the scalar code of its value
-/// and of its value with derivatives for shapes that kernels do not serve.
+/// Returns a score of two shapes of a kind: how they are prepared, what its kernels make, and the scalar code of its
+/// value and of its value with derivatives for shapes that kernels do not serve.
 fn score_of_two<T: Real, P: Fixed<Scalar = T>>(
     mode: Mode,
     shape: impl Fn() -> Preparation<T>,
@@ -148,14 +148,14 @@ fn obb2_frames<T: Real>(view: View) -> (usize, Prepare<T>) {
     (view.fields::<T>(), Arc::new(prepare))
 }
 
-/// The bounds of prepared rotated boxes.
+/// Returns the bounds of prepared rotated boxes.
 fn obb2_bounds<T: Real>() -> Outline<T> {
     let bounds = kernels_in::<T>().obb2_bounds;
     Arc::new(move |[_, frames], out| bounds(frames, out))
 }
 
-/// `true` if every rotated box is within the `COMMON_*` limits of `clip` and has an area. Without branches, so that it
-/// becomes vectors.
+/// Returns `true` if every rotated box is within the `COMMON_*` limits of `clip` and has an area. Without branches, so
+/// that it becomes vectors.
 fn all_solid<T: Real>(numbers: &[T]) -> bool {
     let solid = |all: bool, x: &[T]| all & x[2].above(T::default()) & x[3].above(T::default());
     (kernels_in::<T>().all_common_obb2)(numbers) && numbers.chunks_exact(OBB2).fold(true, solid)

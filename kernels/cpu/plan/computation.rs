@@ -49,7 +49,7 @@ impl<T> Preparation<T> {
 }
 
 impl<T: Real> Preparation<T> {
-    /// A shape that is left as it is.
+    /// Returns a shape that is left as it is.
     pub fn plain(leaf: Leaf<T>) -> Self {
         Preparation {
             name: None,
@@ -63,7 +63,7 @@ impl<T: Real> Preparation<T> {
     }
 }
 
-/// The kernel of a quick test.
+/// Returns the kernel of a quick test.
 fn quick<T: Real>(test: Quick) -> fn(&[T]) -> bool {
     match test {
         Quick::Never => |_| false,
@@ -111,7 +111,7 @@ impl<T> Plan<T> {
     pub(crate) fn made(&self) -> usize {
         self.skipped + self.gives.iter().sum::<usize>()
     }
-    /// The plan of an operation that takes and gives such shapes. The result comes before its derivatives.
+    /// Returns the plan of an operation that takes and gives such shapes. The result comes before its derivatives.
     pub(super) fn new(
         mode: Mode,
         arguments: Vec<Preparation<T>>,
@@ -139,14 +139,14 @@ pub struct Shapes<'a, T> {
 }
 
 impl<'a, T: Real> Shapes<'a, T> {
-    /// All shapes of a column.
+    /// Returns all shapes of a column.
     pub fn of(column: &'a Column<'a, T>) -> Self {
         Shapes {
             column,
             items: 0..column.len(),
         }
     }
-    /// Some of these shapes, counted from the first.
+    /// Returns some of these shapes, counted from the first.
     pub fn part(&self, items: &Range<usize>) -> Self {
         let from = self.items.start;
         Shapes {
@@ -154,11 +154,11 @@ impl<'a, T: Real> Shapes<'a, T> {
             items: from + items.start..from + items.end,
         }
     }
-    /// How many shapes.
+    /// Returns how many shapes.
     pub fn len(&self) -> usize {
         self.items.len()
     }
-    /// The numbers of some shapes, as they lie in memory or written into `room`.
+    /// Returns the numbers of some shapes, as they lie in memory or written into `room`.
     pub fn numbers<'r>(&'r self, items: Range<usize>, room: &'r mut Vec<T>) -> &'r [T] {
         self.column.numbers(self.part(&items).items, room)
     }
@@ -263,7 +263,7 @@ impl<'a, T: Real> List<'a, T> {
         }
         picking
     }
-    /// A shape's numbers, as they lie in memory or written into `room`.
+    /// Returns a shape's numbers, as they lie in memory or written into `room`.
     pub fn shape<'r>(&'r self, i: usize, room: &'r mut Vec<T>) -> &'r [T] {
         self.shapes.numbers(i..i + 1, room)
     }
@@ -272,12 +272,12 @@ impl<'a, T: Real> List<'a, T> {
         let from = &self.frames[i / TILE * self.frame_fields..];
         (kernels_in::<T>().spread)(from, i % TILE, tile);
     }
-    /// A shape's bounds.
+    /// Returns a shape's bounds.
     pub fn bounds_of(&self, i: usize) -> Option<[T; BOUNDS]> {
         let tile = self.bounds.as_ref()?[i / TILE * BOUNDS..].first_chunk::<BOUNDS>()?;
         Some(tile.each_ref().map(|lane| lane.0[i % TILE]))
     }
-    /// `true` if kernels do not serve a shape.
+    /// Returns `true` if kernels do not serve a shape.
     pub fn is_rare(&self, i: usize) -> bool {
         self.rare.binary_search(&(i as u32)).is_ok()
     }

@@ -15,7 +15,8 @@ use compiled::{of_compiled, outline};
 use makers::of_replays;
 use std::sync::Arc;
 
-/// The plan of a call, aligned or for all pairs with shapes prepared once: made once per function, mode and form.
+/// Returns the plan of a call, aligned or for all pairs with shapes prepared once: made once per function, mode and
+/// form.
 pub(crate) fn plan<T: Real>(call: &Call<T>, framed: bool) -> Result<Arc<Plan<T>>, Error> {
     let (recording, mode) = (&*call.recording, call.mode);
     // A search computes item by item in either form.

@@ -35,7 +35,7 @@ impl<'a, T> Memory<'a, T> {
     }
 }
 
-/// A lane's result from what its parts give.
+/// Returns a lane's result from what its parts give.
 #[inline(always)]
 fn lane<T: Real, V: Vector<T>>(part: impl Fn(usize) -> V) -> Lane<T> {
     let mut out = Lane::default();
@@ -170,7 +170,7 @@ fn several<T: Real, V: Vector<T>, const A: usize, const N: usize>(
     }
 }
 
-/// `true` if a truth holds for every item, or for none.
+/// Returns `true` if a truth holds for every item, or for none.
 #[inline(always)]
 fn is<T: Real, V: Vector<T>>(memory: Memory<'_, T>, slot: u16, all: bool) -> bool {
     let bits = if all { (1 << V::WIDTH) - 1 } else { 0 };

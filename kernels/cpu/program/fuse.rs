@@ -27,13 +27,13 @@ impl Step {
             inner,
         }
     }
-    /// The operands.
+    /// Returns the operands.
     pub(crate) fn operands(&self) -> &[Id] {
         &self.from[..self.count]
     }
 }
 
-/// The instruction of a node alone; `None` for what is no instruction, and for sines.
+/// Returns the instruction of a node alone; `None` for what is no instruction, and for sines.
 fn alone(node: Node) -> Option<Step> {
     use Node as N;
     let op = match node {
@@ -71,7 +71,7 @@ fn alone(node: Node) -> Option<Step> {
     Some(Step::new(op, &node.operands(), [None; 2]))
 }
 
-/// Every instruction that can compute a node. `of` gives an operand's node if no other node needs it.
+/// Returns every instruction that can compute a node. `of` gives an operand's node if no other node needs it.
 fn candidates(node: Node, of: impl Fn(Id) -> Option<Node>, found: &mut Vec<Step>) {
     use Node as N;
     found.extend(alone(node));
@@ -219,11 +219,11 @@ pub(crate) struct Group {
 }
 
 impl Group {
-    /// The operands.
+    /// Returns the operands.
     pub(crate) fn operands(&self) -> &[Id] {
         &self.from[..self.count]
     }
-    /// The nodes, in the order of the instruction's results; `None` for a result that is not needed.
+    /// Returns the nodes, in the order of the instruction's results; `None` for a result that is not needed.
     pub(crate) fn results(&self) -> &[Option<Id>] {
         &self.results[..self.made]
     }
@@ -287,7 +287,7 @@ pub(crate) fn groups(
     groups
 }
 
-/// The operands of [`Op::Turn`] whose results are a difference of products and a sum of two of the other
+/// Returns the operands of [`Op::Turn`] whose results are a difference of products and a sum of two of the other
 /// products.
 fn turn([a, b, c, d]: [Id; 4], [p, q, r, s]: [Id; 4]) -> Option<[Id; 4]> {
     let are = |x: [Id; 2], [y, z]: [Id; 2]| x == [y, z] || x == [z, y];
@@ -301,7 +301,7 @@ fn turn([a, b, c, d]: [Id; 4], [p, q, r, s]: [Id; 4]) -> Option<[Id; 4]> {
     }
 }
 
-/// The operands of an instruction in order.
+/// Returns the operands of an instruction in order.
 fn sorted(step: &Step) -> [Id; 4] {
     // Places without an operand come last.
     let mut from = [Id::MAX; 4];
@@ -310,7 +310,7 @@ fn sorted(step: &Step) -> [Id; 4] {
     from
 }
 
-/// The angle, and whether it is its parts that are asked for, and which result.
+/// Returns the angle, and whether it is its parts that are asked for, and which result.
 pub(crate) fn sine_of(node: Node) -> Option<(Id, bool, usize)> {
     match node {
         Node::SinHigh(x) => Some((x, true, 0)),
@@ -337,7 +337,7 @@ pub(crate) fn uses(graph: &Graph, live: &[bool], needed: &[Id]) -> Vec<u32> {
     uses
 }
 
-/// The instruction of every node that is not inside another one's: the cheapest cover of each tree of
+/// Returns the instruction of every node that is not inside another one's: the cheapest cover of each tree of
 /// nodes that are needed once. Numbers, inputs and sines have none.
 pub(crate) fn cover(graph: &Graph, uses: &[u32]) -> Vec<Option<Step>> {
     let mut steps: Vec<Option<Step>> = vec![None; graph.len()];

@@ -42,7 +42,7 @@ struct Lowering<'a> {
 }
 
 impl Lowering<'_> {
-    /// The nodes that must be computed before a node.
+    /// Returns the nodes that must be computed before a node.
     fn operands(&self, x: Id) -> Vec<Id> {
         match (self.groups.get(&x), &self.steps[x as usize]) {
             (Some(group), _) => group.operands().to_vec(),
@@ -50,7 +50,7 @@ impl Lowering<'_> {
             (None, None) => Vec::new(),
         }
     }
-    /// `true` if an instruction gives a node.
+    /// Returns `true` if an instruction gives a node.
     fn is_computed(&self, x: Id) -> bool {
         self.steps[x as usize].is_some() || self.groups.contains_key(&x)
     }
@@ -299,7 +299,7 @@ fn assign(
     Ok(tape)
 }
 
-/// The graph with choices of the smaller or larger of two numbers as such, and numbers without their signs
+/// Returns the graph with choices of the smaller or larger of two numbers as such, and numbers without their signs
 /// as one node each. The bits are the same, those of NaN included; only derivatives would be others.
 fn polished(graph: &Graph, outputs: &[Id]) -> (Graph, Vec<Id>) {
     let mut polished = Graph::new(graph.format);

@@ -37,7 +37,7 @@ impl Trial {
     pub fn of<In, Out>(program: &Program<In, Out>) -> Trial {
         Trial(program.recorded().clone())
     }
-    /// The results for one input, node by node.
+    /// Returns the results for one input, node by node.
     #[must_use]
     pub fn run<T: Real>(&self, inputs: &[T]) -> Vec<T> {
         self.0.run(inputs)
@@ -106,12 +106,12 @@ pub struct Prepared<T> {
 }
 
 impl Ready {
-    /// How many instructions and slots it has, without those of frames.
+    /// Returns how many instructions and slots it has, without those of frames.
     #[must_use]
     pub fn size(&self) -> (usize, usize) {
         self.body.size()
     }
-    /// The instructions, one to a line.
+    /// Returns the instructions, one to a line.
     #[must_use]
     pub fn listing(&self) -> String {
         let lines = self.body.tape().code.iter();

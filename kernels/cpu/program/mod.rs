@@ -64,7 +64,7 @@ pub(crate) fn compile_after(tiles: usize) {
 }
 
 impl Interpreted {
-    /// A program of a graph without grafts. Its inputs are the numbers of all arguments, one argument after
+    /// Returns a program of a graph without grafts. Its inputs are the numbers of all arguments, one argument after
     /// another. `skipping` says when a block may leave out nodes that none of its items needs.
     ///
     /// # Errors
@@ -92,12 +92,12 @@ impl Interpreted {
             done: AtomicUsize::new(0),
         })
     }
-    /// The same with so many lanes per slot at most, an even number.
+    /// Returns the same with so many lanes per slot at most, an even number.
     pub(crate) fn with_width(mut self, width: usize) -> Self {
         self.width = Some(width.next_multiple_of(STRIP));
         self
     }
-    /// The same as machine code from the first item on, or never.
+    /// Returns the same as machine code from the first item on, or never.
     pub(crate) fn with_native(mut self, native: bool) -> Self {
         *self.done.get_mut() = if native { usize::MAX / 2 } else { 0 };
         if !native {
@@ -108,7 +108,7 @@ impl Interpreted {
         }
         self
     }
-    /// The machine code for so many more tiles, if the program has computed enough.
+    /// Returns the machine code for so many more tiles, if the program has computed enough.
     fn native<T: Real>(&self, tiles: usize, of_rows: bool) -> Option<&Native> {
         let level = Simd::in_use();
         let number = match level {
@@ -126,11 +126,11 @@ impl Interpreted {
         let new = || Native::new::<T>(&self.tape, self.width::<T>(), level, of_rows);
         made.get_or_init(new).as_ref()
     }
-    /// How many instructions and slots it has.
+    /// Returns how many instructions and slots it has.
     pub(crate) fn size(&self) -> (usize, usize) {
         (self.tape.code.len(), self.tape.slots)
     }
-    /// The instructions.
+    /// Returns the instructions.
     pub(crate) fn tape(&self) -> &Tape {
         &self.tape
     }

@@ -105,7 +105,7 @@ pub(crate) fn over_rows<T: Real, V: Vector<T>>(
 }
 
 impl<T> Rows<'_, T> {
-    /// The rows of its items.
+    /// Returns the rows of its items.
     fn of<'r>(&self, rows: &'r mut Option<&mut [T]>, fields: usize) -> Option<&'r mut [T]> {
         rows.as_deref_mut()?
             .get_mut(self.first * fields..(self.first + self.items) * fields)
@@ -132,7 +132,7 @@ macro_rules! by_fields {
     };
 }
 
-/// The first field of a quad of so many fields: one quad after another, the last one as late as it may be.
+/// Returns the first field of a quad of so many fields: one quad after another, the last one as late as it may be.
 #[inline(always)]
 const fn quad_start(quad: usize, fields: usize) -> usize {
     let (next, last) = (quad * QUAD, fields - QUAD);
@@ -159,7 +159,7 @@ fn quad_of<T: Real, const N: usize>(
     quad.copied().unwrap_or([T::default(); QUAD])
 }
 
-/// The lanes of a slot.
+/// Returns the lanes of a slot.
 #[inline(always)]
 fn lanes_of<'a, T>(memory: Memory<'a, T>, slot: u16) -> &'a [Cell<Lane<T>>] {
     memory.slot(slot).as_flattened()
@@ -267,7 +267,7 @@ fn bring_tiles<'r, T: Real, V: Vector<T>, const N: usize>(
     }
 }
 
-/// A lane with zeros that have no sign.
+/// Returns a lane with zeros that have no sign.
 #[inline(always)]
 fn canonical<T: Real, V: Vector<T>>(from: &Lane<T>) -> Lane<T> {
     let mut to = Lane::default();

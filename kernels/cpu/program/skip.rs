@@ -37,7 +37,7 @@ const SMALL: f64 = 1.0 / 256.0;
 /// How many operations back a truth is looked at.
 const DEPTH: usize = 8;
 
-/// `true` if few items have a truth: it asks whether a size is as small as a rounding.
+/// Returns `true` if few items have a truth: it asks whether a size is as small as a rounding.
 fn is_seldom(graph: &Graph, mask: Id, depth: usize) -> bool {
     let Some(depth) = depth.checked_sub(1) else {
         return false;
@@ -57,7 +57,7 @@ fn is_seldom(graph: &Graph, mask: Id, depth: usize) -> bool {
     }
 }
 
-/// `true` if a number is known not to be negative.
+/// Returns `true` if a number is known not to be negative.
 fn is_size(graph: &Graph, x: Id, depth: usize) -> bool {
     let Some(depth) = depth.checked_sub(1) else {
         return false;
@@ -74,14 +74,14 @@ fn is_size(graph: &Graph, x: Id, depth: usize) -> bool {
     }
 }
 
-/// The truth that allows to leave out most if no item has it, and that few items have.
+/// Returns the truth that allows to leave out most if no item has it, and that few items have.
 pub(crate) fn find_seldom(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<Skip> {
     find_by(graph, live, outputs, |mask, all| {
         !all && is_seldom(graph, mask, DEPTH)
     })
 }
 
-/// The truth that allows to leave out most; of equals the first one.
+/// Returns the truth that allows to leave out most; of equals the first one.
 pub(crate) fn find(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<Skip> {
     find_by(graph, live, outputs, |_, _| true)
 }
@@ -177,8 +177,8 @@ impl<'a> Search<'a> {
         }
         search
     }
-    /// The nodes that do not matter if a truth is known, and how many of them are computed, if those are so many at
-    /// least: none that the truth itself or a node that matters and comes later needs.
+    /// Returns the nodes that do not matter if a truth is known, and how many of them are computed, if those are so
+    /// many at least: none that the truth itself or a node that matters and comes later needs.
     fn idle(&mut self, mask: Id, truth: bool, least: usize) -> Option<(usize, Vec<Id>)> {
         self.consequences(mask, truth);
         let (mut nodes, read) = self.cut_off(mask);

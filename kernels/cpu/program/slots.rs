@@ -29,13 +29,13 @@ impl Slots {
             self.count - 1
         })
     }
-    /// A slot for a node.
+    /// Returns a slot for a node.
     pub(crate) fn take(&mut self, x: Id) -> u32 {
         let slot = self.any();
         self.of[x as usize] = Some(slot);
         slot
     }
-    /// The slot of a node.
+    /// Returns the slot of a node.
     pub(crate) fn at(&self, x: Id) -> Option<u32> {
         self.of[x as usize]
     }

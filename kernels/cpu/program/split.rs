@@ -128,7 +128,7 @@ pub(crate) fn split(
     }
 }
 
-/// The part of a graph that some nodes need, its inputs counted from the first one of an argument.
+/// Returns the part of a graph that some nodes need, its inputs counted from the first one of an argument.
 fn frame(graph: &Graph, outputs: &[Id], first: u32) -> Piece {
     let live = graph.live(outputs, false);
     let mut piece = Graph::new(graph.format);

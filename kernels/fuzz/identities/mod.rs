@@ -38,7 +38,7 @@ pub struct Identity {
     asked: Vec<(&'static Tested, bool)>,
 }
 
-/// All identities of all rows.
+/// Returns all identities of all rows.
 pub fn all() -> impl Iterator<Item = Identity> {
     let mut by_shapes: HashMap<(String, String), &'static Tested> = HashMap::new();
     for row in rows() {
@@ -52,12 +52,12 @@ pub fn all() -> impl Iterator<Item = Identity> {
     })
 }
 
-/// The largest magnitude of a number and some more.
+/// Returns the largest magnitude of a number and some more.
 fn largest_of(first: f64, rest: &[f64]) -> f64 {
     rest.iter().fold(first, |most, x| most.max(x.abs()))
 }
 
-/// The names of the shapes that a row takes.
+/// Returns the names of the shapes that a row takes.
 fn shapes_of(row: &Tested) -> Vec<String> {
     let arguments = row.operation.arguments().into_iter();
     arguments.map(|argument| argument.shape.name).collect()
@@ -78,7 +78,7 @@ impl<T: Real> Column<T> {
             fields: [a.fields(), b.fields()],
         })
     }
-    /// The results for items, each with the numbers of both arguments.
+    /// Returns the results for items, each with the numbers of both arguments.
     fn results(&self, items: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
         let column = |from: usize, n: usize| -> Vec<T> {
             let own = items.iter().flat_map(|x| &x[from..from + n]);
@@ -152,19 +152,19 @@ impl Identity {
         })
     }
 
-    /// The sentence and its row: `hits lie on the shape of first_hit_ray2_circle`.
+    /// Returns the sentence and its row: `hits lie on the shape of first_hit_ray2_circle`.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.name
     }
 
-    /// The name of the row's function: `first_hit_ray2_circle`.
+    /// Returns the name of the row's function: `first_hit_ray2_circle`.
     #[must_use]
     pub fn row(&self) -> &'static str {
         self.row.name()
     }
 
-    /// The place of the first input, of some, at which the identity does not hold.
+    /// Returns the place of the first input, of some, at which the identity does not hold.
     fn first_broken<T: Real>(&self, inputs: &[Vec<f64>]) -> Option<usize> {
         let Some(values) = Column::<T>::of(self.row)?.results(inputs) else {
             return Some(0);
@@ -255,7 +255,7 @@ impl Identity {
         }
     }
 
-    /// The input with as few digits as the identity stays broken.
+    /// Returns the input with as few digits as the identity stays broken.
     fn shrunk<T: Real>(&self, mut x: Vec<f64>) -> Broken {
         let is_broken = |x: &Vec<f64>| {
             self.parts.is_valid::<T>(self.row, x)

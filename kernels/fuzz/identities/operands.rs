@@ -18,7 +18,7 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    /// The parts of a row with two arguments of fixed size in the plane or in space.
+    /// Returns the parts of a row with two arguments of fixed size in the plane or in space.
     pub fn of(row: &Tested) -> Option<Self> {
         let kinds = (row.operation.kinds[0])();
         let layouts = row.operation.layouts::<f64>();
@@ -39,7 +39,7 @@ impl Parts {
         })
     }
 
-    /// The places of the numbers of an argument.
+    /// Returns the places of the numbers of an argument.
     pub fn range(&self, k: usize) -> Range<usize> {
         match k {
             0 => 0..self.second,
@@ -47,7 +47,7 @@ impl Parts {
         }
     }
 
-    /// The points of an argument: centres, ends, vertices, all of which belong to its shape.
+    /// Returns the points of an argument: centres, ends, vertices, all of which belong to its shape.
     pub fn points(&self, k: usize) -> impl Iterator<Item = Range<usize>> {
         let range = self.range(k);
         let places = places(&self.kinds[range.clone()]);
@@ -56,7 +56,7 @@ impl Parts {
             .map(move |(at, n)| range.start + at..range.start + at + n)
     }
 
-    /// The numbers of an argument that has shrunk to its first point; nothing for shapes without end.
+    /// Returns the numbers of an argument that has shrunk to its first point; nothing for shapes without end.
     pub fn shrunk(&self, x: &[f64], k: usize) -> Option<(Vec<f64>, Vec<f64>)> {
         let range = self.range(k);
         let endless = |kind: &Kind| {
@@ -95,7 +95,7 @@ impl Parts {
             && row.operation.is_inside(x)
     }
 
-    /// An input in a format; nothing where the numbers that were drawn are no input.
+    /// Returns an input in a format; nothing where the numbers that were drawn are no input.
     pub fn draw<T: Real>(&self, row: &Tested, draw: &mut Draw) -> Option<Vec<f64>> {
         let mut x = lattice(&self.kinds, draw);
         match draw.below(4) {

@@ -11,15 +11,15 @@ pub(crate) struct Case<'a> {
 }
 
 impl Case<'_> {
-    /// The numbers of an argument.
+    /// Returns the numbers of an argument.
     pub(super) fn argument(&self, k: usize) -> Vec<f64> {
         self.input[self.parts.range(k)].to_vec()
     }
-    /// Some numbers of the result.
+    /// Returns some numbers of the result.
     pub(super) fn value(&self, range: std::ops::Range<usize>) -> Vec<f64> {
         self.value[range].to_vec()
     }
-    /// The numbers of a point.
+    /// Returns the numbers of a point.
     pub(super) fn dimension(&self) -> usize {
         self.parts.dimension
     }
@@ -65,7 +65,7 @@ const A: Part = Part::Argument(0);
 const B: Part = Part::Argument(1);
 const POINT: Part = Part::Point;
 
-/// A verb of the arguments as they are.
+/// Returns a verb of the arguments as they are.
 const fn same(verb: &'static str) -> Question {
     Question {
         verb,
@@ -264,7 +264,7 @@ pub(super) const SENTENCES: &[Sentence] = &[
     ),
 ];
 
-/// A distance from a shape that has shrunk is that from the point.
+/// Returns a distance from a shape that has shrunk is that from the point.
 const fn shrunk(name: &'static str, asks: &'static [Question]) -> Sentence {
     Sentence {
         name,
@@ -275,17 +275,17 @@ const fn shrunk(name: &'static str, asks: &'static [Question]) -> Sentence {
     }
 }
 
-/// The numbers of an argument that has shrunk to a point.
+/// Returns the numbers of an argument that has shrunk to a point.
 fn shrunk_shape(case: &Case<'_>, k: usize) -> Option<Vec<f64>> {
     Some(case.parts.shrunk(case.input, k)?.0)
 }
 
-/// The point that an argument shrinks to.
+/// Returns the point that an argument shrinks to.
 fn shrunk_point(case: &Case<'_>, k: usize) -> Option<Vec<f64>> {
     Some(case.parts.shrunk(case.input, k)?.1)
 }
 
-/// A verb of the point that a ray hits, and of the shape.
+/// Returns a verb of the point that a ray hits, and of the shape.
 const fn at_the_hit(verb: &'static str) -> Question {
     Question {
         verb,
@@ -302,7 +302,7 @@ fn is_hit(case: &Case<'_>) -> bool {
     case.value[2 * case.dimension() + 1] != 0.0
 }
 
-/// The distance of two points that a result begins with.
+/// Returns the distance of two points that a result begins with.
 fn between(case: &Case<'_>) -> f64 {
     let (n, points) = (case.dimension(), &case.value);
     let squares = (0..n).map(|i| (points[i] - points[n + i]).powi(2));

@@ -89,7 +89,7 @@ impl fmt::Display for Adapter {
     }
 }
 
-/// Every adapter that can compute.
+/// Returns every adapter that can compute.
 pub(super) fn all() -> Vec<(wgpu::Adapter, Adapter)> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
     // Line numbers of shaders, which debug builds of wgpu look up instruction by instruction from the first line on,
@@ -146,7 +146,7 @@ fn rank(adapter: &wgpu::Adapter) -> (u8, bool) {
     (kind, info.backend == wgpu::Backend::Gl)
 }
 
-/// The adapter asked for.
+/// Returns the adapter asked for.
 pub(super) fn choose(choice: &Choice) -> Result<(wgpu::Adapter, Adapter), Error> {
     let choice = match (choice, std::env::var("GEOGRAD_GPU")) {
         (Choice::Best, Ok(text)) => Choice::parse(&text),

@@ -69,7 +69,7 @@ impl Inner {
     }
 }
 
-/// The numbers of one block of a matrix, row by row.
+/// Returns the numbers of one block of a matrix, row by row.
 pub(super) fn block_of(block: &Block, columns: usize, values: &[f32]) -> Vec<f32> {
     let mut own = Vec::with_capacity(block.rows * block.columns);
     for row in block.row_base..block.row_base + block.rows {

@@ -49,13 +49,13 @@ impl std::fmt::Display for Machine<Device> {
     }
 }
 
-/// A lock that a panic elsewhere cannot spoil.
+/// Returns a lock that a panic elsewhere cannot spoil.
 pub(super) fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Machine<Device> {
-    /// A context on the best GPU, or the one that the environment variable `GEOGRAD_GPU` names: an
+    /// Returns a context on the best GPU, or the one that the environment variable `GEOGRAD_GPU` names: an
     /// index into [`Gpu::adapters`], a part of a name, or `cpu` for a driver in software.
     ///
     /// # Errors
@@ -66,7 +66,7 @@ impl Machine<Device> {
         Self::with(&Options::default())
     }
 
-    /// A context as asked for.
+    /// Returns a context as asked for.
     ///
     /// # Errors
     ///
@@ -129,31 +129,31 @@ impl Machine<Device> {
         Ok(Machine { engine })
     }
 
-    /// `true` if it computes faster than the processor: not so for a driver in software, unless the
+    /// Returns `true` if it computes faster than the processor: not so for a driver in software, unless the
     /// environment asks for one.
     pub(crate) fn is_worth_it(&self) -> bool {
         !self.adapter().is_software || std::env::var_os("GEOGRAD_GPU").is_some()
     }
 
-    /// Every adapter there is, in the order of their indices.
+    /// Returns every adapter there is, in the order of their indices.
     #[must_use]
     pub fn adapters() -> Vec<Adapter> {
         adapter::all().into_iter().map(|(_, info)| info).collect()
     }
 
-    /// The adapter that the context runs on.
+    /// Returns the adapter that the context runs on.
     #[must_use]
     pub fn adapter(&self) -> &Adapter {
         &self.engine.inner.adapter
     }
 
-    /// `true` if sums across threads use subgroup operations. Results differ in rounding.
+    /// Returns `true` if sums across threads use subgroup operations. Results differ in rounding.
     #[must_use]
     pub fn has_subgroups(&self) -> bool {
         self.engine.inner.slots > 0
     }
 
-    /// The most bytes of one buffer; larger data is split.
+    /// Returns the most bytes of one buffer; larger data is split.
     #[must_use]
     pub fn most_bytes(&self) -> u64 {
         self.engine.inner.most_bytes
@@ -203,7 +203,7 @@ pub(super) const MOST_BYTES_PER_SHAPE: u64 = 64;
 pub(super) const LEAST_BYTES: u64 = 4096;
 
 impl Inner {
-    /// The pipeline of a shader that has no body of two shapes.
+    /// Returns the pipeline of a shader that has no body of two shapes.
     pub(super) fn written(&self, kernel: Kernel, entry: &'static str) -> wgpu::ComputePipeline {
         self.pipeline(kernel, entry, || kernel.text())
     }

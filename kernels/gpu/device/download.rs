@@ -176,7 +176,7 @@ impl<T> Pending<T> {
         }
     }
 
-    /// `true` if the numbers have arrived. Never blocks.
+    /// Returns `true` if the numbers have arrived. Never blocks.
     ///
     /// # Errors
     ///
@@ -228,7 +228,7 @@ impl<T> Future for Pending<T> {
     }
 }
 
-/// The buffers of some pieces and the bytes to bring back, whose numbers follow from their items.
+/// Returns the buffers of some pieces and the bytes to bring back, whose numbers follow from their items.
 pub(super) fn parts(
     pieces: &[Piece],
     numbers: impl Fn(usize) -> usize,

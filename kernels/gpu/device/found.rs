@@ -56,7 +56,7 @@ impl Downloads<Vec<Found>> for Founds {
 }
 
 impl Reducer<'_> {
-    /// Every pair above the threshold: counted first, then written to places that follow from the
+    /// Returns every pair above the threshold: counted first, then written to places that follow from the
     /// counts, so the order is the same every time.
     pub fn above(mut self, threshold: f32) -> Result<Founds, Error> {
         let (gpu, inner) = (self.gpu, &self.gpu.inner);

@@ -31,8 +31,8 @@ struct Limits {
 /// Own shapes and strips without work that a dispatch may have beside as many that have some.
 const SPARE: usize = 1 << 16;
 
-/// The dispatches of groups, given by their ranges of both lists: in the order of own shapes, and each of as many
-/// groups as fit. A group whose walked shapes are in several parts has dispatches of its own.
+/// Returns the dispatches of groups, given by their ranges of both lists: in the order of own shapes, and each of as
+/// many groups as fit. A group whose walked shapes are in several parts has dispatches of its own.
 fn runs(
     own: &[Range<usize>],
     walked: &[Range<usize>],
@@ -116,7 +116,7 @@ fn runs(
 }
 
 impl Inner {
-    /// The dispatches of groups, given by the offsets of own and walked shapes, of at most so many pairs.
+    /// Returns the dispatches of groups, given by the offsets of own and walked shapes, of at most so many pairs.
     pub fn group_sweeps(
         &self,
         own: &[Part],

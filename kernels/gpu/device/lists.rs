@@ -23,7 +23,7 @@ pub(crate) struct Lists<'a> {
 }
 
 impl<'a> Lists<'a> {
-    /// Two lists, checked; those that stay are prepared once.
+    /// Returns two lists, checked; those that stay are prepared once.
     pub fn new(
         gpu: &'a Device,
         call: &Call<f32>,
@@ -46,14 +46,14 @@ impl<'a> Lists<'a> {
         Ok(())
     }
 
-    /// A reduction of all results.
+    /// Returns a reduction of all results.
     pub fn reduce(&self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
         let own_rows = reduction != Reduction::Best { of_rows: false };
         let reducer = Reducer::of_lists(self.gpu, &self.made, &self.sides, own_rows);
         reducer.reduced(reduction)
     }
 
-    /// The runs of a list that are in one buffer each, and have their results in one.
+    /// Returns the runs of a list that are in one buffer each, and have their results in one.
     fn parts(&self, k: usize) -> Vec<Part> {
         let (chunk, count) = (self.gpu.inner.chunk, self.sides.counts()[k]);
         let pieces = (0..count)
@@ -69,7 +69,7 @@ impl<'a> Lists<'a> {
         all.map(part).collect()
     }
 
-    /// The dispatches over the pairs within groups.
+    /// Returns the dispatches over the pairs within groups.
     fn grouped(&self, groups: GroupSpans<'_>, own_rows: bool) -> Result<Reducer<'_>, Error> {
         let [a, b] = [self.parts(0), self.parts(1)];
         let (parts, offsets) = match own_rows {
@@ -79,7 +79,7 @@ impl<'a> Lists<'a> {
         Reducer::of_groups(self.gpu, &self.made, parts, offsets, own_rows)
     }
 
-    /// A reduction of the pairs within groups.
+    /// Returns a reduction of the pairs within groups.
     pub fn reduce_grouped(
         &self,
         groups: GroupSpans<'_>,
@@ -96,7 +96,8 @@ impl<'a> Lists<'a> {
         })
     }
 
-    /// The largest of every row, or of every column, within its group; `None` where there is nothing on the other side.
+    /// Returns the largest of every row, or of every column, within its group; `None` where there is nothing on the
+    /// other side.
     fn most_grouped(
         &self,
         groups: GroupSpans<'_>,
@@ -121,7 +122,7 @@ impl<'a> Lists<'a> {
         Ok(best)
     }
 
-    /// The numbers of the derivatives of both lists, of lists that were made for adjoints.
+    /// Returns the numbers of the derivatives of both lists, of lists that were made for adjoints.
     /// With one factor for all, bodies that give results beside derivatives also add these up.
     pub fn derivatives(&self, seed: &Seed<'_>) -> Result<([Vec<f32>; 2], Option<f64>), Error> {
         if let Seed::Matrix(matrix) = seed {

@@ -45,7 +45,7 @@ impl Matrix {
         }
     }
 
-    /// The same numbers in other buffers, copied by a kernel.
+    /// Returns the same numbers in other buffers, copied by a kernel.
     fn copied(&self) -> Result<Matrix, Error> {
         let made = || Matrix::room(&self.gpu, self.rows, self.columns);
         let to = self.gpu.inner.guarded(made)?;
@@ -53,7 +53,7 @@ impl Matrix {
         Ok(to)
     }
 
-    /// The same over numbers that are there already.
+    /// Returns the same over numbers that are there already.
     fn copied_into(&self, to: &Matrix) -> Result<(), Error> {
         self.gpu
             .fits(to, self.rows, self.columns, Argument::Values)?;
@@ -155,7 +155,7 @@ impl Device {
 }
 
 impl Matrix {
-    /// The dispatches of a reduction.
+    /// Returns the dispatches of a reduction.
     pub(super) fn reducer(&self, own_rows: bool) -> Reducer<'_> {
         let sweep = |(block, buffer): &(Block, wgpu::Buffer)| {
             let rows = (block.row_piece, block.row_start, block.row_base, block.rows);

@@ -8,7 +8,7 @@ use crate::{Error, Unrecordable};
 use std::sync::Arc;
 
 impl Call<f32> {
-    /// The kernels of a call: aligned, or for all pairs with shapes prepared once.
+    /// Returns the kernels of a call: aligned, or for all pairs with shapes prepared once.
     ///
     /// # Errors
     ///
@@ -25,7 +25,7 @@ impl Call<f32> {
             Ok(made.named(recording.arguments))
         })
     }
-    /// The replays of a search; `None` of any other function.
+    /// Returns the replays of a search; `None` of any other function.
     pub(crate) fn replays(&self) -> Option<Arc<Replayed>> {
         let Body::Search(search) = &self.recording.body else {
             return None;
@@ -37,7 +37,7 @@ impl Call<f32> {
         let made = made.unwrap_or_else(|_: Error| unreachable!("a replay is recorded later"));
         Some(made)
     }
-    /// A call with the kernels of another one on a GPU, for tests of drivers that compute wrong numbers.
+    /// Returns a call with the kernels of another one on a GPU, for tests of drivers that compute wrong numbers.
     ///
     /// # Errors
     ///

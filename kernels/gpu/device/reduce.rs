@@ -63,7 +63,7 @@ impl Downloads<Vec<Best>> for Bests {
 }
 
 impl Reducer<'_> {
-    /// The largest of every own row (or column).
+    /// Returns the largest of every own row (or column).
     pub fn best(self) -> Result<Bests, Error> {
         let inner = &self.gpu.inner;
         inner.guarded(|| {
@@ -137,7 +137,7 @@ impl Reducer<'_> {
 }
 
 impl Reducer<'_> {
-    /// A reduction.
+    /// Returns a reduction.
     pub fn reduced(self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
         Ok(match reduction {
             Reduction::Best { .. } => {

@@ -47,7 +47,7 @@ impl Sweep {
         self.own * self.strips
     }
 
-    /// Both halves of the own rows, where the pairs found need more than one buffer. It has at least two.
+    /// Returns both halves of the own rows, where the pairs found need more than one buffer. It has at least two.
     pub fn halves(self) -> [Sweep; 2] {
         let half = self.own / 2;
         let second = Sweep {
@@ -117,7 +117,7 @@ enum Kernels<'a> {
 }
 
 impl<'a> Reducer<'a> {
-    /// The reduction of scores that are there already, of so many own shapes with so many others.
+    /// Returns the reduction of scores that are there already, of so many own shapes with so many others.
     pub fn of_scores(
         gpu: &'a Device,
         counts: [usize; 2],
@@ -145,8 +145,8 @@ impl<'a> Reducer<'a> {
         }
     }
 
-    /// The reduction of two lists within groups, given by the offsets of both: dispatches over the parts of both, of at
-    /// most as many pairs as a dispatch of the kernels may have.
+    /// Returns the reduction of two lists within groups, given by the offsets of both: dispatches over the parts of
+    /// both, of at most as many pairs as a dispatch of the kernels may have.
     pub fn of_groups(
         gpu: &'a Device,
         made: &'a Arc<Generated<f32>>,
@@ -163,7 +163,7 @@ impl<'a> Reducer<'a> {
         })
     }
 
-    /// The reduction of two lists: kernels compute the results that they reduce.
+    /// Returns the reduction of two lists: kernels compute the results that they reduce.
     pub fn of_lists(
         gpu: &'a Device,
         made: &'a Arc<Generated<f32>>,
@@ -202,7 +202,7 @@ impl<'a> Reducer<'a> {
         Reducer::new(gpu, Kernels::Lists(made), counts, own_rows, sweeps)
     }
 
-    /// The pipeline that reduces scores by `take`.
+    /// Returns the pipeline that reduces scores by `take`.
     pub fn pipeline(&self, take: Take) -> wgpu::ComputePipeline {
         let (inner, own_rows) = (&self.gpu.inner, self.own_rows);
         match self.kernels {

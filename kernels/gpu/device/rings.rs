@@ -74,7 +74,7 @@ pub struct Rings {
 }
 
 impl Rings {
-    /// The context that they are in.
+    /// Returns the context that they are in.
     pub(crate) fn gpu(&self) -> &Device {
         &self.gpu
     }
@@ -228,7 +228,8 @@ impl Device {
         })
     }
 
-    /// The adjoint of `ragged`, for the numbers of the cotangents of so many results: one derivative per vertex.
+    /// Returns the adjoint of `ragged`, for the numbers of the cotangents of so many results: one derivative per
+    /// vertex.
     ///
     /// # Errors
     ///
@@ -329,7 +330,7 @@ impl Run {
         work.dispatch(&pipeline, counted(count), &buffers, size);
     }
 
-    /// The scale and the sums of every long ring.
+    /// Returns the scale and the sums of every long ring.
     fn sum_up(&self, measure: Measure, work: &mut Work<'_>, long: &LongRings) -> wgpu::Buffer {
         let inner = work.inner;
         let parts = inner.storage(long.span_count * PART_BYTES / 4);

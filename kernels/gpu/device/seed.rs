@@ -11,7 +11,7 @@ pub(crate) enum Seed<'a> {
     Factor(f32),
 }
 
-/// The sum of partial sums that were brought back.
+/// Returns the sum of partial sums that were brought back.
 pub(super) fn sum_of(numbers: &[u32]) -> f64 {
     let wide = |&n: &u32| f64::from(f32::from_bits(n));
     numbers.iter().map(wide).sum()

@@ -198,7 +198,7 @@ impl Inner {
             .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: None })
     }
 
-    /// A buffer; its size a multiple of four, and never zero, which WebGPU has no binding for.
+    /// Returns a buffer; its size a multiple of four, and never zero, which WebGPU has no binding for.
     pub fn buffer(&self, bytes: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
         self.device.create_buffer(&wgpu::BufferDescriptor {
             label: None,
@@ -208,7 +208,7 @@ impl Inner {
         })
     }
 
-    /// A buffer that kernels read and write, for so many numbers.
+    /// Returns a buffer that kernels read and write, for so many numbers.
     pub fn storage(&self, numbers: usize) -> wgpu::Buffer {
         self.buffer(
             4 * numbers as u64,
@@ -218,7 +218,7 @@ impl Inner {
         )
     }
 
-    /// A buffer that the processor reads.
+    /// Returns a buffer that the processor reads.
     pub fn staging(&self, bytes: u64) -> wgpu::Buffer {
         self.buffer(
             bytes,
@@ -226,13 +226,13 @@ impl Inner {
         )
     }
 
-    /// A kernel's parameters.
+    /// Returns a kernel's parameters.
     fn uniform<T: bytemuck::NoUninit>(&self, params: &[T], bytes: u64) -> wgpu::Buffer {
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         self.filled(params, bytes, usage)
     }
 
-    /// A buffer with contents.
+    /// Returns a buffer with contents.
     pub fn filled<T: bytemuck::NoUninit>(
         &self,
         from: &[T],
@@ -257,7 +257,7 @@ impl Inner {
         }
     }
 
-    /// A storage buffer with contents.
+    /// Returns a storage buffer with contents.
     pub fn stored<T: bytemuck::NoUninit>(&self, from: &[T]) -> wgpu::Buffer {
         self.filled(
             from,
@@ -268,7 +268,7 @@ impl Inner {
         )
     }
 
-    /// The pipeline of an entry point, compiled the first time it is asked for.
+    /// Returns the pipeline of an entry point, compiled the first time it is asked for.
     pub fn pipeline(
         &self,
         kernel: Kernel,

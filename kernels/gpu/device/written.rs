@@ -19,7 +19,7 @@ pub(super) const STEP: usize = 64;
 /// Walked columns of a matrix kept close to the threads at a time: whole sectors of memory, of every
 /// thread's row.
 const STEP_MATRIX: usize = 8;
-/// The same for adjoints, which keep sums beside them, one of 20 bytes per walked shape and slot:
+/// Returns the same for adjoints, which keep sums beside them, one of 20 bytes per walked shape and slot:
 /// at most 10 KiB, of the 16 KiB that WebGPU guarantees.
 pub(super) const fn step_vjp(slots: usize) -> usize {
     if slots > 32 { 8 } else { 16 }
@@ -37,8 +37,8 @@ pub(super) const LONG: usize = 1024;
 pub(super) const SPAN: usize = 2048;
 /// Spans along the first dimension of a dispatch.
 pub(super) const ROW: usize = 32_768;
-/// The sums of a measure of rings beside products of vertices (moments, lengths), and in WGSL the measure of a ring with
-/// its derivative at a vertex.
+/// Returns the sums of a measure of rings beside products of vertices (moments, lengths), and in WGSL the measure of a
+/// ring with its derivative at a vertex.
 const fn mirror_of(measure: Measure) -> (bool, bool, &'static str) {
     match measure {
         Measure::SignedArea => (false, false, include_str!("../wgsl/signed_area.wgsl")),
@@ -68,7 +68,7 @@ pub(super) enum Seed {
 }
 
 impl Seed {
-    /// The WGSL that gives the factor of a pair.
+    /// Returns the WGSL that gives the factor of a pair.
     pub(super) fn text(self) -> &'static str {
         match self {
             Seed::Matrix => include_str!("../wgsl/seed_matrix.wgsl"),
@@ -91,7 +91,7 @@ impl Take {
     pub(super) const ALL: [Take; 4] = [Take::Best, Take::Count, Take::Found, Take::Sum];
     /// The ones that groups have.
     pub(super) const OF_GROUPS: [Take; 3] = [Take::Best, Take::Count, Take::Found];
-    /// The WGSL that reduces scores.
+    /// Returns the WGSL that reduces scores.
     pub(super) fn text(self) -> &'static str {
         match self {
             Take::Best => include_str!("../wgsl/take_best.wgsl"),
@@ -104,12 +104,12 @@ impl Take {
 
 /// The walk of a reduction, whatever gives the scores and whatever is taken of them.
 pub(super) const REDUCE: &str = include_str!("../wgsl/reduce.wgsl");
-/// A number as WGSL reads it back to the same bits.
+/// Returns a number as WGSL reads it back to the same bits.
 fn literal(x: f32) -> String {
     format!("{x:e}f")
 }
 
-/// The sizes of a kernel.
+/// Returns the sizes of a kernel.
 pub(super) fn sizes(group: usize, step: usize, strip: usize) -> String {
     format!(
         "const GROUP: u32 = {group}u;\nconst STEP: u32 = {step}u;\nconst STRIP: u32 = {strip}u;\n\
@@ -118,7 +118,7 @@ pub(super) fn sizes(group: usize, step: usize, strip: usize) -> String {
     )
 }
 
-/// The constants of kernels by hand, which Rust and WGSL share.
+/// Returns the constants of kernels by hand, which Rust and WGSL share.
 pub(super) fn policy() -> String {
     // All ones, without the low half of the significand.
     let high_half = Float::high(f32::from_bits(u32::MAX)).to_bits();
@@ -155,7 +155,7 @@ pub(super) const PARAMS: &str = include_str!("../wgsl/params.wgsl");
 pub(super) const BINDINGS: &str = include_str!("../wgsl/bindings.wgsl");
 
 impl Kernel {
-    /// The shader.
+    /// Returns the shader.
     pub(super) fn text(self) -> String {
         let (step, files): (usize, &[&str]) = match self {
             Kernel::Ragged(measure) => return ring_source(measure),
@@ -182,7 +182,7 @@ impl Kernel {
     }
 }
 
-/// Every shader that has no body of two shapes, with a name: for tests that have no GPU.
+/// Returns every shader that has no body of two shapes, with a name: for tests that have no GPU.
 #[doc(hidden)]
 #[must_use]
 pub fn common_sources() -> Vec<(String, String)> {
@@ -194,7 +194,7 @@ pub fn common_sources() -> Vec<(String, String)> {
         .collect()
 }
 
-/// The shader of a measure of rings.
+/// Returns the shader of a measure of rings.
 pub(super) fn ring_source(measure: Measure) -> String {
     let (moments, lengths, body) = mirror_of(measure);
     let mut text = policy() + &sizes(GROUP, STEP, STRIP);

@@ -15,7 +15,7 @@ pub(crate) fn expect(argument: Argument, expected: usize, found: usize) -> Resul
     }
 }
 
-/// The number of entries of a matrix.
+/// Returns the number of entries of a matrix.
 pub(crate) fn entries(rows: usize, columns: usize, fields: usize) -> Result<usize, Error> {
     let count = rows
         .checked_mul(columns)

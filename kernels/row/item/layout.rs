@@ -195,7 +195,7 @@ pub(crate) const fn width<P: Fixed>() -> usize {
     P::LEN + P::CODES
 }
 
-/// A shape from the numbers of a column.
+/// Returns a shape from the numbers of a column.
 pub(crate) fn get<P: Fixed<Scalar: Real>>(numbers: &[P::Scalar]) -> P {
     let shape = P::load(numbers);
     // A `const` condition: the rest is not compiled for shapes without codes.
@@ -212,8 +212,8 @@ fn codes_of<T: Real>(numbers: &[T]) -> Vec<u32> {
     numbers.iter().map(code).collect()
 }
 
-/// A code as a number of a column. Those of signed integers keep their sign, so that it is exact in `f32` up to 2²⁴ and
-/// down to −2²⁴.
+/// Returns a code as a number of a column. Those of signed integers keep their sign, so that it is exact in `f32` up to
+/// 2²⁴ and down to −2²⁴.
 fn number_of_code<T: Real>(code: u32) -> T {
     T::lit(f64::from(code as i32))
 }
@@ -268,7 +268,7 @@ pub(crate) fn by_shape<R: Item>(
     });
 }
 
-/// The layout of an item that is a single shape.
+/// Returns the layout of an item that is a single shape.
 #[doc(hidden)]
 pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
     Leaf {
@@ -281,7 +281,7 @@ pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
     }
 }
 
-/// The test that tells quickly that many shapes are valid: of their numbers alone, or of the rules of boxes.
+/// Returns the test that tells quickly that many shapes are valid: of their numbers alone, or of the rules of boxes.
 fn quick_of<P: Item + Validate>() -> Quick {
     let is = |shape: TypeId| TypeId::of::<P>() == shape;
     if P::FINITE_SUFFICES {
@@ -299,7 +299,7 @@ fn quick_of<P: Item + Validate>() -> Quick {
     }
 }
 
-/// The layouts of all shapes of an item.
+/// Returns the layouts of all shapes of an item.
 pub(crate) fn leaves_of<P: Item>() -> Vec<Leaf<P::Scalar>> {
     let mut all = Vec::new();
     P::leaves(&mut |leaf| all.push(leaf));
@@ -374,7 +374,7 @@ macro_rules! tuples {
 }
 tuples!(A B; A B C; A B C D; A B C D E; A B C D E F;);
 
-/// The targets of results, one per shape of an item.
+/// Returns the targets of results, one per shape of an item.
 pub(crate) fn targets_of<P: Item>(many: &mut P::Many) -> Vec<Target<'_, P::Scalar>> {
     let mut all = Vec::new();
     P::targets(many, &mut |target| all.push(target));

@@ -12,8 +12,8 @@ use crate::{Aabb2, Fixed, Obb2, Pose2, Rotation2, Vec2, Vec3};
 use std::any::TypeId;
 use std::slice;
 
-/// `true` if a shape is one of the library's, or an array of up to sixteen numbers: nothing but numbers of this format,
-/// in the order of their fields, without gaps.
+/// Returns `true` if a shape is one of the library's, or an array of up to sixteen numbers: nothing but numbers of this
+/// format, in the order of their fields, without gaps.
 pub fn is_plain<P: Fixed>() -> bool
 where
     P::Scalar: 'static,
@@ -38,7 +38,7 @@ where
         && align_of::<P>() == align_of::<P::Scalar>()
 }
 
-/// The numbers of shapes, one shape after another; `None` for shapes that hold anything else.
+/// Returns the numbers of shapes, one shape after another; `None` for shapes that hold anything else.
 #[inline]
 pub fn lent<P: Fixed>(shapes: &[P]) -> Option<&[P::Scalar]>
 where
@@ -49,7 +49,7 @@ where
         .then(|| unsafe { slice::from_raw_parts(shapes.as_ptr().cast(), shapes.len() * P::LEN) })
 }
 
-/// The same, to be written.
+/// Returns the same, to be written.
 #[inline]
 pub fn lent_mut<P: Fixed>(shapes: &mut [P]) -> Option<&mut [P::Scalar]>
 where

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::{Fixed, Real};
 use std::borrow::Cow;
 
-/// The numbers of shapes, one shape after another: as they are in memory, or written out.
+/// Returns the numbers of shapes, one shape after another: as they are in memory, or written out.
 pub(crate) fn numbers<T: Real, P: Fixed<Scalar = T>>(shapes: &[P]) -> Cow<'_, [T]> {
     match memory::lent(shapes) {
         Some(numbers) => Cow::Borrowed(numbers),
@@ -41,8 +41,8 @@ pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
     out
 }
 
-/// The same for numbers that hold the codes of shapes, too. An error leaves the shapes as they were, if the function
-/// leaves its room so.
+/// Returns the same for numbers that hold the codes of shapes, too. An error leaves the shapes as they were, if the
+/// function leaves its room so.
 pub(crate) fn fill_whole<T: Real, P: Fixed<Scalar = T>, R>(
     shapes: &mut [P],
     run: impl FnOnce(&mut [T]) -> Result<R, Error>,

@@ -101,7 +101,7 @@ impl<P: Scalar> Deepest<P> {
             by_edges,
         }
     }
-    /// How many they are, as the reciprocal.
+    /// Returns how many they are, as the reciprocal.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn share(&self) -> P {
         let count = |masks: &[P::Mask]| {
@@ -112,7 +112,7 @@ impl<P: Scalar> Deepest<P> {
     }
 }
 
-/// The features that are nearest, or the planes that part the boxes best, and the points there.
+/// Returns the features that are nearest, or the planes that part the boxes best, and the points there.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> Choice<P> {
     let Seen { c, d, r, g, h } = seen;

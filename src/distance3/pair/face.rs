@@ -4,7 +4,7 @@ use super::features::{larger, smaller, weight};
 use crate::Scalar;
 use crate::arrays::Each;
 
-/// The middle of what an interval about zero and one about a centre share, as a part of the first one's half.
+/// Returns the middle of what an interval about zero and one about a centre share, as a part of the first one's half.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn overlap<P: Scalar>(half: P, center: P, other: P) -> P {
     let low = larger(-half, center - other);
@@ -48,8 +48,8 @@ pub(super) struct Middle<P: Scalar> {
 }
 
 impl<P: Scalar> Facing<P> {
-    /// The mean of the lowest corners of what faces each other, of those that are at most some slack higher than the
-    /// lowest one: corners over the face, corners of the face below the other one, and crossings of edges.
+    /// Returns the mean of the lowest corners of what faces each other, of those that are at most some slack higher
+    /// than the lowest one: corners over the face, corners of the face below the other one, and crossings of edges.
     ///
     /// The other box has one face that is the nearest to parallel, and its lowest points are there. A corner outside
     /// of the other face costs as much as it is outside: of shapes that meet in a point or an edge beside each other

@@ -4,7 +4,7 @@ use super::seen::{NEXT, Seen, least_square, sign};
 use crate::Scalar;
 use crate::arrays::Each;
 
-/// The square of a number.
+/// Returns the square of a number.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn squared<P: Scalar>(x: P) -> P {
     x * x
@@ -16,13 +16,13 @@ pub(super) fn weight<P: Scalar>(mask: P::Mask) -> P {
     P::select(mask, P::one(), P::zero())
 }
 
-/// The larger of numbers without derivatives.
+/// Returns the larger of numbers without derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn larger<P: Scalar>(x: P, y: P) -> P {
     P::select(x.below(y), y, x)
 }
 
-/// The smaller one.
+/// Returns the smaller one.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn smaller<P: Scalar>(x: P, y: P) -> P {
     P::select(y.below(x), y, x)
@@ -47,7 +47,7 @@ const SIGNS: [[f64; 3]; 8] = {
     signs
 };
 
-/// How far coordinates are beyond a box.
+/// Returns how far coordinates are beyond a box.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn beyond<P: Scalar>(x: P, half: P) -> P {
     larger(x.unsigned() - half, P::zero())
@@ -80,7 +80,7 @@ impl<P: Scalar> Corners<P> {
             .reduce(smaller)
             .unwrap_or_else(P::zero)
     }
-    /// The mean of the signs of those whose square is some number, and how many they are.
+    /// Returns the mean of the signs of those whose square is some number, and how many they are.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn tied(&self, least: P) -> ([P; 3], P) {
         let shares = self
@@ -122,8 +122,8 @@ pub(super) struct Edges<P: Scalar> {
     pub upright_b: [P; 3],
 }
 
-/// The matrix with a sign for each zero. Where an axis of b lies in a plane of a, neither of the plane's sides is
-/// nearer: a turn too small to count then says which one is, the same for all pairs of edges.
+/// Returns the matrix with a sign for each zero. Where an axis of b lies in a plane of a, neither of the plane's sides
+/// is nearer: a turn too small to count then says which one is, the same for all pairs of edges.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn turned<P: Scalar>(r: &[[P; 3]; 3]) -> [[P; 3]; 3] {
     let turn = [0.73, 0.41, 0.97].each_as(|part| P::lit(part * P::EPSILON.powi(2)));

@@ -28,8 +28,8 @@ fn fixed<S: Scalar>(x: [S::Primal; 3]) -> [S; 3] {
 }
 
 impl<S: Scalar> Seen<S> {
-    /// The gap of the planes that part the boxes best, in the mean of all that tie. Along faces that are parallel the
-    /// boxes are turned about the middle of what faces each other.
+    /// Returns the gap of the planes that part the boxes best, in the mean of all that tie. Along faces that are
+    /// parallel the boxes are turned about the middle of what faces each other.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn deepest(&self, gaps: &Gaps<S>, choice: &Choice<S::Primal>) -> S {
         let Seen { r, g, h, c, d } = self;
@@ -83,7 +83,7 @@ fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (Seen<S>, S) {
     (seen, scale)
 }
 
-/// The relation of two boxes.
+/// Returns the relation of two boxes.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
     let (seen, scale) = seen(&a, &b);
@@ -154,7 +154,8 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
     }
 }
 
-/// The longest distance of points of two boxes: of every two opposite sides of b the corner of a says which is farther.
+/// Returns the longest distance of points of two boxes: of every two opposite sides of b the corner of a says which is
+/// farther.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn farthest<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> S {
     let (Seen { c, d, r, g, h }, scale) = seen(&a, &b);

@@ -31,38 +31,38 @@ pub(super) struct Gaps<S> {
     pub edges: [[S; 3]; 3],
 }
 
-/// The sign of a number without derivatives, -1 or 1; 1 of zero.
+/// Returns the sign of a number without derivatives, -1 or 1; 1 of zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn sign<P: Scalar>(x: P) -> P {
     P::one().signed_as(x)
 }
 
-/// The same; zero of zero.
+/// Returns the same; zero of zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn sign_or_none<P: Scalar>(x: P) -> P {
     P::select(x.equals(P::zero()), P::zero(), sign(x))
 }
 
-/// The sum of products.
+/// Returns the sum of products.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn dot<S: Scalar>(x: [S; 3], y: [S; 3]) -> S {
     (x[0] * y[0] + x[1] * y[1]) + x[2] * y[2]
 }
 
-/// A column of a matrix.
+/// Returns a column of a matrix.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn column<S: Scalar>(r: &[[S; 3]; 3], j: usize) -> [S; 3] {
     [r[0][j], r[1][j], r[2][j]]
 }
 
-/// The square of a product of axes below which they count as parallel, in which the boxes have a size of one.
+/// Returns the square of a product of axes below which they count as parallel, in which the boxes have a size of one.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn least_square<S: Scalar>() -> S {
     S::lit(S::EPSILON.powi(4))
 }
 
 impl<S: Scalar> Seen<S> {
-    /// The same without derivatives.
+    /// Returns the same without derivatives.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn primal(&self) -> Seen<S::Primal> {
         let plain = |x: [S; 3]| x.each_as(S::primal);
@@ -74,8 +74,8 @@ impl<S: Scalar> Seen<S> {
             h: plain(self.h),
         }
     }
-    /// The gaps along all normals. Those of edges are along directions that are orthogonal to both as far as the matrix
-    /// has digits: a product of its numbers and itself, in other order, is exactly zero.
+    /// Returns the gaps along all normals. Those of edges are along directions that are orthogonal to both as far as
+    /// the matrix has digits: a product of its numbers and itself, in other order, is exactly zero.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gaps(&self) -> Gaps<S> {
         let Seen { c, d, r, g, h } = self;
@@ -99,7 +99,7 @@ impl<S: Scalar> Seen<S> {
     }
 }
 
-/// The gaps without derivatives.
+/// Returns the gaps without derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn gaps_primal<S: Scalar>(gaps: &Gaps<S>) -> Gaps<S::Primal> {
     Gaps {

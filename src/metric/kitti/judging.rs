@@ -32,7 +32,7 @@ impl Judged {
     }
 }
 
-/// The mean over recalls of the best value at that recall or a higher one.
+/// Returns the mean over recalls of the best value at that recall or a higher one.
 fn average(values: impl Iterator<Item = f64>, recalls: Recalls) -> f64 {
     let mut best = [0.0_f64; 41];
     for (slot, value) in best.iter_mut().zip(values) {
@@ -162,7 +162,7 @@ fn matched(frame: &Frame<'_>, near: &Near, least: Option<f64>) -> Matched {
     Matched { outcomes, missed }
 }
 
-/// The scores of right detections, the highest first, at which recall passes the next fortieth.
+/// Returns the scores of right detections, the highest first, at which recall passes the next fortieth.
 fn thresholds(mut right: Vec<f64>, truths: usize) -> Vec<f64> {
     right.sort_unstable_by(|a, b| b.total_cmp(a));
     let (mut recall, mut out) = (0.0, Vec::new());
@@ -259,12 +259,12 @@ impl<'a> Judging<'a> {
         (point, similar / (right + wrong).max(1) as f64)
     }
 
-    /// All scores, one after the other.
+    /// Returns all scores, one after the other.
     pub(super) fn judged(&self) -> Judged {
         self.collect(self.scores.iter().map(|&score| self.at(score)))
     }
 
-    /// The result of what was read at every score.
+    /// Returns the result of what was read at every score.
     pub(crate) fn collect(&self, read: impl Iterator<Item = (Point, f64)>) -> Judged {
         let (curve, mut similarity): (Vec<Point>, Vec<f64>) = read.unzip();
         if self.angles.is_empty() {
@@ -278,7 +278,7 @@ impl<'a> Judging<'a> {
     }
 }
 
-/// `Ok` for finite angles of every truth and detection.
+/// Returns `Ok` for finite angles of every truth and detection.
 fn check_angles(frames: &[Frame<'_>], angles: &[Angles<'_>]) -> Result<(), Error> {
     let length = |name, expected, found| match expected == found {
         true => Ok(()),

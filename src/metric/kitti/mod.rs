@@ -35,7 +35,7 @@ pub enum Difficulty {
 }
 
 impl Difficulty {
-    /// The least height of what counts, in pixels; a truth must be higher.
+    /// Returns the least height of what counts, in pixels; a truth must be higher.
     #[must_use]
     pub const fn height(self) -> f64 {
         match self {
@@ -43,7 +43,7 @@ impl Difficulty {
             Difficulty::Moderate | Difficulty::Hard => 25.0,
         }
     }
-    /// The highest level of occlusion that counts.
+    /// Returns the highest level of occlusion that counts.
     #[must_use]
     pub const fn occlusion(self) -> u8 {
         match self {
@@ -52,7 +52,7 @@ impl Difficulty {
             Difficulty::Hard => 2,
         }
     }
-    /// The largest truncated share that counts.
+    /// Returns the largest truncated share that counts.
     #[must_use]
     pub const fn truncation(self) -> f64 {
         match self {

@@ -43,7 +43,7 @@ macro_rules! narrow {
     ($name:ident = 2 $half:ident of $wide:ident: $widen:ident $narrow:ident $and:ident;
      low |$v:ident| $low:expr, high $high:expr; join |$x:ident, $y:ident| $join:expr) => {
         impl $name {
-            /// Both halves in `f64`.
+            /// Returns both halves in `f64`.
             #[inline(always)]
             pub(super) fn halves(self) -> [$wide; 2] {
                 let $v = self.0;

@@ -15,7 +15,7 @@ use crate::kernels::row::item::STRETCH;
 /// Shorter runs stay with the interpreter.
 const SHORTEST: usize = 3;
 
-/// `true` for calls of functions and jumps, which stay with the interpreter.
+/// Returns `true` for calls of functions and jumps, which stay with the interpreter.
 fn is_left(op: Op) -> bool {
     matches!(
         op,
@@ -23,7 +23,7 @@ fn is_left(op: Op) -> bool {
     )
 }
 
-/// The runs of a list of instructions: none is jumped into.
+/// Returns the runs of a list of instructions: none is jumped into.
 fn runs(code: &[Code]) -> Vec<[usize; 2]> {
     let mut targets = Vec::new();
     for (i, own) in code.iter().enumerate() {
@@ -89,7 +89,7 @@ impl Compiler<'_> {
     fn place(&self, slot: u16) -> i32 {
         (slot as usize * self.stride) as i32
     }
-    /// The place of a slot's present value in memory.
+    /// Returns the place of a slot's present value in memory.
     fn home(&self, slot: u16) -> Operand {
         match self.far.input(slot, self.at) {
             Some(k) => Operand::Far(k),
@@ -103,7 +103,7 @@ impl Compiler<'_> {
             .position(|held| held.is_some_and(|held| held.0 == slot));
         found.map(|register| register as u8)
     }
-    /// A register for a new value, pinned until the instruction is over.
+    /// Returns a register for a new value, pinned until the instruction is over.
     fn fresh(&mut self) -> u8 {
         let free = |k: &usize| self.held[*k].is_none() && !self.pinned[*k];
         let found = (0..self.held.len()).find(free);
@@ -131,7 +131,7 @@ impl Compiler<'_> {
         }
         last
     }
-    /// The register of an operand, which is loaded if need be.
+    /// Returns the register of an operand, which is loaded if need be.
     fn register(&mut self, slot: u16) -> u8 {
         let register = match self.find(slot) {
             Some(register) => register,
@@ -155,7 +155,7 @@ impl Compiler<'_> {
             self.out.prefetch(STRETCH * size, false);
         }
     }
-    /// An operand where it is: one that the run reads again comes into a register.
+    /// Returns an operand where it is: one that the run reads again comes into a register.
     fn operand(&mut self, slot: u16) -> Operand {
         match (self.find(slot), self.next(slot, self.at)) {
             (None, Next::Later | Next::Never) => {
@@ -217,7 +217,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// A constant by its bits in both formats.
+    /// Returns a constant by its bits in both formats.
     fn bits(&mut self, single: u32, double: u64) -> Operand {
         let twice = u64::from(single) << 32 | u64::from(single);
         let bits = if self.out.is_double() { double } else { twice };
@@ -248,7 +248,7 @@ impl Compiler<'_> {
         let all = self.bits(!(1 << 31), !(1 << 63));
         self.two(Two::And, x, all)
     }
-    /// A comparison as a vector of truths.
+    /// Returns a comparison as a vector of truths.
     fn truths(&mut self, predicate: u8, a: u8, b: Operand) -> u8 {
         let to = self.fresh();
         self.out.compare(predicate, to, a, b);
@@ -278,7 +278,7 @@ impl Compiler<'_> {
         let truths = self.truths(predicate, a, b);
         self.choose(truths, yes, no)
     }
-    /// A comparison, joined with a vector of truths by `op`.
+    /// Returns a comparison, joined with a vector of truths by `op`.
     fn joined(&mut self, predicate: u8, [a, b, m]: [u16; 3], op: Two) -> u8 {
         let (a, b) = (self.register(a), self.operand(b));
         let truths = self.truths(predicate, a, b);
@@ -477,7 +477,7 @@ impl Compiler<'_> {
         let (yes, no) = (self.register(z), self.register(w));
         self.choose_by(predicate, [x, y], yes, no)
     }
-    /// The root of what is above zero, else zero.
+    /// Returns the root of what is above zero, else zero.
     fn root(&mut self, x: u16) -> u8 {
         let (zero, x) = (Operand::Register(self.zero()), self.register(x));
         let from = Operand::Register(x);

@@ -82,7 +82,7 @@ impl Encoder {
     pub(super) const fn registers(&self) -> u8 {
         if self.is_512 { 32 } else { 16 }
     }
-    /// A number as a vector: its bits, of single precision twice.
+    /// Returns a number as a vector: its bits, of single precision twice.
     pub(super) fn constant(&mut self, bits: u64) -> Operand {
         let known = self.constants.iter().position(|&known| known == bits);
         Operand::Constant(known.unwrap_or_else(|| {
@@ -91,7 +91,7 @@ impl Encoder {
         }))
     }
 
-    /// An instruction of packed numbers in map 0F.
+    /// Returns an instruction of packed numbers in map 0F.
     const fn packed(&self, opcode: u8) -> Vector {
         Vector {
             opcode,
@@ -271,7 +271,7 @@ impl Encoder {
         self.bytes.extend((back as i32).to_le_bytes());
         self.bytes.extend([0xc5, 0xf8, 0x77, 0xc3]);
     }
-    /// The code with its constants behind it.
+    /// Returns the code with its constants behind it.
     pub(super) fn finish(mut self) -> Vec<u8> {
         let first = self.bytes.len().next_multiple_of(CONSTANT);
         self.bytes.resize(first, 0xcc);

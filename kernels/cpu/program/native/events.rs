@@ -2,7 +2,7 @@
 use crate::kernels::cpu::program::instructions::{Code, Op};
 use std::collections::HashMap;
 
-/// The operands of an instruction, and its results.
+/// Returns the operands of an instruction, and its results.
 pub(super) fn sizes(op: Op) -> [usize; 2] {
     macro_rules! listed {
         ($($name:ident($($x:ident),*) = $value:expr;)*) => {
@@ -22,7 +22,7 @@ pub(super) fn sizes(op: Op) -> [usize; 2] {
 /// Reads (`true`) and writes of slots, instruction by instruction.
 pub(super) type Events = HashMap<u16, Vec<(usize, bool)>>;
 
-/// All of them.
+/// Returns all of them.
 pub(super) fn events(code: &[Code]) -> Events {
     let mut all = Events::new();
     for (i, own) in code.iter().enumerate() {

@@ -51,24 +51,25 @@ impl Far {
         }
         Far { inputs, outputs }
     }
-    /// The place in the table of the input that a slot has when an instruction reads it.
+    /// Returns the place in the table of the input that a slot has when an instruction reads it.
     pub(super) fn input(&self, slot: u16, at: usize) -> Option<usize> {
         let &(k, end) = self.inputs.get(&slot)?;
         (at <= end).then_some(k)
     }
-    /// The places in the table of the results that an instruction makes in a slot.
+    /// Returns the places in the table of the results that an instruction makes in a slot.
     pub(super) fn outputs(&self, slot: u16, at: usize) -> &[usize] {
         match self.outputs.get(&slot) {
             Some((places, made)) if *made == at => places,
             _ => &[],
         }
     }
-    /// The slots of all other results.
+    /// Returns the slots of all other results.
     pub(super) fn near_outputs(&self, outputs: &[u16]) -> Vec<u16> {
         let near = |slot: &&u16| !self.outputs.contains_key(slot);
         outputs.iter().filter(near).copied().collect()
     }
-    /// The addresses of a table, inputs first: of each the slot that stands for it, where the code uses the address.
+    /// Returns the addresses of a table, inputs first: of each the slot that stands for it, where the code uses the
+    /// address.
     pub(crate) fn table(&self, tape: &Tape) -> Vec<Option<u16>> {
         let inputs = tape
             .inputs

@@ -146,7 +146,7 @@ impl Made {
     }
 }
 
-/// How many items a dispatch takes, so that what goes in and what comes out fits a binding each.
+/// Returns how many items a dispatch takes, so that what goes in and what comes out fits a binding each.
 fn chunk(inner: &Inner, made: &Generated<f32>) -> Result<usize, Error> {
     let fields = |numbers: &[usize]| numbers.iter().sum::<usize>().max(1);
     let widest = fields(&made.widths).max(fields(&made.gives));
@@ -161,7 +161,7 @@ fn chunk(inner: &Inner, made: &Generated<f32>) -> Result<usize, Error> {
     }
 }
 
-/// The prepared numbers of some items of a column, in tiles.
+/// Returns the prepared numbers of some items of a column, in tiles.
 pub(super) fn tiles(
     made: &Generated<f32>,
     k: usize,

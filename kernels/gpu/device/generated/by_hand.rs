@@ -10,7 +10,7 @@ use crate::overlap::Denominator;
 use std::fmt::Write;
 use std::sync::Arc;
 
-/// The boxes of compiled kernels and the divisor of the area of intersection, if they have a body by hand.
+/// Returns the boxes of compiled kernels and the divisor of the area of intersection, if they have a body by hand.
 fn kind_of(compiled: Compiled) -> Option<(Kind, Denominator)> {
     match compiled {
         Compiled::Obb2(over) => Some((Kind::Rotated, over)),
@@ -19,7 +19,7 @@ fn kind_of(compiled: Compiled) -> Option<(Kind, Denominator)> {
     }
 }
 
-/// The boxes in WGSL.
+/// Returns the boxes in WGSL.
 fn text_of(kind: Kind) -> &'static str {
     match kind {
         Kind::Rotated => include_str!("../../wgsl/obb2.wgsl"),
@@ -31,8 +31,8 @@ fn text_of(kind: Kind) -> &'static str {
 const OPERATIONS: usize = 1 << 12;
 
 impl Generated<f32> {
-    /// The body by hand of a call for all pairs, if it has one. Boxes are prepared as for batches on the processor, so
-    /// that both machines start from the same sines, for huge headings and for long thin boxes too.
+    /// Returns the body by hand of a call for all pairs, if it has one. Boxes are prepared as for batches on the
+    /// processor, so that both machines start from the same sines, for huge headings and for long thin boxes too.
     pub(in crate::kernels::gpu::device) fn by_hand(
         call: &Call<f32>,
     ) -> Result<Option<Self>, Error> {
@@ -80,8 +80,8 @@ impl Generated<f32> {
     }
 }
 
-/// The functions that a body is one of. With `is_extreme` they serve boxes plain products of whose numbers over- or
-/// underflow.
+/// Returns the functions that a body is one of. With `is_extreme` they serve boxes plain products of whose numbers
+/// over- or underflow.
 fn head(kind: Kind, over: Denominator, is_extreme: bool, takes: usize) -> String {
     let mut text = policy();
     let _ = writeln!(

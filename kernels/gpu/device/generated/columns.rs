@@ -3,7 +3,7 @@ use super::operation::Generated;
 use super::text::{GROUP, bindings, call, numbers, results};
 use std::fmt::Write;
 
-/// The shader: one thread per item. Parameters are how many items; of every column where it begins and
+/// Returns the shader: one thread per item. Parameters are how many items; of every column where it begins and
 /// whether it has more than one item; of every result where it begins. All results are in one buffer.
 /// Columns of which nothing is read have no binding.
 pub(super) fn text(made: &Generated<f32>) -> String {

@@ -17,9 +17,9 @@ struct Sums {
 }
 
 impl Device {
-    /// The numbers of the derivatives of both lists, and the sum of all results where one factor is the seed of all and
-    /// the body gives results beside derivatives. Sums of a dispatch are added in `f32`, those of dispatches in `f64`,
-    /// always in the same order.
+    /// Returns the numbers of the derivatives of both lists, and the sum of all results where one factor is the seed of
+    /// all and the body gives results beside derivatives. Sums of a dispatch are added in `f32`, those of dispatches in
+    /// `f64`, always in the same order.
     pub(in crate::kernels::gpu::device) fn derivatives(
         &self,
         made: &Arc<Generated<f32>>,

@@ -44,7 +44,7 @@ pub(super) struct GeneratedFold {
     out: usize,
 }
 
-/// The shaders of a fold, whose state after no edge is `empty`.
+/// Returns the shaders of a fold, whose state after no edge is `empty`.
 pub(super) fn shaders(
     programs: &Programs,
     sizes: &Sizes,
@@ -77,7 +77,7 @@ pub(super) fn shaders(
     })
 }
 
-/// The shaders of the fold of a call.
+/// Returns the shaders of the fold of a call.
 fn shaders_of(folding: &Folding<f32>) -> Result<Arc<GeneratedFold>, Error> {
     let mut empty = vec![0.0; folding.sizes.state];
     (folding.joined)(&[], &mut empty);
@@ -89,7 +89,7 @@ fn names(name: &str, count: usize) -> Vec<String> {
     (0..count).map(|k| format!("{name}{k}")).collect()
 }
 
-/// Some elements of an array.
+/// Returns some elements of an array.
 fn elements(array: &str, range: Range<usize>) -> Vec<String> {
     range.map(|k| format!("{array}[{k}]")).collect()
 }
@@ -98,7 +98,7 @@ impl GeneratedFold {
     fn state(&self) -> usize {
         self.empty.len()
     }
-    /// The shader of a kernel.
+    /// Returns the shader of a kernel.
     pub fn text(&self, form: Form) -> String {
         let mut text = format!("{WGSL}\n{}\n{}\n", self.edge.text, self.join.text);
         match form {
@@ -169,7 +169,7 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         }
         text
     }
-    /// The text that computes the state of one edge, as `edge`, and the numbers that it takes.
+    /// Returns the text that computes the state of one edge, as `edge`, and the numbers that it takes.
     fn edge_of(&self) -> (String, Vec<String>) {
         let mut inputs = names("s", self.shared);
         for end in ["tail", "tip"] {
@@ -198,7 +198,7 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         }
         text
     }
-    /// The kernel of values.
+    /// Returns the kernel of values.
     fn values(&self) -> String {
         let mut text = self.head("fold_main", &[("read_write", "outputs")]);
         let mut inputs = names("s", self.shared);
@@ -215,8 +215,8 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         }
         text + "}\n"
     }
-    /// The kernel of derivatives: joins the edges, keeping the state before each, then pulls the cotangent back from
-    /// the last edge to the first.
+    /// Returns the kernel of derivatives: joins the edges, keeping the state before each, then pulls the cotangent back
+    /// from the last edge to the first.
     fn derivatives(&self) -> String {
         let (state, context, shared, n) = (self.state(), self.context, self.shared, self.element);
         let buffers = [
@@ -318,7 +318,7 @@ impl<'a> Listed<'a> {
             shared,
         })
     }
-    /// The numbers of some vertices, `element` each.
+    /// Returns the numbers of some vertices, `element` each.
     fn vertices(&self, vertices: &Range<usize>, element: usize) -> Cow<'a, [f32]> {
         match self.shared {
             Some(0) => Cow::Borrowed(&[]),

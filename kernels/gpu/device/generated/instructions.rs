@@ -25,7 +25,7 @@ pub(crate) const TAKE: u32 = 0x101;
 /// Gives the slot in the second word as the result in the third.
 pub(crate) const GIVE: u32 = 0x102;
 
-/// A graph as instructions.
+/// Returns a graph as instructions.
 pub(crate) fn instructions(graph: &Graph, inputs: usize, outputs: &[Id]) -> Result<Replay, Error> {
     // Zeros lose their signs on their way out.
     let plain = |&x: &Id| match graph.at(x) {
@@ -70,7 +70,7 @@ pub(crate) fn instructions(graph: &Graph, inputs: usize, outputs: &[Id]) -> Resu
     })
 }
 
-/// The number of every instruction of the interpreter, by name.
+/// Returns the number of every instruction of the interpreter, by name.
 pub(crate) fn numbers() -> Vec<(&'static str, u32)> {
     macro_rules! listed {
         ($($name:ident($($x:ident),*) = $value:expr;)*) => {

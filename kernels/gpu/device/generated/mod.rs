@@ -32,7 +32,7 @@ use text::{Form, Of};
 use uploaded::MOST_OPERATIONS;
 
 impl Inner {
-    /// The pipeline of a generated kernel, compiled at the first call. Pipelines of programs that are gone are
+    /// Returns the pipeline of a generated kernel, compiled at the first call. Pipelines of programs that are gone are
     /// given up.
     fn generated(
         &self,
@@ -53,17 +53,17 @@ impl Inner {
 }
 
 impl Generated<f32> {
-    /// The pipeline of a kernel around it.
+    /// Returns the pipeline of a kernel around it.
     pub(super) fn pipeline(&self, inner: &Inner, form: Form) -> wgpu::ComputePipeline {
         inner.generated(&self.name, form, || form.text(self))
     }
-    /// How many pairs a dispatch computes at most: drivers reset a GPU that is busy with one for seconds.
+    /// Returns how many pairs a dispatch computes at most: drivers reset a GPU that is busy with one for seconds.
     pub(super) fn most_pairs(&self) -> usize {
         MOST_OPERATIONS / self.bodies[0].operations.max(1)
     }
 }
 
-/// Every shader that an operation can need, with a name: for tests that have no GPU.
+/// Returns every shader that an operation can need, with a name: for tests that have no GPU.
 ///
 /// # Errors
 ///
@@ -81,7 +81,7 @@ where
     )
 }
 
-/// The shaders of a straight line; of reductions, whose template is the same for all, one.
+/// Returns the shaders of a straight line; of reductions, whose template is the same for all, one.
 #[doc(hidden)]
 pub fn line_sources(
     name: &str,
@@ -124,7 +124,7 @@ fn sources(
     Ok(all)
 }
 
-/// The forms of all pairs of a mode. Seeds are a snippet that is the same for all: each is taken once.
+/// Returns the forms of all pairs of a mode. Seeds are a snippet that is the same for all: each is taken once.
 fn forms(mode: Mode, made: &Generated<f32>, outputs: usize, taken: &[Take]) -> Vec<Form> {
     let mut all = Vec::new();
     match mode {
@@ -158,7 +158,7 @@ fn forms(mode: Mode, made: &Generated<f32>, outputs: usize, taken: &[Take]) -> V
     all
 }
 
-/// Every shader that a fold can need, with a name.
+/// Returns every shader that a fold can need, with a name.
 ///
 /// # Errors
 ///
@@ -179,7 +179,7 @@ pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
         .into())
 }
 
-/// The shader that replays what was decided.
+/// Returns the shader that replays what was decided.
 #[doc(hidden)]
 #[must_use]
 pub fn replay_source() -> String {

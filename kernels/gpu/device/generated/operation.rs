@@ -25,7 +25,7 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// The name of its prepared boxes, whatever the score.
+    /// Returns the name of its prepared boxes, whatever the score.
     fn prepared(self) -> Name {
         static NAMES: LazyLock<[Name; 2]> = LazyLock::new(Default::default);
         NAMES[self as usize].clone()
@@ -63,8 +63,8 @@ pub(super) struct Body {
     pub gives: usize,
 }
 
-/// `true` for sines of an angle. The processor computes them at upload, in double precision, for the same numbers
-/// as its own batches start from.
+/// Returns `true` for sines of an angle. The processor computes them at upload, in double precision, for the same
+/// numbers as its own batches start from.
 fn is_sine(node: Node) -> bool {
     use Node::*;
     matches!(
@@ -73,7 +73,7 @@ fn is_sine(node: Node) -> bool {
     )
 }
 
-/// A piece as a function of so many numbers. It takes one at least: there are no arrays of none.
+/// Returns a piece as a function of so many numbers. It takes one at least: there are no arrays of none.
 pub(super) fn body_of(name: &'static str, piece: &Piece, inputs: usize, taken: &[Taken]) -> Body {
     Body {
         entry: name,
@@ -83,7 +83,7 @@ pub(super) fn body_of(name: &'static str, piece: &Piece, inputs: usize, taken: &
     }
 }
 
-/// The part of a piece that some of its results need.
+/// Returns the part of a piece that some of its results need.
 pub(super) fn part(piece: &Piece, outputs: &[Id]) -> Piece {
     let live = piece.graph.live(outputs, false);
     let mut graph = Graph::new(piece.graph.format);
@@ -114,8 +114,8 @@ impl<T: Real> Generated<T> {
         name(&mut self.arguments, names);
         self
     }
-    /// The code of a recorded function. If `framed` is set it is for all pairs: numbers that depend on one shape
-    /// alone are computed once per shape.
+    /// Returns the code of a recorded function. If `framed` is set it is for all pairs: numbers that depend on one
+    /// shape alone are computed once per shape.
     pub(crate) fn new(
         mode: Mode,
         leaves: Vec<Leaf<T>>,
@@ -190,7 +190,8 @@ impl<T: Real> Generated<T> {
         })
     }
 
-    /// The key of prepared shapes of an argument, and whose they are. Bodies by hand of the same boxes share them.
+    /// Returns the key of prepared shapes of an argument, and whose they are. Bodies by hand of the same boxes share
+    /// them.
     pub(super) fn prepared(&self, k: usize) -> ((u64, usize), Name) {
         let (name, k) = match self.kind {
             Some(kind) => (kind.prepared(), 0),
@@ -199,7 +200,7 @@ impl<T: Real> Generated<T> {
         ((*name.0, k), name)
     }
 
-    /// `true` if plain products of numbers of these shapes may over- or underflow, and a body knows of it.
+    /// Returns `true` if plain products of numbers of these shapes may over- or underflow, and a body knows of it.
     pub(super) fn is_extreme(&self, k: usize, numbers: &[T]) -> bool {
         let preparation = &self.arguments[k];
         self.extreme.is_some()
@@ -209,7 +210,7 @@ impl<T: Real> Generated<T> {
                 .any(preparation.is_rare)
     }
 
-    /// The prepared numbers of some shapes of an argument, shape by shape, each a multiple of four.
+    /// Returns the prepared numbers of some shapes of an argument, shape by shape, each a multiple of four.
     pub(super) fn prepare_rows(&self, k: usize, numbers: &[T]) -> Vec<T> {
         let preparation = &self.arguments[k];
         let count = numbers.len().checked_div(preparation.fields).unwrap_or(0);
@@ -218,7 +219,7 @@ impl<T: Real> Generated<T> {
         crate::kernels::cpu::arch::flat(&list.picking()).to_vec()
     }
 
-    /// The prepared numbers of some shapes of an argument or cotangent, in tiles.
+    /// Returns the prepared numbers of some shapes of an argument or cotangent, in tiles.
     pub(super) fn prepare(&self, k: usize, numbers: &[T]) -> Vec<T> {
         let plain;
         let preparation = match self.arguments.get(k) {
@@ -245,7 +246,7 @@ impl<T: Real> Generated<T> {
 /// The letters of arguments.
 const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
 
-/// The description of a prepared number, if it is short.
+/// Returns the description of a prepared number, if it is short.
 fn described(graph: &Graph, x: Id, fields: &[String]) -> String {
     let of = |what: &str, x: Id| format!("{} {what}", described(graph, x, fields));
     let made = || {
@@ -286,7 +287,7 @@ fn unlike(all: impl Iterator<Item = String>) -> Vec<String> {
     names
 }
 
-/// `true` if a frame is all numbers of a shape, as they are.
+/// Returns `true` if a frame is all numbers of a shape, as they are.
 fn is_whole(frame: &Piece, fields: usize) -> bool {
     let input = |(k, &x): (usize, &Id)| frame.graph.at(x) == Node::Input(k as u32);
     frame.outputs.len() == fields && frame.outputs.iter().enumerate().all(input)

@@ -7,7 +7,7 @@ use crate::kernels::gpu::device::context::Device;
 use crate::kernels::machine::Column;
 
 impl Device {
-    /// Every row with every row of columns of numbers, plane after plane.
+    /// Returns every row with every row of columns of numbers, plane after plane.
     pub(in crate::kernels::gpu::device) fn planes(
         &self,
         call: &Call<f32>,

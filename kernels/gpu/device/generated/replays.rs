@@ -25,7 +25,7 @@ const MOST_SLOTS: usize = 1 << 28;
 /// Items that are decided at a time.
 const CHUNK: usize = 32 * STRETCH;
 
-/// The kernel.
+/// Returns the kernel.
 pub(super) fn text() -> String {
     let mut text = String::from(WGSL);
     for (name, number) in numbers() {
@@ -53,7 +53,7 @@ pub(crate) struct Replayed {
 }
 
 impl Replayed {
-    /// The replays of a search.
+    /// Returns the replays of a search.
     pub(crate) fn new(replays: Arc<dyn Replays<f32>>) -> Self {
         Replayed {
             replays,
@@ -139,7 +139,8 @@ struct Load {
 }
 
 impl Load {
-    /// How many numbers its instructions and its slots are with one more item, and a program if it has another one.
+    /// Returns how many numbers its instructions and its slots are with one more item, and a program if it has another
+    /// one.
     fn numbers(&self, replay: &Replay, is_new: bool, sizes: [usize; 2]) -> [usize; 2] {
         let slots = self.slots.max(replay.slots);
         let items = self.items.len() + 1;
@@ -147,7 +148,7 @@ impl Load {
         let widest = slots.max(sizes[0]).max(sizes[1]);
         [4 * code, items * widest]
     }
-    /// `true` if it still fits with that.
+    /// Returns `true` if it still fits with that.
     fn fits(&self, replay: &Replay, is_new: bool, sizes: [usize; 2], most_bytes: usize) -> bool {
         let [code, slots] = self.numbers(replay, is_new, sizes);
         4 * code <= most_bytes

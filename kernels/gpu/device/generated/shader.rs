@@ -7,7 +7,7 @@ use crate::kernels::cpu::lane::TILE;
 use std::fmt::Write;
 
 impl Form {
-    /// The shader.
+    /// Returns the shader.
     pub fn text(self, made: &Generated<f32>) -> String {
         let body = self.body(made);
         let kernel = match self {

@@ -73,7 +73,7 @@ impl Side {
         }
         Ok(())
     }
-    /// The parts of a range of shapes, each in one buffer: the buffer, where in it, which shapes.
+    /// Returns the parts of a range of shapes, each in one buffer: the buffer, where in it, which shapes.
     pub(super) fn parts(
         &self,
         range: Range<usize>,
@@ -87,7 +87,7 @@ impl Side {
     }
 }
 
-/// The prepared numbers of some shapes, and whether any of them is extreme.
+/// Returns the prepared numbers of some shapes, and whether any of them is extreme.
 fn frames(
     made: &Generated<f32>,
     k: usize,

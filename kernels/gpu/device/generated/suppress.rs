@@ -41,7 +41,7 @@ const FIRST_ROWS: usize = 256;
 const MOST_MASKS: usize = 1 << 26;
 
 impl Device {
-    /// The shapes that no better one, kept itself, overlaps by more than the threshold: their places, the
+    /// Returns the shapes that no better one, kept itself, overlaps by more than the threshold: their places, the
     /// best first, as [`Machine::suppress`](crate::kernels::Machine::suppress) says.
     pub(in crate::kernels::gpu::device) fn kept(
         &self,
@@ -62,7 +62,7 @@ impl Device {
     }
 }
 
-/// The shapes of a list, the best first, that are kept.
+/// Returns the shapes of a list, the best first, that are kept.
 fn suppressed(
     gpu: &Device,
     made: &Arc<Generated<f32>>,
@@ -263,7 +263,7 @@ impl<'a> Masks<'a> {
     fn first_rows(&self) -> usize {
         FIRST_ROWS.min(self.most_rows)
     }
-    /// A shape's class, and whether its results are the processor's.
+    /// Returns a shape's class, and whether its results are the processor's.
     fn ids(&self, list: &List<'_, f32>, i: usize) -> [u32; 2] {
         let class = self.greed.classes.map_or(0, |classes| classes[i]);
         [class, u32::from(list.is_rare(i))]
@@ -343,14 +343,14 @@ impl<'a> Masks<'a> {
     }
 }
 
-/// A shape's bounds as finite numbers: everything where there are none.
+/// Returns a shape's bounds as finite numbers: everything where there are none.
 fn bounds_of(list: &List<'_, f32>, i: usize) -> [f32; 4] {
     let all = [-f32::MAX, -f32::MAX, f32::MAX, f32::MAX];
     let bounds = list.bounds_of(i).unwrap_or(all);
     bounds.map(|x| x.clamp(-f32::MAX, f32::MAX))
 }
 
-/// The kernel: a thread for a row and a word of columns. Parameters are how many rows and columns there are,
+/// Returns the kernel: a thread for a row and a word of columns. Parameters are how many rows and columns there are,
 /// the first column's index in the list and the first word that is wanted; where both lists begin; from where
 /// to where results are near to the threshold.
 pub(super) fn masks(made: &Generated<f32>, body: &Body) -> String {

@@ -23,7 +23,7 @@ pub(in crate::kernels::gpu::device) struct Size {
 }
 
 impl Generated<f32> {
-    /// The size of a kernel of all pairs.
+    /// Returns the size of a kernel of all pairs.
     pub(in crate::kernels::gpu::device) fn size(&self, form: Form) -> Size {
         // Large programs need many registers: few threads.
         let (group, step) = match self.kind {
@@ -55,7 +55,7 @@ impl Generated<f32> {
             _ => size,
         }
     }
-    /// The lists whose derivatives each kernel of an adjoint sums: a body by hand gives those of both at once.
+    /// Returns the lists whose derivatives each kernel of an adjoint sums: a body by hand gives those of both at once.
     pub(super) fn passes(&self, slots: usize) -> Vec<Of> {
         match self.kind {
             Some(_) => vec![Of::Both(slots)],
@@ -64,7 +64,7 @@ impl Generated<f32> {
     }
 }
 
-/// The kernel of a form of all pairs.
+/// Returns the kernel of a form of all pairs.
 pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
     let size = made.size(form);
     let (own, has_seed, slots) = match form {
@@ -122,7 +122,7 @@ pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
     text
 }
 
-/// The functions that name the numbers of shapes, and call the body.
+/// Returns the functions that name the numbers of shapes, and call the body.
 fn shapes(made: &Generated<f32>, body: &Body, own: usize, has_seed: bool) -> String {
     let mut text = String::new();
     for (k, shape, function) in [(own, "Own", "own_at"), (1 - own, "Walked", "walked_at")] {
@@ -168,7 +168,7 @@ fn body_at(own: Own, walked: Walked{seed}) -> array<f32, {}> {{
     text
 }
 
-/// The function that puts down the results of a pair.
+/// Returns the function that puts down the results of a pair.
 fn put_pair(body: &Body) -> String {
     let gives = body.gives;
     let lines = (0..gives).map(|k| format!("    values[at + {k}u * params.plane] = y[{k}];\n"));
@@ -178,7 +178,7 @@ fn put_pair(body: &Body) -> String {
     )
 }
 
-/// The functions that add and put down derivatives.
+/// Returns the functions that add and put down derivatives.
 fn bars(made: &Generated<f32>, body: &Body, of: Of) -> String {
     let mut text = String::new();
     let gives = body.gives;

@@ -49,7 +49,7 @@ pub(in super::super) enum Form {
 }
 
 impl Form {
-    /// The name of its entry point.
+    /// Returns the name of its entry point.
     pub fn entry(self) -> &'static str {
         match self {
             Form::Aligned => "aligned_main",
@@ -64,7 +64,7 @@ impl Form {
             Form::FoldDerivatives => "fold_slopes_main",
         }
     }
-    /// The function that it calls.
+    /// Returns the function that it calls.
     pub(super) fn body(self, made: &Generated<f32>) -> &Body {
         match self {
             Form::Derivatives(Of::Rows, _) => &made.bodies[1],
@@ -74,7 +74,7 @@ impl Form {
     }
 }
 
-/// The bindings of a kernel: what is read, and what is written.
+/// Returns the bindings of a kernel: what is read, and what is written.
 pub(super) fn bindings(parameters: usize, read: &[&str], written: &[&str]) -> String {
     let mut text = format!(
         "@group(0) @binding(0) var<uniform> params: array<vec4u, {}>;\n",
@@ -98,7 +98,7 @@ pub(super) fn numbers(buffer: &str, at: &str, count: usize) -> impl Iterator<Ite
     (0..count).map(move |k| format!("{buffer}[{at} + {}u]", k * TILE))
 }
 
-/// A call of the function, which takes one number at least.
+/// Returns a call of the function, which takes one number at least.
 pub(super) fn call(name: &str, mut inputs: Vec<String>) -> String {
     if inputs.is_empty() {
         inputs.push("0.0".to_owned());
@@ -110,7 +110,7 @@ pub(super) fn call(name: &str, mut inputs: Vec<String>) -> String {
     )
 }
 
-/// The numbers of both shapes of a pair. Shapes that stay are read before the loop, those that are walked
+/// Returns the numbers of both shapes of a pair. Shapes that stay are read before the loop, those that are walked
 /// through within it.
 pub(super) fn both(made: &Generated<f32>, own: usize) -> (String, String, Vec<String>) {
     let (mut outside, mut inside) = (String::new(), String::new());
@@ -145,7 +145,7 @@ pub(super) fn bound(made: &Generated<f32>, a: &str, b: &str) -> String {
         .collect()
 }
 
-/// The results `y` of an item to their places, which parameters from this one on say.
+/// Returns the results `y` of an item to their places, which parameters from this one on say.
 pub(super) fn results(gives: &[usize], parameter: usize) -> String {
     let (mut text, mut first) = (String::new(), 0);
     for (k, &fields) in gives.iter().enumerate() {

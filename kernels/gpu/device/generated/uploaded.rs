@@ -36,7 +36,7 @@ pub(super) struct Piece<'a> {
 }
 
 impl Piece<'_> {
-    /// The parameters of a kernel whose threads stand for the shapes of a list.
+    /// Returns the parameters of a kernel whose threads stand for the shapes of a list.
     pub fn params(&self, own: usize) -> Params {
         Params {
             own_count: self.counts[own] as u32,
@@ -59,7 +59,7 @@ impl Piece<'_> {
 }
 
 impl Sides {
-    /// Two lists, checked and prepared; those that stay are prepared once.
+    /// Returns two lists, checked and prepared; those that stay are prepared once.
     pub fn of(
         gpu: &Device,
         made: &Generated<f32>,
@@ -78,18 +78,18 @@ impl Sides {
             b: side(1)?,
         })
     }
-    /// The kernels for these lists: those of a body for extreme shapes where there are any.
+    /// Returns the kernels for these lists: those of a body for extreme shapes where there are any.
     pub fn body_for(&self, made: Arc<Generated<f32>>) -> Arc<Generated<f32>> {
         match &made.extreme {
             Some(extreme) if self.a.is_extreme || self.b.is_extreme => Arc::clone(extreme),
             _ => made,
         }
     }
-    /// How many rows and columns there are.
+    /// Returns how many rows and columns there are.
     pub fn counts(&self) -> [usize; 2] {
         [self.a.count, self.b.count]
     }
-    /// The parts of some shapes of a list: the buffer, where in it, and which shapes.
+    /// Returns the parts of some shapes of a list: the buffer, where in it, and which shapes.
     pub fn parts(
         &self,
         k: usize,
@@ -98,7 +98,7 @@ impl Sides {
         let side = if k == 0 { &self.a } else { &self.b };
         side.parts(range)
     }
-    /// The dispatches of a block of results, for a function of so many operations.
+    /// Returns the dispatches of a block of results, for a function of so many operations.
     pub(super) fn pieces(&self, block: &Block, operations: usize) -> Vec<Piece<'_>> {
         let mut pieces = Vec::new();
         let rows = block.row_base..block.row_base + block.rows;

@@ -145,7 +145,8 @@ impl Device {
         })
     }
 
-    /// The buffers of results: present ones, if they lie side by side and nothing is read from them, or new ones.
+    /// Returns the buffers of results: present ones, if they lie side by side and nothing is read from them, or new
+    /// ones.
     fn room(
         &self,
         made: &Generated<f32>,

@@ -58,7 +58,7 @@ struct Windows {
 }
 
 impl Windows {
-    /// The place of an item: the buffer, the number in it, and the first later item that is in another buffer.
+    /// Returns the place of an item: the buffer, the number in it, and the first later item that is in another buffer.
     fn at(&self, item: usize, width: usize) -> (&wgpu::Buffer, usize, usize) {
         let k = item / self.window;
         let (buffer, start) = &self.parts[k];
@@ -70,7 +70,7 @@ impl Windows {
     }
 }
 
-/// How many items of so many numbers a buffer takes, and a dispatch.
+/// Returns how many items of so many numbers a buffer takes, and a dispatch.
 fn window(inner: &Inner, width: usize) -> Result<usize, Error> {
     let most = inner.most_bytes as usize / 4 / width.max(1);
     match most.min(MOST_GROUPS * GROUP) / TILE * TILE {
@@ -107,7 +107,7 @@ fn brought_up(
     Ok(Windows { window, parts })
 }
 
-/// The column of a call that stays on this GPU; `None` of one that does not stay.
+/// Returns the column of a call that stays on this GPU; `None` of one that does not stay.
 pub(in crate::kernels::gpu::device) fn held<'a>(
     gpu: &Device,
     column: &Column<'a, f32>,
@@ -169,7 +169,7 @@ impl HeldColumn {
         }
     }
 
-    /// The shapes that were found best, in that order. They are put together on the processor, which prepares
+    /// Returns the shapes that were found best, in that order. They are put together on the processor, which prepares
     /// shapes.
     pub(crate) fn picked(&self, bests: &[Best]) -> Result<Self, Error> {
         let rows = self.rows(&mut locked(&self.state))?;
@@ -186,12 +186,12 @@ impl HeldColumn {
         gpu.owns(&self.gpu)
     }
 
-    /// The numbers, shape by shape.
+    /// Returns the numbers, shape by shape.
     pub(in crate::kernels::gpu::device) fn numbers(&self) -> Result<Arc<Vec<f32>>, Error> {
         self.rows(&mut locked(&self.state))
     }
 
-    /// The numbers on the processor, where they are kept.
+    /// Returns the numbers on the processor, where they are kept.
     fn rows(&self, state: &mut State) -> Result<Arc<Vec<f32>>, Error> {
         if let Some(rows) = &state.rows {
             return Ok(Arc::clone(rows));
@@ -212,7 +212,7 @@ impl HeldColumn {
         Ok(rows)
     }
 
-    /// The parts to bring back: for every buffer the first byte, and the number of bytes, of whole tiles.
+    /// Returns the parts to bring back: for every buffer the first byte, and the number of bytes, of whole tiles.
     fn parts(&self, state: &State) -> Vec<(wgpu::Buffer, u64, u64)> {
         let Some((_, plain)) = &state.plain else {
             return Vec::new();
@@ -226,7 +226,7 @@ impl HeldColumn {
         parts.collect()
     }
 
-    /// The column as an argument of an operation wants it.
+    /// Returns the column as an argument of an operation wants it.
     fn for_all(&self, made: &Generated<f32>, k: usize) -> Result<Windows, Error> {
         let inner = &self.gpu.inner;
         let mut state = locked(&self.state);
@@ -268,7 +268,7 @@ impl HeldColumn {
         Ok(found)
     }
 
-    /// The column as a list of all pairs wants it.
+    /// Returns the column as a list of all pairs wants it.
     pub(in crate::kernels::gpu::device) fn for_pairs(
         &self,
         made: &Generated<f32>,
@@ -301,8 +301,8 @@ impl HeldColumn {
         Ok(side)
     }
 
-    /// The buffers that new results may overwrite: whole columns of one buffer. `None` if they lie in another way
-    /// or are lent to others.
+    /// Returns the buffers that new results may overwrite: whole columns of one buffer. `None` if they lie in another
+    /// way or are lent to others.
     fn results(&self) -> Option<Windows> {
         let state = locked(&self.state);
         state.plain.as_ref().map(|(_, plain)| plain.clone())
