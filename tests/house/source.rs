@@ -83,3 +83,46 @@ fn layers_use_those_below() {
         }
     }
 }
+
+/// Every row in both formats is four times the code of the library: the crate that asks for all rows compiles them.
+/// So a function that asks is inlined into its caller, or has types of its caller.
+#[test]
+fn the_library_compiles_no_list_of_all_rows() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+    let (mut files, mut asking) = (Vec::new(), 0);
+    for folder in ["src", "ad", "kernels"] {
+        sources(&root.join(folder), &mut files);
+    }
+    for file in files {
+        let text = std::fs::read_to_string(&file).unwrap();
+        let lines: Vec<&str> = text.lines().collect();
+        let asks = |line: &str| {
+            let code = line.split("//").next().unwrap();
+            ["rows()", "operations()", "ops::each("].iter().any(|call| {
+                code.find(call).is_some_and(|at| {
+                    let before = code[..at].chars().next_back().unwrap_or(' ');
+                    !code[..at].ends_with("fn ")
+                        && !before.is_alphanumeric()
+                        && !"._".contains(before)
+                })
+            })
+        };
+        for (at, line) in lines.iter().enumerate().filter(|(_, line)| asks(line)) {
+            let is_function =
+                |line: &&str| line.trim_start().starts_with("fn ") || line.contains(" fn ");
+            let head = lines[..=at]
+                .iter()
+                .rposition(|line| is_function(&line))
+                .unwrap();
+            let attributes = lines[..head].iter().rev();
+            let mut attributes =
+                attributes.take_while(|line| line.trim_start().starts_with(['#', '/']));
+            let place = format!("{}:{}: {}", file.display(), at + 1, line.trim());
+            let is_callers =
+                lines[head].contains('<') || attributes.any(|line| line.trim() == "#[inline]");
+            assert!(is_callers, "compiles every row with the library: {place}");
+            asking += 1;
+        }
+    }
+    assert!(asking >= 4, "{asking}");
+}
