@@ -109,14 +109,16 @@ class Reports(Tuple[Any, ...]):
     def passed(self) -> bool: ...
 
 class _Forms:
-    def row_max(self, a: Any, b: Any, *, {kind}backend: Backend = ...) -> tuple[Array, Array]:
-        """The largest result of every row of `a`, and its row of `b`."""
-    def column_max(self, a: Any, b: Any, *, {kind}backend: Backend = ...) -> tuple[Array, Array]:
-        """The largest result of every row of `b`, and its row of `a`."""
+    def row_max(self, a: Any, b: Any, *, groups: Groups = ..., {kind}backend: Backend = ...) -> tuple[Array, Array]:
+        """The largest result of every row of `a`, and its row of `b`; -inf and -1 in a group without rows of `b`."""
+    def column_max(self, a: Any, b: Any, *, groups: Groups = ..., {kind}backend: Backend = ...) -> tuple[Array, Array]:
+        """The largest result of every row of `b`, and its row of `a`; -inf and -1 in a group without rows of `a`."""
     def all_pairs(self, a: Any, b: Any, *, {kind}out: Out = ..., backend: Backend = ...) -> Array:
         """Every row of `a` with every row of `b`: a matrix."""
-    def above(self, a: Any, b: Any, threshold: float, *, {kind}backend: Backend = ...) -> tuple[Array, Array, Array]:
-        """Every pair whose result is above a threshold: rows of `a`, rows of `b`, results."""
+    def above(
+        self, a: Any, b: Any, threshold: float, *, groups: Groups = ..., {kind}backend: Backend = ...
+    ) -> tuple[Array, Array, Array]:
+        """Every pair, with groups every pair of a group, whose result is above a threshold: rows of `a`, rows of `b`, results."""
     def count_above(self, a: Any, b: Any, threshold: float, *, {kind}backend: Backend = ...) -> int:
         """How many pairs have a result above a threshold."""
     def sum(self, a: Any, b: Any, *, {kind}backend: Backend = ...) -> float:
@@ -129,6 +131,11 @@ class _Forms:
         """The mean of the results of all pairs, and its gradients by both lists."""
     def all_pairs_vjp(self, a: Any, b: Any, upstream: ArrayLike, *, {kind}backend: Backend = ...) -> tuple[Array, Array]:
         """Cotangents of both lists, for a matrix of those of all pairs."""
+    def suppress(
+        self, shapes: Any, scores: ArrayLike, overlap: float, *, classes: Optional[ArrayLike] = ..., score: Optional[float] = ...,
+        most: Optional[int] = ..., groups: Optional[ArrayLike] = ..., kind: Kind = ...
+    ) -> Array:
+        """The places of the shapes that no better one, kept itself, overlaps by more than a threshold, the best first."""
     def aligned(self, *arguments: Any, {item}) -> Any:
         """Item i of every argument: the plain call under its name."""
     def value_grad(self, *arguments: Any, {item}) -> tuple[Any, Any]:
@@ -148,19 +155,6 @@ class Verb(_Forms):
     """A function of shapes, of which the shapes choose the row."""
     __name__: str
     def program(self, *, kind: Kind, to: Kind = ..., form: Form = ..., double: bool = ...) -> Program: ...
-    def row_max(self, a: Any, b: Any, *, groups: Groups = ..., kind: Kind = ..., backend: Backend = ...) -> tuple[Array, Array]:
-        """The largest result of every row of `a`, and its row of `b`; -inf and -1 in a group without rows of `b`."""
-    def column_max(self, a: Any, b: Any, *, groups: Groups = ..., kind: Kind = ..., backend: Backend = ...) -> tuple[Array, Array]:
-        """The largest result of every row of `b`, and its row of `a`; -inf and -1 in a group without rows of `a`."""
-    def above(
-        self, a: Any, b: Any, threshold: float, *, groups: Groups = ..., kind: Kind = ..., backend: Backend = ...
-    ) -> tuple[Array, Array, Array]:
-        """Every pair, with groups every pair of a group, whose result is above a threshold: rows of `a`, rows of `b`, results."""
-    def suppress(
-        self, shapes: Any, scores: ArrayLike, overlap: float, *, classes: Optional[ArrayLike] = ..., score: Optional[float] = ...,
-        most: Optional[int] = ..., groups: Optional[ArrayLike] = ..., kind: Kind = ...
-    ) -> Array:
-        """The places of the shapes that no better one, kept itself, overlaps by more than a threshold, the best first."""
 
 class Function(_Forms):
     """A function that is recorded once, at its first call, and then runs on arrays."""

@@ -1,17 +1,13 @@
 //! The forms of a call, for rows of the table and traced functions alike.
-use crate::arrays::{
-    Given, Lent, Target, aligned, broadcast, is_double, offsets, with_fields, written,
-};
+use crate::arrays::{Given, Lent, Target, aligned, broadcast, with_fields, written};
 use crate::call::Callable;
 use crate::column::{Column, NUMBERS};
 use crate::machine::Machine;
 use crate::number::{Form, Number};
 use crate::raised;
-use crate::shapes::{Paths, dressed};
+use crate::shapes::dressed;
 use crate::threads::on_threads;
-use geograd::kernels::dynamic::Rows;
-use geograd::kernels::reduce::{Best, Found};
-use numpy::{PyArray1, PyUntypedArrayMethods};
+use numpy::PyArray1;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
@@ -31,8 +27,8 @@ pub struct Call<'a, 'py> {
 /// Runs a call in the format of its arguments.
 macro_rules! in_format {
     ($call:expr, $given:expr, $run:ident $(, $more:expr)*) => {
-        match is_double($call.py, &$given) {
-            true if $call.machine.is_gpu() => Err(PyTypeError::new_err(
+        match $crate::arrays::is_double($call.py, &$given) {
+            true if $call.machine.is_gpu() => Err(pyo3::exceptions::PyTypeError::new_err(
                 "backend=\"gpu\" computes in float32: pass arrays of float32",
             )),
             true => $call.$run::<f64>($given $(, $more)*),
@@ -57,7 +53,7 @@ fn flattened<'py>(out: &Object<'py>, into: &mut Vec<Option<Object<'py>>>) -> PyR
 
 impl<'py> Call<'_, 'py> {
     /// The arguments of columns.
-    fn given(&self, columns: &[Column]) -> PyResult<Vec<Given<'py>>> {
+    pub fn given(&self, columns: &[Column]) -> PyResult<Vec<Given<'py>>> {
         if self.arguments.len() != columns.len() {
             let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
             return Err(PyTypeError::new_err(format!(
@@ -74,7 +70,7 @@ impl<'py> Call<'_, 'py> {
             .map(|(x, column)| Given::new(x, column))
             .collect()
     }
-    fn lent<T: Number>(
+    pub fn lent<T: Number>(
         &self,
         given: Vec<Given<'py>>,
         columns: &[Column],
@@ -221,518 +217,18 @@ impl<'py> Call<'_, 'py> {
             Form::Jacobian | Form::Hessian => Ok(results.remove(0)),
         }
     }
-
-    /// Both lists of a call of all pairs.
-    pub fn two(&self) -> PyResult<Vec<Given<'py>>> {
-        let takes = &self.of.takes;
-        if takes.len() != 2 {
-            return Err(PyTypeError::new_err(format!(
-                "{} takes {} arguments; pairs are of two",
-                self.name,
-                takes.len()
-            )));
-        }
-        self.given(takes)
-    }
-    fn lists<T: Number>(&self, given: Vec<Given<'py>>) -> PyResult<[Lent<'py, T>; 2]> {
-        let takes = &self.of.takes;
-        let lent = self.lent::<T>(given, takes)?;
-        for (one, column) in lent.iter().zip(takes) {
-            if one.lead().len() > 1 {
-                return Err(PyValueError::new_err(format!(
-                    "`{}`: a list of rows is needed, an array of shape {}, not one with {} leading axes",
-                    column.name,
-                    if column.axes.is_empty() {
-                        "(N,)".to_owned()
-                    } else {
-                        format!("(N, {})", column.fields())
-                    },
-                    one.lead().len()
-                )));
-            }
-        }
-        <[Lent<'py, T>; 2]>::try_from(lent)
-            .map_err(|_| PyTypeError::new_err("two lists are needed"))
-    }
-    /// Both lists of every batch: the axes of the batches, and the lists, each with all of these axes.
-    fn batched<T: Number>(
-        &self,
-        given: Vec<Given<'py>>,
-    ) -> PyResult<(Vec<usize>, [Lent<'py, T>; 2])> {
-        let takes = &self.of.takes;
-        let lent = self.lent::<T>(given, takes)?;
-        let most = lent.iter().map(|x| x.lead().len()).max().unwrap_or(0);
-        let pair = |all: Vec<Lent<'py, T>>| {
-            <[Lent<'py, T>; 2]>::try_from(all)
-                .map_err(|_| PyTypeError::new_err("two lists are needed"))
-        };
-        if most <= 1 {
-            return Ok((Vec::new(), pair(lent)?));
-        }
-        let axes = |x: &Lent<'py, T>| {
-            x.lead()
-                .split_last()
-                .map_or((1, Vec::new()), |(&n, axes)| (n, axes.to_vec()))
-        };
-        let own: Vec<(usize, Vec<usize>)> = lent.iter().map(axes).collect();
-        let mut batches = vec![1_usize; most - 1];
-        for ((_, axes), column) in own.iter().zip(takes) {
-            let from = batches.len() - axes.len();
-            for (axis, &size) in batches[from..].iter_mut().zip(axes) {
-                match (*axis, size) {
-                    (a, b) if a == b || b == 1 => {}
-                    (1, size) => *axis = size,
-                    (a, b) => {
-                        return Err(PyValueError::new_err(format!(
-                            "`{}` has {b} batches where {a} are needed",
-                            column.name
-                        )));
-                    }
-                }
-            }
-        }
-        let fitted =
-            lent.into_iter()
-                .zip(own)
-                .zip(takes)
-                .map(|((x, (n, axes)), column)| match axes == batches {
-                    true => Ok(x),
-                    false => x.repeated(self.py, &[&batches[..], &[n]].concat(), column),
-                });
-        let fitted = pair(fitted.collect::<PyResult<Vec<_>>>()?)?;
-        Ok((batches, fitted))
-    }
-    /// The lists of every batch, and how many rows each has.
-    fn each<'a, T: Number>(
-        &self,
-        batches: &[usize],
-        lists: &[Lent<'py, T>; 2],
-        slices: &'a [Vec<&'a [T]>; 2],
-    ) -> (Vec<[Rows<'a, T>; 2]>, [usize; 2]) {
-        let count: usize = batches.iter().product();
-        let rows = [0, 1].map(|k| lists[k].lead().last().copied().unwrap_or(1));
-        let of = |k: usize, i: usize| {
-            if batches.is_empty() {
-                return lists[k].rows(&slices[k], false);
-            }
-            let fields = self.of.takes[k].fields();
-            let size = rows[k] * fields;
-            Rows::new(&slices[k][0][i * size..(i + 1) * size], fields)
-        };
-        ((0..count).map(|i| [of(0, i), of(1, i)]).collect(), rows)
-    }
-    fn one_number(&self) -> PyResult<()> {
+    /// Fails unless the function gives one number.
+    pub fn one_number(&self) -> PyResult<()> {
         self.of.signature(Form::Value)?;
         match self.of.outputs() {
             1 => Ok(()),
             found => Err(raised(geograd::Error::NotOneNumber { found })),
         }
     }
-    pub fn reduced<T: Number, R: Send>(
-        &self,
-        given: Vec<Given<'py>>,
-        reduce: impl FnOnce([Rows<'_, T>; 2]) -> Result<R, geograd::Error> + Send,
-    ) -> PyResult<R> {
-        self.one_number()?;
-        let [a, b] = self.lists::<T>(given)?;
-        let items = a.count().saturating_mul(b.count());
-        let slices = [a.slices()?, b.slices()?];
-        let lists = [a.rows(&slices[0], false), b.rows(&slices[1], false)];
-        self.run(items, || reduce(lists))
-    }
-
-    /// Every row of `a` with every row of `b`.
-    pub fn all_pairs(&self) -> PyResult<Object<'py>> {
-        self.of.signature(Form::Value)?;
-        let given = self.two()?;
-        in_format!(self, given, pairs)
-    }
-    fn pairs<T: Number>(&self, given: Vec<Given<'py>>) -> PyResult<Object<'py>> {
-        let function = self.of.function::<T>(Form::Value)?;
-        let (batches, lists) = self.batched::<T>(given)?;
-        let slices = [lists[0].slices()?, lists[1].slices()?];
-        let (each, [rows, columns]) = self.each(&batches, &lists, &slices);
-        let numbers = self.of.outputs();
-        let planes = (numbers != 1).then_some(numbers);
-        let mut shape = batches.clone();
-        shape.extend(planes.into_iter().chain([rows, columns]));
-        let target = match self.out {
-            None => Target::new(self.py, &shape)?,
-            Some(out) => Target::given(out, &shape, "result")?,
-        };
-        let mut guard = target.lock("result")?;
-        let slice = written(&mut guard)?;
-        let (machine, size) = (&self.machine, numbers * rows * columns);
-        self.run(slice.len(), || {
-            let mut slices = slice.chunks_exact_mut(size.max(1));
-            each.into_iter().try_for_each(|lists| {
-                machine.of(function)?.all_pairs_into(
-                    lists[0],
-                    lists[1],
-                    slices.next().unwrap_or_default(),
-                )
-            })
-        })?;
-        drop(guard);
-        target.done(|array| match planes {
-            None => Ok(array),
-            // Numbers of a result last, as everywhere.
-            Some(_) => self
-                .py
-                .import("numpy")?
-                .call_method1("moveaxis", (array, -3, -1)),
-        })
-    }
-
-    /// The largest result of every row or of every column, and where it is.
-    pub fn most(&self, of_rows: bool) -> PyResult<Object<'py>> {
-        let given = self.two()?;
-        in_format!(self, given, best, of_rows)
-    }
-    fn best<T: Number>(&self, given: Vec<Given<'py>>, of_rows: bool) -> PyResult<Object<'py>> {
-        self.one_number()?;
-        let function = self.of.function::<T>(Form::Value)?;
-        let (batches, lists) = self.batched::<T>(given)?;
-        let slices = [lists[0].slices()?, lists[1].slices()?];
-        let (each, [rows, columns]) = self.each(&batches, &lists, &slices);
-        let machine = &self.machine;
-        let items = rows.saturating_mul(columns).saturating_mul(each.len());
-        let found: Vec<Best<T>> = self.run(items, || {
-            let all = each.into_iter().map(|lists| match of_rows {
-                true => machine.of(function)?.row_max(lists[0], lists[1]),
-                false => machine.of(function)?.column_max(lists[0], lists[1]),
-            });
-            Ok(all.collect::<Result<Vec<_>, geograd::Error>>()?.concat())
-        })?;
-        let values = PyArray1::from_iter(self.py, found.iter().map(|best| best.value));
-        let places = PyArray1::from_iter(self.py, found.iter().map(|best| best.index as isize));
-        let mut shape = batches;
-        shape.push(if of_rows { rows } else { columns });
-        let shaped =
-            |array: &Object<'py>| array.call_method1("reshape", (PyTuple::new(self.py, &shape)?,));
-        Ok((shaped(values.as_any())?, shaped(places.as_any())?)
-            .into_pyobject(self.py)?
-            .into_any())
-    }
-
-    /// Every pair above a threshold: rows, columns, values.
-    pub fn above(&self, threshold: f64) -> PyResult<Object<'py>> {
-        let given = self.two()?;
-        in_format!(self, given, found, threshold)
-    }
-    fn found<T: Number>(&self, given: Vec<Given<'py>>, threshold: f64) -> PyResult<Object<'py>> {
-        let function = self.of.function::<T>(Form::Value)?;
-        let machine = &self.machine;
-        let all: Vec<Found<T>> = self.reduced::<T, _>(given, |lists| {
-            machine
-                .of(function)?
-                .above(lists[0], lists[1], T::narrowed(threshold))
-        })?;
-        let rows = PyArray1::from_iter(self.py, all.iter().map(|found| found.row as isize));
-        let columns = PyArray1::from_iter(self.py, all.iter().map(|found| found.column as isize));
-        let values = PyArray1::from_iter(self.py, all.iter().map(|found| found.value));
-        Ok((rows, columns, values).into_pyobject(self.py)?.into_any())
-    }
-
-    /// How many pairs are above a threshold.
-    pub fn count_above(&self, threshold: f64) -> PyResult<u64> {
-        let given = self.two()?;
-        in_format!(self, given, counted, threshold)
-    }
-    fn counted<T: Number>(&self, given: Vec<Given<'py>>, threshold: f64) -> PyResult<u64> {
-        let function = self.of.function::<T>(Form::Value)?;
-        let machine = &self.machine;
-        self.reduced::<T, _>(given, |lists| {
-            machine
-                .of(function)?
-                .count_above(lists[0], lists[1], T::narrowed(threshold))
-        })
-    }
-
-    /// The sum of all results, or their mean.
-    pub fn total(&self, is_mean: bool) -> PyResult<f64> {
-        let given = self.two()?;
-        in_format!(self, given, totalled, is_mean)
-    }
-    fn totalled<T: Number>(&self, given: Vec<Given<'py>>, is_mean: bool) -> PyResult<f64> {
-        let function = self.of.function::<T>(Form::Value)?;
-        let machine = &self.machine;
-        self.reduced::<T, _>(given, |lists| match is_mean {
-            true => machine.of(function)?.mean(lists[0], lists[1]),
-            false => machine.of(function)?.sum(lists[0], lists[1]),
-        })
-    }
-
-    /// The same with its gradient by both lists.
-    pub fn total_grad(&self, is_mean: bool) -> PyResult<Object<'py>> {
-        let given = self.two()?;
-        in_format!(self, given, lost, is_mean)
-    }
-    fn lost<T: Number>(&self, given: Vec<Given<'py>>, is_mean: bool) -> PyResult<Object<'py>> {
-        let function = self.of.function::<T>(Form::Value)?;
-        let machine = &self.machine;
-        let shapes = self.shapes_of(&given);
-        let (value, a, b) = self.reduced::<T, _>(given, |lists| match is_mean {
-            true => machine.of(function)?.mean_grad(lists[0], lists[1]),
-            false => machine.of(function)?.sum_grad(lists[0], lists[1]),
-        })?;
-        let derivatives = (self.shaped(a, &shapes[0])?, self.shaped(b, &shapes[1])?);
-        Ok((value, derivatives).into_pyobject(self.py)?.into_any())
-    }
-
-    /// Gradients of the sum of all results, each times its number of a matrix.
-    pub fn all_pairs_vjp(&self, upstream: &Object<'py>) -> PyResult<Object<'py>> {
-        let mut given = self.two()?;
-        let column = Column {
-            name: "upstream".to_owned(),
-            kind: NUMBERS,
-            axes: Vec::new(),
-        };
-        given.push(Given::new(upstream, &column)?);
-        in_format!(self, given, pulled)
-    }
-    fn pulled<T: Number>(&self, mut given: Vec<Given<'py>>) -> PyResult<Object<'py>> {
-        let function = self.of.function::<T>(Form::Value)?;
-        let column = Column {
-            name: "upstream".to_owned(),
-            kind: NUMBERS,
-            axes: Vec::new(),
-        };
-        let upstream = given
-            .pop()
-            .ok_or_else(|| PyTypeError::new_err("upstream is needed"))?;
-        let upstream = Lent::<T>::new(self.py, upstream, &column)?;
-        let shapes = self.shapes_of(&given);
-        self.one_number()?;
-        let [a, b] = self.lists::<T>(given)?;
-        let wanted = [a.count(), b.count()];
-        if upstream.lead() != wanted {
-            return Err(PyValueError::new_err(format!(
-                "`upstream`: an array of shape {wanted:?} is needed, a number for every pair, not {:?}",
-                upstream.lead()
-            )));
-        }
-        let slices = [a.slices()?, b.slices()?];
-        let lists = [a.rows(&slices[0], false), b.rows(&slices[1], false)];
-        let (numbers, machine) = (upstream.numbers()?, &self.machine);
-        let (a, b) = self.run(wanted[0].saturating_mul(wanted[1]), || {
-            machine
-                .of(function)?
-                .all_pairs_vjp(lists[0], lists[1], numbers)
-        })?;
-        Ok((self.shaped(a, &shapes[0])?, self.shaped(b, &shapes[1])?)
-            .into_pyobject(self.py)?
-            .into_any())
-    }
-    fn shapes_of(&self, given: &[Given<'py>]) -> Vec<Vec<usize>> {
-        let shape = |given: &Given<'py>| match given {
-            Given::Array(array) => array.shape().to_vec(),
-            Given::Columns(columns) => {
-                let count = columns.first().map_or(0, |own| own.bind(self.py).len());
-                vec![count, columns.len()]
-            }
-            Given::Number(_) => Vec::new(),
-        };
-        given.iter().map(shape).collect()
-    }
-    fn shaped<T: Number>(&self, numbers: Vec<T>, shape: &[usize]) -> PyResult<Object<'py>> {
+    /// Numbers as an array.
+    pub fn shaped<T: Number>(&self, numbers: Vec<T>, shape: &[usize]) -> PyResult<Object<'py>> {
         PyArray1::from_vec(self.py, numbers)
             .as_any()
             .call_method1("reshape", (PyTuple::new(self.py, shape)?,))
-    }
-
-    /// A row of paths: the value, its gradient, or its adjoint.
-    pub fn paths(&self, form: Form) -> PyResult<Object<'py>> {
-        let takes = &self.of.takes;
-        let wanted = takes.len() + 1 + usize::from(form == Form::Vjp);
-        if self.arguments.len() != wanted {
-            let mut names: Vec<&str> = takes.iter().map(|column| column.name.as_str()).collect();
-            names.push("paths");
-            names.extend((form == Form::Vjp).then_some("upstream"));
-            return Err(PyTypeError::new_err(format!(
-                "{} takes {}",
-                self.name,
-                names.join(", ")
-            )));
-        }
-        if !matches!(form, Form::Value | Form::ValueGrad | Form::Vjp) {
-            return Err(PyTypeError::new_err(format!(
-                "{} is of paths: it has value_grad and vjp",
-                self.name
-            )));
-        }
-        let (contexts, rest) = self.arguments.split_at(takes.len());
-        let Ok(paths) = rest[0].cast::<Paths>() else {
-            return Err(PyTypeError::new_err(format!(
-                "{}: geograd.Paths is needed for paths",
-                self.name
-            )));
-        };
-        let mut given = contexts
-            .iter()
-            .zip(takes)
-            .map(|(x, column)| Given::new(x, column))
-            .collect::<PyResult<Vec<_>>>()?;
-        given.push(Given::Array(paths.get().vertices.bind(self.py).clone()));
-        if let Some(upstream) = rest.get(1) {
-            given.push(Given::new(upstream, &self.upstream())?);
-        }
-        let array = paths.get().offsets.bind(self.py);
-        let offsets = offsets(self.py, array.as_any(), "offsets")?;
-        in_format!(self, given, on_paths, form, offsets)
-    }
-    fn upstream(&self) -> Column {
-        let axes = self
-            .of
-            .gives()
-            .first()
-            .map(|column| column.axes.clone())
-            .unwrap_or_default();
-        Column {
-            name: "upstream".to_owned(),
-            kind: NUMBERS,
-            axes,
-        }
-    }
-    fn on_paths<T: Number>(
-        &self,
-        mut given: Vec<Given<'py>>,
-        form: Form,
-        offsets: Vec<usize>,
-    ) -> PyResult<Object<'py>> {
-        let function = self.of.on_paths::<T>()?;
-        let takes = &self.of.takes;
-        let paths = offsets.len().saturating_sub(1);
-        let rest = given.split_off(takes.len());
-        let mut rest = rest.into_iter();
-        let column = Column {
-            name: "vertices".to_owned(),
-            kind: NUMBERS,
-            axes: vec![function.vertex()],
-        };
-        let vertices = rest
-            .next()
-            .ok_or_else(|| PyTypeError::new_err("paths are needed"))?;
-        let vertices = Lent::<T>::new(self.py, vertices, &column)?;
-        let lent = given.into_iter().zip(takes);
-        let lent = lent
-            .map(|(given, column)| Lent::<T>::new(self.py, given, column))
-            .collect::<PyResult<Vec<_>>>()?;
-        // One path stands for all rows, as one row does for all paths.
-        let many = lent.iter().map(Lent::count).find(|&rows| rows != 1);
-        let count = match (paths, many) {
-            (1, Some(rows)) if !self.machine.is_gpu() => rows,
-            _ => paths,
-        };
-        let upstream = match rest.next() {
-            None => None,
-            Some(upstream) => {
-                let column = self.upstream();
-                let lent = Lent::<T>::new(self.py, upstream, &column)?;
-                Some(self.full(lent, &column, count)?)
-            }
-        };
-        let mut contexts = Vec::new();
-        for (lent, column) in lent.into_iter().zip(takes) {
-            contexts.push(self.full::<T>(lent, column, count)?);
-        }
-        let slices = contexts.iter().map(Lent::slices);
-        let slices = slices.collect::<PyResult<Vec<_>>>()?;
-        let rows = contexts.iter().zip(&slices);
-        let rows: Vec<_> = rows.map(|(x, slices)| x.rows(slices, false)).collect();
-        let (numbers, machine) = (vertices.numbers()?, &self.machine);
-        let items = numbers.len();
-        let gives = self.of.gives();
-        let shape = gives
-            .first()
-            .map(|column| with_fields(&[count], column))
-            .unwrap_or_default();
-        let kind = gives.first().map_or(NUMBERS, |column| column.kind);
-        let value =
-            |of: Vec<T>| -> PyResult<Object<'py>> { dressed(self.shaped(of, &shape)?, kind) };
-        let derivatives =
-            |(columns, vertices): (Vec<Vec<T>>, Vec<T>)| -> PyResult<Vec<Object<'py>>> {
-                let mut all = Vec::new();
-                for (numbers, column) in columns.into_iter().zip(takes) {
-                    all.push(self.shaped(numbers, &with_fields(&[count], column))?);
-                }
-                let n = function.vertex();
-                let size = vertices.len() / n;
-                all.push(self.shaped(vertices, &[size, n])?);
-                Ok(all)
-            };
-        let grouped = |mut all: Vec<Object<'py>>| match all.len() {
-            1 => Ok(all.remove(0)),
-            _ => PyTuple::new(self.py, all).map(Bound::into_any),
-        };
-        match form {
-            Form::Value => {
-                let found = self.run(items, || {
-                    machine.of_paths(function)?.values(&rows, numbers, &offsets)
-                })?;
-                match self.out {
-                    None => value(found),
-                    Some(out) => {
-                        let target = Target::<T>::given(out, &shape, "result")?;
-                        let mut guard = target.lock("result")?;
-                        written(&mut guard)?.copy_from_slice(&found);
-                        drop(guard);
-                        target.done(Ok)
-                    }
-                }
-            }
-            _ if self.out.is_some() => Err(PyTypeError::new_err("out is for values of paths only")),
-            Form::ValueGrad => {
-                if function.gives() != 1 {
-                    return Err(raised(geograd::Error::NotOneNumber {
-                        found: function.gives(),
-                    }));
-                }
-                let ones = vec![T::narrowed(1.0); count];
-                let (values, bars) = self.run(items, || {
-                    let values = machine
-                        .of_paths(function)?
-                        .values(&rows, numbers, &offsets)?;
-                    let bars = machine
-                        .of_paths(function)?
-                        .vjp(&rows, numbers, &offsets, &ones)?;
-                    Ok((values, bars))
-                })?;
-                Ok((value(values)?, grouped(derivatives(bars)?)?)
-                    .into_pyobject(self.py)?
-                    .into_any())
-            }
-            _ => {
-                let upstream = upstream
-                    .as_ref()
-                    .ok_or_else(|| PyTypeError::new_err("upstream is needed"))?;
-                let upstream = upstream.numbers()?;
-                let bars = self.run(items, || {
-                    machine
-                        .of_paths(function)?
-                        .vjp(&rows, numbers, &offsets, upstream)
-                })?;
-                grouped(derivatives(bars)?)
-            }
-        }
-    }
-    /// A row for every path.
-    fn full<T: Number>(
-        &self,
-        lent: Lent<'py, T>,
-        column: &Column,
-        count: usize,
-    ) -> PyResult<Lent<'py, T>> {
-        if lent.lead() == [count] {
-            return Ok(lent);
-        }
-        if lent.count() != 1 {
-            return Err(PyValueError::new_err(format!(
-                "`{}` has {} rows where {count} are needed, one for each path",
-                column.name,
-                lent.count()
-            )));
-        }
-        lent.repeated(self.py, &[count], column)
     }
 }

@@ -35,6 +35,27 @@ pub struct Asked<'a, 'py> {
     pub offsets: Option<Vec<usize>>,
 }
 
+impl<'a, 'py> Asked<'a, 'py> {
+    pub fn new(
+        scores: &'a Object<'py>,
+        overlap: f64,
+        classes: Option<Vec<u32>>,
+        score: Option<f64>,
+        most: Option<usize>,
+        groups: Option<&Object<'py>>,
+    ) -> PyResult<Self> {
+        let offsets = groups.map(|groups| offsets(groups.py(), groups, "groups"));
+        Ok(Asked {
+            scores,
+            overlap,
+            score,
+            most,
+            classes,
+            offsets: offsets.transpose()?,
+        })
+    }
+}
+
 impl<'py> Call<'_, 'py> {
     /// Every pair of a group above a threshold: rows, columns, values.
     pub fn above_grouped(&self, threshold: f64, groups: &Object<'py>) -> PyResult<Object<'py>> {

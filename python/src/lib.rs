@@ -11,6 +11,8 @@ mod grouped;
 mod machine;
 mod metric;
 mod number;
+mod pairs;
+mod paths;
 mod samples;
 mod shapes;
 mod symbol;

@@ -2,7 +2,7 @@
 use geograd::Real;
 use geograd::kernels::dynamic::{Function, OnPaths, Program, Symbol};
 use numpy::Element;
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::{PyErr, PyResult};
 use std::sync::OnceLock;
 
@@ -28,11 +28,11 @@ impl Form {
         ("hvp", Form::Hvp),
         ("hessian", Form::Hessian),
     ];
-    pub fn named(name: &str) -> Option<Form> {
-        Form::ALL
-            .iter()
-            .find(|form| form.0 == name)
-            .map(|form| form.1)
+    /// Returns the form of a name.
+    pub fn named(name: &str) -> PyResult<Form> {
+        let form = Form::ALL.iter().find(|form| form.0 == name);
+        form.map(|form| form.1)
+            .ok_or_else(|| PyValueError::new_err(format!("no form is called {name}")))
     }
 }
 

@@ -2,8 +2,10 @@
 use crate::call::Callable;
 use crate::column::{Column, NUMBER, NUMBERS};
 use crate::forms::Call;
+use crate::grouped::Asked;
 use crate::machine::Machine;
 use crate::number::{Form, Number};
+use crate::pairs::Pairs;
 use crate::raised;
 use crate::symbol::{Symbol, number};
 use crate::table::table;
@@ -84,36 +86,40 @@ impl Recorded {
         backend: Option<&str>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let call = self.called(&arguments, out, backend, py)?;
-        match form {
-            "all_pairs" => call.all_pairs(),
-            "row_max" => call.most(true),
-            "column_max" => call.most(false),
-            "sum" => Ok(call.total(false)?.into_pyobject(py)?.into_any()),
-            "mean" => Ok(call.total(true)?.into_pyobject(py)?.into_any()),
-            "sum_grad" => call.total_grad(false),
-            "mean_grad" => call.total_grad(true),
-            "above" | "count_above" | "all_pairs_vjp" => {
-                let [lists @ .., last] = &arguments[..] else {
-                    return Err(PyTypeError::new_err(format!(
-                        "{form} takes two lists and a third argument"
-                    )));
-                };
-                let call = self.called(lists, out, backend, py)?;
-                match form {
-                    "above" => call.above(last.extract()?),
-                    "count_above" => Ok(call
-                        .count_above(last.extract()?)?
-                        .into_pyobject(py)?
-                        .into_any()),
-                    _ => call.all_pairs_vjp(last),
-                }
-            }
-            _ => {
-                let form = Form::named(form)
-                    .ok_or_else(|| PyValueError::new_err(format!("no form is called {form}")))?;
-                call.item_by_item(form)
-            }
-        }
+        call.item_by_item(Form::named(form)?)
+    }
+    /// A form of two lists.
+    #[pyo3(signature = (form, lists, more=None, out=None, backend=None, groups=None))]
+    #[allow(clippy::too_many_arguments)] // They have names in Python.
+    fn of_pairs<'py>(
+        &self,
+        py: Python<'py>,
+        form: &str,
+        lists: Vec<Bound<'py, PyAny>>,
+        more: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+        backend: Option<&str>,
+        groups: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let call = self.called(&lists, out, backend, py)?;
+        call.of_pairs(Pairs::named(form)?, more, groups)
+    }
+    /// The places of the shapes that suppression keeps.
+    #[allow(clippy::too_many_arguments)] // They have names in Python.
+    fn suppress<'py>(
+        &self,
+        py: Python<'py>,
+        shapes: Bound<'py, PyAny>,
+        scores: Bound<'py, PyAny>,
+        overlap: f64,
+        classes: Option<Vec<u32>>,
+        score: Option<f64>,
+        most: Option<usize>,
+        groups: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let asked = Asked::new(&scores, overlap, classes, score, most, groups)?;
+        let lists = [shapes.clone(), shapes];
+        self.called(&lists, None, None, py)?.suppress(&asked)
     }
     /// The shape of every result, or none, and how many numbers that has, zero for a lone number.
     fn gives(&self) -> PyResult<Vec<(Option<&'static str>, usize)>> {
@@ -170,8 +176,7 @@ macro_rules! either {
 impl Program {
     /// That of a form of a callable.
     pub fn of(call: &Callable, form: &str, double: bool) -> PyResult<Program> {
-        let form = Form::named(form)
-            .ok_or_else(|| PyValueError::new_err(format!("no form is called {form}")))?;
+        let form = Form::named(form)?;
         let of = match double {
             true => InEither::Double(call.program::<f64>(form)?.clone()),
             false => InEither::Single(call.program::<f32>(form)?.clone()),

@@ -1,11 +1,12 @@
 //! Verbs: a row for every choice of shapes.
-use crate::arrays::{offsets, symbolic};
+use crate::arrays::symbolic;
 use crate::catalogue::{self, Row};
 use crate::column::{CLOUD3, Column, Kind, NUMBER, NUMBERS, POLYLINE, POLYLINE3, RING};
 use crate::forms::Call;
 use crate::grouped::Asked;
 use crate::machine::Machine;
 use crate::number::{Any, Form, Number};
+use crate::pairs::Pairs;
 use crate::raised;
 use crate::shapes::{Content, Paths, Shape, dressed_items};
 use crate::symbol::{Symbol, number};
@@ -249,27 +250,43 @@ impl Verb {
             machine: Machine::named(backend)?,
         })
     }
-    fn run<'py>(
+    /// The row of a form of two lists.
+    fn row_of_pairs(
+        &self,
+        lists: &[Object<'_>],
+        kind: Option<&Object<'_>>,
+        form: &str,
+    ) -> PyResult<&'static Row> {
+        let row = self.row(lists, kind, None, form)?;
+        if let Some(argument) = lists.iter().position(|x| symbol_in(x, 0).is_some()) {
+            let column = row.call.takes.get(argument);
+            return Err(symbolic(column.map_or("a", |column| &column.name)));
+        }
+        if row.call.is_of_paths() {
+            return Err(PyTypeError::new_err(format!("paths have no {form}")));
+        }
+        Ok(row)
+    }
+    /// Runs a form item by item.
+    fn items<'py>(
         &self,
         py: Python<'py>,
-        form: Form,
-        form_name: &str,
-        arguments: &Bound<'py, PyTuple>,
+        (name, form): (&str, Form),
+        arguments: &[Object<'py>],
         [kind, to, out]: [Option<&Object<'py>>; 3],
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
-        let arguments = listed(arguments);
-        let row = self.row(&arguments, kind, to, form_name)?;
+        let row = self.row(arguments, kind, to, name)?;
         if let Some(like) = arguments.iter().find_map(|x| symbol_in(x, 0)) {
             if out.is_some() {
                 return Err(PyTypeError::new_err("out is for arrays, not for symbols"));
             }
             return match like {
-                Any::Single(_) => self.recorded::<f32>(py, row, form, &arguments),
-                Any::Double(_) => self.recorded::<f64>(py, row, form, &arguments),
+                Any::Single(_) => self.recorded::<f32>(py, row, form, arguments),
+                Any::Double(_) => self.recorded::<f64>(py, row, form, arguments),
             };
         }
-        let call = self.call(py, row, &arguments, out, backend)?;
+        let call = self.call(py, row, arguments, out, backend)?;
         match row.call.is_of_paths() {
             true => call.paths(form),
             false => call.item_by_item(form),
@@ -411,26 +428,6 @@ fn flat<T: Number>(
     Ok(())
 }
 
-/// Forms of pairs: the row, and the call.
-macro_rules! of_pairs {
-    ($me:expr, $py:expr, $arguments:expr, $kind:expr, $out:expr, $backend:expr, $form:literal, |$call:ident| $run:expr) => {{
-        let row = $me.row(&$arguments, $kind, None, $form)?;
-        if let Some(argument) = $arguments.iter().position(|x| symbol_in(x, 0).is_some()) {
-            return Err(symbolic(
-                &row.call
-                    .takes
-                    .get(argument)
-                    .map_or("a", |column| &column.name),
-            ));
-        }
-        if row.call.is_of_paths() {
-            return Err(PyTypeError::new_err(concat!("paths have no ", $form)));
-        }
-        let $call = $me.call($py, row, &$arguments, $out, $backend)?;
-        $run
-    }};
-}
-
 #[pymethods]
 impl Verb {
     #[new]
@@ -470,214 +467,53 @@ impl Verb {
         out: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
-        self.run(
+        self.items(
             py,
-            Form::Value,
-            "value",
-            arguments,
+            ("value", Form::Value),
+            &listed(arguments),
             [kind, to, out],
             backend,
         )
     }
-    /// Item i of every argument: the plain call under its name.
-    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
-    fn aligned<'py>(
-        &self,
-        py: Python<'py>,
-        arguments: &Bound<'py, PyTuple>,
-        kind: Option<&Object<'py>>,
-        to: Option<&Object<'py>>,
-        out: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<Object<'py>> {
-        self.run(
-            py,
-            Form::Value,
-            "value",
-            arguments,
-            [kind, to, out],
-            backend,
-        )
-    }
-    /// The value of every item, and its gradient by every argument.
-    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
-    fn value_grad<'py>(
-        &self,
-        py: Python<'py>,
-        arguments: &Bound<'py, PyTuple>,
-        kind: Option<&Object<'py>>,
-        to: Option<&Object<'py>>,
-        out: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<Object<'py>> {
-        self.run(
-            py,
-            Form::ValueGrad,
-            "value_grad",
-            arguments,
-            [kind, to, out],
-            backend,
-        )
-    }
-    /// Cotangents of the arguments; those of the result come last.
-    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
-    fn vjp<'py>(
-        &self,
-        py: Python<'py>,
-        arguments: &Bound<'py, PyTuple>,
-        kind: Option<&Object<'py>>,
-        to: Option<&Object<'py>>,
-        out: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<Object<'py>> {
-        self.run(py, Form::Vjp, "vjp", arguments, [kind, to, out], backend)
-    }
-    /// The derivatives of every number of the result by every number of the arguments.
-    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
-    fn jacobian<'py>(
-        &self,
-        py: Python<'py>,
-        arguments: &Bound<'py, PyTuple>,
-        kind: Option<&Object<'py>>,
-        to: Option<&Object<'py>>,
-        out: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<Object<'py>> {
-        self.run(
-            py,
-            Form::Jacobian,
-            "jacobian",
-            arguments,
-            [kind, to, out],
-            backend,
-        )
-    }
-    /// The value and its derivative along directions, which come after the arguments.
-    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
-    fn jvp<'py>(
-        &self,
-        py: Python<'py>,
-        arguments: &Bound<'py, PyTuple>,
-        kind: Option<&Object<'py>>,
-        to: Option<&Object<'py>>,
-        out: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<Object<'py>> {
-        self.run(py, Form::Jvp, "jvp", arguments, [kind, to, out], backend)
-    }
-    /// The derivative of the gradient along directions, which come after the arguments.
-    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
-    fn hvp<'py>(
-        &self,
-        py: Python<'py>,
-        arguments: &Bound<'py, PyTuple>,
-        kind: Option<&Object<'py>>,
-        to: Option<&Object<'py>>,
-        out: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<Object<'py>> {
-        self.run(py, Form::Hvp, "hvp", arguments, [kind, to, out], backend)
-    }
-    /// The second derivatives by all numbers of the arguments.
-    #[pyo3(signature = (*arguments, kind=None, to=None, out=None, backend=None))]
-    fn hessian<'py>(
-        &self,
-        py: Python<'py>,
-        arguments: &Bound<'py, PyTuple>,
-        kind: Option<&Object<'py>>,
-        to: Option<&Object<'py>>,
-        out: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<Object<'py>> {
-        self.run(
-            py,
-            Form::Hessian,
-            "hessian",
-            arguments,
-            [kind, to, out],
-            backend,
-        )
-    }
-
-    /// Every row of `a` with every row of `b`: a matrix.
-    #[pyo3(signature = (a, b, *, kind=None, out=None, backend=None))]
-    fn all_pairs<'py>(
-        &self,
-        py: Python<'py>,
-        a: Object<'py>,
-        b: Object<'py>,
-        kind: Option<&Object<'py>>,
-        out: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<Object<'py>> {
-        let all = [a, b];
-        of_pairs!(self, py, all, kind, out, backend, "all_pairs", |call| call
-            .all_pairs())
-    }
-    /// The largest result of every row of `a`, and its row of `b`.
-    #[pyo3(signature = (a, b, *, groups=None, kind=None, backend=None))]
-    fn row_max<'py>(
-        &self,
-        py: Python<'py>,
-        a: Object<'py>,
-        b: Object<'py>,
-        groups: Option<&Object<'py>>,
-        kind: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<Object<'py>> {
-        let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "row_max", |call| {
-            match groups {
-                None => call.most(true),
-                Some(groups) => call.most_grouped(true, groups),
-            }
-        })
-    }
-    /// The largest result of every row of `b`, and its row of `a`.
-    #[pyo3(signature = (a, b, *, groups=None, kind=None, backend=None))]
-    fn column_max<'py>(
-        &self,
-        py: Python<'py>,
-        a: Object<'py>,
-        b: Object<'py>,
-        groups: Option<&Object<'py>>,
-        kind: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<Object<'py>> {
-        let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "column_max", |call| {
-            match groups {
-                None => call.most(false),
-                Some(groups) => call.most_grouped(false, groups),
-            }
-        })
-    }
-    /// Every pair whose result is above a threshold: rows of `a`, rows of `b`, results.
-    #[pyo3(signature = (a, b, threshold, *, groups=None, kind=None, backend=None))]
+    /// A form, item by item.
+    #[pyo3(signature = (form, arguments, kind=None, to=None, out=None, backend=None))]
     #[allow(clippy::too_many_arguments)] // They have names in Python.
-    fn above<'py>(
+    fn _run<'py>(
         &self,
         py: Python<'py>,
-        a: Object<'py>,
-        b: Object<'py>,
-        threshold: f64,
-        groups: Option<&Object<'py>>,
+        form: &str,
+        arguments: &Bound<'py, PyTuple>,
         kind: Option<&Object<'py>>,
+        to: Option<&Object<'py>>,
+        out: Option<&Object<'py>>,
         backend: Option<&str>,
     ) -> PyResult<Object<'py>> {
-        let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "above", |call| {
-            match groups {
-                None => call.above(threshold),
-                Some(groups) => call.above_grouped(threshold, groups),
-            }
-        })
+        let named = (form, Form::named(form)?);
+        self.items(py, named, &listed(arguments), [kind, to, out], backend)
     }
-    /// The places of the shapes that no better one, kept itself, overlaps by more than a threshold, the best first; with
-    /// groups group by group.
-    #[pyo3(signature = (shapes, scores, overlap, *, classes=None, score=None, most=None, groups=None, kind=None))]
+    /// A form of two lists.
+    #[pyo3(signature = (form, a, b, more=None, kind=None, out=None, backend=None, groups=None))]
     #[allow(clippy::too_many_arguments)] // They have names in Python.
-    fn suppress<'py>(
+    fn _of_pairs<'py>(
+        &self,
+        py: Python<'py>,
+        form: &str,
+        a: Object<'py>,
+        b: Object<'py>,
+        more: Option<&Object<'py>>,
+        kind: Option<&Object<'py>>,
+        out: Option<&Object<'py>>,
+        backend: Option<&str>,
+        groups: Option<&Object<'py>>,
+    ) -> PyResult<Object<'py>> {
+        let lists = [a, b];
+        let row = self.row_of_pairs(&lists, kind, form)?;
+        let call = self.call(py, row, &lists, out, backend)?;
+        call.of_pairs(Pairs::named(form)?, more, groups)
+    }
+    /// The places of the shapes that suppression keeps.
+    #[allow(clippy::too_many_arguments)] // They have names in Python.
+    fn _suppress<'py>(
         &self,
         py: Python<'py>,
         shapes: Object<'py>,
@@ -689,113 +525,10 @@ impl Verb {
         groups: Option<&Object<'py>>,
         kind: Option<&Object<'py>>,
     ) -> PyResult<Object<'py>> {
-        let offsets = groups.map(|groups| offsets(py, groups, "groups"));
-        let asked = Asked {
-            scores: &scores,
-            overlap,
-            score,
-            most,
-            classes,
-            offsets: offsets.transpose()?,
-        };
-        let all = [shapes.clone(), shapes];
-        of_pairs!(self, py, all, kind, None, None, "suppress", |call| call
-            .suppress(&asked))
-    }
-    /// How many pairs have a result above a threshold.
-    #[pyo3(signature = (a, b, threshold, *, kind=None, backend=None))]
-    fn count_above<'py>(
-        &self,
-        py: Python<'py>,
-        a: Object<'py>,
-        b: Object<'py>,
-        threshold: f64,
-        kind: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<u64> {
-        let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "count_above", |call| {
-            call.count_above(threshold)
-        })
-    }
-    /// The sum of the results of all pairs.
-    #[pyo3(signature = (a, b, *, kind=None, backend=None))]
-    fn sum<'py>(
-        &self,
-        py: Python<'py>,
-        a: Object<'py>,
-        b: Object<'py>,
-        kind: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<f64> {
-        let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "sum", |call| call
-            .total(false))
-    }
-    /// The mean of the results of all pairs; zero where there are none.
-    #[pyo3(signature = (a, b, *, kind=None, backend=None))]
-    fn mean<'py>(
-        &self,
-        py: Python<'py>,
-        a: Object<'py>,
-        b: Object<'py>,
-        kind: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<f64> {
-        let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "mean", |call| call
-            .total(true))
-    }
-    /// The sum of the results of all pairs, and its gradients by both lists.
-    #[pyo3(signature = (a, b, *, kind=None, backend=None))]
-    fn sum_grad<'py>(
-        &self,
-        py: Python<'py>,
-        a: Object<'py>,
-        b: Object<'py>,
-        kind: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<Object<'py>> {
-        let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "sum_grad", |call| call
-            .total_grad(false))
-    }
-    /// The mean of the results of all pairs, and its gradients by both lists.
-    #[pyo3(signature = (a, b, *, kind=None, backend=None))]
-    fn mean_grad<'py>(
-        &self,
-        py: Python<'py>,
-        a: Object<'py>,
-        b: Object<'py>,
-        kind: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<Object<'py>> {
-        let all = [a, b];
-        of_pairs!(self, py, all, kind, None, backend, "mean_grad", |call| call
-            .total_grad(true))
-    }
-    /// Cotangents of both lists, for a matrix of those of all pairs.
-    #[pyo3(signature = (a, b, upstream, *, kind=None, backend=None))]
-    fn all_pairs_vjp<'py>(
-        &self,
-        py: Python<'py>,
-        a: Object<'py>,
-        b: Object<'py>,
-        upstream: Object<'py>,
-        kind: Option<&Object<'py>>,
-        backend: Option<&str>,
-    ) -> PyResult<Object<'py>> {
-        let all = [a, b];
-        of_pairs!(
-            self,
-            py,
-            all,
-            kind,
-            None,
-            backend,
-            "all_pairs_vjp",
-            |call| call.all_pairs_vjp(&upstream)
-        )
+        let asked = Asked::new(&scores, overlap, classes, score, most, groups)?;
+        let lists = [shapes.clone(), shapes];
+        let row = self.row_of_pairs(&lists, kind, "suppress")?;
+        self.call(py, row, &lists, None, None)?.suppress(&asked)
     }
     /// The operations of a form of a row, in a format.
     #[pyo3(signature = (*, kind, to=None, form="value", double=true))]

@@ -115,6 +115,29 @@ def test_assignment_of_all_frames_is_that_of_each():
         geograd.assignment.greedy(3)
 
 
+@geograd.function
+def overlap(a: geograd.Obb2, b: geograd.Obb2):
+    return geograd.iou(a, b)
+
+
+def test_own_functions_have_groups_and_suppression():
+    a, b = boxes(GROUPS[0][-1]), boxes(GROUPS[1][-1])
+    scores = RNG.random(len(b))
+    for mine, verbs in [
+        (overlap.above(a, b, 0.2, groups=GROUPS), geograd.iou.above(a, b, 0.2, groups=GROUPS, kind="Obb2")),
+        (overlap.row_max(a, b, groups=GROUPS), geograd.iou.row_max(a, b, groups=GROUPS, kind="Obb2")),
+        (overlap.column_max(a, b, groups=GROUPS), geograd.iou.column_max(a, b, groups=GROUPS, kind="Obb2")),
+    ]:
+        for own, wanted in zip(mine, verbs):
+            np.testing.assert_allclose(own, wanted, rtol=1e-12)
+    kept = overlap.suppress(b, scores, 0.3, groups=GROUPS[1])
+    np.testing.assert_array_equal(kept, geograd.iou.suppress(b, scores, 0.3, groups=GROUPS[1], kind="Obb2"))
+    assert 0 < len(kept) < len(b)
+    for refused in (overlap.row_max, overlap.sum, overlap.value_grad, overlap.aligned):
+        with pytest.raises(TypeError, match="kind= and to= choose a row of a verb"):
+            refused(a, a, kind="Obb2")
+
+
 @pytest.mark.parametrize("threads", [1, 2, 5])
 def test_threads_across_groups_change_nothing(threads):
     groups = offsets(RNG.integers(0, 20, 900)), offsets(RNG.integers(0, 20, 900))

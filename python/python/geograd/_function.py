@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _core
 from ._core import Symbol
+from ._forms import Forms
 
 
 class _Number:
@@ -137,7 +138,7 @@ class _Recipe:
         return is_tuple, [_part(part) for part in parts]
 
 
-class Function:
+class Function(Forms):
     """A function that is recorded once, at its first call, and then runs on arrays: a row of them at a time, on all lanes
     and threads.
 
@@ -190,76 +191,24 @@ class Function:
 
     def __call__(self, *arguments, out=None, backend=None):
         """The results of every item."""
-        if any(map(_has_symbol, arguments)):
+        return self._run("value", arguments, None, None, out, backend)
+
+    def _run(self, form, arguments, kind, to, out, backend):
+        _no_row_is_chosen(kind, to)
+        if form == "value" and any(map(_has_symbol, arguments)):
             return self.__wrapped__(*arguments)
-        return self._core.run("value", self._split(arguments), out, backend)
+        results = self._core.run(form, self._split(arguments, 2 if form in ("jvp", "hvp") else 1), out, backend)
+        if form == "value_grad":
+            return results[0], self._joined(results[1])
+        return self._joined(results) if form in ("vjp", "hvp") else results
 
-    aligned = __call__
+    def _of_pairs(self, form, a, b, more, kind, out, backend, groups=None):
+        _no_row_is_chosen(kind, None)
+        return self._core.of_pairs(form, [a, b], more, out, backend, groups)
 
-    def value_grad(self, *arguments, out=None, backend=None):
-        """The value of every item, one number, and its gradient by every argument."""
-        value, derivatives = self._core.run("value_grad", self._split(arguments), out, backend)
-        return value, self._joined(derivatives)
-
-    def vjp(self, *arguments, out=None, backend=None):
-        """Cotangents of the arguments; those of the results come last."""
-        return self._joined(self._core.run("vjp", self._split(arguments), out, backend))
-
-    def jvp(self, *arguments, out=None, backend=None):
-        """The results and their derivatives along directions, which come after the arguments."""
-        return self._core.run("jvp", self._split(arguments, 2), out, backend)
-
-    def hvp(self, *arguments, out=None, backend=None):
-        """The derivative of the gradient along directions, which come after the arguments."""
-        return self._joined(self._core.run("hvp", self._split(arguments, 2), out, backend))
-
-    def jacobian(self, *arguments, out=None, backend=None):
-        """The derivatives of every number of the results by every number of the arguments."""
-        return self._core.run("jacobian", self._split(arguments), out, backend)
-
-    def hessian(self, *arguments, out=None, backend=None):
-        """The second derivatives by all numbers of the arguments."""
-        return self._core.run("hessian", self._split(arguments), out, backend)
-
-    def all_pairs(self, a, b, *, out=None, backend=None):
-        """Every row of `a` with every row of `b`: a matrix."""
-        return self._core.run("all_pairs", [a, b], out, backend)
-
-    def row_max(self, a, b, *, backend=None):
-        """The largest result of every row of `a`, and its row of `b`."""
-        return self._core.run("row_max", [a, b], None, backend)
-
-    def column_max(self, a, b, *, backend=None):
-        """The largest result of every row of `b`, and its row of `a`."""
-        return self._core.run("column_max", [a, b], None, backend)
-
-    def above(self, a, b, threshold, *, backend=None):
-        """Every pair whose result is above a threshold: rows of `a`, rows of `b`, results."""
-        return self._core.run("above", [a, b, threshold], None, backend)
-
-    def count_above(self, a, b, threshold, *, backend=None):
-        """How many pairs have a result above a threshold."""
-        return self._core.run("count_above", [a, b, threshold], None, backend)
-
-    def sum(self, a, b, *, backend=None):
-        """The sum of the results of all pairs."""
-        return self._core.run("sum", [a, b], None, backend)
-
-    def mean(self, a, b, *, backend=None):
-        """The mean of the results of all pairs; zero where there are none."""
-        return self._core.run("mean", [a, b], None, backend)
-
-    def sum_grad(self, a, b, *, backend=None):
-        """The sum of the results of all pairs, and its gradients by both lists."""
-        return self._core.run("sum_grad", [a, b], None, backend)
-
-    def mean_grad(self, a, b, *, backend=None):
-        """The mean of the results of all pairs, and its gradients by both lists."""
-        return self._core.run("mean_grad", [a, b], None, backend)
-
-    def all_pairs_vjp(self, a, b, upstream, *, backend=None):
-        """Cotangents of both lists, for a matrix of those of all pairs."""
-        return self._core.run("all_pairs_vjp", [a, b, upstream], None, backend)
+    def _suppress(self, shapes, scores, overlap, classes, score, most, groups, kind):
+        _no_row_is_chosen(kind, None)
+        return self._core.suppress(shapes, scores, overlap, classes, score, most, groups)
 
     @property
     def program(self):
@@ -276,6 +225,11 @@ class Function:
 
     def __repr__(self):
         return f"<geograd.Function {self.__name__}({', '.join(self._names)})>"
+
+
+def _no_row_is_chosen(kind, to):
+    if kind is not None or to is not None:
+        raise TypeError("kind= and to= choose a row of a verb; a traced function has the shapes of its annotations")
 
 
 def _columns(argument, leaves):

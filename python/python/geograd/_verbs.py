@@ -1,9 +1,10 @@
 """The verbs, made of the table."""
 
 from . import _core
+from ._forms import Forms
 
 
-class Verb(_core.Verb):
+class Verb(_core.Verb, Forms):
     """A function of shapes, of which the shapes choose the row."""
 
     @property
