@@ -1,6 +1,7 @@
 """Stubs, documentation and names, which are made of the table."""
 
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -45,3 +46,13 @@ def test_help(name):
     import pydoc
 
     assert "Rows:" in pydoc.render_doc(getattr(geograd, name))
+
+
+def test_what_a_package_index_shows():
+    package = pathlib.Path(geograd.__file__).parent
+    assert (package / "py.typed").exists()
+    # Relative links lead nowhere there.
+    links = re.findall(r"\]\(([^)]*)\)", (PYTHON / "README.md").read_text())
+    assert links and all(link.startswith(("https://", "#")) for link in links), links
+    for name in ("LICENSE-MIT", "LICENSE-APACHE"):
+        assert (PYTHON / name).read_text() == (PYTHON.parent / name).read_text()
