@@ -98,6 +98,8 @@
 #![warn(clippy::disallowed_methods)]
 // Pages of other modules link to the harness.
 #![cfg_attr(not(feature = "check"), allow(rustdoc::broken_intra_doc_links))]
+// Items of features say which one they need.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 // The code of `#[derive(Shape)]` calls the library by its name, inside the library, too.
 extern crate self as geograd;
