@@ -71,7 +71,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// True for what is measured in units of length.
+    /// Returns `true` for everything that is measured in units of length.
     #[must_use]
     pub fn is_length(self) -> bool {
         matches!(
@@ -79,12 +79,12 @@ impl Kind {
             Kind::X | Kind::Y | Kind::Z | Kind::Length | Kind::Offset
         )
     }
-    /// True for a coordinate of a point.
+    /// Returns `true` for a coordinate of a point.
     #[must_use]
     pub fn is_place(self) -> bool {
         matches!(self, Kind::X | Kind::Y | Kind::Z)
     }
-    /// True for angles, directions and rotation vectors, whose own unit is one.
+    /// Returns `true` for angles, directions and rotation vectors, whose own unit is one.
     pub(crate) fn is_measured_at_one(self) -> bool {
         let is_direction = matches!(self, Kind::DirectionX | Kind::DirectionY | Kind::DirectionZ);
         let is_vector = matches!(
@@ -93,7 +93,7 @@ impl Kind {
         );
         self.is_angle() || is_direction || is_vector
     }
-    /// True for an angle in radians.
+    /// Returns `true` for an angle in radians.
     #[must_use]
     pub fn is_angle(self) -> bool {
         matches!(self, Kind::Angle | Kind::AngleX | Kind::AngleY)

@@ -137,7 +137,7 @@ where
     (value, rows)
 }
 
-/// Values and derivatives of a list-valued function, by as many passes as it takes.
+/// Returns values and derivatives of a list-valued function, by as many passes as it takes.
 fn derivatives<S: Scalar, X: Pack<Scalar = S>>(
     f: impl Fn(X::With<First<S>>) -> Vec<First<S>>,
     x: &X,

@@ -4,9 +4,9 @@ use crate::error::{Argument, Error, Field, Flaw};
 use crate::suppression::Pair;
 use std::cmp::Ordering;
 
-/// One-to-one pairs by descending overlap: the largest one first, then the largest one of those whose two ends
-/// are both free, and so on. Equal overlaps are ordered by the smaller first place, then by the smaller second
-/// place. Pairs whose overlap is not a number are left out.
+/// Selects one-to-one pairs by descending overlap: first the largest, then repeatedly the largest of which both ends
+/// are still free. Equal overlaps are ordered by the smaller first index, then by the smaller second index. Pairs whose
+/// overlap is NaN are ignored.
 ///
 /// ```
 /// use geograd::assignment::greedy;
@@ -168,7 +168,7 @@ pub fn largest(pairs: &[Pair<f64>]) -> Result<Vec<Pair<f64>>, Error> {
     Ok(chosen)
 }
 
-/// Pairs in parts that share no place.
+/// Splits pairs into groups that share no index.
 fn parts(pairs: &[Pair<f64>]) -> Vec<Vec<Pair<f64>>> {
     let mut ends: Vec<(usize, usize)> = Vec::with_capacity(2 * pairs.len());
     // Links from pair to pair, each to an earlier one of its part.
@@ -207,7 +207,7 @@ fn parts(pairs: &[Pair<f64>]) -> Vec<Vec<Pair<f64>>> {
     parts
 }
 
-/// Pairs of least cost, for no more rows than columns.
+/// Returns the pairs of least total cost, for no more rows than columns.
 fn assigned(
     rows: usize,
     columns: usize,

@@ -125,8 +125,8 @@ pub struct Relative<S: Scalar> {
     pub apart: S::Mask,
 }
 
-/// `b − a` in units of `1 / scale`, no farther than it matters, and what rounding took away (a
-/// constant; zero where products carry no low part).
+/// Returns `b − a` in units of `1 / scale`, clamped to the distance that matters, and its rounding error (a constant;
+/// zero where products carry no low part).
 #[inline(always)]
 fn difference<S: Scalar, const EXTREME: bool>(a: S, b: S, scale: S) -> (S, S) {
     let rounded = b - a;
@@ -414,7 +414,8 @@ pub(crate) const LARGE: f64 = 1e9;
 /// And coordinates of the centre beyond this.
 pub(crate) const FAR_AWAY: f64 = 1e15;
 
-/// And a coordinate or heading below this that is not zero: `10⁻¹²` in single precision.
+/// Returns the limit for coordinates and headings that are not zero: below it products may underflow. It is `10⁻¹²` in
+/// single precision.
 pub(crate) fn fine<S: Scalar>() -> f64 {
     power_of_largest::<S>(-0.3125)
 }

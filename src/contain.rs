@@ -77,7 +77,7 @@ pub fn locate<S: Scalar<Mask = bool>>(rings: &[&[Vec2<S>]], point: Vec2<S>) -> L
     Location::Off(winding)
 }
 
-/// How often a ring winds around a point, counter-clockwise positive, decided exactly; `None` on the
+/// Returns the winding number of a ring around a point, counter-clockwise positive, decided exactly; `None` on the
 /// border.
 #[must_use]
 pub fn winding_number<S: Scalar<Mask = bool>>(ring: &[Vec2<S>], point: Vec2<S>) -> Option<i32> {

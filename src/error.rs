@@ -48,7 +48,7 @@ pub enum Argument {
 }
 
 impl Argument {
-    /// Input `i`, from zero: a letter for each of the first six.
+    /// Returns the argument of input `i`, from zero: a letter for each of the first six.
     #[must_use]
     pub const fn input(i: usize) -> Self {
         use Argument::{A, B, C, D, E, F};

@@ -33,7 +33,7 @@ use crate::clip::{
 use crate::scalar::guarded;
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
-/// Intersection over union from areas, in `[0, 1]`; zero with derivative zero when the union is empty.
+/// Returns the intersection over union from areas, in `[0, 1]`; zero with derivative zero when the union is empty.
 #[inline(always)]
 pub fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
     let total = area_a + area_b - inter;
@@ -45,7 +45,7 @@ pub fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
     )
 }
 
-/// Intersection over the first area, in `[0, 1]`; zero with derivative zero when that is empty.
+/// Returns the intersection over the first area, in `[0, 1]`; zero with derivative zero when that is empty.
 #[inline(always)]
 pub fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
     let empty = area_a.at_most(S::lit(S::EMPTY));
@@ -74,7 +74,7 @@ pub fn shared_area<S: Scalar, const EXTREME: bool>(
     (pair, area, scale)
 }
 
-/// [`shared_area`] in a given unit.
+/// Returns [`shared_area`] in a given unit.
 #[inline(always)]
 pub(crate) fn scaled_shared_area<S: Scalar, const EXTREME: bool>(
     a: Framed<S>,
@@ -176,7 +176,7 @@ pub fn intersection_area_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     score_framed::<S, true>(Denominator::None, frame(a), frame(b))
 }
 
-/// Intersection over union of two rotated boxes, in `[0, 1]`.
+/// Returns the intersection over union of two rotated boxes, in `[0, 1]`.
 ///
 /// Kinks and conventions: see the [module](self).
 ///
@@ -270,7 +270,7 @@ pub fn intersection_area_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     score_aabb2(Denominator::None, a, b)
 }
 
-/// Intersection over union of two axis-aligned boxes, in `[0, 1]`.
+/// Returns the intersection over union of two axis-aligned boxes, in `[0, 1]`.
 ///
 /// Kinks and conventions: see the [module](self).
 ///
@@ -301,19 +301,19 @@ pub fn iof_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
 }
 
 impl<S: Scalar> Obb2<S> {
-    /// [`intersection_area_obb2`].
+    /// Returns [`intersection_area_obb2`].
     #[must_use]
     #[inline]
     pub fn intersection_area(self, other: Self) -> S {
         guarded((self, other), |(a, b)| intersection_area_obb2(a, b))
     }
-    /// [`iou_obb2`].
+    /// Returns [`iou_obb2`].
     #[must_use]
     #[inline]
     pub fn iou(self, other: Self) -> S {
         guarded((self, other), |(a, b)| iou_obb2(a, b))
     }
-    /// [`iof_obb2`].
+    /// Returns [`iof_obb2`].
     #[must_use]
     #[inline]
     pub fn iof(self, other: Self) -> S {
@@ -322,19 +322,19 @@ impl<S: Scalar> Obb2<S> {
 }
 
 impl<S: Scalar> Aabb2<S> {
-    /// [`intersection_area_aabb2`].
+    /// Returns [`intersection_area_aabb2`].
     #[must_use]
     #[inline]
     pub fn intersection_area(self, other: Self) -> S {
         guarded((self, other), |(a, b)| intersection_area_aabb2(a, b))
     }
-    /// [`iou_aabb2`].
+    /// Returns [`iou_aabb2`].
     #[must_use]
     #[inline]
     pub fn iou(self, other: Self) -> S {
         guarded((self, other), |(a, b)| iou_aabb2(a, b))
     }
-    /// [`iof_aabb2`].
+    /// Returns [`iof_aabb2`].
     #[must_use]
     #[inline]
     pub fn iof(self, other: Self) -> S {

@@ -50,7 +50,7 @@ pub(crate) fn wide<S: Scalar<Mask = bool>>(p: Vec2<S>) -> Option<[f64; 2]> {
     Some([widened(p.x)?, widened(p.y)?])
 }
 
-/// Which way the path `a → b → c` turns: the sign of `(b − a) × (c − a)`, exactly.
+/// Returns the turn of the path `a → b → c`: the sign of `(b − a) × (c − a)`, exactly.
 ///
 /// ```
 /// use geograd::Vec2;
@@ -65,8 +65,8 @@ pub fn turn<S: Scalar<Mask = bool>>(a: Vec2<S>, b: Vec2<S>, c: Vec2<S>) -> Turn 
     turn_between([a, b], [a, c])
 }
 
-/// On which side of the direction `from[0] → from[1]` the direction `to[0] → to[1]` points: the sign
-/// of the cross product of the two differences, exactly.
+/// Returns the side of the direction `from[0] → from[1]` to which the direction `to[0] → to[1]` points: the sign of the
+/// cross product of the two differences, exactly.
 #[must_use]
 #[inline]
 pub fn turn_between<S: Scalar<Mask = bool>>(from: [Vec2<S>; 2], to: [Vec2<S>; 2]) -> Turn {

@@ -231,7 +231,7 @@ impl<P: Pack> Pack for Vec<P> {
 pub trait Code: Copy + PartialEq + Send + Sync + 'static {
     /// How many whole numbers.
     const CODES: usize;
-    /// From the first `CODES` numbers of a slice; zeros must do.
+    /// Reads a value from the first `CODES` numbers of a slice; zeros must be valid.
     ///
     /// # Panics
     ///

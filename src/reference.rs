@@ -27,7 +27,7 @@ pub struct Reference<S> {
 }
 
 impl<S: Scalar> Reference<S> {
-    /// For one shape, given by its bounds: the origin is their lower left corner.
+    /// Creates the frame of one shape, given by its bounds: the origin is their lower left corner.
     #[must_use]
     #[inline(always)]
     pub fn of_bounds(bounds: Aabb2<S>) -> Self {
@@ -39,7 +39,7 @@ impl<S: Scalar> Reference<S> {
             scale: unit(size, size),
         }
     }
-    /// For one ring or set of points; the origin for none.
+    /// Creates the frame of one ring or set of points; without points its origin is zero.
     #[must_use]
     #[inline]
     pub fn of_ring(ring: &[Vec2<S>]) -> Self {
@@ -49,9 +49,9 @@ impl<S: Scalar> Reference<S> {
         };
         Self::of_bounds(bounds_of(ring).unwrap_or(zero))
     }
-    /// For two shapes, given by their bounds: origin and unit are those of the smaller one (unless the
-    /// other is very much larger). Also where `a` is the smaller one, and where the bounds are apart or
-    /// merely touch: there the unit is that of both together.
+    /// Creates the frame of two shapes, given by their bounds: origin and unit are those of the smaller one (unless the
+    /// other is very much larger). Returns also if `a` is the smaller one, and if the bounds are apart or merely touch:
+    /// then the unit is that of both together.
     #[must_use]
     #[inline(always)]
     pub fn of_pair(a: Aabb2<S>, b: Aabb2<S>) -> (Self, S::Mask, S::Mask) {
@@ -88,7 +88,8 @@ impl<S: Scalar> Reference<S> {
         self.scale = S::select(held, self.scale.over(most.binade()), self.scale);
         self
     }
-    /// For moments of a shape, given by its bounds: seen from their middle, in a unit for fourth powers of length.
+    /// Creates the frame for moments of a shape, given by its bounds: the origin is their middle, the unit allows
+    /// fourth powers of length.
     #[must_use]
     #[inline(always)]
     pub(crate) fn of_moments(bounds: Aabb2<S>) -> Self {
@@ -182,8 +183,8 @@ pub fn bounds_of<S: Scalar>(points: &[Vec2<S>]) -> Option<Aabb2<S>> {
     Some(Aabb2 { min, max })
 }
 
-/// The larger of two sizes is at most this many local units, 2²⁸ in single precision, so that products of
-/// four lengths stay finite; what is smaller beside it loses digits.
+/// Returns the limit for the larger of two sizes in local units, 2²⁸ in single precision. It keeps products of four
+/// lengths finite; a smaller size loses digits relative to it.
 #[inline(always)]
 fn ratio<S: Scalar>() -> f64 {
     power_of_largest::<S>(0.21875)

@@ -15,9 +15,9 @@ pub(crate) const SIDE: usize = 16;
 
 /// The vertices of a ring, at least one, by number.
 pub(crate) trait Vertices<S>: Copy {
-    /// How many.
+    /// Returns the number of vertices, at least one.
     fn count(self) -> usize;
-    /// One of them.
+    /// Returns vertex `k`.
     fn at(self, k: usize) -> Vec2<S>;
     /// Returns all of them, where they lie side by side.
     fn slice(&self) -> &[Vec2<S>];
@@ -48,7 +48,7 @@ pub(crate) struct Local<S> {
 }
 
 impl<S: Scalar> Local<S> {
-    /// For a ring of any extent.
+    /// Creates the frame of a ring of any extent.
     #[inline(always)]
     pub fn new(ring: impl Vertices<S>) -> Self {
         match is_ordinary::<S>(extent_of(ring)).all() {
@@ -254,7 +254,7 @@ pub fn signed_area<S: Scalar>(ring: &[Vec2<S>]) -> S {
     signed_area_of(ring)
 }
 
-/// [`signed_area`] of a ring that has vertices.
+/// Returns the [`signed_area`] of a ring that has vertices.
 #[inline(always)]
 pub(crate) fn signed_area_of<S: Scalar>(ring: impl Vertices<S>) -> S {
     let [area] = measure(
@@ -290,7 +290,7 @@ pub fn perimeter<S: Scalar>(ring: &[Vec2<S>]) -> S {
     perimeter_of(ring)
 }
 
-/// [`perimeter`] of a ring that has vertices.
+/// Returns the [`perimeter`] of a ring that has vertices.
 #[inline(always)]
 pub(crate) fn perimeter_of<S: Scalar>(ring: impl Vertices<S>) -> S {
     let [perimeter] = measure(
@@ -332,7 +332,7 @@ pub(crate) struct Measured<S: Scalar> {
     pub flat: S::Mask,
 }
 
-/// [`centroid`] of a ring that has vertices.
+/// Returns the [`centroid`] of a ring that has vertices.
 #[inline(always)]
 pub(crate) fn centroid_of<S: Scalar>(ring: impl Vertices<S>) -> Measured<S> {
     let (first, count) = (ring.at(0), S::lit(ring.count() as f64));
@@ -376,7 +376,7 @@ pub enum Measure {
 }
 
 impl Measure {
-    /// Numbers per result.
+    /// Returns the count of numbers per result.
     #[must_use]
     pub const fn fields(self) -> usize {
         match self {

@@ -8,7 +8,7 @@
 use crate::arrays::Each;
 use crate::{Scalar, Vec2, Vec3};
 
-/// What the rounded difference `a − b` lacks (Knuth, The Art of Computer Programming 2, 4.2.2).
+/// Returns the rounding error of the difference `a − b` (Knuth, The Art of Computer Programming 2, 4.2.2).
 #[inline(always)]
 pub(crate) fn lost<P: Scalar>(a: P, b: P, rounded: P) -> P {
     let taken = rounded - a;
@@ -72,7 +72,7 @@ impl<P: Scalar> Twofold<P> {
             low: P::zero(),
         }
     }
-    /// `a − b`, exactly.
+    /// Returns `a − b`, exactly.
     #[inline(always)]
     pub(crate) fn difference(a: P, b: P) -> Self {
         let high = a - b;
@@ -85,7 +85,7 @@ impl<P: Scalar> Twofold<P> {
         let [low, high] = Halves::of(a).times(Halves::of(b));
         Twofold { high, low }
     }
-    /// Times a power of two.
+    /// Multiplies by a power of two.
     #[inline(always)]
     pub(crate) fn scaled(self, by: P) -> Self {
         Twofold {
@@ -123,12 +123,13 @@ impl<P: Scalar> Twofold<P> {
         let rest = self.high * other.low + self.low * other.high;
         Twofold::of_parts(product.high, product.low + rest)
     }
-    /// `a d − b c`, to some ε² of both products.
+    /// Returns `a d − b c`, to some ε² of both products.
     #[inline(always)]
     pub(crate) fn cross(a: [Self; 2], b: [Self; 2]) -> Self {
         outer(a, b).0
     }
-    /// Zero where the value is within the rounding of a sum whose terms have this sum of magnitudes, else its float.
+    /// Returns zero where the value is within the rounding of a sum whose terms have this sum of magnitudes, else its
+    /// high part.
     #[inline(always)]
     pub(crate) fn settled(self, terms: P) -> P {
         let least = terms * P::lit(16.0 * P::EPSILON * P::EPSILON);

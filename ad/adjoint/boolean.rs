@@ -24,9 +24,9 @@ impl<S: Scalar> Bars<'_, S> {
     }
 }
 
-/// Adjoint of [`overlay_replay`](crate::boolean::overlay_replay): the cotangents of both inputs from those
-/// of the vertices of the result, so the derivatives of any function of these. One per vertex, one ring after
-/// the other.
+/// Returns the cotangents of both inputs of [`overlay_replay`](crate::boolean::overlay_replay) from those of the
+/// vertices of the result, and so the derivatives of any function of these. The input has one cotangent per vertex, one
+/// ring after the other.
 ///
 /// A vertex that is one of an input has that one's cotangent. For a crossing at the fractions `s` and `t`
 /// of two edges with directions `u` and `v`, and `k = (x̄ · u) / (v⊥ · u)`, the first edge's place has the

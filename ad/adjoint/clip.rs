@@ -81,7 +81,7 @@ fn half_along<S: Scalar>(parallel: S::Mask, at: S, beyond: S, low: S, high: S, w
     S::select(parallel & along, whole.halved(), S::zero())
 }
 
-/// Derivatives of [`clipped_area`](crate::clip::clipped_area).
+/// Returns the derivatives of [`clipped_area`](crate::clip::clipped_area).
 ///
 /// With `W` the length in x of the bottom and top edge inside a, `H` the length in y of the right
 /// and left edge inside a, `t = tan` of the relative heading, `c` its cosine:

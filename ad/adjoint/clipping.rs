@@ -4,8 +4,7 @@ use crate::clipping::crossing::meet;
 use crate::clipping::{ClipTrace, Corner};
 use crate::{ConvexPolygon, Scalar, Vec2};
 
-/// Adjoint of [`clip_replay`](crate::clipping::clip_replay): the cotangents of both polygons from those
-/// of the result.
+/// Returns the cotangents of both polygons of [`clip_replay`](crate::clipping::clip_replay) from those of the result.
 ///
 /// A corner's cotangent is that of the vertex it is. Let a crossing be at the fractions `s` and `t` of
 /// two edges with directions `u` and `v`, and let `ṗ`, `q̇` be how those places of the edges move. The

@@ -22,7 +22,7 @@ use crate::{Obb2, Scalar, Vec2};
 
 // Functions, not closures: those do not inherit instruction sets.
 
-/// One over a number that is not empty, else zero.
+/// Returns one over a number, or zero for one so small that it counts as none.
 #[inline(always)]
 fn per<S: Scalar>(x: S) -> S {
     let (zero, one) = (S::zero(), S::one());
@@ -106,7 +106,7 @@ fn finished<S: Scalar, const EXTREME: bool>(
     }
 }
 
-/// Derivatives of the area of the hull of a related pair, in a's frame and the pair's units.
+/// Returns the derivatives of the area of the hull of a related pair, in a's frame and the pair's units.
 #[must_use]
 #[inline(always)]
 pub fn hull_derivatives<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) -> Derivatives<S> {
@@ -142,8 +142,8 @@ pub fn hull_derivatives<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) ->
     }
 }
 
-/// Value of the generalised IoU of two boxes with their trigonometry done, and `out_bar` times its derivatives.
-/// `EXTREME` says whether sizes may be so small or large that products over- or underflow.
+/// Returns the value of the generalised IoU of two boxes whose sine and cosine are known, and `out_bar` times its
+/// derivatives. `EXTREME` says that sizes may be so small or large that products over- or underflow.
 #[must_use]
 #[inline(always)]
 pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
@@ -210,14 +210,14 @@ pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
     )
 }
 
-/// [`giou_obb2`](crate::iou::giou_obb2) and its derivatives with respect to both boxes.
+/// Returns [`giou_obb2`](crate::iou::giou_obb2) and its derivatives with respect to both boxes.
 #[must_use]
 #[inline]
 pub fn giou_obb2_grad<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (S, (Obb2<S>, Obb2<S>)) {
     giou_framed_vjp::<S, true>(frame(a), frame(b), S::one())
 }
 
-/// Adjoint of [`giou_obb2`](crate::iou::giou_obb2): `out_bar` times the derivatives with respect to both boxes.
+/// Returns `out_bar` times the derivatives of [`giou_obb2`](crate::iou::giou_obb2) with respect to both boxes.
 /// Derivation: see the [module](self).
 #[must_use]
 #[inline]

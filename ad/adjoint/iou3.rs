@@ -13,7 +13,8 @@ const OBB3: usize = 10;
 /// The IoU, then those of both boxes.
 const ALL: usize = 1 + 2 * OBB3;
 
-/// One function for each kind of number, whatever the score.
+/// Returns the derivatives of a score by the IoU and by the numbers of both boxes. It is not inlined: one function for
+/// each kind of number, whatever the score.
 #[inline(never)]
 fn derivatives_of<S: Scalar>(
     (score, kind): (Score, Enclosing),

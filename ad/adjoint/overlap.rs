@@ -21,7 +21,7 @@ pub(crate) struct AreaDerivatives<S> {
     pub falling: S,
 }
 
-/// `out_bar` times the derivatives of a score with respect to the areas it is made of.
+/// Returns `out_bar` times the derivatives of a score with respect to the areas it is made of.
 ///
 /// `I / U` with `U = A + B − I`: `∂I = (1 + I/U) / U`, `∂A = ∂B = −(I/U) / U`.
 /// `I / A`: `∂I = 1/A`, `∂A = −(I/A) / A`. Zero where the denominator is.
@@ -59,7 +59,7 @@ pub(crate) fn score_derivatives<S: Scalar>(
     }
 }
 
-/// One over a number that is not empty, else zero.
+/// Returns one over a number, or zero for one so small that it counts as none.
 #[inline(always)]
 pub(crate) fn reciprocal_or_zero<S: Scalar>(x: S) -> S {
     let empty = x.at_most(S::lit(S::EMPTY));
@@ -73,7 +73,7 @@ pub(crate) fn reciprocal_or_zero<S: Scalar>(x: S) -> S {
 /// Derivatives of a score with respect to both boxes.
 pub type Grads<S> = (Obb2<S>, Obb2<S>);
 
-/// Value of a score of two boxes with their trigonometry done, and `out_bar` times its derivatives.
+/// Returns the value of a score of two boxes whose sine and cosine are known, and `out_bar` times its derivatives.
 ///
 /// Moving b by `(∂u, ∂v)` in a's frame is moving a the other way; turning the pair about a's centre
 /// changes nothing, so `∂heading_a = −(∂heading_b + u ∂v − v ∂u)`.
@@ -120,7 +120,7 @@ pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
     (value.canonical(), (canonical(grads.0), canonical(grads.1)))
 }
 
-/// [`score_framed_vjp`] with lengths, value and derivatives in units of `1 / scale`.
+/// Returns [`score_framed_vjp`] with lengths, value and derivatives in units of `1 / scale`.
 #[inline(always)]
 pub(crate) fn score_scaled_vjp<S: Scalar, const EXTREME: bool>(
     over: Denominator,
@@ -227,7 +227,7 @@ fn saturated<S: Scalar>(x: Obb2<S>, steep: S) -> Obb2<S> {
     }
 }
 
-/// Value of a score of two axis-aligned boxes, and `out_bar` times its derivatives.
+/// Returns the value of a score of two axis-aligned boxes, and `out_bar` times its derivatives.
 #[inline(always)]
 pub fn score_aabb2_vjp<S: Scalar>(
     over: Denominator,
@@ -251,7 +251,7 @@ pub fn score_aabb2_vjp<S: Scalar>(
     (value, grads)
 }
 
-/// [`score_aabb2_vjp`] where the upstream derivative is no more than about one.
+/// Returns [`score_aabb2_vjp`] for an upstream derivative of at most about one.
 ///
 /// With `h` half the shared size, `I = 4 h_x h_y`; a bound that decides alone takes the whole derivative
 /// of its side, tied bounds half each.
@@ -324,7 +324,7 @@ fn times<S: Scalar>(x: Vec2<S>, y: Vec2<S>) -> Vec2<S> {
     Vec2::new(x.x * y.x, x.y * y.y)
 }
 
-/// `1 - x`, number by number.
+/// Returns `1 - x`, number by number.
 #[inline(always)]
 fn rest<S: Scalar>(x: Vec2<S>) -> Vec2<S> {
     Vec2::new(S::one() - x.x, S::one() - x.y)

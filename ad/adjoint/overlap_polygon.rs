@@ -133,7 +133,7 @@ fn edge_derivatives<S: Scalar, const M: usize>(
     edge_bar
 }
 
-/// Local derivatives of the shared area of two convex polygons.
+/// Returns the local derivatives of the shared area of two convex polygons.
 #[inline(always)]
 fn shared_derivatives<S: Scalar, const N: usize, const M: usize>(
     fan_a: &Fan<S, N>,
@@ -151,7 +151,7 @@ fn shared_derivatives<S: Scalar, const N: usize, const M: usize>(
     (a_bar, b_bar)
 }
 
-/// Local derivatives of a polygon's own area: `v̄ = (q_y − p_y, p_x − q_x)/2` with `p`, `q` its neighbours.
+/// Returns the local derivatives of a polygon's own area: `v̄ = (q_y − p_y, p_x − q_x)/2` with `p`, `q` its neighbours.
 #[inline(always)]
 fn own_derivatives<S: Scalar, const N: usize>(fan: &Fan<S, N>) -> [Vec2<S>; N] {
     let mut bars = [Vec2::zero(); N];
@@ -208,8 +208,9 @@ fn combined<S: Scalar, const N: usize, const M: usize>(
     )
 }
 
-/// Adjoint of [`intersection_area_polygons`](crate::overlap_polygon::intersection_area_polygons):
-/// `out_bar` times the derivatives with respect to both polygons. Derivation: see the [module](self).
+/// Returns `out_bar` times the derivatives of
+/// [`intersection_area_polygons`](crate::overlap_polygon::intersection_area_polygons) with respect to both polygons.
+/// Derivation: see the [module](self).
 #[must_use]
 #[inline]
 pub fn intersection_area_polygons_vjp<S: Scalar, const N: usize, const M: usize>(
@@ -221,8 +222,8 @@ pub fn intersection_area_polygons_vjp<S: Scalar, const N: usize, const M: usize>
     combined(a, b, &shared, [out_bar, S::zero(), S::zero()], 2)
 }
 
-/// Adjoint of [`iou_polygons`](crate::overlap_polygon::iou_polygons): `out_bar` times the derivatives with
-/// respect to both polygons.
+/// Returns `out_bar` times the derivatives of [`iou_polygons`](crate::overlap_polygon::iou_polygons) with respect to
+/// both polygons.
 ///
 /// With `r = I / U`: `∂I = (1 + r) / U`, `∂A = ∂B = −r / U`.
 #[must_use]
@@ -243,8 +244,8 @@ pub fn iou_polygons_vjp<S: Scalar, const N: usize, const M: usize>(
     combined(a, b, &shared, [per + ratio * per, own, own], 0)
 }
 
-/// Adjoint of [`area_inside`](crate::overlap_polygon::area_inside): writes one cotangent per vertex of
-/// each ring and returns those of the convex polygon.
+/// Writes the cotangents of [`area_inside`](crate::overlap_polygon::area_inside), one per vertex of each ring, and
+/// returns those of the convex polygon.
 ///
 /// # Panics
 ///

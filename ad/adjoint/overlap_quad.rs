@@ -49,7 +49,7 @@ fn pull<S: Scalar>(corners: &[Vec2<S>; 4], k: usize, part: Part<S>, bars: &mut [
     bars[next] += Vec2::new(along.y * to_end, -(along.x * to_end));
 }
 
-/// Derivatives of the area in the units of a pair.
+/// Returns the derivatives of the area in the units of a pair.
 #[inline(always)]
 fn derivatives<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
     let (zero, one, half) = (S::zero(), S::one(), S::lit(0.5));
@@ -160,10 +160,9 @@ pub(crate) fn area_of_quads_vjp<S: Scalar, const EXTREME: bool>(
     (area.saturated().canonical(), (a_bar, b_bar))
 }
 
-/// [`intersection_area_quads`](crate::overlap_polygon::intersection_area_quads) and its adjoint:
-/// the area, and `out_bar` times its derivatives with respect to all corners. They are finite; those too steep
-/// for the format are its largest number. Derivation: see the
-/// [module](self).
+/// Returns [`intersection_area_quads`](crate::overlap_polygon::intersection_area_quads) and `out_bar` times its
+/// derivatives with respect to all corners. They are finite; those too steep for the format are its largest number.
+/// Derivation: see the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, ad::adjoint::overlap_quad::intersection_area_quads_vjp};

@@ -8,7 +8,7 @@ use crate::overlap_polygon::holed::Pair;
 use crate::polygon::Rings;
 use crate::{Scalar, Vec2};
 
-/// The local derivatives of the area of one of them, times a factor.
+/// Adds the local derivatives of the area of one of both polygons, times a factor.
 fn add_own<S: Scalar<Mask = bool>>(pair: &Pair<'_, S>, which: usize, by: S, bars: &mut [Vec2<S>]) {
     pair.each_tile(which, |tile| {
         for k in 0..tile.count {
@@ -20,7 +20,7 @@ fn add_own<S: Scalar<Mask = bool>>(pair: &Pair<'_, S>, which: usize, by: S, bars
     });
 }
 
-/// The local derivatives of the shared area, times a factor.
+/// Adds the local derivatives of the shared area, times a factor.
 fn add_shared<S: Scalar<Mask = bool>>(
     pair: &Pair<'_, S>,
     by: S,
@@ -94,7 +94,8 @@ fn pulled<'a, S: Scalar<Mask = bool>>(
     found.value
 }
 
-/// Adjoint of [`intersection_area`](crate::overlap_polygon::holed::intersection_area).
+/// Writes the cotangents of [`intersection_area`](crate::overlap_polygon::holed::intersection_area) and returns the
+/// value.
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, ad::adjoint::overlap_rings::intersection_area_vjp};
@@ -124,7 +125,7 @@ pub fn intersection_area_vjp<'a, S: Scalar<Mask = bool>>(
     })
 }
 
-/// Adjoint of [`union_area`](crate::overlap_polygon::holed::union_area).
+/// Writes the cotangents of [`union_area`](crate::overlap_polygon::holed::union_area) and returns the value.
 ///
 /// # Panics
 ///
@@ -143,8 +144,8 @@ pub fn union_area_vjp<'a, S: Scalar<Mask = bool>>(
     })
 }
 
-/// Adjoint of [`iou`](crate::overlap_polygon::holed::iou). With `r = I / U`: `∂I = (1 + r) / U`,
-/// `∂A = ∂B = −r / U`.
+/// Writes the cotangents of [`iou`](crate::overlap_polygon::holed::iou) and returns the value. With `r = I / U`:
+/// `∂I = (1 + r) / U`, `∂A = ∂B = −r / U`.
 ///
 /// # Panics
 ///
@@ -179,7 +180,8 @@ pub fn iou_vjp<'a, S: Scalar<Mask = bool>>(
     )
 }
 
-/// Adjoint of [`iof`](crate::overlap_polygon::holed::iof). With `r = I / A`: `∂I = 1 / A`, `∂A = −r / A`.
+/// Writes the cotangents of [`iof`](crate::overlap_polygon::holed::iof) and returns the value. With `r = I / A`:
+/// `∂I = 1 / A`, `∂A = −r / A`.
 ///
 /// # Panics
 ///

@@ -57,7 +57,7 @@ struct Parts<S> {
     falling: S,
 }
 
-/// `out_bar` times the derivatives of a score by areas and heights.
+/// Returns `out_bar` times the derivatives of a score by areas and heights.
 #[inline(always)]
 fn parts<S: Scalar>(
     over: Denominator,
@@ -106,7 +106,7 @@ fn part_of_smaller<S: Scalar>(mine: S, other: S) -> S {
     S::select(mine.equals(other), S::lit(0.5), won)
 }
 
-/// Zeros where a mask says so. Functions, not closures: those do not inherit instruction sets.
+/// Returns zeros where the mask is true. This is a function, since closures do not inherit instruction sets.
 #[inline(always)]
 fn unless<S: Scalar>(mask: S::Mask, x: [S; 3]) -> [S; 3] {
     let zero = S::zero();
@@ -172,8 +172,8 @@ fn box_bar<S: Scalar, const EXTREME: bool>(
 /// Both boxes' derivatives.
 pub(crate) type Bars<S> = (YawBox3<S>, YawBox3<S>);
 
-/// Value of a score of upright boxes and `out_bar` times its derivatives, from the area shared seen from above
-/// and its derivatives, in units of `1 / scales.flat`.
+/// Returns the value of a score of upright boxes and `out_bar` times its derivatives, from the area shared seen from
+/// above and its derivatives, in units of `1 / scales.flat`.
 #[inline(always)]
 pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
     over: Denominator,
@@ -258,7 +258,7 @@ pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
     (value.canonical(), (a_bar, b_bar))
 }
 
-/// Value of a score of upright boxes and `out_bar` times its derivatives.
+/// Returns the value of a score of upright boxes and `out_bar` times its derivatives.
 pub(crate) fn score_upright_vjp<S: Scalar>(
     over: Denominator,
     a: YawBox3<S>,
@@ -283,7 +283,7 @@ pub fn intersection_volume_yaw_vjp<S: Scalar>(
     score_upright_vjp(Denominator::None, a, b, out_bar)
 }
 
-/// Intersection over union of two upright boxes, and `out_bar` times its derivatives by both.
+/// Returns the intersection over union of two upright boxes, and `out_bar` times its derivatives by both.
 ///
 /// ```
 /// use geograd::{Vec3, YawBox3, ad::adjoint::upright::iou_yaw_vjp};

@@ -68,12 +68,12 @@ fn wide<S: Real, X: Pack<Scalar = S>>(x: &X) -> Vec<f64> {
 }
 
 impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
-    /// At a point. Everything else is added with the other methods.
+    /// Checks at a point. Everything else is added with the other methods.
     #[must_use]
     pub fn at(point: X) -> Self {
         Check::among([point])
     }
-    /// At points.
+    /// Checks at points.
     #[must_use]
     pub fn among(points: impl IntoIterator<Item = X>) -> Self {
         let points: Vec<X> = points.into_iter().collect();
@@ -101,7 +101,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
             conventions: Conventions::default(),
         }
     }
-    /// At so many points of one's own making, from a seed.
+    /// Checks at `count` points that `make` draws, from a seed.
     #[must_use]
     pub fn drawn(count: usize, seed: u64, mut make: impl FnMut(&mut Draw) -> X) -> Self {
         let sampling = Sampling::new(count, seed);
@@ -109,14 +109,14 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         (check.seed, check.random_from) = (seed, 0);
         check
     }
-    /// At one more point.
+    /// Adds a point.
     #[must_use]
     pub fn and(mut self, point: X) -> Self {
         self.points.insert(self.random_from, point);
         self.random_from += 1;
         self
     }
-    /// Under a name, for the report.
+    /// Sets the name in the report.
     #[must_use]
     pub fn named(mut self, name: &str) -> Self {
         self.name = name.to_owned();
@@ -227,8 +227,8 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         self.inside = Some(Box::new(f));
         self
     }
-    /// For each number, the length over which the function may be expected to change. By default
-    /// the number itself.
+    /// Sets for each number the length over which the function may be expected to change. By default it is the
+    /// magnitude of the number.
     #[must_use]
     pub fn scales(mut self, f: impl Fn(&X) -> X + 'a) -> Self {
         self.scales = Some(Box::new(move |x| wide(&f(x))));
@@ -272,13 +272,13 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         self.resolution[1] = share;
         self
     }
-    /// Conventions of the function.
+    /// Sets the conventions of the function.
     #[must_use]
     pub fn conventions(mut self, conventions: Conventions) -> Self {
         self.conventions = conventions;
         self
     }
-    /// From another seed.
+    /// Sets another seed.
     #[must_use]
     pub fn seed(mut self, seed: u64) -> Self {
         self.seed = seed;
@@ -314,7 +314,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
 }
 
 impl<'a, X: Sample + 'a> Check<'a, X> {
-    /// At the hard cases of a shape and so many random ones.
+    /// Checks at the hard cases of a shape and `count` random ones.
     #[must_use]
     pub fn random(count: usize, seed: u64) -> Self {
         let sampling = Sampling::new(count, seed);

@@ -12,9 +12,9 @@ pub(crate) trait Candidate<'a> {
     fn numbers(&self) -> Vec<f64>;
     /// Returns the same shapes made of other numbers.
     fn refilled(&self, numbers: &[f64]) -> Box<dyn Candidate<'a> + 'a>;
-    /// Inputs with fewer shapes in their lists.
+    /// Returns inputs with fewer shapes in their lists.
     fn fewer(&self) -> Fewer<'a, '_>;
-    /// It, as code.
+    /// Returns the input as code.
     fn code(&self) -> String;
     /// Hands over the function near it.
     fn met(&self, judge: &mut dyn FnMut(&dyn Subject));

@@ -104,7 +104,7 @@ impl Body {
             radius,
         }
     }
-    /// What lies on a line from a point on; the whole line if both sides count.
+    /// Creates the ray from a point along a direction, or the whole line if `both_sides` holds.
     #[must_use]
     pub fn line(point: Vec3<f64>, direction: Vec3<f64>, both_sides: bool) -> Self {
         let mut endless = vec![direction];
@@ -176,7 +176,7 @@ impl Body {
             rims.map(|rim| rim.center.dot(normal) + rim.radius * aside(normal, rim.axis).length());
         corners.chain(rims).fold(f64::NEG_INFINITY, f64::max) + self.radius
     }
-    /// Its largest coordinate and its radii.
+    /// Returns its largest coordinate plus its radii.
     fn size(&self) -> f64 {
         let size = |p: &Vector| p.x.abs().max(p.y.abs()).max(p.z.abs());
         let rims = self.rims.iter().map(|rim| size(&rim.center) + rim.radius);
@@ -203,7 +203,8 @@ impl Body {
             radius: self.radius * by,
         }
     }
-    /// Corners and ways of edges, circles replaced by their section in the planes towards some points.
+    /// Returns corners and directions of edges; circles are replaced by their section in the planes towards some
+    /// points.
     fn flat(&self, towards: &[Vector]) -> (Vec<Vector>, Vec<Vector>) {
         let (mut corners, mut ways) = (self.corners.clone(), self.ways.clone());
         let mut section = self.corners.clone();
@@ -262,7 +263,8 @@ impl Proof {
     pub(crate) fn is_endless(&self) -> bool {
         self.bodies.iter().any(|body| !body.endless.is_empty())
     }
-    /// What it says; `None` where no plane parts the bodies by a finite number, as of lines that cross.
+    /// Returns the bounds that it proves; `None` if no plane separates the bodies by a finite number, as for lines that
+    /// cross.
     pub(crate) fn bounds(&self) -> Option<Bounds> {
         let size = self.bodies[0].size().max(self.bodies[1].size());
         if !size.is_finite() {

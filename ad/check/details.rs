@@ -21,7 +21,7 @@ fn who(witness: Witness) -> &'static str {
     }
 }
 
-/// Which share of the comparisons differs by how many units of the precision.
+/// Writes the share of the comparisons that differ by a number of units of the precision, decade by decade.
 fn write_decades(out: &mut String, worst: &Worst) -> fmt::Result {
     out.push_str("    units in the last place of the largest one:");
     let total = worst.decades.iter().sum::<u64>().max(1) as f64;
@@ -37,9 +37,9 @@ fn write_decades(out: &mut String, worst: &Worst) -> fmt::Result {
 }
 
 impl Report {
-    /// Everything the [line](Report::line) leaves out: what kinds of places there were, and of each
-    /// pair of witnesses how far apart they were, in units in the last place of the largest derivative
-    /// of the same unit, and the numbers where they came nearest to refusal.
+    /// Returns everything that the [line](Report::line) leaves out: the kinds of points, and for each pair of witnesses
+    /// their differences. These are in units in the last place of the largest derivative of the same unit. The numbers
+    /// at which they came nearest to refusal follow.
     #[must_use]
     pub fn details(&self) -> String {
         let mut out = String::new();

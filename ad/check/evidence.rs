@@ -325,8 +325,8 @@ fn resolution(subject: &dyn Subject, y: &[f64], off_scale: &[bool]) -> Vec<f64> 
     own
 }
 
-/// Which results of single precision are below the smallest number that has all digits, as the fourth power of
-/// a small length is, or above the largest one. Zeros among nothing but too small ones are, too.
+/// Returns which results of single precision are below the smallest normal number, as the fourth power of a small
+/// length is, or above the largest number. Zeros are included if all others are too small.
 fn off_scale(wide: Option<&dyn Subject>, x: &[f64], outputs: usize) -> Vec<bool> {
     let small = |y: &f64| *y != 0.0 && y.abs() < SMALLEST;
     let values = wide.map_or(Vec::new(), |wide| wide.value(x));

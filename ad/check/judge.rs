@@ -42,7 +42,7 @@ pub fn judge(subject: &dyn Subject, x: &[f64], seed: u64) -> Findings {
     decided(Some(&evidence), said)
 }
 
-/// All comparisons of derivatives, one after the other.
+/// Compares all derivatives, one comparison after the other.
 fn compare(e: &Evidence<'_>, draw: &mut Draw, said: &mut Notes) {
     said.add(exact(e));
     said.add(wide(e));
@@ -70,7 +70,7 @@ fn compare(e: &Evidence<'_>, draw: &mut Draw, said: &mut Notes) {
     said.add(unchanged(e));
 }
 
-/// After everything else: a function that remembers would answer differently now.
+/// Checks that the value has not changed after everything else: a function with state answers differently now.
 fn unchanged(e: &Evidence<'_>) -> Notes {
     let mut said = Notes::new(e.x.len());
     if !same_bits(&e.y, &e.subject.value(e.x)) {
@@ -140,7 +140,7 @@ fn decided(e: Option<&Evidence<'_>>, said: Notes) -> Findings {
     }
 }
 
-/// One fault of a kind and place is enough.
+/// Removes all faults of a kind and place except the first.
 fn one_of_a_kind(all: Vec<Fault>) -> Vec<Fault> {
     let mut kept: Vec<Fault> = Vec::new();
     for fault in all {

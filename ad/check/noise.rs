@@ -39,7 +39,7 @@ impl<T: Real> Noisy<T> {
         let by = draw.below(3) as i32 - 1;
         Noisy(T::nearest(Precision::of::<T>().beside(x, by)))
     }
-    /// The same, unless nothing was left to round.
+    /// Returns a result, rounded otherwise unless it is `exact`.
     fn unless(x: T, exact: bool) -> Self {
         if exact { Noisy(x) } else { Self::rounded(x) }
     }

@@ -28,7 +28,7 @@ pub(crate) struct Notes {
 }
 
 impl Notes {
-    /// Empty notes about an input of `inputs` numbers.
+    /// Creates empty notes about an input of `inputs` numbers.
     pub(crate) fn new(inputs: usize) -> Self {
         Notes {
             complaints: Vec::new(),
@@ -43,12 +43,12 @@ impl Notes {
         }
     }
 
-    /// A complaint without numbers.
+    /// Adds a fault without numbers.
     pub(crate) fn complain(&mut self, reason: Reason, output: usize, input: usize) {
         self.complain_of(reason, None, (output, input), ByWitness::default(), 0.0);
     }
 
-    /// A complaint about so many numbers, and how many there should be.
+    /// Adds a fault about the number of results, and the number there should be.
     pub(crate) fn complain_of_length(
         &mut self,
         witness: Witness,
@@ -63,7 +63,7 @@ impl Notes {
         self.complain_of(reason, None, (output, 0), numbers, 0.0);
     }
 
-    /// A complaint about an output and an input.
+    /// Adds a fault about an output and an input.
     pub(crate) fn complain_of(
         &mut self,
         reason: Reason,
@@ -82,8 +82,8 @@ impl Notes {
         });
     }
 
-    /// One more comparison of the pair that stands at `pair` in [`PAIRS`]; `size` is the largest derivative of
-    /// the same unit.
+    /// Counts one more comparison of the pair at index `pair` of [`PAIRS`]; `size` is the largest derivative of the
+    /// same unit.
     pub(crate) fn compared(&mut self, pair: usize, gap: f64, size: f64, eps: f64, at: Tightest) {
         self.worst[pair].note(gap, size, eps, at);
     }

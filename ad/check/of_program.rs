@@ -8,7 +8,7 @@ use crate::{Fixed, Jet, Real, Scalar};
 use std::fmt::Debug;
 use std::rc::Rc;
 
-/// Numbers with a derivative each.
+/// Returns numbers with a derivative each.
 fn jets<T: Scalar>(x: &[f64], derivatives: &[f64], of: impl Fn(f64) -> T) -> Vec<Jet<T, 1>> {
     let jet = |(&value, &derivative)| Jet {
         value: of(value),
@@ -17,7 +17,7 @@ fn jets<T: Scalar>(x: &[f64], derivatives: &[f64], of: impl Fn(f64) -> T) -> Vec
     x.iter().zip(derivatives).map(jet).collect()
 }
 
-/// Numbers with derivatives along two directions, `u` and `v`.
+/// Returns numbers with derivatives along two directions, `u` and `v`.
 fn bent<T: Scalar>([x, u, v]: [&[f64]; 3], of: impl Fn(f64) -> T) -> Vec<Bent<T>> {
     let jet = |value, derivative| Jet {
         value: of(value),

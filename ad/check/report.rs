@@ -81,7 +81,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// Nothing found out yet.
+    /// Creates a report without comparisons.
     pub(crate) fn empty(name: &str, seed: u64) -> Self {
         Report {
             name: name.to_owned(),
@@ -165,7 +165,7 @@ impl Report {
             "proof",
         )
     }
-    /// One line of a table.
+    /// Returns one line of a table.
     #[must_use]
     pub fn line(&self) -> String {
         let used = |worst: &Worst| match worst.nearest.share {
@@ -258,7 +258,7 @@ fn write_remedy(f: &mut fmt::Formatter<'_>, reason: Reason) -> fmt::Result {
 }
 
 impl Report {
-    /// One refusal with its numbers and its input.
+    /// Writes one refusal with its numbers and its input.
     fn write_failure(&self, f: &mut fmt::Formatter<'_>, failure: &Failure) -> fmt::Result {
         let Failure {
             sample,

@@ -3,9 +3,8 @@ use crate::ad::check::tolerances::{MEDIAN, SHARE_OF_ORDER, SPACINGS_F32, SPACING
 use crate::ad::check::witness::Precision;
 use crate::ad::sample::Draw;
 
-/// How rough a list-valued function is beside a point, per number: the standard deviation of its
-/// rounding errors, from tables of differences (Hamming; Moré and Wild, "Estimating computational
-/// noise", 2011).
+/// Returns the roughness of a list-valued function near a point, per number: the standard deviation of its rounding
+/// errors, from tables of differences (Hamming; Moré and Wild, "Estimating computational noise", 2011).
 ///
 /// Between equally spaced inputs the differences of a smooth function fall from order to order, those
 /// of rounding errors grow in a known ratio; so the smaller estimate of two orders counts. Medians,

@@ -81,7 +81,7 @@ impl Evidence<'_> {
         spread
     }
 
-    /// Many inputs within so many times the rounding of this one.
+    /// Draws many inputs within `times` roundings of this one.
     fn drawn_beside(&self, times: f64) -> impl Iterator<Item = Vec<f64>> {
         let precision = self.subject.precision();
         let mut rounding = self.subject.rounding(self.x);
@@ -186,7 +186,8 @@ impl Evidence<'_> {
         Some(linear(&shorter)?.iter().map(|x| x / by).collect())
     }
 
-    /// How rough a list-valued function is beside the point: its rounding errors, seen from outside.
+    /// Returns the roughness of a list-valued function near the point: its rounding errors, estimated from its values
+    /// alone.
     fn rough(&self, on: &dyn Subject, f: &dyn Fn(&[f64]) -> Option<Vec<f64>>) -> Vec<f64> {
         let own = |(scale, x): (&f64, &f64)| {
             if *x == 0.0 {
@@ -200,15 +201,14 @@ impl Evidence<'_> {
         roughness(on.precision(), self.x, &scales, &inside)
     }
 
-    /// How rough the combined value is.
+    /// Returns the roughness of the combined value.
     pub(crate) fn rough_value(&self, on: &dyn Subject, weights: &[f64]) -> f64 {
         let value = |x: &[f64]| Some(vec![dot(weights, &on.value(x))]);
         self.rough(on, &value).first().copied().unwrap_or(0.0)
     }
 
-    /// How large each derivative gets when the numbers of the input change over their size, all together
-    /// and one by one. Places with a derivative far larger than the value do not count: another feature is
-    /// near.
+    /// Returns the size that each derivative reaches when the numbers of the input change over their size, all together
+    /// and one by one. Points with a derivative far larger than the value do not count: another feature is near.
     pub(crate) fn typical(
         &self,
         weights: &[f64],
@@ -255,9 +255,9 @@ impl Evidence<'_> {
         sizes
     }
 
-    /// By how much derivatives may be off by rounding: of terms as large as the derivatives typically are, and
-    /// as rough as they are beside the point, as far as that can be rounding of such terms. A
-    /// derivative rougher than that loses digits without need.
+    /// Returns the rounding error that derivatives may have. Their terms are as large as derivatives typically are.
+    /// Their roughness near the point counts as far as rounding of such terms explains it. A derivative rougher than
+    /// that loses digits without need.
     pub(crate) fn rough_derivatives(
         &self,
         weights: &[f64],

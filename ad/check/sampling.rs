@@ -39,7 +39,7 @@ pub struct Sampling<'a> {
 }
 
 impl Sampling<'_> {
-    /// Hard cases and so many random inputs.
+    /// Creates a sample of hard cases and `samples` random inputs.
     #[must_use]
     pub fn new(samples: usize, seed: u64) -> Self {
         Sampling {

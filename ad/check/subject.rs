@@ -64,7 +64,7 @@ pub trait Subject {
     fn forms(&self) -> usize {
         0
     }
-    /// Value and derivatives of `y_bar · value` from a batch of a form, on the CPU or a GPU.
+    /// Returns value and derivatives of `y_bar · value` from a batch of a form, on the CPU or a GPU.
     fn batch(&self, _form: usize, _x: &[f64], _y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         None
     }
@@ -81,7 +81,7 @@ pub trait Subject {
     fn along(&self, _x: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
         None
     }
-    /// Values and the derivatives of all outputs along a direction by num-dual's own dual numbers: another
+    /// Returns values and the derivatives of all outputs along a direction by num-dual's own dual numbers: another
     /// implementation of duals, for derivatives by hand.
     fn num_dual(&self, _x: &[f64], _direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         None
@@ -116,7 +116,7 @@ pub trait Subject {
     fn wide(&self) -> Option<Box<dyn Subject + '_>> {
         None
     }
-    /// What proves the value, if it is a distance in space.
+    /// Returns the proof of the value, if it is a distance in space.
     fn proof(&self, _x: &[f64]) -> Option<Proof> {
         None
     }
@@ -129,7 +129,7 @@ pub trait Subject {
     fn total(&self) -> bool {
         false
     }
-    /// For each number, the length over which the function may be expected to change.
+    /// Returns for each number the length over which the function may be expected to change.
     fn scales(&self, x: &[f64]) -> Vec<f64> {
         default_scales(x)
     }
@@ -137,8 +137,8 @@ pub trait Subject {
     fn guessed_scales(&self) -> bool {
         false
     }
-    /// For each number, its unit: derivatives times units are comparable, and a derivative is right to
-    /// within the rounding of the largest of them.
+    /// Returns for each number its unit. Derivatives times units are comparable, and a derivative is right to within
+    /// the rounding of the largest of them.
     fn units(&self, x: &[f64]) -> Vec<f64> {
         self.scales(x)
     }
@@ -148,9 +148,9 @@ pub trait Subject {
     fn comparable(&self) -> bool {
         false
     }
-    /// For each number, how large a rounding error of it the function may behave as if it had
-    /// made. By default that of the number itself; functions that add numbers of one unit may only
-    /// be held to that of the largest of them.
+    /// Returns for each number its backward error: the perturbation of the input that may explain the function's
+    /// rounding. By default it is the rounding of the number itself; functions that add numbers of one unit may use
+    /// that of the largest of them.
     fn rounding(&self, x: &[f64]) -> Vec<f64> {
         let eps = self.precision().epsilon();
         x.iter().map(|x| eps * x.abs()).collect()
@@ -185,7 +185,8 @@ pub trait Subject {
     }
 }
 
-/// Numbers change over their own size, but not over less than a thousandth of the largest one.
+/// Returns the default scales: numbers change over their own size, but not over less than a thousandth of the largest
+/// one.
 #[must_use]
 pub fn default_scales(x: &[f64]) -> Vec<f64> {
     let largest = x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));

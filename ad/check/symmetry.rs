@@ -73,7 +73,7 @@ fn way(motion: Motion) -> Way {
     }
 }
 
-/// True for a coordinate along an axis, and for an angle about it.
+/// Returns `true` for a coordinate along an axis, and for an angle about it.
 fn lies_on(kind: Kind, axis: usize) -> bool {
     match kind {
         Kind::X | Kind::AngleX => axis == 0,

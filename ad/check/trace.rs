@@ -38,7 +38,7 @@ impl Trace {
         count: 0,
         margin: f64::INFINITY,
     };
-    /// One more comparison.
+    /// Adds one more comparison.
     #[inline]
     pub(crate) fn record(&mut self, outcome: bool, x: f64, y: f64) {
         // FNV-1a, one byte per comparison.
@@ -80,7 +80,7 @@ pub(crate) fn num_duals<S: Real>(x: &[f64], direction: &[f64]) -> Vec<S::NumDual
     each.map(|(&x, &d)| S::num_dual(S::nearest(x), S::nearest(d)))
         .collect()
 }
-/// Its values and its derivatives.
+/// Returns the values and the derivatives of a list of num-dual's numbers.
 pub(crate) fn of_num_duals<S: Real>(list: Vec<S::NumDual>) -> (Vec<f64>, Vec<f64>) {
     let parts = list.into_iter().map(S::of_num_dual);
     parts

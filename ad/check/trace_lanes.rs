@@ -56,7 +56,7 @@ impl Mask for Outcomes {
     }
 }
 
-/// One value per lane.
+/// Returns one value per lane.
 #[inline(always)]
 fn lanes<U>(of: impl FnMut(usize) -> U) -> [U; LANES] {
     std::array::from_fn(of)

@@ -173,7 +173,7 @@ impl Tightest {
 }
 
 impl Worst {
-    /// One more comparison.
+    /// Adds one more comparison.
     pub(crate) fn note(&mut self, gap: f64, size: f64, eps: f64, at: Tightest) {
         self.count += 1;
         self.absolute = self.absolute.max(gap);
@@ -204,7 +204,7 @@ impl Worst {
         }
         f64::INFINITY
     }
-    /// Both together.
+    /// Adds the comparisons of another summary.
     pub(crate) fn merge(&mut self, other: &Worst, sample: usize) {
         self.count += other.count;
         self.absolute = self.absolute.max(other.absolute);

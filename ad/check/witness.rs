@@ -23,7 +23,7 @@ pub enum Precision {
 }
 
 impl Precision {
-    /// That of a type.
+    /// Returns the precision of a type.
     #[must_use]
     pub fn of<S: Scalar>() -> Self {
         if S::EPSILON > f64::EPSILON {
@@ -56,7 +56,7 @@ impl Precision {
             Precision::F64 => x,
         }
     }
-    /// So many numbers of the format farther from zero (nearer, when negative). Zero stays.
+    /// Moves a number by `ulps` numbers of the format away from zero (towards it, when negative). Zero stays.
     #[must_use]
     pub fn beside(self, x: f64, ulps: i32) -> f64 {
         if x == 0.0 || !x.is_finite() {

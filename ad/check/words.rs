@@ -194,7 +194,7 @@ pub(crate) fn write_numbers(
     }
 }
 
-/// Which derivative, or which value, a verdict is about; `names` has the numbers of the input, if they have any.
+/// Returns the derivative or the value that a fault is about; `names` has the numbers of the input, if they have any.
 pub(crate) fn place(fault: &Fault, names: &[String]) -> String {
     let Fault {
         reason,

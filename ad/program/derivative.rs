@@ -108,7 +108,7 @@ pub(super) fn taken(graph: &mut Graph, node: Node, operand: usize) -> Option<(Id
     }
 }
 
-/// `t` times the derivative of the node at `me` by one of its [carriers].
+/// Returns `t` times the derivative of the node at `me` by one of its [carriers].
 pub(super) fn along(graph: &mut Graph, me: Id, operand: usize, t: Id) -> Id {
     use Node::*;
     let node = graph.at(me);
@@ -224,8 +224,7 @@ fn scaled(g: &mut Graph, parts: [Id; 2]) -> Scaled {
     }
 }
 
-/// `t` times the derivative of the angle of `(x, y)`: `x / r²` by `y`, `−y / r²` by `x`; zero at the
-/// origin.
+/// Returns `t` times the derivative of the angle of `(x, y)`: `x / r²` by `y`, `−y / r²` by `x`; zero at the origin.
 fn along_angle(g: &mut Graph, parts: [Id; 2], operand: usize, t: Id) -> Id {
     use Node::*;
     let vector = scaled(g, parts);
@@ -246,7 +245,7 @@ fn along_angle(g: &mut Graph, parts: [Id; 2], operand: usize, t: Id) -> Id {
     g.make(Select(vector.origin, zero, t))
 }
 
-/// Which nodes depend on one of the first so many numbers of the input in a way that derivatives pass.
+/// Returns which nodes depend on one of the first `inputs` numbers of the input by operations that pass derivatives.
 pub(super) fn active(graph: &Graph, inputs: usize) -> Vec<bool> {
     let mut active: Vec<bool> = Vec::with_capacity(graph.len());
     for &node in graph.nodes() {

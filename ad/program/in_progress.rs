@@ -86,7 +86,7 @@ impl Recording {
         })
     }
 
-    /// True while a recording is open on this thread.
+    /// Returns `true` while a recording is open on this thread.
     pub(super) fn is_open() -> bool {
         OPEN.with_borrow(|open| !open.is_empty())
     }

@@ -54,12 +54,12 @@ impl<T> Drop for Opened<T> {
     }
 }
 
-/// True while a recording is open on this thread.
+/// Returns `true` while a recording is open on this thread.
 pub(crate) fn is_open() -> bool {
     Recording::is_open()
 }
 
-/// An error unless a recording of this format is open on this thread.
+/// Returns an error unless a recording of this format is open on this thread.
 pub(crate) fn is_open_in<T: Real>() -> Result<(), Unrecordable> {
     Recording::takes(T::FORMAT)
 }

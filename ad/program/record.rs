@@ -126,8 +126,8 @@ fn agrees<T: Real>(
     places.iter().zip(recorded.run(&input)).all(same)
 }
 
-/// Numbers to try a function on: ties, equal shapes, zeros, positive ones (sizes), signed ones, large and
-/// small ones, by turns.
+/// Returns numbers to try a function on: ties, equal shapes, zeros, positive ones (sizes), signed ones, large and small
+/// ones, by turns.
 fn sample(trial: usize, count: usize) -> Vec<f64> {
     let mut state = (trial as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     // SplitMix64 (Steele, Lea and Flood 2014).

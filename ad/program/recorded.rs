@@ -124,7 +124,7 @@ impl Recorded {
         self.after_result(self.vjp())
     }
 
-    /// [`value_vjp`](Self::value_vjp) by derivatives along one axis of the input after the other.
+    /// Returns [`value_vjp`](Self::value_vjp) by derivatives along one axis of the input after the other.
     pub(crate) fn value_vjp_forwards(&self) -> Recorded {
         let mut graph = self.graph.clone();
         let seeds = places(&mut graph, self.inputs, self.outputs.len());
@@ -161,7 +161,7 @@ impl Recorded {
         Recorded::new(graph, self.inputs, &outputs)
     }
 
-    /// [`value_jacobian`](Self::value_jacobian) by derivatives along one axis of the input after the other.
+    /// Returns [`value_jacobian`](Self::value_jacobian) by derivatives along one axis of the input after the other.
     pub(crate) fn value_jacobian_forwards(&self) -> Recorded {
         let mut graph = self.graph.clone();
         let columns: Vec<Vec<Id>> = (0..self.inputs)
@@ -293,7 +293,7 @@ impl Recorded {
     }
 }
 
-/// So many further places of the input.
+/// Adds `count` further places of the input to a graph.
 fn places(graph: &mut Graph, from: usize, count: usize) -> Vec<Id> {
     (from..from + count)
         .map(|place| graph.push(Node::Input(place as u32)))

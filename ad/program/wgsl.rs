@@ -105,8 +105,8 @@ fn rounded(graph: &Graph, node: Node) -> Option<Id> {
     }
 }
 
-/// Which sums and differences a driver must compute as they are written. WGSL lets it reorder a sum of several terms,
-/// and Mesa's do, so that errors of rounding become zero and parts that cancel exactly are rounded first.
+/// Returns which sums and differences a driver must compute as they are written. WGSL lets it reorder a sum of several
+/// terms, and Mesa's do. Rounding errors then become zero, and parts that cancel exactly are rounded first.
 ///
 /// These are sums from which a number that is in them is taken away again, as in the error of a difference,
 /// `b - (r - (r - b)) - (a + (r - b))` with `r = b - a`, and [exact](exact) ones to which others are added.
@@ -150,8 +150,8 @@ fn kept(graph: &Graph, taken: &[Taken]) -> Vec<bool> {
     kept
 }
 
-/// Which numbers of a graph are made of constants and high halves of significands by products and sums alone: products
-/// of two halves are exact, and so are their sums where they cancel.
+/// Returns which numbers of a graph are made of constants and high halves of significands by products and sums alone.
+/// Products of two halves are exact, and so are their sums where they cancel.
 pub(crate) fn exact(graph: &Graph, taken: &[bool]) -> Vec<bool> {
     use Node::*;
     let is_shift = |sum: Id, shift: Id| {
@@ -180,7 +180,7 @@ pub(crate) fn exact(graph: &Graph, taken: &[bool]) -> Vec<bool> {
     exact
 }
 
-/// One operation on earlier results, which have names.
+/// Returns the code of one operation on earlier results, which have names.
 fn expression(node: Node, known: &[String]) -> String {
     use Node::*;
     let v = |x: Id| &*known[x as usize];

@@ -37,11 +37,11 @@ pub(crate) trait Drawn: Near {
     fn numbers(&self) -> Vec<f64>;
     /// Returns the same shapes made of other numbers.
     fn refilled(&self, numbers: &[f64]) -> Box<dyn Drawn>;
-    /// Inputs with fewer shapes in their lists.
+    /// Returns inputs with fewer shapes in their lists.
     fn fewer(&self) -> Box<dyn Iterator<Item = Box<dyn Drawn>> + '_>;
     fn is_inside(&self) -> bool;
     fn outlines(&self) -> Vec<Vec<[f64; 2]>>;
-    /// It, as code.
+    /// Returns the input as code.
     fn code(&self) -> String;
     fn as_any(&self) -> &dyn Any;
     fn near(&self) -> &dyn Near;

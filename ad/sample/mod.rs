@@ -30,14 +30,14 @@ pub use crate::ad::sample::drawn::{hard_cases, random};
 pub struct Draw(u64);
 
 impl Draw {
-    /// From a seed; the same seed gives the same numbers on every machine.
+    /// Creates a generator from a seed; the same seed gives the same numbers on every machine.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         let mut draw = Draw(seed);
         draw.bits();
         draw
     }
-    /// Sixty-four random bits.
+    /// Returns sixty-four random bits.
     pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -61,7 +61,7 @@ impl Draw {
     pub fn below(&mut self, n: usize) -> usize {
         (self.unit() * n as f64) as usize
     }
-    /// True once in `n` times.
+    /// Returns `true` once in `n` times.
     pub fn once_in(&mut self, n: usize) -> bool {
         self.below(n) == 0
     }
@@ -75,7 +75,7 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
     fn thin(draw: &mut Draw) -> Self {
         Self::ordinary(draw)
     }
-    /// Another one that touches this one, exactly or up to rounding.
+    /// Returns another shape that touches this one, exactly or up to rounding.
     fn beside(&self, _draw: &mut Draw) -> Self {
         self.clone()
     }
@@ -95,10 +95,10 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
     fn hard() -> Vec<Self>;
     /// Returns the kind of each number.
     fn kinds(&self) -> Vec<Kind>;
-    /// For each number, the length over which the function may be expected to change.
+    /// Returns for each number the length over which the function may be expected to change.
     fn scales(&self) -> Vec<f64>;
-    /// For each number, the largest number of the same unit that it is added to: the size of the
-    /// shape for its coordinates, one for angles.
+    /// Returns for each number the largest number of the same unit that it is added to: the size of the shape for its
+    /// coordinates, one for angles.
     fn extents(&self) -> Vec<f64> {
         let (kinds, scales) = (self.kinds(), self.scales());
         let largest = (0..kinds.len())
@@ -107,7 +107,7 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
         let extent = |kind: &Kind| if kind.is_length() { largest } else { 1.0 };
         kinds.iter().map(extent).collect()
     }
-    /// For each number, its unit: the size of the smaller shape for lengths, one for angles.
+    /// Returns for each number its unit: the size of the smaller shape for lengths, one for angles.
     fn units(&self) -> Vec<f64> {
         self.extents()
     }
@@ -117,7 +117,7 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
     fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
         Vec::new()
     }
-    /// How each of its parts is drawn, a part for every shape of a tuple.
+    /// Returns how each of its parts is drawn, a part for every shape of a tuple.
     #[doc(hidden)]
     fn samplers() -> Vec<Sampler> {
         vec![Sampler::of::<Self>()]
@@ -143,7 +143,7 @@ pub struct Sampler {
 }
 
 impl Sampler {
-    /// That of a shape of fixed size.
+    /// Returns the sampler of a shape of fixed size.
     #[must_use]
     pub fn of<X: Sample>() -> Self {
         // Hard cases are shapes of every kind.
@@ -174,7 +174,7 @@ impl Sampler {
     pub fn hard(&self) -> Vec<Vec<f64>> {
         (self.hard)()
     }
-    /// That of a lone number.
+    /// Returns the sampler of a lone number.
     #[must_use]
     pub fn number() -> Self {
         Sampler::of::<f64>()
@@ -240,7 +240,7 @@ const PLACES: [Placed; 7] = [
     (FRAC_PI_2, 1.0, [0.0, 0.0]),
 ];
 
-/// Simpler inputs, simplest first: fewer elements, then fewer digits. For shrinking.
+/// Returns simpler inputs, simplest first: fewer elements, then fewer digits. For shrinking.
 pub fn simpler<S: Scalar + Float, X: Pack<Scalar = S>>(x: &X) -> impl Iterator<Item = X> {
     let list: Vec<f64> = x.scalars().iter().map(|x| x.widen()).collect();
     let refilled = |list: Vec<f64>| {
@@ -276,7 +276,7 @@ pub(crate) fn fewer_digits(list: Vec<f64>) -> impl Iterator<Item = Vec<f64>> {
     })
 }
 
-/// How long a number is when written out.
+/// Returns the length of a number when written out.
 fn digits(x: f64) -> usize {
     if x == 0.0 { 0 } else { format!("{x:e}").len() }
 }

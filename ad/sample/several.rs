@@ -86,17 +86,17 @@ pub fn as_rotation_vectors(kinds: Vec<Kind>) -> Vec<Kind> {
     kinds.into_iter().map(of).collect()
 }
 
-/// Numbers of about one as angles.
+/// Turns numbers of about one into angles.
 pub fn as_angle(part: &mut impl Pack<Scalar = f64>) {
     part.each(&mut |x| *x *= FRAC_PI_2);
 }
 
-/// Numbers without their sign.
+/// Removes the sign of numbers.
 pub fn as_non_negative(part: &mut impl Pack<Scalar = f64>) {
     part.each(&mut |x| *x = x.abs());
 }
 
-/// Numbers without their sign, and one instead of zero.
+/// Removes the sign of numbers and replaces zero by one.
 pub fn as_positive(part: &mut impl Pack<Scalar = f64>) {
     part.each(&mut |x| *x = if *x == 0.0 { 1.0 } else { x.abs() });
 }
@@ -111,7 +111,7 @@ pub fn in_order<P: Pack<Scalar = f64>>(low: &mut P, high: &mut P) {
     *high = high.refill(&ordered(f64::max));
 }
 
-/// Hard cases of parts, combined: all combinations, or some of many.
+/// Combines hard cases of parts: all combinations, or some of many.
 pub(crate) fn combinations(counts: &[usize], most: usize) -> Vec<Vec<usize>> {
     let total = counts
         .iter()
@@ -139,7 +139,7 @@ pub(crate) fn combinations(counts: &[usize], most: usize) -> Vec<Vec<usize>> {
     all
 }
 
-/// Hard cases of a derived shape: those of its fields, combined.
+/// Returns the hard cases of a derived shape: those of its fields, combined.
 pub fn combined<X: Sample>(
     counts: &[usize],
     make: impl Fn(&[usize]) -> X,
@@ -154,7 +154,7 @@ pub fn combined<X: Sample>(
     all.filter(Sample::inside).collect()
 }
 
-/// Now and then some numbers of one part of an input are those of another part, exactly or nearly.
+/// Replaces some numbers of one part of an input, now and then, by those of another part, exactly or nearly.
 pub fn mingled<X: Sample>(x: X, lengths: &[usize], draw: &mut Draw) -> X {
     let (mut numbers, kinds) = (x.scalars(), x.kinds());
     if !mingle(&mut numbers, &kinds, lengths, draw) {
@@ -209,8 +209,8 @@ fn beside<X: Sample>(x: X, lengths: &[usize], near: Option<Vec<f64>>) -> X {
     if there.inside() { there } else { x }
 }
 
-/// Lengths over which a function of several parts may be expected to change, from those of each: the
-/// smallest part says so for all, and a turn moves the far end of the largest one.
+/// Returns the lengths over which a function of several parts may be expected to change, from those of each part. The
+/// smallest part bounds all of them. A turn moves the far end of the largest one.
 pub fn together(own: Vec<f64>, kinds: &[Kind]) -> Vec<f64> {
     let lengths = || own.iter().zip(kinds).filter(|(_, kind)| kind.is_length());
     let place = lengths().fold(f64::INFINITY, |m, (s, k)| match k {
@@ -233,7 +233,7 @@ pub fn together(own: Vec<f64>, kinds: &[Kind]) -> Vec<f64> {
     own.iter().zip(kinds).map(scale).collect()
 }
 
-/// Units of several parts: the size of the smallest for lengths, one for everything else.
+/// Returns units of several parts: the size of the smallest for lengths, one for everything else.
 pub fn units(extents: &[f64], kinds: &[Kind]) -> Vec<f64> {
     let lengths = extents
         .iter()

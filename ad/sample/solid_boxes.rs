@@ -13,7 +13,7 @@ fn tall(draw: &mut Draw) -> f64 {
     draw.within(0.2, 3.0)
 }
 
-/// One minus or plus.
+/// Returns minus one or one.
 fn sign(draw: &mut Draw) -> f64 {
     if draw.once_in(2) { -1.0 } else { 1.0 }
 }
@@ -42,8 +42,8 @@ fn turn(lengths: &[f64; 6]) -> f64 {
     lengths[0] / lengths[3].max(lengths[4]).max(lengths[5])
 }
 
-/// From the centre of one box to that of another of the same axes which touches it: face on face, edge on
-/// edge or corner on corner.
+/// Returns the vector from the centre of one box to that of another of equal axes that touches it: face on face, edge
+/// on edge or corner on corner.
 fn touching(own: Vec3<f64>, other: Vec3<f64>, draw: &mut Draw) -> [f64; 3] {
     let reach = (own + other) * 0.5;
     let across = draw.below(3);

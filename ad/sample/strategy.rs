@@ -50,7 +50,7 @@ pub struct Shapes<X> {
     shape: PhantomData<fn() -> X>,
 }
 
-/// Shapes of a family.
+/// Returns the strategy for the shapes of a family.
 pub fn of<X: Sample>(family: Family) -> Shapes<X> {
     Shapes {
         family,

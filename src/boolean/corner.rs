@@ -21,7 +21,7 @@ enum Meeting {
     InLine,
 }
 
-/// How the edges before and after a place meet there.
+/// Returns how the edges before and after a vertex of the border meet there.
 fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> Meeting {
     let (first, second) = (&grid.edges[before], &grid.edges[after]);
     let own = (first.vertex_at(at), second.vertex_at(at));

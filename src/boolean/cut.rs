@@ -30,8 +30,8 @@ const CLOSE: (f64, f64) = (16.0, 256.0);
 /// Edges or pieces of them, each with the number of its edge.
 pub(super) type Numbered = Vec<(usize, [Point; 2])>;
 
-/// True if pieces of edges could become many: two edges lie along each other, but for some steps. Edges that are
-/// the same, and those parallel to one axis, are not bent by rounding.
+/// Returns `true` if the number of pieces could become large: two edges lie along each other within a few steps of the
+/// grid. Rounding does not bend edges that are equal or parallel to one axis.
 pub(super) fn may_grow(edges: &[(usize, [Point; 2])]) -> bool {
     if edges.iter().all(|(_, ends)| is_level(*ends)) {
         return false;
@@ -52,7 +52,7 @@ pub(super) fn may_grow(edges: &[(usize, [Point; 2])]) -> bool {
         .any(|group| group.len() > 1 && are_along(alike(group)))
 }
 
-/// True if any of some edges that are nearly parallel lie along each other.
+/// Returns `true` if any two of some edges that are nearly parallel lie along each other.
 fn are_along(mut alike: Vec<[Point; 2]>) -> bool {
     if alike.iter().all(|&ends| is_level(ends)) {
         return false;
@@ -67,7 +67,7 @@ fn are_along(mut alike: Vec<[Point; 2]>) -> bool {
     })
 }
 
-/// True for an edge parallel to an axis.
+/// Returns `true` for an edge parallel to an axis.
 fn is_level([a, b]: [Point; 2]) -> bool {
     a.x == b.x || a.y == b.y
 }
@@ -83,7 +83,7 @@ fn direction([a, b]: [Point; 2]) -> f64 {
     }
 }
 
-/// True if two edges that are nearly parallel lie along each other.
+/// Returns `true` if two edges that are nearly parallel lie along each other.
 fn is_along(p: [Point; 2], q: [Point; 2]) -> bool {
     if p == q || p == [q[1], q[0]] || is_level(p) && is_level(q) {
         return false;
@@ -151,8 +151,8 @@ struct Cut {
     at: Point,
 }
 
-/// Edges in pieces that meet at their ends only. `None` when there would be too many. An edge is of the second input as
-/// its number says.
+/// Cuts edges into pieces that meet at their ends only. Returns `None` if there would be too many. `of_second` tells by
+/// an edge's number if it belongs to the second input.
 pub(super) fn cut(
     edges: &[(usize, [Point; 2])],
     of_second: impl Fn(usize) -> bool,
@@ -274,7 +274,8 @@ impl Bands {
     }
 }
 
-/// On which side of a directed line a place is: 1 on the left, -1 on the right. Differences have up to 62 bits.
+/// Returns the side of a directed line on which a point lies: 1 on the left, -1 on the right, 0 on the line.
+/// Differences have up to 62 bits.
 fn side(from: Point, to: Point, at: Point) -> i128 {
     let [ux, uy, vx, vy] =
         [to.x - from.x, to.y - from.y, at.x - from.x, at.y - from.y].map(i128::from);

@@ -116,7 +116,7 @@ impl Border {
             }
         })
     }
-    /// Closed walks along the border of one connected part, outside or around a hole.
+    /// Returns the closed walks along the border of one connected part, outside or around a hole.
     fn cycles(&self) -> Vec<Ring> {
         let mut visited = vec![false; self.pieces.len()];
         let mut cycles = Vec::new();

@@ -38,7 +38,7 @@ impl Edge {
         let way = Vec2::new((at.x - start.x) as f64, (at.y - start.y) as f64);
         way.dot(self.along) / self.along.length_squared()
     }
-    /// Its own vertex at a place, if it has one there.
+    /// Returns the vertex of this edge at a point, or `None` if neither end is there.
     pub fn vertex_at(&self, at: IntPoint<i64>) -> Option<VertexId> {
         [false, true]
             .into_iter()
@@ -195,7 +195,7 @@ impl Grid {
     }
 }
 
-/// Squares of an exact grid whose centres are numbers of the format: steps of the largest coordinate.
+/// Returns the squares of an exact grid whose centres are numbers of the format: steps of the largest coordinate.
 pub(super) fn squares<S: Scalar>() -> Squares {
     // The exponent of a power of two.
     let bits = (EXTENT * 2.0 * S::EPSILON).to_bits() >> 52;
@@ -224,7 +224,7 @@ impl Axis {
             .max((high * 0.5 - from * 0.5).abs());
         Axis { from, reach }
     }
-    /// Seen from zero.
+    /// Creates an axis whose coordinates are relative to zero.
     fn from_zero(low: f64, high: f64) -> Self {
         let reach = (low * 0.5).abs().max((high * 0.5).abs());
         Axis { from: 0.0, reach }

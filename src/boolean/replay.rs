@@ -132,8 +132,8 @@ pub fn valid_replay<'a, S: Scalar>(
     trace.parts.iter().map(part).collect()
 }
 
-/// Intersection over union, in `[0, 1]`, from both inputs and the record of `iou_search`; zero with derivative
-/// zero where the union is empty.
+/// Returns the intersection over union, in `[0, 1]`, from both inputs and the record of `iou_search`; zero with
+/// derivative zero where the union is empty.
 ///
 /// # Panics
 ///

@@ -88,8 +88,8 @@ pub fn symmetric_difference<'a, S: Scalar<Mask = bool>>(
     )
 }
 
-/// Intersection over union of two polygons of any kind, in `[0, 1]`, and what decided it; zero with derivative
-/// zero where they are apart or the union is empty. [`iou_replay`] has its derivatives.
+/// Returns the intersection over union of two polygons of any kind, in `[0, 1]`, and the record of its decisions; zero
+/// with derivative zero where they are apart or the union is empty. [`iou_replay`] has its derivatives.
 ///
 /// ```
 /// use geograd::{Polygon, Vec2, boolean::{iou_search, iou_replay}, polygon::Fill};

@@ -27,7 +27,7 @@ impl Squares {
     pub fn center(self, square: Point) -> Point {
         Point::new(square.x << self.bits, square.y << self.bits)
     }
-    /// For each edge the hot squares that it meets, from its start to its end.
+    /// Returns for each edge the hot squares that it meets, from its start to its end.
     pub fn along(self, edges: &[[Point; 2]]) -> Vec<Vec<Point>> {
         let mut hot: Vec<Point> = edges.iter().flatten().map(|&p| self.of(p)).collect();
         let mut order: Vec<usize> = (0..edges.len()).collect();

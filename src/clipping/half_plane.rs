@@ -64,7 +64,7 @@ impl<const K: usize> ClipTrace<K> {
             count: 0,
         }
     }
-    /// One more vertex, and the side that starts there.
+    /// Appends a vertex and the side that starts there.
     pub(super) fn push(&mut self, corner: Corner, side: Side) -> Result<(), Flaw> {
         if self.count == K {
             return Err(Flaw::Vertex {

@@ -88,7 +88,8 @@ pub trait Convex<S: Scalar>: Copy {
     fn closest_points<B: Convex<S>>(self, other: B) -> PointPair<S> {
         closest_points(self, other)
     }
-    /// How deep the shapes overlap, and the way out: [`penetration`](super::penetration).
+    /// Returns the depth of the overlap and the shortest direction that separates the shapes:
+    /// [`penetration`](super::penetration).
     #[must_use]
     #[inline]
     fn penetration<B: Convex<S>>(self, other: B) -> Contact<S> {
@@ -265,8 +266,8 @@ pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Poin
     a.take_formula::<Guarded<Closest>, B>(b)
 }
 
-/// How deep two convex shapes are in each other, and in which direction b leaves a by the shortest
-/// way.
+/// Returns the depth by which two convex shapes overlap, and the direction in which b leaves a by the shortest
+/// translation.
 ///
 /// The depth has derivatives by the envelope theorem, like a distance; it is 0 with derivative zero where the
 /// shapes are apart or touch, and the largest finite number for two lines that cross.

@@ -258,9 +258,9 @@ fn counter_clockwise<S: Scalar, const N: usize>(mut corners: [Vec2<S>; N]) -> [V
 
 /// How a box is turned: not at all, or by a rotation.
 pub trait Turn<S: Scalar>: Copy {
-    /// From the box's own axes to the world's.
+    /// Turns a vector from the box's own axes to the world's.
     fn out(&self, v: Vec2<S>) -> Vec2<S>;
-    /// From the world's axes to the box's own.
+    /// Turns a vector from the world's axes to the box's own.
     fn back(&self, v: Vec2<S>) -> Vec2<S>;
 }
 
@@ -386,7 +386,7 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
             )
         }))
     }
-    /// The farthest corner of a box is on the other side along both axes.
+    /// Returns the largest squared distance: the farthest corner of a box is on the other side along both axes.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn far(&self, corners: &[Vec2<S>]) -> Best<S, S> {
         Best::most_of(corners.iter().map(|&corner| {
@@ -411,7 +411,8 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
     fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
         Best::most_of(self.faces_deep(other).into_iter())
     }
-    /// Without the corners: half the diagonals' projections. Corners that tie are their middle.
+    /// Returns the lowest point of the box without its corners, by half the projections of its diagonals. Corners that
+    /// tie are replaced by their middle.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn lowest(&self, normal: Vec2<S>) -> Best<S, Ahead<S>> {
         let own = self.turn.back(normal);

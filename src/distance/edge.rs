@@ -184,7 +184,7 @@ pub fn edge_winding<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S 
     )
 }
 
-/// 1, −1 or 0 from two masks.
+/// Returns 1, −1 or 0: 1 where `up` is true, −1 where `down` is.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn winding_of<S: Scalar>(up: S::Mask, down: S::Mask) -> S {
     S::select(up, S::one(), S::select(down, -S::one(), S::zero()))

@@ -37,7 +37,7 @@ impl<S> EdgeFold<S> {
 }
 
 impl<S: Scalar> EdgeFold<S> {
-    /// No edges: the largest finite distance, winding number 0.
+    /// Creates the fold of no edges: the largest finite distance, winding number 0.
     #[inline(always)]
     pub fn empty() -> Self {
         EdgeFold {
@@ -49,7 +49,7 @@ impl<S: Scalar> EdgeFold<S> {
             winding: S::zero(),
         }
     }
-    /// One edge, seen from a point.
+    /// Creates the fold of one edge, seen from a point.
     #[inline(always)]
     pub fn of_edge(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> Self {
         let (distance, side) = edge_sides(point, from, to);
@@ -64,7 +64,7 @@ impl<S: Scalar> EdgeFold<S> {
             winding: edge_winding(point, from, to),
         }
     }
-    /// From the distance of the nearest edge and the winding number of all.
+    /// Creates the fold of a distance to the nearest edge and the winding number of all edges.
     #[inline(always)]
     pub(super) fn nearest(distance: S, winding: S) -> Self {
         EdgeFold {
@@ -76,7 +76,7 @@ impl<S: Scalar> EdgeFold<S> {
             winding,
         }
     }
-    /// With another edge that ties, though rounding may tell.
+    /// Adds the distance of another edge that ties with the nearest one, whatever rounding makes of the comparison.
     #[inline(always)]
     pub(super) fn and_also(mut self, distance: S) -> Self {
         self.sum += distance;
@@ -100,7 +100,7 @@ impl<S: Scalar> EdgeFold<S> {
             winding: self.winding + other.winding,
         }
     }
-    /// With one more edge.
+    /// Adds one more edge.
     #[must_use]
     #[inline(always)]
     pub fn with_edge(self, point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> Self {

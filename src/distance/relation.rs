@@ -66,7 +66,7 @@ impl<S: Scalar> Relation<S> {
     pub fn unscaled(&self, way: Vec2<S>) -> Vec2<S> {
         Vec2::new(way.x.over(self.scale), way.y.over(self.scale))
     }
-    /// Minus the largest finite number for two lines that cross: no shift parts them.
+    /// Returns minus the largest finite number for two lines that cross: no translation separates them.
     #[inline(always)]
     fn parted(&self, apart: S) -> S {
         S::select(self.endless, S::lit(-S::LARGEST), apart)

@@ -160,7 +160,7 @@ impl<S: Scalar> Carry<S> for Link<S> {
     }
 }
 
-/// From an edge to a corner, which is at a fraction of its own shape.
+/// Returns the link from an edge to a corner, which is at `fraction` of its own shape.
 #[inline(always)]
 fn link<S: Scalar>(edge: Edge<S>, corner: Vec2<S>, fraction: S) -> Best<S, Link<S>> {
     let found = reach(edge, corner - edge.from);
@@ -172,7 +172,7 @@ fn link<S: Scalar>(edge: Edge<S>, corner: Vec2<S>, fraction: S) -> Best<S, Link<
     Best::of(found.apart.length_squared(), link)
 }
 
-/// With a and b exchanged.
+/// Exchanges a and b.
 #[inline(always)]
 fn flipped<S: Scalar>(mut link: Best<S, Link<S>>) -> Best<S, Link<S>> {
     let Link {

@@ -56,7 +56,7 @@ pub struct Best<S, C> {
 }
 
 impl<S: Scalar, C: Carry<S>> Best<S, C> {
-    /// One candidate.
+    /// Creates the best of one candidate.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of(value: S, carried: C) -> Self {
         Best {
@@ -230,7 +230,7 @@ impl<S: Scalar> Carry<S> for Deepest<S> {
 }
 
 impl<S: Scalar> Best<S, Nearest<S>> {
-    /// With a and b exchanged.
+    /// Exchanges a and b.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(mut self) -> Self {
@@ -245,7 +245,7 @@ impl<S: Scalar> Best<S, Nearest<S>> {
 }
 
 impl<S: Scalar> Best<S, Deepest<S>> {
-    /// With a and b exchanged.
+    /// Exchanges a and b.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(mut self) -> Self {

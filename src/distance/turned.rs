@@ -8,7 +8,8 @@ use crate::arrays::Each;
 use crate::clip::{Relative, frame, relate};
 use crate::{Obb2, Rotation2, Scalar, Vec2};
 
-/// b seen from a's frame, in units in which both are of a size near one, and how the two are related there.
+/// Returns the relation of b to a in a's frame, the frame's rotation, and the scale that brings both to a size near
+/// one.
 ///
 /// Centres are subtracted before anything is turned, and headings before anything is compared: faces that are all
 /// but parallel are told apart by the sine of the angle between them, not by coordinates that it was added to.
@@ -35,7 +36,7 @@ fn signed<S: Scalar>(negative: bool, x: S) -> S {
     if negative { -x } else { x }
 }
 
-/// One minus the cosine, by the sine: the cosine of a small angle rounds to one.
+/// Returns one minus the cosine, by the sine: the cosine of a small angle rounds to one.
 #[inline(always)]
 fn short<S: Scalar>(pair: &Relative<S>) -> S {
     (pair.sin * pair.sin).over(S::one() + pair.cos)
@@ -194,7 +195,7 @@ pub fn squared_distance_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     found.unscaled_square(found.square())
 }
 
-/// [How deep](super::penetration) two rotated boxes overlap, and in which direction b leaves a.
+/// Returns the [depth](super::penetration) by which two rotated boxes overlap, and the direction in which b leaves a.
 ///
 /// ```
 /// use geograd::{Obb2, Vec2, distance::turned::penetration_obb2};

@@ -77,7 +77,7 @@ fn gaps<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Vec2<S> {
     right.most(left)
 }
 
-/// Gaps that are, and zero for those that are not.
+/// Returns the gap along each axis; zero where the boxes overlap along it.
 #[inline(always)]
 fn open<S: Scalar>(gap: Vec2<S>) -> Vec2<S> {
     let open = |gap: S| S::select(gap.above(S::zero()), gap, S::zero());
@@ -130,7 +130,8 @@ pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> PointPair<S>
     }
 }
 
-/// How deep two axis-aligned boxes overlap, and in which direction b leaves a by the shortest way.
+/// Returns the depth by which two axis-aligned boxes overlap, and the direction in which b leaves a by the shortest
+/// translation.
 ///
 /// Their [`penetration`](super::penetration), by their bounds alone. If the ways out along x and along y tie, the
 /// depth shares its derivative and the direction is along x. Kinks: where bounds tie.

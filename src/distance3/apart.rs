@@ -74,7 +74,8 @@ pub trait Apart<B>: Copy {
     fn closest_points(self, other: B) -> PointPair3<Self::Scalar> {
         closest_points(self, other)
     }
-    /// How deep the shapes overlap, and the way out: [`penetration`](super::penetration).
+    /// Returns the depth of the overlap and the shortest direction that separates the shapes:
+    /// [`penetration`](super::penetration).
     #[must_use]
     #[inline]
     fn penetration(self, other: B) -> Contact3<Self::Scalar> {
@@ -152,7 +153,8 @@ pub fn closest_points<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Poin
     a.guarded_with(&b).result(a.relation(b).closest_points())
 }
 
-/// How deep two shapes of space are in each other, and in which direction b leaves a by the shortest way.
+/// Returns the depth by which two shapes of space overlap, and the direction in which b leaves a by the shortest
+/// translation.
 ///
 /// The depth has derivatives by the envelope theorem, like a distance; it is 0 with derivative zero where the shapes
 /// are apart or touch.

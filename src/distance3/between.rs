@@ -13,8 +13,9 @@ use crate::distance::share::{Best, Carry};
 use crate::scalar::speck;
 use crate::{Mask, Scalar, Vec3};
 
-/// From where two cores are seen, and the units: those of their extent, so that no product over- or underflows. All
-/// products are of differences, so that corners which are given need not be moved, which would round them.
+/// Returns the anchor from which two cores are seen and the scale of their extent, so that no product over- or
+/// underflows. All products are of differences. Corners that were given are therefore not moved, which would round
+/// them.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn view<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
     let anchor = a.anchor();

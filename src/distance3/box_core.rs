@@ -88,7 +88,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
             axes: self.axes.each_as(spot::plain),
         }
     }
-    /// Sides that are fixed grow with the box.
+    /// Returns the point of a spot; sides that the spot has at an end move with the box's size.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn point(&self, spot: Spot<S::Primal>) -> Vec3<S> {
         (0..3).fold(self.center, |sum, k| {
@@ -97,7 +97,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
             sum + self.axes[k] * (self.half[k] * part).with_primal(at.primal())
         })
     }
-    /// The feature has a bit for every axis along which it is free.
+    /// Returns the directions along which a spot is free; its feature has a bit for every such axis.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn free(&self, spot: Spot<S::Primal>) -> ([Vec3<S>; 2], S::Primal) {
         let lit = S::Primal::lit;
@@ -218,8 +218,8 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         }
         Lowest::edge(point, spot)
     }
-    /// Along a face's normal two edges are equally far: what crosses the face does so at that beside its middle,
-    /// or crosses one along the other axis.
+    /// Moves the lowest edge to the side of a point. Two edges are equally far along a face's normal: a segment across
+    /// the face crosses it near that side, or crosses an edge along the other axis.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn beside(&self, lowest: Lowest<S>, normal: Vec3<S>, way: usize, point: Vec3<S>) -> Lowest<S> {
         let (arms, at, zero) = (self.arms(), self.seen(point), S::zero());

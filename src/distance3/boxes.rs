@@ -56,7 +56,7 @@ pub(super) fn signed<S: Scalar>(beyond: Vec3<S>) -> S {
     S::select(nearest.above(S::zero()), outside, nearest)
 }
 
-/// Gaps that are, and zero for those that are not; a gap of zero has half of its derivative.
+/// Returns the gap along each axis, zero where the boxes overlap along it; a gap of zero has half of its derivative.
 #[inline(always)]
 pub(super) fn open<S: Scalar>(gap: Vec3<S>) -> Vec3<S> {
     let zero = S::zero();

@@ -4,7 +4,8 @@ use super::near::normal;
 use super::relation::direction;
 use crate::{Scalar, Vec3};
 
-/// By how far a plane with a normal parts b from a, whose points it is seen from are `way` apart.
+/// Returns the width of the slab with a normal that separates b from a, whose reference points are `way` apart;
+/// negative where they overlap.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn parted<P: Scalar, A: Core<P>, B: Core<P>>(
     (a, on_a): (&A, Vec3<P>),

@@ -65,7 +65,7 @@ pub trait Core<S: Scalar>: Copy {
     /// Returns the edge along one of the [ways](Core::ways) that is farthest against a direction orthogonal to it: of
     /// boxes its middle, of others its first end.
     fn lowest(&self, normal: Vec3<S>, way: usize) -> Lowest<S>;
-    /// Of edges along a way that are equally far but for rounding the one on the side of a point.
+    /// Returns the edge on the side of a point, of edges along a direction that are equally far within rounding.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn beside(
         &self,
@@ -96,7 +96,7 @@ pub trait Core<S: Scalar>: Copy {
     fn straight(&self) -> Option<Straight<S>> {
         None
     }
-    /// How a face parts the core from another one.
+    /// Returns the plane along a face that separates the core from another one.
     fn parting<B: Core<S>>(&self, face: usize, other: &B) -> PartingPlane<S>;
 }
 

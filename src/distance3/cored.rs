@@ -25,7 +25,7 @@ pub trait Cored: Copy {
     fn core(self) -> Self::Core;
     /// Returns a guard with its numbers.
     fn guarded(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
-    /// By how much; not negative.
+    /// Returns the radius of the inflation; not negative.
     #[inline(always)]
     fn radius(&self) -> Self::Scalar {
         Self::Scalar::zero()

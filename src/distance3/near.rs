@@ -42,7 +42,7 @@ pub struct Nearest<S> {
 }
 
 impl<S: Scalar> Nearest<S> {
-    /// As a candidate, by the square of the way.
+    /// Creates a candidate, which is compared by the squared distance.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of(apart: Vec3<S>, on_a: Vec3<S>, on_b: Vec3<S>) -> Best<S, Self> {
         let normal = Vec3::zero();
@@ -54,7 +54,7 @@ impl<S: Scalar> Nearest<S> {
         };
         Best::of(apart.length_squared(), found)
     }
-    /// With a and b exchanged.
+    /// Exchanges a and b.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(self) -> Self {
@@ -91,7 +91,7 @@ impl<P: Scalar> Candidate<P> {
             at_b,
         }
     }
-    /// With a and b exchanged.
+    /// Exchanges a and b.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(self) -> Self {
@@ -115,7 +115,7 @@ impl<P: Scalar> Candidate<P> {
             at_b: self.at_b.join(other.at_b, first, none),
         }
     }
-    /// Added up with another one where that is as near as the least is.
+    /// Adds another candidate if its squared distance equals the least one. Returns one if it does, else zero.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn add(&mut self, other: &Self) -> P {
         let ties = other.square.equals(self.square);

@@ -49,7 +49,7 @@ pub struct PartingPlane<P> {
 }
 
 impl<P: Scalar> PartingPlane<P> {
-    /// One that parts nothing.
+    /// Creates a plane that separates nothing.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn none() -> Self {
         let zero = P::zero();
@@ -94,7 +94,7 @@ impl<P: Scalar> PartingPlane<P> {
             area: one.area.most(other.area),
         }
     }
-    /// With a and b exchanged.
+    /// Exchanges a and b.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(self) -> Self {
@@ -110,7 +110,7 @@ impl<P: Scalar> PartingPlane<P> {
             ..self
         }
     }
-    /// Without value where the mask is true.
+    /// Removes the value where the mask is true: it becomes minus the largest number.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn unless(self, none: P::Mask) -> Self {
         PartingPlane {

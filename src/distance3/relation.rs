@@ -57,7 +57,7 @@ impl<S: Scalar> Relation<S> {
             direction: self.normal.canonical(),
         }
     }
-    /// With a and b exchanged.
+    /// Exchanges a and b.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(self) -> Self {

@@ -109,7 +109,8 @@ struct Seen<S> {
     height: S,
 }
 
-/// Across the axis is the length of a cross product, whose digits do not depend on how far along the point is.
+/// Returns a point in the frame of an axis. Its coordinate across is the length of a cross product, whose digits do not
+/// depend on how far along the point is.
 #[inline(always)]
 fn seen<S: Scalar>(axis: Vec3<S>, arm: Vec3<S>) -> Seen<S> {
     let height = axis.length();

@@ -23,7 +23,7 @@ impl<P: Scalar> Spot<P> {
             feature: P::zero(),
         }
     }
-    /// No point: all parts zero.
+    /// Creates no point: all parts are zero.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn none() -> Self {
         let zero = P::zero();
@@ -40,7 +40,7 @@ impl<P: Scalar> Spot<P> {
         }
         self.feature = P::select(feature, other.feature, self.feature);
     }
-    /// On a feature where a condition holds, else at a corner.
+    /// Puts the spot on a feature where a condition holds, else on a corner.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn on(self, free: P::Mask, feature: usize) -> Self {
@@ -96,7 +96,7 @@ pub struct Pull<P> {
 }
 
 impl<P: Scalar> Pull<P> {
-    /// None.
+    /// Creates a derivative of zero.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn none() -> Self {
         Pull {

@@ -43,7 +43,7 @@ impl<S: Scalar> Straight<S> {
             reach: Reach::Segment,
         }
     }
-    /// How long it is at most, as a constant; zero of a line or ray.
+    /// Returns an upper bound of the length, as a constant; zero for a line or ray.
     #[inline(always)]
     pub(super) fn extent(&self) -> S::Primal {
         match self.reach {

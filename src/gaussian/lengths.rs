@@ -30,7 +30,7 @@ fn bounded_unit<S: Scalar>(length: S) -> S {
 }
 
 impl<S: Scalar> Shapes<S> {
-    /// From the largest size of each box.
+    /// Returns the units for the largest size of each box.
     #[inline(always)]
     pub fn of(a: S, b: S) -> Self {
         let zero = S::zero();
@@ -75,7 +75,7 @@ pub(super) struct Way<S: Scalar> {
 }
 
 impl<S: Scalar> Way<S> {
-    /// From its coordinates; infinite ones count as the largest number.
+    /// Creates the displacement from its coordinates; infinite ones count as the largest number.
     #[inline(always)]
     pub fn of<const N: usize>(coordinates: [S; N]) -> Self {
         let mut longest = S::Primal::zero();
@@ -107,8 +107,8 @@ pub(super) fn sum_of_squares<S: Scalar>(shape: S, units: &Shapes<S>, way: &Way<S
     (shape + way).saturated()
 }
 
-/// Its root, a length. A constant where derivatives might not be finite: sizes near the largest numbers and boxes that
-/// are almost identical beside them.
+/// Returns the root of the sum of both squares, a length. It is a constant where derivatives might not be finite: for
+/// sizes near the largest numbers, and for boxes that are almost identical compared with their sizes.
 ///
 /// Both are brought into the unit of the longer one, so that the shorter one alone can underflow.
 #[inline(always)]

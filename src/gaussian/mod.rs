@@ -144,7 +144,7 @@ fn divergence<S: Scalar>(pair: &Pair<S>) -> S {
     (far + (sizes + pair.sin2 * (spread_a * spread_b))).halved()
 }
 
-/// Jeffreys' divergence of two boxes as Gaussians, `KL(a ‖ b) + KL(b ‖ a)`, from 0: symmetric.
+/// Returns the Jeffreys' divergence of two boxes as Gaussians, `KL(a ‖ b) + KL(b ‖ a)`, from 0: symmetric.
 #[must_use]
 #[inline]
 pub fn jeffreys<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
@@ -161,7 +161,7 @@ pub fn kullback_leibler_mean<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     jeffreys(a, b).halved()
 }
 
-/// Bhattacharyya's distance of two boxes as Gaussians, from 0.
+/// Returns the Bhattacharyya distance of two boxes as Gaussians, from 0.
 ///
 /// `⅛ dᵀ Σ⁻¹ d + ½ ln (det Σ / √(det Σa det Σb))` with the mean Σ of both covariances. The logarithm is the
 /// sum of those of `1 + (a−b)²/(2ab)`, once for each axis, and of `1 + sin² (a₁²−a₂²)(b₁²−b₂²) / ((a₁²+b₁²)
@@ -191,8 +191,9 @@ fn distance<S: Scalar>(pair: &Pair<S>) -> S {
     far.halved().halved() + shape.halved()
 }
 
-/// One minus Hellinger's distance of two boxes as Gaussians of even spread, in `[0, 1]`: 1 for identical ones.
-/// Derivative zero there. Below 10⁻³⁵ it is zero, in every format; [`bhattacharyya`] has derivatives farther away.
+/// Returns one minus the Hellinger distance of two boxes as Gaussians, each with the covariance of a uniform
+/// distribution over its box, in `[0, 1]`: 1 for identical ones, with derivative zero. Below 10⁻³⁵ it is zero, in every
+/// format; [`bhattacharyya`] has derivatives farther away.
 ///
 /// ```
 /// use geograd::{Obb2, gaussian::probiou};
@@ -210,8 +211,8 @@ pub fn probiou<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 /// From this distance on boxes count as not similar at all: below the smallest numbers of `f32`.
 const FAR: f64 = 80.0;
 
-/// One minus Hellinger's distance, from Bhattacharyya's: `1 − √(1 − q)` with `q = e⁻ᵈ`, as `q / (1 + √(1 −
-/// q))`, which keeps its digits far away.
+/// Returns one minus the Hellinger distance from the Bhattacharyya distance: `1 − √(1 − q)` with `q = e⁻ᵈ`, computed as
+/// `q / (1 + √(1 − q))`, which keeps its digits far away.
 #[inline(always)]
 pub(crate) fn similarity<S: Scalar>(distance: S) -> S {
     let far = distance.above(S::lit(FAR));
@@ -238,7 +239,7 @@ pub fn kfiou<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     fused(of_a, of_b)
 }
 
-/// `V / (Va + Vb − V)` from `V / Va` and `V / Vb`.
+/// Returns `V / (Va + Vb − V)` from `V / Va` and `V / Vb`.
 #[inline(always)]
 pub(crate) fn fused<S: Scalar>(of_a: S, of_b: S) -> S {
     let product = of_a * of_b;

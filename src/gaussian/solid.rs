@@ -90,7 +90,7 @@ pub fn kullback_leibler<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     divergence(&pair(a, b, 0.5)).saturated().canonical()
 }
 
-/// `½ (dᵀ Σb⁻¹ d + tr(Σb⁻¹ Σa) − 3 − ln det(Σb⁻¹ Σa))`, where the trace is
+/// Returns `½ (dᵀ Σb⁻¹ d + tr(Σb⁻¹ Σa) − 3 − ln det(Σb⁻¹ Σa))`, where the trace is
 /// `Σ a_k²/b_k² + Σ_{i≠j} D_ij a_i² (1/b_j² − 1/b_i²)`.
 #[inline(always)]
 fn divergence<S: Scalar>(pair: &Pair<S>) -> S {
@@ -111,7 +111,7 @@ fn divergence<S: Scalar>(pair: &Pair<S>) -> S {
     sum.halved()
 }
 
-/// Jeffreys' divergence of two boxes as Gaussians, `KL(a ‖ b) + KL(b ‖ a)`, from 0: symmetric.
+/// Returns the Jeffreys' divergence of two boxes as Gaussians, `KL(a ‖ b) + KL(b ‖ a)`, from 0: symmetric.
 #[must_use]
 #[inline]
 pub fn jeffreys<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
@@ -155,15 +155,15 @@ fn twist<S: Scalar>(pair: &Pair<S>) -> (S, [S; 3]) {
     (sum, length)
 }
 
-/// Bhattacharyya's distance of two boxes as Gaussians, from 0.
+/// Returns the Bhattacharyya distance of two boxes as Gaussians, from 0.
 #[must_use]
 #[inline]
 pub fn bhattacharyya<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     distance(&pair(a, b, 0.5)).saturated().canonical()
 }
 
-/// `⅛ dᵀ Σ⁻¹ d + ½ ln (det Σ / √(det Σa det Σb))` with the mean Σ of both covariances. `Σa + Σb` is a sum of
-/// six squares of vectors x (deviations along axes), so its adjugate is the sum of the squares of all cross
+/// Returns `⅛ dᵀ Σ⁻¹ d + ½ ln (det Σ / √(det Σa det Σb))` with the mean Σ of both covariances. `Σa + Σb` is a sum of
+/// six squares of vectors x (deviations along axes). Its adjugate is therefore the sum of the squares of all cross
 /// products of two of them: `dᵀ adj d = Σ (d · (x × y))²`.
 fn distance<S: Scalar>(pair: &Pair<S>) -> S {
     let (a, b, d, e, r) = (pair.a, pair.b, pair.offset, pair.offset_b, pair.turn);
@@ -189,8 +189,8 @@ fn distance<S: Scalar>(pair: &Pair<S>) -> S {
     far.halved().halved() + shape.halved()
 }
 
-/// One minus Hellinger's distance of two boxes as Gaussians of even spread, in `[0, 1]`: 1 for identical
-/// ones. Derivative zero there.
+/// Returns one minus the Hellinger distance of two boxes as Gaussians, each with the covariance of a uniform
+/// distribution over its box, in `[0, 1]`: 1 for identical ones, with derivative zero.
 #[must_use]
 #[inline]
 pub fn probiou<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {

@@ -24,7 +24,7 @@ struct Pair<S: Scalar> {
     same: S::Mask,
 }
 
-/// `POWER` is that of the result in lengths.
+/// Relates two boxes. `POWER` is the power of a length in the result.
 fn pair<S: Scalar, const POWER: usize>(a: Obb3<S>, b: Obb3<S>) -> Pair<S> {
     let between = b.center - a.center;
     let way = Way::of([between.x, between.y, between.z]);
@@ -190,8 +190,8 @@ pub fn wasserstein_squared<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     sum_of_squares(of_shapes(&pair), &pair.units, &pair.way).canonical()
 }
 
-/// Wasserstein's distance of two boxes as Gaussians, a length. Derivative zero for identical ones. Derivatives
-/// above the second are not served.
+/// Returns the Wasserstein distance of two boxes as Gaussians, a length. Identical boxes have derivative zero.
+/// Derivatives above the second are not supported.
 ///
 /// ```
 /// use geograd::{Obb3, Rotation3, Vec3, gaussian::solid};

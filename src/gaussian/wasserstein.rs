@@ -7,7 +7,8 @@ fn way<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Way<S> {
     Way::of([between.x, between.y])
 }
 
-/// Sizes, or constants where all are near the smallest numbers: relative derivatives are near the largest there.
+/// Returns sizes, as constants where all are near the smallest numbers: relative derivatives are near the largest
+/// there.
 fn small_as_constant<S: Scalar>(size: Vec2<S>) -> Vec2<S> {
     let small = size.x.most(size.y).at_most(S::lit(4096.0 / S::LARGEST));
     let held = |x: S| S::select(small, S::from_primal(x.primal()), x);
@@ -60,8 +61,8 @@ pub fn wasserstein_squared<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     sum_of_squares(shape, &units, &way(a, b)).canonical()
 }
 
-/// Wasserstein's distance of two boxes as Gaussians, a length: how far mass must move, as a root of a mean
-/// of squares. Derivative zero for identical ones.
+/// Returns the Wasserstein distance of two boxes as Gaussians, a length: the distance that mass must move, as the root
+/// of a mean of squares. Identical boxes have derivative zero.
 ///
 /// ```
 /// use geograd::{Obb2, gaussian::wasserstein};

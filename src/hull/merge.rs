@@ -16,7 +16,7 @@ pub struct MergeTrace<const K: usize> {
     pub count: usize,
 }
 
-/// Which vertices of two convex polygons their joint hull has: `O((n + m) log (n + m))`, and `O(n m)`
+/// Returns the vertices of two convex polygons that their joint hull has. Takes `O((n + m) log (n + m))`, and `O(n m)`
 /// plain comparisons to find vertices that coincide.
 ///
 /// # Errors

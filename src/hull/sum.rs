@@ -13,8 +13,8 @@ pub struct SumTrace<const K: usize> {
     pub count: usize,
 }
 
-/// Which vertices the Minkowski sum of two convex polygons has: their edges in the order of their
-/// directions, parallel ones joined. `O(n + m)`.
+/// Returns the vertices of the Minkowski sum of two convex polygons: their edges in the order of their directions,
+/// parallel ones joined. Takes `O(n + m)`.
 ///
 /// # Errors
 ///

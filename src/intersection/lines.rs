@@ -36,7 +36,7 @@ pub struct CommonPart<S> {
     pub kind: S,
 }
 
-/// 1 where the mask is true, else 0.
+/// Returns 1 where the mask is true, else 0.
 #[inline(always)]
 pub(crate) fn flag<S: Scalar>(mask: S::Mask) -> S {
     S::select(mask, S::one(), S::zero())
@@ -185,7 +185,7 @@ struct Shared<P: Scalar> {
 }
 
 impl<P: Scalar> Shared<P> {
-    /// From the ends of both; the first one is the longer one.
+    /// Returns the common part of two segments of one line from their ends; `base` is the longer one.
     #[inline(always)]
     fn of(base: [Vec2<P>; 2], other: [Vec2<P>; 2]) -> Self {
         let way = base[1] - base[0];

@@ -66,7 +66,7 @@ fn exact<P: Scalar>(base: [Vec2<P>; 2], other: [Vec2<P>; 2], scale: P) -> Sides<
 }
 
 impl<P: Scalar<Primal = P>> Sides<P> {
-    /// From the ends of both segments and a power of two that brings their differences near one.
+    /// Returns the turns from the ends of both segments and a power of two that brings their differences near one.
     #[inline(always)]
     pub fn of(base: [Vec2<P>; 2], other: [Vec2<P>; 2], scale: P) -> Self {
         let [d, e, w, far, back] = [

@@ -77,7 +77,7 @@ impl<S: Scalar> Pierced for Sphere<S> {
     }
 }
 
-/// In a box around the origin.
+/// Returns the range inside a box around the origin.
 #[inline(always)]
 fn in_box<S: Scalar>(shape: BoxCore<S>, beam: Beam<S>, scale: S) -> Inside<S> {
     (0..3).fold(Inside::everywhere(), |inside, k| {
@@ -87,7 +87,7 @@ fn in_box<S: Scalar>(shape: BoxCore<S>, beam: Beam<S>, scale: S) -> Inside<S> {
     })
 }
 
-/// In a box around the origin with round edges and corners.
+/// Returns the range inside a box around the origin with round edges and corners.
 ///
 /// The surface is made of six rectangles and of pieces of the capsules around the twelve edges, so that seams, where
 /// two of them meet, have one normal.

@@ -115,7 +115,7 @@ impl<S: Scalar> Met<S> {
     }
 }
 
-/// In a tetrahedron, given its corners as seen from the beam's anchor.
+/// Returns the range inside a tetrahedron, given its corners relative to the beam's anchor.
 #[inline]
 pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) -> Inside<S> {
     let sight = Sight::new(beam, corners);

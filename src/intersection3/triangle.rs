@@ -54,7 +54,7 @@ struct Behind<P: Scalar> {
 }
 
 impl<P: Scalar<Primal = P>> Behind<P> {
-    /// With the value of twice the digits where in doubt; zero in the plane.
+    /// Replaces the value by one computed with twice the digits where its sign is in doubt; it is zero in the plane.
     #[inline(always)]
     fn settled(self, doubt: P::Mask, triangle: [Vec3<P>; 3], unit: P) -> Self {
         // The way from the place may be much shorter than the others: what rounding makes of it is so, too.
@@ -207,7 +207,7 @@ fn wide_behind<P: Scalar<Primal = P>>(
     part(1, 2, 0).plus(part(2, 0, 1)).plus(part(0, 1, 2)).high
 }
 
-/// Where a line from a point hits a triangle; before its end, if it has one.
+/// Returns the point at which a line from a point hits a triangle; before its end, if it has one.
 #[inline(always)]
 fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) -> Hit3<S> {
     let corners = triangle.corners();

@@ -88,7 +88,7 @@ pub(crate) fn hull_scale<S: Scalar>(a: &Framed<S>, b: &Framed<S>) -> S {
     S::from_primal(scale.primal())
 }
 
-/// 1 where the first is larger, 0 where the second is, ½ for a tie; a constant.
+/// Returns 1 where the first is larger, 0 where the second is, ½ for a tie; a constant.
 #[inline(always)]
 fn larger<S: Scalar>(x: S, y: S) -> S {
     let (one, zero) = (S::one(), S::zero());
@@ -140,7 +140,7 @@ pub fn hull_of_related<S: Scalar>(pair: &Relative<S>) -> HullOfBoxes<S> {
 }
 
 impl<S: Scalar> HullOfBoxes<S> {
-    /// `(X, Y)`, with which the centre of b is multiplied crosswise.
+    /// Returns the vector whose cross product with the centre of b is part of the hull's area.
     #[must_use]
     #[inline(always)]
     pub fn across(&self) -> Vec2<S> {

@@ -126,7 +126,7 @@ fn terms_of_bounds<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Terms<S> {
     }
 }
 
-/// Generalised IoU of two rotated boxes by the smallest box around both along the axes of the plane, in
+/// Returns the generalised IoU of two rotated boxes by the smallest box around both along the axes of the plane, in
 /// `[−1, 1]`. It is not 1 for identical boxes that are turned, and not invariant under rotations. See the
 /// [module](super).
 ///
@@ -150,8 +150,8 @@ pub fn giou_aabb_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     (iou - outside_share(around - union, around)).canonical()
 }
 
-/// Distance IoU of two rotated boxes, in `[−1, 1]`: IoU less the square of the centres' distance over the
-/// diameter of the joint hull. Two points have −1. Invariant under rotations. See the [module](super).
+/// Returns the distance IoU of two rotated boxes, in `[−1, 1]`: IoU less the square of the centres' distance over the
+/// diameter of the joint hull. Two points have −1. It is invariant under rotations. See the [module](super).
 ///
 /// ```
 /// use geograd::{Obb2, iou::diou_obb2};
@@ -166,7 +166,7 @@ pub fn diou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     terms(a, b).diou()
 }
 
-/// Distance IoU of two rotated boxes by the diagonal of the smallest box around both along the axes of the
+/// Returns the distance IoU of two rotated boxes by the diagonal of the smallest box around both along the axes of the
 /// plane, in `[−1, 1]`. Two points have −1. See the [module](super).
 ///
 /// ```
@@ -180,9 +180,9 @@ pub fn diou_aabb_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     terms_of_bounds(a, b).diou()
 }
 
-/// Complete IoU of two rotated boxes, in `[−3/2, 1]`: [`diou_obb2`] less the difference of the aspects by a
-/// weight that grows with the overlap. All derivatives, those of the weight too. Sizes are along the boxes' own
-/// axes. Zheng et al., IEEE Transactions on Cybernetics 2021. See the [module](super).
+/// Returns the complete IoU of two rotated boxes, in `[−3/2, 1]`: [`diou_obb2`] less the difference of the aspects by a
+/// weight that grows with the overlap. It has all derivatives, the weight's too. Sizes are along the boxes' own axes.
+/// Zheng et al., IEEE Transactions on Cybernetics 2021. See the [module](super).
 ///
 /// ```
 /// use geograd::{Obb2, iou::{ciou_obb2, diou_obb2}};
@@ -195,7 +195,7 @@ pub fn ciou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     terms(a, b).ciou(false)
 }
 
-/// Complete IoU of two rotated boxes by the smallest box around both along the axes of the plane, in
+/// Returns the complete IoU of two rotated boxes by the smallest box around both along the axes of the plane, in
 /// `[−3/2, 1]`: [`diou_aabb_obb2`] less the weighted difference of the aspects. See the [module](super).
 ///
 /// ```
@@ -209,17 +209,17 @@ pub fn ciou_aabb_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     terms_of_bounds(a, b).ciou(false)
 }
 
-/// Complete IoU of two rotated boxes, in `[−3/2, 1]`, whose weight of the aspects counts as constant: no
-/// derivative goes through it, as its authors train. The value is that of [`ciou_obb2`]; the derivatives are those
-/// of no function.
+/// Returns the complete IoU of two rotated boxes, in `[−3/2, 1]`, whose weight of the aspects counts as constant: no
+/// derivative goes through it, as its authors train. The value is that of [`ciou_obb2`]; the derivatives are those of
+/// no function.
 #[must_use]
 #[inline]
 pub fn ciou_fixed_weight_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     terms(a, b).ciou(true)
 }
 
-/// Efficient IoU of two rotated boxes, in `[−5/2, 1]`: [`diou_obb2`] less the squares of the differences of
-/// widths and heights, along the boxes' own axes, over the diameter D of the joint hull. Invariant under
+/// Returns the efficient IoU of two rotated boxes, in `[−5/2, 1]`: [`diou_obb2`] less the squares of the differences of
+/// widths and heights, along the boxes' own axes, over the diameter D of the joint hull. It is invariant under
 /// rotations. After Zhang et al., Focal and efficient IoU loss for accurate bounding box regression, 2021.
 ///
 /// The bound: `D²` is at least the square of the centres' distance and a quarter of those of both diagonals;
@@ -236,10 +236,9 @@ pub fn eiou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     terms(a, b).eiou()
 }
 
-/// Efficient IoU of two rotated boxes by the smallest box around both along the axes of the plane, in
-/// `[−3, 1]`: [`diou_aabb_obb2`] less the squares of the differences of widths and heights, along the boxes'
-/// own axes, over that box's sides; or over the larger size where a turned box is longer than those. See
-/// the [module](super).
+/// Returns the efficient IoU of two rotated boxes by the smallest box around both along the axes of the plane, in
+/// `[−3, 1]`: [`diou_aabb_obb2`] less the squares of the differences of widths and heights, along the boxes' own axes,
+/// over that box's sides; or over the larger size where a turned box is longer than those. See the [module](super).
 ///
 /// ```
 /// use geograd::{Aabb2, Obb2, iou::{eiou_aabb2, eiou_aabb_obb2}};

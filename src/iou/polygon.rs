@@ -8,8 +8,8 @@ use crate::overlap_polygon::{iou_polygons, measure};
 use crate::reference::Reference;
 use crate::{ConvexPolygon, Scalar, Vec2};
 
-/// Generalised IoU of two convex polygons with the exact convex hull, in `[−1, 1]`, and which vertices the
-/// hull has. Conventions: see the [module](super).
+/// Returns the generalised IoU of two convex polygons with the exact convex hull, in `[−1, 1]`, and the record of the
+/// hull's vertices. Conventions: see the [module](super).
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, iou::giou_polygons_search};
@@ -33,7 +33,7 @@ where
     Ok((giou_polygons_replay(a, b, &trace), trace))
 }
 
-/// Generalised IoU of two convex polygons from both and the record of [`giou_polygons_search`].
+/// Returns the generalised IoU of two convex polygons from both and the record of [`giou_polygons_search`].
 #[must_use]
 pub fn giou_polygons_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,
@@ -75,9 +75,9 @@ pub struct FarthestCorners {
     pub to: Corner,
 }
 
-/// Distance IoU of two convex polygons, in `[−1, 1]`: IoU less the square of the distance of the centroids
-/// of their areas over the diameter of both together; and which vertices that one is between. Compares
-/// all pairs of vertices. Conventions: see the [module](super).
+/// Returns the distance IoU of two convex polygons, in `[−1, 1]`, and the record of the two vertices of the diameter.
+/// It is IoU less the square of the distance of the centroids of their areas over the diameter of both together.
+/// Compares all pairs of vertices. Conventions: see the [module](super).
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, iou::diou_polygons_search};
@@ -113,7 +113,7 @@ pub fn diou_polygons_search<S: Scalar<Mask = bool>, const N: usize, const M: usi
     (diou_polygons_replay(a, b, best), best)
 }
 
-/// Distance IoU of two convex polygons from both and the record of [`diou_polygons_search`].
+/// Returns the distance IoU of two convex polygons from both and the record of [`diou_polygons_search`].
 #[must_use]
 pub fn diou_polygons_replay<S: Scalar, const N: usize, const M: usize>(
     a: &ConvexPolygon<S, N>,

@@ -2,7 +2,7 @@
 use crate::scalar::speck;
 use crate::{Scalar, Vec2};
 
-/// `x / y`, zero with derivative zero where `y` is zero.
+/// Returns `x / y`, zero with derivative zero where `y` is zero.
 #[inline(always)]
 pub(crate) fn share<S: Scalar>(x: S, y: S) -> S {
     let none = y.at_most(S::zero());

@@ -37,7 +37,8 @@ struct Along<S: Scalar> {
     is_edge: S::Mask,
 }
 
-/// Numbers as constants: whether the first is larger, as 1, 0, or ½ for as good as a tie.
+/// Compares `x` with the sum of `terms` as constants: 1 if `x` is larger, 0 if it is smaller, ½ if they tie within
+/// rounding.
 #[inline(always)]
 fn weight<S: Scalar>(x: S, terms: [S; 3]) -> S::Primal {
     let [a, b, c] = terms.each_as(S::primal);
@@ -81,7 +82,8 @@ impl<S: Scalar> Seen<S> {
             half_b: pair.half_b,
         }
     }
-    /// `flat`: where both boxes reach equally far across the direction, on both sides.
+    /// Returns the rectangle around both boxes along a direction. `flat` is true where both boxes reach equally far across
+    /// it, on both sides.
     #[inline(always)]
     fn along(&self, way: Vec2<S>, is_edge: S::Mask, flat: S::Mask) -> Along<S> {
         let way = way * unit([way.x, way.y]);

@@ -63,7 +63,8 @@ pub use scored::Solid;
 pub use separation::{penetration_or_gap, separation_aware};
 pub use terms::Terms;
 
-/// Generalized IoU of two boxes, in `[−1, 1]`: IoU less the share of the enclosing shape that neither covers.
+/// Returns the generalised IoU of two boxes, in `[−1, 1]`: IoU less the share of the enclosing shape that neither
+/// covers.
 ///
 /// ```
 /// use geograd::{Aabb3, Vec3, iou3::{Enclosing, giou}};
@@ -78,8 +79,8 @@ pub fn giou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     score_of(Score::Giou, a.overlap(b), a, b, kind).canonical()
 }
 
-/// Distance-IoU of two boxes, in `[−1, 1]`: IoU less the square of the centres' distance over the diameter of
-/// the enclosing shape. Two points have −1.
+/// Returns the distance IoU of two boxes, in `[−1, 1]`: IoU less the square of the centres' distance over the diameter
+/// of the enclosing shape. Two points have −1.
 ///
 /// ```
 /// use geograd::{Vec3, YawBox3, iou3::{Enclosing, diou}};
@@ -107,17 +108,17 @@ fn proportions<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> S {
     sum * S::lit(4.0 / 3.0 / (std::f64::consts::PI * std::f64::consts::PI))
 }
 
-/// Complete IoU of two boxes, in `[−3/2, 1]`: [`diou`] less `α v`, where v is the mean over the pairs (x, y),
-/// (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²` and `α = v / (1 − IoU + v)`. All derivatives, those of α
-/// too. The ratio of two zero sizes is that of a square.
+/// Returns the complete IoU of two boxes, in `[−3/2, 1]`: [`diou`] less `α v`, where v is the mean over the pairs (x,
+/// y), (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²` and `α = v / (1 − IoU + v)`. It has all derivatives, those
+/// of α too. The ratio of two zero sizes is that of a square.
 #[must_use]
 #[inline]
 pub fn ciou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     score_of(Score::Ciou, a.overlap(b), a, b, kind).canonical()
 }
 
-/// Complete IoU, in `[−3/2, 1]`, whose weight α counts as constant: no derivative goes through it, as its authors
-/// train. The value is that of [`ciou`]; the derivatives are those of no function.
+/// Returns the complete IoU, in `[−3/2, 1]`, whose weight α counts as constant: no derivative goes through it, as its
+/// authors train. The value is that of [`ciou`]; the derivatives are those of no function.
 #[must_use]
 #[inline]
 pub fn ciou_fixed_weight<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
@@ -127,10 +128,10 @@ pub fn ciou_fixed_weight<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) ->
     (iou - terms.way - weighted(v, iou, true)).canonical()
 }
 
-/// Efficient IoU of two boxes, in `[−4, 1]`: [`diou`] less the squared differences of the sizes along the
-/// boxes' own axes over the squares of lengths of the enclosing shape: the sides of a box, or the size itself
-/// where a box is turned so that this is longer; of a hull or rectangle times a height the diameter of the
-/// ground for x and y, the height for z.
+/// Returns the efficient IoU of two boxes, in `[−4, 1]`: [`diou`] less the squared differences of the sizes along the
+/// boxes' own axes over the squares of lengths of the enclosing shape. For a box these are its sides, or the size
+/// itself where a box is turned so that this is longer. For a hull or rectangle times a height they are the diameter of
+/// the ground for x and y, the height for z.
 ///
 /// ```
 /// use geograd::{Vec3, YawBox3, iou3::{Enclosing, eiou}};
@@ -190,7 +191,7 @@ pub(crate) fn score_with_iou<S: Scalar>(
     }
 }
 
-/// `xᵅ` of an overlap x in `[0, 1]`, for `α > 0`; zero with derivative zero at zero. The power of an IoU is the
+/// Returns `xᵅ` of an overlap x in `[0, 1]`, for `α > 0`; zero with derivative zero at zero. The power of an IoU is the
 /// α-IoU.
 #[must_use]
 #[inline]

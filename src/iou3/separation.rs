@@ -68,9 +68,9 @@ pub fn penetration_or_gap<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     widest_gap(&pair).over(pair.scale).saturated().canonical()
 }
 
-/// IoU of two boxes where they overlap; where they are apart minus `g / (g + s)`, with the widest gap g
-/// between them ([`penetration_or_gap`]) and s the mean of the boxes' largest sizes: from 0 at contact to −1
-/// far away, in `(−1, 1]`. Continuous, and never without a derivative for boxes apart.
+/// Returns the IoU of two boxes where they overlap. Where they are apart it is minus `g / (g + s)`, with the widest gap
+/// g between them ([`penetration_or_gap`]) and the mean s of the boxes' largest sizes: from 0 at contact to −1 far
+/// away. The range is `(−1, 1]`. It is continuous, and boxes apart always have a derivative.
 ///
 /// ```
 /// use geograd::{Aabb3, Vec3, iou3::separation_aware};

@@ -57,7 +57,7 @@ impl<S: Scalar> CloudSums<S> {
             second: self.second + other.second,
         }
     }
-    /// One over the number of points; zero without points.
+    /// Returns one over the number of points; zero without points.
     #[inline(always)]
     fn share(self) -> S {
         let none = self.count.equals(S::zero());

@@ -26,8 +26,8 @@ pub struct Narrowest {
     pub across: usize,
 }
 
-/// All pairs of an edge of a hull (by the number of its start) and a vertex farthest from it, by
-/// rotating calipers: `O(n)`.
+/// Visits all pairs of an edge of a hull (by the number of its start) and a vertex farthest from it, by rotating
+/// calipers: `O(n)`.
 pub(crate) fn calipers<S: Scalar<Mask = bool>>(
     points: &[Vec2<S>],
     hull: &[usize],

@@ -43,7 +43,7 @@ pub struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// Without anything to ignore.
+    /// Creates a frame without anything to ignore.
     #[must_use]
     pub fn new(scores: &'a [f64], truths: usize, pairs: &'a [Pair<f64>]) -> Self {
         Frame {
@@ -215,9 +215,9 @@ pub struct Point {
     pub recall: f64,
 }
 
-/// Precision and recall at every score, the highest score first: of the detections of all frames together.
-/// Detections of equal scores come in at once; ignored ones do not count. `truths` is the number of truths
-/// that are not ignored.
+/// Returns precision and recall at every score, the highest score first, of the detections of all frames together.
+/// Detections of equal scores are added at once; ignored ones do not count. `truths` is the number of truths that are
+/// not ignored.
 ///
 /// # Errors
 ///
@@ -266,7 +266,7 @@ pub enum Recalls {
     All,
 }
 
-/// Average precision, in `[0, 1]`: the mean over recalls of the best precision at that recall or a higher
+/// Returns the average precision, in `[0, 1]`: the mean over recalls of the best precision at that recall or a higher
 /// one; zero at recalls that are not reached.
 #[must_use]
 pub fn average_precision(curve: &[Point], recalls: Recalls) -> f64 {

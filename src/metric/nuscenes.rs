@@ -129,7 +129,7 @@ pub struct Judged {
 }
 
 impl Judged {
-    /// Nothing was found.
+    /// Creates the result for no detections at all.
     fn nothing(truths: usize) -> Self {
         Judged {
             precision: vec![0.0; RECALLS],
@@ -138,7 +138,7 @@ impl Judged {
             truths,
         }
     }
-    /// Average precision, in `[0, 1]`.
+    /// Returns the average precision, in `[0, 1]`.
     #[must_use]
     pub fn average_precision(&self) -> f64 {
         let counted = &self.precision[FIRST..];
@@ -174,7 +174,7 @@ pub fn detection_score(mean_average_precision: f64, mean_errors: [f64; 5]) -> f6
     (5.0 * mean_average_precision + scores) / 10.0
 }
 
-/// Errors of a detection and the truth that it found; NaN where one is unknown.
+/// Returns the errors of a detection relative to the truth that it found; NaN where one is unknown.
 fn errors(detection: &Object, truth: &Object, period: f64) -> [f64; 5] {
     let volume = |size: &[f64; 3]| size.iter().product::<f64>();
     let shared: f64 = (0..3)
@@ -320,14 +320,15 @@ impl Frames<'_> {
     }
 }
 
-/// Detections of a range, the highest score first, of equal ones the later one.
+/// Returns the detections of a range by descending score; of equal scores the later one is first.
 pub(crate) fn ranked(frames: &Frames<'_>, range: Range<usize>) -> Vec<usize> {
     let (mut order, scores): (Vec<usize>, _) = (range.collect(), frames.scores);
     order.sort_unstable_by(|&i, &j| scores[j].total_cmp(&scores[i]).then(j.cmp(&i)));
     order
 }
 
-/// The truths that the detections of some frames find, `found[0]` for the first of them.
+/// Writes the truths that the detections of some frames find to `found`, whose first entry belongs to the first of
+/// these detections.
 pub(crate) fn found_truths(
     frames: &Frames<'_>,
     range: Range<usize>,

@@ -79,7 +79,7 @@ pub fn intersection_volume_aabb3<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> S {
     score_aabb3(Denominator::None, a, b)
 }
 
-/// Intersection over union of two axis-aligned boxes, in `[0, 1]`.
+/// Returns the intersection over union of two axis-aligned boxes, in `[0, 1]`.
 ///
 /// Kinks and conventions: see the [module](super).
 #[must_use]

@@ -273,8 +273,8 @@ fn by_half<S: Scalar>(half: [S; 3], i: usize) -> S {
     face + face
 }
 
-/// For boxes that are the same set of points: exactly their volume, each size with half the derivative, and no
-/// derivative by motion, by symmetry. No derivatives at all without volume.
+/// Returns the overlap of boxes that are the same set of points: exactly their volume, each size with half the
+/// derivative, and no derivative by motion, by symmetry. Boxes without volume have no derivatives at all.
 #[inline(always)]
 fn same_box<S: Scalar, const DERIVATIVE: bool>(
     pair: &Relative3<S>,

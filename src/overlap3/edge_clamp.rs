@@ -14,7 +14,7 @@ pub(super) fn fixed<S: Scalar>(mask: S::Mask, x: S) -> S {
     S::select(mask, S::from_primal(x.primal()), x)
 }
 
-/// Below this an entry of the rotation counts as zero: powers of its reciprocal must not overflow.
+/// Returns the limit below which an entry of the rotation counts as zero: powers of its reciprocal must not overflow.
 #[inline(always)]
 pub(super) fn tiny<S: Scalar>() -> f64 {
     if S::COMPENSATED {
@@ -66,7 +66,7 @@ pub(super) fn turn<X: Copy>(x: &mut [X; 3]) {
     [x[0], x[1], x[2]] = [x[1], x[2], x[0]];
 }
 
-/// The same for rows and columns.
+/// Moves rows and columns 1 to 0, 2 to 1, and 0 to 2.
 #[inline(always)]
 fn turn_both<X: Copy>(x: &mut [[X; 3]; 3]) {
     [x[0][0], x[1][1], x[2][2]] = [x[1][1], x[2][2], x[0][0]];
@@ -104,7 +104,7 @@ pub(super) struct Bounds<S> {
 }
 
 impl<S: Scalar> Bounds<S> {
-    /// The same under the names that [`Cut::turn`] gives.
+    /// Moves the numbers of axis 1 to 0, 2 to 1, and 0 to 2, as [`Cut::turn`] does.
     #[inline(always)]
     pub(super) fn turn(&mut self) {
         turn(&mut self.high);
@@ -112,13 +112,13 @@ impl<S: Scalar> Bounds<S> {
     }
 }
 
-/// `sum − sign · x`, where the sign is positive for equal sides.
+/// Returns `sum − sign · x`, where the sign is positive for equal sides.
 #[inline(always)]
 pub(super) fn less_signed<S: Scalar>(sum: S, a: usize, b: usize, x: S) -> S {
     if a == b { sum - x } else { sum + x }
 }
 
-/// `sum + x` for an upper side, `sum − x` for a lower one.
+/// Returns `sum + x` for an upper side, `sum − x` for a lower one.
 #[inline(always)]
 pub(super) fn signed<S: Scalar>(sum: S, side: usize, x: S) -> S {
     if side == 1 { sum + x } else { sum - x }
@@ -287,7 +287,7 @@ fn edge_here<S: Scalar, const M: usize>(cut: &Cut<S>, a: usize, b: usize) -> Edg
     made
 }
 
-/// Coordinate i of an edge along axis 0 at t, clamped to a.
+/// Returns coordinate i of an edge along axis 0 at t, clamped to a.
 #[inline(always)]
 pub(super) fn coordinate<S: Scalar>(cut: &Cut<S>, edge: &Edge<S>, i: usize, t: S) -> S {
     clamped(t * cut.r[i][0] + edge.start[i], cut.k[i][0], cut.k[i][1])
@@ -307,7 +307,7 @@ fn along<S: Scalar>(cut: &Cut<S>, edge: &Edge<S>, i: usize, low: S, high: S) -> 
     inside * mean + (above * cut.k[i][1] + below * cut.k[i][0])
 }
 
-/// Six times the integral of `X_1 X_2 dX_0` along an edge.
+/// Returns six times the integral of `X_1 X_2 dX_0` along an edge.
 ///
 /// From the crossings of both coordinates it has at most five pieces; on the outer two both are constant,
 /// on the inner ones each is linear, where `6 ∫ X Y dt = D ((X + X')(Y + Y') + X Y + X' Y')`.

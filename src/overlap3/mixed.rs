@@ -15,7 +15,7 @@ pub trait Overlaps<B> {
     /// Returns the volume that both share, in cubed units of length.
     #[must_use]
     fn volume_shared_with(self, other: B) -> Self::Scalar;
-    /// Intersection over union, in `[0, 1]`.
+    /// Returns the intersection over union, in `[0, 1]`.
     #[must_use]
     fn iou_with(self, other: B) -> Self::Scalar;
     /// Returns the share of this box that lies in the other one, in `[0, 1]`.
@@ -57,7 +57,7 @@ overlaps! {
 macro_rules! methods {
     ($($a:ident)*) => { $(
         impl<S: Scalar> $a<S> {
-            /// Intersection over union with a box of any kind, in `[0, 1]`.
+            /// Returns the intersection over union with a box of any kind, in `[0, 1]`.
             #[must_use]
             #[inline]
             pub fn iou<B>(self, other: B) -> S
@@ -111,8 +111,8 @@ fn bounds<S: Scalar>(g: Obb3<S>) -> Aabb3<S> {
     Aabb3::new((half - g.size).saturated(), (half + g.size).saturated())
 }
 
-/// Intersection over union of an upright box and one of any orientation, and `out_bar` times its derivatives by
-/// both.
+/// Returns the intersection over union of an upright box and one of any orientation, and `out_bar` times its
+/// derivatives by both.
 #[must_use]
 #[inline]
 pub fn iou_yaw_obb3_vjp<S: Scalar>(
@@ -124,8 +124,8 @@ pub fn iou_yaw_obb3_vjp<S: Scalar>(
     (value, (upright(a, a_bar), b_bar))
 }
 
-/// Intersection over union of an axis-aligned box and one of any orientation, and `out_bar` times its derivatives
-/// by both.
+/// Returns the intersection over union of an axis-aligned box and one of any orientation, and `out_bar` times its
+/// derivatives by both.
 #[must_use]
 #[inline]
 pub fn iou_aabb3_obb3_vjp<S: Scalar>(

@@ -214,7 +214,7 @@ pub fn intersection_volume_obb3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     score_obb3(Denominator::None, a, b)
 }
 
-/// Intersection over union of two boxes of any orientation, in `[0, 1]`.
+/// Returns the intersection over union of two boxes of any orientation, in `[0, 1]`.
 ///
 /// As for [`intersection_volume_obb3`].
 ///

@@ -117,8 +117,8 @@ pub(super) fn matrix<S: Scalar>([w, x, y, z]: Quaternion<S>) -> [[S; 3]; 3] {
     ]
 }
 
-/// `b − a` in units of `1 / scale`, no farther than it matters, and what rounding took away (a
-/// constant; zero where products carry no low part).
+/// Returns `b − a` in units of `1 / scale`, clamped to the distance that matters, and its rounding error (a constant;
+/// zero where products carry no low part).
 #[inline(always)]
 pub(super) fn difference<S: Scalar>(a: S, b: S, scale: S) -> (S, S) {
     let rounded = b - a;

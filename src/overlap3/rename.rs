@@ -14,7 +14,7 @@ pub struct Renaming<S: Scalar> {
 }
 
 impl<S: Scalar> Renaming<S> {
-    /// Numbers that belong to the axes, under the new names.
+    /// Returns numbers of the old axes in the order of the new ones.
     #[inline(always)]
     pub fn rename(&self, [x, y, z]: [S; 3]) -> [S; 3] {
         self.pick([x, y, z], [y, z, x], [z, x, y])
@@ -56,8 +56,8 @@ struct Best<P> {
 }
 
 impl<P: Scalar> Best<P> {
-    /// That, or the one of which those numbers take part that `PARTS` has ones for, the lowest bit for the
-    /// first.
+    /// Keeps the better of this rotation and another one. `PARTS` has ones for the numbers of the quaternion that take
+    /// part, the lowest bit for the first.
     #[inline(always)]
     fn or<const PARTS: usize, const KIND: usize>(&mut self, size: [P; 4]) {
         let mut score = P::zero();

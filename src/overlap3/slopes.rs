@@ -7,7 +7,7 @@ use crate::overlap::{Denominator, tamed};
 use crate::shape::{Obb3, Rotation3};
 use crate::{Scalar, Vec3};
 
-/// `out_bar` times the derivatives of a score by the volume shared and by the volumes of both boxes.
+/// Returns `out_bar` times the derivatives of a score by the volume shared and by the volumes of both boxes.
 ///
 /// `I / U` with `U = A + B − I`: `∂I = (1 + I/U) / U`, `∂A = ∂B = −(I/U) / U`. `I / A`: `∂I = 1/A`,
 /// `∂A = −(I/A) / A`. Zero where the denominator is.
@@ -34,7 +34,7 @@ fn by_volumes<S: Scalar>(
     }
 }
 
-/// Value of a score and `out_bar` times its derivatives, one function for each kind of number.
+/// Returns the value of a score and `out_bar` times its derivatives, one function for each kind of number.
 pub(crate) fn score_obb3_vjp<S: Scalar>(
     over: Denominator,
     a: Obb3<S>,
@@ -77,7 +77,7 @@ fn times_each<S: Scalar, const EXTREME: bool>(v: Vec3<S>, by: [S; 4]) -> Vec3<S>
     )
 }
 
-/// Value of a score and `out_bar` times its derivatives.
+/// Returns the value of a score and `out_bar` times its derivatives.
 ///
 /// The derivatives of the volume come in a's frame: force F by the centre of b, torque τ by a turn of b about
 /// that centre. Moving b is moving a the other way; turning the pair about a's centre changes nothing, so
@@ -193,8 +193,8 @@ fn along_axes<S: Scalar>(axes: [Vec3<S>; 3], v: Vec3<S>) -> Vec3<S> {
     (axes[0] * v.x + axes[1] * v.y) + axes[2] * v.z
 }
 
-/// Derivatives by the sizes of a box from those by its halves and by its own volume. A size is twice its half; a
-/// volume is eight times the product of the halves.
+/// Returns the derivatives by the sizes of a box from those by its halves and by its own volume. A size is twice its
+/// half; a volume is eight times the product of the halves.
 #[inline(always)]
 fn by_size<S: Scalar, const EXTREME: bool>(
     half: [S; 3],
@@ -306,7 +306,7 @@ pub fn intersection_volume_obb3_vjp<S: Scalar>(
     score_obb3_vjp(Denominator::None, a, b, out_bar)
 }
 
-/// Intersection over union of two boxes of any orientation, and `out_bar` times its derivatives by both.
+/// Returns the intersection over union of two boxes of any orientation, and `out_bar` times its derivatives by both.
 ///
 /// As for [`intersection_volume_obb3_vjp`].
 #[must_use]

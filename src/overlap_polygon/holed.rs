@@ -110,7 +110,7 @@ impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
         });
         sum.halved()
     }
-    /// Shared area, area of a, area of b, in local units.
+    /// Returns the shared area, the area of a and the area of b, in local units.
     pub fn areas(&self) -> [S; 3] {
         let (area_a, area_b) = (self.own_area(0), self.own_area(1));
         if self.apart {
@@ -187,9 +187,9 @@ pub fn union_area<'a, S: Scalar<Mask = bool>>(
     })
 }
 
-/// Intersection over union of two polygons, in `[0, 1]`; exactly 1 with derivative zero for the same vertices
-/// twice, zero with derivative zero where their bounds are apart or the union is empty. For polygons apart whose
-/// bounds overlap it is zero to a few roundings, and so are its derivatives. See the [module](self).
+/// Returns the intersection over union of two polygons, in `[0, 1]`; exactly 1 with derivative zero for the same
+/// vertices twice, zero with derivative zero where their bounds are apart or the union is empty. For polygons apart
+/// whose bounds overlap it is zero to a few roundings, and so are its derivatives. See the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, Polygon, overlap_polygon::holed::iou};

@@ -77,8 +77,8 @@ fn middle<S: Scalar>(polygon: &[Vec2<S>], seen: &Reference<S>) -> Vec2<S> {
     sum * S::lit(1.0 / total.max(1.0))
 }
 
-/// How both polygons are seen: from a place inside the smaller one. And whether that is a, and whether their bounds are
-/// apart.
+/// Returns the frame of both polygons with its origin inside the smaller one; then if that is a, and if their bounds
+/// are apart.
 #[inline(always)]
 fn pair_reference<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> (Reference<S>, S::Mask, S::Mask) {
     let (seen, in_a, apart) = Reference::of_pair(least_bounds(a), least_bounds(b));
@@ -193,7 +193,7 @@ pub fn intersection_area_polygons<S: Scalar, const N: usize, const M: usize>(
         .canonical()
 }
 
-/// Intersection over union of two convex polygons, in `[0, 1]`; exactly 1 with derivative zero for the same
+/// Returns the intersection over union of two convex polygons, in `[0, 1]`; exactly 1 with derivative zero for the same
 /// vertices in the same order, zero with derivative zero where the union is empty. See the [module](self).
 ///
 /// ```
@@ -236,7 +236,7 @@ pub struct Window<S: Scalar, const M: usize> {
 }
 
 impl<S: Scalar, const M: usize> Window<S, M> {
-    /// For rings within some bounds and a convex polygon.
+    /// Prepares a convex polygon for rings within some bounds.
     #[must_use]
     #[inline(always)]
     pub fn new(rings: Aabb2<S>, polygon: &ConvexPolygon<S, M>) -> Self {
@@ -329,7 +329,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
         self.guard_with(other)
             .result(intersection_area_polygons(self, other))
     }
-    /// Intersection over union, in `[0, 1]`.
+    /// Returns the intersection over union, in `[0, 1]`.
     #[must_use]
     #[inline]
     pub fn iou<const M: usize>(&self, other: &ConvexPolygon<S, M>) -> S {

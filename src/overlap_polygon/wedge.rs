@@ -171,7 +171,7 @@ pub(crate) struct Fan<S, const M: usize> {
 }
 
 impl<S: Scalar, const M: usize> Fan<S, M> {
-    /// From the first `count` of some vertices.
+    /// Creates the wedges of the first `count` of some vertices.
     #[inline(always)]
     pub fn new(polygon: &[Vec2<S>; M], count: usize, seen: &Reference<S>) -> Self {
         let mut fan = Fan {

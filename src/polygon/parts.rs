@@ -29,8 +29,8 @@ enum Given<'a, S> {
 }
 
 impl<'a, S> Rings<'a, S> {
-    /// From the vertices of all rings one after the other, and the number of vertices up to the end of
-    /// each ring. Ends beyond the vertices, or below the end before them, end there.
+    /// Creates rings from the vertices of all rings one after the other, and the number of vertices up to the end of
+    /// each ring. Ends beyond the vertices, or below the previous end, are clamped.
     #[must_use]
     pub fn flat(vertices: &'a [Vec2<S>], ends: &'a [usize]) -> Self {
         let source = Given::Flat(vertices, ends);
@@ -143,33 +143,33 @@ impl<S: Scalar> Rings<'_, S> {
 }
 
 impl<'a, S> From<&'a [Vec2<S>]> for Rings<'a, S> {
-    /// One ring.
+    /// Creates rings of one ring.
     fn from(ring: &'a [Vec2<S>]) -> Self {
         let source = Given::One(ring);
         Rings { source }
     }
 }
 impl<'a, S> From<&'a Vec<Vec2<S>>> for Rings<'a, S> {
-    /// One ring.
+    /// Creates rings of one ring.
     fn from(ring: &'a Vec<Vec2<S>>) -> Self {
         ring.as_slice().into()
     }
 }
 impl<'a, S, const N: usize> From<&'a [Vec2<S>; N]> for Rings<'a, S> {
-    /// One ring.
+    /// Creates rings of one ring.
     fn from(ring: &'a [Vec2<S>; N]) -> Self {
         ring.as_slice().into()
     }
 }
 impl<'a, S> From<&'a [&'a [Vec2<S>]]> for Rings<'a, S> {
-    /// These rings.
+    /// Creates rings from a list of them.
     fn from(all: &'a [&'a [Vec2<S>]]) -> Self {
         let source = Given::Slices(all);
         Rings { source }
     }
 }
 impl<'a, S> From<&'a [Vec<Vec2<S>>]> for Rings<'a, S> {
-    /// These rings.
+    /// Creates rings from a list of them.
     fn from(all: &'a [Vec<Vec2<S>>]) -> Self {
         let source = Given::Lists(all);
         Rings { source }
@@ -204,7 +204,7 @@ pub struct Polygon<S> {
 }
 
 impl<S> Polygon<S> {
-    /// No rings.
+    /// Creates a polygon without rings.
     #[must_use]
     pub const fn new() -> Self {
         Polygon {
@@ -212,7 +212,7 @@ impl<S> Polygon<S> {
             ends: Vec::new(),
         }
     }
-    /// From rings of either orientation, unchecked.
+    /// Creates a polygon from rings of either orientation, unchecked.
     #[must_use]
     pub fn from_rings<'r>(rings: impl IntoIterator<Item = &'r [Vec2<S>]>) -> Self
     where
@@ -224,7 +224,7 @@ impl<S> Polygon<S> {
         }
         made
     }
-    /// From rings of either orientation.
+    /// Creates a polygon from rings of either orientation.
     ///
     /// # Errors
     ///

@@ -57,14 +57,14 @@ impl Sides {
             Some(k) => self.others.get(k).copied().unwrap_or(false),
         }
     }
-    /// One, or minus one for rings that count the other way round.
+    /// Returns one, or minus one for rings that are counted in the opposite orientation.
     #[inline(always)]
     pub(crate) fn sign<S: Scalar>(&self, ring: usize) -> S {
         S::lit(if self.is_turned(ring) { -1.0 } else { 1.0 })
     }
 }
 
-/// `true` if a ring lies in another one, both not crossing.
+/// Returns `true` if a ring lies in another one, both not crossing.
 fn lies_in<S: Scalar<Mask = bool>>(
     inner: &[Vec2<S>],
     outer: &[Vec2<S>],

@@ -16,33 +16,33 @@ use crate::{Fixed, Pack, Scalar};
 pub struct Guard<S: Scalar>(Option<S::Primal>);
 
 impl<S: Scalar> Guard<S> {
-    /// Of no shapes.
+    /// Creates the guard of no shapes.
     #[must_use]
     #[inline(always)]
     pub const fn new() -> Self {
         Guard(None)
     }
-    /// Of one shape.
+    /// Creates the guard of one shape.
     #[must_use]
     #[inline(always)]
     pub fn of<P: Pack<Scalar = S>>(shape: &P) -> Self {
         Self::new().and(shape)
     }
-    /// With the numbers of another shape.
+    /// Adds the numbers of another shape.
     #[must_use]
     #[inline(always)]
     pub fn and<P: Pack<Scalar = S>>(mut self, shape: &P) -> Self {
         shape.remake(&mut |&x| self = self.and_number(x));
         self
     }
-    /// Of some numbers.
+    /// Creates the guard of some numbers.
     #[must_use]
     #[inline(always)]
     pub fn of_numbers(numbers: &[S]) -> Self {
         let start = Self::new();
         numbers.iter().fold(start, |all, &x| all.and_number(x))
     }
-    /// With another number.
+    /// Adds another number.
     #[must_use]
     #[inline(always)]
     pub fn and_number(self, x: S) -> Self {

@@ -278,7 +278,7 @@ macro_rules! lanes {
     };
 }
 
-/// Lane by lane, for angles that the polynomial does not serve.
+/// Returns sine and cosine lane by lane, for angles that the polynomial does not serve.
 #[inline(never)]
 fn far_sin_cos<const N: usize>(angle: Lanes<f64, N>) -> (Lanes<f64, N>, Lanes<f64, N>) {
     (

@@ -78,7 +78,7 @@ pub(crate) fn largest<S: Scalar, const N: usize>(x: [S; N]) -> S::Primal {
         .fold(zero, |most, x| most.most(x.primal().magnitude()))
 }
 
-/// `√(x² + y² + z²)` without overflow; 0 with derivative 0 at the origin.
+/// Returns `√(x² + y² + z²)` without overflow; 0 with derivative 0 at the origin.
 ///
 /// One root: of [`hypot`](Scalar::hypot) of `hypot` the inner one has no second derivative where x and y are zero.
 #[inline(always)]

@@ -70,25 +70,25 @@ pub trait Scalar:
     /// Returns the value without its derivatives.
     fn primal(self) -> Self::Primal;
 
-    /// `self < other`, by value.
+    /// Returns `self < other`, by value.
     fn below(self, other: Self) -> Self::Mask;
-    /// `self ≤ other`, by value.
+    /// Returns `self ≤ other`, by value.
     fn at_most(self, other: Self) -> Self::Mask;
-    /// `self = other`, by value.
+    /// Returns `self = other`, by value.
     fn equals(self, other: Self) -> Self::Mask;
-    /// `yes` where the mask is true, else `no`. The other value has no effect, even if it is NaN.
+    /// Returns `yes` where the mask is true, else `no`. The other value has no effect, even if it is NaN.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
     /// Returns the quotient, with the value of plain numbers.
     fn over(self, divisor: Self) -> Self;
     /// Returns the square root; 0 with derivative 0 for zero and below, NaN for NaN.
     fn root(self) -> Self;
-    /// Sine and cosine of an angle in radians.
+    /// Returns sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
-    /// Sine and cosine, each as a short high part (half the significand, a constant) and the rest
-    /// (which carries the derivative): `[(sin_high, sin_low), (cos_high, cos_low)]`.
+    /// Returns sine and cosine, each as a short high part (half the significand, a constant) and the rest (which
+    /// carries the derivative): `[(sin_high, sin_low), (cos_high, cos_low)]`.
     fn sin_cos_parts(self) -> [(Self, Self); 2];
-    /// `(high, low)` with `high + low = self` exactly, `high` a constant of half the significand.
+    /// Returns `(high, low)` with `high + low = self` exactly, `high` a constant of half the significand.
     fn parts(self) -> (Self, Self);
     /// Returns the angle of `(x, self)` in radians, in `[−π, π]`; 0 with derivative 0 at the origin. The sign of a zero
     /// does not count: `(−1, −0)` is at π.
@@ -101,22 +101,22 @@ pub trait Scalar:
     /// to be normal count as the smallest normal number.
     fn binade(self) -> Self;
 
-    /// Zero.
+    /// Returns zero.
     #[inline(always)]
     fn zero() -> Self {
         Self::lit(0.0)
     }
-    /// One.
+    /// Returns one.
     #[inline(always)]
     fn one() -> Self {
         Self::lit(1.0)
     }
-    /// `self > other`, by value.
+    /// Returns `self > other`, by value.
     #[inline(always)]
     fn above(self, other: Self) -> Self::Mask {
         other.below(self)
     }
-    /// `self ≥ other`, by value.
+    /// Returns `self ≥ other`, by value.
     #[inline(always)]
     fn at_least(self, other: Self) -> Self::Mask {
         other.at_most(self)
@@ -148,39 +148,41 @@ pub trait Scalar:
     fn magnitude(self) -> Self {
         self.most(-self)
     }
-    /// [`root`](Scalar::root), by the name that plain numbers have. Numbers below zero have the root 0, not NaN.
+    /// Returns the [`root`](Scalar::root), by the name that plain numbers have. Numbers below zero have the root 0, not
+    /// NaN.
     #[inline(always)]
     fn sqrt(self) -> Self {
         self.root()
     }
-    /// [`magnitude`](Scalar::magnitude), by the name that plain numbers have.
+    /// Returns the [`magnitude`](Scalar::magnitude), by the name that plain numbers have.
     #[inline(always)]
     fn abs(self) -> Self {
         self.magnitude()
     }
-    /// [`least`](Scalar::least), by the name that plain numbers have; of NaN and a number it is not always the number.
+    /// Returns the [`least`](Scalar::least), by the name that plain numbers have; of NaN and a number it is not always
+    /// the number.
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         self.least(other)
     }
-    /// [`most`](Scalar::most), by the name that plain numbers have; of NaN and a number it is not always the number.
+    /// Returns the [`most`](Scalar::most), by the name that plain numbers have; of NaN and a number it is not always
+    /// the number.
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         self.most(other)
     }
-    /// Whichever of `self` and `−self` is not negative. Unlike [`magnitude`](Scalar::magnitude) it
-    /// has the derivative of `self` at zero: for choosing between two descriptions of the same thing,
-    /// where there is no kink.
+    /// Returns `self` or `−self`, whichever is not negative. Unlike [`magnitude`](Scalar::magnitude) it has the
+    /// derivative of `self` at zero: for choosing between two descriptions of one thing, where there is no kink.
     #[inline(always)]
     fn unsigned(self) -> Self {
         Self::select(self.below(Self::zero()), -self, self)
     }
-    /// `self`, negated where `side` is negative.
+    /// Returns `self`, negated where `side` is negative.
     #[inline(always)]
     fn signed_as(self, side: Self) -> Self {
         Self::select(side.below(Self::zero()), -self, self)
     }
-    /// `√(self² + other²)` without overflow; 0 with derivative 0 at the origin.
+    /// Returns `√(self² + other²)` without overflow; 0 with derivative 0 at the origin.
     #[inline(always)]
     fn hypot(self, other: Self) -> Self {
         let (x, y) = (self.primal(), other.primal());
@@ -209,7 +211,8 @@ pub trait Scalar:
     fn with_primal(self, value: Self::Primal) -> Self {
         (self - Self::from_primal(self.primal())) + Self::from_primal(value)
     }
-    /// `false` if it is known to be a number: an input of a program that is being recorded, whose columns are checked.
+    /// Returns `false` if it is known to be a number: an input of a program that is being recorded, whose columns are
+    /// checked.
     #[doc(hidden)]
     #[inline(always)]
     fn may_be_nan(self) -> bool {
@@ -221,7 +224,7 @@ pub trait Scalar:
     fn known(self, known: Self::Mask, nan: Self::Primal) -> Self {
         Self::select(known, self, self * Self::from_primal(nan))
     }
-    /// True where the value is neither infinite nor NaN.
+    /// Returns `true` where the value is neither infinite nor NaN.
     ///
     /// A guard stands before the operation that needs it: `x.over(S::select(y.equals(zero), one, y))`, then a choice.
     /// On a GPU a check of the result is none, because drivers fold a divisor that is always zero, and what they make
@@ -260,7 +263,7 @@ pub trait Scalar:
         let (sin, cos) = self.sin_cos();
         sin.over(cos)
     }
-    /// `self` squared.
+    /// Returns `self` squared.
     #[inline(always)]
     fn squared(self) -> Self {
         self * self

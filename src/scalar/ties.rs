@@ -49,7 +49,7 @@ struct Extreme<S: Scalar, const MOST: bool> {
 }
 
 impl<S: Scalar, const MOST: bool> Extreme<S, MOST> {
-    /// One number.
+    /// Creates the extreme of one number.
     #[inline(always)]
     fn new(x: S) -> Self {
         Extreme {
@@ -81,7 +81,7 @@ impl<S: Scalar, const MOST: bool> Extreme<S, MOST> {
         let more = (pair - z) * S::lit(1.0 / 6.0);
         of(pair, z) + S::select(all, more, S::zero())
     }
-    /// That, or another number.
+    /// Adds another number.
     #[must_use]
     #[inline(always)]
     fn or(self, x: S) -> Self {
@@ -136,7 +136,7 @@ impl<S: Scalar> Span<S> {
             high: Extreme::new(x),
         }
     }
-    /// With another number.
+    /// Adds another number.
     #[must_use]
     #[inline(always)]
     pub(crate) fn or(self, x: S) -> Self {

@@ -28,7 +28,7 @@ pub struct Circle<S> {
 }
 
 impl<S> Circle<S> {
-    /// From centre and radius, unchecked.
+    /// Creates a circle from centre and radius, unchecked.
     #[inline(always)]
     pub const fn new(center: Vec2<S>, radius: S) -> Self {
         Circle { center, radius }
@@ -36,7 +36,7 @@ impl<S> Circle<S> {
 }
 
 impl<S: Scalar> Circle<S> {
-    /// From centre and radius.
+    /// Creates a circle from centre and radius.
     ///
     /// # Errors
     ///

@@ -44,7 +44,7 @@ fn has_height<S: Scalar<Mask = bool>>(shape: &Cone<S>) -> Result<(), Flaw> {
 }
 
 impl<S> Cone<S> {
-    /// From both ends of the axis and the radius, unchecked.
+    /// Creates a cone from both ends of the axis and the radius, unchecked.
     #[inline(always)]
     pub const fn new(apex: Vec3<S>, base: Vec3<S>, radius: S) -> Self {
         Cone { apex, base, radius }
@@ -52,7 +52,7 @@ impl<S> Cone<S> {
 }
 
 impl<S: Scalar> Cone<S> {
-    /// From both ends of the axis and the radius.
+    /// Creates a cone from both ends of the axis and the radius.
     ///
     /// # Errors
     ///

@@ -53,7 +53,7 @@ pub(super) fn disc_reach<S: Scalar>(normal: Vec3<S>) -> Vec3<S> {
 }
 
 impl<S> Cylinder<S> {
-    /// From both ends of the axis and the radius, unchecked.
+    /// Creates a cylinder from both ends of the axis and the radius, unchecked.
     #[inline(always)]
     pub const fn new(start: Vec3<S>, end: Vec3<S>, radius: S) -> Self {
         Cylinder { start, end, radius }
@@ -61,7 +61,7 @@ impl<S> Cylinder<S> {
 }
 
 impl<S: Scalar> Cylinder<S> {
-    /// From both ends of the axis and the radius.
+    /// Creates a cylinder from both ends of the axis and the radius.
     ///
     /// # Errors
     ///

@@ -59,7 +59,7 @@ impl EulerOrder {
 }
 
 impl<S: Scalar> Rotation3<S> {
-    /// From three angles in radians about the axes that the order names.
+    /// Creates a rotation from three angles in radians about the axes that the order names.
     ///
     /// ```
     /// use geograd::{EulerOrder, Rotation3};
@@ -77,9 +77,8 @@ impl<S: Scalar> Rotation3<S> {
         };
         turn(i, angles[0]) * turn(j, angles[1]) * turn(k, angles[2])
     }
-    /// Three angles in radians about the axes that the order names: the first and the third in
-    /// `[−π, π]`, the middle one in `[−π/2, π/2]`, or `[0, π]` where the first and the third axis are
-    /// the same.
+    /// Returns three angles in radians about the axes that the order names: the first and the third in `[−π, π]`, the
+    /// middle one in `[−π/2, π/2]`, or `[0, π]` where the first and the third axis are equal.
     ///
     /// Kinks: at either end of the middle angle's range (gimbal lock) only the sum or the difference of
     /// the others is determined; they share it equally.

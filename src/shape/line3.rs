@@ -31,7 +31,7 @@ fn has_direction<S: Scalar<Mask = bool>>(shape: &Line3<S>) -> Result<(), Flaw> {
 }
 
 impl<S> Line3<S> {
-    /// From a point and a direction, unchecked.
+    /// Creates a line from a point and a direction, unchecked.
     #[inline(always)]
     pub const fn new(point: Vec3<S>, direction: Vec3<S>) -> Self {
         Line3 { point, direction }
@@ -39,7 +39,7 @@ impl<S> Line3<S> {
 }
 
 impl<S: Scalar> Line3<S> {
-    /// From a point and a direction.
+    /// Creates a line from a point and a direction.
     ///
     /// # Errors
     ///

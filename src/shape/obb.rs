@@ -32,7 +32,7 @@ pub struct Obb2<S> {
 }
 
 impl<S> Obb2<S> {
-    /// From centre, width, height and heading, unchecked.
+    /// Creates a box from centre, width, height and heading, unchecked.
     #[inline(always)]
     pub const fn new(x: S, y: S, width: S, height: S, heading: S) -> Self {
         Obb2 {
@@ -44,7 +44,7 @@ impl<S> Obb2<S> {
 }
 
 impl<S: Scalar> Obb2<S> {
-    /// From centre, size and heading.
+    /// Creates a box from centre, size and heading.
     ///
     /// # Errors
     ///

@@ -31,7 +31,7 @@ pub struct Obb3<S> {
 }
 
 impl<S> Obb3<S> {
-    /// From centre, size and rotation, unchecked.
+    /// Creates a box from centre, size and rotation, unchecked.
     #[inline(always)]
     pub const fn new(center: Vec3<S>, size: Vec3<S>, rotation: Rotation3<S>) -> Self {
         Obb3 {

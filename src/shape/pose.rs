@@ -33,7 +33,7 @@ fn is_not_zero<S: Scalar<Mask = bool>>(turn: &Rotation2<S>) -> Result<(), Flaw> 
 }
 
 impl<S: Scalar> Rotation2<S> {
-    /// No rotation.
+    /// Returns the rotation by zero.
     #[inline(always)]
     pub fn identity() -> Self {
         Rotation2 {
@@ -41,7 +41,7 @@ impl<S: Scalar> Rotation2<S> {
             sin: S::zero(),
         }
     }
-    /// By an angle in radians, counter-clockwise.
+    /// Creates the rotation by an angle in radians, counter-clockwise.
     #[inline(always)]
     pub fn from_angle(angle: S) -> Self {
         let (sin, cos) = angle.sin_cos();
@@ -90,7 +90,7 @@ impl<S: Scalar> Rotation2<S> {
 
 impl<S: Scalar> Mul for Rotation2<S> {
     type Output = Self;
-    /// First `other`, then `self`.
+    /// Returns the rotation that turns by `other` first, then by `self`.
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         Rotation2 {
@@ -133,7 +133,7 @@ pub struct Pose2<S> {
 }
 
 impl<S: Scalar> Pose2<S> {
-    /// From where the origin goes and the angle in radians, counter-clockwise.
+    /// Creates a motion from the image of the origin and the angle in radians, counter-clockwise.
     #[inline(always)]
     pub fn new(translation: Vec2<S>, angle: S) -> Self {
         Pose2 {
@@ -141,7 +141,7 @@ impl<S: Scalar> Pose2<S> {
             translation,
         }
     }
-    /// No motion.
+    /// Returns the motion that moves nothing.
     #[inline(always)]
     pub fn identity() -> Self {
         Pose2 {
@@ -179,7 +179,7 @@ impl<S: Scalar> Pose2<S> {
 
 impl<S: Scalar> Mul for Pose2<S> {
     type Output = Self;
-    /// First `other`, then `self`.
+    /// Returns the motion that applies `other` first, then `self`.
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         Pose2 {

@@ -31,7 +31,7 @@ pub struct RoundBox3<S> {
 }
 
 impl<S> RoundBox3<S> {
-    /// From the box inside and the radius, unchecked.
+    /// Creates a box from the box inside and the radius, unchecked.
     #[inline(always)]
     pub const fn new(inner: Obb3<S>, radius: S) -> Self {
         RoundBox3 { inner, radius }
@@ -39,7 +39,7 @@ impl<S> RoundBox3<S> {
 }
 
 impl<S: Scalar> RoundBox3<S> {
-    /// From the box inside and the radius.
+    /// Creates a box from the box inside and the radius.
     ///
     /// # Errors
     ///

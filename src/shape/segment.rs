@@ -23,7 +23,7 @@ pub struct Segment2<S> {
 }
 
 impl<S> Segment2<S> {
-    /// From its ends, unchecked.
+    /// Creates a segment from its ends, unchecked.
     #[inline(always)]
     pub const fn new(from: Vec2<S>, to: Vec2<S>) -> Self {
         Segment2 { from, to }
@@ -31,7 +31,7 @@ impl<S> Segment2<S> {
 }
 
 impl<S: Scalar> Segment2<S> {
-    /// From its ends.
+    /// Creates a segment from its ends.
     ///
     /// # Errors
     ///

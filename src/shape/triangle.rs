@@ -30,7 +30,7 @@ pub struct Triangle2<S> {
 }
 
 impl<S> Triangle2<S> {
-    /// From its corners, unchecked.
+    /// Creates a triangle from its corners, unchecked.
     #[inline(always)]
     pub const fn new(a: Vec2<S>, b: Vec2<S>, c: Vec2<S>) -> Self {
         Triangle2 { a, b, c }
@@ -38,7 +38,7 @@ impl<S> Triangle2<S> {
 }
 
 impl<S: Scalar> Triangle2<S> {
-    /// From its corners.
+    /// Creates a triangle from its corners.
     ///
     /// # Errors
     ///

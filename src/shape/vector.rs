@@ -18,7 +18,7 @@ macro_rules! vector {
         }
 
         impl<S> $name<S> {
-            /// From coordinates.
+            /// Creates a vector from coordinates.
             #[inline(always)]
             pub const fn new($($field: S),*) -> Self {
                 Self { $($field),* }
@@ -70,13 +70,13 @@ macro_rules! vector {
             pub fn lerp(self, other: Self, t: S) -> Self {
                 self + (other - self) * t
             }
-            /// Coordinate by coordinate the smaller one; ties share the derivative.
+            /// Returns the smaller coordinate of both, coordinate by coordinate; ties share the derivative.
             #[must_use]
             #[inline(always)]
             pub fn least(self, other: Self) -> Self {
                 Self { $($field: self.$field.least(other.$field)),* }
             }
-            /// Coordinate by coordinate the larger one; ties share the derivative.
+            /// Returns the larger coordinate of both, coordinate by coordinate; ties share the derivative.
             #[must_use]
             #[inline(always)]
             pub fn most(self, other: Self) -> Self {
@@ -174,7 +174,7 @@ vector! {
 }
 
 impl<S: Scalar> Vec2<S> {
-    /// `yes` where the mask is true, else `no`.
+    /// Returns `yes` where the mask is true, else `no`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
         Vec2::new(S::select(mask, yes.x, no.x), S::select(mask, yes.y, no.y))
@@ -219,7 +219,7 @@ impl<S: Scalar> Vec2<S> {
 }
 
 impl<S: Scalar> Vec3<S> {
-    /// `yes` where the mask is true, else `no`.
+    /// Returns `yes` where the mask is true, else `no`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
         let pick = |yes: S, no: S| S::select(mask, yes, no);

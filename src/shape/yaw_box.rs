@@ -29,7 +29,7 @@ pub struct YawBox3<S> {
 }
 
 impl<S> YawBox3<S> {
-    /// From centre, size and heading, unchecked.
+    /// Creates a box from centre, size and heading, unchecked.
     #[inline(always)]
     pub const fn new(center: Vec3<S>, size: Vec3<S>, heading: S) -> Self {
         YawBox3 {

@@ -54,7 +54,7 @@ pub struct Rules<'a, S> {
 }
 
 impl<S: Scalar> Rules<'_, S> {
-    /// Suppression of overlaps above a threshold, of one class, of all scores, of any number.
+    /// Creates the options that suppress overlaps above a threshold, of one class, of all scores, of any number.
     pub fn above(overlap: S) -> Self {
         Rules {
             classes: None,

@@ -80,9 +80,8 @@ impl Along<'_> {
         if self.is_axis() { self.k } else { 0 }
     }
 
-    /// By how much the value may change within the rounding of the steps along a direction. Along
-    /// an axis steps are exact; of a function whose branches are not known, which may round its input, every number
-    /// counts.
+    /// Returns the change of the value that rounding of the steps along a direction allows. Along an axis steps are
+    /// exact. A function whose branches are unknown may round its input, so every number counts.
     fn reach(&self) -> f64 {
         let e = self.e;
         let moved = || (0..e.x.len()).filter(|&i| self.is_of_shapes() || self.direction[i] != 0.0);
@@ -129,8 +128,8 @@ impl Along<'_> {
         said
     }
 
-    /// One combination of outputs: the kind of place along the direction, changes of branch, and derivatives against
-    /// steps.
+    /// Judges one combination of outputs: the kind of point along the direction, changes of branch, and derivatives
+    /// against differences.
     pub(crate) fn one_row(&self, row: &Combination, noise: f64) -> Notes {
         let (e, direction) = (self.e, self.direction);
         let mut said = Notes::new(e.x.len());
@@ -246,7 +245,7 @@ impl Along<'_> {
         said
     }
 
-    /// A comparison with an estimate.
+    /// Compares a derivative with an estimate by differences.
     fn note(
         &self,
         row: &Combination,
@@ -262,7 +261,7 @@ impl Along<'_> {
         said.compared(pair, gap / derivatives.per, size, self.e.eps, at);
     }
 
-    /// One witness: what kind of place it is, and what the last ladder said.
+    /// Judges the derivative of one witness along the direction.
     fn one_derivative(
         &self,
         row: &Combination,

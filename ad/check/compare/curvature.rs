@@ -21,8 +21,8 @@ fn confirmed(again: impl Iterator<Item = Option<bool>>) -> bool {
     repeated
 }
 
-/// Second derivatives of every row: through the adjoint, by duals of duals, by differences of the adjoint;
-/// those of a function of `f32` that is known in double precision by duals of duals there instead.
+/// Compares second derivatives of every row: through the adjoint, by duals of duals, by differences of the adjoint. A
+/// function of `f32` that is known in double precision uses duals of duals there instead.
 pub(crate) fn curvature(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
     let mut said = Notes::new(e.x.len());
     if e.x.is_empty() {
@@ -87,11 +87,11 @@ impl<'e> Bend<'e> {
         }
     }
 
-    /// By the adjoint, anywhere along any direction.
+    /// Returns the product by the adjoint, at any point and along any direction.
     fn along(&self, x: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         self.e.subject.curvature(x, &self.row.weights, v)
     }
-    /// By duals of duals; a whole Hessian row by row is for short inputs.
+    /// Returns the product by duals of duals; a whole Hessian row by row is for short inputs.
     fn nested(&self, x: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         let short = self.e.x.len() <= FEW_INPUTS;
         let nested = || self.e.subject.second_order(x, &self.row.weights, v);
@@ -135,7 +135,7 @@ impl<'e> Bend<'e> {
         })
     }
 
-    /// Another second derivative against this one.
+    /// Compares another second derivative with this one.
     fn compared(&self, witness: Witness, second: &[f64], spread: impl Fn(usize) -> f64) -> Notes {
         let mut said = Notes::new(self.e.x.len());
         for (i, (&bend, &second)) in self.bend.iter().zip(second).enumerate() {
@@ -185,7 +185,7 @@ impl<'e> Bend<'e> {
         self.compared(Witness::Wide, &second, |i| spread()[i])
     }
 
-    /// The Hessian is symmetric: `u · H v = v · H u`.
+    /// Checks that the Hessian is symmetric: `u · H v = v · H u`.
     fn symmetric(&self, u: &[f64]) -> Notes {
         let (e, v, n) = (self.e, &self.direction, self.bend.len());
         let mut said = Notes::new(n);
@@ -215,7 +215,7 @@ impl<'e> Bend<'e> {
         said
     }
 
-    /// Differences of the adjoint along the direction.
+    /// Compares with differences of the adjoint along the direction.
     fn by_differences(&self, random: &mut dyn FnMut() -> Vec<f64>) -> Notes {
         let (e, row, v, n) = (self.e, self.row, &self.direction, self.bend.len());
         let mut said = Notes::new(n);

@@ -11,7 +11,7 @@ use crate::ad::check::tolerances::{
 use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::{beside, dot};
 
-/// Declared motions, of values and of derivatives.
+/// Checks declared motions, of values and of derivatives.
 pub(crate) fn invariances(e: &Evidence<'_>) -> Notes {
     let mut said = Notes::new(e.x.len());
     let kinds = e.subject.kinds();
@@ -194,7 +194,7 @@ fn derivatives_balance(
     said
 }
 
-/// By how much the value at another input changes under provoked rounding.
+/// Returns the change of the value at another input when rounding errors are perturbed.
 fn unrest(e: &Evidence<'_>, x: &[f64], y: &[f64]) -> Vec<f64> {
     let (subject, precision) = (e.subject, e.subject.precision());
     let rounding = subject.rounding(x);

@@ -9,7 +9,7 @@ use crate::ad::check::trace::Trace;
 use crate::ad::check::witness::{Ladder, Probed, axis};
 use crate::ad::sample::Draw;
 
-/// Derivatives against differences along every direction. A long input that is `refused` already, by itself or
+/// Compares derivatives with differences along every direction. A long input that is `refused` already, by itself or
 /// along a direction, is tried along no further ones: they are all alike.
 pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: bool) -> Notes {
     let mut said = Notes::new(e.x.len());
@@ -140,8 +140,8 @@ fn bordered(e: &Evidence<'_>, i: usize) -> bool {
     inside.contains(&false)
 }
 
-/// Directions that keep ties: along each all numbers of one magnitude move alike. There a kink of
-/// many is smooth, and a derivative has no choice.
+/// Returns directions that keep ties: all numbers of one magnitude move alike along each. A kink of many arguments is
+/// smooth there, and a derivative is unique.
 fn tied(e: &Evidence<'_>) -> Vec<Vec<f64>> {
     let mut sizes: Vec<u64> = e.x.iter().map(|x| x.abs().to_bits()).collect();
     sizes.sort_unstable();

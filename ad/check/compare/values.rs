@@ -26,7 +26,7 @@ pub(crate) fn values(e: &Evidence<'_>) -> Notes {
     said
 }
 
-/// Another path's value against the value; where they differ, rounding is provoked.
+/// Compares the value of another path with the value; where they differ, rounding errors are perturbed.
 pub(crate) fn another(e: &Evidence<'_>, other: &[f64], witness: Witness) -> Notes {
     compared(e, other, witness, true)
 }

@@ -7,7 +7,7 @@ use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::{combined, dot};
 use crate::ad::declared::Jumps;
 
-/// Values and derivatives against those in double precision, at the same inputs of single precision.
+/// Compares values and derivatives with those in double precision, at the same inputs of single precision.
 ///
 /// The value of an operation may be off by the change of the exact function when inputs move by twice their rounding
 /// (that of numbers of one unit is the rounding of the largest). The change of the value in single precision does
@@ -77,8 +77,7 @@ fn values(e: &Evidence<'_>, wide: &dyn Subject, value: &[f64]) -> Notes {
     said
 }
 
-/// By how much an output may change within the rounding of the inputs, as the derivatives by hand have it; zero of a
-/// closure.
+/// Returns the change of an output within the rounding of the inputs, by the derivatives by hand; zero for a closure.
 fn reach(e: &Evidence<'_>, output: usize) -> f64 {
     let alone = |row: &&Combination| {
         row.weights

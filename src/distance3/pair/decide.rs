@@ -49,7 +49,7 @@ pub(super) struct Choice<P: Scalar> {
     pub lean_b: [[P; 3]; 3],
 }
 
-/// Weights of which only the first that is not zero is kept.
+/// Returns weights that are one for the first mask that is true and zero for all others.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn first_of<P: Scalar, const N: usize>(masks: [P::Mask; N]) -> [P; N] {
     let mut free = P::zero().equals(P::zero());
@@ -60,7 +60,7 @@ fn first_of<P: Scalar, const N: usize>(masks: [P::Mask; N]) -> [P; N] {
     })
 }
 
-/// What nine pairs of edges have, by shares.
+/// Returns the sum of a number of nine pairs of edges, weighted by `shares`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn mixed<P: Scalar>(
     edges: &[[Edges<P>; 3]; 3],

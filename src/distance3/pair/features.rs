@@ -10,7 +10,7 @@ pub(super) fn squared<P: Scalar>(x: P) -> P {
     x * x
 }
 
-/// One where the mask is true, else zero.
+/// Returns one where the mask is true, else zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn weight<P: Scalar>(mask: P::Mask) -> P {
     P::select(mask, P::one(), P::zero())
@@ -54,7 +54,8 @@ fn beyond<P: Scalar>(x: P, half: P) -> P {
 }
 
 impl<P: Scalar> Corners<P> {
-    /// Of a box with a centre and half its size along axes `rows[k]`, against one with its centre at zero.
+    /// Returns the features of a box with a centre and half its size along axes `rows[k]`, against a box with its
+    /// centre at zero.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new(center: [P; 3], rows: [[P; 3]; 3], half: [P; 3], other: [P; 3]) -> Self {
         let squares = [0, 1, 2].each_as(|k| {

@@ -21,7 +21,7 @@ use crate::{Scalar, Vec3};
 use decide::{Choice, decide};
 use seen::{Gaps, Seen, column, dot, gaps_primal, least_square, sign_or_none};
 
-/// As constants of a number with derivatives.
+/// Returns constants of a scalar type with derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn fixed<S: Scalar>(x: [S::Primal; 3]) -> [S; 3] {
     x.each_as(|x| S::from_primal(x.primal()))
@@ -59,7 +59,7 @@ impl<S: Scalar> Seen<S> {
     }
 }
 
-/// b as a sees it, in units in which both are of a size near one, and the units.
+/// Returns b as a sees it, in units in which both are of a size near one, and the scale of these units.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (Seen<S>, S) {
     let anchor = a.anchor();

@@ -18,14 +18,14 @@ pub struct Judged {
 }
 
 impl Judged {
-    /// Average precision, in `[0, 1]`: at eleven recalls every fourth of the forty-one that the scores stand
-    /// for, at forty all but the first. [`Recalls::All`] counts as forty, which is all there are.
+    /// Returns the average precision, in `[0, 1]`. At eleven recalls it takes every fourth of the forty-one recalls
+    /// that have scores, at forty all except the first. [`Recalls::All`] counts as forty, which is all there are.
     #[must_use]
     pub fn average_precision(&self, recalls: Recalls) -> f64 {
         average(self.curve.iter().map(|point| point.precision), recalls)
     }
-    /// Average orientation similarity (AOS), in `[0, 1]`, at the same recalls; at most average precision. Zero where no
-    /// angles were given.
+    /// Returns the average orientation similarity (AOS), in `[0, 1]`, at the recalls of
+    /// [`average_precision`](Self::average_precision), which bounds it from above. Zero if no angles were given.
     #[must_use]
     pub fn average_orientation_similarity(&self, recalls: Recalls) -> f64 {
         average(self.similarity.iter().copied(), recalls)
@@ -112,9 +112,9 @@ fn near(frame: &Frame<'_>, threshold: f64) -> Result<Near, Error> {
     Ok(Near { all, starts })
 }
 
-/// Which detections the truths take, one after the other. With `least`, of detections of at least this score
-/// the one of the largest overlap, ignored ones only where no other is left; without, of all the one of the
-/// highest score.
+/// Matches the truths, one after the other, to detections. With `least` a truth takes the detection of the largest
+/// overlap of at least this score, and ignored ones only if no other is left. Without it a truth takes the detection of
+/// the highest score.
 fn matched(frame: &Frame<'_>, near: &Near, least: Option<f64>) -> Matched {
     let mut outcomes = vec![Outcome::Wrong; frame.scores.len()];
     let mut is_taken = vec![false; frame.scores.len()];
@@ -226,7 +226,7 @@ impl<'a> Judging<'a> {
         })
     }
 
-    /// Precision, recall and the similarity of orientation of all detections of at least a score.
+    /// Returns precision, recall and orientation similarity of all detections of at least a score.
     pub(crate) fn at(&self, score: f64) -> (Point, f64) {
         let (mut right, mut wrong, mut missed) = (0_usize, 0_usize, 0_usize);
         let mut similar = 0.0;

@@ -61,7 +61,7 @@ impl Difficulty {
             Difficulty::Hard => 0.5,
         }
     }
-    /// How a truth counts.
+    /// Returns how a truth counts.
     ///
     /// ```
     /// use geograd::metric::kitti::{Counts, Difficulty, Label, GroundTruth};
@@ -82,7 +82,7 @@ impl Difficulty {
             Label::Other => Counts::Not,
         }
     }
-    /// How a detection of such a height in pixels counts, of the class that is judged or of another one.
+    /// Returns how a detection of a height in pixels counts, of the class that is judged or of another one.
     #[must_use]
     pub fn detection(self, height: f64, is_of_class: bool) -> Counts {
         if height < self.height() {
@@ -150,7 +150,7 @@ pub fn judge(frames: &[Frame<'_>], threshold: f64) -> Result<Judged, Error> {
     Ok(Judging::new(frames, None, threshold)?.judged())
 }
 
-/// [`judge`] with the angles of every frame, for the similarity of orientation.
+/// Judges frames as [`judge`] does, with the angles of every frame, for the similarity of orientation.
 ///
 /// # Errors
 ///
