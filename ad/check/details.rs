@@ -1,5 +1,5 @@
-//! The drill-down of a report: every pair of witnesses, how far apart, and where they came nearest
-//! to refusal.
+//! The long form of a report, for `--details`: the difference of every pair of witnesses, and the input at which they
+//! came nearest to refusal.
 use crate::ad::check::report::Report;
 use crate::ad::check::verdict::{PAIRS, Reason, Witness, Worst};
 use crate::ad::check::words::write_numbers;
@@ -99,7 +99,7 @@ impl Report {
                     "    nearest to refusal: {:.0} % of what their errors allow{}, at sample {}, \
                      output {}, input {}{}",
                     100.0 * nearest.share,
-                    if nearest.provoked {
+                    if nearest.perturbed {
                         ", as provoked rounding showed"
                     } else {
                         ""

@@ -191,7 +191,7 @@
 //! loses more, half of its digits say, is refused.
 //!
 //! No witness is better than another where a value is decided within rounding (a tie that is none in exact
-//! arithmetic), and the changes by provoked rounding are tolerated. Exact ties of equal
+//! arithmetic), and the changes by perturbed rounding are tolerated. Exact ties of equal
 //! inputs are judged strictly in double precision.
 //!
 //! # How it is made
@@ -200,16 +200,15 @@
 //! hand and by duals, branches, inputs beside it), each file of `compare` holds a comparison that reads it and
 //! adds its findings (`notes`), and `judge` decides what is refused. Every number by which it decides is in
 //! `tolerances`, with its reason; `rounding` measures at each input what a witness may be off by. Steps are in [`witness`], what they
-//! show of one derivative in `compare/derivative_test`, how findings are weighed in `compare/opinion`.
+//! show of one derivative in `compare/derivative_test`, how findings are weighed in `compare/assessment`.
 //! [`examine`](fn@examine) walks the inputs, `shrink` makes refused ones simple, [`report`] has the lines, `words`
 //! the sentences. A function is a [`Subject`](subject::Subject): lists of numbers in and out.
 //!
 //! A traced scalar (`trace`) records every comparison and its margin, to tell a kink from a mistake. `rounding`
-//! measures sensitivity: inputs move by an ulp, and a scalar of `noise` rounds at random. `agreed` has what a
+//! measures sensitivity: inputs move by an ulp, and a scalar of `noise` rounds at random. `with_sampling` has what a
 //! sampling says of a function: ties, resolution, domain. `strategy` draws for proptest from the same [`sample`].
 //! `tests/corpus` measures the harness and other checkers: functions, faults made by operators and by a scalar that
 //! makes one mistake, and a record of the harness's errors.
-mod agreed;
 mod bent;
 mod builder;
 pub(crate) mod candidate;
@@ -238,6 +237,7 @@ pub(crate) mod tolerances;
 pub mod trace;
 pub(crate) mod trace_lanes;
 pub mod verdict;
+mod with_sampling;
 pub mod witness;
 mod words;
 

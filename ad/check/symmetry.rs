@@ -4,12 +4,12 @@
 //! that motion is then known too. Translation invariance: the derivatives of all positions sum to zero.
 //! Rotation invariance: their torques balance. Homogeneity of degree p: Euler's `x · ∂y = p y`.
 //!
-//! A shape says how it moves by the [`Kind`] of each of its numbers.
+//! The [`Kind`] of each number of a shape determines its motion. `compare/invariance` uses both.
 pub use crate::ad::declared::{Effect, Invariance, Kind, Motion};
 use crate::{Rotation3, Vec3};
 use std::f64::consts::TAU;
 
-/// Numbers that move together; a place or a direction has two or three numbers.
+/// A group of numbers that move together; a point or a direction has two or three.
 #[derive(Clone, Copy)]
 enum Group {
     Smoothness(usize),
@@ -42,7 +42,7 @@ impl Group {
     }
 }
 
-/// Calls a function with every group of numbers, its place and its numbers.
+/// Calls a function with every group of numbers, its index and its numbers.
 fn each_group<'a>(kinds: &[Kind], x: &'a [f64], mut call: impl FnMut(Group, usize, &'a [f64])) {
     let mut at = 0;
     while at < x.len().min(kinds.len()) {
@@ -83,7 +83,7 @@ fn lies_on(kind: Kind, axis: usize) -> bool {
     }
 }
 
-/// Returns the two axes that a turn about an axis moves, the second one towards the negative first; nothing where
+/// Returns the two axes that a rotation about an axis moves, the second one towards the negative first; `None` if
 /// numbers of the plane have only one of them.
 fn turning(axis: usize, numbers: usize) -> Option<[usize; 2]> {
     let across = [(axis + 1) % 3, (axis + 2) % 3];
@@ -148,7 +148,7 @@ fn left_jacobian_inverse(v: Vec3<f64>, axis: Vec3<f64>) -> Vec3<f64> {
     axis - side * 0.5 + v.cross(side) * factor
 }
 
-/// Returns the velocity of the output that the answer declares, when its numbers are of these kinds.
+/// Returns the velocity of the output that the invariance declares, if its numbers are of these kinds.
 #[must_use]
 pub fn answer(invariance: Invariance, kinds: &[Kind], y: &[f64]) -> Vec<f64> {
     match invariance.answer {
