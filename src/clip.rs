@@ -48,7 +48,7 @@ pub struct Framed<S> {
     pub sin_low: S,
 }
 
-/// Does a box's trigonometry.
+/// Computes sine and cosine of a box's heading.
 #[inline(always)]
 pub fn frame<S: Scalar>(shape: Obb2<S>) -> Framed<S> {
     let half = Vec2::new(shape.size.x.halved(), shape.size.y.halved());

@@ -138,7 +138,7 @@ impl<P: Scalar> Twofold<P> {
 }
 
 /// A vector of the plane or of space by exact differences, in units of a power of two.
-pub(crate) type Way<P, const N: usize> = [Twofold<P>; N];
+pub(crate) type ExactVector<P, const N: usize> = [Twofold<P>; N];
 
 /// Returns the numbers of a point of the plane, without derivatives.
 #[inline(always)]
@@ -154,7 +154,11 @@ pub(crate) fn deep<S: Scalar>(p: Vec3<S>) -> [S::Primal; 3] {
 
 /// Returns the way between two points, exact, times a power of two.
 #[inline(always)]
-pub(crate) fn way<P: Scalar, const N: usize>(from: [P; N], to: [P; N], unit: P) -> Way<P, N> {
+pub(crate) fn way<P: Scalar, const N: usize>(
+    from: [P; N],
+    to: [P; N],
+    unit: P,
+) -> ExactVector<P, N> {
     let mut way = [Twofold::of(P::zero()); N];
     for k in 0..N {
         way[k] = Twofold::difference(to[k] * unit, from[k] * unit);
@@ -164,7 +168,7 @@ pub(crate) fn way<P: Scalar, const N: usize>(from: [P; N], to: [P; N], unit: P) 
 
 /// Returns the rounded coordinates.
 #[inline(always)]
-pub(crate) fn rounded<P: Scalar, const N: usize>(way: Way<P, N>) -> [P; N] {
+pub(crate) fn rounded<P: Scalar, const N: usize>(way: ExactVector<P, N>) -> [P; N] {
     way.each_as(|x| x.high)
 }
 
@@ -178,14 +182,14 @@ fn outer<P: Scalar>(a: [Twofold<P>; 2], b: [Twofold<P>; 2]) -> (Twofold<P>, P) {
 
 /// Returns the outer product of two ways of the plane; exactly zero for parallel ones.
 #[inline(always)]
-pub(crate) fn turn<P: Scalar>(a: Way<P, 2>, b: Way<P, 2>) -> P {
+pub(crate) fn turn<P: Scalar>(a: ExactVector<P, 2>, b: ExactVector<P, 2>) -> P {
     let (value, terms) = outer(a, b);
     value.settled(terms)
 }
 
 /// Returns the inner product of two ways; exactly zero for orthogonal ones.
 #[inline(always)]
-pub(crate) fn dot<P: Scalar, const N: usize>(a: Way<P, N>, b: Way<P, N>) -> P {
+pub(crate) fn dot<P: Scalar, const N: usize>(a: ExactVector<P, N>, b: ExactVector<P, N>) -> P {
     let mut sum = a[0].times(b[0]);
     let mut terms = sum.high.magnitude();
     for k in 1..N {
@@ -198,18 +202,22 @@ pub(crate) fn dot<P: Scalar, const N: usize>(a: Way<P, N>, b: Way<P, N>) -> P {
 
 /// Returns the outer products of two ways of space; exactly zero for parallel ones.
 #[inline(always)]
-pub(crate) fn cross<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>) -> [P; 3] {
+pub(crate) fn cross<P: Scalar>(a: ExactVector<P, 3>, b: ExactVector<P, 3>) -> [P; 3] {
     outer_products(a, b).each_as(|(value, terms)| value.settled(terms))
 }
 
 #[inline(always)]
-fn outer_products<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>) -> [(Twofold<P>, P); 3] {
+fn outer_products<P: Scalar>(a: ExactVector<P, 3>, b: ExactVector<P, 3>) -> [(Twofold<P>, P); 3] {
     [(1, 2), (2, 0), (0, 1)].each_as(|(i, j)| outer([a[i], a[j]], [b[i], b[j]]))
 }
 
 /// Returns the triple product of three ways of space; exactly zero for those of one plane.
 #[inline(always)]
-pub(crate) fn volume<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>, c: Way<P, 3>) -> P {
+pub(crate) fn volume<P: Scalar>(
+    a: ExactVector<P, 3>,
+    b: ExactVector<P, 3>,
+    c: ExactVector<P, 3>,
+) -> P {
     let faces = outer_products(a, b);
     let (mut sum, mut terms) = (Twofold::of(P::zero()), P::zero());
     for k in 0..3 {

@@ -18,7 +18,7 @@ use crate::shape::edges;
 use crate::{ConvexPolygon, Mask, Scalar, Vec2};
 
 /// Which part of an edge counts, from one fraction of it to another, and how much.
-struct Piece<S> {
+struct EdgePart<S> {
     from: S,
     to: S,
     weight: S,
@@ -26,7 +26,7 @@ struct Piece<S> {
 
 /// Returns the pieces of `f` and `g` that bound what their triangles share.
 #[inline(always)]
-fn pieces<S: Scalar>(pair: &Wedge<S>) -> [Piece<S>; 2] {
+fn pieces<S: Scalar>(pair: &Wedge<S>) -> [EdgePart<S>; 2] {
     let (zero, one, half) = (S::zero(), S::one(), S::lit(0.5));
     let pick = |mask, x| S::select(mask, x, zero);
     let f = [
@@ -64,7 +64,7 @@ fn pieces<S: Scalar>(pair: &Wedge<S>) -> [Piece<S>; 2] {
     // Nearer first, or nearer last.
     let cut = |span: [S; 2], share: S, leads| {
         let length = (span[1] - span[0]) * share;
-        Piece {
+        EdgePart {
             from: S::select(leads, span[0], span[1] - length),
             to: S::select(leads, span[0] + length, span[1]),
             weight,
@@ -76,7 +76,12 @@ fn pieces<S: Scalar>(pair: &Wedge<S>) -> [Piece<S>; 2] {
 
 /// Adds what a piece of an edge that moves does to both ends.
 #[inline(always)]
-fn pull<S: Scalar>(edge: [Vec2<S>; 2], piece: &Piece<S>, turned: S::Mask, bar: S) -> [Vec2<S>; 2] {
+fn pull<S: Scalar>(
+    edge: [Vec2<S>; 2],
+    piece: &EdgePart<S>,
+    turned: S::Mask,
+    bar: S,
+) -> [Vec2<S>; 2] {
     let along = edge[1] - edge[0];
     let out = Vec2::new(along.y, -along.x) * (bar * piece.weight);
     let to_end = ((piece.to - piece.from) * (piece.to + piece.from)).halved();

@@ -25,7 +25,7 @@ type Quads<S> = ([Vec2<S>; 4], [Vec2<S>; 4]);
 
 /// The part of a side that is inside, from one fraction of it to another, and its weight.
 #[derive(Clone, Copy)]
-struct Part<S> {
+struct EdgePart<S> {
     from: S,
     to: S,
     weight: S,
@@ -39,7 +39,7 @@ fn is_side<S: Scalar>(from: Vec2<S>, to: Vec2<S>) -> S::Mask {
 
 /// Adds what a part of a side that moves does to both ends.
 #[inline(always)]
-fn pull<S: Scalar>(corners: &[Vec2<S>; 4], k: usize, part: Part<S>, bars: &mut [Vec2<S>; 4]) {
+fn pull<S: Scalar>(corners: &[Vec2<S>; 4], k: usize, part: EdgePart<S>, bars: &mut [Vec2<S>; 4]) {
     let next = (k + 1) % 4;
     let along = corners[next] - corners[k];
     let length = (part.to - part.from).most(S::zero()) * part.weight;
@@ -56,7 +56,7 @@ fn derivatives<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
     // Two sides whose product is no larger count as parallel; its reciprocal is finite, times any fraction of
     // a side that is not parallel.
     let tiny = S::lit(TINY * S::EMPTY);
-    let whole = Part {
+    let whole = EdgePart {
         from: zero,
         to: one,
         weight: one,

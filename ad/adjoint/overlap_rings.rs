@@ -4,12 +4,17 @@
 use super::overlap_polygon::pair_derivatives;
 use crate::overlap::{ratio_of_first, ratio_of_union};
 use crate::overlap_polygon::between;
-use crate::overlap_polygon::holed::Pair;
+use crate::overlap_polygon::holed::RingsPair;
 use crate::polygon::Rings;
 use crate::{Scalar, Vec2};
 
 /// Adds the local derivatives of the area of one of both polygons, times a factor.
-fn add_own<S: Scalar<Mask = bool>>(pair: &Pair<'_, S>, which: usize, by: S, bars: &mut [Vec2<S>]) {
+fn add_own<S: Scalar<Mask = bool>>(
+    pair: &RingsPair<'_, S>,
+    which: usize,
+    by: S,
+    bars: &mut [Vec2<S>],
+) {
     pair.each_tile(which, |tile| {
         for k in 0..tile.count {
             let ([start, end], [from, to]) = (tile.edges[k], tile.numbers[k]);
@@ -22,7 +27,7 @@ fn add_own<S: Scalar<Mask = bool>>(pair: &Pair<'_, S>, which: usize, by: S, bars
 
 /// Adds the local derivatives of the shared area, times a factor.
 fn add_shared<S: Scalar<Mask = bool>>(
-    pair: &Pair<'_, S>,
+    pair: &RingsPair<'_, S>,
     by: S,
     a_bar: &mut [Vec2<S>],
     b_bar: &mut [Vec2<S>],
@@ -64,7 +69,7 @@ fn pulled<'a, S: Scalar<Mask = bool>>(
     a: Rings<'a, S>,
     b: Rings<'a, S>,
     (a_bar, b_bar): (&mut [Vec2<S>], &mut [Vec2<S>]),
-    score: impl FnOnce(&Pair<'a, S>, [S; 3]) -> Score<S>,
+    score: impl FnOnce(&RingsPair<'a, S>, [S; 3]) -> Score<S>,
 ) -> S {
     let (a_bar, b_bar) = (
         &mut a_bar[..a.vertex_count()],
@@ -72,7 +77,7 @@ fn pulled<'a, S: Scalar<Mask = bool>>(
     );
     a_bar.fill(Vec2::zero());
     b_bar.fill(Vec2::zero());
-    let Some(pair) = Pair::new(a, b) else {
+    let Some(pair) = RingsPair::new(a, b) else {
         return S::zero();
     };
     let areas = pair.areas();

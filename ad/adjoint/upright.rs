@@ -27,7 +27,7 @@ pub(crate) struct Upright<S> {
     pub standing: [S; 2],
 }
 
-/// Does a box's trigonometry.
+/// Computes sine and cosine of a box's heading.
 #[inline(always)]
 fn upright<S: Scalar>(x: YawBox3<S>) -> Upright<S> {
     Upright {
@@ -47,7 +47,7 @@ fn same<S: Scalar>(a: &Upright<S>, b: &Upright<S>) -> S::Mask {
 }
 
 /// The derivatives of a score by what it is made of.
-struct Parts<S> {
+struct ScoreDerivatives<S> {
     /// By the area shared, that of a and that of b; but for `falling`, of the last two.
     areas: [S; 3],
     /// By the height shared, that of a and that of b; but for `falling`, of the last two.
@@ -65,10 +65,10 @@ fn parts<S: Scalar>(
     [area, area_a, area_b]: [S; 3],
     height: &Heights<S>,
     out_bar: S,
-) -> Parts<S> {
+) -> ScoreDerivatives<S> {
     let zero = S::zero();
     match over {
-        Denominator::None => Parts {
+        Denominator::None => ScoreDerivatives {
             areas: [height.shared * out_bar, zero, zero],
             heights: [area * out_bar, zero, zero],
             falling: zero,
@@ -77,7 +77,7 @@ fn parts<S: Scalar>(
             let volumes = [area * height.shared, area_a * height.a, area_b * height.b];
             let derivatives = score_derivatives(over, value, volumes, out_bar);
             let (shared, [a, b]) = (derivatives.inter, derivatives.own);
-            Parts {
+            ScoreDerivatives {
                 areas: [shared * height.shared, a * height.a, b * height.b],
                 heights: [shared * area, a * area_a, b * area_b],
                 falling: derivatives.falling,
@@ -90,7 +90,7 @@ fn parts<S: Scalar>(
                 reciprocal_or_zero(area_a) * out_bar,
                 reciprocal_or_zero(height.a) * out_bar,
             );
-            Parts {
+            ScoreDerivatives {
                 areas: [by_area * tall, by_area, zero],
                 heights: [by_height * flat, by_height, zero],
                 falling: -value,
@@ -118,7 +118,7 @@ fn unless<S: Scalar>(mask: S::Mask, x: [S; 3]) -> [S; 3] {
 }
 
 /// The factors, one after another, that convert derivatives from the pair's units to the caller's.
-struct Units<S> {
+struct OuterFactors<S> {
     flat: [S; 3],
     tall: [S; 3],
     turn: [S; 3],
@@ -145,7 +145,7 @@ fn box_bar<S: Scalar, const EXTREME: bool>(
     half: Vec2<S>,
     [by_area, by_own, falling]: [S; 3],
     [z, dz]: [S; 2],
-    units: &Units<S>,
+    units: &OuterFactors<S>,
 ) -> YawBox3<S> {
     let x = bounded::<S, EXTREME>(seen.center.x * by_area);
     let y = bounded::<S, EXTREME>(seen.center.y * by_area);
@@ -194,7 +194,7 @@ pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
     } else {
         (out_bar, one)
     };
-    let Parts {
+    let ScoreDerivatives {
         areas,
         heights,
         falling,
@@ -228,7 +228,7 @@ pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
         }
         _ => ([scale, one, one], [height.scale, one, one], [one, one, one]),
     };
-    let units = Units {
+    let units = OuterFactors {
         flat: flat_units,
         tall: tall_units,
         turn: turn_units,

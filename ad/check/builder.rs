@@ -52,12 +52,12 @@ pub struct Check<'a, X: Pack> {
 }
 
 /// A check near one of its points.
-pub(crate) struct Near<'c, 'a, X: Pack> {
+pub(crate) struct CheckAtPoint<'c, 'a, X: Pack> {
     pub(crate) check: &'c Check<'a, X>,
     pub(crate) near: &'c X,
 }
 
-impl<S: Real, X: Pack<Scalar = S>> Near<'_, '_, X> {
+impl<S: Real, X: Pack<Scalar = S>> CheckAtPoint<'_, '_, X> {
     pub(crate) fn made(&self, x: &[f64]) -> X {
         self.near.refill(&narrow::<S>(x))
     }
@@ -300,7 +300,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
             &sampling,
             &self.points,
             self.random_from,
-            |near, judge| judge(&Near { check: self, near }),
+            |near, judge| judge(&CheckAtPoint { check: self, near }),
         )
     }
     /// Judges the function at all points, and panics with the report if something was refused.

@@ -248,7 +248,7 @@ fn across(axis: Vector) -> [Vector; 2] {
 }
 
 /// The bounds that a proof gives for a distance, in the unit of length.
-pub(crate) struct Bounds {
+pub(crate) struct ProvedBounds {
     /// The gap of the plane that separates the bodies best: at most the signed distance. For bodies with flat faces,
     /// edges and corners it equals the signed distance.
     pub parted: f64,
@@ -265,7 +265,7 @@ impl Proof {
     }
     /// Returns the bounds that it proves; `None` if no plane separates the bodies by a finite number, as for lines that
     /// cross.
-    pub(crate) fn bounds(&self) -> Option<Bounds> {
+    pub(crate) fn bounds(&self) -> Option<ProvedBounds> {
         let size = self.bodies[0].size().max(self.bodies[1].size());
         if !size.is_finite() {
             return None;
@@ -282,7 +282,7 @@ impl Proof {
             let off = a.outside(p).max(b.outside(q));
             [(q - p).length() * unit_size, off * unit_size]
         });
-        parted.is_finite().then_some(Bounds {
+        parted.is_finite().then_some(ProvedBounds {
             parted,
             points,
             size,

@@ -1,6 +1,6 @@
 //! A check of closures as a [`Subject`], near one of its points: it calls the closures of a
 //! [`Check`](crate::ad::check::Check) on lists of numbers.
-use crate::ad::check::builder::Near;
+use crate::ad::check::builder::CheckAtPoint;
 use crate::ad::check::second_order::{Wide, bends, transposed};
 use crate::ad::check::subject::{Conventions, Subject, default_scales};
 use crate::ad::check::symmetry::{Invariance, Kind};
@@ -9,7 +9,7 @@ use crate::ad::check::witness::{Precision, axis};
 use crate::{Pack, Real};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-impl<S: Real, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
+impl<S: Real, X: Pack<Scalar = S>> Subject for CheckAtPoint<'_, '_, X> {
     fn precision(&self) -> Precision {
         Precision::of::<S>()
     }

@@ -1,7 +1,7 @@
 //! The generic source of a checked function on duals of duals: second derivatives, and a function of `f32` in double
 //! precision. [`Check::second_order`] and [`Check::wide`] add it.
 use crate::ad::check::bent::{Bent, TracedBentFn, bent, straight};
-use crate::ad::check::builder::{Check, Near};
+use crate::ad::check::builder::{Check, CheckAtPoint};
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::tolerances::FEW_INPUTS;
 use crate::ad::check::trace::{Trace, Traced, trace};
@@ -94,7 +94,7 @@ pub(crate) fn bends(
 
 /// A checked function of `f32` in double precision.
 pub(crate) struct Wide<'c, 'a, X: Pack> {
-    pub(crate) narrow: &'c Near<'c, 'a, X>,
+    pub(crate) narrow: &'c CheckAtPoint<'c, 'a, X>,
     pub(crate) source: &'c TracedBentFn<'a, X>,
 }
 

@@ -92,7 +92,7 @@ pub struct Estimate {
 
 /// The value at one step from the point.
 #[derive(Clone, Debug)]
-pub struct Step {
+pub struct StepValue {
     /// The size of the step, in multiples of the direction.
     pub size: f64,
     /// The value there.
@@ -112,9 +112,9 @@ pub type Probe<'a> = &'a dyn Fn(&[Vec<f64>]) -> Vec<Probed>;
 #[derive(Clone, Debug)]
 pub struct StepSequence {
     /// The steps ahead, largest first; fewer at the border of the domain.
-    pub ahead: Vec<Step>,
+    pub ahead: Vec<StepValue>,
     /// The steps behind, largest first.
-    pub behind: Vec<Step>,
+    pub behind: Vec<StepValue>,
     /// The value at the point.
     pub center: Vec<f64>,
     /// `true` if branches are known.
@@ -160,7 +160,7 @@ impl StepSequence {
         places.extend(behind.1);
         let mut found = steps.into_iter().zip(probe(&places));
         let mut side = |count: usize| {
-            let mut taken: Vec<Step> = Vec::with_capacity(STEPS as usize);
+            let mut taken: Vec<StepValue> = Vec::with_capacity(STEPS as usize);
             for (step, probed) in found.by_ref().take(count) {
                 // Steps no smaller than the previous one carry no information.
                 let Some((values, there)) = probed.filter(|_| {
@@ -174,7 +174,7 @@ impl StepSequence {
                     _ => true,
                 };
                 let branch = there.map_or(0, |trace| trace.hash);
-                taken.push(Step {
+                taken.push(StepValue {
                     size: step,
                     values,
                     same,
@@ -251,7 +251,7 @@ impl StepSequence {
     #[must_use]
     pub fn noise(&self, weights: &[f64]) -> f64 {
         let here = dot(weights, &self.center);
-        let side = |side: &[Step]| {
+        let side = |side: &[StepValue]| {
             let derivatives: Vec<(f64, f64)> = side
                 .iter()
                 .map(|step| (step.size, (dot(weights, &step.values) - here) / step.size))
@@ -317,7 +317,7 @@ impl StepSequence {
 }
 
 /// Returns the steps nearest to the point that all took one branch; all steps if those are too few.
-fn nearest_branch(side: &[Step]) -> &[Step] {
+fn nearest_branch(side: &[StepValue]) -> &[StepValue] {
     let branch = side.last().map_or(0, |step| step.branch);
     let near = side
         .iter()

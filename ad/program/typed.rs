@@ -39,13 +39,13 @@ use std::sync::{Arc, OnceLock};
 pub struct Program<In, Out> {
     recorded: Recorded,
     /// The derived data, shared by clones.
-    pub(crate) kept: Arc<Kept>,
+    pub(crate) kept: Arc<DerivedData>,
     shapes: PhantomData<fn(In) -> Out>,
 }
 
 /// Data that are derived from a program once.
 #[derive(Debug, Default)]
-pub(crate) struct Kept {
+pub(crate) struct DerivedData {
     /// The program of the result with its Jacobian.
     jacobian: OnceLock<Arc<Recorded>>,
     /// The recording that machines run.

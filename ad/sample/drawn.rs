@@ -2,7 +2,7 @@
 use crate::ad::declared::Kind;
 #[cfg(feature = "check")]
 use crate::ad::sample::lattice::lattice;
-use crate::ad::sample::{Draw, Family, PLACES, Placed, Sample, moved};
+use crate::ad::sample::{Draw, Family, PLACES, Placement, Sample, moved};
 use std::any::Any;
 
 /// The properties of the shapes of an input, at numbers like its own.
@@ -227,7 +227,7 @@ fn elsewhere(x: Box<dyn Drawn>, scale: f64, shift: [f64; 2]) -> Box<dyn Drawn> {
 }
 
 /// Returns the numbers of a hard case in a place; nothing for a shape that cannot turn or does not fit there.
-pub(crate) fn put(x: &dyn Drawn, (angle, scale, shift): Placed) -> Option<Vec<f64>> {
+pub(crate) fn put(x: &dyn Drawn, (angle, scale, shift): Placement) -> Option<Vec<f64>> {
     let kinds = x.kinds();
     let turns = |kind: &Kind| kind.is_angle() || *kind == Kind::DirectionX;
     if angle != 0.0 && !kinds.iter().any(turns) {

@@ -228,9 +228,9 @@ pub fn moved(x: &[f64], kinds: &[Kind], angle: f64, scale: f64, shift: [f64; 2])
 }
 
 /// A place: an angle by which an input is turned, a scale, and a shift.
-type Placed = (f64, f64, [f64; 2]);
+type Placement = (f64, f64, [f64; 2]);
 /// The places of hard cases: turned by an angle, scaled, moved away.
-const PLACES: [Placed; 7] = [
+const PLACES: [Placement; 7] = [
     (0.0, 1.0, [0.0, 0.0]),
     (0.0, 1.0, [1e5, 3.0]),
     (0.0, 1e-4, [0.0, 0.0]),

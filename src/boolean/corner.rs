@@ -12,7 +12,7 @@ pub(super) struct Border {
 }
 
 /// How two edges meet.
-enum Meeting {
+enum EdgeMeeting {
     /// In a vertex of one ring, or in two that follow each other at one place.
     Joined([VertexId; 2]),
     /// They cross.
@@ -22,14 +22,14 @@ enum Meeting {
 }
 
 /// Returns how the edges before and after a vertex of the border meet there.
-fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> Meeting {
+fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> EdgeMeeting {
     let (first, second) = (&grid.edges[before], &grid.edges[after]);
     let own = (first.vertex_at(at), second.vertex_at(at));
     if let (Some(u), Some(v)) = own
         && before != after
         && grid.is_joined(u, v)
     {
-        return Meeting::Joined([u, v]);
+        return EdgeMeeting::Joined([u, v]);
     }
     let (u, v) = (first.along, second.along);
     // If both end here, the crossing of edges that rounding makes parallel to a thousandth of a right angle's
@@ -41,11 +41,11 @@ fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> Meeti
     };
     let cross = u.perp_dot(v).abs();
     if before == after || cross <= slight * u.length() * v.length() {
-        return Meeting::InLine;
+        return EdgeMeeting::InLine;
     }
     // Both orders give one origin, so that equal origins are found equal.
     let (p, q) = (first.id.min(second.id), first.id.max(second.id));
-    Meeting::Across(Origin::Cross(p, q))
+    EdgeMeeting::Across(Origin::Cross(p, q))
 }
 
 /// Adds the vertex between two pieces of the border: two vertices where they are in line, or where an
@@ -90,7 +90,7 @@ fn joined(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 
     for &i in &before.edges {
         let mut next = after.edges.iter().filter(|j| !taken.contains(*j));
         let (j, pair) = next.find_map(|&j| match meeting(grid, i, j, before.end) {
-            Meeting::Joined(pair) => Some((j, pair)),
+            EdgeMeeting::Joined(pair) => Some((j, pair)),
             _ => None,
         })?;
         taken.push(j);
@@ -106,9 +106,9 @@ fn across(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 
     for &i in &before.edges {
         for &j in &after.edges {
             let pair = match meeting(grid, i, j, before.end) {
-                Meeting::Joined(pair) => pair.map(Origin::Vertex),
-                Meeting::Across(origin) => [origin; 2],
-                Meeting::InLine => return None,
+                EdgeMeeting::Joined(pair) => pair.map(Origin::Vertex),
+                EdgeMeeting::Across(origin) => [origin; 2],
+                EdgeMeeting::InLine => return None,
             };
             found[0].push(pair[0]);
             found[1].push(pair[1]);

@@ -107,7 +107,7 @@ fn is_along(p: [Point; 2], q: [Point; 2]) -> bool {
 
 /// A piece of an edge of an input.
 #[derive(Clone, Copy)]
-struct Piece {
+struct EdgePiece {
     /// Its ends, the smaller one by x, then y, first.
     ends: [Point; 2],
     /// The number of its edge, and whether the edge runs from the first end to the second.
@@ -117,13 +117,13 @@ struct Piece {
     is_new: bool,
 }
 
-impl Piece {
+impl EdgePiece {
     fn new([from, to]: [Point; 2], edge: u32, forward: bool, is_new: bool) -> Self {
         let (ends, forward) = match from < to {
             true => ([from, to], forward),
             false => ([to, from], !forward),
         };
-        Piece {
+        EdgePiece {
             ends,
             edge,
             forward,
@@ -146,7 +146,7 @@ struct Line {
 
 /// A place at which a line is to be cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Cut {
+struct CutPoint {
     line: u32,
     at: Point,
 }
@@ -157,8 +157,8 @@ pub(super) fn cut(
     edges: &[(usize, [Point; 2])],
     of_second: impl Fn(usize) -> bool,
 ) -> Option<Numbered> {
-    let whole = |&(k, ends): &(usize, [Point; 2])| Piece::new(ends, k as u32, true, true);
-    let mut pieces: Vec<Piece> = edges.iter().map(whole).collect();
+    let whole = |&(k, ends): &(usize, [Point; 2])| EdgePiece::new(ends, k as u32, true, true);
+    let mut pieces: Vec<EdgePiece> = edges.iter().map(whole).collect();
     let (mut lines, mut cuts) = (Vec::new(), Vec::new());
     let mut most = usize::MAX;
     for round in 0..ROUNDS {
@@ -167,7 +167,7 @@ pub(super) fn cut(
         let is_rounded = crossings(&lines, 1 << round, &mut cuts);
         apply(&mut pieces, &lines, &mut cuts);
         if !is_rounded {
-            let ends = |piece: &Piece| match piece.forward {
+            let ends = |piece: &EdgePiece| match piece.forward {
                 true => piece.ends,
                 false => [piece.ends[1], piece.ends[0]],
             };
@@ -185,7 +185,7 @@ pub(super) fn cut(
 
 /// Makes lines of pieces. Pieces of both inputs that run as often one way as the other bound nothing and are left
 /// out.
-fn merge(pieces: &mut Vec<Piece>, lines: &mut Vec<Line>, of_second: &impl Fn(usize) -> bool) {
+fn merge(pieces: &mut Vec<EdgePiece>, lines: &mut Vec<Line>, of_second: &impl Fn(usize) -> bool) {
     pieces.sort_unstable_by_key(|piece| piece.ends);
     lines.clear();
     let (mut from, mut kept) = (0, 0);
@@ -217,7 +217,7 @@ fn merge(pieces: &mut Vec<Piece>, lines: &mut Vec<Line>, of_second: &impl Fn(usi
 
 /// Adds the crossings of lines, which are in ascending order; `true` if any of these places was rounded. No two
 /// lines that the last round left alone cross.
-fn crossings(lines: &[Line], radius: u128, cuts: &mut Vec<Cut>) -> bool {
+fn crossings(lines: &[Line], radius: u128, cuts: &mut Vec<CutPoint>) -> bool {
     let mut is_rounded = false;
     let bands = Bands::new(lines);
     let mut open: Vec<Vec<u32>> = vec![Vec::new(); bands.count];
@@ -286,9 +286,14 @@ fn side(from: Point, to: Point, at: Point) -> i128 {
 /// crossing.
 ///
 /// An end whose squared distance from the crossing is at most `radius` takes its place.
-fn cross([p, q]: [[Point; 2]; 2], numbers: [u32; 2], radius: u128, cuts: &mut Vec<Cut>) -> bool {
+fn cross(
+    [p, q]: [[Point; 2]; 2],
+    numbers: [u32; 2],
+    radius: u128,
+    cuts: &mut Vec<CutPoint>,
+) -> bool {
     let mut add = |k: usize, at| {
-        cuts.push(Cut {
+        cuts.push(CutPoint {
             line: numbers[k],
             at,
         });
@@ -380,7 +385,7 @@ fn meeting(p: [Point; 2], q: [Point; 2]) -> Point {
 }
 
 /// Cuts the pieces of lines.
-fn apply(pieces: &mut Vec<Piece>, lines: &[Line], cuts: &mut Vec<Cut>) {
+fn apply(pieces: &mut Vec<EdgePiece>, lines: &[Line], cuts: &mut Vec<CutPoint>) {
     cuts.sort_unstable();
     cuts.dedup();
     pieces.iter_mut().for_each(|piece| piece.is_new = false);
@@ -390,11 +395,11 @@ fn apply(pieces: &mut Vec<Piece>, lines: &[Line], cuts: &mut Vec<Cut>) {
         order(group, ends);
         let first = if line > 0 { lines[line - 1].last } else { 0 };
         for k in first..lines[line].last {
-            let Piece { edge, forward, .. } = pieces[k];
-            pieces[k] = Piece::new([ends[0], group[0].at], edge, forward, true);
+            let EdgePiece { edge, forward, .. } = pieces[k];
+            pieces[k] = EdgePiece::new([ends[0], group[0].at], edge, forward, true);
             let to = group[1..].iter().map(|cut| cut.at).chain([ends[1]]);
             for (cut, to) in group.iter().zip(to) {
-                pieces.push(Piece::new([cut.at, to], edge, forward, true));
+                pieces.push(EdgePiece::new([cut.at, to], edge, forward, true));
             }
         }
     }
@@ -402,7 +407,7 @@ fn apply(pieces: &mut Vec<Piece>, lines: &[Line], cuts: &mut Vec<Cut>) {
 
 /// Brings the places at which a line is cut, in ascending order, into their order along it: those with the same x are
 /// turned round where it runs down.
-fn order(cuts: &mut [Cut], [start, end]: [Point; 2]) {
+fn order(cuts: &mut [CutPoint], [start, end]: [Point; 2]) {
     let mut from = 0;
     while from < cuts.len() {
         let same = cuts[from..]

@@ -5,7 +5,7 @@ type Point = IntPoint<i64>;
 
 /// A piece of the border with the inside on its left. Pieces meet at their ends only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Piece {
+pub(super) struct BorderPiece {
     pub from: Point,
     pub to: Point,
     /// Its number in the list that it is from.
@@ -28,7 +28,7 @@ pub(super) fn is_straight(a: Point, b: Point, c: Point) -> bool {
 }
 
 /// Returns the parts of what pieces bound, each as its outer ring, counter-clockwise, and its holes.
-pub(super) fn parts(mut pieces: Vec<Piece>) -> Vec<Vec<Ring>> {
+pub(super) fn parts(mut pieces: Vec<BorderPiece>) -> Vec<Vec<Ring>> {
     pieces.sort_unstable();
     // Pieces on each other: as often as one runs one way, one the other way takes it back.
     let count = |from, to| {
@@ -41,10 +41,10 @@ pub(super) fn parts(mut pieces: Vec<Piece>) -> Vec<Vec<Ring>> {
     let kept = pieces
         .iter()
         .filter(|x| count(x.from, x.to) > count(x.to, x.from));
-    let mut kept: Vec<Piece> = kept.copied().collect();
+    let mut kept: Vec<BorderPiece> = kept.copied().collect();
     kept.dedup_by_key(|piece| (piece.from, piece.to));
-    let border = Border { pieces: kept };
-    let (mut parts, mut inner): (Vec<Part>, Vec<Vec<Ring>>) = (Vec::new(), Vec::new());
+    let border = BorderPieces { pieces: kept };
+    let (mut parts, mut inner): (Vec<ResultPart>, Vec<Vec<Ring>>) = (Vec::new(), Vec::new());
     for cycle in border.cycles() {
         let (outer, holes): (Vec<Ring>, Vec<Ring>) = border
             .simple(&cycle)
@@ -52,7 +52,7 @@ pub(super) fn parts(mut pieces: Vec<Piece>) -> Vec<Vec<Ring>> {
             .filter(|ring| border.area(ring) != 0)
             .partition(|ring| border.area(ring) > 0);
         match <[Ring; 1]>::try_from(outer) {
-            Ok([outer]) => parts.push(Part {
+            Ok([outer]) => parts.push(ResultPart {
                 area: border.area(&outer),
                 rings: [vec![outer], holes].concat(),
             }),
@@ -73,23 +73,23 @@ pub(super) fn parts(mut pieces: Vec<Piece>) -> Vec<Vec<Ring>> {
         }
     }
     let numbered = |ring: Ring| ring.into_iter().map(|k| border.pieces[k].of).collect();
-    let numbered = |part: Part| part.rings.into_iter().map(numbered).collect();
+    let numbered = |part: ResultPart| part.rings.into_iter().map(numbered).collect();
     parts.into_iter().map(numbered).collect()
 }
 
 /// The outer ring and the holes of a part.
-struct Part {
+struct ResultPart {
     /// Twice the area inside the outer ring.
     area: i128,
     rings: Vec<Ring>,
 }
 
 /// All pieces, in order of where they begin.
-struct Border {
-    pieces: Vec<Piece>,
+struct BorderPieces {
+    pieces: Vec<BorderPiece>,
 }
 
-impl Border {
+impl BorderPieces {
     /// Returns the pieces that begin at a place.
     fn leaving(&self, at: Point) -> std::ops::Range<usize> {
         let first = self.pieces.partition_point(|piece| piece.from < at);
@@ -98,7 +98,7 @@ impl Border {
     }
     /// Returns the piece after one: the first in clockwise order from it, so that the inside stays on the left.
     fn next(&self, k: usize) -> Option<usize> {
-        let Piece {
+        let BorderPiece {
             from: back, to: at, ..
         } = self.pieces[k];
         // Less than half a turn from the way back.
@@ -164,7 +164,7 @@ impl Border {
     fn is_inside(&self, at: Point, ring: &[usize]) -> bool {
         let mut is_inside = false;
         for &k in ring {
-            let Piece { from, to, .. } = self.pieces[k];
+            let BorderPiece { from, to, .. } = self.pieces[k];
             if (from.y > at.y) == (to.y > at.y) {
                 let level = from.y == at.y && to.y == at.y;
                 let between = from.x.min(to.x) <= at.x && at.x <= from.x.max(to.x);

@@ -115,7 +115,7 @@ pub struct IouTrace {
     not(feature = "boolean"),
     expect(dead_code, reason = "a replay needs no feature, its record does")
 )]
-pub(super) enum Made {
+pub(super) enum ValidOrigin {
     /// The mean of some places.
     Of(Vec<Origin>),
     /// A fixed fraction of the way along an edge.
@@ -126,7 +126,7 @@ pub(super) enum Made {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ValidTrace {
     pub(super) places: Vec<[f64; 2]>,
-    pub(super) made: Vec<Made>,
+    pub(super) made: Vec<ValidOrigin>,
     /// How many vertices there are up to the end of each ring.
     pub(super) rings: Vec<usize>,
     /// How many rings there are up to the end of each part.

@@ -1,5 +1,5 @@
 //! The result of a boolean operation from its inputs and its record.
-use super::records::Made;
+use super::records::ValidOrigin;
 use super::{EdgeId, IouTrace, Origin, OverlayTrace, ValidTrace, VertexId};
 use crate::clipping::crossing::crossing;
 use crate::overlap::ratio_of_first;
@@ -110,8 +110,8 @@ pub fn valid_replay<'a, S: Scalar>(
     let inputs = [a.into(), b.into()];
     let vertex = |k: usize| {
         let near = match &trace.made[k] {
-            Made::Of(all) => mean(inputs, all),
-            &Made::Along(edge, share) => {
+            ValidOrigin::Of(all) => mean(inputs, all),
+            &ValidOrigin::Along(edge, share) => {
                 let [start, end] = input_edge(inputs, edge).0;
                 start * S::lit(1.0 - share) + end * S::lit(share)
             }

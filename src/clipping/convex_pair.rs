@@ -6,7 +6,7 @@
 //! that move around once), and between those, by bisection, where the sign changes. The meetings are in
 //! the same cyclic order on both borders, and from each one to the next the result follows the border
 //! that turns farther inwards. `O(n log m)`.
-use super::meeting::{Border, meetings};
+use super::meeting::{ConvexRing, meetings};
 use super::{ClipTrace, Corner, Side};
 use crate::error::Flaw;
 use crate::predicate::{Turn, turn_between};
@@ -33,7 +33,7 @@ pub fn clip_search<S: Scalar<Mask = bool>, const N: usize, const M: usize, const
     b: &ConvexPolygon<S, M>,
 ) -> Result<ClipTrace<K>, Flaw> {
     let mut trace = ClipTrace::empty();
-    let (a, b) = (Border(a.as_slice()), Border(b.as_slice()));
+    let (a, b) = (ConvexRing(a.as_slice()), ConvexRing(b.as_slice()));
     let (n, m) = (a.len(), b.len());
     if n == 0 || m == 0 {
         return Ok(trace);
@@ -95,8 +95,8 @@ fn vertices_between(from: usize, to: usize) -> (usize, usize) {
 
 /// Returns `true` if the first vertex of a chain of `inner` lies in `outer`.
 fn starts_inside<S: Scalar<Mask = bool>>(
-    outer: Border<'_, S>,
-    inner: Border<'_, S>,
+    outer: ConvexRing<'_, S>,
+    inner: ConvexRing<'_, S>,
     chain: (usize, usize),
 ) -> bool {
     chain.0 < chain.1 && outer.contains(inner.at(chain.0))

@@ -78,14 +78,14 @@ pub(crate) fn scale_of<S: Scalar>(size: S::Primal) -> S {
 
 /// A segment that waits to be seen from a point in units of a size near one.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Placed<S> {
+pub(crate) struct UnscaledSegment<S> {
     segment: Segment2<S>,
 }
 
-impl<S: Scalar> Placed<S> {
+impl<S: Scalar> UnscaledSegment<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn segment(segment: Segment2<S>) -> Self {
-        Placed { segment }
+        UnscaledSegment { segment }
     }
     /// Returns the edge and the way from its start to a point, both in units of the larger one.
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -126,7 +126,7 @@ impl<S: Scalar> Placed<S> {
 #[must_use]
 #[inline]
 pub fn edge_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S {
-    let (edge, arm, scale) = Placed::segment(Segment2::new(from, to)).near_scaled(point);
+    let (edge, arm, scale) = UnscaledSegment::segment(Segment2::new(from, to)).near_scaled(point);
     reach(edge, arm).apart.length().over(scale).canonical()
 }
 
@@ -134,7 +134,7 @@ pub fn edge_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S
 /// the left of the edge's line: zero, with the derivative of the edge's normal.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn edge_sides<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> (S, S) {
-    let (edge, arm, scale) = Placed::segment(Segment2::new(from, to)).near_scaled(point);
+    let (edge, arm, scale) = UnscaledSegment::segment(Segment2::new(from, to)).near_scaled(point);
     let distance = reach(edge, arm).apart.length().over(scale).canonical();
     let length = edge.along.length();
     let on = distance.equals(S::zero()) & length.above(S::lit(S::EPSILON.powi(2)));
@@ -155,7 +155,7 @@ pub(super) fn edge_sides<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) 
 #[must_use]
 #[inline]
 pub fn edge_squared_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S {
-    let (edge, arm, scale) = Placed::segment(Segment2::new(from, to)).near_scaled(point);
+    let (edge, arm, scale) = UnscaledSegment::segment(Segment2::new(from, to)).near_scaled(point);
     let square = reach(edge, arm).apart.length_squared();
     square.over(scale).over(scale).saturated().canonical()
 }

@@ -38,7 +38,7 @@ fn about_least<P: Scalar>(square: P, least: P) -> P::Mask {
 
 /// The least square, the edge it is of, whether another edge has it too but for rounding, the winding number, and the
 /// largest coordinate of a vertex seen from the point.
-struct Found<P> {
+struct NearestSearch<P> {
     least: P,
     edge: usize,
     tie: bool,
@@ -46,7 +46,7 @@ struct Found<P> {
     extent: P,
 }
 
-impl<P: Scalar<Mask = bool>> Found<P> {
+impl<P: Scalar<Mask = bool>> NearestSearch<P> {
     #[inline(always)]
     fn see(&mut self, square: P, edge: usize, tie: bool) {
         if square.below(self.least) {
@@ -103,7 +103,7 @@ pub(super) fn nearest<S: Scalar<Mask = bool>>(
             extent[k] = larger(extent[k], larger(a.x.unsigned(), a.y.unsigned()));
         }
     }
-    let mut found = Found {
+    let mut found = NearestSearch {
         least: S::Primal::lit(S::LARGEST),
         edge: 0,
         tie: false,

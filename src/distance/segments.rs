@@ -24,19 +24,19 @@ pub struct ClosestOnSegments<S> {
 
 /// Two parameters.
 #[derive(Clone, Copy, Debug)]
-struct Pair<S>(S, S);
+struct Parameters<S>(S, S);
 
-impl<S: Scalar> Carry<S> for Pair<S> {
+impl<S: Scalar> Carry<S> for Parameters<S> {
     #[inline(always)]
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
-        Pair(
+        Parameters(
             self.0.join(other.0, keep, tie),
             self.1.join(other.1, keep, tie),
         )
     }
     #[inline(always)]
     fn times(self, factor: S) -> Self {
-        Pair(self.0 * factor, self.1 * factor)
+        Parameters(self.0 * factor, self.1 * factor)
     }
 }
 
@@ -76,18 +76,18 @@ pub fn closest_points_of_segments<S: Scalar>(
     // Each end against the other segment.
     let end_of_b = |at: Vec2<S>, t: S| {
         let found = reach(edge_a, at);
-        Best::of(found.apart.length_squared(), Pair(found.t, t))
+        Best::of(found.apart.length_squared(), Parameters(found.t, t))
     };
     let end_of_a = |at: Vec2<S>, t: S| {
         let found = reach(edge_b, at - w);
-        Best::of(found.apart.length_squared(), Pair(t, found.t))
+        Best::of(found.apart.length_squared(), Parameters(t, found.t))
     };
     let ends = end_of_b(w, zero)
         .less(end_of_b(w + db, one))
         .less(end_of_a(Vec2::zero(), zero))
         .less(end_of_a(da, one));
     let least = ends.value;
-    let Pair(t, u) = ends.mean();
+    let Parameters(t, u) = ends.mean();
     // The crossing of both lines, where it is inside both segments: t = w × db / (da × db) and
     // u = w × da / (da × db).
     let turn = da.perp_dot(db);
@@ -121,7 +121,7 @@ pub fn closest_points_of_segments<S: Scalar>(
 
 /// The shortest way from one shape to another, as the derivatives of its length need it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Way<S> {
+pub(crate) struct ShortestLink<S> {
     /// The direction from a to b, of length one; zero where a and b have a point in common.
     pub direction: Vec2<S>,
     /// The fraction of the way along a at which it begins.
@@ -189,11 +189,11 @@ fn flipped<S: Scalar>(mut link: Best<S, Link<S>>) -> Best<S, Link<S>> {
 }
 
 #[inline(always)]
-fn way<S: Scalar>(link: Link<S>, distance: S) -> Way<S> {
+fn way<S: Scalar>(link: Link<S>, distance: S) -> ShortestLink<S> {
     let length = link.apart.length();
     let over = S::select(length.at_most(S::zero()), S::one(), length);
     let direction = Vec2::new(link.apart.x.over(over), link.apart.y.over(over));
-    Way {
+    ShortestLink {
         direction: Vec2::select(distance.above(S::zero()), direction, Vec2::zero()),
         along_a: link.along_a,
         along_b: link.along_b,
@@ -209,7 +209,7 @@ pub(crate) fn way_to_segment<S: Scalar>(
     point: Vec2<S>,
     segment: Segment2<S>,
     distance: S,
-) -> Way<S> {
+) -> ShortestLink<S> {
     let (a, b) = (point.core(), segment.core());
     let scale = scale_of::<S>(a.extent(point).most(b.extent(point)));
     let (a, b) = (a.placed(point, scale), b.placed(point, scale));
@@ -222,7 +222,7 @@ pub(crate) fn way_between_segments<S: Scalar>(
     a: Segment2<S>,
     b: Segment2<S>,
     distance: S,
-) -> Way<S> {
+) -> ShortestLink<S> {
     let (a, b) = (a.core(), b.core());
     let origin = a.anchor();
     let scale = scale_of::<S>(a.extent(origin).most(b.extent(origin)));

@@ -1,6 +1,6 @@
 //! Pairs of shapes of space that have distances, and the functions of any of them.
 use super::core::{Core, PointCore};
-use super::cored::Cored;
+use super::cored::InflatedCore;
 use super::half_space::{self, Bounded};
 use super::outcome::{Contact3, PointPair3};
 use super::relation::Relation;
@@ -188,7 +188,7 @@ pub fn farthest_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S
     a.guarded_with(&b).result(a.farthest(b))
 }
 
-impl<A: Cored, B: Cored<Scalar = A::Scalar>> Apart<B> for A {
+impl<A: InflatedCore, B: InflatedCore<Scalar = A::Scalar>> Apart<B> for A {
     type Scalar = A::Scalar;
     #[inline(always)]
     fn guarded_with(&self, other: &B) -> Guard<A::Scalar> {
@@ -225,7 +225,7 @@ impl<A: Cored, B: Cored<Scalar = A::Scalar>> Apart<B> for A {
 
 /// Returns the distances of a point from a point and from a box, in place of those by their cores.
 #[inline(always)]
-fn from_point<B: Cored>(
+fn from_point<B: InflatedCore>(
     found: Relation<B::Scalar>,
     point: Vec3<B::Scalar>,
     other: &B,
@@ -274,7 +274,7 @@ impl<S: Scalar, A: Bounded<Scalar = S>> Apart<Plane3<S>> for A {
 
 macro_rules! revolved {
     ($($Shape:ident)*) => { $(
-        impl<S: Scalar, A: Cored<Scalar = S, Core = PointCore<S>>> Apart<$Shape<S>> for A {
+        impl<S: Scalar, A: InflatedCore<Scalar = S, Core = PointCore<S>>> Apart<$Shape<S>> for A {
             type Scalar = S;
             #[inline(always)]
             fn guarded_with(&self, other: &$Shape<S>) -> Guard<S> {
@@ -290,10 +290,10 @@ macro_rules! revolved {
             }
             #[inline]
             fn farthest(self, other: $Shape<S>) -> S {
-                (round::farthest(self.core().0, other) + Cored::radius(&self)).canonical()
+                (round::farthest(self.core().0, other) + InflatedCore::radius(&self)).canonical()
             }
         }
-        impl<S: Scalar, B: Cored<Scalar = S, Core = PointCore<S>>> Apart<B> for $Shape<S> {
+        impl<S: Scalar, B: InflatedCore<Scalar = S, Core = PointCore<S>>> Apart<B> for $Shape<S> {
             type Scalar = S;
             #[inline(always)]
             fn guarded_with(&self, other: &B) -> Guard<S> {

@@ -3,7 +3,7 @@ use super::core::{BoxCore, Core};
 use super::deep::{EQUAL, box_faces};
 use super::near::{Candidate, Edge, Nearest, square_of};
 use super::parting::{Lowest, PartingPlane};
-use super::spot::{self, Counted, Pull, Spot, fixed, fixed_vector, part};
+use super::spot::{self, MeanSpot, Pull, Spot, fixed, fixed_vector, part};
 use crate::arrays::Each;
 use crate::scalar::largest;
 use crate::{Scalar, Vec3};
@@ -136,11 +136,11 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         spot
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, spot: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, spot: MeanSpot<S>, less: MeanSpot<S>, normal: Vec3<S>) -> Pull<S> {
         Pull {
             parts: [0, 1, 2, 3].each_as(|k| normal * (spot.part(k) - less.part(k))),
             half: [0, 1, 2].each_as(|k| {
-                let part = |all: Counted<S>| part(all.spot.parts[1 + k], self.half[k]) * all.count;
+                let part = |all: MeanSpot<S>| part(all.spot.parts[1 + k], self.half[k]) * all.count;
                 normal.dot(self.axes[k]) * (part(spot) - part(less))
             }),
         }

@@ -1,7 +1,7 @@
 //! The cores that convex shapes of space are made of: a point, a segment, a triangle, a tetrahedron, a box.
 use super::near::{Candidate, Edge, Nearest};
 use super::parting::{Lowest, PartingPlane};
-use super::spot::{self, Counted, Pull, Spot, fixed_vector};
+use super::spot::{self, MeanSpot, Pull, Spot, fixed_vector};
 use super::straight::Straight;
 use crate::arrays::Each;
 use crate::scalar::largest;
@@ -49,7 +49,7 @@ pub trait Core<S: Scalar>: Copy {
     /// Returns the spot on an edge, from 0 to 1, whose ends are not counted among its points.
     fn at_edge(&self, k: usize, t: S) -> Spot<S>;
     /// Returns the derivative of the heights of spots along a direction, less that of others.
-    fn pull(&self, spot: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S>;
+    fn pull(&self, spot: MeanSpot<S>, less: MeanSpot<S>, normal: Vec3<S>) -> Pull<S>;
     /// Returns the height that has that derivative, but for a constant.
     fn height(&self, pull: Pull<S::Primal>) -> S;
     /// Returns the corners.
@@ -192,7 +192,7 @@ impl<S: Scalar> Core<S> for PointCore<S> {
         Spot::corner(0)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, spot: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, spot: MeanSpot<S>, less: MeanSpot<S>, normal: Vec3<S>) -> Pull<S> {
         let mut parts = [Vec3::zero(); 4];
         parts[0] = normal * (spot.part(0) - less.part(0));
         Pull {

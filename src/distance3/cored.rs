@@ -14,7 +14,7 @@ use crate::{Rotation2, Rotation3, Scalar, Vec3};
 ///
 /// Points, segments, triangles, tetrahedra, boxes, balls, capsules and boxes with round edges are. Any two of them are
 /// [`Apart`](super::Apart).
-pub trait Cored: Copy {
+pub trait InflatedCore: Copy {
     /// Its numbers.
     type Scalar: Scalar;
     /// The type of the shape that is inflated.
@@ -46,7 +46,7 @@ pub trait Cored: Copy {
 
 macro_rules! cored {
     ($($Shape:ident: $Core:ident, |$shape:ident| $core:expr $(, $radius:ident)?;)*) => { $(
-        impl<S: Scalar> Cored for $Shape<S> {
+        impl<S: Scalar> InflatedCore for $Shape<S> {
             type Scalar = S;
             type Core = $Core<S>;
             #[inline(always)]
@@ -126,7 +126,7 @@ macro_rules! boxes {
     ($(
         $Shape:ident: |$shape:ident| $core:expr, $inner:expr $(, radius $radius:ident)? $(, bounds $bounds:expr)?;
     )*) => { $(
-        impl<S: Scalar> Cored for $Shape<S> {
+        impl<S: Scalar> InflatedCore for $Shape<S> {
             type Scalar = S;
             type Core = BoxCore<S>;
             #[inline(always)]

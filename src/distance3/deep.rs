@@ -5,7 +5,7 @@
 use super::core::{BoxCore, Core};
 use super::near::normal;
 use super::parting::{PartingPlane, grade};
-use super::spot::{Counted, Pull, Spot};
+use super::spot::{MeanSpot, Pull, Spot};
 use crate::arrays::Each;
 use crate::distance::share::Carry;
 use crate::{Scalar, Vec3};
@@ -340,7 +340,7 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
         found.at_a.add(same, plane.at_a.times(plane.points), first);
         found.at_b.add(same, plane.at_b.times(plane.points), first);
         let normal = Vec3::select(counts, plane.normal, zero);
-        let all = |spot: Spot<P>, count: P| Counted { spot, count };
+        let all = |spot: Spot<P>, count: P| MeanSpot { spot, count };
         let (of_a, of_b) = (all(plane.at_a, plane.points), all(plane.at_b, plane.points));
         let (behind_a, behind_b) = (
             all(plane.behind_a, plane.behind),

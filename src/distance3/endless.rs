@@ -4,12 +4,12 @@ use super::apart::Apart;
 use super::aside;
 use super::between::{self, joined};
 use super::core::Core;
-use super::cored::Cored;
+use super::cored::InflatedCore;
 use super::near::{Nearest, across, normal, size_of};
 use super::relation::Relation;
 use super::simplex::{SegmentCore, SimplexCore};
 use super::spot::{plain, vanish};
-use super::straight::{Reach, Straight};
+use super::straight::{Straight, StraightKind};
 use crate::distance::edge::scale_of;
 use crate::scalar::{Guard, speck};
 use crate::shape::{Line3, Ray3};
@@ -57,7 +57,7 @@ impl<S: Scalar> Straight<S> {
         let foot = way.dot(anchor - self.from).over(square);
         let (low, high) = (foot - margin, foot + margin);
         let (low, high) = match self.reach {
-            Reach::Line => (low, high),
+            StraightKind::Line => (low, high),
             _ => (low.most(S::zero()), high.most(margin)),
         };
         // Results do not depend on where an end is, so that it has no derivative of its own.
@@ -89,17 +89,17 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
     // As of parallel features: the ends of b as a sees them.
     let seen = |end: Vec3<S>| a.held(end.dot(u).over(uu)).0;
     let start = match b.reach {
-        Reach::Line => zero,
+        StraightKind::Line => zero,
         _ => seen(w),
     };
     let same = uv.above(zero);
     let end = match (b.reach, a.reach) {
-        (Reach::Segment, _) => seen(w + v),
-        (Reach::Ray, Reach::Segment) => S::select(same, one, zero),
-        (Reach::Ray, Reach::Ray) => S::select(same, start, zero),
-        (Reach::Line, Reach::Segment) => one,
+        (StraightKind::Segment, _) => seen(w + v),
+        (StraightKind::Ray, StraightKind::Segment) => S::select(same, one, zero),
+        (StraightKind::Ray, StraightKind::Ray) => S::select(same, start, zero),
+        (StraightKind::Line, StraightKind::Segment) => one,
         // The middle of both points that are given, whichever line comes first.
-        (Reach::Line, Reach::Line) => seen(w),
+        (StraightKind::Line, StraightKind::Line) => seen(w),
         _ => start,
     };
     let middle = start.halved() + end.halved();
@@ -158,7 +158,7 @@ fn bent<S: Scalar>(found: Relation<S>, slides: S::Mask, less: S) -> Relation<S> 
 }
 
 macro_rules! endless {
-    ($($Shape:ident: $field:ident $Reach:ident;)*) => { $(
+    ($($Shape:ident: $field:ident $StraightKind:ident;)*) => { $(
         impl<S: Scalar> $Shape<S> {
             /// Returns the line or ray as a feature.
             #[inline(always)]
@@ -166,11 +166,11 @@ macro_rules! endless {
                 Straight {
                     from: self.$field,
                     along: self.direction,
-                    reach: Reach::$Reach,
+                    reach: StraightKind::$StraightKind,
                 }
             }
         }
-        impl<S: Scalar, B: Cored<Scalar = S>> Apart<B> for $Shape<S> {
+        impl<S: Scalar, B: InflatedCore<Scalar = S>> Apart<B> for $Shape<S> {
             type Scalar = S;
             #[inline(always)]
             fn guarded_with(&self, other: &B) -> Guard<S> {
@@ -189,7 +189,7 @@ macro_rules! endless {
                 }
             }
         }
-        impl<S: Scalar, A: Cored<Scalar = S>> Apart<$Shape<S>> for A {
+        impl<S: Scalar, A: InflatedCore<Scalar = S>> Apart<$Shape<S>> for A {
             type Scalar = S;
             #[inline(always)]
             fn guarded_with(&self, other: &$Shape<S>) -> Guard<S> {

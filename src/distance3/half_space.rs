@@ -1,6 +1,6 @@
 //! Half-spaces against all that ends: the point of a shape that is farthest behind the plane.
 use super::core::Core;
-use super::cored::Cored;
+use super::cored::InflatedCore;
 use super::near::Low;
 use super::relation::{Relation, direction, square_of_gap};
 use super::round::Revolved;
@@ -22,7 +22,7 @@ pub trait Bounded: Copy {
     fn all_guarded(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
 }
 
-impl<A: Cored> Bounded for A {
+impl<A: InflatedCore> Bounded for A {
     type Scalar = A::Scalar;
     #[inline(always)]
     fn all_guarded(&self, guard: Guard<A::Scalar>) -> Guard<A::Scalar> {

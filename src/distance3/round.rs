@@ -102,7 +102,7 @@ fn ends<S: Scalar>(height: S, low: S, high: S) -> Triangle2<S> {
 }
 
 /// A point in the frame of an axis: along it, across it, and the directions of both.
-struct Seen<S> {
+struct AxisPoint<S> {
     at: Vec2<S>,
     along: Vec3<S>,
     across: Vec3<S>,
@@ -112,11 +112,11 @@ struct Seen<S> {
 /// Returns a point in the frame of an axis. Its coordinate across is the length of a cross product, whose digits do not
 /// depend on how far along the point is.
 #[inline(always)]
-fn seen<S: Scalar>(axis: Vec3<S>, arm: Vec3<S>) -> Seen<S> {
+fn seen<S: Scalar>(axis: Vec3<S>, arm: Vec3<S>) -> AxisPoint<S> {
     let height = axis.length();
     let along = direction(axis * scale_of::<S>(largest([axis.x, axis.y, axis.z])));
     let off = along.cross(arm).cross(along);
-    Seen {
+    AxisPoint {
         at: Vec2::new(along.dot(arm), off.length()),
         along,
         across: direction(off),
@@ -129,7 +129,7 @@ fn seen<S: Scalar>(axis: Vec3<S>, arm: Vec3<S>) -> Seen<S> {
 #[inline(always)]
 pub(super) fn relate<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: B) -> Relation<S> {
     let start = shape.start();
-    let Seen {
+    let AxisPoint {
         at,
         along,
         across,
@@ -155,6 +155,6 @@ pub(super) fn relate<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: 
 /// Returns the longest distance of a point from points of a solid.
 #[inline(always)]
 pub(super) fn farthest<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: B) -> S {
-    let Seen { at, height, .. } = seen(shape.axis(), point - shape.start());
+    let AxisPoint { at, height, .. } = seen(shape.axis(), point - shape.start());
     distance::farthest_distance(at, B::far_section(height, shape.radius()))
 }

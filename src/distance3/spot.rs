@@ -71,14 +71,14 @@ impl<P: Scalar> Carry<P> for Spot<P> {
 
 /// The mean of some spots, and how many they are.
 #[derive(Clone, Copy, Debug)]
-pub struct Counted<P> {
+pub struct MeanSpot<P> {
     /// Their mean.
     pub spot: Spot<P>,
     /// How many they are.
     pub count: P,
 }
 
-impl<P: Scalar> Counted<P> {
+impl<P: Scalar> MeanSpot<P> {
     /// Returns the sum of one of the parts.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn part(&self, k: usize) -> P {

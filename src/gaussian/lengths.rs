@@ -4,7 +4,7 @@ use crate::Scalar;
 use crate::scalar::power_of_largest;
 
 /// The units of the sizes of two boxes: powers of two, constants.
-pub(super) struct Shapes<S: Scalar> {
+pub(super) struct BoxUnits<S: Scalar> {
     /// The factor that brings the largest size of the first box into `[2, 4)`; a box without size takes that of
     /// the other.
     pub a: S,
@@ -29,7 +29,7 @@ fn bounded_unit<S: Scalar>(length: S) -> S {
     S::select(most.below(unit), most, unit)
 }
 
-impl<S: Scalar> Shapes<S> {
+impl<S: Scalar> BoxUnits<S> {
     /// Returns the units for the largest size of each box.
     #[inline(always)]
     pub fn of(a: S, b: S) -> Self {
@@ -41,7 +41,7 @@ impl<S: Scalar> Shapes<S> {
         let own = bounded_unit(S::select(none, S::one(), a));
         let other = bounded_unit(S::select(none, S::one(), b));
         let both = S::select(own.below(other), own, other);
-        Shapes {
+        BoxUnits {
             a: own,
             b: other,
             share_a: both.over(own),
@@ -65,7 +65,7 @@ impl<S: Scalar> Shapes<S> {
 }
 
 /// The way between two centres.
-pub(super) struct Way<S: Scalar> {
+pub(super) struct Displacement<S: Scalar> {
     /// Its squared length, in squared units of `1 / unit`.
     pub squared: S,
     /// The power of two that brings its largest coordinate into `[2, 4)`, a constant.
@@ -74,7 +74,7 @@ pub(super) struct Way<S: Scalar> {
     pub none: S::Mask,
 }
 
-impl<S: Scalar> Way<S> {
+impl<S: Scalar> Displacement<S> {
     /// Creates the displacement from its coordinates; infinite ones count as the largest number.
     #[inline(always)]
     pub fn of<const N: usize>(coordinates: [S; N]) -> Self {
@@ -91,7 +91,7 @@ impl<S: Scalar> Way<S> {
         for &x in &way[1..] {
             squared += (x * unit).squared();
         }
-        Way {
+        Displacement {
             squared,
             unit,
             none,
@@ -101,7 +101,7 @@ impl<S: Scalar> Way<S> {
 
 /// Returns the sum of the squares of a distance of shapes and of a way, in squared units of length.
 #[inline(always)]
-pub(super) fn sum_of_squares<S: Scalar>(shape: S, units: &Shapes<S>, way: &Way<S>) -> S {
+pub(super) fn sum_of_squares<S: Scalar>(shape: S, units: &BoxUnits<S>, way: &Displacement<S>) -> S {
     let shape = shape.over(units.both).over(units.both);
     let way = way.squared.over(way.unit).over(way.unit);
     (shape + way).saturated()
@@ -112,7 +112,7 @@ pub(super) fn sum_of_squares<S: Scalar>(shape: S, units: &Shapes<S>, way: &Way<S
 ///
 /// Both are brought into the unit of the longer one, so that the shorter one alone can underflow.
 #[inline(always)]
-pub(super) fn root_of_sum<S: Scalar>(shape: S, units: &Shapes<S>, way: &Way<S>) -> S {
+pub(super) fn root_of_sum<S: Scalar>(shape: S, units: &BoxUnits<S>, way: &Displacement<S>) -> S {
     let one = S::one();
     let length = |square: S, unit: S| square.primal().root().over(unit.primal());
     let longest = length(shape, units.both).most(length(way.squared, way.unit));

@@ -46,7 +46,7 @@ pub use wasserstein::{wasserstein, wasserstein_squared};
 use smooth::{excess, exp_minus_one, ln_one_plus};
 
 /// Two Gaussians of the plane seen from the first, in units of `1 / scale`.
-struct Pair<S> {
+struct GaussianPair<S> {
     /// From the first mean to the second, in the first one's frame and in the second one's.
     offset: Vec2<S>,
     offset_b: Vec2<S>,
@@ -82,7 +82,7 @@ fn finite_derivatives<S: Scalar>(scale: S, smallest: S) -> impl Fn(S) -> S + use
 }
 
 /// Brings a pair into a common unit.
-fn pair<S: Scalar>(a: Obb2<S>, b: Obb2<S>, deviation: f64) -> Pair<S> {
+fn pair<S: Scalar>(a: Obb2<S>, b: Obb2<S>, deviation: f64) -> GaussianPair<S> {
     let between = b.center - a.center;
     let between = Vec2::new(between.x.saturated(), between.y.saturated());
     let sizes = a.size.x.most(a.size.y).most(b.size.x.most(b.size.y));
@@ -105,7 +105,7 @@ fn pair<S: Scalar>(a: Obb2<S>, b: Obb2<S>, deviation: f64) -> Pair<S> {
     let crossed = ((own.x - own.y) * (other.x - other.y)).below(S::zero());
     let exchange = |x: S, y: S| S::select(crossed, y, x);
     let offset_b = axes_b.inverse() * between;
-    Pair {
+    GaussianPair {
         offset: axes_a.inverse() * between,
         offset_b: Vec2::new(
             exchange(offset_b.x, offset_b.y),
@@ -135,7 +135,7 @@ pub fn kullback_leibler<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 }
 
 #[inline(always)]
-fn divergence<S: Scalar>(pair: &Pair<S>) -> S {
+fn divergence<S: Scalar>(pair: &GaussianPair<S>) -> S {
     let (a, b, d) = (pair.a, pair.b, pair.offset_b);
     let far = d.x.over(b.x).squared() + d.y.over(b.y).squared();
     let sizes = excess(a.x, b.x) + excess(a.y, b.y);
@@ -173,7 +173,7 @@ pub fn bhattacharyya<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 }
 
 #[inline(always)]
-fn distance<S: Scalar>(pair: &Pair<S>) -> S {
+fn distance<S: Scalar>(pair: &GaussianPair<S>) -> S {
     let (a, b) = (pair.a, pair.b);
     let (d, e) = (pair.offset, pair.offset_b);
     // (a₁²+b₁²)(a₂²+b₂²) as a product of lengths, so that small sizes keep their digits.

@@ -13,7 +13,7 @@ use crate::shape::{Obb3, Rotation3};
 use crate::{Scalar, Vec3};
 
 /// Two Gaussians of space seen from the first, in units of `1 / scale`.
-struct Pair<S: Scalar> {
+struct GaussianPair3<S: Scalar> {
     /// From the first mean to the second, in the first one's frame and in the second one's.
     offset: [S; 3],
     offset_b: [S; 3],
@@ -24,7 +24,7 @@ struct Pair<S: Scalar> {
     turn: [[S; 3]; 3],
 }
 
-fn pair<S: Scalar>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> Pair<S> {
+fn pair<S: Scalar>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> GaussianPair3<S> {
     let between = b.center - a.center;
     let between = Vec3::new(
         between.x.saturated(),
@@ -74,7 +74,7 @@ fn pair<S: Scalar>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> Pair<S> {
         offset_b[m] = (turn[0][m] * offset[0] + turn[1][m] * offset[1]) + turn[2][m] * offset[2];
     }
     let deviations = |v: [S; 3]| v.each_as(|x| x * S::lit(deviation));
-    Pair {
+    GaussianPair3 {
         offset,
         offset_b,
         a: deviations(own),
@@ -93,7 +93,7 @@ pub fn kullback_leibler<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 /// Returns `½ (dᵀ Σb⁻¹ d + tr(Σb⁻¹ Σa) − 3 − ln det(Σb⁻¹ Σa))`, where the trace is
 /// `Σ a_k²/b_k² + Σ_{i≠j} D_ij a_i² (1/b_j² − 1/b_i²)`.
 #[inline(always)]
-fn divergence<S: Scalar>(pair: &Pair<S>) -> S {
+fn divergence<S: Scalar>(pair: &GaussianPair3<S>) -> S {
     let (a, b) = (pair.a, pair.b);
     let mut sum = S::zero();
     for k in 0..3 {
@@ -134,7 +134,7 @@ pub fn kullback_leibler_mean<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 /// By Cauchy and Binet the determinant is `Π a² + Π b² + Σ_ij D_ij G_ij`, where `G_ij` is the product of the
 /// squares of b_j and of both a but a_i, plus that of a_i and of both b but b_j. Each column of D sums to
 /// one, so the part of `G_jj` can be taken out of column j.
-fn twist<S: Scalar>(pair: &Pair<S>) -> (S, [S; 3]) {
+fn twist<S: Scalar>(pair: &GaussianPair3<S>) -> (S, [S; 3]) {
     let (a, b) = (pair.a, pair.b);
     let length = [a[0].hypot(b[0]), a[1].hypot(b[1]), a[2].hypot(b[2])];
     let mut sum = S::zero();
@@ -165,7 +165,7 @@ pub fn bhattacharyya<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
 /// Returns `⅛ dᵀ Σ⁻¹ d + ½ ln (det Σ / √(det Σa det Σb))` with the mean Σ of both covariances. `Σa + Σb` is a sum of
 /// six squares of vectors x (deviations along axes). Its adjugate is therefore the sum of the squares of all cross
 /// products of two of them: `dᵀ adj d = Σ (d · (x × y))²`.
-fn distance<S: Scalar>(pair: &Pair<S>) -> S {
+fn distance<S: Scalar>(pair: &GaussianPair3<S>) -> S {
     let (a, b, d, e, r) = (pair.a, pair.b, pair.offset, pair.offset_b, pair.turn);
     let (twist, length) = twist(pair);
     let mut shape = ln_one_plus(twist);

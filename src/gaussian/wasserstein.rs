@@ -1,10 +1,10 @@
 //! Wasserstein's distance of two boxes of the plane as Gaussians.
-use super::lengths::{Shapes, Way, root_of_sum, sum_of_squares};
+use super::lengths::{BoxUnits, Displacement, root_of_sum, sum_of_squares};
 use crate::{Obb2, Rotation2, Scalar, Vec2};
 
-fn way<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Way<S> {
+fn way<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Displacement<S> {
     let between = b.center - a.center;
-    Way::of([between.x, between.y])
+    Displacement::of([between.x, between.y])
 }
 
 /// Returns sizes, as constants where all are near the smallest numbers: relative derivatives are near the largest
@@ -15,10 +15,10 @@ fn small_as_constant<S: Scalar>(size: Vec2<S>) -> Vec2<S> {
     Vec2::new(held(size.x), held(size.y))
 }
 
-/// Returns the squared distance of both shapes, as if their centres agreed, in squared units of [`Shapes`]. `POWER` is
+/// Returns the squared distance of both shapes, as if their centres agreed, in squared units of [`BoxUnits`]. `POWER` is
 /// that of the result in lengths.
-fn of_shapes<S: Scalar, const POWER: usize>(a: Obb2<S>, b: Obb2<S>) -> (S, Shapes<S>) {
-    let units = Shapes::of(a.size.x.most(a.size.y), b.size.x.most(b.size.y));
+fn of_shapes<S: Scalar, const POWER: usize>(a: Obb2<S>, b: Obb2<S>) -> (S, BoxUnits<S>) {
+    let units = BoxUnits::of(a.size.x.most(a.size.y), b.size.x.most(b.size.y));
     let half = S::lit(0.5);
     let (own, other) = (
         small_as_constant(a.size) * units.a * half,

@@ -1,5 +1,5 @@
 //! Crossings of lines and of segments.
-use super::turns::Sides;
+use super::turns::EndSides;
 use crate::distance::edge::{scale_of, size_of};
 use crate::scalar::Guard;
 use crate::{Line2, Scalar, Segment2, Vec2};
@@ -121,7 +121,7 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> CommonP
         [base.from, base.to].map(plain),
         [other.from, other.to].map(plain),
     );
-    let sides = Sides::of(ends, others, scale.primal());
+    let sides = EndSides::of(ends, others, scale.primal());
     let (zero, one) = (S::Primal::zero(), S::Primal::one());
     let apart =
         |[p, q]: [S::Primal; 2]| (p.below(zero) & q.below(zero)) | (p.above(zero) & q.above(zero));
@@ -144,7 +144,7 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> CommonP
     let (first, second) = (w.dot(d).over(square), far.dot(d).over(square));
     let low = first.least(second).most(S::zero());
     let high = first.most(second).least(S::one());
-    let shared = Shared::of(ends, others);
+    let shared = CommonSegment::of(ends, others);
     let along = line & shared.meet;
 
     let at = base.point_at(t);
@@ -177,14 +177,14 @@ pub(super) fn plain<S: Scalar>(v: Vec2<S>) -> Vec2<S::Primal> {
 }
 
 /// What two segments of one line share, by comparing coordinates.
-struct Shared<P: Scalar> {
+struct CommonSegment<P: Scalar> {
     meet: P::Mask,
     two: P::Mask,
     from: Vec2<P>,
     to: Vec2<P>,
 }
 
-impl<P: Scalar> Shared<P> {
+impl<P: Scalar> CommonSegment<P> {
     /// Returns the common part of two segments of one line from their ends; `base` is the longer one.
     #[inline(always)]
     fn of(base: [Vec2<P>; 2], other: [Vec2<P>; 2]) -> Self {
@@ -201,7 +201,7 @@ impl<P: Scalar> Shared<P> {
         // Two points have the same place if they do along y, too.
         let apart =
             way.x.equals(P::zero()) & way.y.equals(P::zero()) & !base[0].y.equals(other[0].y);
-        Shared {
+        CommonSegment {
             meet: low.at_most(high) & !apart,
             two: low.below(high),
             from,

@@ -33,16 +33,16 @@ fn wide_side<P: Scalar>(point: Vec2<P>, way: Vec2<P>, corner: Vec2<P>, unit: P) 
 
 /// A corner as a line sees it.
 #[derive(Clone, Copy)]
-struct Seen<S> {
+struct SeenCorner<S> {
     side: S,
     t: S,
     corner: Vec2<S>,
 }
 
-impl<S: Scalar> Seen<S> {
+impl<S: Scalar> SeenCorner<S> {
     #[inline(always)]
     fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
-        Seen {
+        SeenCorner {
             side: S::select(mask, yes.side, no.side),
             t: S::select(mask, yes.t, no.t),
             corner: Vec2::select(mask, yes.corner, no.corner),
@@ -68,7 +68,7 @@ pub(super) fn met<S: Scalar>(
     let seen = |k: usize| {
         let arm = placed[k] - beam.from;
         let side = side(point, way, plain(corners[k]), scale.primal()).over(length);
-        Seen {
+        SeenCorner {
             side: beam.along.perp_dot(arm).with_primal(side),
             t: beam.along.dot(arm),
             corner: placed[k],
@@ -80,8 +80,8 @@ pub(super) fn met<S: Scalar>(
     let (mut low, mut high) = (left.t, left.t);
     for k in 0..corners.len() {
         let corner = seen(k);
-        left = Seen::select(left.side.below(corner.side), corner, left);
-        right = Seen::select(corner.side.below(right.side), corner, right);
+        left = SeenCorner::select(left.side.below(corner.side), corner, left);
+        right = SeenCorner::select(corner.side.below(right.side), corner, right);
         (low, high) = (low.least(corner.t), high.most(corner.t));
         let on = corner.side.equals(zero);
         first = S::select(on, first.least(corner.t), first);

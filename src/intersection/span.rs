@@ -45,14 +45,14 @@ pub struct Hit<S> {
 }
 
 /// A line in a shape: the parameters, normals and whether it is.
-struct Found<S: Scalar> {
+struct LineSpan<S: Scalar> {
     enter: Border<S>,
     exit: Border<S>,
     found: S::Mask,
 }
 
 #[inline]
-fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Found<S> {
+fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> LineSpan<S> {
     let core = shape.core();
     let anchor = core.anchor();
     let arm = line.point - anchor;
@@ -88,7 +88,7 @@ fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Found<S> {
             normal: mean.normal,
         }
     };
-    Found {
+    LineSpan {
         enter: border(inside.enter),
         exit: border(inside.exit),
         found,

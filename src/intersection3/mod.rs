@@ -67,14 +67,14 @@ pub struct Hit3<S> {
 }
 
 /// A line in a shape: the parameters, normals and whether it is.
-struct Found<S: Scalar> {
+struct LineSpan<S: Scalar> {
     enter: Border<S>,
     exit: Border<S>,
     found: S::Mask,
 }
 
 #[inline]
-fn find<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Found<S> {
+fn find<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> LineSpan<S> {
     let arm = line.point - shape.anchor();
     let scale = scale_of::<S>(shape.extent().most(size_of(arm)));
     let size = scale_of::<S>(size_of(line.direction));
@@ -92,7 +92,7 @@ fn find<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Found<S>
             normal: mean.normal.normalize_or_zero(),
         }
     };
-    Found {
+    LineSpan {
         enter: border(inside.enter),
         exit: border(inside.exit),
         found: !inside.is_empty() & size_of(line.direction).above(S::Primal::zero()),

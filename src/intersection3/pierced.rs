@@ -5,7 +5,7 @@ use super::tetrahedron::in_tetrahedron;
 use crate::arrays::Each;
 use crate::distance::share::Best;
 use crate::distance3::core::{BoxCore, Core};
-use crate::distance3::cored::Cored;
+use crate::distance3::cored::InflatedCore;
 use crate::distance3::near::size_of;
 use crate::scalar::Guard;
 use crate::shape::{

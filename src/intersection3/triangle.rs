@@ -27,14 +27,14 @@ struct Sight<P> {
 
 /// The powers of two that bring differences of places and the direction near one.
 #[derive(Clone, Copy)]
-struct Units<P> {
+struct LineUnits<P> {
     place: P,
     way: P,
 }
 
 /// The sides of three edges on which a line passes.
 #[derive(Clone, Copy)]
-struct Sides<P: Scalar> {
+struct EdgeSides<P: Scalar> {
     values: [P; 3],
     /// The sizes of the coordinates that they are made of.
     reach: [P; 3],
@@ -44,7 +44,7 @@ struct Sides<P: Scalar> {
 
 /// How far a place is behind a triangle's plane.
 #[derive(Clone, Copy)]
-struct Behind<P: Scalar> {
+struct PlaneHeight<P: Scalar> {
     place: Vec3<P>,
     value: P,
     /// The product of the sizes of two edges.
@@ -53,7 +53,7 @@ struct Behind<P: Scalar> {
     doubt: P::Mask,
 }
 
-impl<P: Scalar<Primal = P>> Behind<P> {
+impl<P: Scalar<Primal = P>> PlaneHeight<P> {
     /// Replaces the value by one computed with twice the digits where its sign is in doubt; it is zero in the plane.
     #[inline(always)]
     fn settled(self, doubt: P::Mask, triangle: [Vec3<P>; 3], unit: P) -> Self {
@@ -61,7 +61,7 @@ impl<P: Scalar<Primal = P>> Behind<P> {
         let near = scale_of::<P>(size_of(triangle[0] - self.place));
         let exact = wide_behind(self.place, triangle, [unit, near]);
         let exact = unless_zero(exact, self.size, 256.0);
-        Behind {
+        PlaneHeight {
             value: P::select(doubt, exact, self.value),
             ..self
         }
@@ -124,7 +124,7 @@ impl<P: Scalar<Primal = P>> Sight<P> {
 
     /// Returns the sides of the edges bc, ca, ab on which the line passes, times the direction's last coordinate.
     #[inline(always)]
-    fn sides(self, corners: [Vec3<P>; 3], units: Units<P>) -> Sides<P> {
+    fn sides(self, corners: [Vec3<P>; 3], units: LineUnits<P>) -> EdgeSides<P> {
         let d = self.way * units.way;
         let seen = corners.each_as(|corner| {
             let arm = (corner - self.from) * units.place;
@@ -145,7 +145,7 @@ impl<P: Scalar<Primal = P>> Sight<P> {
         let square = size[0].most(size[1]).most(size[2]).squared();
         let area = (u + v + w).unsigned();
         let thin = crossed & area.at_most(square * P::lit(1.0 / 256.0));
-        Sides {
+        EdgeSides {
             values,
             reach,
             doubt: close[0] | close[1] | close[2] | thin,
@@ -155,7 +155,7 @@ impl<P: Scalar<Primal = P>> Sight<P> {
     /// Returns the same in twice the digits: to 320 ε² of the seen coordinates.
     #[cold]
     #[inline(never)]
-    fn wide_sides(self, corners: [Vec3<P>; 3], units: Units<P>) -> [P; 3] {
+    fn wide_sides(self, corners: [Vec3<P>; 3], units: LineUnits<P>) -> [P; 3] {
         let d: Wide3<P> = match self.to {
             Some(to) => Self::arm(self.from, to, units.way),
             None => [self.way.x, self.way.y, self.way.z].map(|x| Twofold::of(x * units.way)),
@@ -178,13 +178,13 @@ fn behind<P: Scalar<Primal = P>>(
     place: Vec3<P>,
     [a, b, c]: [Vec3<P>; 3],
     [unit, near]: [P; 2],
-) -> Behind<P> {
+) -> PlaneHeight<P> {
     let (p, q) = ((b - a) * unit, (c - a) * unit);
     let value = p.cross(q).dot((a - place) * near);
     let size = size_of(p) * size_of(q);
     // Coordinates of the arm are below 4; roundings of the cross product and of the sum reach 100 ε.
     let doubt = within(value, size, 128.0 * P::EPSILON);
-    Behind {
+    PlaneHeight {
         place,
         value,
         size,
@@ -214,7 +214,7 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
     let arms = corners.each_as(|corner| corner - ray.point);
     let place = scale_of::<S>(largest(arms.each_as(|arm| S::from_primal(size_of(arm)))));
     let way = scale_of::<S>(size_of(ray.direction));
-    let units = Units {
+    let units = LineUnits {
         place: place.primal(),
         way: way.primal(),
     };
@@ -225,7 +225,7 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
     };
     let flat = corners.each_as(plain);
     let (turned, turned_corners) = sight.turned(flat);
-    let Sides {
+    let EdgeSides {
         values: mut sides,
         reach,
         doubt,

@@ -8,14 +8,14 @@ use crate::{Aabb2, Scalar, Vec2};
 
 /// How the extent of two intervals is divided: what only the first covers, only the second, both, and
 /// neither. Lengths of no sign, in one unit.
-struct Parts<S> {
+struct ExtentParts<S> {
     a: S,
     b: S,
     both: S,
     neither: S,
 }
 
-impl<S: Scalar> Parts<S> {
+impl<S: Scalar> ExtentParts<S> {
     #[inline(always)]
     fn of(a: [S; 2], b: [S; 2], half: impl Fn(S, S) -> S) -> Self {
         let zero = S::zero();
@@ -25,7 +25,7 @@ impl<S: Scalar> Parts<S> {
         // Touching counts as apart, with its derivatives, as in the area of intersection.
         let apart = shared.at_most(zero);
         let own = |size: S, x: S, y: S| S::select(apart, size, x.most(zero) + y.most(zero));
-        Parts {
+        ExtentParts {
             a: own(half(a[0], a[1]), low, high),
             b: own(half(b[0], b[1]), -low, -high),
             both: S::select(apart, zero, shared),
@@ -43,8 +43,8 @@ fn generalised<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, hull: bool) -> S {
     // Shares of an area do not change when either axis gets a unit of its own.
     let scale = joint_units(a, b);
     let half = |scale: S| move |low: S, high: S| (high.halved() - low.halved()) * scale;
-    let x = Parts::of([a.min.x, a.max.x], [b.min.x, b.max.x], half(scale.x));
-    let y = Parts::of([a.min.y, a.max.y], [b.min.y, b.max.y], half(scale.y));
+    let x = ExtentParts::of([a.min.x, a.max.x], [b.min.x, b.max.x], half(scale.x));
+    let y = ExtentParts::of([a.min.y, a.max.y], [b.min.y, b.max.y], half(scale.y));
     // The area that neither box covers is the sum of its parts. The area of the box around both less that of
     // the union would lose its digits if one box all but covers the other.
     let mut rest = (x.a * (y.b + y.neither) + x.b * (y.a + y.neither))

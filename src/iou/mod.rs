@@ -66,7 +66,7 @@ pub(crate) use giou::score;
 pub use giou::{giou_framed, giou_obb2};
 pub(crate) use hull::hull_scale;
 pub use hull::{HullOfBoxes, hull_area_aabb2, hull_area_obb2, hull_of_related};
-pub(crate) use obb::{Bounds, across, bounds, unit_of_pair};
+pub(crate) use obb::{BoxesAround, across, bounds, unit_of_pair};
 pub use obb::{
     ciou_aabb_obb2, ciou_fixed_weight_obb2, ciou_obb2, diou_aabb_obb2, diou_obb2, eiou_aabb_obb2,
     eiou_obb2, giou_aabb_obb2,

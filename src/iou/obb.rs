@@ -75,7 +75,7 @@ fn terms<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Terms<S> {
 }
 
 /// Two rotated boxes and the smallest box around both along the axes of the plane.
-pub(crate) struct Bounds<S> {
+pub(crate) struct BoxesAround<S> {
     /// The size of the box around both.
     pub around: Vec2<S>,
     /// The way between the centres.
@@ -86,7 +86,7 @@ pub(crate) struct Bounds<S> {
 
 /// Measures the smallest box around two rotated boxes along the axes of the plane, in units of `2 / scale`.
 #[inline(always)]
-pub(crate) fn bounds<S: Scalar>(a: Framed<S>, b: Framed<S>, scale: S) -> Bounds<S> {
+pub(crate) fn bounds<S: Scalar>(a: Framed<S>, b: Framed<S>, scale: S) -> BoxesAround<S> {
     let way = half_way(a.center, b.center) * scale;
     // A box reaches half its size from its centre, and all lengths are halved.
     let reach = |x: &Framed<S>| {
@@ -98,7 +98,7 @@ pub(crate) fn bounds<S: Scalar>(a: Framed<S>, b: Framed<S>, scale: S) -> Bounds<
     let (reach_a, reach_b) = (reach(&a), reach(&b));
     // From a's centre, to either side, to whichever box reaches farther.
     let around = |by: S, a: S, b: S| a.most(b + by) + a.most(b - by);
-    Bounds {
+    BoxesAround {
         around: Vec2::new(
             around(way.x, reach_a.x, reach_b.x),
             around(way.y, reach_a.y, reach_b.y),
@@ -112,7 +112,7 @@ pub(crate) fn bounds<S: Scalar>(a: Framed<S>, b: Framed<S>, scale: S) -> Bounds<
 #[inline(always)]
 fn terms_of_bounds<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Terms<S> {
     let (a, b) = (frame(a), frame(b));
-    let Bounds { around, way, sizes } = bounds(a, b, unit_of_pair(&a, &b));
+    let BoxesAround { around, way, sizes } = bounds(a, b, unit_of_pair(&a, &b));
     // A turned box may be longer than the box around both.
     let against = |x: S, a: S, b: S| larger(larger(x, a), b);
     Terms {
@@ -140,7 +140,7 @@ fn terms_of_bounds<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Terms<S> {
 pub fn giou_aabb_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let (a, b) = (frame(a), frame(b));
     let iou = score_framed::<S, true>(Denominator::Union, a, b);
-    let Bounds { around, sizes, .. } = bounds(a, b, unit_of_pair(&a, &b));
+    let BoxesAround { around, sizes, .. } = bounds(a, b, unit_of_pair(&a, &b));
     let own = |size: Vec2<S>| size.x * size.y;
     // U = (A + B) / (1 + I/U).
     let union = (own(sizes[0]) + own(sizes[1])).over(S::one() + iou);

@@ -5,7 +5,8 @@ use crate::arrays::Each;
 use crate::clip::area_from_half;
 use crate::clip::{frame, relate};
 use crate::iou::{
-    Bounds, across, bounds, hull_of_related, hull_scale, larger, part, share, unit, unit_of_pair,
+    BoxesAround, across, bounds, hull_of_related, hull_scale, larger, part, share, unit,
+    unit_of_pair,
 };
 use crate::shape::{Aabb3, YawBox3};
 use crate::{Obb2, Scalar, Vec2, Vec3};
@@ -134,7 +135,7 @@ fn ground<S: Scalar>(a: Obb2<S>, b: Obb2<S>, kind: Enclosing) -> Ground<S> {
     let none = |area: S| area.at_most(S::lit(S::EMPTY));
     match kind {
         Enclosing::Aabb => {
-            let Bounds { around, way, sizes } = bounds(a, b, scale);
+            let BoxesAround { around, way, sizes } = bounds(a, b, scale);
             let area = around.x * around.y;
             let empty = none(area);
             let own = |size: Vec2<S>| size.x * size.y;

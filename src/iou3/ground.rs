@@ -26,7 +26,7 @@ pub(super) struct Rectangle<S> {
 }
 
 /// A rectangle along a direction of any length.
-struct Along<S: Scalar> {
+struct RectangleAlong<S: Scalar> {
     length: S,
     width: S,
     /// The square of the length of the direction.
@@ -64,18 +64,18 @@ fn farther<S: Scalar>(own: S, way: S, other: S, tie: S::Mask) -> S {
 }
 
 /// Both boxes in the frame of a, mirrored so that b is turned counter-clockwise.
-struct Seen<S: Scalar> {
+struct MirroredPair<S: Scalar> {
     center: Vec2<S>,
     turn: Vec2<S>,
     half_a: Vec2<S>,
     half_b: Vec2<S>,
 }
 
-impl<S: Scalar> Seen<S> {
+impl<S: Scalar> MirroredPair<S> {
     #[inline(always)]
     fn of(pair: &Relative<S>) -> Self {
         let mirrored = pair.sin.below(S::zero());
-        Seen {
+        MirroredPair {
             center: Vec2::new(pair.u, S::select(mirrored, -pair.v, pair.v)),
             turn: Vec2::new(pair.cos, pair.sin.unsigned()),
             half_a: pair.half_a,
@@ -85,7 +85,7 @@ impl<S: Scalar> Seen<S> {
     /// Returns the rectangle around both boxes along a direction. `flat` is true where both boxes reach equally far across
     /// it, on both sides.
     #[inline(always)]
-    fn along(&self, way: Vec2<S>, is_edge: S::Mask, flat: S::Mask) -> Along<S> {
+    fn along(&self, way: Vec2<S>, is_edge: S::Mask, flat: S::Mask) -> RectangleAlong<S> {
         let way = way * unit([way.x, way.y]);
         let (x, y, turn) = (way.x, way.y, self.turn);
         let in_b = Vec2::new(x * turn.x + y * turn.y, y * turn.x - x * turn.y);
@@ -97,7 +97,7 @@ impl<S: Scalar> Seen<S> {
         let c = self.center;
         let squared = way.length_squared();
         let point = squared.at_most(S::zero());
-        Along {
+        RectangleAlong {
             length: extent(
                 x * c.x + y * c.y,
                 shadow(x, y, self.half_a),
@@ -117,7 +117,7 @@ impl<S: Scalar> Seen<S> {
     }
     /// Returns the ten directions.
     #[inline(always)]
-    fn directions(&self) -> [Along<S>; 10] {
+    fn directions(&self) -> [RectangleAlong<S>; 10] {
         let (c, turn, a, b) = (self.center, self.turn, self.half_a, self.half_b);
         let (p, q) = (
             Vec2::new(b.x * turn.x, b.x * turn.y),
@@ -188,8 +188,8 @@ impl<S: Scalar> Seen<S> {
 /// Returns the rectangle of least area around a related pair.
 #[inline(always)]
 pub(super) fn least_rectangle<S: Scalar>(pair: &Relative<S>) -> Rectangle<S> {
-    let all = Seen::of(pair).directions();
-    let area = |x: &Along<S>| (x.length * x.width).over(x.squared);
+    let all = MirroredPair::of(pair).directions();
+    let area = |x: &RectangleAlong<S>| (x.length * x.width).over(x.squared);
     let mut least = S::Primal::lit(S::LARGEST);
     for x in &all {
         let own = area(x).primal();

@@ -88,20 +88,20 @@ pub fn rectangle_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(O
 }
 
 /// A rectangle in local coordinates.
-struct Sides<S> {
+struct LocalRectangle<S> {
     axis: Vec2<S>,
     /// Along the bottom edge from its start, to the middle of the rectangle.
     middle: S,
     size: [S; 2],
 }
 
-fn sides<S: Scalar>(seen: &Reference<S>, points: &[Vec2<S>], record: Resting) -> Sides<S> {
+fn sides<S: Scalar>(seen: &Reference<S>, points: &[Vec2<S>], record: Resting) -> LocalRectangle<S> {
     let place = |k: usize| seen.place(points[k]);
     let start = place(record.start);
     let axis = (place(record.end) - start).normalize_or_zero();
     let along = |k: usize| axis.dot(place(k) - start);
     let (low, high) = (along(record.left), along(record.right));
-    Sides {
+    LocalRectangle {
         axis,
         middle: (low + high).halved(),
         size: [high - low, axis.perp_dot(place(record.top) - start)],
@@ -123,7 +123,7 @@ pub fn rectangle_replay<S: Scalar>(points: &[Vec2<S>], record: Resting) -> Obb2<
         record.left,
     ];
     let seen = Reference::of_ring(&five.each_as(|k| points[k]));
-    let Sides { axis, middle, size } = sides(&seen, points, record);
+    let LocalRectangle { axis, middle, size } = sides(&seen, points, record);
     let start = seen.place(points[record.start]);
     let center = start + axis * middle + axis.perp() * size[1].halved();
     let outer = |x: S| seen.outer(x).saturated().canonical();

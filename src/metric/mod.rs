@@ -79,10 +79,10 @@ fn flags(name: &'static str, flags: &[bool], count: usize) -> Result<(), Error> 
 }
 
 /// The truths that a detection overlaps by at least the threshold, with the overlaps.
-type Near = Vec<(f64, usize)>;
+type OverlappedTruths = Vec<(f64, usize)>;
 
 /// Returns the truths near every detection of a valid frame.
-fn near(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Near>, Error> {
+fn near(frame: &Frame<'_>, threshold: f64) -> Result<Vec<OverlappedTruths>, Error> {
     let count = frame.scores.len();
     flags("ignored_truths", frame.ignored_truths, frame.truths)?;
     flags("ignored_detections", frame.ignored_detections, count)?;

@@ -29,7 +29,7 @@
 //! and by a turn its first moment; both come from the pieces of the faces' integrals. Derivatives by K's size
 //! come from the parts of the integrals that are clamped to K's faces. Moving or turning both boxes
 //! together changes nothing, which gives the rest.
-use super::edge_clamp::{Bounds, Cut, clamped, cut, less_signed, signed, turn};
+use super::edge_clamp::{BoundDerivatives, Cut, clamped, cut, less_signed, signed, turn};
 use super::face_integral::{Face, face};
 use super::relate::Relative3;
 use super::volume_from_half;
@@ -137,7 +137,7 @@ pub fn shared_volume<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
         center: [zero; 3],
         turn: [zero; 3],
         half_b: [zero; 3],
-        bounds: Bounds {
+        bounds: BoundDerivatives {
             high: [zero; 3],
             low: [zero; 3],
         },
@@ -210,7 +210,7 @@ struct Derivatives<S> {
     center: [S; 3],
     turn: [S; 3],
     half_b: [S; 3],
-    bounds: Bounds<S>,
+    bounds: BoundDerivatives<S>,
 }
 
 impl<S: Scalar> Derivatives<S> {

@@ -96,14 +96,14 @@ pub(super) struct Edge<S> {
 
 /// Derivatives by the bounds of a.
 #[derive(Clone, Copy)]
-pub(super) struct Bounds<S> {
+pub(super) struct BoundDerivatives<S> {
     /// By the upper bounds.
     pub high: [S; 3],
     /// By the lower bounds.
     pub low: [S; 3],
 }
 
-impl<S: Scalar> Bounds<S> {
+impl<S: Scalar> BoundDerivatives<S> {
     /// Moves the numbers of axis 1 to 0, 2 to 1, and 0 to 2, as [`Cut::turn`] does.
     #[inline(always)]
     pub(super) fn turn(&mut self) {
@@ -316,7 +316,7 @@ pub(super) fn edge_term<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
     cut: &Cut<S>,
     edge: &Edge<S>,
     sides: [usize; 2],
-    bounds: &mut Bounds<S>,
+    bounds: &mut BoundDerivatives<S>,
 ) -> S {
     if PIECES {
         edge_term_apart::<S, DERIVATIVE>(cut, edge, sides, bounds)
@@ -330,7 +330,7 @@ fn edge_term_apart<S: Scalar, const DERIVATIVE: bool>(
     cut: &Cut<S>,
     edge: &Edge<S>,
     sides: [usize; 2],
-    bounds: &mut Bounds<S>,
+    bounds: &mut BoundDerivatives<S>,
 ) -> S {
     edge_term_here::<S, DERIVATIVE>(cut, edge, sides, bounds)
 }
@@ -340,7 +340,7 @@ fn edge_term_here<S: Scalar, const DERIVATIVE: bool>(
     cut: &Cut<S>,
     edge: &Edge<S>,
     [a, b]: [usize; 2],
-    bounds: &mut Bounds<S>,
+    bounds: &mut BoundDerivatives<S>,
 ) -> S {
     let t0 = edge.enter[0].least(cut.f[0][1]);
     let t1 = edge.leave[0].most(cut.f[0][0]);
@@ -389,7 +389,7 @@ fn clamped_part<S: Scalar, const ONE: usize, const OTHER: usize>(
     edge: &Edge<S>,
     [a, b]: [usize; 2],
     [t0, enter, leave, t1]: [S; 4],
-    bounds: &mut Bounds<S>,
+    bounds: &mut BoundDerivatives<S>,
 ) {
     let before = along(cut, edge, OTHER, t0, enter) * cut.r[0][0];
     let after = along(cut, edge, OTHER, leave, t1) * cut.r[0][0];

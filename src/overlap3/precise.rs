@@ -134,31 +134,31 @@ pub(super) fn difference<S: Scalar>(a: S, b: S, scale: S) -> (S, S) {
 }
 
 /// A number in two parts: exact, and small.
-type Parts<S> = (S, S);
+type HighLow<S> = (S, S);
 
 // Functions, not closures: those do not inherit instruction sets.
 #[inline(always)]
-fn add<S: Scalar>(a: Parts<S>, b: Parts<S>) -> Parts<S> {
+fn add<S: Scalar>(a: HighLow<S>, b: HighLow<S>) -> HighLow<S> {
     (a.0 + b.0, a.1 + b.1)
 }
 #[inline(always)]
-fn less<S: Scalar>(a: Parts<S>, b: Parts<S>) -> Parts<S> {
+fn less<S: Scalar>(a: HighLow<S>, b: HighLow<S>) -> HighLow<S> {
     (a.0 - b.0, a.1 - b.1)
 }
 /// Returns the square of a number, given with its high part and the rest.
 #[inline(always)]
-fn square<S: Scalar>(x: S, (high, low): Parts<S>) -> Parts<S> {
+fn square<S: Scalar>(x: S, (high, low): HighLow<S>) -> HighLow<S> {
     (high * high, low * (high + x))
 }
 /// Returns twice the product of two numbers.
 #[inline(always)]
-fn twice<S: Scalar>(a: Parts<S>, y: S, b: Parts<S>) -> Parts<S> {
+fn twice<S: Scalar>(a: HighLow<S>, y: S, b: HighLow<S>) -> HighLow<S> {
     let rest = a.0 * b.1 + a.1 * y;
     (S::lit(2.0) * (a.0 * b.0), rest + rest)
 }
 /// Returns the product of a column and a vector, whose parts are given, too.
 #[inline(always)]
-fn along<S: Scalar>(column: [Parts<S>; 3], v: [S; 3], v_parts: [Parts<S>; 3], unit: S) -> S {
+fn along<S: Scalar>(column: [HighLow<S>; 3], v: [S; 3], v_parts: [HighLow<S>; 3], unit: S) -> S {
     let (mut exact, mut rest) = (S::zero(), S::zero());
     for i in 0..3 {
         let (high, middle) = split(column[i].0);

@@ -46,7 +46,7 @@ impl<S: Scalar> Renaming<S> {
 }
 
 /// The best rotation of the cube so far.
-struct Best<P> {
+struct BestRotation<P> {
     /// The real part that it leaves.
     score: P,
     /// Which axes are exchanged: none, y and z, z and x, x and y, or all three in a circle.
@@ -55,7 +55,7 @@ struct Best<P> {
     used: [P; 4],
 }
 
-impl<P: Scalar> Best<P> {
+impl<P: Scalar> BestRotation<P> {
     /// Keeps the better of this rotation and another one. `PARTS` has ones for the numbers of the quaternion that take
     /// part, the lowest bit for the first.
     #[inline(always)]
@@ -97,7 +97,7 @@ pub(super) fn smallest_turn<S: Scalar>(q: Quaternion<S>) -> (Quaternion<S>, Rena
         p[2].magnitude(),
         p[3].magnitude(),
     ];
-    let mut best = Best {
+    let mut best = BestRotation {
         score: size[0],
         kind: zero,
         used: [one, zero, zero, zero],
@@ -113,7 +113,7 @@ pub(super) fn smallest_turn<S: Scalar>(q: Quaternion<S>) -> (Quaternion<S>, Rena
     best.or::<0b1001, 3>(size);
     best.or::<0b0110, 3>(size);
     best.or::<0b1111, 4>(size);
-    let Best { kind, used, .. } = best;
+    let BestRotation { kind, used, .. } = best;
     let sign = [
         one.signed_as(p[0]),
         one.signed_as(p[1]),

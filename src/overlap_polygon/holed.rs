@@ -29,7 +29,7 @@ pub(crate) struct Tile<S> {
 }
 
 /// Two polygons as they are seen for a measure.
-pub(crate) struct Pair<'a, S: Scalar> {
+pub(crate) struct RingsPair<'a, S: Scalar> {
     pub rings: [Rings<'a, S>; 2],
     pub sides: [Sides; 2],
     pub seen: Reference<S>,
@@ -41,7 +41,7 @@ pub(crate) struct Pair<'a, S: Scalar> {
     pub same: bool,
 }
 
-impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
+impl<'a, S: Scalar<Mask = bool>> RingsPair<'a, S> {
     /// Returns `None` where neither has vertices.
     pub fn new(a: Rings<'a, S>, b: Rings<'a, S>) -> Option<Self> {
         let (bounds_a, bounds_b) = (a.bounds(), b.bounds());
@@ -63,7 +63,7 @@ impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
                 let (p, q) = (a.ring(k), b.ring(k));
                 p.len() == q.len() && p.iter().copied().zip(q.iter().copied()).all(alike)
             });
-        Some(Pair {
+        Some(RingsPair {
             rings: [a, b],
             sides: [Sides::decided(a), Sides::decided(b)],
             seen: seen.shifted(at),
@@ -166,7 +166,7 @@ pub fn intersection_area<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
 ) -> S {
-    Pair::new(a.into(), b.into()).map_or(S::zero(), |pair| pair.outer(pair.areas()[0]))
+    RingsPair::new(a.into(), b.into()).map_or(S::zero(), |pair| pair.outer(pair.areas()[0]))
 }
 
 /// Returns the area that two polygons cover together, in squared units of length. See the [module](self).
@@ -181,7 +181,7 @@ pub fn union_area<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
 ) -> S {
-    Pair::new(a.into(), b.into()).map_or(S::zero(), |pair| {
+    RingsPair::new(a.into(), b.into()).map_or(S::zero(), |pair| {
         let [inter, area_a, area_b] = pair.areas();
         pair.outer(area_a + area_b - inter)
     })
@@ -204,7 +204,7 @@ pub fn iou<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
 ) -> S {
-    Pair::new(a.into(), b.into()).map_or(S::zero(), |pair| {
+    RingsPair::new(a.into(), b.into()).map_or(S::zero(), |pair| {
         let [inter, area_a, area_b] = pair.areas();
         ratio_of_union(inter, area_a, area_b).canonical()
     })
@@ -217,7 +217,7 @@ pub fn iof<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
 ) -> S {
-    Pair::new(a.into(), b.into()).map_or(S::zero(), |pair| {
+    RingsPair::new(a.into(), b.into()).map_or(S::zero(), |pair| {
         let [inter, area_a, _] = pair.areas();
         ratio_of_first(inter, area_a).canonical()
     })

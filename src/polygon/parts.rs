@@ -17,11 +17,11 @@ use crate::{Aabb2, Pack, Scalar, Vec2};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Rings<'a, S> {
-    source: Given<'a, S>,
+    source: RingSource<'a, S>,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Given<'a, S> {
+enum RingSource<'a, S> {
     One(&'a [Vec2<S>]),
     Slices(&'a [&'a [Vec2<S>]]),
     Lists(&'a [Vec<Vec2<S>>]),
@@ -33,7 +33,7 @@ impl<'a, S> Rings<'a, S> {
     /// each ring. Ends beyond the vertices, or below the previous end, are clamped.
     #[must_use]
     pub fn flat(vertices: &'a [Vec2<S>], ends: &'a [usize]) -> Self {
-        let source = Given::Flat(vertices, ends);
+        let source = RingSource::Flat(vertices, ends);
         Rings { source }
     }
     /// Returns how many rings there are.
@@ -41,10 +41,10 @@ impl<'a, S> Rings<'a, S> {
     #[inline]
     pub fn count(&self) -> usize {
         match self.source {
-            Given::One(_) => 1,
-            Given::Slices(all) => all.len(),
-            Given::Lists(all) => all.len(),
-            Given::Flat(_, ends) => ends.len(),
+            RingSource::One(_) => 1,
+            RingSource::Slices(all) => all.len(),
+            RingSource::Lists(all) => all.len(),
+            RingSource::Flat(_, ends) => ends.len(),
         }
     }
     /// Returns the vertices of a ring; none for one that is not there.
@@ -52,10 +52,10 @@ impl<'a, S> Rings<'a, S> {
     #[inline]
     pub fn ring(&self, k: usize) -> &'a [Vec2<S>] {
         let found = match self.source {
-            Given::One(ring) => (k == 0).then_some(ring),
-            Given::Slices(all) => all.get(k).copied(),
-            Given::Lists(all) => all.get(k).map(Vec::as_slice),
-            Given::Flat(vertices, ends) => ends.get(k).and_then(|&end| {
+            RingSource::One(ring) => (k == 0).then_some(ring),
+            RingSource::Slices(all) => all.get(k).copied(),
+            RingSource::Lists(all) => all.get(k).map(Vec::as_slice),
+            RingSource::Flat(vertices, ends) => ends.get(k).and_then(|&end| {
                 let start = k.checked_sub(1).map_or(0, |before| ends[before]);
                 vertices.get(start..end.min(vertices.len()))
             }),
@@ -145,7 +145,7 @@ impl<S: Scalar> Rings<'_, S> {
 impl<'a, S> From<&'a [Vec2<S>]> for Rings<'a, S> {
     /// Creates rings of one ring.
     fn from(ring: &'a [Vec2<S>]) -> Self {
-        let source = Given::One(ring);
+        let source = RingSource::One(ring);
         Rings { source }
     }
 }
@@ -164,14 +164,14 @@ impl<'a, S, const N: usize> From<&'a [Vec2<S>; N]> for Rings<'a, S> {
 impl<'a, S> From<&'a [&'a [Vec2<S>]]> for Rings<'a, S> {
     /// Creates rings from a list of them.
     fn from(all: &'a [&'a [Vec2<S>]]) -> Self {
-        let source = Given::Slices(all);
+        let source = RingSource::Slices(all);
         Rings { source }
     }
 }
 impl<'a, S> From<&'a [Vec<Vec2<S>>]> for Rings<'a, S> {
     /// Creates rings from a list of them.
     fn from(all: &'a [Vec<Vec2<S>>]) -> Self {
-        let source = Given::Lists(all);
+        let source = RingSource::Lists(all);
         Rings { source }
     }
 }

@@ -87,7 +87,7 @@ impl<S: Scalar> Capsule2<S> {
     pub fn contains(self, point: Vec2<S>) -> S::Mask {
         let [from, to, at] = [self.from, self.to, point].each_as(twofold::flat);
         let radius = self.radius.primal();
-        let seen = within::Along::new(from, to, at, radius);
+        let seen = within::AxisPoint::new(from, to, at, radius);
         let across = within::square([twofold::turn(seen.axis, seen.arm)]);
         let reach =
             within::square([radius * seen.unit]) * within::square(twofold::rounded(seen.axis));

@@ -111,7 +111,7 @@ impl<S: Scalar> Cone<S> {
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         let [apex, base, at] = [self.apex, self.base, point].each_as(twofold::deep);
         let radius = self.radius.primal();
-        let seen = within::Along::new(apex, base, at, radius);
+        let seen = within::AxisPoint::new(apex, base, at, radius);
         let across = within::square(twofold::cross(seen.axis, seen.arm));
         let axis = within::square(twofold::rounded(seen.axis));
         let reach = within::square([radius * seen.unit]) * within::square([seen.height]);

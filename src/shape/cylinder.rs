@@ -116,7 +116,7 @@ impl<S: Scalar> Cylinder<S> {
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         let [start, end, at] = [self.start, self.end, point].each_as(twofold::deep);
         let radius = self.radius.primal();
-        let seen = within::Along::new(start, end, at, radius);
+        let seen = within::AxisPoint::new(start, end, at, radius);
         let across = within::square(twofold::cross(seen.axis, seen.arm));
         let reach =
             within::square([radius * seen.unit]) * within::square(twofold::rounded(seen.axis));

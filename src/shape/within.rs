@@ -1,7 +1,7 @@
 //! Membership of points in shapes, by signs in numbers of twice the digits: straight lines.
 use crate::arrays::Each;
 use crate::scalar::largest;
-use crate::twofold::{Twofold, Way, cross, dot, rounded, turn, volume, way};
+use crate::twofold::{ExactVector, Twofold, cross, dot, rounded, turn, volume, way};
 use crate::{Mask, Scalar};
 
 /// Returns the power of two that brings the largest of some sizes to about one; one for zeros.
@@ -69,7 +69,7 @@ pub(super) fn in_tetrahedron<P: Scalar<Primal = P>>(
 
 /// Returns `true` where the origin, known to be in the plane of three points, is in their triangle, which may be flat.
 #[inline(always)]
-fn in_face<P: Scalar>(arms: [Way<P, 3>; 3]) -> P::Mask {
+fn in_face<P: Scalar>(arms: [ExactVector<P, 3>; 3]) -> P::Mask {
     let turns = [(0, 1), (1, 2), (2, 0)].each_as(|(i, j)| cross(arms[i], arms[j]));
     let in_sight = |k: usize| {
         // A flat triangle turns nowhere: its bounds say where it ends.
@@ -96,11 +96,11 @@ pub(super) fn in_triangle<P: Scalar<Primal = P>>(corners: [[P; 2]; 3], point: [P
 }
 
 /// What the points of an axis are: its way, and those from its ends to a point, in one unit.
-pub(super) struct Along<P, const N: usize> {
+pub(super) struct AxisPoint<P, const N: usize> {
     /// The way from start to end.
-    pub axis: Way<P, N>,
+    pub axis: ExactVector<P, N>,
     /// The way from the start to the point.
-    pub arm: Way<P, N>,
+    pub arm: ExactVector<P, N>,
     /// How far the point is along the axis from the start, times the axis.
     pub height: P,
     /// How far the point is along the axis from the end, times the axis.
@@ -109,14 +109,14 @@ pub(super) struct Along<P, const N: usize> {
     pub unit: P,
 }
 
-impl<P: Scalar<Primal = P>, const N: usize> Along<P, N> {
+impl<P: Scalar<Primal = P>, const N: usize> AxisPoint<P, N> {
     /// Returns a point as seen from an axis of a solid with a radius.
     #[inline(always)]
     pub fn new(start: [P; N], end: [P; N], point: [P; N], radius: P) -> Self {
         let unit = unit([size(start, end), size(start, point), radius]);
         let axis = way(start, end, unit);
         let arm = way(start, point, unit);
-        Along {
+        AxisPoint {
             axis,
             arm,
             height: dot(axis, arm),

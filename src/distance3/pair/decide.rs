@@ -2,7 +2,7 @@
 use super::super::spot::part;
 use super::face::{Facing, overlap};
 use super::features::{Corners, Edges, larger, smaller, turned, weight};
-use super::seen::{Gaps, Seen, column, dot, sign, sign_or_none};
+use super::seen::{Gaps, RelativeBox, column, dot, sign, sign_or_none};
 use crate::Scalar;
 use crate::arrays::Each;
 
@@ -114,8 +114,8 @@ impl<P: Scalar> Deepest<P> {
 
 /// Returns the features that are nearest, or the planes that part the boxes best, and the points there.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> Choice<P> {
-    let Seen { c, d, r, g, h } = seen;
+pub(super) fn decide<P: Scalar<Primal = P>>(seen: &RelativeBox<P>, gaps: &Gaps<P>) -> Choice<P> {
+    let RelativeBox { c, d, r, g, h } = seen;
     let (zero, one) = (P::zero(), P::one());
     let transposed = [0, 1, 2].each_as(|j| column(r, j));
     let of_b = Corners::new(*c, *r, *h, *g);

@@ -28,7 +28,7 @@ pub(super) struct Facing<P> {
 
 /// A point that the face and a face of the other box may share, seen along the normal.
 #[derive(Clone, Copy)]
-struct Shared<P> {
+struct SharedPoint<P> {
     /// Along both sides of the face, in the unit of length.
     at: [P; 2],
     /// Along both sides of the other face, as parts of half of them.
@@ -85,7 +85,7 @@ impl<P: Scalar> Facing<P> {
         let wide_v = either(no_v, [-wide_u[1], wide_u[0]], v);
         let det = wide_u[0] * wide_v[1] - wide_u[1] * wide_v[0];
         let over = one.over(P::select(det.equals(zero), one, det));
-        let mut all = [Shared {
+        let mut all = [SharedPoint {
             at: [zero; 2],
             other: [zero; 2],
             cost: most,
@@ -111,7 +111,7 @@ impl<P: Scalar> Facing<P> {
                         let (mut at, mut other) = ([bound; 2], [s; 2]);
                         (at[l], other[n]) = (along, part);
                         let height = rise[n] * part + rise[1 - n] * s;
-                        add(Shared {
+                        add(SharedPoint {
                             at,
                             other,
                             cost: P::select(crosses, height, most),
@@ -125,7 +125,7 @@ impl<P: Scalar> Facing<P> {
                 let at = [0, 1].each_as(|k| q[k] + (u[k] * s + v[k] * t));
                 let beside = larger(outside(at[0], half[0]), outside(at[1], half[1]));
                 let height = rise[0] * s + rise[1] * t;
-                add(Shared {
+                add(SharedPoint {
                     at,
                     other: [s, t],
                     cost: height + beside,
@@ -139,7 +139,7 @@ impl<P: Scalar> Facing<P> {
                 let inside = by_u.equals(other[0]) & by_v.equals(other[1]) & !no_u & !no_v;
                 let beside = P::select(inside, zero, larger(rest(0), rest(1)));
                 let height = rise[0] * other[0] + rise[1] * other[1];
-                add(Shared {
+                add(SharedPoint {
                     at,
                     other,
                     cost: height + beside,

@@ -1,6 +1,6 @@
 //! Corners and pairs of edges of two boxes as candidates for the nearest points: numbers without derivatives.
 use super::super::spot::part;
-use super::seen::{NEXT, Seen, least_square, sign};
+use super::seen::{NEXT, RelativeBox, least_square, sign};
 use crate::Scalar;
 use crate::arrays::Each;
 
@@ -139,8 +139,8 @@ pub(super) fn turned<P: Scalar>(r: &[[P; 3]; 3]) -> [[P; 3]; 3] {
 
 impl<P: Scalar> Edges<P> {
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn new(seen: &Seen<P>, turned: &[[P; 3]; 3], i: usize, j: usize) -> Self {
-        let Seen { c, r, g, h, .. } = seen;
+    pub(super) fn new(seen: &RelativeBox<P>, turned: &[[P; 3]; 3], i: usize, j: usize) -> Self {
+        let RelativeBox { c, r, g, h, .. } = seen;
         let ([k, l], [m, p]) = (NEXT[i], NEXT[j]);
         let zero = P::zero();
         let (rk, rl) = (r[k][j], r[l][j]);

@@ -19,7 +19,7 @@ use crate::distance::edge::scale_of;
 use crate::scalar::{most_of, speck};
 use crate::{Scalar, Vec3};
 use decide::{Choice, decide};
-use seen::{Gaps, Seen, column, dot, gaps_primal, least_square, sign_or_none};
+use seen::{Gaps, RelativeBox, column, dot, gaps_primal, least_square, sign_or_none};
 
 /// Returns constants of a scalar type with derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
@@ -27,12 +27,12 @@ fn fixed<S: Scalar>(x: [S::Primal; 3]) -> [S; 3] {
     x.each_as(|x| S::from_primal(x.primal()))
 }
 
-impl<S: Scalar> Seen<S> {
+impl<S: Scalar> RelativeBox<S> {
     /// Returns the gap of the planes that part the boxes best, in the mean of all that tie. Along faces that are
     /// parallel the boxes are turned about the middle of what faces each other.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn deepest(&self, gaps: &Gaps<S>, choice: &Choice<S::Primal>) -> S {
-        let Seen { r, g, h, c, d } = self;
+        let RelativeBox { r, g, h, c, d } = self;
         let share = |x: S::Primal| S::from_primal(x.primal());
         let mut sum = S::zero();
         for k in 0..3 {
@@ -61,7 +61,7 @@ impl<S: Scalar> Seen<S> {
 
 /// Returns b as a sees it, in units in which both are of a size near one, and the scale of these units.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (Seen<S>, S) {
+fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (RelativeBox<S>, S) {
     let anchor = a.anchor();
     let scale = scale_of::<S>(a.extent(anchor).most(b.extent(anchor)));
     let way = ((b.given - a.given) + (b.arm - a.arm)) * scale;
@@ -73,7 +73,7 @@ fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (Seen<S>, S) {
         let none = sine.unsigned().below(S::lit(S::PARALLEL));
         S::select(none, sine.with_primal(S::Primal::zero()), sine)
     };
-    let seen = Seen {
+    let seen = RelativeBox {
         c: a.axes.each_as(|axis| axis.dot(way)),
         d: b.axes.each_as(|axis| axis.dot(way)),
         r: [0, 1, 2].each_as(|i| [0, 1, 2].each_as(|j| turn(i, j))),
@@ -89,7 +89,7 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
     let (seen, scale) = seen(&a, &b);
     let gaps = seen.gaps();
     let choice = decide(&seen.primal(), &gaps_primal(&gaps));
-    let Seen { c, r, g, h, .. } = seen;
+    let RelativeBox { c, r, g, h, .. } = seen;
     let (x, y) = (fixed::<S>(choice.x), fixed::<S>(choice.y));
     let (at_a, at_b) = (
         [0, 1, 2].each_as(|k| g[k] * x[k]),
@@ -158,7 +158,7 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
 /// farther.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn farthest<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> S {
-    let (Seen { c, d, r, g, h }, scale) = seen(&a, &b);
+    let (RelativeBox { c, d, r, g, h }, scale) = seen(&a, &b);
     // From the corner of a at the negative ends of its axes; the others by signs.
     let (along_a, along_b) = (
         [0, 1, 2].each_as(|i| g[i] * c[i]),

@@ -7,7 +7,7 @@ pub(super) const NEXT: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 
 /// b as a sees it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen<S> {
+pub(super) struct RelativeBox<S> {
     /// The way from the centre of a to that of b, along the axes of a.
     pub c: [S; 3],
     /// The same along the axes of b.
@@ -61,12 +61,12 @@ pub(super) fn least_square<S: Scalar>() -> S {
     S::lit(S::EPSILON.powi(4))
 }
 
-impl<S: Scalar> Seen<S> {
+impl<S: Scalar> RelativeBox<S> {
     /// Returns the same without derivatives.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn primal(&self) -> Seen<S::Primal> {
+    pub fn primal(&self) -> RelativeBox<S::Primal> {
         let plain = |x: [S; 3]| x.each_as(S::primal);
-        Seen {
+        RelativeBox {
             c: plain(self.c),
             d: plain(self.d),
             r: self.r.each_as(plain),
@@ -78,7 +78,7 @@ impl<S: Scalar> Seen<S> {
     /// the matrix has digits: a product of its numbers and itself, in other order, is exactly zero.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gaps(&self) -> Gaps<S> {
-        let Seen { c, d, r, g, h } = self;
+        let RelativeBox { c, d, r, g, h } = self;
         let size = r.each_as(|row| row.each_as(S::magnitude));
         let edges = |i: usize, j: usize| {
             let ([k, l], [m, p]) = (NEXT[i], NEXT[j]);

@@ -48,19 +48,19 @@ fn average(values: impl Iterator<Item = f64>, recalls: Recalls) -> f64 {
 }
 
 /// The outcomes of the detections of a frame of at least a score, and the number of truths missed.
-struct Matched {
+struct FrameMatches {
     outcomes: Vec<Outcome>,
     missed: usize,
 }
 
 /// Overlaps of every truth above the threshold, with the detections in their order.
-struct Near {
+struct TruthOverlaps {
     all: Vec<(usize, f64)>,
     /// Truth t has the entries `starts[t]..starts[t + 1]`.
     starts: Vec<usize>,
 }
 
-fn near(frame: &Frame<'_>, threshold: f64) -> Result<Near, Error> {
+fn near(frame: &Frame<'_>, threshold: f64) -> Result<TruthOverlaps, Error> {
     let counts = [
         ("detections", frame.detections.len(), frame.scores.len()),
         ("unlabelled", frame.unlabelled.len(), frame.scores.len()),
@@ -109,13 +109,13 @@ fn near(frame: &Frame<'_>, threshold: f64) -> Result<Near, Error> {
     for own in starts.windows(2) {
         all[own[0]..own[1]].sort_by_key(|&(detection, _)| detection);
     }
-    Ok(Near { all, starts })
+    Ok(TruthOverlaps { all, starts })
 }
 
 /// Matches the truths, one after the other, to detections. With `least` a truth takes the detection of the largest
 /// overlap of at least this score, and ignored ones only if no other is left. Without it a truth takes the detection of
 /// the highest score.
-fn matched(frame: &Frame<'_>, near: &Near, least: Option<f64>) -> Matched {
+fn matched(frame: &Frame<'_>, near: &TruthOverlaps, least: Option<f64>) -> FrameMatches {
     let mut outcomes = vec![Outcome::Wrong; frame.scores.len()];
     let mut is_taken = vec![false; frame.scores.len()];
     let mut missed = 0;
@@ -159,7 +159,7 @@ fn matched(frame: &Frame<'_>, near: &Near, least: Option<f64>) -> Matched {
             }
         }
     }
-    Matched { outcomes, missed }
+    FrameMatches { outcomes, missed }
 }
 
 /// Returns the scores of right detections, the highest first, at which recall passes the next fortieth.
@@ -189,7 +189,7 @@ pub(crate) struct Judging<'a> {
     /// Empty where none were given.
     angles: &'a [Angles<'a>],
     threshold: f64,
-    near: Vec<Near>,
+    near: Vec<TruthOverlaps>,
     /// The truths that have to be found.
     truths: usize,
     /// The scores at which precision is read, the highest one first.
