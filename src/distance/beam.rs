@@ -164,7 +164,7 @@ impl<S: Scalar> Inside<S> {
             let normal = -unit(along.perp());
             inside = inside.behind(beam, corners[i], normal);
         }
-        // The faces of a flat polygon do not say where it ends.
+        // The faces of a flat polygon do not bound it.
         let (mut twice, mut reach) = (S::zero(), S::zero());
         for i in 1..n {
             let way = corners[i] - corners[0];

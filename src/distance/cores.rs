@@ -1,4 +1,4 @@
-//! The cores that shapes are made of: a point, a piece of a line, a polygon, a box.
+//! The cores of shapes: a point, a part of a line, a polygon, a box.
 use super::beam::{Beam, Inside};
 use super::corners::{Core, edge_near, face_deep};
 use super::edge::{Edge, scale_of, size_of, unit};
@@ -63,8 +63,8 @@ impl<S: Scalar> Core<S> for PointCore<S> {
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeCore<S, const CORNERS: usize, const AWAY: usize> {
     pub(super) edge: Edge<S>,
-    /// The second corner, where there is one. Not start and way added, which would round: edges that share
-    /// a corner have no distance at all.
+    /// The second corner, if there is one. The sum of start and vector would be rounded, but edges that share a corner
+    /// have distance zero.
     to: Vec2<S>,
 }
 
@@ -87,7 +87,7 @@ impl<S: Scalar, const AWAY: usize> EdgeCore<S, 1, AWAY> {
         EdgeCore {
             edge: Edge {
                 from,
-                // The direction has a length near one, whatever the unit of the rest.
+                // The direction has a length near one, in any unit of the other numbers.
                 along: direction * scale_of::<S>(size_of(direction)),
                 low: if AWAY == 2 { -large } else { S::zero() },
                 high: large,
@@ -156,8 +156,8 @@ pub struct PolygonCore<S, const N: usize, const TRIANGLE: bool = false>(pub [Vec
 impl<S: Scalar, const N: usize, const TRIANGLE: bool> PolygonCore<S, N, TRIANGLE> {
     /// Returns the corners counter-clockwise, as they are placed.
     ///
-    /// The turn is that at the corner of the two shorter sides, which is known best: rounding is as small beside the
-    /// product of these as it can be. The normal of a short side depends on it.
+    /// The orientation is computed at the corner of the two shorter sides, where its rounding is smallest relative to
+    /// their product. The normal of a short side depends on it.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn turned(&self) -> [Vec2<S>; N] {
         let mut corners = self.0;
@@ -229,8 +229,8 @@ impl<S: Scalar, const N: usize, const TRIANGLE: bool> Core<S> for PolygonCore<S,
 
 /// Returns the corners of a convex polygon counter-clockwise; the first one stays.
 ///
-/// All corners turn to one side, and the sum of their turns has its sign. Each turn counts beside the sizes of its two
-/// sides, so that a corner of short sides tells as much as one of long ones. Repeated corners turn nothing.
+/// All corners turn to one side, and the sum of their turns has its sign. Each turn is divided by the sizes of its two
+/// sides, so that a corner of short sides counts as one of long sides. Repeated corners have turn zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn counter_clockwise<S: Scalar, const N: usize>(mut corners: [Vec2<S>; N]) -> [Vec2<S>; N] {
     let zero = S::Primal::zero();
@@ -312,7 +312,7 @@ impl<S: Scalar, R: Turn<S>> BoxCore<S, R> {
         let Vec2 { x, y } = self.half;
         [(right, x, y), (-right, x, y), (up, y, x), (-up, y, x)]
     }
-    /// Returns how far in front of each face another core begins.
+    /// Returns the distance in front of each face at which another core begins.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn faces_deep<B: Core<S>>(&self, other: &B) -> [Best<S, Deepest<S>>; 4] {
         self.faces().each_as(|(normal, half, side)| {

@@ -1,4 +1,4 @@
-//! The one primitive that distances are made of: an edge and a point.
+//! The primitive of all distances: an edge and a point.
 use crate::scalar::speck;
 use crate::shape::Segment2;
 use crate::{Scalar, Vec2};
@@ -8,7 +8,7 @@ use crate::{Scalar, Vec2};
 pub struct Edge<S> {
     /// The point at parameter 0.
     pub from: Vec2<S>,
-    /// The way from parameter 0 to parameter 1.
+    /// The vector from parameter 0 to parameter 1.
     pub along: Vec2<S>,
     /// The least parameter.
     pub low: S,
@@ -29,15 +29,15 @@ impl<S: Scalar> Edge<S> {
     }
 }
 
-/// The place of an edge that is nearest to a point.
+/// The point of an edge that is nearest to a given point.
 #[derive(Clone, Copy, Debug)]
 pub struct Reach<S> {
     /// The parameter of the nearest point of the edge.
     pub t: S,
     /// The parameter of the nearest point of the whole line.
     pub free: S,
-    /// The way from there to the point. Across the edge it is found from the offset alone, so that
-    /// its direction is right however small it is.
+    /// The vector from there to the point. Across the edge it is computed from the offset alone, so that its direction
+    /// is right however small it is.
     pub apart: Vec2<S>,
 }
 
@@ -76,7 +76,7 @@ pub(crate) fn scale_of<S: Scalar>(size: S::Primal) -> S {
     S::from_primal(S::Primal::select(zero, S::Primal::one(), size).binade())
 }
 
-/// A segment that waits to be seen from a point in units of a size near one.
+/// A segment before it is scaled: a distance from a point chooses units in which both are of a size near one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct UnscaledSegment<S> {
     segment: Segment2<S>,
@@ -87,13 +87,13 @@ impl<S: Scalar> UnscaledSegment<S> {
     pub fn segment(segment: Segment2<S>) -> Self {
         UnscaledSegment { segment }
     }
-    /// Returns the edge and the way from its start to a point, both in units of the larger one.
+    /// Returns the edge and the vector from its start to a point, both in units of the larger one.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn near(self, point: Vec2<S>) -> (Edge<S>, Vec2<S>) {
         let (edge, arm, _) = self.near_scaled(point);
         (edge, arm)
     }
-    /// Returns the same with the power of two that lengths were multiplied by.
+    /// Returns the result of [`near`](Self::near) with the power of two that lengths were multiplied by.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn near_scaled(self, point: Vec2<S>) -> (Edge<S>, Vec2<S>, S) {
         let arm = point - self.segment.from;
@@ -200,8 +200,8 @@ pub(crate) fn unit<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
     Vec2::select(none, Vec2::zero(), unit)
 }
 
-/// Returns the vector with length one; zero for none. Beside a speck it is a constant, whose derivatives are beyond the
-/// format.
+/// Returns the vector with length one; zero for the zero vector. For a tiny vector it is a constant, since its
+/// derivatives are beyond the format.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn direction<S: Scalar>(way: Vec2<S>) -> Vec2<S> {
     let length = way.length();

@@ -22,10 +22,10 @@ pub struct EdgeFold<S> {
     sum: S,
     /// How many they are.
     count: S,
-    /// The distance to the left of an edge that the point is exactly on: zero but for derivatives. It counts here
-    /// if the winding number on that side is the point's own.
+    /// The distance to the left of an edge that the point is exactly on: the value zero with derivatives. It counts
+    /// here if the winding number on that side is the point's own.
     left: S,
-    /// The same if the winding number on the right side is the point's own.
+    /// The distance to the right, if the winding number on that side is the point's own.
     right: S,
     /// The winding number so far.
     pub winding: S,

@@ -17,7 +17,7 @@ fn measure<P: Scalar>(a: Vec2<P>, b: Vec2<P>) -> (P, P) {
     let inside = zero.below(ahead) & ahead.below(square);
     let across = turn.over(P::select(inside, square, P::one())) * turn;
     let end = P::select(ahead.at_most(zero), a.length_squared(), b.length_squared());
-    // The side as a fold over edges takes it, so that both have one winding number beside an edge, too.
+    // The side is computed as in a fold over edges, so that both give one winding number next to an edge, too.
     let side = a.perp_dot(b);
     let up = a.y.at_most(zero) & zero.below(b.y) & zero.below(side);
     let down = b.y.at_most(zero) & zero.below(a.y) & side.below(zero);
@@ -30,14 +30,14 @@ fn larger<P: Scalar>(a: P, b: P) -> P {
     P::select(a.below(b), b, a)
 }
 
-/// Returns `true` where a square is no larger than another one but for rounding.
+/// Returns `true` if a square is at most another one within rounding.
 #[inline(always)]
 fn about_least<P: Scalar>(square: P, least: P) -> P::Mask {
     square.at_most(least * P::lit(1.0 + 64.0 * P::EPSILON))
 }
 
-/// The least square, the edge it is of, whether another edge has it too but for rounding, the winding number, and the
-/// largest coordinate of a vertex seen from the point.
+/// The state of a search: the least squared distance, its edge, `true` if another edge ties within rounding, the
+/// winding number, and the largest coordinate of a vertex relative to the point.
 struct NearestSearch<P> {
     least: P,
     edge: usize,

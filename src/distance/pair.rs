@@ -160,8 +160,8 @@ impl<S: Scalar> PairFormula<S> for Farthest {
     }
 }
 
-/// Returns a direction of length one in which cores part that meet and have no normal, a constant: across the piece of
-/// a line where the other one is a point, else along the first axis.
+/// Returns a direction of length one that separates cores which meet and have no normal, a constant: across a part of a
+/// line if the other core is a point, else along the first axis.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn aside<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec2<S> {
     let first = Vec2::new(S::one(), S::zero());
@@ -178,7 +178,7 @@ fn aside<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec2<S> {
     Vec2::select(none, first, edge::direction(way.perp())).constant()
 }
 
-/// Returns the way along a piece of a line.
+/// Returns the vector along a part of a line.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn along<S: Scalar, A: Core<S>>(core: A) -> Vec2<S> {
     match (core.corners().as_ref(), core.away().as_ref()) {

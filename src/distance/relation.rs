@@ -23,7 +23,7 @@ pub(crate) struct Relation<S: Scalar> {
     pub endless: S::Mask,
     /// `true` where the cores share more than a border.
     pub overlap: S::Mask,
-    /// The way between the nearest points of cores that are apart.
+    /// The vector between the nearest points of cores that are apart.
     pub way: Vec2<S>,
     pub origin: Vec2<S>,
     pub scale: S,
@@ -46,7 +46,7 @@ impl<S: Scalar> Relation<S> {
             self.way.length_squared(),
         )
     }
-    /// Returns a square in the unit of length.
+    /// Converts a square to the unit of length.
     #[inline(always)]
     pub fn unscaled_square(&self, square: S) -> S {
         let square = square.over(self.scale).over(self.scale);
@@ -61,7 +61,7 @@ impl<S: Scalar> Relation<S> {
             direction: direction.canonical(),
         }
     }
-    /// Returns a way in the unit of length.
+    /// Converts a vector to the unit of length.
     #[inline(always)]
     pub fn unscaled(&self, way: Vec2<S>) -> Vec2<S> {
         Vec2::new(way.x.over(self.scale), way.y.over(self.scale))
@@ -73,7 +73,7 @@ impl<S: Scalar> Relation<S> {
     }
 }
 
-/// By so many roundings of the unit, in which all is of a size of at most four, heights and ways differ.
+/// The number of roundings of the unit by which heights and vectors may differ, if all sizes are at most four.
 const SLACK: f64 = 64.0;
 
 /// Ask for how far only.
@@ -83,8 +83,8 @@ pub(crate) const NORMAL: u8 = 1;
 /// Ask for the points, too.
 pub(crate) const POINTS: u8 = 2;
 
-/// Relates two shapes; what is not asked for is zero. One function for all that asks for the same of a
-/// pair, which compilers may share.
+/// Relates two shapes; results that are not needed are zero. All functions that need one relation of a pair call one
+/// function, which compilers may share.
 #[inline]
 pub(crate) fn relate<S: Scalar, A: Convex<S>, B: Convex<S>, const ASK: u8>(
     a: A,
@@ -115,7 +115,7 @@ fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> 
 }
 
 /// Returns the relation of two cores by their nearest points, the direction from a to b there, and by the face that
-/// parts them best, seen from `origin` in units of `1 / scale`; `bounded` says that one of them is.
+/// separates them best, relative to `origin` in units of `1 / scale`. `bounded` is `true` if one of them is bounded.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn joined<S: Scalar>(
     (near, direction): (Nearest<S>, Vec2<S>),
@@ -151,8 +151,8 @@ pub(crate) fn joined<S: Scalar>(
     // the shift it is no farther from there than the depth. Faces too short to count would have parted any others.
     let reachable = (S::lit(SLACK * S::EPSILON) - deep.ahead) - deep.ahead;
     let behind = deep.ahead.below(S::zero()) & length.at_most(reachable);
-    // Which side of an edge a point on it is on, its offset says with other roundings than the face does. Few shapes are
-    // so close, and batches leave out what only these need.
+    // For a point on an edge, its offset and the face decide the side with different roundings. Few shapes are so
+    // close, and batches leave out what only these need.
     let slack = S::lit(SLACK * S::EPSILON);
     let close = near.apart.length_squared().at_most(slack.squared());
     let against = near.apart.dot(deep.lead).below(S::zero());
@@ -167,7 +167,8 @@ pub(crate) fn joined<S: Scalar>(
         normal: Vec2::select(inside, deep.normal, direction),
         on_a: Vec2::select(inside, deep.on_a, near.on_a),
         on_b: Vec2::select(inside, deep.on_b, near.on_b),
-        // Bounded cores have a face that parts them unless both are points, for which it is the way.
+        // Bounded cores have a face that separates them unless both are points, for which the vector between them
+        // decides.
         endless: if bounded { never } else { !parted },
         overlap: parted & (behind | none) & deep.ahead.below(S::zero()),
         way: near.apart,
@@ -190,9 +191,8 @@ fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Best<S, Nearest<S>>
     first.less(b.near(a.corners().as_ref()).flipped())
 }
 
-/// Returns the face that parts two cores best; `None` where neither their overlap nor their difference has an
-/// area. The faces of the set of all differences of two convex sets are those of the one and those
-/// of the other.
+/// Returns the face that separates two cores best; `None` if neither their overlap nor their difference has an area.
+/// The faces of the set of all differences of two convex sets are the faces of both sets.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn deepest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Option<Best<S, Deepest<S>>> {
     if A::DIMENSION + B::DIMENSION < 2 {

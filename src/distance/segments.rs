@@ -119,14 +119,14 @@ pub fn closest_points_of_segments<S: Scalar>(
     }
 }
 
-/// The shortest way from one shape to another, as the derivatives of its length need it.
+/// The shortest segment from one shape to another, with the numbers that the derivatives of its length need.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShortestLink<S> {
     /// The direction from a to b, of length one; zero where a and b have a point in common.
     pub direction: Vec2<S>,
-    /// The fraction of the way along a at which it begins.
+    /// The parameter along a at which it begins.
     pub along_a: S,
-    /// The fraction of the way along b at which it ends.
+    /// The parameter along b at which it ends.
     pub along_b: S,
 }
 
@@ -200,10 +200,10 @@ fn way<S: Scalar>(link: Link<S>, distance: S) -> ShortestLink<S> {
     }
 }
 
-// Both see what `relation` sees, in the same order, so that a recording of the distance and of the way has every
+// Both compute the numbers of `relation` in one order, so that a recording of the distance and of the segment has every
 // number once.
 
-/// Returns the shortest way from a point to a segment at some distance.
+/// Returns the shortest segment from a point to a segment at some distance.
 #[inline(always)]
 pub(crate) fn way_to_segment<S: Scalar>(
     point: Vec2<S>,
@@ -216,7 +216,7 @@ pub(crate) fn way_to_segment<S: Scalar>(
     way(flipped(link(b.edge, a.0, S::zero())).mean(), distance)
 }
 
-/// Returns the shortest way between two segments at some distance.
+/// Returns the shortest segment between two segments at some distance.
 #[inline(always)]
 pub(crate) fn way_between_segments<S: Scalar>(
     a: Segment2<S>,

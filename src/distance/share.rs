@@ -5,7 +5,7 @@ use crate::{Scalar, Vec2};
 pub trait Carry<S: Scalar>: Copy {
     /// Returns the sum where `tie`, else `self` where `keep`, else `other`.
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self;
-    /// Returns all of it, times a number.
+    /// Multiplies all numbers by a factor.
     fn times(self, factor: S) -> Self;
 }
 
@@ -51,7 +51,7 @@ pub struct Best<S, C> {
     pub value: S,
     /// The sum of what the best ones carry.
     pub sum: C,
-    /// How many they are.
+    /// The number of best ones.
     pub count: S,
 }
 
@@ -112,7 +112,7 @@ impl<S: Scalar, C: Carry<S>> Best<S, C> {
 /// Two points, one of each core, that are nearest to each other.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest<S> {
-    /// The way from the one on a to the one on b.
+    /// The vector from the point on a to the point on b.
     pub apart: Vec2<S>,
     /// The one on a.
     pub on_a: Vec2<S>,
@@ -120,10 +120,10 @@ pub struct Nearest<S> {
     pub on_b: Vec2<S>,
 }
 
-/// By so many roundings of the unit, in which all is of a size of at most four, heights over faces in line differ.
+/// The number of roundings of the unit by which heights over collinear faces may differ, if all sizes are at most four.
 const ROUNDED: f64 = 16.0;
 
-/// How far in front of a face some points begin.
+/// The distance in front of a face at which some points begin.
 #[derive(Clone, Copy, Debug)]
 pub struct Ahead<S> {
     /// The distance from the face's line; negative behind it.
@@ -134,12 +134,12 @@ pub struct Ahead<S> {
 
 /// A face and the points of the other core that are farthest behind it.
 ///
-/// Faces that tie share the derivative of how far; of their normals and points those of the first face are
-/// taken whose end the points are not beyond, for the mean of two normals is none. Faces that tie but for rounding have
-/// their points on them, too, if one does: edges of a polygon that are in line.
+/// Faces that tie share the derivative of the distance. Normal and points are those of the first face whose ends
+/// enclose the points, since the mean of two normals is no normal. Faces that tie within rounding have their points on
+/// them, too, if one does: collinear edges of a polygon.
 #[derive(Clone, Copy, Debug)]
 pub struct Deepest<S> {
-    /// How far in front of the face they are; negative behind it.
+    /// The distance in front of the face; negative behind it.
     pub ahead: S,
     /// The face's normal, of length one, from a to b.
     pub normal: Vec2<S>,

@@ -11,8 +11,8 @@ use crate::{Obb2, Rotation2, Scalar, Vec2};
 /// Returns the relation of b to a in a's frame, the frame's rotation, and the scale that brings both to a size near
 /// one.
 ///
-/// Centres are subtracted before anything is turned, and headings before anything is compared: faces that are all
-/// but parallel are told apart by the sine of the angle between them, not by coordinates that it was added to.
+/// Centres are subtracted before anything is turned, and headings before anything is compared: nearly parallel faces
+/// are distinguished by the sine of the angle between them, not by coordinates that it was added to.
 #[inline(always)]
 fn seen<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (Relative<S>, Rotation2<S>, S) {
     let (own, other) = (frame(a), frame(b));
@@ -26,11 +26,11 @@ fn seen<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (Relative<S>, Rotation2<S>, S) {
     (relate::<S, true>(own, other, scale), turn, scale)
 }
 
-/// Which way: forwards (1) or backwards (−1) along an axis.
+/// The two directions along an axis: forwards (1) and backwards (−1).
 const SIGNS: [bool; 2] = [false, true];
 const CORNERS: [[bool; 2]; 4] = [[false, false], [true, false], [true, true], [false, true]];
 
-/// Returns a number or minus it.
+/// Returns a number, negated if `negative` holds.
 #[inline(always)]
 fn signed<S: Scalar>(negative: bool, x: S) -> S {
     if negative { -x } else { x }
@@ -83,7 +83,8 @@ fn nearest<S: Scalar>(pair: &Relative<S>) -> Best<S, (Nearest<S>, Vec2<S>)> {
             on_a: corner,
             on_b: turn * (local - apart),
         };
-        // Before it is turned: along a side it is that side's normal, however short the way is.
+        // The direction is taken before it is turned: along a side it is that side's normal, however short the vector
+        // is.
         let direction = -(turn * direction(apart));
         Best::of(apart.length_squared(), (found, direction))
     });
@@ -106,7 +107,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
         half: p,
         turn: Rotation2 { cos, sin },
     };
-    // How far the other box begins in front of each face, what is as large as the boxes first.
+    // The distance in front of each face at which the other box begins; terms of the boxes' size are added first.
     let aheads = SIGNS.each_as(|back| {
         let (u, v) = (signed(back, pair.u), signed(back, pair.v));
         let of_a = [
@@ -231,10 +232,10 @@ pub fn closest_points_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> PointPair<S> {
 
 /// Returns the [longest distance](super::farthest_distance) of points of two rotated boxes, in the unit of length.
 ///
-/// With c the way between the centres and s, t the ways from the centres of b and a to corners of theirs it is the
-/// largest `|c + s − t|`, whose square is `|c|² + |s|² + |t|²`, the same for all corners, and
-/// `2 (c·s − c·t − s·t)`, by which they are compared. All signs of both turned around change only the first two
-/// terms' sign. Kinks: where corners tie.
+/// Let c be the vector between the centres, and s and t the vectors from the centres of b and a to their corners. The
+/// distance is the largest `|c + s − t|`. Its square is `|c|² + |s|² + |t|²`, which is equal for all corners, plus
+/// `2 (c·s − c·t − s·t)`, by which they are compared. Negating both s and t changes only the sign of the first two
+/// terms. Kinks: where corners tie.
 ///
 /// ```
 /// use geograd::{Obb2, distance::turned::farthest_distance_obb2};

@@ -83,8 +83,8 @@ pub trait Apart<B>: Copy {
     }
 }
 
-/// Returns the signed distance of two shapes of space, in the unit of length: the shortest way between them, or minus
-/// the length of the shortest shift after which they only touch.
+/// Returns the signed distance of two shapes of space, in the unit of length: the distance of their nearest points, or
+/// minus the length of the shortest translation after which they only touch.
 ///
 /// Derivatives and kinks: see the [module](super).
 ///
@@ -137,7 +137,7 @@ pub fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S 
 /// Returns the points in which two shapes of space are nearest to each other.
 ///
 /// Overlapping shapes have the points that [`penetration`] brings together. Balls with one centre, and other round
-/// shapes whose cores meet in a point, leave each other by several ways; the points are those of one. Ties and
+/// shapes whose cores meet in a point, leave each other in several directions; the points are those of one. Ties and
 /// derivatives: see the [module](super).
 ///
 /// ```

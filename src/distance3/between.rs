@@ -28,7 +28,7 @@ fn view<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
     (origin, scale_of::<S>(size))
 }
 
-/// Returns the relation of two cores: plain numbers say which features are nearest, and the distance of these is
+/// Returns the relation of two cores: plain numbers decide which features are nearest, and the distance of these is
 /// computed once.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<S> {
@@ -38,7 +38,7 @@ pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<
     let (origin, scale) = view(&a, &b);
     let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
     let found = derived(&a, &b, &choose(&a.plain(), &b.plain()));
-    // Growth is zero but for its derivatives: values need no normal.
+    // Growth has the value zero and derivatives only, so values need no normal.
     let slope = |x: S| x.with_primal(S::Primal::zero());
     let growth = a.growth(found.normal) + b.growth(found.normal);
     let by_growth = found.square.root() * growth;
@@ -68,7 +68,7 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
     let found = joined(near, deep.as_ref());
     let (relation, inside) = (found.relation, found.inside);
     let none = inside & !inside;
-    // The direction of a way that is rounding parts nothing.
+    // A vector of the size of rounding has no direction that separates.
     let slack = P::lit(SLACK * P::EPSILON);
     let close = near.apart.length_squared().at_most(slack.squared()) & !inside;
     let (lost, beside) = match close.any() {
@@ -116,10 +116,10 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
 /// Returns the relation of the features that were chosen, with derivatives; the values are those that were found with
 /// them.
 ///
-/// A feature that is free along two ways is in a plane, whose normal turns; along one it is a line, to which the way is
-/// orthogonal; along none the way is that of two fixed points. The height of the way along the normal, held fixed, has
-/// the first derivatives of all three. What is added has derivatives of second order only: it is made of numbers that
-/// vanish, such as the way beside the normal.
+/// A feature that is free along two directions is in a plane, whose normal turns. Along one it is a line, to which the
+/// vector between the nearest points is orthogonal; along none that vector joins two fixed points. Its height along the
+/// normal, held fixed, has the first derivatives of all three. The terms that are added have derivatives of second
+/// order only: they are products of numbers that vanish, such as the vector's component orthogonal to the normal.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
     a: &A,
@@ -283,8 +283,8 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
     // the shift it is no farther from there than the depth. Faces too small to count would have parted any others.
     let reachable = (S::lit(SLACK * S::EPSILON) - deep.value) - deep.value;
     let behind = deep.value.below(S::zero()) & length.at_most(reachable);
-    // Which side of a face a point on it is on, its height says with other roundings than the plane does. Few shapes are
-    // so close, and batches leave out what only these need.
+    // For a point on a face, its height and the plane decide the side with different roundings. Few shapes are so
+    // close, and batches leave out what only these need.
     let slack = S::lit(SLACK * S::EPSILON);
     let close = square.at_most(slack.squared());
     let against = direction.dot(deep.lead).below(S::zero());
@@ -294,8 +294,8 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
     let rounded = none & deep.value.above(S::zero());
     let ahead = S::select(rounded, S::zero(), deep.value);
     let overlap = parted & (behind | none) & deep.value.below(S::zero());
-    // Nearest points of cores that touch are on both. Those of a plane that only bounds need not be, nor where edges
-    // cross that are all but parallel.
+    // Nearest points of cores that touch are on both. This need not hold for a plane that only bounds, nor where nearly
+    // parallel edges cross.
     let touching = length.at_most(slack) & (-deep.value).at_most(slack);
     let placed = inside & !(touching & deep.grade.at_most(S::lit(grade::STEEP)));
     let relation = Relation {
@@ -308,13 +308,13 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
     Joined { relation, inside }
 }
 
-/// A relation, and `true` if a plane says it.
+/// A relation, and `true` if a plane gives it.
 pub(super) struct Joined<S: Scalar> {
     pub relation: Relation<S>,
     pub inside: S::Mask,
 }
 
-/// Returns the square of the longest way from a corner of one core to one of another; ties share.
+/// Returns the largest squared distance of a corner of one core from one of another; ties share the derivative.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn farthest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> S {
     if let (Some(a), Some(b)) = (a.as_box(), b.as_box()) {

@@ -9,12 +9,12 @@ use crate::scalar::largest;
 use crate::{Scalar, Vec3};
 
 impl<S: Scalar> BoxCore<S> {
-    /// Returns the way from a point to the centre.
+    /// Returns the vector from a point to the centre.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn center_from(&self, from: Vec3<S>) -> Vec3<S> {
         (self.given - from) + self.arm
     }
-    /// Returns the ways from the centre to the faces.
+    /// Returns the vectors from the centre to the faces.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn arms(&self) -> [Vec3<S>; 3] {
         let [x, y, z] = self.axes;

@@ -1,4 +1,4 @@
-//! The cores that convex shapes of space are made of: a point, a segment, a triangle, a tetrahedron, a box.
+//! The cores of convex shapes of space: a point, a segment, a triangle, a tetrahedron, a box.
 use super::near::{Candidate, Edge, Nearest};
 use super::parting::{Lowest, PartingPlane};
 use super::spot::{self, MeanSpot, Pull, Spot, fixed_vector};
@@ -9,9 +9,9 @@ use crate::{Scalar, Vec3};
 
 /// The core of a convex shape of space: the hull of some corners.
 ///
-/// Three families of candidates make every distance: corners of one core against the faces and edges of the other,
-/// the same the other way round, and edges against edges. Cores of plain numbers ([`plain`](Core::plain)) are searched
-/// for the nearest features; the core with derivatives finds these by their [`Spot`].
+/// Three families of candidates give every distance: corners of one core against the faces and edges of the other, the
+/// reverse, and edges against edges. Cores of plain numbers ([`plain`](Core::plain)) are searched for the nearest
+/// features; the core with derivatives finds these by their [`Spot`].
 pub trait Core<S: Scalar>: Copy {
     /// The core without derivatives.
     type Plain: Core<S::Primal>;
@@ -19,7 +19,7 @@ pub trait Core<S: Scalar>: Copy {
     type Corners: AsRef<[Vec3<S>]> + Each<Vec3<S>>;
     /// The edges, in an array.
     type Edges: AsRef<[Edge<S>]> + Each<Edge<S>>;
-    /// The ways along edges, parallel ones once, in an array.
+    /// The vectors along edges, parallel ones once, in an array.
     type Ways: AsRef<[Vec3<S>]> + Each<Vec3<S>>;
     /// A number for each of its faces, in an array.
     type Faces: Each<usize>;
@@ -30,7 +30,7 @@ pub trait Core<S: Scalar>: Copy {
     const CENTERED: bool = false;
     /// Returns a point of it, from which the others are seen.
     fn anchor(&self) -> Vec3<S>;
-    /// Returns how far its corners are from a point at most, coordinate by coordinate, as a constant.
+    /// Returns the largest absolute coordinate of its corners relative to a point, as a constant.
     fn extent(&self, from: Vec3<S>) -> S::Primal;
     /// Returns the core seen from a point.
     #[must_use]
@@ -42,7 +42,8 @@ pub trait Core<S: Scalar>: Copy {
     fn plain(&self) -> Self::Plain;
     /// Returns the point at a spot, which is fixed on the core.
     fn point(&self, spot: Spot<S::Primal>) -> Vec3<S>;
-    /// Returns the ways along the feature of a spot, and how many they are; zero for those that there are not.
+    /// Returns the directions along which the feature of a spot is free, and their number; zero in place of missing
+    /// ones.
     fn free(&self, spot: Spot<S::Primal>) -> ([Vec3<S>; 2], S::Primal);
     /// Returns the spot of a corner.
     fn at_corner(&self, k: usize) -> Spot<S>;
@@ -50,20 +51,20 @@ pub trait Core<S: Scalar>: Copy {
     fn at_edge(&self, k: usize, t: S) -> Spot<S>;
     /// Returns the derivative of the heights of spots along a direction, less that of others.
     fn pull(&self, spot: MeanSpot<S>, less: MeanSpot<S>, normal: Vec3<S>) -> Pull<S>;
-    /// Returns the height that has that derivative, but for a constant.
+    /// Returns a height with this derivative, up to a constant.
     fn height(&self, pull: Pull<S::Primal>) -> S;
     /// Returns the corners.
     fn corners(&self) -> Self::Corners;
     /// Returns the edges.
     fn edges(&self) -> Self::Edges;
-    /// Returns the ways from end to end of edges, parallel ones once.
+    /// Returns the vectors from end to end of edges, parallel ones once.
     fn ways(&self) -> Self::Ways;
     /// Returns the numbers of its faces.
     fn faces(&self) -> Self::Faces;
     /// Returns the point of the core, or of its surface, that is nearest to a corner of another one, at a spot there.
     fn near(&self, corner: Vec3<S>, there: Spot<S>) -> Candidate<S>;
-    /// Returns the edge along one of the [ways](Core::ways) that is farthest against a direction orthogonal to it: of
-    /// boxes its middle, of others its first end.
+    /// Returns the lowest edge along one of the [vectors](Core::ways), seen along a direction orthogonal to it: for
+    /// boxes by its middle, for others by its first end.
     fn lowest(&self, normal: Vec3<S>, way: usize) -> Lowest<S>;
     /// Returns the edge on the side of a point, of edges along a direction that are equally far within rounding.
     #[cfg_attr(not(debug_assertions), inline(always))]
@@ -76,12 +77,13 @@ pub trait Core<S: Scalar>: Copy {
     ) -> Lowest<S> {
         lowest
     }
-    /// Returns the spot at a parameter along a way from that of [`lowest`](Core::lowest).
+    /// Returns the spot at a parameter along a vector from that of [`lowest`](Core::lowest).
     fn along(&self, spot: Spot<S>, way: usize, t: S) -> Spot<S>;
     /// Returns the least of `normal · corner`, and the corner; corners that tie share the derivative, and the point is
     /// their mean.
     fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>);
-    /// Returns how much closer sides of length zero come along a direction as they grow: zero, with that derivative.
+    /// Returns the growth of the extent along a direction by sides of length zero: the value zero, with the derivative
+    /// by these sides.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn growth(&self, _normal: Vec3<S>) -> S {
         S::zero()
@@ -105,14 +107,14 @@ pub trait Core<S: Scalar>: Copy {
 pub struct BoxCore<S> {
     /// A point of the box that is given: the centre, or a corner.
     pub given: Vec3<S>,
-    /// The way from there to the centre. Far from the origin their sum has fewer digits than either.
+    /// The vector from there to the centre. Far from the origin their sum has fewer digits than either.
     pub arm: Vec3<S>,
     /// The centre.
     pub center: Vec3<S>,
     /// Half the size along its own axes.
     pub half: [S; 3],
-    /// The same of sides of length zero, zero of all others. Corners at both ends of such a side are one place: which
-    /// of them comes closer as it grows only the direction to the other shape tells.
+    /// Half of each side of length zero, zero for all others. Corners at both ends of such a side coincide; the
+    /// direction to the other shape decides which of them comes closer as the side grows.
     pub flat: [S; 3],
     /// Its own axes, of length one.
     pub axes: [Vec3<S>; 3],
@@ -127,7 +129,7 @@ impl<S: Scalar> BoxCore<S> {
     }
 }
 
-/// Returns how far points are from another one at most.
+/// Returns the largest absolute coordinate of points relative to another one.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn extent_of<S: Scalar, const N: usize>(
     points: [Vec3<S>; N],

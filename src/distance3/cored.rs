@@ -36,7 +36,7 @@ pub trait InflatedCore: Copy {
     fn bounds(&self) -> Option<Aabb3<Self::Scalar>> {
         None
     }
-    /// Returns how far a point is beyond the faces, where the core is a box.
+    /// Returns the heights of a point over the faces, if the core is a box.
     #[doc(hidden)]
     #[inline(always)]
     fn beyond(&self, _: Vec3<Self::Scalar>) -> Option<Vec3<Self::Scalar>> {

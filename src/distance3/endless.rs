@@ -1,5 +1,5 @@
 //! Distances of lines and rays of space from each other, from segments and from points, each inflated by a radius; and
-//! from any other core as those of the part of the line that is near it.
+//! from any other core by the part of the line that is near it.
 use super::apart::Apart;
 use super::aside;
 use super::between::{self, joined};
@@ -68,9 +68,9 @@ impl<S: Scalar> Straight<S> {
 
 /// Returns the relation of two straight features.
 ///
-/// The parameter of the first one is that of the common normal; of parallel features it is the middle of what faces
-/// each other, as far as that ends. A sine below eight roundings counts as parallel. The other parameter follows from
-/// it, so that the distance errs by the square only.
+/// The parameter of the first one is that of the common normal; for parallel features it is the middle of their common
+/// range, as far as that ends. A sine below eight roundings counts as parallel. The other parameter follows from it, so
+/// that the distance errs by the square only.
 #[inline(always)]
 fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
     let way = b.from - a.from;
@@ -83,7 +83,7 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
     };
     let ((point_a, uu), (point_b, vv)) = (safe(u.length_squared()), safe(v.length_squared()));
     let (mut cross, uv) = (normal(u, v), u.dot(v));
-    // Rounding says where features cross that are all but parallel, and nothing bounds how far that is.
+    // Rounding decides the crossing of nearly parallel features, and nothing bounds its distance.
     let rounding = S::lit((8.0 * S::EPSILON).powi(2));
     cross.none = cross.none | cross.square.at_most(uu * vv * rounding);
     // As of parallel features: the ends of b as a sees them.
@@ -113,7 +113,7 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
     let s = S::select(inside | point_a, s, again);
     let (_, between) = a.held(s);
     let crossing = inside & between & !cross.none;
-    // The way of two features that cross is along their normal.
+    // The vector between two features that cross is along their normal.
     let fixed = |x: S| S::from_primal(x.primal());
     let way = w + v * fixed(t) - u * fixed(s);
     let (straight, direction) = across(cross, way);
@@ -143,8 +143,8 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
 
 /// Returns the relation of two features that cross, with second derivatives where their normal has few digits.
 ///
-/// The way between two points held fixed has the first derivatives alone. Both slide: with the residuals r and q of
-/// orthogonality to u and v, which are zero, the square of the shortest way is less by `|v r − u q|² / |u × v|²`.
+/// The vector between two points held fixed has the first derivatives alone. Both points slide. With the residuals r
+/// and q of orthogonality to u and v, which are zero, the squared distance is less by `|v r − u q|² / |u × v|²`.
 #[inline(always)]
 fn bent<S: Scalar>(found: Relation<S>, slides: S::Mask, less: S) -> Relation<S> {
     let slides = slides & found.apart.above(S::lit(speck::<S>()));

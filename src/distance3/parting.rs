@@ -9,7 +9,7 @@ pub(super) mod grade {
     pub const EMPTY: f64 = -1.0;
     /// The points are beyond an end, or what they are on supports no plane: it is nothing but a bound.
     pub const BOUND: f64 = 0.0;
-    /// Two edges cross that are all but parallel.
+    /// The grade of two nearly parallel edges that cross.
     pub const STEEP: f64 = 1.0;
     /// Two edges cross.
     pub const EDGES: f64 = 2.0;
@@ -17,7 +17,7 @@ pub(super) mod grade {
     pub const FACE: f64 = 3.0;
 }
 
-/// A plane between two cores, and points of them along it; of two sides that tie, those of the first.
+/// A plane between two cores, and points of them nearest to it; if two sides tie, those of the first.
 #[derive(Clone, Copy, Debug)]
 pub struct PartingPlane<P> {
     /// How far b begins beyond a; negative where they overlap.
@@ -34,7 +34,7 @@ pub struct PartingPlane<P> {
     pub on_a: Vec3<P>,
     /// The sum of the points of b.
     pub on_b: Vec3<P>,
-    /// The mean of the spots of those of a.
+    /// The mean of the spots of the points of a.
     pub at_a: Spot<P>,
     /// The mean of those of b.
     pub at_b: Spot<P>,
@@ -120,7 +120,7 @@ impl<P: Scalar> PartingPlane<P> {
     }
 }
 
-/// The edge of a core that is farthest against a direction, or a corner beside that is farther.
+/// The lowest edge of a core along a direction, or a neighbouring corner that is lower.
 #[derive(Clone, Copy, Debug)]
 pub struct Lowest<S: Scalar> {
     /// A point of the edge, or the corner.

@@ -1,4 +1,4 @@
-//! The relation of two shapes of space to each other: all that distances tell.
+//! The relation of two shapes of space to each other, from which all distances follow.
 use super::outcome::{Contact3, PointPair3};
 use crate::scalar::speck;
 use crate::{Scalar, Vec3};
@@ -46,7 +46,7 @@ impl<S: Scalar> Relation<S> {
             on_b: self.on_b.canonical(),
         }
     }
-    /// Returns the depth of overlap and the way out as a result.
+    /// Returns the depth of overlap and the direction out as a result.
     #[inline]
     pub(super) fn penetration(self) -> Contact3<S> {
         let depth = -self.apart;
@@ -92,8 +92,8 @@ pub(super) fn square_of_gap<S: Scalar>(apart: S) -> S {
     S::select(apart.above(S::zero()), apart * apart, S::zero())
 }
 
-/// Returns the vector with length one; zero for none. Beside a speck it is a constant, whose derivatives are beyond the
-/// format.
+/// Returns the vector with length one; zero for the zero vector. For a tiny vector it is a constant, since its
+/// derivatives are beyond the format.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn direction<S: Scalar>(way: Vec3<S>) -> Vec3<S> {
     let length = way.length();

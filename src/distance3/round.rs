@@ -17,7 +17,7 @@ pub trait Revolved: Copy {
     type Section: Convex<Self::Scalar>;
     /// Returns the start of the axis.
     fn start(self) -> Vec3<Self::Scalar>;
-    /// Returns the way from there to its end.
+    /// Returns the vector from there to its end.
     fn axis(self) -> Vec3<Self::Scalar>;
     /// Returns the radius.
     fn radius(self) -> Self::Scalar;
@@ -125,7 +125,7 @@ fn seen<S: Scalar>(axis: Vec3<S>, arm: Vec3<S>) -> AxisPoint<S> {
 }
 
 /// Returns the relation of a point and a solid. On the axis no direction is nearest: the derivative across is zero, and
-/// point and direction are those of any.
+/// point and direction belong to one of the nearest points.
 #[inline(always)]
 pub(super) fn relate<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: B) -> Relation<S> {
     let start = shape.start();

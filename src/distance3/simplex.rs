@@ -83,7 +83,7 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn point(&self, spot: Spot<S::Primal>) -> Vec3<S> {
-        // Seen from a corner of the face: shares beyond a needle are large, and their sum is not one but for rounding.
+        // Relative to a corner of the face: shares beyond a needle are large, and rounding of their sum matters.
         let last = spot.feature.equals(S::Primal::lit((FACE + 2) as f64));
         let from = match F > 2 {
             true => Vec3::select(last, self.0[1], self.0[0]),

@@ -6,7 +6,7 @@ use crate::{Scalar, Vec3};
 /// A point of a core, or of the plane of one of its faces, as a core with derivatives can find it again.
 #[derive(Clone, Copy, Debug)]
 pub struct Spot<P> {
-    /// Of the hull of some corners their shares; of a box one, and how far it is from the centre along the axes.
+    /// For a hull of corners their shares; for a box one, then the coordinates relative to the centre along its axes.
     pub parts: [P; 4],
     /// 0 at a corner, else the number of the edge or face along which it is free, as [`Core::free`](super::core::Core::free) reads it.
     pub feature: P,
@@ -172,20 +172,20 @@ pub(super) fn fixed_vector<S: Scalar>(v: Vec3<S::Primal>) -> Vec3<S> {
     Vec3::new(fixed(v.x), fixed(v.y), fixed(v.z))
 }
 
-/// Returns the vector with other values and the same derivatives.
+/// Returns the vector with other values and its own derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn valued<S: Scalar>(v: Vec3<S>, value: Vec3<S::Primal>) -> Vec3<S> {
     let one = |x: S, value: S::Primal| x.with_primal(value.primal());
     Vec3::new(one(v.x, value.x), one(v.y, value.y), one(v.z, value.z))
 }
 
-/// Returns the number that is zero but for rounding, as zero with its derivatives.
+/// Returns a number that is zero within rounding as zero with its derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn vanish<S: Scalar>(x: S) -> S {
     x.with_primal(S::Primal::zero())
 }
 
-/// Returns the vector that is zero but for rounding, as zero with its derivatives.
+/// Returns a vector that is zero within rounding as zero with its derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn vanishing<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
     Vec3::new(vanish(v.x), vanish(v.y), vanish(v.z))

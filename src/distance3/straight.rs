@@ -3,16 +3,16 @@ use super::near::size_of;
 use crate::distance::edge::scale_of;
 use crate::{Scalar, Vec3};
 
-/// Where the parameters of a straight feature end.
+/// The range of the parameter of a straight feature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum StraightKind {
-    /// At 0 and 0.
+    /// From 0 to 0.
     Point,
-    /// At 0 and 1.
+    /// From 0 to 1.
     Segment,
     /// At 0.
     Ray,
-    /// Nowhere.
+    /// All numbers.
     Line,
 }
 
@@ -51,7 +51,7 @@ impl<S: Scalar> Straight<S> {
             _ => S::Primal::zero(),
         }
     }
-    /// Returns the way along it: of a segment in the units of both features, else in units of its own size.
+    /// Returns the vector along it: for a segment in the units of both features, else in units of its own size.
     #[inline(always)]
     pub(super) fn way(&self, scale: S) -> Vec3<S> {
         match self.reach {

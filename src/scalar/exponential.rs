@@ -1,5 +1,5 @@
-//! Exponentials and logarithms of `f64`, and of lanes of it: polynomials, so that a number and a lane give the same bits on
-//! every machine and at every SIMD level.
+//! Exponentials and logarithms of `f64`, and of lanes of it: polynomials, so that a number and a lane have equal bits
+//! on every machine and at every SIMD level.
 use crate::Scalar;
 use crate::scalar::polynomial::{SHIFT, polynomial};
 

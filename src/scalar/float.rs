@@ -1,7 +1,7 @@
 //! `f32` and `f64` as scalars, and the elementary functions they share with SIMD lanes.
 //!
 //! Sine, cosine, arctangent, exponential and logarithm are polynomials, evaluated in `f64`, so that a number and a lane
-//! give the same bits on every machine and at every SIMD level. None calls the platform's library.
+//! have equal bits on every machine and at every SIMD level. None calls the platform's library.
 use crate::Scalar;
 use crate::scalar::arc_tangent::{atan2_single, atan2_wide};
 use crate::scalar::exponential::{exp_single, exp_wide, ln_single, ln_wide};

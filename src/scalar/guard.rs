@@ -52,7 +52,7 @@ impl<S: Scalar> Guard<S> {
             Some(sum) => Guard(Some(sum + x.primal())),
         }
     }
-    /// Returns a truth of these shapes: as it is, or false.
+    /// Returns a condition about these shapes, or false if a number is NaN.
     #[must_use]
     #[inline(always)]
     pub fn truth(self, holds: S::Mask) -> S::Mask {
@@ -76,8 +76,8 @@ impl<S: Scalar> Default for Guard<S> {
     }
 }
 
-/// Returns the result of a function of a shape, made of the scalar of the shape: NaN everywhere if a number of the
-/// shape is NaN.
+/// Returns the result of a function of a shape, which has the shape's scalar: NaN everywhere if a number of the shape
+/// is NaN.
 #[doc(hidden)]
 #[must_use]
 #[inline(always)]

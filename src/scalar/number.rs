@@ -1,10 +1,10 @@
-//! Numbers, and the shapes that are made of them: a number is a shape, and a shape is lifted to other numbers.
+//! Numbers, and shapes over them: a number is a shape, and a shape is lifted to other numbers.
 use crate::error::Field;
 use crate::scalar::mask::Mask;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A number that a shape can be made of; the [module](super) lists the implementing types and the rules at kinks.
+/// A number type of shapes; the [module](super) lists the implementing types and the rules at kinks.
 ///
 /// Division in geometry goes through [`over`](Scalar::over), roots through
 /// [`root`](Scalar::root), absolute values through [`magnitude`](Scalar::magnitude): the
@@ -196,16 +196,16 @@ pub trait Scalar:
         let (x, y) = (self * scale, other * scale);
         (x * x + y * y).root() * back
     }
-    /// Returns the same value with the derivatives multiplied by a constant: shares a derivative at a tie that one
+    /// Returns this value with the derivatives multiplied by a constant: shares a derivative at a tie that one
     /// comparison cannot detect.
     #[inline(always)]
     fn damp(self, share: Self::Primal) -> Self {
         let value = Self::from_primal(self.primal());
         value + (self - value) * Self::from_primal(share)
     }
-    /// Returns the same derivatives with another value, to correct rounding of the value alone.
+    /// Returns these derivatives with another value, to correct rounding of the value alone.
     ///
-    /// The literal zero as value says that products with it are zero: programs do not compute them, but their
+    /// The literal zero as value means that products with it are zero: programs do not compute them, only their
     /// derivatives.
     #[inline(always)]
     fn with_primal(self, value: Self::Primal) -> Self {
@@ -218,7 +218,7 @@ pub trait Scalar:
     fn may_be_nan(self) -> bool {
         true
     }
-    /// Returns the same where the mask is true, else NaN in every part, made of the given NaN.
+    /// Returns the number where the mask is true, else the given NaN in every part.
     #[doc(hidden)]
     #[inline(always)]
     fn known(self, known: Self::Mask, nan: Self::Primal) -> Self {
@@ -241,8 +241,8 @@ pub trait Scalar:
         let low = Self::select(self.above(largest), largest, self);
         Self::select(low.below(-largest), -largest, low)
     }
-    /// Returns the same number; a zero loses its sign. Results end in it: which zero a sum of products gives
-    /// depends on what was left out because nothing needed it.
+    /// Returns the number, with a positive zero for either zero. Results apply it last: the sign of a zero sum of
+    /// products depends on which unneeded terms were left out.
     #[inline(always)]
     fn canonical(self) -> Self {
         self + Self::zero()
@@ -289,9 +289,8 @@ pub trait Scalar:
 
 /// A shape made of scalars, in a fixed order.
 ///
-/// `With<T>` is the same shape made of `T`: of dual numbers to differentiate, of gradients to hold a Hessian. Numbers,
-/// shapes, tuples and arrays of them, and vectors of run-time
-/// length are packs. `#[derive(Shape)]` makes a struct one.
+/// `With<T>` is this shape over `T`: of dual numbers to differentiate, of gradients to hold a Hessian. Numbers, shapes,
+/// tuples and arrays of them, and vectors of run-time length are packs. `#[derive(Shape)]` makes a struct one.
 ///
 /// ```
 /// use geograd::{Obb2, Pack};
@@ -305,11 +304,11 @@ pub trait Scalar:
 pub trait Pack: Clone {
     /// The number type of the shape.
     type Scalar: Clone;
-    /// The same shape made of `T`.
+    /// This shape over `T`.
     type With<T: Clone>: Clone;
-    /// `true` if it has lists of run-time length. [`fewer`](Pack::fewer) is not asked otherwise.
+    /// `true` if it has lists of run-time length. [`fewer`](Pack::fewer) is not called otherwise.
     const LISTS: bool = false;
-    /// Returns the same shape with every scalar replaced, first field first.
+    /// Returns this shape with every scalar replaced, first field first.
     fn remake<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T>;
     /// Calls a function with every scalar by reference, first field first.
     fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar));
@@ -342,8 +341,8 @@ pub trait Pack: Clone {
     {
         self.remake(&mut |x| num_traits::AsPrimitive::as_(*x))
     }
-    /// Returns the same with some elements of a list of run-time length dropped: halves first, single ones
-    /// last. Nothing for shapes of fixed size. For shrinking.
+    /// Returns copies with some elements of a list of run-time length dropped: halves first, single ones last. Empty
+    /// for shapes of fixed size. For shrinking.
     ///
     /// ```
     /// use geograd::Pack;
@@ -365,7 +364,7 @@ pub trait Pack: Clone {
         self.remake(&mut |x| all.push(x.clone()));
         all
     }
-    /// Returns the same shape with its scalars taken from a list, which must have enough of them.
+    /// Returns this shape with its scalars taken from a list, which must have enough of them.
     ///
     /// # Panics
     ///
@@ -378,8 +377,8 @@ pub trait Pack: Clone {
     }
 }
 
-/// A shape with the same number of scalars for every value: numbers, [derived](crate::Shape)
-/// shapes, and arrays of them and tuples of up to six.
+/// A shape whose number of scalars does not depend on its value: numbers, [derived](crate::Shape) shapes, and arrays of
+/// them and tuples of up to six.
 ///
 /// ```
 /// use geograd::{Fixed, Obb2, Pack, Vec2};
@@ -396,7 +395,7 @@ pub trait Pack: Clone {
     note = "numbers, arrays, tuples of up to six and structs with `#[derive(geograd::Shape)]` are"
 )]
 pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static {
-    /// The same shape made of another scalar.
+    /// This shape over another scalar.
     type Of<R: Scalar>: Fixed<Scalar = R>;
     /// The number of scalars.
     const LEN: usize;
@@ -414,11 +413,11 @@ pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static
     ///
     /// When there are fewer.
     fn store(self, to: &mut [Self::Scalar]);
-    /// Returns the shape with the same scalar everywhere. Its codes are zero.
+    /// Returns the shape with one scalar everywhere. Its codes are zero.
     fn filled(scalar: Self::Scalar) -> Self;
     /// Returns the name of scalar `i`, such as `links[0].x`; that of a lone number from `LEN` on.
     fn name(i: usize) -> Field;
-    /// Returns the same shape with its codes taken from the first `CODES` places of a slice.
+    /// Returns this shape with its codes taken from the first `CODES` places of a slice.
     ///
     /// # Panics
     ///

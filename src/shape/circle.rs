@@ -111,8 +111,8 @@ pub fn circumcircle<S: Scalar>(a: Vec2<S>, b: Vec2<S>, c: Vec2<S>) -> Circle<S> 
     let (b, c) = (b * scale, c * scale);
     let (bb, cc) = (b.length_squared(), c.length_squared());
     let twice = b.perp_dot(c) * S::lit(2.0);
-    // Below this the points are on one line as far as the numbers can tell, and derivatives, which grow
-    // with the inverse square, would not be finite.
+    // Below this the points are collinear within rounding, and derivatives, which grow with the inverse square, would
+    // not be finite.
     let line = twice.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
     let twice = S::select(line, S::one(), twice);
     let across = c * bb - b * cc;

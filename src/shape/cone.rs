@@ -94,7 +94,7 @@ impl<S: Scalar> Cone<S> {
     pub fn center(self) -> Vec3<S> {
         self.apex.lerp(self.base, S::lit(0.75))
     }
-    /// Returns the smallest axis-aligned box around it. Kinks where the apex reaches as far as the base, and where the
+    /// Returns the smallest axis-aligned box around it. Kinks: where apex and base have an equal bound, and where the
     /// axis is orthogonal to one of the world's.
     #[must_use]
     #[inline]

@@ -42,7 +42,7 @@ fn has_height<S: Scalar<Mask = bool>>(shape: &Cylinder<S>) -> Result<(), Flaw> {
     }
 }
 
-/// Returns how far a disc of radius one reaches along x, y and z, given its unit normal.
+/// Returns the half extents along x, y and z of a disc of radius one, given its unit normal.
 #[inline(always)]
 pub(super) fn disc_reach<S: Scalar>(normal: Vec3<S>) -> Vec3<S> {
     Vec3::new(

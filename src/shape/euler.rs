@@ -2,9 +2,8 @@
 use crate::Scalar;
 use crate::shape::Rotation3;
 
-/// Which axes three angles turn about, in order: each turns about an axis of the body as the ones before
-/// have left it (intrinsic). Read backwards the same name says turns about fixed axes: `Zyx` is yaw,
-/// pitch, roll.
+/// The axes that three angles turn about, in order: each turns about an axis of the body as the previous turns have
+/// left it (intrinsic). Read backwards, a name gives turns about fixed axes: `Zyx` is yaw, pitch, roll.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[expect(missing_docs, reason = "the names say it")]
 pub enum EulerOrder {
@@ -89,7 +88,7 @@ impl<S: Scalar> Rotation3<S> {
     pub fn euler(self, order: EulerOrder) -> [S; 3] {
         let unit = self.normalized();
         let at = [unit.x, unit.y, unit.z];
-        // The source turns about fixed axes: the same angles the other way round.
+        // The source turns about fixed axes: these are the angles in reverse order.
         let [k, j, i] = order.axes();
         let symmetric = i == k;
         let k = if symmetric { 3 - i - j } else { k };

@@ -23,7 +23,7 @@ use std::ops::Mul;
 pub struct Line2<S> {
     /// One point of the line, where its parameter is 0.
     pub point: Vec2<S>,
-    /// The way from parameter 0 to parameter 1.
+    /// The vector from parameter 0 to parameter 1.
     pub direction: Vec2<S>,
 }
 

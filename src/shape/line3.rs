@@ -19,7 +19,7 @@ use std::ops::Mul;
 pub struct Line3<S> {
     /// Its point at parameter 0.
     pub point: Vec3<S>,
-    /// The way from parameter 0 to parameter 1.
+    /// The vector from parameter 0 to parameter 1.
     #[shape(direction)]
     pub direction: Vec3<S>,
 }

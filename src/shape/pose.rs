@@ -53,8 +53,8 @@ impl<S: Scalar> Rotation2<S> {
     pub fn angle(self) -> S {
         self.sin.atan2(self.cos)
     }
-    /// Returns the rotation by the same angle with numbers of length one; no rotation (with derivative zero) for two
-    /// zeros.
+    /// Returns the rotation by this angle with cosine and sine of length one; no rotation (with derivative zero) for
+    /// two zeros.
     ///
     /// ```
     /// use geograd::Rotation2;

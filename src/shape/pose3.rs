@@ -48,8 +48,8 @@ impl<S: Scalar> Pose3<S> {
         let rotation = self.rotation.inverse();
         Pose3::new(-(rotation * self.translation), rotation)
     }
-    /// Returns the motion a fraction `t` of the way to another one: the rotation along the shorter way round,
-    /// the origin along a straight line.
+    /// Returns the motion a fraction `t` of the way to another one: the rotation along the shorter arc, the origin
+    /// along a straight line.
     #[must_use]
     #[inline]
     pub fn interpolate(self, other: Self, t: S) -> Self {

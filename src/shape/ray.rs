@@ -21,7 +21,7 @@ use std::ops::Mul;
 pub struct Ray2<S> {
     /// Its start, at parameter 0.
     pub point: Vec2<S>,
-    /// The way from parameter 0 to parameter 1.
+    /// The vector from parameter 0 to parameter 1.
     pub direction: Vec2<S>,
 }
 

@@ -23,7 +23,7 @@ use std::ops::Mul;
 pub struct Ray3<S> {
     /// Its start, at parameter 0.
     pub point: Vec3<S>,
-    /// The way from parameter 0 to parameter 1.
+    /// The vector from parameter 0 to parameter 1.
     #[shape(direction)]
     pub direction: Vec3<S>,
 }

@@ -3,9 +3,9 @@ use crate::error::Field;
 use crate::{Flaw, Scalar, Shape, Vec3};
 use std::ops::Mul;
 
-/// A rotation of space as a quaternion `w + x i + y j + z k` of any length but zero: all that uses it
-/// divides by its length, so that derivatives by the four numbers are those of the direction alone. A
-/// quaternion and its negative are the same rotation.
+/// A rotation of space as a quaternion `w + x i + y j + z k` of any length except zero. All functions divide by its
+/// length, so that derivatives by the four numbers are those of the direction alone. A quaternion and its negative give
+/// one rotation.
 ///
 /// Optimisers that step in the four numbers need nothing else. Others step in three and use the *body tangent*:
 /// the rotation vector, in the body's own axes, of a small turn applied first. Gradients go from one to the other
@@ -94,8 +94,8 @@ impl<S: Scalar> Rotation3<S> {
             z.over(length),
         )
     }
-    /// Returns the same rotation with a quaternion of length one and `w ≥ 0`. If `w = 0`, the first of x, y and z that
-    /// is not zero is positive.
+    /// Returns this rotation as a quaternion of length one with `w ≥ 0`. If `w = 0`, the first of x, y and z that is
+    /// not zero is positive.
     #[must_use]
     #[inline(always)]
     pub fn canonical(self) -> Self {
@@ -252,8 +252,8 @@ impl<S: Scalar> Rotation3<S> {
     pub fn inverse(self) -> Self {
         Rotation3::new(self.w, -self.x, -self.y, -self.z)
     }
-    /// Returns the rotation a fraction `t` of the way to another one, along the shorter way round and at even
-    /// speed. Kink: rotations half a turn apart, where both ways are equally long.
+    /// Returns the rotation a fraction `t` of the way to another one, along the shorter arc and at even speed. Kink:
+    /// rotations half a turn apart, where both arcs are equally long.
     #[must_use]
     #[inline]
     pub fn interpolate(self, other: Self, t: S) -> Self {

@@ -25,7 +25,7 @@ pub struct RoundBox3<S> {
     /// The box inside.
     #[shape(names("x", "y", "z", "dx", "dy", "dz", "qw", "qx", "qy", "qz"))]
     pub inner: Obb3<S>,
-    /// The radius of edges and corners, by which the faces are beyond those of the box inside.
+    /// The radius of edges and corners, and the distance of the faces from those of the box inside.
     #[shape(non_negative)]
     pub radius: S,
 }

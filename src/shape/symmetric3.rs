@@ -35,7 +35,7 @@ pub struct Symmetric3<S> {
 }
 
 impl<S> Symmetric3<S> {
-    /// Creates a matrix from its diagonal and its entries beside it: those of the first row, then that of the second
+    /// Creates a matrix from its diagonal and the entries above it: those of the first row, then that of the second
     /// row.
     #[inline(always)]
     pub const fn new(xx: S, yy: S, zz: S, xy: S, xz: S, yz: S) -> Self {
@@ -51,7 +51,7 @@ impl<S> Symmetric3<S> {
 }
 
 impl<S: Scalar> Symmetric3<S> {
-    /// Returns the same number along the whole diagonal.
+    /// Returns the multiple of the identity by a number.
     #[must_use]
     #[inline(always)]
     pub fn isotropic(x: S) -> Self {

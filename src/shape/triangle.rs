@@ -60,7 +60,7 @@ impl<S: Scalar> Triangle2<S> {
     #[must_use]
     #[inline(always)]
     pub fn counter_clockwise(self) -> [Vec2<S>; 3] {
-        // Only the sign is asked for: units in which the product is representable.
+        // Only the sign matters, so units are chosen in which the product is representable.
         let (b, c) = (self.b - self.a, self.c - self.a);
         let (u, v) = (unit_power(b), unit_power(c));
         let clockwise = (b * u).perp_dot(c * v).below(S::zero());

@@ -45,8 +45,8 @@ macro_rules! vector {
             pub fn length_squared(self) -> S {
                 self.dot(self)
             }
-            /// Returns the vector of length one in the same direction, or the zero vector (with derivative
-            /// zero) for the zero vector.
+            /// Returns the vector of length one in this direction, or the zero vector (with derivative zero) for the
+            /// zero vector.
             #[must_use]
             #[inline(always)]
             pub fn normalize_or_zero(self) -> Self {
@@ -55,7 +55,7 @@ macro_rules! vector {
                 let length = S::select(zero, S::one(), length);
                 Self { $($field: S::select(zero, S::zero(), self.$field.over(length))),* }
             }
-            /// Returns the vector of length one in the same direction; `None` for the zero vector.
+            /// Returns the vector of length one in this direction; `None` for the zero vector.
             #[must_use]
             #[inline]
             pub fn try_normalize(self) -> Option<Self>
@@ -82,13 +82,13 @@ macro_rules! vector {
             pub fn most(self, other: Self) -> Self {
                 Self { $($field: self.$field.most(other.$field)),* }
             }
-            /// Returns the same vector; zeros lose their sign.
+            /// Returns the vector with its zeros positive.
             #[must_use]
             #[inline(always)]
             pub fn canonical(self) -> Self {
                 Self { $($field: self.$field.canonical()),* }
             }
-            /// Returns the same vector with coordinates beyond the largest number at that.
+            /// Returns the vector with coordinates clamped to the largest number.
             #[inline(always)]
             pub(crate) fn saturated(self) -> Self {
                 Self { $($field: self.$field.saturated()),* }

@@ -111,7 +111,7 @@ impl<S: Scalar> YawBox3<S> {
 }
 
 impl<S: Scalar> From<Aabb3<S>> for YawBox3<S> {
-    /// Returns the same box with heading zero; a side longer than the largest number is that.
+    /// Returns the box as one with heading zero; a side longer than the largest number becomes that number.
     #[inline(always)]
     fn from(bounds: Aabb3<S>) -> Self {
         YawBox3::new(bounds.center(), bounds.size().saturated(), S::zero())

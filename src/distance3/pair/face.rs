@@ -16,7 +16,7 @@ pub(super) fn overlap<P: Scalar>(half: P, center: P, other: P) -> P {
 pub(super) struct Facing<P> {
     /// The axes of the other box along the face's normal and its two sides.
     pub rows: [[P; 3]; 3],
-    /// The centre of the other box along the same.
+    /// The centre of the other box along these sides.
     pub center: [P; 3],
     /// Half the sides of the face.
     pub half: [P; 2],
@@ -33,7 +33,7 @@ struct SharedPoint<P> {
     at: [P; 2],
     /// Along both sides of the other face, as parts of half of them.
     other: [P; 2],
-    /// How far it is above the middle of the other face, and how far outside of either.
+    /// Its height over the middle of the other face, plus its distance outside of either face.
     cost: P,
 }
 
@@ -41,7 +41,7 @@ struct SharedPoint<P> {
 pub(super) struct Middle<P: Scalar> {
     /// Along both sides of the face, in the unit of length.
     pub at: [P; 2],
-    /// The same point of the other box: along its axes, as parts of half its size.
+    /// The corresponding point of the other box: along its axes, as parts of half its size.
     pub other: [P; 3],
     /// `true` if an edge or a face of the other box is parallel to the face.
     pub parallel: P::Mask,
@@ -51,9 +51,9 @@ impl<P: Scalar> Facing<P> {
     /// Returns the mean of the lowest corners of what faces each other, of those that are at most some slack higher
     /// than the lowest one: corners over the face, corners of the face below the other one, and crossings of edges.
     ///
-    /// The other box has one face that is the nearest to parallel, and its lowest points are there. A corner outside
-    /// of the other face costs as much as it is outside: of shapes that meet in a point or an edge beside each other
-    /// rounding leaves no corner inside.
+    /// The other box has one face that is the nearest to parallel, and its lowest points are there. The cost of a
+    /// corner outside the other face is its distance from that face. Rounding may leave no corner inside if shapes meet
+    /// in a point or an edge.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn middle(&self, side: P, slack: P) -> Middle<P> {
         let (zero, one) = (P::zero(), P::one());

@@ -95,7 +95,7 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
         [0, 1, 2].each_as(|k| g[k] * x[k]),
         [0, 1, 2].each_as(|k| h[k] * y[k]),
     );
-    // The way from the point of a to that of b, along the axes of a and of b.
+    // The vector from the point of a to that of b, along the axes of a and of b.
     let w = [0, 1, 2].each_as(|k| (c[k] + dot(r[k], at_b)) - at_a[k]);
     let seen_b = [0, 1, 2].each_as(|j| (seen.d[j] + at_b[j]) - dot(column(&r, j), at_a));
     let keep = fixed::<S>(choice.keep);
@@ -154,7 +154,7 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
     }
 }
 
-/// Returns the longest distance of points of two boxes: of every two opposite sides of b the corner of a says which is
+/// Returns the longest distance of points of two boxes: the corner of a decides which of two opposite sides of b is
 /// farther.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn farthest<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> S {
