@@ -1,6 +1,6 @@
 //! Declared properties of functions as data: the motions of numbers, the answers of results, and where values may jump.
 //!
-//! A shape says how it moves by the [`Kind`] of each of its numbers. Numbers that only move together, such as the
+//! The [`Kind`] of each number of a shape determines its motion. Numbers that only move together, such as the
 //! coordinates of a point or the four numbers of a quaternion, have kinds of their own and follow one another.
 
 /// A motion of the whole input, in the world's axes.
@@ -107,7 +107,7 @@ pub enum Effect {
     Stays,
     /// Every number grows with this power of the scale.
     Power(i32),
-    /// It moves along, as what it is made of does: points, lengths, angles.
+    /// It moves as its points, lengths and angles do.
     Follows,
 }
 

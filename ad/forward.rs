@@ -1,8 +1,7 @@
 //! Derivatives of any generic function of shapes by dual numbers, seeded by the library.
 //!
-//! Every driver takes the function and the point, and gives back shapes. The function is generic
-//! over the scalar, or a closure over generic functions: it is called with shapes made of
-//! [`Jet`]s.
+//! Every driver takes the function and the point, and returns shapes. The function is generic over the scalar, or a
+//! closure over generic functions: it is called with shapes over [`Jet`].
 //!
 //! | driver | result |
 //! | --- | --- |

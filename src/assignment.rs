@@ -109,7 +109,7 @@ pub fn optimal(gains: &[f64], rows: usize, columns: usize) -> Result<Vec<(usize,
 /// Returns the one-to-one pairs of a list with the largest sum of overlaps, by their first place. Overlaps of zero or
 /// less add nothing and are left out.
 ///
-/// Pairs that share no place, as those of two frames, are independent: one call serves the pairs of all frames, as
+/// Pairs that share no index, such as those of two frames, are independent: one call serves the pairs of all frames, as
 /// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped) gives them, and costs no more than a call per frame.
 ///
 /// # Errors

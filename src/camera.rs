@@ -1,7 +1,7 @@
 //! Cameras: images of points in the camera's frame, whose z axis looks ahead, x to the right and y down.
 //!
 //! A camera sees the points of its domain; beyond it lenses map two points to one pixel. `project` returns finite
-//! pixels for points beyond, too, the principal point for some: `sees` says which pixels to use. Poses take points of
+//! pixels for points beyond, too, the principal point for some: `sees` tells which pixels to use. Poses take points of
 //! the world to the camera: `camera.project(camera_from_world * point)`.
 //!
 //! ```

@@ -1,5 +1,4 @@
-//! The border of one box clipped to another: what areas of intersection and their derivatives are
-//! made of.
+//! The border of one box clipped to another, from which areas of intersection and their derivatives are computed.
 //!
 //! # The method
 //!
@@ -93,8 +92,8 @@ pub fn size_scale<S: Scalar>(half_a: Vec2<S>, half_b: Vec2<S>) -> S {
     S::select(zero, S::one(), S::select(zero, S::one(), size).binade())
 }
 
-/// The larger box of a pair may be 2⁵⁹ times as large as the smaller one; its area fits an `f32`, and what is [`FAR`]
-/// away is apart from it however it is turned.
+/// The larger box of a pair may be 2⁵⁹ times as large as the smaller one; its area fits an `f32`, and a box [`FAR`]
+/// away is apart from it in any orientation.
 pub(crate) const LARGEST_INVERSE: f64 = 1.0 / (1_u64 << 59) as f64;
 
 /// Beyond this many units (of which the smaller box has about one) between the centres in either
@@ -148,9 +147,9 @@ fn difference<S: Scalar, const EXTREME: bool>(a: S, b: S, scale: S) -> (S, S) {
 
 /// Sees `b` from `a`.
 ///
-/// The difference of the centres comes first, so the distance from the origin costs no digits. The products of a
-/// scalar with 24 bits carry low parts. The result is then right to about 2⁻³⁵ of its inputs even where it
-/// cancels, which long thin boxes need. `EXTREME` says that there is a scale.
+/// The difference of the centres comes first, so the distance from the origin costs no digits. The products of a scalar
+/// with 24 bits carry low parts. The result is then right to about 2⁻³⁵ of its inputs even where it cancels, which long
+/// thin boxes need. `EXTREME` enables the scale.
 #[inline(always)]
 pub fn relate<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>, scale: S) -> Relative<S> {
     let (dx, lost_x) = difference::<S, EXTREME>(a.center.x, b.center.x, scale);
@@ -176,7 +175,7 @@ pub fn relate<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>, scale:
         sin = a.cos * b.sin - a.sin * b.cos;
     }
 
-    // A box is the same after a quarter turn with its sides exchanged, and after a half turn.
+    // A quarter turn with exchanged sides, or a half turn, gives the same box.
     let swapped = cos.unsigned().below(sin.unsigned());
     let (cos, sin) = (S::select(swapped, sin, cos), S::select(swapped, -cos, sin));
     let turned = cos.below(S::zero());
@@ -283,8 +282,8 @@ fn nearest_inside<S: Scalar>(x: S, half: S) -> S {
     S::from_primal(x.primal().clamp(-half, half))
 }
 
-/// Returns how much of a side of b parallel to a's top and bottom counts as inside: all, nothing, or half
-/// where it lies along one of them. Values do not notice.
+/// Returns the share of a side of b parallel to a's top and bottom that counts as inside: one, zero, or half if it lies
+/// along one of them. It does not affect values.
 #[inline(always)]
 fn share_inside<S: Scalar>(y: S, low: S, high: S, parallel: S::Mask) -> S::Primal {
     let (y, low, high) = (y.primal(), low.primal(), high.primal());
@@ -365,7 +364,7 @@ pub fn clip<S: Scalar>(pair: Relative<S>) -> Clip<S> {
     }
 }
 
-/// Returns how much the clamp bends an edge: `(X₁ − X₀)(e₀ + e₁)`.
+/// Returns the term of an edge by its clamping: `(X₁ − X₀)(e₀ + e₁)`.
 #[inline(always)]
 fn bend<S: Scalar>(edge: [End<S>; 2]) -> S {
     (edge[1].x - edge[0].x) * (edge[0].beyond + edge[1].beyond)
@@ -420,17 +419,17 @@ pub(crate) fn fine<S: Scalar>() -> f64 {
     power_of_largest::<S>(-0.3125)
 }
 
-/// Sides of shapes whose measures of the second and third power of a length, and derivatives of those, stay
-/// far from over- and underflow in single precision, unless one is a speck beside a giant.
+/// Sides of shapes whose measures of the second and third power of a length, and derivatives of those, stay far from
+/// over- and underflow in single precision, unless one is tiny and the other huge.
 pub(crate) const COMMON_SMALL: f64 = 1e-5;
 pub(crate) const COMMON_LARGE: f64 = 1e6;
 /// Coordinates of the centre of such shapes are not beyond this.
 pub(crate) const COMMON_FAR: f64 = 1e9;
 
-/// Returns `true` where a box is valid and plain products of its numbers stay far from over- and underflow, so
-/// that a batch of such boxes needs no [`size_scale`]. The results are the same bits either way.
+/// Returns `true` where a box is valid and plain products of its numbers stay far from over- and underflow, so that a
+/// batch of such boxes needs no [`size_scale`]. The results have equal bits in both cases.
 ///
-/// Without branches: a batch asks this of every box before anything else.
+/// Without branches, since a batch tests every box first.
 #[inline(always)]
 pub fn is_ordinary<S: Scalar>(shape: Obb2<S>) -> S::Mask {
     let fine = S::lit(fine::<S>());

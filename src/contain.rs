@@ -1,7 +1,7 @@
 //! Tests whether a point lies in a polygon, and its distance from the border.
 //!
-//! Borders belong to the polygon. [`winding_number`] and [`locate`] decide exactly; [`crossing`] is the
-//! straight-line body of a fold over edges, for batches, exact but for rounding on the border itself.
+//! Borders belong to the polygon. [`winding_number`] and [`locate`] decide exactly; [`crossing`] is the straight-line
+//! body of a fold over edges, for batches, exact except for rounding on the border itself.
 use crate::distance::edge_winding;
 use crate::predicate::{Turn, same, turn};
 use crate::reference::Reference;
@@ -128,13 +128,13 @@ pub struct NearestEdge {
     pub inside: bool,
 }
 
-/// Returns how far a point is from the border of a polygon, in units of length: positive inside, negative
-/// outside, and what decided it; `None` for rings without vertices. (The sign is the DGAL paper's,
-/// opposite to that of [`signed_distance`](crate::distance::signed_distance()).)
+/// Returns the distance of a point from the border of a polygon, in units of length, positive inside, negative outside,
+/// and the record of its decisions; `None` for rings without vertices. (The sign is the DGAL paper's, opposite to that
+/// of [`signed_distance`](crate::distance::signed_distance()).)
 ///
-/// The sign is decided by winding numbers, so it is right where the point is on the extension of an
-/// edge. Kinks: several nearest places (the medial axis), and the border, where both one-sided derivatives
-/// are those of the inside. Derivatives: see [`depth_replay`].
+/// The sign is decided by winding numbers, so it is right where the point is on the extension of an edge. Kinks:
+/// several nearest points (the medial axis), and the border, where both one-sided derivatives are those of the inside.
+/// Derivatives: see [`depth_replay`].
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, contain::depth_search};
@@ -221,7 +221,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
     {
         contains(&[self.as_slice()], point)
     }
-    /// Returns how far a point is from the border: positive inside, negative outside; zero for no vertices.
+    /// Returns the distance of a point from the border: positive inside, negative outside; zero without vertices.
     #[must_use]
     #[inline]
     pub fn depth(&self, point: Vec2<S>) -> S

@@ -133,13 +133,13 @@ impl Field {
     pub const fn new(name: &str) -> Self {
         Field::joined([name, "", ""])
     }
-    /// Returns the same number as part of a field of another shape.
+    /// Returns the name of this number as part of a field of another shape.
     #[must_use]
     pub const fn within(self, field: &str) -> Self {
         let is_joined = field.is_empty() || self.len == 0 || self.text[0] == b'[';
         Field::joined([field, if is_joined { "" } else { "." }, self.raw()])
     }
-    /// Returns the same number as part of an item of an array.
+    /// Returns the name of this number as part of an item of an array.
     #[must_use]
     pub fn within_item(self, item: usize) -> Self {
         self.within(&format!("[{item}]"))
@@ -248,7 +248,7 @@ pub enum VertexFault {
     Coincident,
     /// The vertex does not fit into the polygon's capacity.
     Surplus,
-    /// The next vertex is at the same place.
+    /// The next vertex coincides with this one.
     Repeated,
     /// The vertex is on the line through its neighbours.
     Straight,
@@ -256,7 +256,7 @@ pub enum VertexFault {
     Clockwise,
     /// The border is about to run around the polygon a second time.
     SecondRound,
-    /// The border turns the other way here than at other vertices: it is not convex, or crosses itself.
+    /// The border turns in the opposite direction here than at other vertices: it is not convex, or crosses itself.
     NotConvex,
 }
 
@@ -298,7 +298,7 @@ impl Flaw {
             }
         }
     }
-    /// Returns the same flaw, its fields by other names.
+    /// Returns the flaw with its fields renamed.
     #[must_use]
     pub fn renamed(self, name: impl Fn(Field) -> Field) -> Self {
         match self {
@@ -311,12 +311,12 @@ impl Flaw {
             Flaw::Vertex { .. } | Flaw::Ring { .. } => self,
         }
     }
-    /// Returns the same flaw of a part of another shape, which calls the part so.
+    /// Returns the flaw as one of another shape, which has this part as field `field`.
     #[must_use]
     pub fn within(self, field: &str) -> Self {
         self.renamed(|own| own.within(field))
     }
-    /// Returns the same flaw of an item of an array.
+    /// Returns the flaw as one of an item of an array.
     #[must_use]
     pub fn within_item(self, item: usize) -> Self {
         self.renamed(|own| own.within_item(item))
@@ -359,7 +359,7 @@ pub enum Unrecordable {
     Search,
     /// It has more operations than a program can hold.
     TooLong,
-    /// The name asked for is not one that a function can have there.
+    /// The requested name is not one that a function can have there.
     Name,
     /// Another recording is open on this thread.
     Nested,
@@ -418,7 +418,7 @@ pub enum Error {
         /// The index into the offsets.
         item: usize,
     },
-    /// The same of a call that takes more than one list.
+    /// The offsets of a list decrease, start or end wrongly, in a call with more than one list.
     OffsetsOf {
         /// The list.
         argument: Argument,
@@ -458,8 +458,8 @@ pub enum Error {
     TooLarge,
     /// No GPU is available, or a call on it failed.
     Gpu(GpuFault),
-    /// The environment variable `GEOGRAD_SIMD`, or a call, asks for a level of vector instructions that
-    /// is unknown or that this processor lacks.
+    /// The environment variable `GEOGRAD_SIMD`, or a call, requests a level of vector instructions that is unknown or
+    /// that this processor lacks.
     Simd,
     /// A function cannot be recorded as a program.
     Program(Unrecordable),
@@ -564,12 +564,12 @@ pub enum GpuFault {
     /// No adapter was found at all: install the GPU's driver, or Mesa's lavapipe, which runs on any
     /// processor.
     NoAdapter,
-    /// Adapters were found, but none as asked for: choose another index, name or kind.
+    /// Adapters were found, but none as requested: choose another index, name or kind.
     NoSuchAdapter,
     /// A GPU computes in `f32`, and the call is one of `f64`: convert the numbers, or call the CPU.
     OnlySingle,
-    /// Only a driver in software was found, which is slower than the CPU: install the GPU's driver,
-    /// or ask for software with `GEOGRAD_GPU=cpu`. Only [`Backend::auto`] says so.
+    /// Only a driver in software was found, which is slower than the CPU: install the GPU's driver, or request software
+    /// with `GEOGRAD_GPU=cpu`. Only [`Backend::auto`] returns it.
     ///
     /// [`Backend::auto`]: crate::kernels::Backend::auto
     OnlySoftware,
@@ -590,8 +590,7 @@ pub enum GpuFault {
         /// The size limit of a buffer of the device in bytes ([`Gpu::most_bytes`](crate::kernels::gpu::Gpu)).
         most: u64,
     },
-    /// The driver refused a shader or a command: a fault of ours or of the driver's. The log says
-    /// more.
+    /// The driver refused a shader or a command: a fault of this library or of the driver. The log has details.
     Shader,
     /// A handle that belongs to another context.
     ForeignBuffer,

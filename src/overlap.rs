@@ -5,10 +5,10 @@
 //! are within `[0, 1]`; identical boxes of positive area give exactly 1 with derivative zero. A ratio with a
 //! denominator of zero is 0 with derivative zero.
 //!
-//! Ratios by the union are right to a few roundings. If one box is R times longer than the other, the area and
-//! its ratio to the small box are right to about R roundings: in `f32`, the share of a car in a kilometre of lane
-//! to 10⁻⁵. Exchanging the boxes of a union changes the result by no more than about the longest aspect times a
-//! rounding: in `f32` by 10⁻⁴ where a box is 3·10⁷ times longer than wide.
+//! Ratios by the union are right to a few roundings. If one box is R times longer than the other, the area and its
+//! ratio to the small box are right to about R roundings: in `f32`, the share of a car in a kilometre of lane to 10⁻⁵.
+//! Exchanging the boxes of a union changes the result by at most about the longest aspect times a rounding: in `f32` by
+//! 10⁻⁴ where a box is 3·10⁷ times longer than wide.
 //!
 //! A box counts as empty when it is so thin that, with its longer side as the unit of length, its area is
 //! at most [`Scalar::EMPTY`]: longer than wide by a factor beyond about 10³⁷ in `f32` and 10³⁰⁶ in `f64`.
@@ -58,8 +58,8 @@ pub fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
 
 /// Relates two framed boxes and measures what they share, in units of `1 / scale`.
 ///
-/// `EXTREME` says whether sizes may be so small or large that products over- or underflow; the
-/// bits of the result are the same for ordinary boxes either way.
+/// `EXTREME` allows sizes so small or large that products over- or underflow; the bits of the result are equal for
+/// ordinary boxes in both cases.
 #[inline(always)]
 pub fn shared_area<S: Scalar, const EXTREME: bool>(
     a: Framed<S>,

@@ -1,9 +1,9 @@
 //! For those who come from the paper's library: where each of its functions is, and what was wrong with
 //! it.
 //!
-//! DGAL, a header of C++ and CUDA templates, came with the paper that this library was begun for; `d3d`
-//! is its Python face. Everything that they do in the plane is here, generic, with derivatives, in batches. Bug
-//! numbers are those of the tests: `tests/geometry/paper_bugs.rs` has one per bug.
+//! DGAL, a header of C++ and CUDA templates, came with the paper that this library was begun for; `d3d` is its Python
+//! package. Everything that they do in the plane is here, generic, with derivatives, in batches. Bug numbers are those
+//! of the tests: `tests/geometry/paper_bugs.rs` has one per bug.
 //!
 //! ```
 //! // The paper's listing: the IoU of two quadrilaterals, and its gradient.

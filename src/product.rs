@@ -212,8 +212,8 @@ impl<P: Pack> Pack for Vec<P> {
     }
 }
 
-/// A count or a code: whole numbers beside the scalars of a shape. A decision: without derivatives, and
-/// the same for every kind of scalar.
+/// A count or a code: whole numbers of a shape in addition to its scalars. It is a decision, without derivatives, and
+/// equal for every kind of scalar.
 ///
 /// ```
 /// use geograd::{Fixed, Pack, Shape};

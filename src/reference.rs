@@ -75,10 +75,10 @@ impl<S: Scalar> Reference<S> {
         };
         (seen, in_a, apart)
     }
-    /// Returns the same for fourth powers of length. A shape longer than 2³⁰ in single precision is 2²⁶ local units
-    /// instead of one. Then the fourth power of the unit is finite. So is the factor of derivatives by local
-    /// coordinates on the way back, before the unit itself divides them. A shape longer than 2³⁵ stays as it is:
-    /// see [`too_long`](Reference::too_long).
+    /// Returns the frame with a unit that allows fourth powers of length. A shape longer than 2³⁰ in single precision
+    /// is 2²⁶ local units instead of one. Then the fourth power of the unit is finite. So is the factor of derivatives
+    /// by local coordinates in the backward pass, before the unit itself divides them. A shape longer than 2³⁵ stays as
+    /// it is: see [`too_long`](Reference::too_long).
     #[must_use]
     #[inline(always)]
     pub(crate) fn of_fourth_powers(mut self) -> Self {
@@ -102,7 +102,7 @@ impl<S: Scalar> Reference<S> {
     pub(crate) fn too_long(&self) -> S::Mask {
         self.scale.below(least_unit::<S>())
     }
-    /// Returns the same with local coordinates that start elsewhere, at a place in present ones.
+    /// Returns the frame with its local origin moved by a vector in its present coordinates.
     #[must_use]
     #[inline(always)]
     pub fn shifted(mut self, by: Vec2<S>) -> Self {
@@ -118,7 +118,7 @@ impl<S: Scalar> Reference<S> {
             let beyond = S::select(x.below(S::zero()), -far, far);
             S::select(x.unsigned().at_most(far), x, beyond)
         };
-        // Halved: the whole way may not be finite.
+        // Halved, since the whole difference may not be finite.
         let seen = (halved(vertex) - halved(self.origin)) * self.scale;
         Vec2::new(near(seen.x), near(seen.y)) - self.shift
     }

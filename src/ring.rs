@@ -1,9 +1,9 @@
 //! Rings: closed polygons given as a slice of vertices, of any number.
 //!
-//! The last vertex is joined to the first. Repeated vertices, fewer than three vertices, zero area
-//! and self-intersection are valid: the functions are sums over edges and say what they give.
-//! Vertices are taken relative to the first one and in units of the ring's own extent, so neither
-//! the distance from the origin nor the size costs digits.
+//! The last vertex is joined to the first. Repeated vertices, fewer than three vertices, zero area and
+//! self-intersection are valid: the functions are sums over edges, and their pages state the results. Vertices are
+//! taken relative to the first one and in units of the ring's own extent, so neither the distance from the origin nor
+//! the size costs digits.
 //!
 //! Signed area, perimeter and centroid, and their derivatives, are finite for all finite vertices.
 use crate::scalar::power_of_largest;
@@ -85,7 +85,7 @@ impl<S: Scalar> Local<S> {
     pub fn place(&self, vertex: Vec2<S>) -> Vec2<S> {
         match self.scale {
             None => vertex - self.first,
-            // Halved: the whole way may not be finite.
+            // Halved, since the whole difference may not be finite.
             Some(scale) => (halved(vertex) - self.first) * scale,
         }
     }

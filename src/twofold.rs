@@ -3,8 +3,8 @@
 //!
 //! Dekker, A floating-point technique for extending the available precision, 1971. A value within the rounding of such
 //! numbers, 16 ε² of the sum of its terms' magnitudes, counts as zero where it is [`settled`](Twofold::settled). Exact
-//! zeros are therefore found, and signs are those of the given numbers but for values that near to zero. Derivatives
-//! take no part.
+//! zeros are therefore recognised, and signs are those of the given numbers except for values that near to zero.
+//! Derivatives take no part.
 use crate::arrays::Each;
 use crate::{Scalar, Vec2, Vec3};
 
@@ -152,7 +152,7 @@ pub(crate) fn deep<S: Scalar>(p: Vec3<S>) -> [S::Primal; 3] {
     [p.x.primal(), p.y.primal(), p.z.primal()]
 }
 
-/// Returns the way between two points, exact, times a power of two.
+/// Returns the vector between two points, exact, times a power of two.
 #[inline(always)]
 pub(crate) fn way<P: Scalar, const N: usize>(
     from: [P; N],
@@ -180,14 +180,14 @@ fn outer<P: Scalar>(a: [Twofold<P>; 2], b: [Twofold<P>; 2]) -> (Twofold<P>, P) {
     (left.minus(right), terms)
 }
 
-/// Returns the outer product of two ways of the plane; exactly zero for parallel ones.
+/// Returns the outer product of two vectors of the plane; exactly zero for parallel ones.
 #[inline(always)]
 pub(crate) fn turn<P: Scalar>(a: ExactVector<P, 2>, b: ExactVector<P, 2>) -> P {
     let (value, terms) = outer(a, b);
     value.settled(terms)
 }
 
-/// Returns the inner product of two ways; exactly zero for orthogonal ones.
+/// Returns the inner product of two vectors; exactly zero for orthogonal ones.
 #[inline(always)]
 pub(crate) fn dot<P: Scalar, const N: usize>(a: ExactVector<P, N>, b: ExactVector<P, N>) -> P {
     let mut sum = a[0].times(b[0]);
@@ -200,7 +200,7 @@ pub(crate) fn dot<P: Scalar, const N: usize>(a: ExactVector<P, N>, b: ExactVecto
     sum.settled(terms)
 }
 
-/// Returns the outer products of two ways of space; exactly zero for parallel ones.
+/// Returns the outer products of two vectors of space; exactly zero for parallel ones.
 #[inline(always)]
 pub(crate) fn cross<P: Scalar>(a: ExactVector<P, 3>, b: ExactVector<P, 3>) -> [P; 3] {
     outer_products(a, b).each_as(|(value, terms)| value.settled(terms))
@@ -211,7 +211,7 @@ fn outer_products<P: Scalar>(a: ExactVector<P, 3>, b: ExactVector<P, 3>) -> [(Tw
     [(1, 2), (2, 0), (0, 1)].each_as(|(i, j)| outer([a[i], a[j]], [b[i], b[j]]))
 }
 
-/// Returns the triple product of three ways of space; exactly zero for those of one plane.
+/// Returns the triple product of three vectors of space; exactly zero for those of one plane.
 #[inline(always)]
 pub(crate) fn volume<P: Scalar>(
     a: ExactVector<P, 3>,

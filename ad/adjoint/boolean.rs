@@ -16,7 +16,7 @@ impl<S: Scalar> Bars<'_, S> {
     fn add(&mut self, owner: usize, ring: usize, vertex: usize, bar: Vec2<S>) {
         self.all[owner][self.firsts[owner][ring] + vertex] += bar;
     }
-    /// Adds the cotangent of a place of an edge at a fraction of its way, to both ends.
+    /// Adds the cotangent of a point of an edge, at a fraction of its length, to both ends.
     fn add_along(&mut self, id: crate::boolean::EdgeId, end: usize, at: S, bar: Vec2<S>) {
         let owner = id.owner as usize;
         self.add(owner, id.ring, id.edge, bar * (S::one() - at));

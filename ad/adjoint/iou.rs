@@ -8,8 +8,8 @@
 //!
 //! The intersection's derivatives are those of [`ad::adjoint::clip`](crate::ad::adjoint::clip). The hull's area is a
 //! polynomial with constant weights (see [`iou`](crate::iou)): by the centre of b it has the derivatives `(Y, −X)`, by
-//! half the size of a what stands beside x and y, by each number of b's arms what stands beside that. The arms are
-//! half the size of b times cosine and sine of its turn, which takes `p_x` to `−p_y`, `p_y` to `p_x`, and the
+//! half the size of a the coefficients of x and y, by each number of b's arms its coefficient. The arms are half the
+//! size of b times cosine and sine of its turn, whose derivative takes `p_x` to `−p_y`, `p_y` to `p_x`, and the
 //! magnitudes of `q_x` and `q_y` to `q_y` and `−q_x`.
 use crate::ad::adjoint::clip::{Derivatives, clipped_area_derivatives};
 use crate::ad::adjoint::overlap::tamed;
@@ -56,7 +56,7 @@ impl<S: Scalar> Bars<S> {
         (outside + bounded::<S, EXTREME>(self.own * own_area))
             + (bounded::<S, EXTREME>(x * self.gained) + bounded::<S, EXTREME>(self.lost * own_area))
     }
-    /// Returns the same for a size. A box's own area is four times the product of its halves, a size twice a half.
+    /// Returns the derivative by a size. A box's own area is four times the product of its halves, a size twice a half.
     #[inline(always)]
     fn size<const EXTREME: bool>(
         &self,
@@ -74,7 +74,7 @@ impl<S: Scalar> Bars<S> {
     }
 }
 
-/// Returns a derivative no larger than the largest number, times what was taken from the upstream derivative.
+/// Multiplies a derivative by the factor that was taken from the upstream derivative, up to the largest number.
 #[inline(always)]
 fn outer<S: Scalar, const EXTREME: bool>(x: S, steep: S) -> S {
     if EXTREME {

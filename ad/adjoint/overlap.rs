@@ -11,17 +11,17 @@ pub(crate) use crate::overlap::tamed;
 use crate::overlap::{Denominator, Shared, in_outer_unit, score_of, share};
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
-/// The derivatives of a score with respect to the areas (in space: volumes) it is made of.
+/// The derivatives of a score with respect to its areas (in space: volumes).
 pub(crate) struct AreaDerivatives<S> {
     /// By the area of intersection.
     pub inter: S,
-    /// By the areas of both boxes, but for `falling`.
+    /// By the areas of both boxes, without `falling`.
     pub own: [S; 2],
     /// The last factor of `own`: it may be so small that an earlier product with it would be zero.
     pub falling: S,
 }
 
-/// Returns `out_bar` times the derivatives of a score with respect to the areas it is made of.
+/// Returns `out_bar` times the derivatives of a score with respect to its areas.
 ///
 /// `I / U` with `U = A + B − I`: `∂I = (1 + I/U) / U`, `∂A = ∂B = −(I/U) / U`.
 /// `I / A`: `∂I = 1/A`, `∂A = −(I/A) / A`. Zero where the denominator is.
@@ -75,8 +75,8 @@ pub type Grads<S> = (Obb2<S>, Obb2<S>);
 
 /// Returns the value of a score of two boxes whose sine and cosine are known, and `out_bar` times its derivatives.
 ///
-/// Moving b by `(∂u, ∂v)` in a's frame is moving a the other way; turning the pair about a's centre
-/// changes nothing, so `∂heading_a = −(∂heading_b + u ∂v − v ∂u)`.
+/// Moving b by `(∂u, ∂v)` in a's frame is moving a by the opposite vector; turning the pair about a's centre changes
+/// nothing, so `∂heading_a = −(∂heading_b + u ∂v − v ∂u)`.
 #[inline(always)]
 pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
     over: Denominator,
@@ -151,7 +151,7 @@ pub(crate) fn score_scaled_vjp<S: Scalar, const EXTREME: bool>(
         + own_size_bar::<S, EXTREME>(pair.half_a, areas.own[0], falling);
     let size_b_bar = inter_size_bar::<S, EXTREME>(derivatives.half_b, half_bar)
         + own_size_bar::<S, EXTREME>(half_b, areas.own[1], falling);
-    // Boxes apart score zero whatever their areas are, so those derivatives vanish by themselves.
+    // Boxes apart score zero for all areas, so those derivatives vanish by themselves.
     let (u_bar, v_bar) = (
         bounded::<S, EXTREME>(derivatives.u * inter_bar),
         bounded::<S, EXTREME>(derivatives.v * inter_bar),

@@ -17,7 +17,7 @@ use crate::overlap_polygon::{Fan, SharedArea, Wedge, Window, bounds_of_rings, me
 use crate::shape::edges;
 use crate::{ConvexPolygon, Mask, Scalar, Vec2};
 
-/// Which part of an edge counts, from one fraction of it to another, and how much.
+/// The part of an edge that counts, from one fraction of it to another, and its weight.
 struct EdgePart<S> {
     from: S,
     to: S,
@@ -38,8 +38,8 @@ fn pieces<S: Scalar>(pair: &Wedge<S>) -> [EdgePart<S>; 2] {
         one - pick(!pair.last_g, pair.rest),
     ];
     let ([a, b, alpha], [far_a, far_b, beta]) = (pair.first, pair.last);
-    // Fractions of the way from the first to the last ray that f is nearer, and that g is: by the
-    // depths of one behind the other on both rays.
+    // The fractions of the range from the first to the last ray in which f is nearer, and in which g is: by the depths
+    // of one behind the other on both rays.
     let below = |x: S| S::select(x.below(zero), -x, zero);
     let (unit, far_unit) = (a.most(b), far_a.most(far_b));
     let guard = |x: S| S::select(x.at_most(zero), one, x);

@@ -10,10 +10,10 @@
 //! s = (g × (f₀ − g₀)) / (f × g),     t = (f × (g₀ − f₀)) / −(f × g)
 //! ```
 //!
-//! of either, so that there is one division for both; all products are there from measuring the area. By the sign of
-//! `f × g` one of the sides goes out of the other shape there and the other one comes in. Parallel lines meet
-//! far away, and fractions beyond a side say that all or nothing of it is inside. No corner of the shared area is
-//! made, and none is differentiated, so nearly parallel sides are harmless.
+//! of either, so that there is one division for both; all products are known from measuring the area. The sign of
+//! `f × g` decides which side leaves the other shape there and which one enters. Parallel lines meet far away, and
+//! fractions beyond a side mean that all or nothing of it is inside. No corner of the shared area is computed, and none
+//! is differentiated, so nearly parallel sides are harmless.
 //!
 //! Sides that lie along each other count half each.
 use crate::ad::adjoint::overlap::tamed;
@@ -109,7 +109,7 @@ fn derivatives<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
     (swapped(of_a, a_bar), swapped(of_b, b_bar))
 }
 
-/// Returns a derivative times factors one after another, of which `EXTREME` ones leave no more than the largest number.
+/// Multiplies a derivative by factors one after another; with `EXTREME` each product is clamped to the largest number.
 #[inline(always)]
 fn outer<S: Scalar, const EXTREME: bool>(x: S, [bar, unit, steep]: [S; 3]) -> S {
     let x = if EXTREME {
@@ -120,8 +120,8 @@ fn outer<S: Scalar, const EXTREME: bool>(x: S, [bar, unit, steep]: [S; 3]) -> S 
     x.canonical()
 }
 
-/// Returns the area that two quadrilaterals share, and `out_bar` times its derivatives. `EXTREME` says whether
-/// coordinates and `out_bar` may be so large that products overflow; the bits are the same for ordinary ones.
+/// Returns the area that two quadrilaterals share, and `out_bar` times its derivatives. `EXTREME` allows coordinates
+/// and `out_bar` so large that products overflow; the bits are equal for ordinary ones.
 #[inline(always)]
 pub(crate) fn area_of_quads_vjp<S: Scalar, const EXTREME: bool>(
     a: [Vec2<S>; 4],

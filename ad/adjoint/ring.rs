@@ -66,7 +66,7 @@ fn each_vertex<S: Scalar>(
 /// When `ring_bar` is shorter than `ring`.
 #[inline(always)]
 pub fn signed_area_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [Vec2<S>]) {
-    // Halved first: the whole way may not be finite.
+    // Halved first, since the whole difference may not be finite.
     each_vertex(ring, ring_bar, Vec2::halved, |before, _, after| {
         let across = after - before;
         limited(across.y * out_bar, -(across.x * out_bar))

@@ -46,14 +46,14 @@ fn same<S: Scalar>(a: &Upright<S>, b: &Upright<S>) -> S::Mask {
         & (a.standing[0].equals(b.standing[0]) & a.standing[1].equals(b.standing[1]))
 }
 
-/// The derivatives of a score by what it is made of.
+/// The derivatives of a score by the areas and heights of two upright boxes.
 struct ScoreDerivatives<S> {
-    /// By the area shared, that of a and that of b; but for `falling`, of the last two.
+    /// By the area shared, that of a and that of b; the last two without `falling`.
     areas: [S; 3],
-    /// By the height shared, that of a and that of b; but for `falling`, of the last two.
+    /// By the height shared, that of a and that of b; the last two without `falling`.
     heights: [S; 3],
-    /// The last factor of the derivatives by a box's own area and height: of a speck beside
-    /// a giant it is so small that nothing would be left of them before.
+    /// The last factor of the derivatives by a box's own area and height: for a tiny box and a huge one it is so small
+    /// that it would underflow if multiplied earlier.
     falling: S,
 }
 
@@ -137,7 +137,7 @@ fn outer<S: Scalar, const EXTREME: bool>(x: S, by: &[S; 3], steep: S) -> S {
     (x * steep).saturated().canonical()
 }
 
-/// Returns a box's derivatives, from those of the area shared, by that area and by its own (but for `falling`), and by
+/// Returns a box's derivatives, from those of the area shared, by that area and by its own (without `falling`), and by
 /// its middle and height.
 #[inline(always)]
 fn box_bar<S: Scalar, const EXTREME: bool>(

@@ -11,7 +11,7 @@ pub(crate) type Fewer<'a, 'b> = Box<dyn Iterator<Item = Box<dyn Candidate<'a> + 
 /// An input of a function under test.
 pub(crate) trait Candidate<'a> {
     fn numbers(&self) -> Vec<f64>;
-    /// Returns the same shapes made of other numbers.
+    /// Returns these shapes with other numbers.
     fn refilled(&self, numbers: &[f64]) -> Box<dyn Candidate<'a> + 'a>;
     /// Returns inputs with fewer shapes in their lists.
     fn fewer(&self) -> Fewer<'a, '_>;

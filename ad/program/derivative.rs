@@ -1,8 +1,8 @@
 //! The derivative of every operation, written once for both directions.
 //!
-//! An operation's derivative with respect to an operand is never a number by itself: it is what a tangent
-//! of the operand becomes ([forward](super::tangent)), or what a cotangent of the operation becomes
-//! ([reverse](super::reverse)). Both are the same product.
+//! An operation's derivative with respect to an operand is never a number by itself: it multiplies a tangent of the
+//! operand ([forward](super::tangent)) or a cotangent of the operation ([reverse](super::reverse)). One function builds
+//! both products.
 use super::graph::{Graph, Id, Node};
 
 /// Returns the operands through which derivatives pass, by their place. The others are decisions or constants.
@@ -30,7 +30,7 @@ pub(super) fn carriers(node: Node) -> &'static [usize] {
     }
 }
 
-/// Returns `true` if a zero times the derivative by this operand is zero, whatever the values are.
+/// Returns `true` if a zero times the derivative by this operand is zero for all values.
 pub(super) fn keeps_zero(graph: &Graph, node: Node, operand: usize) -> bool {
     use Node::*;
     let finite = |x| graph.constant(x).is_some_and(f64::is_finite);

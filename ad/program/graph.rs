@@ -10,8 +10,8 @@ pub(crate) type Id = u32;
 
 /// One operation on numbers or truths.
 ///
-/// A node means, bit for bit, what the method of [`Scalar`](crate::Scalar) of the same name gives
-/// for `f32` or `f64`, but for the signs of zeros.
+/// A node has, bit for bit, the value of the method of [`Scalar`](crate::Scalar) of that name for `f32` or `f64`,
+/// except for the signs of zeros.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Node {
     /// A number: the bits of an `f64` that holds it, rounded to the format of the program.
@@ -228,7 +228,7 @@ impl Graph {
         &self.nodes
     }
 
-    /// Returns how many nodes there are.
+    /// Returns the number of nodes.
     pub(crate) fn len(&self) -> usize {
         self.nodes.len()
     }
@@ -275,7 +275,7 @@ impl Graph {
         self.known_size(x, DEPTH) >= Size::Number
     }
 
-    /// Returns the knowledge of a number's size, from so many operations before it.
+    /// Returns bounds of a number's size, from up to `depth` operations before it.
     fn known_size(&self, x: Id, depth: usize) -> Size {
         use Node::*;
         let Some(depth) = depth.checked_sub(1) else {
@@ -347,8 +347,8 @@ impl Graph {
         graph.depth_first(&outputs)
     }
 
-    /// Returns `true` if the value is zero because a function said so of a number with derivatives
-    /// ([`with_primal`](crate::Scalar::with_primal)): then its products are zero, too.
+    /// Returns `true` if a function set the value to zero and kept the derivatives
+    /// ([`with_primal`](crate::Scalar::with_primal)). Its products are then zero, too.
     fn vanishes(&self, node: Node, vanish: &[bool]) -> bool {
         use Node::*;
         let zero = |x: Id| vanish[x as usize];
@@ -370,7 +370,7 @@ impl Graph {
     fn depth_first(&self, outputs: &[Id]) -> (Graph, Vec<Id>) {
         let mut graph = Graph::new(self.format);
         let mut names = vec![None; self.nodes.len()];
-        // A node comes twice: to ask for its operands, then, when they are there, to be written.
+        // A node is visited twice: first its operands are pushed, then, once they are written, the node is.
         let mut open: Vec<(Id, bool)> = outputs.iter().rev().map(|&x| (x, false)).collect();
         while let Some((x, ready)) = open.pop() {
             if names[x as usize].is_some() {

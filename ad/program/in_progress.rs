@@ -26,9 +26,9 @@ pub(super) struct Recording {
     /// Which recording it is.
     name: u64,
     pub(super) graph: Graph,
-    /// How many operations were asked for.
+    /// The number of operations requested.
     asked: usize,
-    /// How many times a hint was asked for that was not known.
+    /// The number of hints requested that were not known.
     pub(super) hints: usize,
     /// Why it cannot be recorded.
     flaw: Option<Unrecordable>,
@@ -174,8 +174,8 @@ impl Symbol {
         })
     }
 
-    /// Returns the answer to a hint: the truth if it is known, else `unknown`. (The other way round in a
-    /// recording that is spoiled, for loops to end.)
+    /// Returns the result of a hint: the truth if it is known, else `unknown`. In a spoiled recording it is the
+    /// negation, so that loops end.
     pub(super) fn hint(self, unknown: bool) -> bool {
         OPEN.with_borrow_mut(|open| {
             let Some(recording) = open.last_mut() else {
@@ -196,7 +196,7 @@ impl Symbol {
         })
     }
 
-    /// Returns `true` if it stands for no NaN, whatever the inputs are.
+    /// Returns `true` if it is not NaN for any input.
     pub(super) fn is_number(self) -> bool {
         OPEN.with_borrow(|open| match open.last() {
             Some(recording) if recording.name == self.recording && recording.flaw.is_none() => {

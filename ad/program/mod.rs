@@ -26,9 +26,9 @@
 //! # Guards
 //!
 //! Replace a forbidden divisor or radicand before the operation: `x.over(select(y == 0, 1, y))`. On the processor a
-//! check of the result does as well for values, but neither for derivatives nor in WGSL, whose drivers may assume
-//! that no number is infinite or NaN: there [`finite`](crate::Scalar::finite) and
-//! [`saturated`](crate::Scalar::saturated) of `x / (y − y)` tell nothing.
+//! check of the result also works for values, but neither for derivatives nor in WGSL. Its drivers may assume that no
+//! number is infinite or NaN: there [`finite`](crate::Scalar::finite) and [`saturated`](crate::Scalar::saturated) of
+//! `x / (y − y)` are unreliable.
 //!
 //! # Derivatives
 //!

@@ -17,7 +17,7 @@ pub(crate) struct Opened<T> {
 }
 
 impl<T: Real> Opened<T> {
-    /// Opens a recording of a function of so many numbers; refused where one is open on this thread.
+    /// Opens a recording of a function of `inputs` numbers; returns an error if one is open on this thread.
     pub(crate) fn start(inputs: usize) -> Result<Self, Unrecordable> {
         if Recording::is_open() {
             return Err(Unrecordable::Nested);

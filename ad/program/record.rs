@@ -6,10 +6,10 @@ use super::recorded::Recorded;
 use super::sym::Sym;
 use crate::{Error, Fixed, Real, Scalar, Unrecordable};
 
-/// How many inputs a function that asks for hints is tried on.
+/// The number of inputs that a function with hints is tried on.
 pub(crate) const TRIALS: usize = 192;
 
-/// The same for one of many replays of a function.
+/// The number of inputs for one of many replays of a function.
 const TRIALS_OF_REPLAY: usize = 12;
 
 /// A function of shapes as one of lists of symbols.
@@ -56,14 +56,14 @@ pub(crate) fn listed<T: Real>(
     function: Listed<'_, T>,
 ) -> Result<Recorded, Error> {
     let (recorded, hints) = recorded(inputs, function).map_err(Error::Program)?;
-    // Without hints there is one way through the function, which was recorded.
+    // Without hints the function has one path, which was recorded.
     if hints > 0 && !(0..trials).all(|trial| agrees(&recorded, inputs, function, trial)) {
         return Err(Error::Program(Unrecordable::Hint));
     }
     Ok(recorded)
 }
 
-/// Returns the program of a function, and how many hints it asked for that were not known.
+/// Returns the program of a function, and the number of hints it requested that were not known.
 fn recorded<T: Real>(
     inputs: usize,
     function: Listed<'_, T>,

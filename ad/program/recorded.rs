@@ -55,7 +55,7 @@ impl Recorded {
         self.graph.format
     }
 
-    /// Returns an error if a result depends on an infinite or NaN constant.
+    /// Checks that no result depends on an infinite or NaN constant.
     pub(crate) fn checked_constants(self) -> Result<Self, Unrecordable> {
         let needed = (0..self.graph.len()).filter(|&x| self.needed[x]);
         let mut constants = needed.filter_map(|x| self.graph.constant(x as Id));
@@ -266,7 +266,7 @@ impl Recorded {
         Recorded::new(self.graph.clone(), self.inputs, &self.outputs[count..])
     }
 
-    /// Returns the same with a gradient by hand, a program with the same input.
+    /// Returns this program with a gradient by hand, a program with the same input.
     pub(crate) fn with_gradient(&self, gradient: &Recorded) -> Recorded {
         let mut made = self.clone();
         let mut ids: Vec<Id> = Vec::with_capacity(gradient.graph.len());
@@ -279,14 +279,15 @@ impl Recorded {
         made
     }
 
-    /// Returns the same with a gradient by hand that another program of the same input gives after the result.
+    /// Returns this program with a gradient by hand: the outputs after the result of another program with the same
+    /// input.
     pub(crate) fn with_gradient_after_result(&self, value_grad: &Recorded) -> Recorded {
         let derivatives = &value_grad.outputs[self.outputs.len()..];
         let gradient = Recorded::new(value_grad.graph.clone(), self.inputs, derivatives);
         self.with_gradient(&gradient)
     }
 
-    /// Returns the same graph with the gradient by hand as result.
+    /// Returns a program of this graph with the gradient by hand as result.
     pub(crate) fn gradient_by_hand(&self) -> Option<Recorded> {
         let gradient = self.by_hand.as_ref()?;
         Some(Recorded::new(self.graph.clone(), self.inputs, gradient))

@@ -18,7 +18,7 @@ const RESERVED: &str = include_str!("reserved.txt");
 const USED: &str =
     "f32 i32 u32 bool array vec2f select bitcast abs min max floor clamp log sqrt round";
 
-/// Returns `Ok` for a name that a function of a shader may have beside [`WGSL`].
+/// Returns `Ok` for a name that a function of a shader with [`WGSL`] may have.
 pub(crate) fn checked(name: &str) -> Result<(), Unrecordable> {
     let letters = |c: char| c == '_' || c.is_ascii_alphanumeric();
     let identifier = name.chars().all(letters)
@@ -54,7 +54,7 @@ pub(crate) struct Taken {
     pub is_exact: bool,
 }
 
-/// Returns a graph without grafts as a function of so many numbers, of which the first ones are described.
+/// Returns the code of a graph without grafts as a function of `inputs` numbers; `taken` describes the first ones.
 pub(crate) fn function_of(
     name: &str,
     graph: &Graph,
@@ -90,8 +90,8 @@ pub(crate) fn function_of(
     text
 }
 
-/// Returns the number that a node rounds to a whole one by adding and subtracting a large one. Drivers may
-/// remove both steps (Mesa's do); WGSL has a function for it, which rounds the same way.
+/// Returns the number that a node rounds to a whole one by adding and subtracting a large one. Drivers may remove both
+/// steps (Mesa's do); WGSL has a function for it, which rounds alike.
 fn rounded(graph: &Graph, node: Node) -> Option<Id> {
     const SHIFT: f64 = 1.5 * (1 << 23) as f64;
     let is_shift = |x: Id| graph.constant(x) == Some(SHIFT);
@@ -150,8 +150,8 @@ fn kept(graph: &Graph, taken: &[Taken]) -> Vec<bool> {
     kept
 }
 
-/// Returns which numbers of a graph are made of constants and high halves of significands by products and sums alone.
-/// Products of two halves are exact, and so are their sums where they cancel.
+/// Returns which numbers of a graph are products and sums of constants and high halves of significands alone. Products
+/// of two halves are exact, and so are their sums where they cancel.
 pub(crate) fn exact(graph: &Graph, taken: &[bool]) -> Vec<bool> {
     use Node::*;
     let is_shift = |sum: Id, shift: Id| {

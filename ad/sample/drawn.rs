@@ -1,4 +1,4 @@
-//! Inputs without their types: whatever judges them is compiled once, and not once for every kind of input.
+//! Inputs without their types, so that the code that judges them is compiled once, and not for every type of input.
 use crate::ad::declared::Kind;
 #[cfg(feature = "check")]
 use crate::ad::sample::lattice::lattice;
@@ -35,7 +35,7 @@ impl<X: Sample> Near for X {
 /// An input that was drawn.
 pub(crate) trait Drawn: Near {
     fn numbers(&self) -> Vec<f64>;
-    /// Returns the same shapes made of other numbers.
+    /// Returns these shapes with other numbers.
     fn refilled(&self, numbers: &[f64]) -> Box<dyn Drawn>;
     /// Returns inputs with fewer shapes in their lists.
     fn fewer(&self) -> Box<dyn Iterator<Item = Box<dyn Drawn>> + '_>;

@@ -1,9 +1,8 @@
 //! Inputs of checks: seeded random inputs and hard cases of every shape.
 //!
-//! A generator of our own keeps the library free of dependencies and the samples the same on every
-//! machine. Random pairs are snapped to each other now and then, so that ties, touching sides and
-//! near ties come up without being asked for; whole inputs are moved far away and scaled, because
-//! that is where digits are lost.
+//! A generator of our own keeps the library free of dependencies and the samples equal on every machine. Random pairs
+//! are snapped to each other now and then, so that ties, touching sides and near ties occur by themselves. Whole inputs
+//! are moved far away and scaled, because digits are lost there.
 mod clouds;
 #[cfg_attr(
     not(feature = "check"),
@@ -69,9 +68,9 @@ impl Draw {
 
 /// An input the harness can make up by itself.
 pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
-    /// Returns a random one, of about unit size near the origin.
+    /// Returns a random shape, of about unit size near the origin.
     fn ordinary(draw: &mut Draw) -> Self;
-    /// Returns a random one that is much longer than wide.
+    /// Returns a random shape that is much longer than wide.
     fn thin(draw: &mut Draw) -> Self {
         Self::ordinary(draw)
     }
@@ -79,11 +78,11 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
     fn beside(&self, _draw: &mut Draw) -> Self {
         self.clone()
     }
-    /// Returns a random one whose parts touch.
+    /// Returns a random shape whose parts touch.
     fn touching(draw: &mut Draw) -> Self {
         Self::ordinary(draw)
     }
-    /// Returns a random one of any of these, mostly an ordinary one.
+    /// Returns a random shape of any of these kinds, mostly an ordinary one.
     fn draw(draw: &mut Draw) -> Self {
         if draw.once_in(10) {
             Self::thin(draw)
@@ -164,7 +163,7 @@ impl Sampler {
             inside: |x| like::<X>(x).is_some_and(|x| x.inside()),
         }
     }
-    /// Returns the scalars of a random one.
+    /// Returns the scalars of a random shape.
     #[must_use]
     pub fn draw(&self, draw: &mut Draw) -> Vec<f64> {
         (self.draw)(draw)
@@ -184,7 +183,7 @@ impl Sampler {
 /// Which inputs to draw.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Family {
-    /// Whatever the harness itself draws: of all the others some.
+    /// The mixture that the harness itself draws: some of each other family.
     #[default]
     Any,
     /// The cases at which geometry fails.
@@ -227,9 +226,9 @@ pub fn moved(x: &[f64], kinds: &[Kind], angle: f64, scale: f64, shift: [f64; 2])
         .collect()
 }
 
-/// A place: an angle by which an input is turned, a scale, and a shift.
+/// A placement of an input: an angle by which it is turned, a scale, and a translation.
 type Placement = (f64, f64, [f64; 2]);
-/// The places of hard cases: turned by an angle, scaled, moved away.
+/// The placements of hard cases: turned by an angle, scaled, moved away.
 const PLACES: [Placement; 7] = [
     (0.0, 1.0, [0.0, 0.0]),
     (0.0, 1.0, [1e5, 3.0]),

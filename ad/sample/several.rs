@@ -50,12 +50,12 @@ pub fn joined<T: Clone, const N: usize>(parts: [Vec<T>; N]) -> Vec<T> {
     parts.concat()
 }
 
-/// Returns the same kind so many times.
+/// Returns `count` copies of a kind.
 pub fn all(kind: Kind, count: usize) -> Vec<Kind> {
     vec![kind; count]
 }
 
-/// Returns the kinds of points as those of directions.
+/// Replaces the kinds of points by those of directions.
 pub fn as_directions(kinds: Vec<Kind>) -> Vec<Kind> {
     let of = |kind| match kind {
         Kind::X => Kind::DirectionX,
@@ -75,7 +75,7 @@ pub fn as_lengths(kinds: Vec<Kind>) -> Vec<Kind> {
     kinds.into_iter().map(of).collect()
 }
 
-/// Returns the kinds of points in space as those of rotation vectors.
+/// Replaces the kinds of points in space by those of rotation vectors.
 pub fn as_rotation_vectors(kinds: Vec<Kind>) -> Vec<Kind> {
     let of = |kind| match kind {
         Kind::X => Kind::RotationVectorX,
@@ -164,7 +164,7 @@ pub fn mingled<X: Sample>(x: X, lengths: &[usize], draw: &mut Draw) -> X {
     if mingled.inside() { mingled } else { x }
 }
 
-/// Returns the same of plain numbers; false where all stay as they are.
+/// Replaces some numbers of one part by those of another part; returns `false` if all stay as they are.
 pub(crate) fn mingle(
     numbers: &mut [f64],
     kinds: &[Kind],
@@ -195,7 +195,7 @@ pub(crate) fn mingle(
     true
 }
 
-/// Returns an input whose second part is put beside its first, where they are of one kind.
+/// Returns an input whose second part touches its first, if both are of one kind.
 fn beside<X: Sample>(x: X, lengths: &[usize], near: Option<Vec<f64>>) -> X {
     let (Some(near), [n, m, ..]) = (near, lengths) else {
         return x;

@@ -37,7 +37,7 @@ fn lengths(size: Vec3<f64>) -> [f64; 6] {
     [place, place, place, own[0], own[1], own[2]]
 }
 
-/// Returns how far a turn may go: what moves the ends of a box by about as much as its place may.
+/// Returns the largest angle of a turn: it moves the ends of a box by about as much as its centre may move.
 fn turn(lengths: &[f64; 6]) -> f64 {
     lengths[0] / lengths[3].max(lengths[4]).max(lengths[5])
 }

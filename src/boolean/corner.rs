@@ -11,7 +11,7 @@ pub(super) struct Border {
     pub end: IntPoint<i64>,
 }
 
-/// How two edges meet.
+/// The kinds of meetings of two edges.
 enum EdgeMeeting {
     /// In a vertex of one ring, or in two that follow each other at one place.
     Joined([VertexId; 2]),
@@ -43,7 +43,7 @@ fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> EdgeM
     if before == after || cross <= slight * u.length() * v.length() {
         return EdgeMeeting::InLine;
     }
-    // Both orders give one origin, so that equal origins are found equal.
+    // Both orders give one origin, so that equal origins compare equal.
     let (p, q) = (first.id.min(second.id), first.id.max(second.id));
     EdgeMeeting::Across(Origin::Cross(p, q))
 }

@@ -1,11 +1,11 @@
 //! Edges cut into pieces that meet at their ends only, or the answer that these would be too many.
 //!
-//! i_overlay cuts edges where they cross, rounds these places to the grid, and begins again until nothing
-//! crosses. Some edges lie within a few steps of each other over a length of many steps. Then each round bends
-//! pieces to where they cross anew. Their number doubles until pieces are about as short as steps: more of them
-//! than fit any memory. i_overlay has no limit of rounds. So the rounds of such edges are here, by its rules
-//! (those of version 9.1, bit for bit) and with a limit; i_overlay then finds nothing left to cut. `Cargo.toml` admits
-//! that version only, and a test compares both ([`is_cut_alike`](super::is_cut_alike)).
+//! i_overlay cuts edges where they cross, rounds these places to the grid, and begins again until nothing crosses. Some
+//! edges lie within a few steps of each other over a length of many steps. Then each round bends pieces to where they
+//! cross anew. Their number doubles until pieces are about as short as steps, which exceeds any memory. i_overlay has
+//! no limit of rounds. This file therefore runs the rounds of such edges, by i_overlay's rules (of version 9.1, bit for
+//! bit) and with a limit; i_overlay then has nothing left to cut. `Cargo.toml` admits that version only, and a test
+//! compares both ([`is_cut_alike`](super::is_cut_alike)).
 use i_overlay::i_float::int::number::int::IntNumber;
 use i_overlay::i_float::int::number::product_uint::UIntProduct;
 use i_overlay::i_float::int::number::uint::UIntNumber;
@@ -38,7 +38,7 @@ pub(super) fn may_grow(edges: &[(usize, [Point; 2])]) -> bool {
     }
     let places = edges.iter().enumerate();
     let mut order: Vec<(f64, usize)> = places.map(|(k, (_, x))| (direction(*x), k)).collect();
-    // Directions are the same half a turn on.
+    // A direction and its opposite are equal here.
     for k in 0..order.len() {
         if order[k].0 <= SLIGHT {
             order.push((order[k].0 + 2.0, order[k].1));
@@ -132,7 +132,7 @@ impl EdgePiece {
     }
 }
 
-/// All pieces that lie between the same two ends.
+/// All pieces between two ends.
 #[derive(Clone, Copy)]
 struct Line {
     ends: [Point; 2],
@@ -183,8 +183,8 @@ pub(super) fn cut(
     None
 }
 
-/// Makes lines of pieces. Pieces of both inputs that run as often one way as the other bound nothing and are left
-/// out.
+/// Collects pieces into lines. Pieces of both inputs that run equally often in both directions bound nothing and are
+/// left out.
 fn merge(pieces: &mut Vec<EdgePiece>, lines: &mut Vec<Line>, of_second: &impl Fn(usize) -> bool) {
     pieces.sort_unstable_by_key(|piece| piece.ends);
     lines.clear();
@@ -405,8 +405,8 @@ fn apply(pieces: &mut Vec<EdgePiece>, lines: &[Line], cuts: &mut Vec<CutPoint>) 
     }
 }
 
-/// Brings the places at which a line is cut, in ascending order, into their order along it: those with the same x are
-/// turned round where it runs down.
+/// Brings the places at which a line is cut, in ascending order, into their order along it: those with equal x are
+/// reversed if the line runs downwards.
 fn order(cuts: &mut [CutPoint], [start, end]: [Point; 2]) {
     let mut from = 0;
     while from < cuts.len() {

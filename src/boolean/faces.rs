@@ -8,7 +8,7 @@ type Point = IntPoint<i64>;
 pub(super) struct BorderPiece {
     pub from: Point,
     pub to: Point,
-    /// Its number in the list that it is from.
+    /// Its index in the list of edges.
     pub of: usize,
 }
 
@@ -27,10 +27,10 @@ pub(super) fn is_straight(a: Point, b: Point, c: Point) -> bool {
     turn(a, b, c) == 0
 }
 
-/// Returns the parts of what pieces bound, each as its outer ring, counter-clockwise, and its holes.
+/// Returns the connected parts that pieces bound, each as its outer ring, counter-clockwise, and its holes.
 pub(super) fn parts(mut pieces: Vec<BorderPiece>) -> Vec<Vec<Ring>> {
     pieces.sort_unstable();
-    // Pieces on each other: as often as one runs one way, one the other way takes it back.
+    // Pieces on each other: two in opposite directions cancel.
     let count = |from, to| {
         let first = pieces.partition_point(|x| (x.from, x.to) < (from, to));
         pieces[first..]
@@ -101,7 +101,7 @@ impl BorderPieces {
         let BorderPiece {
             from: back, to: at, ..
         } = self.pieces[k];
-        // Less than half a turn from the way back.
+        // Less than half a turn from the reverse direction.
         let is_early = |to: Point| {
             let turned = turn(at, back, to);
             turned < 0 || turned == 0 && !is_same_way(at, back, to)

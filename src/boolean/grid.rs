@@ -32,7 +32,7 @@ impl Edge {
             vertex: if at_end { self.end } else { self.id.edge },
         }
     }
-    /// Returns how far along it a place is that lies on it: 0 at its start, 1 at its end.
+    /// Returns the fraction of the edge at which a point on it lies: 0 at its start, 1 at its end.
     pub fn share(&self, at: IntPoint<i64>) -> f64 {
         let start = self.ends[0];
         let way = Vec2::new((at.x - start.x) as f64, (at.y - start.y) as f64);
@@ -56,7 +56,7 @@ pub(super) enum Steps {
     Exact,
 }
 
-/// The edges of both inputs on the grid, those of length zero left out.
+/// The edges of both inputs on the grid, without those of length zero.
 pub(super) struct Grid {
     pub edges: Vec<Edge>,
     /// Half a coordinate times this is from two to four where it is largest.
@@ -249,7 +249,7 @@ pub(super) fn invalid(owner: Owner, flaw: Flaw) -> Error {
 pub(super) struct Tag(u32);
 
 impl Tag {
-    /// How many edges can be told apart.
+    /// The largest number of edges.
     const MOST: usize = 1 << 31;
 
     pub fn edge(k: usize) -> Self {

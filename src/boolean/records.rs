@@ -51,8 +51,8 @@ pub enum Origin {
     Vertex(VertexId),
     /// The crossing of two edges: of both inputs, or of one that crosses itself.
     Cross(EdgeId, EdgeId),
-    /// The place of an edge nearest to a vertex that lies on it, where the edges beside that vertex
-    /// begin or cease to lie along it.
+    /// The point of an edge nearest to a vertex that lies on it, where the edges at that vertex begin or cease to lie
+    /// along it.
     Foot {
         /// The vertex.
         of: VertexId,
@@ -82,7 +82,7 @@ impl OverlayTrace {
             .zip(&self.vertices)
             .map(|(&from, &to)| &self.origins[from..to])
     }
-    /// Returns how many vertices the result has.
+    /// Returns the number of vertices of the result.
     #[must_use]
     pub fn vertex_count(&self) -> usize {
         self.vertices.len()
@@ -118,11 +118,11 @@ pub struct IouTrace {
 pub(super) enum ValidOrigin {
     /// The mean of some places.
     Of(Vec<Origin>),
-    /// A fixed fraction of the way along an edge.
+    /// A point at a fixed fraction of an edge.
     Along(EdgeId, f64),
 }
 
-/// The vertices of a result that is valid by the OGC's rules: their coordinates and where each is from.
+/// The vertices of a result that is valid by the OGC's rules: their coordinates and the origin of each.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ValidTrace {
     pub(super) places: Vec<[f64; 2]>,
@@ -134,12 +134,12 @@ pub struct ValidTrace {
 }
 
 impl ValidTrace {
-    /// Returns how many parts the result has.
+    /// Returns the number of parts of the result.
     #[must_use]
     pub fn part_count(&self) -> usize {
         self.parts.len()
     }
-    /// Returns how many vertices the result has.
+    /// Returns the number of vertices of the result.
     #[must_use]
     pub fn vertex_count(&self) -> usize {
         self.places.len()

@@ -28,8 +28,8 @@ pub(crate) fn input_edge<S: Scalar>(
     ([ring[id.edge], ring[next]], next)
 }
 
-/// Returns the place of a line nearest to a point: where it is seen from, the direction of the line, the fraction
-/// of the way along it, and the square of its length (one for a point).
+/// Returns the point of a line nearest to a point: the origin of the local frame, the direction of the line, the
+/// fraction along it, and the square of its length (one for a point).
 #[inline]
 pub(crate) fn foot<S: Scalar>(point: Vec2<S>, line: [Vec2<S>; 2]) -> (Reference<S>, Vec2<S>, S, S) {
     let seen = Reference::of_ring(&line);
@@ -96,7 +96,7 @@ pub fn overlay_replay<'a, S: Scalar>(
 
 /// Returns the result of a boolean operation as polygons that are valid by the OGC's rules, one per part, from both
 /// inputs and the record of `valid_search`: the outer ring first, counter-clockwise, then the holes, clockwise. Values
-/// are those of the record, on its grid; derivatives are those of where each vertex is from.
+/// are those of the record, on its grid; derivatives are those of the origin of each vertex.
 ///
 /// # Panics
 ///

@@ -1,11 +1,10 @@
 //! A convex polygon clipped to another one.
 //!
-//! The border of the result changes between both borders only where these meet. Along every edge of
-//! the first polygon its line enters and leaves the second one; where, is found from signs of exact
-//! predicates on given vertices: which vertex is farthest left and right of the line (two pointers
-//! that move around once), and between those, by bisection, where the sign changes. The meetings are in
-//! the same cyclic order on both borders, and from each one to the next the result follows the border
-//! that turns farther inwards. `O(n log m)`.
+//! The border of the result changes between both borders only where these meet. The line of every edge of the first
+//! polygon enters and leaves the second one. The signs of exact predicates on given vertices decide where: first the
+//! vertices farthest left and right of the line (two pointers that move around once), then, by bisection between those,
+//! the changes of sign. The meetings are in one cyclic order on both borders, and from each one to the next the result
+//! follows the border that turns farther inwards. `O(n log m)`.
 use super::meeting::{ConvexRing, meetings};
 use super::{ClipTrace, Corner, Side};
 use crate::error::Flaw;

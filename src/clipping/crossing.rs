@@ -2,7 +2,7 @@
 use crate::reference::Reference;
 use crate::{Scalar, Vec2};
 
-/// A crossing in local coordinates: how far along either edge it is, and what the derivatives need.
+/// A crossing in local coordinates: its fraction along either edge, and the numbers that the derivatives need.
 pub(crate) struct Crossing<S> {
     pub seen: Reference<S>,
     /// From start to end of the first edge.

@@ -5,7 +5,7 @@ use crate::predicate::{Turn, left_to_right, same, turn, turn_between};
 use crate::{Scalar, Vec2};
 use std::cmp::Ordering;
 
-/// A place that both borders have.
+/// A point of both borders.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BorderPoint {
     pub corner: Corner,
@@ -21,7 +21,7 @@ enum LineContact {
     Edge(usize),
 }
 
-/// A convex polygon as a list of vertices, counted around and around.
+/// A convex polygon as a list of vertices, with indices modulo its length.
 #[derive(Clone, Copy)]
 pub(super) struct ConvexRing<'a, S>(pub &'a [Vec2<S>]);
 
@@ -42,13 +42,13 @@ impl<S: Scalar<Mask = bool>> ConvexRing<'_, S> {
     pub fn contains(&self, point: Vec2<S>) -> bool {
         (0..self.len()).all(|k| self.side(k, point) != Turn::Right)
     }
-    /// Returns the vertex from which the way on no longer turns to `side` of a direction, but the way there did.
+    /// Returns the tangent vertex: the end of the last edge that turns to `side` of a direction.
     fn extreme(&self, direction: [Vec2<S>; 2], side: Turn) -> usize {
         let turns = |k: usize| turn_between(direction, self.edge(k)) == side;
         let n = self.len();
         (0..n).find(|&k| turns(k + n - 1) && !turns(k)).unwrap_or(0)
     }
-    /// Returns the same for a direction that has turned on since.
+    /// Returns the tangent vertex of a direction that has turned further, searching from vertex `from` on.
     fn advance(&self, from: usize, direction: [Vec2<S>; 2], side: Turn) -> usize {
         let turns = |k: usize| turn_between(direction, self.edge(k)) == side;
         let end = from + self.len();

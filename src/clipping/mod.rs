@@ -37,7 +37,7 @@ pub enum Corner {
     },
 }
 
-/// Which edge a side of a clipped polygon lies on, by the number of its start.
+/// The edge that a side of a clipped polygon lies on, by the number of its start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Side {
     /// An edge of the first polygon.

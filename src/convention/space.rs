@@ -65,7 +65,7 @@ impl<S: Scalar> From<YawBox3<S>> for KittiBox<S> {
 }
 
 /// A box of OpenPCDet, in the lidar's frame (x ahead, y to the left, z up): the seven numbers
-/// `x, y, z, dx, dy, dz, heading` with the centre of the box. The same as [`YawBox3`].
+/// `x, y, z, dx, dy, dz, heading` with the centre of the box. Equal to [`YawBox3`].
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[shape(except(Arbitrary))]
 #[repr(C)]

@@ -1,5 +1,5 @@
-//! Lengths in units of their own: sizes of boxes that are small or large beside each other, or beside the
-//! distance between them, keep their digits.
+//! Lengths in units of their own: sizes of boxes keep their digits however small or large they are relative to each
+//! other or to the distance between them.
 use crate::Scalar;
 use crate::scalar::power_of_largest;
 
@@ -50,8 +50,8 @@ impl<S: Scalar> BoxUnits<S> {
             none,
         }
     }
-    /// Returns a number that says how the boxes are turned, or a constant where derivatives by it might not be finite:
-    /// they grow as the larger size to a power.
+    /// Returns a function of a number of a rotation: the number itself, or a constant if derivatives by it might not be
+    /// finite. They grow as the larger size to a power.
     #[inline(always)]
     pub fn finite_derivatives<const POWER: usize>(&self) -> impl Fn(S) -> S + use<S, POWER> {
         let both = self.both.primal();
@@ -64,13 +64,13 @@ impl<S: Scalar> BoxUnits<S> {
     }
 }
 
-/// The way between two centres.
+/// The displacement between two centres.
 pub(super) struct Displacement<S: Scalar> {
     /// Its squared length, in squared units of `1 / unit`.
     pub squared: S,
     /// The power of two that brings its largest coordinate into `[2, 4)`, a constant.
     pub unit: S,
-    /// `true` where there is no way: the centres agree.
+    /// `true` where the centres agree.
     pub none: S::Mask,
 }
 
@@ -99,7 +99,7 @@ impl<S: Scalar> Displacement<S> {
     }
 }
 
-/// Returns the sum of the squares of a distance of shapes and of a way, in squared units of length.
+/// Returns the sum of the squares of a distance of shapes and of a displacement, in squared units of length.
 #[inline(always)]
 pub(super) fn sum_of_squares<S: Scalar>(shape: S, units: &BoxUnits<S>, way: &Displacement<S>) -> S {
     let shape = shape.over(units.both).over(units.both);

@@ -1,10 +1,10 @@
 //! Boxes as Gaussians: distances and losses that have derivatives for boxes apart, too.
 //!
-//! A box stands for the Gaussian with its centre as mean and, along its own axes, half its sizes as
-//! standard deviations; [`probiou`] alone takes those of an even spread, `size / √12`, as its paper does.
-//! All are in closed forms of sizes and angles, arranged so that nothing cancels: sums of terms that are
-//! not negative, where products of matrices and determinants would lose the difference of similar boxes.
-//! Two-dimensional functions are in this module, three-dimensional ones in [`solid`].
+//! A box stands for the Gaussian with its centre as mean and, along its own axes, half its sizes as standard
+//! deviations; [`probiou`] alone takes those of a uniform distribution over the box, `size / √12`, as its paper does.
+//! All are in closed forms of sizes and angles, arranged so that nothing cancels: sums of terms that are not negative,
+//! where products of matrices and determinants would lose the difference of similar boxes. Two-dimensional functions
+//! are in this module, three-dimensional ones in [`solid`].
 //!
 //! | function | of | range | paper |
 //! | --- | --- | --- | --- |
@@ -19,10 +19,10 @@
 //! Wasserstein's distance takes sizes and the distance of the centres each in a unit of its own: none costs another
 //! one digits, however far apart they are.
 //!
-//! But for Wasserstein's distance, sizes count as no smaller than 2⁻²³ of the largest length of the pair: of
-//! all sizes and the distance of the centres. So boxes of zero size are served, sides up to eight million times
-//! as long as others are exact, and all results are finite, the same in every format. Derivatives go through that
-//! bound, too: by the largest length.
+//! Except for Wasserstein's distance, sizes count as at least 2⁻²³ of the largest length of the pair: of all sizes and
+//! the distance of the centres. So boxes of zero size are allowed, sides up to eight million times as long as others
+//! are exact, and all results are finite in every format. Derivatives go through that bound, too: by the largest
+//! length.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
@@ -31,8 +31,8 @@
 //! near the smallest numbers (in `f32` 10⁶ times as long as thick and below 10⁻¹⁷), and those of Wasserstein's
 //! distance by rotations of sizes near the largest numbers, or near the root of them for its square.
 //!
-//! Kinks: [`wasserstein`] and [`probiou`] at identical Gaussians (derivative zero). The others are smooth, but
-//! where a size meets that bound, and where all lengths are zero: there boxes count as identical.
+//! Kinks: [`wasserstein`] and [`probiou`] at identical Gaussians (derivative zero). The others are smooth, except where
+//! a size meets that bound, and where all lengths are zero: there boxes count as identical.
 use crate::{Obb2, Rotation2, Scalar, Vec2};
 
 mod lengths;
@@ -53,8 +53,8 @@ struct GaussianPair<S> {
     /// Standard deviations.
     a: Vec2<S>,
     b: Vec2<S>,
-    /// The square of the sine of the angle between the axes, where the axes of b are named so that the
-    /// larger deviations of both have the same name.
+    /// The square of the sine of the angle between the axes, where the axes of b are named so that the larger
+    /// deviations of both are on one axis.
     sin2: S,
 }
 
@@ -72,8 +72,8 @@ fn unit<S: Scalar>(quarter: S) -> (S, S) {
     (scale, S::select(none, S::one(), least))
 }
 
-/// Returns a length, or a constant where derivatives by lengths might not be finite: they grow as the unit's scale
-/// times the third power of what one is over the smallest size. A function of the scale and that size.
+/// Returns a length, or a constant if derivatives by lengths might not be finite: they grow as the unit's scale times
+/// the third power of the reciprocal of the smallest size. A function of the scale and that size.
 #[inline(always)]
 fn finite_derivatives<S: Scalar>(scale: S, smallest: S) -> impl Fn(S) -> S + use<S> {
     let per = S::Primal::one().over(smallest.primal());

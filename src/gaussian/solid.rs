@@ -1,4 +1,4 @@
-//! The same in space, for boxes of any orientation. Upright boxes come as [`Obb3::from`].
+//! Boxes as Gaussians in space, for boxes of any orientation. Upright boxes are converted by [`Obb3::from`].
 //!
 //! With `D_ij = R_ij²` from the rotation R between the boxes, traces and determinants are sums over D with
 //! terms that are not negative; what would cancel for similar boxes is taken out by hand. The axes of the
@@ -48,8 +48,8 @@ fn pair<S: Scalar>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> GaussianPair3<S> {
     let held = finite_derivatives(scale, least_of(own).least(least_of(other)));
     let (own, other) = (own.each_as(&held), other.each_as(&held));
     let between = Vec3::new(between.x * scale, between.y * scale, between.z * scale);
-    // A way of 2⁻⁹⁰ of the largest length is none: units in which it is long have no finite derivatives. Scores have
-    // second derivatives by it there.
+    // A displacement of 2⁻⁹⁰ of the largest length counts as zero: units in which it is long have no finite
+    // derivatives. Scores have second derivatives by it there.
     let long = most_of([
         between.x.unsigned(),
         between.y.unsigned(),
@@ -128,8 +128,8 @@ pub fn kullback_leibler_mean<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     jeffreys(a, b).halved()
 }
 
-/// Returns how much larger `det(Σa + Σb)` is than the product of all `a_k² + b_k²`, relative to that product, which
-/// is what it would be if the axes agreed; and the lengths `√(a_k² + b_k²)`.
+/// Returns the relative excess of `det(Σa + Σb)` over the product of all `a_k² + b_k²`, which it would equal if the
+/// axes agreed; and the lengths `√(a_k² + b_k²)`.
 ///
 /// By Cauchy and Binet the determinant is `Π a² + Π b² + Σ_ij D_ij G_ij`, where `G_ij` is the product of the
 /// squares of b_j and of both a but a_i, plus that of a_i and of both b but b_j. Each column of D sums to

@@ -12,7 +12,7 @@ use crate::{Scalar, Vec3};
 
 /// Two Gaussians of space seen from the first, lengths in the units of [`BoxUnits`] and [`Displacement`].
 struct WassersteinPair<S: Scalar> {
-    /// The way between the means.
+    /// The displacement between the means.
     way: Displacement<S>,
     /// Standard deviations, each box in its own unit.
     a: [S; 3],
@@ -20,7 +20,7 @@ struct WassersteinPair<S: Scalar> {
     /// The rotation.
     turn: [[S; 3]; 3],
     units: BoxUnits<S>,
-    /// `true` where both boxes are the same.
+    /// `true` where both boxes are equal.
     same: S::Mask,
 }
 

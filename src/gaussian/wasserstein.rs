@@ -27,7 +27,7 @@ fn of_shapes<S: Scalar, const POWER: usize>(a: Obb2<S>, b: Obb2<S>) -> (S, BoxUn
     let held = units.finite_derivatives::<POWER>();
     let axes = |heading: S| Rotation2::from_angle(held(heading));
     let turn = axes(a.heading).inverse() * axes(b.heading);
-    // The larger deviations of both get the same name.
+    // The larger deviations of both are put on one axis.
     let crossed = ((own.x - own.y) * (other.x - other.y)).below(S::zero());
     let exchange = |x: S, y: S| S::select(crossed, y, x);
     let (a, b) = (
@@ -49,7 +49,7 @@ fn of_shapes<S: Scalar, const POWER: usize>(a: Obb2<S>, b: Obb2<S>) -> (S, BoxUn
     (apart.length_squared() + (twist + twist), units)
 }
 
-/// Returns the square of [`wasserstein`], in squared units of length; smooth but for boxes of zero size.
+/// Returns the square of [`wasserstein`], in squared units of length; smooth except for boxes of zero size.
 ///
 /// `|Δ|² + (a₁−b₁)² + (a₂−b₂)² + 2 sin² (a₁²−a₂²)(b₁²−b₂²) / (P + T)` with the deviations a, b,
 /// `P = a₁b₁ + a₂b₂`, `Q = a₁b₂ + a₂b₁` and `T = √(P² cos² + Q² sin²)`, axes named so that no term is

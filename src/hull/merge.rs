@@ -69,7 +69,7 @@ pub fn merge_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
                 Corner::B(k) => b.vertex(k),
                 Corner::A(k) | Corner::Cross { a: k, .. } => a.vertex(k),
             };
-            // The same place, with the mean of both derivatives.
+            // Both vertices coincide: the point has the mean of both derivatives.
             twin.map_or(vertex, |k| vertex.least(b.vertex(k)))
         }),
         count: trace.count,

@@ -31,7 +31,7 @@ pub struct CommonPart<S> {
     pub from: Vec2<S>,
     /// Its end.
     pub to: Vec2<S>,
-    /// 0 for nothing, 1 for a point (`from` and `to` are the same), 2 for a segment. A constant.
+    /// 0 for nothing, 1 for a point (`from` and `to` are equal), 2 for a segment. A constant.
     #[shape(number)]
     pub kind: S,
 }
@@ -44,8 +44,8 @@ pub(crate) fn flag<S: Scalar>(mask: S::Mask) -> S {
 
 /// Returns the point in which two lines cross, with its parameters on both.
 ///
-/// Lines count as parallel by the sine of their angle, whatever the lengths of their directions:
-/// there is no tolerance in units of length. Parallel lines have parameters 0 with derivative zero.
+/// Lines count as parallel by the sine of their angle, for all lengths of their directions: there is no tolerance in
+/// units of length. Parallel lines have parameters 0 with derivative zero.
 ///
 /// Derivatives grow with the square of the reciprocal of the sine of the angle. They are finite where every number is
 /// zero or of a magnitude from 2⁻⁸ to 2⁸ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
@@ -86,8 +86,8 @@ pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> CommonPoint<S> 
 /// Returns the part that two segments share: nothing, a point, or a segment where they lie along each other. Ends
 /// belong to segments.
 ///
-/// What they share is decided as in exact arithmetic on the given numbers: segments lie along each other if their four
-/// ends are on one line, and end on each other if an end is on the other segment. An end in which they meet is the
+/// Their common points are decided as in exact arithmetic on the given numbers: segments lie along each other if their
+/// four ends are on one line, and end on each other if an end is on the other segment. An end in which they meet is the
 /// result itself. Without a meeting both points are the start of the longer segment. Derivatives are those of the kind
 /// that was found; ends that tie share.
 ///
@@ -176,7 +176,7 @@ pub(super) fn plain<S: Scalar>(v: Vec2<S>) -> Vec2<S::Primal> {
     Vec2::new(v.x.primal(), v.y.primal())
 }
 
-/// What two segments of one line share, by comparing coordinates.
+/// The common part of two segments of one line, by comparing coordinates.
 struct CommonSegment<P: Scalar> {
     meet: P::Mask,
     two: P::Mask,
@@ -198,7 +198,7 @@ impl<P: Scalar> CommonSegment<P> {
         let from = Vec2::select(key(base[0]).below(key(first)), first, base[0]);
         let to = Vec2::select(key(last).below(key(base[1])), last, base[1]);
         let (low, high) = (key(from), key(to));
-        // Two points have the same place if they do along y, too.
+        // Two points coincide if their y coordinates are equal, too.
         let apart =
             way.x.equals(P::zero()) & way.y.equals(P::zero()) & !base[0].y.equals(other[0].y);
         CommonSegment {

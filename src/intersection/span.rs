@@ -44,7 +44,7 @@ pub struct Hit<S> {
     pub kind: S,
 }
 
-/// A line in a shape: the parameters, normals and whether it is.
+/// The part of a line in a shape: both borders, and `true` if there is one.
 struct LineSpan<S: Scalar> {
     enter: Border<S>,
     exit: Border<S>,

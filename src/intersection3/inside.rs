@@ -64,7 +64,7 @@ pub(super) fn roots<S: Scalar>(a: S, b: S, c: S, square: S) -> (S, S) {
     );
     let far = sum.over(a);
     // Nothing cancels where both vanish, and a quotient by their sum would have slopes beyond all bounds. A line that
-    // misses but for rounding has a quotient beyond the other root, which is mostly rounding.
+    // misses within rounding has a quotient beyond the other root, which is mostly rounding.
     let beyond = (a * c).above(sum * sum);
     let none =
         sum.magnitude().at_most(S::lit(S::EPSILON.powi(2))) | square.below(S::zero()) | beyond;
@@ -251,8 +251,8 @@ impl<S: Scalar> Inside<S> {
     /// Returns the range inside a capsule from the range inside the cylinder around it and those inside the balls at
     /// its ends. The numbers are heights along its axis: of the line's point, its rate along the line, and of the end.
     ///
-    /// The point where the line enters the cylinder tells by its height which of the three pieces the line enters: at a
-    /// seam both have the same normal.
+    /// The height of the point where the line enters the cylinder decides which of the three parts the line enters: at
+    /// a seam both have one normal.
     #[inline(always)]
     pub(super) fn rounded(self, [start, end]: [Self; 2], [base, rate, top]: [S; 3]) -> Self {
         let zero = S::zero();

@@ -26,7 +26,7 @@ pub trait Pierced: Copy {
     fn guarded(self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
     /// Returns a point of it, from which it is seen.
     fn anchor(self) -> Vec3<Self::Scalar>;
-    /// Returns how far it reaches from there, as a constant.
+    /// Returns its extent from the anchor, as a constant.
     fn extent(self) -> <Self::Scalar as Scalar>::Primal;
     /// Returns the range of a beam inside, both seen from the anchor in units of `1 / scale`.
     fn inside(self, beam: Beam<Self::Scalar>, scale: Self::Scalar) -> Inside<Self::Scalar>;
@@ -89,8 +89,8 @@ fn in_box<S: Scalar>(shape: BoxCore<S>, beam: Beam<S>, scale: S) -> Inside<S> {
 
 /// Returns the range inside a box around the origin with round edges and corners.
 ///
-/// The surface is made of six rectangles and of pieces of the capsules around the twelve edges, so that seams, where
-/// two of them meet, have one normal.
+/// The surface consists of six rectangles and of parts of the capsules around the twelve edges. Seams between two of
+/// them have one normal.
 #[inline(always)]
 fn in_round_box<S: Scalar>(shape: BoxCore<S>, radius: S, beam: Beam<S>, scale: S) -> Inside<S> {
     let [from, along] = [beam.from, beam.along].each_as(|v| shape.axes.each_as(|axis| axis.dot(v)));

@@ -1,7 +1,7 @@
 //! The range of a line inside a tetrahedron, thin and flat ones included.
 //!
 //! Seen along the line, the corners are points of a plane and the line is its origin. The areas that the origin spans
-//! with the six edges say which faces the line meets; faces share them, so that no line passes between two, however
+//! with the six edges decide which faces the line meets; faces share them, so that no line passes between two, however
 //! thin the solid is. Platis, Theoharis, Fast ray-tetrahedron intersection using Plücker coordinates, 2003.
 use super::inside::{Beam, Border, Inside, sized};
 use super::planes::triple_terms;
@@ -17,7 +17,7 @@ const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 /// The corners of the edges.
 const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 
-/// A line meets a face whose weights place it beside the line by at most so many roundings.
+/// A line meets a face if the point by the face's weights is within this number of roundings of the line.
 const BESIDE: f64 = 16.0;
 
 /// The corners as seen along a line.
@@ -26,11 +26,11 @@ struct Sight<S: Scalar> {
     ahead: [S; 4],
     /// How far aside each is, times the direction and across it.
     aside: [Vec3<S>; 4],
-    /// What the line spans with each edge, times the square of the direction; zero where rounding can have made it.
+    /// The area that the line spans with each edge, times the square of the direction; zero if it is within rounding.
     spans: [S; 6],
-    /// The same with what rounding makes of zero.
+    /// These areas without rounding small ones to zero.
     raw: [S::Primal; 6],
-    /// What rounding can make of a corner on the line.
+    /// The largest rounding error of a corner on the line.
     slack: S::Primal,
 }
 
@@ -140,8 +140,8 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
             !(is(raw[0], nothing) | is(raw[1], nothing) | is(raw[2], nothing))
         };
         let (low, high) = (any(S::below), any(S::above));
-        // The place is that of the corners' weights. Of a face that is seen edge-on or has no area they are rounding, and
-        // belong to a point beside the line.
+        // The point is the mean of the corners by their weights. For a face that is seen edge-on or has no area the
+        // weights are rounding, and the point is off the line.
         let of = FACES[face].each_as(|corner| sight.aside[corner]);
         let plain = weights.each_as(|weight| S::from_primal(weight.primal()));
         let weighted = (of[0] * plain[0] + of[1] * plain[1]) + of[2] * plain[2];
@@ -210,8 +210,8 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
     .unless(still | !both & !alone & no_edge)
 }
 
-/// Returns the first and the last place of the corners and edges that the line meets; the share of the way along an
-/// edge is a constant.
+/// Returns the first and the last point of the corners and edges that the line meets; the fraction along an edge is a
+/// constant.
 #[inline(always)]
 fn edges_met<S: Scalar>(sight: &Sight<S>) -> (Best<S, S>, Best<S, S>) {
     let wide = sight.aside.each_as(size_of);

@@ -1,10 +1,9 @@
 //! Rays and segments against triangles, by signs that rounding does not decide.
 //!
 //! Seen along the ray a triangle is three points of a plane, and the ray is the origin. It hits the triangle where the
-//! origin is on one side of all edges, or on them. An edge of two triangles has the same two points in both, with
-//! opposite signs. The sign of a value within its rounding comes from numbers of twice the digits, and what is zero
-//! within their rounding counts as zero: on the border. So neither edges nor vertices of a closed surface let a ray
-//! through.
+//! origin is on one side of all edges, or on them. An edge of two triangles has two common points, with opposite signs.
+//! The sign of a value within its rounding comes from numbers of twice the digits, and a value within their rounding
+//! counts as zero: on the border. So neither edges nor vertices of a closed surface let a ray through.
 use super::Hit3;
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
@@ -25,24 +24,24 @@ struct Sight<P> {
     to: Option<Vec3<P>>,
 }
 
-/// The powers of two that bring differences of places and the direction near one.
+/// The powers of two that bring differences of points and the direction near one.
 #[derive(Clone, Copy)]
 struct LineUnits<P> {
     place: P,
     way: P,
 }
 
-/// The sides of three edges on which a line passes.
+/// The sides of a line relative to three edges.
 #[derive(Clone, Copy)]
 struct EdgeSides<P: Scalar> {
     values: [P; 3],
-    /// The sizes of the coordinates that they are made of.
+    /// The sizes of the coordinates in their products.
     reach: [P; 3],
     /// `true` if a value may have another sign, or too few digits.
     doubt: P::Mask,
 }
 
-/// How far a place is behind a triangle's plane.
+/// The height of a point behind a triangle's plane.
 #[derive(Clone, Copy)]
 struct PlaneHeight<P: Scalar> {
     place: Vec3<P>,
@@ -57,7 +56,7 @@ impl<P: Scalar<Primal = P>> PlaneHeight<P> {
     /// Replaces the value by one computed with twice the digits where its sign is in doubt; it is zero in the plane.
     #[inline(always)]
     fn settled(self, doubt: P::Mask, triangle: [Vec3<P>; 3], unit: P) -> Self {
-        // The way from the place may be much shorter than the others: what rounding makes of it is so, too.
+        // The vector from the point may be much shorter than the edges, and so is its rounding error.
         let near = scale_of::<P>(size_of(triangle[0] - self.place));
         let exact = wide_behind(self.place, triangle, [unit, near]);
         let exact = unless_zero(exact, self.size, 256.0);
@@ -74,7 +73,7 @@ fn within<P: Scalar>(x: P, of: P, part: f64) -> P::Mask {
     x.unsigned().at_most(of * P::lit(part))
 }
 
-/// Returns a number of twice the digits, zero where it is within so many of its roundings.
+/// Returns a number of twice the digits, zero if it is within `roundings` of its roundings.
 #[inline(always)]
 fn unless_zero<P: Scalar>(x: P, of: P, roundings: f64) -> P {
     let zero = within(x, of, roundings * P::EPSILON.powi(2));
@@ -115,7 +114,7 @@ impl<P: Scalar<Primal = P>> Sight<P> {
         (sight, [turn(a), turn(b), turn(c)])
     }
 
-    /// Returns the way from a place of its own to another place, in twice the digits.
+    /// Returns the vector from one point to another, in twice the digits.
     #[inline(always)]
     fn arm(from: Vec3<P>, to: Vec3<P>, unit: P) -> Wide3<P> {
         [(to.x, from.x), (to.y, from.y), (to.z, from.z)]
@@ -152,7 +151,7 @@ impl<P: Scalar<Primal = P>> Sight<P> {
         }
     }
 
-    /// Returns the same in twice the digits: to 320 ε² of the seen coordinates.
+    /// Returns the sides in twice the digits: to 320 ε² of the relative coordinates.
     #[cold]
     #[inline(never)]
     fn wide_sides(self, corners: [Vec3<P>; 3], units: LineUnits<P>) -> [P; 3] {
@@ -171,8 +170,8 @@ impl<P: Scalar<Primal = P>> Sight<P> {
     }
 }
 
-/// Returns how far a place is behind a triangle's plane, times twice the area. All in plain numbers, in units of the
-/// edges and of the way from the place.
+/// Returns the height of a point behind a triangle's plane, times twice the area. All in plain numbers, in units of the
+/// edges and of the vector from the point.
 #[inline(always)]
 fn behind<P: Scalar<Primal = P>>(
     place: Vec3<P>,
@@ -192,7 +191,7 @@ fn behind<P: Scalar<Primal = P>>(
     }
 }
 
-/// Returns the same in twice the digits: to 138 ε² of the edges' product.
+/// Returns the height behind the plane in twice the digits: to 138 ε² of the edges' product.
 #[cold]
 #[inline(never)]
 fn wide_behind<P: Scalar<Primal = P>>(
@@ -305,9 +304,9 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
 
 /// Returns the point of a triangle that a ray hits; its border belongs to it.
 ///
-/// The border is that of the given numbers to a part of ε² of what the signs are made of: rays through a vertex or an
-/// edge hit every triangle there that is not edge-on, and none passes between triangles that share one. A triangle
-/// without area is missed, and one seen edge-on; both are decided alike. Points of hits lie between the corners.
+/// The border is that of the given numbers, to a part of ε² of the terms of the signs. Rays through a vertex or an edge
+/// hit every triangle there that is not edge-on, and none passes between triangles that share one. A triangle without
+/// area is missed, and one seen edge-on; both are decided alike. Points of hits lie between the corners.
 ///
 /// ```
 /// use geograd::{Ray3, Triangle3, Vec3, intersection3::first_hit_triangle};

@@ -6,8 +6,8 @@ use crate::overlap::iou_aabb2;
 use crate::scalar::guarded;
 use crate::{Aabb2, Scalar, Vec2};
 
-/// How the extent of two intervals is divided: what only the first covers, only the second, both, and
-/// neither. Lengths of no sign, in one unit.
+/// The parts of the extent of two intervals: the lengths that only the first covers, only the second, both, and
+/// neither. Not negative, in one unit.
 struct ExtentParts<S> {
     a: S,
     b: S,
@@ -45,8 +45,8 @@ fn generalised<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, hull: bool) -> S {
     let half = |scale: S| move |low: S, high: S| (high.halved() - low.halved()) * scale;
     let x = ExtentParts::of([a.min.x, a.max.x], [b.min.x, b.max.x], half(scale.x));
     let y = ExtentParts::of([a.min.y, a.max.y], [b.min.y, b.max.y], half(scale.y));
-    // The area that neither box covers is the sum of its parts. The area of the box around both less that of
-    // the union would lose its digits if one box all but covers the other.
+    // The area that neither box covers is the sum of its parts. The area of the box around both less that of the union
+    // would lose its digits if one box nearly covers the other.
     let mut rest = (x.a * (y.b + y.neither) + x.b * (y.a + y.neither))
         + (x.both * y.neither + x.neither * y.whole());
     if hull {

@@ -11,8 +11,8 @@
 //! 2 area = Σ sides of a: w (P × Q) + Σ sides of b: (1 − w) (P × Q) + Σ gaps: (w − w′) (A × B)
 //! ```
 //!
-//! with `w` before and `w′` behind the gap. That is eight comparisons; nothing is sorted or searched. At a
-//! tie both choices give the same area, so the sum is continuous; its derivative there is the mean.
+//! with `w` before and `w′` behind the gap. That is eight comparisons; nothing is sorted or searched. At a tie both
+//! choices give one area, so the sum is continuous; its derivative there is the mean.
 //!
 //! Boxes are symmetric, which leaves little of the sum. Let `x`, `y` be half the size of a, `p` and `q` the arms of
 //! b (from its centre to its right and its upper side), `(u, v)` its centre, and `a₀ … a₃`, `b₀ … b₃` the weights at
@@ -25,9 +25,9 @@
 //! Y = p_y (b₁ − b₃) + q_y (b₂ − b₀) + y (a₂ − a₀)
 //! ```
 //!
-//! where q_x stands for its magnitude (q points to the left by as much as p points up). All terms with the centre
-//! are one product, so that of boxes very far apart no sizes are lost beside the distance. With constant weights
-//! this is a polynomial, whose derivatives are plain.
+//! where q_x stands for its magnitude (q points to the left by as much as p points up). All terms with the centre are
+//! one product, so that sizes are not lost in the distance of boxes very far apart. With constant weights this is a
+//! polynomial, whose derivatives are plain.
 use super::terms::unit;
 use crate::clip::{Framed, Relative, frame, relate, size_scale};
 use crate::{Aabb2, Obb2, Scalar, Vec2};
@@ -199,7 +199,7 @@ pub(super) fn hull_of_bounds<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, scale: Vec2<S>
     let gap = |x: S, y: S, scale: S| (y.halved() - x.halved()) * scale;
     let gaps = |p: Vec2<S>, q: Vec2<S>| Vec2::new(gap(p.x, q.x, scale.x), gap(p.y, q.y, scale.y));
     let (low, high) = (gaps(a.min, b.min), gaps(a.max, b.max));
-    // Two bounds of a corner that are not of the same box leave a triangle out.
+    // A corner whose two bounds belong to different boxes leaves a triangle out.
     let cut = |x: S, y: S| (x * y).most(zero);
     let cuts =
         (cut(-low.x, low.y) + cut(high.x, low.y)) + (cut(-high.x, high.y) + cut(low.x, high.y));

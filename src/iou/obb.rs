@@ -9,29 +9,28 @@ use crate::{Obb2, Scalar, Vec2};
 pub(crate) struct Across<S> {
     /// The square of the diameter.
     pub squared: S,
-    /// The way between the centres in the frame of a.
+    /// The vector between the centres in the frame of a.
     pub way: Vec2<S>,
     /// The sizes of both along their own axes.
     pub sizes: [Vec2<S>; 2],
 }
 
-/// Returns the power of two that brings the longest of half the way between the centres and half the sizes into
-/// `[½, 1)`.
+/// Returns the power of two that brings the largest of half the centres' difference and half the sizes into `[½, 1)`.
 #[inline(always)]
 pub(crate) fn unit_of_pair<S: Scalar>(a: &Framed<S>, b: &Framed<S>) -> S {
     let way = half_way(a.center, b.center);
     unit([way.x, way.y, a.half.x, a.half.y, b.half.x, b.half.y])
 }
 
-/// Returns half the way between the centres.
+/// Returns half the vector between the centres.
 #[inline(always)]
 fn half_way<S: Scalar>(a: Vec2<S>, b: Vec2<S>) -> Vec2<S> {
     Vec2::new(b.x.halved() - a.x.halved(), b.y.halved() - a.y.halved())
 }
 
-/// Measures the diameter of the joint hull of two rotated boxes: the largest distance of two of the eight
-/// corners. In the frame of `a` its corner farthest from a corner `p` of `b` is at `|p_x| + w/2`,
-/// `|p_y| + h/2` from it; so four of b's corners and the two diagonals tell. In units of `1 / scale`.
+/// Measures the diameter of the joint hull of two rotated boxes: the largest distance of two of the eight corners. In
+/// the frame of `a` its corner farthest from a corner `p` of `b` is at `|p_x| + w/2`, `|p_y| + h/2` from it; so four of
+/// b's corners and the two diagonals suffice. In units of `1 / scale`.
 #[inline(always)]
 pub(crate) fn across<S: Scalar>(a: Framed<S>, b: Framed<S>, scale: S) -> Across<S> {
     let pair = relate::<S, true>(a, b, scale);
@@ -78,7 +77,7 @@ fn terms<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> Terms<S> {
 pub(crate) struct BoxesAround<S> {
     /// The size of the box around both.
     pub around: Vec2<S>,
-    /// The way between the centres.
+    /// The vector between the centres.
     pub way: Vec2<S>,
     /// The sizes of both along their own axes.
     pub sizes: [Vec2<S>; 2],

@@ -54,7 +54,7 @@ pub fn giou_polygons_replay<S: Scalar, const N: usize, const M: usize, const K: 
         twice += shared.seen.place(start).perp_dot(shared.seen.place(end));
     }
     let hull = twice.halved();
-    // If one polygon is the hull of both, rounding must not tell the hull's area from its own.
+    // If one polygon is the hull of both, rounding must not separate the hull's area from its own.
     let corners = &trace.corners[..trace.count.min(K)];
     let all_a = trace.count == a.count && corners.iter().all(|c| matches!(c, Corner::A(_)));
     let all_b = trace.count == b.count && corners.iter().all(|c| matches!(c, Corner::B(_)));

@@ -28,9 +28,9 @@ pub fn separation_aware_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
         center.magnitude() - (own + (along * cos + across * steep))
     };
     let (e, f) = (u * cos + v * pair.sin, v * cos - u * pair.sin);
-    // The gap of parallel sides is the same along both. Let b turn by t from there. The gap along b's side is then
-    // wider by `tilt t + (p − h) |t|`; p and h are the extents of b and a across it. It is wider for both signs of
-    // t if the second term is larger, else for one of them. Then the derivative is the mean of both ways.
+    // The gap of parallel sides is equal along both. Let b turn by t from there. The gap along b's side is then wider
+    // by `tilt t + (p − h) |t|`; p and h are the extents of b and a across it. It is wider for both signs of t if the
+    // second term is larger, else for one of them. Then the derivative is the mean of both directions.
     let wider = |of_a: S, of_b: S, [p, h]: [S; 2], tilt: S| {
         let parallel = of_a.equals(of_b) & pair.sin.equals(S::zero());
         let more = S::from_primal((p - h).primal());

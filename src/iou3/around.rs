@@ -18,7 +18,7 @@ struct BoxPair<S> {
     iou: S,
     size_a: Three<S>,
     size_b: Three<S>,
-    /// The square of the way between the centres.
+    /// The squared distance of the centres.
     way: S,
 }
 

@@ -113,7 +113,7 @@ struct Ground<S: Scalar> {
     /// The shares of its area that both cover.
     covered: [S; 2],
     empty: S::Mask,
-    /// The square of the way between the centres and that of the diameter.
+    /// The squared distance of the centres and the square of the diameter.
     way: S,
     across: S,
     sizes: [Vec2<S>; 2],

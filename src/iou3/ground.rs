@@ -1,19 +1,19 @@
 //! The rectangle of least area around two boxes of the plane.
 //!
-//! A side of it lies along an edge of the convex hull. As in [`iou`](crate::iou::HullOfBoxes), the normals of
-//! the eight sides come in turns, one of a, one of b; between two neighbours the hull goes over from a corner
-//! of one box to one of the other where not the same box reaches farther along both. That is eight directions,
-//! and those of both boxes' own sides are two more; nothing is sorted.
+//! A side of it lies along an edge of the convex hull. As in [`iou`](crate::iou::HullOfBoxes), the normals of the eight
+//! sides alternate, one of a, one of b. Between two neighbours the hull passes from a corner of one box to one of the
+//! other if different boxes reach farther along them. That is eight directions, and those of both boxes' own sides are
+//! two more; nothing is sorted.
 //!
-//! Several directions often give the same area: where boxes have one centre, opposite edges do, and both boxes
-//! reach equally far across them on both sides. Areas, and lengths along a direction, count as equal when they
-//! differ by no more than rounding makes them differ; equal ones share the derivative.
+//! Several directions often give one area: for boxes with one centre, opposite edges do, and both boxes reach equally
+//! far across them on both sides. Areas, and lengths along a direction, count as equal if they differ within rounding;
+//! equal ones share the derivative.
 use crate::arrays::Each;
 use crate::clip::{Relative, frame, relate};
 use crate::iou::unit;
 use crate::{Obb2, Scalar, Vec2};
 
-/// How many roundings apart numbers count as equal.
+/// The number of roundings within which numbers count as equal.
 const ROUNDINGS: f64 = 4.0;
 
 /// The rectangle of least area, in units of `1 / scale`; the mean of all of that area.
@@ -51,8 +51,8 @@ fn weight<S: Scalar>(x: S, terms: [S; 3]) -> S::Primal {
     S::Primal::select(near, S::Primal::lit(0.5), won)
 }
 
-/// Returns the farther one of what a reaches and what b reaches from its centre at `way`; as good as a tie shares
-/// the derivative, and so does what is known to be one.
+/// Returns the larger of a's extent `own` and b's extent `other` from its centre at `way`. A tie within rounding shares
+/// the derivative, and so does a known one (`tie`).
 #[inline(always)]
 fn farther<S: Scalar>(own: S, way: S, other: S, tie: S::Mask) -> S {
     let reach = way + other;
@@ -123,7 +123,7 @@ impl<S: Scalar> MirroredPair<S> {
             Vec2::new(b.x * turn.x, b.x * turn.y),
             Vec2::new(-(b.y * turn.y), b.y * turn.x),
         );
-        // How far b reaches along the sides of a, and a along those of b.
+        // The extents of b along the sides of a, and of a along the sides of b.
         let (bx, by) = (p.x - q.x, p.y + q.y);
         let (ax, ay) = (a.x * turn.x + a.y * turn.y, a.y * turn.x + a.x * turn.y);
         let (e, f) = (c.x * turn.x + c.y * turn.y, c.y * turn.x - c.x * turn.y);

@@ -15,10 +15,10 @@
 //! | [`alpha_iou`] | a power of IoU | He et al., *Alpha-IoU*, NeurIPS 2021 |
 //! | [`separation_aware`] | IoU, or for boxes apart minus their separation over itself and their size | here |
 //!
-//! Any kind of box serves ([`Solid`]); [`Enclosing`] says what is put around a pair. Operations of a plain name
-//! put around axis-aligned boxes the published shape, the box around both, and around boxes that turn one
-//! that turns with them, so that their scores are invariant under the rotations that the boxes have. Suffixes
-//! name every other enclosing shape. `ciou` and `eiou` build on the `diou` of the same row.
+//! Every kind of box works ([`Solid`]); [`Enclosing`] chooses the shape around a pair. Operations of a plain name put
+//! around axis-aligned boxes the published shape, the box around both, and around boxes that turn one that turns with
+//! them, so that their scores are invariant under the rotations that the boxes have. Suffixes name every other
+//! enclosing shape. `ciou` and `eiou` build on the `diou` of the same row.
 //!
 //! | boxes | enclosing shape | volume, diameter, lengths for sizes | operations |
 //! | --- | --- | --- | --- |
@@ -33,19 +33,19 @@
 //! | --- | --- | --- | --- |
 //! | `[−1, 1]` | `[−1, 1]` | `[−3/2, 1]` | `[−13/4, 1]` by the box around `Aabb3`, `[−7/2, 1]` by a ground's diameter, else `[−4, 1]` |
 //!
-//! Losses are one minus these. Identical boxes of positive volume have exactly 1 with derivative zero (but for
-//! `giou` by the world's axes of turned boxes). GIoU is −1 only where rounding makes it so, DIoU also for two
-//! points. A term with a denominator of zero is zero with derivative zero. An enclosing shape that is so thin
-//! that its volume (of [`Obb3`]) or its ground's area underflows counts as empty: it has no GIoU term.
+//! Losses are one minus these. Identical boxes of positive volume have exactly 1 with derivative zero (except for
+//! `giou` by the world's axes of turned boxes). GIoU is −1 only where rounding makes it so, DIoU also for two points. A
+//! term with a denominator of zero is zero with derivative zero. An enclosing shape that is so thin that its volume (of
+//! [`Obb3`]) or its ground's area underflows counts as empty: it has no GIoU term.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
-//! Kinks are those of IoU and of the enclosing shape; of boxes of any orientation DIoU, CIoU and EIoU jump
-//! where another enclosing box becomes the smaller one. Exact ties share the derivative: at one kink it lies between the
-//! slopes of both sides. Several kinks can meet, as for boxes along the same axes with faces in one plane. Each then shares
-//! by itself, and the sum may lie outside the slopes of both sides. Of tied rectangles of least area DIoU, CIoU and EIoU
-//! take the mean diagonal and mean sides, which may be those of none.
+//! Kinks are those of IoU and of the enclosing shape; of boxes of any orientation DIoU, CIoU and EIoU jump where
+//! another enclosing box becomes the smaller one. Exact ties share the derivative: at one kink it lies between the
+//! slopes of both sides. Several kinks can meet, as for boxes along the same axes with faces in one plane. Each then
+//! shares by itself, and the sum may lie outside the slopes of both sides. If rectangles of least area tie, DIoU, CIoU
+//! and EIoU take the mean diagonal and mean sides, which may belong to none of them.
 use crate::iou::weighted;
 use crate::shape::Obb3;
 use crate::{Scalar, Vec3};
@@ -146,7 +146,7 @@ pub fn eiou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     score_of(Score::Eiou, a.overlap(b), a, b, kind).canonical()
 }
 
-/// A score that is made of the boxes' IoU and of a formula of their numbers.
+/// A score computed from the boxes' IoU and a formula of their numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Score {
     /// [`giou`].

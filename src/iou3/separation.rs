@@ -8,8 +8,8 @@ use crate::shape::Obb3;
 /// Returns the largest gap between the boxes' shadows over all fifteen axes that could separate them: a face's normal
 /// of either or the cross product of two edges. In units of `1 / scale`.
 ///
-/// An axis made of two edges that are nearly parallel says nothing that faces do not; it counts as far as the
-/// square of its length is above rounding.
+/// The normal of two nearly parallel edges adds nothing to the faces; it counts as far as the square of its length is
+/// above rounding.
 fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
     let (r, c, h, p) = (pair.turn, pair.center, pair.half_a, pair.half_b);
     let faces = |i: usize| {
@@ -47,8 +47,8 @@ fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
     gap.most(of_edges)
 }
 
-/// Returns how far two boxes are apart along the axis that separates them most, a length; negative for boxes that
-/// overlap: how far one must move to leave the other.
+/// Returns the gap between two boxes along the axis that separates them most, a length. It is negative for boxes that
+/// overlap: minus the distance that one must move to leave the other.
 ///
 /// For boxes apart it is at most their distance, and equal to it where that is between faces, or edges, or a face and
 /// anything; its derivatives point apart. Kinks where another axis becomes the widest; axes that tie share the

@@ -70,8 +70,8 @@ impl<S: Scalar> AreaMoments<S> {
     }
 }
 
-/// The sums that moments are made of, over edges in local coordinates: contributions are added.
-/// In order: twice the area, six times `∫x`, `∫y`, twelve times `∫x²`, `∫y²`, twenty-four times `∫xy`.
+/// The sums that give the moments, over edges in local coordinates: contributions are added. In order: twice the area,
+/// six times `∫x`, `∫y`, twelve times `∫x²`, `∫y²`, twenty-four times `∫xy`.
 pub type Sums<S> = [S; 6];
 
 /// Returns the body of the fold: what the edge from `start` to `end`, [placed](Reference::place), contributes.

@@ -21,13 +21,12 @@ pub struct Resting {
     pub left: usize,
 }
 
-/// Returns a point turned back by a quarter: a cross product with what is turned is a dot product.
+/// Returns a vector turned back by a quarter, whose dot product is the cross product with the original.
 fn turned_back<S: Scalar>(p: Vec2<S>) -> Vec2<S> {
     Vec2::new(p.y, -p.x)
 }
 
-/// Moves a vertex number on, around a hull, while the way on leads along a direction, at most once
-/// around.
+/// Advances a vertex number around a hull while its next edge leads along a direction, at most once around.
 fn advance<S: Scalar<Mask = bool>>(
     at: impl Fn(usize) -> Vec2<S>,
     direction: [Vec2<S>; 2],
@@ -44,8 +43,8 @@ fn advance<S: Scalar<Mask = bool>>(
 /// Returns the rectangle of least area that has all points inside, and what it rests on. Its heading is that
 /// of an edge of the hull. `None` for no points, and for points on a line. `O(n log n)`.
 ///
-/// Kink: several rectangles of the same area. Derivatives: see [`rectangle_replay`]. Source: Freeman and
-/// Shapira 1975 (one side lies along an edge of the hull); rotating calipers, Toussaint 1983.
+/// Kink: several rectangles of equal area. Derivatives: see [`rectangle_replay`]. Source: Freeman and Shapira 1975 (one
+/// side lies along an edge of the hull); rotating calipers, Toussaint 1983.
 ///
 /// ```
 /// use geograd::{Obb2, measure::rectangle::rectangle_search};

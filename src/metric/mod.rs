@@ -34,8 +34,7 @@ pub struct Frame<'a> {
     pub truths: usize,
     /// Overlaps of detections (the first of a pair) and truths (the second); others do not overlap.
     pub pairs: &'a [Pair<f64>],
-    /// Truths that need not be found, such as those of a similar class, too far away or too hidden; empty
-    /// where all count.
+    /// Truths that need not be found, such as those of a similar class, too far away or too hidden; empty if all count.
     pub ignored_truths: &'a [bool],
     /// Detections that cannot be wrong, such as those too small or in a region without labels; empty where
     /// all can.
@@ -63,7 +62,7 @@ pub enum Outcome {
     Right(usize),
     /// It found nothing, or what another one had found.
     Wrong,
-    /// It counts neither way.
+    /// It counts neither as right nor as wrong.
     Ignored,
 }
 

@@ -109,9 +109,9 @@ pub struct Frames<'a> {
     pub detection_offsets: &'a [usize],
     /// The truths, frame by frame.
     pub truths: &'a [Object],
-    /// The same for truths.
+    /// The offsets of the truths of each frame.
     pub truth_offsets: &'a [usize],
-    /// The turn after which an object looks the same, in radians: 2π, and π for barriers.
+    /// The rotation that maps an object to itself, in radians: 2π, and π for barriers.
     pub period: f64,
 }
 

@@ -108,8 +108,8 @@ fn glance<S: Scalar>(pair: &Relative3<S>) -> Glance<S> {
     }
 }
 
-/// Returns the volume that two related boxes share and, if asked for, its derivatives. Straight line, but for pairs all
-/// of which are apart.
+/// Returns the volume that two related boxes share and, with `DERIVATIVE`, its derivatives. A straight line, except for
+/// lanes of pairs all of which are apart.
 ///
 /// `PIECES` keeps the repeated pieces functions of their own, which costs less to build and less stack;
 /// without it all is one piece, as code for vector instructions must be.
@@ -281,7 +281,7 @@ fn same_box<S: Scalar, const DERIVATIVE: bool>(
     found: Shared3<S>,
 ) -> Shared3<S> {
     let (same, h, zero) = (pair.same, pair.half_a, S::zero());
-    // The volume is made of both boxes, so that derivatives through this value are shared, too.
+    // The volume is computed from both boxes, so that derivatives through this value are shared, too.
     let p = pair.half_b;
     let whole = (h[0] + p[0]) * (h[1] + p[1]) * (h[2] + p[2]);
     // Boxes without volume share no more when one of them alone grows.

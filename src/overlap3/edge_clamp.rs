@@ -27,9 +27,9 @@ pub(super) fn tiny<S: Scalar>() -> f64 {
 /// Both boxes relative to a point near both, so that rounding is a common shift of all of it, which thin
 /// boxes need.
 ///
-/// The steps along all three axes are the same. So they are written once, for an edge along axis 0 and a face
-/// across axis 2. The axes of both boxes take turns ([`turn`](Cut::turn)). Kernels then have a loop of three
-/// rounds in which every index is a constant.
+/// The steps along all three axes are alike. So they are written once, for an edge along axis 0 and a face across axis
+/// 2. The axes of both boxes take turns ([`turn`](Cut::turn)). Kernels then have a loop of three rounds in which every
+/// index is a constant.
 #[derive(Clone, Copy)]
 pub(super) struct Cut<S: Scalar> {
     /// Entries of the rotation.
@@ -47,8 +47,8 @@ pub(super) struct Cut<S: Scalar> {
 }
 
 impl<S: Scalar> Cut<S> {
-    /// Gives the axes of both boxes other names: what was 1 is 0, what was 2 is 1, what was 0 is 2. In place,
-    /// since a copy of all of it would be a call.
+    /// Renames the axes of both boxes: 1 becomes 0, 2 becomes 1, 0 becomes 2. In place, since a copy of the struct
+    /// would be a call.
     #[inline(always)]
     pub(super) fn turn(&mut self) {
         turn_both(&mut self.r);
@@ -124,11 +124,11 @@ pub(super) fn signed<S: Scalar>(sum: S, side: usize, x: S) -> S {
     if side == 1 { sum + x } else { sum - x }
 }
 
-/// A side of b is cut off where a reaches less than this part of its half.
+/// A side of b is cut off if a reaches less than this part of its half.
 const REACHED: f64 = 0.125;
 
-/// Returns the bounds of b along its own axes, without what of its long sides a cannot reach: the integrals over a
-/// thin long box that another one crosses would be of terms 10⁴ times as large as their sum.
+/// Returns the bounds of b along its own axes, without the parts of its long sides that a cannot reach. The integrals
+/// over a thin long box that another one crosses would otherwise have terms 10⁴ times as large as their sum.
 ///
 /// Between two opposite faces of a, across its axis i, `Σ R_in w_n` is within h_i of `−c_i`, so w_m is known up
 /// to `(h_i + Σ_{n≠m} |R_in| p_n) / |R_im|`. The narrowest of these three ranges counts, with room for rounding.
@@ -374,7 +374,7 @@ fn edge_term_here<S: Scalar, const DERIVATIVE: bool>(
         let q1 = coordinate(cut, edge, 1, cut.f[0][1]) * coordinate(cut, edge, 2, cut.f[0][1]);
         bounds.high[0] = less_signed(bounds.high[0], a, b, both[3] - q1);
         bounds.low[0] = less_signed(bounds.low[0], a, b, q0 - both[0]);
-        // The integral of X_2 where X_1 is a bound; and the other way round.
+        // The integral of X_2 where X_1 is a bound, and vice versa.
         clamped_part::<S, 1, 2>(cut, edge, [a, b], [t0, j0, j1, t1], bounds);
         clamped_part::<S, 2, 1>(cut, edge, [a, b], [t0, l0, l1, t1], bounds);
     }

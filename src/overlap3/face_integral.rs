@@ -32,7 +32,7 @@ impl<S: Scalar> Face<S> {
 /// One side of the region that is integrated over: an edge of the face, or a side of a's rectangle.
 #[derive(Clone, Copy)]
 struct RegionSide<S: Scalar> {
-    /// From where to where its parameter runs.
+    /// The range of its parameter.
     from: S,
     to: S,
     /// The parameter where z comes into a's bounds and where it leaves them.
@@ -193,7 +193,7 @@ struct FaceRegion<'a, S: Scalar> {
     cross: [[S; 3]; 2],
 }
 
-/// The coordinates x, y and z of a face among those of its edges along axis 0 and along axis 1.
+/// The indices of a face's coordinates x, y and z in the coordinates of its edges along axis 0 and along axis 1.
 const OF_EDGE: [[usize; 3]; 2] = [[0, 1, 2], [2, 0, 1]];
 
 impl<S: Scalar> FaceRegion<'_, S> {
@@ -313,7 +313,7 @@ impl<S: Scalar> FaceRegion<'_, S> {
     }
 }
 
-/// Returns the range of a coordinate over F': along `own` it goes as `along` says, along `other` as `across` does.
+/// Returns the range of a coordinate over F': its derivative along `own` is `along`, that along `other` is `across`.
 #[inline(always)]
 fn reach<S: Scalar>([own, other]: [[S; 2]; 2], along: S, across: S, middle: S) -> [S; 2] {
     let (p, q) = (other[0] * across, other[1] * across);

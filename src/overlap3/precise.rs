@@ -72,8 +72,8 @@ pub(super) fn bounded<S: Scalar>(q: Rotation3<S>) -> Quaternion<S> {
     ]
 }
 
-/// Returns a quaternion times a power of two that brings its largest number into `[¼, ½)` (one too small to be normal
-/// not all the way), and that power.
+/// Returns a quaternion times a power of two that brings its largest number into `[¼, ½)` (less for one below the
+/// smallest normal number), and that power.
 #[inline(always)]
 pub(super) fn to_about_half<S: Scalar>(q: Rotation3<S>) -> (Rotation3<S>, S) {
     let scale = to_half(largest(q.x, q.y, q.z).most(q.w.primal().magnitude()));
@@ -82,8 +82,7 @@ pub(super) fn to_about_half<S: Scalar>(q: Rotation3<S>) -> (Rotation3<S>, S) {
 }
 
 /// Returns the rotation from a to b, of any length. With products that carry low parts it is right to about 2⁻³⁵ even
-/// where they cancel, which long thin boxes need. `cube` is one of the 24 rotations of the cube, made of zeros
-/// and ones.
+/// where they cancel, which long thin boxes need. `cube` is one of the 24 rotations of the cube, with zeros and ones.
 #[inline(always)]
 pub(super) fn relative<S: Scalar>(
     a: Quaternion<S>,

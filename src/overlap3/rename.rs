@@ -19,7 +19,7 @@ impl<S: Scalar> Renaming<S> {
     pub fn rename(&self, [x, y, z]: [S; 3]) -> [S; 3] {
         self.pick([x, y, z], [y, z, x], [z, x, y])
     }
-    /// Returns the same numbers under the old names.
+    /// Returns numbers of the new axes in the order of the old ones.
     #[inline(always)]
     pub fn restore(&self, [x, y, z]: [S; 3]) -> [S; 3] {
         self.pick([x, y, z], [z, x, y], [y, z, x])

@@ -44,7 +44,8 @@ pub(crate) fn score_obb3_vjp<S: Scalar>(
     score_related_vjp::<S, true, true>(over, &related(a, b), [a, b], out_bar)
 }
 
-/// Returns the same in one piece, as code for vector instructions must be, for boxes of common size.
+/// Returns the value of a score and `out_bar` times its derivatives, for boxes of common size. Everything is inlined,
+/// as code for vector instructions requires.
 #[inline(always)]
 pub(crate) fn score_obb3_vjp_here<S: Scalar>(
     over: Denominator,
@@ -55,8 +56,8 @@ pub(crate) fn score_obb3_vjp_here<S: Scalar>(
     score_related_vjp::<S, false, false>(over, &relate3(a, b), [a, b], out_bar)
 }
 
-/// Returns a derivative times factors, all but the first powers of two, one after another. `EXTREME` ones grow no
-/// farther than the largest number.
+/// Multiplies a derivative by factors one after another, all except the first powers of two. With `EXTREME` products
+/// are clamped to the largest number.
 #[inline(always)]
 fn times<S: Scalar, const EXTREME: bool>(x: S, by: [S; 4]) -> S {
     let mut x = x;
@@ -79,13 +80,12 @@ fn times_each<S: Scalar, const EXTREME: bool>(v: Vec3<S>, by: [S; 4]) -> Vec3<S>
 
 /// Returns the value of a score and `out_bar` times its derivatives.
 ///
-/// The derivatives of the volume come in a's frame: force F by the centre of b, torque τ by a turn of b about
-/// that centre. Moving b is moving a the other way; turning the pair about a's centre changes nothing, so
-/// the torque on a is `−(τ + c × F)`. Both torques are by body tangents; the quaternions' gradients follow.
+/// The derivatives of the volume come in a's frame: force F by the centre of b, torque τ by a turn of b about that
+/// centre. Moving b is moving a by the opposite vector; turning the pair about a's centre changes nothing, so the
+/// torque on a is `−(τ + c × F)`. Both torques are by body tangents; the quaternions' gradients follow.
 ///
-/// `EXTREME` says whether sizes, quaternions and `out_bar` may be so small or large that products over- or
-/// underflow: derivatives that are too steep for the format are its largest number, then. Ordinary boxes have the
-/// same bits either way.
+/// `EXTREME` allows sizes, quaternions and `out_bar` so small or large that products over- or underflow: derivatives
+/// too steep for the format are then its largest number. Ordinary boxes have equal bits in both cases.
 #[inline(always)]
 fn score_related_vjp<S: Scalar, const EXTREME: bool, const PIECES: bool>(
     over: Denominator,
@@ -284,8 +284,8 @@ fn gradient<S: Scalar, const EXTREME: bool>(
 
 /// Returns the volume shared by two boxes of any orientation, and `out_bar` times its derivatives by both.
 ///
-/// Derivatives by the rotations are by the four numbers of their quaternions;
-/// [`Rotation3::tangent_gradient`] makes those of body tangents of them.
+/// Derivatives by the rotations are by the four numbers of their quaternions; [`Rotation3::tangent_gradient`] converts
+/// them to those by body tangents.
 ///
 /// ```
 /// use geograd::{Obb3, Rotation3, Vec3, overlap3::intersection_volume_obb3_vjp};

@@ -20,7 +20,7 @@ pub(crate) struct Tile<S> {
     pub edges: [[Vec2<S>; 2]; TILE],
     /// Twice the area of the triangle over each, as it runs.
     pub twice: [S; TILE],
-    /// One, or minus one where the edge counts the other way round.
+    /// One, or minus one if the edge counts in the opposite direction.
     pub signs: [S; TILE],
     /// The numbers of both ends among all vertices.
     pub numbers: [[usize; 2]; TILE],
@@ -28,7 +28,7 @@ pub(crate) struct Tile<S> {
     pub count: usize,
 }
 
-/// Two polygons as they are seen for a measure.
+/// Two polygons in the local frame of a measure.
 pub(crate) struct RingsPair<'a, S: Scalar> {
     pub rings: [Rings<'a, S>; 2],
     pub sides: [Sides; 2],
@@ -37,7 +37,7 @@ pub(crate) struct RingsPair<'a, S: Scalar> {
     pub in_b: bool,
     /// `true` if nothing is shared: value and derivatives are zero.
     pub apart: bool,
-    /// Both are the same vertices in the same order.
+    /// `true` if both have equal vertices in one order.
     pub same: bool,
 }
 
@@ -72,7 +72,7 @@ impl<'a, S: Scalar<Mask = bool>> RingsPair<'a, S> {
             same,
         })
     }
-    /// Calls something for every so many edges of one of them.
+    /// Calls a function for every tile of edges of one of them.
     #[inline(always)]
     pub fn each_tile(&self, which: usize, mut f: impl FnMut(&Tile<S>)) {
         let zero = Vec2::zero();
@@ -187,9 +187,9 @@ pub fn union_area<'a, S: Scalar<Mask = bool>>(
     })
 }
 
-/// Returns the intersection over union of two polygons, in `[0, 1]`; exactly 1 with derivative zero for the same
-/// vertices twice, zero with derivative zero where their bounds are apart or the union is empty. For polygons apart
-/// whose bounds overlap it is zero to a few roundings, and so are its derivatives. See the [module](self).
+/// Returns the intersection over union of two polygons, in `[0, 1]`; exactly 1 with derivative zero if the vertices are
+/// equal, zero with derivative zero where their bounds are apart or the union is empty. For polygons apart whose bounds
+/// overlap it is zero to a few roundings, and so are its derivatives. See the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, Polygon, overlap_polygon::holed::iou};

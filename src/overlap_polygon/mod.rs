@@ -52,7 +52,7 @@ pub(crate) struct SharedArea<S: Scalar> {
     pub areas: [S; 3],
     /// `true` where nothing is shared: value and derivatives are zero.
     pub nothing: S::Mask,
-    /// `true` where both are the same vertices in the same order: each has half the derivatives of its own area.
+    /// `true` if both have equal vertices in one order: each has half the derivatives of its own area.
     pub same: S::Mask,
 }
 
@@ -86,7 +86,7 @@ fn pair_reference<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> (Reference<S>, S::
     (seen.shifted(middle), in_a, apart)
 }
 
-/// Returns `true` where two polygons are the same vertices in the same order.
+/// Returns `true` if two polygons have equal vertices in one order.
 #[inline(always)]
 fn same_vertices<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> S::Mask {
     let zero = S::zero();
@@ -153,8 +153,8 @@ fn shared_of_edge<S: Scalar, const M: usize>(
     fan.shared_with(edge, smaller)
 }
 
-/// Measures two convex polygons. Full ones have code of their own, in which no count is left. A call, because seven
-/// functions ask for it: in line its copies are a tenth of the library with derivatives of many numbers.
+/// Measures two convex polygons. Full ones have code of their own, without a count. It is not inlined, because seven
+/// functions call it: inlined copies are a tenth of the library with derivatives of many numbers.
 #[inline(never)]
 pub(crate) fn measure<S: Scalar, const N: usize, const M: usize>(
     a: &ConvexPolygon<S, N>,
@@ -193,8 +193,8 @@ pub fn intersection_area_polygons<S: Scalar, const N: usize, const M: usize>(
         .canonical()
 }
 
-/// Returns the intersection over union of two convex polygons, in `[0, 1]`; exactly 1 with derivative zero for the same
-/// vertices in the same order, zero with derivative zero where the union is empty. See the [module](self).
+/// Returns the intersection over union of two convex polygons, in `[0, 1]`; exactly 1 with derivative zero for equal
+/// vertices in one order, zero with derivative zero where the union is empty. See the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, overlap_polygon::iou_polygons};

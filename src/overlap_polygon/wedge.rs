@@ -29,9 +29,9 @@ pub(crate) struct Wedge<S: Scalar> {
     pub twice: [S; 2],
 }
 
-/// Sees the triangles over `f` and `g`. `cross` is `g × f` of start and start, start of g and end of
-/// f, end of g and start of f, end and end; `beyond` how far both ends of f are to the left of g,
-/// and those of g of f. `None` where they share no direction in any lane.
+/// Relates the triangles over `f` and `g`. `cross` is `g × f` of start and start, start of g and end of f, end of g and
+/// start of f, end and end. `beyond` has the distances of both ends of f to the left of g, and of both ends of g to the
+/// left of f. Returns `None` if they share no direction in any lane.
 #[inline(always)]
 fn wedge<S: Scalar>(
     twice: [S; 2],
@@ -114,8 +114,8 @@ pub(crate) fn between<S: Scalar>(
     )
 }
 
-/// Returns twice the area that both triangles share, with the sign of their orientations; `of_g` says that the second
-/// edge is of the smaller polygon.
+/// Returns twice the area that both triangles share, with the sign of their orientations; `of_g` is true where the
+/// second edge belongs to the smaller polygon.
 ///
 /// It is found as a part of the smaller polygon's triangle: of one that is R times as long the part is R² times smaller,
 /// and what is left of one.

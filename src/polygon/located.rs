@@ -35,8 +35,8 @@ impl<S: Scalar<Mask = bool>> Rings<'_, S> {
             (Location::Off(winding), Fill::EvenOdd) => winding % 2 != 0,
         }
     }
-    /// Returns how far a point is from the nearest edge of any ring, in units of length: positive inside,
-    /// negative outside, by a fill rule. Without vertices the lowest finite number.
+    /// Returns the distance of a point from the nearest edge of any ring, in units of length: positive inside, negative
+    /// outside, by a fill rule. Without vertices it is the lowest finite number.
     ///
     /// The sign is decided exactly. Derivatives are exact for the point and the ends of the nearest edge.
     /// Kinks: several nearest edges, which share the derivative equally, and the border, where it is zero.

@@ -36,7 +36,7 @@ impl<'a, S> Rings<'a, S> {
         let source = RingSource::Flat(vertices, ends);
         Rings { source }
     }
-    /// Returns how many rings there are.
+    /// Returns the number of rings.
     #[must_use]
     #[inline]
     pub fn count(&self) -> usize {
@@ -47,7 +47,7 @@ impl<'a, S> Rings<'a, S> {
             RingSource::Flat(_, ends) => ends.len(),
         }
     }
-    /// Returns the vertices of a ring; none for one that is not there.
+    /// Returns the vertices of a ring; none for an index beyond the last one.
     #[must_use]
     #[inline]
     pub fn ring(&self, k: usize) -> &'a [Vec2<S>] {
@@ -71,7 +71,7 @@ impl<'a, S> Rings<'a, S> {
         let all = *self;
         (0..all.count()).map(move |k| all.ring(k))
     }
-    /// Returns how many vertices all rings have together.
+    /// Returns the number of vertices of all rings together.
     #[must_use]
     #[inline]
     pub fn vertex_count(&self) -> usize
@@ -129,13 +129,13 @@ impl<S: Scalar> Rings<'_, S> {
                 return flaw(vertices.len(), VertexFault::Missing);
             }
             let is_known = |&i: &usize| vertices[..i].iter().any(|v| same(*v, vertices[i]));
-            // Of three vertices in two places one is at the place of another.
+            // If three vertices are at two points, two of them coincide.
             let index = (1..3).find(is_known).unwrap_or(2);
             return flaw(index, VertexFault::Coincident);
         }
         Ok(())
     }
-    /// Returns the same rings with vertices of their own.
+    /// Returns a polygon that owns copies of the rings' vertices.
     #[must_use]
     pub fn to_polygon(&self) -> Polygon<S> {
         Polygon::from_rings(self.iter())
@@ -247,7 +247,7 @@ impl<S> Polygon<S> {
     pub fn rings(&self) -> Rings<'_, S> {
         self.into()
     }
-    /// Returns the vertices of a ring; none for one that is not there.
+    /// Returns the vertices of a ring; none for an index beyond the last one.
     #[must_use]
     pub fn ring(&self, k: usize) -> &[Vec2<S>] {
         self.rings().ring(k)

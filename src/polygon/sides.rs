@@ -4,9 +4,9 @@ use crate::contain::{Location, locate};
 use crate::shape::edges;
 use crate::{Scalar, Vec2, ring};
 
-/// Which rings have their inside on their right, so that as borders of the polygon they count the other
-/// way round: a decision without numbers, for rings that do not cross. A ring that lies in an even number
-/// of others bounds a part, one that lies in an odd number a hole.
+/// The rings that have their inside on their right, and so count in the opposite orientation as borders of the polygon.
+/// A decision without numbers, for rings that do not cross. A ring that lies in an even number of others bounds a part,
+/// one that lies in an odd number a hole.
 ///
 /// ```
 /// use geograd::{Aabb2, polygon::Sides};
@@ -48,7 +48,7 @@ impl Sides {
             others: (1..rings.count()).map(turned).collect(),
         }
     }
-    /// Returns `true` if a ring counts the other way round.
+    /// Returns `true` if a ring counts in the opposite orientation.
     #[must_use]
     #[inline]
     pub fn is_turned(&self, ring: usize) -> bool {

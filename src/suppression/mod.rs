@@ -103,7 +103,7 @@ impl<S: Scalar<Mask = bool>> Decay<S> {
 /// A detection that is kept, and its score after suppression.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kept<S> {
-    /// Its place in the list of scores.
+    /// Its index in the list of scores.
     pub index: usize,
     /// Its score.
     pub score: S,
@@ -184,7 +184,7 @@ pub fn order<S: Scalar<Mask = bool>>(scores: &[S], least: S) -> Result<Vec<usize
     Ok(order)
 }
 
-/// The overlapping pairs of each detection, both ways, within a class.
+/// The overlapping pairs of each detection, in both orders, within a class.
 pub(crate) struct Neighbours {
     start: Vec<usize>,
     /// The other one, and the pair.
@@ -197,7 +197,7 @@ impl Neighbours {
     }
 }
 
-/// Checks rules for so many detections.
+/// Checks rules for a number of detections.
 pub(crate) fn check_rules<S: Scalar<Mask = bool>>(
     count: usize,
     rules: &Rules<'_, S>,

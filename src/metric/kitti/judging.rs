@@ -1,4 +1,4 @@
-//! How truths choose detections, and precision at the scores where it is read.
+//! The matching of truths to detections, and precision at the scores where it is read.
 use super::frames::{Angles, Counts, Frame};
 use crate::Scalar;
 use crate::error::{Argument, Error, Field, Flaw};
@@ -10,8 +10,8 @@ use crate::suppression::invalid;
 pub struct Judged {
     /// Precision and recall at the scores where it was read, the highest one first.
     pub curve: Vec<Point>,
-    /// Similarity of orientation at the same scores: of right detections the mean of `(1 + cos(a − b)) / 2` for the
-    /// angles of truth and detection, times precision. Empty where no angles were given.
+    /// Similarity of orientation at these scores: the mean over right detections of `(1 + cos(a − b)) / 2` for the
+    /// angles of truth and detection, times precision. Empty without angles.
     pub similarity: Vec<f64>,
     /// The truths that had to be found.
     pub truths: usize,

@@ -4,7 +4,7 @@
 //! Geiger, Lenz and Urtasun, *Are we ready for autonomous driving?*, CVPR 2012; forty recalls since Simonelli et
 //! al., *Disentangling monocular 3D object detection*, ICCV 2019. Differences from [`outcomes`](super::outcomes):
 //!
-//! * truths choose detections, in the order of the truths, and not the other way round;
+//! * truths choose detections, in the order of the truths, and not the reverse;
 //! * precision is read at about forty scores, those of right detections at which recall passes a fortieth;
 //! * an overlap must be above the threshold, equality is not enough;
 //! * detections in regions without labels are not wrong: their overlap is the share of the detection in the
