@@ -114,7 +114,7 @@ pub enum Effect {
 /// A declared property of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Invariance {
-    /// How the input moves.
+    /// The motion of the input.
     pub motion: Motion,
     /// The effect of a motion of the input on the result.
     pub answer: Effect,

@@ -410,7 +410,7 @@ pub fn nothing_shared<S: Scalar>(pair: &Relative<S>, area: S) -> S::Mask {
 /// Sizes outside these limits may make products over- or underflow.
 pub(crate) const SMALL: f64 = 1e-9;
 pub(crate) const LARGE: f64 = 1e9;
-/// And coordinates of the centre beyond this.
+/// Coordinates of the centre beyond this limit may do so, too.
 pub(crate) const FAR_AWAY: f64 = 1e15;
 
 /// Returns the limit for coordinates and headings that are not zero: below it products may underflow. It is `10⁻¹²` in

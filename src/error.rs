@@ -162,7 +162,7 @@ impl Field {
             text: [0; MOST],
             len: 0,
         };
-        // How much to leave out, and whether that ends inside of a character.
+        // The number of bytes to leave out, and `true` if that ends inside of a character.
         let (mut left_out, mut in_character) = (0, false);
         if len > MOST {
             left_out = len - MOST + ellipsis.len();

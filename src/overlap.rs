@@ -1,5 +1,4 @@
-//! How much two boxes overlap: area of intersection, intersection over union, intersection over
-//! the first box.
+//! Overlap of two boxes: area of intersection, intersection over union, intersection over the first box.
 //!
 //! All results are exactly zero, with all derivatives zero, for boxes that are apart or merely touch. The ratios
 //! are within `[0, 1]`; identical boxes of positive area give exactly 1 with derivative zero. A ratio with a

@@ -229,7 +229,7 @@ impl<P: Pack> Pack for Vec<P> {
 /// assert_eq!(Ticks::load(&[0.5]).load_codes(&[12]), ticks);
 /// ```
 pub trait Code: Copy + PartialEq + Send + Sync + 'static {
-    /// How many whole numbers.
+    /// The count of whole numbers.
     const CODES: usize;
     /// Reads a value from the first `CODES` numbers of a slice; zeros must be valid.
     ///

@@ -38,8 +38,8 @@ impl<S: Copy> Vertices<S> for &[Vec2<S>] {
     }
 }
 
-/// How a ring's vertices are seen: from the first one, and in units of a power of two where the extent
-/// is out of the ordinary, so that no product over- or underflows.
+/// The local frame of a ring's vertices: relative to the first one, and in units of a power of two for an extreme
+/// extent, so that no product over- or underflows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Local<S> {
     first: Vec2<S>,
@@ -305,10 +305,10 @@ pub(crate) fn perimeter_of<S: Scalar>(ring: impl Vertices<S>) -> S {
 
 /// Returns the centroid of the area of a ring (not of its vertices): where a plate of that shape balances.
 ///
-/// If the signed area is exactly zero (fewer than three vertices, collinear vertices, a symmetric figure of
-/// eight) there is no such point. The result is then the mean of the vertices, with its derivative; the origin
-/// for no vertices. That case is a jump, and near it the result grows without bound for rings whose lobes cancel
-/// (it saturates at the largest finite number). Source: Green's theorem.
+/// If the signed area is exactly zero (fewer than three vertices, collinear vertices, a symmetric figure of eight)
+/// there is no such point. The result is then the mean of the vertices, with its derivative; the origin for no
+/// vertices. This case is a jump, and near it the result grows without bound for rings whose lobes cancel (it saturates
+/// at the largest finite number). Source: Green's theorem.
 ///
 /// ```
 /// use geograd::{Vec2, ring::centroid};

@@ -37,8 +37,8 @@ impl<P: Scalar> Halves<P> {
         let (high, low) = if P::EPSILON > 1e-10 {
             whole.parts()
         } else {
-            // Of 53 digits cut in two, one half would have 27, too many for a product. Rounded to 26, the rest has a
-            // sign and 26 (Veltkamp): by 2 to the number of digits of the low half, and one.
+            // If 53 digits are cut in two, one half has 27, too many for a product. Rounded to 26, the rest has a sign
+            // and 26 (Veltkamp): by 2 to the number of digits of the low half, and one.
             let large = whole * P::lit(134_217_729.0);
             let high = large - (large - whole);
             (high, whole - high)

@@ -49,15 +49,15 @@ pub struct Report {
     pub precision: Precision,
     /// The seed of the random samples.
     pub seed: u64,
-    /// How many inputs were judged.
+    /// The number of inputs that were judged.
     pub samples: u64,
-    /// How many inputs were outside the domain, and not judged.
+    /// The number of inputs outside the domain, which are not judged.
     pub outside: u64,
     /// The numbers of inputs that were smooth, at kinks, and undefined.
     pub places: [u64; 3],
-    /// How many needed a declared convention.
+    /// The number of inputs that needed a declared convention.
     pub conventions: u64,
-    /// How many were jumps of the value.
+    /// The number of inputs at which the value jumps.
     pub jumps: u64,
     /// The numbers of directions that were smooth, kinked and undecided, over all samples.
     pub directions: [u64; 3],
@@ -73,7 +73,7 @@ pub struct Report {
     pub picture: Option<String>,
     /// The names of the input's numbers, if they have some.
     pub names: Vec<String>,
-    /// How many samples were refused.
+    /// The number of refused samples.
     pub refused: u64,
     /// `true` if inputs were not judged because too many before them were refused.
     pub stopped: bool,

@@ -23,7 +23,7 @@ use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 pub struct Trace {
     /// The outcomes of all comparisons, in order, hashed.
     pub hash: u64,
-    /// How many comparisons there were.
+    /// The number of comparisons.
     pub count: u64,
     /// The smallest relative difference of two compared numbers; infinite when nothing was
     /// compared, zero at a tie.

@@ -120,14 +120,14 @@ pub struct Fault {
     pub input: usize,
     /// The number of every witness.
     pub numbers: ByWitness,
-    /// How much the two numbers in question may differ.
+    /// The largest allowed difference of the two numbers in question.
     pub tolerance: f64,
 }
 
 /// The worst difference between two witnesses.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Worst {
-    /// How many numbers were compared.
+    /// The number of comparisons.
     pub count: u64,
     /// Largest difference.
     pub absolute: f64,
@@ -135,7 +135,7 @@ pub struct Worst {
     pub relative: f64,
     /// The largest relative difference in units of the precision.
     pub ulps: f64,
-    /// How many differences, in units of the precision, are below 1, 10, 100 and so on.
+    /// The numbers of differences, in units of the precision, below 1, 10, 100 and so on.
     pub decades: [u64; 20],
     /// The one nearest to refusal.
     pub nearest: Tightest,
@@ -157,7 +157,7 @@ pub struct Tightest {
     pub input: usize,
     /// The number of every witness.
     pub numbers: ByWitness,
-    /// How much the two numbers in question may differ.
+    /// The largest allowed difference of the two numbers in question.
     pub tolerance: f64,
 }
 

@@ -185,7 +185,7 @@ impl Node {
     }
 }
 
-/// How many operations back [`Graph::is_number`] looks.
+/// The number of operations that [`Graph::is_number`] goes back.
 const DEPTH: usize = 6;
 
 /// The knowledge of a number's size.

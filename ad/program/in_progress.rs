@@ -23,7 +23,7 @@ thread_local! {
 /// A function being recorded.
 #[derive(Debug)]
 pub(super) struct Recording {
-    /// Which recording it is.
+    /// The number of the recording.
     name: u64,
     pub(super) graph: Graph,
     /// The number of operations requested.

@@ -1,4 +1,4 @@
-//! How a function is recorded, and how it is found out whether the recording is that function.
+//! The recording of a function, and the test that the recording equals the function.
 use super::graph::{Id, Node};
 use super::in_progress::Recording;
 use super::packed::numbers;

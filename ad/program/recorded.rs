@@ -10,9 +10,9 @@ use crate::{Scalar, Unrecordable};
 pub(crate) struct Recorded {
     /// The recorded graph, with the nodes that only derivatives need.
     graph: Graph,
-    /// Which of its nodes results and their derivatives need.
+    /// `true` for the nodes that results and their derivatives need.
     needed: Vec<bool>,
-    /// How many numbers go in.
+    /// The number of input numbers.
     pub(crate) inputs: usize,
     /// The results, each a [`Node::Canonical`]: zeros have no sign.
     outputs: Vec<Id>,

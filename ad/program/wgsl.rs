@@ -219,7 +219,7 @@ fn expression(node: Node, known: &[String]) -> String {
         Rest(a, b, bar) => shared(v(a), v(b), (v(bar), "0f"), v(bar)),
         Lt(a, b) => between(a, "<", b),
         Le(a, b) => between(a, "<=", b),
-        // That a number is none: by its bits, as a driver may assume that every number is one.
+        // The test for NaN is by bits, since a driver may assume that no number is NaN.
         Eq(a, b) if a == b => format!("((bitcast<u32>({}) & 0x7fffffffu) <= 0x7f800000u)", v(a)),
         Eq(a, b) => between(a, "==", b),
         And(a, b) => between(a, "&", b),

@@ -1,4 +1,4 @@
-//! How polylines and clouds of space are drawn, and what is hard about them.
+//! Random polylines and clouds of space, and their hard cases.
 use crate::Vec3;
 use crate::ad::declared::Kind;
 use crate::ad::sample::{Draw, Sample};

@@ -123,7 +123,7 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
     }
 }
 
-/// How a shape is drawn, without its type: its numbers as lists.
+/// The sampling of a shape without its type: its numbers as lists.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(
     not(feature = "check"),
@@ -180,7 +180,7 @@ impl Sampler {
     }
 }
 
-/// Which inputs to draw.
+/// A family of inputs to draw.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Family {
     /// The mixture that the harness itself draws: some of each other family.

@@ -1,4 +1,4 @@
-//! How the library's own shapes are drawn, what is hard about them, and pairs of them.
+//! Random shapes of the library, pairs of them, and their hard cases.
 use crate::ad::declared::Kind;
 use crate::ad::sample::several::{together, units};
 use crate::ad::sample::{Draw, Sample, Sampler};

@@ -5,7 +5,7 @@ use crate::ad::sample::{Draw, Sample, Sampler};
 use std::array::from_fn;
 use std::f64::consts::FRAC_PI_2;
 
-/// How often a shape is drawn anew when its own rules refuse it.
+/// The number of times that a shape is drawn anew if its own rules refuse it.
 const TRIES: usize = 100;
 /// The most hard cases of a derived shape: batches and pairs combine them further.
 const SHAPES: usize = 20;

@@ -1,4 +1,4 @@
-//! How boxes of space are drawn, and what is hard about them.
+//! Random boxes of space, and their hard cases.
 //!
 //! Boxes of any orientation turn about all axes, upright ones about z, axis-aligned ones not at all.
 use crate::ad::declared::Kind;

@@ -13,10 +13,10 @@ use i_overlay::i_float::int::point::IntPoint;
 
 type Point = IntPoint<i64>;
 
-/// How often as many pieces as after the first round there may be, and how many more.
+/// The growth of the number of pieces that is allowed after the first round: a factor, and a number of pieces.
 const GROWTH: (usize, usize) = (8, 1024);
 
-/// How many rounds there may be: by then ends attract crossings from everywhere.
+/// The largest number of rounds: by then ends attract crossings from everywhere.
 const ROUNDS: u32 = 120;
 
 /// The difference of directions, in radians or half of that, up to which the pieces of two edges may become many.
@@ -24,7 +24,8 @@ const ROUNDS: u32 = 120;
 /// because ends attract crossings from further away in every round.
 const SLIGHT: f64 = 1.0 / (1 << 20) as f64;
 
-/// How many steps apart edges are close to each other, and for how many steps they may be it.
+/// The distance in steps within which edges are close to each other, and the number of steps over which they may be
+/// close.
 const CLOSE: (f64, f64) = (16.0, 256.0);
 
 /// Edges or pieces of them, each with the number of its edge.

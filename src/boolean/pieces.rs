@@ -1,4 +1,4 @@
-//! Which pieces of which edges bound the result.
+//! The pieces of edges that bound the result.
 use super::corner::{Border, corner};
 use super::cut::{Numbered, cut, may_grow};
 use super::grid::{Grid, Steps, Tag, invalid, squares};

@@ -13,7 +13,7 @@ pub enum BooleanOperation {
     SymmetricDifference,
 }
 
-/// Which input is meant.
+/// The input that a vertex or edge belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Owner {
     /// The first polygon.
@@ -65,11 +65,11 @@ pub enum Origin {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct OverlayTrace {
     pub(super) origins: Vec<Origin>,
-    /// How many origins there are up to the end of each vertex.
+    /// The number of origins up to the end of each vertex.
     pub(super) vertices: Vec<usize>,
-    /// How many vertices there are up to the end of each ring.
+    /// The number of vertices up to the end of each ring.
     pub(super) rings: Vec<usize>,
-    /// How many rings there are up to the end of each part.
+    /// The number of rings up to the end of each part.
     pub(super) parts: Vec<usize>,
 }
 
@@ -127,9 +127,9 @@ pub(super) enum ValidOrigin {
 pub struct ValidTrace {
     pub(super) places: Vec<[f64; 2]>,
     pub(super) made: Vec<ValidOrigin>,
-    /// How many vertices there are up to the end of each ring.
+    /// The number of vertices up to the end of each ring.
     pub(super) rings: Vec<usize>,
-    /// How many rings there are up to the end of each part.
+    /// The number of rings up to the end of each part.
     pub(super) parts: Vec<usize>,
 }
 

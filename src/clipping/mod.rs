@@ -54,6 +54,6 @@ pub struct ClipTrace<const K: usize> {
     /// The edge on which the side from each vertex to the next one lies. If edges of both lie along each other,
     /// it is that of the first.
     pub sides: [Side; K],
-    /// How many vertices the result has: 0 when apart, 1 for a point, 2 for a segment.
+    /// The number of vertices of the result: 0 when apart, 1 for a point, 2 for a segment.
     pub count: usize,
 }

@@ -256,7 +256,7 @@ fn counter_clockwise<S: Scalar, const N: usize>(mut corners: [Vec2<S>; N]) -> [V
     corners
 }
 
-/// How a box is turned: not at all, or by a rotation.
+/// The orientation of a box: along the axes, or turned by a rotation.
 pub trait Turn<S: Scalar>: Copy {
     /// Turns a vector from the box's own axes to the world's.
     fn out(&self, v: Vec2<S>) -> Vec2<S>;
@@ -297,7 +297,7 @@ pub struct BoxCore<S, R> {
     pub center: Vec2<S>,
     /// Half its size.
     pub half: Vec2<S>,
-    /// How it is turned.
+    /// Its orientation.
     pub turn: R,
 }
 

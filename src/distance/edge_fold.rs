@@ -2,7 +2,7 @@
 use super::edge::{edge_sides, edge_winding};
 use crate::{Scalar, Vec2};
 
-/// Which points of the plane a ring's winding number puts inside.
+/// The winding numbers of a ring that count as inside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Fill {
     /// Points with a winding number other than zero: loops add up.
@@ -20,7 +20,7 @@ pub struct EdgeFold<S> {
     pub distance: S,
     /// The sum of the distances of the edges that tie.
     sum: S,
-    /// How many they are.
+    /// The number of nearest edges.
     count: S,
     /// The distance to the left of an edge that the point is exactly on: the value zero with derivatives. It counts
     /// here if the winding number on that side is the point's own.
@@ -32,7 +32,7 @@ pub struct EdgeFold<S> {
 }
 
 impl<S> EdgeFold<S> {
-    /// Which of its numbers the winding number is.
+    /// The index of the winding number among its numbers.
     pub(crate) const WINDING: usize = 5;
 }
 

@@ -147,9 +147,9 @@ pub struct Deepest<S> {
     pub on_a: Vec2<S>,
     /// The point of b: of its face, or the one farthest behind a's face.
     pub on_b: Vec2<S>,
-    /// How far in front of the face the points are that were taken.
+    /// The distance in front of the face of the points that were taken.
     pub level: S,
-    /// How far the points were beyond the end of the face.
+    /// The distance of the points beyond the end of the face.
     pub beyond: S,
     /// The middle of the face, as a constant.
     pub middle: Vec2<S>,

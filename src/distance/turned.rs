@@ -118,7 +118,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
             ((u - h.x) * cos - p.x) + (v * sin - h.y * steep),
             ((v - h.y) * cos - p.y) - (u * sin + h.x * steep),
         ];
-        // By how much that of a is ahead, of which nothing cancels that both have.
+        // The excess of a's gap over b's, without the terms of both, so that nothing cancels.
         let more = [
             ((u - h.x) + p.x) * short + ((h.y - p.y) * steep - v * sin),
             ((v - h.y) + p.y) * short + ((h.x - p.x) * steep + u * sin),

@@ -1,4 +1,4 @@
-//! How far cores are in each other: the plane that parts them best.
+//! The depth by which cores overlap: the plane that separates them best.
 //!
 //! The gap along any direction of length one is at most the signed distance, and of some face's normal, or some normal
 //! of two edges, it is just that. A direction that is mostly rounding costs nothing.
@@ -246,11 +246,11 @@ fn across_edges<P: Scalar, A: Core<P>, B: Core<P>>(
 /// are the corners of the region where both faces overlap. Direction and points are those of the first plane and of
 /// others with its normal.
 pub(super) struct Deepest<P> {
-    /// How far b begins beyond a; negative where they overlap.
+    /// The gap between a and b; negative where they overlap.
     pub value: P,
-    /// How well the points are known to be on both cores: one of the [`grades`](grade).
+    /// The certainty that the points are on both cores: one of the [`grades`](grade).
     pub grade: P,
-    /// How many planes and points of theirs tie.
+    /// The number of planes and points that tie.
     pub count: P,
     /// The direction from a to b.
     pub normal: Vec3<P>,
@@ -264,7 +264,7 @@ pub(super) struct Deepest<P> {
     pub at_b: Spot<P>,
     /// The derivative of the height of a, in the mean of all that tie.
     pub pull_a: Pull<P>,
-    /// That of b.
+    /// The derivative by the numbers of b.
     pub pull_b: Pull<P>,
     /// The direction of one of the planes that separate them best, of any grade.
     pub lead: Vec3<P>,

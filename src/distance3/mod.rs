@@ -53,9 +53,9 @@
 //! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //! | ray | D q s c p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //!
-//! A half-space and a cylinder or a cone have d q S c p; lines and rays have d q s c p among themselves, any two D,
-//! two lines C, too. Of a solid they see the part that is near it, whose ends are rounded as
-//! the solid's corners are. Rays, lines and segments against solids: [`intersection3`](crate::intersection3).
+//! A half-space and a cylinder or a cone have d q S c p; lines and rays have d q s c p among themselves, any two D, two
+//! lines C, too. For a solid, the part of them near it counts; its ends are rounded as the solid's corners are. Rays,
+//! lines and segments against solids: [`intersection3`](crate::intersection3).
 //!
 //! # Derivatives
 //!

@@ -3,7 +3,7 @@ use super::spot::Spot;
 use crate::distance::share::Carry;
 use crate::{Scalar, Vec3};
 
-/// How well the points of a plane are known to be on both cores, from worse to better.
+/// The certainty that the points of a plane are on both cores, from worse to better.
 pub(super) mod grade {
     /// A face without area: its plane is a bound, and no face of the difference of two cores.
     pub const EMPTY: f64 = -1.0;
@@ -20,15 +20,15 @@ pub(super) mod grade {
 /// A plane between two cores, and points of them nearest to it; if two sides tie, those of the first.
 #[derive(Clone, Copy, Debug)]
 pub struct PartingPlane<P> {
-    /// How far b begins beyond a; negative where they overlap.
+    /// The gap between a and b; negative where they overlap.
     pub value: P,
-    /// How well its points are known to be on both cores: one of the [`grades`](grade).
+    /// The certainty that its points are on both cores: one of the [`grades`](grade).
     pub grade: P,
     /// The plane's normal, of length one, from a to b.
     pub normal: Vec3<P>,
-    /// How many points tie.
+    /// The number of points that tie.
     pub points: P,
-    /// How many do so of the other side.
+    /// The number of points of the other side that tie.
     pub behind: P,
     /// The sum of the points of a.
     pub on_a: Vec3<P>,
@@ -42,7 +42,7 @@ pub struct PartingPlane<P> {
     pub behind_a: Spot<P>,
     /// The mean of those of b.
     pub behind_b: Spot<P>,
-    /// The normal of the side that parts more, or of the first one: it needs no grades.
+    /// The normal of the side that separates more, or of the first one: it needs no grades.
     pub lead: Vec3<P>,
     /// Zero for a face without area, else one.
     pub area: P,
@@ -69,7 +69,7 @@ impl<P: Scalar> PartingPlane<P> {
             area: P::one(),
         }
     }
-    /// Returns the side that parts more; of equal ones that of the higher grade, or else both.
+    /// Returns the side that separates more; of equal ones that of the higher grade, or else both.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_sides([one, other]: [Self; 2]) -> Self {
         let same = one.value.equals(other.value);
@@ -129,7 +129,7 @@ pub struct Lowest<S: Scalar> {
     pub spot: Spot<S>,
     /// `true` if it is the edge.
     pub is_edge: S::Mask,
-    /// How far other corners are below it by rounding; not positive.
+    /// The height of other corners below it by rounding; not positive.
     pub rest: S,
 }
 

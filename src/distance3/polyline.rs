@@ -12,7 +12,7 @@ pub struct NearestEdge3<S> {
     pub distance: S,
     /// The sum of the distances of the edges that tie.
     pub sum: S,
-    /// How many they are.
+    /// The number of nearest edges.
     #[shape(number)]
     pub count: S,
 }

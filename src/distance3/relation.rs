@@ -68,8 +68,8 @@ impl<S: Scalar> Relation<S> {
             ..self
         }
     }
-    /// Returns the relation of shapes whose points are at most some radii from these. Where these meet and no direction
-    /// is preferred, the points are in a given one.
+    /// Returns the relation of these shapes inflated by radii. If they meet and no direction is preferred, the points
+    /// are in a given direction.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn inflated(self, radius_a: S, radius_b: S, aside: Vec3<S>) -> Self {

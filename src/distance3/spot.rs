@@ -74,7 +74,7 @@ impl<P: Scalar> Carry<P> for Spot<P> {
 pub struct MeanSpot<P> {
     /// Their mean.
     pub spot: Spot<P>,
-    /// How many they are.
+    /// The number of spots.
     pub count: P,
 }
 
@@ -147,7 +147,7 @@ pub(super) struct Chosen<P: Scalar> {
     pub tied: P::Mask,
     /// The derivative of the height of a over all of them.
     pub pull_a: Pull<P>,
-    /// That of b.
+    /// The derivative by the numbers of b.
     pub pull_b: Pull<P>,
 }
 

@@ -5,8 +5,8 @@ use crate::scalar::power_of_largest;
 
 /// The units of the sizes of two boxes: powers of two, constants.
 pub(super) struct BoxUnits<S: Scalar> {
-    /// The factor that brings the largest size of the first box into `[2, 4)`; a box without size takes that of
-    /// the other.
+    /// The factor that brings the largest size of the first box into `[2, 4)`; a box without size takes the other box's
+    /// factor.
     pub a: S,
     /// The same for the second box.
     pub b: S,

@@ -12,7 +12,7 @@ pub struct MergeTrace<const K: usize> {
     pub corners: [Corner; K],
     /// For corners of a at the place of a vertex of b: which one. Both share the derivative.
     pub twins: [Option<usize>; K],
-    /// How many vertices the hull has.
+    /// The number of vertices of the hull.
     pub count: usize,
 }
 

@@ -9,7 +9,7 @@ use crate::{ConvexPolygon, Scalar, Vec2};
 pub struct SumTrace<const K: usize> {
     /// A vertex of a and one of b; the first `count` pairs matter.
     pub pairs: [(usize, usize); K],
-    /// How many vertices the sum has.
+    /// The number of vertices of the sum.
     pub count: usize,
 }
 

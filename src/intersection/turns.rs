@@ -7,9 +7,9 @@ use crate::{Mask, Scalar, Vec2};
 /// differences that they are made of, and right to some roundings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EndSides<P> {
-    /// Of both ends of the other segment, as seen along the base: positive to the left.
+    /// The sides of both ends of the other segment, seen along the base: positive to the left.
     pub of_other: [P; 2],
-    /// Of both ends of the base, as seen along the other segment.
+    /// The sides of both ends of the base, seen along the other segment.
     pub of_base: [P; 2],
 }
 

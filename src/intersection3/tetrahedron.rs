@@ -22,9 +22,10 @@ const BESIDE: f64 = 16.0;
 
 /// The corners as seen along a line.
 struct Sight<S: Scalar> {
-    /// How far ahead each is, times the direction.
+    /// The inner product of each corner with the direction.
     ahead: [S; 4],
-    /// How far aside each is, times the direction and across it.
+    /// The cross product of each corner with the direction, turned back: its component across the line, times the
+    /// squared direction.
     aside: [Vec3<S>; 4],
     /// The area that the line spans with each edge, times the square of the direction; zero if it is within rounding.
     spans: [S; 6],

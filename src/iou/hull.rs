@@ -11,7 +11,7 @@
 //! 2 area = Σ sides of a: w (P × Q) + Σ sides of b: (1 − w) (P × Q) + Σ gaps: (w − w′) (A × B)
 //! ```
 //!
-//! with `w` before and `w′` behind the gap. That is eight comparisons; nothing is sorted or searched. At a tie both
+//! with `w` before and `w′` behind the gap. These are eight comparisons; nothing is sorted or searched. At a tie both
 //! choices give one area, so the sum is continuous; its derivative there is the mean.
 //!
 //! Boxes are symmetric, which leaves little of the sum. Let `x`, `y` be half the size of a, `p` and `q` the arms of
@@ -52,7 +52,7 @@ pub struct HullOfBoxes<S: Scalar> {
     pub half_b: Vec2<S>,
     /// The magnitudes of `p_x`, `p_y`, `q_x`, `q_y`.
     pub arms: [S; 4],
-    /// How many sides of a and of b the hull has: `A₀ + A₁`, `4 − B₀ − B₁`.
+    /// The numbers of sides of a and of b that the hull has: `A₀ + A₁`, `4 − B₀ − B₁`.
     pub sides: [S; 2],
     /// `A₀ − B₀`, `B₀ − A₁`, `A₁ − B₁`, `B₁ − A₀`.
     pub gaps: [S; 4],
@@ -105,7 +105,7 @@ pub fn hull_of_related<S: Scalar>(pair: &Relative<S>) -> HullOfBoxes<S> {
     let (cos, sin) = (pair.cos, pair.sin.unsigned());
     let (a, b) = (pair.half_a, pair.half_b);
     let arms @ [px, py, qx, qy] = [b.x * cos, b.x * sin, b.y * sin, b.y * cos];
-    // How far b reaches from its centre along a's axes, and a along b's; b's centre in b's frame.
+    // The extents of b from its centre along a's axes, and of a along b's; b's centre in b's frame.
     let reach_b = Vec2::new(px + qx, qy + py);
     let reach_a = Vec2::new(a.x * cos + a.y * sin, a.y * cos + a.x * sin);
     let along = u * cos + pair.v * pair.sin;

@@ -4,9 +4,9 @@ use crate::clip::{frame, relate};
 use crate::overlap::iou_obb2;
 use crate::{Obb2, Scalar};
 
-/// Returns the IoU of two rotated boxes where they overlap. Where they are apart it is minus `g / (g + s)`, with the
-/// widest gap g between them along the direction of a side and the mean s of the boxes' larger sides: from 0 at contact
-/// to −1 far away. The range is `[−1, 1]`. It is continuous, and boxes apart always have a derivative.
+/// Returns the IoU of two rotated boxes where they overlap. For boxes apart it is minus `g / (g + s)`, with the widest
+/// gap g between them along the direction of a side and the mean s of the boxes' larger sides: from 0 at contact to −1
+/// far away. The range is `[−1, 1]`. It is continuous, and boxes apart always have a derivative.
 ///
 /// Kinks: those of IoU, and where another side's direction has the widest gap.
 ///

@@ -7,7 +7,7 @@ use crate::overlap3::relate::relate3_in;
 use crate::shape::Obb3;
 use crate::{Scalar, Vec3};
 
-/// How many roundings apart the volumes of two enclosing boxes count as equal.
+/// The number of roundings within which the volumes of two enclosing boxes count as equal.
 const ROUNDINGS: f64 = 32.0;
 
 /// Lengths along three axes.

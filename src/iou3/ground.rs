@@ -2,8 +2,8 @@
 //!
 //! A side of it lies along an edge of the convex hull. As in [`iou`](crate::iou::HullOfBoxes), the normals of the eight
 //! sides alternate, one of a, one of b. Between two neighbours the hull passes from a corner of one box to one of the
-//! other if different boxes reach farther along them. That is eight directions, and those of both boxes' own sides are
-//! two more; nothing is sorted.
+//! other if different boxes reach farther along them. These are eight directions, and those of both boxes' own sides
+//! are two more; nothing is sorted.
 //!
 //! Several directions often give one area: for boxes with one centre, opposite edges do, and both boxes reach equally
 //! far across them on both sides. Areas, and lengths along a direction, count as equal if they differ within rounding;

@@ -1,4 +1,4 @@
-//! How far two boxes of any orientation are apart, or how deep they are in each other.
+//! The gap between two boxes of any orientation, or the depth of their overlap.
 use super::scored::Solid;
 use crate::Scalar;
 use crate::overlap3::relate::{Relative3, relate3};
@@ -68,9 +68,9 @@ pub fn penetration_or_gap<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     widest_gap(&pair).over(pair.scale).saturated().canonical()
 }
 
-/// Returns the IoU of two boxes where they overlap. Where they are apart it is minus `g / (g + s)`, with the widest gap
-/// g between them ([`penetration_or_gap`]) and the mean s of the boxes' largest sizes: from 0 at contact to −1 far
-/// away. The range is `(−1, 1]`. It is continuous, and boxes apart always have a derivative.
+/// Returns the IoU of two boxes where they overlap. For boxes apart it is minus `g / (g + s)`, with the widest gap g
+/// between them ([`penetration_or_gap`]) and the mean s of the boxes' largest sizes: from 0 at contact to −1 far away.
+/// The range is `(−1, 1]`. It is continuous, and boxes apart always have a derivative.
 ///
 /// ```
 /// use geograd::{Aabb3, Vec3, iou3::separation_aware};

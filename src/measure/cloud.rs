@@ -7,7 +7,7 @@ use crate::{Scalar, Shape, Symmetric3, Vec3};
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
 pub struct CloudSums<S> {
-    /// How many points.
+    /// The number of points.
     #[shape(number)]
     pub count: S,
     /// The sum of their offsets.

@@ -1,4 +1,4 @@
-//! How good detections are: which ones are right, precision and recall, average precision.
+//! Measures of detections: which ones are right, precision and recall, average precision.
 //!
 //! [`kitti`] and [`nuscenes`] judge by the rules of these benchmarks. Every function takes one frame or all frames.
 //!
@@ -30,7 +30,7 @@ pub mod nuscenes;
 pub struct Frame<'a> {
     /// The score of every detection.
     pub scores: &'a [f64],
-    /// How many truths there are.
+    /// The number of truths.
     pub truths: usize,
     /// Overlaps of detections (the first of a pair) and truths (the second); others do not overlap.
     pub pairs: &'a [Pair<f64>],

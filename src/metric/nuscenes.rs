@@ -124,7 +124,7 @@ pub struct Judged {
     pub score: Vec<f64>,
     /// Errors of true positives up to these recalls, in the order of [`TruePositive::ALL`].
     pub errors: [Vec<f64>; 5],
-    /// How many truths there are.
+    /// The number of truths.
     pub truths: usize,
 }
 
@@ -283,7 +283,7 @@ pub(crate) fn check(frames: &Frames<'_>) -> Result<(), Error> {
     Ok(())
 }
 
-/// Judges the detections of all frames together, of one class at one threshold. Of equal scores the later detection
+/// Judges the detections of all frames together, of one class at one threshold. If scores are equal the later detection
 /// comes first, as in the kit.
 ///
 /// # Errors

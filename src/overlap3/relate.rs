@@ -21,7 +21,7 @@ pub struct Relative3<S: Scalar> {
     pub half_a: [S; 3],
     /// Half the size of b, along the renamed axes.
     pub half_b: [S; 3],
-    /// How b's axes were renamed.
+    /// The renaming of b's axes.
     pub renamed: Renaming<S>,
     /// The power of two by which lengths were multiplied.
     pub scale: S,

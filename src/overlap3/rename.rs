@@ -2,7 +2,7 @@
 use super::precise::Quaternion;
 use crate::Scalar;
 
-/// Which of a box's axes took which name.
+/// A renaming of a box's axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Renaming<S: Scalar> {
     /// The axes were exchanged in pairs: y and z, z and x, x and y.
@@ -49,7 +49,7 @@ impl<S: Scalar> Renaming<S> {
 struct BestRotation<P> {
     /// The real part that it leaves.
     score: P,
-    /// Which axes are exchanged: none, y and z, z and x, x and y, or all three in a circle.
+    /// The axes that are exchanged: none, y and z, z and x, x and y, or all three cyclically.
     kind: P,
     /// Ones for the numbers of the quaternion that take part.
     used: [P; 4],

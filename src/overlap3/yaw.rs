@@ -57,8 +57,8 @@ pub(crate) fn heights<S: Scalar>(
     scale: S,
 ) -> Heights<S> {
     let zero = S::zero();
-    // Relative to a centre, so that far from the origin no digits are lost, and within the lower one, so that
-    // it keeps its own within one much higher. Which of them is above the other does not matter.
+    // Relative to a centre, so that far from the origin no digits are lost, and within the lower one, so that it keeps
+    // its own within one much higher. The result does not depend on which of them is above.
     let (up, lower, higher) = (at_b - at_a, half_a.least(half_b), half_a.most(half_b));
     let shared = lower.least(up + higher) - (-lower).most(up - higher);
     let shared = S::select(shared.at_most(zero), zero, shared);

@@ -1,5 +1,5 @@
-//! How much two polygons of any shape overlap, with holes and of many parts: nothing is clipped, no
-//! polygon is built, and nothing is allocated for polygons of one ring.
+//! Overlap of two polygons of any shape, with holes and of many parts: nothing is clipped, no polygon is built, and
+//! nothing is allocated for polygons of one ring.
 //!
 //! Rings have either orientation and do not cross (what an odd number of them enclose is inside): see
 //! [`polygon`](crate::polygon). Crossing and self-intersecting rings are for
@@ -24,7 +24,7 @@ pub(crate) struct Tile<S> {
     pub signs: [S; TILE],
     /// The numbers of both ends among all vertices.
     pub numbers: [[usize; 2]; TILE],
-    /// How many there are.
+    /// The number of edges.
     pub count: usize,
 }
 

@@ -1,5 +1,5 @@
-//! How much polygons overlap: area of intersection, intersection over union, over the first; nothing
-//! is clipped and no polygon is built.
+//! Overlap of polygons: area of intersection, intersection over union, over the first; nothing is clipped and no
+//! polygon is built.
 //!
 //! # The method
 //!

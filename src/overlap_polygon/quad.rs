@@ -109,9 +109,9 @@ pub(crate) struct QuadPair<S: Scalar> {
     /// times `scale`.
     pub at: [Vec2<S>; 4],
     pub to: [Vec2<S>; 4],
-    /// How far every corner of a is to the left of each side of b, times its length: by sides.
+    /// The distance of every corner of a to the left of each side of b, times the side's length: by sides.
     pub left_of_b: [[S; 4]; 4],
-    /// How far every corner of b is to the left of each side of a, times its length: by sides.
+    /// The distance of every corner of b to the left of each side of a, times the side's length: by sides.
     pub left_of_a: [[S; 4]; 4],
     /// The area that they share: zero, without a derivative, where nothing is.
     pub area: S,

@@ -17,9 +17,9 @@ pub(crate) struct Wedge<S: Scalar> {
     pub first_g: S::Mask,
     /// Their last ray goes through the end of `g` (else of `f`).
     pub last_g: S::Mask,
-    /// How far into an edge the first ray meets it: into `f` where it goes through the start of `g`.
+    /// The fraction of an edge at which the first ray meets it: of `f` if the ray goes through the start of `g`.
     pub skip: S,
-    /// How far from its end the last ray meets an edge.
+    /// The fraction of an edge from its end at which the last ray meets it.
     pub rest: S,
     /// Distances of f and g along the first ray, in a common unit, and their difference.
     pub first: [S; 3],
@@ -166,7 +166,7 @@ pub(crate) struct Fan<S, const M: usize> {
     pub at: [Vec2<S>; M],
     /// Twice the area of the triangle over each edge.
     pub twice: [S; M],
-    /// How many vertices there are.
+    /// The number of vertices.
     pub count: usize,
 }
 

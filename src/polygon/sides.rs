@@ -1,4 +1,4 @@
-//! Which rings are holes: decided once, by where they lie.
+//! The rings that are holes: decided once, by their position.
 use super::Rings;
 use crate::contain::{Location, locate};
 use crate::shape::edges;

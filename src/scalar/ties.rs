@@ -44,7 +44,7 @@ struct Extreme<S: Scalar, const MOST: bool> {
     first: S,
     /// The sum of the others less the first: no value, only derivatives.
     rest: S,
-    /// How many they are.
+    /// The number of those that tie.
     count: S::Primal,
 }
 

@@ -28,7 +28,7 @@ use crate::{Aabb2, Obb2, Scalar, Shape, Vec2};
 pub struct ConvexPolygon<S, const N: usize> {
     /// The vertices, counter-clockwise; the first `count` of them matter.
     pub vertices: [Vec2<S>; N],
-    /// How many vertices there are: at most `N`.
+    /// The number of vertices, at most `N`.
     #[shape(code)]
     pub count: usize,
 }

@@ -39,7 +39,7 @@ pub struct Pair<S> {
     pub overlap: S,
 }
 
-/// Which detections count, and how many are kept.
+/// The rules that select the detections that count, and the number that is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rules<'a, S> {
     /// The class of every detection; `None` where all are of one. Detections of two classes do not suppress
@@ -65,7 +65,7 @@ impl<S: Scalar> Rules<'_, S> {
     }
 }
 
-/// How a score falls by an overlap: by a factor in `[0, 1]`. Scores below zero, which a factor would raise, stay.
+/// The decay of a score by an overlap: a factor in `[0, 1]`. Scores below zero, which a factor would raise, stay.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Decay<S> {
     /// By the factor `1 − overlap`, for overlaps above the threshold; by the factor 0 for overlaps above one.

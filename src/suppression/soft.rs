@@ -144,7 +144,7 @@ pub fn soft_replay<S: Scalar<Mask = bool>>(
 /// Returns the derivatives of `Σ kept_bar · score` of the kept detections by all scores and by the overlaps of all
 /// pairs.
 ///
-/// Which detections are kept, and which pairs lower which scores, stays as recorded.
+/// The kept detections, and the pairs that lower scores, stay as recorded.
 #[must_use]
 pub fn soft_vjp<S: Scalar<Mask = bool>>(
     scores: &[S],

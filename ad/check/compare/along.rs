@@ -27,7 +27,7 @@ const BY_DUALS: usize = 2;
 /// A direction to take differences along.
 pub(crate) struct AlongDirection<'d> {
     pub(crate) evidence: &'d Evidence<'d>,
-    /// The number of the direction. Of a short input the first directions are its axes, in order.
+    /// The number of the direction. For a short input the first directions are its axes, in order.
     pub(crate) k: usize,
     pub(crate) direction: &'d [f64],
     /// Values along it.
@@ -426,8 +426,8 @@ impl AlongDirection<'_> {
         (place, true)
     }
 
-    /// Returns `true` if a declared convention allows the derivative. Where the value is zero, it may be zero. At the
-    /// border of the domain it may lie between zero and that of the only side.
+    /// Returns `true` if a declared convention allows the derivative. If the value is zero, the derivative may be zero.
+    /// At the border of the domain it may lie between zero and that of the only side.
     fn flat(
         &self,
         row: &Combination,

@@ -109,7 +109,7 @@ struct RowProjection<'e> {
     witness: Witness,
     on: &'e dyn Subject,
     direction: &'e [f64],
-    /// How many more parts may be looked at.
+    /// The number of parts that may still be computed.
     left: Cell<usize>,
 }
 

@@ -1,4 +1,4 @@
-//! Which features of two boxes are nearest, and where on them: numbers without derivatives.
+//! The features of two boxes that are nearest, and the points on them: numbers without derivatives.
 use super::super::spot::part;
 use super::face::{Facing, overlap};
 use super::features::{Corners, Edges, larger, smaller, turned, weight};
@@ -40,9 +40,9 @@ pub(super) struct Choice<P: Scalar> {
     pub deepest: P,
     /// The shares of the axes of a in that.
     pub share_a: [P; 3],
-    /// Of those of b.
+    /// The shares of the faces of b.
     pub share_b: [P; 3],
-    /// Of pairs of edges.
+    /// The shares of pairs of edges.
     pub share_edges: [[P; 3]; 3],
     /// For each face of a, the point of b nearest to it along the axes of b parallel to it, as parts of half its size.
     pub lean_a: [[P; 3]; 3],
@@ -77,7 +77,7 @@ fn mixed<P: Scalar>(
     sum
 }
 
-/// The planes that part the boxes best.
+/// The planes that separate the boxes best.
 struct Deepest<P: Scalar> {
     value: P,
     a: [P::Mask; 3],
@@ -113,7 +113,7 @@ impl<P: Scalar> Deepest<P> {
     }
 }
 
-/// Returns the features that are nearest, or the planes that part the boxes best, and the points there.
+/// Returns the features that are nearest, or the planes that separate the boxes best, and the points there.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn decide<P: Scalar<Primal = P>>(seen: &RelativeBox<P>, gaps: &Gaps<P>) -> Choice<P> {
     let RelativeBox { c, d, r, g, h } = seen;

@@ -113,7 +113,7 @@ pub(super) struct Edges<P: Scalar> {
     pub clear: P::Mask,
     /// The point of a along its axes, as parts of half its size.
     pub x: [P; 3],
-    /// Those of b.
+    /// The coordinates on the edge of b.
     pub y: [P; 3],
     /// The side of the normal.
     pub side: P,

@@ -1,8 +1,8 @@
 //! Two boxes of any orientation, in the frame of the first.
 //!
 //! All that chooses between features is computed with plain numbers; the distance is then computed once, with
-//! derivatives, from the features that were chosen. Of the 144 pairs of edges nine can be nearest: those that
-//! support both boxes along their common normal.
+//! derivatives, from the features that were chosen. Nine of the 144 pairs of edges can be nearest: those that support
+//! both boxes along their common normal.
 //!
 //! The axes of b as a's axes see them are a matrix, of whose numbers every sign is taken. They decide alike wherever
 //! they occur, so that no rounding leaves out the end of a common stretch in favour of neither.
@@ -28,8 +28,8 @@ fn fixed<S: Scalar>(x: [S::Primal; 3]) -> [S; 3] {
 }
 
 impl<S: Scalar> RelativeBox<S> {
-    /// Returns the gap of the planes that part the boxes best, in the mean of all that tie. Along faces that are
-    /// parallel the boxes are turned about the middle of what faces each other.
+    /// Returns the gap of the planes that separate the boxes best, in the mean of all that tie. Parallel faces turn
+    /// about the middle of their overlap.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn deepest(&self, gaps: &Gaps<S>, choice: &Choice<S::Primal>) -> S {
         let RelativeBox { r, g, h, c, d } = self;

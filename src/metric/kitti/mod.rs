@@ -113,7 +113,7 @@ pub struct GroundTruth {
     pub label: Label,
     /// The height of its box in the image, in pixels.
     pub height: f64,
-    /// How much of it is hidden: 0 nothing, 1 partly, 2 largely, 3 unknown.
+    /// The degree to which it is hidden: 0 not at all, 1 partly, 2 largely, 3 unknown.
     pub occlusion: u8,
     /// The share of it outside of the image, in `[0, 1]`.
     pub truncation: f64,
