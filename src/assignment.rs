@@ -106,7 +106,7 @@ pub fn optimal(gains: &[f64], rows: usize, columns: usize) -> Result<Vec<(usize,
     Ok(pairs)
 }
 
-/// Returns the one-to-one pairs of a list with the largest sum of overlaps, by their first place. Overlaps of zero or
+/// Returns the one-to-one pairs of a list with the largest sum of overlaps, by their first index. Overlaps of zero or
 /// less add nothing and are left out.
 ///
 /// Pairs that share no index, such as those of two frames, are independent: one call serves the pairs of all frames, as

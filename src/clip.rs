@@ -25,7 +25,7 @@ pub fn area_from_half<S: Scalar>(half: Vec2<S>) -> S {
     (half.x + half.x) * (half.y + half.y)
 }
 
-/// A box with its trigonometry done: what a batch computes once per box.
+/// A box with sine and cosine of its heading: the data that a batch computes once per box.
 #[derive(Clone, Copy, Debug, Shape)]
 #[shape(except(Validate, approx, Sample, Arbitrary))]
 pub struct Framed<S> {
@@ -100,7 +100,7 @@ pub(crate) const LARGEST_INVERSE: f64 = 1.0 / (1_u64 << 59) as f64;
 /// coordinate, only the fact that the boxes are apart matters.
 pub(crate) const FAR: f64 = (1_u64 << 62) as f64;
 
-/// Box `b` seen from box `a`, both in units of `1 / scale`.
+/// Box `b` in the frame of box `a`, both in units of `1 / scale`.
 #[derive(Clone, Copy, Debug)]
 pub struct Relative<S: Scalar> {
     /// Centre of b in a's frame.

@@ -8,7 +8,7 @@ use crate::reference::Reference;
 use crate::shape::edges;
 use crate::{Aabb2, ConvexPolygon, Scalar, Vec2};
 
-/// The place of a point, seen from rings.
+/// The location of a point relative to rings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Location {
     /// On an edge or a vertex of a ring.
@@ -36,7 +36,7 @@ pub fn crossing<S: Scalar>(start: Vec2<S>, end: Vec2<S>, point: Vec2<S>) -> S {
     edge_winding(point, start, end)
 }
 
-/// Returns the place of a point with respect to some rings, decided exactly.
+/// Returns the location of a point with respect to some rings, decided exactly.
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, contain::{Location, locate}};
@@ -109,13 +109,13 @@ pub fn contains_even_odd<S: Scalar<Mask = bool>>(rings: &[&[Vec2<S>]], point: Ve
 pub enum Nearest {
     /// The edge's start.
     Start,
-    /// A place between its ends.
+    /// A point between its ends.
     Between,
     /// The edge's end.
     End,
 }
 
-/// The record of a depth: the place of a polygon's border that is nearest to the point.
+/// The record of a depth: the point of a polygon's border that is nearest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct NearestEdge {
     /// The ring ...

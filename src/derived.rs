@@ -114,7 +114,7 @@ fn flawed<W: Fixed>(_: &W, flaw: fn(Field) -> Flaw, i: usize) -> Result<(), Flaw
     Err(flaw(W::name(i)))
 }
 
-/// Returns the place of the first scalar for which something holds.
+/// Returns the index of the first scalar for which a condition holds.
 #[inline(always)]
 fn first<P: Pack<Scalar: Copy>>(
     part: &P,

@@ -23,9 +23,9 @@ pub enum Argument {
     Result(usize),
     /// An input by the name that its operation gives it.
     Named(&'static str),
-    /// The input in this place, from zero, of a function without names for them.
+    /// The input of this index, from zero, of a function without names for them.
     Input(usize),
-    /// The direction of a derivative, for the input in this place, from zero.
+    /// The direction of a derivative, for the input of this index, from zero.
     Direction(usize),
     /// The vertices of a ragged batch.
     Vertices,
@@ -216,7 +216,7 @@ pub enum Flaw {
     Inverted(Field, &'static str),
     /// A direction is the zero vector.
     Zero(Field),
-    /// A shape's own rule is broken: the field, and what it is or is not.
+    /// A shape's own rule is broken: the field, and the rule.
     Broken(Field, &'static str),
     /// A vertex of a polygon breaks a rule.
     Vertex {
@@ -244,7 +244,7 @@ pub enum VertexFault {
     NotFinite,
     /// The polygon needs this vertex and does not have it: fewer than three vertices.
     Missing,
-    /// The vertex is at the place of an earlier one, of a ring that has fewer than three places.
+    /// The vertex coincides with an earlier one, in a ring with fewer than three distinct vertices.
     Coincident,
     /// The vertex does not fit into the polygon's capacity.
     Surplus,
@@ -355,7 +355,7 @@ pub enum Unrecordable {
     Hint,
     /// Its input or its result has whole numbers (codes, counts): programs are of numbers with derivatives.
     Codes,
-    /// It searches: what it does depends on its input, and a program is a straight line.
+    /// It searches: its steps depend on its input, and a program is a straight line.
     Search,
     /// It has more operations than a program can hold.
     TooLong,

@@ -55,7 +55,7 @@ pub fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
     )
 }
 
-/// Relates two framed boxes and measures what they share, in units of `1 / scale`.
+/// Relates two framed boxes and measures their intersection, in units of `1 / scale`.
 ///
 /// `EXTREME` allows sizes so small or large that products over- or underflow; the bits of the result are equal for
 /// ordinary boxes in both cases.

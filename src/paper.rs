@@ -1,5 +1,4 @@
-//! For those who come from the paper's library: where each of its functions is, and what was wrong with
-//! it.
+//! The functions of the paper's library, their equivalents here, and their bugs.
 //!
 //! DGAL, a header of C++ and CUDA templates, came with the paper that this library was begun for; `d3d` is its Python
 //! package. Everything that they do in the plane is here, generic, with derivatives, in batches. Bug numbers are those

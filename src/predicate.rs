@@ -112,9 +112,9 @@ pub(crate) fn same<S: Scalar<Mask = bool>>(a: Vec2<S>, b: Vec2<S>) -> bool {
 
 /// Returns a number with the sign of `(b − a) × (d − c)`.
 ///
-/// The plain value decides when it is farther from zero than its rounding can be (Shewchuk, Adaptive
-/// precision floating-point arithmetic and fast robust geometric predicates, 1997); else the sum of
-/// all sixteen exact parts does.
+/// The plain value decides when it is farther from zero than its rounding can be (Shewchuk, Adaptive precision
+/// floating-point arithmetic and fast robust geometric predicates, 1997); else the sum of all sixteen exact parts
+/// decides.
 #[inline]
 fn cross_sign(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> f64 {
     // Three roundings of a product and one of the difference, in units of 2⁻⁵³, and some more.

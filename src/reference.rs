@@ -1,9 +1,9 @@
-//! The place from which polygons are seen: a place near them and a unit of length of their own. So neither the
-//! distance from the origin nor the size costs digits, and no product over- or underflows.
+//! The local frame of polygons: an origin near them and a unit of length of their own. So neither the distance from the
+//! origin nor the size costs digits, and no product over- or underflows.
 use crate::scalar::power_of_largest;
 use crate::{Aabb2, Scalar, Vec2};
 
-/// A place and a unit of length in which vertices are seen; all of it constant, without derivatives.
+/// An origin and a unit of length for vertices; all of it constant, without derivatives.
 ///
 /// Measures that are sums over the edges of closed rings do not depend on it: their bodies, one per
 /// edge, take [`place`](Reference::place)d vertices, and their finish goes back by
@@ -20,7 +20,7 @@ use crate::{Aabb2, Scalar, Vec2};
 pub struct Reference<S> {
     /// A corner of the shape's bounds, in the caller's coordinates.
     pub origin: Vec2<S>,
-    /// A place seen from there, in local units: the zero of local coordinates.
+    /// The zero of local coordinates: a point relative to the origin, in local units.
     pub shift: Vec2<S>,
     /// The power of two that brings half a length to local units.
     pub scale: S,
@@ -122,7 +122,7 @@ impl<S: Scalar> Reference<S> {
         let seen = (halved(vertex) - halved(self.origin)) * self.scale;
         Vec2::new(near(seen.x), near(seen.y)) - self.shift
     }
-    /// Returns the area of a ring in local units, seen from its own first vertex.
+    /// Returns the area of a ring in local units, relative to its own first vertex.
     #[must_use]
     #[inline]
     pub(crate) fn own_area(&self, ring: &[Vec2<S>]) -> S {

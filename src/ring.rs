@@ -9,8 +9,8 @@
 use crate::scalar::power_of_largest;
 use crate::{Mask, Scalar, Vec2};
 
-/// Vertices worked on side by side: sums of their own that need not wait for each other, and arrays
-/// that the compiler turns into SIMD.
+/// The number of vertices processed side by side: their sums are independent, and the compiler turns their arrays into
+/// SIMD.
 pub(crate) const SIDE: usize = 16;
 
 /// The vertices of a ring, at least one, by number.
@@ -159,7 +159,7 @@ fn primal<S: Scalar>(v: Vec2<S>) -> Vec2<S::Primal> {
     Vec2::new(v.x.primal(), v.y.primal())
 }
 
-/// Returns the largest coordinate of a ring seen from its first vertex.
+/// Returns the largest coordinate of a ring relative to its first vertex.
 #[inline(always)]
 fn extent_of<S: Scalar>(ring: impl Vertices<S>) -> S::Primal {
     let first = primal(ring.at(0));
@@ -170,7 +170,7 @@ fn extent_of<S: Scalar>(ring: impl Vertices<S>) -> S::Primal {
     )
 }
 
-/// Returns the largest coordinate of what vertices are placed at.
+/// Returns the largest local coordinate of the vertices.
 #[inline(always)]
 fn largest_of<S: Scalar>(
     ring: impl Vertices<S>,
@@ -363,7 +363,7 @@ pub(crate) fn centroid_of<S: Scalar>(ring: impl Vertices<S>) -> Measured<S> {
     }
 }
 
-/// The measures that kernels of the library serve.
+/// The measures that kernels of the library compute.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Measure {

@@ -15,7 +15,7 @@ pub(crate) fn lost<P: Scalar>(a: P, b: P, rounded: P) -> P {
     (a - (rounded - taken)) - (b + taken)
 }
 
-/// Returns the sum of two numbers: first what the rounded one lacks.
+/// Returns the sum of two numbers: first the rounding error, then the rounded sum.
 #[inline(always)]
 pub(crate) fn sum<P: Scalar>(a: P, b: P) -> [P; 2] {
     let rounded = a + b;
@@ -45,7 +45,7 @@ impl<P: Scalar> Halves<P> {
         };
         Halves { whole, high, low }
     }
-    /// Returns the product: first what the rounded one lacks (Dekker).
+    /// Returns the product: first the rounding error, then the rounded product (Dekker).
     #[inline(always)]
     pub(crate) fn times(self, other: Self) -> [P; 2] {
         let rounded = self.whole * other.whole;
@@ -102,7 +102,7 @@ impl<P: Scalar> Twofold<P> {
             low: low - (rounded - high),
         }
     }
-    /// Returns the sum, to ε² of what is added.
+    /// Returns the sum, to ε² of its terms.
     #[inline(always)]
     pub(crate) fn plus(self, other: Self) -> Self {
         let [lost, high] = sum(self.high, other.high);

@@ -28,11 +28,11 @@ impl<S: Scalar> Bars<'_, S> {
 /// vertices of the result, and so the derivatives of any function of these. The input has one cotangent per vertex, one
 /// ring after the other.
 ///
-/// A vertex that is one of an input has that one's cotangent. For a crossing at the fractions `s` and `t`
-/// of two edges with directions `u` and `v`, and `k = (x̄ · u) / (v⊥ · u)`, the first edge's place has the
-/// cotangent `x̄ − k v⊥` and the second's `k v⊥`; each goes to the ends of its edge as `1 − s` and `s`,
-/// `1 − t` and `t`. For the place `p + t u` of an edge nearest to a vertex `w`, with
-/// `k = (x̄ · u) / |u|²` and `m = k (w − p − 2 t u)`: `w̄ = k u`, `p̄ = (1 − t) x̄ − k u − m`, `q̄ = t x̄ + m`.
+/// A vertex that is one of an input has that one's cotangent. For a crossing at the fractions `s` and `t` of two edges
+/// with directions `u` and `v`, and `k = (x̄ · u) / (v⊥ · u)`, the first edge's point has the cotangent `x̄ − k v⊥` and
+/// the second's `k v⊥`; each goes to the ends of its edge as `1 − s` and `s`, `1 − t` and `t`. For the point `p + t u`
+/// of an edge nearest to a vertex `w`, with `k = (x̄ · u) / |u|²` and `m = k (w − p − 2 t u)`: `w̄ = k u`,
+/// `p̄ = (1 − t) x̄ − k u − m`, `q̄ = t x̄ + m`.
 ///
 /// ```
 /// # #[cfg(feature = "boolean")] {
@@ -100,7 +100,7 @@ fn pull<S: Scalar>(
             let (b, end_b) = input_edge(inputs, second);
             let met = meet(a, b);
             let across = met.along_b.perp();
-            // Zero where they are parallel: the place is then the middle of the first.
+            // Zero if they are parallel: the point is then the middle of the first.
             let parallel = met.along_a.perp_dot(met.along_b).equals(S::zero());
             let k = -(bar.dot(met.along_a).over(met.cross));
             let to_b = across * S::select(parallel, S::zero(), k);

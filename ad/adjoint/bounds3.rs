@@ -1,7 +1,8 @@
 //! Adjoints of the overlap scores of axis-aligned boxes in space.
 //!
 //! With `h` half the size of the shared part, the volume shared is `8 h_x h_y h_z`. A bound that decides alone takes
-//! the whole derivative of its side, tied bounds half each; what a box's own volume adds goes to its own bounds.
+//! the whole derivative of its side, tied bounds half each; the contribution of a box's own volume goes to its own
+//! bounds.
 //!
 //! Derivatives are finite for finite boxes: those too steep for the format are its largest number.
 use crate::ad::adjoint::overlap::{part_taken, score_derivatives, tamed};

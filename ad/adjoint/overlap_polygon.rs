@@ -74,7 +74,7 @@ fn pieces<S: Scalar>(pair: &Wedge<S>) -> [EdgePart<S>; 2] {
     [cut(f, of_f, f_leads), cut(g, of_g, !f_leads)]
 }
 
-/// Adds what a piece of an edge that moves does to both ends.
+/// Adds the cotangent of a part of an edge that moves to both ends.
 #[inline(always)]
 fn pull<S: Scalar>(
     edge: [Vec2<S>; 2],
@@ -93,7 +93,7 @@ fn pull<S: Scalar>(
     [out * start, out * end]
 }
 
-/// Returns the derivatives of what the triangles over two edges share, to the ends of both.
+/// Returns the derivatives of the area that the triangles over two edges share, by the ends of both.
 #[inline(always)]
 pub(super) fn pair_derivatives<S: Scalar>(
     f: [Vec2<S>; 2],

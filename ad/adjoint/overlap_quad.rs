@@ -37,7 +37,7 @@ fn is_side<S: Scalar>(from: Vec2<S>, to: Vec2<S>) -> S::Mask {
     !(from.x.equals(to.x) & from.y.equals(to.y))
 }
 
-/// Adds what a part of a side that moves does to both ends.
+/// Adds the cotangent of a part of a side that moves to both ends.
 #[inline(always)]
 fn pull<S: Scalar>(corners: &[Vec2<S>; 4], k: usize, part: EdgePart<S>, bars: &mut [Vec2<S>; 4]) {
     let next = (k + 1) % 4;

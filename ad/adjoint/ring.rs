@@ -75,7 +75,7 @@ pub fn signed_area_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [
 
 /// Writes the cotangents of [`perimeter`](crate::ring::perimeter), one per vertex.
 ///
-/// Each edge pulls its ends apart along itself; an edge of length zero does not pull.
+/// Each edge pulls its ends apart along itself; an edge of length zero has no derivative.
 ///
 /// # Panics
 ///

@@ -19,7 +19,7 @@ use crate::overlap3::{Heights, Scales, heights, score_of_columns, upright_scales
 use crate::shape::YawBox3;
 use crate::{Obb2, Scalar, Vec2, Vec3};
 
-/// An upright box with its trigonometry done: what it is seen from above, where its middle is, and half its
+/// An upright box with sine and cosine of its heading: its box seen from above, the height of its middle, and half its
 /// height.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Upright<S> {
@@ -36,7 +36,7 @@ fn upright<S: Scalar>(x: YawBox3<S>) -> Upright<S> {
     }
 }
 
-/// Returns `true` where both boxes are the same set of points, given by the same numbers.
+/// Returns `true` where both boxes are one set of points, given by equal numbers.
 #[inline(always)]
 fn same<S: Scalar>(a: &Upright<S>, b: &Upright<S>) -> S::Mask {
     let (p, q) = (&a.flat, &b.flat);

@@ -14,8 +14,8 @@ use crate::ad::check::witness::Precision;
 use crate::{Pack, Real};
 use std::fmt::Debug;
 
-/// Judges a function at many inputs. `meet` hands the function near an input to its argument;
-/// `random_from` is the number of the first input that was drawn at random.
+/// Judges a function at many inputs. `meet` calls its argument with the function near an input; `random_from` is the
+/// number of the first input that was drawn at random.
 pub fn examine<S: Real, X: Pack<Scalar = S> + Debug>(
     name: &str,
     sampling: &Sampling<'_>,

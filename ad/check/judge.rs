@@ -140,7 +140,7 @@ fn decided(e: Option<&Evidence<'_>>, notes: Notes) -> Findings {
     }
 }
 
-/// Removes all faults of a kind and place except the first.
+/// Removes all faults of one reason and output except the first.
 fn one_of_a_kind(all: Vec<Fault>) -> Vec<Fault> {
     let mut kept: Vec<Fault> = Vec::new();
     for fault in all {

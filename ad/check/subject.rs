@@ -38,7 +38,7 @@ pub trait Subject {
     fn other_values(&self, _x: &[f64]) -> Vec<Vec<f64>> {
         Vec::new()
     }
-    /// Returns the derivative by hand: the derivatives of `y_bar · value`.
+    /// Returns the derivatives of `y_bar · value` by hand.
     fn adjoint(&self, _x: &[f64], _y_bar: &[f64]) -> Option<Vec<f64>> {
         None
     }

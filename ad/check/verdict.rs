@@ -2,7 +2,7 @@
 use crate::Unrecordable;
 use crate::ad::check::symmetry::Motion;
 
-/// One way to obtain a value or a derivative.
+/// A method that computes a value or a derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Witness {
     /// The function itself.
@@ -21,7 +21,7 @@ pub enum Witness {
     Planes,
     /// The nearest points of two bodies, which prove a distance from above.
     Points,
-    /// A batch of the same operation, on the CPU or a GPU.
+    /// A batch of the operation, on the CPU or a GPU.
     Batch,
     /// A further witness, by its position in the list that was given: another code path, a GPU.
     Further(usize),

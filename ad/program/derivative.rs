@@ -5,7 +5,7 @@
 //! both products.
 use super::graph::{Graph, Id, Node};
 
-/// Returns the operands through which derivatives pass, by their place. The others are decisions or constants.
+/// Returns the operands through which derivatives pass, by their index. The others are decisions or constants.
 pub(super) fn carriers(node: Node) -> &'static [usize] {
     use Node::*;
     match node {
@@ -59,8 +59,8 @@ pub(super) fn keeps_zero(graph: &Graph, node: Node, operand: usize) -> bool {
     }
 }
 
-/// Returns the condition, a mask and what it must be, under which a node takes an operand at all. Elsewhere
-/// its derivative is zero, also where the operand's own is infinite.
+/// Returns the condition under which a node uses an operand: a mask and its required value. Elsewhere its derivative is
+/// zero, also where the operand's own is infinite.
 pub(super) fn taken(graph: &mut Graph, node: Node, operand: usize) -> Option<(Id, bool)> {
     use Node::*;
     match node {

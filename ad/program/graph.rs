@@ -5,7 +5,7 @@
 pub use crate::scalar::real::Format;
 use std::collections::HashMap;
 
-/// The place of a node in its graph.
+/// The index of a node in its graph.
 pub(crate) type Id = u32;
 
 /// One operation on numbers or truths.
@@ -16,7 +16,7 @@ pub(crate) type Id = u32;
 pub(crate) enum Node {
     /// A number: the bits of an `f64` that holds it, rounded to the format of the program.
     Const(u64),
-    /// The number at this place of the input.
+    /// The number at this index of the input.
     Input(u32),
     /// `−x`.
     Neg(Id),
@@ -233,12 +233,12 @@ impl Graph {
         self.nodes.len()
     }
 
-    /// Returns the node at a place.
+    /// Returns the node at an index.
     pub(crate) fn at(&self, x: Id) -> Node {
         self.nodes[x as usize]
     }
 
-    /// Returns the place of a node as it is, without simplification: the old one if it is known.
+    /// Returns the index of a node as it is, without simplification: that of an equal node if there is one.
     pub(crate) fn push(&mut self, node: Node) -> Id {
         let next = self.nodes.len() as Id;
         let id = *self.known.entry(node).or_insert(next);

@@ -7,7 +7,7 @@ use crate::Unrecordable;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// More operations than any function of fixed size has; a loop that waits for a hint ends here.
+/// More operations than any function of fixed size has; a loop that depends on a hint ends here.
 const MOST_OPERATIONS: usize = 1 << 22;
 
 /// The name of a recording that no recording has: of symbols made outside any.
@@ -64,7 +64,7 @@ impl Recording {
     pub(super) fn open(format: Format, plain: bool) -> u64 {
         let mut graph = Graph::new(format);
         graph.plain = plain;
-        // The places that symbols of a spoiled recording point to.
+        // The indices that symbols of a spoiled recording point to.
         graph.lit(0.0);
         let name = NEXT.fetch_add(1, Ordering::Relaxed);
         let recording = Recording {
@@ -124,7 +124,7 @@ impl Recording {
         self.flaw.get_or_insert(flaw);
     }
 
-    /// Returns the symbol of a place.
+    /// Returns the symbol of an index.
     fn symbol(&self, place: Id) -> Symbol {
         Symbol {
             recording: self.name,
@@ -133,7 +133,7 @@ impl Recording {
     }
 }
 
-/// A place of a recording.
+/// An index of a node in a recording.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Symbol {
     recording: u64,
@@ -147,8 +147,7 @@ impl Symbol {
         place: 0,
     };
 
-    /// Returns the symbol of an operation on symbols, in the recording that is open; `node` gets their
-    /// places.
+    /// Returns the symbol of an operation on symbols, in the recording that is open; `node` receives their indices.
     pub(super) fn made<const N: usize>(
         format: Format,
         operands: [Symbol; N],

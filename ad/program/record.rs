@@ -90,7 +90,7 @@ fn run<T: Real>(
     (outputs, recording)
 }
 
-/// Returns the places of the results, which must be of this recording, too.
+/// Returns the indices of the results, which must belong to this recording, too.
 pub(super) fn places<T: Real>(
     recording: &mut Recording,
     results: &[Sym<T>],

@@ -79,7 +79,7 @@ impl Recorded {
     }
 
     /// Returns `true` if derivatives in it are multiplied by a share: by a gradient by hand, or by `damp`. Duals of
-    /// duals do not see the derivatives of a share.
+    /// duals do not include the derivatives of a share.
     #[cfg(feature = "check")]
     pub(crate) fn has_shares(&self) -> bool {
         let is_part = |node: &Node| matches!(node, Node::Graft { share: Some(_), .. });
@@ -294,7 +294,7 @@ impl Recorded {
     }
 }
 
-/// Adds `count` further places of the input to a graph.
+/// Adds `count` further numbers of the input to a graph, and returns their indices.
 fn places(graph: &mut Graph, from: usize, count: usize) -> Vec<Id> {
     (from..from + count)
         .map(|place| graph.push(Node::Input(place as u32)))

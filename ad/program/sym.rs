@@ -1,4 +1,4 @@
-//! A scalar that records what is done with it.
+//! A scalar that records the operations on it.
 use super::graph::Node;
 use super::in_progress::Symbol;
 use crate::pack::leaf;

@@ -175,8 +175,8 @@ impl<T: Real, In: Fixed<Scalar = T>> Program<In, T> {
         Program::of(self.recorded.hvp())
     }
 
-    /// Returns the Hessian as a program: in row `i` the derivative of the gradient with respect to number `i`
-    /// of the input. `N` must be how many numbers the input has, or the call does not compile.
+    /// Returns the Hessian as a program: in row `i` the derivative of the gradient with respect to number `i` of the
+    /// input. `N` must be the count of numbers of the input, or the call does not compile.
     ///
     /// ```
     /// use geograd::ad::program::{Program, Sym};

@@ -226,7 +226,7 @@ fn elsewhere(x: Box<dyn Drawn>, scale: f64, shift: [f64; 2]) -> Box<dyn Drawn> {
     }
 }
 
-/// Returns the numbers of a hard case in a place; nothing for a shape that cannot turn or does not fit there.
+/// Returns the numbers of a hard case at a placement; nothing for a shape that cannot turn or does not fit there.
 pub(crate) fn put(x: &dyn Drawn, (angle, scale, shift): Placement) -> Option<Vec<f64>> {
     let kinds = x.kinds();
     let turns = |kind: &Kind| kind.is_angle() || *kind == Kind::DirectionX;
@@ -237,7 +237,7 @@ pub(crate) fn put(x: &dyn Drawn, (angle, scale, shift): Placement) -> Option<Vec
     x.inside(&there).then_some(there)
 }
 
-/// Returns the numbers of an input where a place was drawn for it; nothing if it does not fit there.
+/// Returns the numbers of an input at a random placement; nothing if it does not fit there.
 pub(crate) fn placed(x: &dyn Drawn, draw: &mut Draw) -> Option<Vec<f64>> {
     let scale = match draw.below(16) {
         0 => 1e-4,

@@ -63,7 +63,7 @@ fn quarter(draw: &mut Draw) -> f64 {
     }
 }
 
-/// Returns the places of points among numbers: where each begins, and how many numbers it has.
+/// Returns the ranges of points among numbers: the first index and the count of numbers of each.
 pub(crate) fn places(kinds: &[Kind]) -> Vec<(usize, usize)> {
     let starts = (0..kinds.len()).filter(|&i| kinds[i] == Kind::X);
     let length = |i: usize| {

@@ -29,7 +29,7 @@ pub use crate::ad::sample::drawn::{hard_cases, random};
 pub struct Draw(u64);
 
 impl Draw {
-    /// Creates a generator from a seed; the same seed gives the same numbers on every machine.
+    /// Creates a generator from a seed; one seed gives equal numbers on every machine.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         let mut draw = Draw(seed);
@@ -204,7 +204,7 @@ pub enum Family {
 
 /// Puts a whole input elsewhere: rotation about the origin of the plane, then scaling, then translation along x and y.
 ///
-/// Inputs need not stay what they are to be worth a look: heights and rotations of space stay.
+/// The moved input need not be equivalent: heights and rotations of space stay as they are.
 /// [`moved_by`](crate::ad::check::symmetry::moved_by) has the motions of space.
 #[must_use]
 pub fn moved(x: &[f64], kinds: &[Kind], angle: f64, scale: f64, shift: [f64; 2]) -> Vec<f64> {

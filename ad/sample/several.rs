@@ -217,7 +217,7 @@ pub fn together(own: Vec<f64>, kinds: &[Kind]) -> Vec<f64> {
         k if k.is_place() => m.min(*s),
         _ => m,
     });
-    // Without a place all are lengths along one line.
+    // Without coordinates of a point all are lengths along one line.
     let place = match kinds.iter().any(|kind| kind.is_place()) {
         true => place,
         false => lengths().fold(place, |m, (s, _)| m.min(*s)),

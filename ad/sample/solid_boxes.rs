@@ -23,8 +23,8 @@ fn vector([x, y, z]: [f64; 3]) -> Vec3<f64> {
     Vec3::new(x, y, z)
 }
 
-/// Returns the scale of every number of a place, and of every size: sizes of their own magnitude, where there is
-/// one, and places in which a box of such sizes moves by a share of itself.
+/// Returns the scales of a box's centre and sizes. Sizes have their own magnitude as scale, unless it is zero; the
+/// centre moves by a share of the box.
 fn lengths(size: Vec3<f64>) -> [f64; 6] {
     let size = [size.x, size.y, size.z];
     let largest = match size.into_iter().fold(0.0_f64, f64::max) {
@@ -85,7 +85,7 @@ impl Sample for Vec3<f64> {
         vector([0; 3].map(|_| draw.within(-2.0, 2.0)))
     }
     fn hard() -> Vec<Self> {
-        // The middle, a face, an edge and a corner of hard boxes, and places off all of them.
+        // The middle, a face, an edge and a corner of hard boxes, and points off all of them.
         let all = [
             [0.0, 0.0, 0.0],
             [1.0, 0.0, 0.0],

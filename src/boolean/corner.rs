@@ -13,7 +13,7 @@ pub(super) struct Border {
 
 /// The kinds of meetings of two edges.
 enum EdgeMeeting {
-    /// In a vertex of one ring, or in two that follow each other at one place.
+    /// In a vertex of one ring, or in two successive ones that coincide.
     Joined([VertexId; 2]),
     /// They cross.
     Across(Origin),
@@ -58,7 +58,7 @@ pub(super) fn corner(grid: &Grid, before: &Border, after: &Border, trace: &mut O
     }
 }
 
-/// Returns the origins of the end of a piece of the border and of the start of the next one, which are at one place.
+/// Returns the origins of the end of a piece of the border and of the start of the next one, which coincide.
 ///
 /// The ends of a piece on several edges move with the mean of these.
 pub(super) fn origins(grid: &Grid, before: &Border, after: &Border) -> [Vec<Origin>; 2] {
@@ -100,7 +100,7 @@ fn joined(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 
     Some(found)
 }
 
-/// Returns the places at which all edges before cross all after, or are joined to them.
+/// Returns the points at which all edges before cross all after, or are joined to them.
 fn across(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 2]> {
     let mut found = [Vec::new(), Vec::new()];
     for &i in &before.edges {
@@ -117,7 +117,7 @@ fn across(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 
     Some(found)
 }
 
-/// Returns the place on one of several edges in line with each other at which another one begins or ends.
+/// Returns the point on one of several collinear edges at which another one begins or ends.
 fn in_line(grid: &Grid, edge: usize, before: &Border, after: &Border, at: IntPoint<i64>) -> Origin {
     let here = &grid.edges[edge];
     if let Some(vertex) = here.vertex_at(at) {

@@ -1,6 +1,6 @@
 //! Edges cut into pieces that meet at their ends only, or the answer that these would be too many.
 //!
-//! i_overlay cuts edges where they cross, rounds these places to the grid, and begins again until nothing crosses. Some
+//! i_overlay cuts edges where they cross, rounds these points to the grid, and begins again until nothing crosses. Some
 //! edges lie within a few steps of each other over a length of many steps. Then each round bends pieces to where they
 //! cross anew. Their number doubles until pieces are about as short as steps, which exceeds any memory. i_overlay has
 //! no limit of rounds. This file therefore runs the rounds of such edges, by i_overlay's rules (of version 9.1, bit for
@@ -145,7 +145,7 @@ struct Line {
     is_new: bool,
 }
 
-/// A place at which a line is to be cut.
+/// A point at which a line is to be cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct CutPoint {
     line: u32,
@@ -216,8 +216,8 @@ fn merge(pieces: &mut Vec<EdgePiece>, lines: &mut Vec<Line>, of_second: &impl Fn
     pieces.truncate(kept);
 }
 
-/// Adds the crossings of lines, which are in ascending order; `true` if any of these places was rounded. No two
-/// lines that the last round left alone cross.
+/// Adds the crossings of lines, which are in ascending order; `true` if any of these points was rounded. No two lines
+/// that the last round left alone cross.
 fn crossings(lines: &[Line], radius: u128, cuts: &mut Vec<CutPoint>) -> bool {
     let mut is_rounded = false;
     let bands = Bands::new(lines);
@@ -283,7 +283,7 @@ fn side(from: Point, to: Point, at: Point) -> i128 {
     (ux * vy - uy * vx).signum()
 }
 
-/// Adds the places at which two lines are to be cut, the first in order first; `true` if that is not their exact
+/// Adds the points at which two lines are to be cut, the first in order first; `true` if that is not their exact
 /// crossing.
 ///
 /// An end whose squared distance from the crossing is at most `radius` takes its place.
@@ -406,7 +406,7 @@ fn apply(pieces: &mut Vec<EdgePiece>, lines: &[Line], cuts: &mut Vec<CutPoint>) 
     }
 }
 
-/// Brings the places at which a line is cut, in ascending order, into their order along it: those with equal x are
+/// Sorts the points at which a line is cut, given in ascending order, into their order along it: those with equal x are
 /// reversed if the line runs downwards.
 fn order(cuts: &mut [CutPoint], [start, end]: [Point; 2]) {
     let mut from = 0;

@@ -22,7 +22,7 @@ fn turn(a: Point, b: Point, c: Point) -> i128 {
     ux * vy - uy * vx
 }
 
-/// Returns `true` if three places of a ring are in line.
+/// Returns `true` if three points of a ring are collinear.
 pub(super) fn is_straight(a: Point, b: Point, c: Point) -> bool {
     turn(a, b, c) == 0
 }
@@ -59,7 +59,7 @@ pub(super) fn parts(mut pieces: Vec<BorderPiece>) -> Vec<Vec<Ring>> {
             Err(_) => inner.push(holes),
         }
     }
-    // The border of a hole shares no place with the outer ring of its part: then both would be one cycle.
+    // The border of a hole has no point of the outer ring of its part: otherwise both would be one cycle.
     for holes in inner {
         let Some(&piece) = holes.first().and_then(|ring| ring.first()) else {
             continue;
@@ -90,7 +90,7 @@ struct BorderPieces {
 }
 
 impl BorderPieces {
-    /// Returns the pieces that begin at a place.
+    /// Returns the pieces that begin at a point.
     fn leaving(&self, at: Point) -> std::ops::Range<usize> {
         let first = self.pieces.partition_point(|piece| piece.from < at);
         let last = self.pieces.partition_point(|piece| piece.from <= at);
@@ -133,10 +133,10 @@ impl BorderPieces {
         }
         cycles
     }
-    /// Returns a closed walk as rings that visit no place twice.
+    /// Splits a closed walk into rings that visit no point twice.
     fn simple(&self, cycle: &[usize]) -> Vec<Ring> {
         let (mut rings, mut open): (Vec<Ring>, Ring) = (Vec::new(), Vec::new());
-        // The places of the walk so far, each with its index in `open`.
+        // The points of the walk so far, each with its index in `open`.
         let mut places = std::collections::HashMap::new();
         for &k in cycle {
             let at = self.pieces[k].from;
@@ -160,7 +160,7 @@ impl BorderPieces {
         let of = |&k: &usize| turn(seen, self.pieces[k].from, self.pieces[k].to);
         ring.iter().map(of).sum()
     }
-    /// Returns `true` if a place is inside a ring and not on its border.
+    /// Returns `true` if a point is inside a ring and not on its border.
     fn is_inside(&self, at: Point, ring: &[usize]) -> bool {
         let mut is_inside = false;
         for &k in ring {
@@ -185,7 +185,7 @@ impl BorderPieces {
     }
 }
 
-/// Returns `true` if two places in line with a third one lie on one side of it.
+/// Returns `true` if two points in line with a third one lie on one side of it.
 fn is_same_way(at: Point, a: Point, b: Point) -> bool {
     let [ux, uy, vx, vy] = [a.x - at.x, a.y - at.y, b.x - at.x, b.y - at.y].map(i128::from);
     ux * vx + uy * vy > 0

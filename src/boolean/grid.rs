@@ -47,12 +47,12 @@ impl Edge {
     }
 }
 
-/// The place from which a grid is seen.
+/// The origin of a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Steps {
     /// From near both inputs, so that far away it is no coarser.
     Fine,
-    /// From the origin, so that places of a coarser grid are numbers of the format.
+    /// The origin of coordinates, so that points of a coarser grid are numbers of the format.
     Exact,
 }
 
@@ -176,12 +176,12 @@ impl Grid {
         }
         pieces
     }
-    /// Returns the coordinates of a place of the grid of [`squares`].
+    /// Returns the coordinates of a point of the grid of [`squares`].
     pub fn coordinates<S: Scalar>(&self, at: IntPoint<i64>) -> [f64; 2] {
         let steps = EXTENT / (1_u64 << squares::<S>().bits) as f64;
         [at.x, at.y].map(|x| x as f64 / steps / self.unit * 2.0)
     }
-    /// Returns `true` if two vertices are one, or follow each other in a ring at one place.
+    /// Returns `true` if two vertices are one, or are successive ones of a ring that coincide.
     pub fn is_joined(&self, a: VertexId, b: VertexId) -> bool {
         if (a.owner, a.ring) != (b.owner, b.ring) {
             return false;
@@ -204,7 +204,7 @@ pub(super) fn squares<S: Scalar>() -> Squares {
     }
 }
 
-/// A coordinate: what it is seen from, and how far it reaches from there.
+/// The range of a coordinate: its origin, and its extent from there.
 struct Axis {
     from: f64,
     reach: f64,

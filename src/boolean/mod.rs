@@ -11,11 +11,11 @@
 //! [`Fill`](crate::polygon::Fill) decides which winding numbers are inside, for both inputs. The parts of the result
 //! run counter-clockwise and its holes clockwise.
 //!
-//! Kinks: edges of both inputs (or several of one) that lie along each other. The border of the result moves with
-//! the mean of them, so identical polygons have the IoU 1 and derivatives of zero. There the result may have two
-//! vertices at one place. Between these it has a side of length zero that opens as inputs move. A vertex of one
-//! input on an edge of the other has the derivative of one of its sides. A part without area is no part of a result
-//! and has no derivative: a line along which both merely touch, or a polygon less itself.
+//! Kinks: edges of both inputs (or several of one) that lie along each other. The border of the result moves with the
+//! mean of them, so identical polygons have the IoU 1 and derivatives of zero. There the result may have two vertices
+//! at one point. Between these it has a side of length zero that opens as inputs move. A vertex of one input on an edge
+//! of the other has the derivative of one of its sides. A part without area is no part of a result and has no
+//! derivative: a line along which both merely touch, or a polygon less itself.
 //!
 //! Vertices that differ by less than about 10⁻¹⁷ of the extent of both inputs count as one.
 //!
@@ -29,10 +29,10 @@
 //! are rounded to a grid of the format, with steps of the last digit of the largest coordinate, by snap rounding: rings
 //! move by less than a step, and do not cross. ([`valid_search`] and [`valid_replay`] are its two halves.) Derivatives
 //! are those of the origin of each vertex, and so, for polygons in general position, those of the usual result. A part
-//! narrower than a step may vanish and has no derivative then. If edges lie along each other, two vertices at one place
+//! narrower than a step may vanish and has no derivative then. If edges lie along each other, two vertices at one point
 //! become one, with the mean of their derivatives.
 //!
-//! For the area of what polygons share nothing need be clipped: see
+//! For the area of an intersection nothing need be clipped: see
 //! [`overlap_polygon::holed`](crate::overlap_polygon::holed).
 //!
 //! ```

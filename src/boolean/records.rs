@@ -75,7 +75,7 @@ pub struct OverlayTrace {
 
 impl OverlayTrace {
     /// Returns the origins of each vertex of the result, one ring after the other. A vertex with several origins, which
-    /// are then at one place, is the mean of them.
+    /// then coincide, is their mean.
     pub fn origins(&self) -> impl Iterator<Item = &[Origin]> {
         let starts = std::iter::once(&0).chain(&self.vertices);
         starts
@@ -116,7 +116,7 @@ pub struct IouTrace {
     expect(dead_code, reason = "a replay needs no feature, its record does")
 )]
 pub(super) enum ValidOrigin {
-    /// The mean of some places.
+    /// The mean of some points.
     Of(Vec<Origin>),
     /// A point at a fixed fraction of an edge.
     Along(EdgeId, f64),

@@ -56,7 +56,7 @@ fn place<S: Scalar>(inputs: [Rings<'_, S>; 2], origin: Origin) -> Vec2<S> {
     }
 }
 
-/// Returns the mean of some places.
+/// Returns the mean of some points.
 pub(super) fn mean<S: Scalar>(inputs: [Rings<'_, S>; 2], all: &[Origin]) -> Vec2<S> {
     match all {
         [only] => place(inputs, *only),
@@ -145,7 +145,7 @@ pub fn iou_replay<'a, S: Scalar>(
     trace: &IouTrace,
 ) -> S {
     let (a, b) = (a.into(), b.into());
-    // In a unit in which the area of what both cover is about one.
+    // In a unit in which the area of the union is about one.
     let seen = a
         .bounds()
         .into_iter()

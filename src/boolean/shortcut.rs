@@ -47,7 +47,7 @@ pub fn intersection<'a, S: Scalar<Mask = bool>>(
     made(a.into(), b.into(), BooleanOperation::Intersection, fill)
 }
 
-/// Returns the difference of two polygons of any kind: what is in the first and not in the second. See the
+/// Returns the difference of two polygons of any kind: the points in the first and not in the second. See the
 /// [module](super).
 ///
 /// ```
@@ -69,7 +69,7 @@ pub fn difference<'a, S: Scalar<Mask = bool>>(
     made(a.into(), b.into(), BooleanOperation::Difference, fill)
 }
 
-/// Returns the symmetric difference of two polygons of any kind: what is in exactly one of them. See the
+/// Returns the symmetric difference of two polygons of any kind: the points in exactly one of them. See the
 /// [module](super).
 ///
 /// # Errors

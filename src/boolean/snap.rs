@@ -18,7 +18,7 @@ impl Squares {
     fn half(self) -> i64 {
         1 << (self.bits - 1)
     }
-    /// Returns the square of a place.
+    /// Returns the square that contains a point.
     pub fn of(self, at: Point) -> Point {
         let number = |x: i64| (x + self.half()) >> self.bits;
         Point::new(number(at.x), number(at.y))

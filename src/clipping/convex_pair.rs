@@ -53,7 +53,7 @@ pub fn clip_search<S: Scalar<Mask = bool>, const N: usize, const M: usize, const
         let alone = list.len() == 1;
         let to = list[(k + 1) % list.len()];
         let (edge_a, edge_b) = (from.on_a / 2, from.on_b / 2);
-        // Vertices strictly between the two places, on either border.
+        // Vertices strictly between the two points, on either border.
         let around = if k + 1 == list.len() { 2 * n } else { 0 };
         let chain_a = vertices_between(from.on_a, to.on_a + around);
         let way_b = (to.on_b + 2 * m - from.on_b) % (2 * m);
@@ -87,7 +87,7 @@ pub fn clip_search<S: Scalar<Mask = bool>, const N: usize, const M: usize, const
     Ok(trace)
 }
 
-/// Returns the numbers of the vertices strictly between two places on a border, the end excluded.
+/// Returns the numbers of the vertices strictly between two points on a border, the end excluded.
 fn vertices_between(from: usize, to: usize) -> (usize, usize) {
     (from / 2 + 1, to.div_ceil(2))
 }

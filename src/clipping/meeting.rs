@@ -81,8 +81,8 @@ struct EdgeLine<'a, S> {
 }
 
 impl<S: Scalar<Mask = bool>> EdgeLine<'_, S> {
-    /// Returns the position on the edge of a place on its line: `Equal` at the start, `Greater` behind it and before
-    /// the end, else `None`.
+    /// Returns the position of a point on the edge's line: `Equal` at the start, `Greater` behind it and before the
+    /// end, else `None`.
     fn order(&self, point: Vec2<S>) -> Option<Ordering> {
         let [start, end] = self.a.edge(self.i);
         let ahead = left_to_right(start, end);

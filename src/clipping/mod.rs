@@ -10,8 +10,7 @@
 //! argument alone, where [`overlap_polygon`](crate::overlap_polygon) and [`hull::merge`](crate::hull::merge()) share
 //! derivatives between equals.
 //!
-//! For the area of what two polygons share nothing need be clipped: see
-//! [`overlap_polygon`](crate::overlap_polygon).
+//! For the area of an intersection nothing need be clipped: see [`overlap_polygon`](crate::overlap_polygon).
 mod convex_pair;
 pub(crate) mod crossing;
 mod half_plane;

@@ -28,7 +28,7 @@ impl<S: Scalar> Carry<S> for Border<S> {
     }
 }
 
-/// A line with a direction of length one, seen from the shape's anchor in units of its extent.
+/// A line with a direction of length one, relative to the shape's anchor in units of its extent.
 #[derive(Clone, Copy, Debug)]
 pub struct Beam<S> {
     pub(crate) from: Vec2<S>,
@@ -125,8 +125,8 @@ impl<S: Scalar> Inside<S> {
     /// Returns the range inside the rectangle over an edge that extends `radius` to both sides. The edge may lack its
     /// start or its end.
     ///
-    /// With a radius the ends are drawn in by some roundings. A disc around an end covers what is lost, so that its
-    /// border and not that of the end is found where both and the side meet.
+    /// With a radius the ends are drawn in by some roundings. A disc around an end covers the part that is lost, so
+    /// that the range ends at its border and not at the strip's end where both meet the side.
     #[inline(always)]
     pub fn strip(
         beam: Beam<S>,

@@ -8,8 +8,8 @@ use crate::{Scalar, Vec2};
 
 /// A box by its bounds.
 ///
-/// Its centre is taken after all is seen from nearby: far from the origin it would be rounded by more than the box
-/// is large.
+/// The centre is computed in coordinates relative to a nearby anchor: far from the origin its rounding would exceed the
+/// box's size.
 #[derive(Clone, Copy, Debug)]
 pub struct BoundsCore<S> {
     /// The corner with the least coordinates.

@@ -154,7 +154,7 @@ impl<S: Scalar, const CORNERS: usize, const AWAY: usize> Core<S> for EdgeCore<S,
 pub struct PolygonCore<S, const N: usize, const TRIANGLE: bool = false>(pub [Vec2<S>; N]);
 
 impl<S: Scalar, const N: usize, const TRIANGLE: bool> PolygonCore<S, N, TRIANGLE> {
-    /// Returns the corners counter-clockwise, as they are placed.
+    /// Returns the corners counter-clockwise, at their positions.
     ///
     /// The orientation is computed at the corner of the two shorter sides, where its rounding is smallest relative to
     /// their product. The normal of a short side depends on it.
@@ -290,7 +290,7 @@ impl<S: Scalar> Turn<S> for Rotation2<S> {
     }
 }
 
-/// A box: what it does with a corner it does in its own frame, where it is four comparisons.
+/// A box: a corner is compared with it in its own frame, by four comparisons.
 #[derive(Clone, Copy, Debug)]
 pub struct BoxCore<S, R> {
     /// The centre.

@@ -20,11 +20,11 @@ pub trait Core<S: Scalar>: Copy {
     const BOUNDED: bool = true;
     /// `true` if it is a box, whose corners need not be compared to know the farthest one from a point.
     const SYMMETRIC: bool = false;
-    /// Returns a point of it, or near it, from which the others are seen.
+    /// Returns a point of it, or near it, to which the others are relative.
     fn anchor(&self) -> Vec2<S>;
     /// Returns the largest absolute coordinate of its corners relative to a point, as a constant.
     fn extent(&self, from: Vec2<S>) -> S::Primal;
-    /// Returns the core seen from a point, in other units.
+    /// Returns the core relative to a point, in other units.
     #[must_use]
     fn placed(self, from: Vec2<S>, scale: S) -> Self;
     /// Returns the corners, around the core where there are more than two.
@@ -101,7 +101,7 @@ pub(super) fn face_deep<S: Scalar, B: Core<S>>(
     let lowest = first.mean();
     let foot = reach(face, lowest.on_b - face.from);
     let on_a = face.from + face.along * foot.t;
-    // Above the face the point itself, which one found from the face would only be to the face's digits.
+    // Above the face the point itself is taken, since one computed from the face has only the face's digits.
     let above = foot.free.equals(foot.t);
     let beside = on_a + normal * (lowest.ahead - height);
     let beyond = (foot.free - foot.t).magnitude() * S::from_primal(size_of(face.along));

@@ -41,7 +41,7 @@ pub struct Reach<S> {
     pub apart: Vec2<S>,
 }
 
-/// Returns the place of an edge that is nearest to the point `edge.from + arm`. Coordinates are of a size near one, or
+/// Returns the point of an edge that is nearest to the point `edge.from + arm`. Coordinates are of a size near one, or
 /// smaller.
 ///
 /// Edges shorter than ε² count as points: t is ½ (or the bound nearest to it), with derivative zero.

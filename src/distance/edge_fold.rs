@@ -49,7 +49,7 @@ impl<S: Scalar> EdgeFold<S> {
             winding: S::zero(),
         }
     }
-    /// Creates the fold of one edge, seen from a point.
+    /// Creates the fold of one edge for a point.
     #[inline(always)]
     pub fn of_edge(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> Self {
         let (distance, side) = edge_sides(point, from, to);
@@ -76,7 +76,7 @@ impl<S: Scalar> EdgeFold<S> {
             winding,
         }
     }
-    /// Adds the distance of another edge that ties with the nearest one, whatever rounding makes of the comparison.
+    /// Adds the distance of another edge that ties with the nearest one, although rounding may order them.
     #[inline(always)]
     pub(super) fn and_also(mut self, distance: S) -> Self {
         self.sum += distance;

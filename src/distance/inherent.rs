@@ -1,4 +1,4 @@
-//! Distances of points, and the places of segments that are nearest to a point, as methods that need no trait in scope.
+//! Distances of points, and the points of segments that are nearest to a point, as methods that need no trait in scope.
 use super::convex::{Convex, distance, squared_distance};
 use super::edge::{self, UnscaledSegment};
 use crate::scalar::Guard;

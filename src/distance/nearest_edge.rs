@@ -7,8 +7,8 @@ use crate::{Scalar, Vec2};
 /// Edges worked on side by side, in arrays that the compiler turns into SIMD.
 const SIDE: usize = 16;
 
-/// Returns the squared distance of the origin from an edge, and what the edge adds to the winding number
-/// around the origin.
+/// Returns the squared distance of the origin from an edge, and the edge's contribution to the winding number around
+/// the origin.
 #[inline(always)]
 fn measure<P: Scalar>(a: Vec2<P>, b: Vec2<P>) -> (P, P) {
     let zero = P::zero();

@@ -165,7 +165,7 @@ impl<S: Scalar> PairFormula<S> for Farthest {
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn aside<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec2<S> {
     let first = Vec2::new(S::one(), S::zero());
-    // Any others have a face that parts them, unless all their corners are one.
+    // All other pairs have a face that separates them, unless all their corners coincide.
     if A::DIMENSION + B::DIMENSION != 1 {
         return first;
     }

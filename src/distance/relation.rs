@@ -7,7 +7,7 @@ use super::share::{Best, Deepest, Nearest};
 use crate::scalar::speck;
 use crate::{Scalar, Vec2};
 
-/// The relation of two convex shapes. Lengths are in units of `1 / scale`, points are seen from `origin`.
+/// The relation of two convex shapes. Lengths are in units of `1 / scale`, points are relative to `origin`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relation<S: Scalar> {
     /// The signed distance of the cores.
@@ -19,7 +19,7 @@ pub(crate) struct Relation<S: Scalar> {
     pub on_a: Vec2<S>,
     /// The point of b's core.
     pub on_b: Vec2<S>,
-    /// `true` where the cores overlap without end: no shift of any length parts them.
+    /// `true` where the cores overlap without end: no translation separates them.
     pub endless: S::Mask,
     /// `true` where the cores share more than a border.
     pub overlap: S::Mask,
@@ -103,8 +103,8 @@ pub(crate) fn relate<S: Scalar, A: Convex<S>, B: Convex<S>, const ASK: u8>(
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> {
     let (a, b) = (a.core(), b.core());
-    // Seen from a point of the two, in units of their extent: neither the distance from the origin
-    // costs digits, nor does a product over- or underflow.
+    // Relative to a point of the two, in units of their extent: no digits are lost by the distance from the origin, and
+    // no product over- or underflows.
     let origin = a.anchor();
     let scale = scale_of::<S>(a.extent(origin).most(b.extent(origin)));
     let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
@@ -125,7 +125,7 @@ pub(crate) fn joined<S: Scalar>(
     scale: S,
 ) -> Relation<S> {
     let length = near.apart.length();
-    // Duals of the length of a speck pass through numbers beyond the largest one.
+    // Duals of a tiny length pass through numbers beyond the largest one.
     let along = near.apart.dot(direction.constant());
     let along = along.with_primal(length.primal());
     let length = S::select(length.at_most(S::lit(speck::<S>())), along, length);
@@ -148,7 +148,7 @@ pub(crate) fn joined<S: Scalar>(
     let parted = deep.value.above(S::lit(-S::LARGEST));
     let deep = deep.mean();
     // Shifted by their depth, cores that overlap touch, and then a corner of one is on an edge of the other: without
-    // the shift it is no farther from there than the depth. Faces too short to count would have parted any others.
+    // the shift it is no farther from there than the depth. Faces too short to count would have separated all others.
     let reachable = (S::lit(SLACK * S::EPSILON) - deep.ahead) - deep.ahead;
     let behind = deep.ahead.below(S::zero()) & length.at_most(reachable);
     // For a point on an edge, its offset and the face decide the side with different roundings. Few shapes are so
@@ -180,7 +180,7 @@ pub(crate) fn joined<S: Scalar>(
 /// Returns the nearest points of two cores that do not overlap.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Best<S, Nearest<S>> {
-    // A point is nothing but a corner: the other core's edges have seen it.
+    // A point is only a corner, which the other core's edges have been compared with.
     if A::DIMENSION == 0 && B::DIMENSION > 0 {
         return b.near(a.corners().as_ref()).flipped();
     }

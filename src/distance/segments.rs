@@ -5,7 +5,7 @@ use super::edge::{Edge, reach, scale_of, size_of};
 use super::share::{Best, Carry};
 use crate::{Scalar, Segment2, Vec2};
 
-/// The places in which two segments are nearest to each other.
+/// The points in which two segments are nearest to each other.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -101,11 +101,12 @@ pub fn closest_points_of_segments<S: Scalar>(
         & above_t.below(turn)
         & zero.below(above_u)
         & above_u.below(turn);
-    // Guarded before the division: what is not chosen must be finite, too.
+    // Guarded before the division, since the value that is not chosen must be finite, too.
     let safe = S::select(crossing, turn, one);
     let inside = |x: S| S::select(crossing, x, zero).over(safe);
     let (free_t, free_u) = (inside(above_t), inside(above_u));
-    // Rounding makes crossings of segments in line: none counts where an end is nearer than its two places are.
+    // Rounding produces crossings of collinear segments: none counts if an end is nearer than the crossing's two
+    // points.
     let off = da * free_t - (w + db * free_u);
     let rounding = S::lit((8.0 * S::EPSILON).powi(2));
     let crossing = crossing & off.length_squared().at_most(least.most(rounding));

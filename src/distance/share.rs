@@ -43,13 +43,12 @@ impl<S: Scalar, A: Carry<S>, B: Carry<S>> Carry<S> for (A, B) {
     }
 }
 
-/// A value by which candidates are compared, what the best ones carry, added up, and how many they
-/// are.
+/// A value by which candidates are compared, the sum of the data of the best ones, and their number.
 #[derive(Clone, Copy, Debug)]
 pub struct Best<S, C> {
     /// The value that is compared.
     pub value: S,
-    /// The sum of what the best ones carry.
+    /// The sum of the data of the best ones.
     pub sum: C,
     /// The number of best ones.
     pub count: S,
@@ -259,13 +258,13 @@ impl<S: Scalar> Best<S, Deepest<S>> {
         };
         self
     }
-    /// Returns the larger of two that are faces of different shapes, as [`most`](Best::most) but where both are
-    /// parallel and part the shapes equally.
+    /// Returns the larger of two that are faces of different shapes, like [`most`](Best::most) unless both are parallel
+    /// and separate the shapes equally.
     ///
-    /// With b turned by t from there its own face parts them by `−offset t + (p − h) |t|` more than that of a, where
-    /// p and h are half the lengths of the faces of b and a, and offset is how far their middles are apart. So for
-    /// both signs of t it is the longer face that parts them if the second term is larger; else one of them for each
-    /// sign, and the derivative is the mean.
+    /// With b turned by t from there its own face separates them by `−offset t + (p − h) |t|` more than that of a,
+    /// where p and h are half the lengths of the faces of b and a, and offset is the distance of their middles. So for
+    /// both signs of t the longer face separates them if the second term is larger; else one of them for each sign, and
+    /// the derivative is the mean.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn most_of_faces(self, other: Self) -> Self {

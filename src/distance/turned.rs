@@ -54,7 +54,7 @@ fn beyond<S: Scalar>(first: S, last: S, half: S) -> S {
 }
 
 /// Returns the corner of b that is nearest to a, or the corner of a that is nearest to b, and the direction from a to
-/// b. The point of b is seen from b's centre, so that its distance from a costs no digits.
+/// b. The point of b is relative to b's centre, so that its distance from a costs no digits.
 #[inline(always)]
 fn nearest<S: Scalar>(pair: &Relative<S>) -> Best<S, (Nearest<S>, Vec2<S>)> {
     let (h, p, cos, sin) = (pair.half_a, pair.half_b, pair.cos, pair.sin);
@@ -91,7 +91,7 @@ fn nearest<S: Scalar>(pair: &Relative<S>) -> Best<S, (Nearest<S>, Vec2<S>)> {
     Best::least(of_b.into_iter().chain(of_a))
 }
 
-/// Returns the face of a or b that parts them best; the point of b is seen from b's centre.
+/// Returns the face of a or b that separates them best; the point of b is relative to b's centre.
 #[inline(always)]
 fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
     let (h, p, cos, sin) = (pair.half_a, pair.half_b, pair.cos, pair.sin);
@@ -143,7 +143,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
     Best::most_of(pairs)
 }
 
-/// Returns the relation, in which each point is seen from the centre of its box along the axes of a.
+/// Returns the relation, in which each point is relative to the centre of its box, along the axes of a.
 #[inline(always)]
 fn related<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (Relation<S>, Rotation2<S>) {
     let (pair, turn, scale) = seen(a, b);

@@ -1,5 +1,5 @@
-//! Distances and nearest points of two axis-aligned boxes, axis by axis: what the functions of
-//! [`distance`](mod@crate::distance) do for them.
+//! Distances and nearest points of two axis-aligned boxes, axis by axis: the functions of
+//! [`distance`](mod@crate::distance) use them.
 use super::edge::{direction, scale_of, size_of};
 use super::outcome::{Contact, PointPair};
 use crate::arrays::Each;
@@ -96,10 +96,9 @@ fn facing<S: Scalar>(a: [S; 2], b: [S; 2]) -> ([S; 2], S) {
 /// Returns the points in which two axis-aligned boxes are nearest to each other, or which the shortest shift brings
 /// together where they overlap.
 ///
-/// Their [`closest_points`](super::closest_points): along sides
-/// that face each other the middle of what they share. All coordinates are bounds, or
-/// means of two, so that no size costs them digits. Kinks and jumps: where bounds tie, and where the depths of boxes
-/// that overlap do.
+/// They are their [`closest_points`](super::closest_points): along sides that face each other the middle of their
+/// common range. All coordinates are bounds, or means of two, so that no size costs them digits. Kinks and jumps: where
+/// bounds tie, and where the depths of boxes that overlap do.
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, distance::upright::closest_points_aabb2};
@@ -116,7 +115,7 @@ pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> PointPair<S>
     let [(x, gap_x), (y, gap_y)] = axes.each_as(|(a, b)| facing(a, b));
     let (apart_x, apart_y) = (gap_x.above(zero), gap_y.above(zero));
     let apart = apart_x | apart_y;
-    // The shallower axis parts boxes that overlap.
+    // The axis of the smaller depth separates boxes that overlap.
     let first = gap_x.at_least(gap_y);
     let parted = [apart_x | !apart & first, apart_y | !apart & !first];
     let [x, y] =

@@ -13,9 +13,8 @@ use crate::distance::share::{Best, Carry};
 use crate::scalar::speck;
 use crate::{Mask, Scalar, Vec3};
 
-/// Returns the anchor from which two cores are seen and the scale of their extent, so that no product over- or
-/// underflows. All products are of differences. Corners that were given are therefore not moved, which would round
-/// them.
+/// Returns a common anchor of two cores and the scale of their extent, so that no product over- or underflows. All
+/// products are of differences. Corners that were given are therefore not moved, which would round them.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn view<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
     let anchor = a.anchor();
@@ -56,7 +55,7 @@ pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<
     }
 }
 
-/// Returns the features that are nearest, or the planes that part two cores of plain numbers best.
+/// Returns the features that are nearest, or the planes that separate two cores of plain numbers best.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
     let (
@@ -150,7 +149,7 @@ fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
     let near = height - rise;
     let across = aside - Vec3::select(linear, u * along - normal * rise, none);
     let spread = across.length_squared();
-    // Duals of the length of a speck pass through numbers beyond the largest one.
+    // Duals of a tiny length pass through numbers beyond the largest one.
     let long = chosen.gap.above(lit(speck::<S>())) & !chosen.inside;
     let sum = (near * near + spread).root() + near;
     let bend = S::select(long, spread.over(S::select(long, sum, one)), zero) - rise;
@@ -208,7 +207,7 @@ fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn nearest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Candidate<P> {
     let mut n = 0;
-    // A point is nothing but a corner: the other core's edges have seen it.
+    // A point is only a corner, which the other core's edges have been compared with.
     if A::DIMENSION == 0 {
         let point = a.anchor();
         return b.near(point, Spot::corner(0)).flipped();
@@ -253,14 +252,14 @@ fn nearest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Candidate<P> {
     sum.times(P::one().over(count))
 }
 
-/// Returns the relation by the nearest points, or by the plane that parts two cores best.
+/// Returns the relation by the nearest points, or by the plane that separates two cores best.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> Joined<S> {
     let given = near.normal.length_squared().above(S::zero());
     let length = near.apart.length();
     // The mean of normals, of which some are none, is shorter than one.
     let direction = direction(Vec3::select(given, near.normal, near.apart));
-    // Duals of the length of a speck pass through numbers beyond the largest one.
+    // Duals of a tiny length pass through numbers beyond the largest one.
     let along = near.apart.dot(direction.constant());
     let along = along.with_primal(length.primal());
     let length = S::select(length.at_most(S::lit(speck::<S>())), along, length);
@@ -280,7 +279,7 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
     };
     let parted = deep.value.above(S::lit(-S::LARGEST));
     // Shifted by their depth, cores that overlap touch, and then a corner or an edge of one is on the other: without
-    // the shift it is no farther from there than the depth. Faces too small to count would have parted any others.
+    // the shift it is no farther from there than the depth. Faces too small to count would have separated all others.
     let reachable = (S::lit(SLACK * S::EPSILON) - deep.value) - deep.value;
     let behind = deep.value.below(S::zero()) & length.at_most(reachable);
     // For a point on a face, its height and the plane decide the side with different roundings. Few shapes are so

@@ -28,14 +28,14 @@ pub trait Core<S: Scalar>: Copy {
     /// `true` if corners are computed from a centre, to which a distance from the origin would cost digits. Corners
     /// that are given lose some where they are moved.
     const CENTERED: bool = false;
-    /// Returns a point of it, from which the others are seen.
+    /// Returns a point of it, to which the others are relative.
     fn anchor(&self) -> Vec3<S>;
     /// Returns the largest absolute coordinate of its corners relative to a point, as a constant.
     fn extent(&self, from: Vec3<S>) -> S::Primal;
-    /// Returns the core seen from a point.
+    /// Returns the core relative to a point.
     #[must_use]
     fn seen_from(self, from: Vec3<S>) -> Self;
-    /// Returns the core seen from a point, in other units.
+    /// Returns the core relative to a point, in other units.
     #[must_use]
     fn placed(self, from: Vec3<S>, scale: S) -> Self;
     /// Returns the core without derivatives.
@@ -121,7 +121,7 @@ pub struct BoxCore<S> {
 }
 
 impl<S: Scalar> BoxCore<S> {
-    /// Returns a point as its own axes see it, from the centre.
+    /// Returns the coordinates of a point along its own axes, relative to the centre.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn seen(&self, point: Vec3<S>) -> [S; 3] {
         let arm = point - self.center;

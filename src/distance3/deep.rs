@@ -167,7 +167,7 @@ pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
             let on_face = within(s, bound_v) & within(t, bound_u) & within(rest, bound_w);
             let along = long.dot(arm);
             let out = along - along.clamp(low, high);
-            // A normal of a needle has few digits, too few to place a foot.
+            // The normal of a needle has too few digits to locate a foot.
             let on_face = on_face & (out * out).at_most(past) & normal.clear;
             let (s, t) = (s * over, t * over);
             let foot = spot([(P::one() - s) - t, s, t]);
@@ -240,7 +240,7 @@ fn across_edges<P: Scalar, A: Core<P>, B: Core<P>>(
     PartingPlane::of_sides(sides)
 }
 
-/// The planes that part two cores best.
+/// The planes that separate two cores best.
 ///
 /// Planes that tie share the derivative. Corners and faces that tie share it if their foot is on the other face: they
 /// are the corners of the region where both faces overlap. Direction and points are those of the first plane and of
@@ -270,7 +270,7 @@ pub(super) struct Deepest<P> {
     pub lead: Vec3<P>,
 }
 
-/// Returns the planes that part two cores best; `None` where their difference has no volume.
+/// Returns the planes that separate two cores best; `None` where their difference has no volume.
 ///
 /// If several planes separate them equally within rounding, those of the highest grade count: their points are on both
 /// cores.

@@ -16,8 +16,8 @@ use crate::shape::{Line3, Ray3};
 use crate::{Scalar, Vec3};
 
 impl<S: Scalar> Straight<S> {
-    /// Returns the relation of a line or ray to a core, seen from there: far from the origin the ends of a part of the
-    /// line would lose digits.
+    /// Returns the relation of a line or ray to a core, in coordinates relative to the core: far from the origin the
+    /// ends of a part of the line would lose digits.
     #[inline(always)]
     fn relation<B: Core<S>>(self, core: B) -> Relation<S> {
         let anchor = core.anchor();
@@ -86,7 +86,7 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
     // Rounding decides the crossing of nearly parallel features, and nothing bounds its distance.
     let rounding = S::lit((8.0 * S::EPSILON).powi(2));
     cross.none = cross.none | cross.square.at_most(uu * vv * rounding);
-    // As of parallel features: the ends of b as a sees them.
+    // As for parallel features: the ends of b in parameters of a.
     let seen = |end: Vec3<S>| a.held(end.dot(u).over(uu)).0;
     let start = match b.reach {
         StraightKind::Line => zero,

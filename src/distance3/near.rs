@@ -277,8 +277,8 @@ pub(super) fn across<S: Scalar>(normal: Normal<S>, way: Vec3<S>) -> (Vec3<S>, Ve
     )
 }
 
-/// Returns the point of an edge that is nearest to a corner, seen from the nearer end, whose distance has more digits;
-/// where on the edge, from 0 to 1, and `true` if that is between its ends.
+/// Returns the point of an edge that is nearest to a corner, computed from the nearer end, whose distance has more
+/// digits; where on the edge, from 0 to 1, and `true` if that is between its ends.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn edge_near<S: Scalar>(
     edge: Edge<S>,

@@ -7,7 +7,7 @@ use crate::{Scalar, Vec3};
 pub(super) mod grade {
     /// A face without area: its plane is a bound, and no face of the difference of two cores.
     pub const EMPTY: f64 = -1.0;
-    /// The points are beyond an end, or what they are on supports no plane: it is nothing but a bound.
+    /// The points are beyond an end, or on a feature that supports no plane: it is only a bound.
     pub const BOUND: f64 = 0.0;
     /// The grade of two nearly parallel edges that cross.
     pub const STEEP: f64 = 1.0;

@@ -29,7 +29,7 @@ impl<S: Scalar> NearestEdge3<S> {
             count: S::one(),
         }
     }
-    /// Creates the fold of one edge, seen from a point.
+    /// Creates the fold of one edge for a point.
     #[must_use]
     #[inline(always)]
     pub fn of_edge(point: Vec3<S>, from: Vec3<S>, to: Vec3<S>) -> Self {

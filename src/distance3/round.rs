@@ -21,10 +21,10 @@ pub trait Revolved: Copy {
     fn axis(self) -> Vec3<Self::Scalar>;
     /// Returns the radius.
     fn radius(self) -> Self::Scalar;
-    /// Returns the section as the nearest point sees it, which is not across the axis: x along the axis from its start,
-    /// y across, the axis in the middle. A circle of the radius is at the end of the axis.
+    /// Returns the section for a nearest point, which is never beyond the axis: x along the axis from its start, y
+    /// across, the axis in the middle. A circle of the radius is at the end of the axis.
     fn near_section(height: Self::Scalar, radius: Self::Scalar) -> Self::Section;
-    /// Returns the section as the farthest point sees it, which is across the axis.
+    /// Returns the section for a farthest point, which is across the axis.
     fn far_section(height: Self::Scalar, radius: Self::Scalar) -> Self::Section;
 }
 
@@ -91,7 +91,7 @@ impl<S: Scalar> Revolved for Cone<S> {
     }
 }
 
-/// Returns the section of a cone whose base ends at some places across the axis.
+/// Returns the section of a cone whose base ends at given coordinates across the axis.
 #[inline(always)]
 fn ends<S: Scalar>(height: S, low: S, high: S) -> Triangle2<S> {
     Triangle2::new(

@@ -141,7 +141,7 @@ pub(super) struct Chosen<P: Scalar> {
     pub at_a: Spot<P>,
     /// The point of b as its core finds it.
     pub at_b: Spot<P>,
-    /// `true` if a plane parts the cores, which overlap or touch.
+    /// `true` if a plane gives the relation of the cores, which overlap or touch.
     pub inside: P::Mask,
     /// `true` if several planes or points do so equally.
     pub tied: P::Mask,

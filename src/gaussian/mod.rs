@@ -45,7 +45,7 @@ pub use wasserstein::{wasserstein, wasserstein_squared};
 
 use smooth::{excess, exp_minus_one, ln_one_plus};
 
-/// Two Gaussians of the plane seen from the first, in units of `1 / scale`.
+/// Two Gaussians of the plane in the frame of the first, in units of `1 / scale`.
 struct GaussianPair<S> {
     /// From the first mean to the second, in the first one's frame and in the second one's.
     offset: Vec2<S>,

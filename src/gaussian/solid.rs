@@ -1,8 +1,8 @@
 //! Boxes as Gaussians in space, for boxes of any orientation. Upright boxes are converted by [`Obb3::from`].
 //!
-//! With `D_ij = R_ij²` from the rotation R between the boxes, traces and determinants are sums over D with
-//! terms that are not negative; what would cancel for similar boxes is taken out by hand. The axes of the
-//! second box are renamed first so that R is as small as it can be.
+//! With `D_ij = R_ij²` from the rotation R between the boxes, traces and determinants are sums over D with terms that
+//! are not negative; terms that would cancel for similar boxes are removed by hand. The axes of the second box are
+//! renamed first so that R is as small as it can be.
 use super::smooth::{excess, ln_one_plus};
 pub use super::solid_wasserstein::{wasserstein, wasserstein_squared};
 use super::{finite_derivatives, fused, similarity, unit};
@@ -12,7 +12,7 @@ use crate::scalar::{least_of, most_of};
 use crate::shape::{Obb3, Rotation3};
 use crate::{Scalar, Vec3};
 
-/// Two Gaussians of space seen from the first, in units of `1 / scale`.
+/// Two Gaussians of space in the frame of the first, in units of `1 / scale`.
 struct GaussianPair3<S: Scalar> {
     /// From the first mean to the second, in the first one's frame and in the second one's.
     offset: [S; 3],

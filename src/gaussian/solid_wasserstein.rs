@@ -10,7 +10,7 @@ use crate::scalar::most_of;
 use crate::shape::{Obb3, Rotation3};
 use crate::{Scalar, Vec3};
 
-/// Two Gaussians of space seen from the first, lengths in the units of [`BoxUnits`] and [`Displacement`].
+/// Two Gaussians of space in the frame of the first, lengths in the units of [`BoxUnits`] and [`Displacement`].
 struct WassersteinPair<S: Scalar> {
     /// The displacement between the means.
     way: Displacement<S>,

@@ -10,7 +10,7 @@ use crate::{ConvexPolygon, Scalar, Vec2};
 pub struct MergeTrace<const K: usize> {
     /// One entry per vertex; the first `count` matter. Only corners of a and of b occur.
     pub corners: [Corner; K],
-    /// For corners of a at the place of a vertex of b: which one. Both share the derivative.
+    /// The vertex of b that coincides with a vertex of a, for each one. Both share the derivative.
     pub twins: [Option<usize>; K],
     /// The number of vertices of the hull.
     pub count: usize,

@@ -53,7 +53,7 @@ impl<S: Scalar> SeenCorner<S> {
 /// Returns the range of a line inside a hull of corners, from that behind its faces: empty where all corners are on one
 /// side, and the crossing of the hull where rounding leaves none or the hull is flat. Along a side it is that side.
 ///
-/// The corners are given as they are and as the beam sees them.
+/// The corners are given in the caller's coordinates and in those of the beam.
 #[inline(always)]
 pub(super) fn met<S: Scalar>(
     inside: Inside<S>,

@@ -3,8 +3,8 @@ use crate::distance::edge::{scale_of, size_of};
 use crate::twofold::{Halves, sum};
 use crate::{Mask, Scalar, Vec2};
 
-/// The sides of the ends of two segments. Signs are those of exact arithmetic; sizes are in units of the longest of the
-/// differences that they are made of, and right to some roundings.
+/// The sides of the ends of two segments. Signs are those of exact arithmetic; sizes are in units of the longest
+/// difference in their products, and right to some roundings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EndSides<P> {
     /// The sides of both ends of the other segment, seen along the base: positive to the left.

@@ -32,7 +32,7 @@ impl<S: Scalar> Carry<S> for Border<S> {
     }
 }
 
-/// A line seen from a shape in units of their extent, its direction in units of the direction's own size.
+/// A line relative to a shape in units of their extent, its direction in units of the direction's own size.
 #[derive(Clone, Copy, Debug)]
 pub struct Beam<S> {
     /// The point at parameter 0.
@@ -53,7 +53,7 @@ pub struct Inside<S> {
 
 /// Returns the parameters of both points at which a quadratic `a t² − 2 b t + c` vanishes, that of the smaller
 /// magnitude first, given `b² − a c`, with `a` not zero. The root that would cancel follows from the product of both:
-/// it is exactly zero where `c` is, and does not depend on `a` but by the discriminant.
+/// it is exactly zero where `c` is, and depends on `a` only by the discriminant.
 #[inline(always)]
 pub(super) fn roots<S: Scalar>(a: S, b: S, c: S, square: S) -> (S, S) {
     let (negative, root) = (b.below(S::zero()), square.root());

@@ -24,11 +24,11 @@ pub trait Pierced: Copy {
     /// Returns a guard with its numbers, too.
     #[doc(hidden)]
     fn guarded(self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
-    /// Returns a point of it, from which it is seen.
+    /// Returns a point of it, which is the origin of its local frame.
     fn anchor(self) -> Vec3<Self::Scalar>;
     /// Returns its extent from the anchor, as a constant.
     fn extent(self) -> <Self::Scalar as Scalar>::Primal;
-    /// Returns the range of a beam inside, both seen from the anchor in units of `1 / scale`.
+    /// Returns the range of a beam inside, both relative to the anchor in units of `1 / scale`.
     fn inside(self, beam: Beam<Self::Scalar>, scale: Self::Scalar) -> Inside<Self::Scalar>;
 }
 

@@ -42,7 +42,7 @@ impl<S: Scalar> Sight<S> {
         let arms = corners.each_as(|corner| corner - beam.from);
         let aside = arms.each_as(|arm| along.cross(arm));
         let mut spans = EDGES.each_as(|[i, j]| along.dot(aside[i].cross(aside[j])));
-        // Three roundings of a corner's place and two of its product, and as much again three times.
+        // Three roundings of a corner's coordinates and two of its product, times four for safety.
         let sizes = arms.each_as(|arm| S::from_primal(size_of(arm)));
         let length = size_of(along);
         let slack = largest(sizes) * length * S::Primal::lit(8.0 * S::EPSILON);
@@ -80,7 +80,7 @@ fn of_edge<S: Scalar>(numbers: [S; 6], from: usize, to: usize) -> S {
     }
 }
 
-/// Faces that a line meets in one place: the sum of the places, the normal of the first one, and how many they are.
+/// Faces that a line meets in one point: the sum of the points, the normal of the first one, and their number.
 struct Met<S: Scalar> {
     place: S,
     normal: Vec3<S>,
@@ -109,7 +109,7 @@ impl<S: Scalar> Met<S> {
     fn is_some(&self) -> S::Mask {
         self.count.above(S::zero())
     }
-    /// Returns the mean of the places.
+    /// Returns the mean of the points.
     #[inline(always)]
     fn mean(&self) -> S {
         self.place.over(self.count.most(S::one()))
@@ -125,8 +125,8 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
         .faces()
         .each_as(|face| sized(face.twice_area_normal()));
     let (zero, one) = (S::zero(), S::one());
-    // By which side the line sees of them: by spans without rounding's part; of those faces only the ones that all
-    // digits agree on, if there are any, so that only exact ties are shared.
+    // By the side of them that faces the line: by spans without those within rounding; of those faces only the ones
+    // that all digits agree on, if there are any, so that only exact ties are shared.
     let nothing = S::Primal::zero();
     let never = one.below(zero);
     let (mut lows, mut highs) = ([never; 4], [never; 4]);
@@ -169,7 +169,7 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
         with = with.join(high, place, normals[face]);
     }
     let both = against.is_some() & with.is_some();
-    // The chord of a flat solid is one place, of which all faces are part.
+    // The chord of a flat solid is one point, which is on all faces.
     let (low, high) = (against.mean(), with.mean());
     let pick = |mask: S::Mask, yes: S, no: S| S::select(mask, yes, no);
     let length = S::from_primal(size_of(beam.along));
@@ -183,7 +183,7 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
     let exit = pick(touch, all, pick(turned, low, high));
     let enter_normal = Vec3::select(turned, -with.normal, against.normal);
     let exit_normal = Vec3::select(turned, -against.normal, with.normal);
-    // Without faces on both sides it is seen edge-on: as a segment or a point; a chord between edges is a place of the
+    // Without faces on both sides it is seen edge-on: as a segment or a point; a chord between edges is a point of the
     // face that is met.
     let edges = edges_met(&sight);
     let no_edge = edges.1.value.below(edges.0.value);

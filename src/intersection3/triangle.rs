@@ -1,4 +1,4 @@
-//! Rays and segments against triangles, by signs that rounding does not decide.
+//! Rays and segments against triangles, by signs that rounding does not change.
 //!
 //! Seen along the ray a triangle is three points of a plane, and the ray is the origin. It hits the triangle where the
 //! origin is on one side of all edges, or on them. An edge of two triangles has two common points, with opposite signs.
@@ -134,8 +134,9 @@ impl<P: Scalar<Primal = P>> Sight<P> {
         let pairs = [(1, 2), (2, 0), (0, 1)];
         let values = pairs.map(|(i, j)| seen[i][0] * seen[j][1] - seen[i][1] * seen[j][0]);
         let reach = pairs.map(|(i, j)| size[i] + size[j]);
-        // Factors of a seen coordinate are below 4. Three roundings of each product and one of their difference leave 64 ε
-        // of a coordinate. Twice that and the roundings of a side, of coordinates below 32, are less than 192 ε.
+        // Factors of a relative coordinate are below 4. Three roundings of each product and one of their difference
+        // leave 64 ε of a coordinate. Twice that and the roundings of a side, of coordinates below 32, are less than
+        // 192 ε.
         let close = [0, 1, 2].map(|k| within(values[k], reach[k], 192.0 * P::EPSILON));
         // Weights by sides lose as many digits as the triangle looks thin.
         let [u, v, w] = values;
@@ -253,7 +254,7 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
     let total = sides[0] + sides[1] + sides[2];
     let last = turned.way.z * units.way;
     let crossed = ((u & v & w) | (x & y & z)) & !total.equals(zero);
-    // The rate at which the plane comes nearer has the sign of the sides, seen from along the last axis.
+    // The rate of approach to the plane has the sign of the sides, seen along the last axis.
     let rises = total.signed_as(last).above(zero);
     let reached = |behind: S::Primal| S::Primal::select(rises, behind, -behind).at_least(zero);
     let mut found = crossed & reached(start.value);
@@ -325,7 +326,7 @@ pub fn first_hit_triangle<S: Scalar>(ray: Ray3<S>, triangle: Triangle3<S>) -> Hi
 /// Returns the point in which a segment meets a triangle; both ends and the border belong to them. The parameter is the
 /// fraction of the way from start to end.
 ///
-/// As of [rays](first_hit_triangle), on the line through both ends: a triangle without area is missed, one seen
+/// As for [rays](first_hit_triangle), on the line through both ends: a triangle without area is missed, one seen
 /// edge-on, and by a segment of length zero. An end in the triangle is the point itself.
 ///
 /// ```

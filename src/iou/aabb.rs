@@ -55,7 +55,7 @@ fn generalised<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, hull: bool) -> S {
         let short = rest.below(S::zero());
         rest = S::select(short, rest.with_primal(S::Primal::zero()), rest);
     }
-    // Each of them is shared or one's own; both boxes' areas less what is counted twice.
+    // Each of them is shared or one's own; both boxes' areas less the area counted twice.
     let (wide_a, wide_b) = (x.a + x.both, x.b + x.both);
     let union = wide_a * (y.a + y.both) + (wide_b * y.b + x.b * y.both);
     (iou_aabb2(a, b) - outside_share(rest, union + rest)).canonical()

@@ -1,11 +1,11 @@
 //! The area of the convex hull of two boxes, in a straight line.
 //!
-//! In the frame of box a, with b turned by less than a quarter, the normals of all eight sides come in
-//! turns: one of a, one of b. Between two neighbouring normals both boxes have one corner farthest out.
-//! At every normal one of the boxes reaches farther; let `w` be 1 where that is a, 0 where it is b, and
-//! ½ at an exact tie. Then the hull has a's side at a normal of a where `w` is 1, b's side at one of b
-//! where it is 0, and between two normals with different `w` it goes over from one box's corner to the
-//! other's. So with the corners `A`, `B` of each of the eight gaps, and each side from `P` to `Q`,
+//! In the frame of box a, with b turned by less than a quarter, the normals of all eight sides alternate: one of a, one
+//! of b. Between two neighbouring normals both boxes have one corner farthest out. At every normal one of the boxes
+//! reaches farther; let `w` be 1 where that is a, 0 where it is b, and ½ at an exact tie. Then the hull has a's side at
+//! a normal of a where `w` is 1, b's side at one of b where it is 0, and between two normals with different `w` it goes
+//! over from one box's corner to the other's. So with the corners `A`, `B` of each of the eight gaps, and each side
+//! from `P` to `Q`,
 //!
 //! ```text
 //! 2 area = Σ sides of a: w (P × Q) + Σ sides of b: (1 − w) (P × Q) + Σ gaps: (w − w′) (A × B)

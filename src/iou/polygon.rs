@@ -42,8 +42,8 @@ pub fn giou_polygons_replay<S: Scalar, const N: usize, const M: usize, const K: 
 ) -> S {
     let shared = measure(a, b);
     let [inter, area_a, area_b] = shared.areas;
-    // Far from what it is seen from a polygon has the digits of its distance; without an overlap nothing need
-    // agree with the other one's.
+    // Far from its local origin a polygon has the digits of its distance; without an overlap nothing need agree with
+    // the other one's.
     let own = |known: S, vertices: &[Vec2<S>]| {
         S::select(shared.nothing, shared.seen.own_area(vertices), known)
     };

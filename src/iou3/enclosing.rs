@@ -32,7 +32,7 @@ pub(super) fn outside<S: Scalar>(covered: [S; 2], shared: S, empty: S::Mask) -> 
     let [a, b] = covered;
     // In differences that are exactly zero for a box within the other one that is all there is.
     let rest = (S::one() - a.most(b)) - (a.least(b) - shared);
-    // Rounding can leave the shape around a little smaller than what it encloses.
+    // Rounding can leave the shape around a little smaller than the boxes in it.
     let short = rest.below(S::zero());
     let rest = S::select(short, rest.with_primal(S::Primal::zero()), rest);
     S::select(empty, S::zero(), rest)
@@ -108,7 +108,7 @@ pub(super) fn of_aligned<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>, iou: S, kind: Encl
     of_upright(seen(a), seen(b), iou, kind)
 }
 
-/// The grounds of two upright boxes and what is around them, lengths in units of `1 / scale`.
+/// The grounds of two upright boxes and the shape around them, lengths in units of `1 / scale`.
 struct Ground<S: Scalar> {
     /// The shares of its area that both cover.
     covered: [S; 2],

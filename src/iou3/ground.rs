@@ -149,7 +149,7 @@ impl<S: Scalar> MirroredPair<S> {
             | (differ(of_a[1], none) | differ(of_a[3], none)) & is_long(a.x);
         let sides_of_b = (differ(of_b[0], all) | differ(of_b[2], all)) & is_long(b.y)
             | (differ(of_b[1], all) | differ(of_b[3], all)) & is_long(b.x);
-        // From a corner of a to one of b, and where that is an edge; opposite ones four places apart.
+        // From a corner of a to one of b, and where that is an edge; opposite ones four indices apart.
         let over = |side: Vec2<S>, arm: Vec2<S>| (c + arm) - side;
         let [a0, a1] = [a, Vec2::new(-a.x, a.y)];
         let (b0, b1) = (p + q, q - p);
@@ -216,7 +216,7 @@ pub(super) fn least_rectangle<S: Scalar>(pair: &Relative<S>) -> Rectangle<S> {
         sum.size.x += taken(S::select(x.steep, width, length));
         sum.size.y += taken(S::select(x.steep, length, width));
     }
-    // Two points in one place have no direction, and nothing is around them.
+    // Two points that coincide have no direction, and nothing is around them.
     let count = count.most(S::Primal::one());
     let mean = |x: S| x.over(S::from_primal(count));
     Rectangle {

@@ -23,7 +23,7 @@ fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
     };
     let gap = most_of([faces(0), faces(1), faces(2)]);
     let least = S::lit(64.0 * S::EPSILON);
-    // The gap along a's edge i cross b's edge m, or what is given where both are parallel.
+    // The gap along a's edge i cross b's edge m, or the given number if both are parallel.
     let edges = |i: usize, m: usize, gap: S| {
         let (j, l) = ((i + 1) % 3, (i + 2) % 3);
         let (a, b) = ((m + 1) % 3, (m + 2) % 3);

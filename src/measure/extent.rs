@@ -14,8 +14,8 @@ pub struct Farthest {
     pub to: usize,
 }
 
-/// The place in which a set of points is narrowest, by index: between the line through two of them, neighbours on
-/// the hull, and a third one.
+/// The record of the width of a set of points, by index: between the line through two of them, neighbours on the hull,
+/// and a third one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Narrowest {
     /// The edge of the hull from here ...

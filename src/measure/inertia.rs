@@ -173,7 +173,7 @@ impl<S: Scalar> Tetrahedron<S> {
 }
 
 impl<S: Scalar> RoundBox3<S> {
-    /// Returns the inertia about the centre by unit density: the sum over the box inside, what is beyond its faces,
+    /// Returns the inertia about the centre by unit density: the sum over the box inside, the slabs beyond its faces,
     /// quarters of cylinders along its edges, and eighths of a ball at its corners.
     #[must_use]
     #[inline]

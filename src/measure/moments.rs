@@ -74,7 +74,8 @@ impl<S: Scalar> AreaMoments<S> {
 /// six times `∫x`, `∫y`, twelve times `∫x²`, `∫y²`, twenty-four times `∫xy`.
 pub type Sums<S> = [S; 6];
 
-/// Returns the body of the fold: what the edge from `start` to `end`, [placed](Reference::place), contributes.
+/// Returns the body of the fold: the contribution of the edge from `start` to `end`, in [local
+/// coordinates](Reference::place).
 ///
 /// With `k = p × q`: `k`, `(p + q) k`, `(p² + p q + q²) k` by coordinate, and
 /// `(2 p_x p_y + p_x q_y + q_x p_y + 2 q_x q_y) k` (Green's theorem).

@@ -40,8 +40,8 @@ fn advance<S: Scalar<Mask = bool>>(
     from
 }
 
-/// Returns the rectangle of least area that has all points inside, and what it rests on. Its heading is that
-/// of an edge of the hull. `None` for no points, and for points on a line. `O(n log n)`.
+/// Returns the rectangle of least area that has all points inside, and the record of the points on its sides. Its
+/// heading is that of an edge of the hull. `None` for no points, and for points on a line. `O(n log n)`.
 ///
 /// Kink: several rectangles of equal area. Derivatives: see [`rectangle_replay`]. Source: Freeman and Shapira 1975 (one
 /// side lies along an edge of the hull); rotating calipers, Toussaint 1983.

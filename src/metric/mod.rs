@@ -23,9 +23,9 @@ pub mod nuscenes;
 
 /// The detections and truths of one image or scan, of one class; or of all frames, one after another.
 ///
-/// Pairs of places in the lists of all frames join those of one frame only, as
-/// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped) gives them. So one call judges all frames, with the outcomes
-/// of a call per frame.
+/// Pairs of indices in the lists of all frames join those of one frame only, as
+/// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped) gives them. So one call judges all frames, with the
+/// outcomes of a call per frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
     /// The score of every detection.
@@ -60,7 +60,7 @@ impl<'a> Frame<'a> {
 pub enum Outcome {
     /// It found this truth.
     Right(usize),
-    /// It found nothing, or what another one had found.
+    /// It found nothing, or a truth that another one had found.
     Wrong,
     /// It counts neither as right nor as wrong.
     Ignored,

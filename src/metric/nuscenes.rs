@@ -219,7 +219,8 @@ fn running_means(numbers: impl Iterator<Item = f64> + Clone) -> Vec<f64> {
     numbers.map(mean).collect()
 }
 
-/// Returns the value at a place, linearly between the values at ascending places; of equal places the last one counts.
+/// Returns the value at a coordinate, interpolated linearly between the values at ascending coordinates; of equal
+/// coordinates the last one counts.
 fn between(at: f64, places: &[f64], values: &[f64], beyond: f64) -> f64 {
     let after = places.partition_point(|&place| place <= at);
     let last = places.len() - 1;
@@ -392,7 +393,7 @@ pub(crate) fn judged(frames: &Frames<'_>, order: &[usize], found: &[Option<usize
             .collect()
     };
     let (precision, score) = (read(&precision), read(&score));
-    // Scores descend, and places ascend.
+    // Scores descend, and coordinates ascend.
     right_scores.reverse();
     let errors = std::array::from_fn(|k| {
         let mut means = running_means(right_errors.iter().map(|errors| errors[k]));

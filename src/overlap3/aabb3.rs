@@ -14,7 +14,7 @@ pub(crate) struct SharedBounds<S: Scalar> {
     pub volumes: [S; 3],
     /// `true` where the boxes are apart or merely touch.
     pub apart: S::Mask,
-    /// `true` where both are the same box.
+    /// `true` where both boxes are equal.
     pub same: S::Mask,
     /// The power of two by which sizes were multiplied.
     pub scale: S,

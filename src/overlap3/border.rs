@@ -19,7 +19,7 @@
 //!    + Σ corners             s_0 s_1 s_2 · X_0 X_1 X_2
 //! ```
 //!
-//! Every integrand is a polynomial between the places where a coordinate begins or ceases to be clamped. These
+//! Every integrand is a polynomial between the points where a coordinate begins or ceases to be clamped. These
 //! crossings are computed once per edge and shared by the faces that meet there, so that rounding cannot tear the
 //! border.
 //!
@@ -74,7 +74,7 @@ fn glance<S: Scalar>(pair: &Relative3<S>) -> Glance<S> {
     }
     let (mut in_a, mut in_b) = (S::one(), S::one());
     let (mut a_inside, mut b_inside) = (zero.at_most(zero), zero.at_most(zero));
-    // A face that is touched is a kink whose sides share, found where the faces' integrals are.
+    // A face that is touched is a kink whose sides share the derivative; the faces' integrals detect it.
     let clear = S::lit(1.0 - 32.0 * S::EPSILON);
     for i in 0..3 {
         let reach = (steep[i][0] * p[0] + steep[i][1] * p[1]) + steep[i][2] * p[2];
@@ -99,7 +99,7 @@ fn glance<S: Scalar>(pair: &Relative3<S>) -> Glance<S> {
         }
     }
     let most = S::select(gap.above(zero), zero, in_a.least(in_b));
-    // Rounding of a giant's place may part it from what it holds.
+    // Rounding of a huge box's position may separate it from a box inside it.
     let own = volume_from_half(h).least(volume_from_half(p)).most(zero);
     Glance {
         most: S::select(a_inside | b_inside, own, most),
@@ -273,8 +273,8 @@ fn by_half<S: Scalar>(half: [S; 3], i: usize) -> S {
     face + face
 }
 
-/// Returns the overlap of boxes that are the same set of points: exactly their volume, each size with half the
-/// derivative, and no derivative by motion, by symmetry. Boxes without volume have no derivatives at all.
+/// Returns the overlap of boxes that are one set of points: exactly their volume, each size with half the derivative,
+/// and no derivative by motion, by symmetry. Boxes without volume have no derivatives at all.
 #[inline(always)]
 fn same_box<S: Scalar, const DERIVATIVE: bool>(
     pair: &Relative3<S>,

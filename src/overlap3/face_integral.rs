@@ -142,11 +142,11 @@ impl<S: Scalar> Sums<S> {
 /// Returns a face of b: the one across b's axis 2, low or high `side`, seen along a's axis 2; and its edges along
 /// axis 0.
 ///
-/// The face seen so is a parallelogram F' in the plane of x = axis 0 and y = axis 1, over which the plane
-/// of the face is `z = z_c + b x + c y`. It is integrated over F' cut with a's rectangle: its border
-/// consists of four edges of the face and four sides of the rectangle. On each level ζ (zero, the upper
-/// and the lower bound of z) a *level point* p is chosen from which the indicator of z > ζ does not change
-/// along rays; so areas and integrals are sums over the border of `cross(q − p, dq)`:
+/// The projection of the face is a parallelogram F' in the plane of x = axis 0 and y = axis 1, over which the plane of
+/// the face is `z = z_c + b x + c y`. It is integrated over F' cut with a's rectangle: its border consists of four
+/// edges of the face and four sides of the rectangle. On each level ζ (zero, the upper and the lower bound of z) a
+/// *level point* p is chosen from which the indicator of z > ζ does not change along rays; so areas and integrals are
+/// sums over the border of `cross(q − p, dq)`:
 ///
 /// ```text
 /// ∫ clamp(z) = (Σ d⁰ W + z₀ A₀ + k⁺ A⁺ + k⁻ A⁻) / 3,   W = ∫ clamp(z) along a side

@@ -75,8 +75,8 @@ fn volume_and_slope<S: Scalar>(pair: &Relative3<S>, found: &Shared3<S>) -> S {
     moved_by(pair, found, |g| S::from_primal(g.primal()))
 }
 
-/// Returns the pair as constants where sizes or places are so different that second derivatives could overflow:
-/// there only first ones are served.
+/// Returns the pair as constants where sizes or positions are so different that second derivatives could overflow: only
+/// first derivatives exist there.
 #[inline(always)]
 fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
     let large = |v: [S; 3]| {
@@ -101,7 +101,7 @@ fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
 pub(super) fn far_apart<S: Scalar>(pair: &Relative3<S>) -> S::Mask {
     // (|h| + |p|)² ≤ 2 |h|² + 2 |p|², with room for rounding.
     let reach = squared_length(pair.half_a) + squared_length(pair.half_b);
-    // Not "above": a centre whose place in the pair's unit overflowed may be no number.
+    // Not "above": a centre whose coordinates in the pair's unit overflowed may be NaN.
     !squared_length(pair.center).at_most(reach * S::Primal::lit(2.001))
 }
 
@@ -111,7 +111,7 @@ fn squared_length<S: Scalar>(v: [S; 3]) -> S::Primal {
     (x * x + y * y) + z * z
 }
 
-/// Returns the pair as a function of its own: what it needs of the stack is free again when volumes are measured.
+/// Relates the pair in a function of its own, so that its stack is free again when volumes are measured.
 #[inline(never)]
 pub(super) fn related<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
     relate3(a, b)

@@ -7,9 +7,9 @@ use crate::Scalar;
 pub struct Renaming<S: Scalar> {
     /// The axes were exchanged in pairs: y and z, z and x, x and y.
     exchanged: [S::Mask; 3],
-    /// Axis 0 is what was axis 1, axis 1 was 2, axis 2 was 0.
+    /// The new axes 0, 1 and 2 are the old axes 1, 2 and 0.
     forward: S::Mask,
-    /// Axis 0 is what was axis 2, axis 1 was 0, axis 2 was 1.
+    /// The new axes 0, 1 and 2 are the old axes 2, 0 and 1.
     backward: S::Mask,
 }
 

@@ -94,7 +94,7 @@ fn score_related_vjp<S: Scalar, const EXTREME: bool, const PIECES: bool>(
     out_bar: S,
 ) -> (S, (Obb3<S>, Obb3<S>)) {
     let (mut shared, volume_a, volume_b) = shared_within::<S, PIECES>(pair);
-    // Centres so far apart that their place in the pair's unit overflows have no derivatives either.
+    // Centres so far apart that their coordinates in the pair's unit overflow have no derivatives either.
     let apart = far_apart(pair);
     for derivatives in [
         &mut shared.center,

@@ -1,17 +1,17 @@
 //! Overlap of two polygons of any shape, with holes and of many parts: nothing is clipped, no polygon is built, and
 //! nothing is allocated for polygons of one ring.
 //!
-//! Rings have either orientation and do not cross (what an odd number of them enclose is inside): see
-//! [`polygon`](crate::polygon). Crossing and self-intersecting rings are for
-//! [`boolean`](crate::boolean). The method is the sum over pairs of edges of the [parent](super)
-//! module, `O(n m)`, and so are the kinks. Adjoints: [`ad::adjoint::overlap_rings`](crate::ad::adjoint::overlap_rings).
+//! Rings have either orientation and do not cross (points in an odd number of them are inside): see
+//! [`polygon`](crate::polygon). Crossing and self-intersecting rings are for [`boolean`](crate::boolean). The method is
+//! the sum over pairs of edges of the [parent](super) module, `O(n m)`, and so are the kinks. Adjoints:
+//! [`ad::adjoint::overlap_rings`](crate::ad::adjoint::overlap_rings).
 use super::{between, shared_twice};
 use crate::overlap::{ratio_of_first, ratio_of_union};
 use crate::polygon::{Rings, Sides};
 use crate::reference::Reference;
 use crate::{Scalar, Vec2};
 
-/// Edges of one polygon that are seen at a time.
+/// A tile of edges of one polygon, processed together.
 const TILE: usize = 32;
 
 /// Some edges of a polygon, in local coordinates.

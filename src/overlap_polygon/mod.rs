@@ -3,18 +3,18 @@
 //!
 //! # The method
 //!
-//! Let `c` be any place. A closed ring is the sum, with signs, of the triangles `T(f)` from `c` over
-//! its edges `f`: around every point they add up to the number of times that the ring winds around it.
-//! So for any ring `P` and a polygon `K`
+//! Let `c` be any point. A closed ring is the sum, with signs, of the triangles `T(f)` from `c` over its edges `f`:
+//! around every point they add up to the number of times that the ring winds around it. So for any ring `P` and a
+//! polygon `K`
 //!
 //! ```text
 //! area(P ∩ K) = Σ over edges f of P, g of K:  sign(f) sign(g) area(T(f) ∩ T(g)),
 //! ```
 //!
-//! where regions that `P` winds around twice count twice and clockwise ones (holes) count negative.
-//! Two triangles with a common corner share the directions between the later of their first and the
-//! earlier of their last rays, and along each ray what is nearer. With `Δ` the part of `f` between
-//! the two rays, and `x`, `y` by how much of itself `f` lies beyond `g` on either ray,
+//! where regions that `P` winds around twice count twice and clockwise ones (holes) count negative. Two triangles with
+//! a common corner share the directions between the later of their first and the earlier of their last rays, and along
+//! each ray the range up to the nearer edge. With `Δ` the part of `f` between the two rays, and `x`, `y` by how much of
+//! itself `f` lies beyond `g` on either ray,
 //!
 //! ```text
 //! 2 area(T(f) ∩ T(g)) = (f₀ × f₁) Δ h(x, y),     h = (1 − x)(1 − y)      where one edge is nearer,
@@ -44,7 +44,7 @@ pub use quad::intersection_area_quads;
 pub(crate) use quad::{QuadPair, TINY, check_quad, choose_quad, is_convex, swapped};
 pub(crate) use wedge::{Fan, Wedge, between, mixed, shared_twice};
 
-/// Areas of two convex polygons and of what they share, in the local unit of a reference.
+/// Areas of two convex polygons and of their intersection, in the local unit of a reference.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SharedArea<S: Scalar> {
     pub seen: Reference<S>,
@@ -64,8 +64,8 @@ fn least_bounds<S: Scalar>(polygon: &[Vec2<S>]) -> Aabb2<S> {
     })
 }
 
-/// Returns a place inside a convex polygon, in local coordinates, at which no vertex of another one is to be
-/// expected: there it would have no direction. So the vertices have weights of no simple ratio.
+/// Returns a point inside a convex polygon, in local coordinates, at which no vertex of another one is to be expected:
+/// a vertex there would have no direction. So the vertices have weights of no simple ratio.
 #[inline(always)]
 fn middle<S: Scalar>(polygon: &[Vec2<S>], seen: &Reference<S>) -> Vec2<S> {
     let (mut sum, mut total) = (Vec2::zero(), 0.0);
@@ -225,8 +225,8 @@ pub fn iof_polygons<S: Scalar, const N: usize, const M: usize>(
     ratio_of_first(inter, area_a).canonical()
 }
 
-/// The convex polygon that rings are measured against, and the place from which both are seen. The body of a fold
-/// over edges takes it.
+/// The convex polygon that rings are measured against, and the local frame of both. The body of a fold over edges takes
+/// it.
 #[derive(Clone, Copy, Debug)]
 pub struct Window<S: Scalar, const M: usize> {
     pub(crate) seen: Reference<S>,
@@ -259,7 +259,7 @@ impl<S: Scalar, const M: usize> Window<S, M> {
             apart,
         }
     }
-    /// Returns the body of the fold: what the edge from `start` to `end` contributes. Contributions are added.
+    /// Returns the body of the fold: the contribution of the edge from `start` to `end`. Contributions are added.
     #[must_use]
     #[inline(always)]
     pub fn of_edge(&self, start: Vec2<S>, end: Vec2<S>) -> S {

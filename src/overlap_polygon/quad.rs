@@ -103,7 +103,7 @@ fn least_of<S: Scalar>(x: [S; 4]) -> S::Primal {
     x[0].least(x[1]).least(x[2].least(x[3]))
 }
 
-/// Two quadrilaterals, seen from a corner of b in units of the larger one.
+/// Two quadrilaterals, relative to a corner of b in units of the larger one.
 pub(crate) struct QuadPair<S: Scalar> {
     /// The corners of a and of b (where they are exchanged: of b and of a), half as far from the first one of b,
     /// times `scale`.
@@ -247,7 +247,7 @@ impl<S: Scalar> QuadPair<S> {
     #[inline(always)]
     pub fn new(a: [Vec2<S>; 4], b: [Vec2<S>; 4]) -> Self {
         let zero = S::zero();
-        // Halved first, so that a difference of huge numbers is finite, and seen from a corner of b.
+        // Halved first, so that a difference of huge numbers is finite, and relative to a corner of b.
         let (mut at, mut to) = ([Vec2::zero(); 4], [Vec2::zero(); 4]);
         let mut ways = [Vec2::zero(); 4];
         let mut k = 0;
@@ -303,7 +303,7 @@ impl<S: Scalar> QuadPair<S> {
             let next = (k + 1) % 4;
             let corner = at[k].perp_dot(at[next]);
             own += corner;
-            // Corners of b seen from edge k of a.
+            // Corners of b relative to edge k of a.
             let mut i = 0;
             while i < 4 {
                 left_of_a[k][i] = corner + (cross[i][k] - cross[i][next]);

@@ -1,10 +1,10 @@
-//! Triangles over the edges of two rings, seen from one place: what every two of them share.
+//! Triangles from one point over the edges of two rings: the intersection of every two of them.
 use super::quad::TINY;
 use crate::reference::Reference;
 use crate::{Mask, Scalar, Vec2};
 
-/// An edge of a ring against an edge of a polygon, seen from a common place and both turned so that
-/// they run counter-clockwise around it.
+/// An edge of a ring against an edge of a polygon, relative to a common point and both turned so that they run
+/// counter-clockwise around it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wedge<S: Scalar> {
     /// `true` where the triangles share any direction.
@@ -122,7 +122,7 @@ pub(crate) fn between<S: Scalar>(
 #[inline(always)]
 pub(crate) fn shared_twice<S: Scalar>(pair: &Wedge<S>, of_g: S::Mask) -> S {
     let (zero, one) = (S::zero(), S::one());
-    // Seen from g both change places. A triangle of which the reciprocal may be infinite is none to see from.
+    // For g both are exchanged. A triangle whose reciprocal may be infinite cannot be the divisor.
     let of_g = of_g & pair.twice[1].above(S::lit(TINY * S::EMPTY));
     let choose = |by_g: S, by_f: S| S::select(of_g, by_g, by_f);
     let skips = of_g & !pair.first_g | !of_g & pair.first_g;
@@ -131,7 +131,7 @@ pub(crate) fn shared_twice<S: Scalar>(pair: &Wedge<S>, of_g: S::Mask) -> S {
     let turned = |[f, g, more]: [S; 3]| [choose(g, f), choose(f, g), choose(-more, more)];
     let ([a, b, alpha], [far_a, far_b, beta]) = (turned(pair.first), turned(pair.last));
     let excess = |at: S, by: S, other: S| {
-        // On the other's border it counts where it comes from beyond or goes there.
+        // On the other's border it counts if it comes from beyond or leads there.
         let beyond = (by.above(zero) | (by.equals(zero) & other.above(zero))) & at.above(zero);
         let share = S::select(beyond, by, zero).over(S::select(beyond, at, one));
         // Rounding apart it is at most one.

@@ -1,11 +1,11 @@
-//! The place of a point, seen from a polygon.
+//! The location of a point relative to a polygon.
 use super::{Fill, Rings};
 use crate::contain::{Location, locate};
 use crate::distance::ring::{EdgeFold, fold_ring};
 use crate::{Scalar, Vec2};
 
 impl<S: Scalar<Mask = bool>> Rings<'_, S> {
-    /// Returns the place of a point: on the border, or how often the rings wind around it. Search exactly.
+    /// Returns the location of a point: on the border, or the winding number of the rings around it. Search exactly.
     #[must_use]
     pub fn locate(&self, point: Vec2<S>) -> Location {
         let mut sum = 0;

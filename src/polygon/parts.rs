@@ -110,7 +110,7 @@ impl<S: Scalar> Rings<'_, S> {
     /// # Errors
     ///
     /// [`Flaw::Ring`] with the ring and its first vertex at fault: of fewer than three vertices the number of them, of
-    /// more in fewer than three places the first one at the place of an earlier one.
+    /// more at fewer than three points the first one that coincides with an earlier one.
     pub fn validate(&self) -> Result<(), Flaw>
     where
         S: Scalar<Mask = bool>,

@@ -70,7 +70,7 @@ fn lies_in<S: Scalar<Mask = bool>>(
     outer: &[Vec2<S>],
     where_identical: bool,
 ) -> bool {
-    // Vertices may lie on the other border. Between two of them there is then a place that does not.
+    // Vertices may lie on the other border. Between two of them there is then a point that does not.
     let between = edges(inner)
         .map(|[p, q]| Vec2::new(p.x.halved() + q.x.halved(), p.y.halved() + q.y.halved()));
     let places = inner.iter().copied().chain(between);

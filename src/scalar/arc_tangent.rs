@@ -79,7 +79,7 @@ impl<W: Scalar<Primal = W>> Octant<W> {
             sign,
         }
     }
-    /// Returns the numerator and the denominator of `r`, each with what it lacks.
+    /// Returns the numerator and the denominator of `r`, each with its rounding error.
     #[inline(always)]
     fn quotient(short: W, long: W, is_diagonal: W::Mask) -> [[W; 2]; 2] {
         let (zero, one) = (W::zero(), W::one());
@@ -122,7 +122,7 @@ pub(crate) fn atan2_wide<W: Scalar<Primal = W>>(y: W, x: W) -> W {
     let [[above, above_lacks], [below, below_lacks]] =
         Octant::quotient(short, long, octant.is_diagonal);
     let inverse = W::one().over(below);
-    // The quotient as a half and what is left of it.
+    // The quotient as a high half and the rest.
     let [r, _] = halves(above * inverse);
     let [high, low] = halves(below);
     let left = ((above - r * high) - r * low) + (above_lacks - r * below_lacks);

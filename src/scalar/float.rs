@@ -175,7 +175,7 @@ pub trait Float: Copy + std::fmt::Debug + Send + Sync + 'static {
     fn not(a: Self::Bits) -> Self::Bits;
 }
 
-/// Both formats: the macro takes what the two differ in.
+/// Both formats: the arguments of the macro are their differences.
 macro_rules! float {
     ($f:ident, $bits:ident, compensated: $compensated:literal, parallel: $parallel:literal,
      low_half: $low:literal, mantissa: $mantissa:literal,

@@ -17,9 +17,9 @@
 //!
 //! # Three kinds of functions
 //!
-//! * *Straight lines* ask for `S: Scalar` alone. They run on floats, SIMD lanes, duals and the symbols of a
+//! * *Straight lines* require `S: Scalar` alone. They run on floats, SIMD lanes, duals and the symbols of a
 //!   [recording](crate::ad::program).
-//! * *Searches* (clipping, hulls) ask for `S: Scalar<Mask = bool>`. `…_search` returns a record of the decisions, which
+//! * *Searches* (clipping, hulls) require `S: Scalar<Mask = bool>`. `…_search` returns a record of the decisions, which
 //!   holds no numbers; `…_replay` computes the result from inputs and record, with derivatives.
 //! * *Folds* are sums over the edges of a list of any length ([`Fold`](crate::kernels::Fold)).
 //!

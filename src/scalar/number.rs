@@ -227,8 +227,8 @@ pub trait Scalar:
     /// Returns `true` where the value is neither infinite nor NaN.
     ///
     /// A guard stands before the operation that needs it: `x.over(S::select(y.equals(zero), one, y))`, then a choice.
-    /// On a GPU a check of the result is none, because drivers fold a divisor that is always zero, and what they make
-    /// of the quotient is neither infinite nor NaN; nor does a check afterwards keep derivatives finite.
+    /// On a GPU a check of the result is unreliable, because drivers fold a divisor that is always zero, and their
+    /// quotient is neither infinite nor NaN; nor does a check afterwards keep derivatives finite.
     #[inline(always)]
     fn finite(self) -> Self::Mask {
         self.unsigned().at_most(Self::lit(Self::LARGEST))
@@ -287,7 +287,7 @@ pub trait Scalar:
     }
 }
 
-/// A shape made of scalars, in a fixed order.
+/// A shape as a list of scalars, in a fixed order.
 ///
 /// `With<T>` is this shape over `T`: of dual numbers to differentiate, of gradients to hold a Hessian. Numbers, shapes,
 /// tuples and arrays of them, and vectors of run-time length are packs. `#[derive(Shape)]` makes a struct one.

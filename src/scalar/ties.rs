@@ -120,7 +120,7 @@ impl<S: Scalar, const MOST: bool> Extreme<S, MOST> {
     }
 }
 
-/// The least and the largest of numbers that come one by one.
+/// The least and the largest of numbers that are added one by one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Span<S: Scalar> {
     low: Extreme<S, false>,

@@ -68,8 +68,8 @@ impl<S: Scalar> Interval<S> {
     pub fn contains(self, x: S) -> S::Mask {
         self.min.at_most(x) & x.at_most(self.max)
     }
-    /// Returns the signed distance of two intervals: the gap between them, or minus the shortest shift that
-    /// parts them. Ties share the derivative.
+    /// Returns the signed distance of two intervals: the gap between them, or minus the shortest translation that
+    /// separates them. Ties share the derivative.
     #[must_use]
     #[inline(always)]
     pub fn signed_distance(self, other: Self) -> S {

@@ -1,4 +1,4 @@
-//! Convex polygons with their vertices in place, and the edges of any ring.
+//! Convex polygons that store their vertices inline, and the edges of any ring.
 use super::convexity::{
     between, check_capacity, check_convex, check_finite, corner_of, runs_clockwise,
 };
@@ -34,7 +34,7 @@ pub struct ConvexPolygon<S, const N: usize> {
 }
 
 impl<S: PartialEq, const N: usize> PartialEq for ConvexPolygon<S, N> {
-    /// Returns `true` if both have the same vertices in the same order.
+    /// Returns `true` if both have equal vertices in one order.
     fn eq(&self, other: &Self) -> bool {
         self.as_slice() == other.as_slice()
     }
@@ -75,7 +75,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
         check_convex(vertices)?;
         Ok(Self::from_vertices(vertices))
     }
-    /// Creates a polygon from the vertices of a convex ring of either orientation. Returns also the place of each of
+    /// Creates a polygon from the vertices of a convex ring of either orientation. Returns also the index of each of
     /// the polygon's vertices in the ring. Repeated and collinear vertices are left out, clockwise rings are reversed.
     ///
     /// ```

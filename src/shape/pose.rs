@@ -5,9 +5,8 @@ use std::ops::Mul;
 
 /// A rotation of the plane, as the cosine and sine of its angle (counter-clockwise).
 ///
-/// Operators take both numbers as they are, and scale by their length. [`normalized`](Self::normalized) brings any
-/// pair but zero to length one, and [`Move`](crate::kernels::Move) does that by itself. Valid when finite and not
-/// zero.
+/// Operators take both numbers as they are, and scale by their length. [`normalized`](Self::normalized) brings any pair
+/// except zero to length one, and [`Move`](crate::kernels::Move) does that by itself. Valid when finite and not zero.
 ///
 /// ```
 /// use geograd::{Rotation2, Vec2};
@@ -155,8 +154,8 @@ impl<S: Scalar> Pose2<S> {
     pub fn angle(self) -> S {
         self.rotation.angle()
     }
-    /// Returns the motion with its rotation [normalized](Rotation2::normalized): rigid, whatever the length of cosine
-    /// and sine.
+    /// Returns the motion with its rotation [normalized](Rotation2::normalized): rigid for any length of cosine and
+    /// sine.
     #[must_use]
     #[inline(always)]
     pub fn normalized(self) -> Self {

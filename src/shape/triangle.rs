@@ -120,9 +120,9 @@ impl<S: Scalar> Triangle2<S> {
     }
     /// Returns the largest circle inside: it touches all three sides. Center and radius are in units of length.
     ///
-    /// The center is the mean of the corners, each weighted by the length of the side opposite; the
-    /// radius is twice the area over the perimeter, for either orientation. Corners on one line give
-    /// radius zero and a center on that line, three coinciding ones give their place.
+    /// The center is the mean of the corners, each weighted by the length of the side opposite; the radius is twice the
+    /// area over the perimeter, for either orientation. Corners on one line give radius zero and a center on that line,
+    /// three coinciding ones give that point.
     ///
     /// Kinks: zero area, where the radius has derivative zero, and two corners that coincide; three that do
     /// share the derivatives of the center, a third each. Source: Coxeter and Greitzer, Geometry Revisited,

@@ -110,7 +110,7 @@ pub(super) struct AxisPoint<P, const N: usize> {
 }
 
 impl<P: Scalar<Primal = P>, const N: usize> AxisPoint<P, N> {
-    /// Returns a point as seen from an axis of a solid with a radius.
+    /// Returns a point relative to the axis of a solid with a radius.
     #[inline(always)]
     pub fn new(start: [P; N], end: [P; N], point: [P; N], radius: P) -> Self {
         let unit = unit([size(start, end), size(start, point), radius]);

@@ -3,8 +3,8 @@ use super::{Pair, Rules, neighbours, order};
 use crate::Scalar;
 use crate::error::Error;
 
-/// Returns the detections that no better one, kept itself, overlaps by more than the threshold: their places, the
-/// best first.
+/// Returns the indices of the detections that no better one, kept itself, overlaps by more than the threshold, the best
+/// first.
 ///
 /// # Errors
 ///

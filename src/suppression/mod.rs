@@ -31,9 +31,9 @@ pub use soft::{Decayed, soft, soft_replay, soft_search, soft_vjp};
 /// Two things of a list, or one of each of two lists, and how much they overlap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair<S> {
-    /// The first one's place in its list.
+    /// The first one's index in its list.
     pub first: usize,
-    /// The second one's place in its list.
+    /// The second one's index in its list.
     pub second: usize,
     /// Their overlap.
     pub overlap: S,
@@ -163,7 +163,7 @@ pub(crate) fn better<S: Scalar<Mask = bool>>(scores: &[S], i: usize, j: usize) -
     }
 }
 
-/// Returns the places of all scores that are at least so large, the best first; of equal ones the one that comes
+/// Returns the indices of all scores that are at least so large, the best first; of equal ones the one that comes
 /// first.
 ///
 /// # Errors

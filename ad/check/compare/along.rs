@@ -1,7 +1,7 @@
 //! Comparison of the derivatives along one direction with differences along it. For every combination of outputs it
 //! decides the smoothness at the input along the direction and whether a derivative is refused. It extrapolates
 //! differences at falling step sizes ([`DerivativeTest`]), has a refusal confirmed by other sequences of steps, and
-//! accepts what a convention at kinks allows. [`steps`](super::steps) calls it for every direction.
+//! accepts derivatives that a convention at kinks allows. [`steps`](super::steps) calls it for every direction.
 use crate::ad::check::compare::assessment::Assessment;
 use crate::ad::check::compare::derivative_test::DerivativeTest;
 use crate::ad::check::compare::projection::worst_input;

@@ -342,7 +342,7 @@ impl HessianTest<'_> {
         (wrong && !between).then_some((e, tolerance))
     }
 
-    /// Returns `true` if another sequence gives the same estimate; nothing if it is too coarse to decide.
+    /// Returns `true` if another sequence confirms the estimate; nothing if it is too coarse to decide.
     fn repeats(&self, again: &StepSequence, found: Estimate) -> Option<bool> {
         let central = again.central(self.weights, self.noise, true)?;
         self.informative(&central).then(|| {

@@ -7,7 +7,7 @@ use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::perturbed;
 use crate::ad::sample::Draw;
 
-/// Inputs a last digit away at which an adjoint is asked for.
+/// The number of inputs a last digit away at which the adjoint is computed.
 const NEIGHBOURS: u64 = 12;
 
 /// Returns the largest change of a derivative of a weighted sum at inputs a last digit away, where equal numbers move

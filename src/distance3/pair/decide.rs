@@ -36,7 +36,7 @@ pub(super) struct Choice<P: Scalar> {
     pub edge_b: [P; 3],
     /// The side of the normal of two edges on which b is.
     pub side: P,
-    /// The gap of the planes that part the boxes best.
+    /// The gap of the planes that separate the boxes best.
     pub deepest: P,
     /// The shares of the axes of a in that.
     pub share_a: [P; 3],

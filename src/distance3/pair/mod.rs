@@ -4,8 +4,8 @@
 //! derivatives, from the features that were chosen. Nine of the 144 pairs of edges can be nearest: those that support
 //! both boxes along their common normal.
 //!
-//! The axes of b as a's axes see them are a matrix, of whose numbers every sign is taken. They decide alike wherever
-//! they occur, so that no rounding leaves out the end of a common stretch in favour of neither.
+//! The axes of b along a's axes are a matrix; every sign is taken from its numbers. They decide alike wherever they
+//! occur, so that no rounding leaves out the end of a common stretch in favour of neither.
 mod decide;
 mod face;
 mod features;
@@ -59,7 +59,7 @@ impl<S: Scalar> RelativeBox<S> {
     }
 }
 
-/// Returns b as a sees it, in units in which both are of a size near one, and the scale of these units.
+/// Returns b in the frame of a, in units in which both are of a size near one, and the scale of these units.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (RelativeBox<S>, S) {
     let anchor = a.anchor();
@@ -130,7 +130,7 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
         shape(a.axes, unit),
     );
     let length = apart.length();
-    // Duals of the length of a speck pass through numbers beyond the largest one.
+    // Duals of a tiny length pass through numbers beyond the largest one.
     let straight = apart.dot(way.constant());
     let straight = straight.with_primal(length.primal());
     let length = S::select(length.at_most(S::lit(speck::<S>())), straight, length);

@@ -5,7 +5,7 @@ use crate::error::{Argument, Error, Field, Flaw};
 use crate::metric::{Outcome, Point, Recalls};
 use crate::suppression::invalid;
 
-/// Average precision by the rules, and what it was read from.
+/// Average precision by the rules, and the curve it is read from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
     /// Precision and recall at the scores where it was read, the highest one first.
@@ -13,7 +13,7 @@ pub struct Judged {
     /// Similarity of orientation at these scores: the mean over right detections of `(1 + cos(a − b)) / 2` for the
     /// angles of truth and detection, times precision. Empty without angles.
     pub similarity: Vec<f64>,
-    /// The truths that had to be found.
+    /// The number of truths that have to be found.
     pub truths: usize,
 }
 
@@ -183,14 +183,14 @@ fn thresholds(mut right: Vec<f64>, truths: usize) -> Vec<f64> {
     out
 }
 
-/// Frames that are judged: what is read at every score on its own.
+/// Frames that are judged: the data that is read at every score separately.
 pub(crate) struct Judging<'a> {
     frames: &'a [Frame<'a>],
     /// Empty where none were given.
     angles: &'a [Angles<'a>],
     threshold: f64,
     near: Vec<TruthOverlaps>,
-    /// The truths that have to be found.
+    /// The number of truths that have to be found.
     truths: usize,
     /// The scores at which precision is read, the highest one first.
     pub(crate) scores: Vec<f64>,

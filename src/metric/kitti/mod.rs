@@ -95,7 +95,7 @@ impl Difficulty {
     }
 }
 
-/// A truth's class, seen from the class that is judged.
+/// A truth's class, relative to the class that is judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Label {
     /// The class that is judged.
