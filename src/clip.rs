@@ -79,9 +79,9 @@ pub fn frame<S: Scalar>(shape: Obb2<S>) -> Framed<S> {
     }
 }
 
-/// Returns the power of two by which a pair of boxes, given by half their sizes, is multiplied so that no
-/// area over- or underflows: it brings the larger side of the smaller box near one, unless that is
-/// zero or the other box would become too large.
+/// Returns the power of two by which a pair of boxes, given by half their sizes, is multiplied so that no area over- or
+/// underflows. It brings the larger side of the smaller box near one, unless that is zero or the other box would become
+/// too large.
 #[inline(always)]
 pub fn size_scale<S: Scalar>(half_a: Vec2<S>, half_b: Vec2<S>) -> S {
     let (size_a, size_b) = (half_a.x.most(half_a.y), half_b.x.most(half_b.y));
@@ -410,7 +410,7 @@ pub fn nothing_shared<S: Scalar>(pair: &Relative<S>, area: S) -> S::Mask {
 /// Sizes outside these limits may make products over- or underflow.
 pub(crate) const SMALL: f64 = 1e-9;
 pub(crate) const LARGE: f64 = 1e9;
-/// Coordinates of the centre beyond this limit may do so, too.
+/// Coordinates of the centre beyond this limit may make products overflow, too.
 pub(crate) const FAR_AWAY: f64 = 1e15;
 
 /// Returns the limit for coordinates and headings that are not zero: below it products may underflow. It is `10⁻¹²` in

@@ -129,7 +129,7 @@ pub struct NearestEdge {
 }
 
 /// Returns the distance of a point from the border of a polygon, in units of length, positive inside, negative outside,
-/// and the record of its decisions; `None` for rings without vertices. (The sign is the DGAL paper's, opposite to that
+/// and the record of its decisions. `None` for rings without vertices. (The sign is the DGAL paper's, opposite to that
 /// of [`signed_distance`](crate::distance::signed_distance()).)
 ///
 /// The sign is decided by winding numbers, so it is right where the point is on the extension of an edge. Kinks:

@@ -2,9 +2,9 @@
 //!
 //! The nearest points move along their shapes, but to first order that does not change their distance. So its
 //! derivative is that of the segment between both, held fixed on their shapes: with n the unit vector from a to b, a
-//! point of a has the derivative −n and one of b n, which the ends of a segment share by the fraction at which the
-//! point lies between them. (How the fractions themselves change matters to curvature, which follows from
-//! differentiating these adjoints.)
+//! point of a has the derivative −n and one of b n. The ends of a segment share it by the fraction at which the point
+//! lies between them. (How the fractions themselves change matters to curvature, which follows from differentiating
+//! these adjoints.)
 use crate::distance::pair::distance;
 use crate::distance::segments::{way_between_segments, way_to_segment};
 use crate::{Scalar, Segment2, Vec2};

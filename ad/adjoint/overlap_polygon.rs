@@ -9,10 +9,9 @@
 //! f̄₀ += ((t − s) − (t² − s²)/2) (Δy, −Δx),     f̄₁ += (t² − s²)/2 (Δy, −Δx).
 //! ```
 //!
-//! In the sum over pairs of triangles the part of `f` that is inside `T(g)` is between two rays, up to
-//! where `f` and `g` cross; nothing is divided by the sine of the angle between two edges, and the
-//! crossing point itself is not differentiated, so nearly parallel edges are harmless. Edges that lie
-//! along each other count half each.
+//! In the sum over pairs of triangles the part of `f` that is inside `T(g)` is between two rays, up to the crossing of
+//! `f` and `g`. Nothing is divided by the sine of the angle between two edges, and the crossing point itself is not
+//! differentiated, so nearly parallel edges are harmless. Edges that lie along each other count half each.
 use crate::overlap_polygon::{Fan, SharedArea, Wedge, Window, bounds_of_rings, measure, mixed};
 use crate::shape::edges;
 use crate::{ConvexPolygon, Mask, Scalar, Vec2};

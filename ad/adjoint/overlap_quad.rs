@@ -1,10 +1,9 @@
 //! Adjoint of the area that two convex quadrilaterals share, by the motion of its border.
 //!
-//! When corners move, the area changes by the integral of the normal velocity over what of either border lies
-//! inside the other shape (Reynolds' transport theorem, as in
-//! [`overlap_polygon`](super::overlap_polygon)): of every side the part from `s` to `t`, as fractions of
-//! it. A side is cut by the four lines of the other shape (Cyrus and Beck). The lines of sides `f` of a and
-//! `g` of b meet at
+//! When corners move, the area changes by the integral of the normal velocity over the part of either border inside the
+//! other shape (Reynolds' transport theorem, as in [`overlap_polygon`](super::overlap_polygon)): of every side the part
+//! from `s` to `t`, as fractions of it. A side is cut by the four lines of the other shape (Cyrus and Beck). The lines
+//! of sides `f` of a and `g` of b meet at
 //!
 //! ```text
 //! s = (g × (f₀ − g₀)) / (f × g),     t = (f × (g₀ − f₀)) / −(f × g)

@@ -179,11 +179,10 @@
 //! | the library's own operations, 100 000 random samples each and all hard cases, in both formats | no false alarm in 1.8 million |
 //!
 //! Give a function's generic source where there is one ([`Check::dual`], [`Check::traced`]): duals need no steps, and
-//! traces distinguish a kink from a coincidence. Differences alone do not see a feature smaller than a
-//! hundred-millionth of the [scale](Check::scales), nor a derivative whose rise is lost in the rounding of the value; a
-//! function that has such features (boxes tilted by less, poles nearer than that) may be refused falsely without them.
-//! Without scales a number is taken to change over its own size or a thousandth of the largest one, whichever steps can
-//! decide.
+//! traces distinguish a kink from a coincidence. Differences alone miss a feature smaller than a hundred-millionth of
+//! the [scale](Check::scales), and a derivative whose rise is lost in the rounding of the value. Without them a
+//! function that has such features (boxes tilted by less, poles nearer than that) may be refused falsely. Without
+//! scales a number is taken to change over its own size or a thousandth of the largest one, whichever steps can decide.
 //!
 //! A derivative may be off by the rounding of terms of its largest size when the inputs change over their own size:
 //! `1 - 0.9997` has four digits less, and that is no mistake. One that loses more, such as half of its digits, is

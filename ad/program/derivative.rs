@@ -195,7 +195,7 @@ pub(super) fn along(graph: &mut Graph, me: Id, operand: usize, t: Id) -> Id {
 
 /// A vector brought to a length of about one by a power of two: squares of very small and of very
 /// large numbers are not numbers of the format.
-struct Scaled {
+struct ScaledVector {
     /// The truth that it is the zero vector, which stays as it is.
     origin: Id,
     /// The power of two.
@@ -204,7 +204,7 @@ struct Scaled {
     parts: [Id; 2],
 }
 
-fn scaled(g: &mut Graph, parts: [Id; 2]) -> Scaled {
+fn scaled(g: &mut Graph, parts: [Id; 2]) -> ScaledVector {
     use Node::*;
     let (zero, one) = (g.lit(0.0), g.lit(1.0));
     let [height, width] = parts.map(|x| g.make(Magnitude(x)));
@@ -217,7 +217,7 @@ fn scaled(g: &mut Graph, parts: [Id; 2]) -> Scaled {
     let origin = g.make(Le(large, zero));
     let large = g.make(Select(origin, one, large));
     let scale = g.make(Binade(large));
-    Scaled {
+    ScaledVector {
         origin,
         scale,
         parts: parts.map(|x| g.make(Mul(x, scale))),

@@ -17,11 +17,10 @@
 //!
 //! # What can be recorded
 //!
-//! Straight lines: functions with the bound `S: Scalar` alone. Functions with control flow
-//! (`S: Scalar<Mask = bool>`) do not compile with symbols. [`Mask::any`](crate::Mask::any) and
-//! [`Mask::all`](crate::Mask::all) compile, but are only hints; a function whose value depends on their
-//! answer is refused, as is one that uses symbols of another recording or literals that are not finite.
-//! Everything else that the function captures becomes a constant.
+//! Straight lines: functions with the bound `S: Scalar` alone. Functions with control flow (`S: Scalar<Mask = bool>`)
+//! do not compile with symbols. [`Mask::any`](crate::Mask::any) and [`Mask::all`](crate::Mask::all) compile, but are
+//! only hints; a function whose value depends on their result is refused, as is one that uses symbols of another
+//! recording or literals that are not finite. Everything else that the function captures becomes a constant.
 //!
 //! # Guards
 //!

@@ -19,12 +19,12 @@ pub(crate) struct Recorded {
     /// The gradient of the only result, where it was written by hand.
     by_hand: Option<Vec<Id>>,
     /// The graph without the nodes that only derivatives need.
-    pub(crate) value: Lowered,
+    pub(crate) value: ValueGraph,
 }
 
 /// The graph of the values alone, as machines run it.
 #[derive(Clone, Debug)]
-pub(crate) struct Lowered {
+pub(crate) struct ValueGraph {
     pub(crate) graph: Graph,
     pub(crate) outputs: Vec<Id>,
 }
@@ -38,7 +38,7 @@ impl Recorded {
             .collect();
         let (lowered, results) = graph.lowered(&outputs);
         Recorded {
-            value: Lowered {
+            value: ValueGraph {
                 graph: lowered,
                 outputs: results,
             },

@@ -23,8 +23,8 @@ fn vector([x, y, z]: [f64; 3]) -> Vec3<f64> {
     Vec3::new(x, y, z)
 }
 
-/// Returns the scales of a box's centre and sizes. Sizes have their own magnitude as scale, unless it is zero; the
-/// centre moves by a share of the box.
+/// Returns the scales of a box's centre and sizes. Sizes have their own magnitude as scale, or the largest one for
+/// zero. The centre has the geometric mean of the sizes, or a thousandth of the largest.
 fn lengths(size: Vec3<f64>) -> [f64; 6] {
     let size = [size.x, size.y, size.z];
     let largest = match size.into_iter().fold(0.0_f64, f64::max) {

@@ -1,11 +1,11 @@
 //! Boolean operations of polygons of any kind, with the provenance of every vertex: union, intersection,
 //! difference, symmetric difference.
 //!
-//! [`overlay_search`] (feature `boolean`) finds by exact arithmetic on integers which pieces of which edges
-//! bound the result. Its record, [`OverlayTrace`], holds no numbers: a vertex of the result is a vertex of
-//! an input, or the crossing of two edges. [`overlay_replay`] makes the result from the inputs and the
-//! record in the precision of the scalar, so duals pass through it; the adjoint of any function of its
-//! vertices is [`overlay_vjp`](crate::ad::adjoint::boolean::overlay_vjp). Both need no feature.
+//! [`overlay_search`] (feature `boolean`) finds by exact arithmetic on integers which pieces of which edges bound the
+//! result. Its record, [`OverlayTrace`], holds no numbers: a vertex of the result is a vertex of an input, or the
+//! crossing of two edges. [`overlay_replay`] computes the result from the inputs and the record in the precision of the
+//! scalar, so duals pass through it. The adjoint of any function of its vertices is
+//! [`overlay_vjp`](crate::ad::adjoint::boolean::overlay_vjp). Both need no feature.
 //!
 //! Inputs are [`Rings`](crate::Rings) of any kind, crossing and self-intersecting ones included; a
 //! [`Fill`](crate::polygon::Fill) decides which winding numbers are inside, for both inputs. The parts of the result

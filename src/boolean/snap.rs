@@ -1,8 +1,8 @@
 //! Edges cut and rounded to a coarser grid, so that they meet at their ends only.
 //!
-//! Snap rounding (Hobby, Practical segment intersection with finite precision output, 1999): a square of the coarse grid
-//! is *hot* if an end of an edge or a crossing of two lies in it, and an edge goes through the centres of all hot squares
-//! that it meets. Then no two edges cross, and each moves by less than a square.
+//! Snap rounding (Hobby, Practical segment intersection with finite precision output, 1999): a square of the coarse
+//! grid is *hot* if an end of an edge or a crossing of two lies in it. An edge goes through the centres of all hot
+//! squares that it meets. Then no two edges cross, and each moves by less than a square.
 use i_overlay::i_float::int::point::IntPoint;
 
 type Point = IntPoint<i64>;

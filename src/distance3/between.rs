@@ -6,7 +6,7 @@ use super::near::{Candidate, Nearest, edges_near};
 use super::pair;
 use super::parting::grade;
 use super::relation::{Relation, direction};
-use super::spot::{Chosen, Pull, Spot, fixed, fixed_vector, valued, vanish, vanishing};
+use super::spot::{CoreFeatures, Pull, Spot, fixed, fixed_vector, valued, vanish, vanishing};
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance::share::{Best, Carry};
@@ -57,7 +57,7 @@ pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<
 
 /// Returns the features that are nearest, or the planes that separate two cores of plain numbers best.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
+fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> CoreFeatures<P> {
     let (
         Candidate {
             near, at_a, at_b, ..
@@ -78,7 +78,7 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
         }
         false => (none, relation.normal),
     };
-    let chosen = Chosen {
+    let chosen = CoreFeatures {
         gap: relation.apart,
         square: relation.square,
         normal: Vec3::select(lost, beside, relation.normal),
@@ -98,7 +98,7 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
     let inside = inside | lost;
     let placed = lost & deep.grade.above(P::lit(grade::STEEP));
     let pick = |lost, plane: Vec3<P>, other: Vec3<P>| Vec3::select(lost, plane, other);
-    Chosen {
+    CoreFeatures {
         normal: pick(lost, deep.normal, chosen.normal),
         on_a: pick(placed, deep.on_a, chosen.on_a),
         on_b: pick(placed, deep.on_b, chosen.on_b),
@@ -123,7 +123,7 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
 fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
     a: &A,
     b: &B,
-    chosen: &Chosen<S::Primal>,
+    chosen: &CoreFeatures<S::Primal>,
 ) -> Relation<S> {
     let (from, to) = (a.point(chosen.at_a), b.point(chosen.at_b));
     let ((along_a, free_a), (along_b, free_b)) = (a.free(chosen.at_a), b.free(chosen.at_b));
@@ -254,7 +254,7 @@ fn nearest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Candidate<P> {
 
 /// Returns the relation by the nearest points, or by the plane that separates two cores best.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> Joined<S> {
+pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> CoreRelation<S> {
     let given = near.normal.length_squared().above(S::zero());
     let length = near.apart.length();
     // The mean of normals, of which some are none, is shorter than one.
@@ -275,7 +275,7 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
             on_b: near.on_b,
         };
         let inside = none & !none;
-        return Joined { relation, inside };
+        return CoreRelation { relation, inside };
     };
     let parted = deep.value.above(S::lit(-S::LARGEST));
     // Shifted by their depth, cores that overlap touch, and then a corner or an edge of one is on the other: without
@@ -304,11 +304,11 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
         on_a: Vec3::select(placed, deep.on_a, near.on_a),
         on_b: Vec3::select(placed, deep.on_b, near.on_b),
     };
-    Joined { relation, inside }
+    CoreRelation { relation, inside }
 }
 
 /// A relation, and `true` if a plane gives it.
-pub(super) struct Joined<S: Scalar> {
+pub(super) struct CoreRelation<S: Scalar> {
     pub relation: Relation<S>,
     pub inside: S::Mask,
 }

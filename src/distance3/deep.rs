@@ -23,7 +23,7 @@ pub(super) const EQUAL: f64 = 32.0;
 
 /// A corner over a face, and the spot of its foot there.
 #[derive(Clone, Copy, Debug)]
-struct Over<P: Scalar> {
+struct CornerOverFace<P: Scalar> {
     ahead: P,
     /// `true` if the foot is on the face.
     on_face: P::Mask,
@@ -48,7 +48,7 @@ fn least<P: Scalar, B: Core<P>>(
         let (ahead, on_face, foot) = over(corner);
         let there = b.at_corner(k);
         k += 1;
-        Over {
+        CornerOverFace {
             ahead,
             on_face,
             corner,

@@ -42,8 +42,8 @@ impl<S: Scalar> Straight<S> {
         let ways = ways.as_ref().iter().copied();
         aside::across(ways.chain([along]).map(unit))
     }
-    /// Returns the part of a line or ray that is all a core has to do with: it ends where the line's nearest points to
-    /// the core are, and farther by more than the core is large, so that no shift along it is shorter than one across.
+    /// Returns the part of a line or ray that a core can be near to. Its ends are beyond the line's nearest points to
+    /// the core by more than the core's size, so that no translation along it is shorter than one across.
     #[inline(always)]
     fn before<B: Core<S>>(&self, core: &B) -> SegmentCore<S> {
         let plain = |x: S::Primal| S::from_primal(x.primal());

@@ -126,7 +126,7 @@ impl<P: Scalar> Pull<P> {
 }
 
 /// The features of two cores from which their relation is computed.
-pub(super) struct Chosen<P: Scalar> {
+pub(super) struct CoreFeatures<P: Scalar> {
     /// The signed distance.
     pub gap: P,
     /// The square of the distance.

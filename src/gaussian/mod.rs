@@ -27,9 +27,9 @@
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
-//! Derivatives are zero where they could exceed the largest number: those by lengths of pairs that are both thin and
-//! near the smallest numbers (in `f32` 10⁶ times as long as thick and below 10⁻¹⁷), and those of Wasserstein's
-//! distance by rotations of sizes near the largest numbers, or near the root of them for its square.
+//! Derivatives are zero where they could exceed the largest number. These are derivatives by lengths of pairs that are
+//! both thin and near the smallest numbers (in `f32` 10⁶ times as long as thick and below 10⁻¹⁷). They are also those
+//! of Wasserstein's distance by rotations of sizes near the largest numbers, or near the root of them for its square.
 //!
 //! Kinks: [`wasserstein`] and [`probiou`] at identical Gaussians (derivative zero). The others are smooth, except where
 //! a size meets that bound, and where all lengths are zero: there boxes count as identical.

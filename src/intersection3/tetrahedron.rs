@@ -24,8 +24,7 @@ const BESIDE: f64 = 16.0;
 struct Sight<S: Scalar> {
     /// The inner product of each corner with the direction.
     ahead: [S; 4],
-    /// The cross product of each corner with the direction, turned back: its component across the line, times the
-    /// squared direction.
+    /// The cross product of the direction with each corner.
     aside: [Vec3<S>; 4],
     /// The area that the line spans with each edge, times the square of the direction; zero if it is within rounding.
     spans: [S; 6],
@@ -81,16 +80,16 @@ fn of_edge<S: Scalar>(numbers: [S; 6], from: usize, to: usize) -> S {
 }
 
 /// Faces that a line meets in one point: the sum of the points, the normal of the first one, and their number.
-struct Met<S: Scalar> {
+struct FacesHit<S: Scalar> {
     place: S,
     normal: Vec3<S>,
     count: S,
 }
 
-impl<S: Scalar> Met<S> {
+impl<S: Scalar> FacesHit<S> {
     #[inline(always)]
     fn none() -> Self {
-        Met {
+        FacesHit {
             place: S::zero(),
             normal: Vec3::zero(),
             count: S::zero(),
@@ -99,7 +98,7 @@ impl<S: Scalar> Met<S> {
     #[inline(always)]
     fn join(self, is_met: S::Mask, place: S, normal: Vec3<S>) -> Self {
         let first = is_met & self.count.equals(S::zero());
-        Met {
+        FacesHit {
             place: self.place + S::select(is_met, place, S::zero()),
             normal: Vec3::select(first, normal, self.normal),
             count: self.count + S::select(is_met, S::one(), S::zero()),
@@ -155,7 +154,7 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
     }
     let some = |masks: [S::Mask; 4]| masks[0] | masks[1] | masks[2] | masks[3];
     let (raw_low, raw_high) = (some(raw_lows), some(raw_highs));
-    let (mut against, mut with) = (Met::<S>::none(), Met::<S>::none());
+    let (mut against, mut with) = (FacesHit::<S>::none(), FacesHit::<S>::none());
     for (face, [i, j, k]) in FACES.into_iter().enumerate() {
         let weights = around([i, j, k]).each_as(|[from, to]| of_edge(sight.spans, from, to));
         let met = lows[face] | highs[face];

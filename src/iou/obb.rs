@@ -6,7 +6,7 @@ use crate::overlap::{Denominator, score_framed};
 use crate::{Obb2, Scalar, Vec2};
 
 /// Two rotated boxes and the square of the diameter of their joint hull.
-pub(crate) struct Across<S> {
+pub(crate) struct HullDiameter<S> {
     /// The square of the diameter.
     pub squared: S,
     /// The vector between the centres in the frame of a.
@@ -32,7 +32,7 @@ fn half_way<S: Scalar>(a: Vec2<S>, b: Vec2<S>) -> Vec2<S> {
 /// the frame of `a` its corner farthest from a corner `p` of `b` is at `|p_x| + w/2`, `|p_y| + h/2` from it; so four of
 /// b's corners and the two diagonals suffice. In units of `1 / scale`.
 #[inline(always)]
-pub(crate) fn across<S: Scalar>(a: Framed<S>, b: Framed<S>, scale: S) -> Across<S> {
+pub(crate) fn across<S: Scalar>(a: Framed<S>, b: Framed<S>, scale: S) -> HullDiameter<S> {
     let pair = relate::<S, true>(a, b, scale);
     let (px, py) = (pair.half_b.x * pair.cos, pair.half_b.x * pair.sin);
     let (qx, qy) = (pair.half_b.y * pair.sin, pair.half_b.y * pair.cos);
@@ -52,7 +52,7 @@ pub(crate) fn across<S: Scalar>(a: Framed<S>, b: Framed<S>, scale: S) -> Across<
         .most(pair.half_b.length_squared())
         * four;
     let size = |half: Vec2<S>| (half + half) * scale;
-    Across {
+    HullDiameter {
         squared: between.most(own),
         way: Vec2::new(pair.u, pair.v),
         sizes: [size(a.half), size(b.half)],

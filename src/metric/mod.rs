@@ -154,10 +154,10 @@ pub fn outcomes(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Outcome>, Error
 
 /// Returns the outcomes of all detections of a frame, by PASCAL VOC's rule.
 ///
-/// By descending score every detection is judged by the truth that it overlaps most, taken or not: right if it is the
-/// first one there, wrong if another one took that truth or the overlap is below the threshold, ignored if the truth is
-/// (VOC's *difficult* ones). A second truth that it overlaps less does not count, where [`outcomes`] takes it. Detections
-/// that are ignored themselves take nothing.
+/// By descending score every detection is judged by the truth that it overlaps most, taken or not. It is right if it is
+/// the first one there, wrong if another one took that truth or the overlap is below the threshold, and ignored if the
+/// truth is (VOC's *difficult* ones). A second truth that it overlaps less does not count, where [`outcomes`] takes it.
+/// Detections that are ignored themselves take nothing.
 ///
 /// ```
 /// use geograd::metric::{Frame, Outcome, outcomes, outcomes_voc};

@@ -51,7 +51,7 @@ pub struct Shared3<S> {
 }
 
 /// The bounds of two boxes against each other, before the border of one is clamped to the other.
-struct Glance<S: Scalar> {
+struct PairBounds<S: Scalar> {
     /// The most that they can share: each against the other's bounds in its own frame. Zero where one of the
     /// fifteen axes separates them.
     most: S,
@@ -63,7 +63,7 @@ struct Glance<S: Scalar> {
 
 /// Looks at the bounds of each box in the other's frame.
 #[inline(always)]
-fn glance<S: Scalar>(pair: &Relative3<S>) -> Glance<S> {
+fn glance<S: Scalar>(pair: &Relative3<S>) -> PairBounds<S> {
     let (r, c, h, p) = (pair.turn, pair.center, pair.half_a, pair.half_b);
     let zero = S::zero();
     let mut steep = [[zero; 3]; 3];
@@ -101,7 +101,7 @@ fn glance<S: Scalar>(pair: &Relative3<S>) -> Glance<S> {
     let most = S::select(gap.above(zero), zero, in_a.least(in_b));
     // Rounding of a huge box's position may separate it from a box inside it.
     let own = volume_from_half(h).least(volume_from_half(p)).most(zero);
-    Glance {
+    PairBounds {
         most: S::select(a_inside | b_inside, own, most),
         a_inside,
         b_inside,
@@ -246,7 +246,7 @@ impl<S: Scalar> Derivatives<S> {
 #[inline(always)]
 fn nested<S: Scalar, const DERIVATIVE: bool>(
     pair: &Relative3<S>,
-    seen: &Glance<S>,
+    seen: &PairBounds<S>,
     out: &mut Shared3<S>,
 ) {
     let (h, p, zero) = (pair.half_a, pair.half_b, S::zero());

@@ -84,9 +84,9 @@ impl<P: Scalar> BestRotation<P> {
 /// Returns the rotation of the cube by which b's axes are renamed, as zeros and ones with signs, and the
 /// renaming.
 ///
-/// After it the real part is the largest that is possible: one number of the quaternion alone (a half
-/// turn about an axis, no axis renamed), two of them by √½ (two axes exchanged), or the mean of all four
-/// (all three axes renamed in a circle).
+/// After it the real part is the largest possible. It is one number of the quaternion alone (a half turn about an axis,
+/// no axis renamed), two of them by √½ (two axes exchanged), or the mean of all four (all three axes renamed
+/// cyclically).
 #[inline(always)]
 pub(super) fn smallest_turn<S: Scalar>(q: Quaternion<S>) -> (Quaternion<S>, Renaming<S>) {
     let (zero, one) = (S::Primal::zero(), S::Primal::one());

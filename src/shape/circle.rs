@@ -81,10 +81,9 @@ impl<S: Scalar> Circle<S> {
 
 /// Returns the circle through three points.
 ///
-/// For points on one line there is none, and the result is the circle with the longest side as its
-/// diameter, which is also the smallest one around the points; sides of equal length share the
-/// derivatives, and three coinciding points give radius zero. Near a line the radius grows without bound;
-/// it and the centre end at the largest finite number.
+/// For points on one line there is none. The result is then the circle with the longest side as its diameter, which is
+/// also the smallest one around the points. Sides of equal length share the derivatives, and three coinciding points
+/// give radius zero. Near a line the radius grows without bound; it and the centre end at the largest finite number.
 ///
 /// The centre is where the perpendicular bisectors meet: with b and c relative to a and
 /// `d = 2 b × c`, it is `a + ((|b|² c − |c|² b) turned back by a quarter) / d`.

@@ -12,7 +12,7 @@ pub(super) fn overlap<P: Scalar>(half: P, center: P, other: P) -> P {
     part((low + high).halved(), half)
 }
 
-/// A face of one box and what of the other one faces it.
+/// A face of one box, and the other box in its frame.
 pub(super) struct Facing<P> {
     /// The axes of the other box along the face's normal and its two sides.
     pub rows: [[P; 3]; 3],
