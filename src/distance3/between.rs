@@ -148,11 +148,11 @@ fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
     let rise = S::select(linear, vanish(normal.dot(u)) * along, zero);
     let near = height - rise;
     let across = aside - Vec3::select(linear, u * along - normal * rise, none);
-    let spread = across.length_squared();
+    let across_square = across.length_squared();
     // Duals of a tiny length pass through numbers beyond the largest one.
     let long = chosen.gap.above(lit(speck::<S>())) & !chosen.inside;
-    let sum = (near * near + spread).root() + near;
-    let bend = S::select(long, spread.over(S::select(long, sum, one)), zero) - rise;
+    let sum = (near * near + across_square).root() + near;
+    let bend = S::select(long, across_square.over(S::select(long, sum, one)), zero) - rise;
 
     // From a plane: the turn of its normal, where that has digits.
     let product = u.cross(v);
@@ -174,7 +174,7 @@ fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
     let by_plane = planar | chosen.inside;
     let gap = height + S::select(by_plane, tip, bend) + others;
     let gap = gap.with_primal(chosen.gap.primal());
-    let square = S::select(by_plane, gap * gap, near * near + spread);
+    let square = S::select(by_plane, gap * gap, near * near + across_square);
     let overlap = chosen.inside & chosen.gap.below(lit(0.0));
     let square = S::select(overlap, zero, square).with_primal(chosen.square.primal());
     let length = S::select(long, gap, one);

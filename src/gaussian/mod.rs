@@ -139,9 +139,9 @@ fn divergence<S: Scalar>(pair: &GaussianPair<S>) -> S {
     let (a, b, d) = (pair.a, pair.b, pair.offset_b);
     let far = d.x.over(b.x).squared() + d.y.over(b.y).squared();
     let sizes = excess(a.x, b.x) + excess(a.y, b.y);
-    let spread_a = ((a.x - a.y).over(b.x)) * ((a.x + a.y).over(b.y));
-    let spread_b = ((b.x - b.y).over(b.x)) * ((b.x + b.y).over(b.y));
-    (far + (sizes + pair.sin2 * (spread_a * spread_b))).halved()
+    let anisotropy_a = ((a.x - a.y).over(b.x)) * ((a.x + a.y).over(b.y));
+    let anisotropy_b = ((b.x - b.y).over(b.x)) * ((b.x + b.y).over(b.y));
+    (far + (sizes + pair.sin2 * (anisotropy_a * anisotropy_b))).halved()
 }
 
 /// Returns the Jeffreys' divergence of two boxes as Gaussians, `KL(a ‖ b) + KL(b ‖ a)`, from 0: symmetric.
@@ -178,8 +178,8 @@ fn distance<S: Scalar>(pair: &GaussianPair<S>) -> S {
     let (d, e) = (pair.offset, pair.offset_b);
     // (a₁²+b₁²)(a₂²+b₂²) as a product of lengths, so that small sizes keep their digits.
     let (one, two) = (a.x.hypot(b.x), a.y.hypot(b.y));
-    let spread = |v: Vec2<S>| (v.x - v.y).over(one) * (v.x + v.y).over(two);
-    let twist = pair.sin2 * (spread(a) * spread(b));
+    let anisotropy = |v: Vec2<S>| (v.x - v.y).over(one) * (v.x + v.y).over(two);
+    let twist = pair.sin2 * (anisotropy(a) * anisotropy(b));
     let apart = |a: S, b: S| ((a - b).over(a) * (a - b).over(b)).halved();
     let shape = ln_one_plus(apart(a.x, b.x)) + ln_one_plus(apart(a.y, b.y)) + ln_one_plus(twist);
     // The adjugate of a sum of two matrices is the sum of theirs.
@@ -231,8 +231,8 @@ pub fn kfiou<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let pair = pair(a, b, 0.5);
     let (a, b) = (pair.a, pair.b);
     let (one, two) = (a.x.hypot(b.x), a.y.hypot(b.y));
-    let spread = |v: Vec2<S>| (v.x - v.y).over(one) * (v.x + v.y).over(two);
-    let root = (S::one() + pair.sin2 * (spread(a) * spread(b))).root();
+    let anisotropy = |v: Vec2<S>| (v.x - v.y).over(one) * (v.x + v.y).over(two);
+    let root = (S::one() + pair.sin2 * (anisotropy(a) * anisotropy(b))).root();
     // V / Va and V / Vb.
     let of_a = (b.x.over(one) * b.y.over(two)).over(root);
     let of_b = (a.x.over(one) * a.y.over(two)).over(root);

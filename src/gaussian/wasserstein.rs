@@ -42,8 +42,8 @@ fn of_shapes<S: Scalar, const POWER: usize>(a: Obb2<S>, b: Obb2<S>) -> (S, BoxUn
     let root = (straight * straight * cos2 + crossed * crossed * sin2).root();
     let sum = straight + root;
     let empty = sum.at_most(S::lit(S::EMPTY));
-    let spread = (a.x - a.y) * (a.x + a.y) * ((b.x - b.y) * (b.x + b.y));
-    let twist = (sin2 * spread).over(S::select(empty, S::one(), sum));
+    let anisotropy = (a.x - a.y) * (a.x + a.y) * ((b.x - b.y) * (b.x + b.y));
+    let twist = (sin2 * anisotropy).over(S::select(empty, S::one(), sum));
     let twist = S::select(empty, S::zero(), twist) * (units.share_a * units.share_b);
     let apart = a * units.share_a - b * units.share_b;
     (apart.length_squared() + (twist + twist), units)

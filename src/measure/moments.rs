@@ -50,10 +50,10 @@ impl<S: Scalar> AreaMoments<S> {
             self.xx.halved() + self.yy.halved(),
             self.xx.halved() - self.yy.halved(),
         );
-        let spread = half.hypot(self.xy);
+        let radius = half.hypot(self.xy);
         PrincipalAxes {
-            major: (mean + spread).saturated().canonical(),
-            minor: (mean - spread).saturated().canonical(),
+            major: (mean + radius).saturated().canonical(),
+            minor: (mean - radius).saturated().canonical(),
             angle: self.xy.atan2(half).halved().canonical(),
         }
     }
