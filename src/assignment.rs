@@ -110,7 +110,7 @@ pub fn optimal(gains: &[f64], rows: usize, columns: usize) -> Result<Vec<(usize,
 /// less add nothing and are left out.
 ///
 /// Pairs that share no index, such as those of two frames, are independent: one call serves the pairs of all frames, as
-/// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped) gives them, and costs no more than a call per frame.
+/// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped) gives them, at the cost of a call per frame at most.
 ///
 /// # Errors
 ///

@@ -133,7 +133,7 @@
 //! # Functions that none of them has
 //!
 //! Overlap of boxes under full rotation with derivatives ([`Iou`](crate::kernels::Iou) of `Obb3`), of two kinds of
-//! boxes ([`Obb3::iou`](crate::Obb3::iou)), and an overlap that goes on beyond contact
+//! boxes ([`Obb3::iou`](crate::Obb3::iou)), and an overlap that continues beyond contact
 //! ([`separation_aware`](crate::iou3::separation_aware)).
 //!
 //! [`Op::value_grad`]: crate::kernels::Op::value_grad

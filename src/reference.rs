@@ -5,9 +5,8 @@ use crate::{Aabb2, Scalar, Vec2};
 
 /// An origin and a unit of length for vertices; all of it constant, without derivatives.
 ///
-/// Measures that are sums over the edges of closed rings do not depend on it: their bodies, one per
-/// edge, take [`place`](Reference::place)d vertices, and their finish goes back by
-/// [`outer`](Reference::outer).
+/// Measures that are sums over the edges of closed rings do not depend on it: their bodies, one per edge, take
+/// [local](Reference::place) vertices, and their results are converted back by [`outer`](Reference::outer).
 ///
 /// ```
 /// use geograd::{Vec2, reference::Reference};

@@ -306,7 +306,7 @@ fn best(a: &Body, b: &Body) -> f64 {
         let product = |v: &Vector| aside(aside(aside(u.cross(*v), *u), *v), *u);
         normals.extend(ways[..i].iter().map(product));
     }
-    // For bodies on one line or in one point any direction across is as good.
+    // For bodies on one line or in one point any orthogonal direction will do.
     normals.extend(ways.iter().flat_map(|&way| across(way)));
     normals.extend(across(Vec3::zero()));
     for p in &corners_a {

@@ -90,7 +90,7 @@ impl Evidence<'_> {
         (0..DRAWS).map(move |round| perturbed(precision, self.x, &rounding, round))
     }
 
-    /// Returns `true` if something holds at an input within the rounding of this one, or within the width of a tie:
+    /// Returns `true` if a condition holds at an input within the rounding of this one, or within the width of a tie:
     /// decisions there may fall otherwise.
     pub(crate) fn holds_nearby(&self, holds: impl Fn(&[f64]) -> bool) -> bool {
         let near = self.around.iter().map(|(there, _)| there.clone());

@@ -185,7 +185,7 @@ impl Node {
     }
 }
 
-/// The number of operations that [`Graph::is_number`] goes back.
+/// The number of operations that [`Graph::is_number`] follows back.
 const DEPTH: usize = 6;
 
 /// The knowledge of a number's size.

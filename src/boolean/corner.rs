@@ -32,8 +32,8 @@ fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> EdgeM
         return EdgeMeeting::Joined([u, v]);
     }
     let (u, v) = (first.along, second.along);
-    // If both end here, the crossing of edges that rounding makes parallel to a thousandth of a right angle's
-    // digits could be anywhere; both own vertices are as good.
+    // If both end here, the crossing of edges that rounding makes parallel to a thousandth of a right angle's digits
+    // could be anywhere; the vertices of both edges are then taken.
     let slight = if own.0.is_some() && own.1.is_some() {
         1e-13
     } else {
@@ -80,7 +80,7 @@ fn push(trace: &mut OverlayTrace, origins: &[Origin]) {
     }
 }
 
-/// Returns the vertices at which every edge before goes on in one after.
+/// Returns the vertices at which every edge before continues in one after.
 fn joined(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 2]> {
     if before.edges.len() != after.edges.len() {
         return None;

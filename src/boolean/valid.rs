@@ -56,7 +56,7 @@ pub fn valid_search<'a, S: Scalar<Mask = bool>>(
     }
     let grid = &pieces.grid;
     let made = |before: &Border, after: &Border, at| match &before.edges[..] {
-        // One edge goes on, and is bent here.
+        // One edge continues, and is bent here.
         &[edge, ..] if before.edges == after.edges => {
             let edge = &grid.edges[edge];
             ValidOrigin::Along(edge.id, edge.share(at))

@@ -12,7 +12,7 @@ use crate::predicate::{Turn, turn_between};
 use crate::{ConvexPolygon, Scalar};
 
 /// Returns the record of the intersection of two convex polygons: where every vertex and every side of it is from.
-/// Search exactly, `O(n log m)`; the polygons must be valid, or the record means nothing.
+/// Search exactly, `O(n log m)`; the polygons must be valid, or the record is undefined.
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, clipping::{Corner, Side, clip_search}};

@@ -254,7 +254,7 @@ pub fn squared_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S 
 /// deepest in a (or the reverse), `on_a` the point of a's border to which it must go. Circles with one centre, and
 /// other round shapes whose cores meet in a point, leave each other in several directions; the points are those of one.
 /// Ties and derivatives: see the [module](super). The points of two lines that cross are nearest to each other's given
-/// points and mean nothing.
+/// points and have no meaning.
 ///
 /// ```
 /// use geograd::{Aabb2, Circle, Vec2, distance::closest_points};

@@ -1,7 +1,7 @@
 //! The depth by which cores overlap: the plane that separates them best.
 //!
-//! The gap along any direction of length one is at most the signed distance, and of some face's normal, or some normal
-//! of two edges, it is just that. A direction that is mostly rounding costs nothing.
+//! The gap along any direction of length one is at most the signed distance, and equals it for some face's normal, or
+//! some normal of two edges. A direction that is mostly rounding costs nothing.
 use super::core::{BoxCore, Core};
 use super::near::normal;
 use super::parting::{PartingPlane, grade};

@@ -36,11 +36,11 @@ pub struct PartingPlane<P> {
     pub on_b: Vec3<P>,
     /// The mean of the spots of the points of a.
     pub at_a: Spot<P>,
-    /// The mean of those of b.
+    /// The mean of the spots of the points of b.
     pub at_b: Spot<P>,
     /// The mean of the spots of a on the other side, where that ties.
     pub behind_a: Spot<P>,
-    /// The mean of those of b.
+    /// The mean of the spots of the points of b.
     pub behind_b: Spot<P>,
     /// The normal of the side that separates more, or of the first one: it needs no grades.
     pub lead: Vec3<P>,

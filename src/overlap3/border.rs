@@ -9,9 +9,9 @@
 //! primitive of `dx dy dz` over the clamped border of P. There is no list of vertices and no sorting; the
 //! sum is continuous in every input.
 //!
-//! The primitives `x_k dx_i dx_j` (k, i, j in circular order) differ by exact forms. So each face of P may
-//! use the one whose direction it faces most, if the differences are made good along the edges and at the
-//! corners where faces with different primitives meet. With X the clamped coordinates:
+//! The primitives `x_k dx_i dx_j` (k, i, j in circular order) differ by exact forms. So each face of P may use the one
+//! whose direction it faces most, if the differences are compensated along the edges and at the corners where faces
+//! with different primitives meet. With X the clamped coordinates:
 //!
 //! ```text
 //! V =  Σ faces (k, s)        s · ∫ clamp(x_k) dx_i dx_j   over the face seen along x_k, inside K's rectangle

@@ -21,10 +21,9 @@
 //!                                                h = 1 − b y² / (a y − α)  where they cross,
 //! ```
 //!
-//! with `a`, `b` the distances of `f` and `g` along the ray on which `f` is nearer, in a common unit,
-//! and `α = a − b`. The sum is continuous in every vertex, so identical, touching, contained and
-//! collinear polygons need no care, and every term is bounded by either triangle: with `c` near the
-//! smaller polygon nothing large cancels.
+//! with `a`, `b` the distances of `f` and `g` along the ray on which `f` is nearer, in a common unit, and `α = a − b`.
+//! The sum is continuous in every vertex, so identical, touching, contained and collinear polygons need no special
+//! case, and every term is bounded by either triangle: with `c` near the smaller polygon nothing large cancels.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.

@@ -1,4 +1,4 @@
-//! Rings that are looked at, and rings that are owned.
+//! Borrowed rings, and owned rings.
 use crate::error::{Flaw, Validate, VertexFault};
 use crate::predicate::same;
 use crate::reference::bounds_of;

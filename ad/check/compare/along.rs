@@ -225,7 +225,7 @@ impl AlongDirection<'_> {
             }
         }
         let (place, switched) = place.unwrap_or_else(|| {
-            // Without derivatives the smoothness is determined all the same.
+            // Without derivatives the smoothness is determined nevertheless.
             match test.first() {
                 Assessment::Agrees {
                     place, switched, ..

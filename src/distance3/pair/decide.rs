@@ -226,7 +226,7 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &RelativeBox<P>, gaps: &Gaps<P
         part(middle.at[0], half[1]),
         part(middle.at[1], half[2]),
     ];
-    // Back from the face's axes to those of the box.
+    // Converted from the face's axes to those of the box.
     let owner = [0, 1, 2].each_as(|k| {
         (axis[0] * own_parts[k] + axis[1] * own_parts[(k + 2) % 3])
             + axis[2] * own_parts[(k + 1) % 3]
