@@ -19,7 +19,7 @@ pub(crate) trait Vertices<S>: Copy {
     fn count(self) -> usize;
     /// Returns vertex `k`.
     fn at(self, k: usize) -> Vec2<S>;
-    /// Returns all of them, where they lie side by side.
+    /// Returns the slice of all vertices.
     fn slice(&self) -> &[Vec2<S>];
 }
 

@@ -206,7 +206,7 @@ pub(super) fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
     if EXTREME { x.saturated() } else { x }
 }
 
-/// Returns every field with zeros without sign.
+/// Returns every field with positive zeros.
 #[inline(always)]
 fn canonical<S: Scalar>(x: Obb2<S>) -> Obb2<S> {
     Obb2 {
@@ -216,7 +216,7 @@ fn canonical<S: Scalar>(x: Obb2<S>) -> Obb2<S> {
     }
 }
 
-/// Returns every field at the nearest finite number, times what was taken from the upstream derivative.
+/// Multiplies every field by the factor that was taken from the upstream derivative, up to the largest number.
 #[inline(always)]
 fn saturated<S: Scalar>(x: Obb2<S>, steep: S) -> Obb2<S> {
     let times = |x: S| (x.saturated() * steep).saturated();

@@ -116,7 +116,7 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
     fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
         Vec::new()
     }
-    /// Returns how each of its parts is drawn, a part for every shape of a tuple.
+    /// Returns the samplers of its parts, one for every shape of a tuple.
     #[doc(hidden)]
     fn samplers() -> Vec<Sampler> {
         vec![Sampler::of::<Self>()]

@@ -21,7 +21,7 @@ enum EdgeMeeting {
     InLine,
 }
 
-/// Returns how the edges before and after a vertex of the border meet there.
+/// Returns the kind of meeting of the edges before and after a vertex of the border.
 fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> EdgeMeeting {
     let (first, second) = (&grid.edges[before], &grid.edges[after]);
     let own = (first.vertex_at(at), second.vertex_at(at));

@@ -130,7 +130,7 @@ impl<P: Scalar> Candidate<P> {
         self.at_b.add(ties, other.at_b, ties);
         P::select(ties, P::one(), P::zero())
     }
-    /// Returns all nothing, with the least of some squares.
+    /// Creates the sum of no candidates, with the least of some squares.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn none(square: P) -> Self {
         let zero = Vec3::zero();

@@ -121,7 +121,7 @@ pub trait Scalar:
     fn at_least(self, other: Self) -> Self::Mask {
         other.at_most(self)
     }
-    /// Returns half of it.
+    /// Returns half of the number.
     #[inline(always)]
     fn halved(self) -> Self {
         self * Self::lit(0.5)

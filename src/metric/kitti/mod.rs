@@ -61,7 +61,7 @@ impl Difficulty {
             Difficulty::Hard => 0.5,
         }
     }
-    /// Returns how a truth counts.
+    /// Returns the role of a truth in the count.
     ///
     /// ```
     /// use geograd::metric::kitti::{Counts, Difficulty, Label, GroundTruth};
@@ -82,7 +82,8 @@ impl Difficulty {
             Label::Other => Counts::Not,
         }
     }
-    /// Returns how a detection of a height in pixels counts, of the class that is judged or of another one.
+    /// Returns the role in the count of a detection of a height in pixels, of the class that is judged or of another
+    /// one.
     #[must_use]
     pub fn detection(self, height: f64, is_of_class: bool) -> Counts {
         if height < self.height() {
