@@ -1,6 +1,6 @@
 //! Declared properties of functions as data: the motions of numbers, the answers of results, and where values may jump.
 //!
-//! A shape says how it moves by the [`Kind`] of each of its numbers. Numbers that only move together, such as the
+//! The [`Kind`] of each number of a shape determines its motion. Numbers that only move together, such as the
 //! coordinates of a point or the four numbers of a quaternion, have kinds of their own and follow one another.
 
 /// A motion of the whole input, in the world's axes.
@@ -71,7 +71,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// True for what is measured in units of length.
+    /// Returns `true` for everything that is measured in units of length.
     #[must_use]
     pub fn is_length(self) -> bool {
         matches!(
@@ -79,12 +79,12 @@ impl Kind {
             Kind::X | Kind::Y | Kind::Z | Kind::Length | Kind::Offset
         )
     }
-    /// True for a coordinate of a point.
+    /// Returns `true` for a coordinate of a point.
     #[must_use]
     pub fn is_place(self) -> bool {
         matches!(self, Kind::X | Kind::Y | Kind::Z)
     }
-    /// True for angles, directions and rotation vectors, whose own unit is one.
+    /// Returns `true` for angles, directions and rotation vectors, whose own unit is one.
     pub(crate) fn is_measured_at_one(self) -> bool {
         let is_direction = matches!(self, Kind::DirectionX | Kind::DirectionY | Kind::DirectionZ);
         let is_vector = matches!(
@@ -93,7 +93,7 @@ impl Kind {
         );
         self.is_angle() || is_direction || is_vector
     }
-    /// True for an angle in radians.
+    /// Returns `true` for an angle in radians.
     #[must_use]
     pub fn is_angle(self) -> bool {
         matches!(self, Kind::Angle | Kind::AngleX | Kind::AngleY)
@@ -107,14 +107,14 @@ pub enum Effect {
     Stays,
     /// Every number grows with this power of the scale.
     Power(i32),
-    /// It moves along, as what it is made of does: points, lengths, angles.
+    /// It moves as its points, lengths and angles do.
     Follows,
 }
 
 /// A declared property of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Invariance {
-    /// How the input moves.
+    /// The motion of the input.
     pub motion: Motion,
     /// The effect of a motion of the input on the result.
     pub answer: Effect,

@@ -1,8 +1,7 @@
 //! Derivatives of any generic function of shapes by dual numbers, seeded by the library.
 //!
-//! Every driver takes the function and the point, and gives back shapes. The function is generic
-//! over the scalar, or a closure over generic functions: it is called with shapes made of
-//! [`Jet`]s.
+//! Every driver takes the function and the point, and returns shapes. The function is generic over the scalar, or a
+//! closure over generic functions: it is called with shapes over [`Jet`].
 //!
 //! | driver | result |
 //! | --- | --- |
@@ -137,7 +136,7 @@ where
     (value, rows)
 }
 
-/// Values and derivatives of a list-valued function, by as many passes as it takes.
+/// Returns values and derivatives of a list-valued function, by as many passes as it takes.
 fn derivatives<S: Scalar, X: Pack<Scalar = S>>(
     f: impl Fn(X::With<First<S>>) -> Vec<First<S>>,
     x: &X,

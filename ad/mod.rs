@@ -20,7 +20,7 @@
 //!
 //! # Verification
 //!
-//! [`check`] checks derivatives, the library's and yours, as does
+//! [`check`] checks derivatives, the library's and those of a user, as does
 //! [`assert_gradient!`](crate::assert_gradient); both need the feature `check`. [`declared`] has the properties that
 //! functions declare, [`sample`] draws inputs.
 //!

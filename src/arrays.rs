@@ -2,7 +2,7 @@
 
 /// Arrays with a function of every element.
 pub trait Each<T> {
-    /// The same list of other elements.
+    /// A list of this length with other elements.
     type Of<U: Copy>: Copy + AsRef<[U]>;
     /// Returns the results of a function of every element, first element first. Builds without optimisation compile
     /// some 300 lines of LLVM's for every use of the standard library's `map`, and a tenth of that for this loop.

@@ -4,9 +4,9 @@ use crate::error::{Argument, Error, Field, Flaw};
 use crate::suppression::Pair;
 use std::cmp::Ordering;
 
-/// One-to-one pairs by descending overlap: the largest one first, then the largest one of those whose two ends
-/// are both free, and so on. Equal overlaps are ordered by the smaller first place, then by the smaller second
-/// place. Pairs whose overlap is not a number are left out.
+/// Selects one-to-one pairs by descending overlap: first the largest, then repeatedly the largest of which both ends
+/// are still free. Equal overlaps are ordered by the smaller first index, then by the smaller second index. Pairs whose
+/// overlap is NaN are ignored.
 ///
 /// ```
 /// use geograd::assignment::greedy;
@@ -106,11 +106,11 @@ pub fn optimal(gains: &[f64], rows: usize, columns: usize) -> Result<Vec<(usize,
     Ok(pairs)
 }
 
-/// Returns the one-to-one pairs of a list with the largest sum of overlaps, by their first place. Overlaps of zero or
+/// Returns the one-to-one pairs of a list with the largest sum of overlaps, by their first index. Overlaps of zero or
 /// less add nothing and are left out.
 ///
-/// Pairs that share no place, as those of two frames, are independent: one call serves the pairs of all frames, as
-/// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped) gives them, and costs no more than a call per frame.
+/// Pairs that share no index, such as those of two frames, are independent: one call serves the pairs of all frames, as
+/// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped) gives them, at the cost of a call per frame at most.
 ///
 /// # Errors
 ///
@@ -168,7 +168,7 @@ pub fn largest(pairs: &[Pair<f64>]) -> Result<Vec<Pair<f64>>, Error> {
     Ok(chosen)
 }
 
-/// Pairs in parts that share no place.
+/// Splits pairs into groups that share no index.
 fn parts(pairs: &[Pair<f64>]) -> Vec<Vec<Pair<f64>>> {
     let mut ends: Vec<(usize, usize)> = Vec::with_capacity(2 * pairs.len());
     // Links from pair to pair, each to an earlier one of its part.
@@ -207,7 +207,7 @@ fn parts(pairs: &[Pair<f64>]) -> Vec<Vec<Pair<f64>>> {
     parts
 }
 
-/// Pairs of least cost, for no more rows than columns.
+/// Returns the pairs of least total cost, for no more rows than columns.
 fn assigned(
     rows: usize,
     columns: usize,

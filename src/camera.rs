@@ -1,7 +1,7 @@
 //! Cameras: images of points in the camera's frame, whose z axis looks ahead, x to the right and y down.
 //!
 //! A camera sees the points of its domain; beyond it lenses map two points to one pixel. `project` returns finite
-//! pixels for points beyond, too, the principal point for some: `sees` says which pixels to use. Poses take points of
+//! pixels for points beyond, too, the principal point for some: `sees` tells which pixels to use. Poses take points of
 //! the world to the camera: `camera.project(camera_from_world * point)`.
 //!
 //! ```
@@ -53,7 +53,7 @@ pub struct Fisheye<S> {
     pub radial: [S; 4],
 }
 
-/// `1 + k₁ u + k₂ u² + …`
+/// Returns `1 + k₁ u + k₂ u² + …`.
 fn polynomial<S: Scalar, const N: usize>(u: S, k: [S; N]) -> S {
     let mut sum = S::zero();
     for i in (0..N).rev() {
@@ -99,7 +99,7 @@ fn increases<S: Scalar, const N: usize>(u: S, k: [S; N]) -> S::Mask {
 }
 
 impl<S> Pinhole<S> {
-    /// From focal lengths and principal point in pixels, unchecked.
+    /// Creates a camera from focal lengths and principal point in pixels, unchecked.
     #[inline(always)]
     pub const fn new(focal: Vec2<S>, center: Vec2<S>) -> Self {
         Pinhole { focal, center }
@@ -137,7 +137,7 @@ fn ahead<S: Scalar>(point: Vec3<S>) -> Vec2<S> {
 }
 
 impl<S> BrownConrady<S> {
-    /// From the camera without distortion and OpenCV's vector `(k₁, k₂, p₁, p₂, k₃)`, unchecked.
+    /// Creates a camera from the one without distortion and OpenCV's vector `(k₁, k₂, p₁, p₂, k₃)`, unchecked.
     ///
     /// ```
     /// use geograd::Vec2;

@@ -1,5 +1,4 @@
-//! The border of one box clipped to another: what areas of intersection and their derivatives are
-//! made of.
+//! The border of one box clipped to another, from which areas of intersection and their derivatives are computed.
 //!
 //! # The method
 //!
@@ -26,7 +25,7 @@ pub fn area_from_half<S: Scalar>(half: Vec2<S>) -> S {
     (half.x + half.x) * (half.y + half.y)
 }
 
-/// A box with its trigonometry done: what a batch computes once per box.
+/// A box with sine and cosine of its heading: the data that a batch computes once per box.
 #[derive(Clone, Copy, Debug, Shape)]
 #[shape(except(Validate, approx, Sample, Arbitrary))]
 pub struct Framed<S> {
@@ -48,7 +47,7 @@ pub struct Framed<S> {
     pub sin_low: S,
 }
 
-/// Does a box's trigonometry.
+/// Computes sine and cosine of a box's heading.
 #[inline(always)]
 pub fn frame<S: Scalar>(shape: Obb2<S>) -> Framed<S> {
     let half = Vec2::new(shape.size.x.halved(), shape.size.y.halved());
@@ -80,9 +79,9 @@ pub fn frame<S: Scalar>(shape: Obb2<S>) -> Framed<S> {
     }
 }
 
-/// Returns the power of two by which a pair of boxes, given by half their sizes, is multiplied so that no
-/// area over- or underflows: it brings the larger side of the smaller box near one, unless that is
-/// zero or the other box would become too large.
+/// Returns the power of two by which a pair of boxes, given by half their sizes, is multiplied so that no area over- or
+/// underflows. It brings the larger side of the smaller box near one, unless that is zero or the other box would become
+/// too large.
 #[inline(always)]
 pub fn size_scale<S: Scalar>(half_a: Vec2<S>, half_b: Vec2<S>) -> S {
     let (size_a, size_b) = (half_a.x.most(half_a.y), half_b.x.most(half_b.y));
@@ -93,15 +92,15 @@ pub fn size_scale<S: Scalar>(half_a: Vec2<S>, half_b: Vec2<S>) -> S {
     S::select(zero, S::one(), S::select(zero, S::one(), size).binade())
 }
 
-/// The larger box of a pair may be 2⁵⁹ times as large as the smaller one; its area fits an `f32`, and what is [`FAR`]
-/// away is apart from it however it is turned.
+/// The larger box of a pair may be 2⁵⁹ times as large as the smaller one; its area fits an `f32`, and a box [`FAR`]
+/// away is apart from it in any orientation.
 pub(crate) const LARGEST_INVERSE: f64 = 1.0 / (1_u64 << 59) as f64;
 
 /// Beyond this many units (of which the smaller box has about one) between the centres in either
 /// coordinate, only the fact that the boxes are apart matters.
 pub(crate) const FAR: f64 = (1_u64 << 62) as f64;
 
-/// Box `b` seen from box `a`, both in units of `1 / scale`.
+/// Box `b` in the frame of box `a`, both in units of `1 / scale`.
 #[derive(Clone, Copy, Debug)]
 pub struct Relative<S: Scalar> {
     /// Centre of b in a's frame.
@@ -125,8 +124,8 @@ pub struct Relative<S: Scalar> {
     pub apart: S::Mask,
 }
 
-/// `b − a` in units of `1 / scale`, no farther than it matters, and what rounding took away (a
-/// constant; zero where products carry no low part).
+/// Returns `b − a` in units of `1 / scale`, clamped to the distance that matters, and its rounding error (a constant;
+/// zero where products carry no low part).
 #[inline(always)]
 fn difference<S: Scalar, const EXTREME: bool>(a: S, b: S, scale: S) -> (S, S) {
     let rounded = b - a;
@@ -148,9 +147,9 @@ fn difference<S: Scalar, const EXTREME: bool>(a: S, b: S, scale: S) -> (S, S) {
 
 /// Sees `b` from `a`.
 ///
-/// The difference of the centres comes first, so the distance from the origin costs no digits. The products of a
-/// scalar with 24 bits carry low parts. The result is then right to about 2⁻³⁵ of its inputs even where it
-/// cancels, which long thin boxes need. `EXTREME` says that there is a scale.
+/// The difference of the centres comes first, so the distance from the origin costs no digits. The products of a scalar
+/// with 24 bits carry low parts. The result is then right to about 2⁻³⁵ of its inputs even where it cancels, which long
+/// thin boxes need. `EXTREME` enables the scale.
 #[inline(always)]
 pub fn relate<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>, scale: S) -> Relative<S> {
     let (dx, lost_x) = difference::<S, EXTREME>(a.center.x, b.center.x, scale);
@@ -176,7 +175,7 @@ pub fn relate<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>, scale:
         sin = a.cos * b.sin - a.sin * b.cos;
     }
 
-    // A box is the same after a quarter turn with its sides exchanged, and after a half turn.
+    // A quarter turn with exchanged sides, or a half turn, gives the same box.
     let swapped = cos.unsigned().below(sin.unsigned());
     let (cos, sin) = (S::select(swapped, sin, cos), S::select(swapped, -cos, sin));
     let turned = cos.below(S::zero());
@@ -283,8 +282,8 @@ fn nearest_inside<S: Scalar>(x: S, half: S) -> S {
     S::from_primal(x.primal().clamp(-half, half))
 }
 
-/// Returns how much of a side of b parallel to a's top and bottom counts as inside: all, nothing, or half
-/// where it lies along one of them. Values do not notice.
+/// Returns the share of a side of b parallel to a's top and bottom that counts as inside: one, zero, or half if it lies
+/// along one of them. It does not affect values.
 #[inline(always)]
 fn share_inside<S: Scalar>(y: S, low: S, high: S, parallel: S::Mask) -> S::Primal {
     let (y, low, high) = (y.primal(), low.primal(), high.primal());
@@ -365,7 +364,7 @@ pub fn clip<S: Scalar>(pair: Relative<S>) -> Clip<S> {
     }
 }
 
-/// Returns how much the clamp bends an edge: `(X₁ − X₀)(e₀ + e₁)`.
+/// Returns the term of an edge by its clamping: `(X₁ − X₀)(e₀ + e₁)`.
 #[inline(always)]
 fn bend<S: Scalar>(edge: [End<S>; 2]) -> S {
     (edge[1].x - edge[0].x) * (edge[0].beyond + edge[1].beyond)
@@ -411,25 +410,26 @@ pub fn nothing_shared<S: Scalar>(pair: &Relative<S>, area: S) -> S::Mask {
 /// Sizes outside these limits may make products over- or underflow.
 pub(crate) const SMALL: f64 = 1e-9;
 pub(crate) const LARGE: f64 = 1e9;
-/// And coordinates of the centre beyond this.
+/// Coordinates of the centre beyond this limit may make products overflow, too.
 pub(crate) const FAR_AWAY: f64 = 1e15;
 
-/// And a coordinate or heading below this that is not zero: `10⁻¹²` in single precision.
+/// Returns the limit for coordinates and headings that are not zero: below it products may underflow. It is `10⁻¹²` in
+/// single precision.
 pub(crate) fn fine<S: Scalar>() -> f64 {
     power_of_largest::<S>(-0.3125)
 }
 
-/// Sides of shapes whose measures of the second and third power of a length, and derivatives of those, stay
-/// far from over- and underflow in single precision, unless one is a speck beside a giant.
+/// Sides of shapes whose measures of the second and third power of a length, and derivatives of those, stay far from
+/// over- and underflow in single precision, unless one is tiny and the other huge.
 pub(crate) const COMMON_SMALL: f64 = 1e-5;
 pub(crate) const COMMON_LARGE: f64 = 1e6;
 /// Coordinates of the centre of such shapes are not beyond this.
 pub(crate) const COMMON_FAR: f64 = 1e9;
 
-/// Returns `true` where a box is valid and plain products of its numbers stay far from over- and underflow, so
-/// that a batch of such boxes needs no [`size_scale`]. The results are the same bits either way.
+/// Returns `true` where a box is valid and plain products of its numbers stay far from over- and underflow, so that a
+/// batch of such boxes needs no [`size_scale`]. The results have equal bits in both cases.
 ///
-/// Without branches: a batch asks this of every box before anything else.
+/// Without branches, since a batch tests every box first.
 #[inline(always)]
 pub fn is_ordinary<S: Scalar>(shape: Obb2<S>) -> S::Mask {
     let fine = S::lit(fine::<S>());

@@ -1,14 +1,14 @@
 //! Tests whether a point lies in a polygon, and its distance from the border.
 //!
-//! Borders belong to the polygon. [`winding_number`] and [`locate`] decide exactly; [`crossing`] is the
-//! straight-line body of a fold over edges, for batches, exact but for rounding on the border itself.
+//! Borders belong to the polygon. [`winding_number`] and [`locate`] decide exactly; [`crossing`] is the straight-line
+//! body of a fold over edges, for batches, exact except for rounding on the border itself.
 use crate::distance::edge_winding;
 use crate::predicate::{Turn, same, turn};
 use crate::reference::Reference;
 use crate::shape::edges;
 use crate::{Aabb2, ConvexPolygon, Scalar, Vec2};
 
-/// The place of a point, seen from rings.
+/// The location of a point relative to rings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Location {
     /// On an edge or a vertex of a ring.
@@ -36,7 +36,7 @@ pub fn crossing<S: Scalar>(start: Vec2<S>, end: Vec2<S>, point: Vec2<S>) -> S {
     edge_winding(point, start, end)
 }
 
-/// Returns the place of a point with respect to some rings, decided exactly.
+/// Returns the location of a point with respect to some rings, decided exactly.
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, contain::{Location, locate}};
@@ -77,7 +77,7 @@ pub fn locate<S: Scalar<Mask = bool>>(rings: &[&[Vec2<S>]], point: Vec2<S>) -> L
     Location::Off(winding)
 }
 
-/// How often a ring winds around a point, counter-clockwise positive, decided exactly; `None` on the
+/// Returns the winding number of a ring around a point, counter-clockwise positive, decided exactly; `None` on the
 /// border.
 #[must_use]
 pub fn winding_number<S: Scalar<Mask = bool>>(ring: &[Vec2<S>], point: Vec2<S>) -> Option<i32> {
@@ -109,13 +109,13 @@ pub fn contains_even_odd<S: Scalar<Mask = bool>>(rings: &[&[Vec2<S>]], point: Ve
 pub enum Nearest {
     /// The edge's start.
     Start,
-    /// A place between its ends.
+    /// A point between its ends.
     Between,
     /// The edge's end.
     End,
 }
 
-/// The record of a depth: the place of a polygon's border that is nearest to the point.
+/// The record of a depth: the point of a polygon's border that is nearest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct NearestEdge {
     /// The ring ...
@@ -128,13 +128,13 @@ pub struct NearestEdge {
     pub inside: bool,
 }
 
-/// Returns how far a point is from the border of a polygon, in units of length: positive inside, negative
-/// outside, and what decided it; `None` for rings without vertices. (The sign is the DGAL paper's,
-/// opposite to that of [`signed_distance`](crate::distance::signed_distance()).)
+/// Returns the distance of a point from the border of a polygon, in units of length, positive inside, negative outside,
+/// and the record of its decisions. `None` for rings without vertices. (The sign is the DGAL paper's, opposite to that
+/// of [`signed_distance`](crate::distance::signed_distance()).)
 ///
-/// The sign is decided by winding numbers, so it is right where the point is on the extension of an
-/// edge. Kinks: several nearest places (the medial axis), and the border, where both one-sided derivatives
-/// are those of the inside. Derivatives: see [`depth_replay`].
+/// The sign is decided by winding numbers, so it is right where the point is on the extension of an edge. Kinks:
+/// several nearest points (the medial axis), and the border, where both one-sided derivatives are those of the inside.
+/// Derivatives: see [`depth_replay`].
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, contain::depth_search};
@@ -221,7 +221,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
     {
         contains(&[self.as_slice()], point)
     }
-    /// Returns how far a point is from the border: positive inside, negative outside; zero for no vertices.
+    /// Returns the distance of a point from the border: positive inside, negative outside; zero without vertices.
     #[must_use]
     #[inline]
     pub fn depth(&self, point: Vec2<S>) -> S

@@ -105,7 +105,7 @@ pub trait Standard {}
 #[diagnostic::do_not_recommend]
 impl<T: Copy + std::fmt::Debug + PartialEq> Standard for T {}
 
-/// A shape of numbers: the first implementation of the derive, so that the compiler first says what is missing.
+/// A shape of numbers: the first implementation of the derive, so that the compiler reports first what is missing.
 pub trait Derived: Standard {}
 
 /// Returns the flaw of scalar `i` of a part that begins at scalar `at` of a shape.
@@ -114,7 +114,7 @@ fn flawed<W: Fixed>(_: &W, flaw: fn(Field) -> Flaw, i: usize) -> Result<(), Flaw
     Err(flaw(W::name(i)))
 }
 
-/// Returns the place of the first scalar for which something holds.
+/// Returns the index of the first scalar for which a condition holds.
 #[inline(always)]
 fn first<P: Pack<Scalar: Copy>>(
     part: &P,
@@ -130,7 +130,7 @@ fn first<P: Pack<Scalar: Copy>>(
     found
 }
 
-/// Returns a part's first flaw; the numbers have names of their own.
+/// Returns a part's first flaw, with the given names of its numbers.
 #[inline]
 pub fn valid_as<P: Fixed + Validate>(part: &P, names: &[&str]) -> Result<(), Flaw> {
     let renamed = |own: Field| {
@@ -179,7 +179,7 @@ where
 {
     let (mut i, mut found) = (0, None);
     low.remake(&mut |low| {
-        // The number in the same place, by walking there: parts are short.
+        // The number at this index, by counting: parts are short.
         let mut k = 0;
         let inverted = first(high, |high| {
             k += 1;

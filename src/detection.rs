@@ -21,8 +21,7 @@
 //!
 //! # OpenPCDet
 //!
-//! Its boxes are [`LidarBox`](crate::convention::LidarBox), the same numbers as a
-//! [`YawBox3`](crate::shape::YawBox3).
+//! Its boxes are [`LidarBox`](crate::convention::LidarBox), with the numbers of a [`YawBox3`](crate::shape::YawBox3).
 //!
 //! | theirs | ours |
 //! | --- | --- |
@@ -72,9 +71,9 @@
 //!
 //! # The same numbers
 //!
-//! Loss functions of other libraries are formulas of ours, with small numbers added that keep them from dividing
-//! by zero. Below `p` is the predicted box, `t` the target, `A` an area, `ε` theirs; `ln1p(d)` is `ln(1 + d)`. If
-//! only ε tells them apart, results agree to ε over an area or a squared length of the boxes, in pixels.
+//! Loss functions of other libraries are formulas of ours, with small numbers added that keep them from dividing by
+//! zero. Below `p` is the predicted box, `t` the target, `A` an area, `ε` theirs; `ln1p(d)` is `ln(1 + d)`. If only ε
+//! distinguishes them, results agree to ε over an area or a squared length of the boxes, in pixels.
 //!
 //! ## mmrotate
 //!
@@ -99,8 +98,8 @@
 //! `fun='exp'` `e^(1−k) − 1`. Each adds a smooth L1 loss of encoded centres. `RotatedIoULoss` is one minus
 //! [`Iou`](crate::kernels::Iou) of `Obb2`, or its logarithm. `ConvexGIoULoss` and `BCConvexGIoULoss` are
 //! [`giou_polygons_search`](crate::iou::giou_polygons_search), `SpatialBorderLoss` is
-//! [`contain::depth_search`](crate::contain::depth_search). `KLDRepPointsLoss` has no counterpart: Gaussians
-//! are made of boxes here, not of points. All of them in space: [`gaussian::solid`](crate::gaussian::solid).
+//! [`contain::depth_search`](crate::contain::depth_search). `KLDRepPointsLoss` has no counterpart: Gaussians are
+//! computed from boxes here, not from points. All of them in space: [`gaussian::solid`](crate::gaussian::solid).
 //!
 //! ## ultralytics
 //!
@@ -134,7 +133,7 @@
 //! # Functions that none of them has
 //!
 //! Overlap of boxes under full rotation with derivatives ([`Iou`](crate::kernels::Iou) of `Obb3`), of two kinds of
-//! boxes ([`Obb3::iou`](crate::Obb3::iou)), and an overlap that goes on beyond contact
+//! boxes ([`Obb3::iou`](crate::Obb3::iou)), and an overlap that continues beyond contact
 //! ([`separation_aware`](crate::iou3::separation_aware)).
 //!
 //! [`Op::value_grad`]: crate::kernels::Op::value_grad

@@ -23,9 +23,9 @@ pub enum Argument {
     Result(usize),
     /// An input by the name that its operation gives it.
     Named(&'static str),
-    /// The input in this place, from zero, of a function without names for them.
+    /// The input of this index, from zero, of a function without names for them.
     Input(usize),
-    /// The direction of a derivative, for the input in this place, from zero.
+    /// The direction of a derivative, for the input of this index, from zero.
     Direction(usize),
     /// The vertices of a ragged batch.
     Vertices,
@@ -48,7 +48,7 @@ pub enum Argument {
 }
 
 impl Argument {
-    /// Input `i`, from zero: a letter for each of the first six.
+    /// Returns the argument of input `i`, from zero: a letter for each of the first six.
     #[must_use]
     pub const fn input(i: usize) -> Self {
         use Argument::{A, B, C, D, E, F};
@@ -133,13 +133,13 @@ impl Field {
     pub const fn new(name: &str) -> Self {
         Field::joined([name, "", ""])
     }
-    /// Returns the same number as part of a field of another shape.
+    /// Returns the name of this number as part of a field of another shape.
     #[must_use]
     pub const fn within(self, field: &str) -> Self {
         let is_joined = field.is_empty() || self.len == 0 || self.text[0] == b'[';
         Field::joined([field, if is_joined { "" } else { "." }, self.raw()])
     }
-    /// Returns the same number as part of an item of an array.
+    /// Returns the name of this number as part of an item of an array.
     #[must_use]
     pub fn within_item(self, item: usize) -> Self {
         self.within(&format!("[{item}]"))
@@ -162,7 +162,7 @@ impl Field {
             text: [0; MOST],
             len: 0,
         };
-        // How much to leave out, and whether that ends inside of a character.
+        // The number of bytes to leave out, and `true` if that ends inside of a character.
         let (mut left_out, mut in_character) = (0, false);
         if len > MOST {
             left_out = len - MOST + ellipsis.len();
@@ -216,7 +216,7 @@ pub enum Flaw {
     Inverted(Field, &'static str),
     /// A direction is the zero vector.
     Zero(Field),
-    /// A shape's own rule is broken: the field, and what it is or is not.
+    /// A shape's own rule is broken: the field, and the rule.
     Broken(Field, &'static str),
     /// A vertex of a polygon breaks a rule.
     Vertex {
@@ -244,11 +244,11 @@ pub enum VertexFault {
     NotFinite,
     /// The polygon needs this vertex and does not have it: fewer than three vertices.
     Missing,
-    /// The vertex is at the place of an earlier one, of a ring that has fewer than three places.
+    /// The vertex coincides with an earlier one, in a ring with fewer than three distinct vertices.
     Coincident,
     /// The vertex does not fit into the polygon's capacity.
     Surplus,
-    /// The next vertex is at the same place.
+    /// The next vertex coincides with this one.
     Repeated,
     /// The vertex is on the line through its neighbours.
     Straight,
@@ -256,7 +256,7 @@ pub enum VertexFault {
     Clockwise,
     /// The border is about to run around the polygon a second time.
     SecondRound,
-    /// The border turns the other way here than at other vertices: it is not convex, or crosses itself.
+    /// The border turns in the opposite direction here than at other vertices: it is not convex, or crosses itself.
     NotConvex,
 }
 
@@ -298,7 +298,7 @@ impl Flaw {
             }
         }
     }
-    /// Returns the same flaw, its fields by other names.
+    /// Returns the flaw with its fields renamed.
     #[must_use]
     pub fn renamed(self, name: impl Fn(Field) -> Field) -> Self {
         match self {
@@ -311,12 +311,12 @@ impl Flaw {
             Flaw::Vertex { .. } | Flaw::Ring { .. } => self,
         }
     }
-    /// Returns the same flaw of a part of another shape, which calls the part so.
+    /// Returns the flaw as one of another shape, which has this part as field `field`.
     #[must_use]
     pub fn within(self, field: &str) -> Self {
         self.renamed(|own| own.within(field))
     }
-    /// Returns the same flaw of an item of an array.
+    /// Returns the flaw as one of an item of an array.
     #[must_use]
     pub fn within_item(self, item: usize) -> Self {
         self.renamed(|own| own.within_item(item))
@@ -355,11 +355,11 @@ pub enum Unrecordable {
     Hint,
     /// Its input or its result has whole numbers (codes, counts): programs are of numbers with derivatives.
     Codes,
-    /// It searches: what it does depends on its input, and a program is a straight line.
+    /// It searches: its steps depend on its input, and a program is a straight line.
     Search,
     /// It has more operations than a program can hold.
     TooLong,
-    /// The name asked for is not one that a function can have there.
+    /// The requested name is not one that a function can have there.
     Name,
     /// Another recording is open on this thread.
     Nested,
@@ -418,7 +418,7 @@ pub enum Error {
         /// The index into the offsets.
         item: usize,
     },
-    /// The same of a call that takes more than one list.
+    /// The offsets of a list decrease, start or end wrongly, in a call with more than one list.
     OffsetsOf {
         /// The list.
         argument: Argument,
@@ -458,8 +458,8 @@ pub enum Error {
     TooLarge,
     /// No GPU is available, or a call on it failed.
     Gpu(GpuFault),
-    /// The environment variable `GEOGRAD_SIMD`, or a call, asks for a level of vector instructions that
-    /// is unknown or that this processor lacks.
+    /// The environment variable `GEOGRAD_SIMD`, or a call, requests a level of vector instructions that is unknown or
+    /// that this processor lacks.
     Simd,
     /// A function cannot be recorded as a program.
     Program(Unrecordable),
@@ -564,12 +564,12 @@ pub enum GpuFault {
     /// No adapter was found at all: install the GPU's driver, or Mesa's lavapipe, which runs on any
     /// processor.
     NoAdapter,
-    /// Adapters were found, but none as asked for: choose another index, name or kind.
+    /// Adapters were found, but none as requested: choose another index, name or kind.
     NoSuchAdapter,
     /// A GPU computes in `f32`, and the call is one of `f64`: convert the numbers, or call the CPU.
     OnlySingle,
-    /// Only a driver in software was found, which is slower than the CPU: install the GPU's driver,
-    /// or ask for software with `GEOGRAD_GPU=cpu`. Only [`Backend::auto`] says so.
+    /// Only a driver in software was found, which is slower than the CPU: install the GPU's driver, or request software
+    /// with `GEOGRAD_GPU=cpu`. Only [`Backend::auto`] returns it.
     ///
     /// [`Backend::auto`]: crate::kernels::Backend::auto
     OnlySoftware,
@@ -590,8 +590,7 @@ pub enum GpuFault {
         /// The size limit of a buffer of the device in bytes ([`Gpu::most_bytes`](crate::kernels::gpu::Gpu)).
         most: u64,
     },
-    /// The driver refused a shader or a command: a fault of ours or of the driver's. The log says
-    /// more.
+    /// The driver refused a shader or a command: a fault of this library or of the driver. The log has details.
     Shader,
     /// A handle that belongs to another context.
     ForeignBuffer,

@@ -1,8 +1,8 @@
 //! Computational geometry with exact derivatives: overlaps, distances and scores of boxes and polygons.
 //!
-//! Each formula is written once, generic over a [`Scalar`]: the same code runs on `f32`, `f64`, dual
-//! numbers and SIMD lanes. Hot paths have adjoints by hand, checked against the duals. Batches run
-//! on all cores in a default build. A derivative by a shape is a shape:
+//! Each formula is written once, generic over a [`Scalar`]: one source runs on `f32`, `f64`, dual numbers and SIMD
+//! lanes. Hot paths have adjoints by hand, checked against the duals. Batches run on all cores in a default build. A
+//! derivative by a shape is a shape:
 //!
 //! ```
 //! use geograd::{Obb2, Pack, gradient, hessian};

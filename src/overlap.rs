@@ -1,14 +1,13 @@
-//! How much two boxes overlap: area of intersection, intersection over union, intersection over
-//! the first box.
+//! Overlap of two boxes: area of intersection, intersection over union, intersection over the first box.
 //!
 //! All results are exactly zero, with all derivatives zero, for boxes that are apart or merely touch. The ratios
 //! are within `[0, 1]`; identical boxes of positive area give exactly 1 with derivative zero. A ratio with a
 //! denominator of zero is 0 with derivative zero.
 //!
-//! Ratios by the union are right to a few roundings. If one box is R times longer than the other, the area and
-//! its ratio to the small box are right to about R roundings: in `f32`, the share of a car in a kilometre of lane
-//! to 10⁻⁵. Exchanging the boxes of a union changes the result by no more than about the longest aspect times a
-//! rounding: in `f32` by 10⁻⁴ where a box is 3·10⁷ times longer than wide.
+//! Ratios by the union are right to a few roundings. If one box is R times longer than the other, the area and its
+//! ratio to the small box are right to about R roundings: in `f32`, the share of a car in a kilometre of lane to 10⁻⁵.
+//! Exchanging the boxes of a union changes the result by at most about the longest aspect times a rounding: in `f32` by
+//! 10⁻⁴ where a box is 3·10⁷ times longer than wide.
 //!
 //! A box counts as empty when it is so thin that, with its longer side as the unit of length, its area is
 //! at most [`Scalar::EMPTY`]: longer than wide by a factor beyond about 10³⁷ in `f32` and 10³⁰⁶ in `f64`.
@@ -33,7 +32,7 @@ use crate::clip::{
 use crate::scalar::guarded;
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
-/// Intersection over union from areas, in `[0, 1]`; zero with derivative zero when the union is empty.
+/// Returns the intersection over union from areas, in `[0, 1]`; zero with derivative zero when the union is empty.
 #[inline(always)]
 pub fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
     let total = area_a + area_b - inter;
@@ -45,7 +44,7 @@ pub fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
     )
 }
 
-/// Intersection over the first area, in `[0, 1]`; zero with derivative zero when that is empty.
+/// Returns the intersection over the first area, in `[0, 1]`; zero with derivative zero when that is empty.
 #[inline(always)]
 pub fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
     let empty = area_a.at_most(S::lit(S::EMPTY));
@@ -56,10 +55,10 @@ pub fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
     )
 }
 
-/// Relates two framed boxes and measures what they share, in units of `1 / scale`.
+/// Relates two framed boxes and measures their intersection, in units of `1 / scale`.
 ///
-/// `EXTREME` says whether sizes may be so small or large that products over- or underflow; the
-/// bits of the result are the same for ordinary boxes either way.
+/// `EXTREME` allows sizes so small or large that products over- or underflow; the bits of the result are equal for
+/// ordinary boxes in both cases.
 #[inline(always)]
 pub fn shared_area<S: Scalar, const EXTREME: bool>(
     a: Framed<S>,
@@ -74,7 +73,7 @@ pub fn shared_area<S: Scalar, const EXTREME: bool>(
     (pair, area, scale)
 }
 
-/// [`shared_area`] in a given unit.
+/// Returns [`shared_area`] in a given unit.
 #[inline(always)]
 pub(crate) fn scaled_shared_area<S: Scalar, const EXTREME: bool>(
     a: Framed<S>,
@@ -176,7 +175,7 @@ pub fn intersection_area_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     score_framed::<S, true>(Denominator::None, frame(a), frame(b))
 }
 
-/// Intersection over union of two rotated boxes, in `[0, 1]`.
+/// Returns the intersection over union of two rotated boxes, in `[0, 1]`.
 ///
 /// Kinks and conventions: see the [module](self).
 ///
@@ -270,7 +269,7 @@ pub fn intersection_area_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     score_aabb2(Denominator::None, a, b)
 }
 
-/// Intersection over union of two axis-aligned boxes, in `[0, 1]`.
+/// Returns the intersection over union of two axis-aligned boxes, in `[0, 1]`.
 ///
 /// Kinks and conventions: see the [module](self).
 ///
@@ -301,19 +300,19 @@ pub fn iof_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
 }
 
 impl<S: Scalar> Obb2<S> {
-    /// [`intersection_area_obb2`].
+    /// Returns [`intersection_area_obb2`].
     #[must_use]
     #[inline]
     pub fn intersection_area(self, other: Self) -> S {
         guarded((self, other), |(a, b)| intersection_area_obb2(a, b))
     }
-    /// [`iou_obb2`].
+    /// Returns [`iou_obb2`].
     #[must_use]
     #[inline]
     pub fn iou(self, other: Self) -> S {
         guarded((self, other), |(a, b)| iou_obb2(a, b))
     }
-    /// [`iof_obb2`].
+    /// Returns [`iof_obb2`].
     #[must_use]
     #[inline]
     pub fn iof(self, other: Self) -> S {
@@ -322,19 +321,19 @@ impl<S: Scalar> Obb2<S> {
 }
 
 impl<S: Scalar> Aabb2<S> {
-    /// [`intersection_area_aabb2`].
+    /// Returns [`intersection_area_aabb2`].
     #[must_use]
     #[inline]
     pub fn intersection_area(self, other: Self) -> S {
         guarded((self, other), |(a, b)| intersection_area_aabb2(a, b))
     }
-    /// [`iou_aabb2`].
+    /// Returns [`iou_aabb2`].
     #[must_use]
     #[inline]
     pub fn iou(self, other: Self) -> S {
         guarded((self, other), |(a, b)| iou_aabb2(a, b))
     }
-    /// [`iof_aabb2`].
+    /// Returns [`iof_aabb2`].
     #[must_use]
     #[inline]
     pub fn iof(self, other: Self) -> S {

@@ -1,8 +1,7 @@
 //! Shapes as lists of scalars, in one order of fields for derivatives, batches and kernels.
 //!
-//! [`Pack`] flattens a shape into scalars, and `With<T>` is the same shape made of `T`: a gradient is a shape, a
-//! Hessian a shape of gradients. [`Fixed`] adds a constant length, loads and stores slices, and names every scalar for
-//! errors.
+//! [`Pack`] flattens a shape into scalars, and `With<T>` is this shape over `T`: a gradient is a shape, a Hessian a
+//! shape of gradients. [`Fixed`] adds a constant length, loads and stores slices, and names every scalar for errors.
 use crate::Scalar;
 use crate::error::{Field, Flaw, Validate};
 

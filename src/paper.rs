@@ -1,9 +1,8 @@
-//! For those who come from the paper's library: where each of its functions is, and what was wrong with
-//! it.
+//! The functions of the paper's library, their equivalents here, and their bugs.
 //!
-//! DGAL, a header of C++ and CUDA templates, came with the paper that this library was begun for; `d3d`
-//! is its Python face. Everything that they do in the plane is here, generic, with derivatives, in batches. Bug
-//! numbers are those of the tests: `tests/geometry/paper_bugs.rs` has one per bug.
+//! DGAL, a header of C++ and CUDA templates, came with the paper that this library was begun for; `d3d` is its Python
+//! package. Everything that they do in the plane is here, generic, with derivatives, in batches. Bug numbers are those
+//! of the tests: `tests/geometry/paper_bugs.rs` has one per bug.
 //!
 //! ```
 //! // The paper's listing: the IoU of two quadrilaterals, and its gradient.
@@ -57,7 +56,7 @@
 //! | `aabox2_from_poly2` | [`ConvexPolygon::bounding`] | ties went to the first vertex; here they share |
 //! | `distance(Point2, Point2)` | [`Vec2::distance`] | B7: the gradient of equal points was no number |
 //! | `distance(Line2, Point2)` | [`Line2::side`] (signed), [`distance`](crate::distance::distance()) | B1: wrong gradient with respect to the line |
-//! | `distance(Segment2, Point2)` | [`distance`](crate::distance::distance()) | B1; B3: a sign that means nothing beyond the ends |
+//! | `distance(Segment2, Point2)` | [`distance`](crate::distance::distance()) | B1; B3: a sign without meaning beyond the ends |
 //! | `distance(Poly2, Point2)` | [`ConvexPolygon::depth`], [`depth_search`](crate::contain::depth_search) (with the edge); the opposite sign: [`signed_distance_to_ring`](crate::distance::ring::signed_distance_to_ring) | B1; B3: positive on the extension of an edge |
 //! | `intersect(Line2, Line2)` | [`crossing_of_lines`](crate::intersection::crossing_of_lines()) | infinite for parallel lines |
 //! | `intersect(AABox2, AABox2)` | [`Aabb2::meet`] | |

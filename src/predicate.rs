@@ -1,15 +1,14 @@
-//! Exact decisions about points: which way three points turn, which of two directions is to the left.
+//! Exact decisions about points: the turn of three points, and which of two directions is to the left.
 //!
-//! A search that asks the same question twice, in two forms, must not get two answers, or it builds
-//! something that is no polygon. These answers are those of exact arithmetic on the given numbers,
-//! for every input whose products neither over- nor underflow in `f64` (coordinates are scaled by a
-//! power of two first, so only sizes that differ by more than 10¹⁵⁰ within one question are at risk).
-//! Derivatives take no part: decisions are about values.
+//! A search that makes one decision twice, in two forms, must decide equally, or its result is no polygon. These
+//! decisions are those of exact arithmetic on the given numbers, for every input whose products neither over- nor
+//! underflow in `f64` (coordinates are scaled by a power of two first, so only sizes that differ by more than 10¹⁵⁰
+//! within one decision are at risk). Derivatives take no part: decisions are about values.
 use crate::{Scalar, Vec2, twofold};
 use std::any::Any;
 use std::cmp::Ordering;
 
-/// Which way a path turns.
+/// The turn of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Turn {
     /// Counter-clockwise.
@@ -50,7 +49,7 @@ pub(crate) fn wide<S: Scalar<Mask = bool>>(p: Vec2<S>) -> Option<[f64; 2]> {
     Some([widened(p.x)?, widened(p.y)?])
 }
 
-/// Which way the path `a → b → c` turns: the sign of `(b − a) × (c − a)`, exactly.
+/// Returns the turn of the path `a → b → c`: the sign of `(b − a) × (c − a)`, exactly.
 ///
 /// ```
 /// use geograd::Vec2;
@@ -65,15 +64,15 @@ pub fn turn<S: Scalar<Mask = bool>>(a: Vec2<S>, b: Vec2<S>, c: Vec2<S>) -> Turn 
     turn_between([a, b], [a, c])
 }
 
-/// On which side of the direction `from[0] → from[1]` the direction `to[0] → to[1]` points: the sign
-/// of the cross product of the two differences, exactly.
+/// Returns the side of the direction `from[0] → from[1]` to which the direction `to[0] → to[1]` points: the sign of the
+/// cross product of the two differences, exactly.
 #[must_use]
 #[inline]
 pub fn turn_between<S: Scalar<Mask = bool>>(from: [Vec2<S>; 2], to: [Vec2<S>; 2]) -> Turn {
     let all = (wide(from[0]), wide(from[1]), wide(to[0]), wide(to[1]));
     let sign = match all {
         (Some(a), Some(b), Some(c), Some(d)) => cross_sign(a, b, c, d),
-        // A format that is neither: as well as its own arithmetic can tell.
+        // Another format decides as well as its own arithmetic can.
         _ => {
             let cross = (from[1] - from[0]).perp_dot(to[1] - to[0]);
             if cross.above(S::zero()) {
@@ -105,7 +104,7 @@ pub(crate) fn left_to_right<S: Scalar<Mask = bool>>(a: Vec2<S>, b: Vec2<S>) -> O
     order(a.x, b.x).then(order(a.y, b.y))
 }
 
-/// Returns `true` if two points have the same coordinates.
+/// Returns `true` if two points have equal coordinates.
 #[inline]
 pub(crate) fn same<S: Scalar<Mask = bool>>(a: Vec2<S>, b: Vec2<S>) -> bool {
     a.x.equals(b.x) && a.y.equals(b.y)
@@ -113,9 +112,9 @@ pub(crate) fn same<S: Scalar<Mask = bool>>(a: Vec2<S>, b: Vec2<S>) -> bool {
 
 /// Returns a number with the sign of `(b − a) × (d − c)`.
 ///
-/// The plain value decides when it is farther from zero than its rounding can be (Shewchuk, Adaptive
-/// precision floating-point arithmetic and fast robust geometric predicates, 1997); else the sum of
-/// all sixteen exact parts does.
+/// The plain value decides when it is farther from zero than its rounding can be (Shewchuk, Adaptive precision
+/// floating-point arithmetic and fast robust geometric predicates, 1997); else the sum of all sixteen exact parts
+/// decides.
 #[inline]
 fn cross_sign(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> f64 {
     // Three roundings of a product and one of the difference, in units of 2⁻⁵³, and some more.

@@ -31,7 +31,7 @@ impl<S: Scalar> Mul<Vec3<S>> for Alignment<S> {
 /// Returns the similarity that brings points closest to targets: it minimises the weighted sum of squared distances.
 /// Mirrored points get the best proper rotation.
 ///
-/// The rotation of points on a line is the smallest one of those that are equally good; about the line its derivative
+/// The rotation of points on a line is the smallest one of those that fit equally well; about the line its derivative
 /// is zero. Coincident points, or weights of zero, give no rotation and the scale 1, with derivative zero. Weights are
 /// at least 0.
 ///
@@ -266,7 +266,7 @@ fn optimum<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> (Rotation3<S>, [Vec3<S>; 3]) {
     // The eigenvalues are off by a few roundings of the largest.
     let tolerance = most * S::lit(64.0 * S::EPSILON);
     let free: [S::Mask; 4] = std::array::from_fn(|i| (most - k[i][i]).at_most(tolerance));
-    // The part of no rotation in the space of all that are equally good.
+    // The part of no rotation in the space of all that fit equally well.
     let mut near = [zero; 4];
     for (vector, &free) in vectors.iter().zip(&free) {
         for (sum, &x) in near.iter_mut().zip(vector) {

@@ -212,8 +212,8 @@ impl<P: Pack> Pack for Vec<P> {
     }
 }
 
-/// A count or a code: whole numbers beside the scalars of a shape. A decision: without derivatives, and
-/// the same for every kind of scalar.
+/// A count or a code: whole numbers of a shape in addition to its scalars. It is a decision, without derivatives, and
+/// equal for every kind of scalar.
 ///
 /// ```
 /// use geograd::{Fixed, Pack, Shape};
@@ -229,9 +229,9 @@ impl<P: Pack> Pack for Vec<P> {
 /// assert_eq!(Ticks::load(&[0.5]).load_codes(&[12]), ticks);
 /// ```
 pub trait Code: Copy + PartialEq + Send + Sync + 'static {
-    /// How many whole numbers.
+    /// The count of whole numbers.
     const CODES: usize;
-    /// From the first `CODES` numbers of a slice; zeros must do.
+    /// Reads a value from the first `CODES` numbers of a slice; zeros must be valid.
     ///
     /// # Panics
     ///

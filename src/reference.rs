@@ -1,13 +1,12 @@
-//! The place from which polygons are seen: a place near them and a unit of length of their own. So neither the
-//! distance from the origin nor the size costs digits, and no product over- or underflows.
+//! The local frame of polygons: an origin near them and a unit of length of their own. So neither the distance from the
+//! origin nor the size costs digits, and no product over- or underflows.
 use crate::scalar::power_of_largest;
 use crate::{Aabb2, Scalar, Vec2};
 
-/// A place and a unit of length in which vertices are seen; all of it constant, without derivatives.
+/// An origin and a unit of length for vertices; all of it constant, without derivatives.
 ///
-/// Measures that are sums over the edges of closed rings do not depend on it: their bodies, one per
-/// edge, take [`place`](Reference::place)d vertices, and their finish goes back by
-/// [`outer`](Reference::outer).
+/// Measures that are sums over the edges of closed rings do not depend on it: their bodies, one per edge, take
+/// [local](Reference::place) vertices, and their results are converted back by [`outer`](Reference::outer).
 ///
 /// ```
 /// use geograd::{Vec2, reference::Reference};
@@ -20,14 +19,14 @@ use crate::{Aabb2, Scalar, Vec2};
 pub struct Reference<S> {
     /// A corner of the shape's bounds, in the caller's coordinates.
     pub origin: Vec2<S>,
-    /// A place seen from there, in local units: the zero of local coordinates.
+    /// The zero of local coordinates: a point relative to the origin, in local units.
     pub shift: Vec2<S>,
     /// The power of two that brings half a length to local units.
     pub scale: S,
 }
 
 impl<S: Scalar> Reference<S> {
-    /// For one shape, given by its bounds: the origin is their lower left corner.
+    /// Creates the frame of one shape, given by its bounds: the origin is their lower left corner.
     #[must_use]
     #[inline(always)]
     pub fn of_bounds(bounds: Aabb2<S>) -> Self {
@@ -39,7 +38,7 @@ impl<S: Scalar> Reference<S> {
             scale: unit(size, size),
         }
     }
-    /// For one ring or set of points; the origin for none.
+    /// Creates the frame of one ring or set of points; without points its origin is zero.
     #[must_use]
     #[inline]
     pub fn of_ring(ring: &[Vec2<S>]) -> Self {
@@ -49,9 +48,9 @@ impl<S: Scalar> Reference<S> {
         };
         Self::of_bounds(bounds_of(ring).unwrap_or(zero))
     }
-    /// For two shapes, given by their bounds: origin and unit are those of the smaller one (unless the
-    /// other is very much larger). Also where `a` is the smaller one, and where the bounds are apart or
-    /// merely touch: there the unit is that of both together.
+    /// Creates the frame of two shapes, given by their bounds: origin and unit are those of the smaller one (unless the
+    /// other is very much larger). Returns also if `a` is the smaller one, and if the bounds are apart or merely touch:
+    /// then the unit is that of both together.
     #[must_use]
     #[inline(always)]
     pub fn of_pair(a: Aabb2<S>, b: Aabb2<S>) -> (Self, S::Mask, S::Mask) {
@@ -75,10 +74,10 @@ impl<S: Scalar> Reference<S> {
         };
         (seen, in_a, apart)
     }
-    /// Returns the same for fourth powers of length. A shape longer than 2³⁰ in single precision is 2²⁶ local units
-    /// instead of one. Then the fourth power of the unit is finite. So is the factor of derivatives by local
-    /// coordinates on the way back, before the unit itself divides them. A shape longer than 2³⁵ stays as it is:
-    /// see [`too_long`](Reference::too_long).
+    /// Returns the frame with a unit that allows fourth powers of length. A shape longer than 2³⁰ in single precision
+    /// is 2²⁶ local units instead of one. Then the fourth power of the unit is finite. So is the factor of derivatives
+    /// by local coordinates in the backward pass, before the unit itself divides them. A shape longer than 2³⁵ stays as
+    /// it is: see [`too_long`](Reference::too_long).
     #[must_use]
     #[inline(always)]
     pub(crate) fn of_fourth_powers(mut self) -> Self {
@@ -88,7 +87,8 @@ impl<S: Scalar> Reference<S> {
         self.scale = S::select(held, self.scale.over(most.binade()), self.scale);
         self
     }
-    /// For moments of a shape, given by its bounds: seen from their middle, in a unit for fourth powers of length.
+    /// Creates the frame for moments of a shape, given by its bounds: the origin is their middle, the unit allows
+    /// fourth powers of length.
     #[must_use]
     #[inline(always)]
     pub(crate) fn of_moments(bounds: Aabb2<S>) -> Self {
@@ -101,7 +101,7 @@ impl<S: Scalar> Reference<S> {
     pub(crate) fn too_long(&self) -> S::Mask {
         self.scale.below(least_unit::<S>())
     }
-    /// Returns the same with local coordinates that start elsewhere, at a place in present ones.
+    /// Returns the frame with its local origin moved by a vector in its present coordinates.
     #[must_use]
     #[inline(always)]
     pub fn shifted(mut self, by: Vec2<S>) -> Self {
@@ -117,11 +117,11 @@ impl<S: Scalar> Reference<S> {
             let beyond = S::select(x.below(S::zero()), -far, far);
             S::select(x.unsigned().at_most(far), x, beyond)
         };
-        // Halved: the whole way may not be finite.
+        // Halved, since the whole difference may not be finite.
         let seen = (halved(vertex) - halved(self.origin)) * self.scale;
         Vec2::new(near(seen.x), near(seen.y)) - self.shift
     }
-    /// Returns the area of a ring in local units, seen from its own first vertex.
+    /// Returns the area of a ring in local units, relative to its own first vertex.
     #[must_use]
     #[inline]
     pub(crate) fn own_area(&self, ring: &[Vec2<S>]) -> S {
@@ -182,8 +182,8 @@ pub fn bounds_of<S: Scalar>(points: &[Vec2<S>]) -> Option<Aabb2<S>> {
     Some(Aabb2 { min, max })
 }
 
-/// The larger of two sizes is at most this many local units, 2²⁸ in single precision, so that products of
-/// four lengths stay finite; what is smaller beside it loses digits.
+/// Returns the limit for the larger of two sizes in local units, 2²⁸ in single precision. It keeps products of four
+/// lengths finite; a smaller size loses digits relative to it.
 #[inline(always)]
 fn ratio<S: Scalar>() -> f64 {
     power_of_largest::<S>(0.21875)

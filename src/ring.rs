@@ -1,25 +1,25 @@
 //! Rings: closed polygons given as a slice of vertices, of any number.
 //!
-//! The last vertex is joined to the first. Repeated vertices, fewer than three vertices, zero area
-//! and self-intersection are valid: the functions are sums over edges and say what they give.
-//! Vertices are taken relative to the first one and in units of the ring's own extent, so neither
-//! the distance from the origin nor the size costs digits.
+//! The last vertex is joined to the first. Repeated vertices, fewer than three vertices, zero area and
+//! self-intersection are valid: the functions are sums over edges, and their pages state the results. Vertices are
+//! taken relative to the first one and in units of the ring's own extent, so neither the distance from the origin nor
+//! the size costs digits.
 //!
 //! Signed area, perimeter and centroid, and their derivatives, are finite for all finite vertices.
 use crate::scalar::power_of_largest;
 use crate::{Mask, Scalar, Vec2};
 
-/// Vertices worked on side by side: sums of their own that need not wait for each other, and arrays
-/// that the compiler turns into SIMD.
+/// The number of vertices processed side by side: their sums are independent, and the compiler turns their arrays into
+/// SIMD.
 pub(crate) const SIDE: usize = 16;
 
 /// The vertices of a ring, at least one, by number.
 pub(crate) trait Vertices<S>: Copy {
-    /// How many.
+    /// Returns the number of vertices, at least one.
     fn count(self) -> usize;
-    /// One of them.
+    /// Returns vertex `k`.
     fn at(self, k: usize) -> Vec2<S>;
-    /// Returns all of them, where they lie side by side.
+    /// Returns the slice of all vertices.
     fn slice(&self) -> &[Vec2<S>];
 }
 
@@ -38,8 +38,8 @@ impl<S: Copy> Vertices<S> for &[Vec2<S>] {
     }
 }
 
-/// How a ring's vertices are seen: from the first one, and in units of a power of two where the extent
-/// is out of the ordinary, so that no product over- or underflows.
+/// The local frame of a ring's vertices: relative to the first one, and in units of a power of two for an extreme
+/// extent, so that no product over- or underflows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Local<S> {
     first: Vec2<S>,
@@ -48,7 +48,7 @@ pub(crate) struct Local<S> {
 }
 
 impl<S: Scalar> Local<S> {
-    /// For a ring of any extent.
+    /// Creates the frame of a ring of any extent.
     #[inline(always)]
     pub fn new(ring: impl Vertices<S>) -> Self {
         match is_ordinary::<S>(extent_of(ring)).all() {
@@ -85,7 +85,7 @@ impl<S: Scalar> Local<S> {
     pub fn place(&self, vertex: Vec2<S>) -> Vec2<S> {
         match self.scale {
             None => vertex - self.first,
-            // Halved: the whole way may not be finite.
+            // Halved, since the whole difference may not be finite.
             Some(scale) => (halved(vertex) - self.first) * scale,
         }
     }
@@ -159,7 +159,7 @@ fn primal<S: Scalar>(v: Vec2<S>) -> Vec2<S::Primal> {
     Vec2::new(v.x.primal(), v.y.primal())
 }
 
-/// Returns the largest coordinate of a ring seen from its first vertex.
+/// Returns the largest coordinate of a ring relative to its first vertex.
 #[inline(always)]
 fn extent_of<S: Scalar>(ring: impl Vertices<S>) -> S::Primal {
     let first = primal(ring.at(0));
@@ -170,7 +170,7 @@ fn extent_of<S: Scalar>(ring: impl Vertices<S>) -> S::Primal {
     )
 }
 
-/// Returns the largest coordinate of what vertices are placed at.
+/// Returns the largest local coordinate of the vertices.
 #[inline(always)]
 fn largest_of<S: Scalar>(
     ring: impl Vertices<S>,
@@ -254,7 +254,7 @@ pub fn signed_area<S: Scalar>(ring: &[Vec2<S>]) -> S {
     signed_area_of(ring)
 }
 
-/// [`signed_area`] of a ring that has vertices.
+/// Returns the [`signed_area`] of a ring that has vertices.
 #[inline(always)]
 pub(crate) fn signed_area_of<S: Scalar>(ring: impl Vertices<S>) -> S {
     let [area] = measure(
@@ -290,7 +290,7 @@ pub fn perimeter<S: Scalar>(ring: &[Vec2<S>]) -> S {
     perimeter_of(ring)
 }
 
-/// [`perimeter`] of a ring that has vertices.
+/// Returns the [`perimeter`] of a ring that has vertices.
 #[inline(always)]
 pub(crate) fn perimeter_of<S: Scalar>(ring: impl Vertices<S>) -> S {
     let [perimeter] = measure(
@@ -305,10 +305,10 @@ pub(crate) fn perimeter_of<S: Scalar>(ring: impl Vertices<S>) -> S {
 
 /// Returns the centroid of the area of a ring (not of its vertices): where a plate of that shape balances.
 ///
-/// If the signed area is exactly zero (fewer than three vertices, collinear vertices, a symmetric figure of
-/// eight) there is no such point. The result is then the mean of the vertices, with its derivative; the origin
-/// for no vertices. That case is a jump, and near it the result grows without bound for rings whose lobes cancel
-/// (it saturates at the largest finite number). Source: Green's theorem.
+/// If the signed area is exactly zero (fewer than three vertices, collinear vertices, a symmetric figure of eight)
+/// there is no such point. The result is then the mean of the vertices, with its derivative; the origin for no
+/// vertices. This case is a jump, and near it the result grows without bound for rings whose lobes cancel (it saturates
+/// at the largest finite number). Source: Green's theorem.
 ///
 /// ```
 /// use geograd::{Vec2, ring::centroid};
@@ -332,7 +332,7 @@ pub(crate) struct Measured<S: Scalar> {
     pub flat: S::Mask,
 }
 
-/// [`centroid`] of a ring that has vertices.
+/// Returns the [`centroid`] of a ring that has vertices.
 #[inline(always)]
 pub(crate) fn centroid_of<S: Scalar>(ring: impl Vertices<S>) -> Measured<S> {
     let (first, count) = (ring.at(0), S::lit(ring.count() as f64));
@@ -363,7 +363,7 @@ pub(crate) fn centroid_of<S: Scalar>(ring: impl Vertices<S>) -> Measured<S> {
     }
 }
 
-/// The measures that kernels of the library serve.
+/// The measures that kernels of the library compute.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Measure {
@@ -376,7 +376,7 @@ pub enum Measure {
 }
 
 impl Measure {
-    /// Numbers per result.
+    /// Returns the count of numbers per result.
     #[must_use]
     pub const fn fields(self) -> usize {
         match self {

@@ -3,19 +3,19 @@
 //!
 //! Dekker, A floating-point technique for extending the available precision, 1971. A value within the rounding of such
 //! numbers, 16 ε² of the sum of its terms' magnitudes, counts as zero where it is [`settled`](Twofold::settled). Exact
-//! zeros are therefore found, and signs are those of the given numbers but for values that near to zero. Derivatives
-//! take no part.
+//! zeros are therefore recognised, and signs are those of the given numbers except for values that near to zero.
+//! Derivatives take no part.
 use crate::arrays::Each;
 use crate::{Scalar, Vec2, Vec3};
 
-/// What the rounded difference `a − b` lacks (Knuth, The Art of Computer Programming 2, 4.2.2).
+/// Returns the rounding error of the difference `a − b` (Knuth, The Art of Computer Programming 2, 4.2.2).
 #[inline(always)]
 pub(crate) fn lost<P: Scalar>(a: P, b: P, rounded: P) -> P {
     let taken = rounded - a;
     (a - (rounded - taken)) - (b + taken)
 }
 
-/// Returns the sum of two numbers: first what the rounded one lacks.
+/// Returns the sum of two numbers: first the rounding error, then the rounded sum.
 #[inline(always)]
 pub(crate) fn sum<P: Scalar>(a: P, b: P) -> [P; 2] {
     let rounded = a + b;
@@ -37,15 +37,15 @@ impl<P: Scalar> Halves<P> {
         let (high, low) = if P::EPSILON > 1e-10 {
             whole.parts()
         } else {
-            // Of 53 digits cut in two, one half would have 27, too many for a product. Rounded to 26, the rest has a
-            // sign and 26 (Veltkamp): by 2 to the number of digits of the low half, and one.
+            // If 53 digits are cut in two, one half has 27, too many for a product. Rounded to 26, the rest has a sign
+            // and 26 (Veltkamp): by 2 to the number of digits of the low half, and one.
             let large = whole * P::lit(134_217_729.0);
             let high = large - (large - whole);
             (high, whole - high)
         };
         Halves { whole, high, low }
     }
-    /// Returns the product: first what the rounded one lacks (Dekker).
+    /// Returns the product: first the rounding error, then the rounded product (Dekker).
     #[inline(always)]
     pub(crate) fn times(self, other: Self) -> [P; 2] {
         let rounded = self.whole * other.whole;
@@ -72,7 +72,7 @@ impl<P: Scalar> Twofold<P> {
             low: P::zero(),
         }
     }
-    /// `a − b`, exactly.
+    /// Returns `a − b`, exactly.
     #[inline(always)]
     pub(crate) fn difference(a: P, b: P) -> Self {
         let high = a - b;
@@ -85,7 +85,7 @@ impl<P: Scalar> Twofold<P> {
         let [low, high] = Halves::of(a).times(Halves::of(b));
         Twofold { high, low }
     }
-    /// Times a power of two.
+    /// Multiplies by a power of two.
     #[inline(always)]
     pub(crate) fn scaled(self, by: P) -> Self {
         Twofold {
@@ -102,7 +102,7 @@ impl<P: Scalar> Twofold<P> {
             low: low - (rounded - high),
         }
     }
-    /// Returns the sum, to ε² of what is added.
+    /// Returns the sum, to ε² of its terms.
     #[inline(always)]
     pub(crate) fn plus(self, other: Self) -> Self {
         let [lost, high] = sum(self.high, other.high);
@@ -123,12 +123,13 @@ impl<P: Scalar> Twofold<P> {
         let rest = self.high * other.low + self.low * other.high;
         Twofold::of_parts(product.high, product.low + rest)
     }
-    /// `a d − b c`, to some ε² of both products.
+    /// Returns `a d − b c`, to some ε² of both products.
     #[inline(always)]
     pub(crate) fn cross(a: [Self; 2], b: [Self; 2]) -> Self {
         outer(a, b).0
     }
-    /// Zero where the value is within the rounding of a sum whose terms have this sum of magnitudes, else its float.
+    /// Returns zero where the value is within the rounding of a sum whose terms have this sum of magnitudes, else its
+    /// high part.
     #[inline(always)]
     pub(crate) fn settled(self, terms: P) -> P {
         let least = terms * P::lit(16.0 * P::EPSILON * P::EPSILON);
@@ -137,7 +138,7 @@ impl<P: Scalar> Twofold<P> {
 }
 
 /// A vector of the plane or of space by exact differences, in units of a power of two.
-pub(crate) type Way<P, const N: usize> = [Twofold<P>; N];
+pub(crate) type ExactVector<P, const N: usize> = [Twofold<P>; N];
 
 /// Returns the numbers of a point of the plane, without derivatives.
 #[inline(always)]
@@ -151,9 +152,13 @@ pub(crate) fn deep<S: Scalar>(p: Vec3<S>) -> [S::Primal; 3] {
     [p.x.primal(), p.y.primal(), p.z.primal()]
 }
 
-/// Returns the way between two points, exact, times a power of two.
+/// Returns the vector between two points, exact, times a power of two.
 #[inline(always)]
-pub(crate) fn way<P: Scalar, const N: usize>(from: [P; N], to: [P; N], unit: P) -> Way<P, N> {
+pub(crate) fn way<P: Scalar, const N: usize>(
+    from: [P; N],
+    to: [P; N],
+    unit: P,
+) -> ExactVector<P, N> {
     let mut way = [Twofold::of(P::zero()); N];
     for k in 0..N {
         way[k] = Twofold::difference(to[k] * unit, from[k] * unit);
@@ -163,7 +168,7 @@ pub(crate) fn way<P: Scalar, const N: usize>(from: [P; N], to: [P; N], unit: P) 
 
 /// Returns the rounded coordinates.
 #[inline(always)]
-pub(crate) fn rounded<P: Scalar, const N: usize>(way: Way<P, N>) -> [P; N] {
+pub(crate) fn rounded<P: Scalar, const N: usize>(way: ExactVector<P, N>) -> [P; N] {
     way.each_as(|x| x.high)
 }
 
@@ -175,16 +180,16 @@ fn outer<P: Scalar>(a: [Twofold<P>; 2], b: [Twofold<P>; 2]) -> (Twofold<P>, P) {
     (left.minus(right), terms)
 }
 
-/// Returns the outer product of two ways of the plane; exactly zero for parallel ones.
+/// Returns the outer product of two vectors of the plane; exactly zero for parallel ones.
 #[inline(always)]
-pub(crate) fn turn<P: Scalar>(a: Way<P, 2>, b: Way<P, 2>) -> P {
+pub(crate) fn turn<P: Scalar>(a: ExactVector<P, 2>, b: ExactVector<P, 2>) -> P {
     let (value, terms) = outer(a, b);
     value.settled(terms)
 }
 
-/// Returns the inner product of two ways; exactly zero for orthogonal ones.
+/// Returns the inner product of two vectors; exactly zero for orthogonal ones.
 #[inline(always)]
-pub(crate) fn dot<P: Scalar, const N: usize>(a: Way<P, N>, b: Way<P, N>) -> P {
+pub(crate) fn dot<P: Scalar, const N: usize>(a: ExactVector<P, N>, b: ExactVector<P, N>) -> P {
     let mut sum = a[0].times(b[0]);
     let mut terms = sum.high.magnitude();
     for k in 1..N {
@@ -195,20 +200,24 @@ pub(crate) fn dot<P: Scalar, const N: usize>(a: Way<P, N>, b: Way<P, N>) -> P {
     sum.settled(terms)
 }
 
-/// Returns the outer products of two ways of space; exactly zero for parallel ones.
+/// Returns the outer products of two vectors of space; exactly zero for parallel ones.
 #[inline(always)]
-pub(crate) fn cross<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>) -> [P; 3] {
+pub(crate) fn cross<P: Scalar>(a: ExactVector<P, 3>, b: ExactVector<P, 3>) -> [P; 3] {
     outer_products(a, b).each_as(|(value, terms)| value.settled(terms))
 }
 
 #[inline(always)]
-fn outer_products<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>) -> [(Twofold<P>, P); 3] {
+fn outer_products<P: Scalar>(a: ExactVector<P, 3>, b: ExactVector<P, 3>) -> [(Twofold<P>, P); 3] {
     [(1, 2), (2, 0), (0, 1)].each_as(|(i, j)| outer([a[i], a[j]], [b[i], b[j]]))
 }
 
-/// Returns the triple product of three ways of space; exactly zero for those of one plane.
+/// Returns the triple product of three vectors of space; exactly zero for those of one plane.
 #[inline(always)]
-pub(crate) fn volume<P: Scalar>(a: Way<P, 3>, b: Way<P, 3>, c: Way<P, 3>) -> P {
+pub(crate) fn volume<P: Scalar>(
+    a: ExactVector<P, 3>,
+    b: ExactVector<P, 3>,
+    c: ExactVector<P, 3>,
+) -> P {
     let faces = outer_products(a, b);
     let (mut sum, mut terms) = (Twofold::of(P::zero()), P::zero());
     for k in 0..3 {

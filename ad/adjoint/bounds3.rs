@@ -1,7 +1,8 @@
 //! Adjoints of the overlap scores of axis-aligned boxes in space.
 //!
 //! With `h` half the size of the shared part, the volume shared is `8 h_x h_y h_z`. A bound that decides alone takes
-//! the whole derivative of its side, tied bounds half each; what a box's own volume adds goes to its own bounds.
+//! the whole derivative of its side, tied bounds half each; the contribution of a box's own volume goes to its own
+//! bounds.
 //!
 //! Derivatives are finite for finite boxes: those too steep for the format are its largest number.
 use crate::ad::adjoint::overlap::{part_taken, score_derivatives, tamed};
@@ -35,20 +36,20 @@ fn parts<S: Scalar>(mine: Vec3<S>, other: Vec3<S>) -> Vec3<S> {
     )
 }
 
-/// `1 - x`, number by number.
+/// Returns `1 - x`, number by number.
 #[inline(always)]
 fn rest<S: Scalar>(x: Vec3<S>) -> Vec3<S> {
     Vec3::new(S::one() - x.x, S::one() - x.y, S::one() - x.z)
 }
 
-/// Derivatives in the caller's unit, by factors one after another.
+/// Converts derivatives to the caller's unit, by one factor after another.
 #[inline(always)]
 fn outer<S: Scalar>(x: Vec3<S>, by: [S; 3]) -> Vec3<S> {
     let x = (x * by[0]).saturated();
     ((x * by[1]).saturated() * by[2]).saturated().canonical()
 }
 
-/// Value of a score and `out_bar` times its derivatives.
+/// Returns the value of a score and `out_bar` times its derivatives.
 fn score_vjp<S: Scalar>(over: Denominator, a: Aabb3<S>, b: Aabb3<S>, out_bar: S) -> (S, Bars<S>) {
     let (zero, one) = (S::zero(), S::one());
     let (out_bar, steep) = tamed(out_bar);
@@ -123,7 +124,7 @@ pub fn intersection_volume_aabb3_vjp<S: Scalar>(
     score_vjp(Denominator::None, a, b, out_bar)
 }
 
-/// Intersection over union of two axis-aligned boxes in space, and `out_bar` times its derivatives by both.
+/// Returns the intersection over union of two axis-aligned boxes in space, and `out_bar` times its derivatives by both.
 #[must_use]
 #[inline]
 pub fn iou_aabb3_vjp<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>, out_bar: S) -> (S, Bars<S>) {

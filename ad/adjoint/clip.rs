@@ -26,8 +26,8 @@ pub struct Derivatives<S> {
     pub half_b: Vec2<S>,
 }
 
-/// Returns the heights at which an upright edge from `low` to `high` enters and leaves a. Both ends beyond the
-/// same side put both crossings at the upper end.
+/// Returns the heights at which an upright edge from `low` to `high` enters and leaves a. If both ends are beyond one
+/// side, both crossings are at the upper end.
 #[inline(always)]
 fn crossings<S: Scalar>(low: S, high: S, lower: End<S>, upper: End<S>, steepness: S) -> (S, S) {
     let out = (lower.beyond * upper.beyond).above(S::zero());
@@ -47,11 +47,11 @@ fn crossing<S: Scalar>(from: S, low: S, high: S, rise: S, out: S::Mask) -> S {
     S::select(out | at.above(high), high, at)
 }
 
-/// Returns the height of a that an edge beside it covers: the part beyond a's right side minus the part beyond the left
-/// one, from the edge's first end to its last.
+/// Returns the height of a that an edge to the left or right of it covers: the part beyond a's right side minus the
+/// part beyond the left one, from the edge's first end to its last.
 ///
-/// An edge with both ends beyond one side covers its whole `rise`. The distances beyond the side do not give it:
-/// of a speck in a giant both are so large that their difference has no digits left.
+/// An edge with both ends beyond one side covers its whole `rise`. The distances beyond the side do not give it: for a
+/// tiny box in a huge one both are so large that their difference has no digits left.
 #[inline(always)]
 fn beside<S: Scalar>(out: S::Mask, [first, last]: [End<S>; 2], rise: S, derivative: S) -> S {
     let one_side = (first.beyond * last.beyond).above(S::zero());
@@ -81,7 +81,7 @@ fn half_along<S: Scalar>(parallel: S::Mask, at: S, beyond: S, low: S, high: S, w
     S::select(parallel & along, whole.halved(), S::zero())
 }
 
-/// Derivatives of [`clipped_area`](crate::clip::clipped_area).
+/// Returns the derivatives of [`clipped_area`](crate::clip::clipped_area).
 ///
 /// With `W` the length in x of the bottom and top edge inside a, `H` the length in y of the right
 /// and left edge inside a, `t = tan` of the relative heading, `c` its cosine:
@@ -103,7 +103,7 @@ pub fn clipped_area_derivatives<S: Scalar>(pair: &Relative<S>, clip: &Clip<S>) -
     let derivative = pair.sin.over(pair.cos);
     let length = S::one().over(pair.cos);
 
-    // Edges that run above or below a, with both ends on the same side, share nothing with it.
+    // Edges that run above or below a, with both ends on one side, share nothing with it.
     let bottom_out = (above[0] * above[1]).above(zero);
     let top_out = (above[2] * above[3]).above(zero);
     let mut width_bottom = S::select(bottom_out, zero, clip.bottom[1].x - clip.bottom[0].x);

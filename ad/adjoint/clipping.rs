@@ -4,14 +4,12 @@ use crate::clipping::crossing::meet;
 use crate::clipping::{ClipTrace, Corner};
 use crate::{ConvexPolygon, Scalar, Vec2};
 
-/// Adjoint of [`clip_replay`](crate::clipping::clip_replay): the cotangents of both polygons from those
-/// of the result.
+/// Returns the cotangents of both polygons of [`clip_replay`](crate::clipping::clip_replay) from those of the result.
 ///
-/// A corner's cotangent is that of the vertex it is. Let a crossing be at the fractions `s` and `t` of
-/// two edges with directions `u` and `v`, and let `ṗ`, `q̇` be how those places of the edges move. The
-/// crossing moves by `ṗ + u (v⊥ · (q̇ − ṗ)) / (v⊥ · u)`, so with `k = (x̄ · u) / (v⊥ · u)` the first edge's
-/// place has the cotangent `x̄ − k v⊥` and the second's `k v⊥`; each goes to the ends of its edge as
-/// `1 − s` and `s`, `1 − t` and `t`.
+/// A corner's cotangent is that of the vertex it is. Let a crossing be at the fractions `s` and `t` of two edges with
+/// directions `u` and `v`, and let `ṗ`, `q̇` be the velocities of those points of the edges. The crossing moves by
+/// `ṗ + u (v⊥ · (q̇ − ṗ)) / (v⊥ · u)`, so with `k = (x̄ · u) / (v⊥ · u)` the first edge's point has the cotangent
+/// `x̄ − k v⊥` and the second's `k v⊥`; each goes to the ends of its edge as `1 − s` and `s`, `1 − t` and `t`.
 #[must_use]
 pub fn clip_vjp<S: Scalar, const N: usize, const M: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,

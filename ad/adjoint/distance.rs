@@ -1,16 +1,16 @@
 //! Adjoints of distances, by the envelope theorem.
 //!
 //! The nearest points move along their shapes, but to first order that does not change their distance. So its
-//! derivative is that of the way between both, held fixed on their shapes: with n the unit vector from a to b,
-//! a point of a has the derivative −n and one of b n, which the ends of a segment share by the fraction at
-//! which the point lies between them. (How the fractions themselves change matters to curvature, which
-//! follows from differentiating these adjoints.)
+//! derivative is that of the segment between both, held fixed on their shapes: with n the unit vector from a to b, a
+//! point of a has the derivative −n and one of b n. The ends of a segment share it by the fraction at which the point
+//! lies between them. (How the fractions themselves change matters to curvature, which follows from differentiating
+//! these adjoints.)
 use crate::distance::pair::distance;
 use crate::distance::segments::{way_between_segments, way_to_segment};
 use crate::{Scalar, Segment2, Vec2};
 
-/// Returns the cotangents of the ends of a segment from that of the point at a fraction of the way, zeros without
-/// a sign.
+/// Returns the cotangents of the ends of a segment from that of the point at a fraction of its length; zeros are
+/// positive.
 #[inline(always)]
 fn shared<S: Scalar>(fraction: S, bar: Vec2<S>) -> Segment2<S> {
     let to = bar * fraction;
@@ -46,7 +46,7 @@ pub fn distance_point_segment_vjp<S: Scalar>(
 
 /// Returns the [distance](crate::distance::distance()) of two segments and its adjoint: the distance, and `out_bar`
 /// times its derivatives with respect to both. Derivatives are zero where the segments meet. Ends that are equally
-/// near, as those of parallel segments, share the derivative equally.
+/// near, such as those of parallel segments, share the derivative equally.
 ///
 /// ```
 /// use geograd::{Segment2, Vec2, ad::adjoint::distance::distance_segments_vjp};

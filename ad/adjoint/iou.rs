@@ -8,8 +8,8 @@
 //!
 //! The intersection's derivatives are those of [`ad::adjoint::clip`](crate::ad::adjoint::clip). The hull's area is a
 //! polynomial with constant weights (see [`iou`](crate::iou)): by the centre of b it has the derivatives `(Y, −X)`, by
-//! half the size of a what stands beside x and y, by each number of b's arms what stands beside that. The arms are
-//! half the size of b times cosine and sine of its turn, which takes `p_x` to `−p_y`, `p_y` to `p_x`, and the
+//! half the size of a the coefficients of x and y, by each number of b's arms its coefficient. The arms are half the
+//! size of b times cosine and sine of its turn, whose derivative takes `p_x` to `−p_y`, `p_y` to `p_x`, and the
 //! magnitudes of `q_x` and `q_y` to `q_y` and `−q_x`.
 use crate::ad::adjoint::clip::{Derivatives, clipped_area_derivatives};
 use crate::ad::adjoint::overlap::tamed;
@@ -22,7 +22,7 @@ use crate::{Obb2, Scalar, Vec2};
 
 // Functions, not closures: those do not inherit instruction sets.
 
-/// One over a number that is not empty, else zero.
+/// Returns one over a number, or zero for one so small that it counts as none.
 #[inline(always)]
 fn per<S: Scalar>(x: S) -> S {
     let (zero, one) = (S::zero(), S::one());
@@ -56,7 +56,7 @@ impl<S: Scalar> Bars<S> {
         (outside + bounded::<S, EXTREME>(self.own * own_area))
             + (bounded::<S, EXTREME>(x * self.gained) + bounded::<S, EXTREME>(self.lost * own_area))
     }
-    /// Returns the same for a size. A box's own area is four times the product of its halves, a size twice a half.
+    /// Returns the derivative by a size. A box's own area is four times the product of its halves, a size twice a half.
     #[inline(always)]
     fn size<const EXTREME: bool>(
         &self,
@@ -74,7 +74,7 @@ impl<S: Scalar> Bars<S> {
     }
 }
 
-/// Returns a derivative no larger than the largest number, times what was taken from the upstream derivative.
+/// Multiplies a derivative by the factor that was taken from the upstream derivative, up to the largest number.
 #[inline(always)]
 fn outer<S: Scalar, const EXTREME: bool>(x: S, steep: S) -> S {
     if EXTREME {
@@ -106,7 +106,7 @@ fn finished<S: Scalar, const EXTREME: bool>(
     }
 }
 
-/// Derivatives of the area of the hull of a related pair, in a's frame and the pair's units.
+/// Returns the derivatives of the area of the hull of a related pair, in a's frame and the pair's units.
 #[must_use]
 #[inline(always)]
 pub fn hull_derivatives<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) -> Derivatives<S> {
@@ -142,8 +142,8 @@ pub fn hull_derivatives<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) ->
     }
 }
 
-/// Value of the generalised IoU of two boxes with their trigonometry done, and `out_bar` times its derivatives.
-/// `EXTREME` says whether sizes may be so small or large that products over- or underflow.
+/// Returns the value of the generalised IoU of two boxes whose sine and cosine are known, and `out_bar` times its
+/// derivatives. `EXTREME` says that sizes may be so small or large that products over- or underflow.
 #[must_use]
 #[inline(always)]
 pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
@@ -210,14 +210,14 @@ pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
     )
 }
 
-/// [`giou_obb2`](crate::iou::giou_obb2) and its derivatives with respect to both boxes.
+/// Returns [`giou_obb2`](crate::iou::giou_obb2) and its derivatives with respect to both boxes.
 #[must_use]
 #[inline]
 pub fn giou_obb2_grad<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (S, (Obb2<S>, Obb2<S>)) {
     giou_framed_vjp::<S, true>(frame(a), frame(b), S::one())
 }
 
-/// Adjoint of [`giou_obb2`](crate::iou::giou_obb2): `out_bar` times the derivatives with respect to both boxes.
+/// Returns `out_bar` times the derivatives of [`giou_obb2`](crate::iou::giou_obb2) with respect to both boxes.
 /// Derivation: see the [module](self).
 #[must_use]
 #[inline]

@@ -10,10 +10,11 @@ use crate::{Fixed, Jet, Scalar};
 
 /// Numbers of a box.
 const OBB3: usize = 10;
-/// The IoU, then those of both boxes.
+/// The number of variables: the IoU, then the numbers of both boxes.
 const ALL: usize = 1 + 2 * OBB3;
 
-/// One function for each kind of number, whatever the score.
+/// Returns the derivatives of a score by the IoU and by the numbers of both boxes. It is not inlined: there is one
+/// function for each kind of number, for all scores.
 #[inline(never)]
 fn derivatives_of<S: Scalar>(
     (score, kind): (Score, Enclosing),

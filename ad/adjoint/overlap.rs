@@ -11,17 +11,17 @@ pub(crate) use crate::overlap::tamed;
 use crate::overlap::{Denominator, Shared, in_outer_unit, score_of, share};
 use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
-/// The derivatives of a score with respect to the areas (in space: volumes) it is made of.
+/// The derivatives of a score with respect to its areas (in space: volumes).
 pub(crate) struct AreaDerivatives<S> {
     /// By the area of intersection.
     pub inter: S,
-    /// By the areas of both boxes, but for `falling`.
+    /// By the areas of both boxes, without `falling`.
     pub own: [S; 2],
     /// The last factor of `own`: it may be so small that an earlier product with it would be zero.
     pub falling: S,
 }
 
-/// `out_bar` times the derivatives of a score with respect to the areas it is made of.
+/// Returns `out_bar` times the derivatives of a score with respect to its areas.
 ///
 /// `I / U` with `U = A + B − I`: `∂I = (1 + I/U) / U`, `∂A = ∂B = −(I/U) / U`.
 /// `I / A`: `∂I = 1/A`, `∂A = −(I/A) / A`. Zero where the denominator is.
@@ -59,7 +59,7 @@ pub(crate) fn score_derivatives<S: Scalar>(
     }
 }
 
-/// One over a number that is not empty, else zero.
+/// Returns one over a number, or zero for one so small that it counts as none.
 #[inline(always)]
 pub(crate) fn reciprocal_or_zero<S: Scalar>(x: S) -> S {
     let empty = x.at_most(S::lit(S::EMPTY));
@@ -73,10 +73,10 @@ pub(crate) fn reciprocal_or_zero<S: Scalar>(x: S) -> S {
 /// Derivatives of a score with respect to both boxes.
 pub type Grads<S> = (Obb2<S>, Obb2<S>);
 
-/// Value of a score of two boxes with their trigonometry done, and `out_bar` times its derivatives.
+/// Returns the value of a score of two boxes whose sine and cosine are known, and `out_bar` times its derivatives.
 ///
-/// Moving b by `(∂u, ∂v)` in a's frame is moving a the other way; turning the pair about a's centre
-/// changes nothing, so `∂heading_a = −(∂heading_b + u ∂v − v ∂u)`.
+/// Moving b by `(∂u, ∂v)` in a's frame is moving a by the opposite vector; turning the pair about a's centre changes
+/// nothing, so `∂heading_a = −(∂heading_b + u ∂v − v ∂u)`.
 #[inline(always)]
 pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
     over: Denominator,
@@ -120,7 +120,7 @@ pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
     (value.canonical(), (canonical(grads.0), canonical(grads.1)))
 }
 
-/// [`score_framed_vjp`] with lengths, value and derivatives in units of `1 / scale`.
+/// Returns [`score_framed_vjp`] with lengths, value and derivatives in units of `1 / scale`.
 #[inline(always)]
 pub(crate) fn score_scaled_vjp<S: Scalar, const EXTREME: bool>(
     over: Denominator,
@@ -151,7 +151,7 @@ pub(crate) fn score_scaled_vjp<S: Scalar, const EXTREME: bool>(
         + own_size_bar::<S, EXTREME>(pair.half_a, areas.own[0], falling);
     let size_b_bar = inter_size_bar::<S, EXTREME>(derivatives.half_b, half_bar)
         + own_size_bar::<S, EXTREME>(half_b, areas.own[1], falling);
-    // Boxes apart score zero whatever their areas are, so those derivatives vanish by themselves.
+    // Boxes apart score zero for all areas, so those derivatives vanish by themselves.
     let (u_bar, v_bar) = (
         bounded::<S, EXTREME>(derivatives.u * inter_bar),
         bounded::<S, EXTREME>(derivatives.v * inter_bar),
@@ -206,7 +206,7 @@ pub(super) fn bounded<S: Scalar, const EXTREME: bool>(x: S) -> S {
     if EXTREME { x.saturated() } else { x }
 }
 
-/// Returns every field with zeros without sign.
+/// Returns every field with positive zeros.
 #[inline(always)]
 fn canonical<S: Scalar>(x: Obb2<S>) -> Obb2<S> {
     Obb2 {
@@ -216,7 +216,7 @@ fn canonical<S: Scalar>(x: Obb2<S>) -> Obb2<S> {
     }
 }
 
-/// Returns every field at the nearest finite number, times what was taken from the upstream derivative.
+/// Multiplies every field by the factor that was taken from the upstream derivative, up to the largest number.
 #[inline(always)]
 fn saturated<S: Scalar>(x: Obb2<S>, steep: S) -> Obb2<S> {
     let times = |x: S| (x.saturated() * steep).saturated();
@@ -227,7 +227,7 @@ fn saturated<S: Scalar>(x: Obb2<S>, steep: S) -> Obb2<S> {
     }
 }
 
-/// Value of a score of two axis-aligned boxes, and `out_bar` times its derivatives.
+/// Returns the value of a score of two axis-aligned boxes, and `out_bar` times its derivatives.
 #[inline(always)]
 pub fn score_aabb2_vjp<S: Scalar>(
     over: Denominator,
@@ -251,7 +251,7 @@ pub fn score_aabb2_vjp<S: Scalar>(
     (value, grads)
 }
 
-/// [`score_aabb2_vjp`] where the upstream derivative is no more than about one.
+/// Returns [`score_aabb2_vjp`] for an upstream derivative of at most about one.
 ///
 /// With `h` half the shared size, `I = 4 h_x h_y`; a bound that decides alone takes the whole derivative
 /// of its side, tied bounds half each.
@@ -324,7 +324,7 @@ fn times<S: Scalar>(x: Vec2<S>, y: Vec2<S>) -> Vec2<S> {
     Vec2::new(x.x * y.x, x.y * y.y)
 }
 
-/// `1 - x`, number by number.
+/// Returns `1 - x`, number by number.
 #[inline(always)]
 fn rest<S: Scalar>(x: Vec2<S>) -> Vec2<S> {
     Vec2::new(S::one() - x.x, S::one() - x.y)

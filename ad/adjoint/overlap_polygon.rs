@@ -9,16 +9,15 @@
 //! f̄₀ += ((t − s) − (t² − s²)/2) (Δy, −Δx),     f̄₁ += (t² − s²)/2 (Δy, −Δx).
 //! ```
 //!
-//! In the sum over pairs of triangles the part of `f` that is inside `T(g)` is between two rays, up to
-//! where `f` and `g` cross; nothing is divided by the sine of the angle between two edges, and the
-//! crossing point itself is not differentiated, so nearly parallel edges are harmless. Edges that lie
-//! along each other count half each.
+//! In the sum over pairs of triangles the part of `f` that is inside `T(g)` is between two rays, up to the crossing of
+//! `f` and `g`. Nothing is divided by the sine of the angle between two edges, and the crossing point itself is not
+//! differentiated, so nearly parallel edges are harmless. Edges that lie along each other count half each.
 use crate::overlap_polygon::{Fan, SharedArea, Wedge, Window, bounds_of_rings, measure, mixed};
 use crate::shape::edges;
 use crate::{ConvexPolygon, Mask, Scalar, Vec2};
 
-/// Which part of an edge counts, from one fraction of it to another, and how much.
-struct Piece<S> {
+/// The part of an edge that counts, from one fraction of it to another, and its weight.
+struct EdgePart<S> {
     from: S,
     to: S,
     weight: S,
@@ -26,7 +25,7 @@ struct Piece<S> {
 
 /// Returns the pieces of `f` and `g` that bound what their triangles share.
 #[inline(always)]
-fn pieces<S: Scalar>(pair: &Wedge<S>) -> [Piece<S>; 2] {
+fn pieces<S: Scalar>(pair: &Wedge<S>) -> [EdgePart<S>; 2] {
     let (zero, one, half) = (S::zero(), S::one(), S::lit(0.5));
     let pick = |mask, x| S::select(mask, x, zero);
     let f = [
@@ -38,8 +37,8 @@ fn pieces<S: Scalar>(pair: &Wedge<S>) -> [Piece<S>; 2] {
         one - pick(!pair.last_g, pair.rest),
     ];
     let ([a, b, alpha], [far_a, far_b, beta]) = (pair.first, pair.last);
-    // Fractions of the way from the first to the last ray that f is nearer, and that g is: by the
-    // depths of one behind the other on both rays.
+    // The fractions of the range from the first to the last ray in which f is nearer, and in which g is: by the depths
+    // of one behind the other on both rays.
     let below = |x: S| S::select(x.below(zero), -x, zero);
     let (unit, far_unit) = (a.most(b), far_a.most(far_b));
     let guard = |x: S| S::select(x.at_most(zero), one, x);
@@ -64,7 +63,7 @@ fn pieces<S: Scalar>(pair: &Wedge<S>) -> [Piece<S>; 2] {
     // Nearer first, or nearer last.
     let cut = |span: [S; 2], share: S, leads| {
         let length = (span[1] - span[0]) * share;
-        Piece {
+        EdgePart {
             from: S::select(leads, span[0], span[1] - length),
             to: S::select(leads, span[0] + length, span[1]),
             weight,
@@ -74,9 +73,14 @@ fn pieces<S: Scalar>(pair: &Wedge<S>) -> [Piece<S>; 2] {
     [cut(f, of_f, f_leads), cut(g, of_g, !f_leads)]
 }
 
-/// Adds what a piece of an edge that moves does to both ends.
+/// Adds the cotangent of a part of an edge that moves to both ends.
 #[inline(always)]
-fn pull<S: Scalar>(edge: [Vec2<S>; 2], piece: &Piece<S>, turned: S::Mask, bar: S) -> [Vec2<S>; 2] {
+fn pull<S: Scalar>(
+    edge: [Vec2<S>; 2],
+    piece: &EdgePart<S>,
+    turned: S::Mask,
+    bar: S,
+) -> [Vec2<S>; 2] {
     let along = edge[1] - edge[0];
     let out = Vec2::new(along.y, -along.x) * (bar * piece.weight);
     let to_end = ((piece.to - piece.from) * (piece.to + piece.from)).halved();
@@ -88,7 +92,7 @@ fn pull<S: Scalar>(edge: [Vec2<S>; 2], piece: &Piece<S>, turned: S::Mask, bar: S
     [out * start, out * end]
 }
 
-/// Returns the derivatives of what the triangles over two edges share, to the ends of both.
+/// Returns the derivatives of the area that the triangles over two edges share, by the ends of both.
 #[inline(always)]
 pub(super) fn pair_derivatives<S: Scalar>(
     f: [Vec2<S>; 2],
@@ -133,7 +137,7 @@ fn edge_derivatives<S: Scalar, const M: usize>(
     edge_bar
 }
 
-/// Local derivatives of the shared area of two convex polygons.
+/// Returns the local derivatives of the shared area of two convex polygons.
 #[inline(always)]
 fn shared_derivatives<S: Scalar, const N: usize, const M: usize>(
     fan_a: &Fan<S, N>,
@@ -151,7 +155,7 @@ fn shared_derivatives<S: Scalar, const N: usize, const M: usize>(
     (a_bar, b_bar)
 }
 
-/// Local derivatives of a polygon's own area: `v̄ = (q_y − p_y, p_x − q_x)/2` with `p`, `q` its neighbours.
+/// Returns the local derivatives of a polygon's own area: `v̄ = (q_y − p_y, p_x − q_x)/2` with `p`, `q` its neighbours.
 #[inline(always)]
 fn own_derivatives<S: Scalar, const N: usize>(fan: &Fan<S, N>) -> [Vec2<S>; N] {
     let mut bars = [Vec2::zero(); N];
@@ -208,8 +212,9 @@ fn combined<S: Scalar, const N: usize, const M: usize>(
     )
 }
 
-/// Adjoint of [`intersection_area_polygons`](crate::overlap_polygon::intersection_area_polygons):
-/// `out_bar` times the derivatives with respect to both polygons. Derivation: see the [module](self).
+/// Returns `out_bar` times the derivatives of
+/// [`intersection_area_polygons`](crate::overlap_polygon::intersection_area_polygons) with respect to both polygons.
+/// Derivation: see the [module](self).
 #[must_use]
 #[inline]
 pub fn intersection_area_polygons_vjp<S: Scalar, const N: usize, const M: usize>(
@@ -221,8 +226,8 @@ pub fn intersection_area_polygons_vjp<S: Scalar, const N: usize, const M: usize>
     combined(a, b, &shared, [out_bar, S::zero(), S::zero()], 2)
 }
 
-/// Adjoint of [`iou_polygons`](crate::overlap_polygon::iou_polygons): `out_bar` times the derivatives with
-/// respect to both polygons.
+/// Returns `out_bar` times the derivatives of [`iou_polygons`](crate::overlap_polygon::iou_polygons) with respect to
+/// both polygons.
 ///
 /// With `r = I / U`: `∂I = (1 + r) / U`, `∂A = ∂B = −r / U`.
 #[must_use]
@@ -243,8 +248,8 @@ pub fn iou_polygons_vjp<S: Scalar, const N: usize, const M: usize>(
     combined(a, b, &shared, [per + ratio * per, own, own], 0)
 }
 
-/// Adjoint of [`area_inside`](crate::overlap_polygon::area_inside): writes one cotangent per vertex of
-/// each ring and returns those of the convex polygon.
+/// Writes the cotangents of [`area_inside`](crate::overlap_polygon::area_inside), one per vertex of each ring, and
+/// returns those of the convex polygon.
 ///
 /// # Panics
 ///

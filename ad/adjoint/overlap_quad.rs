@@ -1,19 +1,18 @@
 //! Adjoint of the area that two convex quadrilaterals share, by the motion of its border.
 //!
-//! When corners move, the area changes by the integral of the normal velocity over what of either border lies
-//! inside the other shape (Reynolds' transport theorem, as in
-//! [`overlap_polygon`](super::overlap_polygon)): of every side the part from `s` to `t`, as fractions of
-//! it. A side is cut by the four lines of the other shape (Cyrus and Beck). The lines of sides `f` of a and
-//! `g` of b meet at
+//! When corners move, the area changes by the integral of the normal velocity over the part of either border inside the
+//! other shape (Reynolds' transport theorem, as in [`overlap_polygon`](super::overlap_polygon)): of every side the part
+//! from `s` to `t`, as fractions of it. A side is cut by the four lines of the other shape (Cyrus and Beck). The lines
+//! of sides `f` of a and `g` of b meet at
 //!
 //! ```text
 //! s = (g × (f₀ − g₀)) / (f × g),     t = (f × (g₀ − f₀)) / −(f × g)
 //! ```
 //!
-//! of either, so that there is one division for both; all products are there from measuring the area. By the sign of
-//! `f × g` one of the sides goes out of the other shape there and the other one comes in. Parallel lines meet
-//! far away, and fractions beyond a side say that all or nothing of it is inside. No corner of the shared area is
-//! made, and none is differentiated, so nearly parallel sides are harmless.
+//! of either, so that there is one division for both; all products are known from measuring the area. The sign of
+//! `f × g` decides which side leaves the other shape there and which one enters. Parallel lines meet far away, and
+//! fractions beyond a side mean that all or nothing of it is inside. No corner of the shared area is computed, and none
+//! is differentiated, so nearly parallel sides are harmless.
 //!
 //! Sides that lie along each other count half each.
 use crate::ad::adjoint::overlap::tamed;
@@ -25,7 +24,7 @@ type Quads<S> = ([Vec2<S>; 4], [Vec2<S>; 4]);
 
 /// The part of a side that is inside, from one fraction of it to another, and its weight.
 #[derive(Clone, Copy)]
-struct Part<S> {
+struct EdgePart<S> {
     from: S,
     to: S,
     weight: S,
@@ -37,9 +36,9 @@ fn is_side<S: Scalar>(from: Vec2<S>, to: Vec2<S>) -> S::Mask {
     !(from.x.equals(to.x) & from.y.equals(to.y))
 }
 
-/// Adds what a part of a side that moves does to both ends.
+/// Adds the cotangent of a part of a side that moves to both ends.
 #[inline(always)]
-fn pull<S: Scalar>(corners: &[Vec2<S>; 4], k: usize, part: Part<S>, bars: &mut [Vec2<S>; 4]) {
+fn pull<S: Scalar>(corners: &[Vec2<S>; 4], k: usize, part: EdgePart<S>, bars: &mut [Vec2<S>; 4]) {
     let next = (k + 1) % 4;
     let along = corners[next] - corners[k];
     let length = (part.to - part.from).most(S::zero()) * part.weight;
@@ -49,14 +48,14 @@ fn pull<S: Scalar>(corners: &[Vec2<S>; 4], k: usize, part: Part<S>, bars: &mut [
     bars[next] += Vec2::new(along.y * to_end, -(along.x * to_end));
 }
 
-/// Derivatives of the area in the units of a pair.
+/// Returns the derivatives of the area in the units of a pair.
 #[inline(always)]
 fn derivatives<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
     let (zero, one, half) = (S::zero(), S::one(), S::lit(0.5));
     // Two sides whose product is no larger count as parallel; its reciprocal is finite, times any fraction of
     // a side that is not parallel.
     let tiny = S::lit(TINY * S::EMPTY);
-    let whole = Part {
+    let whole = EdgePart {
         from: zero,
         to: one,
         weight: one,
@@ -109,7 +108,7 @@ fn derivatives<S: Scalar>(pair: &QuadPair<S>) -> Quads<S> {
     (swapped(of_a, a_bar), swapped(of_b, b_bar))
 }
 
-/// Returns a derivative times factors one after another, of which `EXTREME` ones leave no more than the largest number.
+/// Multiplies a derivative by factors one after another; with `EXTREME` each product is clamped to the largest number.
 #[inline(always)]
 fn outer<S: Scalar, const EXTREME: bool>(x: S, [bar, unit, steep]: [S; 3]) -> S {
     let x = if EXTREME {
@@ -120,8 +119,8 @@ fn outer<S: Scalar, const EXTREME: bool>(x: S, [bar, unit, steep]: [S; 3]) -> S 
     x.canonical()
 }
 
-/// Returns the area that two quadrilaterals share, and `out_bar` times its derivatives. `EXTREME` says whether
-/// coordinates and `out_bar` may be so large that products overflow; the bits are the same for ordinary ones.
+/// Returns the area that two quadrilaterals share, and `out_bar` times its derivatives. `EXTREME` allows coordinates
+/// and `out_bar` so large that products overflow; the bits are equal for ordinary ones.
 #[inline(always)]
 pub(crate) fn area_of_quads_vjp<S: Scalar, const EXTREME: bool>(
     a: [Vec2<S>; 4],
@@ -160,10 +159,9 @@ pub(crate) fn area_of_quads_vjp<S: Scalar, const EXTREME: bool>(
     (area.saturated().canonical(), (a_bar, b_bar))
 }
 
-/// [`intersection_area_quads`](crate::overlap_polygon::intersection_area_quads) and its adjoint:
-/// the area, and `out_bar` times its derivatives with respect to all corners. They are finite; those too steep
-/// for the format are its largest number. Derivation: see the
-/// [module](self).
+/// Returns [`intersection_area_quads`](crate::overlap_polygon::intersection_area_quads) and `out_bar` times its
+/// derivatives with respect to all corners. They are finite; those too steep for the format are its largest number.
+/// Derivation: see the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, ad::adjoint::overlap_quad::intersection_area_quads_vjp};

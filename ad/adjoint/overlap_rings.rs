@@ -4,12 +4,17 @@
 use super::overlap_polygon::pair_derivatives;
 use crate::overlap::{ratio_of_first, ratio_of_union};
 use crate::overlap_polygon::between;
-use crate::overlap_polygon::holed::Pair;
+use crate::overlap_polygon::holed::RingsPair;
 use crate::polygon::Rings;
 use crate::{Scalar, Vec2};
 
-/// The local derivatives of the area of one of them, times a factor.
-fn add_own<S: Scalar<Mask = bool>>(pair: &Pair<'_, S>, which: usize, by: S, bars: &mut [Vec2<S>]) {
+/// Adds the local derivatives of the area of one of both polygons, times a factor.
+fn add_own<S: Scalar<Mask = bool>>(
+    pair: &RingsPair<'_, S>,
+    which: usize,
+    by: S,
+    bars: &mut [Vec2<S>],
+) {
     pair.each_tile(which, |tile| {
         for k in 0..tile.count {
             let ([start, end], [from, to]) = (tile.edges[k], tile.numbers[k]);
@@ -20,9 +25,9 @@ fn add_own<S: Scalar<Mask = bool>>(pair: &Pair<'_, S>, which: usize, by: S, bars
     });
 }
 
-/// The local derivatives of the shared area, times a factor.
+/// Adds the local derivatives of the shared area, times a factor.
 fn add_shared<S: Scalar<Mask = bool>>(
-    pair: &Pair<'_, S>,
+    pair: &RingsPair<'_, S>,
     by: S,
     a_bar: &mut [Vec2<S>],
     b_bar: &mut [Vec2<S>],
@@ -64,7 +69,7 @@ fn pulled<'a, S: Scalar<Mask = bool>>(
     a: Rings<'a, S>,
     b: Rings<'a, S>,
     (a_bar, b_bar): (&mut [Vec2<S>], &mut [Vec2<S>]),
-    score: impl FnOnce(&Pair<'a, S>, [S; 3]) -> Score<S>,
+    score: impl FnOnce(&RingsPair<'a, S>, [S; 3]) -> Score<S>,
 ) -> S {
     let (a_bar, b_bar) = (
         &mut a_bar[..a.vertex_count()],
@@ -72,7 +77,7 @@ fn pulled<'a, S: Scalar<Mask = bool>>(
     );
     a_bar.fill(Vec2::zero());
     b_bar.fill(Vec2::zero());
-    let Some(pair) = Pair::new(a, b) else {
+    let Some(pair) = RingsPair::new(a, b) else {
         return S::zero();
     };
     let areas = pair.areas();
@@ -94,7 +99,8 @@ fn pulled<'a, S: Scalar<Mask = bool>>(
     found.value
 }
 
-/// Adjoint of [`intersection_area`](crate::overlap_polygon::holed::intersection_area).
+/// Writes the cotangents of [`intersection_area`](crate::overlap_polygon::holed::intersection_area) and returns the
+/// value.
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, ad::adjoint::overlap_rings::intersection_area_vjp};
@@ -124,7 +130,7 @@ pub fn intersection_area_vjp<'a, S: Scalar<Mask = bool>>(
     })
 }
 
-/// Adjoint of [`union_area`](crate::overlap_polygon::holed::union_area).
+/// Writes the cotangents of [`union_area`](crate::overlap_polygon::holed::union_area) and returns the value.
 ///
 /// # Panics
 ///
@@ -143,8 +149,8 @@ pub fn union_area_vjp<'a, S: Scalar<Mask = bool>>(
     })
 }
 
-/// Adjoint of [`iou`](crate::overlap_polygon::holed::iou). With `r = I / U`: `∂I = (1 + r) / U`,
-/// `∂A = ∂B = −r / U`.
+/// Writes the cotangents of [`iou`](crate::overlap_polygon::holed::iou) and returns the value. With `r = I / U`:
+/// `∂I = (1 + r) / U`, `∂A = ∂B = −r / U`.
 ///
 /// # Panics
 ///
@@ -179,7 +185,8 @@ pub fn iou_vjp<'a, S: Scalar<Mask = bool>>(
     )
 }
 
-/// Adjoint of [`iof`](crate::overlap_polygon::holed::iof). With `r = I / A`: `∂I = 1 / A`, `∂A = −r / A`.
+/// Writes the cotangents of [`iof`](crate::overlap_polygon::holed::iof) and returns the value. With `r = I / A`:
+/// `∂I = 1 / A`, `∂A = −r / A`.
 ///
 /// # Panics
 ///

@@ -57,7 +57,7 @@ fn each_vertex<S: Scalar>(
     }
 }
 
-/// Adjoint of [`signed_area`](crate::ring::signed_area); writes one cotangent per vertex.
+/// Writes the cotangents of [`signed_area`](crate::ring::signed_area), one per vertex.
 ///
 /// With `p` and `q` the vertices before and after: `v̄ = ā/2 (q_y − p_y, p_x − q_x)`.
 ///
@@ -66,16 +66,16 @@ fn each_vertex<S: Scalar>(
 /// When `ring_bar` is shorter than `ring`.
 #[inline(always)]
 pub fn signed_area_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [Vec2<S>]) {
-    // Halved first: the whole way may not be finite.
+    // Halved first, since the whole difference may not be finite.
     each_vertex(ring, ring_bar, Vec2::halved, |before, _, after| {
         let across = after - before;
         limited(across.y * out_bar, -(across.x * out_bar))
     });
 }
 
-/// Adjoint of [`perimeter`](crate::ring::perimeter); writes one cotangent per vertex.
+/// Writes the cotangents of [`perimeter`](crate::ring::perimeter), one per vertex.
 ///
-/// Each edge pulls its ends apart along itself; an edge of length zero does not pull.
+/// Each edge pulls its ends apart along itself; an edge of length zero has no derivative.
 ///
 /// # Panics
 ///
@@ -97,7 +97,7 @@ pub fn perimeter_vjp<S: Scalar>(ring: &[Vec2<S>], out_bar: S, ring_bar: &mut [Ve
     );
 }
 
-/// Adjoint of [`centroid`](crate::ring::centroid); writes one cotangent per vertex.
+/// Writes the cotangents of [`centroid`](crate::ring::centroid), one per vertex.
 ///
 /// With `k = p × q` and `m = p + q` of each edge, `T = Σ k`, `c = Σ m k / 3T` and
 /// `w = (m · c̄ − 3 c · c̄) / 3T` of each edge:
@@ -158,7 +158,7 @@ impl<S: Scalar> Vec2<S> {
     }
 }
 
-/// Adjoint of a [`Measure`] for the cotangents of its numbers; writes one cotangent per vertex.
+/// Writes the cotangents of a [`Measure`] for those of its numbers, one per vertex.
 ///
 /// # Panics
 ///

@@ -19,7 +19,7 @@ use crate::overlap3::{Heights, Scales, heights, score_of_columns, upright_scales
 use crate::shape::YawBox3;
 use crate::{Obb2, Scalar, Vec2, Vec3};
 
-/// An upright box with its trigonometry done: what it is seen from above, where its middle is, and half its
+/// An upright box with sine and cosine of its heading: its box seen from above, the height of its middle, and half its
 /// height.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Upright<S> {
@@ -27,7 +27,7 @@ pub(crate) struct Upright<S> {
     pub standing: [S; 2],
 }
 
-/// Does a box's trigonometry.
+/// Computes sine and cosine of a box's heading.
 #[inline(always)]
 fn upright<S: Scalar>(x: YawBox3<S>) -> Upright<S> {
     Upright {
@@ -36,7 +36,7 @@ fn upright<S: Scalar>(x: YawBox3<S>) -> Upright<S> {
     }
 }
 
-/// Returns `true` where both boxes are the same set of points, given by the same numbers.
+/// Returns `true` where both boxes are one set of points, given by equal numbers.
 #[inline(always)]
 fn same<S: Scalar>(a: &Upright<S>, b: &Upright<S>) -> S::Mask {
     let (p, q) = (&a.flat, &b.flat);
@@ -46,18 +46,18 @@ fn same<S: Scalar>(a: &Upright<S>, b: &Upright<S>) -> S::Mask {
         & (a.standing[0].equals(b.standing[0]) & a.standing[1].equals(b.standing[1]))
 }
 
-/// The derivatives of a score by what it is made of.
-struct Parts<S> {
-    /// By the area shared, that of a and that of b; but for `falling`, of the last two.
+/// The derivatives of a score by the areas and heights of two upright boxes.
+struct ScoreDerivatives<S> {
+    /// By the area shared, that of a and that of b; the last two without `falling`.
     areas: [S; 3],
-    /// By the height shared, that of a and that of b; but for `falling`, of the last two.
+    /// By the height shared, that of a and that of b; the last two without `falling`.
     heights: [S; 3],
-    /// The last factor of the derivatives by a box's own area and height: of a speck beside
-    /// a giant it is so small that nothing would be left of them before.
+    /// The last factor of the derivatives by a box's own area and height: for a tiny box and a huge one it is so small
+    /// that it would underflow if multiplied earlier.
     falling: S,
 }
 
-/// `out_bar` times the derivatives of a score by areas and heights.
+/// Returns `out_bar` times the derivatives of a score by areas and heights.
 #[inline(always)]
 fn parts<S: Scalar>(
     over: Denominator,
@@ -65,10 +65,10 @@ fn parts<S: Scalar>(
     [area, area_a, area_b]: [S; 3],
     height: &Heights<S>,
     out_bar: S,
-) -> Parts<S> {
+) -> ScoreDerivatives<S> {
     let zero = S::zero();
     match over {
-        Denominator::None => Parts {
+        Denominator::None => ScoreDerivatives {
             areas: [height.shared * out_bar, zero, zero],
             heights: [area * out_bar, zero, zero],
             falling: zero,
@@ -77,7 +77,7 @@ fn parts<S: Scalar>(
             let volumes = [area * height.shared, area_a * height.a, area_b * height.b];
             let derivatives = score_derivatives(over, value, volumes, out_bar);
             let (shared, [a, b]) = (derivatives.inter, derivatives.own);
-            Parts {
+            ScoreDerivatives {
                 areas: [shared * height.shared, a * height.a, b * height.b],
                 heights: [shared * area, a * area_a, b * area_b],
                 falling: derivatives.falling,
@@ -90,7 +90,7 @@ fn parts<S: Scalar>(
                 reciprocal_or_zero(area_a) * out_bar,
                 reciprocal_or_zero(height.a) * out_bar,
             );
-            Parts {
+            ScoreDerivatives {
                 areas: [by_area * tall, by_area, zero],
                 heights: [by_height * flat, by_height, zero],
                 falling: -value,
@@ -106,7 +106,7 @@ fn part_of_smaller<S: Scalar>(mine: S, other: S) -> S {
     S::select(mine.equals(other), S::lit(0.5), won)
 }
 
-/// Zeros where a mask says so. Functions, not closures: those do not inherit instruction sets.
+/// Returns zeros where the mask is true. This is a function, since closures do not inherit instruction sets.
 #[inline(always)]
 fn unless<S: Scalar>(mask: S::Mask, x: [S; 3]) -> [S; 3] {
     let zero = S::zero();
@@ -118,7 +118,7 @@ fn unless<S: Scalar>(mask: S::Mask, x: [S; 3]) -> [S; 3] {
 }
 
 /// The factors, one after another, that convert derivatives from the pair's units to the caller's.
-struct Units<S> {
+struct OuterFactors<S> {
     flat: [S; 3],
     tall: [S; 3],
     turn: [S; 3],
@@ -137,7 +137,7 @@ fn outer<S: Scalar, const EXTREME: bool>(x: S, by: &[S; 3], steep: S) -> S {
     (x * steep).saturated().canonical()
 }
 
-/// Returns a box's derivatives, from those of the area shared, by that area and by its own (but for `falling`), and by
+/// Returns a box's derivatives, from those of the area shared, by that area and by its own (without `falling`), and by
 /// its middle and height.
 #[inline(always)]
 fn box_bar<S: Scalar, const EXTREME: bool>(
@@ -145,7 +145,7 @@ fn box_bar<S: Scalar, const EXTREME: bool>(
     half: Vec2<S>,
     [by_area, by_own, falling]: [S; 3],
     [z, dz]: [S; 2],
-    units: &Units<S>,
+    units: &OuterFactors<S>,
 ) -> YawBox3<S> {
     let x = bounded::<S, EXTREME>(seen.center.x * by_area);
     let y = bounded::<S, EXTREME>(seen.center.y * by_area);
@@ -172,8 +172,8 @@ fn box_bar<S: Scalar, const EXTREME: bool>(
 /// Both boxes' derivatives.
 pub(crate) type Bars<S> = (YawBox3<S>, YawBox3<S>);
 
-/// Value of a score of upright boxes and `out_bar` times its derivatives, from the area shared seen from above
-/// and its derivatives, in units of `1 / scales.flat`.
+/// Returns the value of a score of upright boxes and `out_bar` times its derivatives, from the area shared seen from
+/// above and its derivatives, in units of `1 / scales.flat`.
 #[inline(always)]
 pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
     over: Denominator,
@@ -194,7 +194,7 @@ pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
     } else {
         (out_bar, one)
     };
-    let Parts {
+    let ScoreDerivatives {
         areas,
         heights,
         falling,
@@ -228,7 +228,7 @@ pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
         }
         _ => ([scale, one, one], [height.scale, one, one], [one, one, one]),
     };
-    let units = Units {
+    let units = OuterFactors {
         flat: flat_units,
         tall: tall_units,
         turn: turn_units,
@@ -258,7 +258,7 @@ pub(crate) fn score_from_area_vjp<S: Scalar, const EXTREME: bool>(
     (value.canonical(), (a_bar, b_bar))
 }
 
-/// Value of a score of upright boxes and `out_bar` times its derivatives.
+/// Returns the value of a score of upright boxes and `out_bar` times its derivatives.
 pub(crate) fn score_upright_vjp<S: Scalar>(
     over: Denominator,
     a: YawBox3<S>,
@@ -283,7 +283,7 @@ pub fn intersection_volume_yaw_vjp<S: Scalar>(
     score_upright_vjp(Denominator::None, a, b, out_bar)
 }
 
-/// Intersection over union of two upright boxes, and `out_bar` times its derivatives by both.
+/// Returns the intersection over union of two upright boxes, and `out_bar` times its derivatives by both.
 ///
 /// ```
 /// use geograd::{Vec3, YawBox3, ad::adjoint::upright::iou_yaw_vjp};

@@ -2,12 +2,12 @@
 use crate::ad::check::trace::Trace;
 use crate::{Jet, Pack, Scalar};
 
-/// A number with its derivatives along two directions, and how the one changes along the other.
+/// A number with its derivatives along two directions, and the mixed second derivative.
 pub type Bent<T> = Jet<Jet<T, 1>, 1>;
 
-/// A function on duals of duals near an input: at a point, along two directions.
+/// A function on duals of duals near an input: evaluated at a point, along two directions.
 pub(crate) type BentFn<'a, X> = Box<dyn Fn(&X, [&[f64]; 3]) -> Vec<Bent<f64>> + 'a>;
-/// The same with its branches.
+/// A function on duals of duals that returns its trace, too.
 pub(crate) type TracedBentFn<'a, X> = Box<dyn Fn(&X, [&[f64]; 3]) -> (Vec<Bent<f64>>, Trace) + 'a>;
 
 /// Returns a shape of duals of duals, its numbers made by `of`.

@@ -1,4 +1,5 @@
-//! A check of closures, put together step by step.
+//! A check of closures, put together step by step: [`Check`] collects points, the function and its witnesses, and `run`
+//! judges them.
 use crate::ad::check::bent::{BentFn, TracedBentFn};
 use crate::ad::check::subject::Conventions;
 use crate::ad::check::symmetry::{Invariance, Kind};
@@ -51,29 +52,29 @@ pub struct Check<'a, X: Pack> {
 }
 
 /// A check near one of its points.
-pub(crate) struct Near<'c, 'a, X: Pack> {
+pub(crate) struct CheckAtPoint<'c, 'a, X: Pack> {
     pub(crate) check: &'c Check<'a, X>,
     pub(crate) near: &'c X,
 }
 
-impl<S: Real, X: Pack<Scalar = S>> Near<'_, '_, X> {
+impl<S: Real, X: Pack<Scalar = S>> CheckAtPoint<'_, '_, X> {
     pub(crate) fn made(&self, x: &[f64]) -> X {
         self.near.refill(&narrow::<S>(x))
     }
 }
 
-/// Returns a pack of floats as a list.
+/// Returns the numbers of a pack of floats as a list.
 fn wide<S: Real, X: Pack<Scalar = S>>(x: &X) -> Vec<f64> {
     x.scalars().iter().map(|x| x.widen()).collect()
 }
 
 impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
-    /// At a point. Everything else is added with the other methods.
+    /// Checks at a point. Everything else is added with the other methods.
     #[must_use]
     pub fn at(point: X) -> Self {
         Check::among([point])
     }
-    /// At points.
+    /// Checks at points.
     #[must_use]
     pub fn among(points: impl IntoIterator<Item = X>) -> Self {
         let points: Vec<X> = points.into_iter().collect();
@@ -101,7 +102,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
             conventions: Conventions::default(),
         }
     }
-    /// At so many points of one's own making, from a seed.
+    /// Checks at `count` points that `make` draws, from a seed.
     #[must_use]
     pub fn drawn(count: usize, seed: u64, mut make: impl FnMut(&mut Draw) -> X) -> Self {
         let sampling = Sampling::new(count, seed);
@@ -109,32 +110,32 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         (check.seed, check.random_from) = (seed, 0);
         check
     }
-    /// At one more point.
+    /// Adds a point.
     #[must_use]
     pub fn and(mut self, point: X) -> Self {
         self.points.insert(self.random_from, point);
         self.random_from += 1;
         self
     }
-    /// Under a name, for the report.
+    /// Sets the name in the report.
     #[must_use]
     pub fn named(mut self, name: &str) -> Self {
         self.name = name.to_owned();
         self
     }
-    /// Returns the function.
+    /// Sets the function.
     #[must_use]
     pub fn value<Y: Pack<Scalar = S>>(mut self, f: impl Fn(X) -> Y + 'a) -> Self {
         self.value = Some(Box::new(move |x| wide(&f(x.clone()))));
         self
     }
-    /// Returns the function by another path, which must give the same value.
+    /// Adds the function by another path, which must give the same value.
     #[must_use]
     pub fn path<Y: Pack<Scalar = S>>(mut self, f: impl Fn(X) -> Y + 'a) -> Self {
         self.paths.push(Box::new(move |x| wide(&f(x.clone()))));
         self
     }
-    /// Returns the derivative by hand of a function with one number as result.
+    /// Sets the derivative by hand of a function with one number as result.
     #[must_use]
     pub fn gradient(mut self, f: impl Fn(X) -> X + 'a) -> Self {
         self.adjoint = Some(Box::new(move |x, y_bar| {
@@ -146,7 +147,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// Returns the derivative by hand: the derivatives of `y_bar · value` with respect to the input.
+    /// Sets the derivative by hand: the derivatives of `y_bar · value` with respect to the input.
     #[must_use]
     pub fn adjoint(mut self, f: impl Fn(X, &[S]) -> X + 'a) -> Self {
         self.adjoint = Some(Box::new(move |x, y_bar| {
@@ -154,7 +155,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// Returns a further witness of the same kind: another path, a GPU.
+    /// Adds a further witness of the derivative by hand: another path, a GPU.
     #[must_use]
     pub fn witness(mut self, f: impl Fn(X, &[S]) -> X + 'a) -> Self {
         self.further.push(Box::new(move |x, y_bar| {
@@ -162,7 +163,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// Returns the generic source, called with duals.
+    /// Sets the generic source, called with duals.
     #[must_use]
     pub fn dual<Y>(mut self, f: impl Fn(X::With<Jet<S, 1>>) -> Y + 'a) -> Self
     where
@@ -182,8 +183,8 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// Returns the generic source, called with num-dual's own dual numbers: another implementation of duals than ours,
-    /// and a witness of its own. A mistake that a derivative by hand shares with one of them is no mistake of both.
+    /// Sets the generic source, called with num-dual's own dual numbers: an implementation of duals independent of
+    /// ours, and a witness of its own. A mistake that a derivative by hand shares with one of them is unlikely in both.
     #[must_use]
     pub fn num_dual<Y>(mut self, f: impl Fn(X::With<S::NumDual>) -> Y + 'a) -> Self
     where
@@ -199,7 +200,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// Returns the generic source, called with numbers that record every comparison.
+    /// Sets the generic source, called with numbers that record every comparison.
     #[must_use]
     pub fn traced<Y>(mut self, f: impl Fn(X::With<Traced<S>>) -> Y + 'a) -> Self
     where
@@ -211,7 +212,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// Returns the Hessian by hand times a direction, of a function with one number as result.
+    /// Sets the Hessian by hand times a direction, of a function with one number as result.
     #[must_use]
     pub fn hessian_times(mut self, f: impl Fn(X, X) -> X + 'a) -> Self {
         self.curvature = Some(Box::new(move |x, direction| {
@@ -219,39 +220,39 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// Returns the domain of the function: no step leads outside. A refused input is shrunk, to other
-    /// lengths too: those outside, and those at which the function panics, are passed over. Without
-    /// this a function is taken to be defined wherever it does not panic.
+    /// Sets the domain of the function: no step leads outside. A refused input is shrunk, to other lengths too; inputs
+    /// outside, and those at which the function panics, are skipped. Without this a function is taken to be defined
+    /// wherever it does not panic.
     #[must_use]
     pub fn inside(mut self, f: impl Fn(&X) -> bool + 'a) -> Self {
         self.inside = Some(Box::new(f));
         self
     }
-    /// For each number, the length over which the function may be expected to change. By default
-    /// the number itself.
+    /// Sets for each number the length over which the function may be expected to change. By default it is the
+    /// magnitude of the number.
     #[must_use]
     pub fn scales(mut self, f: impl Fn(&X) -> X + 'a) -> Self {
         self.scales = Some(Box::new(move |x| wide(&f(x))));
         self
     }
-    /// Returns the function's invariances under motions, and the kind of each number of the input.
+    /// Sets the function's invariances under motions, and the kind of each number of the input.
     #[must_use]
     pub fn invariances(mut self, kinds: &[Kind], invariances: &[Invariance]) -> Self {
         self.kinds = kinds.to_vec();
         self.invariances = invariances.to_vec();
         self
     }
-    /// Returns the kind of each number of the result, for invariances that it
+    /// Sets the kind of each number of the result, for invariances that it
     /// [follows](crate::ad::check::symmetry::Effect::Follows).
     #[must_use]
     pub fn result_kinds(mut self, kinds: &[Kind]) -> Self {
         self.output_kinds = kinds.to_vec();
         self
     }
-    /// Returns how far values may be off, beyond rounding, because of how they are computed: from a table, by an
-    /// iteration that stops. In the unit of the result; for a share of the result, see
-    /// [`relative_resolution`](Check::relative_resolution). Differences are then as coarse as that allows, and
-    /// a change as small is no jump. Derivatives are held to what they were held to.
+    /// Sets the error that values may have, beyond rounding, because of the way they are computed: from a table, by an
+    /// iteration that stops. It is in the unit of the result; for a share of the result, see
+    /// [`relative_resolution`](Check::relative_resolution). Differences are then as coarse as that allows, and a change
+    /// as small is no jump. Derivatives are judged as strictly as without it.
     ///
     /// ```
     /// use geograd::ad::check::Check;
@@ -266,25 +267,26 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         self.resolution[0] = absolute;
         self
     }
-    /// Returns the same as a share of each number of the result.
+    /// Sets the error that values may have, as a share of each number of the result: see
+    /// [`resolution`](Check::resolution).
     #[must_use]
     pub fn relative_resolution(mut self, share: f64) -> Self {
         self.resolution[1] = share;
         self
     }
-    /// Conventions of the function.
+    /// Sets the conventions of the function.
     #[must_use]
     pub fn conventions(mut self, conventions: Conventions) -> Self {
         self.conventions = conventions;
         self
     }
-    /// From another seed.
+    /// Sets another seed.
     #[must_use]
     pub fn seed(mut self, seed: u64) -> Self {
         self.seed = seed;
         self
     }
-    /// Judges.
+    /// Judges the function at all points.
     ///
     /// # Panics
     ///
@@ -298,10 +300,10 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
             &sampling,
             &self.points,
             self.random_from,
-            |near, judge| judge(&Near { check: self, near }),
+            |near, judge| judge(&CheckAtPoint { check: self, near }),
         )
     }
-    /// Judges, and panics with the report when something was refused.
+    /// Judges the function at all points, and panics with the report if something was refused.
     ///
     /// # Panics
     ///
@@ -314,7 +316,7 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
 }
 
 impl<'a, X: Sample + 'a> Check<'a, X> {
-    /// At the hard cases of a shape and so many random ones.
+    /// Checks at the hard cases of a shape and `count` random ones.
     #[must_use]
     pub fn random(count: usize, seed: u64) -> Self {
         let sampling = Sampling::new(count, seed);

@@ -1,26 +1,27 @@
-//! Inputs that a function is judged at, without their types.
+//! Inputs that a function is judged at, without their types, so that [`examine`](fn@crate::ad::check::examine) and the
+//! search for a simple input are compiled once.
 use crate::ad::check::subject::Subject;
 use crate::ad::sample::drawn::{Drawn, code};
 use crate::{Pack, Real};
 use std::fmt::Debug;
 
-/// Inputs one by one: all those of a long list at once would fill the memory.
+/// An iterator over inputs: all shorter inputs of a long list at once would fill the memory.
 pub(crate) type Fewer<'a, 'b> = Box<dyn Iterator<Item = Box<dyn Candidate<'a> + 'a>> + 'b>;
 
 /// An input of a function under test.
 pub(crate) trait Candidate<'a> {
     fn numbers(&self) -> Vec<f64>;
-    /// Returns the same shapes made of other numbers.
+    /// Returns these shapes with other numbers.
     fn refilled(&self, numbers: &[f64]) -> Box<dyn Candidate<'a> + 'a>;
-    /// Inputs with fewer shapes in their lists.
+    /// Returns inputs with fewer shapes in their lists.
     fn fewer(&self) -> Fewer<'a, '_>;
-    /// It, as code.
+    /// Returns the input as code.
     fn code(&self) -> String;
-    /// Hands over the function near it.
+    /// Calls `judge` with the function near the input.
     fn met(&self, judge: &mut dyn FnMut(&dyn Subject));
 }
 
-/// An input of a type, and who makes the function near it.
+/// An input of a type, and the closure that makes the function near it.
 pub(crate) struct Typed<'a, X, F> {
     pub(crate) x: X,
     pub(crate) meet: &'a F,
@@ -53,10 +54,10 @@ where
     }
 }
 
-/// Makes subjects near an input and hands them over.
+/// A closure that makes a subject near an input and passes it on.
 pub(crate) type Meet<'a> = dyn Fn(&dyn Drawn, &mut dyn FnMut(&dyn Subject)) + 'a;
 
-/// An input that was drawn, and who makes the function near it.
+/// An input that was drawn, and the closure that makes the function near it.
 pub(crate) struct Untyped<'a> {
     pub(crate) x: Box<dyn Drawn>,
     pub(crate) meet: &'a Meet<'a>,

@@ -1,7 +1,7 @@
-//! Proofs of distances in space: two points that are so far apart, and a plane that parts the bodies so far.
+//! Proofs of distances in space: two points at the distance, and a plane that separates the bodies by it.
 //!
-//! Points of the bodies bound their distance from above, a plane between them bounds it from below. A body says of
-//! itself only how far it reaches along a direction, so that nothing of a formula under test is used.
+//! Points of the bodies bound their distance from above, a plane between them bounds it from below. A body has only its
+//! extent along a direction, so that no formula under test is used. `compare/proof` compares a value with the bounds.
 use crate::Vec3;
 
 type Vector = Vec3<f64>;
@@ -18,14 +18,14 @@ struct Rim {
 #[derive(Clone, Debug)]
 pub struct Body {
     corners: Vec<Vector>,
-    /// The ways along its edges; any two may be those of a face.
+    /// The directions of its edges; any two may span a face.
     ways: Vec<Vector>,
     endless: Vec<Vector>,
     rims: Vec<Rim>,
     radius: f64,
 }
 
-/// The function that a proof is of.
+/// The measure that a proof is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Proved {
     /// The distance; 0 where the bodies touch or overlap.
@@ -36,14 +36,14 @@ pub enum Proved {
     SignedDistance,
 }
 
-/// The proof of a distance: the bodies, and points that are said to be nearest.
+/// The proof of a distance: the bodies, and the points given as nearest.
 #[derive(Clone, Debug)]
 pub struct Proof {
     /// The function.
     pub measure: Proved,
     /// The bodies.
     pub bodies: [Body; 2],
-    /// A point of each, if the function has a companion that tells them.
+    /// A point of each, if a companion of the function returns them.
     pub points: Option<[Vec3<f64>; 2]>,
 }
 
@@ -54,7 +54,7 @@ fn difference_of_all(corners: &[Vector]) -> Vec<Vector> {
         .collect()
 }
 
-/// Returns a direction of length one; none of zero.
+/// Returns the vector scaled to length one; `None` for zero.
 fn unit(v: Vector) -> Option<Vector> {
     let size = v.x.abs().max(v.y.abs()).max(v.z.abs());
     let length = (v * (1.0 / size)).length() * size;
@@ -73,7 +73,7 @@ fn aside(v: Vector, from: Vector) -> Vector {
 const ORTHOGONAL: f64 = 1e-14;
 
 impl Body {
-    /// Returns the hull of at most four corners.
+    /// Creates the hull of at most four corners.
     #[must_use]
     pub fn hull(corners: &[Vec3<f64>], radius: f64) -> Self {
         Body {
@@ -84,7 +84,7 @@ impl Body {
             radius,
         }
     }
-    /// Returns a box, given the ways from its centre to three faces, with edges rounded by a radius.
+    /// Creates a box, given the vectors from its centre to three faces, with edges rounded by a radius.
     #[must_use]
     pub fn boxed(
         center: Vec3<f64>,
@@ -104,7 +104,7 @@ impl Body {
             radius,
         }
     }
-    /// What lies on a line from a point on; the whole line if both sides count.
+    /// Creates the ray from a point along a direction, or the whole line if `both_sides` holds.
     #[must_use]
     pub fn line(point: Vec3<f64>, direction: Vec3<f64>, both_sides: bool) -> Self {
         let mut endless = vec![direction];
@@ -117,7 +117,7 @@ impl Body {
             radius: 0.0,
         }
     }
-    /// Returns all points with `normal · point <= offset`.
+    /// Creates the half-space of all points with `normal · point <= offset`.
     #[must_use]
     pub fn half_space(normal: Vec3<f64>, offset: f64) -> Self {
         let scale = 1.0 / normal.x.abs().max(normal.y.abs()).max(normal.z.abs());
@@ -131,7 +131,7 @@ impl Body {
             radius: 0.0,
         }
     }
-    /// Returns a cylinder between two points.
+    /// Creates a cylinder between two points.
     #[must_use]
     pub fn cylinder(start: Vec3<f64>, end: Vec3<f64>, radius: f64) -> Self {
         let axis = unit(end - start).unwrap_or_else(Vec3::zero);
@@ -148,7 +148,7 @@ impl Body {
             radius: 0.0,
         }
     }
-    /// Returns a cone.
+    /// Creates a cone.
     #[must_use]
     pub fn cone(apex: Vec3<f64>, base: Vec3<f64>, radius: f64) -> Self {
         let axis = unit(base - apex).unwrap_or_else(Vec3::zero);
@@ -164,7 +164,7 @@ impl Body {
             radius: 0.0,
         }
     }
-    /// Returns how far it reaches along a direction of length one.
+    /// Returns the largest coordinate of its points along a direction of length one.
     fn reach(&self, normal: Vector) -> f64 {
         let ends = |way: &Vector| unit(*way).is_none_or(|way| normal.dot(way) <= ORTHOGONAL);
         if !self.endless.iter().all(ends) {
@@ -176,7 +176,7 @@ impl Body {
             rims.map(|rim| rim.center.dot(normal) + rim.radius * aside(normal, rim.axis).length());
         corners.chain(rims).fold(f64::NEG_INFINITY, f64::max) + self.radius
     }
-    /// Its largest coordinate and its radii.
+    /// Returns its largest coordinate plus its radii.
     fn size(&self) -> f64 {
         let size = |p: &Vector| p.x.abs().max(p.y.abs()).max(p.z.abs());
         let rims = self.rims.iter().map(|rim| size(&rim.center) + rim.radius);
@@ -187,7 +187,7 @@ impl Body {
             .fold(0.0, f64::max)
             + self.radius
     }
-    /// Returns the same in other units.
+    /// Returns the body in other units.
     fn scaled(&self, by: f64) -> Self {
         let all = |list: &[Vector]| list.iter().map(|&v| v * by).collect();
         let rim = |rim: &Rim| Rim {
@@ -203,7 +203,8 @@ impl Body {
             radius: self.radius * by,
         }
     }
-    /// Corners and ways of edges, circles replaced by their section in the planes towards some points.
+    /// Returns corners and directions of edges; circles are replaced by their section in the planes towards some
+    /// points.
     fn flat(&self, towards: &[Vector]) -> (Vec<Vector>, Vec<Vector>) {
         let (mut corners, mut ways) = (self.corners.clone(), self.ways.clone());
         let mut section = self.corners.clone();
@@ -221,7 +222,7 @@ impl Body {
         }
         (corners, ways)
     }
-    /// Returns how far a point is outside, as far as its faces and edges tell; 0 inside.
+    /// Returns a lower bound of the distance of a point from the body, by its faces and edges; 0 inside.
     fn outside(&self, point: Vector) -> f64 {
         let (_, ways) = self.flat(&[point]);
         let mut normals = ways.clone();
@@ -234,7 +235,7 @@ impl Body {
     }
 }
 
-/// Returns two directions across another one and each other.
+/// Returns two directions orthogonal to another one and to each other.
 fn across(axis: Vector) -> [Vector; 2] {
     let least = axis.x.abs().min(axis.y.abs()).min(axis.z.abs());
     let other = match least {
@@ -246,12 +247,12 @@ fn across(axis: Vector) -> [Vector; 2] {
     [u, unit(axis.cross(u)).unwrap_or_else(Vec3::zero)]
 }
 
-/// What a proof says of a distance, in the unit of length.
-pub(crate) struct Bounds {
-    /// By how much the best plane parts the bodies: at most the signed distance. Of bodies with flat faces, edges and
-    /// corners it is just that.
+/// The bounds that a proof gives for a distance, in the unit of length.
+pub(crate) struct ProvedBounds {
+    /// The gap of the plane that separates the bodies best: at most the signed distance. For bodies with flat faces,
+    /// edges and corners it equals the signed distance.
     pub parted: f64,
-    /// How far the points are apart, and how far the farther one is from its body.
+    /// The distance of the points, and the larger distance of a point from its body.
     pub points: Option<[f64; 2]>,
     /// The largest coordinate.
     pub size: f64,
@@ -262,8 +263,9 @@ impl Proof {
     pub(crate) fn is_endless(&self) -> bool {
         self.bodies.iter().any(|body| !body.endless.is_empty())
     }
-    /// What it says; `None` where no plane parts the bodies by a finite number, as of lines that cross.
-    pub(crate) fn bounds(&self) -> Option<Bounds> {
+    /// Returns the bounds that it proves; `None` if no plane separates the bodies by a finite number, as for lines that
+    /// cross.
+    pub(crate) fn bounds(&self) -> Option<ProvedBounds> {
         let size = self.bodies[0].size().max(self.bodies[1].size());
         if !size.is_finite() {
             return None;
@@ -280,7 +282,7 @@ impl Proof {
             let off = a.outside(p).max(b.outside(q));
             [(q - p).length() * unit_size, off * unit_size]
         });
-        parted.is_finite().then_some(Bounds {
+        parted.is_finite().then_some(ProvedBounds {
             parted,
             points,
             size,
@@ -288,8 +290,8 @@ impl Proof {
     }
 }
 
-/// Returns the gap of the plane that parts two bodies best: of those along faces and pairs of edges, and across the
-/// ways from corner to corner and from corner to edge.
+/// Returns the gap of the plane that separates two bodies best. It tries planes along faces and pairs of edges, and
+/// planes normal to the vectors from corner to corner and from corner to edge.
 fn best(a: &Body, b: &Body) -> f64 {
     let centers = |body: &Body| -> Vec<Vector> {
         let rims = body.rims.iter().map(|rim| rim.center);
@@ -300,11 +302,11 @@ fn best(a: &Body, b: &Body) -> f64 {
     let ways: Vec<Vector> = ways_a.into_iter().chain(ways_b).collect();
     let mut normals = ways.clone();
     for (i, u) in ways.iter().enumerate() {
-        // Twice, since the product of ways that are all but parallel is mostly rounding.
+        // Twice, since the product of directions that are nearly parallel is mostly rounding.
         let product = |v: &Vector| aside(aside(aside(u.cross(*v), *u), *v), *u);
         normals.extend(ways[..i].iter().map(product));
     }
-    // Of bodies on one line or in one point any direction across is as good.
+    // For bodies on one line or in one point any orthogonal direction will do.
     normals.extend(ways.iter().flat_map(|&way| across(way)));
     normals.extend(across(Vec3::zero()));
     for p in &corners_a {

@@ -1,5 +1,6 @@
-//! A check of closures as a subject, near one of its points.
-use crate::ad::check::builder::Near;
+//! A check of closures as a [`Subject`], near one of its points: it calls the closures of a
+//! [`Check`](crate::ad::check::Check) on lists of numbers.
+use crate::ad::check::builder::CheckAtPoint;
 use crate::ad::check::second_order::{Wide, bends, transposed};
 use crate::ad::check::subject::{Conventions, Subject, default_scales};
 use crate::ad::check::symmetry::{Invariance, Kind};
@@ -8,7 +9,7 @@ use crate::ad::check::witness::{Precision, axis};
 use crate::{Pack, Real};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-impl<S: Real, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
+impl<S: Real, X: Pack<Scalar = S>> Subject for CheckAtPoint<'_, '_, X> {
     fn precision(&self) -> Precision {
         Precision::of::<S>()
     }
@@ -85,7 +86,7 @@ impl<S: Real, X: Pack<Scalar = S>> Subject for Near<'_, '_, X> {
         let here = self.made(x);
         match (&self.check.inside, &self.check.value) {
             (Some(inside), _) => inside(&here),
-            // A function that panics beside its point ends there.
+            // A function that panics near its point has a border there.
             (None, Some(value)) => catch_unwind(AssertUnwindSafe(|| value(&here))).is_ok(),
             (None, None) => true,
         }

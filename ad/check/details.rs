@@ -1,5 +1,5 @@
-//! The drill-down of a report: every pair of witnesses, how far apart, and where they came nearest
-//! to refusal.
+//! The long form of a report, for `--details`: the difference of every pair of witnesses, and the input at which they
+//! came nearest to refusal.
 use crate::ad::check::report::Report;
 use crate::ad::check::verdict::{PAIRS, Reason, Witness, Worst};
 use crate::ad::check::words::write_numbers;
@@ -21,7 +21,7 @@ fn who(witness: Witness) -> &'static str {
     }
 }
 
-/// Which share of the comparisons differs by how many units of the precision.
+/// Writes the share of the comparisons that differ by a number of units of the precision, decade by decade.
 fn write_decades(out: &mut String, worst: &Worst) -> fmt::Result {
     out.push_str("    units in the last place of the largest one:");
     let total = worst.decades.iter().sum::<u64>().max(1) as f64;
@@ -37,9 +37,9 @@ fn write_decades(out: &mut String, worst: &Worst) -> fmt::Result {
 }
 
 impl Report {
-    /// Everything the [line](Report::line) leaves out: what kinds of places there were, and of each
-    /// pair of witnesses how far apart they were, in units in the last place of the largest derivative
-    /// of the same unit, and the numbers where they came nearest to refusal.
+    /// Returns everything that the [line](Report::line) leaves out: the kinds of points, and for each pair of witnesses
+    /// their differences. These are in units in the last place of the largest derivative of the same unit. The numbers
+    /// at which they came nearest to refusal follow.
     #[must_use]
     pub fn details(&self) -> String {
         let mut out = String::new();
@@ -99,7 +99,7 @@ impl Report {
                     "    nearest to refusal: {:.0} % of what their errors allow{}, at sample {}, \
                      output {}, input {}{}",
                     100.0 * nearest.share,
-                    if nearest.provoked {
+                    if nearest.perturbed {
                         ", as provoked rounding showed"
                     } else {
                         ""

@@ -1,5 +1,6 @@
-//! The evidence about a function at one input, gathered once, before anything is compared. Comparisons
-//! read it and write [notes](crate::ad::check::notes).
+//! The evidence about a function at one input: values, derivatives, branches and neighbouring inputs.
+//! [`judge`](crate::ad::check::judge) gathers it once, before anything is compared. Comparisons read it and write
+//! [notes](crate::ad::check::notes).
 use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{
@@ -7,7 +8,7 @@ use crate::ad::check::tolerances::{
 };
 use crate::ad::check::trace::Trace;
 use crate::ad::check::verdict::{ByWitness, Reason, Tightest, Witness};
-use crate::ad::check::witness::{Precision, beside, combined, dot};
+use crate::ad::check::witness::{Precision, combined, dot, perturbed};
 use crate::ad::sample::Draw;
 use std::cell::{Cell, RefCell};
 
@@ -17,16 +18,16 @@ pub(crate) struct Combination {
     pub(crate) output: usize,
     pub(crate) adjoint: Option<Vec<f64>>,
     pub(crate) dual: Option<Vec<f64>>,
-    /// How much both may be off together by plain rounding, per input.
+    /// The error that plain rounding allows both together, per input.
     pub(crate) plain: Vec<f64>,
-    /// The same with what provoked rounding shows, as far as it was provoked.
+    /// The error with the changes that perturbed rounding shows, once it was perturbed.
     pub(crate) tolerance: RefCell<Vec<f64>>,
-    /// `true` once rounding was provoked; then the same in double precision, and with the arguments exchanged.
-    pub(crate) provoked: Cell<bool>,
-    pub(crate) provoked_widely: Cell<bool>,
-    pub(crate) provoked_exchanged: Cell<bool>,
-    /// How large the derivative by each input may typically be: `largest` by units in place of scales, divided by the
-    /// input's unit.
+    /// `true` once rounding was perturbed; the next two for double precision and for exchanged arguments.
+    pub(crate) perturbed: Cell<bool>,
+    pub(crate) perturbed_in_double: Cell<bool>,
+    pub(crate) perturbed_exchanged: Cell<bool>,
+    /// The typical size of the derivative by each input: `largest` by units in place of scales, divided by the input's
+    /// unit.
     pub(crate) size: Vec<f64>,
     /// The largest of the combined value and all derivatives times their scales.
     pub(crate) largest: f64,
@@ -35,17 +36,17 @@ pub(crate) struct Combination {
 }
 
 impl Combination {
-    /// Returns how much two exact derivatives with respect to an input may differ.
+    /// Returns the largest difference of two exact derivatives with respect to an input.
     pub(crate) fn allowed(&self, input: usize) -> f64 {
         self.tolerance.borrow()[input]
     }
-    /// Returns how much they may differ together along a direction.
+    /// Returns the largest difference of two exact derivatives along a direction.
     pub(crate) fn allowed_along(&self, direction: &[f64]) -> f64 {
         let tolerance = self.tolerance.borrow();
         let each = direction.iter().zip(tolerance.iter());
         each.map(|(d, tolerance)| d.abs() * tolerance).sum()
     }
-    /// Widens what is allowed.
+    /// Adds to the tolerance of each input.
     pub(crate) fn allow(&self, more: impl Fn(usize) -> f64) {
         for (i, tolerance) in self.tolerance.borrow_mut().iter_mut().enumerate() {
             *tolerance += more(i);
@@ -53,14 +54,14 @@ impl Combination {
     }
 }
 
-/// The relation of an input to the judged one beside it.
+/// The branches of a neighbouring input, compared with those of the judged input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Beside {
+pub(crate) enum Neighbour {
     /// The same branches.
     Same,
     /// Equal numbers stayed equal, so a change of branch comes from rounding.
     Tied,
-    /// Numbers moved on their own: an exact tie may have been broken.
+    /// Numbers moved independently: an exact tie may have been broken.
     Loose,
 }
 
@@ -78,16 +79,16 @@ pub(crate) struct Evidence<'a> {
     pub(crate) scales: Vec<f64>,
     pub(crate) units: Vec<f64>,
     pub(crate) eps: f64,
-    /// How far each output is off by what the function itself says of its values.
+    /// The error of each output that the function declares for its values.
     pub(crate) resolution: Vec<f64>,
-    /// How far outputs are off by terms that cancel, as the function says; only another format can tell.
+    /// The error of outputs by terms that cancel, as the function declares it; only another format shows it.
     pub(crate) cancelled: f64,
-    /// Outputs that single precision holds with fewer than all digits, or as its largest number: of their values
-    /// the size is judged ([`resolution`](Evidence::resolution)); derivatives that are pulled back through them have no
-    /// digits that could be.
+    /// `true` for outputs that single precision holds with fewer than all digits, or as its largest number. Only the
+    /// size of their values is judged ([`resolution`](Evidence::resolution)); derivatives pulled back through them have
+    /// no digits to judge.
     pub(crate) off_scale: Vec<bool>,
-    /// Inputs beside `x` in the domain, each with how its branches relate to those of `x`.
-    pub(crate) around: Vec<(Vec<f64>, Beside)>,
+    /// Inputs near `x` in the domain, each with the relation of its branches to those of `x`.
+    pub(crate) around: Vec<(Vec<f64>, Neighbour)>,
     /// The derivatives; empty until they are [gathered](Evidence::gather_derivatives).
     pub(crate) rows: Vec<Combination>,
 }
@@ -103,39 +104,39 @@ pub(crate) fn same_bits(a: &[f64], b: &[f64]) -> bool {
 }
 
 impl<'a> Evidence<'a> {
-    /// Returns the values at an input; `None` where there is nothing to judge, and `said` says why if it is the
-    /// function's fault.
+    /// Gathers the values at an input. Returns `None` if there is nothing to judge, and adds the reason to `notes` if
+    /// it is a fault of the function.
     pub(crate) fn of_values(
         subject: &'a dyn Subject,
         x: &'a [f64],
-        said: &mut Notes,
+        notes: &mut Notes,
     ) -> Option<Self> {
         if !subject.inside(x) {
             return None;
         }
         let y = subject.value(x);
         if !finite(&y) {
-            said.complain(Reason::NotFinite(Witness::Value), 0, 0);
+            notes.add_fault(Reason::NotFinite(Witness::Value), 0, 0);
             return None;
         }
         if !same_bits(&y, &subject.value(x)) {
-            said.complain(Reason::Impure(Witness::Value), 0, 0);
+            notes.add_fault(Reason::Impure(Witness::Value), 0, 0);
         }
         let wide = subject.wide();
         let off_scale = off_scale(wide.as_deref(), x, y.len());
         let (traced, trace) = subject.traced(x).unzip();
         let rounding = subject.rounding(x);
         let around = (0..ROUNDS).filter_map(|round| {
-            let there = beside(subject.precision(), x, &rounding, round);
+            let there = perturbed(subject.precision(), x, &rounding, round);
             subject.inside(&there).then(|| {
                 let same = trace.is_some_and(|here: Trace| {
                     let there = subject.traced(&there);
                     there.is_some_and(|(_, trace)| trace.hash == here.hash)
                 });
                 let same = match (same, round % 3) {
-                    (true, _) => Beside::Same,
-                    (false, 1) => Beside::Loose,
-                    (false, _) => Beside::Tied,
+                    (true, _) => Neighbour::Same,
+                    (false, 1) => Neighbour::Loose,
+                    (false, _) => Neighbour::Tied,
                 };
                 (there, same)
             })
@@ -161,9 +162,9 @@ impl<'a> Evidence<'a> {
         })
     }
 
-    /// Gathers the derivatives by hand and by duals. `false` when nothing can be compared: `said` says why, unless all
-    /// outputs are [off scale](Evidence::off_scale).
-    pub(crate) fn gather_derivatives(&mut self, draw: &mut Draw, said: &mut Notes) -> bool {
+    /// Gathers the derivatives by hand and by duals. Returns `false` if nothing can be compared, and adds the reason to
+    /// `notes`, unless all outputs are [off scale](Evidence::off_scale).
+    pub(crate) fn gather_derivatives(&mut self, draw: &mut Draw, notes: &mut Notes) -> bool {
         let (n, m) = (self.x.len(), self.y.len());
         let jacobian = if n <= FEW_INPUTS {
             self.subject.jacobian(self.x)
@@ -177,11 +178,11 @@ impl<'a> Evidence<'a> {
                     Some(row) => (row.len(), n),
                     None => (jacobian.len(), m),
                 };
-                said.complain_of_length(Witness::Dual, 0, [got, wanted]);
+                notes.add_length_fault(Witness::Dual, 0, [got, wanted]);
                 return false;
             }
             if let Some(j) = jacobian.iter().position(|row| !finite(row)) {
-                said.complain(Reason::NotFinite(Witness::Dual), j, 0);
+                notes.add_fault(Reason::NotFinite(Witness::Dual), j, 0);
             }
         }
         for (output, weights) in self.combinations(draw).into_iter().enumerate() {
@@ -194,16 +195,16 @@ impl<'a> Evidence<'a> {
             let adjoint = self.subject.adjoint(self.x, &weights);
             if let Some(adjoint) = &adjoint {
                 if adjoint.len() != n {
-                    said.complain_of_length(Witness::Adjoint, output, [adjoint.len(), n]);
+                    notes.add_length_fault(Witness::Adjoint, output, [adjoint.len(), n]);
                     return false;
                 }
                 if let Some(i) = adjoint.iter().position(|x| !x.is_finite()) {
-                    said.complain(Reason::NotFinite(Witness::Adjoint), output, i);
+                    notes.add_fault(Reason::NotFinite(Witness::Adjoint), output, i);
                     return false;
                 }
                 let again = self.subject.adjoint(self.x, &weights);
                 if again.is_none_or(|again| !same_bits(adjoint, &again)) {
-                    said.complain(Reason::Impure(Witness::Adjoint), output, 0);
+                    notes.add_fault(Reason::Impure(Witness::Adjoint), output, 0);
                 }
             }
             let dual = jacobian
@@ -266,14 +267,14 @@ impl<'a> Evidence<'a> {
             plain,
             size,
             largest,
-            provoked: Cell::new(false),
-            provoked_widely: Cell::new(false),
-            provoked_exchanged: Cell::new(false),
+            perturbed: Cell::new(false),
+            perturbed_in_double: Cell::new(false),
+            perturbed_exchanged: Cell::new(false),
         }
     }
 
-    /// Returns the rounding noise of a combined value: what changes beside the point and is not derivative, and no less
-    /// than the function says itself.
+    /// Returns the rounding noise of a combined value: the change at neighbouring inputs that the derivative does not
+    /// explain, and at least the error that the function declares.
     fn noise(&self, weights: &[f64], derivatives: Option<&[f64]>) -> f64 {
         let here = dot(weights, &self.y);
         let terms = |y: &[f64]| -> f64 { weights.iter().zip(y).map(|(w, y)| (w * y).abs()).sum() };
@@ -303,8 +304,8 @@ impl<'a> Evidence<'a> {
         self.trace.is_some_and(|trace| trace.margin == 0.0)
     }
 
-    /// Returns `true` if the duals may be wrong because the input is an exact tie of their source, of which they
-    /// take a share although it may be no kink of the function; the adjoint is asked anyway.
+    /// Returns `true` if the duals may be wrong because the input is an exact tie of their source, of which they take a
+    /// share although it may be no kink of the function. The adjoint is judged anyway.
     pub(crate) fn tie_of_duals(&self) -> bool {
         self.exactly_tied() && !self.subject.conventions().shared_ties
     }
@@ -315,7 +316,7 @@ pub(crate) const SMALLEST: f64 = f32::MIN_POSITIVE as f64;
 /// Its largest number.
 const LARGEST: f64 = f32::MAX as f64;
 
-/// Returns how far each output may be off by how it is computed.
+/// Returns the error of each output by the way it is computed, as the function declares it.
 fn resolution(subject: &dyn Subject, y: &[f64], off_scale: &[bool]) -> Vec<f64> {
     let mut own = subject.resolution(y);
     own.resize(y.len(), 0.0);
@@ -325,8 +326,8 @@ fn resolution(subject: &dyn Subject, y: &[f64], off_scale: &[bool]) -> Vec<f64> 
     own
 }
 
-/// Which results of single precision are below the smallest number that has all digits, as the fourth power of
-/// a small length is, or above the largest one. Zeros among nothing but too small ones are, too.
+/// Returns which results of single precision are below the smallest normal number, as the fourth power of a small
+/// length is, or above the largest number. Zeros are included if all others are too small.
 fn off_scale(wide: Option<&dyn Subject>, x: &[f64], outputs: usize) -> Vec<bool> {
     let small = |y: &f64| *y != 0.0 && y.abs() < SMALLEST;
     let values = wide.map_or(Vec::new(), |wide| wide.value(x));
@@ -342,7 +343,7 @@ fn off_scale(wide: Option<&dyn Subject>, x: &[f64], outputs: usize) -> Vec<bool>
 }
 
 impl Evidence<'_> {
-    /// Returns `true` if two numbers say no more than that both are above the largest one of single precision.
+    /// Returns `true` if two numbers are both saturated: above the largest number of single precision, with one sign.
     pub(crate) fn both_saturated(&self, one: f64, other: f64) -> bool {
         let most = one.abs().min(other.abs());
         self.subject.precision() == Precision::F32
@@ -351,7 +352,7 @@ impl Evidence<'_> {
     }
 }
 
-/// Returns a comparison at an output and an input, before it is known how near to refusal it is.
+/// Returns a comparison at an output and an input, without its share of the tolerance.
 pub(crate) fn comparison(
     row: &Combination,
     input: usize,
@@ -363,7 +364,7 @@ pub(crate) fn comparison(
         input,
         numbers,
         tolerance,
-        provoked: row.provoked.get(),
+        perturbed: row.perturbed.get(),
         ..Tightest::default()
     }
 }

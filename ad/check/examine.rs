@@ -1,5 +1,5 @@
-//! Judging a function at many inputs.
-use crate::ad::check::agreed::{Agreed, Held};
+//! Judgement of a function at many inputs: calls [`judge`](mod@crate::ad::check::judge) for each, makes refused inputs
+//! simple, and sums everything up in a [`Report`]. It decides if too few inputs were inside the domain or smooth.
 use crate::ad::check::candidate::{Candidate, Typed};
 use crate::ad::check::compare::invariance;
 use crate::ad::check::judge::judge;
@@ -9,12 +9,13 @@ use crate::ad::check::shrink::{is_like, shrunk};
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{ENOUGH, INSIDE_ONE_IN, KEPT, SHRINKING, SMOOTH_ONE_IN, TIRED};
 use crate::ad::check::verdict::{Findings, Reason, Smoothness};
+use crate::ad::check::with_sampling::{SubjectRef, WithSampling};
 use crate::ad::check::witness::Precision;
 use crate::{Pack, Real};
 use std::fmt::Debug;
 
-/// Judges a function at many inputs. `meet` hands the function near an input to its argument;
-/// `random_from` is the number of the first input that was drawn at random.
+/// Judges a function at many inputs. `meet` calls its argument with the function near an input; `random_from` is the
+/// number of the first input that was drawn at random.
 pub fn examine<S: Real, X: Pack<Scalar = S> + Debug>(
     name: &str,
     sampling: &Sampling<'_>,
@@ -29,7 +30,7 @@ pub fn examine<S: Real, X: Pack<Scalar = S> + Debug>(
     examined(name, sampling, &inputs, random_from)
 }
 
-/// Returns the same of inputs without types.
+/// Judges a function at inputs without types.
 pub(crate) fn examined<'a>(
     name: &str,
     sampling: &Sampling<'_>,
@@ -38,15 +39,15 @@ pub(crate) fn examined<'a>(
 ) -> Report {
     let mut precision = Precision::F64;
     // Nothing is found outside the domain.
-    let mut judged = |x: &dyn Candidate<'a>, sample: usize| -> Option<Findings> {
+    let mut findings_at = |x: &dyn Candidate<'a>, sample: usize| -> Option<Findings> {
         let list = x.numbers();
         let mut findings = None;
         x.met(&mut |subject| {
             precision = subject.precision();
             // Shrinking makes up numbers that single precision may not have.
             let list: Vec<f64> = list.iter().map(|&x| precision.round(x)).collect();
-            let subject = Held::Lent(subject);
-            let subject = Agreed { subject, sampling };
+            let subject = SubjectRef::Borrowed(subject);
+            let subject = WithSampling { subject, sampling };
             if subject.inside(&list) {
                 findings = Some(judge(&subject, &list, sampling.seed ^ sample as u64));
             }
@@ -55,12 +56,12 @@ pub(crate) fn examined<'a>(
     };
     let mut report = Report::empty(name, sampling.seed);
     let (mut smooth, mut drawn) = (0, 0);
-    let mut covered: Vec<bool> = Vec::new();
+    let mut judged: Vec<bool> = Vec::new();
     let mut left = SHRINKING;
     let mut alike = 0;
     let mut simple: Vec<Box<dyn Candidate<'a> + 'a>> = Vec::new();
     for (sample, &x) in inputs.iter().enumerate() {
-        let Some(findings) = judged(x, sample) else {
+        let Some(findings) = findings_at(x, sample) else {
             report.outside += 1;
             continue;
         };
@@ -72,8 +73,8 @@ pub(crate) fn examined<'a>(
             Smoothness::Undefined => 2,
         }] += 1;
         smooth += usize::from(findings.place == Smoothness::Smooth && sample >= random_from);
-        covered.resize(covered.len().max(findings.covered.len()), false);
-        for (all, here) in covered.iter_mut().zip(&findings.covered) {
+        judged.resize(judged.len().max(findings.judged.len()), false);
+        for (all, here) in judged.iter_mut().zip(&findings.judged) {
             *all |= here;
         }
         report.conventions += u64::from(findings.convention);
@@ -96,7 +97,7 @@ pub(crate) fn examined<'a>(
             if report.failures.iter().any(known) || report.failures.len() >= KEPT {
                 continue;
             }
-            let again = &mut |x: &dyn Candidate<'a>| judged(x, sample);
+            let again = &mut |x: &dyn Candidate<'a>| findings_at(x, sample);
             // One mistake is refused for several reasons, and a simple input that shows one of them shows most.
             let shown = simple.iter().find_map(|x| {
                 let findings = again(&**x)?;
@@ -142,12 +143,12 @@ pub(crate) fn examined<'a>(
     }
     report.precision = precision;
     report.nearest = report.worst.each_ref().map(|worst| {
-        let judged = inputs.get(worst.nearest.sample);
-        let shown = judged.filter(|_| worst.nearest.share > 0.0);
+        let nearest = inputs.get(worst.nearest.sample);
+        let shown = nearest.filter(|_| worst.nearest.share > 0.0);
         shown.map_or_else(String::new, |x| x.code())
     });
     let asked = inputs.len().saturating_sub(random_from);
-    let uncovered = covered.iter().position(|covered| !covered);
+    let unjudged = judged.iter().position(|judged| !judged);
     if report.stopped {
         return report;
     }
@@ -159,9 +160,9 @@ pub(crate) fn examined<'a>(
         report.refused += 1;
         let failure = Failure::of_all(Reason::NothingSmooth, random_from, 0);
         report.failures.push(failure);
-    } else if report.failures.is_empty() && (uncovered.is_some() || covered.is_empty()) {
+    } else if report.failures.is_empty() && (unjudged.is_some() || judged.is_empty()) {
         report.refused += 1;
-        let input = uncovered.unwrap_or(0);
+        let input = unjudged.unwrap_or(0);
         let failure = Failure::of_all(Reason::Unjudged, random_from, input);
         report.failures.push(failure);
     }

@@ -1,4 +1,4 @@
-//! A report for machines.
+//! A [`Report`] as JSON, for programs that read it.
 use crate::ad::check::report::Report;
 use crate::ad::check::verdict::{Fault, PAIRS};
 use std::fmt::Write;
@@ -44,7 +44,7 @@ impl Report {
                 json_number(worst.ulps),
                 json_number(worst.usual()),
                 json_number(worst.nearest.share),
-                worst.nearest.provoked,
+                worst.nearest.perturbed,
                 worst.nearest.sample,
                 worst.nearest.input
             );

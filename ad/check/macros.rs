@@ -1,4 +1,5 @@
-//! One check in one line.
+//! Macros that write a check in one line: [`assert_gradient!`](crate::assert_gradient),
+//! [`generic_check!`](crate::generic_check).
 
 /// Checks a gradient at points, or panics with the numbers. For use in tests; see the
 /// [module](crate::ad::check) for examples.

@@ -1,10 +1,10 @@
 //! The gradient verification harness: is a derivative right?
 //!
-//! Every derivative is judged from three sides: by hand (the adjoint), by forward duals through the generic source,
-//! by finite differences with an error estimate. They must agree as far as their own errors, measured at every
-//! sample, allow; no tolerance is set per function. Beside that a derivative must be the same bits twice, linear in
-//! its seed, finite, right at kinks, consistent with declared invariances, and have the right derivatives itself. A
-//! refused input is made as simple as it can be, in its numbers and its length, and printed as code.
+//! Every derivative is judged from three sides: by hand (the adjoint), by forward duals through the generic source, by
+//! finite differences with an error estimate. They must agree as far as their own errors, measured at every sample,
+//! allow; no tolerance is set per function. A derivative must also have equal bits twice, be linear in its seed,
+//! finite, right at kinks, consistent with declared invariances, and have the right derivatives itself. A refused input
+//! is simplified, in its numbers and its length, and printed as code.
 //!
 //! One module, [`geograd::check`](crate::check), has all that a check needs.
 //!
@@ -67,14 +67,13 @@
 //!
 //! # A function with a kink
 //!
-//! At a kink a derivative is right when it lies between the derivatives of both sides along every direction, and
-//! where many numbers tie, equals the derivative along the direction that keeps the tie. Both sides do not bound
-//! it where kinks of both signs meet, and at the border of the domain: there it may lie between the derivatives at
-//! places nearby. It may be another element than the duals'
-//! ([`shared_ties`](crate::ad::check::subject::Conventions::shared_ties) asks for theirs, of an operation
-//! [`Sampling::shared_ties`]). Duals a few last digits beside the input tell both sides where steps cannot. The
-//! report says how many samples were kinks, so that a function cannot pass by being nothing but kinks; and a number
-//! of the input about which no witness could say anything is
+//! At a kink a derivative is right when it lies between the derivatives of both sides along every direction, and where
+//! many numbers tie, equals the derivative along the direction that keeps the tie. Both sides do not bound it where
+//! kinks of both signs meet, and at the border of the domain: there it may lie between the derivatives at points
+//! nearby. It may differ from the duals' choice ([`shared_ties`](crate::ad::check::subject::Conventions::shared_ties)
+//! requires theirs, for an operation [`Sampling::shared_ties`]). Duals at inputs a few last digits away give both sides
+//! where steps cannot. The report has the number of samples at kinks, so that a function cannot pass by having kinks
+//! everywhere; and a number of the input that no witness could judge is
 //! [`Unjudged`](crate::ad::check::verdict::Reason::Unjudged).
 //!
 //! ```
@@ -123,9 +122,9 @@
 //! ([`Check::second_order`]). Another implementation is a witness ([`Check::witness`], [`Check::path`]). Batches of the
 //! library's operations, on the CPU or a GPU, are witnesses in [`kernels::check`](crate::kernels::check::check_on).
 //!
-//! num-dual's own numbers judge derivatives by hand beside our [`Jet`](crate::Jet): one of the two may be wrong in
-//! the same way as the derivative. `assert_gradient!(generic …)`, operations with an adjoint by hand and rings use
-//! them; a check of closures takes them by [`Check::num_dual`].
+//! num-dual's own numbers judge derivatives by hand in addition to our [`Jet`](crate::Jet): one of the two may share a
+//! mistake with the derivative. `assert_gradient!(generic …)`, operations with an adjoint by hand and rings use them; a
+//! check of closures adds them by [`Check::num_dual`].
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -145,8 +144,8 @@
 //! # A refusal that is no mistake
 //!
 //! Digits that cancel in single precision are lost with the best of formulas. The value is refused, and the report
-//! names the remedy: [`Check::resolution`] says how far values may be off. It leaves derivatives as strict as they
-//! were.
+//! names the remedy: [`Check::resolution`] sets the error that values may have. Derivatives are judged as strictly as
+//! without it.
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -179,37 +178,35 @@
 //! | random functions with one number off by 10⁻⁶ to 1, by differences alone, accepted | 0 of 1000 |
 //! | the library's own operations, 100 000 random samples each and all hard cases, in both formats | no false alarm in 1.8 million |
 //!
-//! Give a function's generic source where there is one ([`Check::dual`], [`Check::traced`]): duals
-//! know no step, and traces tell a kink from a coincidence. Differences alone do not see a
-//! feature smaller than a hundred-millionth of the [scale](Check::scales), nor a derivative whose rise is
-//! lost in the rounding of the value; a function that has such features (boxes tilted by less, poles
-//! nearer than that) may be refused falsely without them. Without scales a number is taken to change
-//! over its own size or a thousandth of the largest one, whichever tells.
+//! Give a function's generic source where there is one ([`Check::dual`], [`Check::traced`]): duals need no steps, and
+//! traces distinguish a kink from a coincidence. Differences alone miss a feature smaller than a hundred-millionth of
+//! the [scale](Check::scales), and a derivative whose rise is lost in the rounding of the value. Without them a
+//! function that has such features (boxes tilted by less, poles nearer than that) may be refused falsely. Without
+//! scales a number is taken to change over its own size or a thousandth of the largest one, whichever steps can decide.
 //!
-//! A derivative may be off by the rounding of terms as large as it gets when the inputs change over
-//! their size: `1 - 0.9997` has four digits less, and that is no mistake. One that
-//! loses more, half of its digits say, is refused.
+//! A derivative may be off by the rounding of terms of its largest size when the inputs change over their own size:
+//! `1 - 0.9997` has four digits less, and that is no mistake. One that loses more, such as half of its digits, is
+//! refused.
 //!
-//! No witness is better than another where a value is decided within rounding (a tie that is none in exact
-//! arithmetic), and the changes by provoked rounding are tolerated. Exact ties of equal
-//! inputs are judged strictly in double precision.
+//! No witness is better than another where a value is decided within rounding (a tie that is none in exact arithmetic),
+//! and the changes by perturbed rounding are allowed. Exact ties of equal inputs are judged strictly in double
+//! precision.
 //!
 //! # How it is made
 //!
-//! One input is judged in [`judge`](mod@judge): `evidence` gathers once what is known there (values, derivatives by
-//! hand and by duals, branches, inputs beside it), each file of `compare` holds a comparison that reads it and
-//! adds its findings (`notes`), and `judge` decides what is refused. Every number by which it decides is in
-//! `tolerances`, with its reason; `rounding` measures at each input what a witness may be off by. Steps are in [`witness`], what they
-//! show of one derivative in `compare/derivative_test`, how findings are weighed in `compare/opinion`.
-//! [`examine`](fn@examine) walks the inputs, `shrink` makes refused ones simple, [`report`] has the lines, `words`
-//! the sentences. A function is a [`Subject`](subject::Subject): lists of numbers in and out.
+//! One input is judged in [`judge`](mod@judge): `evidence` gathers the data there once (values, derivatives by hand and
+//! by duals, branches, neighbouring inputs), each file of `compare` holds a comparison that reads it and adds its
+//! findings (`notes`), and `judge` decides which faults are refused. Every number by which it decides is in
+//! `tolerances`, with its reason; `rounding` measures the error of each witness at an input. Sequences of steps are in
+//! [`witness`], the test of one derivative by them in `compare/derivative_test`, the weighing of several sequences in
+//! `compare/assessment`. [`examine`](fn@examine) walks the inputs, `shrink` makes refused ones simple, [`report`] has
+//! the lines, `words` the sentences. A function is a [`Subject`](subject::Subject): lists of numbers in and out.
 //!
-//! A traced scalar (`trace`) records every comparison and its margin, to tell a kink from a mistake. `rounding`
-//! measures sensitivity: inputs move by an ulp, and a scalar of `noise` rounds at random. `agreed` has what a
-//! sampling says of a function: ties, resolution, domain. `strategy` draws for proptest from the same [`sample`].
-//! `tests/corpus` measures the harness and other checkers: functions, faults made by operators and by a scalar that
-//! makes one mistake, and a record of the harness's errors.
-mod agreed;
+//! A traced scalar (`trace`) records every comparison and its margin, to distinguish a kink from a mistake. `rounding`
+//! measures sensitivity: inputs move by an ulp, and a scalar of `noise` rounds at random. `with_sampling` adds the
+//! declarations of a sampling to a function: ties, resolution, domain. `strategy` draws for proptest from the same
+//! [`sample`]. `tests/corpus` measures the harness and other checkers: functions, faults made by operators and by a
+//! scalar that makes one mistake, and a record of the harness's errors.
 mod bent;
 mod builder;
 pub(crate) mod candidate;
@@ -238,6 +235,7 @@ pub(crate) mod tolerances;
 pub mod trace;
 pub(crate) mod trace_lanes;
 pub mod verdict;
+mod with_sampling;
 pub mod witness;
 mod words;
 

@@ -1,11 +1,10 @@
 //! Stochastic arithmetic: a scalar whose every operation rounds at random.
 //!
-//! Moving the input shows what a function does to errors of its input. Numbers on the way that are
-//! larger than both input and result (the coordinates whose difference is the length of a crossing)
-//! round too, and only a run whose own roundings fall differently shows that. This is discrete
-//! stochastic arithmetic (Vignes): each result moves by one unit in its last place up, down, or not
-//! at all, and the spread of a few runs is the error of one. Exact results stay, and equal ones move
-//! alike, so that most ties stay ties.
+//! Moving the input shows how a function amplifies errors of its input. Intermediate results that are larger than both
+//! input and result (the coordinates whose difference is the length of a crossing) round, too. Only a run whose own
+//! roundings fall differently shows that. This is discrete stochastic arithmetic (Vignes): each result moves by one
+//! unit in its last place up, down, or not at all. The deviation of a few runs estimates the error of one. Exact
+//! results stay, and equal ones move alike, so that most ties stay ties.
 use crate::ad::check::trace::{wrapped, wrapped_operators};
 use crate::ad::check::witness::Precision;
 use crate::ad::sample::Draw;
@@ -14,7 +13,7 @@ use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 thread_local! {
-    // A sum has no place to carry a seed along, so it belongs to the thread.
+    // An operator has no argument for a seed, so it belongs to the thread.
     static SEED: Cell<u64> = const { Cell::new(0) };
 }
 
@@ -32,14 +31,14 @@ pub struct Noisy<T>(
 );
 
 impl<T: Real> Noisy<T> {
-    /// Returns a result, rounded otherwise.
+    /// Returns a result with a random change of its rounding.
     fn rounded(x: T) -> Self {
         let x = x.widen();
         let mut draw = Draw::new(x.abs().to_bits() ^ SEED.get().wrapping_mul(0x9e37_79b9));
         let by = draw.below(3) as i32 - 1;
-        Noisy(T::nearest(Precision::of::<T>().beside(x, by)))
+        Noisy(T::nearest(Precision::of::<T>().away_from_zero(x, by)))
     }
-    /// The same, unless nothing was left to round.
+    /// Returns a result with a random change of its rounding, unless it is `exact`.
     fn unless(x: T, exact: bool) -> Self {
         if exact { Noisy(x) } else { Self::rounded(x) }
     }

@@ -1,4 +1,5 @@
-//! The notes of a comparison of witnesses at one input. Only [`judge`](crate::ad::check::judge) refuses.
+//! The findings of the comparisons at one input. Each comparison returns [`Notes`]; [`judge`](crate::ad::check::judge)
+//! adds them up and decides which of their faults are refused.
 use crate::ad::check::verdict::{
     ByWitness, Fault, PAIRS, Reason, Smoothness, Tightest, Witness, Worst,
 };
@@ -6,12 +7,12 @@ use crate::ad::check::verdict::{
 /// The findings of one comparison, or of several.
 #[derive(Clone, Debug)]
 pub(crate) struct Notes {
-    /// The complaints, in order of importance.
-    pub(crate) complaints: Vec<Fault>,
-    /// How far apart each pair of witnesses was.
+    /// The faults, in order of importance.
+    pub(crate) faults: Vec<Fault>,
+    /// The largest difference of each pair of witnesses.
     pub(crate) worst: [Worst; PAIRS.len()],
     /// For each number of the input, `true` if some witness could judge the derivative with respect to it.
-    pub(crate) covered: Vec<bool>,
+    pub(crate) judged: Vec<bool>,
     /// `true` if a declared convention was needed.
     pub(crate) convention: bool,
     /// `true` if the value jumps.
@@ -20,36 +21,36 @@ pub(crate) struct Notes {
     pub(crate) directions: [u64; 3],
     /// Directions along which another branch was taken, however small the step.
     pub(crate) switched: u64,
-    /// Outputs and directions at which steps could tell, and what kind of place it is along them.
-    pub(crate) told: Vec<(usize, usize, Smoothness)>,
-    /// `true` if the function stays in one branch for a while along all directions, so that second
-    /// derivatives make sense.
+    /// The smoothness for each output and direction at which steps could decide it.
+    pub(crate) smoothness: Vec<(usize, usize, Smoothness)>,
+    /// `true` if the function stays in one branch near the input along all directions, so that it has second
+    /// derivatives.
     pub(crate) plain: bool,
 }
 
 impl Notes {
-    /// Empty notes about an input of `inputs` numbers.
+    /// Creates empty notes about an input of `inputs` numbers.
     pub(crate) fn new(inputs: usize) -> Self {
         Notes {
-            complaints: Vec::new(),
+            faults: Vec::new(),
             worst: [Worst::default(); PAIRS.len()],
-            covered: vec![false; inputs],
+            judged: vec![false; inputs],
             convention: false,
             jump: false,
             directions: [0; 3],
             switched: 0,
-            told: Vec::new(),
+            smoothness: Vec::new(),
             plain: false,
         }
     }
 
-    /// A complaint without numbers.
-    pub(crate) fn complain(&mut self, reason: Reason, output: usize, input: usize) {
-        self.complain_of(reason, None, (output, input), ByWitness::default(), 0.0);
+    /// Adds a fault without numbers.
+    pub(crate) fn add_fault(&mut self, reason: Reason, output: usize, input: usize) {
+        self.add_fault_with(reason, None, (output, input), ByWitness::default(), 0.0);
     }
 
-    /// A complaint about so many numbers, and how many there should be.
-    pub(crate) fn complain_of_length(
+    /// Adds a fault about the number of results, and the number there should be.
+    pub(crate) fn add_length_fault(
         &mut self,
         witness: Witness,
         output: usize,
@@ -60,11 +61,11 @@ impl Notes {
             ..ByWitness::default()
         };
         let reason = Reason::WrongLength(witness);
-        self.complain_of(reason, None, (output, 0), numbers, 0.0);
+        self.add_fault_with(reason, None, (output, 0), numbers, 0.0);
     }
 
-    /// A complaint about an output and an input.
-    pub(crate) fn complain_of(
+    /// Adds a fault about an output and an input.
+    pub(crate) fn add_fault_with(
         &mut self,
         reason: Reason,
         suspect: Option<Witness>,
@@ -72,7 +73,7 @@ impl Notes {
         numbers: ByWitness,
         tolerance: f64,
     ) {
-        self.complaints.push(Fault {
+        self.faults.push(Fault {
             reason,
             suspect,
             output,
@@ -82,19 +83,19 @@ impl Notes {
         });
     }
 
-    /// One more comparison of the pair that stands at `pair` in [`PAIRS`]; `size` is the largest derivative of
-    /// the same unit.
+    /// Counts one more comparison of the pair at index `pair` of [`PAIRS`]; `size` is the largest derivative of the
+    /// same unit.
     pub(crate) fn compared(&mut self, pair: usize, gap: f64, size: f64, eps: f64, at: Tightest) {
         self.worst[pair].note(gap, size, eps, at);
     }
 
     /// Adds the findings of another comparison after these.
     pub(crate) fn add(&mut self, other: Notes) {
-        self.complaints.extend(other.complaints);
+        self.faults.extend(other.faults);
         for (all, one) in self.worst.iter_mut().zip(&other.worst) {
             all.merge(one, 0);
         }
-        for (all, one) in self.covered.iter_mut().zip(other.covered) {
+        for (all, one) in self.judged.iter_mut().zip(other.judged) {
             *all |= one;
         }
         self.convention |= other.convention;
@@ -103,7 +104,7 @@ impl Notes {
             *all += one;
         }
         self.switched += other.switched;
-        self.told.extend(other.told);
+        self.smoothness.extend(other.smoothness);
         self.plain |= other.plain;
     }
 }

@@ -1,4 +1,4 @@
-//! A recorded program as what is checked.
+//! A recorded [`Program`] as the function under check, with its own derivatives and witnesses.
 use crate::ad::check::bent::Bent;
 use crate::ad::check::trace::{Traced, num_duals, of_num_duals, trace};
 use crate::ad::check::{Check, narrow};
@@ -8,7 +8,7 @@ use crate::{Fixed, Jet, Real, Scalar};
 use std::fmt::Debug;
 use std::rc::Rc;
 
-/// Numbers with a derivative each.
+/// Returns numbers with a derivative each.
 fn jets<T: Scalar>(x: &[f64], derivatives: &[f64], of: impl Fn(f64) -> T) -> Vec<Jet<T, 1>> {
     let jet = |(&value, &derivative)| Jet {
         value: of(value),
@@ -17,7 +17,7 @@ fn jets<T: Scalar>(x: &[f64], derivatives: &[f64], of: impl Fn(f64) -> T) -> Vec
     x.iter().zip(derivatives).map(jet).collect()
 }
 
-/// Numbers with derivatives along two directions, `u` and `v`.
+/// Returns numbers with derivatives along two directions, `u` and `v`.
 fn bent<T: Scalar>([x, u, v]: [&[f64]; 3], of: impl Fn(f64) -> T) -> Vec<Bent<T>> {
     let jet = |value, derivative| Jet {
         value: of(value),
@@ -44,9 +44,9 @@ fn unbent<T: Scalar>(y: Vec<Bent<T>>, of: impl Fn(T) -> f64) -> Vec<Bent<f64>> {
 }
 
 impl<'a, S: Real, X: Fixed<Scalar = S> + Debug + 'a> Check<'a, X> {
-    /// Returns a recorded function, with its derivatives: those by hand, if it [has](Program::with_adjoint) some, or
-    /// those of its recording backwards. Witnesses are the recording on duals, on traced numbers, in
-    /// double precision, and of one result on duals of duals.
+    /// Sets a recorded function with its derivatives: those by hand, if it [has](Program::with_adjoint) some, else
+    /// those of its recording by the reverse pass. Witnesses are the recording on duals, on traced numbers, in double
+    /// precision, and for one result on duals of duals.
     ///
     /// ```
     /// use geograd::check::*;
@@ -63,7 +63,7 @@ impl<'a, S: Real, X: Fixed<Scalar = S> + Debug + 'a> Check<'a, X> {
     pub fn program<Y: Fixed<Scalar = S>>(mut self, program: &Program<X, Y>) -> Self {
         let widened = |list: Vec<S>| list.iter().map(|x| x.widen()).collect::<Vec<f64>>();
         let derivatives: Rc<Recorded> = Rc::new(program.recorded().vjp());
-        // Duals and everything else look at the value, whatever derivatives it was given.
+        // Duals and all other witnesses use the value alone, whatever derivatives the program has.
         let value: Rc<Recorded> = Rc::new(program.recorded().clone());
         let numbers = |x: &X| -> Vec<f64> { x.scalars().iter().map(|x| x.widen()).collect() };
 

@@ -1,7 +1,8 @@
-//! One input as a picture: the shapes, and what each witness says their points should do.
+//! A picture of one input as SVG: the shapes, and arrows for the derivatives of each witness by the positions of their
+//! points.
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::Kind;
-use crate::ad::check::witness::{Ladder, dot};
+use crate::ad::check::witness::{StepSequence, dot};
 use crate::ad::sample::Sample;
 use crate::ad::sample::drawn::Drawn;
 use std::fmt::Write;
@@ -32,19 +33,20 @@ pub fn derivatives_of_witnesses(subject: &dyn Subject, x: &[f64]) -> [Vec<f64>; 
         .map(|i| {
             let mut direction = vec![0.0; x.len()];
             direction[i] = scales[i];
-            let ladder = Ladder::climb(&probe, on.precision(), x, &y, trace, &direction, 0.1);
+            let sequence =
+                StepSequence::evaluate(&probe, on.precision(), x, &y, trace, &direction, 0.1);
             let noise = f64::EPSILON * dot(&weights, &y).abs();
-            let estimate = ladder
+            let estimate = sequence
                 .central(&weights, noise, true)
-                .or_else(|| ladder.central(&weights, noise, false));
+                .or_else(|| sequence.central(&weights, noise, false));
             estimate.map_or(f64::NAN, |e| e.value / scales[i])
         })
         .collect();
     [adjoint, dual, difference]
 }
 
-/// The colours of the three witnesses, and how wide their arrows are: widest first, so that all
-/// three show where they agree.
+/// The names and colours of the three witnesses, and the widths of their arrows: widest first, so that all three show
+/// where they agree.
 const ARROWS: [(&str, &str, f64); 3] = [
     ("adjoint", "#9ecae1", 9.0),
     ("dual", "#e6550d", 4.5),
@@ -55,13 +57,13 @@ const SIZE: f64 = 560.0;
 const MARGIN: f64 = 40.0;
 const TOP: f64 = 70.0;
 
-/// Returns a picture of an input of a function and of what the witnesses say there, as SVG.
+/// Returns a picture of an input of a function and of the witnesses' derivatives there, as SVG.
 #[must_use]
 pub fn picture<X: Sample>(title: &str, input: &X, subject: &dyn Subject) -> String {
     drawn(title, input, subject)
 }
 
-/// Returns the same of an input without its type.
+/// Returns the picture of an input without its type, as SVG.
 pub(crate) fn drawn(title: &str, input: &dyn Drawn, subject: &dyn Subject) -> String {
     let x = input.numbers();
     let kinds = input.kinds();

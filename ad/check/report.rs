@@ -1,4 +1,5 @@
-//! Reports of checks: a line of a table, and what was refused in words.
+//! The report of a check: a line of a table, and the refusals as text. [`examine`](fn@crate::ad::check::examine) fills
+//! it.
 use crate::ad::check::verdict::{ByWitness, Fault, PAIRS, Reason, Worst};
 use crate::ad::check::witness::Precision;
 use crate::ad::check::words::{outvoted, place, remedy, write_numbers};
@@ -13,7 +14,7 @@ pub struct Failure {
     pub fault: Fault,
     /// The input, shrunk as far as it still fails for the same reason.
     pub input: Vec<f64>,
-    /// The same as Rust code.
+    /// The input as Rust code.
     pub code: String,
     /// The input that a motion makes of it, as Rust code, where the value breaks an invariance; else empty.
     pub moved: String,
@@ -39,7 +40,7 @@ impl Failure {
     }
 }
 
-/// Everything found out about one function.
+/// The results of the check of one function.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// Its name.
@@ -48,19 +49,19 @@ pub struct Report {
     pub precision: Precision,
     /// The seed of the random samples.
     pub seed: u64,
-    /// How many inputs were judged.
+    /// The number of inputs that were judged.
     pub samples: u64,
-    /// How many inputs were outside the domain, and not judged.
+    /// The number of inputs outside the domain, which are not judged.
     pub outside: u64,
-    /// How many of them were smooth places, kinks, and undefined.
+    /// The numbers of inputs that were smooth, at kinks, and undefined.
     pub places: [u64; 3],
-    /// How many needed a declared convention.
+    /// The number of inputs that needed a declared convention.
     pub conventions: u64,
-    /// How many were jumps of the value.
+    /// The number of inputs at which the value jumps.
     pub jumps: u64,
-    /// Directions that were smooth, kinked and not to be judged, over all samples.
+    /// The numbers of directions that were smooth, kinked and undecided, over all samples.
     pub directions: [u64; 3],
-    /// Directions along which another branch was taken however small the step.
+    /// The number of directions along which another branch was taken however small the step.
     pub switched: u64,
     /// The smallest margin of any comparison that was not a tie.
     pub margin: f64,
@@ -68,20 +69,20 @@ pub struct Report {
     pub worst: [Worst; PAIRS.len()],
     /// The input nearest to refusal by each pair of witnesses, as Rust code; empty where all agreed.
     pub nearest: [String; PAIRS.len()],
-    /// The input nearest to refusal by differences as SVG, when the sampling says to draw it.
+    /// The input nearest to refusal by differences as SVG, if the sampling has it drawn.
     pub picture: Option<String>,
     /// The names of the input's numbers, if they have some.
     pub names: Vec<String>,
-    /// How many samples were refused.
+    /// The number of refused samples.
     pub refused: u64,
-    /// `true` if inputs are left that were not judged, because so many before them were refused.
+    /// `true` if inputs were not judged because too many before them were refused.
     pub stopped: bool,
     /// The first refused samples, one for each reason.
     pub failures: Vec<Failure>,
 }
 
 impl Report {
-    /// Nothing found out yet.
+    /// Creates a report without comparisons.
     pub(crate) fn empty(name: &str, seed: u64) -> Self {
         Report {
             name: name.to_owned(),
@@ -165,7 +166,7 @@ impl Report {
             "proof",
         )
     }
-    /// One line of a table.
+    /// Returns one line of a table.
     #[must_use]
     pub fn line(&self) -> String {
         let used = |worst: &Worst| match worst.nearest.share {
@@ -231,7 +232,7 @@ impl fmt::Display for Report {
                 self.refused
             )?;
         }
-        // All refusals of one mistake have its traces: the first says most, and further ones need a line.
+        // One mistake causes several refusals: the first is shown in full, further ones in a line.
         for (k, failure) in self.failures.iter().enumerate() {
             if k == 0 || f.alternate() {
                 self.write_failure(f, failure)?;
@@ -258,7 +259,7 @@ fn write_remedy(f: &mut fmt::Formatter<'_>, reason: Reason) -> fmt::Result {
 }
 
 impl Report {
-    /// One refusal with its numbers and its input.
+    /// Writes one refusal with its numbers and its input.
     fn write_failure(&self, f: &mut fmt::Formatter<'_>, failure: &Failure) -> fmt::Result {
         let Failure {
             sample,

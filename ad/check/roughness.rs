@@ -1,17 +1,15 @@
-//! The rounding errors of a function without a source, measured from its values.
+//! The rounding errors of a function without a source, measured from its values. `rounding` calls it for closures.
 use crate::ad::check::tolerances::{MEDIAN, SHARE_OF_ORDER, SPACINGS_F32, SPACINGS_F64};
 use crate::ad::check::witness::Precision;
 use crate::ad::sample::Draw;
 
-/// How rough a list-valued function is beside a point, per number: the standard deviation of its
-/// rounding errors, from tables of differences (Hamming; Moré and Wild, "Estimating computational
-/// noise", 2011).
+/// Returns the roughness of a list-valued function near a point, per number: the standard deviation of its rounding
+/// errors, from tables of differences (Hamming; Moré and Wild, "Estimating computational noise", 2011).
 ///
-/// Between equally spaced inputs the differences of a smooth function fall from order to order, those
-/// of rounding errors grow in a known ratio; so the smaller estimate of two orders counts. Medians,
-/// because a kink in between is no rounding: it shows in few entries of a table. Three spacings,
-/// because a rounding in the middle of a computation may stand still over many inputs. Nothing where
-/// an input is outside.
+/// Between equally spaced inputs the differences of a smooth function fall from order to order, while the differences
+/// of rounding errors grow in a known ratio. The smaller estimate of two orders therefore counts. Medians discard a
+/// kink, which shows in few entries of a table. Three spacings are needed because a rounding in the middle of a
+/// computation may be constant over many inputs. A table with an input outside the domain is skipped.
 #[must_use]
 pub fn roughness(
     precision: Precision,

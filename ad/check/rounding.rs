@@ -1,39 +1,39 @@
-//! The part of a judgement that provokes rounding: how far each witness can be trusted here.
+//! The rounding error of each witness at an input, measured by perturbing roundings. Comparisons call it when two
+//! witnesses differ by more than plain rounding, and add the result to the tolerance.
 //!
-//! Four kinds of rounding are provoked, each by a change that leaves the true result as it is, or nearly. Inputs
-//! move by their last digits, which shows the effect of errors of the input and of the value's computation. The
-//! adjoint's own operations round at random ([`noise`](crate::ad::check::noise)). The operations of a closure are
-//! not visible, so its roughness between equally spaced inputs is measured ([`roughness`]). Functions linear in a
-//! direction (duals, second derivatives) are computed along a shorter direction: the result is shorter by as much,
-//! but every sum and product of derivatives rounds differently. No rounding of the input
-//! shows that: where two large equal derivatives cancel, the rest is their last digit, which does not move with
-//! the input's.
-use crate::ad::check::evidence::{Beside, Combination, Evidence};
+//! Four kinds of rounding are perturbed, each by a change that leaves the true result as it is, or nearly. Inputs move
+//! by their last digits, which shows the effect of errors of the input and of the value's computation. The adjoint's
+//! own operations round at random ([`noise`](crate::ad::check::noise)). The operations of a closure are not visible, so
+//! its roughness between equally spaced inputs is measured ([`roughness`]). Functions linear in a direction (duals,
+//! second derivatives) are computed along a shorter direction: the result is shorter by the same factor, but every sum
+//! and product of derivatives rounds differently. Perturbing the input does not show these roundings: where two large
+//! equal derivatives cancel, the rest is their last digit, which does not move with the input's.
+use crate::ad::check::evidence::{Combination, Evidence, Neighbour};
 use crate::ad::check::roughness::roughness;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::exchanged;
 use crate::ad::check::tolerances::{
-    DECIDED, DRAWS, ELSEWHERE, FEW_INPUTS, ROUGH, RUNS, SAFETY, TALL, TALL_BEND, TIED,
+    DECIDED, DRAWS, ELSEWHERE, FEW_INPUTS, ROUGH, RUNS, SAFETY, TALL, TALL_SECOND, TIED,
 };
-use crate::ad::check::witness::{Precision, axis, beside, combined, dot};
+use crate::ad::check::witness::{Precision, axis, combined, dot, perturbed};
 use crate::ad::sample::Draw;
 
 impl Evidence<'_> {
-    /// Returns the largest change of a list-valued function under provoked rounding, per number. With
-    /// `sizes`, a change of branch that may have broken an exact tie counts only when it changes
-    /// less than a thousandth of them: more is a kink, and a tie must be decided as it stands.
-    pub(crate) fn spread(
+    /// Returns the largest change of a list-valued function under perturbed rounding, per number. With `sizes`, a
+    /// change of branch that may have broken an exact tie counts only if it changes less than a thousandth of them:
+    /// more is a kink, and a tie is judged at the input itself.
+    pub(crate) fn deviation(
         &self,
         base: &[f64],
         sizes: Option<&[f64]>,
         f: impl Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
-        self.spread_if(base, sizes, |beside| beside != Beside::Loose, f)
+        self.deviation_if(base, sizes, |neighbour| neighbour != Neighbour::Loose, f)
     }
 
-    /// Returns the largest change of an output under provoked rounding as far as derivatives explain it: beside a tie
-    /// every input takes another branch, and the value changes by no more than the derivative there times the move. A
-    /// jump is larger.
+    /// Returns the largest change of an output under perturbed rounding as far as derivatives explain it. Near a tie
+    /// every input takes another branch, and the value changes by at most the derivative there times the displacement.
+    /// A jump is larger.
     pub(crate) fn explained(&self, output: usize) -> f64 {
         let mut weights = vec![0.0; self.y.len()];
         weights[output] = 1.0;
@@ -52,61 +52,63 @@ impl Evidence<'_> {
         places.filter_map(explained).fold(0.0, f64::max)
     }
 
-    /// Returns the same of many more inputs beside this one, whatever branches they take; at one of them numbers below
-    /// the rounding of their unit are zero, which no draw hits: edges that are parallel but for 10⁻¹⁷.
-    pub(crate) fn spread_of_many(
+    /// Returns the largest change at many more inputs near this one, whatever branches they take. At one of them
+    /// numbers below the rounding of their unit are zero, which no draw hits: the sine of edges that are parallel to
+    /// 10⁻¹⁷.
+    pub(crate) fn deviation_of_many(
         &self,
         base: &[f64],
         f: impl Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
         let rounding = self.subject.rounding(self.x);
-        let mut spread = vec![0.0_f64; base.len()];
+        let mut deviation = vec![0.0_f64; base.len()];
         let vanished = self.x.iter().zip(&rounding);
         let vanished = vanished.map(|(x, rounding)| if x.abs() > *rounding { *x } else { 0.0 });
-        for there in self.drawn_beside(1.0).chain([vanished.collect()]) {
+        for there in self.drawn_nearby(1.0).chain([vanished.collect()]) {
             if !self.subject.inside(&there) {
                 continue;
             }
-            for ((spread, base), y) in spread
+            for ((deviation, base), y) in deviation
                 .iter_mut()
                 .zip(base)
                 .zip(f(&there).unwrap_or_default())
             {
                 let change = (y - base).abs();
                 if change.is_finite() {
-                    *spread = spread.max(change);
+                    *deviation = deviation.max(change);
                 }
             }
         }
-        spread
+        deviation
     }
 
-    /// Many inputs within so many times the rounding of this one.
-    fn drawn_beside(&self, times: f64) -> impl Iterator<Item = Vec<f64>> {
+    /// Draws many inputs within `times` roundings of this one.
+    fn drawn_nearby(&self, times: f64) -> impl Iterator<Item = Vec<f64>> {
         let precision = self.subject.precision();
         let mut rounding = self.subject.rounding(self.x);
         rounding.iter_mut().for_each(|rounding| *rounding *= times);
-        (0..DRAWS).map(move |round| beside(precision, self.x, &rounding, round))
+        (0..DRAWS).map(move |round| perturbed(precision, self.x, &rounding, round))
     }
 
-    /// Returns `true` if something holds at an input within the rounding of this one, or within the width of a tie:
+    /// Returns `true` if a condition holds at an input within the rounding of this one, or within the width of a tie:
     /// decisions there may fall otherwise.
-    pub(crate) fn holds_beside(&self, holds: impl Fn(&[f64]) -> bool) -> bool {
+    pub(crate) fn holds_nearby(&self, holds: impl Fn(&[f64]) -> bool) -> bool {
         let near = self.around.iter().map(|(there, _)| there.clone());
-        near.chain(self.drawn_beside(1.0))
-            .chain(self.drawn_beside(TIED))
+        near.chain(self.drawn_nearby(1.0))
+            .chain(self.drawn_nearby(TIED))
             .any(|there| self.subject.inside(&there) && holds(&there))
     }
 
-    /// Returns the same; `decides` says beside which inputs a change that is no rounding may count all the same.
-    fn spread_if(
+    /// Returns the largest change under perturbed rounding; `decides` selects the neighbours at which a change too
+    /// large for rounding counts, too.
+    fn deviation_if(
         &self,
         base: &[f64],
         sizes: Option<&[f64]>,
-        decides: impl Fn(Beside) -> bool,
+        decides: impl Fn(Neighbour) -> bool,
         f: impl Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
-        let mut spread = vec![0.0_f64; base.len()];
+        let mut deviation = vec![0.0_f64; base.len()];
         for (there, same) in &self.around {
             let Some(list) = f(there) else { continue };
             if list.len() != base.len() {
@@ -119,13 +121,13 @@ impl Evidence<'_> {
             if strict && sizes.is_some_and(|sizes| !small(sizes)) {
                 continue;
             }
-            for (i, spread) in spread.iter_mut().enumerate() {
+            for (i, deviation) in deviation.iter_mut().enumerate() {
                 if change(i).is_finite() {
-                    *spread = spread.max(change(i));
+                    *deviation = deviation.max(change(i));
                 }
             }
         }
-        spread
+        deviation
     }
 
     /// Returns the largest change of a derivative when its own roundings fall differently. A change of more
@@ -139,8 +141,8 @@ impl Evidence<'_> {
         self.rounded(base, sizes, noisy, true)
     }
 
-    /// Returns the same, number by number: how far the roundings of a number that only changes by them carry it,
-    /// although others were decided differently.
+    /// Returns the largest change of each derivative when its own roundings fall differently, number by number: one
+    /// that changes by rounding counts although others changed by another decision.
     pub(crate) fn roundings_of_each(
         &self,
         base: &[f64],
@@ -157,7 +159,7 @@ impl Evidence<'_> {
         noisy: impl Fn(u64) -> Option<Vec<f64>>,
         together: bool,
     ) -> Vec<f64> {
-        let mut spread = vec![0.0_f64; base.len()];
+        let mut deviation = vec![0.0_f64; base.len()];
         let lists = (0..RUNS).map_while(noisy);
         for list in lists.filter(|list| list.len() == base.len()) {
             let change = |i: usize| (list[i] - base[i]).abs();
@@ -165,11 +167,11 @@ impl Evidence<'_> {
             if together && !(0..list.len()).all(small) {
                 continue;
             }
-            for (i, spread) in spread.iter_mut().enumerate().filter(|(i, _)| small(*i)) {
-                *spread = spread.max(change(i));
+            for (i, deviation) in deviation.iter_mut().enumerate().filter(|(i, _)| small(*i)) {
+                *deviation = deviation.max(change(i));
             }
         }
-        spread
+        deviation
     }
 
     /// Returns the value of a function linear in a direction, by a shorter direction: the factor is drawn from
@@ -186,7 +188,8 @@ impl Evidence<'_> {
         Some(linear(&shorter)?.iter().map(|x| x / by).collect())
     }
 
-    /// How rough a list-valued function is beside the point: its rounding errors, seen from outside.
+    /// Returns the roughness of a list-valued function near the point: its rounding errors, estimated from its values
+    /// alone.
     fn rough(&self, on: &dyn Subject, f: &dyn Fn(&[f64]) -> Option<Vec<f64>>) -> Vec<f64> {
         let own = |(scale, x): (&f64, &f64)| {
             if *x == 0.0 {
@@ -200,15 +203,14 @@ impl Evidence<'_> {
         roughness(on.precision(), self.x, &scales, &inside)
     }
 
-    /// How rough the combined value is.
+    /// Returns the roughness of the combined value.
     pub(crate) fn rough_value(&self, on: &dyn Subject, weights: &[f64]) -> f64 {
         let value = |x: &[f64]| Some(vec![dot(weights, &on.value(x))]);
         self.rough(on, &value).first().copied().unwrap_or(0.0)
     }
 
-    /// How large each derivative gets when the numbers of the input change over their size, all together
-    /// and one by one. Places with a derivative far larger than the value do not count: another feature is
-    /// near.
+    /// Returns the size that each derivative reaches when the numbers of the input change over their size, all together
+    /// and one by one. Points with a derivative far larger than the value do not count: another feature is near.
     pub(crate) fn typical(
         &self,
         weights: &[f64],
@@ -255,9 +257,9 @@ impl Evidence<'_> {
         sizes
     }
 
-    /// By how much derivatives may be off by rounding: of terms as large as the derivatives typically are, and
-    /// as rough as they are beside the point, as far as that can be rounding of such terms. A
-    /// derivative rougher than that loses digits without need.
+    /// Returns the rounding error that derivatives may have. Their terms are as large as derivatives typically are.
+    /// Their roughness near the point counts as far as rounding of such terms explains it. A derivative rougher than
+    /// that loses digits without need.
     pub(crate) fn rough_derivatives(
         &self,
         weights: &[f64],
@@ -267,14 +269,15 @@ impl Evidence<'_> {
         self.roughly(weights, base, derivatives, TALL)
     }
 
-    /// Returns the same of second derivatives along a direction.
-    pub(crate) fn rough_bends(
+    /// Returns the rounding error that second derivatives along a direction may have, as
+    /// [`rough_derivatives`](Self::rough_derivatives) does.
+    pub(crate) fn rough_second_derivatives(
         &self,
         weights: &[f64],
         base: &[f64],
         bends: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
-        self.roughly(weights, base, bends, TALL_BEND)
+        self.roughly(weights, base, bends, TALL_SECOND)
     }
 
     fn roughly(
@@ -302,10 +305,9 @@ impl Evidence<'_> {
         rough
     }
 
-    /// Returns `true` if a derivative lies among those at inputs beside this one, by another witness if there is
-    /// one. Otherwise rounding does not explain it: it is wrong at this input alone. For each number of a
-    /// short input, only inputs with another value of that number count: the fault may be a special case
-    /// of it.
+    /// Returns `true` if a derivative lies among those at neighbouring inputs, by another witness if there is one.
+    /// Otherwise rounding does not explain it: it is wrong at this input alone. For each number of a short input, only
+    /// inputs with another value of that number count: the fault may be a special case of it.
     fn is_among_neighbours(
         &self,
         derivative: &[f64],
@@ -336,9 +338,9 @@ impl Evidence<'_> {
         }
     }
 
-    /// Adds to a row's tolerance the changes that provoked rounding shows.
-    pub(crate) fn provoke(&self, row: &Combination) {
-        if row.provoked.replace(true) {
+    /// Adds to a row's tolerance the changes that perturbed rounding shows, once.
+    pub(crate) fn perturb(&self, row: &Combination) {
+        if row.perturbed.replace(true) {
             return;
         }
         let by_duals = |x: &[f64]| {
@@ -350,10 +352,10 @@ impl Evidence<'_> {
                 Some(_) => by_duals(x),
                 None => self.subject.adjoint(x, &row.weights),
             });
-            let spread = self.spread_if(
+            let deviation = self.deviation_if(
                 adjoint,
                 Some(&row.size),
-                |beside| beside != Beside::Loose && !alone,
+                |neighbour| neighbour != Neighbour::Loose && !alone,
                 |x| self.subject.adjoint(x, &row.weights),
             );
             let noise = self.roundings(adjoint, &row.size, |seed| {
@@ -362,7 +364,7 @@ impl Evidence<'_> {
             let rough = self.rough_derivatives(&row.weights, adjoint, &|x| {
                 self.subject.adjoint(x, &row.weights)
             });
-            row.allow(|i| SAFETY * spread[i].max(noise[i]).max(rough[i]));
+            row.allow(|i| SAFETY * deviation[i].max(noise[i]).max(rough[i]));
         }
         if let Some(dual) = &row.dual {
             let along = |axis: &[f64]| self.by_duals(row, axis);
@@ -371,8 +373,8 @@ impl Evidence<'_> {
         }
     }
 
-    /// Returns how far rounding carries each derivative by duals: those of inputs beside this one, along an axis made
-    /// shorter, and what makes them rough.
+    /// Returns the rounding error of each derivative by duals: the largest change at neighbouring inputs and along a
+    /// shorter axis, and the roughness.
     pub(crate) fn rounding_of_duals(
         &self,
         row: &Combination,
@@ -380,36 +382,36 @@ impl Evidence<'_> {
         derivatives: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
         along: &dyn Fn(&[f64]) -> Option<f64>,
     ) -> Vec<f64> {
-        let spread = self.spread(dual, Some(&row.size), derivatives);
+        let deviation = self.deviation(dual, Some(&row.size), derivatives);
         let rough = self.rough_derivatives(&row.weights, dual, derivatives);
         let each = (0..dual.len()).map(|i| {
             let axis = axis(dual.len(), i);
             let own = self.roundings(&dual[i..=i], &row.size[i..=i], |seed| {
                 self.along_shorter(&axis, seed, |axis| Some(vec![along(axis)?]))
             });
-            spread[i].max(own[0]).max(rough[i])
+            deviation[i].max(own[0]).max(rough[i])
         });
         each.collect()
     }
 
     /// Adds to a row's tolerance the effect of decisions that fall differently in single and in double precision,
     /// once.
-    pub(crate) fn provoke_widely(&self, row: &Combination) {
+    pub(crate) fn perturb_in_double(&self, row: &Combination) {
         let (Some(wide), Some(adjoint)) = (&self.wide, &row.adjoint) else {
             return;
         };
-        if self.subject.precision() == Precision::F64 || row.provoked_widely.replace(true) {
+        if self.subject.precision() == Precision::F64 || row.perturbed_in_double.replace(true) {
             return;
         }
-        let own = self.spread(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
+        let own = self.deviation(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
         let exact = wide.adjoint(self.x, &row.weights).unwrap_or_default();
-        let theirs = self.spread(&exact, None, |x| wide.adjoint(x, &row.weights));
+        let theirs = self.deviation(&exact, None, |x| wide.adjoint(x, &row.weights));
         row.allow(|i| SAFETY * (own[i] + theirs.get(i).unwrap_or(&0.0)));
     }
 
-    /// Adds the changes that provoked rounding shows with the arguments exchanged, once.
-    pub(crate) fn provoke_exchanged(&self, row: &Combination) {
-        if row.provoked_exchanged.replace(true) {
+    /// Adds to a row's tolerance the changes that perturbed rounding shows with the arguments exchanged, once.
+    pub(crate) fn perturb_exchanged(&self, row: &Combination) {
+        if row.perturbed_exchanged.replace(true) {
             return;
         }
         let of = |x: &[f64]| {
@@ -418,13 +420,13 @@ impl Evidence<'_> {
         };
         let Some(base) = of(self.x) else { return };
         if let Some(adjoint) = &row.adjoint {
-            let own = self.spread(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
+            let own = self.deviation(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
             row.allow(|i| SAFETY * own[i]);
         }
         // The exchanged arguments are rounded differently, so near a tie they may be decided
         // differently.
-        let spread = self.spread(&base, None, of);
-        row.allow(|i| SAFETY * spread[i]);
+        let deviation = self.deviation(&base, None, of);
+        row.allow(|i| SAFETY * deviation[i]);
     }
 
     /// Returns the derivative of a row along a direction by num-dual's numbers.

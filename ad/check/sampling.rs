@@ -1,45 +1,46 @@
-//! How many inputs a function is judged at, and what is said of it beside.
+//! The inputs that a function is judged at, and declarations about the function: domain, resolution, scales. Callers of
+//! the harness fill a [`Sampling`]; [`examine`](fn@crate::ad::check::examine) reads it.
 use crate::ad::check::certificate::Proof;
 use crate::ad::sample::Draw;
 
 /// The seed of everything random, unless another one is given.
 pub const SEED: u64 = 0x6765_6f67_7261_6421;
 
-/// How many inputs to judge, and which.
+/// The number and choice of inputs to judge, and declarations about the function.
 #[derive(Clone, Copy)]
 pub struct Sampling<'a> {
-    /// How many random inputs.
+    /// The number of random inputs.
     pub samples: usize,
     /// The seed of the random inputs.
     pub seed: u64,
-    /// Hard cases come first: every so many of them, all by default, none for zero.
+    /// Hard cases come first: every `hard`-th of them, all by default, none for zero.
     pub hard: usize,
-    /// Inputs that come before all others, as lists of numbers, of an operation of fixed size.
+    /// Inputs that come before all others, as lists of numbers, for an operation of fixed size.
     pub points: &'a [Vec<f64>],
     /// `true` to draw the worst case of an operation.
     pub draws: bool,
-    /// Called after every sample: for a progress bar.
+    /// A function that is called after every sample, for a progress bar.
     pub tick: Option<&'a dyn Fn()>,
     /// `true` if a derivative by hand must share an exact tie as duals do. Otherwise any element between the
     /// derivatives of both sides is right.
     pub shared_ties: bool,
-    /// How far values may be off, absolutely and as a share: see
+    /// The error that values may have, absolutely and as a share: see
     /// [`Check::resolution`](crate::check::Check::resolution). `None` takes the operation's own resolution.
     pub resolution: Option<[f64; 2]>,
-    /// How many roundings of the format values may be off by terms that cancel, in the unit of the result. `None`
-    /// takes what the operation says.
+    /// The number of roundings of the format that values may be off by terms that cancel, in the unit of the result.
+    /// `None` takes the operation's own number.
     pub roundings: Option<&'a dyn Fn(&[f64]) -> f64>,
-    /// The domain, beside the rules of the shapes: inputs outside are not judged, no step leads there. `None` takes
-    /// the operation's own domain.
+    /// The domain, in addition to the rules of the shapes: inputs outside are not judged, no step leads there. `None`
+    /// takes the operation's own domain.
     pub inside: Option<&'a dyn Fn(&[f64]) -> bool>,
-    /// For each number, the length over which the function may be expected to change, if shapes do not give it.
+    /// The length over which the function may be expected to change, for each number, if shapes do not give it.
     pub scales: Option<&'a dyn Fn(&[f64]) -> Vec<f64>>,
-    /// The proof of the value at an input, of a distance in space.
+    /// The proof of the value at an input, for a distance in space.
     pub proof: Option<&'a dyn Fn(&[f64]) -> Option<Proof>>,
 }
 
 impl Sampling<'_> {
-    /// Hard cases and so many random inputs.
+    /// Creates a sample of hard cases and `samples` random inputs.
     #[must_use]
     pub fn new(samples: usize, seed: u64) -> Self {
         Sampling {

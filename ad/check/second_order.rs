@@ -1,7 +1,7 @@
-//! The generic source of a checked function on duals of duals: second derivatives, and what a
-//! function of `f32` is in double precision.
+//! The generic source of a checked function on duals of duals: second derivatives, and a function of `f32` in double
+//! precision. [`Check::second_order`] and [`Check::wide`] add it.
 use crate::ad::check::bent::{Bent, TracedBentFn, bent, straight};
-use crate::ad::check::builder::{Check, Near};
+use crate::ad::check::builder::{Check, CheckAtPoint};
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::tolerances::FEW_INPUTS;
 use crate::ad::check::trace::{Trace, Traced, trace};
@@ -10,7 +10,7 @@ use crate::{Pack, Real};
 use std::fmt::Debug;
 
 impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
-    /// Returns the generic source, called with duals of duals: a witness for [`hessian_times`].
+    /// Sets the generic source, called with duals of duals: a witness for [`hessian_times`].
     ///
     /// ```
     /// use geograd::{Scalar, ad::check::Check};
@@ -36,9 +36,9 @@ impl<'a, S: Real, X: Pack<Scalar = S> + Debug + 'a> Check<'a, X> {
         }));
         self
     }
-    /// Returns the generic source in double precision, of a function of `f32`: then values and derivatives are
-    /// compared with those, and differences are taken there, where they are not mostly rounding.
-    /// A function of `f64` does not use it.
+    /// Sets the generic source in double precision, of a function of `f32`. Values and derivatives are then compared
+    /// with those of the source, and differences are taken in double precision, where they are not mostly rounding. A
+    /// function of `f64` does not use it.
     ///
     /// ```
     /// use geograd::ad::check::Check;
@@ -94,7 +94,7 @@ pub(crate) fn bends(
 
 /// A checked function of `f32` in double precision.
 pub(crate) struct Wide<'c, 'a, X: Pack> {
-    pub(crate) narrow: &'c Near<'c, 'a, X>,
+    pub(crate) narrow: &'c CheckAtPoint<'c, 'a, X>,
     pub(crate) source: &'c TracedBentFn<'a, X>,
 }
 
@@ -123,7 +123,7 @@ impl<S: Real, X: Pack<Scalar = S>> Subject for Wide<'_, '_, X> {
         Some(transposed(&columns?))
     }
     fn adjoint(&self, x: &[f64], y_bar: &[f64]) -> Option<Vec<f64>> {
-        // By duals, one number after the other: for short inputs.
+        // Duals differentiate by one number after the other, which suits short inputs.
         let jacobian = (x.len() <= FEW_INPUTS).then(|| self.jacobian(x))??;
         Some(combined(y_bar, &jacobian, x.len()))
     }

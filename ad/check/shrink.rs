@@ -1,20 +1,21 @@
-//! Smaller inputs that fail the same way.
+//! Search for the simplest input that fails for the same reason. [`examine`](fn@crate::ad::check::examine) calls it for
+//! the first failures of a report.
 use crate::ad::check::candidate::Candidate;
 use crate::ad::check::tolerances::FEW_INPUTS;
 use crate::ad::check::verdict::{Fault, Findings, Smoothness};
 use crate::ad::sample::fewer_digits;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Returns `true` for the same complaint: for the same reason, with no other witness outvoted.
+/// Returns `true` if two faults have one reason and no other witness is outvoted.
 pub(crate) fn is_like(found: &Fault, fault: &Fault) -> bool {
     let blamed = fault.suspect.is_none() || found.suspect == fault.suspect;
     found.reason == fault.reason && blamed
 }
 
-/// Returns the simplest input found that fails in the same way: for the same reason, at the same number of an
-/// input of the same length, at the same kind of place, with no other witness outvoted. A function
-/// that panics at an input of another length does not fail there in the same way. `left` is how many numbers inputs may
-/// have together that are tried.
+/// Returns the simplest input found that fails in the same way: for the same reason, at the same number of an input of
+/// the same length, with the same smoothness, with no other witness outvoted. A function that panics at an input of
+/// another length does not fail there in the same way. `left` is the count of numbers that all tried inputs may have
+/// together.
 pub(crate) fn shrunk<'a>(
     x: &dyn Candidate<'a>,
     fault: Fault,

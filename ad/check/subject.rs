@@ -1,4 +1,5 @@
-//! A function under test as the harness sees it: lists of numbers in, lists of numbers out.
+//! The interface of a function under test: lists of numbers in, lists of numbers out. `closures`, `second_order` and
+//! `kernels/check` implement [`Subject`]; all comparisons call it.
 use crate::ad::check::certificate::Proof;
 use crate::ad::check::tolerances::{LEAST_SCALE, NO_UNIT};
 use crate::ad::check::trace::Trace;
@@ -6,51 +7,50 @@ use crate::ad::check::witness::Precision;
 pub use crate::ad::declared::Jumps;
 use crate::ad::declared::{Invariance, Kind};
 
-/// The conventions of a function at places without a derivative.
+/// The conventions of a function at points without a derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Conventions {
     /// `true` if the derivative may be zero where the value is zero, or where the input lies on the border of its
     /// domain, although zero is not between the derivatives of both sides.
     pub flat: bool,
-    /// Places at which the value may jump.
+    /// The points at which the value may jump.
     pub jumps: Jumps,
-    /// `true` if at a tie the derivative by hand must be the very one of the duals, and not another
-    /// between the derivatives of both sides.
+    /// `true` if at a tie the derivative by hand must equal that of the duals, and not another one between the
+    /// derivatives of both sides.
     pub shared_ties: bool,
-    /// `true` if the function searches, and its derivatives are those of the found choice. If other choices are as
-    /// good to the bit, they need not be between the derivatives of both sides. The two choices on either side of such
-    /// a tie are not all that tie: between two boxes with the same heading, any pair of
-    /// points of two sides is nearest. It counts at exact ties of the source only.
+    /// `true` if the function searches, and its derivatives are those of the choice that it finds. If several choices
+    /// tie to the bit, the derivatives need not be between those of both sides. More choices tie than the two on either
+    /// side: between two boxes of one heading, many pairs of points are nearest. It counts at exact ties of the source
+    /// only.
     pub searches: bool,
 }
 
-/// A function near one input, with every way there is to differentiate it. All lists are `f64`;
-/// a function of `f32` gets only inputs that are `f32` numbers, and its results are such numbers.
+/// A function near one input, with all its derivatives by different methods. All lists are `f64`; a function of `f32`
+/// gets only inputs that are `f32` numbers, and its results are such numbers.
 ///
 /// Only [`value`](Subject::value) is required. A method that returns `None` is not checked.
 pub trait Subject {
     /// Returns the format the function computes in.
     fn precision(&self) -> Precision;
-    /// Returns the function.
+    /// Returns the value at an input.
     fn value(&self, x: &[f64]) -> Vec<f64>;
-    /// Returns the function by other paths.
+    /// Returns the values by other paths.
     fn other_values(&self, _x: &[f64]) -> Vec<Vec<f64>> {
         Vec::new()
     }
-    /// Returns the derivative by hand: the derivatives of `y_bar · value`.
+    /// Returns the derivatives of `y_bar · value` by hand.
     fn adjoint(&self, _x: &[f64], _y_bar: &[f64]) -> Option<Vec<f64>> {
         None
     }
-    /// Returns the derivative by hand with every rounding on the way drawn from a seed
-    /// ([`noise`](crate::ad::check::noise)).
+    /// Returns the derivative by hand with every rounding drawn from a seed ([`noise`](crate::ad::check::noise)).
     fn noisy(&self, _x: &[f64], _y_bar: &[f64], _seed: u64) -> Option<Vec<f64>> {
         None
     }
-    /// Returns the same by further witnesses: a fused path, a GPU.
+    /// Returns the derivatives of `y_bar · value` by further witnesses: a fused path, a GPU.
     fn further(&self, _x: &[f64], _y_bar: &[f64]) -> Vec<Vec<f64>> {
         Vec::new()
     }
-    /// Returns a further witness, by its position, with every rounding on the way drawn from a seed.
+    /// Returns the derivative by a further witness, by its position, with every rounding drawn from a seed.
     fn noisy_further(
         &self,
         _x: &[f64],
@@ -60,11 +60,11 @@ pub trait Subject {
     ) -> Option<Vec<f64>> {
         None
     }
-    /// Returns how many forms of batches there are to ask.
+    /// Returns the number of forms of batches that [`batch`](Subject::batch) computes.
     fn forms(&self) -> usize {
         0
     }
-    /// Value and derivatives of `y_bar · value` from a batch of a form, on the CPU or a GPU.
+    /// Returns value and derivatives of `y_bar · value` from a batch of a form, on the CPU or a GPU.
     fn batch(&self, _form: usize, _x: &[f64], _y_bar: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         None
     }
@@ -81,16 +81,16 @@ pub trait Subject {
     fn along(&self, _x: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
         None
     }
-    /// Values and the derivatives of all outputs along a direction by num-dual's own dual numbers: another
+    /// Returns values and the derivatives of all outputs along a direction by num-dual's own dual numbers: another
     /// implementation of duals, for derivatives by hand.
     fn num_dual(&self, _x: &[f64], _direction: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         None
     }
-    /// Returns the value through the same source on traced numbers.
+    /// Returns the value and trace of the generic source on traced numbers.
     fn traced(&self, _x: &[f64]) -> Option<(Vec<f64>, Trace)> {
         None
     }
-    /// Returns the same at many inputs; nothing if one of them has none.
+    /// Returns the values and traces at many inputs; nothing if one of them has none.
     fn traced_all(&self, inputs: &[Vec<f64>]) -> Option<Vec<(Vec<f64>, Trace)>> {
         inputs.iter().map(|x| self.traced(x)).collect()
     }
@@ -98,7 +98,7 @@ pub trait Subject {
     fn curvature(&self, _x: &[f64], _y_bar: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
         None
     }
-    /// Returns the same with every rounding on the way drawn from a seed.
+    /// Returns the Hessian times a direction, through the adjoint, with every rounding drawn from a seed.
     fn noisy_curvature(
         &self,
         _x: &[f64],
@@ -108,15 +108,15 @@ pub trait Subject {
     ) -> Option<Vec<f64>> {
         None
     }
-    /// Returns the same by duals of duals through the value.
+    /// Returns the Hessian of `y_bar · value` times a direction, by duals of duals of the value.
     fn second_order(&self, _x: &[f64], _y_bar: &[f64], _direction: &[f64]) -> Option<Vec<f64>> {
         None
     }
-    /// Returns the same function in double precision, when it computes in single.
+    /// Returns this function in double precision, if it computes in single.
     fn wide(&self) -> Option<Box<dyn Subject + '_>> {
         None
     }
-    /// What proves the value, if it is a distance in space.
+    /// Returns the proof of the value, if it is a distance in space.
     fn proof(&self, _x: &[f64]) -> Option<Proof> {
         None
     }
@@ -124,12 +124,12 @@ pub trait Subject {
     fn inside(&self, _x: &[f64]) -> bool {
         true
     }
-    /// Returns `true` if the function may be asked at inputs that are not valid, too: at the border of its domain that
-    /// shows both sides of a kink that lies exactly there.
+    /// Returns `true` if the function may be evaluated at invalid inputs, too. At the border of its domain that shows
+    /// both sides of a kink that lies exactly there.
     fn total(&self) -> bool {
         false
     }
-    /// For each number, the length over which the function may be expected to change.
+    /// Returns for each number the length over which the function may be expected to change.
     fn scales(&self, x: &[f64]) -> Vec<f64> {
         default_scales(x)
     }
@@ -137,31 +137,31 @@ pub trait Subject {
     fn guessed_scales(&self) -> bool {
         false
     }
-    /// For each number, its unit: derivatives times units are comparable, and a derivative is right to
-    /// within the rounding of the largest of them.
+    /// Returns for each number its unit. Derivatives times units are comparable, and a derivative is right to within
+    /// the rounding of the largest of them.
     fn units(&self, x: &[f64]) -> Vec<f64> {
         self.scales(x)
     }
-    /// Returns `true` if derivatives times units are sums of terms as large as the largest of them, so that none can
-    /// be held to less than its rounding. If not, every derivative is held to its own digits and to what
-    /// provoked rounding shows.
+    /// Returns `true` if the components of the gradient, scaled by the units of their inputs, can be compared with the
+    /// largest one: each may then have its rounding. Otherwise every derivative is judged by its own digits and by
+    /// perturbed rounding.
     fn comparable(&self) -> bool {
         false
     }
-    /// For each number, how large a rounding error of it the function may behave as if it had
-    /// made. By default that of the number itself; functions that add numbers of one unit may only
-    /// be held to that of the largest of them.
+    /// Returns for each number its backward error: the perturbation of the input that may explain the function's
+    /// rounding. By default it is the rounding of the number itself; functions that add numbers of one unit may use
+    /// that of the largest of them.
     fn rounding(&self, x: &[f64]) -> Vec<f64> {
         let eps = self.precision().epsilon();
         x.iter().map(|x| eps * x.abs()).collect()
     }
-    /// Returns how far each number of the result `y` may be off by the way it is computed, beyond rounding: a table,
-    /// an iteration.
+    /// Returns the error that each number of the result `y` may have by the way it is computed, beyond rounding: a
+    /// table, an iteration.
     fn resolution(&self, y: &[f64]) -> Vec<f64> {
         vec![0.0; y.len()]
     }
-    /// Returns how many roundings of the format the results at `x` may be off by terms that cancel, times the size of
-    /// these terms; derivatives by as much over the [units](Subject::units).
+    /// Returns the number of roundings of the format that results at `x` may be off by terms that cancel, times the
+    /// size of these terms. Derivatives may be off by that number over the [units](Subject::units).
     fn roundings(&self, x: &[f64]) -> f64 {
         let _ = x;
         0.0
@@ -185,7 +185,8 @@ pub trait Subject {
     }
 }
 
-/// Numbers change over their own size, but not over less than a thousandth of the largest one.
+/// Returns the default scales: numbers change over their own size, but not over less than a thousandth of the largest
+/// one.
 #[must_use]
 pub fn default_scales(x: &[f64]) -> Vec<f64> {
     let largest = x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));

@@ -4,15 +4,15 @@
 //! that motion is then known too. Translation invariance: the derivatives of all positions sum to zero.
 //! Rotation invariance: their torques balance. Homogeneity of degree p: Euler's `x · ∂y = p y`.
 //!
-//! A shape says how it moves by the [`Kind`] of each of its numbers.
+//! The [`Kind`] of each number of a shape determines its motion. `compare/invariance` uses both.
 pub use crate::ad::declared::{Effect, Invariance, Kind, Motion};
 use crate::{Rotation3, Vec3};
 use std::f64::consts::TAU;
 
-/// Numbers that move together; a place or a direction has two or three numbers.
+/// A group of numbers that move together; a point or a direction has two or three.
 #[derive(Clone, Copy)]
 enum Group {
-    Smoothness(usize),
+    Point(usize),
     Direction(usize),
     /// A direction and the offset of a line or plane along it.
     Plane(usize),
@@ -29,8 +29,8 @@ impl Group {
             QuaternionZ, RotationVectorX, RotationVectorY, RotationVectorZ, X, Y, Z,
         };
         match kinds {
-            [X, Y, Z, ..] => (Group::Smoothness(3), 3),
-            [X, Y, ..] => (Group::Smoothness(2), 2),
+            [X, Y, Z, ..] => (Group::Point(3), 3),
+            [X, Y, ..] => (Group::Point(2), 2),
             [DirectionX, DirectionY, DirectionZ, Offset, ..] => (Group::Plane(3), 4),
             [DirectionX, DirectionY, Offset, ..] => (Group::Plane(2), 3),
             [DirectionX, DirectionY, DirectionZ, ..] => (Group::Direction(3), 3),
@@ -42,7 +42,7 @@ impl Group {
     }
 }
 
-/// Calls a function with every group of numbers, its place and its numbers.
+/// Calls a function with every group of numbers, its index and its numbers.
 fn each_group<'a>(kinds: &[Kind], x: &'a [f64], mut call: impl FnMut(Group, usize, &'a [f64])) {
     let mut at = 0;
     while at < x.len().min(kinds.len()) {
@@ -53,27 +53,27 @@ fn each_group<'a>(kinds: &[Kind], x: &'a [f64], mut call: impl FnMut(Group, usiz
 }
 
 /// A motion by its axis: x is 0, y is 1, z is 2.
-enum Way {
+enum MotionAxis {
     Along(usize),
     About(usize),
     Away,
     Exchange,
 }
 
-fn way(motion: Motion) -> Way {
+fn axis_of(motion: Motion) -> MotionAxis {
     match motion {
-        Motion::TranslationX => Way::Along(0),
-        Motion::TranslationY => Way::Along(1),
-        Motion::TranslationZ => Way::Along(2),
-        Motion::RotationX => Way::About(0),
-        Motion::RotationY => Way::About(1),
-        Motion::Rotation => Way::About(2),
-        Motion::Scaling => Way::Away,
-        Motion::Exchange => Way::Exchange,
+        Motion::TranslationX => MotionAxis::Along(0),
+        Motion::TranslationY => MotionAxis::Along(1),
+        Motion::TranslationZ => MotionAxis::Along(2),
+        Motion::RotationX => MotionAxis::About(0),
+        Motion::RotationY => MotionAxis::About(1),
+        Motion::Rotation => MotionAxis::About(2),
+        Motion::Scaling => MotionAxis::Away,
+        Motion::Exchange => MotionAxis::Exchange,
     }
 }
 
-/// True for a coordinate along an axis, and for an angle about it.
+/// Returns `true` for a coordinate along an axis, and for an angle about it.
 fn lies_on(kind: Kind, axis: usize) -> bool {
     match kind {
         Kind::X | Kind::AngleX => axis == 0,
@@ -83,7 +83,7 @@ fn lies_on(kind: Kind, axis: usize) -> bool {
     }
 }
 
-/// Returns the two axes that a turn about an axis moves, the second one towards the negative first; nothing where
+/// Returns the two axes that a rotation about an axis moves, the second one towards the negative first; `None` if
 /// numbers of the plane have only one of them.
 fn turning(axis: usize, numbers: usize) -> Option<[usize; 2]> {
     let across = [(axis + 1) % 3, (axis + 2) % 3];
@@ -101,32 +101,36 @@ pub fn velocity(motion: Motion, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
     let mut speed = vec![0.0; x.len()];
     each_group(kinds, x, |group, at, x| {
         let speed = &mut speed[at..at + x.len()];
-        match (way(motion), group) {
-            (Way::Along(axis), Group::Smoothness(n)) if axis < n => speed[axis] = 1.0,
-            (Way::Along(axis), Group::Plane(n)) if axis < n => speed[n] = x[axis],
-            (Way::Along(axis), Group::Single(kind)) if kind.is_place() && lies_on(kind, axis) => {
+        match (axis_of(motion), group) {
+            (MotionAxis::Along(axis), Group::Point(n)) if axis < n => speed[axis] = 1.0,
+            (MotionAxis::Along(axis), Group::Plane(n)) if axis < n => speed[n] = x[axis],
+            (MotionAxis::Along(axis), Group::Single(kind))
+                if kind.is_place() && lies_on(kind, axis) =>
+            {
                 speed[0] = 1.0;
             }
-            (Way::About(axis), Group::Smoothness(n) | Group::Direction(n) | Group::Plane(n)) => {
+            (MotionAxis::About(axis), Group::Point(n) | Group::Direction(n) | Group::Plane(n)) => {
                 if let Some([i, j]) = turning(axis, n) {
                     (speed[i], speed[j]) = (-x[j], x[i]);
                 }
             }
             // Half the product of the axis, as a quaternion, and the quaternion.
-            (Way::About(axis), Group::Quaternion) => {
+            (MotionAxis::About(axis), Group::Quaternion) => {
                 let v = unit(axis).cross(Vec3::new(x[1], x[2], x[3])) + unit(axis) * x[0];
                 speed.copy_from_slice(&[-x[1 + axis], v.x, v.y, v.z].map(|x| 0.5 * x));
             }
-            (Way::About(axis), Group::RotationVector) => {
+            (MotionAxis::About(axis), Group::RotationVector) => {
                 let v = left_jacobian_inverse(Vec3::new(x[0], x[1], x[2]), unit(axis));
                 speed.copy_from_slice(&[v.x, v.y, v.z]);
             }
-            (Way::About(axis), Group::Single(kind)) if kind.is_angle() && lies_on(kind, axis) => {
+            (MotionAxis::About(axis), Group::Single(kind))
+                if kind.is_angle() && lies_on(kind, axis) =>
+            {
                 speed[0] = 1.0;
             }
-            (Way::Away, Group::Smoothness(_)) => speed.copy_from_slice(x),
-            (Way::Away, Group::Plane(n)) => speed[n] = x[n],
-            (Way::Away, Group::Single(kind)) if kind.is_length() => speed[0] = x[0],
+            (MotionAxis::Away, Group::Point(_)) => speed.copy_from_slice(x),
+            (MotionAxis::Away, Group::Plane(n)) => speed[n] = x[n],
+            (MotionAxis::Away, Group::Single(kind)) if kind.is_length() => speed[0] = x[0],
             _ => {}
         }
     });
@@ -148,7 +152,7 @@ fn left_jacobian_inverse(v: Vec3<f64>, axis: Vec3<f64>) -> Vec3<f64> {
     axis - side * 0.5 + v.cross(side) * factor
 }
 
-/// Returns the velocity of the output that the answer declares, when its numbers are of these kinds.
+/// Returns the velocity of the output that the invariance declares, if its numbers are of these kinds.
 #[must_use]
 pub fn answer(invariance: Invariance, kinds: &[Kind], y: &[f64]) -> Vec<f64> {
     match invariance.answer {
@@ -168,42 +172,46 @@ pub fn exchanged(x: &[f64]) -> Vec<f64> {
 /// Returns the numbers of the given kinds after a motion by an amount: a distance, an angle in radians, a factor.
 #[must_use]
 pub fn moved_by(motion: Motion, amount: f64, kinds: &[Kind], x: &[f64]) -> Vec<f64> {
-    let way = way(motion);
-    if let Way::Exchange = way {
+    let axis = axis_of(motion);
+    if let MotionAxis::Exchange = axis {
         return exchanged(x);
     }
     let (sin, cos) = amount.sin_cos();
     let mut there = x.to_vec();
     each_group(kinds, x, |group, at, x| {
         let there = &mut there[at..at + x.len()];
-        match (&way, group) {
-            (&Way::Along(axis), Group::Smoothness(n)) if axis < n => there[axis] += amount,
-            (&Way::Along(axis), Group::Plane(n)) if axis < n => there[n] += amount * x[axis],
-            (&Way::Along(axis), Group::Single(kind)) if kind.is_place() && lies_on(kind, axis) => {
+        match (&axis, group) {
+            (&MotionAxis::Along(axis), Group::Point(n)) if axis < n => there[axis] += amount,
+            (&MotionAxis::Along(axis), Group::Plane(n)) if axis < n => there[n] += amount * x[axis],
+            (&MotionAxis::Along(axis), Group::Single(kind))
+                if kind.is_place() && lies_on(kind, axis) =>
+            {
                 there[0] += amount;
             }
-            (&Way::About(axis), Group::Smoothness(n) | Group::Direction(n) | Group::Plane(n)) => {
+            (&MotionAxis::About(axis), Group::Point(n) | Group::Direction(n) | Group::Plane(n)) => {
                 if let Some([i, j]) = turning(axis, n) {
                     (there[i], there[j]) = (cos * x[i] - sin * x[j], sin * x[i] + cos * x[j]);
                 }
             }
-            (&Way::About(axis), Group::Quaternion) => {
+            (&MotionAxis::About(axis), Group::Quaternion) => {
                 let (sin, cos) = (0.5 * amount).sin_cos();
                 let (v, axis) = (Vec3::new(x[1], x[2], x[3]), unit(axis));
                 let turned = v * cos + (axis.cross(v) + axis * x[0]) * sin;
                 let w = cos * x[0] - sin * axis.dot(v);
                 there.copy_from_slice(&[w, turned.x, turned.y, turned.z]);
             }
-            (&Way::About(axis), Group::RotationVector) => {
+            (&MotionAxis::About(axis), Group::RotationVector) => {
                 let v = turned_vector(Vec3::new(x[0], x[1], x[2]), unit(axis), amount);
                 there.copy_from_slice(&[v.x, v.y, v.z]);
             }
-            (&Way::About(axis), Group::Single(kind)) if kind.is_angle() && lies_on(kind, axis) => {
+            (&MotionAxis::About(axis), Group::Single(kind))
+                if kind.is_angle() && lies_on(kind, axis) =>
+            {
                 there[0] += amount;
             }
-            (Way::Away, Group::Smoothness(_)) => there.iter_mut().for_each(|x| *x *= amount),
-            (Way::Away, Group::Plane(n)) => there[n] *= amount,
-            (Way::Away, Group::Single(kind)) if kind.is_length() => there[0] *= amount,
+            (MotionAxis::Away, Group::Point(_)) => there.iter_mut().for_each(|x| *x *= amount),
+            (MotionAxis::Away, Group::Plane(n)) => there[n] *= amount,
+            (MotionAxis::Away, Group::Single(kind)) if kind.is_length() => there[0] *= amount,
             _ => {}
         }
     });

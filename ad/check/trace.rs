@@ -1,9 +1,8 @@
 //! Branch tracing: a scalar that records the outcome of every comparison.
 //!
-//! Two points with the same [`Trace`] ran through the same branches, so between them a function
-//! made of arithmetic is smooth and finite differences can be believed. Between points with different
-//! traces there may be a kink (or only a harmless change of branch); the smallest margin says how near
-//! it was.
+//! Two points with one [`Trace`] ran through the same branches, so a function made of arithmetic is smooth between them
+//! and finite differences are reliable. Between points with different traces there may be a kink (or only a harmless
+//! change of branch); the smallest margin measures its distance.
 //!
 //! ```
 //! use geograd::ad::check::trace::{Traced, trace};
@@ -24,7 +23,7 @@ use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 pub struct Trace {
     /// The outcomes of all comparisons, in order, hashed.
     pub hash: u64,
-    /// How many comparisons there were.
+    /// The number of comparisons.
     pub count: u64,
     /// The smallest relative difference of two compared numbers; infinite when nothing was
     /// compared, zero at a tie.
@@ -38,7 +37,7 @@ impl Trace {
         count: 0,
         margin: f64::INFINITY,
     };
-    /// One more comparison.
+    /// Adds one more comparison.
     #[inline]
     pub(crate) fn record(&mut self, outcome: bool, x: f64, y: f64) {
         // FNV-1a, one byte per comparison.
@@ -53,21 +52,20 @@ impl Trace {
 }
 
 thread_local! {
-    // A comparison yields a plain `bool`, which cannot carry its history along, so the history
-    // belongs to the thread.
+    // A comparison yields a plain `bool`, which cannot carry a history, so the history belongs to the thread.
     static TAPE: Cell<Trace> = const { Cell::new(Trace::EMPTY) };
 }
 
-/// Runs a function and gives back, beside its result, what its [`Traced`] numbers recorded. Calls
-/// may be nested; the outer one does not see what the inner one recorded.
+/// Runs a function and returns its result and the trace of its [`Traced`] numbers. Calls may be nested; the outer trace
+/// does not include the inner one.
 pub fn trace<R>(run: impl FnOnce() -> R) -> (R, Trace) {
     let outer = TAPE.replace(Trace::EMPTY);
     let result = run();
     (result, TAPE.replace(outer))
 }
 
-/// A scalar that records its comparisons, over any other scalar: `Traced<f64>`, `Traced<f32>`, or
-/// inside a jet, `Jet<Traced<f64>, N>`. Values are those of the inner scalar, to the bit.
+/// A scalar that records its comparisons, over any other scalar: `Traced<f64>`, `Traced<f32>`, or inside a jet,
+/// `Jet<Traced<f64>, N>`. Values equal those of the inner scalar, to the bit.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Traced<T>(
     /// The number.
@@ -80,7 +78,7 @@ pub(crate) fn num_duals<S: Real>(x: &[f64], direction: &[f64]) -> Vec<S::NumDual
     each.map(|(&x, &d)| S::num_dual(S::nearest(x), S::nearest(d)))
         .collect()
 }
-/// Its values and its derivatives.
+/// Returns the values and the derivatives of a list of num-dual's numbers.
 pub(crate) fn of_num_duals<S: Real>(list: Vec<S::NumDual>) -> (Vec<f64>, Vec<f64>) {
     let parts = list.into_iter().map(S::of_num_dual);
     parts
@@ -89,7 +87,7 @@ pub(crate) fn of_num_duals<S: Real>(list: Vec<S::NumDual>) -> (Vec<f64>, Vec<f64
 }
 
 impl<T: Real> Traced<T> {
-    /// Records a comparison and hands its outcome on.
+    /// Records a comparison and returns its outcome.
     #[inline(always)]
     fn note(self, other: Self, outcome: bool) -> bool {
         TAPE.with(|tape| {
@@ -239,7 +237,7 @@ impl<T: Real> Scalar for Traced<T> {
     }
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
-        // The branch cut is a jump: which side of it counts.
+        // The branch cut is a jump, so the side of it is recorded.
         if x.below(Self::zero()) {
             self.below(Self::zero());
         }
@@ -253,7 +251,7 @@ impl<T: Real> Scalar for Traced<T> {
     fn ln(self) -> Self {
         Traced(self.0.ln())
     }
-    // The value of a float's own choice; the default's record of the tie.
+    // The value is the float's own; the tie is recorded as the default implementation does.
     #[inline(always)]
     fn least(self, other: Self) -> Self {
         self.equals(other);

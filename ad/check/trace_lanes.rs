@@ -1,20 +1,20 @@
 //! Branch tracing of several inputs side by side: a program reads each of its nodes once for all of them.
 //!
-//! Values and traces are those of [`Traced`](crate::ad::check::trace::Traced) one by one, to the bit.
+//! Values and traces equal those of [`Traced`](crate::ad::check::trace::Traced) for each input, to the bit.
 use crate::ad::check::trace::Trace;
 use crate::{Mask, Real, Scalar};
 use std::cell::RefCell;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
-/// How many inputs there are side by side: a third of a ladder's steps.
+/// The number of inputs side by side: a third of a sequence's steps.
 pub(crate) const LANES: usize = 8;
 
 thread_local! {
-    // As of one input: a comparison yields a mask, which cannot carry its history along.
+    // As for one input: a comparison yields a mask, which cannot carry a history.
     static TAPES: RefCell<[Trace; LANES]> = const { RefCell::new([Trace::EMPTY; LANES]) };
 }
 
-/// Runs a function and gives back, beside its result, what its numbers recorded in each lane.
+/// Runs a function and returns its result and the trace of each lane.
 pub(crate) fn trace_lanes<R>(run: impl FnOnce() -> R) -> (R, [Trace; LANES]) {
     let outer = TAPES.replace([Trace::EMPTY; LANES]);
     let result = run();
@@ -56,7 +56,7 @@ impl Mask for Outcomes {
     }
 }
 
-/// One value per lane.
+/// Returns one value per lane.
 #[inline(always)]
 fn lanes<U>(of: impl FnMut(usize) -> U) -> [U; LANES] {
     std::array::from_fn(of)
@@ -80,7 +80,7 @@ impl<T: Real> TracedLanes<T> {
             TracedLanes(pairs.map(|pair| pair.1)),
         )
     }
-    /// Records a comparison in every lane that makes it, and hands its outcomes on.
+    /// Records a comparison in every lane that makes it, and returns its outcomes.
     #[inline(always)]
     fn note(
         self,
@@ -98,7 +98,7 @@ impl<T: Real> TracedLanes<T> {
     }
 }
 
-/// Operators that only concern the values.
+/// Operators that only change the values.
 macro_rules! operators {
     ($($operator:ident $method:ident;)*) => { $(
         impl<T: Real> $operator for TracedLanes<T> {

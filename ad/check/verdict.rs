@@ -2,26 +2,26 @@
 use crate::Unrecordable;
 use crate::ad::check::symmetry::Motion;
 
-/// One way to obtain a value or a derivative.
+/// A method that computes a value or a derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Witness {
     /// The function itself.
     Value,
     /// The derivative by hand.
     Adjoint,
-    /// Forward duals through the generic source.
+    /// Forward duals on the generic source.
     Dual,
-    /// num-dual's own dual numbers through the generic source.
+    /// num-dual's own dual numbers on the generic source.
     NumDual,
     /// Finite differences with an error estimate.
     Difference,
-    /// Duals through the same source in double precision.
+    /// Duals on the generic source in double precision.
     Wide,
     /// The plane between two bodies that proves a distance from below.
     Planes,
     /// The nearest points of two bodies, which prove a distance from above.
     Points,
-    /// A batch of the same operation, on the CPU or a GPU.
+    /// A batch of the operation, on the CPU or a GPU.
     Batch,
     /// A further witness, by its position in the list that was given: another code path, a GPU.
     Further(usize),
@@ -31,15 +31,15 @@ pub enum Witness {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Reason {
-    /// A derivative has not as many numbers as the input.
+    /// A derivative has another length than the input.
     WrongLength(Witness),
     /// A finite input gave a NaN or an infinity.
     NotFinite(Witness),
-    /// The same input gave other bits the second time.
+    /// A second evaluation at one input gave other bits.
     Impure(Witness),
     /// Another path to the value gives another value.
     ValuesDisagree(Witness),
-    /// Two derivatives differ by more than both can err.
+    /// Two derivatives differ by more than their errors.
     Disagree(Witness, Witness),
     /// At a kink the derivative is not between the derivatives of both sides.
     OutsideKink,
@@ -61,8 +61,8 @@ pub enum Reason {
     FewInside,
     /// Hardly a sample was smooth, so that nothing was checked.
     NothingSmooth,
-    /// At no sample could any witness say anything about this number of the input: there was no
-    /// sample inside the domain, no derivative, no result, or all differences were lost in rounding.
+    /// No witness could judge this number of the input at any sample: there was no sample inside the domain, no
+    /// derivative, no result, or all differences were lost in rounding.
     Unjudged,
 }
 
@@ -73,7 +73,7 @@ pub enum Smoothness {
     Smooth,
     /// The derivatives of both sides differ.
     Kink,
-    /// A jump, an infinite derivative, or nowhere to step to.
+    /// A jump, an infinite derivative, or no step inside the domain.
     Undefined,
 }
 
@@ -90,10 +90,9 @@ pub struct ByWitness {
     pub other: Option<f64>,
     /// Derivatives of both sides, at a kink.
     pub sides: Option<[f64; 2]>,
-    /// `true` if they are derivatives along a random direction, in which several numbers of the input move,
-    /// and not with respect to one of them.
+    /// `true` for derivatives along a random direction, along which several numbers of the input move, instead of one.
     pub along: bool,
-    /// How many numbers there were, and how many there should have been.
+    /// The number of results, and the number there should be.
     pub lengths: Option<[usize; 2]>,
 }
 
@@ -113,7 +112,7 @@ impl ByWitness {
 pub struct Fault {
     /// Why.
     pub reason: Reason,
-    /// Which witness is outvoted by the others, when that can be told.
+    /// The witness that the others outvote, if that can be decided.
     pub suspect: Option<Witness>,
     /// The number of the output concerned.
     pub output: usize,
@@ -121,35 +120,35 @@ pub struct Fault {
     pub input: usize,
     /// The number of every witness.
     pub numbers: ByWitness,
-    /// How much the two numbers in question may differ.
+    /// The largest allowed difference of the two numbers in question.
     pub tolerance: f64,
 }
 
 /// The worst difference between two witnesses.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Worst {
-    /// How many numbers were compared.
+    /// The number of comparisons.
     pub count: u64,
     /// Largest difference.
     pub absolute: f64,
     /// Largest difference, relative to the largest derivative in the same unit.
     pub relative: f64,
-    /// The same in units of the precision.
+    /// The largest relative difference in units of the precision.
     pub ulps: f64,
-    /// How many differences, in units of the precision, are below 1, 10, 100 and so on.
+    /// The numbers of differences, in units of the precision, below 1, 10, 100 and so on.
     pub decades: [u64; 20],
     /// The one nearest to refusal.
     pub nearest: Tightest,
 }
 
-/// The comparison of two witnesses that used up most of its tolerance; if any needed its rounding
-/// provoked, one of those: the others would have been given more.
+/// The comparison of two witnesses that used up most of its tolerance. If any needed perturbed rounding, it is one of
+/// those, since the tolerance of the others could still grow.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tightest {
-    /// Which share of the tolerance.
+    /// The share of the tolerance.
     pub share: f64,
-    /// `true` if rounding was provoked.
-    pub provoked: bool,
+    /// `true` if rounding was perturbed.
+    pub perturbed: bool,
     /// The number of the sample.
     pub sample: usize,
     /// The number of the output.
@@ -158,13 +157,13 @@ pub struct Tightest {
     pub input: usize,
     /// The number of every witness.
     pub numbers: ByWitness,
-    /// How much the two numbers in question may differ.
+    /// The largest allowed difference of the two numbers in question.
     pub tolerance: f64,
 }
 
 impl Tightest {
     fn rank(&self) -> f64 {
-        if self.provoked {
+        if self.perturbed {
             1.0 + self.share
         } else {
             self.share.min(1.0)
@@ -173,7 +172,7 @@ impl Tightest {
 }
 
 impl Worst {
-    /// One more comparison.
+    /// Adds one more comparison.
     pub(crate) fn note(&mut self, gap: f64, size: f64, eps: f64, at: Tightest) {
         self.count += 1;
         self.absolute = self.absolute.max(gap);
@@ -204,7 +203,7 @@ impl Worst {
         }
         f64::INFINITY
     }
-    /// Both together.
+    /// Adds the comparisons of another summary.
     pub(crate) fn merge(&mut self, other: &Worst, sample: usize) {
         self.count += other.count;
         self.absolute = self.absolute.max(other.absolute);
@@ -238,22 +237,23 @@ pub const PAIRS: [(Witness, Witness); 9] = [
 /// The findings at one sample.
 #[derive(Clone, Debug)]
 pub struct Findings {
-    /// The kind of place.
+    /// The smoothness at the input.
     pub place: Smoothness,
-    /// Directions along which the function is smooth, kinked and not to be judged.
+    /// The numbers of directions along which the function is smooth, kinked and undecided.
     pub directions: [u64; 3],
-    /// Directions along which another branch was taken, however small the step.
+    /// The number of directions along which another branch was taken, however small the step.
     pub switched: u64,
     /// `true` if the value jumps there.
     pub jump: bool,
     /// `true` if a declared convention was needed.
     pub convention: bool,
-    /// How near the nearest change of branch is, relative; infinite when nothing was compared.
+    /// The smallest relative difference of two compared numbers: the distance to the nearest change of branch. Infinite
+    /// without comparisons.
     pub margin: f64,
     /// For each number of the input, `true` if some witness could judge the derivative with respect to it.
-    pub covered: Vec<bool>,
+    pub judged: Vec<bool>,
     /// The worst difference of each pair of [`PAIRS`].
     pub worst: [Worst; PAIRS.len()],
-    /// Everything refused, first things first.
+    /// All refused faults, the most important first.
     pub faults: Vec<Fault>,
 }

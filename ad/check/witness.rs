@@ -1,14 +1,13 @@
-//! Finite differences that say how far they can be trusted, and the sensitivity of any witness to
-//! rounding.
+//! Finite differences with an error estimate, and the perturbation of inputs by their rounding.
 //!
-//! A [`Ladder`] holds values at steps of geometrically falling size on both sides of a point. From
-//! it come the central derivative and the derivatives of both sides, each extrapolated to step zero by
-//! Richardson's scheme; of all extrapolations the one with the smallest error estimate counts
-//! (Ridders' method), where the estimate includes the rounding noise of the values.
+//! A [`StepSequence`] holds values at steps of geometrically falling size on both sides of a point. It gives the
+//! central derivative and the derivatives of both sides, each extrapolated to step zero by Richardson's scheme. The
+//! extrapolation with the smallest error estimate counts (Ridders' method); the estimate includes the rounding noise of
+//! the values. `compare/derivative_test` and `compare/curvature` use it.
 use crate::Scalar;
 use crate::ad::check::tolerances::{
-    JUMP_NOISE, JUMP_STAYS, LAST_DIGITS, MOVED_ROUNDINGS, NOISE_OF_RUNGS, POWERS, RATIO, RUNGS,
-    SAME_STEP, SETTLED, SMALL_RUNGS, TRUNCATION,
+    JUMP_NOISE, JUMP_STAYS, LAST_DIGITS, MOVED_ROUNDINGS, NOISE_OF_STEPS, POWERS, RATIO, SAME_STEP,
+    SETTLED, SMALL_STEPS, STEPS, TRUNCATION,
 };
 use crate::ad::check::trace::Trace;
 use crate::ad::sample::Draw;
@@ -23,7 +22,7 @@ pub enum Precision {
 }
 
 impl Precision {
-    /// That of a type.
+    /// Returns the precision of a type.
     #[must_use]
     pub fn of<S: Scalar>() -> Self {
         if S::EPSILON > f64::EPSILON {
@@ -56,9 +55,9 @@ impl Precision {
             Precision::F64 => x,
         }
     }
-    /// So many numbers of the format farther from zero (nearer, when negative). Zero stays.
+    /// Moves a number by `ulps` numbers of the format away from zero (towards it, when negative). Zero stays.
     #[must_use]
-    pub fn beside(self, x: f64, ulps: i32) -> f64 {
+    pub fn away_from_zero(self, x: f64, ulps: i32) -> f64 {
         if x == 0.0 || !x.is_finite() {
             return x;
         }
@@ -80,56 +79,56 @@ impl Precision {
     }
 }
 
-/// A number and how far it may be off.
+/// A number with an estimate of its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
     /// The number.
     pub value: f64,
     /// Its estimated error.
     pub error: f64,
-    /// The smallest step it was made of: an error of the values counts divided by it.
+    /// The smallest step that it combines: an error of the values counts divided by it.
     pub step: f64,
 }
 
-/// A value beside the point.
+/// The value at one step from the point.
 #[derive(Clone, Debug)]
-pub struct Rung {
-    /// How far away, in multiples of the direction.
-    pub step: f64,
+pub struct StepValue {
+    /// The size of the step, in multiples of the direction.
+    pub size: f64,
     /// The value there.
     pub values: Vec<f64>,
-    /// `true` if the same branches were taken as at the point; true when nothing is known.
+    /// `true` if the branches are those of the point, or unknown.
     pub same: bool,
-    /// The branches taken; zero when nothing is known.
+    /// The hash of the branches; zero if they are unknown.
     pub branch: u64,
 }
 
-/// A value and, if there is a traced source, its branches; `None` outside the domain.
+/// A value and, if there is a traced source, its trace; `None` outside the domain.
 pub type Probed = Option<(Vec<f64>, Option<Trace>)>;
-/// Looks a function up at several inputs.
+/// A function that evaluates another one at several inputs.
 pub type Probe<'a> = &'a dyn Fn(&[Vec<f64>]) -> Vec<Probed>;
 
-/// Values along a direction on both sides of a point.
+/// Values at a sequence of step sizes along a direction, on both sides of a point.
 #[derive(Clone, Debug)]
-pub struct Ladder {
-    /// Ahead, largest step first; shorter than asked for at the border of the domain.
-    pub ahead: Vec<Rung>,
-    /// Behind.
-    pub behind: Vec<Rung>,
+pub struct StepSequence {
+    /// The steps ahead, largest first; fewer at the border of the domain.
+    pub ahead: Vec<StepValue>,
+    /// The steps behind, largest first.
+    pub behind: Vec<StepValue>,
     /// The value at the point.
     pub center: Vec<f64>,
     /// `true` if branches are known.
     pub traced: bool,
 }
 
-impl Ladder {
+impl StepSequence {
     /// Returns `true` if a side has fewer than two steps: the domain ends there.
     pub fn is_at_border(&self) -> bool {
         self.ahead.len() < 2 || self.behind.len() < 2
     }
 
     /// Evaluates at `x ± step · direction`, from `first` downwards.
-    pub fn climb(
+    pub fn evaluate(
         probe: Probe<'_>,
         precision: Precision,
         x: &[f64],
@@ -137,12 +136,12 @@ impl Ladder {
         trace: Option<Trace>,
         direction: &[f64],
         first: f64,
-    ) -> Ladder {
-        // The step that is really taken is read off where the direction is largest.
+    ) -> StepSequence {
+        // The rounded step is measured in the number with the largest entry of the direction.
         let main = (0..x.len())
             .max_by(|&i, &j| direction[i].abs().total_cmp(&direction[j].abs()))
             .unwrap_or(0);
-        // Steps that are lost in rounding say nothing.
+        // Steps that are lost in rounding carry no information.
         let place = |sign: f64, k: i32| {
             let wanted = first * RATIO.powi(-k);
             let there: Vec<f64> = x
@@ -153,7 +152,7 @@ impl Ladder {
             let step = sign * (there[main] - x[main]) / direction[main];
             (step > 0.0).then_some((step, there))
         };
-        let side = |sign: f64| (0..RUNGS).filter_map(move |k| place(sign, k));
+        let side = |sign: f64| (0..STEPS).filter_map(move |k| place(sign, k));
         let ((mut steps, mut places), behind): ((Vec<f64>, Vec<Vec<f64>>), (Vec<f64>, Vec<_>)) =
             (side(1.0).unzip(), side(-1.0).unzip());
         let count = steps.len();
@@ -161,12 +160,12 @@ impl Ladder {
         places.extend(behind.1);
         let mut found = steps.into_iter().zip(probe(&places));
         let mut side = |count: usize| {
-            let mut rungs: Vec<Rung> = Vec::with_capacity(RUNGS as usize);
+            let mut taken: Vec<StepValue> = Vec::with_capacity(STEPS as usize);
             for (step, probed) in found.by_ref().take(count) {
-                // Steps no smaller than the one before say nothing.
+                // Steps no smaller than the previous one carry no information.
                 let Some((values, there)) = probed.filter(|_| {
-                    let last = rungs.last();
-                    last.is_none_or(|last| last.step >= SAME_STEP * step)
+                    let last = taken.last();
+                    last.is_none_or(|last| last.size >= SAME_STEP * step)
                 }) else {
                     continue;
                 };
@@ -175,16 +174,16 @@ impl Ladder {
                     _ => true,
                 };
                 let branch = there.map_or(0, |trace| trace.hash);
-                rungs.push(Rung {
-                    step,
+                taken.push(StepValue {
+                    size: step,
                     values,
                     same,
                     branch,
                 });
             }
-            rungs
+            taken
         };
-        Ladder {
+        StepSequence {
             ahead: side(count),
             behind: side(usize::MAX),
             center: center.to_vec(),
@@ -192,27 +191,27 @@ impl Ladder {
         }
     }
 
-    /// Returns the central derivative of `weights · value`. With `within`, only from steps inside which the
-    /// branches are those of the point.
+    /// Returns the central derivative of `weights · value`. With `within`, only from steps up to which the branches are
+    /// those of the point.
     #[must_use]
     pub fn central(&self, weights: &[f64], noise: f64, within: bool) -> Option<Estimate> {
         let mut points = Vec::new();
         let mut behind = self.behind.iter().peekable();
         for ahead in &self.ahead {
             while behind
-                .next_if(|b| b.step > SAME_STEP * ahead.step)
+                .next_if(|b| b.size > SAME_STEP * ahead.size)
                 .is_some()
             {}
             let Some(&b) = behind.peek() else { break };
-            if b.step < ahead.step / SAME_STEP {
+            if b.size < ahead.size / SAME_STEP {
                 continue;
             }
             if within && !(ahead.same && b.same) {
-                // A larger step may come back to the same branches after having left them.
+                // A larger step may return to the branches of the point after having left them.
                 points.clear();
                 continue;
             }
-            let span = ahead.step + b.step;
+            let span = ahead.size + b.size;
             let rise = dot(weights, &ahead.values) - dot(weights, &b.values);
             points.push((span / 2.0, rise / span));
         }
@@ -230,34 +229,34 @@ impl Ladder {
         let here = dot(weights, &self.center);
         let points: Vec<(f64, f64)> = nearest_branch(side)
             .iter()
-            .map(|rung| {
-                let rise = dot(weights, &rung.values) - here;
-                (rung.step, sign * rise / rung.step)
+            .map(|step| {
+                let rise = dot(weights, &step.values) - here;
+                (step.size, sign * rise / step.size)
             })
             .collect();
         let mut estimate = extrapolated(&points, 1, 2.0 * noise)?;
         if self.traced
             && let [.., before, last] = &points[..]
         {
-            // Other branches than at the point: nearer than the smallest step the derivative may still
-            // change as much as it does there.
+            // The branches differ from those of the point. Nearer than the smallest step the derivative may change as
+            // much as at the last two steps.
             estimate.error += (last.1 - before.1).abs();
         }
         Some(estimate)
     }
 
-    /// Returns the rounding noise that the smallest steps show: how far they are from a straight
-    /// continuation of the next larger ones, on the calmer side. Rounding need not show at the
-    /// point itself, where values may be quantised.
+    /// Returns the rounding noise that the smallest steps show: their distance from a linear continuation of the next
+    /// larger ones, on the side with less noise. Rounding need not show at the point itself, where values may be
+    /// quantised.
     #[must_use]
     pub fn noise(&self, weights: &[f64]) -> f64 {
         let here = dot(weights, &self.center);
-        let side = |side: &[Rung]| {
+        let side = |side: &[StepValue]| {
             let derivatives: Vec<(f64, f64)> = side
                 .iter()
-                .map(|rung| (rung.step, (dot(weights, &rung.values) - here) / rung.step))
+                .map(|step| (step.size, (dot(weights, &step.values) - here) / step.size))
                 .collect();
-            // Values that stand still and then leap are no finer than the smallest leap.
+            // Values that are constant and then leap have a noise of the smallest leap.
             let leaps = derivatives
                 .iter()
                 .map(|(step, derivative)| (step * derivative).abs());
@@ -266,7 +265,7 @@ impl Ladder {
                 .fold(f64::INFINITY, f64::min);
             let still =
                 derivatives.iter().any(|(_, derivative)| *derivative == 0.0) && least.is_finite();
-            let small = &derivatives[derivatives.len().saturating_sub(SMALL_RUNGS)..];
+            let small = &derivatives[derivatives.len().saturating_sub(SMALL_STEPS)..];
             small
                 .windows(3)
                 .fold(if still { least } else { 0.0 }, |noise, w| {
@@ -278,35 +277,35 @@ impl Ladder {
         side(&self.ahead).min(side(&self.behind))
     }
 
-    /// Returns `true` if both sides have a branch of their own long enough to be judged by.
+    /// Returns `true` if the smallest steps of each side are in one branch, enough of them to judge by.
     #[must_use]
     pub fn settled(&self) -> bool {
         [&self.ahead, &self.behind].iter().all(|side| {
-            let branch = side.last().map_or(0, |rung| rung.branch);
+            let branch = side.last().map_or(0, |step| step.branch);
             side.len() < SETTLED
                 || side
                     .iter()
                     .rev()
                     .take(SETTLED)
-                    .all(|rung| rung.branch == branch)
+                    .all(|step| step.branch == branch)
         })
     }
 
-    /// Returns `true` if the value stands still along the whole ladder.
+    /// Returns `true` if the value is constant along the whole sequence.
     #[must_use]
     pub fn still(&self) -> bool {
-        let rungs = self.ahead.iter().chain(&self.behind);
-        rungs.into_iter().all(|rung| rung.values == self.center)
+        let mut steps = self.ahead.iter().chain(&self.behind);
+        steps.all(|step| step.values == self.center)
     }
 
-    /// Returns how far an output jumps on either side, if it does: the change to the nearest rungs does not
+    /// Returns the size of the jump of an output on either side, if it jumps: the change to the nearest steps does not
     /// shrink with the step.
     #[must_use]
     pub fn jump(&self, output: usize, noise: f64) -> Option<f64> {
         let here = self.center[output];
         [&self.ahead, &self.behind].into_iter().find_map(|side| {
             let near = side.last_chunk::<3>()?;
-            let rises = near.each_ref().map(|rung| rung.values[output] - here);
+            let rises = near.each_ref().map(|step| step.values[output] - here);
             let (low, high) = rises
                 .iter()
                 .fold((f64::INFINITY, 0.0_f64), |(low, high), r| {
@@ -317,14 +316,13 @@ impl Ladder {
     }
 }
 
-/// Returns the rungs nearest to the point that all took the same branches; all rungs when those are too
-/// few.
-fn nearest_branch(side: &[Rung]) -> &[Rung] {
-    let branch = side.last().map_or(0, |rung| rung.branch);
+/// Returns the steps nearest to the point that all took one branch; all steps if those are too few.
+fn nearest_branch(side: &[StepValue]) -> &[StepValue] {
+    let branch = side.last().map_or(0, |step| step.branch);
     let near = side
         .iter()
         .rev()
-        .take_while(|rung| rung.branch == branch)
+        .take_while(|step| step.branch == branch)
         .count();
     if near < SETTLED {
         side
@@ -333,8 +331,8 @@ fn nearest_branch(side: &[Rung]) -> &[Rung] {
     }
 }
 
-/// Returns the inner product, by halves when long: so it is off by less than a few units in the last place
-/// of its terms, however many there are.
+/// Returns the inner product, by halves when long: its error is a few units in the last place of its terms, however
+/// many there are.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let n = a.len().min(b.len());
     if n > 64 {
@@ -347,7 +345,7 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
         .sum()
 }
 
-/// Returns the direction of one number.
+/// Returns the unit vector along number `i`.
 pub(crate) fn axis(length: usize, i: usize) -> Vec<f64> {
     (0..length).map(|k| f64::from(u8::from(k == i))).collect()
 }
@@ -363,9 +361,8 @@ pub(crate) fn combined(weights: &[f64], jacobian: &[Vec<f64>], inputs: usize) ->
 
 /// Extrapolates `(step, derivative)` to step zero, eliminating the powers `order, 2 order, …`.
 ///
-/// The extrapolation with the smallest error counts. Its error is the change from the
-/// ones it was made of, the noise, and the disagreement of smaller steps: a function
-/// with a feature smaller than the large steps looks smooth, and wrong, to them.
+/// The extrapolation with the smallest error counts. Its error is the change from the extrapolations it combines, the
+/// noise, and the disagreement of smaller steps: large steps may miss a feature smaller than they are.
 fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimate> {
     let mut best: Option<Estimate> = None;
     let mut last: Vec<f64> = Vec::new();
@@ -386,7 +383,7 @@ fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimat
             let off = (derivative - row[j]).abs();
             let excess = points[k + 1..].iter().fold(0.0_f64, |excess, near| {
                 let truncation = TRUNCATION * off * (near.0 / step).powi(order);
-                let allowed = truncation + NOISE_OF_RUNGS * noise / near.0 + change;
+                let allowed = truncation + NOISE_OF_STEPS * noise / near.0 + change;
                 excess.max((near.1 - row[j]).abs() - allowed)
             });
             let error = change + noise / step + excess;
@@ -403,11 +400,11 @@ fn extrapolated(points: &[(f64, f64)], order: i32, noise: f64) -> Option<Estimat
     best
 }
 
-/// Returns the point with its rounding provoked, in three ways by turns: every number moves by one or two
-/// units in its last place, equal numbers alike, so that ties stay ties; every number moves by up
-/// to twice its `rounding`; the same, equal numbers alike.
+/// Returns the point with its rounding perturbed, in three modes by turns. Every number moves by one or two units in
+/// its last place, equal numbers alike, so that ties stay ties. Or every number moves independently by up to twice its
+/// `rounding`, or equal numbers alike by that much.
 #[must_use]
-pub fn beside(precision: Precision, x: &[f64], rounding: &[f64], round: u64) -> Vec<f64> {
+pub fn perturbed(precision: Precision, x: &[f64], rounding: &[f64], round: u64) -> Vec<f64> {
     (0..x.len())
         .map(|i| {
             let key = if round % 3 == 1 {
@@ -417,7 +414,7 @@ pub fn beside(precision: Precision, x: &[f64], rounding: &[f64], round: u64) -> 
             };
             let mut draw = Draw::new(key ^ round.wrapping_mul(0x9e37_79b9));
             if round.is_multiple_of(3) {
-                precision.beside(x[i], LAST_DIGITS[draw.below(4)])
+                precision.away_from_zero(x[i], LAST_DIGITS[draw.below(4)])
             } else {
                 precision.round(x[i] + MOVED_ROUNDINGS * rounding[i] * draw.within(-1.0, 1.0))
             }

@@ -1,4 +1,4 @@
-//! Verdicts in words, for people.
+//! Verdicts as text: reasons, witnesses and remedies. [`report`](crate::ad::check::report) writes them.
 use crate::Unrecordable;
 use crate::ad::check::symmetry::Motion;
 use crate::ad::check::verdict::{ByWitness, Fault, Reason, Witness};
@@ -117,7 +117,7 @@ pub(crate) fn remedy(reason: Reason) -> &'static [&'static str] {
     }
 }
 
-/// Returns the names of the two numbers beside a verdict: the tested derivative's, and the other one.
+/// Returns the names of the two numbers that a verdict shows: the tested derivative's, and the other one's.
 fn names(reason: Reason) -> [&'static str; 2] {
     match reason {
         Reason::ValuesDisagree(_) => ["the value", "the other value"],
@@ -134,7 +134,7 @@ fn names(reason: Reason) -> [&'static str; 2] {
     }
 }
 
-/// Returns how far apart the two numbers are that a verdict is about.
+/// Returns the difference of the two numbers that a verdict is about.
 fn gap(reason: Reason, numbers: &ByWitness) -> Option<f64> {
     let of = |witness: Witness| match witness {
         Witness::Value | Witness::Adjoint => numbers.adjoint,
@@ -160,7 +160,8 @@ fn gap(reason: Reason, numbers: &ByWitness) -> Option<f64> {
     pair.map(|(a, b)| (a - b).abs())
 }
 
-/// Writes the number of every witness, in the fewest digits that tell it from others, a line each, how far apart they are, and how far they may be.
+/// Writes the number of every witness, a line each, in the fewest digits that distinguish it; then their difference and
+/// the allowed difference.
 pub(crate) fn write_numbers(
     f: &mut impl fmt::Write,
     reason: Reason,
@@ -194,7 +195,7 @@ pub(crate) fn write_numbers(
     }
 }
 
-/// Which derivative, or which value, a verdict is about; `names` has the numbers of the input, if they have any.
+/// Returns the derivative or the value that a fault is about; `names` has the numbers of the input, if they have any.
 pub(crate) fn place(fault: &Fault, names: &[String]) -> String {
     let Fault {
         reason,

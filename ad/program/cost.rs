@@ -2,7 +2,7 @@
 use super::graph::{Graph, Node};
 use std::fmt;
 
-/// How many operations a program has, by kind.
+/// The numbers of operations of a program, by kind.
 ///
 /// ```
 /// use geograd::{Program, Sym, Vec2};

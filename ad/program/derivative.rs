@@ -1,11 +1,11 @@
 //! The derivative of every operation, written once for both directions.
 //!
-//! An operation's derivative with respect to an operand is never a number by itself: it is what a tangent
-//! of the operand becomes ([forward](super::tangent)), or what a cotangent of the operation becomes
-//! ([reverse](super::reverse)). Both are the same product.
+//! An operation's derivative with respect to an operand is never a number by itself: it multiplies a tangent of the
+//! operand ([forward](super::tangent)) or a cotangent of the operation ([reverse](super::reverse)). One function builds
+//! both products.
 use super::graph::{Graph, Id, Node};
 
-/// Returns the operands through which derivatives pass, by their place. The others are decisions or constants.
+/// Returns the operands through which derivatives pass, by their index. The others are decisions or constants.
 pub(super) fn carriers(node: Node) -> &'static [usize] {
     use Node::*;
     match node {
@@ -30,7 +30,7 @@ pub(super) fn carriers(node: Node) -> &'static [usize] {
     }
 }
 
-/// Returns `true` if a zero times the derivative by this operand is zero, whatever the values are.
+/// Returns `true` if a zero times the derivative by this operand is zero for all values.
 pub(super) fn keeps_zero(graph: &Graph, node: Node, operand: usize) -> bool {
     use Node::*;
     let finite = |x| graph.constant(x).is_some_and(f64::is_finite);
@@ -59,8 +59,8 @@ pub(super) fn keeps_zero(graph: &Graph, node: Node, operand: usize) -> bool {
     }
 }
 
-/// Returns the condition, a mask and what it must be, under which a node takes an operand at all. Elsewhere
-/// its derivative is zero, also where the operand's own is infinite.
+/// Returns the condition under which a node uses an operand: a mask and its required value. Elsewhere its derivative is
+/// zero, also where the operand's own is infinite.
 pub(super) fn taken(graph: &mut Graph, node: Node, operand: usize) -> Option<(Id, bool)> {
     use Node::*;
     match node {
@@ -108,7 +108,7 @@ pub(super) fn taken(graph: &mut Graph, node: Node, operand: usize) -> Option<(Id
     }
 }
 
-/// `t` times the derivative of the node at `me` by one of its [carriers].
+/// Returns `t` times the derivative of the node at `me` by one of its [carriers].
 pub(super) fn along(graph: &mut Graph, me: Id, operand: usize, t: Id) -> Id {
     use Node::*;
     let node = graph.at(me);
@@ -195,7 +195,7 @@ pub(super) fn along(graph: &mut Graph, me: Id, operand: usize, t: Id) -> Id {
 
 /// A vector brought to a length of about one by a power of two: squares of very small and of very
 /// large numbers are not numbers of the format.
-struct Scaled {
+struct ScaledVector {
     /// The truth that it is the zero vector, which stays as it is.
     origin: Id,
     /// The power of two.
@@ -204,7 +204,7 @@ struct Scaled {
     parts: [Id; 2],
 }
 
-fn scaled(g: &mut Graph, parts: [Id; 2]) -> Scaled {
+fn scaled(g: &mut Graph, parts: [Id; 2]) -> ScaledVector {
     use Node::*;
     let (zero, one) = (g.lit(0.0), g.lit(1.0));
     let [height, width] = parts.map(|x| g.make(Magnitude(x)));
@@ -217,15 +217,14 @@ fn scaled(g: &mut Graph, parts: [Id; 2]) -> Scaled {
     let origin = g.make(Le(large, zero));
     let large = g.make(Select(origin, one, large));
     let scale = g.make(Binade(large));
-    Scaled {
+    ScaledVector {
         origin,
         scale,
         parts: parts.map(|x| g.make(Mul(x, scale))),
     }
 }
 
-/// `t` times the derivative of the angle of `(x, y)`: `x / r²` by `y`, `−y / r²` by `x`; zero at the
-/// origin.
+/// Returns `t` times the derivative of the angle of `(x, y)`: `x / r²` by `y`, `−y / r²` by `x`; zero at the origin.
 fn along_angle(g: &mut Graph, parts: [Id; 2], operand: usize, t: Id) -> Id {
     use Node::*;
     let vector = scaled(g, parts);
@@ -246,7 +245,7 @@ fn along_angle(g: &mut Graph, parts: [Id; 2], operand: usize, t: Id) -> Id {
     g.make(Select(vector.origin, zero, t))
 }
 
-/// Which nodes depend on one of the first so many numbers of the input in a way that derivatives pass.
+/// Returns which nodes depend on one of the first `inputs` numbers of the input by operations that pass derivatives.
 pub(super) fn active(graph: &Graph, inputs: usize) -> Vec<bool> {
     let mut active: Vec<bool> = Vec::with_capacity(graph.len());
     for &node in graph.nodes() {

@@ -2,7 +2,7 @@
 use super::graph::{Graph, Id, Node};
 use crate::Scalar;
 
-/// The result of a node. No truth is made up beside a number: a traced scalar counts every comparison.
+/// The result of a node. A truth is never compared with a number, since a traced scalar counts every comparison.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Slot<S: Scalar> {
     Number(S),
@@ -93,12 +93,12 @@ pub(crate) fn apply<S: Scalar>(node: Node, inputs: &[S], slot: impl Fn(Id) -> Sl
     })
 }
 
-/// Returns the outputs of a graph at an input, which must have every number that the graph asks for.
+/// Returns the outputs of a graph at an input, which must have every number that the graph uses.
 pub(crate) fn evaluate<S: Scalar>(graph: &Graph, outputs: &[Id], inputs: &[S]) -> Vec<S> {
     evaluate_needed(graph, |_| true, outputs, inputs)
 }
 
-/// Returns the same, without the nodes that no output needs.
+/// Returns the outputs of a graph at an input, without evaluating nodes that no output needs.
 pub(crate) fn evaluate_needed<S: Scalar>(
     graph: &Graph,
     needed: impl Fn(usize) -> bool,

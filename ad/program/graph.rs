@@ -5,18 +5,18 @@
 pub use crate::scalar::real::Format;
 use std::collections::HashMap;
 
-/// The place of a node in its graph.
+/// The index of a node in its graph.
 pub(crate) type Id = u32;
 
 /// One operation on numbers or truths.
 ///
-/// A node means, bit for bit, what the method of [`Scalar`](crate::Scalar) of the same name gives
-/// for `f32` or `f64`, but for the signs of zeros.
+/// A node has, bit for bit, the value of the method of [`Scalar`](crate::Scalar) of that name for `f32` or `f64`,
+/// except for the signs of zeros.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Node {
     /// A number: the bits of an `f64` that holds it, rounded to the format of the program.
     Const(u64),
-    /// The number at this place of the input.
+    /// The number at this index of the input.
     Input(u32),
     /// `−x`.
     Neg(Id),
@@ -185,7 +185,7 @@ impl Node {
     }
 }
 
-/// How many operations back [`Graph::is_number`] looks.
+/// The number of operations that [`Graph::is_number`] follows back.
 const DEPTH: usize = 6;
 
 /// The knowledge of a number's size.
@@ -228,17 +228,17 @@ impl Graph {
         &self.nodes
     }
 
-    /// Returns how many nodes there are.
+    /// Returns the number of nodes.
     pub(crate) fn len(&self) -> usize {
         self.nodes.len()
     }
 
-    /// Returns the node at a place.
+    /// Returns the node at an index.
     pub(crate) fn at(&self, x: Id) -> Node {
         self.nodes[x as usize]
     }
 
-    /// Returns the place of a node as it is, without simplification: the old one if it is known.
+    /// Returns the index of a node as it is, without simplification: that of an equal node if there is one.
     pub(crate) fn push(&mut self, node: Node) -> Id {
         let next = self.nodes.len() as Id;
         let id = *self.known.entry(node).or_insert(next);
@@ -275,7 +275,7 @@ impl Graph {
         self.known_size(x, DEPTH) >= Size::Number
     }
 
-    /// Returns the knowledge of a number's size, from so many operations before it.
+    /// Returns bounds of a number's size, from up to `depth` operations before it.
     fn known_size(&self, x: Id, depth: usize) -> Size {
         use Node::*;
         let Some(depth) = depth.checked_sub(1) else {
@@ -347,8 +347,8 @@ impl Graph {
         graph.depth_first(&outputs)
     }
 
-    /// Returns `true` if the value is zero because a function said so of a number with derivatives
-    /// ([`with_primal`](crate::Scalar::with_primal)): then its products are zero, too.
+    /// Returns `true` if a function set the value to zero and kept the derivatives
+    /// ([`with_primal`](crate::Scalar::with_primal)). Its products are then zero, too.
     fn vanishes(&self, node: Node, vanish: &[bool]) -> bool {
         use Node::*;
         let zero = |x: Id| vanish[x as usize];
@@ -370,7 +370,7 @@ impl Graph {
     fn depth_first(&self, outputs: &[Id]) -> (Graph, Vec<Id>) {
         let mut graph = Graph::new(self.format);
         let mut names = vec![None; self.nodes.len()];
-        // A node comes twice: to ask for its operands, then, when they are there, to be written.
+        // A node is visited twice: first its operands are pushed, then, once they are written, the node is.
         let mut open: Vec<(Id, bool)> = outputs.iter().rev().map(|&x| (x, false)).collect();
         while let Some((x, ready)) = open.pop() {
             if names[x as usize].is_some() {

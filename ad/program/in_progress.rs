@@ -7,7 +7,7 @@ use crate::Unrecordable;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// More operations than any function of fixed size has; a loop that waits for a hint ends here.
+/// More operations than any function of fixed size has; a loop that depends on a hint ends here.
 const MOST_OPERATIONS: usize = 1 << 22;
 
 /// The name of a recording that no recording has: of symbols made outside any.
@@ -23,12 +23,12 @@ thread_local! {
 /// A function being recorded.
 #[derive(Debug)]
 pub(super) struct Recording {
-    /// Which recording it is.
+    /// The number of the recording.
     name: u64,
     pub(super) graph: Graph,
-    /// How many operations were asked for.
+    /// The number of operations requested.
     asked: usize,
-    /// How many times a hint was asked for that was not known.
+    /// The number of hints requested that were not known.
     pub(super) hints: usize,
     /// Why it cannot be recorded.
     flaw: Option<Unrecordable>,
@@ -64,7 +64,7 @@ impl Recording {
     pub(super) fn open(format: Format, plain: bool) -> u64 {
         let mut graph = Graph::new(format);
         graph.plain = plain;
-        // The places that symbols of a spoiled recording point to.
+        // The indices that symbols of a spoiled recording point to.
         graph.lit(0.0);
         let name = NEXT.fetch_add(1, Ordering::Relaxed);
         let recording = Recording {
@@ -86,7 +86,7 @@ impl Recording {
         })
     }
 
-    /// True while a recording is open on this thread.
+    /// Returns `true` while a recording is open on this thread.
     pub(super) fn is_open() -> bool {
         OPEN.with_borrow(|open| !open.is_empty())
     }
@@ -124,7 +124,7 @@ impl Recording {
         self.flaw.get_or_insert(flaw);
     }
 
-    /// Returns the symbol of a place.
+    /// Returns the symbol of an index.
     fn symbol(&self, place: Id) -> Symbol {
         Symbol {
             recording: self.name,
@@ -133,7 +133,7 @@ impl Recording {
     }
 }
 
-/// A place of a recording.
+/// An index of a node in a recording.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Symbol {
     recording: u64,
@@ -147,8 +147,7 @@ impl Symbol {
         place: 0,
     };
 
-    /// Returns the symbol of an operation on symbols, in the recording that is open; `node` gets their
-    /// places.
+    /// Returns the symbol of an operation on symbols, in the recording that is open; `node` receives their indices.
     pub(super) fn made<const N: usize>(
         format: Format,
         operands: [Symbol; N],
@@ -174,8 +173,8 @@ impl Symbol {
         })
     }
 
-    /// Returns the answer to a hint: the truth if it is known, else `unknown`. (The other way round in a
-    /// recording that is spoiled, for loops to end.)
+    /// Returns the result of a hint: the truth if it is known, else `unknown`. In a spoiled recording it is the
+    /// negation, so that loops end.
     pub(super) fn hint(self, unknown: bool) -> bool {
         OPEN.with_borrow_mut(|open| {
             let Some(recording) = open.last_mut() else {
@@ -196,7 +195,7 @@ impl Symbol {
         })
     }
 
-    /// Returns `true` if it stands for no NaN, whatever the inputs are.
+    /// Returns `true` if it is not NaN for any input.
     pub(super) fn is_number(self) -> bool {
         OPEN.with_borrow(|open| match open.last() {
             Some(recording) if recording.name == self.recording && recording.flaw.is_none() => {

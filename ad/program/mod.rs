@@ -17,18 +17,17 @@
 //!
 //! # What can be recorded
 //!
-//! Straight lines: functions with the bound `S: Scalar` alone. Functions with control flow
-//! (`S: Scalar<Mask = bool>`) do not compile with symbols. [`Mask::any`](crate::Mask::any) and
-//! [`Mask::all`](crate::Mask::all) compile, but are only hints; a function whose value depends on their
-//! answer is refused, as is one that uses symbols of another recording or literals that are not finite.
-//! Everything else that the function captures becomes a constant.
+//! Straight lines: functions with the bound `S: Scalar` alone. Functions with control flow (`S: Scalar<Mask = bool>`)
+//! do not compile with symbols. [`Mask::any`](crate::Mask::any) and [`Mask::all`](crate::Mask::all) compile, but are
+//! only hints; a function whose value depends on their result is refused, as is one that uses symbols of another
+//! recording or literals that are not finite. Everything else that the function captures becomes a constant.
 //!
 //! # Guards
 //!
 //! Replace a forbidden divisor or radicand before the operation: `x.over(select(y == 0, 1, y))`. On the processor a
-//! check of the result does as well for values, but neither for derivatives nor in WGSL, whose drivers may assume
-//! that no number is infinite or NaN: there [`finite`](crate::Scalar::finite) and
-//! [`saturated`](crate::Scalar::saturated) of `x / (y − y)` tell nothing.
+//! check of the result also works for values, but neither for derivatives nor in WGSL. Its drivers may assume that no
+//! number is infinite or NaN: there [`finite`](crate::Scalar::finite) and [`saturated`](crate::Scalar::saturated) of
+//! `x / (y − y)` are unreliable.
 //!
 //! # Derivatives
 //!

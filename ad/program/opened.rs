@@ -17,7 +17,7 @@ pub(crate) struct Opened<T> {
 }
 
 impl<T: Real> Opened<T> {
-    /// Opens a recording of a function of so many numbers; refused where one is open on this thread.
+    /// Opens a recording of a function of `inputs` numbers; returns an error if one is open on this thread.
     pub(crate) fn start(inputs: usize) -> Result<Self, Unrecordable> {
         if Recording::is_open() {
             return Err(Unrecordable::Nested);
@@ -54,12 +54,12 @@ impl<T> Drop for Opened<T> {
     }
 }
 
-/// True while a recording is open on this thread.
+/// Returns `true` while a recording is open on this thread.
 pub(crate) fn is_open() -> bool {
     Recording::is_open()
 }
 
-/// An error unless a recording of this format is open on this thread.
+/// Returns an error unless a recording of this format is open on this thread.
 pub(crate) fn is_open_in<T: Real>() -> Result<(), Unrecordable> {
     Recording::takes(T::FORMAT)
 }

@@ -1,4 +1,4 @@
-//! How a function is recorded, and how it is found out whether the recording is that function.
+//! The recording of a function, and the test that the recording equals the function.
 use super::graph::{Id, Node};
 use super::in_progress::Recording;
 use super::packed::numbers;
@@ -6,10 +6,10 @@ use super::recorded::Recorded;
 use super::sym::Sym;
 use crate::{Error, Fixed, Real, Scalar, Unrecordable};
 
-/// How many inputs a function that asks for hints is tried on.
+/// The number of inputs that a function with hints is tried on.
 pub(crate) const TRIALS: usize = 192;
 
-/// The same for one of many replays of a function.
+/// The number of inputs for one of many replays of a function.
 const TRIALS_OF_REPLAY: usize = 12;
 
 /// A function of shapes as one of lists of symbols.
@@ -56,14 +56,14 @@ pub(crate) fn listed<T: Real>(
     function: Listed<'_, T>,
 ) -> Result<Recorded, Error> {
     let (recorded, hints) = recorded(inputs, function).map_err(Error::Program)?;
-    // Without hints there is one way through the function, which was recorded.
+    // Without hints the function has one path, which was recorded.
     if hints > 0 && !(0..trials).all(|trial| agrees(&recorded, inputs, function, trial)) {
         return Err(Error::Program(Unrecordable::Hint));
     }
     Ok(recorded)
 }
 
-/// Returns the program of a function, and how many hints it asked for that were not known.
+/// Returns the program of a function, and the number of hints it requested that were not known.
 fn recorded<T: Real>(
     inputs: usize,
     function: Listed<'_, T>,
@@ -90,7 +90,7 @@ fn run<T: Real>(
     (outputs, recording)
 }
 
-/// Returns the places of the results, which must be of this recording, too.
+/// Returns the indices of the results, which must belong to this recording, too.
 pub(super) fn places<T: Real>(
     recording: &mut Recording,
     results: &[Sym<T>],
@@ -126,8 +126,8 @@ fn agrees<T: Real>(
     places.iter().zip(recorded.run(&input)).all(same)
 }
 
-/// Numbers to try a function on: ties, equal shapes, zeros, positive ones (sizes), signed ones, large and
-/// small ones, by turns.
+/// Returns numbers to try a function on: ties, equal shapes, zeros, positive ones (sizes), signed ones, large and small
+/// ones, by turns.
 fn sample(trial: usize, count: usize) -> Vec<f64> {
     let mut state = (trial as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     // SplitMix64 (Steele, Lea and Flood 2014).

@@ -10,21 +10,21 @@ use crate::{Scalar, Unrecordable};
 pub(crate) struct Recorded {
     /// The recorded graph, with the nodes that only derivatives need.
     graph: Graph,
-    /// Which of its nodes results and their derivatives need.
+    /// `true` for the nodes that results and their derivatives need.
     needed: Vec<bool>,
-    /// How many numbers go in.
+    /// The number of input numbers.
     pub(crate) inputs: usize,
     /// The results, each a [`Node::Canonical`]: zeros have no sign.
     outputs: Vec<Id>,
     /// The gradient of the only result, where it was written by hand.
     by_hand: Option<Vec<Id>>,
     /// The graph without the nodes that only derivatives need.
-    pub(crate) value: Lowered,
+    pub(crate) value: ValueGraph,
 }
 
 /// The graph of the values alone, as machines run it.
 #[derive(Clone, Debug)]
-pub(crate) struct Lowered {
+pub(crate) struct ValueGraph {
     pub(crate) graph: Graph,
     pub(crate) outputs: Vec<Id>,
 }
@@ -38,7 +38,7 @@ impl Recorded {
             .collect();
         let (lowered, results) = graph.lowered(&outputs);
         Recorded {
-            value: Lowered {
+            value: ValueGraph {
                 graph: lowered,
                 outputs: results,
             },
@@ -55,7 +55,7 @@ impl Recorded {
         self.graph.format
     }
 
-    /// Returns an error if a result depends on an infinite or NaN constant.
+    /// Checks that no result depends on an infinite or NaN constant.
     pub(crate) fn checked_constants(self) -> Result<Self, Unrecordable> {
         let needed = (0..self.graph.len()).filter(|&x| self.needed[x]);
         let mut constants = needed.filter_map(|x| self.graph.constant(x as Id));
@@ -79,7 +79,7 @@ impl Recorded {
     }
 
     /// Returns `true` if derivatives in it are multiplied by a share: by a gradient by hand, or by `damp`. Duals of
-    /// duals do not see the derivatives of a share.
+    /// duals do not include the derivatives of a share.
     #[cfg(feature = "check")]
     pub(crate) fn has_shares(&self) -> bool {
         let is_part = |node: &Node| matches!(node, Node::Graft { share: Some(_), .. });
@@ -124,7 +124,7 @@ impl Recorded {
         self.after_result(self.vjp())
     }
 
-    /// [`value_vjp`](Self::value_vjp) by derivatives along one axis of the input after the other.
+    /// Returns [`value_vjp`](Self::value_vjp) by derivatives along one axis of the input after the other.
     pub(crate) fn value_vjp_forwards(&self) -> Recorded {
         let mut graph = self.graph.clone();
         let seeds = places(&mut graph, self.inputs, self.outputs.len());
@@ -161,7 +161,7 @@ impl Recorded {
         Recorded::new(graph, self.inputs, &outputs)
     }
 
-    /// [`value_jacobian`](Self::value_jacobian) by derivatives along one axis of the input after the other.
+    /// Returns [`value_jacobian`](Self::value_jacobian) by derivatives along one axis of the input after the other.
     pub(crate) fn value_jacobian_forwards(&self) -> Recorded {
         let mut graph = self.graph.clone();
         let columns: Vec<Vec<Id>> = (0..self.inputs)
@@ -266,7 +266,7 @@ impl Recorded {
         Recorded::new(self.graph.clone(), self.inputs, &self.outputs[count..])
     }
 
-    /// Returns the same with a gradient by hand, a program with the same input.
+    /// Returns this program with a gradient by hand, a program with the same input.
     pub(crate) fn with_gradient(&self, gradient: &Recorded) -> Recorded {
         let mut made = self.clone();
         let mut ids: Vec<Id> = Vec::with_capacity(gradient.graph.len());
@@ -279,21 +279,22 @@ impl Recorded {
         made
     }
 
-    /// Returns the same with a gradient by hand that another program of the same input gives after the result.
+    /// Returns this program with a gradient by hand: the outputs after the result of another program with the same
+    /// input.
     pub(crate) fn with_gradient_after_result(&self, value_grad: &Recorded) -> Recorded {
         let derivatives = &value_grad.outputs[self.outputs.len()..];
         let gradient = Recorded::new(value_grad.graph.clone(), self.inputs, derivatives);
         self.with_gradient(&gradient)
     }
 
-    /// Returns the same graph with the gradient by hand as result.
+    /// Returns a program of this graph with the gradient by hand as result.
     pub(crate) fn gradient_by_hand(&self) -> Option<Recorded> {
         let gradient = self.by_hand.as_ref()?;
         Some(Recorded::new(self.graph.clone(), self.inputs, gradient))
     }
 }
 
-/// So many further places of the input.
+/// Adds `count` further numbers of the input to a graph, and returns their indices.
 fn places(graph: &mut Graph, from: usize, count: usize) -> Vec<Id> {
     (from..from + count)
         .map(|place| graph.push(Node::Input(place as u32)))

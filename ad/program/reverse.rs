@@ -1,9 +1,8 @@
 //! Reverse mode: cotangents of inputs from cotangents of outputs, as more nodes of the same graph.
 //!
-//! A choice hands its cotangent to the side that was taken. If the other side were given a zero at
-//! once, that zero could meet an infinite derivative further down, and zero times infinity is NaN. So both
-//! sides are given the cotangent as it is, with a *path* that says under which choices it counts; it is
-//! chosen where paths meet again, or at the inputs.
+//! A choice passes its cotangent to the side that was taken. If the other side received a zero at once, that zero could
+//! meet an infinite derivative further down, and zero times infinity is NaN. Both sides therefore receive the cotangent
+//! as it is, with a *path*: the choices under which it counts. It is selected where paths meet again, or at the inputs.
 use super::derivative::{active, along, carriers, keeps_zero, taken};
 use super::graph::{Graph, Id, Node};
 
@@ -24,15 +23,15 @@ struct Bar {
     path: Vec<Guard>,
 }
 
-/// The cotangents on their way down.
+/// The cotangents during the backward pass.
 struct Sweep<'a> {
     graph: &'a mut Graph,
     active: Vec<bool>,
     bars: Vec<Option<Bar>>,
 }
 
-/// Returns the cotangents of the first so many numbers of the input, from those of the outputs, which are
-/// nodes of the graph.
+/// Returns the cotangents of the first `inputs` numbers of the input, from those of the outputs, which are nodes of the
+/// graph.
 pub(super) fn reverse(graph: &mut Graph, outputs: &[Id], seeds: &[Id], inputs: usize) -> Vec<Id> {
     let count = graph.len();
     let mut sweep = Sweep {

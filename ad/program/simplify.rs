@@ -1,13 +1,12 @@
-//! Nodes as they are made: simplified where the result stays the same number.
+//! Simplification of nodes as they are created, by rules that do not change the result.
 //!
-//! Every rule is exact but for the signs of zeros, which no output shows: outputs end in
-//! [`Node::Canonical`]. There is no `0 x = 0` and no `x − x = 0` (wrong for infinite and NaN), no
-//! re-association and no fused rounding.
+//! Every rule is exact except for the signs of zeros, which no output shows: outputs end in [`Node::Canonical`]. There
+//! is no `0 x = 0` and no `x − x = 0` (wrong for infinite and NaN), no re-association and no fused rounding.
 use super::evaluate::{Slot, apply};
 use super::graph::{Format, Graph, Id, Node};
 
 impl Graph {
-    /// Returns the place of a node, or of a simpler one that gives the same.
+    /// Adds a node, or a simpler one with equal value, and returns its index.
     pub(crate) fn make(&mut self, node: Node) -> Id {
         use Node::*;
         if let Some(known) = self.folded(node) {
@@ -194,7 +193,7 @@ impl Graph {
             Not(other) => return self.make(Select(other, no, yes)),
             _ => {}
         }
-        // A choice inside a choice by the same mask is made already.
+        // The outer choice decides a choice inside it by the same mask.
         let yes = match self.at(yes) {
             Select(same, inner, _) if same == mask => inner,
             _ => yes,

@@ -1,4 +1,4 @@
-//! A scalar that records what is done with it.
+//! A scalar that records the operations on it.
 use super::graph::Node;
 use super::in_progress::Symbol;
 use crate::pack::leaf;
@@ -8,9 +8,9 @@ use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub
 
 /// A number of a program that is being recorded: it stands for every `T` that it will be.
 ///
-/// It is a [`Scalar`], so that a generic function can be called with shapes made of it; see
-/// [`Program`](super::Program). A symbol means something only in the recording that made it. Used in
-/// another one, it makes that one end in an error; outside recordings nothing happens to it.
+/// It is a [`Scalar`], so that a generic function can be called with shapes over it; see [`Program`](super::Program). A
+/// symbol is valid only in the recording that created it. Its use in another one ends that one in an error; outside
+/// recordings it has no effect.
 #[derive(Clone, Copy, Debug)]
 pub struct Sym<T> {
     pub(super) symbol: Symbol,
@@ -51,7 +51,8 @@ impl<T: Real> Sym<T> {
         let operands = [self.symbol, other.symbol];
         SymMask::new(Symbol::made(T::FORMAT, operands, |[a, b]| node(a, b)))
     }
-    /// Returns the value of `value`, and of every symbol of the list its derivatives times the number beside it.
+    /// Returns a symbol with the value of `value` and the sum of the derivatives of every symbol of the list times its
+    /// number.
     pub(crate) fn with_derivatives(
         value: Self,
         derivatives: impl Iterator<Item = (Self, Self)>,
@@ -238,7 +239,7 @@ impl<T: Real> Scalar for Sym<T> {
     fn known(self, known: SymMask<T>, nan: Self) -> Self {
         self * Self::select(known, Self::one(), nan)
     }
-    // Recorded as themselves, not as the choices they are made of.
+    // Recorded as nodes of their own, not as choices.
     fn least(self, other: Self) -> Self {
         self.of_two(other, Node::Min)
     }

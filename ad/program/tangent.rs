@@ -15,7 +15,7 @@ pub(super) fn forward(graph: &mut Graph, outputs: &[Id], direction: &[Id]) -> Ve
         let node = graph.at(me);
         let operands = node.operands();
         tangents[i] = match node {
-            // A direction's zeros are known: what they would be multiplied by is left out.
+            // A direction's zeros are known: the factors of products with them are left out.
             Node::Input(place) => {
                 Some(direction[place as usize]).filter(|&t| graph.constant(t) != Some(0.0))
             }

@@ -39,13 +39,13 @@ use std::sync::{Arc, OnceLock};
 pub struct Program<In, Out> {
     recorded: Recorded,
     /// The derived data, shared by clones.
-    pub(crate) kept: Arc<Kept>,
+    pub(crate) kept: Arc<DerivedData>,
     shapes: PhantomData<fn(In) -> Out>,
 }
 
 /// Data that are derived from a program once.
 #[derive(Debug, Default)]
-pub(crate) struct Kept {
+pub(crate) struct DerivedData {
     /// The program of the result with its Jacobian.
     jacobian: OnceLock<Arc<Recorded>>,
     /// The recording that machines run.
@@ -61,10 +61,10 @@ impl<In, Out> Program<In, Out> {
         }
     }
 
-    /// Records a function of shapes made of [`Sym`]: `f32` or `f64`, whichever its symbols stand for.
+    /// Records a function of shapes over [`Sym`]: in `f32` or `f64`, the format of its symbols.
     ///
-    /// The function is called once for the recording, and, if it asks for hints, some hundred times
-    /// more to compare. Numbers that it captures are baked in.
+    /// The function is called once for the recording, and, if it uses hints, some hundred times more to compare.
+    /// Numbers that it captures become constants.
     ///
     /// # Errors
     ///
@@ -107,8 +107,8 @@ impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Program<In, Out> {
         })
     }
 
-    /// Returns the result for an input on any scalar, with its derivatives if it has any. Literals are those of the
-    /// format of the program.
+    /// Returns the result for an input on any scalar, with its derivatives if it has any. Literals have the format of
+    /// the program.
     ///
     /// ```
     /// use geograd::ad::program::{Program, Sym};
@@ -175,8 +175,8 @@ impl<T: Real, In: Fixed<Scalar = T>> Program<In, T> {
         Program::of(self.recorded.hvp())
     }
 
-    /// Returns the Hessian as a program: in row `i` the derivative of the gradient with respect to number `i`
-    /// of the input. `N` must be how many numbers the input has, or the call does not compile.
+    /// Returns the Hessian as a program: in row `i` the derivative of the gradient with respect to number `i` of the
+    /// input. `N` must be the count of numbers of the input, or the call does not compile.
     ///
     /// ```
     /// use geograd::ad::program::{Program, Sym};
@@ -191,9 +191,9 @@ impl<T: Real, In: Fixed<Scalar = T>> Program<In, T> {
         Program::of(self.recorded.hessian())
     }
 
-    /// Returns the same function, whose gradient is given by another one, which is recorded, too: an adjoint by
-    /// hand. [`value_grad`](Program::value_grad), [`vjp`](Program::vjp), [`jvp`](Program::jvp) and
-    /// second derivatives come from it. The harness checks it.
+    /// Returns this program with the gradient by another function, which is recorded, too: an adjoint by hand.
+    /// [`value_grad`](Program::value_grad), [`vjp`](Program::vjp), [`jvp`](Program::jvp) and second derivatives come
+    /// from it. The harness checks it.
     ///
     /// ```
     /// use geograd::ad::program::{Program, Sym};
@@ -260,9 +260,8 @@ impl<T: Real, In: Fixed<Scalar = T>, Out: Fixed<Scalar = T>> Jacobian<Program<In
 }
 
 impl<In: Fixed<Scalar = f32>, Out: Fixed<Scalar = f32>> Program<In, Out> {
-    /// Returns the program as a function in WGSL, from an array of numbers to an array of numbers, in the order
-    /// of the fields. It calls functions of [`WGSL`](super::WGSL), which belongs into the same shader,
-    /// once.
+    /// Returns the program as a function in WGSL, from an array of numbers to an array of numbers, in the order of the
+    /// fields. It calls functions of [`WGSL`](super::WGSL), which the shader must contain once.
     ///
     /// # Errors
     ///

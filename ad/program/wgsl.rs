@@ -18,7 +18,7 @@ const RESERVED: &str = include_str!("reserved.txt");
 const USED: &str =
     "f32 i32 u32 bool array vec2f select bitcast abs min max floor clamp log sqrt round";
 
-/// Returns `Ok` for a name that a function of a shader may have beside [`WGSL`].
+/// Returns `Ok` for a name that a function of a shader with [`WGSL`] may have.
 pub(crate) fn checked(name: &str) -> Result<(), Unrecordable> {
     let letters = |c: char| c == '_' || c.is_ascii_alphanumeric();
     let identifier = name.chars().all(letters)
@@ -54,7 +54,7 @@ pub(crate) struct Taken {
     pub is_exact: bool,
 }
 
-/// Returns a graph without grafts as a function of so many numbers, of which the first ones are described.
+/// Returns the code of a graph without grafts as a function of `inputs` numbers; `taken` describes the first ones.
 pub(crate) fn function_of(
     name: &str,
     graph: &Graph,
@@ -90,8 +90,8 @@ pub(crate) fn function_of(
     text
 }
 
-/// Returns the number that a node rounds to a whole one by adding and subtracting a large one. Drivers may
-/// remove both steps (Mesa's do); WGSL has a function for it, which rounds the same way.
+/// Returns the number that a node rounds to a whole one by adding and subtracting a large one. Drivers may remove both
+/// steps (Mesa's do); WGSL has a function for it, which rounds alike.
 fn rounded(graph: &Graph, node: Node) -> Option<Id> {
     const SHIFT: f64 = 1.5 * (1 << 23) as f64;
     let is_shift = |x: Id| graph.constant(x) == Some(SHIFT);
@@ -105,8 +105,8 @@ fn rounded(graph: &Graph, node: Node) -> Option<Id> {
     }
 }
 
-/// Which sums and differences a driver must compute as they are written. WGSL lets it reorder a sum of several terms,
-/// and Mesa's do, so that errors of rounding become zero and parts that cancel exactly are rounded first.
+/// Returns which sums and differences a driver must compute as they are written. WGSL lets it reorder a sum of several
+/// terms, and Mesa's do. Rounding errors then become zero, and parts that cancel exactly are rounded first.
 ///
 /// These are sums from which a number that is in them is taken away again, as in the error of a difference,
 /// `b - (r - (r - b)) - (a + (r - b))` with `r = b - a`, and [exact](exact) ones to which others are added.
@@ -150,7 +150,7 @@ fn kept(graph: &Graph, taken: &[Taken]) -> Vec<bool> {
     kept
 }
 
-/// Which numbers of a graph are made of constants and high halves of significands by products and sums alone: products
+/// Returns which numbers of a graph are products and sums of constants and high halves of significands alone. Products
 /// of two halves are exact, and so are their sums where they cancel.
 pub(crate) fn exact(graph: &Graph, taken: &[bool]) -> Vec<bool> {
     use Node::*;
@@ -180,7 +180,7 @@ pub(crate) fn exact(graph: &Graph, taken: &[bool]) -> Vec<bool> {
     exact
 }
 
-/// One operation on earlier results, which have names.
+/// Returns the code of one operation on earlier results, which have names.
 fn expression(node: Node, known: &[String]) -> String {
     use Node::*;
     let v = |x: Id| &*known[x as usize];
@@ -219,7 +219,7 @@ fn expression(node: Node, known: &[String]) -> String {
         Rest(a, b, bar) => shared(v(a), v(b), (v(bar), "0f"), v(bar)),
         Lt(a, b) => between(a, "<", b),
         Le(a, b) => between(a, "<=", b),
-        // That a number is none: by its bits, as a driver may assume that every number is one.
+        // The test for NaN is by bits, since a driver may assume that no number is NaN.
         Eq(a, b) if a == b => format!("((bitcast<u32>({}) & 0x7fffffffu) <= 0x7f800000u)", v(a)),
         Eq(a, b) => between(a, "==", b),
         And(a, b) => between(a, "&", b),

@@ -1,9 +1,9 @@
-//! How polylines and clouds of space are drawn, and what is hard about them.
+//! Random polylines and clouds of space, and their hard cases.
 use crate::Vec3;
 use crate::ad::declared::Kind;
 use crate::ad::sample::{Draw, Sample};
 
-/// Points from triples of coordinates.
+/// Returns points from triples of coordinates.
 fn points(all: &[[f64; 3]]) -> Vec<Vec3<f64>> {
     all.iter().map(|&[x, y, z]| Vec3::new(x, y, z)).collect()
 }

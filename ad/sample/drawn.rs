@@ -1,8 +1,8 @@
-//! Inputs without their types: whatever judges them is compiled once, and not once for every kind of input.
+//! Inputs without their types, so that the code that judges them is compiled once, and not for every type of input.
 use crate::ad::declared::Kind;
 #[cfg(feature = "check")]
 use crate::ad::sample::lattice::lattice;
-use crate::ad::sample::{Draw, Family, PLACES, Placed, Sample, moved};
+use crate::ad::sample::{Draw, Family, PLACES, Placement, Sample, moved};
 use std::any::Any;
 
 /// The properties of the shapes of an input, at numbers like its own.
@@ -35,13 +35,13 @@ impl<X: Sample> Near for X {
 /// An input that was drawn.
 pub(crate) trait Drawn: Near {
     fn numbers(&self) -> Vec<f64>;
-    /// Returns the same shapes made of other numbers.
+    /// Returns these shapes with other numbers.
     fn refilled(&self, numbers: &[f64]) -> Box<dyn Drawn>;
-    /// Inputs with fewer shapes in their lists.
+    /// Returns inputs with fewer shapes in their lists.
     fn fewer(&self) -> Box<dyn Iterator<Item = Box<dyn Drawn>> + '_>;
     fn is_inside(&self) -> bool;
     fn outlines(&self) -> Vec<Vec<[f64; 2]>>;
-    /// It, as code.
+    /// Returns the input as code.
     fn code(&self) -> String;
     fn as_any(&self) -> &dyn Any;
     fn near(&self) -> &dyn Near;
@@ -226,8 +226,8 @@ fn elsewhere(x: Box<dyn Drawn>, scale: f64, shift: [f64; 2]) -> Box<dyn Drawn> {
     }
 }
 
-/// Returns the numbers of a hard case in a place; nothing for a shape that cannot turn or does not fit there.
-pub(crate) fn put(x: &dyn Drawn, (angle, scale, shift): Placed) -> Option<Vec<f64>> {
+/// Returns the numbers of a hard case at a placement; nothing for a shape that cannot turn or does not fit there.
+pub(crate) fn put(x: &dyn Drawn, (angle, scale, shift): Placement) -> Option<Vec<f64>> {
     let kinds = x.kinds();
     let turns = |kind: &Kind| kind.is_angle() || *kind == Kind::DirectionX;
     if angle != 0.0 && !kinds.iter().any(turns) {
@@ -237,7 +237,7 @@ pub(crate) fn put(x: &dyn Drawn, (angle, scale, shift): Placed) -> Option<Vec<f6
     x.inside(&there).then_some(there)
 }
 
-/// Returns the numbers of an input where a place was drawn for it; nothing if it does not fit there.
+/// Returns the numbers of an input at a random placement; nothing if it does not fit there.
 pub(crate) fn placed(x: &dyn Drawn, draw: &mut Draw) -> Option<Vec<f64>> {
     let scale = match draw.below(16) {
         0 => 1e-4,

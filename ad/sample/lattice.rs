@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_4;
 /// Steps of the grid: whole numbers are exact, tenths and thirds are rounded.
 const STEPS: [f64; 5] = [1.0, 1.0, 0.5, 0.1, 1.0 / 3.0];
 
-/// Numbers of the given kinds on a grid whose step is drawn, too. They need not keep to the rules of their shapes.
+/// Returns numbers of the given kinds on a grid whose step is drawn, too. They may violate the rules of their shapes.
 pub(crate) fn lattice(kinds: &[Kind], draw: &mut Draw) -> Vec<f64> {
     let step = STEPS[draw.below(STEPS.len())];
     // Few numbers make few inputs with much in common, more of them shapes apart.
@@ -63,7 +63,7 @@ fn quarter(draw: &mut Draw) -> f64 {
     }
 }
 
-/// Returns the places of points among numbers: where each begins, and how many numbers it has.
+/// Returns the ranges of points among numbers: the first index and the count of numbers of each.
 pub(crate) fn places(kinds: &[Kind]) -> Vec<(usize, usize)> {
     let starts = (0..kinds.len()).filter(|&i| kinds[i] == Kind::X);
     let length = |i: usize| {

@@ -1,9 +1,8 @@
 //! Inputs of checks: seeded random inputs and hard cases of every shape.
 //!
-//! A generator of our own keeps the library free of dependencies and the samples the same on every
-//! machine. Random pairs are snapped to each other now and then, so that ties, touching sides and
-//! near ties come up without being asked for; whole inputs are moved far away and scaled, because
-//! that is where digits are lost.
+//! A generator of our own keeps the library free of dependencies and the samples equal on every machine. Random pairs
+//! are snapped to each other now and then, so that ties, touching sides and near ties occur by themselves. Whole inputs
+//! are moved far away and scaled, because digits are lost there.
 mod clouds;
 #[cfg_attr(
     not(feature = "check"),
@@ -30,14 +29,14 @@ pub use crate::ad::sample::drawn::{hard_cases, random};
 pub struct Draw(u64);
 
 impl Draw {
-    /// From a seed; the same seed gives the same numbers on every machine.
+    /// Creates a generator from a seed; one seed gives equal numbers on every machine.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         let mut draw = Draw(seed);
         draw.bits();
         draw
     }
-    /// Sixty-four random bits.
+    /// Returns sixty-four random bits.
     pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -61,7 +60,7 @@ impl Draw {
     pub fn below(&mut self, n: usize) -> usize {
         (self.unit() * n as f64) as usize
     }
-    /// True once in `n` times.
+    /// Returns `true` once in `n` times.
     pub fn once_in(&mut self, n: usize) -> bool {
         self.below(n) == 0
     }
@@ -69,21 +68,21 @@ impl Draw {
 
 /// An input the harness can make up by itself.
 pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
-    /// Returns a random one, of about unit size near the origin.
+    /// Returns a random shape, of about unit size near the origin.
     fn ordinary(draw: &mut Draw) -> Self;
-    /// Returns a random one that is much longer than wide.
+    /// Returns a random shape that is much longer than wide.
     fn thin(draw: &mut Draw) -> Self {
         Self::ordinary(draw)
     }
-    /// Another one that touches this one, exactly or up to rounding.
+    /// Returns another shape that touches this one, exactly or up to rounding.
     fn beside(&self, _draw: &mut Draw) -> Self {
         self.clone()
     }
-    /// Returns a random one whose parts touch.
+    /// Returns a random shape whose parts touch.
     fn touching(draw: &mut Draw) -> Self {
         Self::ordinary(draw)
     }
-    /// Returns a random one of any of these, mostly an ordinary one.
+    /// Returns a random shape of any of these kinds, mostly an ordinary one.
     fn draw(draw: &mut Draw) -> Self {
         if draw.once_in(10) {
             Self::thin(draw)
@@ -95,10 +94,10 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
     fn hard() -> Vec<Self>;
     /// Returns the kind of each number.
     fn kinds(&self) -> Vec<Kind>;
-    /// For each number, the length over which the function may be expected to change.
+    /// Returns for each number the length over which the function may be expected to change.
     fn scales(&self) -> Vec<f64>;
-    /// For each number, the largest number of the same unit that it is added to: the size of the
-    /// shape for its coordinates, one for angles.
+    /// Returns for each number the largest number of the same unit that it is added to: the size of the shape for its
+    /// coordinates, one for angles.
     fn extents(&self) -> Vec<f64> {
         let (kinds, scales) = (self.kinds(), self.scales());
         let largest = (0..kinds.len())
@@ -107,7 +106,7 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
         let extent = |kind: &Kind| if kind.is_length() { largest } else { 1.0 };
         kinds.iter().map(extent).collect()
     }
-    /// For each number, its unit: the size of the smaller shape for lengths, one for angles.
+    /// Returns for each number its unit: the size of the smaller shape for lengths, one for angles.
     fn units(&self) -> Vec<f64> {
         self.extents()
     }
@@ -117,14 +116,14 @@ pub trait Sample: Pack<Scalar = f64> + std::fmt::Debug + 'static {
     fn outlines(&self) -> Vec<Vec<[f64; 2]>> {
         Vec::new()
     }
-    /// How each of its parts is drawn, a part for every shape of a tuple.
+    /// Returns the samplers of its parts, one for every shape of a tuple.
     #[doc(hidden)]
     fn samplers() -> Vec<Sampler> {
         vec![Sampler::of::<Self>()]
     }
 }
 
-/// How a shape is drawn, without its type: its numbers as lists.
+/// The sampling of a shape without its type: its numbers as lists.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(
     not(feature = "check"),
@@ -143,7 +142,7 @@ pub struct Sampler {
 }
 
 impl Sampler {
-    /// That of a shape of fixed size.
+    /// Returns the sampler of a shape of fixed size.
     #[must_use]
     pub fn of<X: Sample>() -> Self {
         // Hard cases are shapes of every kind.
@@ -164,7 +163,7 @@ impl Sampler {
             inside: |x| like::<X>(x).is_some_and(|x| x.inside()),
         }
     }
-    /// Returns the scalars of a random one.
+    /// Returns the scalars of a random shape.
     #[must_use]
     pub fn draw(&self, draw: &mut Draw) -> Vec<f64> {
         (self.draw)(draw)
@@ -174,17 +173,17 @@ impl Sampler {
     pub fn hard(&self) -> Vec<Vec<f64>> {
         (self.hard)()
     }
-    /// That of a lone number.
+    /// Returns the sampler of a lone number.
     #[must_use]
     pub fn number() -> Self {
         Sampler::of::<f64>()
     }
 }
 
-/// Which inputs to draw.
+/// A family of inputs to draw.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Family {
-    /// Whatever the harness itself draws: of all the others some.
+    /// The mixture that the harness itself draws: some of each other family.
     #[default]
     Any,
     /// The cases at which geometry fails.
@@ -205,7 +204,7 @@ pub enum Family {
 
 /// Puts a whole input elsewhere: rotation about the origin of the plane, then scaling, then translation along x and y.
 ///
-/// Inputs need not stay what they are to be worth a look: heights and rotations of space stay.
+/// The moved input need not be equivalent: heights and rotations of space stay as they are.
 /// [`moved_by`](crate::ad::check::symmetry::moved_by) has the motions of space.
 #[must_use]
 pub fn moved(x: &[f64], kinds: &[Kind], angle: f64, scale: f64, shift: [f64; 2]) -> Vec<f64> {
@@ -227,10 +226,10 @@ pub fn moved(x: &[f64], kinds: &[Kind], angle: f64, scale: f64, shift: [f64; 2])
         .collect()
 }
 
-/// A place: an angle by which an input is turned, a scale, and a shift.
-type Placed = (f64, f64, [f64; 2]);
-/// The places of hard cases: turned by an angle, scaled, moved away.
-const PLACES: [Placed; 7] = [
+/// A placement of an input: an angle by which it is turned, a scale, and a translation.
+type Placement = (f64, f64, [f64; 2]);
+/// The placements of hard cases: turned by an angle, scaled, moved away.
+const PLACES: [Placement; 7] = [
     (0.0, 1.0, [0.0, 0.0]),
     (0.0, 1.0, [1e5, 3.0]),
     (0.0, 1e-4, [0.0, 0.0]),
@@ -240,7 +239,7 @@ const PLACES: [Placed; 7] = [
     (FRAC_PI_2, 1.0, [0.0, 0.0]),
 ];
 
-/// Simpler inputs, simplest first: fewer elements, then fewer digits. For shrinking.
+/// Returns simpler inputs, simplest first: fewer elements, then fewer digits. For shrinking.
 pub fn simpler<S: Scalar + Float, X: Pack<Scalar = S>>(x: &X) -> impl Iterator<Item = X> {
     let list: Vec<f64> = x.scalars().iter().map(|x| x.widen()).collect();
     let refilled = |list: Vec<f64>| {
@@ -276,7 +275,7 @@ pub(crate) fn fewer_digits(list: Vec<f64>) -> impl Iterator<Item = Vec<f64>> {
     })
 }
 
-/// How long a number is when written out.
+/// Returns the length of a number when written out.
 fn digits(x: f64) -> usize {
     if x == 0.0 { 0 } else { format!("{x:e}").len() }
 }

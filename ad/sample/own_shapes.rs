@@ -1,4 +1,4 @@
-//! How the library's own shapes are drawn, what is hard about them, and pairs of them.
+//! Random shapes of the library, pairs of them, and their hard cases.
 use crate::ad::declared::Kind;
 use crate::ad::sample::several::{together, units};
 use crate::ad::sample::{Draw, Sample, Sampler};
@@ -29,7 +29,7 @@ impl Sample for Obb2<f64> {
         }
     }
     fn beside(&self, draw: &mut Draw) -> Self {
-        // Side along side, or corner to corner where `along` is as large as it gets.
+        // Side along side, or corner to corner if `along` has its largest value.
         let other = Self::ordinary(draw);
         let reach = (self.size + other.size) * 0.5;
         let across = if draw.once_in(2) { -1.0 } else { 1.0 };

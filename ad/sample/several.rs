@@ -5,7 +5,7 @@ use crate::ad::sample::{Draw, Sample, Sampler};
 use std::array::from_fn;
 use std::f64::consts::FRAC_PI_2;
 
-/// How often a shape is drawn anew when its own rules refuse it.
+/// The number of times that a shape is drawn anew if its own rules refuse it.
 const TRIES: usize = 100;
 /// The most hard cases of a derived shape: batches and pairs combine them further.
 const SHAPES: usize = 20;
@@ -50,12 +50,12 @@ pub fn joined<T: Clone, const N: usize>(parts: [Vec<T>; N]) -> Vec<T> {
     parts.concat()
 }
 
-/// Returns the same kind so many times.
+/// Returns `count` copies of a kind.
 pub fn all(kind: Kind, count: usize) -> Vec<Kind> {
     vec![kind; count]
 }
 
-/// Returns the kinds of points as those of directions.
+/// Replaces the kinds of points by those of directions.
 pub fn as_directions(kinds: Vec<Kind>) -> Vec<Kind> {
     let of = |kind| match kind {
         Kind::X => Kind::DirectionX,
@@ -75,7 +75,7 @@ pub fn as_lengths(kinds: Vec<Kind>) -> Vec<Kind> {
     kinds.into_iter().map(of).collect()
 }
 
-/// Returns the kinds of points in space as those of rotation vectors.
+/// Replaces the kinds of points in space by those of rotation vectors.
 pub fn as_rotation_vectors(kinds: Vec<Kind>) -> Vec<Kind> {
     let of = |kind| match kind {
         Kind::X => Kind::RotationVectorX,
@@ -86,17 +86,17 @@ pub fn as_rotation_vectors(kinds: Vec<Kind>) -> Vec<Kind> {
     kinds.into_iter().map(of).collect()
 }
 
-/// Numbers of about one as angles.
+/// Turns numbers of about one into angles.
 pub fn as_angle(part: &mut impl Pack<Scalar = f64>) {
     part.each(&mut |x| *x *= FRAC_PI_2);
 }
 
-/// Numbers without their sign.
+/// Removes the sign of numbers.
 pub fn as_non_negative(part: &mut impl Pack<Scalar = f64>) {
     part.each(&mut |x| *x = x.abs());
 }
 
-/// Numbers without their sign, and one instead of zero.
+/// Removes the sign of numbers and replaces zero by one.
 pub fn as_positive(part: &mut impl Pack<Scalar = f64>) {
     part.each(&mut |x| *x = if *x == 0.0 { 1.0 } else { x.abs() });
 }
@@ -111,7 +111,7 @@ pub fn in_order<P: Pack<Scalar = f64>>(low: &mut P, high: &mut P) {
     *high = high.refill(&ordered(f64::max));
 }
 
-/// Hard cases of parts, combined: all combinations, or some of many.
+/// Combines hard cases of parts: all combinations, or some of many.
 pub(crate) fn combinations(counts: &[usize], most: usize) -> Vec<Vec<usize>> {
     let total = counts
         .iter()
@@ -139,7 +139,7 @@ pub(crate) fn combinations(counts: &[usize], most: usize) -> Vec<Vec<usize>> {
     all
 }
 
-/// Hard cases of a derived shape: those of its fields, combined.
+/// Returns the hard cases of a derived shape: those of its fields, combined.
 pub fn combined<X: Sample>(
     counts: &[usize],
     make: impl Fn(&[usize]) -> X,
@@ -154,7 +154,7 @@ pub fn combined<X: Sample>(
     all.filter(Sample::inside).collect()
 }
 
-/// Now and then some numbers of one part of an input are those of another part, exactly or nearly.
+/// Replaces some numbers of one part of an input, now and then, by those of another part, exactly or nearly.
 pub fn mingled<X: Sample>(x: X, lengths: &[usize], draw: &mut Draw) -> X {
     let (mut numbers, kinds) = (x.scalars(), x.kinds());
     if !mingle(&mut numbers, &kinds, lengths, draw) {
@@ -164,7 +164,7 @@ pub fn mingled<X: Sample>(x: X, lengths: &[usize], draw: &mut Draw) -> X {
     if mingled.inside() { mingled } else { x }
 }
 
-/// Returns the same of plain numbers; false where all stay as they are.
+/// Replaces some numbers of one part by those of another part; returns `false` if all stay as they are.
 pub(crate) fn mingle(
     numbers: &mut [f64],
     kinds: &[Kind],
@@ -195,7 +195,7 @@ pub(crate) fn mingle(
     true
 }
 
-/// Returns an input whose second part is put beside its first, where they are of one kind.
+/// Returns an input whose second part touches its first, if both are of one kind.
 fn beside<X: Sample>(x: X, lengths: &[usize], near: Option<Vec<f64>>) -> X {
     let (Some(near), [n, m, ..]) = (near, lengths) else {
         return x;
@@ -209,15 +209,15 @@ fn beside<X: Sample>(x: X, lengths: &[usize], near: Option<Vec<f64>>) -> X {
     if there.inside() { there } else { x }
 }
 
-/// Lengths over which a function of several parts may be expected to change, from those of each: the
-/// smallest part says so for all, and a turn moves the far end of the largest one.
+/// Returns the lengths over which a function of several parts may be expected to change, from those of each part. The
+/// smallest part bounds all of them. A turn moves the far end of the largest one.
 pub fn together(own: Vec<f64>, kinds: &[Kind]) -> Vec<f64> {
     let lengths = || own.iter().zip(kinds).filter(|(_, kind)| kind.is_length());
     let place = lengths().fold(f64::INFINITY, |m, (s, k)| match k {
         k if k.is_place() => m.min(*s),
         _ => m,
     });
-    // Without a place all are lengths along one line.
+    // Without coordinates of a point all are lengths along one line.
     let place = match kinds.iter().any(|kind| kind.is_place()) {
         true => place,
         false => lengths().fold(place, |m, (s, _)| m.min(*s)),
@@ -233,7 +233,7 @@ pub fn together(own: Vec<f64>, kinds: &[Kind]) -> Vec<f64> {
     own.iter().zip(kinds).map(scale).collect()
 }
 
-/// Units of several parts: the size of the smallest for lengths, one for everything else.
+/// Returns units of several parts: the size of the smallest for lengths, one for everything else.
 pub fn units(extents: &[f64], kinds: &[Kind]) -> Vec<f64> {
     let lengths = extents
         .iter()

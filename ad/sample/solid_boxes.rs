@@ -1,4 +1,4 @@
-//! How boxes of space are drawn, and what is hard about them.
+//! Random boxes of space, and their hard cases.
 //!
 //! Boxes of any orientation turn about all axes, upright ones about z, axis-aligned ones not at all.
 use crate::ad::declared::Kind;
@@ -13,7 +13,7 @@ fn tall(draw: &mut Draw) -> f64 {
     draw.within(0.2, 3.0)
 }
 
-/// One minus or plus.
+/// Returns minus one or one.
 fn sign(draw: &mut Draw) -> f64 {
     if draw.once_in(2) { -1.0 } else { 1.0 }
 }
@@ -23,8 +23,8 @@ fn vector([x, y, z]: [f64; 3]) -> Vec3<f64> {
     Vec3::new(x, y, z)
 }
 
-/// Returns the scale of every number of a place, and of every size: sizes of their own magnitude, where there is
-/// one, and places in which a box of such sizes moves by a share of itself.
+/// Returns the scales of a box's centre and sizes. Sizes have their own magnitude as scale, or the largest one for
+/// zero. The centre has the geometric mean of the sizes, or a thousandth of the largest.
 fn lengths(size: Vec3<f64>) -> [f64; 6] {
     let size = [size.x, size.y, size.z];
     let largest = match size.into_iter().fold(0.0_f64, f64::max) {
@@ -37,13 +37,13 @@ fn lengths(size: Vec3<f64>) -> [f64; 6] {
     [place, place, place, own[0], own[1], own[2]]
 }
 
-/// Returns how far a turn may go: what moves the ends of a box by about as much as its place may.
+/// Returns the largest angle of a turn: it moves the ends of a box by about as much as its centre may move.
 fn turn(lengths: &[f64; 6]) -> f64 {
     lengths[0] / lengths[3].max(lengths[4]).max(lengths[5])
 }
 
-/// From the centre of one box to that of another of the same axes which touches it: face on face, edge on
-/// edge or corner on corner.
+/// Returns the vector from the centre of one box to that of another of equal axes that touches it: face on face, edge
+/// on edge or corner on corner.
 fn touching(own: Vec3<f64>, other: Vec3<f64>, draw: &mut Draw) -> [f64; 3] {
     let reach = (own + other) * 0.5;
     let across = draw.below(3);
@@ -85,7 +85,7 @@ impl Sample for Vec3<f64> {
         vector([0; 3].map(|_| draw.within(-2.0, 2.0)))
     }
     fn hard() -> Vec<Self> {
-        // The middle, a face, an edge and a corner of hard boxes, and places off all of them.
+        // The middle, a face, an edge and a corner of hard boxes, and points off all of them.
         let all = [
             [0.0, 0.0, 0.0],
             [1.0, 0.0, 0.0],

@@ -50,7 +50,7 @@ pub struct Shapes<X> {
     shape: PhantomData<fn() -> X>,
 }
 
-/// Shapes of a family.
+/// Returns the strategy for the shapes of a family.
 pub fn of<X: Sample>(family: Family) -> Shapes<X> {
     Shapes {
         family,
@@ -68,7 +68,7 @@ macro_rules! families {
     )* };
 }
 families! {
-    /// Whatever the harness itself draws.
+    /// The mixture that the harness itself draws.
     any = Any;
     /// The cases at which geometry fails: ties, zero sizes, shapes inside each other.
     hard = Hard;
@@ -149,8 +149,8 @@ impl<X: Sample> ValueTree for Simpler<X> {
         !self.done && self.advance()
     }
     fn complicate(&mut self) -> bool {
-        // Back at what fails, the runner asks for something simpler once more, and goes on to the
-        // next part of a tuple when there is nothing; a plain no would end it all.
+        // Back at the input that fails, the runner requests a simpler one once more, and goes on to the next part of a
+        // tuple if there is none. Returning `false` would end the search.
         if self.done {
             return false;
         }

@@ -11,9 +11,9 @@ pub(super) struct Border {
     pub end: IntPoint<i64>,
 }
 
-/// How two edges meet.
-enum Meeting {
-    /// In a vertex of one ring, or in two that follow each other at one place.
+/// The kinds of meetings of two edges.
+enum EdgeMeeting {
+    /// In a vertex of one ring, or in two successive ones that coincide.
     Joined([VertexId; 2]),
     /// They cross.
     Across(Origin),
@@ -21,19 +21,19 @@ enum Meeting {
     InLine,
 }
 
-/// How the edges before and after a place meet there.
-fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> Meeting {
+/// Returns the kind of meeting of the edges before and after a vertex of the border.
+fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> EdgeMeeting {
     let (first, second) = (&grid.edges[before], &grid.edges[after]);
     let own = (first.vertex_at(at), second.vertex_at(at));
     if let (Some(u), Some(v)) = own
         && before != after
         && grid.is_joined(u, v)
     {
-        return Meeting::Joined([u, v]);
+        return EdgeMeeting::Joined([u, v]);
     }
     let (u, v) = (first.along, second.along);
-    // If both end here, the crossing of edges that rounding makes parallel to a thousandth of a right angle's
-    // digits could be anywhere; both own vertices are as good.
+    // If both end here, the crossing of edges that rounding makes parallel to a thousandth of a right angle's digits
+    // could be anywhere; the vertices of both edges are then taken.
     let slight = if own.0.is_some() && own.1.is_some() {
         1e-13
     } else {
@@ -41,11 +41,11 @@ fn meeting(grid: &Grid, before: usize, after: usize, at: IntPoint<i64>) -> Meeti
     };
     let cross = u.perp_dot(v).abs();
     if before == after || cross <= slight * u.length() * v.length() {
-        return Meeting::InLine;
+        return EdgeMeeting::InLine;
     }
-    // Both orders give one origin, so that equal origins are found equal.
+    // Both orders give one origin, so that equal origins compare equal.
     let (p, q) = (first.id.min(second.id), first.id.max(second.id));
-    Meeting::Across(Origin::Cross(p, q))
+    EdgeMeeting::Across(Origin::Cross(p, q))
 }
 
 /// Adds the vertex between two pieces of the border: two vertices where they are in line, or where an
@@ -58,7 +58,7 @@ pub(super) fn corner(grid: &Grid, before: &Border, after: &Border, trace: &mut O
     }
 }
 
-/// Returns the origins of the end of a piece of the border and of the start of the next one, which are at one place.
+/// Returns the origins of the end of a piece of the border and of the start of the next one, which coincide.
 ///
 /// The ends of a piece on several edges move with the mean of these.
 pub(super) fn origins(grid: &Grid, before: &Border, after: &Border) -> [Vec<Origin>; 2] {
@@ -80,7 +80,7 @@ fn push(trace: &mut OverlayTrace, origins: &[Origin]) {
     }
 }
 
-/// Returns the vertices at which every edge before goes on in one after.
+/// Returns the vertices at which every edge before continues in one after.
 fn joined(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 2]> {
     if before.edges.len() != after.edges.len() {
         return None;
@@ -90,7 +90,7 @@ fn joined(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 
     for &i in &before.edges {
         let mut next = after.edges.iter().filter(|j| !taken.contains(*j));
         let (j, pair) = next.find_map(|&j| match meeting(grid, i, j, before.end) {
-            Meeting::Joined(pair) => Some((j, pair)),
+            EdgeMeeting::Joined(pair) => Some((j, pair)),
             _ => None,
         })?;
         taken.push(j);
@@ -100,15 +100,15 @@ fn joined(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 
     Some(found)
 }
 
-/// Returns the places at which all edges before cross all after, or are joined to them.
+/// Returns the points at which all edges before cross all after, or are joined to them.
 fn across(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 2]> {
     let mut found = [Vec::new(), Vec::new()];
     for &i in &before.edges {
         for &j in &after.edges {
             let pair = match meeting(grid, i, j, before.end) {
-                Meeting::Joined(pair) => pair.map(Origin::Vertex),
-                Meeting::Across(origin) => [origin; 2],
-                Meeting::InLine => return None,
+                EdgeMeeting::Joined(pair) => pair.map(Origin::Vertex),
+                EdgeMeeting::Across(origin) => [origin; 2],
+                EdgeMeeting::InLine => return None,
             };
             found[0].push(pair[0]);
             found[1].push(pair[1]);
@@ -117,7 +117,7 @@ fn across(grid: &Grid, before: &Border, after: &Border) -> Option<[Vec<Origin>; 
     Some(found)
 }
 
-/// Returns the place on one of several edges in line with each other at which another one begins or ends.
+/// Returns the point on one of several collinear edges at which another one begins or ends.
 fn in_line(grid: &Grid, edge: usize, before: &Border, after: &Border, at: IntPoint<i64>) -> Origin {
     let here = &grid.edges[edge];
     if let Some(vertex) = here.vertex_at(at) {

@@ -1,11 +1,11 @@
 //! Edges cut into pieces that meet at their ends only, or the answer that these would be too many.
 //!
-//! i_overlay cuts edges where they cross, rounds these places to the grid, and begins again until nothing
-//! crosses. Some edges lie within a few steps of each other over a length of many steps. Then each round bends
-//! pieces to where they cross anew. Their number doubles until pieces are about as short as steps: more of them
-//! than fit any memory. i_overlay has no limit of rounds. So the rounds of such edges are here, by its rules
-//! (those of version 9.1, bit for bit) and with a limit; i_overlay then finds nothing left to cut. `Cargo.toml` admits
-//! that version only, and a test compares both ([`is_cut_alike`](super::is_cut_alike)).
+//! i_overlay cuts edges where they cross, rounds these points to the grid, and begins again until nothing crosses. Some
+//! edges lie within a few steps of each other over a length of many steps. Then each round bends pieces to where they
+//! cross anew. Their number doubles until pieces are about as short as steps, which exceeds any memory. i_overlay has
+//! no limit of rounds. This file therefore runs the rounds of such edges, by i_overlay's rules (of version 9.1, bit for
+//! bit) and with a limit; i_overlay then has nothing left to cut. `Cargo.toml` admits that version only, and a test
+//! compares both ([`is_cut_alike`](super::is_cut_alike)).
 use i_overlay::i_float::int::number::int::IntNumber;
 use i_overlay::i_float::int::number::product_uint::UIntProduct;
 use i_overlay::i_float::int::number::uint::UIntNumber;
@@ -13,10 +13,10 @@ use i_overlay::i_float::int::point::IntPoint;
 
 type Point = IntPoint<i64>;
 
-/// How often as many pieces as after the first round there may be, and how many more.
+/// The growth of the number of pieces that is allowed after the first round: a factor, and a number of pieces.
 const GROWTH: (usize, usize) = (8, 1024);
 
-/// How many rounds there may be: by then ends attract crossings from everywhere.
+/// The largest number of rounds: by then ends attract crossings from everywhere.
 const ROUNDS: u32 = 120;
 
 /// The difference of directions, in radians or half of that, up to which the pieces of two edges may become many.
@@ -24,21 +24,22 @@ const ROUNDS: u32 = 120;
 /// because ends attract crossings from further away in every round.
 const SLIGHT: f64 = 1.0 / (1 << 20) as f64;
 
-/// How many steps apart edges are close to each other, and for how many steps they may be it.
+/// The distance in steps within which edges are close to each other, and the number of steps over which they may be
+/// close.
 const CLOSE: (f64, f64) = (16.0, 256.0);
 
 /// Edges or pieces of them, each with the number of its edge.
 pub(super) type Numbered = Vec<(usize, [Point; 2])>;
 
-/// True if pieces of edges could become many: two edges lie along each other, but for some steps. Edges that are
-/// the same, and those parallel to one axis, are not bent by rounding.
+/// Returns `true` if the number of pieces could become large: two edges lie along each other within a few steps of the
+/// grid. Rounding does not bend edges that are equal or parallel to one axis.
 pub(super) fn may_grow(edges: &[(usize, [Point; 2])]) -> bool {
     if edges.iter().all(|(_, ends)| is_level(*ends)) {
         return false;
     }
     let places = edges.iter().enumerate();
     let mut order: Vec<(f64, usize)> = places.map(|(k, (_, x))| (direction(*x), k)).collect();
-    // Directions are the same half a turn on.
+    // A direction and its opposite are equal here.
     for k in 0..order.len() {
         if order[k].0 <= SLIGHT {
             order.push((order[k].0 + 2.0, order[k].1));
@@ -52,7 +53,7 @@ pub(super) fn may_grow(edges: &[(usize, [Point; 2])]) -> bool {
         .any(|group| group.len() > 1 && are_along(alike(group)))
 }
 
-/// True if any of some edges that are nearly parallel lie along each other.
+/// Returns `true` if any two of some edges that are nearly parallel lie along each other.
 fn are_along(mut alike: Vec<[Point; 2]>) -> bool {
     if alike.iter().all(|&ends| is_level(ends)) {
         return false;
@@ -67,7 +68,7 @@ fn are_along(mut alike: Vec<[Point; 2]>) -> bool {
     })
 }
 
-/// True for an edge parallel to an axis.
+/// Returns `true` for an edge parallel to an axis.
 fn is_level([a, b]: [Point; 2]) -> bool {
     a.x == b.x || a.y == b.y
 }
@@ -83,7 +84,7 @@ fn direction([a, b]: [Point; 2]) -> f64 {
     }
 }
 
-/// True if two edges that are nearly parallel lie along each other.
+/// Returns `true` if two edges that are nearly parallel lie along each other.
 fn is_along(p: [Point; 2], q: [Point; 2]) -> bool {
     if p == q || p == [q[1], q[0]] || is_level(p) && is_level(q) {
         return false;
@@ -107,7 +108,7 @@ fn is_along(p: [Point; 2], q: [Point; 2]) -> bool {
 
 /// A piece of an edge of an input.
 #[derive(Clone, Copy)]
-struct Piece {
+struct EdgePiece {
     /// Its ends, the smaller one by x, then y, first.
     ends: [Point; 2],
     /// The number of its edge, and whether the edge runs from the first end to the second.
@@ -117,13 +118,13 @@ struct Piece {
     is_new: bool,
 }
 
-impl Piece {
+impl EdgePiece {
     fn new([from, to]: [Point; 2], edge: u32, forward: bool, is_new: bool) -> Self {
         let (ends, forward) = match from < to {
             true => ([from, to], forward),
             false => ([to, from], !forward),
         };
-        Piece {
+        EdgePiece {
             ends,
             edge,
             forward,
@@ -132,7 +133,7 @@ impl Piece {
     }
 }
 
-/// All pieces that lie between the same two ends.
+/// All pieces between two ends.
 #[derive(Clone, Copy)]
 struct Line {
     ends: [Point; 2],
@@ -144,21 +145,21 @@ struct Line {
     is_new: bool,
 }
 
-/// A place at which a line is to be cut.
+/// A point at which a line is to be cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Cut {
+struct CutPoint {
     line: u32,
     at: Point,
 }
 
-/// Edges in pieces that meet at their ends only. `None` when there would be too many. An edge is of the second input as
-/// its number says.
+/// Cuts edges into pieces that meet at their ends only. Returns `None` if there would be too many. `of_second` tells by
+/// an edge's number if it belongs to the second input.
 pub(super) fn cut(
     edges: &[(usize, [Point; 2])],
     of_second: impl Fn(usize) -> bool,
 ) -> Option<Numbered> {
-    let whole = |&(k, ends): &(usize, [Point; 2])| Piece::new(ends, k as u32, true, true);
-    let mut pieces: Vec<Piece> = edges.iter().map(whole).collect();
+    let whole = |&(k, ends): &(usize, [Point; 2])| EdgePiece::new(ends, k as u32, true, true);
+    let mut pieces: Vec<EdgePiece> = edges.iter().map(whole).collect();
     let (mut lines, mut cuts) = (Vec::new(), Vec::new());
     let mut most = usize::MAX;
     for round in 0..ROUNDS {
@@ -167,7 +168,7 @@ pub(super) fn cut(
         let is_rounded = crossings(&lines, 1 << round, &mut cuts);
         apply(&mut pieces, &lines, &mut cuts);
         if !is_rounded {
-            let ends = |piece: &Piece| match piece.forward {
+            let ends = |piece: &EdgePiece| match piece.forward {
                 true => piece.ends,
                 false => [piece.ends[1], piece.ends[0]],
             };
@@ -183,9 +184,9 @@ pub(super) fn cut(
     None
 }
 
-/// Makes lines of pieces. Pieces of both inputs that run as often one way as the other bound nothing and are left
-/// out.
-fn merge(pieces: &mut Vec<Piece>, lines: &mut Vec<Line>, of_second: &impl Fn(usize) -> bool) {
+/// Collects pieces into lines. Pieces of both inputs that run equally often in both directions bound nothing and are
+/// left out.
+fn merge(pieces: &mut Vec<EdgePiece>, lines: &mut Vec<Line>, of_second: &impl Fn(usize) -> bool) {
     pieces.sort_unstable_by_key(|piece| piece.ends);
     lines.clear();
     let (mut from, mut kept) = (0, 0);
@@ -215,9 +216,9 @@ fn merge(pieces: &mut Vec<Piece>, lines: &mut Vec<Line>, of_second: &impl Fn(usi
     pieces.truncate(kept);
 }
 
-/// Adds the crossings of lines, which are in ascending order; `true` if any of these places was rounded. No two
-/// lines that the last round left alone cross.
-fn crossings(lines: &[Line], radius: u128, cuts: &mut Vec<Cut>) -> bool {
+/// Adds the crossings of lines, which are in ascending order; `true` if any of these points was rounded. No two lines
+/// that the last round left alone cross.
+fn crossings(lines: &[Line], radius: u128, cuts: &mut Vec<CutPoint>) -> bool {
     let mut is_rounded = false;
     let bands = Bands::new(lines);
     let mut open: Vec<Vec<u32>> = vec![Vec::new(); bands.count];
@@ -274,20 +275,26 @@ impl Bands {
     }
 }
 
-/// On which side of a directed line a place is: 1 on the left, -1 on the right. Differences have up to 62 bits.
+/// Returns the side of a directed line on which a point lies: 1 on the left, -1 on the right, 0 on the line.
+/// Differences have up to 62 bits.
 fn side(from: Point, to: Point, at: Point) -> i128 {
     let [ux, uy, vx, vy] =
         [to.x - from.x, to.y - from.y, at.x - from.x, at.y - from.y].map(i128::from);
     (ux * vy - uy * vx).signum()
 }
 
-/// Adds the places at which two lines are to be cut, the first in order first; `true` if that is not their exact
+/// Adds the points at which two lines are to be cut, the first in order first; `true` if that is not their exact
 /// crossing.
 ///
 /// An end whose squared distance from the crossing is at most `radius` takes its place.
-fn cross([p, q]: [[Point; 2]; 2], numbers: [u32; 2], radius: u128, cuts: &mut Vec<Cut>) -> bool {
+fn cross(
+    [p, q]: [[Point; 2]; 2],
+    numbers: [u32; 2],
+    radius: u128,
+    cuts: &mut Vec<CutPoint>,
+) -> bool {
     let mut add = |k: usize, at| {
-        cuts.push(Cut {
+        cuts.push(CutPoint {
             line: numbers[k],
             at,
         });
@@ -379,7 +386,7 @@ fn meeting(p: [Point; 2], q: [Point; 2]) -> Point {
 }
 
 /// Cuts the pieces of lines.
-fn apply(pieces: &mut Vec<Piece>, lines: &[Line], cuts: &mut Vec<Cut>) {
+fn apply(pieces: &mut Vec<EdgePiece>, lines: &[Line], cuts: &mut Vec<CutPoint>) {
     cuts.sort_unstable();
     cuts.dedup();
     pieces.iter_mut().for_each(|piece| piece.is_new = false);
@@ -389,19 +396,19 @@ fn apply(pieces: &mut Vec<Piece>, lines: &[Line], cuts: &mut Vec<Cut>) {
         order(group, ends);
         let first = if line > 0 { lines[line - 1].last } else { 0 };
         for k in first..lines[line].last {
-            let Piece { edge, forward, .. } = pieces[k];
-            pieces[k] = Piece::new([ends[0], group[0].at], edge, forward, true);
+            let EdgePiece { edge, forward, .. } = pieces[k];
+            pieces[k] = EdgePiece::new([ends[0], group[0].at], edge, forward, true);
             let to = group[1..].iter().map(|cut| cut.at).chain([ends[1]]);
             for (cut, to) in group.iter().zip(to) {
-                pieces.push(Piece::new([cut.at, to], edge, forward, true));
+                pieces.push(EdgePiece::new([cut.at, to], edge, forward, true));
             }
         }
     }
 }
 
-/// Brings the places at which a line is cut, in ascending order, into their order along it: those with the same x are
-/// turned round where it runs down.
-fn order(cuts: &mut [Cut], [start, end]: [Point; 2]) {
+/// Sorts the points at which a line is cut, given in ascending order, into their order along it: those with equal x are
+/// reversed if the line runs downwards.
+fn order(cuts: &mut [CutPoint], [start, end]: [Point; 2]) {
     let mut from = 0;
     while from < cuts.len() {
         let same = cuts[from..]

@@ -5,10 +5,10 @@ type Point = IntPoint<i64>;
 
 /// A piece of the border with the inside on its left. Pieces meet at their ends only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Piece {
+pub(super) struct BorderPiece {
     pub from: Point,
     pub to: Point,
-    /// Its number in the list that it is from.
+    /// Its index in the list of edges.
     pub of: usize,
 }
 
@@ -22,15 +22,15 @@ fn turn(a: Point, b: Point, c: Point) -> i128 {
     ux * vy - uy * vx
 }
 
-/// Returns `true` if three places of a ring are in line.
+/// Returns `true` if three points of a ring are collinear.
 pub(super) fn is_straight(a: Point, b: Point, c: Point) -> bool {
     turn(a, b, c) == 0
 }
 
-/// Returns the parts of what pieces bound, each as its outer ring, counter-clockwise, and its holes.
-pub(super) fn parts(mut pieces: Vec<Piece>) -> Vec<Vec<Ring>> {
+/// Returns the connected parts that pieces bound, each as its outer ring, counter-clockwise, and its holes.
+pub(super) fn parts(mut pieces: Vec<BorderPiece>) -> Vec<Vec<Ring>> {
     pieces.sort_unstable();
-    // Pieces on each other: as often as one runs one way, one the other way takes it back.
+    // Pieces on each other: two in opposite directions cancel.
     let count = |from, to| {
         let first = pieces.partition_point(|x| (x.from, x.to) < (from, to));
         pieces[first..]
@@ -41,10 +41,10 @@ pub(super) fn parts(mut pieces: Vec<Piece>) -> Vec<Vec<Ring>> {
     let kept = pieces
         .iter()
         .filter(|x| count(x.from, x.to) > count(x.to, x.from));
-    let mut kept: Vec<Piece> = kept.copied().collect();
+    let mut kept: Vec<BorderPiece> = kept.copied().collect();
     kept.dedup_by_key(|piece| (piece.from, piece.to));
-    let border = Border { pieces: kept };
-    let (mut parts, mut inner): (Vec<Part>, Vec<Vec<Ring>>) = (Vec::new(), Vec::new());
+    let border = BorderPieces { pieces: kept };
+    let (mut parts, mut inner): (Vec<ResultPart>, Vec<Vec<Ring>>) = (Vec::new(), Vec::new());
     for cycle in border.cycles() {
         let (outer, holes): (Vec<Ring>, Vec<Ring>) = border
             .simple(&cycle)
@@ -52,14 +52,14 @@ pub(super) fn parts(mut pieces: Vec<Piece>) -> Vec<Vec<Ring>> {
             .filter(|ring| border.area(ring) != 0)
             .partition(|ring| border.area(ring) > 0);
         match <[Ring; 1]>::try_from(outer) {
-            Ok([outer]) => parts.push(Part {
+            Ok([outer]) => parts.push(ResultPart {
                 area: border.area(&outer),
                 rings: [vec![outer], holes].concat(),
             }),
             Err(_) => inner.push(holes),
         }
     }
-    // The border of a hole shares no place with the outer ring of its part: then both would be one cycle.
+    // The border of a hole has no point of the outer ring of its part: otherwise both would be one cycle.
     for holes in inner {
         let Some(&piece) = holes.first().and_then(|ring| ring.first()) else {
             continue;
@@ -73,24 +73,24 @@ pub(super) fn parts(mut pieces: Vec<Piece>) -> Vec<Vec<Ring>> {
         }
     }
     let numbered = |ring: Ring| ring.into_iter().map(|k| border.pieces[k].of).collect();
-    let numbered = |part: Part| part.rings.into_iter().map(numbered).collect();
+    let numbered = |part: ResultPart| part.rings.into_iter().map(numbered).collect();
     parts.into_iter().map(numbered).collect()
 }
 
 /// The outer ring and the holes of a part.
-struct Part {
+struct ResultPart {
     /// Twice the area inside the outer ring.
     area: i128,
     rings: Vec<Ring>,
 }
 
 /// All pieces, in order of where they begin.
-struct Border {
-    pieces: Vec<Piece>,
+struct BorderPieces {
+    pieces: Vec<BorderPiece>,
 }
 
-impl Border {
-    /// Returns the pieces that begin at a place.
+impl BorderPieces {
+    /// Returns the pieces that begin at a point.
     fn leaving(&self, at: Point) -> std::ops::Range<usize> {
         let first = self.pieces.partition_point(|piece| piece.from < at);
         let last = self.pieces.partition_point(|piece| piece.from <= at);
@@ -98,10 +98,10 @@ impl Border {
     }
     /// Returns the piece after one: the first in clockwise order from it, so that the inside stays on the left.
     fn next(&self, k: usize) -> Option<usize> {
-        let Piece {
+        let BorderPiece {
             from: back, to: at, ..
         } = self.pieces[k];
-        // Less than half a turn from the way back.
+        // Less than half a turn from the reverse direction.
         let is_early = |to: Point| {
             let turned = turn(at, back, to);
             turned < 0 || turned == 0 && !is_same_way(at, back, to)
@@ -116,7 +116,7 @@ impl Border {
             }
         })
     }
-    /// Closed walks along the border of one connected part, outside or around a hole.
+    /// Returns the closed walks along the border of one connected part, outside or around a hole.
     fn cycles(&self) -> Vec<Ring> {
         let mut visited = vec![false; self.pieces.len()];
         let mut cycles = Vec::new();
@@ -133,10 +133,10 @@ impl Border {
         }
         cycles
     }
-    /// Returns a closed walk as rings that visit no place twice.
+    /// Splits a closed walk into rings that visit no point twice.
     fn simple(&self, cycle: &[usize]) -> Vec<Ring> {
         let (mut rings, mut open): (Vec<Ring>, Ring) = (Vec::new(), Vec::new());
-        // The places of the walk so far, each with its index in `open`.
+        // The points of the walk so far, each with its index in `open`.
         let mut places = std::collections::HashMap::new();
         for &k in cycle {
             let at = self.pieces[k].from;
@@ -160,11 +160,11 @@ impl Border {
         let of = |&k: &usize| turn(seen, self.pieces[k].from, self.pieces[k].to);
         ring.iter().map(of).sum()
     }
-    /// Returns `true` if a place is inside a ring and not on its border.
+    /// Returns `true` if a point is inside a ring and not on its border.
     fn is_inside(&self, at: Point, ring: &[usize]) -> bool {
         let mut is_inside = false;
         for &k in ring {
-            let Piece { from, to, .. } = self.pieces[k];
+            let BorderPiece { from, to, .. } = self.pieces[k];
             if (from.y > at.y) == (to.y > at.y) {
                 let level = from.y == at.y && to.y == at.y;
                 let between = from.x.min(to.x) <= at.x && at.x <= from.x.max(to.x);
@@ -185,7 +185,7 @@ impl Border {
     }
 }
 
-/// Returns `true` if two places in line with a third one lie on one side of it.
+/// Returns `true` if two points in line with a third one lie on one side of it.
 fn is_same_way(at: Point, a: Point, b: Point) -> bool {
     let [ux, uy, vx, vy] = [a.x - at.x, a.y - at.y, b.x - at.x, b.y - at.y].map(i128::from);
     ux * vx + uy * vy > 0

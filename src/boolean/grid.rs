@@ -32,13 +32,13 @@ impl Edge {
             vertex: if at_end { self.end } else { self.id.edge },
         }
     }
-    /// Returns how far along it a place is that lies on it: 0 at its start, 1 at its end.
+    /// Returns the fraction of the edge at which a point on it lies: 0 at its start, 1 at its end.
     pub fn share(&self, at: IntPoint<i64>) -> f64 {
         let start = self.ends[0];
         let way = Vec2::new((at.x - start.x) as f64, (at.y - start.y) as f64);
         way.dot(self.along) / self.along.length_squared()
     }
-    /// Its own vertex at a place, if it has one there.
+    /// Returns the vertex of this edge at a point, or `None` if neither end is there.
     pub fn vertex_at(&self, at: IntPoint<i64>) -> Option<VertexId> {
         [false, true]
             .into_iter()
@@ -47,16 +47,16 @@ impl Edge {
     }
 }
 
-/// The place from which a grid is seen.
+/// The origin of a grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Steps {
     /// From near both inputs, so that far away it is no coarser.
     Fine,
-    /// From the origin, so that places of a coarser grid are numbers of the format.
+    /// The origin of coordinates, so that points of a coarser grid are numbers of the format.
     Exact,
 }
 
-/// The edges of both inputs on the grid, those of length zero left out.
+/// The edges of both inputs on the grid, without those of length zero.
 pub(super) struct Grid {
     pub edges: Vec<Edge>,
     /// Half a coordinate times this is from two to four where it is largest.
@@ -176,12 +176,12 @@ impl Grid {
         }
         pieces
     }
-    /// Returns the coordinates of a place of the grid of [`squares`].
+    /// Returns the coordinates of a point of the grid of [`squares`].
     pub fn coordinates<S: Scalar>(&self, at: IntPoint<i64>) -> [f64; 2] {
         let steps = EXTENT / (1_u64 << squares::<S>().bits) as f64;
         [at.x, at.y].map(|x| x as f64 / steps / self.unit * 2.0)
     }
-    /// Returns `true` if two vertices are one, or follow each other in a ring at one place.
+    /// Returns `true` if two vertices are one, or are successive ones of a ring that coincide.
     pub fn is_joined(&self, a: VertexId, b: VertexId) -> bool {
         if (a.owner, a.ring) != (b.owner, b.ring) {
             return false;
@@ -195,7 +195,7 @@ impl Grid {
     }
 }
 
-/// Squares of an exact grid whose centres are numbers of the format: steps of the largest coordinate.
+/// Returns the squares of an exact grid whose centres are numbers of the format: steps of the largest coordinate.
 pub(super) fn squares<S: Scalar>() -> Squares {
     // The exponent of a power of two.
     let bits = (EXTENT * 2.0 * S::EPSILON).to_bits() >> 52;
@@ -204,7 +204,7 @@ pub(super) fn squares<S: Scalar>() -> Squares {
     }
 }
 
-/// A coordinate: what it is seen from, and how far it reaches from there.
+/// The range of a coordinate: its origin, and its extent from there.
 struct Axis {
     from: f64,
     reach: f64,
@@ -224,7 +224,7 @@ impl Axis {
             .max((high * 0.5 - from * 0.5).abs());
         Axis { from, reach }
     }
-    /// Seen from zero.
+    /// Creates an axis whose coordinates are relative to zero.
     fn from_zero(low: f64, high: f64) -> Self {
         let reach = (low * 0.5).abs().max((high * 0.5).abs());
         Axis { from: 0.0, reach }
@@ -249,7 +249,7 @@ pub(super) fn invalid(owner: Owner, flaw: Flaw) -> Error {
 pub(super) struct Tag(u32);
 
 impl Tag {
-    /// How many edges can be told apart.
+    /// The largest number of edges.
     const MOST: usize = 1 << 31;
 
     pub fn edge(k: usize) -> Self {

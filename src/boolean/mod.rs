@@ -1,38 +1,38 @@
 //! Boolean operations of polygons of any kind, with the provenance of every vertex: union, intersection,
 //! difference, symmetric difference.
 //!
-//! [`overlay_search`] (feature `boolean`) finds by exact arithmetic on integers which pieces of which edges
-//! bound the result. Its record, [`OverlayTrace`], holds no numbers: a vertex of the result is a vertex of
-//! an input, or the crossing of two edges. [`overlay_replay`] makes the result from the inputs and the
-//! record in the precision of the scalar, so duals pass through it; the adjoint of any function of its
-//! vertices is [`overlay_vjp`](crate::ad::adjoint::boolean::overlay_vjp). Both need no feature.
+//! [`overlay_search`] (feature `boolean`) finds by exact arithmetic on integers which pieces of which edges bound the
+//! result. Its record, [`OverlayTrace`], holds no numbers: a vertex of the result is a vertex of an input, or the
+//! crossing of two edges. [`overlay_replay`] computes the result from the inputs and the record in the precision of the
+//! scalar, so duals pass through it. The adjoint of any function of its vertices is
+//! [`overlay_vjp`](crate::ad::adjoint::boolean::overlay_vjp). Both need no feature.
 //!
 //! Inputs are [`Rings`](crate::Rings) of any kind, crossing and self-intersecting ones included; a
-//! [`Fill`](crate::polygon::Fill) says which winding numbers are inside, of both inputs. The parts of the
-//! result run counter-clockwise and its holes clockwise.
+//! [`Fill`](crate::polygon::Fill) decides which winding numbers are inside, for both inputs. The parts of the result
+//! run counter-clockwise and its holes clockwise.
 //!
-//! Kinks: edges of both inputs (or several of one) that lie along each other. The border of the result moves with
-//! the mean of them, so identical polygons have the IoU 1 and derivatives of zero. There the result may have two
-//! vertices at one place. Between these it has a side of length zero that opens as inputs move. A vertex of one
-//! input on an edge of the other has the derivative of one of its sides. A part without area is no part of a result
-//! and has no derivative: a line along which both merely touch, or a polygon less itself.
+//! Kinks: edges of both inputs (or several of one) that lie along each other. The border of the result moves with the
+//! mean of them, so identical polygons have the IoU 1 and derivatives of zero. There the result may have two vertices
+//! at one point. Between these it has a side of length zero that opens as inputs move. A vertex of one input on an edge
+//! of the other has the derivative of one of its sides. A part without area is no part of a result and has no
+//! derivative: a line along which both merely touch, or a polygon less itself.
 //!
 //! Vertices that differ by less than about 10⁻¹⁷ of the extent of both inputs count as one.
 //!
 //! # Validity
 //!
 //! A replayed result has the exact derivatives of every vertex; it is not always valid by the OGC's rules (Simple
-//! Features, OGC 06-103r4), which GEOS, PostGIS and others ask for. Edges may cross by an ulp, rings may have no area
-//! or touch themselves, and a part may consist of pieces that meet in places only.
+//! Features, OGC 06-103r4), which GEOS, PostGIS and others require. Edges may cross by an ulp, rings may have no area
+//! or touch themselves, and a part may consist of pieces that meet in points only.
 //!
-//! [`valid`] gives results that are valid: one polygon per part, with simple rings and a connected inside. Its
-//! vertices are rounded to a grid of the format, with steps of the last digit of the largest coordinate, by snap
-//! rounding: rings move by less than a step, and do not cross. ([`valid_search`] and [`valid_replay`] are its two
-//! halves.) Derivatives are those of the origin of each vertex, so for polygons in general position those of the
-//! usual result. A part narrower than a step may vanish and has no derivative then. If edges lie along each
-//! other, two vertices at one place become one, with the mean of their derivatives.
+//! [`valid`] gives results that are valid: one polygon per part, with simple rings and a connected inside. Its vertices
+//! are rounded to a grid of the format, with steps of the last digit of the largest coordinate, by snap rounding: rings
+//! move by less than a step, and do not cross. ([`valid_search`] and [`valid_replay`] are its two halves.) Derivatives
+//! are those of the origin of each vertex, and so, for polygons in general position, those of the usual result. A part
+//! narrower than a step may vanish and has no derivative then. If edges lie along each other, two vertices at one point
+//! become one, with the mean of their derivatives.
 //!
-//! For the area of what polygons share nothing need be clipped: see
+//! For the area of an intersection nothing need be clipped: see
 //! [`overlap_polygon::holed`](crate::overlap_polygon::holed).
 //!
 //! ```

@@ -1,4 +1,4 @@
-//! Which pieces of which edges bound the result.
+//! The pieces of edges that bound the result.
 use super::corner::{Border, corner};
 use super::cut::{Numbered, cut, may_grow};
 use super::grid::{Grid, Steps, Tag, invalid, squares};
@@ -136,8 +136,8 @@ impl Pieces {
     }
 }
 
-/// Cuts the edges of two polygons here and by i_overlay alone: `true` if both give the same border, piece by piece with
-/// the edges that each lies on; `None` where i_overlay alone cuts them in any case.
+/// Cuts the edges of two polygons by this library and by i_overlay alone. Returns `true` if both give one border, piece
+/// by piece with the edges that each lies on; `None` where i_overlay alone cuts them in any case.
 ///
 /// # Errors
 ///

@@ -13,7 +13,7 @@ pub enum BooleanOperation {
     SymmetricDifference,
 }
 
-/// Which input is meant.
+/// The input that a vertex or edge belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Owner {
     /// The first polygon.
@@ -51,8 +51,8 @@ pub enum Origin {
     Vertex(VertexId),
     /// The crossing of two edges: of both inputs, or of one that crosses itself.
     Cross(EdgeId, EdgeId),
-    /// The place of an edge nearest to a vertex that lies on it, where the edges beside that vertex
-    /// begin or cease to lie along it.
+    /// The point of an edge nearest to a vertex that lies on it, where the edges at that vertex begin or cease to lie
+    /// along it.
     Foot {
         /// The vertex.
         of: VertexId,
@@ -65,24 +65,24 @@ pub enum Origin {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct OverlayTrace {
     pub(super) origins: Vec<Origin>,
-    /// How many origins there are up to the end of each vertex.
+    /// The number of origins up to the end of each vertex.
     pub(super) vertices: Vec<usize>,
-    /// How many vertices there are up to the end of each ring.
+    /// The number of vertices up to the end of each ring.
     pub(super) rings: Vec<usize>,
-    /// How many rings there are up to the end of each part.
+    /// The number of rings up to the end of each part.
     pub(super) parts: Vec<usize>,
 }
 
 impl OverlayTrace {
     /// Returns the origins of each vertex of the result, one ring after the other. A vertex with several origins, which
-    /// are then at one place, is the mean of them.
+    /// then coincide, is their mean.
     pub fn origins(&self) -> impl Iterator<Item = &[Origin]> {
         let starts = std::iter::once(&0).chain(&self.vertices);
         starts
             .zip(&self.vertices)
             .map(|(&from, &to)| &self.origins[from..to])
     }
-    /// Returns how many vertices the result has.
+    /// Returns the number of vertices of the result.
     #[must_use]
     pub fn vertex_count(&self) -> usize {
         self.vertices.len()
@@ -115,31 +115,31 @@ pub struct IouTrace {
     not(feature = "boolean"),
     expect(dead_code, reason = "a replay needs no feature, its record does")
 )]
-pub(super) enum Made {
-    /// The mean of some places.
+pub(super) enum ValidOrigin {
+    /// The mean of some points.
     Of(Vec<Origin>),
-    /// A fixed fraction of the way along an edge.
+    /// A point at a fixed fraction of an edge.
     Along(EdgeId, f64),
 }
 
-/// The vertices of a result that is valid by the OGC's rules: their coordinates and where each is from.
+/// The vertices of a result that is valid by the OGC's rules: their coordinates and the origin of each.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ValidTrace {
     pub(super) places: Vec<[f64; 2]>,
-    pub(super) made: Vec<Made>,
-    /// How many vertices there are up to the end of each ring.
+    pub(super) made: Vec<ValidOrigin>,
+    /// The number of vertices up to the end of each ring.
     pub(super) rings: Vec<usize>,
-    /// How many rings there are up to the end of each part.
+    /// The number of rings up to the end of each part.
     pub(super) parts: Vec<usize>,
 }
 
 impl ValidTrace {
-    /// Returns how many parts the result has.
+    /// Returns the number of parts of the result.
     #[must_use]
     pub fn part_count(&self) -> usize {
         self.parts.len()
     }
-    /// Returns how many vertices the result has.
+    /// Returns the number of vertices of the result.
     #[must_use]
     pub fn vertex_count(&self) -> usize {
         self.places.len()

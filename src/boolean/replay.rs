@@ -1,5 +1,5 @@
 //! The result of a boolean operation from its inputs and its record.
-use super::records::Made;
+use super::records::ValidOrigin;
 use super::{EdgeId, IouTrace, Origin, OverlayTrace, ValidTrace, VertexId};
 use crate::clipping::crossing::crossing;
 use crate::overlap::ratio_of_first;
@@ -28,8 +28,8 @@ pub(crate) fn input_edge<S: Scalar>(
     ([ring[id.edge], ring[next]], next)
 }
 
-/// Returns the place of a line nearest to a point: where it is seen from, the direction of the line, the fraction
-/// of the way along it, and the square of its length (one for a point).
+/// Returns the point of a line nearest to a point: the origin of the local frame, the direction of the line, the
+/// fraction along it, and the square of its length (one for a point).
 #[inline]
 pub(crate) fn foot<S: Scalar>(point: Vec2<S>, line: [Vec2<S>; 2]) -> (Reference<S>, Vec2<S>, S, S) {
     let seen = Reference::of_ring(&line);
@@ -56,7 +56,7 @@ fn place<S: Scalar>(inputs: [Rings<'_, S>; 2], origin: Origin) -> Vec2<S> {
     }
 }
 
-/// Returns the mean of some places.
+/// Returns the mean of some points.
 pub(super) fn mean<S: Scalar>(inputs: [Rings<'_, S>; 2], all: &[Origin]) -> Vec2<S> {
     match all {
         [only] => place(inputs, *only),
@@ -96,7 +96,7 @@ pub fn overlay_replay<'a, S: Scalar>(
 
 /// Returns the result of a boolean operation as polygons that are valid by the OGC's rules, one per part, from both
 /// inputs and the record of `valid_search`: the outer ring first, counter-clockwise, then the holes, clockwise. Values
-/// are those of the record, on its grid; derivatives are those of where each vertex is from.
+/// are those of the record, on its grid; derivatives are those of the origin of each vertex.
 ///
 /// # Panics
 ///
@@ -110,8 +110,8 @@ pub fn valid_replay<'a, S: Scalar>(
     let inputs = [a.into(), b.into()];
     let vertex = |k: usize| {
         let near = match &trace.made[k] {
-            Made::Of(all) => mean(inputs, all),
-            &Made::Along(edge, share) => {
+            ValidOrigin::Of(all) => mean(inputs, all),
+            &ValidOrigin::Along(edge, share) => {
                 let [start, end] = input_edge(inputs, edge).0;
                 start * S::lit(1.0 - share) + end * S::lit(share)
             }
@@ -132,8 +132,8 @@ pub fn valid_replay<'a, S: Scalar>(
     trace.parts.iter().map(part).collect()
 }
 
-/// Intersection over union, in `[0, 1]`, from both inputs and the record of `iou_search`; zero with derivative
-/// zero where the union is empty.
+/// Returns the intersection over union, in `[0, 1]`, from both inputs and the record of `iou_search`; zero with
+/// derivative zero where the union is empty.
 ///
 /// # Panics
 ///
@@ -145,7 +145,7 @@ pub fn iou_replay<'a, S: Scalar>(
     trace: &IouTrace,
 ) -> S {
     let (a, b) = (a.into(), b.into());
-    // In a unit in which the area of what both cover is about one.
+    // In a unit in which the area of the union is about one.
     let seen = a
         .bounds()
         .into_iter()

@@ -47,7 +47,7 @@ pub fn intersection<'a, S: Scalar<Mask = bool>>(
     made(a.into(), b.into(), BooleanOperation::Intersection, fill)
 }
 
-/// Returns the difference of two polygons of any kind: what is in the first and not in the second. See the
+/// Returns the difference of two polygons of any kind: the points in the first and not in the second. See the
 /// [module](super).
 ///
 /// ```
@@ -69,7 +69,7 @@ pub fn difference<'a, S: Scalar<Mask = bool>>(
     made(a.into(), b.into(), BooleanOperation::Difference, fill)
 }
 
-/// Returns the symmetric difference of two polygons of any kind: what is in exactly one of them. See the
+/// Returns the symmetric difference of two polygons of any kind: the points in exactly one of them. See the
 /// [module](super).
 ///
 /// # Errors
@@ -88,8 +88,8 @@ pub fn symmetric_difference<'a, S: Scalar<Mask = bool>>(
     )
 }
 
-/// Intersection over union of two polygons of any kind, in `[0, 1]`, and what decided it; zero with derivative
-/// zero where they are apart or the union is empty. [`iou_replay`] has its derivatives.
+/// Returns the intersection over union of two polygons of any kind, in `[0, 1]`, and the record of its decisions; zero
+/// with derivative zero where they are apart or the union is empty. [`iou_replay`] has its derivatives.
 ///
 /// ```
 /// use geograd::{Polygon, Vec2, boolean::{iou_search, iou_replay}, polygon::Fill};

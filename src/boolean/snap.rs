@@ -1,13 +1,13 @@
 //! Edges cut and rounded to a coarser grid, so that they meet at their ends only.
 //!
-//! Snap rounding (Hobby, Practical segment intersection with finite precision output, 1999): a square of the coarse grid
-//! is *hot* if an end of an edge or a crossing of two lies in it, and an edge goes through the centres of all hot squares
-//! that it meets. Then no two edges cross, and each moves by less than a square.
+//! Snap rounding (Hobby, Practical segment intersection with finite precision output, 1999): a square of the coarse
+//! grid is *hot* if an end of an edge or a crossing of two lies in it. An edge goes through the centres of all hot
+//! squares that it meets. Then no two edges cross, and each moves by less than a square.
 use i_overlay::i_float::int::point::IntPoint;
 
 type Point = IntPoint<i64>;
 
-/// A grid of squares of so many fine steps, a power of two. A square has its lower and left sides.
+/// A grid of squares with sides of a power of two of fine steps. The lower and left sides belong to a square.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Squares {
     /// The binary logarithm of the size of a square: one at least.
@@ -18,7 +18,7 @@ impl Squares {
     fn half(self) -> i64 {
         1 << (self.bits - 1)
     }
-    /// Returns the square of a place.
+    /// Returns the square that contains a point.
     pub fn of(self, at: Point) -> Point {
         let number = |x: i64| (x + self.half()) >> self.bits;
         Point::new(number(at.x), number(at.y))
@@ -27,7 +27,7 @@ impl Squares {
     pub fn center(self, square: Point) -> Point {
         Point::new(square.x << self.bits, square.y << self.bits)
     }
-    /// For each edge the hot squares that it meets, from its start to its end.
+    /// Returns for each edge the hot squares that it meets, from its start to its end.
     pub fn along(self, edges: &[[Point; 2]]) -> Vec<Vec<Point>> {
         let mut hot: Vec<Point> = edges.iter().flatten().map(|&p| self.of(p)).collect();
         let mut order: Vec<usize> = (0..edges.len()).collect();
@@ -54,7 +54,7 @@ impl Squares {
         let near = hot[first..].iter().take_while(|square| square.x <= right);
         let met = near.filter(|x| low <= x.y && x.y <= high && self.meets(from, to, **x));
         let mut path: Vec<Point> = met.copied().collect();
-        // The way never turns back in either coordinate.
+        // The path is monotone in both coordinates.
         let way = |ahead: bool, x: i64| if ahead { x } else { -x };
         path.sort_unstable_by_key(|square| {
             (way(to.x >= from.x, square.x), way(to.y >= from.y, square.y))
@@ -123,7 +123,7 @@ fn crossing(a: [Point; 2], b: [Point; 2]) -> Option<Point> {
     Some(Point::new(number(a[0].x, a[1].x), number(a[0].y, a[1].y)))
 }
 
-/// Returns a part of a length, the part given as a fraction of at most one: rounded down, and whether there is a rest.
+/// Returns a fraction of a length, rounded down, and `true` if there is a rest. The fraction is at most one.
 fn share(length: u64, part: u128, whole: u128) -> (i64, bool) {
     let (mut quotient, mut rest) = (0, 0);
     for bit in (0..64).rev() {

@@ -1,8 +1,8 @@
 //! Results that are valid by the OGC's rules.
 use super::corner::{Border, origins};
-use super::faces::{Piece, is_straight, parts};
+use super::faces::{BorderPiece, is_straight, parts};
 use super::pieces::Pieces;
-use super::records::Made;
+use super::records::ValidOrigin;
 use super::{BooleanOperation, ValidTrace, valid_replay};
 use crate::Scalar;
 use crate::error::Error;
@@ -52,21 +52,21 @@ pub fn valid_search<'a, S: Scalar<Mask = bool>>(
     let mut all = Vec::new();
     for piece in pieces.parts(operation).into_iter().flatten().flatten() {
         let (from, to, of) = (piece.a, piece.b, all.len());
-        all.push((Piece { from, to, of }, pieces.border(&piece)));
+        all.push((BorderPiece { from, to, of }, pieces.border(&piece)));
     }
     let grid = &pieces.grid;
     let made = |before: &Border, after: &Border, at| match &before.edges[..] {
-        // One edge goes on, and is bent here.
+        // One edge continues, and is bent here.
         &[edge, ..] if before.edges == after.edges => {
             let edge = &grid.edges[edge];
-            Made::Along(edge.id, edge.share(at))
+            ValidOrigin::Along(edge.id, edge.share(at))
         }
         _ => {
             let [mut first, second] = origins(grid, before, after);
             if second != first {
                 first.extend(second);
             }
-            Made::Of(first)
+            ValidOrigin::Of(first)
         }
     };
     let mut trace = ValidTrace::default();

@@ -1,19 +1,18 @@
 //! A convex polygon clipped to another one.
 //!
-//! The border of the result changes between both borders only where these meet. Along every edge of
-//! the first polygon its line enters and leaves the second one; where, is found from signs of exact
-//! predicates on given vertices: which vertex is farthest left and right of the line (two pointers
-//! that move around once), and between those, by bisection, where the sign changes. The meetings are in
-//! the same cyclic order on both borders, and from each one to the next the result follows the border
-//! that turns farther inwards. `O(n log m)`.
-use super::meeting::{Border, meetings};
+//! The border of the result changes between both borders only where these meet. The line of every edge of the first
+//! polygon enters and leaves the second one. The signs of exact predicates on given vertices decide where: first the
+//! vertices farthest left and right of the line (two pointers that move around once), then, by bisection between those,
+//! the changes of sign. The meetings are in one cyclic order on both borders, and from each one to the next the result
+//! follows the border that turns farther inwards. `O(n log m)`.
+use super::meeting::{ConvexRing, meetings};
 use super::{ClipTrace, Corner, Side};
 use crate::error::Flaw;
 use crate::predicate::{Turn, turn_between};
 use crate::{ConvexPolygon, Scalar};
 
 /// Returns the record of the intersection of two convex polygons: where every vertex and every side of it is from.
-/// Search exactly, `O(n log m)`; the polygons must be valid, or the record means nothing.
+/// Search exactly, `O(n log m)`; the polygons must be valid, or the record is undefined.
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, clipping::{Corner, Side, clip_search}};
@@ -33,7 +32,7 @@ pub fn clip_search<S: Scalar<Mask = bool>, const N: usize, const M: usize, const
     b: &ConvexPolygon<S, M>,
 ) -> Result<ClipTrace<K>, Flaw> {
     let mut trace = ClipTrace::empty();
-    let (a, b) = (Border(a.as_slice()), Border(b.as_slice()));
+    let (a, b) = (ConvexRing(a.as_slice()), ConvexRing(b.as_slice()));
     let (n, m) = (a.len(), b.len());
     if n == 0 || m == 0 {
         return Ok(trace);
@@ -54,7 +53,7 @@ pub fn clip_search<S: Scalar<Mask = bool>, const N: usize, const M: usize, const
         let alone = list.len() == 1;
         let to = list[(k + 1) % list.len()];
         let (edge_a, edge_b) = (from.on_a / 2, from.on_b / 2);
-        // Vertices strictly between the two places, on either border.
+        // Vertices strictly between the two points, on either border.
         let around = if k + 1 == list.len() { 2 * n } else { 0 };
         let chain_a = vertices_between(from.on_a, to.on_a + around);
         let way_b = (to.on_b + 2 * m - from.on_b) % (2 * m);
@@ -88,15 +87,15 @@ pub fn clip_search<S: Scalar<Mask = bool>, const N: usize, const M: usize, const
     Ok(trace)
 }
 
-/// Returns the numbers of the vertices strictly between two places on a border, the end excluded.
+/// Returns the numbers of the vertices strictly between two points on a border, the end excluded.
 fn vertices_between(from: usize, to: usize) -> (usize, usize) {
     (from / 2 + 1, to.div_ceil(2))
 }
 
 /// Returns `true` if the first vertex of a chain of `inner` lies in `outer`.
 fn starts_inside<S: Scalar<Mask = bool>>(
-    outer: Border<'_, S>,
-    inner: Border<'_, S>,
+    outer: ConvexRing<'_, S>,
+    inner: ConvexRing<'_, S>,
     chain: (usize, usize),
 ) -> bool {
     chain.0 < chain.1 && outer.contains(inner.at(chain.0))

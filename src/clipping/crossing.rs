@@ -2,8 +2,8 @@
 use crate::reference::Reference;
 use crate::{Scalar, Vec2};
 
-/// A crossing in local coordinates: how far along either edge it is, and what the derivatives need.
-pub(crate) struct Meeting<S> {
+/// A crossing in local coordinates: its fraction along either edge, and the numbers that the derivatives need.
+pub(crate) struct Crossing<S> {
     pub seen: Reference<S>,
     /// From start to end of the first edge.
     pub along_a: Vec2<S>,
@@ -20,7 +20,7 @@ pub(crate) struct Meeting<S> {
 /// Returns the crossing of two edges that are known to cross; the middle of the first one if rounding leaves them
 /// parallel.
 #[inline]
-pub(crate) fn meet<S: Scalar>(a: [Vec2<S>; 2], b: [Vec2<S>; 2]) -> Meeting<S> {
+pub(crate) fn meet<S: Scalar>(a: [Vec2<S>; 2], b: [Vec2<S>; 2]) -> Crossing<S> {
     let seen = Reference::of_ring(&[a[0], a[1], b[0], b[1]]);
     let ([p, q], [r, s]) = (a.map(|v| seen.place(v)), b.map(|v| seen.place(v)));
     let (along_a, along_b, between) = (q - p, s - r, r - p);
@@ -34,7 +34,7 @@ pub(crate) fn meet<S: Scalar>(a: [Vec2<S>; 2], b: [Vec2<S>; 2]) -> Meeting<S> {
     let inside = at_a.primal().clamp(S::Primal::zero(), S::Primal::one());
     let outside = at_a.below(S::zero()) | at_a.above(S::one());
     let at_a = S::select(outside, at_a.with_primal(inside), at_a);
-    Meeting {
+    Crossing {
         seen,
         along_a,
         along_b,

@@ -5,8 +5,8 @@ use crate::predicate::{Turn, turn};
 use crate::{ConvexPolygon, Scalar, Vec2};
 
 /// Returns the part of a convex polygon on the left of the line through two points, as a record: corners of the polygon
-/// are `A`, the line is edge 0 of `B`. `O(n)`. The line itself belongs to its left, so a polygon that only
-/// touches it leaves a point or a segment. If both points of the line are the same, the whole polygon is left.
+/// are `A`, the line is edge 0 of `B`. `O(n)`. The line itself belongs to its left, so a polygon that only touches it
+/// leaves a point or a segment. If both points of the line coincide, the result is the whole polygon.
 ///
 /// # Errors
 ///
@@ -64,7 +64,7 @@ impl<const K: usize> ClipTrace<K> {
             count: 0,
         }
     }
-    /// One more vertex, and the side that starts there.
+    /// Appends a vertex and the side that starts there.
     pub(super) fn push(&mut self, corner: Corner, side: Side) -> Result<(), Flaw> {
         if self.count == K {
             return Err(Flaw::Vertex {

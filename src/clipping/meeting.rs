@@ -5,9 +5,9 @@ use crate::predicate::{Turn, left_to_right, same, turn, turn_between};
 use crate::{Scalar, Vec2};
 use std::cmp::Ordering;
 
-/// A place that both borders have.
+/// A point of both borders.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Meeting {
+pub(super) struct BorderPoint {
     pub corner: Corner,
     /// Twice the number of a vertex, or one more on the edge that starts there.
     pub on_a: usize,
@@ -16,16 +16,16 @@ pub(super) struct Meeting {
 
 /// The vertex or edge of b at which the line of an edge of a enters or leaves b.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Contact {
+enum LineContact {
     Vertex(usize),
     Edge(usize),
 }
 
-/// A convex polygon as a list of vertices, counted around and around.
+/// A convex polygon as a list of vertices, with indices modulo its length.
 #[derive(Clone, Copy)]
-pub(super) struct Border<'a, S>(pub &'a [Vec2<S>]);
+pub(super) struct ConvexRing<'a, S>(pub &'a [Vec2<S>]);
 
-impl<S: Scalar<Mask = bool>> Border<'_, S> {
+impl<S: Scalar<Mask = bool>> ConvexRing<'_, S> {
     pub fn len(&self) -> usize {
         self.0.len()
     }
@@ -42,13 +42,13 @@ impl<S: Scalar<Mask = bool>> Border<'_, S> {
     pub fn contains(&self, point: Vec2<S>) -> bool {
         (0..self.len()).all(|k| self.side(k, point) != Turn::Right)
     }
-    /// Returns the vertex from which the way on no longer turns to `side` of a direction, but the way there did.
+    /// Returns the tangent vertex: the end of the last edge that turns to `side` of a direction.
     fn extreme(&self, direction: [Vec2<S>; 2], side: Turn) -> usize {
         let turns = |k: usize| turn_between(direction, self.edge(k)) == side;
         let n = self.len();
         (0..n).find(|&k| turns(k + n - 1) && !turns(k)).unwrap_or(0)
     }
-    /// Returns the same for a direction that has turned on since.
+    /// Returns the tangent vertex of a direction that has turned further, searching from vertex `from` on.
     fn advance(&self, from: usize, direction: [Vec2<S>; 2], side: Turn) -> usize {
         let turns = |k: usize| turn_between(direction, self.edge(k)) == side;
         let end = from + self.len();
@@ -73,16 +73,16 @@ fn last_where(len: usize, holds: impl Fn(usize) -> bool) -> usize {
 }
 
 /// The line of edge `i` of a, with its contacts: where it enters b, and where it leaves b.
-struct Reach<'a, S> {
-    a: Border<'a, S>,
-    b: Border<'a, S>,
+struct EdgeLine<'a, S> {
+    a: ConvexRing<'a, S>,
+    b: ConvexRing<'a, S>,
     i: usize,
-    contacts: [Contact; 2],
+    contacts: [LineContact; 2],
 }
 
-impl<S: Scalar<Mask = bool>> Reach<'_, S> {
-    /// Returns the position on the edge of a place on its line: `Equal` at the start, `Greater` behind it and before
-    /// the end, else `None`.
+impl<S: Scalar<Mask = bool>> EdgeLine<'_, S> {
+    /// Returns the position of a point on the edge's line: `Equal` at the start, `Greater` behind it and before the
+    /// end, else `None`.
     fn order(&self, point: Vec2<S>) -> Option<Ordering> {
         let [start, end] = self.a.edge(self.i);
         let ahead = left_to_right(start, end);
@@ -98,7 +98,7 @@ impl<S: Scalar<Mask = bool>> Reach<'_, S> {
     /// Returns the edge of b that lies along the line, if one does.
     fn along(&self) -> Option<usize> {
         match self.contacts {
-            [Contact::Vertex(enter), Contact::Vertex(leave)] if enter != leave => {
+            [LineContact::Vertex(enter), LineContact::Vertex(leave)] if enter != leave => {
                 let m = self.b.len();
                 if (enter + 1) % m == leave {
                     Some(enter)
@@ -112,17 +112,17 @@ impl<S: Scalar<Mask = bool>> Reach<'_, S> {
         }
     }
     /// Returns the meeting at the start of the edge, if that is on the border of b.
-    fn at_start(&self) -> Option<Meeting> {
+    fn at_start(&self) -> Option<BorderPoint> {
         let start = self.a.at(self.i);
-        let met = |on_b| Meeting {
+        let met = |on_b| BorderPoint {
             corner: Corner::A(self.i),
             on_a: 2 * self.i,
             on_b,
         };
         for contact in self.contacts {
             match contact {
-                Contact::Vertex(j) if same(self.b.at(j), start) => return Some(met(2 * j)),
-                Contact::Edge(j) if self.b.side(j, start) == Turn::Straight => {
+                LineContact::Vertex(j) if same(self.b.at(j), start) => return Some(met(2 * j)),
+                LineContact::Edge(j) if self.b.side(j, start) == Turn::Straight => {
                     return Some(met(2 * j + 1));
                 }
                 _ => {}
@@ -134,22 +134,22 @@ impl<S: Scalar<Mask = bool>> Reach<'_, S> {
         inside.then(|| met(2 * j + 1))
     }
     /// Returns the meeting at one of the contacts, if that is between the ends of the edge.
-    fn between(&self, which: usize) -> Option<Meeting> {
+    fn between(&self, which: usize) -> Option<BorderPoint> {
         let on_a = 2 * self.i + 1;
         match self.contacts[which] {
-            Contact::Vertex(j) => {
+            LineContact::Vertex(j) => {
                 let twice = which == 1 && self.contacts[0] == self.contacts[1];
                 let inside = self.order(self.b.at(j)) == Some(Ordering::Greater);
-                (inside && !twice).then_some(Meeting {
+                (inside && !twice).then_some(BorderPoint {
                     corner: Corner::B(j),
                     on_a,
                     on_b: 2 * j,
                 })
             }
-            Contact::Edge(j) => {
+            LineContact::Edge(j) => {
                 let [start, end] = self.a.edge(self.i).map(|p| self.b.side(j, p));
                 let wanted = [(Turn::Right, Turn::Left), (Turn::Left, Turn::Right)][which];
-                ((start, end) == wanted).then_some(Meeting {
+                ((start, end) == wanted).then_some(BorderPoint {
                     corner: Corner::Cross { a: self.i, b: j },
                     on_a,
                     on_b: 2 * j + 1,
@@ -161,15 +161,15 @@ impl<S: Scalar<Mask = bool>> Reach<'_, S> {
 
 /// All meetings, in order; `None` when an edge separates the polygons.
 pub(super) struct Meetings<const K: usize> {
-    pub list: [Meeting; K],
+    pub list: [BorderPoint; K],
     pub count: usize,
 }
 
 pub(super) fn meetings<S: Scalar<Mask = bool>, const K: usize>(
-    a: Border<'_, S>,
-    b: Border<'_, S>,
+    a: ConvexRing<'_, S>,
+    b: ConvexRing<'_, S>,
 ) -> Result<Option<Meetings<K>>, Flaw> {
-    let none = Meeting {
+    let none = BorderPoint {
         corner: Corner::A(0),
         on_a: 0,
         on_b: 0,
@@ -200,10 +200,10 @@ pub(super) fn meetings<S: Scalar<Mask = bool>, const K: usize>(
         let down = (high + last_where((low + m - high) % m, |t| side(high + t) != Turn::Right)) % m;
         let up = (low + last_where((high + m - low) % m, |t| side(low + t) != Turn::Left)) % m;
         let contact = |k: usize| match side(k) {
-            Turn::Straight => Contact::Vertex(k),
-            _ => Contact::Edge(k),
+            Turn::Straight => LineContact::Vertex(k),
+            _ => LineContact::Edge(k),
         };
-        let reach = Reach {
+        let reach = EdgeLine {
             a,
             b,
             i,

@@ -10,8 +10,7 @@
 //! argument alone, where [`overlap_polygon`](crate::overlap_polygon) and [`hull::merge`](crate::hull::merge()) share
 //! derivatives between equals.
 //!
-//! For the area of what two polygons share nothing need be clipped: see
-//! [`overlap_polygon`](crate::overlap_polygon).
+//! For the area of an intersection nothing need be clipped: see [`overlap_polygon`](crate::overlap_polygon).
 mod convex_pair;
 pub(crate) mod crossing;
 mod half_plane;
@@ -37,7 +36,7 @@ pub enum Corner {
     },
 }
 
-/// Which edge a side of a clipped polygon lies on, by the number of its start.
+/// The edge that a side of a clipped polygon lies on, by the number of its start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Side {
     /// An edge of the first polygon.
@@ -54,6 +53,6 @@ pub struct ClipTrace<const K: usize> {
     /// The edge on which the side from each vertex to the next one lies. If edges of both lie along each other,
     /// it is that of the first.
     pub sides: [Side; K],
-    /// How many vertices the result has: 0 when apart, 1 for a point, 2 for a segment.
+    /// The number of vertices of the result: 0 when apart, 1 for a point, 2 for a segment.
     pub count: usize,
 }

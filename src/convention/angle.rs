@@ -82,7 +82,7 @@ impl<S: Scalar> From<Counterclockwise<S>> for Clockwise<S> {
     }
 }
 
-/// The turn after which a shape counts as the same.
+/// The rotation that maps a shape to itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Period {
     /// 2π: directions, vehicles with a front.
@@ -94,7 +94,7 @@ pub enum Period {
 }
 
 impl Period {
-    /// Returns how many of them make a full turn.
+    /// Returns the number of periods in a full turn.
     #[inline(always)]
     fn count(self) -> f64 {
         match self {
@@ -103,14 +103,14 @@ impl Period {
             Period::Quarter => 4.0,
         }
     }
-    /// Returns the same angle, in radians, in `[−p/2, p/2]` for the period p; derivative one.
+    /// Returns the equivalent angle, in radians, in `[−p/2, p/2]` for the period p; derivative one.
     #[must_use]
     #[inline]
     pub fn wrap<S: Scalar>(self, angle: S) -> S {
         let (sin, cos) = (angle * S::lit(self.count())).sin_cos();
         sin.atan2(cos) * S::lit(1.0 / self.count())
     }
-    /// Returns the smallest turn from a to b, in radians, in `[−p/2, p/2]`. Kink: where both ways round are equally
+    /// Returns the smallest turn from a to b, in radians, in `[−p/2, p/2]`. Kink: where both directions are equally
     /// long.
     ///
     /// ```
@@ -122,8 +122,8 @@ impl Period {
     pub fn difference<S: Scalar>(self, a: S, b: S) -> S {
         self.wrap(b - a)
     }
-    /// Returns a loss for headings without kinks: `½ (1 − cos(k (b − a)))`, for k periods in a full turn, in
-    /// `[0, 1]`; zero for headings that are the same.
+    /// Returns a loss for headings without kinks: `½ (1 − cos(k (b − a)))`, for k periods in a full turn, in `[0, 1]`;
+    /// zero for equal headings.
     #[must_use]
     #[inline]
     pub fn loss<S: Scalar>(self, a: S, b: S) -> S {

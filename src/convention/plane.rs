@@ -53,7 +53,7 @@ impl<S: Scalar> ImageBox<S> {
             .into(),
         }
     }
-    /// Returns the box in a mirror: the same numbers read where y points up. Measures that mirrors do not change, such
+    /// Returns the mirrored box: its numbers read in a frame with y upwards. Measures that mirrors do not change, such
     /// as areas and overlaps of two boxes that are both mirrored, can be computed from it.
     #[must_use]
     #[inline(always)]
@@ -76,7 +76,7 @@ impl<S: Scalar> ImageBox<S> {
             },
         }
     }
-    /// Returns the same box with its longer side as width.
+    /// Returns center, width, height and heading of the box with its longer side as width.
     #[inline(always)]
     fn long_edge(self) -> (Vec2<S>, S) {
         let swap = self.size.x.below(self.size.y);
@@ -138,8 +138,8 @@ ranged! {
     }
 }
 ranged! {
-    /// The box of OpenCV's `minAreaRect` since 4.5.1, but for degrees: either side may be the longer one. Kinks:
-    /// the ends of the range.
+    /// The box of OpenCV's `minAreaRect` since 4.5.1, in radians instead of degrees: either side may be the longer one.
+    /// Kinks: the ends of the range.
     OpenCvBox { "In `(0, π/2]`." }
     |shape| {
         let angle = Period::Half.wrap(shape.heading.radians);

@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_PI_2;
 
 /// A box of KITTI's labels, in the frame of a camera that looks ahead: x to the right, y down, z ahead.
 ///
-/// As an upright box it stands in the frame of a vehicle at the camera's place, x ahead, y to the left, z
-/// up. (How a real camera is mounted is a [`Pose3`](crate::shape::Pose3).)
+/// As an upright box it is in the frame of a vehicle with the camera as origin, x ahead, y to the left, z up. (How a
+/// real camera is mounted is a [`Pose3`](crate::shape::Pose3).)
 ///
 /// ```
 /// use geograd::{Vec3, YawBox3, convention::KittiBox};
@@ -65,7 +65,7 @@ impl<S: Scalar> From<YawBox3<S>> for KittiBox<S> {
 }
 
 /// A box of OpenPCDet, in the lidar's frame (x ahead, y to the left, z up): the seven numbers
-/// `x, y, z, dx, dy, dz, heading` with the centre of the box. The same as [`YawBox3`].
+/// `x, y, z, dx, dy, dz, heading` with the centre of the box. Equal to [`YawBox3`].
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[shape(except(Arbitrary))]
 #[repr(C)]

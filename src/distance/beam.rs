@@ -28,7 +28,7 @@ impl<S: Scalar> Carry<S> for Border<S> {
     }
 }
 
-/// A line with a direction of length one, seen from the shape's anchor in units of its extent.
+/// A line with a direction of length one, relative to the shape's anchor in units of its extent.
 #[derive(Clone, Copy, Debug)]
 pub struct Beam<S> {
     pub(crate) from: Vec2<S>,
@@ -51,7 +51,7 @@ impl<S: Scalar> Inside<S> {
             exit: Best::of(exit.t, exit),
         }
     }
-    /// From one end of the line to the other.
+    /// Returns the range of the whole line.
     #[inline(always)]
     pub fn everywhere() -> Self {
         let end = |t: f64| Border {
@@ -60,7 +60,7 @@ impl<S: Scalar> Inside<S> {
         };
         Inside::new(end(-S::LARGEST), end(S::LARGEST))
     }
-    /// Nowhere where the mask says so, or where it would leave before it enters.
+    /// Returns an empty range where the mask is true or where the line would leave before it enters.
     #[inline(always)]
     fn unless(mut self, empty: S::Mask) -> Self {
         let empty = empty | self.exit.value.below(self.enter.value);
@@ -73,7 +73,7 @@ impl<S: Scalar> Inside<S> {
     pub(crate) fn is_empty(&self) -> S::Mask {
         self.exit.value.below(self.enter.value)
     }
-    /// Cut by the half-plane behind a face; a face without a normal cuts nothing.
+    /// Returns the part of the range behind a face; a face without a normal cuts nothing.
     #[inline(always)]
     pub fn behind(self, beam: Beam<S>, point: Vec2<S>, normal: Vec2<S>) -> Self {
         let ahead = normal.dot(beam.from - point);
@@ -103,7 +103,7 @@ impl<S: Scalar> Inside<S> {
             exit: self.exit.most(other.exit),
         }
     }
-    /// In a disc.
+    /// Returns the range inside a disc.
     #[inline(always)]
     pub fn disc(beam: Beam<S>, center: Vec2<S>, radius: S) -> Self {
         let arm = beam.from - center;
@@ -122,10 +122,11 @@ impl<S: Scalar> Inside<S> {
         };
         Inside::new(border(middle - half), border(middle + half)).unless(square.below(S::zero()))
     }
-    /// In the rectangle over an edge, that far to both sides. The edge may lack its start or its end.
+    /// Returns the range inside the rectangle over an edge that extends `radius` to both sides. The edge may lack its
+    /// start or its end.
     ///
-    /// With a radius the ends are drawn in by some roundings. A disc around an end covers what is lost, so that its
-    /// border and not that of the end is found where both and the side meet.
+    /// With a radius the ends are drawn in by some roundings. A disc around an end covers the part that is lost, so
+    /// that the range ends at its border and not at the strip's end where both meet the side.
     #[inline(always)]
     pub fn strip(
         beam: Beam<S>,
@@ -153,7 +154,7 @@ impl<S: Scalar> Inside<S> {
         }
         inside.unless(none)
     }
-    /// In a convex polygon, counter-clockwise; nowhere where it is flat to rounding.
+    /// Returns the range inside a convex polygon, counter-clockwise; empty where the polygon is flat to rounding.
     #[inline(always)]
     pub fn polygon(beam: Beam<S>, corners: &[Vec2<S>]) -> Self {
         let n = corners.len();
@@ -163,7 +164,7 @@ impl<S: Scalar> Inside<S> {
             let normal = -unit(along.perp());
             inside = inside.behind(beam, corners[i], normal);
         }
-        // The faces of a flat polygon do not say where it ends.
+        // The faces of a flat polygon do not bound it.
         let (mut twice, mut reach) = (S::zero(), S::zero());
         for i in 1..n {
             let way = corners[i] - corners[0];
@@ -172,7 +173,7 @@ impl<S: Scalar> Inside<S> {
         }
         inside.unless(twice.at_most(reach * S::lit(4.0 * S::EPSILON)))
     }
-    /// In a hull of corners, inflated by a radius.
+    /// Returns the range inside a hull of corners, inflated by a radius, from the range inside the hull.
     #[inline(always)]
     pub fn round(self, beam: Beam<S>, corners: &[Vec2<S>], radius: S) -> Self {
         let n = corners.len();

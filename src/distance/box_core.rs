@@ -8,8 +8,8 @@ use crate::{Scalar, Vec2};
 
 /// A box by its bounds.
 ///
-/// Its centre is taken after all is seen from nearby: far from the origin it would be rounded by more than the box
-/// is large.
+/// The centre is computed in coordinates relative to a nearby anchor: far from the origin its rounding would exceed the
+/// box's size.
 #[derive(Clone, Copy, Debug)]
 pub struct BoundsCore<S> {
     /// The corner with the least coordinates.
@@ -27,7 +27,7 @@ impl<S: Scalar> BoundsCore<S> {
             middle(self.min.y, self.max.y),
         )
     }
-    /// By centre and half size, for what is done with faces.
+    /// Returns the box by its centre and half size, which the computations with faces use.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn centred(&self) -> BoxCore<S, Upright> {
         let half = |min: S, max: S| max.halved() - min.halved();
@@ -89,7 +89,7 @@ impl<S: Scalar> Core<S> for BoundsCore<S> {
             )
         }))
     }
-    /// The farthest corner is at the farther bound along both axes.
+    /// Returns the largest squared distance: the farthest corner is at the farther bound along both axes.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn far(&self, corners: &[Vec2<S>]) -> Best<S, S> {
         Best::most_of(corners.iter().map(|&corner| {

@@ -9,9 +9,9 @@ use std::marker::PhantomData;
 
 /// A convex shape: every point at most [`radius`](Convex::radius) from its [`core`](Convex::core).
 ///
-/// Points, lines, rays, segments, triangles, boxes, circles, capsules, convex polygons and arrays of corners are. The
-/// functions of [`distance`](mod@crate::distance) and [`intersection`](crate::intersection) take any
-/// two of them; those of distances are methods, too.
+/// Points, lines, rays, segments, triangles, boxes, circles, capsules, convex polygons and arrays of corners are convex
+/// shapes. The functions of [`distance`](mod@crate::distance) and [`intersection`](crate::intersection) take any two of
+/// them; the functions of distances are methods, too.
 ///
 /// ```
 /// use geograd::distance::Convex;
@@ -88,7 +88,8 @@ pub trait Convex<S: Scalar>: Copy {
     fn closest_points<B: Convex<S>>(self, other: B) -> PointPair<S> {
         closest_points(self, other)
     }
-    /// How deep the shapes overlap, and the way out: [`penetration`](super::penetration).
+    /// Returns the depth of the overlap and the shortest direction that separates the shapes:
+    /// [`penetration`](super::penetration).
     #[must_use]
     #[inline]
     fn penetration<B: Convex<S>>(self, other: B) -> Contact<S> {
@@ -112,19 +113,19 @@ pub trait Convex<S: Scalar>: Copy {
     fn take_formula<F: PairFormula<S>, B: Convex<S>>(self, other: B) -> F::Out {
         F::cores(self, other)
     }
-    /// Returns the same where the first shape is known to be a point.
+    /// Takes a formula like `take_formula`, if the first shape is known to be a point.
     #[doc(hidden)]
     #[inline]
     fn take_formula_after_point<F: PairFormula<S>>(self, first: Vec2<S>) -> F::Out {
         F::cores(first, self)
     }
-    /// Returns the same where the first shape is known to be an axis-aligned box.
+    /// Takes a formula like `take_formula`, if the first shape is known to be an axis-aligned box.
     #[doc(hidden)]
     #[inline]
     fn take_formula_after_aabb2<F: PairFormula<S>>(self, first: Aabb2<S>) -> F::Out {
         F::cores(first, self)
     }
-    /// Returns the same where the first shape is known to be a rotated box.
+    /// Takes a formula like `take_formula`, if the first shape is known to be a rotated box.
     #[doc(hidden)]
     #[inline]
     fn take_formula_after_obb2<F: PairFormula<S>>(self, first: Obb2<S>) -> F::Out {
@@ -180,8 +181,8 @@ where
     }
 }
 
-/// Returns the signed distance of two convex shapes, in the unit of length: the shortest way between them, or
-/// minus the length of the shortest shift after which they only touch.
+/// Returns the signed distance of two convex shapes, in the unit of length: the distance of their nearest points, or
+/// minus the length of the shortest translation after which they only touch.
 ///
 /// Minus the largest finite number for two lines that cross. Derivatives and kinks: see the
 /// [module](super); on the border of a shape with an area it is smooth.
@@ -202,7 +203,8 @@ pub fn signed_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
 
 /// Returns the signed distance with DGAL's sign, in the unit of length: positive where shapes overlap, negative apart.
 ///
-/// It measures what is to stay inside, such as a robot in its lane. The free way to an obstacle is [`distance`].
+/// It measures shapes that are to stay inside, such as a robot in its lane. The clearance to an obstacle is
+/// [`distance`].
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, distance::depth};
@@ -248,11 +250,11 @@ pub fn squared_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S 
 
 /// Returns the points in which two convex shapes are nearest to each other.
 ///
-/// For shapes that overlap they are the points that [`penetration`] brings together: `on_b` is that point of b
-/// which is deepest in a (or the reverse), `on_a` the point of a's border to which it must go. Circles with one
-/// centre, and other round shapes whose cores meet in a point, leave each other by several ways; the points are those
-/// of one. Ties and derivatives: see the [module](super). The points of two lines that cross are nearest to each
-/// other's given points and mean nothing.
+/// For shapes that overlap they are the points that [`penetration`] brings together: `on_b` is that point of b which is
+/// deepest in a (or the reverse), `on_a` the point of a's border to which it must go. Circles with one centre, and
+/// other round shapes whose cores meet in a point, leave each other in several directions; the points are those of one.
+/// Ties and derivatives: see the [module](super). The points of two lines that cross are nearest to each other's given
+/// points and have no meaning.
 ///
 /// ```
 /// use geograd::{Aabb2, Circle, Vec2, distance::closest_points};
@@ -265,8 +267,8 @@ pub fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Poin
     a.take_formula::<Guarded<Closest>, B>(b)
 }
 
-/// How deep two convex shapes are in each other, and in which direction b leaves a by the shortest
-/// way.
+/// Returns the depth by which two convex shapes overlap, and the direction in which b leaves a by the shortest
+/// translation.
 ///
 /// The depth has derivatives by the envelope theorem, like a distance; it is 0 with derivative zero where the
 /// shapes are apart or touch, and the largest finite number for two lines that cross.

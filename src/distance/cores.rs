@@ -1,4 +1,4 @@
-//! The cores that shapes are made of: a point, a piece of a line, a polygon, a box.
+//! The cores of shapes: a point, a part of a line, a polygon, a box.
 use super::beam::{Beam, Inside};
 use super::corners::{Core, edge_near, face_deep};
 use super::edge::{Edge, scale_of, size_of, unit};
@@ -63,8 +63,8 @@ impl<S: Scalar> Core<S> for PointCore<S> {
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeCore<S, const CORNERS: usize, const AWAY: usize> {
     pub(super) edge: Edge<S>,
-    /// The second corner, where there is one. Not start and way added, which would round: edges that share
-    /// a corner have no distance at all.
+    /// The second corner, if there is one. The sum of start and vector would be rounded, but edges that share a corner
+    /// have distance zero.
     to: Vec2<S>,
 }
 
@@ -87,7 +87,7 @@ impl<S: Scalar, const AWAY: usize> EdgeCore<S, 1, AWAY> {
         EdgeCore {
             edge: Edge {
                 from,
-                // The direction has a length near one, whatever the unit of the rest.
+                // The direction has a length near one, in any unit of the other numbers.
                 along: direction * scale_of::<S>(size_of(direction)),
                 low: if AWAY == 2 { -large } else { S::zero() },
                 high: large,
@@ -154,10 +154,10 @@ impl<S: Scalar, const CORNERS: usize, const AWAY: usize> Core<S> for EdgeCore<S,
 pub struct PolygonCore<S, const N: usize, const TRIANGLE: bool = false>(pub [Vec2<S>; N]);
 
 impl<S: Scalar, const N: usize, const TRIANGLE: bool> PolygonCore<S, N, TRIANGLE> {
-    /// Returns the corners counter-clockwise, as they are placed.
+    /// Returns the corners counter-clockwise, at their positions.
     ///
-    /// The turn is that at the corner of the two shorter sides, which is known best: rounding is as small beside the
-    /// product of these as it can be. The normal of a short side depends on it.
+    /// The orientation is computed at the corner of the two shorter sides, where its rounding is smallest relative to
+    /// their product. The normal of a short side depends on it.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn turned(&self) -> [Vec2<S>; N] {
         let mut corners = self.0;
@@ -229,8 +229,8 @@ impl<S: Scalar, const N: usize, const TRIANGLE: bool> Core<S> for PolygonCore<S,
 
 /// Returns the corners of a convex polygon counter-clockwise; the first one stays.
 ///
-/// All corners turn to one side, and the sum of their turns has its sign. Each turn counts beside the sizes of its two
-/// sides, so that a corner of short sides tells as much as one of long ones. Repeated corners turn nothing.
+/// All corners turn to one side, and the sum of their turns has its sign. Each turn is divided by the sizes of its two
+/// sides, so that a corner of short sides counts as one of long sides. Repeated corners have turn zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn counter_clockwise<S: Scalar, const N: usize>(mut corners: [Vec2<S>; N]) -> [Vec2<S>; N] {
     let zero = S::Primal::zero();
@@ -256,11 +256,11 @@ fn counter_clockwise<S: Scalar, const N: usize>(mut corners: [Vec2<S>; N]) -> [V
     corners
 }
 
-/// How a box is turned: not at all, or by a rotation.
+/// The orientation of a box: along the axes, or turned by a rotation.
 pub trait Turn<S: Scalar>: Copy {
-    /// From the box's own axes to the world's.
+    /// Turns a vector from the box's own axes to the world's.
     fn out(&self, v: Vec2<S>) -> Vec2<S>;
-    /// From the world's axes to the box's own.
+    /// Turns a vector from the world's axes to the box's own.
     fn back(&self, v: Vec2<S>) -> Vec2<S>;
 }
 
@@ -290,14 +290,14 @@ impl<S: Scalar> Turn<S> for Rotation2<S> {
     }
 }
 
-/// A box: what it does with a corner it does in its own frame, where it is four comparisons.
+/// A box: a corner is compared with it in its own frame, by four comparisons.
 #[derive(Clone, Copy, Debug)]
 pub struct BoxCore<S, R> {
     /// The centre.
     pub center: Vec2<S>,
     /// Half its size.
     pub half: Vec2<S>,
-    /// How it is turned.
+    /// Its orientation.
     pub turn: R,
 }
 
@@ -312,7 +312,7 @@ impl<S: Scalar, R: Turn<S>> BoxCore<S, R> {
         let Vec2 { x, y } = self.half;
         [(right, x, y), (-right, x, y), (up, y, x), (-up, y, x)]
     }
-    /// Returns how far in front of each face another core begins.
+    /// Returns the distance in front of each face at which another core begins.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn faces_deep<B: Core<S>>(&self, other: &B) -> [Best<S, Deepest<S>>; 4] {
         self.faces().each_as(|(normal, half, side)| {
@@ -386,7 +386,7 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
             )
         }))
     }
-    /// The farthest corner of a box is on the other side along both axes.
+    /// Returns the largest squared distance: the farthest corner of a box is on the other side along both axes.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn far(&self, corners: &[Vec2<S>]) -> Best<S, S> {
         Best::most_of(corners.iter().map(|&corner| {
@@ -411,7 +411,8 @@ impl<S: Scalar, R: Turn<S>> Core<S> for BoxCore<S, R> {
     fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>> {
         Best::most_of(self.faces_deep(other).into_iter())
     }
-    /// Without the corners: half the diagonals' projections. Corners that tie are their middle.
+    /// Returns the lowest point of the box without its corners, by half the projections of its diagonals. Corners that
+    /// tie are replaced by their middle.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn lowest(&self, normal: Vec2<S>) -> Best<S, Ahead<S>> {
         let own = self.turn.back(normal);

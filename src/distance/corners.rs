@@ -4,12 +4,10 @@ use super::edge::{Edge, reach, size_of};
 use super::share::{Ahead, Best, Deepest, Nearest};
 use crate::{Scalar, Vec2};
 
-/// The core of a convex shape: the hull of some corners and of some directions in which it has no
-/// end. The cores are those of the library's shapes: a shape of one's own has that of the shape it
-/// is like.
+/// The core of a convex shape: the hull of some corners and of some directions in which it has no end. The cores are
+/// those of the library's shapes: a user's shape has that of the library's shape it is like.
 ///
-/// Two halves make every distance: what the faces and edges of one core are to the corners of the
-/// other, and the same the other way round.
+/// Two halves give every distance: the faces and edges of one core against the corners of the other, and the reverse.
 #[doc(hidden)]
 pub trait Core<S: Scalar>: Copy {
     /// The corners, in an array.
@@ -22,11 +20,11 @@ pub trait Core<S: Scalar>: Copy {
     const BOUNDED: bool = true;
     /// `true` if it is a box, whose corners need not be compared to know the farthest one from a point.
     const SYMMETRIC: bool = false;
-    /// Returns a point of it, or near it, from which the others are seen.
+    /// Returns a point of it, or near it, to which the others are relative.
     fn anchor(&self) -> Vec2<S>;
-    /// Returns how far its corners are from a point at most, coordinate by coordinate, as a constant.
+    /// Returns the largest absolute coordinate of its corners relative to a point, as a constant.
     fn extent(&self, from: Vec2<S>) -> S::Primal;
-    /// Returns the core seen from a point, in other units.
+    /// Returns the core relative to a point, in other units.
     #[must_use]
     fn placed(self, from: Vec2<S>, scale: S) -> Self;
     /// Returns the corners, around the core where there are more than two.
@@ -35,7 +33,7 @@ pub trait Core<S: Scalar>: Copy {
     fn away(&self) -> Self::Away;
     /// Returns the corner that is nearest to an edge of this core, and where.
     fn near(&self, corners: &[Vec2<S>]) -> Best<S, Nearest<S>>;
-    /// Returns the square of the longest way from a corner of this core to one of others.
+    /// Returns the largest squared distance of a corner of this core from one of others.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn far(&self, corners: &[Vec2<S>]) -> Best<S, S> {
         farthest(self.corners().as_ref(), corners)
@@ -55,7 +53,7 @@ pub trait Core<S: Scalar>: Copy {
     fn deep<B: Core<S>>(&self, other: &B) -> Best<S, Deepest<S>>;
 }
 
-/// Returns the square of the longest way from some corners to others.
+/// Returns the largest squared distance of some corners from others.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn farthest<S: Scalar>(from: &[Vec2<S>], to: &[Vec2<S>]) -> Best<S, S> {
     Best::most_of(from.iter().flat_map(|&p| {
@@ -83,8 +81,8 @@ pub(super) fn edge_near<S: Scalar>(edge: Edge<S>, corners: &[Vec2<S>]) -> Best<S
     }))
 }
 
-/// Returns how far in front of a face another core begins. The normal points out and has length one, or zero
-/// where the face has no length: such a face parts nothing.
+/// Returns the distance in front of a face at which another core begins. The normal points outwards and has length one,
+/// or zero if the face has no length: such a face separates nothing.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn face_deep<S: Scalar, B: Core<S>>(
     face: Edge<S>,
@@ -103,7 +101,7 @@ pub(super) fn face_deep<S: Scalar, B: Core<S>>(
     let lowest = first.mean();
     let foot = reach(face, lowest.on_b - face.from);
     let on_a = face.from + face.along * foot.t;
-    // Above the face the point itself, which one found from the face would only be to the face's digits.
+    // Above the face the point itself is taken, since one computed from the face has only the face's digits.
     let above = foot.free.equals(foot.t);
     let beside = on_a + normal * (lowest.ahead - height);
     let beyond = (foot.free - foot.t).magnitude() * S::from_primal(size_of(face.along));

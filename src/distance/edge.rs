@@ -1,4 +1,4 @@
-//! The one primitive that distances are made of: an edge and a point.
+//! The primitive of all distances: an edge and a point.
 use crate::scalar::speck;
 use crate::shape::Segment2;
 use crate::{Scalar, Vec2};
@@ -8,7 +8,7 @@ use crate::{Scalar, Vec2};
 pub struct Edge<S> {
     /// The point at parameter 0.
     pub from: Vec2<S>,
-    /// The way from parameter 0 to parameter 1.
+    /// The vector from parameter 0 to parameter 1.
     pub along: Vec2<S>,
     /// The least parameter.
     pub low: S,
@@ -29,19 +29,19 @@ impl<S: Scalar> Edge<S> {
     }
 }
 
-/// The place of an edge that is nearest to a point.
+/// The point of an edge that is nearest to a given point.
 #[derive(Clone, Copy, Debug)]
 pub struct Reach<S> {
     /// The parameter of the nearest point of the edge.
     pub t: S,
     /// The parameter of the nearest point of the whole line.
     pub free: S,
-    /// The way from there to the point. Across the edge it is found from the offset alone, so that
-    /// its direction is right however small it is.
+    /// The vector from there to the point. Across the edge it is computed from the offset alone, so that its direction
+    /// is right however small it is.
     pub apart: Vec2<S>,
 }
 
-/// Returns the place of an edge that is nearest to the point `edge.from + arm`. Coordinates are of a size near one, or
+/// Returns the point of an edge that is nearest to the point `edge.from + arm`. Coordinates are of a size near one, or
 /// smaller.
 ///
 /// Edges shorter than ε² count as points: t is ½ (or the bound nearest to it), with derivative zero.
@@ -76,24 +76,24 @@ pub(crate) fn scale_of<S: Scalar>(size: S::Primal) -> S {
     S::from_primal(S::Primal::select(zero, S::Primal::one(), size).binade())
 }
 
-/// A segment that waits to be seen from a point in units of a size near one.
+/// A segment before it is scaled: a distance from a point chooses units in which both are of a size near one.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Placed<S> {
+pub(crate) struct UnscaledSegment<S> {
     segment: Segment2<S>,
 }
 
-impl<S: Scalar> Placed<S> {
+impl<S: Scalar> UnscaledSegment<S> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn segment(segment: Segment2<S>) -> Self {
-        Placed { segment }
+        UnscaledSegment { segment }
     }
-    /// Returns the edge and the way from its start to a point, both in units of the larger one.
+    /// Returns the edge and the vector from its start to a point, both in units of the larger one.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn near(self, point: Vec2<S>) -> (Edge<S>, Vec2<S>) {
         let (edge, arm, _) = self.near_scaled(point);
         (edge, arm)
     }
-    /// Returns the same with the power of two that lengths were multiplied by.
+    /// Returns the result of [`near`](Self::near) with the power of two that lengths were multiplied by.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn near_scaled(self, point: Vec2<S>) -> (Edge<S>, Vec2<S>, S) {
         let arm = point - self.segment.from;
@@ -126,7 +126,7 @@ impl<S: Scalar> Placed<S> {
 #[must_use]
 #[inline]
 pub fn edge_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S {
-    let (edge, arm, scale) = Placed::segment(Segment2::new(from, to)).near_scaled(point);
+    let (edge, arm, scale) = UnscaledSegment::segment(Segment2::new(from, to)).near_scaled(point);
     reach(edge, arm).apart.length().over(scale).canonical()
 }
 
@@ -134,7 +134,7 @@ pub fn edge_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S
 /// the left of the edge's line: zero, with the derivative of the edge's normal.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn edge_sides<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> (S, S) {
-    let (edge, arm, scale) = Placed::segment(Segment2::new(from, to)).near_scaled(point);
+    let (edge, arm, scale) = UnscaledSegment::segment(Segment2::new(from, to)).near_scaled(point);
     let distance = reach(edge, arm).apart.length().over(scale).canonical();
     let length = edge.along.length();
     let on = distance.equals(S::zero()) & length.above(S::lit(S::EPSILON.powi(2)));
@@ -155,7 +155,7 @@ pub(super) fn edge_sides<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) 
 #[must_use]
 #[inline]
 pub fn edge_squared_distance<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S {
-    let (edge, arm, scale) = Placed::segment(Segment2::new(from, to)).near_scaled(point);
+    let (edge, arm, scale) = UnscaledSegment::segment(Segment2::new(from, to)).near_scaled(point);
     let square = reach(edge, arm).apart.length_squared();
     square.over(scale).over(scale).saturated().canonical()
 }
@@ -184,7 +184,7 @@ pub fn edge_winding<S: Scalar>(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> S 
     )
 }
 
-/// 1, −1 or 0 from two masks.
+/// Returns 1, −1 or 0: 1 where `up` is true, −1 where `down` is.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn winding_of<S: Scalar>(up: S::Mask, down: S::Mask) -> S {
     S::select(up, S::one(), S::select(down, -S::one(), S::zero()))
@@ -200,8 +200,8 @@ pub(crate) fn unit<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
     Vec2::select(none, Vec2::zero(), unit)
 }
 
-/// Returns the vector with length one; zero for none. Beside a speck it is a constant, whose derivatives are beyond the
-/// format.
+/// Returns the vector with length one; zero for the zero vector. For a tiny vector it is a constant, since its
+/// derivatives are beyond the format.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn direction<S: Scalar>(way: Vec2<S>) -> Vec2<S> {
     let length = way.length();

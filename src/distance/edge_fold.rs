@@ -2,7 +2,7 @@
 use super::edge::{edge_sides, edge_winding};
 use crate::{Scalar, Vec2};
 
-/// Which points of the plane a ring's winding number puts inside.
+/// The winding numbers of a ring that count as inside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Fill {
     /// Points with a winding number other than zero: loops add up.
@@ -20,24 +20,24 @@ pub struct EdgeFold<S> {
     pub distance: S,
     /// The sum of the distances of the edges that tie.
     sum: S,
-    /// How many they are.
+    /// The number of nearest edges.
     count: S,
-    /// The distance to the left of an edge that the point is exactly on: zero but for derivatives. It counts here
-    /// if the winding number on that side is the point's own.
+    /// The distance to the left of an edge that the point is exactly on: the value zero with derivatives. It counts
+    /// here if the winding number on that side is the point's own.
     left: S,
-    /// The same if the winding number on the right side is the point's own.
+    /// The distance to the right, if the winding number on that side is the point's own.
     right: S,
     /// The winding number so far.
     pub winding: S,
 }
 
 impl<S> EdgeFold<S> {
-    /// Which of its numbers the winding number is.
+    /// The index of the winding number among its numbers.
     pub(crate) const WINDING: usize = 5;
 }
 
 impl<S: Scalar> EdgeFold<S> {
-    /// No edges: the largest finite distance, winding number 0.
+    /// Creates the fold of no edges: the largest finite distance, winding number 0.
     #[inline(always)]
     pub fn empty() -> Self {
         EdgeFold {
@@ -49,7 +49,7 @@ impl<S: Scalar> EdgeFold<S> {
             winding: S::zero(),
         }
     }
-    /// One edge, seen from a point.
+    /// Creates the fold of one edge for a point.
     #[inline(always)]
     pub fn of_edge(point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> Self {
         let (distance, side) = edge_sides(point, from, to);
@@ -64,7 +64,7 @@ impl<S: Scalar> EdgeFold<S> {
             winding: edge_winding(point, from, to),
         }
     }
-    /// From the distance of the nearest edge and the winding number of all.
+    /// Creates the fold of a distance to the nearest edge and the winding number of all edges.
     #[inline(always)]
     pub(super) fn nearest(distance: S, winding: S) -> Self {
         EdgeFold {
@@ -76,7 +76,7 @@ impl<S: Scalar> EdgeFold<S> {
             winding,
         }
     }
-    /// With another edge that ties, though rounding may tell.
+    /// Adds the distance of another edge that ties with the nearest one, although rounding may order them.
     #[inline(always)]
     pub(super) fn and_also(mut self, distance: S) -> Self {
         self.sum += distance;
@@ -100,7 +100,7 @@ impl<S: Scalar> EdgeFold<S> {
             winding: self.winding + other.winding,
         }
     }
-    /// With one more edge.
+    /// Adds one more edge.
     #[must_use]
     #[inline(always)]
     pub fn with_edge(self, point: Vec2<S>, from: Vec2<S>, to: Vec2<S>) -> Self {

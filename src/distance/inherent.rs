@@ -1,6 +1,6 @@
-//! Distances of points, and the places of segments that are nearest to a point, as methods that need no trait in scope.
+//! Distances of points, and the points of segments that are nearest to a point, as methods that need no trait in scope.
 use super::convex::{Convex, distance, squared_distance};
-use super::edge::{self, Placed};
+use super::edge::{self, UnscaledSegment};
 use crate::scalar::Guard;
 use crate::{Scalar, Segment2, Vec2};
 
@@ -34,7 +34,7 @@ impl<S: Scalar> Segment2<S> {
     #[must_use]
     #[inline]
     pub fn parameter_of(self, point: Vec2<S>) -> S {
-        let (edge, arm) = Placed::segment(self).near(point);
+        let (edge, arm) = UnscaledSegment::segment(self).near(point);
         edge::reach(edge, arm).t.canonical()
     }
     /// Returns the point of the segment nearest to a point. Kinks: see

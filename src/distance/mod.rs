@@ -25,10 +25,9 @@
 //!
 //! # Derivatives
 //!
-//! By the envelope theorem the derivative of a distance is that of the way between the two nearest points,
-//! held fixed on their shapes: with n the unit vector from a to b it is n for a shift of b and −n for a
-//! shift of a, wherever the points move to. A corner gets the share with which it takes part in the
-//! nearest point; a radius gets −1.
+//! By the envelope theorem the derivative of a distance is that of the segment between the two nearest points, held
+//! fixed on their shapes. With n the unit vector from a to b it is n for a translation of b and −n for one of a,
+//! wherever the points move to. A corner gets its weight in the nearest point; a radius gets −1.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.

@@ -7,8 +7,8 @@ use crate::{Scalar, Vec2};
 /// Edges worked on side by side, in arrays that the compiler turns into SIMD.
 const SIDE: usize = 16;
 
-/// Returns the squared distance of the origin from an edge, and what the edge adds to the winding number
-/// around the origin.
+/// Returns the squared distance of the origin from an edge, and the edge's contribution to the winding number around
+/// the origin.
 #[inline(always)]
 fn measure<P: Scalar>(a: Vec2<P>, b: Vec2<P>) -> (P, P) {
     let zero = P::zero();
@@ -17,7 +17,7 @@ fn measure<P: Scalar>(a: Vec2<P>, b: Vec2<P>) -> (P, P) {
     let inside = zero.below(ahead) & ahead.below(square);
     let across = turn.over(P::select(inside, square, P::one())) * turn;
     let end = P::select(ahead.at_most(zero), a.length_squared(), b.length_squared());
-    // The side as a fold over edges takes it, so that both have one winding number beside an edge, too.
+    // The side is computed as in a fold over edges, so that both give one winding number next to an edge, too.
     let side = a.perp_dot(b);
     let up = a.y.at_most(zero) & zero.below(b.y) & zero.below(side);
     let down = b.y.at_most(zero) & zero.below(a.y) & side.below(zero);
@@ -30,15 +30,15 @@ fn larger<P: Scalar>(a: P, b: P) -> P {
     P::select(a.below(b), b, a)
 }
 
-/// Returns `true` where a square is no larger than another one but for rounding.
+/// Returns `true` if a square is at most another one within rounding.
 #[inline(always)]
 fn about_least<P: Scalar>(square: P, least: P) -> P::Mask {
     square.at_most(least * P::lit(1.0 + 64.0 * P::EPSILON))
 }
 
-/// The least square, the edge it is of, whether another edge has it too but for rounding, the winding number, and the
-/// largest coordinate of a vertex seen from the point.
-struct Found<P> {
+/// The state of a search: the least squared distance, its edge, `true` if another edge ties within rounding, the
+/// winding number, and the largest coordinate of a vertex relative to the point.
+struct NearestSearch<P> {
     least: P,
     edge: usize,
     tie: bool,
@@ -46,7 +46,7 @@ struct Found<P> {
     extent: P,
 }
 
-impl<P: Scalar<Mask = bool>> Found<P> {
+impl<P: Scalar<Mask = bool>> NearestSearch<P> {
     #[inline(always)]
     fn see(&mut self, square: P, edge: usize, tie: bool) {
         if square.below(self.least) {
@@ -103,7 +103,7 @@ pub(super) fn nearest<S: Scalar<Mask = bool>>(
             extent[k] = larger(extent[k], larger(a.x.unsigned(), a.y.unsigned()));
         }
     }
-    let mut found = Found {
+    let mut found = NearestSearch {
         least: S::Primal::lit(S::LARGEST),
         edge: 0,
         tie: false,

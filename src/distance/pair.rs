@@ -160,12 +160,12 @@ impl<S: Scalar> PairFormula<S> for Farthest {
     }
 }
 
-/// Returns a direction of length one in which cores part that meet and have no normal, a constant: across the piece of
-/// a line where the other one is a point, else along the first axis.
+/// Returns a direction of length one that separates cores which meet and have no normal, a constant: across a part of a
+/// line if the other core is a point, else along the first axis.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn aside<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec2<S> {
     let first = Vec2::new(S::one(), S::zero());
-    // Any others have a face that parts them, unless all their corners are one.
+    // All other pairs have a face that separates them, unless all their corners coincide.
     if A::DIMENSION + B::DIMENSION != 1 {
         return first;
     }
@@ -178,7 +178,7 @@ fn aside<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec2<S> {
     Vec2::select(none, first, edge::direction(way.perp())).constant()
 }
 
-/// Returns the way along a piece of a line.
+/// Returns the vector along a part of a line.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn along<S: Scalar, A: Core<S>>(core: A) -> Vec2<S> {
     match (core.corners().as_ref(), core.away().as_ref()) {
@@ -188,37 +188,37 @@ fn along<S: Scalar, A: Core<S>>(core: A) -> Vec2<S> {
     }
 }
 
-/// [`signed_distance`](super::signed_distance) of shapes whose numbers are known to be finite.
+/// Returns the [`signed_distance`](super::signed_distance) of shapes whose numbers are known to be finite.
 #[inline]
 pub(crate) fn signed_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     a.take_formula::<Signed, B>(b)
 }
-/// [`depth`](super::depth) of such shapes.
+/// Returns the [`depth`](super::depth) of shapes whose numbers are known to be finite.
 #[inline]
 pub(crate) fn depth<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     (-signed_distance(a, b)).canonical()
 }
-/// [`distance`](super::distance()) of such shapes.
+/// Returns the [`distance`](super::distance()) of shapes whose numbers are known to be finite.
 #[inline]
 pub(crate) fn distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     a.take_formula::<Unsigned, B>(b)
 }
-/// [`squared_distance`](super::squared_distance) of such shapes.
+/// Returns the [`squared_distance`](super::squared_distance) of shapes whose numbers are known to be finite.
 #[inline]
 pub(crate) fn squared_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     a.take_formula::<Squared, B>(b)
 }
-/// [`closest_points`](super::closest_points) of such shapes.
+/// Returns the [`closest_points`](super::closest_points) of shapes whose numbers are known to be finite.
 #[inline]
 pub(crate) fn closest_points<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> PointPair<S> {
     a.take_formula::<Closest, B>(b)
 }
-/// [`penetration`](super::penetration) of such shapes.
+/// Returns the [`penetration`](super::penetration) of shapes whose numbers are known to be finite.
 #[inline]
 pub(crate) fn penetration<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Contact<S> {
     a.take_formula::<Penetrating, B>(b)
 }
-/// [`farthest_distance`](super::farthest_distance) of such shapes.
+/// Returns the [`farthest_distance`](super::farthest_distance) of shapes whose numbers are known to be finite.
 #[inline]
 pub(crate) fn farthest_distance<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> S {
     a.take_formula::<Farthest, B>(b)

@@ -1,4 +1,4 @@
-//! The quantities of a pair of convex shapes, as types: what a [formula](super::pair) is for.
+//! The quantities of a pair of convex shapes, as types: a [formula](super::pair) computes one of them.
 
 /// [`signed_distance`](super::signed_distance).
 pub(super) struct Signed;

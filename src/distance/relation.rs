@@ -7,7 +7,7 @@ use super::share::{Best, Deepest, Nearest};
 use crate::scalar::speck;
 use crate::{Scalar, Vec2};
 
-/// The relation of two convex shapes. Lengths are in units of `1 / scale`, points are seen from `origin`.
+/// The relation of two convex shapes. Lengths are in units of `1 / scale`, points are relative to `origin`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relation<S: Scalar> {
     /// The signed distance of the cores.
@@ -19,11 +19,11 @@ pub(crate) struct Relation<S: Scalar> {
     pub on_a: Vec2<S>,
     /// The point of b's core.
     pub on_b: Vec2<S>,
-    /// `true` where the cores overlap without end: no shift of any length parts them.
+    /// `true` where the cores overlap without end: no translation separates them.
     pub endless: S::Mask,
     /// `true` where the cores share more than a border.
     pub overlap: S::Mask,
-    /// The way between the nearest points of cores that are apart.
+    /// The vector between the nearest points of cores that are apart.
     pub way: Vec2<S>,
     pub origin: Vec2<S>,
     pub scale: S,
@@ -46,7 +46,7 @@ impl<S: Scalar> Relation<S> {
             self.way.length_squared(),
         )
     }
-    /// Returns a square in the unit of length.
+    /// Converts a square to the unit of length.
     #[inline(always)]
     pub fn unscaled_square(&self, square: S) -> S {
         let square = square.over(self.scale).over(self.scale);
@@ -61,19 +61,19 @@ impl<S: Scalar> Relation<S> {
             direction: direction.canonical(),
         }
     }
-    /// Returns a way in the unit of length.
+    /// Converts a vector to the unit of length.
     #[inline(always)]
     pub fn unscaled(&self, way: Vec2<S>) -> Vec2<S> {
         Vec2::new(way.x.over(self.scale), way.y.over(self.scale))
     }
-    /// Minus the largest finite number for two lines that cross: no shift parts them.
+    /// Returns minus the largest finite number for two lines that cross: no translation separates them.
     #[inline(always)]
     fn parted(&self, apart: S) -> S {
         S::select(self.endless, S::lit(-S::LARGEST), apart)
     }
 }
 
-/// By so many roundings of the unit, in which all is of a size of at most four, heights and ways differ.
+/// The number of roundings of the unit by which heights and vectors may differ, if all sizes are at most four.
 const SLACK: f64 = 64.0;
 
 /// Ask for how far only.
@@ -83,8 +83,8 @@ pub(crate) const NORMAL: u8 = 1;
 /// Ask for the points, too.
 pub(crate) const POINTS: u8 = 2;
 
-/// Relates two shapes; what is not asked for is zero. One function for all that asks for the same of a
-/// pair, which compilers may share.
+/// Relates two shapes; results that are not needed are zero. All functions that need one relation of a pair call one
+/// function, which compilers may share.
 #[inline]
 pub(crate) fn relate<S: Scalar, A: Convex<S>, B: Convex<S>, const ASK: u8>(
     a: A,
@@ -103,8 +103,8 @@ pub(crate) fn relate<S: Scalar, A: Convex<S>, B: Convex<S>, const ASK: u8>(
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> {
     let (a, b) = (a.core(), b.core());
-    // Seen from a point of the two, in units of their extent: neither the distance from the origin
-    // costs digits, nor does a product over- or underflow.
+    // Relative to a point of the two, in units of their extent: no digits are lost by the distance from the origin, and
+    // no product over- or underflows.
     let origin = a.anchor();
     let scale = scale_of::<S>(a.extent(origin).most(b.extent(origin)));
     let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
@@ -115,7 +115,7 @@ fn relate_all<S: Scalar, A: Convex<S>, B: Convex<S>>(a: A, b: B) -> Relation<S> 
 }
 
 /// Returns the relation of two cores by their nearest points, the direction from a to b there, and by the face that
-/// parts them best, seen from `origin` in units of `1 / scale`; `bounded` says that one of them is.
+/// separates them best, relative to `origin` in units of `1 / scale`. `bounded` is `true` if one of them is bounded.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn joined<S: Scalar>(
     (near, direction): (Nearest<S>, Vec2<S>),
@@ -125,7 +125,7 @@ pub(crate) fn joined<S: Scalar>(
     scale: S,
 ) -> Relation<S> {
     let length = near.apart.length();
-    // Duals of the length of a speck pass through numbers beyond the largest one.
+    // Duals of a tiny length pass through numbers beyond the largest one.
     let along = near.apart.dot(direction.constant());
     let along = along.with_primal(length.primal());
     let length = S::select(length.at_most(S::lit(speck::<S>())), along, length);
@@ -148,11 +148,11 @@ pub(crate) fn joined<S: Scalar>(
     let parted = deep.value.above(S::lit(-S::LARGEST));
     let deep = deep.mean();
     // Shifted by their depth, cores that overlap touch, and then a corner of one is on an edge of the other: without
-    // the shift it is no farther from there than the depth. Faces too short to count would have parted any others.
+    // the shift it is no farther from there than the depth. Faces too short to count would have separated all others.
     let reachable = (S::lit(SLACK * S::EPSILON) - deep.ahead) - deep.ahead;
     let behind = deep.ahead.below(S::zero()) & length.at_most(reachable);
-    // Which side of an edge a point on it is on, its offset says with other roundings than the face does. Few shapes are
-    // so close, and batches leave out what only these need.
+    // For a point on an edge, its offset and the face decide the side with different roundings. Few shapes are so
+    // close, and batches leave out what only these need.
     let slack = S::lit(SLACK * S::EPSILON);
     let close = near.apart.length_squared().at_most(slack.squared());
     let against = near.apart.dot(deep.lead).below(S::zero());
@@ -167,7 +167,8 @@ pub(crate) fn joined<S: Scalar>(
         normal: Vec2::select(inside, deep.normal, direction),
         on_a: Vec2::select(inside, deep.on_a, near.on_a),
         on_b: Vec2::select(inside, deep.on_b, near.on_b),
-        // Bounded cores have a face that parts them unless both are points, for which it is the way.
+        // Bounded cores have a face that separates them unless both are points, for which the vector between them
+        // decides.
         endless: if bounded { never } else { !parted },
         overlap: parted & (behind | none) & deep.ahead.below(S::zero()),
         way: near.apart,
@@ -179,7 +180,7 @@ pub(crate) fn joined<S: Scalar>(
 /// Returns the nearest points of two cores that do not overlap.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Best<S, Nearest<S>> {
-    // A point is nothing but a corner: the other core's edges have seen it.
+    // A point is only a corner, which the other core's edges have been compared with.
     if A::DIMENSION == 0 && B::DIMENSION > 0 {
         return b.near(a.corners().as_ref()).flipped();
     }
@@ -190,9 +191,8 @@ fn nearest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Best<S, Nearest<S>>
     first.less(b.near(a.corners().as_ref()).flipped())
 }
 
-/// Returns the face that parts two cores best; `None` where neither their overlap nor their difference has an
-/// area. The faces of the set of all differences of two convex sets are those of the one and those
-/// of the other.
+/// Returns the face that separates two cores best; `None` if neither their overlap nor their difference has an area.
+/// The faces of the set of all differences of two convex sets are the faces of both sets.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn deepest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Option<Best<S, Deepest<S>>> {
     if A::DIMENSION + B::DIMENSION < 2 {

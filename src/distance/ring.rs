@@ -1,10 +1,9 @@
 //! Distances of a point from polylines, rings and polygons of any kind, edge by edge.
 //!
-//! [`EdgeFold`] is the state of a fold over edges in any order: start with
-//! [`EdgeFold::empty`], [`with_edge`](EdgeFold::with_edge) for every edge, [`join`](EdgeFold::join)
-//! partial results, and [`signed_distance`](EdgeFold::signed_distance) at the end. A polygon with
-//! holes is the fold over the edges of all of its rings, the holes clockwise (or, with
-//! [`Fill::EvenOdd`], either way round).
+//! [`EdgeFold`] is the state of a fold over edges in any order: start with [`EdgeFold::empty`],
+//! [`with_edge`](EdgeFold::with_edge) for every edge, [`join`](EdgeFold::join) partial results, and
+//! [`signed_distance`](EdgeFold::signed_distance) at the end. A polygon with holes is the fold over the edges of all of
+//! its rings, the holes clockwise (or, with [`Fill::EvenOdd`], in either orientation).
 use super::edge::edge_winding;
 pub use super::edge_fold::{EdgeFold, Fill};
 use super::nearest_edge::nearest;
@@ -67,7 +66,7 @@ pub fn winding_of_ring<S: Scalar<Mask = bool>>(point: Vec2<S>, ring: &[Vec2<S>])
     known(point, ring).result(turns.fold(S::zero(), |sum, edge| sum + edge))
 }
 
-/// Returns a guard of a point and vertices: these by comparisons that do not wait for each other.
+/// Returns a guard of a point and vertices. The comparisons of vertices are independent of each other.
 #[inline(always)]
 fn known<S: Scalar<Mask = bool>>(point: Vec2<S>, vertices: &[Vec2<S>]) -> Guard<S> {
     let is_known = |v: &Vec2<S>| v.x.equals(v.x) & v.y.equals(v.y);

@@ -5,7 +5,7 @@ use super::edge::{Edge, reach, scale_of, size_of};
 use super::share::{Best, Carry};
 use crate::{Scalar, Segment2, Vec2};
 
-/// The places in which two segments are nearest to each other.
+/// The points in which two segments are nearest to each other.
 #[derive(Clone, Copy, Debug, PartialEq, crate::Shape)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -24,19 +24,19 @@ pub struct ClosestOnSegments<S> {
 
 /// Two parameters.
 #[derive(Clone, Copy, Debug)]
-struct Pair<S>(S, S);
+struct Parameters<S>(S, S);
 
-impl<S: Scalar> Carry<S> for Pair<S> {
+impl<S: Scalar> Carry<S> for Parameters<S> {
     #[inline(always)]
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self {
-        Pair(
+        Parameters(
             self.0.join(other.0, keep, tie),
             self.1.join(other.1, keep, tie),
         )
     }
     #[inline(always)]
     fn times(self, factor: S) -> Self {
-        Pair(self.0 * factor, self.1 * factor)
+        Parameters(self.0 * factor, self.1 * factor)
     }
 }
 
@@ -76,18 +76,18 @@ pub fn closest_points_of_segments<S: Scalar>(
     // Each end against the other segment.
     let end_of_b = |at: Vec2<S>, t: S| {
         let found = reach(edge_a, at);
-        Best::of(found.apart.length_squared(), Pair(found.t, t))
+        Best::of(found.apart.length_squared(), Parameters(found.t, t))
     };
     let end_of_a = |at: Vec2<S>, t: S| {
         let found = reach(edge_b, at - w);
-        Best::of(found.apart.length_squared(), Pair(t, found.t))
+        Best::of(found.apart.length_squared(), Parameters(t, found.t))
     };
     let ends = end_of_b(w, zero)
         .less(end_of_b(w + db, one))
         .less(end_of_a(Vec2::zero(), zero))
         .less(end_of_a(da, one));
     let least = ends.value;
-    let Pair(t, u) = ends.mean();
+    let Parameters(t, u) = ends.mean();
     // The crossing of both lines, where it is inside both segments: t = w × db / (da × db) and
     // u = w × da / (da × db).
     let turn = da.perp_dot(db);
@@ -101,11 +101,12 @@ pub fn closest_points_of_segments<S: Scalar>(
         & above_t.below(turn)
         & zero.below(above_u)
         & above_u.below(turn);
-    // Guarded before the division: what is not chosen must be finite, too.
+    // Guarded before the division, since the value that is not chosen must be finite, too.
     let safe = S::select(crossing, turn, one);
     let inside = |x: S| S::select(crossing, x, zero).over(safe);
     let (free_t, free_u) = (inside(above_t), inside(above_u));
-    // Rounding makes crossings of segments in line: none counts where an end is nearer than its two places are.
+    // Rounding produces crossings of collinear segments: none counts if an end is nearer than the crossing's two
+    // points.
     let off = da * free_t - (w + db * free_u);
     let rounding = S::lit((8.0 * S::EPSILON).powi(2));
     let crossing = crossing & off.length_squared().at_most(least.most(rounding));
@@ -119,14 +120,14 @@ pub fn closest_points_of_segments<S: Scalar>(
     }
 }
 
-/// The shortest way from one shape to another, as the derivatives of its length need it.
+/// The shortest segment from one shape to another, with the numbers that the derivatives of its length need.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Way<S> {
+pub(crate) struct ShortestLink<S> {
     /// The direction from a to b, of length one; zero where a and b have a point in common.
     pub direction: Vec2<S>,
-    /// The fraction of the way along a at which it begins.
+    /// The parameter along a at which it begins.
     pub along_a: S,
-    /// The fraction of the way along b at which it ends.
+    /// The parameter along b at which it ends.
     pub along_b: S,
 }
 
@@ -160,7 +161,7 @@ impl<S: Scalar> Carry<S> for Link<S> {
     }
 }
 
-/// From an edge to a corner, which is at a fraction of its own shape.
+/// Returns the link from an edge to a corner, which is at `fraction` of its own shape.
 #[inline(always)]
 fn link<S: Scalar>(edge: Edge<S>, corner: Vec2<S>, fraction: S) -> Best<S, Link<S>> {
     let found = reach(edge, corner - edge.from);
@@ -172,7 +173,7 @@ fn link<S: Scalar>(edge: Edge<S>, corner: Vec2<S>, fraction: S) -> Best<S, Link<
     Best::of(found.apart.length_squared(), link)
 }
 
-/// With a and b exchanged.
+/// Exchanges a and b.
 #[inline(always)]
 fn flipped<S: Scalar>(mut link: Best<S, Link<S>>) -> Best<S, Link<S>> {
     let Link {
@@ -189,40 +190,40 @@ fn flipped<S: Scalar>(mut link: Best<S, Link<S>>) -> Best<S, Link<S>> {
 }
 
 #[inline(always)]
-fn way<S: Scalar>(link: Link<S>, distance: S) -> Way<S> {
+fn way<S: Scalar>(link: Link<S>, distance: S) -> ShortestLink<S> {
     let length = link.apart.length();
     let over = S::select(length.at_most(S::zero()), S::one(), length);
     let direction = Vec2::new(link.apart.x.over(over), link.apart.y.over(over));
-    Way {
+    ShortestLink {
         direction: Vec2::select(distance.above(S::zero()), direction, Vec2::zero()),
         along_a: link.along_a,
         along_b: link.along_b,
     }
 }
 
-// Both see what `relation` sees, in the same order, so that a recording of the distance and of the way has every
+// Both compute the numbers of `relation` in one order, so that a recording of the distance and of the segment has every
 // number once.
 
-/// Returns the shortest way from a point to a segment at some distance.
+/// Returns the shortest segment from a point to a segment at some distance.
 #[inline(always)]
 pub(crate) fn way_to_segment<S: Scalar>(
     point: Vec2<S>,
     segment: Segment2<S>,
     distance: S,
-) -> Way<S> {
+) -> ShortestLink<S> {
     let (a, b) = (point.core(), segment.core());
     let scale = scale_of::<S>(a.extent(point).most(b.extent(point)));
     let (a, b) = (a.placed(point, scale), b.placed(point, scale));
     way(flipped(link(b.edge, a.0, S::zero())).mean(), distance)
 }
 
-/// Returns the shortest way between two segments at some distance.
+/// Returns the shortest segment between two segments at some distance.
 #[inline(always)]
 pub(crate) fn way_between_segments<S: Scalar>(
     a: Segment2<S>,
     b: Segment2<S>,
     distance: S,
-) -> Way<S> {
+) -> ShortestLink<S> {
     let (a, b) = (a.core(), b.core());
     let origin = a.anchor();
     let scale = scale_of::<S>(a.extent(origin).most(b.extent(origin)));

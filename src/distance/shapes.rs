@@ -181,8 +181,8 @@ impl<S: Scalar, const N: usize> Convex<S> for ConvexPolygon<S, N> {
     }
 }
 
-/// Returns the first `used` corners, and the last of them again to the end of the array: the same polygon.
-/// Derivatives of corners beyond are zero. `used` is a whole number from 1 to N.
+/// Returns the polygon of the first `used` corners: the last of them is repeated to the end of the array. Derivatives
+/// of corners beyond are zero. `used` is a whole number from 1 to N.
 ///
 /// ```
 /// use geograd::{Vec2, distance::repeat_last};

@@ -5,7 +5,7 @@ use crate::{Scalar, Vec2};
 pub trait Carry<S: Scalar>: Copy {
     /// Returns the sum where `tie`, else `self` where `keep`, else `other`.
     fn join(self, other: Self, keep: S::Mask, tie: S::Mask) -> Self;
-    /// Returns all of it, times a number.
+    /// Multiplies all numbers by a factor.
     fn times(self, factor: S) -> Self;
 }
 
@@ -43,20 +43,19 @@ impl<S: Scalar, A: Carry<S>, B: Carry<S>> Carry<S> for (A, B) {
     }
 }
 
-/// A value by which candidates are compared, what the best ones carry, added up, and how many they
-/// are.
+/// A value by which candidates are compared, the sum of the data of the best ones, and their number.
 #[derive(Clone, Copy, Debug)]
 pub struct Best<S, C> {
     /// The value that is compared.
     pub value: S,
-    /// The sum of what the best ones carry.
+    /// The sum of the data of the best ones.
     pub sum: C,
-    /// How many they are.
+    /// The number of best ones.
     pub count: S,
 }
 
 impl<S: Scalar, C: Carry<S>> Best<S, C> {
-    /// One candidate.
+    /// Creates the best of one candidate.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of(value: S, carried: C) -> Self {
         Best {
@@ -112,7 +111,7 @@ impl<S: Scalar, C: Carry<S>> Best<S, C> {
 /// Two points, one of each core, that are nearest to each other.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest<S> {
-    /// The way from the one on a to the one on b.
+    /// The vector from the point on a to the point on b.
     pub apart: Vec2<S>,
     /// The one on a.
     pub on_a: Vec2<S>,
@@ -120,10 +119,10 @@ pub struct Nearest<S> {
     pub on_b: Vec2<S>,
 }
 
-/// By so many roundings of the unit, in which all is of a size of at most four, heights over faces in line differ.
+/// The number of roundings of the unit by which heights over collinear faces may differ, if all sizes are at most four.
 const ROUNDED: f64 = 16.0;
 
-/// How far in front of a face some points begin.
+/// The distance in front of a face at which some points begin.
 #[derive(Clone, Copy, Debug)]
 pub struct Ahead<S> {
     /// The distance from the face's line; negative behind it.
@@ -134,12 +133,12 @@ pub struct Ahead<S> {
 
 /// A face and the points of the other core that are farthest behind it.
 ///
-/// Faces that tie share the derivative of how far; of their normals and points those of the first face are
-/// taken whose end the points are not beyond, for the mean of two normals is none. Faces that tie but for rounding have
-/// their points on them, too, if one does: edges of a polygon that are in line.
+/// Faces that tie share the derivative of the distance. Normal and points are those of the first face whose ends
+/// enclose the points, since the mean of two normals is no normal. Faces that tie within rounding have their points on
+/// them, too, if one does: collinear edges of a polygon.
 #[derive(Clone, Copy, Debug)]
 pub struct Deepest<S> {
-    /// How far in front of the face they are; negative behind it.
+    /// The distance in front of the face; negative behind it.
     pub ahead: S,
     /// The face's normal, of length one, from a to b.
     pub normal: Vec2<S>,
@@ -147,9 +146,9 @@ pub struct Deepest<S> {
     pub on_a: Vec2<S>,
     /// The point of b: of its face, or the one farthest behind a's face.
     pub on_b: Vec2<S>,
-    /// How far in front of the face the points are that were taken.
+    /// The distance in front of the face of the points that were taken.
     pub level: S,
-    /// How far the points were beyond the end of the face.
+    /// The distance of the points beyond the end of the face.
     pub beyond: S,
     /// The middle of the face, as a constant.
     pub middle: Vec2<S>,
@@ -230,7 +229,7 @@ impl<S: Scalar> Carry<S> for Deepest<S> {
 }
 
 impl<S: Scalar> Best<S, Nearest<S>> {
-    /// With a and b exchanged.
+    /// Exchanges a and b.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(mut self) -> Self {
@@ -245,7 +244,7 @@ impl<S: Scalar> Best<S, Nearest<S>> {
 }
 
 impl<S: Scalar> Best<S, Deepest<S>> {
-    /// With a and b exchanged.
+    /// Exchanges a and b.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(mut self) -> Self {
@@ -259,13 +258,13 @@ impl<S: Scalar> Best<S, Deepest<S>> {
         };
         self
     }
-    /// Returns the larger of two that are faces of different shapes, as [`most`](Best::most) but where both are
-    /// parallel and part the shapes equally.
+    /// Returns the larger of two that are faces of different shapes, like [`most`](Best::most) unless both are parallel
+    /// and separate the shapes equally.
     ///
-    /// With b turned by t from there its own face parts them by `−offset t + (p − h) |t|` more than that of a, where
-    /// p and h are half the lengths of the faces of b and a, and offset is how far their middles are apart. So for
-    /// both signs of t it is the longer face that parts them if the second term is larger; else one of them for each
-    /// sign, and the derivative is the mean.
+    /// With b turned by t from there its own face separates them by `−offset t + (p − h) |t|` more than that of a,
+    /// where p and h are half the lengths of the faces of b and a, and offset is the distance of their middles. So for
+    /// both signs of t the longer face separates them if the second term is larger; else one of them for each sign, and
+    /// the derivative is the mean.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn most_of_faces(self, other: Self) -> Self {

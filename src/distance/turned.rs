@@ -8,10 +8,11 @@ use crate::arrays::Each;
 use crate::clip::{Relative, frame, relate};
 use crate::{Obb2, Rotation2, Scalar, Vec2};
 
-/// b seen from a's frame, in units in which both are of a size near one, and how the two are related there.
+/// Returns the relation of b to a in a's frame, the frame's rotation, and the scale that brings both to a size near
+/// one.
 ///
-/// Centres are subtracted before anything is turned, and headings before anything is compared: faces that are all
-/// but parallel are told apart by the sine of the angle between them, not by coordinates that it was added to.
+/// Centres are subtracted before anything is turned, and headings before anything is compared: nearly parallel faces
+/// are distinguished by the sine of the angle between them, not by coordinates that it was added to.
 #[inline(always)]
 fn seen<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (Relative<S>, Rotation2<S>, S) {
     let (own, other) = (frame(a), frame(b));
@@ -25,17 +26,17 @@ fn seen<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (Relative<S>, Rotation2<S>, S) {
     (relate::<S, true>(own, other, scale), turn, scale)
 }
 
-/// Which way: forwards (1) or backwards (−1) along an axis.
+/// The two directions along an axis: forwards (1) and backwards (−1).
 const SIGNS: [bool; 2] = [false, true];
 const CORNERS: [[bool; 2]; 4] = [[false, false], [true, false], [true, true], [false, true]];
 
-/// Returns a number or minus it.
+/// Returns a number, negated if `negative` holds.
 #[inline(always)]
 fn signed<S: Scalar>(negative: bool, x: S) -> S {
     if negative { -x } else { x }
 }
 
-/// One minus the cosine, by the sine: the cosine of a small angle rounds to one.
+/// Returns one minus the cosine, by the sine: the cosine of a small angle rounds to one.
 #[inline(always)]
 fn short<S: Scalar>(pair: &Relative<S>) -> S {
     (pair.sin * pair.sin).over(S::one() + pair.cos)
@@ -53,7 +54,7 @@ fn beyond<S: Scalar>(first: S, last: S, half: S) -> S {
 }
 
 /// Returns the corner of b that is nearest to a, or the corner of a that is nearest to b, and the direction from a to
-/// b. The point of b is seen from b's centre, so that its distance from a costs no digits.
+/// b. The point of b is relative to b's centre, so that its distance from a costs no digits.
 #[inline(always)]
 fn nearest<S: Scalar>(pair: &Relative<S>) -> Best<S, (Nearest<S>, Vec2<S>)> {
     let (h, p, cos, sin) = (pair.half_a, pair.half_b, pair.cos, pair.sin);
@@ -82,14 +83,15 @@ fn nearest<S: Scalar>(pair: &Relative<S>) -> Best<S, (Nearest<S>, Vec2<S>)> {
             on_a: corner,
             on_b: turn * (local - apart),
         };
-        // Before it is turned: along a side it is that side's normal, however short the way is.
+        // The direction is taken before it is turned: along a side it is that side's normal, however short the vector
+        // is.
         let direction = -(turn * direction(apart));
         Best::of(apart.length_squared(), (found, direction))
     });
     Best::least(of_b.into_iter().chain(of_a))
 }
 
-/// Returns the face of a or b that parts them best; the point of b is seen from b's centre.
+/// Returns the face of a or b that separates them best; the point of b is relative to b's centre.
 #[inline(always)]
 fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
     let (h, p, cos, sin) = (pair.half_a, pair.half_b, pair.cos, pair.sin);
@@ -105,7 +107,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
         half: p,
         turn: Rotation2 { cos, sin },
     };
-    // How far the other box begins in front of each face, what is as large as the boxes first.
+    // The distance in front of each face at which the other box begins; terms of the boxes' size are added first.
     let aheads = SIGNS.each_as(|back| {
         let (u, v) = (signed(back, pair.u), signed(back, pair.v));
         let of_a = [
@@ -116,7 +118,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
             ((u - h.x) * cos - p.x) + (v * sin - h.y * steep),
             ((v - h.y) * cos - p.y) - (u * sin + h.x * steep),
         ];
-        // By how much that of a is ahead, of which nothing cancels that both have.
+        // The excess of a's gap over b's, without the terms of both, so that nothing cancels.
         let more = [
             ((u - h.x) + p.x) * short + ((h.y - p.y) * steep - v * sin),
             ((v - h.y) + p.y) * short + ((h.x - p.x) * steep + u * sin),
@@ -141,7 +143,7 @@ fn deepest<S: Scalar>(pair: &Relative<S>) -> Best<S, Deepest<S>> {
     Best::most_of(pairs)
 }
 
-/// Returns the relation, in which each point is seen from the centre of its box along the axes of a.
+/// Returns the relation, in which each point is relative to the centre of its box, along the axes of a.
 #[inline(always)]
 fn related<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> (Relation<S>, Rotation2<S>) {
     let (pair, turn, scale) = seen(a, b);
@@ -194,7 +196,7 @@ pub fn squared_distance_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     found.unscaled_square(found.square())
 }
 
-/// [How deep](super::penetration) two rotated boxes overlap, and in which direction b leaves a.
+/// Returns the [depth](super::penetration) by which two rotated boxes overlap, and the direction in which b leaves a.
 ///
 /// ```
 /// use geograd::{Obb2, Vec2, distance::turned::penetration_obb2};
@@ -230,10 +232,10 @@ pub fn closest_points_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> PointPair<S> {
 
 /// Returns the [longest distance](super::farthest_distance) of points of two rotated boxes, in the unit of length.
 ///
-/// With c the way between the centres and s, t the ways from the centres of b and a to corners of theirs it is the
-/// largest `|c + s − t|`, whose square is `|c|² + |s|² + |t|²`, the same for all corners, and
-/// `2 (c·s − c·t − s·t)`, by which they are compared. All signs of both turned around change only the first two
-/// terms' sign. Kinks: where corners tie.
+/// Let c be the vector between the centres, and s and t the vectors from the centres of b and a to their corners. The
+/// distance is the largest `|c + s − t|`. Its square is `|c|² + |s|² + |t|²`, which is equal for all corners, plus
+/// `2 (c·s − c·t − s·t)`, by which they are compared. Negating both s and t changes only the sign of the first two
+/// terms. Kinks: where corners tie.
 ///
 /// ```
 /// use geograd::{Obb2, distance::turned::farthest_distance_obb2};

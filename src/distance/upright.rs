@@ -1,16 +1,16 @@
-//! Distances and nearest points of two axis-aligned boxes, axis by axis: what the functions of
-//! [`distance`](mod@crate::distance) do for them.
+//! Distances and nearest points of two axis-aligned boxes, axis by axis: the functions of
+//! [`distance`](mod@crate::distance) use them.
 use super::edge::{direction, scale_of, size_of};
 use super::outcome::{Contact, PointPair};
 use crate::arrays::Each;
 use crate::{Aabb2, Scalar, Vec2};
 
-/// Returns the signed distance of two axis-aligned boxes, in the unit of length: the shortest way between them, or
-/// minus the length of the shortest shift after which they only touch.
+/// Returns the signed distance of two axis-aligned boxes, in the unit of length: the distance of their nearest points,
+/// or minus the length of the shortest translation after which they only touch.
 ///
-/// Their [`signed_distance`](super::signed_distance), by the two gaps between their bounds alone: it
-/// has no kink beside those of the distance itself, however flat the boxes are. Kinks: where bounds tie, or
-/// the gaps of boxes that overlap, which share the derivative half and half; boxes that touch with a corner.
+/// It is their [`signed_distance`](super::signed_distance), by the two gaps between their bounds alone: it has no kink
+/// except those of the distance itself, however flat the boxes are. Kinks: where bounds tie, or the gaps of boxes that
+/// overlap, which share the derivative half and half; boxes that touch with a corner.
 ///
 /// ```
 /// use geograd::{Aabb2, distance::upright::signed_distance_aabb2};
@@ -70,21 +70,21 @@ pub fn farthest_distance_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     right.most(left).length().saturated().canonical()
 }
 
-/// Returns how far two boxes are apart along x and along y; negative where they overlap.
+/// Returns the gaps between two boxes along x and along y; negative where they overlap.
 #[inline(always)]
 fn gaps<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Vec2<S> {
     let (right, left) = (b.min - a.max, a.min - b.max);
     right.most(left)
 }
 
-/// Gaps that are, and zero for those that are not.
+/// Returns the gap along each axis; zero where the boxes overlap along it.
 #[inline(always)]
 fn open<S: Scalar>(gap: Vec2<S>) -> Vec2<S> {
     let open = |gap: S| S::select(gap.above(S::zero()), gap, S::zero());
     Vec2::new(open(gap.x), open(gap.y))
 }
 
-/// Returns the bounds of two intervals that face each other, and how far they are apart; negative where they overlap.
+/// Returns the bounds of two intervals that face each other, and the gap between them; negative if they overlap.
 #[inline(always)]
 fn facing<S: Scalar>(a: [S; 2], b: [S; 2]) -> ([S; 2], S) {
     let (right, left) = (b[0] - a[1], a[0] - b[1]);
@@ -96,10 +96,9 @@ fn facing<S: Scalar>(a: [S; 2], b: [S; 2]) -> ([S; 2], S) {
 /// Returns the points in which two axis-aligned boxes are nearest to each other, or which the shortest shift brings
 /// together where they overlap.
 ///
-/// Their [`closest_points`](super::closest_points): along sides
-/// that face each other the middle of what they share. All coordinates are bounds, or
-/// means of two, so that no size costs them digits. Kinks and jumps: where bounds tie, and where the depths of boxes
-/// that overlap do.
+/// They are their [`closest_points`](super::closest_points): along sides that face each other the middle of their
+/// common range. All coordinates are bounds, or means of two, so that no size costs them digits. Kinks and jumps: where
+/// bounds tie, and where the depths of boxes that overlap do.
 ///
 /// ```
 /// use geograd::{Aabb2, Vec2, distance::upright::closest_points_aabb2};
@@ -116,7 +115,7 @@ pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> PointPair<S>
     let [(x, gap_x), (y, gap_y)] = axes.each_as(|(a, b)| facing(a, b));
     let (apart_x, apart_y) = (gap_x.above(zero), gap_y.above(zero));
     let apart = apart_x | apart_y;
-    // The shallower axis parts boxes that overlap.
+    // The axis of the smaller depth separates boxes that overlap.
     let first = gap_x.at_least(gap_y);
     let parted = [apart_x | !apart & first, apart_y | !apart & !first];
     let [x, y] =
@@ -130,9 +129,10 @@ pub fn closest_points_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> PointPair<S>
     }
 }
 
-/// How deep two axis-aligned boxes overlap, and in which direction b leaves a by the shortest way.
+/// Returns the depth by which two axis-aligned boxes overlap, and the direction in which b leaves a by the shortest
+/// translation.
 ///
-/// Their [`penetration`](super::penetration), by their bounds alone. If the ways out along x and along y tie, the
+/// It is their [`penetration`](super::penetration), by their bounds alone. If the depths along x and along y tie, the
 /// depth shares its derivative and the direction is along x. Kinks: where bounds tie.
 ///
 /// ```
@@ -152,7 +152,7 @@ pub fn penetration_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Contact<S> {
     let way = open(gap);
     let apart = way.x.above(zero) | way.y.above(zero);
     let deep = -gap.x.most(gap.y).saturated();
-    // In units of the way, so that no square over- or underflows.
+    // In units of the vector's size, so that no square over- or underflows.
     let way = Vec2::new(way.x.saturated() * side.x, way.y.saturated() * side.y);
     let across = direction(way * scale_of::<S>(size_of(way)));
     let along_x = gap.x.at_least(gap.y);

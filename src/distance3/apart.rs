@@ -1,6 +1,6 @@
 //! Pairs of shapes of space that have distances, and the functions of any of them.
 use super::core::{Core, PointCore};
-use super::cored::Cored;
+use super::cored::InflatedCore;
 use super::half_space::{self, Bounded};
 use super::outcome::{Contact3, PointPair3};
 use super::relation::Relation;
@@ -74,7 +74,8 @@ pub trait Apart<B>: Copy {
     fn closest_points(self, other: B) -> PointPair3<Self::Scalar> {
         closest_points(self, other)
     }
-    /// How deep the shapes overlap, and the way out: [`penetration`](super::penetration).
+    /// Returns the depth of the overlap and the shortest direction that separates the shapes:
+    /// [`penetration`](super::penetration).
     #[must_use]
     #[inline]
     fn penetration(self, other: B) -> Contact3<Self::Scalar> {
@@ -82,8 +83,8 @@ pub trait Apart<B>: Copy {
     }
 }
 
-/// Returns the signed distance of two shapes of space, in the unit of length: the shortest way between them, or minus
-/// the length of the shortest shift after which they only touch.
+/// Returns the signed distance of two shapes of space, in the unit of length: the distance of their nearest points, or
+/// minus the length of the shortest translation after which they only touch.
 ///
 /// Derivatives and kinks: see the [module](super).
 ///
@@ -136,7 +137,7 @@ pub fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S 
 /// Returns the points in which two shapes of space are nearest to each other.
 ///
 /// Overlapping shapes have the points that [`penetration`] brings together. Balls with one centre, and other round
-/// shapes whose cores meet in a point, leave each other by several ways; the points are those of one. Ties and
+/// shapes whose cores meet in a point, leave each other in several directions; the points are those of one. Ties and
 /// derivatives: see the [module](super).
 ///
 /// ```
@@ -152,7 +153,8 @@ pub fn closest_points<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Poin
     a.guarded_with(&b).result(a.relation(b).closest_points())
 }
 
-/// How deep two shapes of space are in each other, and in which direction b leaves a by the shortest way.
+/// Returns the depth by which two shapes of space overlap, and the direction in which b leaves a by the shortest
+/// translation.
 ///
 /// The depth has derivatives by the envelope theorem, like a distance; it is 0 with derivative zero where the shapes
 /// are apart or touch.
@@ -186,7 +188,7 @@ pub fn farthest_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S
     a.guarded_with(&b).result(a.farthest(b))
 }
 
-impl<A: Cored, B: Cored<Scalar = A::Scalar>> Apart<B> for A {
+impl<A: InflatedCore, B: InflatedCore<Scalar = A::Scalar>> Apart<B> for A {
     type Scalar = A::Scalar;
     #[inline(always)]
     fn guarded_with(&self, other: &B) -> Guard<A::Scalar> {
@@ -223,7 +225,7 @@ impl<A: Cored, B: Cored<Scalar = A::Scalar>> Apart<B> for A {
 
 /// Returns the distances of a point from a point and from a box, in place of those by their cores.
 #[inline(always)]
-fn from_point<B: Cored>(
+fn from_point<B: InflatedCore>(
     found: Relation<B::Scalar>,
     point: Vec3<B::Scalar>,
     other: &B,
@@ -272,7 +274,7 @@ impl<S: Scalar, A: Bounded<Scalar = S>> Apart<Plane3<S>> for A {
 
 macro_rules! revolved {
     ($($Shape:ident)*) => { $(
-        impl<S: Scalar, A: Cored<Scalar = S, Core = PointCore<S>>> Apart<$Shape<S>> for A {
+        impl<S: Scalar, A: InflatedCore<Scalar = S, Core = PointCore<S>>> Apart<$Shape<S>> for A {
             type Scalar = S;
             #[inline(always)]
             fn guarded_with(&self, other: &$Shape<S>) -> Guard<S> {
@@ -288,10 +290,10 @@ macro_rules! revolved {
             }
             #[inline]
             fn farthest(self, other: $Shape<S>) -> S {
-                (round::farthest(self.core().0, other) + Cored::radius(&self)).canonical()
+                (round::farthest(self.core().0, other) + InflatedCore::radius(&self)).canonical()
             }
         }
-        impl<S: Scalar, B: Cored<Scalar = S, Core = PointCore<S>>> Apart<B> for $Shape<S> {
+        impl<S: Scalar, B: InflatedCore<Scalar = S, Core = PointCore<S>>> Apart<B> for $Shape<S> {
             type Scalar = S;
             #[inline(always)]
             fn guarded_with(&self, other: &B) -> Guard<S> {

@@ -3,8 +3,8 @@ use super::core::Core;
 use super::spot::fixed_vector;
 use crate::{Scalar, Vec3};
 
-/// Returns a direction of length one across both of two cores, a constant: across the two ways along their edges that
-/// are the farthest from parallel, else across the longest one, and along the first axis where both are points.
+/// Returns a direction of length one across both of two cores, a constant: orthogonal to the two directions of their
+/// edges that are the farthest from parallel, else to the longest edge. It is along the first axis if both are points.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn of_cores<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec3<S> {
     let (a, b) = (a.plain(), b.plain());
@@ -17,7 +17,8 @@ pub(super) fn of_cores<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Vec3<S>
     }
 }
 
-/// Returns the same of ways. No product of four lengths of a size that is promised over- or underflows.
+/// Returns a direction of length one orthogonal to vectors along edges. No product of four lengths within the
+/// documented range over- or underflows.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn across<S: Scalar>(ways: impl Iterator<Item = Vec3<S::Primal>> + Clone) -> Vec3<S> {
     let along = longest(ways.clone());

@@ -6,15 +6,15 @@ use super::near::{Candidate, Nearest, edges_near};
 use super::pair;
 use super::parting::grade;
 use super::relation::{Relation, direction};
-use super::spot::{Chosen, Pull, Spot, fixed, fixed_vector, valued, vanish, vanishing};
+use super::spot::{CoreFeatures, Pull, Spot, fixed, fixed_vector, valued, vanish, vanishing};
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
 use crate::distance::share::{Best, Carry};
 use crate::scalar::speck;
 use crate::{Mask, Scalar, Vec3};
 
-/// From where two cores are seen, and the units: those of their extent, so that no product over- or underflows. All
-/// products are of differences, so that corners which are given need not be moved, which would round them.
+/// Returns a common anchor of two cores and the scale of their extent, so that no product over- or underflows. All
+/// products are of differences. Corners that were given are therefore not moved, which would round them.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn view<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
     let anchor = a.anchor();
@@ -27,7 +27,7 @@ fn view<S: Scalar, A: Core<S>, B: Core<S>>(a: &A, b: &B) -> (Vec3<S>, S) {
     (origin, scale_of::<S>(size))
 }
 
-/// Returns the relation of two cores: plain numbers say which features are nearest, and the distance of these is
+/// Returns the relation of two cores: plain numbers decide which features are nearest, and the distance of these is
 /// computed once.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<S> {
@@ -37,7 +37,7 @@ pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<
     let (origin, scale) = view(&a, &b);
     let (a, b) = (a.placed(origin, scale), b.placed(origin, scale));
     let found = derived(&a, &b, &choose(&a.plain(), &b.plain()));
-    // Growth is zero but for its derivatives: values need no normal.
+    // Growth has the value zero and derivatives only, so values need no normal.
     let slope = |x: S| x.with_primal(S::Primal::zero());
     let growth = a.growth(found.normal) + b.growth(found.normal);
     let by_growth = found.square.root() * growth;
@@ -55,9 +55,9 @@ pub(super) fn relate<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> Relation<
     }
 }
 
-/// Returns the features that are nearest, or the planes that part two cores of plain numbers best.
+/// Returns the features that are nearest, or the planes that separate two cores of plain numbers best.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
+fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> CoreFeatures<P> {
     let (
         Candidate {
             near, at_a, at_b, ..
@@ -67,7 +67,7 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
     let found = joined(near, deep.as_ref());
     let (relation, inside) = (found.relation, found.inside);
     let none = inside & !inside;
-    // The direction of a way that is rounding parts nothing.
+    // A vector of the size of rounding has no direction that separates.
     let slack = P::lit(SLACK * P::EPSILON);
     let close = near.apart.length_squared().at_most(slack.squared()) & !inside;
     let (lost, beside) = match close.any() {
@@ -78,7 +78,7 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
         }
         false => (none, relation.normal),
     };
-    let chosen = Chosen {
+    let chosen = CoreFeatures {
         gap: relation.apart,
         square: relation.square,
         normal: Vec3::select(lost, beside, relation.normal),
@@ -98,7 +98,7 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
     let inside = inside | lost;
     let placed = lost & deep.grade.above(P::lit(grade::STEEP));
     let pick = |lost, plane: Vec3<P>, other: Vec3<P>| Vec3::select(lost, plane, other);
-    Chosen {
+    CoreFeatures {
         normal: pick(lost, deep.normal, chosen.normal),
         on_a: pick(placed, deep.on_a, chosen.on_a),
         on_b: pick(placed, deep.on_b, chosen.on_b),
@@ -115,15 +115,15 @@ fn choose<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Chosen<P> {
 /// Returns the relation of the features that were chosen, with derivatives; the values are those that were found with
 /// them.
 ///
-/// A feature that is free along two ways is in a plane, whose normal turns; along one it is a line, to which the way is
-/// orthogonal; along none the way is that of two fixed points. The height of the way along the normal, held fixed, has
-/// the first derivatives of all three. What is added has derivatives of second order only: it is made of numbers that
-/// vanish, such as the way beside the normal.
+/// A feature that is free along two directions is in a plane, whose normal turns. Along one it is a line, to which the
+/// vector between the nearest points is orthogonal; along none that vector joins two fixed points. Its height along the
+/// normal, held fixed, has the first derivatives of all three. The terms that are added have derivatives of second
+/// order only: they are products of numbers that vanish, such as the vector's component orthogonal to the normal.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
     a: &A,
     b: &B,
-    chosen: &Chosen<S::Primal>,
+    chosen: &CoreFeatures<S::Primal>,
 ) -> Relation<S> {
     let (from, to) = (a.point(chosen.at_a), b.point(chosen.at_b));
     let ((along_a, free_a), (along_b, free_b)) = (a.free(chosen.at_a), b.free(chosen.at_b));
@@ -148,11 +148,11 @@ fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
     let rise = S::select(linear, vanish(normal.dot(u)) * along, zero);
     let near = height - rise;
     let across = aside - Vec3::select(linear, u * along - normal * rise, none);
-    let spread = across.length_squared();
-    // Duals of the length of a speck pass through numbers beyond the largest one.
+    let across_square = across.length_squared();
+    // Duals of a tiny length pass through numbers beyond the largest one.
     let long = chosen.gap.above(lit(speck::<S>())) & !chosen.inside;
-    let sum = (near * near + spread).root() + near;
-    let bend = S::select(long, spread.over(S::select(long, sum, one)), zero) - rise;
+    let sum = (near * near + across_square).root() + near;
+    let bend = S::select(long, across_square.over(S::select(long, sum, one)), zero) - rise;
 
     // From a plane: the turn of its normal, where that has digits.
     let product = u.cross(v);
@@ -174,7 +174,7 @@ fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
     let by_plane = planar | chosen.inside;
     let gap = height + S::select(by_plane, tip, bend) + others;
     let gap = gap.with_primal(chosen.gap.primal());
-    let square = S::select(by_plane, gap * gap, near * near + spread);
+    let square = S::select(by_plane, gap * gap, near * near + across_square);
     let overlap = chosen.inside & chosen.gap.below(lit(0.0));
     let square = S::select(overlap, zero, square).with_primal(chosen.square.primal());
     let length = S::select(long, gap, one);
@@ -207,7 +207,7 @@ fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn nearest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Candidate<P> {
     let mut n = 0;
-    // A point is nothing but a corner: the other core's edges have seen it.
+    // A point is only a corner, which the other core's edges have been compared with.
     if A::DIMENSION == 0 {
         let point = a.anchor();
         return b.near(point, Spot::corner(0)).flipped();
@@ -252,14 +252,14 @@ fn nearest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Candidate<P> {
     sum.times(P::one().over(count))
 }
 
-/// Returns the relation by the nearest points, or by the plane that parts two cores best.
+/// Returns the relation by the nearest points, or by the plane that separates two cores best.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> Joined<S> {
+pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> CoreRelation<S> {
     let given = near.normal.length_squared().above(S::zero());
     let length = near.apart.length();
     // The mean of normals, of which some are none, is shorter than one.
     let direction = direction(Vec3::select(given, near.normal, near.apart));
-    // Duals of the length of a speck pass through numbers beyond the largest one.
+    // Duals of a tiny length pass through numbers beyond the largest one.
     let along = near.apart.dot(direction.constant());
     let along = along.with_primal(length.primal());
     let length = S::select(length.at_most(S::lit(speck::<S>())), along, length);
@@ -275,15 +275,15 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
             on_b: near.on_b,
         };
         let inside = none & !none;
-        return Joined { relation, inside };
+        return CoreRelation { relation, inside };
     };
     let parted = deep.value.above(S::lit(-S::LARGEST));
     // Shifted by their depth, cores that overlap touch, and then a corner or an edge of one is on the other: without
-    // the shift it is no farther from there than the depth. Faces too small to count would have parted any others.
+    // the shift it is no farther from there than the depth. Faces too small to count would have separated all others.
     let reachable = (S::lit(SLACK * S::EPSILON) - deep.value) - deep.value;
     let behind = deep.value.below(S::zero()) & length.at_most(reachable);
-    // Which side of a face a point on it is on, its height says with other roundings than the plane does. Few shapes are
-    // so close, and batches leave out what only these need.
+    // For a point on a face, its height and the plane decide the side with different roundings. Few shapes are so
+    // close, and batches leave out what only these need.
     let slack = S::lit(SLACK * S::EPSILON);
     let close = square.at_most(slack.squared());
     let against = direction.dot(deep.lead).below(S::zero());
@@ -293,8 +293,8 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
     let rounded = none & deep.value.above(S::zero());
     let ahead = S::select(rounded, S::zero(), deep.value);
     let overlap = parted & (behind | none) & deep.value.below(S::zero());
-    // Nearest points of cores that touch are on both. Those of a plane that only bounds need not be, nor where edges
-    // cross that are all but parallel.
+    // Nearest points of cores that touch are on both. This need not hold for a plane that only bounds, nor where nearly
+    // parallel edges cross.
     let touching = length.at_most(slack) & (-deep.value).at_most(slack);
     let placed = inside & !(touching & deep.grade.at_most(S::lit(grade::STEEP)));
     let relation = Relation {
@@ -304,16 +304,16 @@ pub(super) fn joined<S: Scalar>(near: Nearest<S>, deep: Option<&Deepest<S>>) -> 
         on_a: Vec3::select(placed, deep.on_a, near.on_a),
         on_b: Vec3::select(placed, deep.on_b, near.on_b),
     };
-    Joined { relation, inside }
+    CoreRelation { relation, inside }
 }
 
-/// A relation, and `true` if a plane says it.
-pub(super) struct Joined<S: Scalar> {
+/// A relation, and `true` if a plane gives it.
+pub(super) struct CoreRelation<S: Scalar> {
     pub relation: Relation<S>,
     pub inside: S::Mask,
 }
 
-/// Returns the square of the longest way from a corner of one core to one of another; ties share.
+/// Returns the largest squared distance of a corner of one core from one of another; ties share the derivative.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn farthest<S: Scalar, A: Core<S>, B: Core<S>>(a: A, b: B) -> S {
     if let (Some(a), Some(b)) = (a.as_box(), b.as_box()) {

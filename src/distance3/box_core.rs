@@ -3,18 +3,18 @@ use super::core::{BoxCore, Core};
 use super::deep::{EQUAL, box_faces};
 use super::near::{Candidate, Edge, Nearest, square_of};
 use super::parting::{Lowest, PartingPlane};
-use super::spot::{self, Counted, Pull, Spot, fixed, fixed_vector, part};
+use super::spot::{self, MeanSpot, Pull, Spot, fixed, fixed_vector, part};
 use crate::arrays::Each;
 use crate::scalar::largest;
 use crate::{Scalar, Vec3};
 
 impl<S: Scalar> BoxCore<S> {
-    /// Returns the way from a point to the centre.
+    /// Returns the vector from a point to the centre.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn center_from(&self, from: Vec3<S>) -> Vec3<S> {
         (self.given - from) + self.arm
     }
-    /// Returns the ways from the centre to the faces.
+    /// Returns the vectors from the centre to the faces.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn arms(&self) -> [Vec3<S>; 3] {
         let [x, y, z] = self.axes;
@@ -88,7 +88,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
             axes: self.axes.each_as(spot::plain),
         }
     }
-    /// Sides that are fixed grow with the box.
+    /// Returns the point of a spot; sides that the spot has at an end move with the box's size.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn point(&self, spot: Spot<S::Primal>) -> Vec3<S> {
         (0..3).fold(self.center, |sum, k| {
@@ -97,7 +97,7 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
             sum + self.axes[k] * (self.half[k] * part).with_primal(at.primal())
         })
     }
-    /// The feature has a bit for every axis along which it is free.
+    /// Returns the directions along which a spot is free; its feature has a bit for every such axis.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn free(&self, spot: Spot<S::Primal>) -> ([Vec3<S>; 2], S::Primal) {
         let lit = S::Primal::lit;
@@ -136,11 +136,11 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         spot
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, spot: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, spot: MeanSpot<S>, less: MeanSpot<S>, normal: Vec3<S>) -> Pull<S> {
         Pull {
             parts: [0, 1, 2, 3].each_as(|k| normal * (spot.part(k) - less.part(k))),
             half: [0, 1, 2].each_as(|k| {
-                let part = |all: Counted<S>| part(all.spot.parts[1 + k], self.half[k]) * all.count;
+                let part = |all: MeanSpot<S>| part(all.spot.parts[1 + k], self.half[k]) * all.count;
                 normal.dot(self.axes[k]) * (part(spot) - part(less))
             }),
         }
@@ -218,8 +218,8 @@ impl<S: Scalar> Core<S> for BoxCore<S> {
         }
         Lowest::edge(point, spot)
     }
-    /// Along a face's normal two edges are equally far: what crosses the face does so at that beside its middle,
-    /// or crosses one along the other axis.
+    /// Moves the lowest edge to the side of a point. Two edges are equally far along a face's normal: a segment across
+    /// the face crosses it near that side, or crosses an edge along the other axis.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn beside(&self, lowest: Lowest<S>, normal: Vec3<S>, way: usize, point: Vec3<S>) -> Lowest<S> {
         let (arms, at, zero) = (self.arms(), self.seen(point), S::zero());

@@ -8,7 +8,8 @@ use crate::{Rotation2, Scalar, Vec2, Vec3};
 
 /// A kind of box in space whose faces a point can be beyond.
 pub trait Faces<S: Scalar>: Copy {
-    /// Returns how far a point is beyond the nearer face across each of the box's own axes; negative between both.
+    /// Returns the height of a point over the nearer face along each of the box's own axes; negative between both
+    /// faces.
     #[must_use]
     fn beyond(self, point: Vec3<S>) -> Vec3<S>;
 }
@@ -21,7 +22,7 @@ impl<S: Scalar> Faces<S> for Aabb3<S> {
     }
 }
 
-/// Returns the same from a point in the box's own frame.
+/// Returns the heights over the nearer faces of a point given in the box's own frame.
 #[inline(always)]
 fn from_center<S: Scalar>(at: Vec3<S>, size: Vec3<S>) -> Vec3<S> {
     let across = |x: S, size: S| x.magnitude() - size.halved();
@@ -56,15 +57,15 @@ pub(super) fn signed<S: Scalar>(beyond: Vec3<S>) -> S {
     S::select(nearest.above(S::zero()), outside, nearest)
 }
 
-/// Gaps that are, and zero for those that are not; a gap of zero has half of its derivative.
+/// Returns the gap along each axis, zero where the boxes overlap along it; a gap of zero has half of its derivative.
 #[inline(always)]
 pub(super) fn open<S: Scalar>(gap: Vec3<S>) -> Vec3<S> {
     let zero = S::zero();
     Vec3::new(gap.x.most(zero), gap.y.most(zero), gap.z.most(zero))
 }
 
-/// Returns the relation of two axis-aligned boxes, by their bounds alone. Ties of bounds share the derivative; of boxes
-/// that overlap equally deep along several axes the points and the direction are those of the first.
+/// Returns the relation of two axis-aligned boxes, by their bounds alone. Ties of bounds share the derivative. If boxes
+/// overlap equally deep along several axes, the points and the direction are those of the first.
 #[inline(always)]
 pub(super) fn upright<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> Relation<S> {
     let (zero, one) = (S::zero(), S::one());
@@ -74,7 +75,7 @@ pub(super) fn upright<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> Relation<S> {
     let clear = gaps.each_as(|gap| S::select(gap.above(zero), gap, zero));
     let apart = gaps.each_as(|gap| gap.above(zero));
     let any = apart[0] | apart[1] | apart[2];
-    // Of boxes that overlap the shallowest axis parts them.
+    // The axis of the least depth separates boxes that overlap.
     let first = gaps[0].at_least(gaps[1]) & gaps[0].at_least(gaps[2]);
     let second = !first & gaps[1].at_least(gaps[2]);
     let shallow = [first, second, !first & !second];
@@ -95,7 +96,7 @@ pub(super) fn upright<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> Relation<S> {
     });
     let vector = |n: usize| Vec3::new(found[0][n], found[1][n], found[2][n]);
     let way = vector(2);
-    // In units of the way, so that no square over- or underflows.
+    // In units of the vector's size, so that no square over- or underflows.
     let across = direction(way * scale_of::<S>(largest([way.x, way.y, way.z])));
     let out = vector(3);
     let way = Vec3::new(clear[0], clear[1], clear[2]);

@@ -4,7 +4,8 @@ use super::near::normal;
 use super::relation::direction;
 use crate::{Scalar, Vec3};
 
-/// By how far a plane with a normal parts b from a, whose points it is seen from are `way` apart.
+/// Returns the width of the slab with a normal that separates b from a, whose reference points are `way` apart;
+/// negative where they overlap.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn parted<P: Scalar, A: Core<P>, B: Core<P>>(
     (a, on_a): (&A, Vec3<P>),
@@ -21,8 +22,9 @@ pub(super) fn parted<P: Scalar, A: Core<P>, B: Core<P>>(
     (low_a + low_b) + normal.dot(way)
 }
 
-/// Returns a direction across both of two cores whose difference has no volume, on the side of a given one: it parts
-/// them where they touch. Of cores that are parallel it is across both, and as near to the given one as that allows.
+/// Returns a direction across both of two cores whose difference has no volume, on the side of a given one: it
+/// separates them where they touch. For parallel cores it is orthogonal to both, and as near to the given one as that
+/// allows.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn across<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B, given: Vec3<P>) -> Vec3<P> {
     let (zero, one, none) = (P::zero(), P::one(), Vec3::zero());

@@ -1,7 +1,7 @@
-//! The cores that convex shapes of space are made of: a point, a segment, a triangle, a tetrahedron, a box.
+//! The cores of convex shapes of space: a point, a segment, a triangle, a tetrahedron, a box.
 use super::near::{Candidate, Edge, Nearest};
 use super::parting::{Lowest, PartingPlane};
-use super::spot::{self, Counted, Pull, Spot, fixed_vector};
+use super::spot::{self, MeanSpot, Pull, Spot, fixed_vector};
 use super::straight::Straight;
 use crate::arrays::Each;
 use crate::scalar::largest;
@@ -9,9 +9,9 @@ use crate::{Scalar, Vec3};
 
 /// The core of a convex shape of space: the hull of some corners.
 ///
-/// Three families of candidates make every distance: corners of one core against the faces and edges of the other,
-/// the same the other way round, and edges against edges. Cores of plain numbers ([`plain`](Core::plain)) are searched
-/// for the nearest features; the core with derivatives finds these by their [`Spot`].
+/// Three families of candidates give every distance: corners of one core against the faces and edges of the other, the
+/// reverse, and edges against edges. Cores of plain numbers ([`plain`](Core::plain)) are searched for the nearest
+/// features; the core with derivatives finds these by their [`Spot`].
 pub trait Core<S: Scalar>: Copy {
     /// The core without derivatives.
     type Plain: Core<S::Primal>;
@@ -19,7 +19,7 @@ pub trait Core<S: Scalar>: Copy {
     type Corners: AsRef<[Vec3<S>]> + Each<Vec3<S>>;
     /// The edges, in an array.
     type Edges: AsRef<[Edge<S>]> + Each<Edge<S>>;
-    /// The ways along edges, parallel ones once, in an array.
+    /// The vectors along edges, parallel ones once, in an array.
     type Ways: AsRef<[Vec3<S>]> + Each<Vec3<S>>;
     /// A number for each of its faces, in an array.
     type Faces: Each<usize>;
@@ -28,44 +28,45 @@ pub trait Core<S: Scalar>: Copy {
     /// `true` if corners are computed from a centre, to which a distance from the origin would cost digits. Corners
     /// that are given lose some where they are moved.
     const CENTERED: bool = false;
-    /// Returns a point of it, from which the others are seen.
+    /// Returns a point of it, to which the others are relative.
     fn anchor(&self) -> Vec3<S>;
-    /// Returns how far its corners are from a point at most, coordinate by coordinate, as a constant.
+    /// Returns the largest absolute coordinate of its corners relative to a point, as a constant.
     fn extent(&self, from: Vec3<S>) -> S::Primal;
-    /// Returns the core seen from a point.
+    /// Returns the core relative to a point.
     #[must_use]
     fn seen_from(self, from: Vec3<S>) -> Self;
-    /// Returns the core seen from a point, in other units.
+    /// Returns the core relative to a point, in other units.
     #[must_use]
     fn placed(self, from: Vec3<S>, scale: S) -> Self;
     /// Returns the core without derivatives.
     fn plain(&self) -> Self::Plain;
     /// Returns the point at a spot, which is fixed on the core.
     fn point(&self, spot: Spot<S::Primal>) -> Vec3<S>;
-    /// Returns the ways along the feature of a spot, and how many they are; zero for those that there are not.
+    /// Returns the directions along which the feature of a spot is free, and their number; zero in place of missing
+    /// ones.
     fn free(&self, spot: Spot<S::Primal>) -> ([Vec3<S>; 2], S::Primal);
     /// Returns the spot of a corner.
     fn at_corner(&self, k: usize) -> Spot<S>;
     /// Returns the spot on an edge, from 0 to 1, whose ends are not counted among its points.
     fn at_edge(&self, k: usize, t: S) -> Spot<S>;
     /// Returns the derivative of the heights of spots along a direction, less that of others.
-    fn pull(&self, spot: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S>;
-    /// Returns the height that has that derivative, but for a constant.
+    fn pull(&self, spot: MeanSpot<S>, less: MeanSpot<S>, normal: Vec3<S>) -> Pull<S>;
+    /// Returns a height with this derivative, up to a constant.
     fn height(&self, pull: Pull<S::Primal>) -> S;
     /// Returns the corners.
     fn corners(&self) -> Self::Corners;
     /// Returns the edges.
     fn edges(&self) -> Self::Edges;
-    /// Returns the ways from end to end of edges, parallel ones once.
+    /// Returns the vectors from end to end of edges, parallel ones once.
     fn ways(&self) -> Self::Ways;
     /// Returns the numbers of its faces.
     fn faces(&self) -> Self::Faces;
     /// Returns the point of the core, or of its surface, that is nearest to a corner of another one, at a spot there.
     fn near(&self, corner: Vec3<S>, there: Spot<S>) -> Candidate<S>;
-    /// Returns the edge along one of the [ways](Core::ways) that is farthest against a direction orthogonal to it: of
-    /// boxes its middle, of others its first end.
+    /// Returns the lowest edge along one of the [vectors](Core::ways), seen along a direction orthogonal to it: for
+    /// boxes by its middle, for others by its first end.
     fn lowest(&self, normal: Vec3<S>, way: usize) -> Lowest<S>;
-    /// Of edges along a way that are equally far but for rounding the one on the side of a point.
+    /// Returns the edge on the side of a point, of edges along a direction that are equally far within rounding.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn beside(
         &self,
@@ -76,12 +77,13 @@ pub trait Core<S: Scalar>: Copy {
     ) -> Lowest<S> {
         lowest
     }
-    /// Returns the spot at a parameter along a way from that of [`lowest`](Core::lowest).
+    /// Returns the spot at a parameter along a vector from that of [`lowest`](Core::lowest).
     fn along(&self, spot: Spot<S>, way: usize, t: S) -> Spot<S>;
     /// Returns the least of `normal · corner`, and the corner; corners that tie share the derivative, and the point is
     /// their mean.
     fn support(&self, normal: Vec3<S>) -> (S, Vec3<S>);
-    /// Returns how much closer sides of length zero come along a direction as they grow: zero, with that derivative.
+    /// Returns the growth of the extent along a direction by sides of length zero: the value zero, with the derivative
+    /// by these sides.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn growth(&self, _normal: Vec3<S>) -> S {
         S::zero()
@@ -96,7 +98,7 @@ pub trait Core<S: Scalar>: Copy {
     fn straight(&self) -> Option<Straight<S>> {
         None
     }
-    /// How a face parts the core from another one.
+    /// Returns the plane along a face that separates the core from another one.
     fn parting<B: Core<S>>(&self, face: usize, other: &B) -> PartingPlane<S>;
 }
 
@@ -105,21 +107,21 @@ pub trait Core<S: Scalar>: Copy {
 pub struct BoxCore<S> {
     /// A point of the box that is given: the centre, or a corner.
     pub given: Vec3<S>,
-    /// The way from there to the centre. Far from the origin their sum has fewer digits than either.
+    /// The vector from there to the centre. Far from the origin their sum has fewer digits than either.
     pub arm: Vec3<S>,
     /// The centre.
     pub center: Vec3<S>,
     /// Half the size along its own axes.
     pub half: [S; 3],
-    /// The same of sides of length zero, zero of all others. Corners at both ends of such a side are one place: which
-    /// of them comes closer as it grows only the direction to the other shape tells.
+    /// Half of each side of length zero, zero for all others. Corners at both ends of such a side coincide; the
+    /// direction to the other shape decides which of them comes closer as the side grows.
     pub flat: [S; 3],
     /// Its own axes, of length one.
     pub axes: [Vec3<S>; 3],
 }
 
 impl<S: Scalar> BoxCore<S> {
-    /// Returns a point as its own axes see it, from the centre.
+    /// Returns the coordinates of a point along its own axes, relative to the centre.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn seen(&self, point: Vec3<S>) -> [S; 3] {
         let arm = point - self.center;
@@ -127,7 +129,7 @@ impl<S: Scalar> BoxCore<S> {
     }
 }
 
-/// Returns how far points are from another one at most.
+/// Returns the largest absolute coordinate of points relative to another one.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn extent_of<S: Scalar, const N: usize>(
     points: [Vec3<S>; N],
@@ -192,7 +194,7 @@ impl<S: Scalar> Core<S> for PointCore<S> {
         Spot::corner(0)
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, spot: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, spot: MeanSpot<S>, less: MeanSpot<S>, normal: Vec3<S>) -> Pull<S> {
         let mut parts = [Vec3::zero(); 4];
         parts[0] = normal * (spot.part(0) - less.part(0));
         Pull {

@@ -14,7 +14,7 @@ use crate::{Rotation2, Rotation3, Scalar, Vec3};
 ///
 /// Points, segments, triangles, tetrahedra, boxes, balls, capsules and boxes with round edges are. Any two of them are
 /// [`Apart`](super::Apart).
-pub trait Cored: Copy {
+pub trait InflatedCore: Copy {
     /// Its numbers.
     type Scalar: Scalar;
     /// The type of the shape that is inflated.
@@ -25,7 +25,7 @@ pub trait Cored: Copy {
     fn core(self) -> Self::Core;
     /// Returns a guard with its numbers.
     fn guarded(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
-    /// By how much; not negative.
+    /// Returns the radius of the inflation; not negative.
     #[inline(always)]
     fn radius(&self) -> Self::Scalar {
         Self::Scalar::zero()
@@ -36,7 +36,7 @@ pub trait Cored: Copy {
     fn bounds(&self) -> Option<Aabb3<Self::Scalar>> {
         None
     }
-    /// Returns how far a point is beyond the faces, where the core is a box.
+    /// Returns the heights of a point over the faces, if the core is a box.
     #[doc(hidden)]
     #[inline(always)]
     fn beyond(&self, _: Vec3<Self::Scalar>) -> Option<Vec3<Self::Scalar>> {
@@ -46,7 +46,7 @@ pub trait Cored: Copy {
 
 macro_rules! cored {
     ($($Shape:ident: $Core:ident, |$shape:ident| $core:expr $(, $radius:ident)?;)*) => { $(
-        impl<S: Scalar> Cored for $Shape<S> {
+        impl<S: Scalar> InflatedCore for $Shape<S> {
             type Scalar = S;
             type Core = $Core<S>;
             #[inline(always)]
@@ -126,7 +126,7 @@ macro_rules! boxes {
     ($(
         $Shape:ident: |$shape:ident| $core:expr, $inner:expr $(, radius $radius:ident)? $(, bounds $bounds:expr)?;
     )*) => { $(
-        impl<S: Scalar> Cored for $Shape<S> {
+        impl<S: Scalar> InflatedCore for $Shape<S> {
             type Scalar = S;
             type Core = BoxCore<S>;
             #[inline(always)]

@@ -1,29 +1,29 @@
-//! How far cores are in each other: the plane that parts them best.
+//! The depth by which cores overlap: the plane that separates them best.
 //!
-//! The gap along any direction of length one is at most the signed distance, and of some face's normal, or some normal
-//! of two edges, it is just that. A direction that is mostly rounding costs nothing.
+//! The gap along any direction of length one is at most the signed distance, and equals it for some face's normal, or
+//! some normal of two edges. A direction that is mostly rounding costs nothing.
 use super::core::{BoxCore, Core};
 use super::near::normal;
 use super::parting::{PartingPlane, grade};
-use super::spot::{Counted, Pull, Spot};
+use super::spot::{MeanSpot, Pull, Spot};
 use crate::arrays::Each;
 use crate::distance::share::Carry;
 use crate::{Scalar, Vec3};
 
-/// By so many roundings of the unit, in which all is of a size of at most four, heights and ways differ.
+/// The number of roundings of the unit by which heights and vectors may differ, if all sizes are at most four.
 pub(super) const SLACK: f64 = 64.0;
 
-/// By so many roundings of the unit planes must part cores more than others do, corners be ahead of others, and feet be
-/// beyond an end.
+/// The number of roundings of the unit by which one plane must separate cores more than another, one corner be ahead of
+/// another, and a foot be beyond an end.
 pub(super) const MORE: f64 = 8.0;
 
-/// By so many roundings of the unit edges of a box are equally far: four of a normal, and of a sum of four products with
-/// coordinates of a size of at most four. Planes through such edges differ by twice as much, and by as much again.
+/// The number of roundings of the unit within which edges of a box are equally far: four of a normal, and those of a
+/// sum of four products with coordinates of at most four. Planes through such edges differ by up to four times that.
 pub(super) const EQUAL: f64 = 32.0;
 
 /// A corner over a face, and the spot of its foot there.
 #[derive(Clone, Copy, Debug)]
-struct Over<P: Scalar> {
+struct CornerOverFace<P: Scalar> {
     ahead: P,
     /// `true` if the foot is on the face.
     on_face: P::Mask,
@@ -34,8 +34,8 @@ struct Over<P: Scalar> {
 
 /// Returns the corners of b that are least ahead of a face of a; of equal ones those whose foot is on it, if any are.
 ///
-/// Where only corners have a foot on it that rounding may have put ahead of the others, those are taken: an edge that is
-/// parallel to the face meets it there, and not beyond its border.
+/// If the only corners with a foot on the face are ones that rounding may have put ahead of the others, they are taken:
+/// an edge parallel to the face meets it there, and not beyond its border.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn least<P: Scalar, B: Core<P>>(
     normal: Vec3<P>,
@@ -48,7 +48,7 @@ fn least<P: Scalar, B: Core<P>>(
         let (ahead, on_face, foot) = over(corner);
         let there = b.at_corner(k);
         k += 1;
-        Over {
+        CornerOverFace {
             ahead,
             on_face,
             corner,
@@ -145,7 +145,7 @@ pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
     let beyond = (slack * slack) * normal.square;
     let [bound_u, bound_v, bound_w] = [u, v, v - u].each_as(|w| beyond * w.length_squared());
     let within = |product: P, bound: P| zero.at_most(product) | (product * product).at_most(bound);
-    // Beyond the tip of a needle a foot is beside none of the edges: along the longest one it is beyond the end.
+    // Beyond the tip of a needle a foot projects onto none of the edges: along the longest one it is beyond the end.
     let longer = |most: Vec3<P>, way: Vec3<P>| {
         let longer = most.length_squared().below(way.length_squared());
         Vec3::select(longer, way, most)
@@ -158,7 +158,7 @@ pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
     );
     let past = (slack * slack) * long.length_squared();
     let sides = [normal.unit, -normal.unit].each_as(|unit| {
-        // The corner behind is not beyond, whatever the side.
+        // The corner behind is not beyond on either side.
         let top = behind.map_or(zero, |behind| unit.dot(behind - face[0]).most(zero));
         let plane = least(unit, b, |corner| {
             let arm = corner - face[0];
@@ -167,7 +167,7 @@ pub(super) fn triangle_face<P: Scalar, B: Core<P>>(
             let on_face = within(s, bound_v) & within(t, bound_u) & within(rest, bound_w);
             let along = long.dot(arm);
             let out = along - along.clamp(low, high);
-            // A normal of a needle has few digits, too few to place a foot.
+            // The normal of a needle has too few digits to locate a foot.
             let on_face = on_face & (out * out).at_most(past) & normal.clear;
             let (s, t) = (s * over, t * over);
             let foot = spot([(P::one() - s) - t, s, t]);
@@ -210,7 +210,7 @@ fn across_edges<P: Scalar, A: Core<P>, B: Core<P>>(
         );
         let way = low_b.point - low_a.point;
         let ahead = unit.dot(way) + (low_a.rest + low_b.rest);
-        // Where the edges through both points cross, seen along the normal.
+        // The crossing of the edges through both points, seen along the normal.
         let crossing = |w: Vec3<P>, other: Vec3<P>, centered: bool| {
             let (low, high) = if centered { (-0.5, 0.5) } else { (0.0, 1.0) };
             let part = w.dot(normal.long) * over;
@@ -240,17 +240,17 @@ fn across_edges<P: Scalar, A: Core<P>, B: Core<P>>(
     PartingPlane::of_sides(sides)
 }
 
-/// The planes that part two cores best.
+/// The planes that separate two cores best.
 ///
-/// Planes that tie share the derivative. Of corners and of faces that tie, those share whose foot is on the other
-/// face: they are the corners of what faces each other. Direction and points are those of the first plane and of others
-/// with its normal.
+/// Planes that tie share the derivative. Corners and faces that tie share it if their foot is on the other face: they
+/// are the corners of the region where both faces overlap. Direction and points are those of the first plane and of
+/// others with its normal.
 pub(super) struct Deepest<P> {
-    /// How far b begins beyond a; negative where they overlap.
+    /// The gap between a and b; negative where they overlap.
     pub value: P,
-    /// How well the points are known to be on both cores: one of the [`grades`](grade).
+    /// The certainty that the points are on both cores: one of the [`grades`](grade).
     pub grade: P,
-    /// How many planes and points of theirs tie.
+    /// The number of planes and points that tie.
     pub count: P,
     /// The direction from a to b.
     pub normal: Vec3<P>,
@@ -264,15 +264,16 @@ pub(super) struct Deepest<P> {
     pub at_b: Spot<P>,
     /// The derivative of the height of a, in the mean of all that tie.
     pub pull_a: Pull<P>,
-    /// That of b.
+    /// The derivative by the numbers of b.
     pub pull_b: Pull<P>,
-    /// The direction of one of the planes that part them best, whatever its grade.
+    /// The direction of one of the planes that separate them best, of any grade.
     pub lead: Vec3<P>,
 }
 
-/// Returns the planes that part two cores best; `None` where their difference has no volume.
+/// Returns the planes that separate two cores best; `None` where their difference has no volume.
 ///
-/// Of planes that part them equally but for rounding those of the highest grade count: their points are on both cores.
+/// If several planes separate them equally within rounding, those of the highest grade count: their points are on both
+/// cores.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option<Deepest<P>> {
     if A::DIMENSION + B::DIMENSION < 3 {
@@ -295,7 +296,7 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
     let planes = || faces().chain(edges.as_ref().iter().flat_map(AsRef::as_ref));
     let (never, empty) = (P::lit(-P::LARGEST), P::lit(grade::EMPTY));
     let value = planes().fold(never, |most, plane| most.most(plane.value));
-    // Without any other, faces without area are those of cores whose difference has no volume.
+    // If there is no other face, faces without area belong to cores whose difference has no volume.
     let part = planes().fold(never, |most, plane| {
         let counts = plane.area.above(P::zero());
         most.most(P::select(counts, plane.value, never))
@@ -340,7 +341,7 @@ pub(super) fn deepest<P: Scalar, A: Core<P>, B: Core<P>>(a: &A, b: &B) -> Option
         found.at_a.add(same, plane.at_a.times(plane.points), first);
         found.at_b.add(same, plane.at_b.times(plane.points), first);
         let normal = Vec3::select(counts, plane.normal, zero);
-        let all = |spot: Spot<P>, count: P| Counted { spot, count };
+        let all = |spot: Spot<P>, count: P| MeanSpot { spot, count };
         let (of_a, of_b) = (all(plane.at_a, plane.points), all(plane.at_b, plane.points));
         let (behind_a, behind_b) = (
             all(plane.behind_a, plane.behind),

@@ -1,23 +1,23 @@
 //! Distances of lines and rays of space from each other, from segments and from points, each inflated by a radius; and
-//! from any other core as those of the part of the line that is near it.
+//! from any other core by the part of the line that is near it.
 use super::apart::Apart;
 use super::aside;
 use super::between::{self, joined};
 use super::core::Core;
-use super::cored::Cored;
+use super::cored::InflatedCore;
 use super::near::{Nearest, across, normal, size_of};
 use super::relation::Relation;
 use super::simplex::{SegmentCore, SimplexCore};
 use super::spot::{plain, vanish};
-use super::straight::{Reach, Straight};
+use super::straight::{Straight, StraightKind};
 use crate::distance::edge::scale_of;
 use crate::scalar::{Guard, speck};
 use crate::shape::{Line3, Ray3};
 use crate::{Scalar, Vec3};
 
 impl<S: Scalar> Straight<S> {
-    /// Returns the relation of a line or ray to a core, seen from there: far from the origin the ends of a part of the
-    /// line would lose digits.
+    /// Returns the relation of a line or ray to a core, in coordinates relative to the core: far from the origin the
+    /// ends of a part of the line would lose digits.
     #[inline(always)]
     fn relation<B: Core<S>>(self, core: B) -> Relation<S> {
         let anchor = core.anchor();
@@ -42,8 +42,8 @@ impl<S: Scalar> Straight<S> {
         let ways = ways.as_ref().iter().copied();
         aside::across(ways.chain([along]).map(unit))
     }
-    /// Returns the part of a line or ray that is all a core has to do with: it ends where the line's nearest points to
-    /// the core are, and farther by more than the core is large, so that no shift along it is shorter than one across.
+    /// Returns the part of a line or ray that a core can be near to. Its ends are beyond the line's nearest points to
+    /// the core by more than the core's size, so that no translation along it is shorter than one across.
     #[inline(always)]
     fn before<B: Core<S>>(&self, core: &B) -> SegmentCore<S> {
         let plain = |x: S::Primal| S::from_primal(x.primal());
@@ -57,7 +57,7 @@ impl<S: Scalar> Straight<S> {
         let foot = way.dot(anchor - self.from).over(square);
         let (low, high) = (foot - margin, foot + margin);
         let (low, high) = match self.reach {
-            Reach::Line => (low, high),
+            StraightKind::Line => (low, high),
             _ => (low.most(S::zero()), high.most(margin)),
         };
         // Results do not depend on where an end is, so that it has no derivative of its own.
@@ -68,9 +68,9 @@ impl<S: Scalar> Straight<S> {
 
 /// Returns the relation of two straight features.
 ///
-/// The parameter of the first one is that of the common normal; of parallel features it is the middle of what faces
-/// each other, as far as that ends. A sine below eight roundings counts as parallel. The other parameter follows from
-/// it, so that the distance errs by the square only.
+/// The parameter of the first one is that of the common normal; for parallel features it is the middle of their common
+/// range, as far as that ends. A sine below eight roundings counts as parallel. The other parameter follows from it, so
+/// that the distance errs by the square only.
 #[inline(always)]
 fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
     let way = b.from - a.from;
@@ -83,23 +83,23 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
     };
     let ((point_a, uu), (point_b, vv)) = (safe(u.length_squared()), safe(v.length_squared()));
     let (mut cross, uv) = (normal(u, v), u.dot(v));
-    // Rounding says where features cross that are all but parallel, and nothing bounds how far that is.
+    // Rounding decides the crossing of nearly parallel features, and nothing bounds its distance.
     let rounding = S::lit((8.0 * S::EPSILON).powi(2));
     cross.none = cross.none | cross.square.at_most(uu * vv * rounding);
-    // As of parallel features: the ends of b as a sees them.
+    // As for parallel features: the ends of b in parameters of a.
     let seen = |end: Vec3<S>| a.held(end.dot(u).over(uu)).0;
     let start = match b.reach {
-        Reach::Line => zero,
+        StraightKind::Line => zero,
         _ => seen(w),
     };
     let same = uv.above(zero);
     let end = match (b.reach, a.reach) {
-        (Reach::Segment, _) => seen(w + v),
-        (Reach::Ray, Reach::Segment) => S::select(same, one, zero),
-        (Reach::Ray, Reach::Ray) => S::select(same, start, zero),
-        (Reach::Line, Reach::Segment) => one,
+        (StraightKind::Segment, _) => seen(w + v),
+        (StraightKind::Ray, StraightKind::Segment) => S::select(same, one, zero),
+        (StraightKind::Ray, StraightKind::Ray) => S::select(same, start, zero),
+        (StraightKind::Line, StraightKind::Segment) => one,
         // The middle of both points that are given, whichever line comes first.
-        (Reach::Line, Reach::Line) => seen(w),
+        (StraightKind::Line, StraightKind::Line) => seen(w),
         _ => start,
     };
     let middle = start.halved() + end.halved();
@@ -113,7 +113,7 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
     let s = S::select(inside | point_a, s, again);
     let (_, between) = a.held(s);
     let crossing = inside & between & !cross.none;
-    // The way of two features that cross is along their normal.
+    // The vector between two features that cross is along their normal.
     let fixed = |x: S| S::from_primal(x.primal());
     let way = w + v * fixed(t) - u * fixed(s);
     let (straight, direction) = across(cross, way);
@@ -143,8 +143,8 @@ fn relate<S: Scalar>(a: Straight<S>, b: Straight<S>) -> Relation<S> {
 
 /// Returns the relation of two features that cross, with second derivatives where their normal has few digits.
 ///
-/// The way between two points held fixed has the first derivatives alone. Both slide: with the residuals r and q of
-/// orthogonality to u and v, which are zero, the square of the shortest way is less by `|v r − u q|² / |u × v|²`.
+/// The vector between two points held fixed has the first derivatives alone. Both points slide. With the residuals r
+/// and q of orthogonality to u and v, which are zero, the squared distance is less by `|v r − u q|² / |u × v|²`.
 #[inline(always)]
 fn bent<S: Scalar>(found: Relation<S>, slides: S::Mask, less: S) -> Relation<S> {
     let slides = slides & found.apart.above(S::lit(speck::<S>()));
@@ -158,7 +158,7 @@ fn bent<S: Scalar>(found: Relation<S>, slides: S::Mask, less: S) -> Relation<S> 
 }
 
 macro_rules! endless {
-    ($($Shape:ident: $field:ident $Reach:ident;)*) => { $(
+    ($($Shape:ident: $field:ident $StraightKind:ident;)*) => { $(
         impl<S: Scalar> $Shape<S> {
             /// Returns the line or ray as a feature.
             #[inline(always)]
@@ -166,11 +166,11 @@ macro_rules! endless {
                 Straight {
                     from: self.$field,
                     along: self.direction,
-                    reach: Reach::$Reach,
+                    reach: StraightKind::$StraightKind,
                 }
             }
         }
-        impl<S: Scalar, B: Cored<Scalar = S>> Apart<B> for $Shape<S> {
+        impl<S: Scalar, B: InflatedCore<Scalar = S>> Apart<B> for $Shape<S> {
             type Scalar = S;
             #[inline(always)]
             fn guarded_with(&self, other: &B) -> Guard<S> {
@@ -189,7 +189,7 @@ macro_rules! endless {
                 }
             }
         }
-        impl<S: Scalar, A: Cored<Scalar = S>> Apart<$Shape<S>> for A {
+        impl<S: Scalar, A: InflatedCore<Scalar = S>> Apart<$Shape<S>> for A {
             type Scalar = S;
             #[inline(always)]
             fn guarded_with(&self, other: &$Shape<S>) -> Guard<S> {

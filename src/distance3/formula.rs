@@ -3,37 +3,37 @@ use super::apart::Apart;
 use super::outcome::{Contact3, PointPair3};
 use crate::Scalar;
 
-/// [`signed_distance`](super::signed_distance).
+/// Returns the [`signed_distance`](super::signed_distance).
 #[inline]
 pub(crate) fn signed_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
     a.relation(b).signed_distance()
 }
 
-/// [`distance`](super::distance()).
+/// Returns the [`distance`](super::distance()).
 #[inline]
 pub(crate) fn distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
     a.relation(b).distance()
 }
 
-/// [`squared_distance`](super::squared_distance).
+/// Returns the [`squared_distance`](super::squared_distance).
 #[inline]
 pub(crate) fn squared_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
     a.relation(b).squared_distance()
 }
 
-/// [`closest_points`](super::closest_points).
+/// Returns the [`closest_points`](super::closest_points).
 #[inline]
 pub(crate) fn closest_points<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> PointPair3<S> {
     a.relation(b).closest_points()
 }
 
-/// [`penetration`](super::penetration).
+/// Returns the [`penetration`](super::penetration).
 #[inline]
 pub(crate) fn penetration<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> Contact3<S> {
     a.relation(b).penetration()
 }
 
-/// [`farthest_distance`](super::farthest_distance).
+/// Returns the [`farthest_distance`](super::farthest_distance).
 #[inline]
 pub(crate) fn farthest_distance<S: Scalar, A: Apart<B, Scalar = S>, B>(a: A, b: B) -> S {
     a.farthest(b)

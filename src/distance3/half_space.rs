@@ -1,6 +1,6 @@
 //! Half-spaces against all that ends: the point of a shape that is farthest behind the plane.
 use super::core::Core;
-use super::cored::Cored;
+use super::cored::InflatedCore;
 use super::near::Low;
 use super::relation::{Relation, direction, square_of_gap};
 use super::round::Revolved;
@@ -22,7 +22,7 @@ pub trait Bounded: Copy {
     fn all_guarded(&self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
 }
 
-impl<A: Cored> Bounded for A {
+impl<A: InflatedCore> Bounded for A {
     type Scalar = A::Scalar;
     #[inline(always)]
     fn all_guarded(&self, guard: Guard<A::Scalar>) -> Guard<A::Scalar> {
@@ -39,8 +39,8 @@ impl<A: Cored> Bounded for A {
     }
 }
 
-/// Returns the lowest of a circle's points: how far below its centre, and the way to there. A circle that lies in the
-/// plane has its centre.
+/// Returns the depth of a circle's lowest point below its centre, and the vector from it to the centre. Both are zero
+/// if the normal is along the circle's axis.
 #[inline(always)]
 fn lowest_of_circle<S: Scalar>(axis: Vec3<S>, radius: S, normal: Vec3<S>) -> (S, Vec3<S>) {
     let axis = direction(axis * scale_of::<S>(largest([axis.x, axis.y, axis.z])));

@@ -13,11 +13,11 @@
 //! assert_eq!(signed_distance(Vec3::new(1.5, 0.0, 0.75), shape), -0.25);
 //! ```
 //!
-//! Every shape is the hull of a few corners, inflated by a radius (`Cored`). Plain numbers say which features are
-//! nearest: two shapes are compared corner by face, corner by edge and edge by edge where they are apart, by the normals
-//! of faces and of pairs of edges where they overlap. The distance of the chosen features is then computed once, with
-//! derivatives. No tolerance decides: a candidate for the distance is the distance of two points that exist, a candidate
-//! for the depth a gap along a direction of length one, so that wrong decisions cost roundings.
+//! Every shape is the hull of a few corners, inflated by a radius (`Cored`). Plain numbers decide which features are
+//! nearest: two shapes are compared corner by face, corner by edge and edge by edge where they are apart, by the
+//! normals of faces and of pairs of edges where they overlap. The distance of the chosen features is then computed
+//! once, with derivatives. No tolerance decides: a candidate for the distance is the distance of two points that exist,
+//! a candidate for the depth a gap along a direction of length one, so that wrong decisions cost roundings.
 //!
 //! | function | gives |
 //! | --- | --- |
@@ -53,31 +53,31 @@
 //! | line | D q s C p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //! | ray | D q s c p - | d q S c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - | D q s c p - |
 //!
-//! A half-space and a cylinder or a cone have d q S c p; lines and rays have d q s c p among themselves, any two D,
-//! two lines C, too. Of a solid they see the part that is near it, whose ends are rounded as
-//! the solid's corners are. Rays, lines and segments against solids: [`intersection3`](crate::intersection3).
+//! A half-space and a cylinder or a cone have d q S c p; lines and rays have d q s c p among themselves, any two D, two
+//! lines C, too. For a solid, the part of them near it counts; its ends are rounded as the solid's corners are. Rays,
+//! lines and segments against solids: [`intersection3`](crate::intersection3).
 //!
 //! # Derivatives
 //!
-//! By the envelope theorem the derivative of a distance is that of the way between the two nearest points, held fixed
-//! on their shapes. Second derivatives follow from the features that touch: a corner's, an edge's, a plane's.
+//! By the envelope theorem the derivative of a distance is that of the segment between the two nearest points, held
+//! fixed on their shapes. Second derivatives follow from the features that touch: a corner's, an edge's, a plane's.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
 //! Kinks: at distance zero the distance and its derivatives are 0 (the signed distance keeps its derivative there).
-//! Features that are equally near share the derivative and the point equally: of parallel faces it is the mean of
-//! the corners of what faces each other, crossings of edges among them. Where shapes other than two boxes overlap along
-//! parallel faces the corners count whose foot is on the other one; where there is none, the crossings of edges. Where
-//! several planes are equally deep they share the derivative, and direction and points are those of the first. Distances
-//! of two lines or rays jump where they become parallel: at an angle φ between them a rounding ε of a direction turns
-//! their common normal by ε/φ, and moves the distance by that part of the way between the points that are given. Across
-//! a face the signed distance is smooth, along an edge or at a corner of the border it is not. Pairs without a volume
-//! between them, such as two segments, have no depth.
+//! Features that are equally near share the derivative and the point equally: for parallel faces it is the mean of the
+//! corners of their overlap, seen along the normal, crossings of edges included. If shapes other than two boxes overlap
+//! along parallel faces, the corners with a foot on the other face count; without any, the crossings of edges. Where
+//! several planes are equally deep they share the derivative, and direction and points are those of the first.
+//! Distances of two lines or rays jump where they become parallel: at an angle φ between them a rounding ε of a
+//! direction turns their common normal by ε/φ, and moves the distance by that share of the distance between the given
+//! points. Across a face the signed distance is smooth, along an edge or at a corner of the border it is not. Pairs
+//! without a volume between them, such as two segments, have no depth.
 //!
-//! Contacts: where a gap is as small as the roundings of the coordinates, the way between nearest points is mostly
-//! rounding. Shapes less than some roundings of their size apart have the direction of a plane that parts them, one of
-//! several. Beyond that a direction errs by a rounding of the size over the gap.
+//! Contacts: where a gap is as small as the roundings of the coordinates, the vector between nearest points is mostly
+//! rounding. Shapes less than some roundings of their size apart have the direction of a plane that separates them, one
+//! of several. Beyond that a direction errs by a rounding of the size over the gap.
 pub(crate) mod apart;
 mod aside;
 mod between;

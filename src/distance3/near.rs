@@ -12,7 +12,7 @@ pub struct Edge<S> {
     pub from: Vec3<S>,
     /// The point at parameter 1.
     pub to: Vec3<S>,
-    /// The way from parameter 0 to parameter 1.
+    /// The vector from parameter 0 to parameter 1.
     pub along: Vec3<S>,
 }
 
@@ -31,18 +31,18 @@ impl<S: Scalar> Edge<S> {
 /// Two points, one of each core, that are nearest to each other.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest<S> {
-    /// The way from the one on a to the one on b.
+    /// The vector from the point on a to the point on b.
     pub apart: Vec3<S>,
     /// The one on a.
     pub on_a: Vec3<S>,
     /// The one on b.
     pub on_b: Vec3<S>,
-    /// The direction of the way, where a face or two edges give it; else zero.
+    /// The direction of that vector, if a face or two edges give it; else zero.
     pub normal: Vec3<S>,
 }
 
 impl<S: Scalar> Nearest<S> {
-    /// As a candidate, by the square of the way.
+    /// Creates a candidate, which is compared by the squared distance.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn of(apart: Vec3<S>, on_a: Vec3<S>, on_b: Vec3<S>) -> Best<S, Self> {
         let normal = Vec3::zero();
@@ -54,7 +54,7 @@ impl<S: Scalar> Nearest<S> {
         };
         Best::of(apart.length_squared(), found)
     }
-    /// With a and b exchanged.
+    /// Exchanges a and b.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(self) -> Self {
@@ -70,7 +70,7 @@ impl<S: Scalar> Nearest<S> {
 /// The nearest points of two features, and their spots.
 #[derive(Clone, Copy, Debug)]
 pub struct Candidate<P> {
-    /// The square of the way; the largest number where the features have no nearest points between their ends.
+    /// The squared distance; the largest number if the features have no nearest points between their ends.
     pub square: P,
     /// The points.
     pub near: Nearest<P>,
@@ -91,7 +91,7 @@ impl<P: Scalar> Candidate<P> {
             at_b,
         }
     }
-    /// With a and b exchanged.
+    /// Exchanges a and b.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(self) -> Self {
@@ -115,7 +115,7 @@ impl<P: Scalar> Candidate<P> {
             at_b: self.at_b.join(other.at_b, first, none),
         }
     }
-    /// Added up with another one where that is as near as the least is.
+    /// Adds another candidate if its squared distance equals the least one. Returns one if it does, else zero.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn add(&mut self, other: &Self) -> P {
         let ties = other.square.equals(self.square);
@@ -130,7 +130,7 @@ impl<P: Scalar> Candidate<P> {
         self.at_b.add(ties, other.at_b, ties);
         P::select(ties, P::one(), P::zero())
     }
-    /// Returns all nothing, with the least of some squares.
+    /// Creates the sum of no candidates, with the least of some squares.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn none(square: P) -> Self {
         let zero = Vec3::zero();
@@ -236,11 +236,11 @@ pub(super) struct Normal<S: Scalar> {
     pub clear: S::Mask,
 }
 
-/// Returns the normal of two ways. In units of the cores' size a product shorter than ε² counts as none: what its
-/// features lie beyond their neighbours is then below ε.
+/// Returns the normal of two vectors. In units of the cores' size a product shorter than ε² counts as none: the heights
+/// of its features over their neighbours are then below ε.
 ///
-/// The product of ways that are all but parallel is mostly rounding. What is left of it along the first way is taken
-/// away, so that it is orthogonal to both to the digits of the format.
+/// The product of nearly parallel vectors is mostly rounding. Its component along the first vector is subtracted, so
+/// that it is orthogonal to both to the digits of the format.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn normal<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> Normal<S> {
     let long = u.cross(v);
@@ -263,8 +263,9 @@ pub(super) fn normal<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> Normal<S> {
     }
 }
 
-/// Returns the way between two points of features with a common normal, and its direction. That is the normal's, whose
-/// digits do not depend on how long the way is; where the normal has few, the way itself, and no direction.
+/// Returns the vector between two points of features with a common normal, and its direction. It is along the normal,
+/// whose digits do not depend on its length. If the normal has few digits it is the difference of the points, without a
+/// direction.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn across<S: Scalar>(normal: Normal<S>, way: Vec3<S>) -> (Vec3<S>, Vec3<S>) {
     let height = normal.unit.dot(way);
@@ -276,8 +277,8 @@ pub(super) fn across<S: Scalar>(normal: Normal<S>, way: Vec3<S>) -> (Vec3<S>, Ve
     )
 }
 
-/// Returns the point of an edge that is nearest to a corner, seen from the nearer end, whose distance has more digits;
-/// where on the edge, from 0 to 1, and `true` if that is between its ends.
+/// Returns the point of an edge that is nearest to a corner, computed from the nearer end, whose distance has more
+/// digits; where on the edge, from 0 to 1, and `true` if that is between its ends.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn edge_near<S: Scalar>(
     edge: Edge<S>,
@@ -303,8 +304,8 @@ pub(super) fn edge_near<S: Scalar>(
 /// Returns the foot of a corner on a triangle, the largest number where that is outside; the shares of the triangle's
 /// corners in it, and `true` if the normal has at least half the digits of the format.
 ///
-/// The foot is made of weights, so that it is a point of the triangle even where the normal is mostly rounding. They
-/// are seen from the corner opposite to the longest edge, where the angle of a needle keeps its digits.
+/// The foot is a weighted mean of corners, so that it is a point of the triangle even if the normal is mostly rounding.
+/// The weights are computed at the corner opposite to the longest edge, where the angle of a needle keeps its digits.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn face_near<S: Scalar>(
     face: [Vec3<S>; 3],
@@ -343,8 +344,8 @@ pub(super) fn face_near<S: Scalar>(
 /// Returns the nearest points of two edges where they are between the ends of both, else the largest number; where on
 /// both edges, from 0 to 1, and `true` if the normal has at least half the digits of the format.
 ///
-/// The parameter of the first edge is as wrong as its direction is all but that of the second one. The other parameter
-/// is that of the point nearest to it, so that the way errs by the square of that.
+/// The error of the first parameter grows as the edges become parallel. The other parameter is that of the point
+/// nearest to it, so that the vector between them errs by the square only.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn edges_near<S: Scalar>(
     a: Edge<S>,

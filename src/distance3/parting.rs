@@ -3,13 +3,13 @@ use super::spot::Spot;
 use crate::distance::share::Carry;
 use crate::{Scalar, Vec3};
 
-/// How well the points of a plane are known to be on both cores, from worse to better.
+/// The certainty that the points of a plane are on both cores, from worse to better.
 pub(super) mod grade {
     /// A face without area: its plane is a bound, and no face of the difference of two cores.
     pub const EMPTY: f64 = -1.0;
-    /// The points are beyond an end, or what they are on supports no plane: it is nothing but a bound.
+    /// The points are beyond an end, or on a feature that supports no plane: it is only a bound.
     pub const BOUND: f64 = 0.0;
-    /// Two edges cross that are all but parallel.
+    /// The grade of two nearly parallel edges that cross.
     pub const STEEP: f64 = 1.0;
     /// Two edges cross.
     pub const EDGES: f64 = 2.0;
@@ -17,39 +17,39 @@ pub(super) mod grade {
     pub const FACE: f64 = 3.0;
 }
 
-/// A plane between two cores, and points of them along it; of two sides that tie, those of the first.
+/// A plane between two cores, and points of them nearest to it; if two sides tie, those of the first.
 #[derive(Clone, Copy, Debug)]
 pub struct PartingPlane<P> {
-    /// How far b begins beyond a; negative where they overlap.
+    /// The gap between a and b; negative where they overlap.
     pub value: P,
-    /// How well its points are known to be on both cores: one of the [`grades`](grade).
+    /// The certainty that its points are on both cores: one of the [`grades`](grade).
     pub grade: P,
     /// The plane's normal, of length one, from a to b.
     pub normal: Vec3<P>,
-    /// How many points tie.
+    /// The number of points that tie.
     pub points: P,
-    /// How many do so of the other side.
+    /// The number of points of the other side that tie.
     pub behind: P,
     /// The sum of the points of a.
     pub on_a: Vec3<P>,
     /// The sum of the points of b.
     pub on_b: Vec3<P>,
-    /// The mean of the spots of those of a.
+    /// The mean of the spots of the points of a.
     pub at_a: Spot<P>,
-    /// The mean of those of b.
+    /// The mean of the spots of the points of b.
     pub at_b: Spot<P>,
     /// The mean of the spots of a on the other side, where that ties.
     pub behind_a: Spot<P>,
-    /// The mean of those of b.
+    /// The mean of the spots of the points of b.
     pub behind_b: Spot<P>,
-    /// The normal of the side that parts more, or of the first one: it needs no grades.
+    /// The normal of the side that separates more, or of the first one: it needs no grades.
     pub lead: Vec3<P>,
     /// Zero for a face without area, else one.
     pub area: P,
 }
 
 impl<P: Scalar> PartingPlane<P> {
-    /// One that parts nothing.
+    /// Creates a plane that separates nothing.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn none() -> Self {
         let zero = P::zero();
@@ -69,7 +69,7 @@ impl<P: Scalar> PartingPlane<P> {
             area: P::one(),
         }
     }
-    /// Returns the side that parts more; of equal ones that of the higher grade, or else both.
+    /// Returns the side that separates more; of equal ones that of the higher grade, or else both.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_sides([one, other]: [Self; 2]) -> Self {
         let same = one.value.equals(other.value);
@@ -94,7 +94,7 @@ impl<P: Scalar> PartingPlane<P> {
             area: one.area.most(other.area),
         }
     }
-    /// With a and b exchanged.
+    /// Exchanges a and b.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(self) -> Self {
@@ -110,7 +110,7 @@ impl<P: Scalar> PartingPlane<P> {
             ..self
         }
     }
-    /// Without value where the mask is true.
+    /// Removes the value where the mask is true: it becomes minus the largest number.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn unless(self, none: P::Mask) -> Self {
         PartingPlane {
@@ -120,7 +120,7 @@ impl<P: Scalar> PartingPlane<P> {
     }
 }
 
-/// The edge of a core that is farthest against a direction, or a corner beside that is farther.
+/// The lowest edge of a core along a direction, or a neighbouring corner that is lower.
 #[derive(Clone, Copy, Debug)]
 pub struct Lowest<S: Scalar> {
     /// A point of the edge, or the corner.
@@ -129,7 +129,7 @@ pub struct Lowest<S: Scalar> {
     pub spot: Spot<S>,
     /// `true` if it is the edge.
     pub is_edge: S::Mask,
-    /// How far other corners are below it by rounding; not positive.
+    /// The height of other corners below it by rounding; not positive.
     pub rest: S,
 }
 

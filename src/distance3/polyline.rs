@@ -12,7 +12,7 @@ pub struct NearestEdge3<S> {
     pub distance: S,
     /// The sum of the distances of the edges that tie.
     pub sum: S,
-    /// How many they are.
+    /// The number of nearest edges.
     #[shape(number)]
     pub count: S,
 }
@@ -29,7 +29,7 @@ impl<S: Scalar> NearestEdge3<S> {
             count: S::one(),
         }
     }
-    /// One edge, seen from a point.
+    /// Creates the fold of one edge for a point.
     #[must_use]
     #[inline(always)]
     pub fn of_edge(point: Vec3<S>, from: Vec3<S>, to: Vec3<S>) -> Self {

@@ -1,4 +1,4 @@
-//! The relation of two shapes of space to each other: all that distances tell.
+//! The relation of two shapes of space to each other, from which all distances follow.
 use super::outcome::{Contact3, PointPair3};
 use crate::scalar::speck;
 use crate::{Scalar, Vec3};
@@ -46,7 +46,7 @@ impl<S: Scalar> Relation<S> {
             on_b: self.on_b.canonical(),
         }
     }
-    /// Returns the depth of overlap and the way out as a result.
+    /// Returns the depth of overlap and the direction out as a result.
     #[inline]
     pub(super) fn penetration(self) -> Contact3<S> {
         let depth = -self.apart;
@@ -57,7 +57,7 @@ impl<S: Scalar> Relation<S> {
             direction: self.normal.canonical(),
         }
     }
-    /// With a and b exchanged.
+    /// Exchanges a and b.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn flipped(self) -> Self {
@@ -68,8 +68,8 @@ impl<S: Scalar> Relation<S> {
             ..self
         }
     }
-    /// Returns the relation of shapes whose points are at most some radii from these. Where these meet and no direction
-    /// is preferred, the points are in a given one.
+    /// Returns the relation of these shapes inflated by radii. If they meet and no direction is preferred, the points
+    /// are in a given direction.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn inflated(self, radius_a: S, radius_b: S, aside: Vec3<S>) -> Self {
@@ -92,8 +92,8 @@ pub(super) fn square_of_gap<S: Scalar>(apart: S) -> S {
     S::select(apart.above(S::zero()), apart * apart, S::zero())
 }
 
-/// Returns the vector with length one; zero for none. Beside a speck it is a constant, whose derivatives are beyond the
-/// format.
+/// Returns the vector with length one; zero for the zero vector. For a tiny vector it is a constant, since its
+/// derivatives are beyond the format.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn direction<S: Scalar>(way: Vec3<S>) -> Vec3<S> {
     let length = way.length();

@@ -17,14 +17,14 @@ pub trait Revolved: Copy {
     type Section: Convex<Self::Scalar>;
     /// Returns the start of the axis.
     fn start(self) -> Vec3<Self::Scalar>;
-    /// Returns the way from there to its end.
+    /// Returns the vector from there to its end.
     fn axis(self) -> Vec3<Self::Scalar>;
     /// Returns the radius.
     fn radius(self) -> Self::Scalar;
-    /// Returns the section as the nearest point sees it, which is not across the axis: x along the axis from its start,
-    /// y across, the axis in the middle. A circle of the radius is at the end of the axis.
+    /// Returns the section for a nearest point, which is never beyond the axis: x along the axis from its start, y
+    /// across, the axis in the middle. A circle of the radius is at the end of the axis.
     fn near_section(height: Self::Scalar, radius: Self::Scalar) -> Self::Section;
-    /// Returns the section as the farthest point sees it, which is across the axis.
+    /// Returns the section for a farthest point, which is across the axis.
     fn far_section(height: Self::Scalar, radius: Self::Scalar) -> Self::Section;
 }
 
@@ -91,7 +91,7 @@ impl<S: Scalar> Revolved for Cone<S> {
     }
 }
 
-/// Returns the section of a cone whose base ends at some places across the axis.
+/// Returns the section of a cone whose base ends at given coordinates across the axis.
 #[inline(always)]
 fn ends<S: Scalar>(height: S, low: S, high: S) -> Triangle2<S> {
     Triangle2::new(
@@ -102,20 +102,21 @@ fn ends<S: Scalar>(height: S, low: S, high: S) -> Triangle2<S> {
 }
 
 /// A point in the frame of an axis: along it, across it, and the directions of both.
-struct Seen<S> {
+struct AxisPoint<S> {
     at: Vec2<S>,
     along: Vec3<S>,
     across: Vec3<S>,
     height: S,
 }
 
-/// Across the axis is the length of a cross product, whose digits do not depend on how far along the point is.
+/// Returns a point in the frame of an axis. Its coordinate across is the length of a cross product, whose digits do not
+/// depend on how far along the point is.
 #[inline(always)]
-fn seen<S: Scalar>(axis: Vec3<S>, arm: Vec3<S>) -> Seen<S> {
+fn seen<S: Scalar>(axis: Vec3<S>, arm: Vec3<S>) -> AxisPoint<S> {
     let height = axis.length();
     let along = direction(axis * scale_of::<S>(largest([axis.x, axis.y, axis.z])));
     let off = along.cross(arm).cross(along);
-    Seen {
+    AxisPoint {
         at: Vec2::new(along.dot(arm), off.length()),
         along,
         across: direction(off),
@@ -124,11 +125,11 @@ fn seen<S: Scalar>(axis: Vec3<S>, arm: Vec3<S>) -> Seen<S> {
 }
 
 /// Returns the relation of a point and a solid. On the axis no direction is nearest: the derivative across is zero, and
-/// point and direction are those of any.
+/// point and direction belong to one of the nearest points.
 #[inline(always)]
 pub(super) fn relate<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: B) -> Relation<S> {
     let start = shape.start();
-    let Seen {
+    let AxisPoint {
         at,
         along,
         across,
@@ -154,6 +155,6 @@ pub(super) fn relate<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: 
 /// Returns the longest distance of a point from points of a solid.
 #[inline(always)]
 pub(super) fn farthest<S: Scalar, B: Revolved<Scalar = S>>(point: Vec3<S>, shape: B) -> S {
-    let Seen { at, height, .. } = seen(shape.axis(), point - shape.start());
+    let AxisPoint { at, height, .. } = seen(shape.axis(), point - shape.start());
     distance::farthest_distance(at, B::far_section(height, shape.radius()))
 }

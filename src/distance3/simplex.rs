@@ -3,7 +3,7 @@ use super::core::{Core, extent_of};
 use super::deep::{MORE, triangle_face};
 use super::near::{Candidate, Edge, Low, edge_near, face_near};
 use super::parting::{Lowest, PartingPlane};
-use super::spot::{self, Counted, Pull, Spot, fixed, fixed_vector};
+use super::spot::{self, MeanSpot, Pull, Spot, fixed, fixed_vector};
 use super::straight::Straight;
 use crate::arrays::Each;
 use crate::distance::share::{Best, Carry};
@@ -83,7 +83,7 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn point(&self, spot: Spot<S::Primal>) -> Vec3<S> {
-        // Seen from a corner of the face: shares beyond a needle are large, and their sum is not one but for rounding.
+        // Relative to a corner of the face: shares beyond a needle are large, and rounding of their sum matters.
         let last = spot.feature.equals(S::Primal::lit((FACE + 2) as f64));
         let from = match F > 2 {
             true => Vec3::select(last, self.0[1], self.0[0]),
@@ -128,7 +128,7 @@ impl<S: Scalar, const C: usize, const E: usize, const F: usize> Core<S>
         }
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn pull(&self, spot: Counted<S>, less: Counted<S>, normal: Vec3<S>) -> Pull<S> {
+    fn pull(&self, spot: MeanSpot<S>, less: MeanSpot<S>, normal: Vec3<S>) -> Pull<S> {
         let mut parts = [Vec3::zero(); 4];
         for (k, pull) in parts.iter_mut().enumerate().take(C) {
             *pull = normal * (spot.part(k) - less.part(k));

@@ -6,7 +6,7 @@ use crate::{Scalar, Vec3};
 /// A point of a core, or of the plane of one of its faces, as a core with derivatives can find it again.
 #[derive(Clone, Copy, Debug)]
 pub struct Spot<P> {
-    /// Of the hull of some corners their shares; of a box one, and how far it is from the centre along the axes.
+    /// For a hull of corners their shares; for a box one, then the coordinates relative to the centre along its axes.
     pub parts: [P; 4],
     /// 0 at a corner, else the number of the edge or face along which it is free, as [`Core::free`](super::core::Core::free) reads it.
     pub feature: P,
@@ -23,7 +23,7 @@ impl<P: Scalar> Spot<P> {
             feature: P::zero(),
         }
     }
-    /// No point: all parts zero.
+    /// Creates no point: all parts are zero.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn none() -> Self {
         let zero = P::zero();
@@ -40,7 +40,7 @@ impl<P: Scalar> Spot<P> {
         }
         self.feature = P::select(feature, other.feature, self.feature);
     }
-    /// On a feature where a condition holds, else at a corner.
+    /// Puts the spot on a feature where a condition holds, else on a corner.
     #[must_use]
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn on(self, free: P::Mask, feature: usize) -> Self {
@@ -71,14 +71,14 @@ impl<P: Scalar> Carry<P> for Spot<P> {
 
 /// The mean of some spots, and how many they are.
 #[derive(Clone, Copy, Debug)]
-pub struct Counted<P> {
+pub struct MeanSpot<P> {
     /// Their mean.
     pub spot: Spot<P>,
-    /// How many they are.
+    /// The number of spots.
     pub count: P,
 }
 
-impl<P: Scalar> Counted<P> {
+impl<P: Scalar> MeanSpot<P> {
     /// Returns the sum of one of the parts.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn part(&self, k: usize) -> P {
@@ -96,7 +96,7 @@ pub struct Pull<P> {
 }
 
 impl<P: Scalar> Pull<P> {
-    /// None.
+    /// Creates a derivative of zero.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn none() -> Self {
         Pull {
@@ -126,7 +126,7 @@ impl<P: Scalar> Pull<P> {
 }
 
 /// The features of two cores from which their relation is computed.
-pub(super) struct Chosen<P: Scalar> {
+pub(super) struct CoreFeatures<P: Scalar> {
     /// The signed distance.
     pub gap: P,
     /// The square of the distance.
@@ -141,13 +141,13 @@ pub(super) struct Chosen<P: Scalar> {
     pub at_a: Spot<P>,
     /// The point of b as its core finds it.
     pub at_b: Spot<P>,
-    /// `true` if a plane parts the cores, which overlap or touch.
+    /// `true` if a plane gives the relation of the cores, which overlap or touch.
     pub inside: P::Mask,
     /// `true` if several planes or points do so equally.
     pub tied: P::Mask,
     /// The derivative of the height of a over all of them.
     pub pull_a: Pull<P>,
-    /// That of b.
+    /// The derivative by the numbers of b.
     pub pull_b: Pull<P>,
 }
 
@@ -172,20 +172,20 @@ pub(super) fn fixed_vector<S: Scalar>(v: Vec3<S::Primal>) -> Vec3<S> {
     Vec3::new(fixed(v.x), fixed(v.y), fixed(v.z))
 }
 
-/// Returns the vector with other values and the same derivatives.
+/// Returns the vector with other values and its own derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn valued<S: Scalar>(v: Vec3<S>, value: Vec3<S::Primal>) -> Vec3<S> {
     let one = |x: S, value: S::Primal| x.with_primal(value.primal());
     Vec3::new(one(v.x, value.x), one(v.y, value.y), one(v.z, value.z))
 }
 
-/// Returns the number that is zero but for rounding, as zero with its derivatives.
+/// Returns a number that is zero within rounding as zero with its derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn vanish<S: Scalar>(x: S) -> S {
     x.with_primal(S::Primal::zero())
 }
 
-/// Returns the vector that is zero but for rounding, as zero with its derivatives.
+/// Returns a vector that is zero within rounding as zero with its derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn vanishing<S: Scalar>(v: Vec3<S>) -> Vec3<S> {
     Vec3::new(vanish(v.x), vanish(v.y), vanish(v.z))

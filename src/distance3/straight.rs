@@ -3,16 +3,16 @@ use super::near::size_of;
 use crate::distance::edge::scale_of;
 use crate::{Scalar, Vec3};
 
-/// Where the parameters of a straight feature end.
+/// The range of the parameter of a straight feature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Reach {
-    /// At 0 and 0.
+pub(super) enum StraightKind {
+    /// From 0 to 0.
     Point,
-    /// At 0 and 1.
+    /// From 0 to 1.
     Segment,
     /// At 0.
     Ray,
-    /// Nowhere.
+    /// All numbers.
     Line,
 }
 
@@ -21,7 +21,7 @@ pub(super) enum Reach {
 pub struct Straight<S> {
     pub(super) from: Vec3<S>,
     pub(super) along: Vec3<S>,
-    pub(super) reach: Reach,
+    pub(super) reach: StraightKind,
 }
 
 impl<S: Scalar> Straight<S> {
@@ -31,7 +31,7 @@ impl<S: Scalar> Straight<S> {
         Straight {
             from,
             along: Vec3::zero(),
-            reach: Reach::Point,
+            reach: StraightKind::Point,
         }
     }
     /// Returns a segment.
@@ -40,22 +40,22 @@ impl<S: Scalar> Straight<S> {
         Straight {
             from,
             along: to - from,
-            reach: Reach::Segment,
+            reach: StraightKind::Segment,
         }
     }
-    /// How long it is at most, as a constant; zero of a line or ray.
+    /// Returns an upper bound of the length, as a constant; zero for a line or ray.
     #[inline(always)]
     pub(super) fn extent(&self) -> S::Primal {
         match self.reach {
-            Reach::Segment => size_of(self.along),
+            StraightKind::Segment => size_of(self.along),
             _ => S::Primal::zero(),
         }
     }
-    /// Returns the way along it: of a segment in the units of both features, else in units of its own size.
+    /// Returns the vector along it: for a segment in the units of both features, else in units of its own size.
     #[inline(always)]
     pub(super) fn way(&self, scale: S) -> Vec3<S> {
         match self.reach {
-            Reach::Segment => self.along * scale,
+            StraightKind::Segment => self.along * scale,
             _ => self.along * scale_of::<S>(size_of(self.along)),
         }
     }
@@ -64,10 +64,10 @@ impl<S: Scalar> Straight<S> {
     pub(super) fn held(&self, t: S) -> (S, S::Mask) {
         let (zero, one) = (S::zero(), S::one());
         match self.reach {
-            Reach::Point => (zero, one.below(zero)),
-            Reach::Segment => (t.clamp(zero, one), zero.below(t) & t.below(one)),
-            Reach::Ray => (t.most(zero), zero.below(t)),
-            Reach::Line => (t, zero.below(one)),
+            StraightKind::Point => (zero, one.below(zero)),
+            StraightKind::Segment => (t.clamp(zero, one), zero.below(t) & t.below(one)),
+            StraightKind::Ray => (t.most(zero), zero.below(t)),
+            StraightKind::Line => (t, zero.below(one)),
         }
     }
 }

@@ -1,12 +1,12 @@
-//! Lengths in units of their own: sizes of boxes that are small or large beside each other, or beside the
-//! distance between them, keep their digits.
+//! Lengths in units of their own: sizes of boxes keep their digits however small or large they are relative to each
+//! other or to the distance between them.
 use crate::Scalar;
 use crate::scalar::power_of_largest;
 
 /// The units of the sizes of two boxes: powers of two, constants.
-pub(super) struct Shapes<S: Scalar> {
-    /// The factor that brings the largest size of the first box into `[2, 4)`; a box without size takes that of
-    /// the other.
+pub(super) struct BoxUnits<S: Scalar> {
+    /// The factor that brings the largest size of the first box into `[2, 4)`; a box without size takes the other box's
+    /// factor.
     pub a: S,
     /// The same for the second box.
     pub b: S,
@@ -29,8 +29,8 @@ fn bounded_unit<S: Scalar>(length: S) -> S {
     S::select(most.below(unit), most, unit)
 }
 
-impl<S: Scalar> Shapes<S> {
-    /// From the largest size of each box.
+impl<S: Scalar> BoxUnits<S> {
+    /// Returns the units for the largest size of each box.
     #[inline(always)]
     pub fn of(a: S, b: S) -> Self {
         let zero = S::zero();
@@ -41,7 +41,7 @@ impl<S: Scalar> Shapes<S> {
         let own = bounded_unit(S::select(none, S::one(), a));
         let other = bounded_unit(S::select(none, S::one(), b));
         let both = S::select(own.below(other), own, other);
-        Shapes {
+        BoxUnits {
             a: own,
             b: other,
             share_a: both.over(own),
@@ -50,8 +50,8 @@ impl<S: Scalar> Shapes<S> {
             none,
         }
     }
-    /// Returns a number that says how the boxes are turned, or a constant where derivatives by it might not be finite:
-    /// they grow as the larger size to a power.
+    /// Returns a function of a number of a rotation: the number itself, or a constant if derivatives by it might not be
+    /// finite. They grow as the larger size to a power.
     #[inline(always)]
     pub fn finite_derivatives<const POWER: usize>(&self) -> impl Fn(S) -> S + use<S, POWER> {
         let both = self.both.primal();
@@ -64,18 +64,18 @@ impl<S: Scalar> Shapes<S> {
     }
 }
 
-/// The way between two centres.
-pub(super) struct Way<S: Scalar> {
+/// The displacement between two centres.
+pub(super) struct Displacement<S: Scalar> {
     /// Its squared length, in squared units of `1 / unit`.
     pub squared: S,
     /// The power of two that brings its largest coordinate into `[2, 4)`, a constant.
     pub unit: S,
-    /// `true` where there is no way: the centres agree.
+    /// `true` where the centres agree.
     pub none: S::Mask,
 }
 
-impl<S: Scalar> Way<S> {
-    /// From its coordinates; infinite ones count as the largest number.
+impl<S: Scalar> Displacement<S> {
+    /// Creates the displacement from its coordinates; infinite ones count as the largest number.
     #[inline(always)]
     pub fn of<const N: usize>(coordinates: [S; N]) -> Self {
         let mut longest = S::Primal::zero();
@@ -91,7 +91,7 @@ impl<S: Scalar> Way<S> {
         for &x in &way[1..] {
             squared += (x * unit).squared();
         }
-        Way {
+        Displacement {
             squared,
             unit,
             none,
@@ -99,20 +99,20 @@ impl<S: Scalar> Way<S> {
     }
 }
 
-/// Returns the sum of the squares of a distance of shapes and of a way, in squared units of length.
+/// Returns the sum of the squares of a distance of shapes and of a displacement, in squared units of length.
 #[inline(always)]
-pub(super) fn sum_of_squares<S: Scalar>(shape: S, units: &Shapes<S>, way: &Way<S>) -> S {
+pub(super) fn sum_of_squares<S: Scalar>(shape: S, units: &BoxUnits<S>, way: &Displacement<S>) -> S {
     let shape = shape.over(units.both).over(units.both);
     let way = way.squared.over(way.unit).over(way.unit);
     (shape + way).saturated()
 }
 
-/// Its root, a length. A constant where derivatives might not be finite: sizes near the largest numbers and boxes that
-/// are almost identical beside them.
+/// Returns the root of the sum of both squares, a length. It is a constant where derivatives might not be finite: for
+/// sizes near the largest numbers, and for boxes that are almost identical compared with their sizes.
 ///
 /// Both are brought into the unit of the longer one, so that the shorter one alone can underflow.
 #[inline(always)]
-pub(super) fn root_of_sum<S: Scalar>(shape: S, units: &Shapes<S>, way: &Way<S>) -> S {
+pub(super) fn root_of_sum<S: Scalar>(shape: S, units: &BoxUnits<S>, way: &Displacement<S>) -> S {
     let one = S::one();
     let length = |square: S, unit: S| square.primal().root().over(unit.primal());
     let longest = length(shape, units.both).most(length(way.squared, way.unit));

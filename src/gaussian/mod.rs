@@ -1,10 +1,10 @@
 //! Boxes as Gaussians: distances and losses that have derivatives for boxes apart, too.
 //!
-//! A box stands for the Gaussian with its centre as mean and, along its own axes, half its sizes as
-//! standard deviations; [`probiou`] alone takes those of an even spread, `size / √12`, as its paper does.
-//! All are in closed forms of sizes and angles, arranged so that nothing cancels: sums of terms that are
-//! not negative, where products of matrices and determinants would lose the difference of similar boxes.
-//! Two-dimensional functions are in this module, three-dimensional ones in [`solid`].
+//! A box stands for the Gaussian with its centre as mean and, along its own axes, half its sizes as standard
+//! deviations; [`probiou`] alone takes those of a uniform distribution over the box, `size / √12`, as its paper does.
+//! All are in closed forms of sizes and angles, arranged so that nothing cancels: sums of terms that are not negative,
+//! where products of matrices and determinants would lose the difference of similar boxes. Two-dimensional functions
+//! are in this module, three-dimensional ones in [`solid`].
 //!
 //! | function | of | range | paper |
 //! | --- | --- | --- | --- |
@@ -19,20 +19,20 @@
 //! Wasserstein's distance takes sizes and the distance of the centres each in a unit of its own: none costs another
 //! one digits, however far apart they are.
 //!
-//! But for Wasserstein's distance, sizes count as no smaller than 2⁻²³ of the largest length of the pair: of
-//! all sizes and the distance of the centres. So boxes of zero size are served, sides up to eight million times
-//! as long as others are exact, and all results are finite, the same in every format. Derivatives go through that
-//! bound, too: by the largest length.
+//! Except for Wasserstein's distance, sizes count as at least 2⁻²³ of the largest length of the pair: of all sizes and
+//! the distance of the centres. So boxes of zero size are allowed, sides up to eight million times as long as others
+//! are exact, and all results are finite in every format. Derivatives go through that bound, too: by the largest
+//! length.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
-//! Derivatives are zero where they could exceed the largest number: those by lengths of pairs that are both thin and
-//! near the smallest numbers (in `f32` 10⁶ times as long as thick and below 10⁻¹⁷), and those of Wasserstein's
-//! distance by rotations of sizes near the largest numbers, or near the root of them for its square.
+//! Derivatives are zero where they could exceed the largest number. These are derivatives by lengths of pairs that are
+//! both thin and near the smallest numbers (in `f32` 10⁶ times as long as thick and below 10⁻¹⁷). They are also those
+//! of Wasserstein's distance by rotations of sizes near the largest numbers, or near the root of them for its square.
 //!
-//! Kinks: [`wasserstein`] and [`probiou`] at identical Gaussians (derivative zero). The others are smooth, but
-//! where a size meets that bound, and where all lengths are zero: there boxes count as identical.
+//! Kinks: [`wasserstein`] and [`probiou`] at identical Gaussians (derivative zero). The others are smooth, except where
+//! a size meets that bound, and where all lengths are zero: there boxes count as identical.
 use crate::{Obb2, Rotation2, Scalar, Vec2};
 
 mod lengths;
@@ -45,16 +45,16 @@ pub use wasserstein::{wasserstein, wasserstein_squared};
 
 use smooth::{excess, exp_minus_one, ln_one_plus};
 
-/// Two Gaussians of the plane seen from the first, in units of `1 / scale`.
-struct Pair<S> {
+/// Two Gaussians of the plane in the frame of the first, in units of `1 / scale`.
+struct GaussianPair<S> {
     /// From the first mean to the second, in the first one's frame and in the second one's.
     offset: Vec2<S>,
     offset_b: Vec2<S>,
     /// Standard deviations.
     a: Vec2<S>,
     b: Vec2<S>,
-    /// The square of the sine of the angle between the axes, where the axes of b are named so that the
-    /// larger deviations of both have the same name.
+    /// The square of the sine of the angle between the axes, where the axes of b are named so that the larger
+    /// deviations of both are on one axis.
     sin2: S,
 }
 
@@ -72,8 +72,8 @@ fn unit<S: Scalar>(quarter: S) -> (S, S) {
     (scale, S::select(none, S::one(), least))
 }
 
-/// Returns a length, or a constant where derivatives by lengths might not be finite: they grow as the unit's scale
-/// times the third power of what one is over the smallest size. A function of the scale and that size.
+/// Returns a length, or a constant if derivatives by lengths might not be finite: they grow as the unit's scale times
+/// the third power of the reciprocal of the smallest size. A function of the scale and that size.
 #[inline(always)]
 fn finite_derivatives<S: Scalar>(scale: S, smallest: S) -> impl Fn(S) -> S + use<S> {
     let per = S::Primal::one().over(smallest.primal());
@@ -82,7 +82,7 @@ fn finite_derivatives<S: Scalar>(scale: S, smallest: S) -> impl Fn(S) -> S + use
 }
 
 /// Brings a pair into a common unit.
-fn pair<S: Scalar>(a: Obb2<S>, b: Obb2<S>, deviation: f64) -> Pair<S> {
+fn pair<S: Scalar>(a: Obb2<S>, b: Obb2<S>, deviation: f64) -> GaussianPair<S> {
     let between = b.center - a.center;
     let between = Vec2::new(between.x.saturated(), between.y.saturated());
     let sizes = a.size.x.most(a.size.y).most(b.size.x.most(b.size.y));
@@ -105,7 +105,7 @@ fn pair<S: Scalar>(a: Obb2<S>, b: Obb2<S>, deviation: f64) -> Pair<S> {
     let crossed = ((own.x - own.y) * (other.x - other.y)).below(S::zero());
     let exchange = |x: S, y: S| S::select(crossed, y, x);
     let offset_b = axes_b.inverse() * between;
-    Pair {
+    GaussianPair {
         offset: axes_a.inverse() * between,
         offset_b: Vec2::new(
             exchange(offset_b.x, offset_b.y),
@@ -135,16 +135,16 @@ pub fn kullback_leibler<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 }
 
 #[inline(always)]
-fn divergence<S: Scalar>(pair: &Pair<S>) -> S {
+fn divergence<S: Scalar>(pair: &GaussianPair<S>) -> S {
     let (a, b, d) = (pair.a, pair.b, pair.offset_b);
     let far = d.x.over(b.x).squared() + d.y.over(b.y).squared();
     let sizes = excess(a.x, b.x) + excess(a.y, b.y);
-    let spread_a = ((a.x - a.y).over(b.x)) * ((a.x + a.y).over(b.y));
-    let spread_b = ((b.x - b.y).over(b.x)) * ((b.x + b.y).over(b.y));
-    (far + (sizes + pair.sin2 * (spread_a * spread_b))).halved()
+    let anisotropy_a = ((a.x - a.y).over(b.x)) * ((a.x + a.y).over(b.y));
+    let anisotropy_b = ((b.x - b.y).over(b.x)) * ((b.x + b.y).over(b.y));
+    (far + (sizes + pair.sin2 * (anisotropy_a * anisotropy_b))).halved()
 }
 
-/// Jeffreys' divergence of two boxes as Gaussians, `KL(a ‖ b) + KL(b ‖ a)`, from 0: symmetric.
+/// Returns the Jeffreys' divergence of two boxes as Gaussians, `KL(a ‖ b) + KL(b ‖ a)`, from 0: symmetric.
 #[must_use]
 #[inline]
 pub fn jeffreys<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
@@ -161,7 +161,7 @@ pub fn kullback_leibler_mean<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     jeffreys(a, b).halved()
 }
 
-/// Bhattacharyya's distance of two boxes as Gaussians, from 0.
+/// Returns the Bhattacharyya distance of two boxes as Gaussians, from 0.
 ///
 /// `⅛ dᵀ Σ⁻¹ d + ½ ln (det Σ / √(det Σa det Σb))` with the mean Σ of both covariances. The logarithm is the
 /// sum of those of `1 + (a−b)²/(2ab)`, once for each axis, and of `1 + sin² (a₁²−a₂²)(b₁²−b₂²) / ((a₁²+b₁²)
@@ -173,13 +173,13 @@ pub fn bhattacharyya<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 }
 
 #[inline(always)]
-fn distance<S: Scalar>(pair: &Pair<S>) -> S {
+fn distance<S: Scalar>(pair: &GaussianPair<S>) -> S {
     let (a, b) = (pair.a, pair.b);
     let (d, e) = (pair.offset, pair.offset_b);
     // (a₁²+b₁²)(a₂²+b₂²) as a product of lengths, so that small sizes keep their digits.
     let (one, two) = (a.x.hypot(b.x), a.y.hypot(b.y));
-    let spread = |v: Vec2<S>| (v.x - v.y).over(one) * (v.x + v.y).over(two);
-    let twist = pair.sin2 * (spread(a) * spread(b));
+    let anisotropy = |v: Vec2<S>| (v.x - v.y).over(one) * (v.x + v.y).over(two);
+    let twist = pair.sin2 * (anisotropy(a) * anisotropy(b));
     let apart = |a: S, b: S| ((a - b).over(a) * (a - b).over(b)).halved();
     let shape = ln_one_plus(apart(a.x, b.x)) + ln_one_plus(apart(a.y, b.y)) + ln_one_plus(twist);
     // The adjugate of a sum of two matrices is the sum of theirs.
@@ -191,8 +191,9 @@ fn distance<S: Scalar>(pair: &Pair<S>) -> S {
     far.halved().halved() + shape.halved()
 }
 
-/// One minus Hellinger's distance of two boxes as Gaussians of even spread, in `[0, 1]`: 1 for identical ones.
-/// Derivative zero there. Below 10⁻³⁵ it is zero, in every format; [`bhattacharyya`] has derivatives farther away.
+/// Returns one minus the Hellinger distance of two boxes as Gaussians, each with the covariance of a uniform
+/// distribution over its box, in `[0, 1]`: 1 for identical ones, with derivative zero. Below 10⁻³⁵ it is zero, in every
+/// format; [`bhattacharyya`] has derivatives farther away.
 ///
 /// ```
 /// use geograd::{Obb2, gaussian::probiou};
@@ -210,8 +211,8 @@ pub fn probiou<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 /// From this distance on boxes count as not similar at all: below the smallest numbers of `f32`.
 const FAR: f64 = 80.0;
 
-/// One minus Hellinger's distance, from Bhattacharyya's: `1 − √(1 − q)` with `q = e⁻ᵈ`, as `q / (1 + √(1 −
-/// q))`, which keeps its digits far away.
+/// Returns one minus the Hellinger distance from the Bhattacharyya distance: `1 − √(1 − q)` with `q = e⁻ᵈ`, computed as
+/// `q / (1 + √(1 − q))`, which keeps its digits far away.
 #[inline(always)]
 pub(crate) fn similarity<S: Scalar>(distance: S) -> S {
     let far = distance.above(S::lit(FAR));
@@ -230,15 +231,15 @@ pub fn kfiou<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
     let pair = pair(a, b, 0.5);
     let (a, b) = (pair.a, pair.b);
     let (one, two) = (a.x.hypot(b.x), a.y.hypot(b.y));
-    let spread = |v: Vec2<S>| (v.x - v.y).over(one) * (v.x + v.y).over(two);
-    let root = (S::one() + pair.sin2 * (spread(a) * spread(b))).root();
+    let anisotropy = |v: Vec2<S>| (v.x - v.y).over(one) * (v.x + v.y).over(two);
+    let root = (S::one() + pair.sin2 * (anisotropy(a) * anisotropy(b))).root();
     // V / Va and V / Vb.
     let of_a = (b.x.over(one) * b.y.over(two)).over(root);
     let of_b = (a.x.over(one) * a.y.over(two)).over(root);
     fused(of_a, of_b)
 }
 
-/// `V / (Va + Vb − V)` from `V / Va` and `V / Vb`.
+/// Returns `V / (Va + Vb − V)` from `V / Va` and `V / Vb`.
 #[inline(always)]
 pub(crate) fn fused<S: Scalar>(of_a: S, of_b: S) -> S {
     let product = of_a * of_b;

@@ -4,7 +4,7 @@ use crate::Scalar;
 /// Within this of zero, series replace logarithms and exponentials.
 const NEAR: f64 = 0.25;
 
-/// `atanh(y) / y − 1`, for `y² ≤ 1/49`: the sum of `y²ⁿ / (2n + 1)`.
+/// Returns `atanh(y) / y − 1`, for `y² ≤ 1/49`: the sum of `y²ⁿ / (2n + 1)`.
 #[inline(always)]
 fn atanh_series<S: Scalar>(square: S) -> S {
     let mut sum = S::lit(1.0 / 21.0);
@@ -14,7 +14,7 @@ fn atanh_series<S: Scalar>(square: S) -> S {
     sum * square
 }
 
-/// `ln(1 + x)` for `x > −1`, right to a few roundings for small x, too.
+/// Returns `ln(1 + x)` for `x > −1`, right to a few roundings for small x, too.
 #[must_use]
 #[inline]
 pub fn ln_one_plus<S: Scalar>(x: S) -> S {
@@ -30,7 +30,7 @@ pub fn ln_one_plus<S: Scalar>(x: S) -> S {
     )
 }
 
-/// `eˣ − 1`, right to a few roundings for small x, too.
+/// Returns `eˣ − 1`, right to a few roundings for small x, too.
 #[must_use]
 #[inline]
 pub fn exp_minus_one<S: Scalar>(x: S) -> S {
@@ -45,7 +45,7 @@ pub fn exp_minus_one<S: Scalar>(x: S) -> S {
     S::select(small, held * sum, far)
 }
 
-/// `r − 1 − ln r` for `r = (p/q)²` and positive p and q: zero where they are equal, positive elsewhere.
+/// Returns `r − 1 − ln r` for `r = (p/q)²` and positive p and q: zero where they are equal, positive elsewhere.
 #[must_use]
 #[inline]
 pub fn excess<S: Scalar>(p: S, q: S) -> S {

@@ -1,8 +1,8 @@
-//! The same in space, for boxes of any orientation. Upright boxes come as [`Obb3::from`].
+//! Boxes as Gaussians in space, for boxes of any orientation. Upright boxes are converted by [`Obb3::from`].
 //!
-//! With `D_ij = R_ij²` from the rotation R between the boxes, traces and determinants are sums over D with
-//! terms that are not negative; what would cancel for similar boxes is taken out by hand. The axes of the
-//! second box are renamed first so that R is as small as it can be.
+//! With `D_ij = R_ij²` from the rotation R between the boxes, traces and determinants are sums over D with terms that
+//! are not negative; terms that would cancel for similar boxes are removed by hand. The axes of the second box are
+//! renamed first so that R is as small as it can be.
 use super::smooth::{excess, ln_one_plus};
 pub use super::solid_wasserstein::{wasserstein, wasserstein_squared};
 use super::{finite_derivatives, fused, similarity, unit};
@@ -12,8 +12,8 @@ use crate::scalar::{least_of, most_of};
 use crate::shape::{Obb3, Rotation3};
 use crate::{Scalar, Vec3};
 
-/// Two Gaussians of space seen from the first, in units of `1 / scale`.
-struct Pair<S: Scalar> {
+/// Two Gaussians of space in the frame of the first, in units of `1 / scale`.
+struct GaussianPair3<S: Scalar> {
     /// From the first mean to the second, in the first one's frame and in the second one's.
     offset: [S; 3],
     offset_b: [S; 3],
@@ -24,7 +24,7 @@ struct Pair<S: Scalar> {
     turn: [[S; 3]; 3],
 }
 
-fn pair<S: Scalar>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> Pair<S> {
+fn pair<S: Scalar>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> GaussianPair3<S> {
     let between = b.center - a.center;
     let between = Vec3::new(
         between.x.saturated(),
@@ -48,8 +48,8 @@ fn pair<S: Scalar>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> Pair<S> {
     let held = finite_derivatives(scale, least_of(own).least(least_of(other)));
     let (own, other) = (own.each_as(&held), other.each_as(&held));
     let between = Vec3::new(between.x * scale, between.y * scale, between.z * scale);
-    // A way of 2⁻⁹⁰ of the largest length is none: units in which it is long have no finite derivatives. Scores have
-    // second derivatives by it there.
+    // A displacement of 2⁻⁹⁰ of the largest length counts as zero: units in which it is long have no finite
+    // derivatives. Scores have second derivatives by it there.
     let long = most_of([
         between.x.unsigned(),
         between.y.unsigned(),
@@ -74,7 +74,7 @@ fn pair<S: Scalar>(a: Obb3<S>, b: Obb3<S>, deviation: f64) -> Pair<S> {
         offset_b[m] = (turn[0][m] * offset[0] + turn[1][m] * offset[1]) + turn[2][m] * offset[2];
     }
     let deviations = |v: [S; 3]| v.each_as(|x| x * S::lit(deviation));
-    Pair {
+    GaussianPair3 {
         offset,
         offset_b,
         a: deviations(own),
@@ -90,10 +90,10 @@ pub fn kullback_leibler<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     divergence(&pair(a, b, 0.5)).saturated().canonical()
 }
 
-/// `½ (dᵀ Σb⁻¹ d + tr(Σb⁻¹ Σa) − 3 − ln det(Σb⁻¹ Σa))`, where the trace is
+/// Returns `½ (dᵀ Σb⁻¹ d + tr(Σb⁻¹ Σa) − 3 − ln det(Σb⁻¹ Σa))`, where the trace is
 /// `Σ a_k²/b_k² + Σ_{i≠j} D_ij a_i² (1/b_j² − 1/b_i²)`.
 #[inline(always)]
-fn divergence<S: Scalar>(pair: &Pair<S>) -> S {
+fn divergence<S: Scalar>(pair: &GaussianPair3<S>) -> S {
     let (a, b) = (pair.a, pair.b);
     let mut sum = S::zero();
     for k in 0..3 {
@@ -111,7 +111,7 @@ fn divergence<S: Scalar>(pair: &Pair<S>) -> S {
     sum.halved()
 }
 
-/// Jeffreys' divergence of two boxes as Gaussians, `KL(a ‖ b) + KL(b ‖ a)`, from 0: symmetric.
+/// Returns the Jeffreys' divergence of two boxes as Gaussians, `KL(a ‖ b) + KL(b ‖ a)`, from 0: symmetric.
 #[must_use]
 #[inline]
 pub fn jeffreys<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
@@ -128,13 +128,13 @@ pub fn kullback_leibler_mean<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     jeffreys(a, b).halved()
 }
 
-/// Returns how much larger `det(Σa + Σb)` is than the product of all `a_k² + b_k²`, relative to that product, which
-/// is what it would be if the axes agreed; and the lengths `√(a_k² + b_k²)`.
+/// Returns the relative excess of `det(Σa + Σb)` over the product of all `a_k² + b_k²`, which it would equal if the
+/// axes agreed; and the lengths `√(a_k² + b_k²)`.
 ///
 /// By Cauchy and Binet the determinant is `Π a² + Π b² + Σ_ij D_ij G_ij`, where `G_ij` is the product of the
 /// squares of b_j and of both a but a_i, plus that of a_i and of both b but b_j. Each column of D sums to
 /// one, so the part of `G_jj` can be taken out of column j.
-fn twist<S: Scalar>(pair: &Pair<S>) -> (S, [S; 3]) {
+fn twist<S: Scalar>(pair: &GaussianPair3<S>) -> (S, [S; 3]) {
     let (a, b) = (pair.a, pair.b);
     let length = [a[0].hypot(b[0]), a[1].hypot(b[1]), a[2].hypot(b[2])];
     let mut sum = S::zero();
@@ -155,17 +155,17 @@ fn twist<S: Scalar>(pair: &Pair<S>) -> (S, [S; 3]) {
     (sum, length)
 }
 
-/// Bhattacharyya's distance of two boxes as Gaussians, from 0.
+/// Returns the Bhattacharyya distance of two boxes as Gaussians, from 0.
 #[must_use]
 #[inline]
 pub fn bhattacharyya<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     distance(&pair(a, b, 0.5)).saturated().canonical()
 }
 
-/// `⅛ dᵀ Σ⁻¹ d + ½ ln (det Σ / √(det Σa det Σb))` with the mean Σ of both covariances. `Σa + Σb` is a sum of
-/// six squares of vectors x (deviations along axes), so its adjugate is the sum of the squares of all cross
+/// Returns `⅛ dᵀ Σ⁻¹ d + ½ ln (det Σ / √(det Σa det Σb))` with the mean Σ of both covariances. `Σa + Σb` is a sum of
+/// six squares of vectors x (deviations along axes). Its adjugate is therefore the sum of the squares of all cross
 /// products of two of them: `dᵀ adj d = Σ (d · (x × y))²`.
-fn distance<S: Scalar>(pair: &Pair<S>) -> S {
+fn distance<S: Scalar>(pair: &GaussianPair3<S>) -> S {
     let (a, b, d, e, r) = (pair.a, pair.b, pair.offset, pair.offset_b, pair.turn);
     let (twist, length) = twist(pair);
     let mut shape = ln_one_plus(twist);
@@ -189,8 +189,8 @@ fn distance<S: Scalar>(pair: &Pair<S>) -> S {
     far.halved().halved() + shape.halved()
 }
 
-/// One minus Hellinger's distance of two boxes as Gaussians of even spread, in `[0, 1]`: 1 for identical
-/// ones. Derivative zero there.
+/// Returns one minus the Hellinger distance of two boxes as Gaussians, each with the covariance of a uniform
+/// distribution over its box, in `[0, 1]`: 1 for identical ones, with derivative zero.
 #[must_use]
 #[inline]
 pub fn probiou<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {

@@ -4,32 +4,32 @@
     reason = "indices are axes, shared by several arrays"
 )]
 use crate::arrays::Each;
-use crate::gaussian::lengths::{Shapes, Way, root_of_sum, sum_of_squares};
+use crate::gaussian::lengths::{BoxUnits, Displacement, root_of_sum, sum_of_squares};
 use crate::overlap3::relate::relate3;
 use crate::scalar::most_of;
 use crate::shape::{Obb3, Rotation3};
 use crate::{Scalar, Vec3};
 
-/// Two Gaussians of space seen from the first, lengths in the units of [`Shapes`] and [`Way`].
-struct Pair<S: Scalar> {
-    /// The way between the means.
-    way: Way<S>,
+/// Two Gaussians of space in the frame of the first, lengths in the units of [`BoxUnits`] and [`Displacement`].
+struct WassersteinPair<S: Scalar> {
+    /// The displacement between the means.
+    way: Displacement<S>,
     /// Standard deviations, each box in its own unit.
     a: [S; 3],
     b: [S; 3],
     /// The rotation.
     turn: [[S; 3]; 3],
-    units: Shapes<S>,
-    /// `true` where both boxes are the same.
+    units: BoxUnits<S>,
+    /// `true` where both boxes are equal.
     same: S::Mask,
 }
 
-/// `POWER` is that of the result in lengths.
-fn pair<S: Scalar, const POWER: usize>(a: Obb3<S>, b: Obb3<S>) -> Pair<S> {
+/// Relates two boxes. `POWER` is the power of a length in the result.
+fn pair<S: Scalar, const POWER: usize>(a: Obb3<S>, b: Obb3<S>) -> WassersteinPair<S> {
     let between = b.center - a.center;
-    let way = Way::of([between.x, between.y, between.z]);
+    let way = Displacement::of([between.x, between.y, between.z]);
     let numbers = |v: Vec3<S>| [v.x, v.y, v.z];
-    let units = Shapes::of(most_of(numbers(a.size)), most_of(numbers(b.size)));
+    let units = BoxUnits::of(most_of(numbers(a.size)), most_of(numbers(b.size)));
     let own = numbers(a.size).each_as(|x| x * units.a);
     let other = numbers(b.size).each_as(|x| x * units.b);
     // The rotation and the names of axes do not depend on sizes: these keep every unit finite.
@@ -43,7 +43,7 @@ fn pair<S: Scalar, const POWER: usize>(a: Obb3<S>, b: Obb3<S>) -> Pair<S> {
     let other = related.renamed.rename(other);
     let alike = |k: usize| (own[k] * units.share_a).equals(other[k] * units.share_b);
     let same = (related.same & way.none) & (alike(0) & alike(1) & alike(2));
-    Pair {
+    WassersteinPair {
         way,
         a: own.each_as(S::halved),
         b: other.each_as(S::halved),
@@ -95,11 +95,11 @@ fn nearest_rotation<S: Scalar>(mut x: [[S::Primal; 3]; 3]) -> [[S; 3]; 3] {
     x.each_as(|row| row.each_as(S::from_primal))
 }
 
-/// Returns the squared distance of both shapes, as if their centres agreed, in squared units of [`Shapes`].
+/// Returns the squared distance of both shapes, as if their centres agreed, in squared units of [`BoxUnits`].
 ///
 /// The trace of `Σa + Σb − 2 (√Σa Σb √Σa)^½` is the least `‖√Σa − √Σb Q‖²` over all rotations Q: a sum of
 /// squares. At the best Q derivatives by Q vanish, so Q is a constant.
-fn of_shapes<S: Scalar>(pair: &Pair<S>) -> S {
+fn of_shapes<S: Scalar>(pair: &WassersteinPair<S>) -> S {
     let (turn, units) = (&pair.turn, &pair.units);
     // Each box in its own unit: the rotation does not depend on units. Sides without thickness count as thin.
     let largest = |v: [S; 3]| {
@@ -190,8 +190,8 @@ pub fn wasserstein_squared<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     sum_of_squares(of_shapes(&pair), &pair.units, &pair.way).canonical()
 }
 
-/// Wasserstein's distance of two boxes as Gaussians, a length. Derivative zero for identical ones. Derivatives
-/// above the second are not served.
+/// Returns the Wasserstein distance of two boxes as Gaussians, a length. Identical boxes have derivative zero.
+/// Derivatives above the second are not supported.
 ///
 /// ```
 /// use geograd::{Obb3, Rotation3, Vec3, gaussian::solid};

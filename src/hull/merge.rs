@@ -10,13 +10,13 @@ use crate::{ConvexPolygon, Scalar, Vec2};
 pub struct MergeTrace<const K: usize> {
     /// One entry per vertex; the first `count` matter. Only corners of a and of b occur.
     pub corners: [Corner; K],
-    /// For corners of a at the place of a vertex of b: which one. Both share the derivative.
+    /// The vertex of b that coincides with a vertex of a, for each one. Both share the derivative.
     pub twins: [Option<usize>; K],
-    /// How many vertices the hull has.
+    /// The number of vertices of the hull.
     pub count: usize,
 }
 
-/// Which vertices of two convex polygons their joint hull has: `O((n + m) log (n + m))`, and `O(n m)`
+/// Returns the vertices of two convex polygons that their joint hull has. Takes `O((n + m) log (n + m))`, and `O(n m)`
 /// plain comparisons to find vertices that coincide.
 ///
 /// # Errors
@@ -69,7 +69,7 @@ pub fn merge_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
                 Corner::B(k) => b.vertex(k),
                 Corner::A(k) | Corner::Cross { a: k, .. } => a.vertex(k),
             };
-            // The same place, with the mean of both derivatives.
+            // Both vertices coincide: the point has the mean of both derivatives.
             twin.map_or(vertex, |k| vertex.least(b.vertex(k)))
         }),
         count: trace.count,

@@ -1,10 +1,10 @@
 //! Convex hulls of points and of two convex polygons, and Minkowski sums: by exact decisions, which
 //! are recorded.
 //!
-//! A record says which given vertex each vertex of the result is; `…_replay` builds the result from the
-//! given vertices and the record, so duals and adjoints pass through it: derivatives go to the vertices on
-//! the hull, points inside have derivative zero. Collinear and repeated points are not on the hull; of
-//! points at the same place the first in order of sorting is.
+//! A record says which given vertex each vertex of the result is; `…_replay` builds the result from the given vertices
+//! and the record, so duals and adjoints pass through it: derivatives go to the vertices on the hull, points inside
+//! have derivative zero. Collinear and repeated points are not on the hull; of coinciding points the first in order of
+//! sorting is.
 //!
 //! Degenerate hulls are represented: a point by one vertex, a segment by two.
 mod merge;
@@ -50,8 +50,8 @@ pub fn hull_decided_in<'a, S: Scalar<Mask = bool>>(
     let (Some(&first), Some(&last)) = (order.first(), order.last()) else {
         return Ok(&[]);
     };
-    // Below the line from the first to the last from left to right, then those above it back. The
-    // highest bit of a number says that its point is above, so that each is asked once.
+    // Points below the line from the first to the last, from left to right, then those above it in reverse. The highest
+    // bit of a number marks a point above, so that each is tested once.
     const ABOVE: usize = !(usize::MAX >> 1);
     for k in order.iter_mut() {
         if turn(points[first], points[last], points[*k]) == Turn::Left {

@@ -9,12 +9,12 @@ use crate::{ConvexPolygon, Scalar, Vec2};
 pub struct SumTrace<const K: usize> {
     /// A vertex of a and one of b; the first `count` pairs matter.
     pub pairs: [(usize, usize); K],
-    /// How many vertices the sum has.
+    /// The number of vertices of the sum.
     pub count: usize,
 }
 
-/// Which vertices the Minkowski sum of two convex polygons has: their edges in the order of their
-/// directions, parallel ones joined. `O(n + m)`.
+/// Returns the vertices of the Minkowski sum of two convex polygons: their edges in the order of their directions,
+/// parallel ones joined. Takes `O(n + m)`.
 ///
 /// # Errors
 ///

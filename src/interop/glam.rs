@@ -1,4 +1,4 @@
-//! Conversions to and from glam's vectors, both ways, both precisions.
+//! Conversions to and from glam's vectors, in both precisions.
 use crate::{Vec2, Vec3};
 
 /// One pair of types; the macro lists them with their fields.

@@ -1,4 +1,4 @@
-//! Conversions to and from points and vectors of other libraries, both ways; each a feature.
+//! Conversions to and from points and vectors of other libraries; each a feature.
 #[cfg(feature = "geo-types")]
 mod geo_types;
 #[cfg(feature = "glam")]

@@ -1,5 +1,5 @@
 //! Crossings of lines and of segments.
-use super::turns::Sides;
+use super::turns::EndSides;
 use crate::distance::edge::{scale_of, size_of};
 use crate::scalar::Guard;
 use crate::{Line2, Scalar, Segment2, Vec2};
@@ -31,12 +31,12 @@ pub struct CommonPart<S> {
     pub from: Vec2<S>,
     /// Its end.
     pub to: Vec2<S>,
-    /// 0 for nothing, 1 for a point (`from` and `to` are the same), 2 for a segment. A constant.
+    /// 0 for nothing, 1 for a point (`from` and `to` are equal), 2 for a segment. A constant.
     #[shape(number)]
     pub kind: S,
 }
 
-/// 1 where the mask is true, else 0.
+/// Returns 1 where the mask is true, else 0.
 #[inline(always)]
 pub(crate) fn flag<S: Scalar>(mask: S::Mask) -> S {
     S::select(mask, S::one(), S::zero())
@@ -44,8 +44,8 @@ pub(crate) fn flag<S: Scalar>(mask: S::Mask) -> S {
 
 /// Returns the point in which two lines cross, with its parameters on both.
 ///
-/// Lines count as parallel by the sine of their angle, whatever the lengths of their directions:
-/// there is no tolerance in units of length. Parallel lines have parameters 0 with derivative zero.
+/// Lines count as parallel by the sine of their angle, for all lengths of their directions: there is no tolerance in
+/// units of length. Parallel lines have parameters 0 with derivative zero.
 ///
 /// Derivatives grow with the square of the reciprocal of the sine of the angle. They are finite where every number is
 /// zero or of a magnitude from 2⁻⁸ to 2⁸ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
@@ -86,8 +86,8 @@ pub fn crossing_of_lines<S: Scalar>(a: Line2<S>, b: Line2<S>) -> CommonPoint<S> 
 /// Returns the part that two segments share: nothing, a point, or a segment where they lie along each other. Ends
 /// belong to segments.
 ///
-/// What they share is decided as in exact arithmetic on the given numbers: segments lie along each other if their four
-/// ends are on one line, and end on each other if an end is on the other segment. An end in which they meet is the
+/// Their common points are decided as in exact arithmetic on the given numbers: segments lie along each other if their
+/// four ends are on one line, and end on each other if an end is on the other segment. An end in which they meet is the
 /// result itself. Without a meeting both points are the start of the longer segment. Derivatives are those of the kind
 /// that was found; ends that tie share.
 ///
@@ -121,7 +121,7 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> CommonP
         [base.from, base.to].map(plain),
         [other.from, other.to].map(plain),
     );
-    let sides = Sides::of(ends, others, scale.primal());
+    let sides = EndSides::of(ends, others, scale.primal());
     let (zero, one) = (S::Primal::zero(), S::Primal::one());
     let apart =
         |[p, q]: [S::Primal; 2]| (p.below(zero) & q.below(zero)) | (p.above(zero) & q.above(zero));
@@ -144,7 +144,7 @@ pub fn meeting_of_segments<S: Scalar>(a: Segment2<S>, b: Segment2<S>) -> CommonP
     let (first, second) = (w.dot(d).over(square), far.dot(d).over(square));
     let low = first.least(second).most(S::zero());
     let high = first.most(second).least(S::one());
-    let shared = Shared::of(ends, others);
+    let shared = CommonSegment::of(ends, others);
     let along = line & shared.meet;
 
     let at = base.point_at(t);
@@ -176,16 +176,16 @@ pub(super) fn plain<S: Scalar>(v: Vec2<S>) -> Vec2<S::Primal> {
     Vec2::new(v.x.primal(), v.y.primal())
 }
 
-/// What two segments of one line share, by comparing coordinates.
-struct Shared<P: Scalar> {
+/// The common part of two segments of one line, by comparing coordinates.
+struct CommonSegment<P: Scalar> {
     meet: P::Mask,
     two: P::Mask,
     from: Vec2<P>,
     to: Vec2<P>,
 }
 
-impl<P: Scalar> Shared<P> {
-    /// From the ends of both; the first one is the longer one.
+impl<P: Scalar> CommonSegment<P> {
+    /// Returns the common part of two segments of one line from their ends; `base` is the longer one.
     #[inline(always)]
     fn of(base: [Vec2<P>; 2], other: [Vec2<P>; 2]) -> Self {
         let way = base[1] - base[0];
@@ -198,10 +198,10 @@ impl<P: Scalar> Shared<P> {
         let from = Vec2::select(key(base[0]).below(key(first)), first, base[0]);
         let to = Vec2::select(key(last).below(key(base[1])), last, base[1]);
         let (low, high) = (key(from), key(to));
-        // Two points have the same place if they do along y, too.
+        // Two points coincide if their y coordinates are equal, too.
         let apart =
             way.x.equals(P::zero()) & way.y.equals(P::zero()) & !base[0].y.equals(other[0].y);
-        Shared {
+        CommonSegment {
             meet: low.at_most(high) & !apart,
             two: low.below(high),
             from,

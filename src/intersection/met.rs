@@ -1,4 +1,4 @@
-//! Whether a line meets a hull of corners: by their sides, which rounding does not decide.
+//! The test if a line meets a hull of corners: by the sides of the corners, with signs that rounding does not change.
 use super::lines::plain;
 use crate::distance::beam::{Beam, Border, Inside};
 use crate::distance::edge::{scale_of, size_of, unit};
@@ -11,7 +11,7 @@ use crate::{Line2, Mask, Scalar, Vec2};
 #[inline(always)]
 fn side<P: Scalar<Primal = P>>(point: Vec2<P>, way: Vec2<P>, corner: Vec2<P>, unit: P) -> P {
     let rounded = way.perp_dot((corner - point) * unit);
-    // The way is below 4, the arm below 8: three roundings of products up to 32, and that of their difference.
+    // The direction is below 4, the arm below 8: three roundings of products up to 32, and that of their difference.
     let within = |most: f64, side: P| side.unsigned().at_most(P::lit(most));
     let doubt = within(128.0 * P::EPSILON, rounded);
     if !doubt.any() {
@@ -22,7 +22,7 @@ fn side<P: Scalar<Primal = P>>(point: Vec2<P>, way: Vec2<P>, corner: Vec2<P>, un
     P::select(doubt, P::select(zero, P::zero(), exact), rounded)
 }
 
-/// Returns the same in twice the digits.
+/// Returns the side of a corner in twice the digits.
 #[cold]
 #[inline(never)]
 fn wide_side<P: Scalar>(point: Vec2<P>, way: Vec2<P>, corner: Vec2<P>, unit: P) -> P {
@@ -31,18 +31,18 @@ fn wide_side<P: Scalar>(point: Vec2<P>, way: Vec2<P>, corner: Vec2<P>, unit: P) 
     Twofold::cross([Twofold::of(way.x), Twofold::of(way.y)], arm).high
 }
 
-/// A corner as a line sees it.
+/// A corner relative to a line.
 #[derive(Clone, Copy)]
-struct Seen<S> {
+struct SeenCorner<S> {
     side: S,
     t: S,
     corner: Vec2<S>,
 }
 
-impl<S: Scalar> Seen<S> {
+impl<S: Scalar> SeenCorner<S> {
     #[inline(always)]
     fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
-        Seen {
+        SeenCorner {
             side: S::select(mask, yes.side, no.side),
             t: S::select(mask, yes.t, no.t),
             corner: Vec2::select(mask, yes.corner, no.corner),
@@ -53,7 +53,7 @@ impl<S: Scalar> Seen<S> {
 /// Returns the range of a line inside a hull of corners, from that behind its faces: empty where all corners are on one
 /// side, and the crossing of the hull where rounding leaves none or the hull is flat. Along a side it is that side.
 ///
-/// The corners are given as they are and as the beam sees them.
+/// The corners are given in the caller's coordinates and in those of the beam.
 #[inline(always)]
 pub(super) fn met<S: Scalar>(
     inside: Inside<S>,
@@ -68,7 +68,7 @@ pub(super) fn met<S: Scalar>(
     let seen = |k: usize| {
         let arm = placed[k] - beam.from;
         let side = side(point, way, plain(corners[k]), scale.primal()).over(length);
-        Seen {
+        SeenCorner {
             side: beam.along.perp_dot(arm).with_primal(side),
             t: beam.along.dot(arm),
             corner: placed[k],
@@ -76,12 +76,12 @@ pub(super) fn met<S: Scalar>(
     };
     let (mut left, mut right) = (seen(0), seen(0));
     let (mut first, mut last) = (large, -large);
-    // The chord is within the corners, as far as the line goes: two sides of a sliver may cross it elsewhere.
+    // The chord is within the corners, along the line: two sides of a sliver may cross it elsewhere.
     let (mut low, mut high) = (left.t, left.t);
     for k in 0..corners.len() {
         let corner = seen(k);
-        left = Seen::select(left.side.below(corner.side), corner, left);
-        right = Seen::select(corner.side.below(right.side), corner, right);
+        left = SeenCorner::select(left.side.below(corner.side), corner, left);
+        right = SeenCorner::select(corner.side.below(right.side), corner, right);
         (low, high) = (low.least(corner.t), high.most(corner.t));
         let on = corner.side.equals(zero);
         first = S::select(on, first.least(corner.t), first);

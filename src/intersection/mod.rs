@@ -10,8 +10,8 @@
 //! | [`length_inside`] | how much of a segment lies in a convex shape |
 //! | [`length_inside_ring`] | how much of a segment lies in a polygon of any kind |
 //!
-//! A whole number in the result says if there is one, so that results are shapes like any other. A result without
-//! a meeting is finite, with derivative zero where said.
+//! A whole number in the result is 0 without a meeting, so that results are shapes like any other. A result without a
+//! meeting is finite, with derivative zero where its page states it.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.

@@ -12,8 +12,8 @@ use crate::{Scalar, Segment2, Vec2};
 /// edges is the mean winding number along the segment. For a counter-clockwise ring with clockwise
 /// holes it is the share of the segment that lies inside.
 ///
-/// An edge has its lower end and lacks its upper one, as seen along the segment; an edge along the
-/// segment counts as on its left.
+/// An edge includes its lower end and excludes its upper one, seen along the segment; an edge along the segment counts
+/// as on its left.
 #[must_use]
 #[inline]
 pub fn edge_inside<S: Scalar>(segment: Segment2<S>, from: Vec2<S>, to: Vec2<S>) -> S {

@@ -44,15 +44,15 @@ pub struct Hit<S> {
     pub kind: S,
 }
 
-/// A line in a shape: the parameters, normals and whether it is.
-struct Found<S: Scalar> {
+/// The part of a line in a shape: both borders, and `true` if there is one.
+struct LineSpan<S: Scalar> {
     enter: Border<S>,
     exit: Border<S>,
     found: S::Mask,
 }
 
 #[inline]
-fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Found<S> {
+fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> LineSpan<S> {
     let core = shape.core();
     let anchor = core.anchor();
     let arm = line.point - anchor;
@@ -88,7 +88,7 @@ fn find<S: Scalar, A: Convex<S>>(line: Line2<S>, shape: A) -> Found<S> {
             normal: mean.normal,
         }
     };
-    Found {
+    LineSpan {
         enter: border(inside.enter),
         exit: border(inside.exit),
         found,

@@ -3,13 +3,13 @@ use crate::distance::edge::{scale_of, size_of};
 use crate::twofold::{Halves, sum};
 use crate::{Mask, Scalar, Vec2};
 
-/// The sides of the ends of two segments. Signs are those of exact arithmetic; sizes are in units of the longest of the
-/// differences that they are made of, and right to some roundings.
+/// The sides of the ends of two segments. Signs are those of exact arithmetic; sizes are in units of the longest
+/// difference in their products, and right to some roundings.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sides<P> {
-    /// Of both ends of the other segment, as seen along the base: positive to the left.
+pub(super) struct EndSides<P> {
+    /// The sides of both ends of the other segment, seen along the base: positive to the left.
     pub of_other: [P; 2],
-    /// Of both ends of the base, as seen along the other segment.
+    /// The sides of both ends of the base, seen along the other segment.
     pub of_base: [P; 2],
 }
 
@@ -53,20 +53,20 @@ fn side<P: Scalar>(ab: [P; 4], bc: [P; 4], ca: [P; 4]) -> P {
 /// Returns the exact signs, from the cross products of all pairs of points.
 #[cold]
 #[inline(never)]
-fn exact<P: Scalar>(base: [Vec2<P>; 2], other: [Vec2<P>; 2], scale: P) -> Sides<P> {
+fn exact<P: Scalar>(base: [Vec2<P>; 2], other: [Vec2<P>; 2], scale: P) -> EndSides<P> {
     let halves = |v: Vec2<P>| [Halves::of(v.x * scale), Halves::of(v.y * scale)];
     let [a, b, p, q] = [base[0], base[1], other[0], other[1]].map(halves);
     let minus = |all: [P; 4]| all.map(|part| -part);
     let (ab, pq) = (cross(a, b), cross(p, q));
     let [ap, aq, bp, bq] = [cross(a, p), cross(a, q), cross(b, p), cross(b, q)];
-    Sides {
+    EndSides {
         of_other: [side(ab, bp, minus(ap)), side(ab, bq, minus(aq))],
         of_base: [side(pq, minus(aq), ap), side(pq, minus(bq), bp)],
     }
 }
 
-impl<P: Scalar<Primal = P>> Sides<P> {
-    /// From the ends of both segments and a power of two that brings their differences near one.
+impl<P: Scalar<Primal = P>> EndSides<P> {
+    /// Returns the turns from the ends of both segments and a power of two that brings their differences near one.
     #[inline(always)]
     pub fn of(base: [Vec2<P>; 2], other: [Vec2<P>; 2], scale: P) -> Self {
         let [d, e, w, far, back] = [
@@ -77,7 +77,7 @@ impl<P: Scalar<Primal = P>> Sides<P> {
             base[1] - other[0],
         ]
         .map(|way| way * scale);
-        let rounded = Sides {
+        let rounded = EndSides {
             of_other: [d.perp_dot(w), d.perp_dot(far)],
             of_base: [w.perp_dot(e), e.perp_dot(back)],
         };
@@ -98,7 +98,7 @@ impl<P: Scalar<Primal = P>> Sides<P> {
         let pick = |exact: [P; 2], rounded: [P; 2]| {
             [0, 1].map(|k| P::select(doubt, exact[k] * unit * unit, rounded[k]))
         };
-        Sides {
+        EndSides {
             of_other: pick(exact.of_other, rounded.of_other),
             of_base: pick(exact.of_base, rounded.of_base),
         }

@@ -5,7 +5,8 @@ use crate::distance::share::Best;
 use crate::distance3::near::size_of;
 use crate::{Scalar, Vec3};
 
-/// In a cone with its apex at the anchor, given the way to the centre of its base and the base's radius.
+/// Returns the range inside a cone with its apex at the anchor, given the vector to the centre of its base and the
+/// base's radius.
 ///
 /// A line that crosses the plane of the base in the disc leaves or enters there. Another one meets the side twice, or
 /// nothing: so the thickness of a flat cone decides of no line that is not nearly parallel to its base.

@@ -32,7 +32,7 @@ impl<S: Scalar> Carry<S> for Border<S> {
     }
 }
 
-/// A line seen from a shape in units of their extent, its direction in units of the direction's own size.
+/// A line relative to a shape in units of their extent, its direction in units of the direction's own size.
 #[derive(Clone, Copy, Debug)]
 pub struct Beam<S> {
     /// The point at parameter 0.
@@ -53,7 +53,7 @@ pub struct Inside<S> {
 
 /// Returns the parameters of both points at which a quadratic `a t² − 2 b t + c` vanishes, that of the smaller
 /// magnitude first, given `b² − a c`, with `a` not zero. The root that would cancel follows from the product of both:
-/// it is exactly zero where `c` is, and does not depend on `a` but by the discriminant.
+/// it is exactly zero where `c` is, and depends on `a` only by the discriminant.
 #[inline(always)]
 pub(super) fn roots<S: Scalar>(a: S, b: S, c: S, square: S) -> (S, S) {
     let (negative, root) = (b.below(S::zero()), square.root());
@@ -64,7 +64,7 @@ pub(super) fn roots<S: Scalar>(a: S, b: S, c: S, square: S) -> (S, S) {
     );
     let far = sum.over(a);
     // Nothing cancels where both vanish, and a quotient by their sum would have slopes beyond all bounds. A line that
-    // misses but for rounding has a quotient beyond the other root, which is mostly rounding.
+    // misses within rounding has a quotient beyond the other root, which is mostly rounding.
     let beyond = (a * c).above(sum * sum);
     let none =
         sum.magnitude().at_most(S::lit(S::EPSILON.powi(2))) | square.below(S::zero()) | beyond;
@@ -72,7 +72,7 @@ pub(super) fn roots<S: Scalar>(a: S, b: S, c: S, square: S) -> (S, S) {
     (over.over(under), far)
 }
 
-/// Both, the lower one first.
+/// Returns both numbers, the lower one first.
 #[inline(always)]
 pub(super) fn sorted<S: Scalar>((one, other): (S, S)) -> (S, S) {
     let is_first = one.at_most(other);
@@ -82,7 +82,7 @@ pub(super) fn sorted<S: Scalar>((one, other): (S, S)) -> (S, S) {
     )
 }
 
-/// `b² − a c` of a quadratic. Where `a c` is not positive nothing cancels; elsewhere it is that of the given formula,
+/// Returns `b² − a c` of a quadratic. If `a c` is not positive nothing cancels; otherwise it is `square`, a form
 /// without squares of squares.
 #[inline(always)]
 pub(super) fn discriminant<S: Scalar>(a: S, b: S, c: S, square: S) -> S {
@@ -107,9 +107,9 @@ pub(super) struct Tube<S: Scalar> {
 }
 
 impl<S: Scalar> Tube<S> {
-    /// From what a line's point and its direction are across the axis, by products with one length: inner products of
-    /// the direction with itself, of both, and of the point with itself less that of the radius; then the square of
-    /// the radius times the first less the square of the outer product of both.
+    /// Creates the tube from products of the line's point p and direction u across the axis and one length: `a = u·u`,
+    /// `b = u·p`, `c = p·p − r²`, and `square = r² a − (u × p)²`. Directions with `a` up to `none` are parallel to the
+    /// axis.
     #[inline(always)]
     pub fn new(a: S, b: S, c: S, square: S, none: S) -> Self {
         let is_parallel = a.at_most(none);
@@ -123,7 +123,7 @@ impl<S: Scalar> Tube<S> {
             is_missed: is_parallel & c.above(zero) | !is_parallel & square.below(zero),
         }
     }
-    /// Given the axis, in units of its own size.
+    /// Creates the tube around an axis, given in units of its own size.
     #[inline(always)]
     pub fn about(beam: Beam<S>, from: Vec3<S>, axis: Vec3<S>, radius: S) -> Self {
         let arm = beam.from - from;
@@ -142,7 +142,7 @@ impl<S: Scalar> Tube<S> {
 }
 
 impl<S: Scalar> Inside<S> {
-    /// From one border to the other.
+    /// Returns the range from one border to the other.
     #[inline(always)]
     pub(super) fn new(enter: Border<S>, exit: Border<S>) -> Self {
         Inside {
@@ -150,7 +150,7 @@ impl<S: Scalar> Inside<S> {
             exit: Best::of(exit.t, exit),
         }
     }
-    /// From one end of the line to the other.
+    /// Returns the range of the whole line.
     #[inline(always)]
     pub fn everywhere() -> Self {
         let end = |t: f64| Border {
@@ -159,7 +159,7 @@ impl<S: Scalar> Inside<S> {
         };
         Inside::new(end(-S::LARGEST), end(S::LARGEST))
     }
-    /// Nowhere where the mask says so, or where it would leave before it enters.
+    /// Returns an empty range where the mask is true or where the line would leave before it enters.
     #[must_use]
     #[inline(always)]
     pub fn unless(mut self, empty: S::Mask) -> Self {
@@ -184,7 +184,7 @@ impl<S: Scalar> Inside<S> {
         }
         .unless(self.is_empty() | other.is_empty())
     }
-    /// Cut by the half-space behind a plane; a plane without a normal cuts nothing.
+    /// Returns the part of the range behind a plane; a plane without a normal cuts nothing.
     #[must_use]
     #[inline(always)]
     pub fn behind(self, beam: Beam<S>, point: Vec3<S>, normal: Vec3<S>) -> Self {
@@ -204,7 +204,7 @@ impl<S: Scalar> Inside<S> {
         }
         .unless(self.is_empty() | (parallel & ahead.above(S::zero())))
     }
-    /// In a ball; one of radius zero is a point.
+    /// Returns the range inside a ball; one of radius zero is a point.
     #[inline(always)]
     pub fn ball(beam: Beam<S>, center: Vec3<S>, radius: S) -> Self {
         let arm = beam.from - center;
@@ -220,7 +220,8 @@ impl<S: Scalar> Inside<S> {
         };
         Inside::new(border(low), border(high)).unless(square.below(S::zero()))
     }
-    /// In a cylinder without ends, given what a line's point is across the axis at a parameter, times any factor.
+    /// Returns the range inside a cylinder without ends. `across` returns the component across the axis of the line's
+    /// point at a parameter, times any factor.
     #[inline(always)]
     pub(super) fn of_tube(tube: Tube<S>, across: impl Fn(S) -> Vec3<S>, radius: S) -> Self {
         let border = |t: S, end: S| Border {
@@ -230,14 +231,14 @@ impl<S: Scalar> Inside<S> {
         let large = S::lit(S::LARGEST);
         Inside::new(border(tube.low, -large), border(tube.high, large)).unless(tube.is_missed)
     }
-    /// In a cylinder without ends, given its axis in units of its own size.
+    /// Returns the range inside a cylinder without ends, given its axis in units of its own size.
     #[inline(always)]
     pub fn tube(beam: Beam<S>, from: Vec3<S>, axis: Vec3<S>, radius: S) -> Self {
         let arm = beam.from - from;
         let across = |t: S| axis.cross(arm + beam.along * t).cross(axis);
         Inside::of_tube(Tube::about(beam, from, axis, radius), across, radius)
     }
-    /// In a capsule, given its ends as seen from the beam's.
+    /// Returns the range inside a capsule, given its ends relative to the beam's anchor.
     #[inline(always)]
     pub fn capsule(beam: Beam<S>, from: Vec3<S>, to: Vec3<S>, radius: S) -> Self {
         let axis = sized(to - from);
@@ -247,11 +248,11 @@ impl<S: Scalar> Inside<S> {
             [base, axis.dot(beam.along), axis.dot(to - from)],
         )
     }
-    /// In a capsule, given the range inside the cylinder around it and inside the balls at its ends, and the height
-    /// along its axis: of the line's point, how it grows, and of the end.
+    /// Returns the range inside a capsule from the range inside the cylinder around it and those inside the balls at
+    /// its ends. The numbers are heights along its axis: of the line's point, its rate along the line, and of the end.
     ///
-    /// The point where the line enters the cylinder tells by its height which of the three pieces the line enters: at a
-    /// seam both have the same normal.
+    /// The height of the point where the line enters the cylinder decides which of the three parts the line enters: at
+    /// a seam both have one normal.
     #[inline(always)]
     pub(super) fn rounded(self, [start, end]: [Self; 2], [base, rate, top]: [S; 3]) -> Self {
         let zero = S::zero();
@@ -280,7 +281,7 @@ impl<S: Scalar> Inside<S> {
     }
 }
 
-/// `yes` where the mask is true, else `no`.
+/// Returns `yes` where the mask is true, else `no`.
 #[inline(always)]
 pub(super) fn choose<S: Scalar>(
     mask: S::Mask,

@@ -18,9 +18,9 @@
 //! take the pairs that have a row (the table of [`verbs`](crate::kernels::verbs)); others run by
 //! [`function`](crate::kernels::verbs::function).
 //!
-//! A whole number in the result says if there is a hit, so that results are shapes like any other. A miss is finite,
-//! with derivative zero. Values and derivatives are finite where every length and coordinate is zero or of a magnitude
-//! from 2⁻²⁰ to 2²⁰ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+//! A whole number in the result is 0 without a hit, so that results are shapes like any other. A miss is finite, with
+//! derivative zero. Values and derivatives are finite where every length and coordinate is zero or of a magnitude from
+//! 2⁻²⁰ to 2²⁰ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
 //! Derivatives: with n the normal at the hit and d the direction, the parameter falls by n · v / (n · d) as the surface
 //! moves by −v or the ray by v. Kinks: silhouettes, where the ray grazes a solid and the hit jumps; directions that are
@@ -66,15 +66,15 @@ pub struct Hit3<S> {
     pub kind: S,
 }
 
-/// A line in a shape: the parameters, normals and whether it is.
-struct Found<S: Scalar> {
+/// The part of a line in a shape: both borders, and `true` if there is one.
+struct LineSpan<S: Scalar> {
     enter: Border<S>,
     exit: Border<S>,
     found: S::Mask,
 }
 
 #[inline]
-fn find<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Found<S> {
+fn find<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> LineSpan<S> {
     let arm = line.point - shape.anchor();
     let scale = scale_of::<S>(shape.extent().most(size_of(arm)));
     let size = scale_of::<S>(size_of(line.direction));
@@ -92,7 +92,7 @@ fn find<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Found<S>
             normal: mean.normal.normalize_or_zero(),
         }
     };
-    Found {
+    LineSpan {
         enter: border(inside.enter),
         exit: border(inside.exit),
         found: !inside.is_empty() & size_of(line.direction).above(S::Primal::zero()),
@@ -125,10 +125,10 @@ pub fn span<S: Scalar, A: Pierced<Scalar = S>>(line: Line3<S>, shape: A) -> Chor
 /// hits nothing. The parameter has finite derivatives everywhere; they grow without bound as the ray comes to graze a round
 /// surface.
 ///
-/// Solids without a volume are hit, too. A line meets the border of a tetrahedron where it passes within its rounding,
-/// some ε of the way to the farthest corner; so thin and flat ones are hit where they are seen, and seen edge-on, too.
-/// The chord of a flat one is one place, at which all faces share the derivative. A ray through the apex of a cone within
-/// rounding hits the apex; the slope there is the middle of those to its sides.
+/// Solids without a volume are hit, too. A line meets the border of a tetrahedron if it passes within its rounding,
+/// some ε of the distance to the farthest corner. Thin and flat ones are therefore hit, edge-on, too. The chord of a
+/// flat one is one point, at which all faces share the derivative. A ray through the apex of a cone within rounding
+/// hits the apex; the slope there is the middle of those to its sides.
 ///
 /// ```
 /// use geograd::{Cylinder, Ray3, Vec3, intersection3::first_hit};

@@ -5,7 +5,7 @@ use super::tetrahedron::in_tetrahedron;
 use crate::arrays::Each;
 use crate::distance::share::Best;
 use crate::distance3::core::{BoxCore, Core};
-use crate::distance3::cored::Cored;
+use crate::distance3::cored::InflatedCore;
 use crate::distance3::near::size_of;
 use crate::scalar::Guard;
 use crate::shape::{
@@ -24,11 +24,11 @@ pub trait Pierced: Copy {
     /// Returns a guard with its numbers, too.
     #[doc(hidden)]
     fn guarded(self, guard: Guard<Self::Scalar>) -> Guard<Self::Scalar>;
-    /// Returns a point of it, from which it is seen.
+    /// Returns a point of it, which is the origin of its local frame.
     fn anchor(self) -> Vec3<Self::Scalar>;
-    /// Returns how far it reaches from there, as a constant.
+    /// Returns its extent from the anchor, as a constant.
     fn extent(self) -> <Self::Scalar as Scalar>::Primal;
-    /// Returns the range of a beam inside, both seen from the anchor in units of `1 / scale`.
+    /// Returns the range of a beam inside, both relative to the anchor in units of `1 / scale`.
     fn inside(self, beam: Beam<Self::Scalar>, scale: Self::Scalar) -> Inside<Self::Scalar>;
 }
 
@@ -77,7 +77,7 @@ impl<S: Scalar> Pierced for Sphere<S> {
     }
 }
 
-/// In a box around the origin.
+/// Returns the range inside a box around the origin.
 #[inline(always)]
 fn in_box<S: Scalar>(shape: BoxCore<S>, beam: Beam<S>, scale: S) -> Inside<S> {
     (0..3).fold(Inside::everywhere(), |inside, k| {
@@ -87,10 +87,10 @@ fn in_box<S: Scalar>(shape: BoxCore<S>, beam: Beam<S>, scale: S) -> Inside<S> {
     })
 }
 
-/// In a box around the origin with round edges and corners.
+/// Returns the range inside a box around the origin with round edges and corners.
 ///
-/// The surface is made of six rectangles and of pieces of the capsules around the twelve edges, so that seams, where
-/// two of them meet, have one normal.
+/// The surface consists of six rectangles and of parts of the capsules around the twelve edges. Seams between two of
+/// them have one normal.
 #[inline(always)]
 fn in_round_box<S: Scalar>(shape: BoxCore<S>, radius: S, beam: Beam<S>, scale: S) -> Inside<S> {
     let [from, along] = [beam.from, beam.along].each_as(|v| shape.axes.each_as(|axis| axis.dot(v)));

@@ -1,4 +1,4 @@
-//! Where planes of space meet: the line of two, the point of three.
+//! Intersections of planes: the line of two, the point of three.
 use crate::distance::edge::scale_of;
 use crate::distance3::near::size_of;
 use crate::intersection::lines::flag;
@@ -51,9 +51,9 @@ fn sized<S: Scalar>(plane: Plane3<S>) -> (Vec3<S>, S) {
 
 /// Returns the line in which two planes cross.
 ///
-/// Planes count as parallel by the sine of their angle. The point is made of both offsets, so it has the digits that
-/// planes so far from the origin have. Derivatives grow with the square of the reciprocal of the sine; they are finite
-/// where every number is zero or of a magnitude from 2⁻⁸ to 2⁸ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
+/// Planes count as parallel by the sine of their angle. The point depends on both offsets, so it has the digits of
+/// planes at that distance from the origin. Derivatives grow with the square of the reciprocal of the sine; they are
+/// finite where every number is zero or of a magnitude from 2⁻⁸ to 2⁸ in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 ///
 /// ```
 /// use geograd::{Plane3, Vec3, intersection3::crossing_of_two_planes};

@@ -1,7 +1,7 @@
 //! The range of a line inside a tetrahedron, thin and flat ones included.
 //!
 //! Seen along the line, the corners are points of a plane and the line is its origin. The areas that the origin spans
-//! with the six edges say which faces the line meets; faces share them, so that no line passes between two, however
+//! with the six edges decide which faces the line meets; faces share them, so that no line passes between two, however
 //! thin the solid is. Platis, Theoharis, Fast ray-tetrahedron intersection using Plücker coordinates, 2003.
 use super::inside::{Beam, Border, Inside, sized};
 use super::planes::triple_terms;
@@ -17,20 +17,20 @@ const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 /// The corners of the edges.
 const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 
-/// A line meets a face whose weights place it beside the line by at most so many roundings.
+/// A line meets a face if the point by the face's weights is within this number of roundings of the line.
 const BESIDE: f64 = 16.0;
 
 /// The corners as seen along a line.
 struct Sight<S: Scalar> {
-    /// How far ahead each is, times the direction.
+    /// The inner product of each corner with the direction.
     ahead: [S; 4],
-    /// How far aside each is, times the direction and across it.
+    /// The cross product of the direction with each corner.
     aside: [Vec3<S>; 4],
-    /// What the line spans with each edge, times the square of the direction; zero where rounding can have made it.
+    /// The area that the line spans with each edge, times the square of the direction; zero if it is within rounding.
     spans: [S; 6],
-    /// The same with what rounding makes of zero.
+    /// These areas without rounding small ones to zero.
     raw: [S::Primal; 6],
-    /// What rounding can make of a corner on the line.
+    /// The largest rounding error of a corner on the line.
     slack: S::Primal,
 }
 
@@ -41,7 +41,7 @@ impl<S: Scalar> Sight<S> {
         let arms = corners.each_as(|corner| corner - beam.from);
         let aside = arms.each_as(|arm| along.cross(arm));
         let mut spans = EDGES.each_as(|[i, j]| along.dot(aside[i].cross(aside[j])));
-        // Three roundings of a corner's place and two of its product, and as much again three times.
+        // Three roundings of a corner's coordinates and two of its product, times four for safety.
         let sizes = arms.each_as(|arm| S::from_primal(size_of(arm)));
         let length = size_of(along);
         let slack = largest(sizes) * length * S::Primal::lit(8.0 * S::EPSILON);
@@ -79,17 +79,17 @@ fn of_edge<S: Scalar>(numbers: [S; 6], from: usize, to: usize) -> S {
     }
 }
 
-/// Faces that a line meets in one place: the sum of the places, the normal of the first one, and how many they are.
-struct Met<S: Scalar> {
+/// Faces that a line meets in one point: the sum of the points, the normal of the first one, and their number.
+struct FacesHit<S: Scalar> {
     place: S,
     normal: Vec3<S>,
     count: S,
 }
 
-impl<S: Scalar> Met<S> {
+impl<S: Scalar> FacesHit<S> {
     #[inline(always)]
     fn none() -> Self {
-        Met {
+        FacesHit {
             place: S::zero(),
             normal: Vec3::zero(),
             count: S::zero(),
@@ -98,7 +98,7 @@ impl<S: Scalar> Met<S> {
     #[inline(always)]
     fn join(self, is_met: S::Mask, place: S, normal: Vec3<S>) -> Self {
         let first = is_met & self.count.equals(S::zero());
-        Met {
+        FacesHit {
             place: self.place + S::select(is_met, place, S::zero()),
             normal: Vec3::select(first, normal, self.normal),
             count: self.count + S::select(is_met, S::one(), S::zero()),
@@ -108,14 +108,14 @@ impl<S: Scalar> Met<S> {
     fn is_some(&self) -> S::Mask {
         self.count.above(S::zero())
     }
-    /// Returns the mean of the places.
+    /// Returns the mean of the points.
     #[inline(always)]
     fn mean(&self) -> S {
         self.place.over(self.count.most(S::one()))
     }
 }
 
-/// In a tetrahedron, given its corners as seen from the beam's anchor.
+/// Returns the range inside a tetrahedron, given its corners relative to the beam's anchor.
 #[inline]
 pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) -> Inside<S> {
     let sight = Sight::new(beam, corners);
@@ -124,8 +124,8 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
         .faces()
         .each_as(|face| sized(face.twice_area_normal()));
     let (zero, one) = (S::zero(), S::one());
-    // By which side the line sees of them: by spans without rounding's part; of those faces only the ones that all
-    // digits agree on, if there are any, so that only exact ties are shared.
+    // By the side of them that faces the line: by spans without those within rounding; of those faces only the ones
+    // that all digits agree on, if there are any, so that only exact ties are shared.
     let nothing = S::Primal::zero();
     let never = one.below(zero);
     let (mut lows, mut highs) = ([never; 4], [never; 4]);
@@ -140,8 +140,8 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
             !(is(raw[0], nothing) | is(raw[1], nothing) | is(raw[2], nothing))
         };
         let (low, high) = (any(S::below), any(S::above));
-        // The place is that of the corners' weights. Of a face that is seen edge-on or has no area they are rounding, and
-        // belong to a point beside the line.
+        // The point is the mean of the corners by their weights. For a face that is seen edge-on or has no area the
+        // weights are rounding, and the point is off the line.
         let of = FACES[face].each_as(|corner| sight.aside[corner]);
         let plain = weights.each_as(|weight| S::from_primal(weight.primal()));
         let weighted = (of[0] * plain[0] + of[1] * plain[1]) + of[2] * plain[2];
@@ -154,7 +154,7 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
     }
     let some = |masks: [S::Mask; 4]| masks[0] | masks[1] | masks[2] | masks[3];
     let (raw_low, raw_high) = (some(raw_lows), some(raw_highs));
-    let (mut against, mut with) = (Met::<S>::none(), Met::<S>::none());
+    let (mut against, mut with) = (FacesHit::<S>::none(), FacesHit::<S>::none());
     for (face, [i, j, k]) in FACES.into_iter().enumerate() {
         let weights = around([i, j, k]).each_as(|[from, to]| of_edge(sight.spans, from, to));
         let met = lows[face] | highs[face];
@@ -168,7 +168,7 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
         with = with.join(high, place, normals[face]);
     }
     let both = against.is_some() & with.is_some();
-    // The chord of a flat solid is one place, of which all faces are part.
+    // The chord of a flat solid is one point, which is on all faces.
     let (low, high) = (against.mean(), with.mean());
     let pick = |mask: S::Mask, yes: S, no: S| S::select(mask, yes, no);
     let length = S::from_primal(size_of(beam.along));
@@ -182,7 +182,7 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
     let exit = pick(touch, all, pick(turned, low, high));
     let enter_normal = Vec3::select(turned, -with.normal, against.normal);
     let exit_normal = Vec3::select(turned, -against.normal, with.normal);
-    // Without faces on both sides it is seen edge-on: as a segment or a point; a chord between edges is a place of the
+    // Without faces on both sides it is seen edge-on: as a segment or a point; a chord between edges is a point of the
     // face that is met.
     let edges = edges_met(&sight);
     let no_edge = edges.1.value.below(edges.0.value);
@@ -210,8 +210,8 @@ pub(super) fn in_tetrahedron<S: Scalar>(beam: Beam<S>, corners: [Vec3<S>; 4]) ->
     .unless(still | !both & !alone & no_edge)
 }
 
-/// Returns the first and the last place of the corners and edges that the line meets; the share of the way along an
-/// edge is a constant.
+/// Returns the first and the last point of the corners and edges that the line meets; the fraction along an edge is a
+/// constant.
 #[inline(always)]
 fn edges_met<S: Scalar>(sight: &Sight<S>) -> (Best<S, S>, Best<S, S>) {
     let wide = sight.aside.each_as(size_of);

@@ -1,10 +1,9 @@
-//! Rays and segments against triangles, by signs that rounding does not decide.
+//! Rays and segments against triangles, by signs that rounding does not change.
 //!
 //! Seen along the ray a triangle is three points of a plane, and the ray is the origin. It hits the triangle where the
-//! origin is on one side of all edges, or on them. An edge of two triangles has the same two points in both, with
-//! opposite signs. The sign of a value within its rounding comes from numbers of twice the digits, and what is zero
-//! within their rounding counts as zero: on the border. So neither edges nor vertices of a closed surface let a ray
-//! through.
+//! origin is on one side of all edges, or on them. An edge of two triangles has two common points, with opposite signs.
+//! The sign of a value within its rounding comes from numbers of twice the digits, and a value within their rounding
+//! counts as zero: on the border. So neither edges nor vertices of a closed surface let a ray through.
 use super::Hit3;
 use crate::arrays::Each;
 use crate::distance::edge::scale_of;
@@ -25,26 +24,26 @@ struct Sight<P> {
     to: Option<Vec3<P>>,
 }
 
-/// The powers of two that bring differences of places and the direction near one.
+/// The powers of two that bring differences of points and the direction near one.
 #[derive(Clone, Copy)]
-struct Units<P> {
+struct LineUnits<P> {
     place: P,
     way: P,
 }
 
-/// The sides of three edges on which a line passes.
+/// The sides of a line relative to three edges.
 #[derive(Clone, Copy)]
-struct Sides<P: Scalar> {
+struct EdgeSides<P: Scalar> {
     values: [P; 3],
-    /// The sizes of the coordinates that they are made of.
+    /// The sizes of the coordinates in their products.
     reach: [P; 3],
     /// `true` if a value may have another sign, or too few digits.
     doubt: P::Mask,
 }
 
-/// How far a place is behind a triangle's plane.
+/// The height of a point behind a triangle's plane.
 #[derive(Clone, Copy)]
-struct Behind<P: Scalar> {
+struct PlaneHeight<P: Scalar> {
     place: Vec3<P>,
     value: P,
     /// The product of the sizes of two edges.
@@ -53,15 +52,15 @@ struct Behind<P: Scalar> {
     doubt: P::Mask,
 }
 
-impl<P: Scalar<Primal = P>> Behind<P> {
-    /// With the value of twice the digits where in doubt; zero in the plane.
+impl<P: Scalar<Primal = P>> PlaneHeight<P> {
+    /// Replaces the value by one computed with twice the digits where its sign is in doubt; it is zero in the plane.
     #[inline(always)]
     fn settled(self, doubt: P::Mask, triangle: [Vec3<P>; 3], unit: P) -> Self {
-        // The way from the place may be much shorter than the others: what rounding makes of it is so, too.
+        // The vector from the point may be much shorter than the edges, and so is its rounding error.
         let near = scale_of::<P>(size_of(triangle[0] - self.place));
         let exact = wide_behind(self.place, triangle, [unit, near]);
         let exact = unless_zero(exact, self.size, 256.0);
-        Behind {
+        PlaneHeight {
             value: P::select(doubt, exact, self.value),
             ..self
         }
@@ -74,7 +73,7 @@ fn within<P: Scalar>(x: P, of: P, part: f64) -> P::Mask {
     x.unsigned().at_most(of * P::lit(part))
 }
 
-/// Returns a number of twice the digits, zero where it is within so many of its roundings.
+/// Returns a number of twice the digits, zero if it is within `roundings` of its roundings.
 #[inline(always)]
 fn unless_zero<P: Scalar>(x: P, of: P, roundings: f64) -> P {
     let zero = within(x, of, roundings * P::EPSILON.powi(2));
@@ -115,7 +114,7 @@ impl<P: Scalar<Primal = P>> Sight<P> {
         (sight, [turn(a), turn(b), turn(c)])
     }
 
-    /// Returns the way from a place of its own to another place, in twice the digits.
+    /// Returns the vector from one point to another, in twice the digits.
     #[inline(always)]
     fn arm(from: Vec3<P>, to: Vec3<P>, unit: P) -> Wide3<P> {
         [(to.x, from.x), (to.y, from.y), (to.z, from.z)]
@@ -124,7 +123,7 @@ impl<P: Scalar<Primal = P>> Sight<P> {
 
     /// Returns the sides of the edges bc, ca, ab on which the line passes, times the direction's last coordinate.
     #[inline(always)]
-    fn sides(self, corners: [Vec3<P>; 3], units: Units<P>) -> Sides<P> {
+    fn sides(self, corners: [Vec3<P>; 3], units: LineUnits<P>) -> EdgeSides<P> {
         let d = self.way * units.way;
         let seen = corners.each_as(|corner| {
             let arm = (corner - self.from) * units.place;
@@ -135,8 +134,9 @@ impl<P: Scalar<Primal = P>> Sight<P> {
         let pairs = [(1, 2), (2, 0), (0, 1)];
         let values = pairs.map(|(i, j)| seen[i][0] * seen[j][1] - seen[i][1] * seen[j][0]);
         let reach = pairs.map(|(i, j)| size[i] + size[j]);
-        // Factors of a seen coordinate are below 4. Three roundings of each product and one of their difference leave 64 ε
-        // of a coordinate. Twice that and the roundings of a side, of coordinates below 32, are less than 192 ε.
+        // Factors of a relative coordinate are below 4. Three roundings of each product and one of their difference
+        // leave 64 ε of a coordinate. Twice that and the roundings of a side, of coordinates below 32, are less than
+        // 192 ε.
         let close = [0, 1, 2].map(|k| within(values[k], reach[k], 192.0 * P::EPSILON));
         // Weights by sides lose as many digits as the triangle looks thin.
         let [u, v, w] = values;
@@ -145,17 +145,17 @@ impl<P: Scalar<Primal = P>> Sight<P> {
         let square = size[0].most(size[1]).most(size[2]).squared();
         let area = (u + v + w).unsigned();
         let thin = crossed & area.at_most(square * P::lit(1.0 / 256.0));
-        Sides {
+        EdgeSides {
             values,
             reach,
             doubt: close[0] | close[1] | close[2] | thin,
         }
     }
 
-    /// Returns the same in twice the digits: to 320 ε² of the seen coordinates.
+    /// Returns the sides in twice the digits: to 320 ε² of the relative coordinates.
     #[cold]
     #[inline(never)]
-    fn wide_sides(self, corners: [Vec3<P>; 3], units: Units<P>) -> [P; 3] {
+    fn wide_sides(self, corners: [Vec3<P>; 3], units: LineUnits<P>) -> [P; 3] {
         let d: Wide3<P> = match self.to {
             Some(to) => Self::arm(self.from, to, units.way),
             None => [self.way.x, self.way.y, self.way.z].map(|x| Twofold::of(x * units.way)),
@@ -171,20 +171,20 @@ impl<P: Scalar<Primal = P>> Sight<P> {
     }
 }
 
-/// Returns how far a place is behind a triangle's plane, times twice the area. All in plain numbers, in units of the
-/// edges and of the way from the place.
+/// Returns the height of a point behind a triangle's plane, times twice the area. All in plain numbers, in units of the
+/// edges and of the vector from the point.
 #[inline(always)]
 fn behind<P: Scalar<Primal = P>>(
     place: Vec3<P>,
     [a, b, c]: [Vec3<P>; 3],
     [unit, near]: [P; 2],
-) -> Behind<P> {
+) -> PlaneHeight<P> {
     let (p, q) = ((b - a) * unit, (c - a) * unit);
     let value = p.cross(q).dot((a - place) * near);
     let size = size_of(p) * size_of(q);
     // Coordinates of the arm are below 4; roundings of the cross product and of the sum reach 100 ε.
     let doubt = within(value, size, 128.0 * P::EPSILON);
-    Behind {
+    PlaneHeight {
         place,
         value,
         size,
@@ -192,7 +192,7 @@ fn behind<P: Scalar<Primal = P>>(
     }
 }
 
-/// Returns the same in twice the digits: to 138 ε² of the edges' product.
+/// Returns the height behind the plane in twice the digits: to 138 ε² of the edges' product.
 #[cold]
 #[inline(never)]
 fn wide_behind<P: Scalar<Primal = P>>(
@@ -207,14 +207,14 @@ fn wide_behind<P: Scalar<Primal = P>>(
     part(1, 2, 0).plus(part(2, 0, 1)).plus(part(0, 1, 2)).high
 }
 
-/// Where a line from a point hits a triangle; before its end, if it has one.
+/// Returns the point at which a line from a point hits a triangle; before its end, if it has one.
 #[inline(always)]
 fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) -> Hit3<S> {
     let corners = triangle.corners();
     let arms = corners.each_as(|corner| corner - ray.point);
     let place = scale_of::<S>(largest(arms.each_as(|arm| S::from_primal(size_of(arm)))));
     let way = scale_of::<S>(size_of(ray.direction));
-    let units = Units {
+    let units = LineUnits {
         place: place.primal(),
         way: way.primal(),
     };
@@ -225,7 +225,7 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
     };
     let flat = corners.each_as(plain);
     let (turned, turned_corners) = sight.turned(flat);
-    let Sides {
+    let EdgeSides {
         values: mut sides,
         reach,
         doubt,
@@ -254,7 +254,7 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
     let total = sides[0] + sides[1] + sides[2];
     let last = turned.way.z * units.way;
     let crossed = ((u & v & w) | (x & y & z)) & !total.equals(zero);
-    // The rate at which the plane comes nearer has the sign of the sides, seen from along the last axis.
+    // The rate of approach to the plane has the sign of the sides, seen along the last axis.
     let rises = total.signed_as(last).above(zero);
     let reached = |behind: S::Primal| S::Primal::select(rises, behind, -behind).at_least(zero);
     let mut found = crossed & reached(start.value);
@@ -305,9 +305,9 @@ fn hit<S: Scalar>(ray: Ray3<S>, end: Option<Vec3<S>>, triangle: Triangle3<S>) ->
 
 /// Returns the point of a triangle that a ray hits; its border belongs to it.
 ///
-/// The border is that of the given numbers to a part of ε² of what the signs are made of: rays through a vertex or an
-/// edge hit every triangle there that is not edge-on, and none passes between triangles that share one. A triangle
-/// without area is missed, and one seen edge-on; both are decided alike. Points of hits lie between the corners.
+/// The border is that of the given numbers, to a part of ε² of the terms of the signs. Rays through a vertex or an edge
+/// hit every triangle there that is not edge-on, and none passes between triangles that share one. A triangle without
+/// area is missed, and one seen edge-on; both are decided alike. Points of hits lie between the corners.
 ///
 /// ```
 /// use geograd::{Ray3, Triangle3, Vec3, intersection3::first_hit_triangle};
@@ -326,7 +326,7 @@ pub fn first_hit_triangle<S: Scalar>(ray: Ray3<S>, triangle: Triangle3<S>) -> Hi
 /// Returns the point in which a segment meets a triangle; both ends and the border belong to them. The parameter is the
 /// fraction of the way from start to end.
 ///
-/// As of [rays](first_hit_triangle), on the line through both ends: a triangle without area is missed, one seen
+/// As for [rays](first_hit_triangle), on the line through both ends: a triangle without area is missed, one seen
 /// edge-on, and by a segment of length zero. An end in the triangle is the point itself.
 ///
 /// ```

@@ -6,16 +6,16 @@ use crate::overlap::iou_aabb2;
 use crate::scalar::guarded;
 use crate::{Aabb2, Scalar, Vec2};
 
-/// How the extent of two intervals is divided: what only the first covers, only the second, both, and
-/// neither. Lengths of no sign, in one unit.
-struct Parts<S> {
+/// The parts of the extent of two intervals: the lengths that only the first covers, only the second, both, and
+/// neither. Not negative, in one unit.
+struct ExtentParts<S> {
     a: S,
     b: S,
     both: S,
     neither: S,
 }
 
-impl<S: Scalar> Parts<S> {
+impl<S: Scalar> ExtentParts<S> {
     #[inline(always)]
     fn of(a: [S; 2], b: [S; 2], half: impl Fn(S, S) -> S) -> Self {
         let zero = S::zero();
@@ -25,7 +25,7 @@ impl<S: Scalar> Parts<S> {
         // Touching counts as apart, with its derivatives, as in the area of intersection.
         let apart = shared.at_most(zero);
         let own = |size: S, x: S, y: S| S::select(apart, size, x.most(zero) + y.most(zero));
-        Parts {
+        ExtentParts {
             a: own(half(a[0], a[1]), low, high),
             b: own(half(b[0], b[1]), -low, -high),
             both: S::select(apart, zero, shared),
@@ -43,10 +43,10 @@ fn generalised<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, hull: bool) -> S {
     // Shares of an area do not change when either axis gets a unit of its own.
     let scale = joint_units(a, b);
     let half = |scale: S| move |low: S, high: S| (high.halved() - low.halved()) * scale;
-    let x = Parts::of([a.min.x, a.max.x], [b.min.x, b.max.x], half(scale.x));
-    let y = Parts::of([a.min.y, a.max.y], [b.min.y, b.max.y], half(scale.y));
-    // The area that neither box covers is the sum of its parts. The area of the box around both less that of
-    // the union would lose its digits if one box all but covers the other.
+    let x = ExtentParts::of([a.min.x, a.max.x], [b.min.x, b.max.x], half(scale.x));
+    let y = ExtentParts::of([a.min.y, a.max.y], [b.min.y, b.max.y], half(scale.y));
+    // The area that neither box covers is the sum of its parts. The area of the box around both less that of the union
+    // would lose its digits if one box nearly covers the other.
     let mut rest = (x.a * (y.b + y.neither) + x.b * (y.a + y.neither))
         + (x.both * y.neither + x.neither * y.whole());
     if hull {
@@ -55,7 +55,7 @@ fn generalised<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, hull: bool) -> S {
         let short = rest.below(S::zero());
         rest = S::select(short, rest.with_primal(S::Primal::zero()), rest);
     }
-    // Each of them is shared or one's own; both boxes' areas less what is counted twice.
+    // Each of them is shared or one's own; both boxes' areas less the area counted twice.
     let (wide_a, wide_b) = (x.a + x.both, x.b + x.both);
     let union = wide_a * (y.a + y.both) + (wide_b * y.b + x.b * y.both);
     (iou_aabb2(a, b) - outside_share(rest, union + rest)).canonical()
@@ -97,9 +97,8 @@ fn terms<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, hull: bool) -> Terms<S> {
     }
 }
 
-/// Generalised IoU of two axis-aligned boxes, in `[−1, 1]`: IoU less the share of the smallest
-/// axis-aligned box around both that neither covers. Rezatofighi et al., CVPR 2019. See the
-/// [module](super).
+/// Returns the generalised IoU of two axis-aligned boxes, in `[−1, 1]`: IoU less the share of the smallest axis-aligned
+/// box around both that neither covers. Rezatofighi et al., CVPR 2019. See the [module](super).
 ///
 /// ```
 /// use geograd::{Aabb2, iou::giou_aabb2};
@@ -112,7 +111,7 @@ pub fn giou_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     generalised(a, b, false)
 }
 
-/// Generalised IoU of two axis-aligned boxes by their exact convex hull, in `[−1, 1]`: IoU less the share
+/// Returns the generalised IoU of two axis-aligned boxes by their exact convex hull, in `[−1, 1]`: IoU less the share
 /// of the hull that neither covers. See the [module](super).
 ///
 /// ```
@@ -126,9 +125,9 @@ pub fn giou_hull_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     generalised(a, b, true)
 }
 
-/// Distance IoU of two axis-aligned boxes, in `[−1, 1]`: IoU less the square of the centres' distance over
-/// the diagonal of the smallest axis-aligned box around both. Two points have −1. Zheng et al., AAAI 2020.
-/// See the [module](super).
+/// Returns the distance IoU of two axis-aligned boxes, in `[−1, 1]`: IoU less the square of the centres' distance over
+/// the diagonal of the smallest axis-aligned box around both. Two points have −1. Zheng et al., AAAI 2020. See the
+/// [module](super).
 ///
 /// ```
 /// use geograd::{Aabb2, iou::diou_aabb2};
@@ -141,7 +140,7 @@ pub fn diou_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     terms(a, b, false).diou()
 }
 
-/// Distance IoU of two axis-aligned boxes by the diameter of their joint hull, in `[−1, 1]`. Two points
+/// Returns the distance IoU of two axis-aligned boxes by the diameter of their joint hull, in `[−1, 1]`. Two points
 /// have −1. See the [module](super).
 ///
 /// ```
@@ -156,8 +155,8 @@ pub fn diou_hull_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     terms(a, b, true).diou()
 }
 
-/// Complete IoU of two axis-aligned boxes, in `[−3/2, 1]`: [`diou_aabb2`] less the difference of the aspects
-/// by a weight that grows with the overlap. All derivatives, those of the weight too. Zheng et al., IEEE
+/// Returns the complete IoU of two axis-aligned boxes, in `[−3/2, 1]`: [`diou_aabb2`] less the difference of the
+/// aspects by a weight that grows with the overlap. It has all derivatives, the weight's too. Zheng et al., IEEE
 /// Transactions on Cybernetics 2021. See the [module](super).
 ///
 /// ```
@@ -173,7 +172,7 @@ pub fn ciou_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     terms(a, b, false).ciou(false)
 }
 
-/// Complete IoU of two axis-aligned boxes by the diameter of their joint hull, in `[−3/2, 1]`:
+/// Returns the complete IoU of two axis-aligned boxes by the diameter of their joint hull, in `[−3/2, 1]`:
 /// [`diou_hull_aabb2`] less the weighted difference of the aspects. See the [module](super).
 ///
 /// ```
@@ -187,18 +186,18 @@ pub fn ciou_hull_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     terms(a, b, true).ciou(false)
 }
 
-/// Complete IoU of two axis-aligned boxes, in `[−3/2, 1]`, whose weight of the aspects counts as constant:
-/// no derivative goes through it, as its authors train. The value is that of [`ciou_aabb2`]; the derivatives are
-/// those of no function.
+/// Returns the complete IoU of two axis-aligned boxes, in `[−3/2, 1]`, whose weight of the aspects counts as constant:
+/// no derivative goes through it, as its authors train. The value is that of [`ciou_aabb2`]; the derivatives are those
+/// of no function.
 #[must_use]
 #[inline]
 pub fn ciou_fixed_weight_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     terms(a, b, false).ciou(true)
 }
 
-/// Efficient IoU of two axis-aligned boxes, in `[−9/4, 1]`: [`diou_aabb2`] less the squares of the
-/// differences of widths and heights over the sides of the box around both. Zhang et al., Focal and
-/// efficient IoU loss for accurate bounding box regression, 2021. See the [module](super).
+/// Returns the efficient IoU of two axis-aligned boxes, in `[−9/4, 1]`: [`diou_aabb2`] less the squares of the
+/// differences of widths and heights over the sides of the box around both. Zhang et al., Focal and efficient IoU loss
+/// for accurate bounding box regression, 2021. See the [module](super).
 ///
 /// ```
 /// use geograd::{Aabb2, iou::eiou_aabb2};
@@ -211,9 +210,8 @@ pub fn eiou_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
     terms(a, b, false).eiou()
 }
 
-/// Efficient IoU of two axis-aligned boxes by the diameter D of their joint hull, in `[−5/2, 1]`:
-/// [`diou_hull_aabb2`] less the squares of the differences of widths and heights over D. See the
-/// [module](super).
+/// Returns the efficient IoU of two axis-aligned boxes by the diameter D of their joint hull, in `[−5/2, 1]`:
+/// [`diou_hull_aabb2`] less the squares of the differences of widths and heights over D. See the [module](super).
 ///
 /// ```
 /// use geograd::{Aabb2, iou::eiou_hull_aabb2};
@@ -227,7 +225,7 @@ pub fn eiou_hull_aabb2<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> S {
 }
 
 impl<S: Scalar> Aabb2<S> {
-    /// [`giou_aabb2`].
+    /// Returns [`giou_aabb2`].
     #[must_use]
     #[inline]
     pub fn giou(self, other: Self) -> S {

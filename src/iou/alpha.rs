@@ -12,7 +12,7 @@ pub struct Exponent<S> {
     pub alpha: S,
 }
 
-/// `iou^alpha`, zero with derivative zero where the boxes share nothing.
+/// Returns `iou^alpha`, zero with derivative zero where the boxes share nothing.
 #[inline(always)]
 fn powered<S: Scalar>(iou: S, alpha: S) -> S {
     let none = iou.at_most(S::zero());

@@ -6,7 +6,7 @@ use crate::overlap::ratio_of_union;
 use crate::scalar::guarded;
 use crate::{Mask, Obb2, Scalar};
 
-/// `I/U − (C − U)/C` from areas; a hull that rounding left smaller than the union counts as large.
+/// Returns `I/U − (C − U)/C` from areas; a hull that rounding left smaller than the union counts as large.
 #[inline(always)]
 pub(crate) fn score<S: Scalar>(inter: S, area_a: S, area_b: S, hull: S) -> S {
     let union = area_a + area_b - inter;
@@ -15,14 +15,14 @@ pub(crate) fn score<S: Scalar>(inter: S, area_a: S, area_b: S, hull: S) -> S {
     ratio_of_union(inter, area_a, area_b) - outside_share(hull - union, hull)
 }
 
-/// `rest / all`, zero with derivative zero where there is next to nothing.
+/// Returns `rest / all`, zero with derivative zero where `all` is next to nothing.
 #[inline(always)]
 pub(super) fn outside_share<S: Scalar>(rest: S, all: S) -> S {
     let empty = all.at_most(S::lit(S::EMPTY));
     S::select(empty, S::zero(), rest.over(S::select(empty, S::one(), all)))
 }
 
-/// Generalised IoU of two rotated boxes with their trigonometry done. `EXTREME` says whether sizes may be
+/// Returns the generalised IoU of two rotated boxes whose sine and cosine are known. `EXTREME` says that sizes may be
 /// so small or large that products over- or underflow.
 #[inline(always)]
 pub fn giou_framed<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> S {
@@ -42,8 +42,8 @@ pub fn giou_framed<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -
     score(inter, area_a, area_b, hull).canonical()
 }
 
-/// Generalised IoU of two rotated boxes with the exact convex hull, in `[−1, 1]`: IoU less the share of
-/// the hull that neither box has. Straight line. Conventions: see the [module](super).
+/// Returns the generalised IoU of two rotated boxes with the exact convex hull, in `[−1, 1]`: IoU less the share of the
+/// hull that neither box has. A straight line. Conventions: see the [module](super).
 ///
 /// ```
 /// use geograd::{Obb2, iou::giou_obb2};
@@ -60,7 +60,7 @@ pub fn giou_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 }
 
 impl<S: Scalar> Obb2<S> {
-    /// [`giou_obb2`].
+    /// Returns [`giou_obb2`].
     #[must_use]
     #[inline]
     pub fn giou(self, other: Self) -> S {

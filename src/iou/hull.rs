@@ -1,18 +1,18 @@
 //! The area of the convex hull of two boxes, in a straight line.
 //!
-//! In the frame of box a, with b turned by less than a quarter, the normals of all eight sides come in
-//! turns: one of a, one of b. Between two neighbouring normals both boxes have one corner farthest out.
-//! At every normal one of the boxes reaches farther; let `w` be 1 where that is a, 0 where it is b, and
-//! ½ at an exact tie. Then the hull has a's side at a normal of a where `w` is 1, b's side at one of b
-//! where it is 0, and between two normals with different `w` it goes over from one box's corner to the
-//! other's. So with the corners `A`, `B` of each of the eight gaps, and each side from `P` to `Q`,
+//! In the frame of box a, with b turned by less than a quarter, the normals of all eight sides alternate: one of a, one
+//! of b. Between two neighbouring normals both boxes have one corner farthest out. At every normal one of the boxes
+//! reaches farther; let `w` be 1 where that is a, 0 where it is b, and ½ at an exact tie. Then the hull has a's side at
+//! a normal of a where `w` is 1, b's side at one of b where it is 0, and between two normals with different `w` it goes
+//! over from one box's corner to the other's. So with the corners `A`, `B` of each of the eight gaps, and each side
+//! from `P` to `Q`,
 //!
 //! ```text
 //! 2 area = Σ sides of a: w (P × Q) + Σ sides of b: (1 − w) (P × Q) + Σ gaps: (w − w′) (A × B)
 //! ```
 //!
-//! with `w` before and `w′` behind the gap. That is eight comparisons; nothing is sorted or searched. At a
-//! tie both choices give the same area, so the sum is continuous; its derivative there is the mean.
+//! with `w` before and `w′` behind the gap. These are eight comparisons; nothing is sorted or searched. At a tie both
+//! choices give one area, so the sum is continuous; its derivative there is the mean.
 //!
 //! Boxes are symmetric, which leaves little of the sum. Let `x`, `y` be half the size of a, `p` and `q` the arms of
 //! b (from its centre to its right and its upper side), `(u, v)` its centre, and `a₀ … a₃`, `b₀ … b₃` the weights at
@@ -25,9 +25,9 @@
 //! Y = p_y (b₁ − b₃) + q_y (b₂ − b₀) + y (a₂ − a₀)
 //! ```
 //!
-//! where q_x stands for its magnitude (q points to the left by as much as p points up). All terms with the centre
-//! are one product, so that of boxes very far apart no sizes are lost beside the distance. With constant weights
-//! this is a polynomial, whose derivatives are plain.
+//! where q_x stands for its magnitude (q points to the left by as much as p points up). All terms with the centre are
+//! one product, so that sizes are not lost in the distance of boxes very far apart. With constant weights this is a
+//! polynomial, whose derivatives are plain.
 use super::terms::unit;
 use crate::clip::{Framed, Relative, frame, relate, size_scale};
 use crate::{Aabb2, Obb2, Scalar, Vec2};
@@ -52,7 +52,7 @@ pub struct HullOfBoxes<S: Scalar> {
     pub half_b: Vec2<S>,
     /// The magnitudes of `p_x`, `p_y`, `q_x`, `q_y`.
     pub arms: [S; 4],
-    /// How many sides of a and of b the hull has: `A₀ + A₁`, `4 − B₀ − B₁`.
+    /// The numbers of sides of a and of b that the hull has: `A₀ + A₁`, `4 − B₀ − B₁`.
     pub sides: [S; 2],
     /// `A₀ − B₀`, `B₀ − A₁`, `A₁ − B₁`, `B₁ − A₀`.
     pub gaps: [S; 4],
@@ -88,7 +88,7 @@ pub(crate) fn hull_scale<S: Scalar>(a: &Framed<S>, b: &Framed<S>) -> S {
     S::from_primal(scale.primal())
 }
 
-/// 1 where the first is larger, 0 where the second is, ½ for a tie; a constant.
+/// Returns 1 where the first is larger, 0 where the second is, ½ for a tie; a constant.
 #[inline(always)]
 fn larger<S: Scalar>(x: S, y: S) -> S {
     let (one, zero) = (S::one(), S::zero());
@@ -105,7 +105,7 @@ pub fn hull_of_related<S: Scalar>(pair: &Relative<S>) -> HullOfBoxes<S> {
     let (cos, sin) = (pair.cos, pair.sin.unsigned());
     let (a, b) = (pair.half_a, pair.half_b);
     let arms @ [px, py, qx, qy] = [b.x * cos, b.x * sin, b.y * sin, b.y * cos];
-    // How far b reaches from its centre along a's axes, and a along b's; b's centre in b's frame.
+    // The extents of b from its centre along a's axes, and of a along b's; b's centre in b's frame.
     let reach_b = Vec2::new(px + qx, qy + py);
     let reach_a = Vec2::new(a.x * cos + a.y * sin, a.y * cos + a.x * sin);
     let along = u * cos + pair.v * pair.sin;
@@ -140,7 +140,7 @@ pub fn hull_of_related<S: Scalar>(pair: &Relative<S>) -> HullOfBoxes<S> {
 }
 
 impl<S: Scalar> HullOfBoxes<S> {
-    /// `(X, Y)`, with which the centre of b is multiplied crosswise.
+    /// Returns the vector whose cross product with the centre of b is part of the hull's area.
     #[must_use]
     #[inline(always)]
     pub fn across(&self) -> Vec2<S> {
@@ -199,7 +199,7 @@ pub(super) fn hull_of_bounds<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>, scale: Vec2<S>
     let gap = |x: S, y: S, scale: S| (y.halved() - x.halved()) * scale;
     let gaps = |p: Vec2<S>, q: Vec2<S>| Vec2::new(gap(p.x, q.x, scale.x), gap(p.y, q.y, scale.y));
     let (low, high) = (gaps(a.min, b.min), gaps(a.max, b.max));
-    // Two bounds of a corner that are not of the same box leave a triangle out.
+    // A corner whose two bounds belong to different boxes leaves a triangle out.
     let cut = |x: S, y: S| (x * y).most(zero);
     let cuts =
         (cut(-low.x, low.y) + cut(high.x, low.y)) + (cut(-high.x, high.y) + cut(low.x, high.y));

@@ -1,5 +1,4 @@
-//! The family of intersection over union: scores of two shapes that also say something about shapes
-//! that are apart.
+//! The family of intersection over union: scores of two shapes that also distinguish shapes that are apart.
 //!
 //! With `I` the area of intersection, `U` that of the union, `C` that of the enclosing shape, `d` the
 //! distance of the centres (polygons: of the centroids of their areas), `D` the diameter of the enclosing
@@ -15,10 +14,10 @@
 //! | `eiou` | `diou − (Δw/W)² − (Δh/H)²`; by a hull `diou − (Δw² + Δh²)/D²` | Zhang et al., Focal and efficient IoU loss, 2021 |
 //! | `alpha_iou` | `(I/U)^α` | He et al., NeurIPS 2021 |
 //!
-//! The enclosing shape of a plain verb is the published one for axis-aligned boxes, the smallest
-//! axis-aligned box around both; there the results are torchvision's but for the 10⁻⁷ that it adds. For
-//! shapes that turn it is the convex hull, so that scores are invariant under rotations. Suffixes name
-//! every other enclosing shape. `ciou` and `eiou` build on the `diou` of the same row.
+//! The enclosing shape of a plain verb is the published one for axis-aligned boxes, the smallest axis-aligned box
+//! around both; there the results are torchvision's except for the 10⁻⁷ that it adds. For shapes that turn it is the
+//! convex hull, so that scores are invariant under rotations. Suffixes name every other enclosing shape. `ciou` and
+//! `eiou` build on the `diou` of the same row.
 //!
 //! | shapes | enclosing shape | `giou` | `diou` | `ciou` | `eiou` |
 //! | --- | --- | --- | --- | --- | --- |
@@ -34,11 +33,10 @@
 //!
 //! `ciou_fixed_weight` has the row of each shape's plain verb. Boxes of space: [`iou3`](crate::iou3).
 //!
-//! Losses are one minus the score. Shapes that are apart have derivatives in all but IoU, IoF and `alpha_iou`:
-//! they are drawn together. Identical shapes of positive area have exactly 1 with derivative zero (but for
-//! `giou_aabb_obb2` of turned boxes). GIoU is −1 only where rounding makes it so, DIoU also for two points. A
-//! term with a denominator of zero (two shapes of no area on a line; coincident points) is zero with derivative
-//! zero.
+//! Losses are one minus the score. Shapes that are apart have derivatives in all but IoU, IoF and `alpha_iou`: they are
+//! drawn together. Identical shapes of positive area have exactly 1 with derivative zero (except for `giou_aabb_obb2`
+//! of turned boxes). GIoU is −1 only where rounding makes it so, DIoU also for two points. A term with a denominator of
+//! zero (two shapes of no area on a line; coincident points) is zero with derivative zero.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`; those of [`giou_obb2`] and its adjoint for all finite valid input, for
@@ -66,7 +64,7 @@ pub(crate) use giou::score;
 pub use giou::{giou_framed, giou_obb2};
 pub(crate) use hull::hull_scale;
 pub use hull::{HullOfBoxes, hull_area_aabb2, hull_area_obb2, hull_of_related};
-pub(crate) use obb::{Bounds, across, bounds, unit_of_pair};
+pub(crate) use obb::{BoxesAround, across, bounds, unit_of_pair};
 pub use obb::{
     ciou_aabb_obb2, ciou_fixed_weight_obb2, ciou_obb2, diou_aabb_obb2, diou_obb2, eiou_aabb_obb2,
     eiou_obb2, giou_aabb_obb2,

@@ -8,8 +8,8 @@ use crate::overlap_polygon::{iou_polygons, measure};
 use crate::reference::Reference;
 use crate::{ConvexPolygon, Scalar, Vec2};
 
-/// Generalised IoU of two convex polygons with the exact convex hull, in `[−1, 1]`, and which vertices the
-/// hull has. Conventions: see the [module](super).
+/// Returns the generalised IoU of two convex polygons with the exact convex hull, in `[−1, 1]`, and the record of the
+/// hull's vertices. Conventions: see the [module](super).
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, iou::giou_polygons_search};
@@ -33,7 +33,7 @@ where
     Ok((giou_polygons_replay(a, b, &trace), trace))
 }
 
-/// Generalised IoU of two convex polygons from both and the record of [`giou_polygons_search`].
+/// Returns the generalised IoU of two convex polygons from both and the record of [`giou_polygons_search`].
 #[must_use]
 pub fn giou_polygons_replay<S: Scalar, const N: usize, const M: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,
@@ -42,8 +42,8 @@ pub fn giou_polygons_replay<S: Scalar, const N: usize, const M: usize, const K: 
 ) -> S {
     let shared = measure(a, b);
     let [inter, area_a, area_b] = shared.areas;
-    // Far from what it is seen from a polygon has the digits of its distance; without an overlap nothing need
-    // agree with the other one's.
+    // Far from its local origin a polygon has the digits of its distance; without an overlap nothing need agree with
+    // the other one's.
     let own = |known: S, vertices: &[Vec2<S>]| {
         S::select(shared.nothing, shared.seen.own_area(vertices), known)
     };
@@ -54,7 +54,7 @@ pub fn giou_polygons_replay<S: Scalar, const N: usize, const M: usize, const K: 
         twice += shared.seen.place(start).perp_dot(shared.seen.place(end));
     }
     let hull = twice.halved();
-    // If one polygon is the hull of both, rounding must not tell the hull's area from its own.
+    // If one polygon is the hull of both, rounding must not separate the hull's area from its own.
     let corners = &trace.corners[..trace.count.min(K)];
     let all_a = trace.count == a.count && corners.iter().all(|c| matches!(c, Corner::A(_)));
     let all_b = trace.count == b.count && corners.iter().all(|c| matches!(c, Corner::B(_)));
@@ -75,9 +75,9 @@ pub struct FarthestCorners {
     pub to: Corner,
 }
 
-/// Distance IoU of two convex polygons, in `[−1, 1]`: IoU less the square of the distance of the centroids
-/// of their areas over the diameter of both together; and which vertices that one is between. Compares
-/// all pairs of vertices. Conventions: see the [module](super).
+/// Returns the distance IoU of two convex polygons, in `[−1, 1]`, and the record of the two vertices of the diameter.
+/// It is IoU less the square of the distance of the centroids of their areas over the diameter of both together.
+/// Compares all pairs of vertices. Conventions: see the [module](super).
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, iou::diou_polygons_search};
@@ -113,7 +113,7 @@ pub fn diou_polygons_search<S: Scalar<Mask = bool>, const N: usize, const M: usi
     (diou_polygons_replay(a, b, best), best)
 }
 
-/// Distance IoU of two convex polygons from both and the record of [`diou_polygons_search`].
+/// Returns the distance IoU of two convex polygons from both and the record of [`diou_polygons_search`].
 #[must_use]
 pub fn diou_polygons_replay<S: Scalar, const N: usize, const M: usize>(
     a: &ConvexPolygon<S, N>,

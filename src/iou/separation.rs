@@ -4,9 +4,9 @@ use crate::clip::{frame, relate};
 use crate::overlap::iou_obb2;
 use crate::{Obb2, Scalar};
 
-/// IoU of two rotated boxes where they overlap; where they are apart minus `g / (g + s)`, with the widest gap
-/// g between them along the direction of a side and s the mean of the boxes' larger sides: from 0 at contact to
-/// −1 far away, in `[−1, 1]`. Continuous, and never without a derivative for boxes apart.
+/// Returns the IoU of two rotated boxes where they overlap. For boxes apart it is minus `g / (g + s)`, with the widest
+/// gap g between them along the direction of a side and the mean s of the boxes' larger sides: from 0 at contact to −1
+/// far away. The range is `[−1, 1]`. It is continuous, and boxes apart always have a derivative.
 ///
 /// Kinks: those of IoU, and where another side's direction has the widest gap.
 ///
@@ -28,9 +28,9 @@ pub fn separation_aware_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
         center.magnitude() - (own + (along * cos + across * steep))
     };
     let (e, f) = (u * cos + v * pair.sin, v * cos - u * pair.sin);
-    // The gap of parallel sides is the same along both. Let b turn by t from there. The gap along b's side is then
-    // wider by `tilt t + (p − h) |t|`; p and h are the extents of b and a across it. It is wider for both signs of
-    // t if the second term is larger, else for one of them. Then the derivative is the mean of both ways.
+    // The gap of parallel sides is equal along both. Let b turn by t from there. The gap along b's side is then wider
+    // by `tilt t + (p − h) |t|`; p and h are the extents of b and a across it. It is wider for both signs of t if the
+    // second term is larger, else for one of them. Then the derivative is the mean of both directions.
     let wider = |of_a: S, of_b: S, [p, h]: [S; 2], tilt: S| {
         let parallel = of_a.equals(of_b) & pair.sin.equals(S::zero());
         let more = S::from_primal((p - h).primal());

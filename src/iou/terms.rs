@@ -2,14 +2,14 @@
 use crate::scalar::speck;
 use crate::{Scalar, Vec2};
 
-/// `x / y`, zero with derivative zero where `y` is zero.
+/// Returns `x / y`, zero with derivative zero where `y` is zero.
 #[inline(always)]
 pub(crate) fn share<S: Scalar>(x: S, y: S) -> S {
     let none = y.at_most(S::zero());
     S::select(none, S::zero(), x.over(S::select(none, S::one(), y)))
 }
 
-/// Returns the same for `x ≤ y`: rounding makes it no larger than one.
+/// Returns `x / y` for `x ≤ y`, at most one in spite of rounding; zero with derivative zero where `y` is zero.
 #[inline(always)]
 pub(crate) fn part<S: Scalar>(x: S, y: S) -> S {
     let part = share(x, y);
@@ -75,7 +75,7 @@ impl<S: Scalar> Terms<S> {
     #[inline(always)]
     pub fn eiou(&self) -> S {
         let [a, b] = self.sizes;
-        // Beside a speck derivatives are beyond the format.
+        // For a tiny box derivatives are beyond the format.
         let share = |x: S, y: S| {
             let share = share(x, y);
             let constant = S::from_primal(share.primal());

@@ -7,18 +7,18 @@ use crate::overlap3::relate::relate3_in;
 use crate::shape::Obb3;
 use crate::{Scalar, Vec3};
 
-/// How many roundings apart the volumes of two enclosing boxes count as equal.
+/// The number of roundings within which the volumes of two enclosing boxes count as equal.
 const ROUNDINGS: f64 = 32.0;
 
 /// Lengths along three axes.
 type Three<S> = [S; 3];
 
 /// Two boxes in one unit.
-struct Pair<S> {
+struct BoxPair<S> {
     iou: S,
     size_a: Three<S>,
     size_b: Three<S>,
-    /// The square of the way between the centres.
+    /// The squared distance of the centres.
     way: S,
 }
 
@@ -37,7 +37,7 @@ fn choose<S: Scalar>(mask: S::Mask, yes: S, no: S) -> S {
     S::select(mask, yes, no)
 }
 
-impl<S: Scalar> Pair<S> {
+impl<S: Scalar> BoxPair<S> {
     /// Returns the terms by a box of which the sides are given.
     #[inline(always)]
     fn terms(&self, around: Three<S>) -> Terms<S> {
@@ -79,7 +79,7 @@ pub(super) fn of_any<S: Scalar>(a: Obb3<S>, b: Obb3<S>, iou: S, kind: Enclosing)
     ]);
     let way = way * scale;
     let way = way + way;
-    let pair = Pair {
+    let pair = BoxPair {
         iou,
         size_a: three(a.size * scale),
         size_b: three(b.size * scale),

@@ -5,7 +5,8 @@ use crate::arrays::Each;
 use crate::clip::area_from_half;
 use crate::clip::{frame, relate};
 use crate::iou::{
-    Bounds, across, bounds, hull_of_related, hull_scale, larger, part, share, unit, unit_of_pair,
+    BoxesAround, across, bounds, hull_of_related, hull_scale, larger, part, share, unit,
+    unit_of_pair,
 };
 use crate::shape::{Aabb3, YawBox3};
 use crate::{Obb2, Scalar, Vec2, Vec3};
@@ -31,7 +32,7 @@ pub(super) fn outside<S: Scalar>(covered: [S; 2], shared: S, empty: S::Mask) -> 
     let [a, b] = covered;
     // In differences that are exactly zero for a box within the other one that is all there is.
     let rest = (S::one() - a.most(b)) - (a.least(b) - shared);
-    // Rounding can leave the shape around a little smaller than what it encloses.
+    // Rounding can leave the shape around a little smaller than the boxes in it.
     let short = rest.below(S::zero());
     let rest = S::select(short, rest.with_primal(S::Primal::zero()), rest);
     S::select(empty, S::zero(), rest)
@@ -107,12 +108,12 @@ pub(super) fn of_aligned<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>, iou: S, kind: Encl
     of_upright(seen(a), seen(b), iou, kind)
 }
 
-/// The grounds of two upright boxes and what is around them, lengths in units of `1 / scale`.
+/// The grounds of two upright boxes and the shape around them, lengths in units of `1 / scale`.
 struct Ground<S: Scalar> {
     /// The shares of its area that both cover.
     covered: [S; 2],
     empty: S::Mask,
-    /// The square of the way between the centres and that of the diameter.
+    /// The squared distance of the centres and the square of the diameter.
     way: S,
     across: S,
     sizes: [Vec2<S>; 2],
@@ -134,7 +135,7 @@ fn ground<S: Scalar>(a: Obb2<S>, b: Obb2<S>, kind: Enclosing) -> Ground<S> {
     let none = |area: S| area.at_most(S::lit(S::EMPTY));
     match kind {
         Enclosing::Aabb => {
-            let Bounds { around, way, sizes } = bounds(a, b, scale);
+            let BoxesAround { around, way, sizes } = bounds(a, b, scale);
             let area = around.x * around.y;
             let empty = none(area);
             let own = |size: Vec2<S>| size.x * size.y;

@@ -1,19 +1,19 @@
 //! The rectangle of least area around two boxes of the plane.
 //!
-//! A side of it lies along an edge of the convex hull. As in [`iou`](crate::iou::HullOfBoxes), the normals of
-//! the eight sides come in turns, one of a, one of b; between two neighbours the hull goes over from a corner
-//! of one box to one of the other where not the same box reaches farther along both. That is eight directions,
-//! and those of both boxes' own sides are two more; nothing is sorted.
+//! A side of it lies along an edge of the convex hull. As in [`iou`](crate::iou::HullOfBoxes), the normals of the eight
+//! sides alternate, one of a, one of b. Between two neighbours the hull passes from a corner of one box to one of the
+//! other if different boxes reach farther along them. These are eight directions, and those of both boxes' own sides
+//! are two more; nothing is sorted.
 //!
-//! Several directions often give the same area: where boxes have one centre, opposite edges do, and both boxes
-//! reach equally far across them on both sides. Areas, and lengths along a direction, count as equal when they
-//! differ by no more than rounding makes them differ; equal ones share the derivative.
+//! Several directions often give one area: for boxes with one centre, opposite edges do, and both boxes reach equally
+//! far across them on both sides. Areas, and lengths along a direction, count as equal if they differ within rounding;
+//! equal ones share the derivative.
 use crate::arrays::Each;
 use crate::clip::{Relative, frame, relate};
 use crate::iou::unit;
 use crate::{Obb2, Scalar, Vec2};
 
-/// How many roundings apart numbers count as equal.
+/// The number of roundings within which numbers count as equal.
 const ROUNDINGS: f64 = 4.0;
 
 /// The rectangle of least area, in units of `1 / scale`; the mean of all of that area.
@@ -26,7 +26,7 @@ pub(super) struct Rectangle<S> {
 }
 
 /// A rectangle along a direction of any length.
-struct Along<S: Scalar> {
+struct RectangleAlong<S: Scalar> {
     length: S,
     width: S,
     /// The square of the length of the direction.
@@ -37,7 +37,8 @@ struct Along<S: Scalar> {
     is_edge: S::Mask,
 }
 
-/// Numbers as constants: whether the first is larger, as 1, 0, or ½ for as good as a tie.
+/// Compares `x` with the sum of `terms` as constants: 1 if `x` is larger, 0 if it is smaller, ½ if they tie within
+/// rounding.
 #[inline(always)]
 fn weight<S: Scalar>(x: S, terms: [S; 3]) -> S::Primal {
     let [a, b, c] = terms.each_as(S::primal);
@@ -50,8 +51,8 @@ fn weight<S: Scalar>(x: S, terms: [S; 3]) -> S::Primal {
     S::Primal::select(near, S::Primal::lit(0.5), won)
 }
 
-/// Returns the farther one of what a reaches and what b reaches from its centre at `way`; as good as a tie shares
-/// the derivative, and so does what is known to be one.
+/// Returns the larger of a's extent `own` and b's extent `other` from its centre at `way`. A tie within rounding shares
+/// the derivative, and so does a known one (`tie`).
 #[inline(always)]
 fn farther<S: Scalar>(own: S, way: S, other: S, tie: S::Mask) -> S {
     let reach = way + other;
@@ -63,27 +64,28 @@ fn farther<S: Scalar>(own: S, way: S, other: S, tie: S::Mask) -> S {
 }
 
 /// Both boxes in the frame of a, mirrored so that b is turned counter-clockwise.
-struct Seen<S: Scalar> {
+struct MirroredPair<S: Scalar> {
     center: Vec2<S>,
     turn: Vec2<S>,
     half_a: Vec2<S>,
     half_b: Vec2<S>,
 }
 
-impl<S: Scalar> Seen<S> {
+impl<S: Scalar> MirroredPair<S> {
     #[inline(always)]
     fn of(pair: &Relative<S>) -> Self {
         let mirrored = pair.sin.below(S::zero());
-        Seen {
+        MirroredPair {
             center: Vec2::new(pair.u, S::select(mirrored, -pair.v, pair.v)),
             turn: Vec2::new(pair.cos, pair.sin.unsigned()),
             half_a: pair.half_a,
             half_b: pair.half_b,
         }
     }
-    /// `flat`: where both boxes reach equally far across the direction, on both sides.
+    /// Returns the rectangle around both boxes along a direction. `flat` is true where both boxes reach equally far across
+    /// it, on both sides.
     #[inline(always)]
-    fn along(&self, way: Vec2<S>, is_edge: S::Mask, flat: S::Mask) -> Along<S> {
+    fn along(&self, way: Vec2<S>, is_edge: S::Mask, flat: S::Mask) -> RectangleAlong<S> {
         let way = way * unit([way.x, way.y]);
         let (x, y, turn) = (way.x, way.y, self.turn);
         let in_b = Vec2::new(x * turn.x + y * turn.y, y * turn.x - x * turn.y);
@@ -95,7 +97,7 @@ impl<S: Scalar> Seen<S> {
         let c = self.center;
         let squared = way.length_squared();
         let point = squared.at_most(S::zero());
-        Along {
+        RectangleAlong {
             length: extent(
                 x * c.x + y * c.y,
                 shadow(x, y, self.half_a),
@@ -115,13 +117,13 @@ impl<S: Scalar> Seen<S> {
     }
     /// Returns the ten directions.
     #[inline(always)]
-    fn directions(&self) -> [Along<S>; 10] {
+    fn directions(&self) -> [RectangleAlong<S>; 10] {
         let (c, turn, a, b) = (self.center, self.turn, self.half_a, self.half_b);
         let (p, q) = (
             Vec2::new(b.x * turn.x, b.x * turn.y),
             Vec2::new(-(b.y * turn.y), b.y * turn.x),
         );
-        // How far b reaches along the sides of a, and a along those of b.
+        // The extents of b along the sides of a, and of a along the sides of b.
         let (bx, by) = (p.x - q.x, p.y + q.y);
         let (ax, ay) = (a.x * turn.x + a.y * turn.y, a.y * turn.x + a.x * turn.y);
         let (e, f) = (c.x * turn.x + c.y * turn.y, c.y * turn.x - c.x * turn.y);
@@ -147,7 +149,7 @@ impl<S: Scalar> Seen<S> {
             | (differ(of_a[1], none) | differ(of_a[3], none)) & is_long(a.x);
         let sides_of_b = (differ(of_b[0], all) | differ(of_b[2], all)) & is_long(b.y)
             | (differ(of_b[1], all) | differ(of_b[3], all)) & is_long(b.x);
-        // From a corner of a to one of b, and where that is an edge; opposite ones four places apart.
+        // From a corner of a to one of b, and where that is an edge; opposite ones four indices apart.
         let over = |side: Vec2<S>, arm: Vec2<S>| (c + arm) - side;
         let [a0, a1] = [a, Vec2::new(-a.x, a.y)];
         let (b0, b1) = (p + q, q - p);
@@ -186,8 +188,8 @@ impl<S: Scalar> Seen<S> {
 /// Returns the rectangle of least area around a related pair.
 #[inline(always)]
 pub(super) fn least_rectangle<S: Scalar>(pair: &Relative<S>) -> Rectangle<S> {
-    let all = Seen::of(pair).directions();
-    let area = |x: &Along<S>| (x.length * x.width).over(x.squared);
+    let all = MirroredPair::of(pair).directions();
+    let area = |x: &RectangleAlong<S>| (x.length * x.width).over(x.squared);
     let mut least = S::Primal::lit(S::LARGEST);
     for x in &all {
         let own = area(x).primal();
@@ -214,7 +216,7 @@ pub(super) fn least_rectangle<S: Scalar>(pair: &Relative<S>) -> Rectangle<S> {
         sum.size.x += taken(S::select(x.steep, width, length));
         sum.size.y += taken(S::select(x.steep, length, width));
     }
-    // Two points in one place have no direction, and nothing is around them.
+    // Two points that coincide have no direction, and nothing is around them.
     let count = count.most(S::Primal::one());
     let mean = |x: S| x.over(S::from_primal(count));
     Rectangle {

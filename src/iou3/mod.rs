@@ -15,10 +15,10 @@
 //! | [`alpha_iou`] | a power of IoU | He et al., *Alpha-IoU*, NeurIPS 2021 |
 //! | [`separation_aware`] | IoU, or for boxes apart minus their separation over itself and their size | here |
 //!
-//! Any kind of box serves ([`Solid`]); [`Enclosing`] says what is put around a pair. Operations of a plain name
-//! put around axis-aligned boxes the published shape, the box around both, and around boxes that turn one
-//! that turns with them, so that their scores are invariant under the rotations that the boxes have. Suffixes
-//! name every other enclosing shape. `ciou` and `eiou` build on the `diou` of the same row.
+//! Every kind of box works ([`Solid`]); [`Enclosing`] chooses the shape around a pair. Operations of a plain name put
+//! around axis-aligned boxes the published shape, the box around both, and around boxes that turn one that turns with
+//! them, so that their scores are invariant under the rotations that the boxes have. Suffixes name every other
+//! enclosing shape. `ciou` and `eiou` build on the `diou` of the same row.
 //!
 //! | boxes | enclosing shape | volume, diameter, lengths for sizes | operations |
 //! | --- | --- | --- | --- |
@@ -33,19 +33,19 @@
 //! | --- | --- | --- | --- |
 //! | `[−1, 1]` | `[−1, 1]` | `[−3/2, 1]` | `[−13/4, 1]` by the box around `Aabb3`, `[−7/2, 1]` by a ground's diameter, else `[−4, 1]` |
 //!
-//! Losses are one minus these. Identical boxes of positive volume have exactly 1 with derivative zero (but for
-//! `giou` by the world's axes of turned boxes). GIoU is −1 only where rounding makes it so, DIoU also for two
-//! points. A term with a denominator of zero is zero with derivative zero. An enclosing shape that is so thin
-//! that its volume (of [`Obb3`]) or its ground's area underflows counts as empty: it has no GIoU term.
+//! Losses are one minus these. Identical boxes of positive volume have exactly 1 with derivative zero (except for
+//! `giou` by the world's axes of turned boxes). GIoU is −1 only where rounding makes it so, DIoU also for two points. A
+//! term with a denominator of zero is zero with derivative zero. An enclosing shape that is so thin that its volume (of
+//! [`Obb3`]) or its ground's area underflows counts as empty: it has no GIoU term.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
 //!
-//! Kinks are those of IoU and of the enclosing shape; of boxes of any orientation DIoU, CIoU and EIoU jump
-//! where another enclosing box becomes the smaller one. Exact ties share the derivative: at one kink it lies between the
-//! slopes of both sides. Several kinks can meet, as for boxes along the same axes with faces in one plane. Each then shares
-//! by itself, and the sum may lie outside the slopes of both sides. Of tied rectangles of least area DIoU, CIoU and EIoU
-//! take the mean diagonal and mean sides, which may be those of none.
+//! Kinks are those of IoU and of the enclosing shape; of boxes of any orientation DIoU, CIoU and EIoU jump where
+//! another enclosing box becomes the smaller one. Exact ties share the derivative: at one kink it lies between the
+//! slopes of both sides. Several kinks can meet, as for boxes along the same axes with faces in one plane. Each then
+//! shares by itself, and the sum may lie outside the slopes of both sides. If rectangles of least area tie, DIoU, CIoU
+//! and EIoU take the mean diagonal and mean sides, which may belong to none of them.
 use crate::iou::weighted;
 use crate::shape::Obb3;
 use crate::{Scalar, Vec3};
@@ -63,7 +63,8 @@ pub use scored::Solid;
 pub use separation::{penetration_or_gap, separation_aware};
 pub use terms::Terms;
 
-/// Generalized IoU of two boxes, in `[−1, 1]`: IoU less the share of the enclosing shape that neither covers.
+/// Returns the generalised IoU of two boxes, in `[−1, 1]`: IoU less the share of the enclosing shape that neither
+/// covers.
 ///
 /// ```
 /// use geograd::{Aabb3, Vec3, iou3::{Enclosing, giou}};
@@ -78,8 +79,8 @@ pub fn giou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     score_of(Score::Giou, a.overlap(b), a, b, kind).canonical()
 }
 
-/// Distance-IoU of two boxes, in `[−1, 1]`: IoU less the square of the centres' distance over the diameter of
-/// the enclosing shape. Two points have −1.
+/// Returns the distance IoU of two boxes, in `[−1, 1]`: IoU less the square of the centres' distance over the diameter
+/// of the enclosing shape. Two points have −1.
 ///
 /// ```
 /// use geograd::{Vec3, YawBox3, iou3::{Enclosing, diou}};
@@ -107,17 +108,17 @@ fn proportions<S: Scalar>(u: Vec3<S>, v: Vec3<S>) -> S {
     sum * S::lit(4.0 / 3.0 / (std::f64::consts::PI * std::f64::consts::PI))
 }
 
-/// Complete IoU of two boxes, in `[−3/2, 1]`: [`diou`] less `α v`, where v is the mean over the pairs (x, y),
-/// (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²` and `α = v / (1 − IoU + v)`. All derivatives, those of α
-/// too. The ratio of two zero sizes is that of a square.
+/// Returns the complete IoU of two boxes, in `[−3/2, 1]`: [`diou`] less `α v`, where v is the mean over the pairs (x,
+/// y), (y, z), (z, x) of `4/π² (atan(p/q) − atan(p'/q'))²` and `α = v / (1 − IoU + v)`. It has all derivatives, those
+/// of α too. The ratio of two zero sizes is that of a square.
 #[must_use]
 #[inline]
 pub fn ciou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     score_of(Score::Ciou, a.overlap(b), a, b, kind).canonical()
 }
 
-/// Complete IoU, in `[−3/2, 1]`, whose weight α counts as constant: no derivative goes through it, as its authors
-/// train. The value is that of [`ciou`]; the derivatives are those of no function.
+/// Returns the complete IoU, in `[−3/2, 1]`, whose weight α counts as constant: no derivative goes through it, as its
+/// authors train. The value is that of [`ciou`]; the derivatives are those of no function.
 #[must_use]
 #[inline]
 pub fn ciou_fixed_weight<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
@@ -127,10 +128,10 @@ pub fn ciou_fixed_weight<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) ->
     (iou - terms.way - weighted(v, iou, true)).canonical()
 }
 
-/// Efficient IoU of two boxes, in `[−4, 1]`: [`diou`] less the squared differences of the sizes along the
-/// boxes' own axes over the squares of lengths of the enclosing shape: the sides of a box, or the size itself
-/// where a box is turned so that this is longer; of a hull or rectangle times a height the diameter of the
-/// ground for x and y, the height for z.
+/// Returns the efficient IoU of two boxes, in `[−4, 1]`: [`diou`] less the squared differences of the sizes along the
+/// boxes' own axes over the squares of lengths of the enclosing shape. For a box these are its sides, or the size
+/// itself where a box is turned so that this is longer. For a hull or rectangle times a height they are the diameter of
+/// the ground for x and y, the height for z.
 ///
 /// ```
 /// use geograd::{Vec3, YawBox3, iou3::{Enclosing, eiou}};
@@ -145,7 +146,7 @@ pub fn eiou<S: Scalar, B: Solid<S>>(a: B, b: B, kind: Enclosing) -> S {
     score_of(Score::Eiou, a.overlap(b), a, b, kind).canonical()
 }
 
-/// A score that is made of the boxes' IoU and of a formula of their numbers.
+/// A score computed from the boxes' IoU and a formula of their numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Score {
     /// [`giou`].
@@ -190,7 +191,7 @@ pub(crate) fn score_with_iou<S: Scalar>(
     }
 }
 
-/// `xᵅ` of an overlap x in `[0, 1]`, for `α > 0`; zero with derivative zero at zero. The power of an IoU is the
+/// Returns `xᵅ` of an overlap x in `[0, 1]`, for `α > 0`; zero with derivative zero at zero. The power of an IoU is the
 /// α-IoU.
 #[must_use]
 #[inline]

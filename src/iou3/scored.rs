@@ -8,7 +8,7 @@ use crate::{Scalar, Vec3};
 
 /// A kind of box in space that the family of losses is for.
 pub trait Solid<S: Scalar>: Copy + Into<Obb3<S>> {
-    /// Intersection over union.
+    /// Returns the intersection over union.
     #[must_use]
     fn overlap(self, other: Self) -> S;
     /// Returns the size along the box's own axes.

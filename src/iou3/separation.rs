@@ -1,4 +1,4 @@
-//! How far two boxes of any orientation are apart, or how deep they are in each other.
+//! The gap between two boxes of any orientation, or the depth of their overlap.
 use super::scored::Solid;
 use crate::Scalar;
 use crate::overlap3::relate::{Relative3, relate3};
@@ -8,8 +8,8 @@ use crate::shape::Obb3;
 /// Returns the largest gap between the boxes' shadows over all fifteen axes that could separate them: a face's normal
 /// of either or the cross product of two edges. In units of `1 / scale`.
 ///
-/// An axis made of two edges that are nearly parallel says nothing that faces do not; it counts as far as the
-/// square of its length is above rounding.
+/// The normal of two nearly parallel edges adds nothing to the faces; it counts as far as the square of its length is
+/// above rounding.
 fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
     let (r, c, h, p) = (pair.turn, pair.center, pair.half_a, pair.half_b);
     let faces = |i: usize| {
@@ -23,7 +23,7 @@ fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
     };
     let gap = most_of([faces(0), faces(1), faces(2)]);
     let least = S::lit(64.0 * S::EPSILON);
-    // The gap along a's edge i cross b's edge m, or what is given where both are parallel.
+    // The gap along a's edge i cross b's edge m, or the given number if both are parallel.
     let edges = |i: usize, m: usize, gap: S| {
         let (j, l) = ((i + 1) % 3, (i + 2) % 3);
         let (a, b) = ((m + 1) % 3, (m + 2) % 3);
@@ -47,8 +47,8 @@ fn widest_gap<S: Scalar>(pair: &Relative3<S>) -> S {
     gap.most(of_edges)
 }
 
-/// Returns how far two boxes are apart along the axis that separates them most, a length; negative for boxes that
-/// overlap: how far one must move to leave the other.
+/// Returns the gap between two boxes along the axis that separates them most, a length. It is negative for boxes that
+/// overlap: minus the distance that one must move to leave the other.
 ///
 /// For boxes apart it is at most their distance, and equal to it where that is between faces, or edges, or a face and
 /// anything; its derivatives point apart. Kinks where another axis becomes the widest; axes that tie share the
@@ -68,9 +68,9 @@ pub fn penetration_or_gap<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     widest_gap(&pair).over(pair.scale).saturated().canonical()
 }
 
-/// IoU of two boxes where they overlap; where they are apart minus `g / (g + s)`, with the widest gap g
-/// between them ([`penetration_or_gap`]) and s the mean of the boxes' largest sizes: from 0 at contact to −1
-/// far away, in `(−1, 1]`. Continuous, and never without a derivative for boxes apart.
+/// Returns the IoU of two boxes where they overlap. For boxes apart it is minus `g / (g + s)`, with the widest gap g
+/// between them ([`penetration_or_gap`]) and the mean s of the boxes' largest sizes: from 0 at contact to −1 far away.
+/// The range is `(−1, 1]`. It is continuous, and boxes apart always have a derivative.
 ///
 /// ```
 /// use geograd::{Aabb3, Vec3, iou3::separation_aware};

@@ -7,7 +7,7 @@ use crate::{Circle, Scalar, Vec2};
 /// The points that a smallest enclosing circle goes through, by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Support {
-    /// All points are at one place: the circle is that point.
+    /// All points coincide: the circle is that point.
     One(usize),
     /// These two are the ends of a diameter.
     Two([usize; 2]),

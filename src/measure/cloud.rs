@@ -1,13 +1,13 @@
 //! Centroid and covariance of points of space.
 //!
-//! Points are seen from their own centroid, as a constant, so that places far from the origin cost no digits.
+//! Points are relative to their own centroid, as a constant, so that a large distance from the origin costs no digits.
 use crate::{Scalar, Shape, Symmetric3, Vec3};
 
-/// The sums over some points of a cloud, as seen from a place.
+/// The sums over some points of a cloud, relative to a point.
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
 pub struct CloudSums<S> {
-    /// How many points.
+    /// The number of points.
     #[shape(number)]
     pub count: S,
     /// The sum of their offsets.
@@ -57,7 +57,7 @@ impl<S: Scalar> CloudSums<S> {
             second: self.second + other.second,
         }
     }
-    /// One over the number of points; zero without points.
+    /// Returns one over the number of points; zero without points.
     #[inline(always)]
     fn share(self) -> S {
         let none = self.count.equals(S::zero());
@@ -67,7 +67,7 @@ impl<S: Scalar> CloudSums<S> {
             S::one().over(S::select(none, S::one(), self.count)),
         )
     }
-    /// Returns the centroid of the points, given the place from which they were seen.
+    /// Returns the centroid of the points, given the point to which they were relative.
     #[must_use]
     #[inline(always)]
     pub fn centroid(self, place: Vec3<S>) -> Vec3<S> {

@@ -1,4 +1,4 @@
-//! The longest and the shortest way across points: diameter and width.
+//! The largest and the smallest extent of points: diameter and width.
 use crate::arrays::Each;
 use crate::hull::hull_search;
 use crate::predicate::{Turn, turn_between};
@@ -14,8 +14,8 @@ pub struct Farthest {
     pub to: usize,
 }
 
-/// The place in which a set of points is narrowest, by index: between the line through two of them, neighbours on
-/// the hull, and a third one.
+/// The record of the width of a set of points, by index: between the line through two of them, neighbours on the hull,
+/// and a third one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Narrowest {
     /// The edge of the hull from here ...
@@ -26,8 +26,8 @@ pub struct Narrowest {
     pub across: usize,
 }
 
-/// All pairs of an edge of a hull (by the number of its start) and a vertex farthest from it, by
-/// rotating calipers: `O(n)`.
+/// Visits all pairs of an edge of a hull (by the number of its start) and a vertex farthest from it, by rotating
+/// calipers: `O(n)`.
 pub(crate) fn calipers<S: Scalar<Mask = bool>>(
     points: &[Vec2<S>],
     hull: &[usize],
@@ -38,7 +38,7 @@ pub(crate) fn calipers<S: Scalar<Mask = bool>>(
     let mut far = 1;
     for k in 0..n {
         far = far.max(k + 1);
-        // At most once around, whatever the input.
+        // At most once around, for any input.
         while far < k + n {
             let edge = [at(far), at(far + 1)];
             match turn_between([at(k), at(k + 1)], edge) {
@@ -148,7 +148,7 @@ pub fn width_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(S, Na
     best.map(|(_, record)| (width_replay(points, record), record))
 }
 
-/// Returns how far a point is to the left of the line from `start` to `end`, zero where those coincide.
+/// Returns the distance of a point to the left of the line from `start` to `end`, zero where those coincide.
 fn height<S: Scalar>(start: Vec2<S>, end: Vec2<S>, point: Vec2<S>) -> S {
     (end - start).normalize_or_zero().perp_dot(point - start)
 }

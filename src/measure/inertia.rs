@@ -38,7 +38,7 @@ pub fn displaced<S: Scalar>(inertia: Symmetric3<S>, volume: S, by: Vec3<S>) -> S
 #[inline(always)]
 fn round<S: Scalar>(way: Vec3<S>, along: S, across: S) -> Symmetric3<S> {
     let none = way.length().at_most(S::zero());
-    // Without an axis both moments are the same.
+    // Without an axis both moments are equal.
     let up = Vec3::new(S::zero(), S::zero(), S::one());
     let axis = Symmetric3::square_of(Vec3::select(none, up, way.normalize_or_zero()));
     let plane = of_second_moments(axis);
@@ -173,7 +173,7 @@ impl<S: Scalar> Tetrahedron<S> {
 }
 
 impl<S: Scalar> RoundBox3<S> {
-    /// Returns the inertia about the centre by unit density: the sum over the box inside, what is beyond its faces,
+    /// Returns the inertia about the centre by unit density: the sum over the box inside, the slabs beyond its faces,
     /// quarters of cylinders along its edges, and eighths of a ball at its corners.
     #[must_use]
     #[inline]

@@ -50,10 +50,10 @@ impl<S: Scalar> AreaMoments<S> {
             self.xx.halved() + self.yy.halved(),
             self.xx.halved() - self.yy.halved(),
         );
-        let spread = half.hypot(self.xy);
+        let radius = half.hypot(self.xy);
         PrincipalAxes {
-            major: (mean + spread).saturated().canonical(),
-            minor: (mean - spread).saturated().canonical(),
+            major: (mean + radius).saturated().canonical(),
+            minor: (mean - radius).saturated().canonical(),
             angle: self.xy.atan2(half).halved().canonical(),
         }
     }
@@ -70,11 +70,12 @@ impl<S: Scalar> AreaMoments<S> {
     }
 }
 
-/// The sums that moments are made of, over edges in local coordinates: contributions are added.
-/// In order: twice the area, six times `∫x`, `∫y`, twelve times `∫x²`, `∫y²`, twenty-four times `∫xy`.
+/// The sums that give the moments, over edges in local coordinates: contributions are added. In order: twice the area,
+/// six times `∫x`, `∫y`, twelve times `∫x²`, `∫y²`, twenty-four times `∫xy`.
 pub type Sums<S> = [S; 6];
 
-/// Returns the body of the fold: what the edge from `start` to `end`, [placed](Reference::place), contributes.
+/// Returns the body of the fold: the contribution of the edge from `start` to `end`, in [local
+/// coordinates](Reference::place).
 ///
 /// With `k = p × q`: `k`, `(p + q) k`, `(p² + p q + q²) k` by coordinate, and
 /// `(2 p_x p_y + p_x q_y + q_x p_y + 2 q_x q_y) k` (Green's theorem).

@@ -21,13 +21,12 @@ pub struct Resting {
     pub left: usize,
 }
 
-/// Returns a point turned back by a quarter: a cross product with what is turned is a dot product.
+/// Returns a vector turned back by a quarter, whose dot product is the cross product with the original.
 fn turned_back<S: Scalar>(p: Vec2<S>) -> Vec2<S> {
     Vec2::new(p.y, -p.x)
 }
 
-/// Moves a vertex number on, around a hull, while the way on leads along a direction, at most once
-/// around.
+/// Advances a vertex number around a hull while its next edge leads along a direction, at most once around.
 fn advance<S: Scalar<Mask = bool>>(
     at: impl Fn(usize) -> Vec2<S>,
     direction: [Vec2<S>; 2],
@@ -41,11 +40,11 @@ fn advance<S: Scalar<Mask = bool>>(
     from
 }
 
-/// Returns the rectangle of least area that has all points inside, and what it rests on. Its heading is that
-/// of an edge of the hull. `None` for no points, and for points on a line. `O(n log n)`.
+/// Returns the rectangle of least area that has all points inside, and the record of the points on its sides. Its
+/// heading is that of an edge of the hull. `None` for no points, and for points on a line. `O(n log n)`.
 ///
-/// Kink: several rectangles of the same area. Derivatives: see [`rectangle_replay`]. Source: Freeman and
-/// Shapira 1975 (one side lies along an edge of the hull); rotating calipers, Toussaint 1983.
+/// Kink: several rectangles of equal area. Derivatives: see [`rectangle_replay`]. Source: Freeman and Shapira 1975 (one
+/// side lies along an edge of the hull); rotating calipers, Toussaint 1983.
 ///
 /// ```
 /// use geograd::{Obb2, measure::rectangle::rectangle_search};
@@ -88,20 +87,20 @@ pub fn rectangle_search<S: Scalar<Mask = bool>>(points: &[Vec2<S>]) -> Option<(O
 }
 
 /// A rectangle in local coordinates.
-struct Sides<S> {
+struct LocalRectangle<S> {
     axis: Vec2<S>,
     /// Along the bottom edge from its start, to the middle of the rectangle.
     middle: S,
     size: [S; 2],
 }
 
-fn sides<S: Scalar>(seen: &Reference<S>, points: &[Vec2<S>], record: Resting) -> Sides<S> {
+fn sides<S: Scalar>(seen: &Reference<S>, points: &[Vec2<S>], record: Resting) -> LocalRectangle<S> {
     let place = |k: usize| seen.place(points[k]);
     let start = place(record.start);
     let axis = (place(record.end) - start).normalize_or_zero();
     let along = |k: usize| axis.dot(place(k) - start);
     let (low, high) = (along(record.left), along(record.right));
-    Sides {
+    LocalRectangle {
         axis,
         middle: (low + high).halved(),
         size: [high - low, axis.perp_dot(place(record.top) - start)],
@@ -123,7 +122,7 @@ pub fn rectangle_replay<S: Scalar>(points: &[Vec2<S>], record: Resting) -> Obb2<
         record.left,
     ];
     let seen = Reference::of_ring(&five.each_as(|k| points[k]));
-    let Sides { axis, middle, size } = sides(&seen, points, record);
+    let LocalRectangle { axis, middle, size } = sides(&seen, points, record);
     let start = seen.place(points[record.start]);
     let center = start + axis * middle + axis.perp() * size[1].halved();
     let outer = |x: S| seen.outer(x).saturated().canonical();

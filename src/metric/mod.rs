@@ -1,4 +1,4 @@
-//! How good detections are: which ones are right, precision and recall, average precision.
+//! Measures of detections: which ones are right, precision and recall, average precision.
 //!
 //! [`kitti`] and [`nuscenes`] judge by the rules of these benchmarks. Every function takes one frame or all frames.
 //!
@@ -23,19 +23,18 @@ pub mod nuscenes;
 
 /// The detections and truths of one image or scan, of one class; or of all frames, one after another.
 ///
-/// Pairs of places in the lists of all frames join those of one frame only, as
-/// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped) gives them. So one call judges all frames, with the outcomes
-/// of a call per frame.
+/// Pairs of indices in the lists of all frames join those of one frame only, as
+/// [`Cpu::above_grouped`](crate::kernels::Cpu::above_grouped) gives them. So one call judges all frames, with the
+/// outcomes of a call per frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
     /// The score of every detection.
     pub scores: &'a [f64],
-    /// How many truths there are.
+    /// The number of truths.
     pub truths: usize,
     /// Overlaps of detections (the first of a pair) and truths (the second); others do not overlap.
     pub pairs: &'a [Pair<f64>],
-    /// Truths that need not be found, such as those of a similar class, too far away or too hidden; empty
-    /// where all count.
+    /// Truths that need not be found, such as those of a similar class, too far away or too hidden; empty if all count.
     pub ignored_truths: &'a [bool],
     /// Detections that cannot be wrong, such as those too small or in a region without labels; empty where
     /// all can.
@@ -43,7 +42,7 @@ pub struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// Without anything to ignore.
+    /// Creates a frame without anything to ignore.
     #[must_use]
     pub fn new(scores: &'a [f64], truths: usize, pairs: &'a [Pair<f64>]) -> Self {
         Frame {
@@ -61,9 +60,9 @@ impl<'a> Frame<'a> {
 pub enum Outcome {
     /// It found this truth.
     Right(usize),
-    /// It found nothing, or what another one had found.
+    /// It found nothing, or a truth that another one had found.
     Wrong,
-    /// It counts neither way.
+    /// It counts neither as right nor as wrong.
     Ignored,
 }
 
@@ -79,10 +78,10 @@ fn flags(name: &'static str, flags: &[bool], count: usize) -> Result<(), Error> 
 }
 
 /// The truths that a detection overlaps by at least the threshold, with the overlaps.
-type Near = Vec<(f64, usize)>;
+type OverlappedTruths = Vec<(f64, usize)>;
 
 /// Returns the truths near every detection of a valid frame.
-fn near(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Near>, Error> {
+fn near(frame: &Frame<'_>, threshold: f64) -> Result<Vec<OverlappedTruths>, Error> {
     let count = frame.scores.len();
     flags("ignored_truths", frame.ignored_truths, frame.truths)?;
     flags("ignored_detections", frame.ignored_detections, count)?;
@@ -155,10 +154,10 @@ pub fn outcomes(frame: &Frame<'_>, threshold: f64) -> Result<Vec<Outcome>, Error
 
 /// Returns the outcomes of all detections of a frame, by PASCAL VOC's rule.
 ///
-/// By descending score every detection is judged by the truth that it overlaps most, taken or not: right if it is the
-/// first one there, wrong if another one took that truth or the overlap is below the threshold, ignored if the truth is
-/// (VOC's *difficult* ones). A second truth that it overlaps less does not count, where [`outcomes`] takes it. Detections
-/// that are ignored themselves take nothing.
+/// By descending score every detection is judged by the truth that it overlaps most, taken or not. It is right if it is
+/// the first one there, wrong if another one took that truth or the overlap is below the threshold, and ignored if the
+/// truth is (VOC's *difficult* ones). A second truth that it overlaps less does not count, where [`outcomes`] takes it.
+/// Detections that are ignored themselves take nothing.
 ///
 /// ```
 /// use geograd::metric::{Frame, Outcome, outcomes, outcomes_voc};
@@ -215,9 +214,9 @@ pub struct Point {
     pub recall: f64,
 }
 
-/// Precision and recall at every score, the highest score first: of the detections of all frames together.
-/// Detections of equal scores come in at once; ignored ones do not count. `truths` is the number of truths
-/// that are not ignored.
+/// Returns precision and recall at every score, the highest score first, of the detections of all frames together.
+/// Detections of equal scores are added at once; ignored ones do not count. `truths` is the number of truths that are
+/// not ignored.
 ///
 /// # Errors
 ///
@@ -266,7 +265,7 @@ pub enum Recalls {
     All,
 }
 
-/// Average precision, in `[0, 1]`: the mean over recalls of the best precision at that recall or a higher
+/// Returns the average precision, in `[0, 1]`: the mean over recalls of the best precision at that recall or a higher
 /// one; zero at recalls that are not reached.
 #[must_use]
 pub fn average_precision(curve: &[Point], recalls: Recalls) -> f64 {

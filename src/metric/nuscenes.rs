@@ -109,9 +109,9 @@ pub struct Frames<'a> {
     pub detection_offsets: &'a [usize],
     /// The truths, frame by frame.
     pub truths: &'a [Object],
-    /// The same for truths.
+    /// The offsets of the truths of each frame.
     pub truth_offsets: &'a [usize],
-    /// The turn after which an object looks the same, in radians: 2π, and π for barriers.
+    /// The rotation that maps an object to itself, in radians: 2π, and π for barriers.
     pub period: f64,
 }
 
@@ -124,12 +124,12 @@ pub struct Judged {
     pub score: Vec<f64>,
     /// Errors of true positives up to these recalls, in the order of [`TruePositive::ALL`].
     pub errors: [Vec<f64>; 5],
-    /// How many truths there are.
+    /// The number of truths.
     pub truths: usize,
 }
 
 impl Judged {
-    /// Nothing was found.
+    /// Creates the result for no detections at all.
     fn nothing(truths: usize) -> Self {
         Judged {
             precision: vec![0.0; RECALLS],
@@ -138,7 +138,7 @@ impl Judged {
             truths,
         }
     }
-    /// Average precision, in `[0, 1]`.
+    /// Returns the average precision, in `[0, 1]`.
     #[must_use]
     pub fn average_precision(&self) -> f64 {
         let counted = &self.precision[FIRST..];
@@ -174,7 +174,7 @@ pub fn detection_score(mean_average_precision: f64, mean_errors: [f64; 5]) -> f6
     (5.0 * mean_average_precision + scores) / 10.0
 }
 
-/// Errors of a detection and the truth that it found; NaN where one is unknown.
+/// Returns the errors of a detection relative to the truth that it found; NaN where one is unknown.
 fn errors(detection: &Object, truth: &Object, period: f64) -> [f64; 5] {
     let volume = |size: &[f64; 3]| size.iter().product::<f64>();
     let shared: f64 = (0..3)
@@ -219,7 +219,8 @@ fn running_means(numbers: impl Iterator<Item = f64> + Clone) -> Vec<f64> {
     numbers.map(mean).collect()
 }
 
-/// Returns the value at a place, linearly between the values at ascending places; of equal places the last one counts.
+/// Returns the value at a coordinate, interpolated linearly between the values at ascending coordinates; of equal
+/// coordinates the last one counts.
 fn between(at: f64, places: &[f64], values: &[f64], beyond: f64) -> f64 {
     let after = places.partition_point(|&place| place <= at);
     let last = places.len() - 1;
@@ -283,7 +284,7 @@ pub(crate) fn check(frames: &Frames<'_>) -> Result<(), Error> {
     Ok(())
 }
 
-/// Judges the detections of all frames together, of one class at one threshold. Of equal scores the later detection
+/// Judges the detections of all frames together, of one class at one threshold. If scores are equal the later detection
 /// comes first, as in the kit.
 ///
 /// # Errors
@@ -320,14 +321,15 @@ impl Frames<'_> {
     }
 }
 
-/// Detections of a range, the highest score first, of equal ones the later one.
+/// Returns the detections of a range by descending score; of equal scores the later one is first.
 pub(crate) fn ranked(frames: &Frames<'_>, range: Range<usize>) -> Vec<usize> {
     let (mut order, scores): (Vec<usize>, _) = (range.collect(), frames.scores);
     order.sort_unstable_by(|&i, &j| scores[j].total_cmp(&scores[i]).then(j.cmp(&i)));
     order
 }
 
-/// The truths that the detections of some frames find, `found[0]` for the first of them.
+/// Writes the truths that the detections of some frames find to `found`, whose first entry belongs to the first of
+/// these detections.
 pub(crate) fn found_truths(
     frames: &Frames<'_>,
     range: Range<usize>,
@@ -391,7 +393,7 @@ pub(crate) fn judged(frames: &Frames<'_>, order: &[usize], found: &[Option<usize
             .collect()
     };
     let (precision, score) = (read(&precision), read(&score));
-    // Scores descend, and places ascend.
+    // Scores descend, and coordinates ascend.
     right_scores.reverse();
     let errors = std::array::from_fn(|k| {
         let mut means = running_means(right_errors.iter().map(|errors| errors[k]));

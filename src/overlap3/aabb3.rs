@@ -14,7 +14,7 @@ pub(crate) struct SharedBounds<S: Scalar> {
     pub volumes: [S; 3],
     /// `true` where the boxes are apart or merely touch.
     pub apart: S::Mask,
-    /// `true` where both are the same box.
+    /// `true` where both boxes are equal.
     pub same: S::Mask,
     /// The power of two by which sizes were multiplied.
     pub scale: S,
@@ -79,7 +79,7 @@ pub fn intersection_volume_aabb3<S: Scalar>(a: Aabb3<S>, b: Aabb3<S>) -> S {
     score_aabb3(Denominator::None, a, b)
 }
 
-/// Intersection over union of two axis-aligned boxes, in `[0, 1]`.
+/// Returns the intersection over union of two axis-aligned boxes, in `[0, 1]`.
 ///
 /// Kinks and conventions: see the [module](super).
 #[must_use]

@@ -9,9 +9,9 @@
 //! primitive of `dx dy dz` over the clamped border of P. There is no list of vertices and no sorting; the
 //! sum is continuous in every input.
 //!
-//! The primitives `x_k dx_i dx_j` (k, i, j in circular order) differ by exact forms. So each face of P may
-//! use the one whose direction it faces most, if the differences are made good along the edges and at the
-//! corners where faces with different primitives meet. With X the clamped coordinates:
+//! The primitives `x_k dx_i dx_j` (k, i, j in circular order) differ by exact forms. So each face of P may use the one
+//! whose direction it faces most, if the differences are compensated along the edges and at the corners where faces
+//! with different primitives meet. With X the clamped coordinates:
 //!
 //! ```text
 //! V =  Σ faces (k, s)        s · ∫ clamp(x_k) dx_i dx_j   over the face seen along x_k, inside K's rectangle
@@ -19,7 +19,7 @@
 //!    + Σ corners             s_0 s_1 s_2 · X_0 X_1 X_2
 //! ```
 //!
-//! Every integrand is a polynomial between the places where a coordinate begins or ceases to be clamped. These
+//! Every integrand is a polynomial between the points where a coordinate begins or ceases to be clamped. These
 //! crossings are computed once per edge and shared by the faces that meet there, so that rounding cannot tear the
 //! border.
 //!
@@ -29,7 +29,7 @@
 //! and by a turn its first moment; both come from the pieces of the faces' integrals. Derivatives by K's size
 //! come from the parts of the integrals that are clamped to K's faces. Moving or turning both boxes
 //! together changes nothing, which gives the rest.
-use super::edge_clamp::{Bounds, Cut, clamped, cut, less_signed, signed, turn};
+use super::edge_clamp::{BoundDerivatives, Cut, clamped, cut, less_signed, signed, turn};
 use super::face_integral::{Face, face};
 use super::relate::Relative3;
 use super::volume_from_half;
@@ -51,7 +51,7 @@ pub struct Shared3<S> {
 }
 
 /// The bounds of two boxes against each other, before the border of one is clamped to the other.
-struct Glance<S: Scalar> {
+struct PairBounds<S: Scalar> {
     /// The most that they can share: each against the other's bounds in its own frame. Zero where one of the
     /// fifteen axes separates them.
     most: S,
@@ -63,7 +63,7 @@ struct Glance<S: Scalar> {
 
 /// Looks at the bounds of each box in the other's frame.
 #[inline(always)]
-fn glance<S: Scalar>(pair: &Relative3<S>) -> Glance<S> {
+fn glance<S: Scalar>(pair: &Relative3<S>) -> PairBounds<S> {
     let (r, c, h, p) = (pair.turn, pair.center, pair.half_a, pair.half_b);
     let zero = S::zero();
     let mut steep = [[zero; 3]; 3];
@@ -74,7 +74,7 @@ fn glance<S: Scalar>(pair: &Relative3<S>) -> Glance<S> {
     }
     let (mut in_a, mut in_b) = (S::one(), S::one());
     let (mut a_inside, mut b_inside) = (zero.at_most(zero), zero.at_most(zero));
-    // A face that is touched is a kink whose sides share, found where the faces' integrals are.
+    // A face that is touched is a kink whose sides share the derivative; the faces' integrals detect it.
     let clear = S::lit(1.0 - 32.0 * S::EPSILON);
     for i in 0..3 {
         let reach = (steep[i][0] * p[0] + steep[i][1] * p[1]) + steep[i][2] * p[2];
@@ -99,17 +99,17 @@ fn glance<S: Scalar>(pair: &Relative3<S>) -> Glance<S> {
         }
     }
     let most = S::select(gap.above(zero), zero, in_a.least(in_b));
-    // Rounding of a giant's place may part it from what it holds.
+    // Rounding of a huge box's position may separate it from a box inside it.
     let own = volume_from_half(h).least(volume_from_half(p)).most(zero);
-    Glance {
+    PairBounds {
         most: S::select(a_inside | b_inside, own, most),
         a_inside,
         b_inside,
     }
 }
 
-/// Returns the volume that two related boxes share and, if asked for, its derivatives. Straight line, but for pairs all
-/// of which are apart.
+/// Returns the volume that two related boxes share and, with `DERIVATIVE`, its derivatives. A straight line, except for
+/// lanes of pairs all of which are apart.
 ///
 /// `PIECES` keeps the repeated pieces functions of their own, which costs less to build and less stack;
 /// without it all is one piece, as code for vector instructions must be.
@@ -137,7 +137,7 @@ pub fn shared_volume<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
         center: [zero; 3],
         turn: [zero; 3],
         half_b: [zero; 3],
-        bounds: Bounds {
+        bounds: BoundDerivatives {
             high: [zero; 3],
             low: [zero; 3],
         },
@@ -210,7 +210,7 @@ struct Derivatives<S> {
     center: [S; 3],
     turn: [S; 3],
     half_b: [S; 3],
-    bounds: Bounds<S>,
+    bounds: BoundDerivatives<S>,
 }
 
 impl<S: Scalar> Derivatives<S> {
@@ -246,7 +246,7 @@ impl<S: Scalar> Derivatives<S> {
 #[inline(always)]
 fn nested<S: Scalar, const DERIVATIVE: bool>(
     pair: &Relative3<S>,
-    seen: &Glance<S>,
+    seen: &PairBounds<S>,
     out: &mut Shared3<S>,
 ) {
     let (h, p, zero) = (pair.half_a, pair.half_b, S::zero());
@@ -273,15 +273,15 @@ fn by_half<S: Scalar>(half: [S; 3], i: usize) -> S {
     face + face
 }
 
-/// For boxes that are the same set of points: exactly their volume, each size with half the derivative, and no
-/// derivative by motion, by symmetry. No derivatives at all without volume.
+/// Returns the overlap of boxes that are one set of points: exactly their volume, each size with half the derivative,
+/// and no derivative by motion, by symmetry. Boxes without volume have no derivatives at all.
 #[inline(always)]
 fn same_box<S: Scalar, const DERIVATIVE: bool>(
     pair: &Relative3<S>,
     found: Shared3<S>,
 ) -> Shared3<S> {
     let (same, h, zero) = (pair.same, pair.half_a, S::zero());
-    // The volume is made of both boxes, so that derivatives through this value are shared, too.
+    // The volume is computed from both boxes, so that derivatives through this value are shared, too.
     let p = pair.half_b;
     let whole = (h[0] + p[0]) * (h[1] + p[1]) * (h[2] + p[2]);
     // Boxes without volume share no more when one of them alone grows.

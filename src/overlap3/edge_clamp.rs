@@ -14,7 +14,7 @@ pub(super) fn fixed<S: Scalar>(mask: S::Mask, x: S) -> S {
     S::select(mask, S::from_primal(x.primal()), x)
 }
 
-/// Below this an entry of the rotation counts as zero: powers of its reciprocal must not overflow.
+/// Returns the limit below which an entry of the rotation counts as zero: powers of its reciprocal must not overflow.
 #[inline(always)]
 pub(super) fn tiny<S: Scalar>() -> f64 {
     if S::COMPENSATED {
@@ -27,9 +27,9 @@ pub(super) fn tiny<S: Scalar>() -> f64 {
 /// Both boxes relative to a point near both, so that rounding is a common shift of all of it, which thin
 /// boxes need.
 ///
-/// The steps along all three axes are the same. So they are written once, for an edge along axis 0 and a face
-/// across axis 2. The axes of both boxes take turns ([`turn`](Cut::turn)). Kernels then have a loop of three
-/// rounds in which every index is a constant.
+/// The steps along all three axes are alike. So they are written once, for an edge along axis 0 and a face across axis
+/// 2. The axes of both boxes take turns ([`turn`](Cut::turn)). Kernels then have a loop of three rounds in which every
+/// index is a constant.
 #[derive(Clone, Copy)]
 pub(super) struct Cut<S: Scalar> {
     /// Entries of the rotation.
@@ -47,8 +47,8 @@ pub(super) struct Cut<S: Scalar> {
 }
 
 impl<S: Scalar> Cut<S> {
-    /// Gives the axes of both boxes other names: what was 1 is 0, what was 2 is 1, what was 0 is 2. In place,
-    /// since a copy of all of it would be a call.
+    /// Renames the axes of both boxes: 1 becomes 0, 2 becomes 1, 0 becomes 2. In place, since a copy of the struct
+    /// would be a call.
     #[inline(always)]
     pub(super) fn turn(&mut self) {
         turn_both(&mut self.r);
@@ -66,7 +66,7 @@ pub(super) fn turn<X: Copy>(x: &mut [X; 3]) {
     [x[0], x[1], x[2]] = [x[1], x[2], x[0]];
 }
 
-/// The same for rows and columns.
+/// Moves rows and columns 1 to 0, 2 to 1, and 0 to 2.
 #[inline(always)]
 fn turn_both<X: Copy>(x: &mut [[X; 3]; 3]) {
     [x[0][0], x[1][1], x[2][2]] = [x[1][1], x[2][2], x[0][0]];
@@ -96,15 +96,15 @@ pub(super) struct Edge<S> {
 
 /// Derivatives by the bounds of a.
 #[derive(Clone, Copy)]
-pub(super) struct Bounds<S> {
+pub(super) struct BoundDerivatives<S> {
     /// By the upper bounds.
     pub high: [S; 3],
     /// By the lower bounds.
     pub low: [S; 3],
 }
 
-impl<S: Scalar> Bounds<S> {
-    /// The same under the names that [`Cut::turn`] gives.
+impl<S: Scalar> BoundDerivatives<S> {
+    /// Moves the numbers of axis 1 to 0, 2 to 1, and 0 to 2, as [`Cut::turn`] does.
     #[inline(always)]
     pub(super) fn turn(&mut self) {
         turn(&mut self.high);
@@ -112,23 +112,23 @@ impl<S: Scalar> Bounds<S> {
     }
 }
 
-/// `sum − sign · x`, where the sign is positive for equal sides.
+/// Returns `sum − sign · x`, where the sign is positive for equal sides.
 #[inline(always)]
 pub(super) fn less_signed<S: Scalar>(sum: S, a: usize, b: usize, x: S) -> S {
     if a == b { sum - x } else { sum + x }
 }
 
-/// `sum + x` for an upper side, `sum − x` for a lower one.
+/// Returns `sum + x` for an upper side, `sum − x` for a lower one.
 #[inline(always)]
 pub(super) fn signed<S: Scalar>(sum: S, side: usize, x: S) -> S {
     if side == 1 { sum + x } else { sum - x }
 }
 
-/// A side of b is cut off where a reaches less than this part of its half.
+/// A side of b is cut off if a reaches less than this part of its half.
 const REACHED: f64 = 0.125;
 
-/// Returns the bounds of b along its own axes, without what of its long sides a cannot reach: the integrals over a
-/// thin long box that another one crosses would be of terms 10⁴ times as large as their sum.
+/// Returns the bounds of b along its own axes, without the parts of its long sides that a cannot reach. The integrals
+/// over a thin long box that another one crosses would otherwise have terms 10⁴ times as large as their sum.
 ///
 /// Between two opposite faces of a, across its axis i, `Σ R_in w_n` is within h_i of `−c_i`, so w_m is known up
 /// to `(h_i + Σ_{n≠m} |R_in| p_n) / |R_im|`. The narrowest of these three ranges counts, with room for rounding.
@@ -287,7 +287,7 @@ fn edge_here<S: Scalar, const M: usize>(cut: &Cut<S>, a: usize, b: usize) -> Edg
     made
 }
 
-/// Coordinate i of an edge along axis 0 at t, clamped to a.
+/// Returns coordinate i of an edge along axis 0 at t, clamped to a.
 #[inline(always)]
 pub(super) fn coordinate<S: Scalar>(cut: &Cut<S>, edge: &Edge<S>, i: usize, t: S) -> S {
     clamped(t * cut.r[i][0] + edge.start[i], cut.k[i][0], cut.k[i][1])
@@ -307,7 +307,7 @@ fn along<S: Scalar>(cut: &Cut<S>, edge: &Edge<S>, i: usize, low: S, high: S) -> 
     inside * mean + (above * cut.k[i][1] + below * cut.k[i][0])
 }
 
-/// Six times the integral of `X_1 X_2 dX_0` along an edge.
+/// Returns six times the integral of `X_1 X_2 dX_0` along an edge.
 ///
 /// From the crossings of both coordinates it has at most five pieces; on the outer two both are constant,
 /// on the inner ones each is linear, where `6 ∫ X Y dt = D ((X + X')(Y + Y') + X Y + X' Y')`.
@@ -316,7 +316,7 @@ pub(super) fn edge_term<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
     cut: &Cut<S>,
     edge: &Edge<S>,
     sides: [usize; 2],
-    bounds: &mut Bounds<S>,
+    bounds: &mut BoundDerivatives<S>,
 ) -> S {
     if PIECES {
         edge_term_apart::<S, DERIVATIVE>(cut, edge, sides, bounds)
@@ -330,7 +330,7 @@ fn edge_term_apart<S: Scalar, const DERIVATIVE: bool>(
     cut: &Cut<S>,
     edge: &Edge<S>,
     sides: [usize; 2],
-    bounds: &mut Bounds<S>,
+    bounds: &mut BoundDerivatives<S>,
 ) -> S {
     edge_term_here::<S, DERIVATIVE>(cut, edge, sides, bounds)
 }
@@ -340,7 +340,7 @@ fn edge_term_here<S: Scalar, const DERIVATIVE: bool>(
     cut: &Cut<S>,
     edge: &Edge<S>,
     [a, b]: [usize; 2],
-    bounds: &mut Bounds<S>,
+    bounds: &mut BoundDerivatives<S>,
 ) -> S {
     let t0 = edge.enter[0].least(cut.f[0][1]);
     let t1 = edge.leave[0].most(cut.f[0][0]);
@@ -374,7 +374,7 @@ fn edge_term_here<S: Scalar, const DERIVATIVE: bool>(
         let q1 = coordinate(cut, edge, 1, cut.f[0][1]) * coordinate(cut, edge, 2, cut.f[0][1]);
         bounds.high[0] = less_signed(bounds.high[0], a, b, both[3] - q1);
         bounds.low[0] = less_signed(bounds.low[0], a, b, q0 - both[0]);
-        // The integral of X_2 where X_1 is a bound; and the other way round.
+        // The integral of X_2 where X_1 is a bound, and vice versa.
         clamped_part::<S, 1, 2>(cut, edge, [a, b], [t0, j0, j1, t1], bounds);
         clamped_part::<S, 2, 1>(cut, edge, [a, b], [t0, l0, l1, t1], bounds);
     }
@@ -389,7 +389,7 @@ fn clamped_part<S: Scalar, const ONE: usize, const OTHER: usize>(
     edge: &Edge<S>,
     [a, b]: [usize; 2],
     [t0, enter, leave, t1]: [S; 4],
-    bounds: &mut Bounds<S>,
+    bounds: &mut BoundDerivatives<S>,
 ) {
     let before = along(cut, edge, OTHER, t0, enter) * cut.r[0][0];
     let after = along(cut, edge, OTHER, leave, t1) * cut.r[0][0];

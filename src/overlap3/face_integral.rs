@@ -1,6 +1,6 @@
 //! One face of a box integrated over what of it is above and below another box.
 use super::edge_clamp::{
-    Bounds, Cut, Edge, clamped, edge, edge_term, fixed, less_signed, signed, tiny,
+    BoundDerivatives, Cut, Edge, clamped, edge, edge_term, fixed, less_signed, signed, tiny,
 };
 use crate::Scalar;
 
@@ -31,8 +31,8 @@ impl<S: Scalar> Face<S> {
 
 /// One side of the region that is integrated over: an edge of the face, or a side of a's rectangle.
 #[derive(Clone, Copy)]
-struct Side<S: Scalar> {
-    /// From where to where its parameter runs.
+struct RegionSide<S: Scalar> {
+    /// The range of its parameter.
     from: S,
     to: S,
     /// The parameter where z comes into a's bounds and where it leaves them.
@@ -67,7 +67,7 @@ impl<S: Scalar> Sums<S> {
     #[inline(always)]
     fn add<const DERIVATIVE: bool, const PIECES: bool>(
         &mut self,
-        side: Side<S>,
+        side: RegionSide<S>,
         weight: [S; 3],
         z_bounds: [S; 2],
         points: &[[S; 2]; 3],
@@ -82,7 +82,7 @@ impl<S: Scalar> Sums<S> {
     #[inline(never)]
     fn add_apart<const DERIVATIVE: bool>(
         &mut self,
-        side: Side<S>,
+        side: RegionSide<S>,
         weight: [S; 3],
         z_bounds: [S; 2],
         points: &[[S; 2]; 3],
@@ -93,7 +93,7 @@ impl<S: Scalar> Sums<S> {
     #[inline(always)]
     fn add_here<const DERIVATIVE: bool>(
         &mut self,
-        side: Side<S>,
+        side: RegionSide<S>,
         weight: [S; 3],
         z_bounds: [S; 2],
         points: &[[S; 2]; 3],
@@ -142,11 +142,11 @@ impl<S: Scalar> Sums<S> {
 /// Returns a face of b: the one across b's axis 2, low or high `side`, seen along a's axis 2; and its edges along
 /// axis 0.
 ///
-/// The face seen so is a parallelogram F' in the plane of x = axis 0 and y = axis 1, over which the plane
-/// of the face is `z = z_c + b x + c y`. It is integrated over F' cut with a's rectangle: its border
-/// consists of four edges of the face and four sides of the rectangle. On each level ζ (zero, the upper
-/// and the lower bound of z) a *level point* p is chosen from which the indicator of z > ζ does not change
-/// along rays; so areas and integrals are sums over the border of `cross(q − p, dq)`:
+/// The projection of the face is a parallelogram F' in the plane of x = axis 0 and y = axis 1, over which the plane of
+/// the face is `z = z_c + b x + c y`. It is integrated over F' cut with a's rectangle: its border consists of four
+/// edges of the face and four sides of the rectangle. On each level ζ (zero, the upper and the lower bound of z) a
+/// *level point* p is chosen from which the indicator of z > ζ does not change along rays; so areas and integrals are
+/// sums over the border of `cross(q − p, dq)`:
 ///
 /// ```text
 /// ∫ clamp(z) = (Σ d⁰ W + z₀ A₀ + k⁺ A⁺ + k⁻ A⁻) / 3,   W = ∫ clamp(z) along a side
@@ -157,7 +157,7 @@ impl<S: Scalar> Sums<S> {
 pub(super) fn face<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
     cut: &Cut<S>,
     side: usize,
-    bounds: &mut Bounds<S>,
+    bounds: &mut BoundDerivatives<S>,
 ) -> Face<S> {
     if PIECES {
         face_apart::<S, DERIVATIVE>(cut, side, bounds)
@@ -170,13 +170,13 @@ pub(super) fn face<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
 fn face_apart<S: Scalar, const DERIVATIVE: bool>(
     cut: &Cut<S>,
     side: usize,
-    bounds: &mut Bounds<S>,
+    bounds: &mut BoundDerivatives<S>,
 ) -> Face<S> {
     face_here::<S, DERIVATIVE, true>(cut, side, bounds)
 }
 
 /// The numbers that the sides of the region have in common.
-struct Seen<'a, S: Scalar> {
+struct FaceRegion<'a, S: Scalar> {
     cut: &'a Cut<S>,
     side: usize,
     /// The edges of the face along axis 0, bottom and top, and along axis 1, left and right.
@@ -193,10 +193,10 @@ struct Seen<'a, S: Scalar> {
     cross: [[S; 3]; 2],
 }
 
-/// The coordinates x, y and z of a face among those of its edges along axis 0 and along axis 1.
+/// The indices of a face's coordinates x, y and z in the coordinates of its edges along axis 0 and along axis 1.
 const OF_EDGE: [[usize; 3]; 2] = [[0, 1, 2], [2, 0, 1]];
 
-impl<S: Scalar> Seen<'_, S> {
+impl<S: Scalar> FaceRegion<'_, S> {
     /// Adds an edge of the face: along axis `N`, the lower or the upper one (`G`).
     #[inline(always)]
     fn edge<const DERIVATIVE: bool, const PIECES: bool, const N: usize, const G: usize>(
@@ -222,7 +222,7 @@ impl<S: Scalar> Seen<'_, S> {
                 (_, _) => cross + shift,
             };
         }
-        let border = Side {
+        let border = RegionSide {
             from: edge.enter[x].most(edge.enter[y]),
             to: edge.leave[x].least(edge.leave[y]),
             enter: edge.enter[z],
@@ -250,7 +250,7 @@ impl<S: Scalar> Seen<'_, S> {
     fn side<const DERIVATIVE: bool, const PIECES: bool, const N: usize, const G: usize>(
         &self,
         sums: &mut Sums<S>,
-        bounds: &mut Bounds<S>,
+        bounds: &mut BoundDerivatives<S>,
     ) {
         let (zero, one) = (S::zero(), S::one());
         let Cut {
@@ -283,7 +283,7 @@ impl<S: Scalar> Seen<'_, S> {
             let beyond = bound - self.points[m][N];
             weight[m] = if G == 1 { beyond } else { -beyond };
         }
-        let border = Side {
+        let border = RegionSide {
             from,
             to,
             enter: at_low.least(at_high),
@@ -313,7 +313,7 @@ impl<S: Scalar> Seen<'_, S> {
     }
 }
 
-/// Returns the range of a coordinate over F': along `own` it goes as `along` says, along `other` as `across` does.
+/// Returns the range of a coordinate over F': its derivative along `own` is `along`, that along `other` is `across`.
 #[inline(always)]
 fn reach<S: Scalar>([own, other]: [[S; 2]; 2], along: S, across: S, middle: S) -> [S; 2] {
     let (p, q) = (other[0] * across, other[1] * across);
@@ -327,7 +327,7 @@ fn reach<S: Scalar>([own, other]: [[S; 2]; 2], along: S, across: S, middle: S) -
 fn face_here<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
     cut: &Cut<S>,
     side: usize,
-    bounds: &mut Bounds<S>,
+    bounds: &mut BoundDerivatives<S>,
 ) -> Face<S> {
     let (zero, one) = (S::zero(), S::one());
     let edges = [
@@ -403,7 +403,7 @@ fn face_here<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
         area: [zero; 3],
         moment: [[zero; 2]; 3],
     };
-    let seen = Seen {
+    let seen = FaceRegion {
         cut,
         side,
         edges,

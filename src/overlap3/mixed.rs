@@ -10,12 +10,12 @@ use crate::{Fixed, Pack, Scalar};
 /// Boxes that overlap another kind of box: every pair of [`Aabb3`], [`YawBox3`] and [`Obb3`]. The pair is
 /// measured as boxes of the more general kind.
 pub trait Overlaps<B> {
-    /// The numbers that boxes are made of.
+    /// The number type of the boxes.
     type Scalar: Scalar;
     /// Returns the volume that both share, in cubed units of length.
     #[must_use]
     fn volume_shared_with(self, other: B) -> Self::Scalar;
-    /// Intersection over union, in `[0, 1]`.
+    /// Returns the intersection over union, in `[0, 1]`.
     #[must_use]
     fn iou_with(self, other: B) -> Self::Scalar;
     /// Returns the share of this box that lies in the other one, in `[0, 1]`.
@@ -57,7 +57,7 @@ overlaps! {
 macro_rules! methods {
     ($($a:ident)*) => { $(
         impl<S: Scalar> $a<S> {
-            /// Intersection over union with a box of any kind, in `[0, 1]`.
+            /// Returns the intersection over union with a box of any kind, in `[0, 1]`.
             #[must_use]
             #[inline]
             pub fn iou<B>(self, other: B) -> S
@@ -92,8 +92,8 @@ macro_rules! methods {
 }
 methods! { Aabb3 YawBox3 Obb3 }
 
-/// Returns the gradient by an upright box from that by the same box as one of any orientation: the turn about the
-/// z axis is the third of its body tangents.
+/// Returns the gradient by an upright box from that by its form with any orientation: the turn about the z axis is the
+/// third of its body tangents.
 #[inline]
 fn upright<S: Scalar>(shape: YawBox3<S>, g: Obb3<S>) -> YawBox3<S> {
     // An eighth of the gradient, so that a sum of the largest numbers is finite.
@@ -104,15 +104,15 @@ fn upright<S: Scalar>(shape: YawBox3<S>, g: Obb3<S>) -> YawBox3<S> {
     YawBox3::new(g.center, g.size, (turn.z * S::lit(8.0)).saturated())
 }
 
-/// Returns the gradient by bounds from that by the same box as one of any orientation.
+/// Returns the gradient by bounds from that by the box's form with any orientation.
 #[inline]
 fn bounds<S: Scalar>(g: Obb3<S>) -> Aabb3<S> {
     let half = g.center * S::lit(0.5);
     Aabb3::new((half - g.size).saturated(), (half + g.size).saturated())
 }
 
-/// Intersection over union of an upright box and one of any orientation, and `out_bar` times its derivatives by
-/// both.
+/// Returns the intersection over union of an upright box and one of any orientation, and `out_bar` times its
+/// derivatives by both.
 #[must_use]
 #[inline]
 pub fn iou_yaw_obb3_vjp<S: Scalar>(
@@ -124,8 +124,8 @@ pub fn iou_yaw_obb3_vjp<S: Scalar>(
     (value, (upright(a, a_bar), b_bar))
 }
 
-/// Intersection over union of an axis-aligned box and one of any orientation, and `out_bar` times its derivatives
-/// by both.
+/// Returns the intersection over union of an axis-aligned box and one of any orientation, and `out_bar` times its
+/// derivatives by both.
 #[must_use]
 #[inline]
 pub fn iou_aabb3_obb3_vjp<S: Scalar>(
@@ -139,7 +139,7 @@ pub fn iou_aabb3_obb3_vjp<S: Scalar>(
 
 /// A box of space as one of any orientation, and its gradient from that one's.
 pub(crate) trait AnyBox<S: Scalar>: Copy + Into<Obb3<S>> + Pack<Scalar = S> {
-    /// Returns the gradient by this box from that by the same box as one of any orientation.
+    /// Returns the gradient by this box from that by its form with any orientation.
     fn own_gradient(self, g: Obb3<S>) -> Self;
 }
 impl<S: Scalar> AnyBox<S> for Obb3<S> {

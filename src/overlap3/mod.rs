@@ -1,5 +1,5 @@
-//! How much two boxes in space overlap: volume of intersection, intersection over union, intersection
-//! over the first box; and the same seen from above.
+//! Overlap of two boxes in space: volume of intersection, intersection over union, intersection over the first box; and
+//! these measures seen from above.
 //!
 //! Pairs of different kinds are measured as the more general kind. Each kind has its own formula:
 //! bounds for [`Aabb3`](crate::shape::Aabb3), the overlap in the plane times that of the heights for
@@ -56,8 +56,8 @@ pub use yaw::{intersection_volume_yaw, iof_yaw, iou_birds_eye, iou_yaw};
 use crate::Scalar;
 use crate::overlap::{Denominator, ratio_of_first, ratio_of_union};
 
-/// Returns the volume of a box from half its size. Doubled first, so that a volume that can be represented is
-/// rounded no more than it must be.
+/// Returns the volume of a box from half its size. Doubled first, so that a volume that can be represented has no
+/// unnecessary rounding.
 #[inline(always)]
 pub(crate) fn volume_from_half<S: Scalar>([x, y, z]: [S; 3]) -> S {
     (x + x) * (y + y) * (z + z)

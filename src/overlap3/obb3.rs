@@ -11,9 +11,9 @@ use std::any::TypeId;
 
 /// Returns the volume that two related boxes share, in units of `1 / scale³`.
 ///
-/// Floats take the value alone. For numbers with derivatives, and symbols of programs to be differentiated, the
-/// derivatives g come from the formula for derivatives, because those of the value's own arithmetic are lost where
-/// edges are parallel to faces. With `x₀` the value of an input x without its derivatives,
+/// Floats compute the value alone. For numbers with derivatives, and symbols of programs to be differentiated, the
+/// derivatives g come from the formula for derivatives, because the value's own arithmetic loses them where edges are
+/// parallel to faces. With `x₀` the value of an input x without its derivatives,
 ///
 /// ```text
 /// V(x₀) + Σ ½ (g(x) + g(x₀)) · (x − x₀)
@@ -48,8 +48,7 @@ fn volume_and_curvature<S: Scalar>(pair: &Relative3<S>) -> S {
     moved_by(pair, &found, |g| (g + S::from_primal(g.primal())).halved())
 }
 
-/// Returns a volume as a constant, and what it gains as the numbers of a pair move, by what the derivatives of each are
-/// taken for.
+/// Returns a volume as a constant, plus the products of the derivatives `g` with the changes of the pair's numbers.
 ///
 /// The rotation enters by the entries of its matrix R: a turn ω changes them by `ω × R`, so the derivative τ by a turn
 /// is `½ τ × R` by the entries.
@@ -76,8 +75,8 @@ fn volume_and_slope<S: Scalar>(pair: &Relative3<S>, found: &Shared3<S>) -> S {
     moved_by(pair, found, |g| S::from_primal(g.primal()))
 }
 
-/// Returns the pair as constants where sizes or places are so different that second derivatives could overflow:
-/// there only first ones are served.
+/// Returns the pair as constants where sizes or positions are so different that second derivatives could overflow: only
+/// first derivatives exist there.
 #[inline(always)]
 fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
     let large = |v: [S; 3]| {
@@ -102,7 +101,7 @@ fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
 pub(super) fn far_apart<S: Scalar>(pair: &Relative3<S>) -> S::Mask {
     // (|h| + |p|)² ≤ 2 |h|² + 2 |p|², with room for rounding.
     let reach = squared_length(pair.half_a) + squared_length(pair.half_b);
-    // Not "above": a centre whose place in the pair's unit overflowed may be no number.
+    // Not "above": a centre whose coordinates in the pair's unit overflowed may be NaN.
     !squared_length(pair.center).at_most(reach * S::Primal::lit(2.001))
 }
 
@@ -112,7 +111,7 @@ fn squared_length<S: Scalar>(v: [S; 3]) -> S::Primal {
     (x * x + y * y) + z * z
 }
 
-/// Returns the pair as a function of its own: what it needs of the stack is free again when volumes are measured.
+/// Relates the pair in a function of its own, so that its stack is free again when volumes are measured.
 #[inline(never)]
 pub(super) fn related<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
     relate3(a, b)
@@ -150,8 +149,8 @@ fn score_related<S: Scalar, const PIECES: bool>(over: Denominator, pair: &Relati
     }
 }
 
-/// Returns the volume of a box of the pair; a constant where its derivatives by the sizes could overflow: sizes far
-/// below one of which one is 10⁸ times as large as another, or more.
+/// Returns the volume of a box of the pair; a constant if its derivatives by the sizes could overflow: for sizes far
+/// below one, of which one is at least 10⁸ times another.
 #[inline(always)]
 fn own_volume<S: Scalar>(pair: &Relative3<S>, half: [S; 3]) -> S {
     let [x, y, z] = half;
@@ -171,8 +170,8 @@ pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
     S::select(beyond, shared.with_primal(limit), shared)
 }
 
-/// Returns the same for a volume with derivatives, whose value has them, too: those of a ratio of volumes go on through
-/// it.
+/// Returns the shared volume for numbers with derivatives, whose value has derivatives, too: those of a ratio of
+/// volumes pass through it.
 #[inline(always)]
 pub(super) fn shared_within<S: Scalar, const PIECES: bool>(
     pair: &Relative3<S>,
@@ -189,15 +188,15 @@ pub(super) fn shared_within<S: Scalar, const PIECES: bool>(
 /// Returns the volume shared by two boxes of any orientation, from 0 to the volume of the smaller one, in cubed
 /// units of length. Saturates at the largest finite number.
 ///
-/// By the integral over the clamped [`border`](super::border): straight line, continuous in every number. The error
-/// is a few roundings of two volumes: what the first box shares with bounds around the second one, along the first
-/// one's axes; and the smaller box's surface times the longest side. For boxes of similar sizes these are about their
-/// volumes. A rod of 13000 × 0.0001 × 0.0001 across a plate of 13000 × 13000 × 72 is right to 10⁻⁸ of its volume in
-/// `f64` as the first box, and to 10⁻³ as the second: the thinner box belongs first. In `f32` boxes 5·10⁴ times as
-/// long as thick that cross at any angle share 10⁻⁵ of it: that is found to 10⁻⁶ of the box's volume in 99 of 100
-/// pairs and to 3·10⁻⁵ in all, which are 0.5 % of what is shared in nine of ten. Derivatives by a rotation's
-/// quaternion are those of its direction; see [`Rotation3`](crate::shape::Rotation3). Derivatives above the second
-/// are not served. Kinks and conventions: see the [module](super).
+/// By the integral over the clamped [`border`](super::border): straight line, continuous in every number. The error is
+/// a few roundings of two volumes: the volume that the first box shares with bounds around the second one, along the
+/// first one's axes; and the smaller box's surface times the longest side. For boxes of similar sizes these are about
+/// their volumes. A rod of 13000 × 0.0001 × 0.0001 across a plate of 13000 × 13000 × 72 is right to 10⁻⁸ of its volume
+/// in `f64` as the first box, and to 10⁻³ as the second: the thinner box belongs first. In `f32` boxes 5·10⁴ times as
+/// long as thick that cross at any angle share 10⁻⁵ of their volume. The error is 10⁻⁶ of the box's volume in 99 of 100
+/// pairs and 3·10⁻⁵ in all; in nine of ten it is 0.5 % of the shared volume. Derivatives by a rotation's quaternion are
+/// those of its direction; see [`Rotation3`](crate::shape::Rotation3). Derivatives above the second are not supported.
+/// Kinks and conventions: see the [module](super).
 ///
 /// ```
 /// use geograd::{Obb3, Rotation3, Vec3, overlap3::intersection_volume_obb3};
@@ -214,7 +213,7 @@ pub fn intersection_volume_obb3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> S {
     score_obb3(Denominator::None, a, b)
 }
 
-/// Intersection over union of two boxes of any orientation, in `[0, 1]`.
+/// Returns the intersection over union of two boxes of any orientation, in `[0, 1]`.
 ///
 /// As for [`intersection_volume_obb3`].
 ///

@@ -72,8 +72,8 @@ pub(super) fn bounded<S: Scalar>(q: Rotation3<S>) -> Quaternion<S> {
     ]
 }
 
-/// Returns a quaternion times a power of two that brings its largest number into `[¼, ½)` (one too small to be normal
-/// not all the way), and that power.
+/// Returns a quaternion times a power of two that brings its largest number into `[¼, ½)` (less for one below the
+/// smallest normal number), and that power.
 #[inline(always)]
 pub(super) fn to_about_half<S: Scalar>(q: Rotation3<S>) -> (Rotation3<S>, S) {
     let scale = to_half(largest(q.x, q.y, q.z).most(q.w.primal().magnitude()));
@@ -82,8 +82,7 @@ pub(super) fn to_about_half<S: Scalar>(q: Rotation3<S>) -> (Rotation3<S>, S) {
 }
 
 /// Returns the rotation from a to b, of any length. With products that carry low parts it is right to about 2⁻³⁵ even
-/// where they cancel, which long thin boxes need. `cube` is one of the 24 rotations of the cube, made of zeros
-/// and ones.
+/// where they cancel, which long thin boxes need. `cube` is one of the 24 rotations of the cube, with zeros and ones.
 #[inline(always)]
 pub(super) fn relative<S: Scalar>(
     a: Quaternion<S>,
@@ -117,8 +116,8 @@ pub(super) fn matrix<S: Scalar>([w, x, y, z]: Quaternion<S>) -> [[S; 3]; 3] {
     ]
 }
 
-/// `b − a` in units of `1 / scale`, no farther than it matters, and what rounding took away (a
-/// constant; zero where products carry no low part).
+/// Returns `b − a` in units of `1 / scale`, clamped to the distance that matters, and its rounding error (a constant;
+/// zero where products carry no low part).
 #[inline(always)]
 pub(super) fn difference<S: Scalar>(a: S, b: S, scale: S) -> (S, S) {
     let rounded = b - a;
@@ -134,31 +133,31 @@ pub(super) fn difference<S: Scalar>(a: S, b: S, scale: S) -> (S, S) {
 }
 
 /// A number in two parts: exact, and small.
-type Parts<S> = (S, S);
+type HighLow<S> = (S, S);
 
 // Functions, not closures: those do not inherit instruction sets.
 #[inline(always)]
-fn add<S: Scalar>(a: Parts<S>, b: Parts<S>) -> Parts<S> {
+fn add<S: Scalar>(a: HighLow<S>, b: HighLow<S>) -> HighLow<S> {
     (a.0 + b.0, a.1 + b.1)
 }
 #[inline(always)]
-fn less<S: Scalar>(a: Parts<S>, b: Parts<S>) -> Parts<S> {
+fn less<S: Scalar>(a: HighLow<S>, b: HighLow<S>) -> HighLow<S> {
     (a.0 - b.0, a.1 - b.1)
 }
 /// Returns the square of a number, given with its high part and the rest.
 #[inline(always)]
-fn square<S: Scalar>(x: S, (high, low): Parts<S>) -> Parts<S> {
+fn square<S: Scalar>(x: S, (high, low): HighLow<S>) -> HighLow<S> {
     (high * high, low * (high + x))
 }
 /// Returns twice the product of two numbers.
 #[inline(always)]
-fn twice<S: Scalar>(a: Parts<S>, y: S, b: Parts<S>) -> Parts<S> {
+fn twice<S: Scalar>(a: HighLow<S>, y: S, b: HighLow<S>) -> HighLow<S> {
     let rest = a.0 * b.1 + a.1 * y;
     (S::lit(2.0) * (a.0 * b.0), rest + rest)
 }
 /// Returns the product of a column and a vector, whose parts are given, too.
 #[inline(always)]
-fn along<S: Scalar>(column: [Parts<S>; 3], v: [S; 3], v_parts: [Parts<S>; 3], unit: S) -> S {
+fn along<S: Scalar>(column: [HighLow<S>; 3], v: [S; 3], v_parts: [HighLow<S>; 3], unit: S) -> S {
     let (mut exact, mut rest) = (S::zero(), S::zero());
     for i in 0..3 {
         let (high, middle) = split(column[i].0);

@@ -1,4 +1,4 @@
-//! One box of any orientation seen from another: what their overlap is computed from.
+//! The relation of two boxes of any orientation, from which their overlap is computed.
 use super::precise::{bounded, difference, into_frame, matrix, product, relative, sum};
 pub use super::rename::Renaming;
 use super::rename::smallest_turn;
@@ -8,7 +8,7 @@ use crate::{Scalar, Vec3};
 /// The larger box of a pair may be 2³⁸ times as large as the smaller one: its volume fits an `f32`.
 const LARGEST_INVERSE: f64 = 1.0 / (1_u64 << 38) as f64;
 
-/// Box b seen from box a, in units of `1 / scale`.
+/// Box b in the frame of box a, in units of `1 / scale`.
 #[derive(Clone, Copy, Debug)]
 pub struct Relative3<S: Scalar> {
     /// The rotation: `turn[i][m]` is coordinate i, in a's frame, of b's axis m. The axes of b are
@@ -21,11 +21,11 @@ pub struct Relative3<S: Scalar> {
     pub half_a: [S; 3],
     /// Half the size of b, along the renamed axes.
     pub half_b: [S; 3],
-    /// How b's axes were renamed.
+    /// The renaming of b's axes.
     pub renamed: Renaming<S>,
     /// The power of two by which lengths were multiplied.
     pub scale: S,
-    /// `true` where both boxes are the same set of points.
+    /// `true` where both boxes are one set of points.
     pub same: S::Mask,
 }
 

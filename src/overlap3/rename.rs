@@ -2,24 +2,24 @@
 use super::precise::Quaternion;
 use crate::Scalar;
 
-/// Which of a box's axes took which name.
+/// A renaming of a box's axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Renaming<S: Scalar> {
     /// The axes were exchanged in pairs: y and z, z and x, x and y.
     exchanged: [S::Mask; 3],
-    /// Axis 0 is what was axis 1, axis 1 was 2, axis 2 was 0.
+    /// The new axes 0, 1 and 2 are the old axes 1, 2 and 0.
     forward: S::Mask,
-    /// Axis 0 is what was axis 2, axis 1 was 0, axis 2 was 1.
+    /// The new axes 0, 1 and 2 are the old axes 2, 0 and 1.
     backward: S::Mask,
 }
 
 impl<S: Scalar> Renaming<S> {
-    /// Numbers that belong to the axes, under the new names.
+    /// Returns numbers of the old axes in the order of the new ones.
     #[inline(always)]
     pub fn rename(&self, [x, y, z]: [S; 3]) -> [S; 3] {
         self.pick([x, y, z], [y, z, x], [z, x, y])
     }
-    /// Returns the same numbers under the old names.
+    /// Returns numbers of the new axes in the order of the old ones.
     #[inline(always)]
     pub fn restore(&self, [x, y, z]: [S; 3]) -> [S; 3] {
         self.pick([x, y, z], [z, x, y], [y, z, x])
@@ -46,18 +46,18 @@ impl<S: Scalar> Renaming<S> {
 }
 
 /// The best rotation of the cube so far.
-struct Best<P> {
+struct BestRotation<P> {
     /// The real part that it leaves.
     score: P,
-    /// Which axes are exchanged: none, y and z, z and x, x and y, or all three in a circle.
+    /// The axes that are exchanged: none, y and z, z and x, x and y, or all three cyclically.
     kind: P,
     /// Ones for the numbers of the quaternion that take part.
     used: [P; 4],
 }
 
-impl<P: Scalar> Best<P> {
-    /// That, or the one of which those numbers take part that `PARTS` has ones for, the lowest bit for the
-    /// first.
+impl<P: Scalar> BestRotation<P> {
+    /// Keeps the better of this rotation and another one. `PARTS` has ones for the numbers of the quaternion that take
+    /// part, the lowest bit for the first.
     #[inline(always)]
     fn or<const PARTS: usize, const KIND: usize>(&mut self, size: [P; 4]) {
         let mut score = P::zero();
@@ -84,9 +84,9 @@ impl<P: Scalar> Best<P> {
 /// Returns the rotation of the cube by which b's axes are renamed, as zeros and ones with signs, and the
 /// renaming.
 ///
-/// After it the real part is the largest that is possible: one number of the quaternion alone (a half
-/// turn about an axis, no axis renamed), two of them by √½ (two axes exchanged), or the mean of all four
-/// (all three axes renamed in a circle).
+/// After it the real part is the largest possible. It is one number of the quaternion alone (a half turn about an axis,
+/// no axis renamed), two of them by √½ (two axes exchanged), or the mean of all four (all three axes renamed
+/// cyclically).
 #[inline(always)]
 pub(super) fn smallest_turn<S: Scalar>(q: Quaternion<S>) -> (Quaternion<S>, Renaming<S>) {
     let (zero, one) = (S::Primal::zero(), S::Primal::one());
@@ -97,7 +97,7 @@ pub(super) fn smallest_turn<S: Scalar>(q: Quaternion<S>) -> (Quaternion<S>, Rena
         p[2].magnitude(),
         p[3].magnitude(),
     ];
-    let mut best = Best {
+    let mut best = BestRotation {
         score: size[0],
         kind: zero,
         used: [one, zero, zero, zero],
@@ -113,7 +113,7 @@ pub(super) fn smallest_turn<S: Scalar>(q: Quaternion<S>) -> (Quaternion<S>, Rena
     best.or::<0b1001, 3>(size);
     best.or::<0b0110, 3>(size);
     best.or::<0b1111, 4>(size);
-    let Best { kind, used, .. } = best;
+    let BestRotation { kind, used, .. } = best;
     let sign = [
         one.signed_as(p[0]),
         one.signed_as(p[1]),

@@ -7,7 +7,7 @@ use crate::overlap::{Denominator, tamed};
 use crate::shape::{Obb3, Rotation3};
 use crate::{Scalar, Vec3};
 
-/// `out_bar` times the derivatives of a score by the volume shared and by the volumes of both boxes.
+/// Returns `out_bar` times the derivatives of a score by the volume shared and by the volumes of both boxes.
 ///
 /// `I / U` with `U = A + B − I`: `∂I = (1 + I/U) / U`, `∂A = ∂B = −(I/U) / U`. `I / A`: `∂I = 1/A`,
 /// `∂A = −(I/A) / A`. Zero where the denominator is.
@@ -34,7 +34,7 @@ fn by_volumes<S: Scalar>(
     }
 }
 
-/// Value of a score and `out_bar` times its derivatives, one function for each kind of number.
+/// Returns the value of a score and `out_bar` times its derivatives, one function for each kind of number.
 pub(crate) fn score_obb3_vjp<S: Scalar>(
     over: Denominator,
     a: Obb3<S>,
@@ -44,7 +44,8 @@ pub(crate) fn score_obb3_vjp<S: Scalar>(
     score_related_vjp::<S, true, true>(over, &related(a, b), [a, b], out_bar)
 }
 
-/// Returns the same in one piece, as code for vector instructions must be, for boxes of common size.
+/// Returns the value of a score and `out_bar` times its derivatives, for boxes of common size. Everything is inlined,
+/// as code for vector instructions requires.
 #[inline(always)]
 pub(crate) fn score_obb3_vjp_here<S: Scalar>(
     over: Denominator,
@@ -55,8 +56,8 @@ pub(crate) fn score_obb3_vjp_here<S: Scalar>(
     score_related_vjp::<S, false, false>(over, &relate3(a, b), [a, b], out_bar)
 }
 
-/// Returns a derivative times factors, all but the first powers of two, one after another. `EXTREME` ones grow no
-/// farther than the largest number.
+/// Multiplies a derivative by factors one after another, all except the first powers of two. With `EXTREME` products
+/// are clamped to the largest number.
 #[inline(always)]
 fn times<S: Scalar, const EXTREME: bool>(x: S, by: [S; 4]) -> S {
     let mut x = x;
@@ -77,15 +78,14 @@ fn times_each<S: Scalar, const EXTREME: bool>(v: Vec3<S>, by: [S; 4]) -> Vec3<S>
     )
 }
 
-/// Value of a score and `out_bar` times its derivatives.
+/// Returns the value of a score and `out_bar` times its derivatives.
 ///
-/// The derivatives of the volume come in a's frame: force F by the centre of b, torque τ by a turn of b about
-/// that centre. Moving b is moving a the other way; turning the pair about a's centre changes nothing, so
-/// the torque on a is `−(τ + c × F)`. Both torques are by body tangents; the quaternions' gradients follow.
+/// The derivatives of the volume come in a's frame: force F by the centre of b, torque τ by a turn of b about that
+/// centre. Moving b is moving a by the opposite vector; turning the pair about a's centre changes nothing, so the
+/// torque on a is `−(τ + c × F)`. Both torques are by body tangents; the quaternions' gradients follow.
 ///
-/// `EXTREME` says whether sizes, quaternions and `out_bar` may be so small or large that products over- or
-/// underflow: derivatives that are too steep for the format are its largest number, then. Ordinary boxes have the
-/// same bits either way.
+/// `EXTREME` allows sizes, quaternions and `out_bar` so small or large that products over- or underflow: derivatives
+/// too steep for the format are then its largest number. Ordinary boxes have equal bits in both cases.
 #[inline(always)]
 fn score_related_vjp<S: Scalar, const EXTREME: bool, const PIECES: bool>(
     over: Denominator,
@@ -94,7 +94,7 @@ fn score_related_vjp<S: Scalar, const EXTREME: bool, const PIECES: bool>(
     out_bar: S,
 ) -> (S, (Obb3<S>, Obb3<S>)) {
     let (mut shared, volume_a, volume_b) = shared_within::<S, PIECES>(pair);
-    // Centres so far apart that their place in the pair's unit overflows have no derivatives either.
+    // Centres so far apart that their coordinates in the pair's unit overflow have no derivatives either.
     let apart = far_apart(pair);
     for derivatives in [
         &mut shared.center,
@@ -193,8 +193,8 @@ fn along_axes<S: Scalar>(axes: [Vec3<S>; 3], v: Vec3<S>) -> Vec3<S> {
     (axes[0] * v.x + axes[1] * v.y) + axes[2] * v.z
 }
 
-/// Derivatives by the sizes of a box from those by its halves and by its own volume. A size is twice its half; a
-/// volume is eight times the product of the halves.
+/// Returns the derivatives by the sizes of a box from those by its halves and by its own volume. A size is twice its
+/// half; a volume is eight times the product of the halves.
 #[inline(always)]
 fn by_size<S: Scalar, const EXTREME: bool>(
     half: [S; 3],
@@ -284,8 +284,8 @@ fn gradient<S: Scalar, const EXTREME: bool>(
 
 /// Returns the volume shared by two boxes of any orientation, and `out_bar` times its derivatives by both.
 ///
-/// Derivatives by the rotations are by the four numbers of their quaternions;
-/// [`Rotation3::tangent_gradient`] makes those of body tangents of them.
+/// Derivatives by the rotations are by the four numbers of their quaternions; [`Rotation3::tangent_gradient`] converts
+/// them to those by body tangents.
 ///
 /// ```
 /// use geograd::{Obb3, Rotation3, Vec3, overlap3::intersection_volume_obb3_vjp};
@@ -306,7 +306,7 @@ pub fn intersection_volume_obb3_vjp<S: Scalar>(
     score_obb3_vjp(Denominator::None, a, b, out_bar)
 }
 
-/// Intersection over union of two boxes of any orientation, and `out_bar` times its derivatives by both.
+/// Returns the intersection over union of two boxes of any orientation, and `out_bar` times its derivatives by both.
 ///
 /// As for [`intersection_volume_obb3_vjp`].
 #[must_use]

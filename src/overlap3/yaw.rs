@@ -13,8 +13,8 @@ pub(crate) struct Scales<S> {
     pub tall: S,
 }
 
-/// Seen from above the larger side of the smaller box becomes about one, and so does the larger height;
-/// nothing is scaled where all sides are of common size, as in batches, so that the same is lost below the
+/// Returns the scales that bring the larger side of the smaller box, seen from above, and the larger height near one.
+/// Nothing is scaled where all sides are of common size, as in batches, so that the same digits are lost below the
 /// smallest normal number.
 ///
 /// Each box is given by half its sides seen from above and half its height.
@@ -48,7 +48,8 @@ pub(crate) struct Heights<S> {
     pub scale: S,
 }
 
-/// Heights of two upright boxes, each given by where its middle is and half its height, times `scale`.
+/// Returns the heights of two upright boxes, each given by the coordinate of its middle and half its height, times
+/// `scale`.
 #[inline(always)]
 pub(crate) fn heights<S: Scalar>(
     [at_a, half_a]: [S; 2],
@@ -56,8 +57,8 @@ pub(crate) fn heights<S: Scalar>(
     scale: S,
 ) -> Heights<S> {
     let zero = S::zero();
-    // Relative to a centre, so that far from the origin no digits are lost, and within the lower one, so that
-    // it keeps its own within one much higher. Which of them is above the other does not matter.
+    // Relative to a centre, so that far from the origin no digits are lost, and within the lower one, so that it keeps
+    // its own within one much higher. The result does not depend on which of them is above.
     let (up, lower, higher) = (at_b - at_a, half_a.least(half_b), half_a.most(half_b));
     let shared = lower.least(up + higher) - (-lower).most(up - higher);
     let shared = S::select(shared.at_most(zero), zero, shared);
@@ -122,7 +123,7 @@ pub fn intersection_volume_yaw<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>) -> S {
     score_yaw(Denominator::None, a, b)
 }
 
-/// Intersection over union of two upright boxes, in `[0, 1]`.
+/// Returns the intersection over union of two upright boxes, in `[0, 1]`.
 ///
 /// Kinks and conventions: see the [module](super).
 ///
@@ -148,7 +149,7 @@ pub fn iof_yaw<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>) -> S {
     score_yaw(Denominator::First, a, b)
 }
 
-/// Intersection over union of two upright boxes seen from above, in `[0, 1]`: their heights do not count.
+/// Returns the intersection over union of two upright boxes seen from above, in `[0, 1]`: their heights do not count.
 #[must_use]
 #[inline]
 pub fn iou_birds_eye<S: Scalar>(a: YawBox3<S>, b: YawBox3<S>) -> S {

@@ -1,17 +1,17 @@
-//! How much two polygons of any shape overlap, with holes and of many parts: nothing is clipped, no
-//! polygon is built, and nothing is allocated for polygons of one ring.
+//! Overlap of two polygons of any shape, with holes and of many parts: nothing is clipped, no polygon is built, and
+//! nothing is allocated for polygons of one ring.
 //!
-//! Rings have either orientation and do not cross (what an odd number of them enclose is inside): see
-//! [`polygon`](crate::polygon). Crossing and self-intersecting rings are for
-//! [`boolean`](crate::boolean). The method is the sum over pairs of edges of the [parent](super)
-//! module, `O(n m)`, and so are the kinks. Adjoints: [`ad::adjoint::overlap_rings`](crate::ad::adjoint::overlap_rings).
+//! Rings have either orientation and do not cross (points in an odd number of them are inside): see
+//! [`polygon`](crate::polygon). Crossing and self-intersecting rings are for [`boolean`](crate::boolean). The method is
+//! the sum over pairs of edges of the [parent](super) module, `O(n m)`, and so are the kinks. Adjoints:
+//! [`ad::adjoint::overlap_rings`](crate::ad::adjoint::overlap_rings).
 use super::{between, shared_twice};
 use crate::overlap::{ratio_of_first, ratio_of_union};
 use crate::polygon::{Rings, Sides};
 use crate::reference::Reference;
 use crate::{Scalar, Vec2};
 
-/// Edges of one polygon that are seen at a time.
+/// A tile of edges of one polygon, processed together.
 const TILE: usize = 32;
 
 /// Some edges of a polygon, in local coordinates.
@@ -20,16 +20,16 @@ pub(crate) struct Tile<S> {
     pub edges: [[Vec2<S>; 2]; TILE],
     /// Twice the area of the triangle over each, as it runs.
     pub twice: [S; TILE],
-    /// One, or minus one where the edge counts the other way round.
+    /// One, or minus one if the edge counts in the opposite direction.
     pub signs: [S; TILE],
     /// The numbers of both ends among all vertices.
     pub numbers: [[usize; 2]; TILE],
-    /// How many there are.
+    /// The number of edges.
     pub count: usize,
 }
 
-/// Two polygons as they are seen for a measure.
-pub(crate) struct Pair<'a, S: Scalar> {
+/// Two polygons in the local frame of a measure.
+pub(crate) struct RingsPair<'a, S: Scalar> {
     pub rings: [Rings<'a, S>; 2],
     pub sides: [Sides; 2],
     pub seen: Reference<S>,
@@ -37,11 +37,11 @@ pub(crate) struct Pair<'a, S: Scalar> {
     pub in_b: bool,
     /// `true` if nothing is shared: value and derivatives are zero.
     pub apart: bool,
-    /// Both are the same vertices in the same order.
+    /// `true` if both have equal vertices in one order.
     pub same: bool,
 }
 
-impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
+impl<'a, S: Scalar<Mask = bool>> RingsPair<'a, S> {
     /// Returns `None` where neither has vertices.
     pub fn new(a: Rings<'a, S>, b: Rings<'a, S>) -> Option<Self> {
         let (bounds_a, bounds_b) = (a.bounds(), b.bounds());
@@ -63,7 +63,7 @@ impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
                 let (p, q) = (a.ring(k), b.ring(k));
                 p.len() == q.len() && p.iter().copied().zip(q.iter().copied()).all(alike)
             });
-        Some(Pair {
+        Some(RingsPair {
             rings: [a, b],
             sides: [Sides::decided(a), Sides::decided(b)],
             seen: seen.shifted(at),
@@ -72,7 +72,7 @@ impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
             same,
         })
     }
-    /// Calls something for every so many edges of one of them.
+    /// Calls a function for every tile of edges of one of them.
     #[inline(always)]
     pub fn each_tile(&self, which: usize, mut f: impl FnMut(&Tile<S>)) {
         let zero = Vec2::zero();
@@ -110,7 +110,7 @@ impl<'a, S: Scalar<Mask = bool>> Pair<'a, S> {
         });
         sum.halved()
     }
-    /// Shared area, area of a, area of b, in local units.
+    /// Returns the shared area, the area of a and the area of b, in local units.
     pub fn areas(&self) -> [S; 3] {
         let (area_a, area_b) = (self.own_area(0), self.own_area(1));
         if self.apart {
@@ -166,7 +166,7 @@ pub fn intersection_area<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
 ) -> S {
-    Pair::new(a.into(), b.into()).map_or(S::zero(), |pair| pair.outer(pair.areas()[0]))
+    RingsPair::new(a.into(), b.into()).map_or(S::zero(), |pair| pair.outer(pair.areas()[0]))
 }
 
 /// Returns the area that two polygons cover together, in squared units of length. See the [module](self).
@@ -181,15 +181,15 @@ pub fn union_area<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
 ) -> S {
-    Pair::new(a.into(), b.into()).map_or(S::zero(), |pair| {
+    RingsPair::new(a.into(), b.into()).map_or(S::zero(), |pair| {
         let [inter, area_a, area_b] = pair.areas();
         pair.outer(area_a + area_b - inter)
     })
 }
 
-/// Intersection over union of two polygons, in `[0, 1]`; exactly 1 with derivative zero for the same vertices
-/// twice, zero with derivative zero where their bounds are apart or the union is empty. For polygons apart whose
-/// bounds overlap it is zero to a few roundings, and so are its derivatives. See the [module](self).
+/// Returns the intersection over union of two polygons, in `[0, 1]`; exactly 1 with derivative zero if the vertices are
+/// equal, zero with derivative zero where their bounds are apart or the union is empty. For polygons apart whose bounds
+/// overlap it is zero to a few roundings, and so are its derivatives. See the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, Polygon, overlap_polygon::holed::iou};
@@ -204,7 +204,7 @@ pub fn iou<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
 ) -> S {
-    Pair::new(a.into(), b.into()).map_or(S::zero(), |pair| {
+    RingsPair::new(a.into(), b.into()).map_or(S::zero(), |pair| {
         let [inter, area_a, area_b] = pair.areas();
         ratio_of_union(inter, area_a, area_b).canonical()
     })
@@ -217,7 +217,7 @@ pub fn iof<'a, S: Scalar<Mask = bool>>(
     a: impl Into<Rings<'a, S>>,
     b: impl Into<Rings<'a, S>>,
 ) -> S {
-    Pair::new(a.into(), b.into()).map_or(S::zero(), |pair| {
+    RingsPair::new(a.into(), b.into()).map_or(S::zero(), |pair| {
         let [inter, area_a, _] = pair.areas();
         ratio_of_first(inter, area_a).canonical()
     })

@@ -1,30 +1,29 @@
-//! How much polygons overlap: area of intersection, intersection over union, over the first; nothing
-//! is clipped and no polygon is built.
+//! Overlap of polygons: area of intersection, intersection over union, over the first; nothing is clipped and no
+//! polygon is built.
 //!
 //! # The method
 //!
-//! Let `c` be any place. A closed ring is the sum, with signs, of the triangles `T(f)` from `c` over
-//! its edges `f`: around every point they add up to the number of times that the ring winds around it.
-//! So for any ring `P` and a polygon `K`
+//! Let `c` be any point. A closed ring is the sum, with signs, of the triangles `T(f)` from `c` over its edges `f`:
+//! around every point they add up to the number of times that the ring winds around it. So for any ring `P` and a
+//! polygon `K`
 //!
 //! ```text
 //! area(P ∩ K) = Σ over edges f of P, g of K:  sign(f) sign(g) area(T(f) ∩ T(g)),
 //! ```
 //!
-//! where regions that `P` winds around twice count twice and clockwise ones (holes) count negative.
-//! Two triangles with a common corner share the directions between the later of their first and the
-//! earlier of their last rays, and along each ray what is nearer. With `Δ` the part of `f` between
-//! the two rays, and `x`, `y` by how much of itself `f` lies beyond `g` on either ray,
+//! where regions that `P` winds around twice count twice and clockwise ones (holes) count negative. Two triangles with
+//! a common corner share the directions between the later of their first and the earlier of their last rays, and along
+//! each ray the range up to the nearer edge. With `Δ` the part of `f` between the two rays, and `x`, `y` by how much of
+//! itself `f` lies beyond `g` on either ray,
 //!
 //! ```text
 //! 2 area(T(f) ∩ T(g)) = (f₀ × f₁) Δ h(x, y),     h = (1 − x)(1 − y)      where one edge is nearer,
 //!                                                h = 1 − b y² / (a y − α)  where they cross,
 //! ```
 //!
-//! with `a`, `b` the distances of `f` and `g` along the ray on which `f` is nearer, in a common unit,
-//! and `α = a − b`. The sum is continuous in every vertex, so identical, touching, contained and
-//! collinear polygons need no care, and every term is bounded by either triangle: with `c` near the
-//! smaller polygon nothing large cancels.
+//! with `a`, `b` the distances of `f` and `g` along the ray on which `f` is nearer, in a common unit, and `α = a − b`.
+//! The sum is continuous in every vertex, so identical, touching, contained and collinear polygons need no special
+//! case, and every term is bounded by either triangle: with `c` near the smaller polygon nothing large cancels.
 //!
 //! Values and derivatives are finite where every length and coordinate is zero or of a magnitude from 2⁻²⁰ to 2²⁰ in
 //! `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`.
@@ -44,7 +43,7 @@ pub use quad::intersection_area_quads;
 pub(crate) use quad::{QuadPair, TINY, check_quad, choose_quad, is_convex, swapped};
 pub(crate) use wedge::{Fan, Wedge, between, mixed, shared_twice};
 
-/// Areas of two convex polygons and of what they share, in the local unit of a reference.
+/// Areas of two convex polygons and of their intersection, in the local unit of a reference.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SharedArea<S: Scalar> {
     pub seen: Reference<S>,
@@ -52,7 +51,7 @@ pub(crate) struct SharedArea<S: Scalar> {
     pub areas: [S; 3],
     /// `true` where nothing is shared: value and derivatives are zero.
     pub nothing: S::Mask,
-    /// `true` where both are the same vertices in the same order: each has half the derivatives of its own area.
+    /// `true` if both have equal vertices in one order: each has half the derivatives of its own area.
     pub same: S::Mask,
 }
 
@@ -64,8 +63,8 @@ fn least_bounds<S: Scalar>(polygon: &[Vec2<S>]) -> Aabb2<S> {
     })
 }
 
-/// Returns a place inside a convex polygon, in local coordinates, at which no vertex of another one is to be
-/// expected: there it would have no direction. So the vertices have weights of no simple ratio.
+/// Returns a point inside a convex polygon, in local coordinates, at which no vertex of another one is to be expected:
+/// a vertex there would have no direction. So the vertices have weights of no simple ratio.
 #[inline(always)]
 fn middle<S: Scalar>(polygon: &[Vec2<S>], seen: &Reference<S>) -> Vec2<S> {
     let (mut sum, mut total) = (Vec2::zero(), 0.0);
@@ -77,8 +76,8 @@ fn middle<S: Scalar>(polygon: &[Vec2<S>], seen: &Reference<S>) -> Vec2<S> {
     sum * S::lit(1.0 / total.max(1.0))
 }
 
-/// How both polygons are seen: from a place inside the smaller one. And whether that is a, and whether their bounds are
-/// apart.
+/// Returns the frame of both polygons with its origin inside the smaller one; then if that is a, and if their bounds
+/// are apart.
 #[inline(always)]
 fn pair_reference<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> (Reference<S>, S::Mask, S::Mask) {
     let (seen, in_a, apart) = Reference::of_pair(least_bounds(a), least_bounds(b));
@@ -86,7 +85,7 @@ fn pair_reference<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> (Reference<S>, S::
     (seen.shifted(middle), in_a, apart)
 }
 
-/// Returns `true` where two polygons are the same vertices in the same order.
+/// Returns `true` if two polygons have equal vertices in one order.
 #[inline(always)]
 fn same_vertices<S: Scalar>(a: &[Vec2<S>], b: &[Vec2<S>]) -> S::Mask {
     let zero = S::zero();
@@ -153,8 +152,8 @@ fn shared_of_edge<S: Scalar, const M: usize>(
     fan.shared_with(edge, smaller)
 }
 
-/// Measures two convex polygons. Full ones have code of their own, in which no count is left. A call, because seven
-/// functions ask for it: in line its copies are a tenth of the library with derivatives of many numbers.
+/// Measures two convex polygons. Full ones have code of their own, without a count. It is not inlined, because seven
+/// functions call it: inlined copies are a tenth of the library with derivatives of many numbers.
 #[inline(never)]
 pub(crate) fn measure<S: Scalar, const N: usize, const M: usize>(
     a: &ConvexPolygon<S, N>,
@@ -193,8 +192,8 @@ pub fn intersection_area_polygons<S: Scalar, const N: usize, const M: usize>(
         .canonical()
 }
 
-/// Intersection over union of two convex polygons, in `[0, 1]`; exactly 1 with derivative zero for the same
-/// vertices in the same order, zero with derivative zero where the union is empty. See the [module](self).
+/// Returns the intersection over union of two convex polygons, in `[0, 1]`; exactly 1 with derivative zero for equal
+/// vertices in one order, zero with derivative zero where the union is empty. See the [module](self).
 ///
 /// ```
 /// use geograd::{Aabb2, ConvexPolygon, overlap_polygon::iou_polygons};
@@ -225,8 +224,8 @@ pub fn iof_polygons<S: Scalar, const N: usize, const M: usize>(
     ratio_of_first(inter, area_a).canonical()
 }
 
-/// The convex polygon that rings are measured against, and the place from which both are seen. The body of a fold
-/// over edges takes it.
+/// The convex polygon that rings are measured against, and the local frame of both. The body of a fold over edges takes
+/// it.
 #[derive(Clone, Copy, Debug)]
 pub struct Window<S: Scalar, const M: usize> {
     pub(crate) seen: Reference<S>,
@@ -236,7 +235,7 @@ pub struct Window<S: Scalar, const M: usize> {
 }
 
 impl<S: Scalar, const M: usize> Window<S, M> {
-    /// For rings within some bounds and a convex polygon.
+    /// Prepares a convex polygon for rings within some bounds.
     #[must_use]
     #[inline(always)]
     pub fn new(rings: Aabb2<S>, polygon: &ConvexPolygon<S, M>) -> Self {
@@ -259,7 +258,7 @@ impl<S: Scalar, const M: usize> Window<S, M> {
             apart,
         }
     }
-    /// Returns the body of the fold: what the edge from `start` to `end` contributes. Contributions are added.
+    /// Returns the body of the fold: the contribution of the edge from `start` to `end`. Contributions are added.
     #[must_use]
     #[inline(always)]
     pub fn of_edge(&self, start: Vec2<S>, end: Vec2<S>) -> S {
@@ -329,7 +328,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
         self.guard_with(other)
             .result(intersection_area_polygons(self, other))
     }
-    /// Intersection over union, in `[0, 1]`.
+    /// Returns the intersection over union, in `[0, 1]`.
     #[must_use]
     #[inline]
     pub fn iou<const M: usize>(&self, other: &ConvexPolygon<S, M>) -> S {

@@ -19,8 +19,8 @@
 use crate::error::{Flaw, Validate, VertexFault};
 use crate::{Scalar, Vec2};
 
-/// Returns twice the mean of the positive part of a linear function between two values: the square of what is positive
-/// of both over what they are without a sign.
+/// Returns twice the mean of the positive part of a linear function between two values: the square of the sum of their
+/// positive parts over the sum of their magnitudes.
 #[inline(always)]
 fn positive<S: Scalar>(start: S, end: S) -> S {
     let zero = S::zero();
@@ -46,7 +46,7 @@ fn in_triangle<S: Scalar>(x: [S; 4], y: [S; 4], all: S) -> S {
     while k < 4 {
         let next = (k + 1) % 4;
         let rise = y[next] - y[k];
-        // A rise this small adds nothing whatever the derivative, and its reciprocal may be infinite.
+        // A rise this small adds nothing for any derivative, and its reciprocal may be infinite.
         let level = rise.unsigned().at_most(S::lit(TINY * S::EMPTY));
         let derivative = (x[next] - x[k]).over(S::select(level, one, rise));
         let (start, end) = (
@@ -71,7 +71,8 @@ fn half<S: Scalar>(v: Vec2<S>) -> Vec2<S> {
 fn against<S: Scalar>(x: [S; 4]) -> [S; 4] {
     [-x[0], -x[1], -x[2], -x[3]]
 }
-/// Returns how far corners are to the left of the side between two ways, from what they are to the left of either.
+/// Returns twice the signed areas of corners to the left of the side between the ends of two vectors, from those to the
+/// left of either vector.
 #[inline(always)]
 fn far<S: Scalar>(of: [S; 4], to: [S; 4], all: S) -> [S; 4] {
     let mut side = [S::zero(); 4];
@@ -102,15 +103,15 @@ fn least_of<S: Scalar>(x: [S; 4]) -> S::Primal {
     x[0].least(x[1]).least(x[2].least(x[3]))
 }
 
-/// Two quadrilaterals, seen from a corner of b in units of the larger one.
+/// Two quadrilaterals, relative to a corner of b in units of the larger one.
 pub(crate) struct QuadPair<S: Scalar> {
     /// The corners of a and of b (where they are exchanged: of b and of a), half as far from the first one of b,
     /// times `scale`.
     pub at: [Vec2<S>; 4],
     pub to: [Vec2<S>; 4],
-    /// How far every corner of a is to the left of each side of b, times its length: by sides.
+    /// The distance of every corner of a to the left of each side of b, times the side's length: by sides.
     pub left_of_b: [[S; 4]; 4],
-    /// How far every corner of b is to the left of each side of a, times its length: by sides.
+    /// The distance of every corner of b to the left of each side of a, times the side's length: by sides.
     pub left_of_a: [[S; 4]; 4],
     /// The area that they share: zero, without a derivative, where nothing is.
     pub area: S,
@@ -125,10 +126,11 @@ pub(crate) struct QuadPair<S: Scalar> {
     pub scale: S,
 }
 
-/// So many times [`Scalar::EMPTY`] counts as nothing, in units of which the larger quadrilateral has about one.
+/// The multiple of [`Scalar::EMPTY`] that counts as nothing, in units in which the larger quadrilateral has a size of
+/// about one.
 pub(crate) const TINY: f64 = 1e6;
 
-/// Returns the longest of the ways from the first corner to the others, along x or y.
+/// Returns the largest absolute coordinate of the vectors from the first corner to the others.
 #[inline(always)]
 fn reach<S: Scalar>(ways: &[Vec2<S>; 4]) -> S {
     let mut reach = ways[1].x.unsigned().most(ways[1].y.unsigned());
@@ -140,7 +142,7 @@ fn reach<S: Scalar>(ways: &[Vec2<S>; 4]) -> S {
     reach
 }
 
-/// Returns the first quadrilateral where a mask says so, else the second.
+/// Returns the first quadrilateral where the mask is true, else the second.
 #[inline(always)]
 pub(crate) fn choose_quad<S: Scalar>(
     mask: S::Mask,
@@ -164,7 +166,7 @@ fn counter_clockwise<S: Scalar>(q: [Vec2<S>; 4]) -> ([Vec2<S>; 4], S::Mask) {
     (swapped(clockwise, q), clockwise)
 }
 
-/// Returns the second and the fourth of four vectors exchanged where a mask says so.
+/// Exchanges the second and the fourth of four vectors where the mask is true.
 #[inline(always)]
 pub(crate) fn swapped<S: Scalar>(mask: S::Mask, q: [Vec2<S>; 4]) -> [Vec2<S>; 4] {
     choose_quad(mask, [q[0], q[3], q[2], q[1]], q)
@@ -210,7 +212,7 @@ fn turn_of<S: Scalar>(q: [Vec2<S>; 4], k: usize) -> S {
     S::select(turn.unsigned().at_most(rounding), S::zero(), turn)
 }
 
-/// Checks that the corners of a quadrilateral are finite, and those of a convex one in either order.
+/// Checks that the corners of a quadrilateral are finite and convex, in either orientation.
 pub(crate) fn check_quad<S: Scalar<Mask = bool>>(q: [Vec2<S>; 4]) -> Result<(), Flaw> {
     q.validate()?;
     // In a unit in which no product overflows.
@@ -245,7 +247,7 @@ impl<S: Scalar> QuadPair<S> {
     #[inline(always)]
     pub fn new(a: [Vec2<S>; 4], b: [Vec2<S>; 4]) -> Self {
         let zero = S::zero();
-        // Halved first, so that a difference of huge numbers is finite, and seen from a corner of b.
+        // Halved first, so that a difference of huge numbers is finite, and relative to a corner of b.
         let (mut at, mut to) = ([Vec2::zero(); 4], [Vec2::zero(); 4]);
         let mut ways = [Vec2::zero(); 4];
         let mut k = 0;
@@ -276,7 +278,7 @@ impl<S: Scalar> QuadPair<S> {
         }
         let ((at, at_turned), (to, to_turned)) = (counter_clockwise(at), counter_clockwise(to));
 
-        // Every corner of a against the ways from the first corner of b to the others.
+        // The cross products of every corner of a with the vectors from the first corner of b to the others.
         let mut cross = [[zero; 4]; 4];
         k = 0;
         while k < 4 {
@@ -301,7 +303,7 @@ impl<S: Scalar> QuadPair<S> {
             let next = (k + 1) % 4;
             let corner = at[k].perp_dot(at[next]);
             own += corner;
-            // Corners of b seen from edge k of a.
+            // Corners of b relative to edge k of a.
             let mut i = 0;
             while i < 4 {
                 left_of_a[k][i] = corner + (cross[i][k] - cross[i][next]);

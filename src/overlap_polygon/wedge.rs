@@ -1,10 +1,10 @@
-//! Triangles over the edges of two rings, seen from one place: what every two of them share.
+//! Triangles from one point over the edges of two rings: the intersection of every two of them.
 use super::quad::TINY;
 use crate::reference::Reference;
 use crate::{Mask, Scalar, Vec2};
 
-/// An edge of a ring against an edge of a polygon, seen from a common place and both turned so that
-/// they run counter-clockwise around it.
+/// An edge of a ring against an edge of a polygon, relative to a common point and both turned so that they run
+/// counter-clockwise around it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wedge<S: Scalar> {
     /// `true` where the triangles share any direction.
@@ -17,9 +17,9 @@ pub(crate) struct Wedge<S: Scalar> {
     pub first_g: S::Mask,
     /// Their last ray goes through the end of `g` (else of `f`).
     pub last_g: S::Mask,
-    /// How far into an edge the first ray meets it: into `f` where it goes through the start of `g`.
+    /// The fraction of an edge at which the first ray meets it: of `f` if the ray goes through the start of `g`.
     pub skip: S,
-    /// How far from its end the last ray meets an edge.
+    /// The fraction of an edge from its end at which the last ray meets it.
     pub rest: S,
     /// Distances of f and g along the first ray, in a common unit, and their difference.
     pub first: [S; 3],
@@ -29,9 +29,9 @@ pub(crate) struct Wedge<S: Scalar> {
     pub twice: [S; 2],
 }
 
-/// Sees the triangles over `f` and `g`. `cross` is `g × f` of start and start, start of g and end of
-/// f, end of g and start of f, end and end; `beyond` how far both ends of f are to the left of g,
-/// and those of g of f. `None` where they share no direction in any lane.
+/// Relates the triangles over `f` and `g`. `cross` is `g × f` of start and start, start of g and end of f, end of g and
+/// start of f, end and end. `beyond` has the distances of both ends of f to the left of g, and of both ends of g to the
+/// left of f. Returns `None` if they share no direction in any lane.
 #[inline(always)]
 fn wedge<S: Scalar>(
     twice: [S; 2],
@@ -114,15 +114,15 @@ pub(crate) fn between<S: Scalar>(
     )
 }
 
-/// Returns twice the area that both triangles share, with the sign of their orientations; `of_g` says that the second
-/// edge is of the smaller polygon.
+/// Returns twice the area that both triangles share, with the sign of their orientations; `of_g` is true where the
+/// second edge belongs to the smaller polygon.
 ///
 /// It is found as a part of the smaller polygon's triangle: of one that is R times as long the part is R² times smaller,
 /// and what is left of one.
 #[inline(always)]
 pub(crate) fn shared_twice<S: Scalar>(pair: &Wedge<S>, of_g: S::Mask) -> S {
     let (zero, one) = (S::zero(), S::one());
-    // Seen from g both change places. A triangle of which the reciprocal may be infinite is none to see from.
+    // For g both are exchanged. A triangle whose reciprocal may be infinite cannot be the divisor.
     let of_g = of_g & pair.twice[1].above(S::lit(TINY * S::EMPTY));
     let choose = |by_g: S, by_f: S| S::select(of_g, by_g, by_f);
     let skips = of_g & !pair.first_g | !of_g & pair.first_g;
@@ -131,7 +131,7 @@ pub(crate) fn shared_twice<S: Scalar>(pair: &Wedge<S>, of_g: S::Mask) -> S {
     let turned = |[f, g, more]: [S; 3]| [choose(g, f), choose(f, g), choose(-more, more)];
     let ([a, b, alpha], [far_a, far_b, beta]) = (turned(pair.first), turned(pair.last));
     let excess = |at: S, by: S, other: S| {
-        // On the other's border it counts where it comes from beyond or goes there.
+        // On the other's border it counts if it comes from beyond or leads there.
         let beyond = (by.above(zero) | (by.equals(zero) & other.above(zero))) & at.above(zero);
         let share = S::select(beyond, by, zero).over(S::select(beyond, at, one));
         // Rounding apart it is at most one.
@@ -166,12 +166,12 @@ pub(crate) struct Fan<S, const M: usize> {
     pub at: [Vec2<S>; M],
     /// Twice the area of the triangle over each edge.
     pub twice: [S; M],
-    /// How many vertices there are.
+    /// The number of vertices.
     pub count: usize,
 }
 
 impl<S: Scalar, const M: usize> Fan<S, M> {
-    /// From the first `count` of some vertices.
+    /// Creates the wedges of the first `count` of some vertices.
     #[inline(always)]
     pub fn new(polygon: &[Vec2<S>; M], count: usize, seen: &Reference<S>) -> Self {
         let mut fan = Fan {

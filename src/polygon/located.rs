@@ -1,11 +1,11 @@
-//! The place of a point, seen from a polygon.
+//! The location of a point relative to a polygon.
 use super::{Fill, Rings};
 use crate::contain::{Location, locate};
 use crate::distance::ring::{EdgeFold, fold_ring};
 use crate::{Scalar, Vec2};
 
 impl<S: Scalar<Mask = bool>> Rings<'_, S> {
-    /// Returns the place of a point: on the border, or how often the rings wind around it. Search exactly.
+    /// Returns the location of a point: on the border, or the winding number of the rings around it. Search exactly.
     #[must_use]
     pub fn locate(&self, point: Vec2<S>) -> Location {
         let mut sum = 0;
@@ -35,8 +35,8 @@ impl<S: Scalar<Mask = bool>> Rings<'_, S> {
             (Location::Off(winding), Fill::EvenOdd) => winding % 2 != 0,
         }
     }
-    /// Returns how far a point is from the nearest edge of any ring, in units of length: positive inside,
-    /// negative outside, by a fill rule. Without vertices the lowest finite number.
+    /// Returns the distance of a point from the nearest edge of any ring, in units of length: positive inside, negative
+    /// outside, by a fill rule. Without vertices it is the lowest finite number.
     ///
     /// The sign is decided exactly. Derivatives are exact for the point and the ends of the nearest edge.
     /// Kinks: several nearest edges, which share the derivative equally, and the border, where it is zero.

@@ -1,8 +1,8 @@
 //! Polygons of any kind: with holes, of many parts, as rings of either orientation.
 //!
-//! [`Polygon`] owns its vertices, [`Rings`] looks at those of someone else; functions take what can
-//! become [`Rings`]: a slice of vertices (one ring), a slice of slices, a slice of lists, or a
-//! reference to a [`Polygon`]. Which rings are holes is not stored. It follows from where they lie:
+//! [`Polygon`] owns its vertices, [`Rings`] borrows them; functions take everything that converts to [`Rings`]: a slice
+//! of vertices (one ring), a slice of slices, a slice of lists, or a reference to a [`Polygon`]. Holes are not marked.
+//! They follow from the position of the rings:
 //!
 //! * [`area`], [`centroid`], [`second_moments`] and the overlap of
 //!   [`overlap_polygon::holed`](crate::overlap_polygon::holed) take rings that do not cross, nested to any

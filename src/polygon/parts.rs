@@ -1,4 +1,4 @@
-//! Rings that are looked at, and rings that are owned.
+//! Borrowed rings, and owned rings.
 use crate::error::{Flaw, Validate, VertexFault};
 use crate::predicate::same;
 use crate::reference::bounds_of;
@@ -17,11 +17,11 @@ use crate::{Aabb2, Pack, Scalar, Vec2};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Rings<'a, S> {
-    source: Given<'a, S>,
+    source: RingSource<'a, S>,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Given<'a, S> {
+enum RingSource<'a, S> {
     One(&'a [Vec2<S>]),
     Slices(&'a [&'a [Vec2<S>]]),
     Lists(&'a [Vec<Vec2<S>>]),
@@ -29,33 +29,33 @@ enum Given<'a, S> {
 }
 
 impl<'a, S> Rings<'a, S> {
-    /// From the vertices of all rings one after the other, and the number of vertices up to the end of
-    /// each ring. Ends beyond the vertices, or below the end before them, end there.
+    /// Creates rings from the vertices of all rings one after the other, and the number of vertices up to the end of
+    /// each ring. Ends beyond the vertices, or below the previous end, are clamped.
     #[must_use]
     pub fn flat(vertices: &'a [Vec2<S>], ends: &'a [usize]) -> Self {
-        let source = Given::Flat(vertices, ends);
+        let source = RingSource::Flat(vertices, ends);
         Rings { source }
     }
-    /// Returns how many rings there are.
+    /// Returns the number of rings.
     #[must_use]
     #[inline]
     pub fn count(&self) -> usize {
         match self.source {
-            Given::One(_) => 1,
-            Given::Slices(all) => all.len(),
-            Given::Lists(all) => all.len(),
-            Given::Flat(_, ends) => ends.len(),
+            RingSource::One(_) => 1,
+            RingSource::Slices(all) => all.len(),
+            RingSource::Lists(all) => all.len(),
+            RingSource::Flat(_, ends) => ends.len(),
         }
     }
-    /// Returns the vertices of a ring; none for one that is not there.
+    /// Returns the vertices of a ring; none for an index beyond the last one.
     #[must_use]
     #[inline]
     pub fn ring(&self, k: usize) -> &'a [Vec2<S>] {
         let found = match self.source {
-            Given::One(ring) => (k == 0).then_some(ring),
-            Given::Slices(all) => all.get(k).copied(),
-            Given::Lists(all) => all.get(k).map(Vec::as_slice),
-            Given::Flat(vertices, ends) => ends.get(k).and_then(|&end| {
+            RingSource::One(ring) => (k == 0).then_some(ring),
+            RingSource::Slices(all) => all.get(k).copied(),
+            RingSource::Lists(all) => all.get(k).map(Vec::as_slice),
+            RingSource::Flat(vertices, ends) => ends.get(k).and_then(|&end| {
                 let start = k.checked_sub(1).map_or(0, |before| ends[before]);
                 vertices.get(start..end.min(vertices.len()))
             }),
@@ -71,7 +71,7 @@ impl<'a, S> Rings<'a, S> {
         let all = *self;
         (0..all.count()).map(move |k| all.ring(k))
     }
-    /// Returns how many vertices all rings have together.
+    /// Returns the number of vertices of all rings together.
     #[must_use]
     #[inline]
     pub fn vertex_count(&self) -> usize
@@ -110,7 +110,7 @@ impl<S: Scalar> Rings<'_, S> {
     /// # Errors
     ///
     /// [`Flaw::Ring`] with the ring and its first vertex at fault: of fewer than three vertices the number of them, of
-    /// more in fewer than three places the first one at the place of an earlier one.
+    /// more at fewer than three points the first one that coincides with an earlier one.
     pub fn validate(&self) -> Result<(), Flaw>
     where
         S: Scalar<Mask = bool>,
@@ -129,13 +129,13 @@ impl<S: Scalar> Rings<'_, S> {
                 return flaw(vertices.len(), VertexFault::Missing);
             }
             let is_known = |&i: &usize| vertices[..i].iter().any(|v| same(*v, vertices[i]));
-            // Of three vertices in two places one is at the place of another.
+            // If three vertices are at two points, two of them coincide.
             let index = (1..3).find(is_known).unwrap_or(2);
             return flaw(index, VertexFault::Coincident);
         }
         Ok(())
     }
-    /// Returns the same rings with vertices of their own.
+    /// Returns a polygon that owns copies of the rings' vertices.
     #[must_use]
     pub fn to_polygon(&self) -> Polygon<S> {
         Polygon::from_rings(self.iter())
@@ -143,35 +143,35 @@ impl<S: Scalar> Rings<'_, S> {
 }
 
 impl<'a, S> From<&'a [Vec2<S>]> for Rings<'a, S> {
-    /// One ring.
+    /// Creates rings of one ring.
     fn from(ring: &'a [Vec2<S>]) -> Self {
-        let source = Given::One(ring);
+        let source = RingSource::One(ring);
         Rings { source }
     }
 }
 impl<'a, S> From<&'a Vec<Vec2<S>>> for Rings<'a, S> {
-    /// One ring.
+    /// Creates rings of one ring.
     fn from(ring: &'a Vec<Vec2<S>>) -> Self {
         ring.as_slice().into()
     }
 }
 impl<'a, S, const N: usize> From<&'a [Vec2<S>; N]> for Rings<'a, S> {
-    /// One ring.
+    /// Creates rings of one ring.
     fn from(ring: &'a [Vec2<S>; N]) -> Self {
         ring.as_slice().into()
     }
 }
 impl<'a, S> From<&'a [&'a [Vec2<S>]]> for Rings<'a, S> {
-    /// These rings.
+    /// Creates rings from a list of them.
     fn from(all: &'a [&'a [Vec2<S>]]) -> Self {
-        let source = Given::Slices(all);
+        let source = RingSource::Slices(all);
         Rings { source }
     }
 }
 impl<'a, S> From<&'a [Vec<Vec2<S>>]> for Rings<'a, S> {
-    /// These rings.
+    /// Creates rings from a list of them.
     fn from(all: &'a [Vec<Vec2<S>>]) -> Self {
-        let source = Given::Lists(all);
+        let source = RingSource::Lists(all);
         Rings { source }
     }
 }
@@ -204,7 +204,7 @@ pub struct Polygon<S> {
 }
 
 impl<S> Polygon<S> {
-    /// No rings.
+    /// Creates a polygon without rings.
     #[must_use]
     pub const fn new() -> Self {
         Polygon {
@@ -212,7 +212,7 @@ impl<S> Polygon<S> {
             ends: Vec::new(),
         }
     }
-    /// From rings of either orientation, unchecked.
+    /// Creates a polygon from rings of either orientation, unchecked.
     #[must_use]
     pub fn from_rings<'r>(rings: impl IntoIterator<Item = &'r [Vec2<S>]>) -> Self
     where
@@ -224,7 +224,7 @@ impl<S> Polygon<S> {
         }
         made
     }
-    /// From rings of either orientation.
+    /// Creates a polygon from rings of either orientation.
     ///
     /// # Errors
     ///
@@ -247,7 +247,7 @@ impl<S> Polygon<S> {
     pub fn rings(&self) -> Rings<'_, S> {
         self.into()
     }
-    /// Returns the vertices of a ring; none for one that is not there.
+    /// Returns the vertices of a ring; none for an index beyond the last one.
     #[must_use]
     pub fn ring(&self, k: usize) -> &[Vec2<S>] {
         self.rings().ring(k)

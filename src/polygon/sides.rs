@@ -1,12 +1,12 @@
-//! Which rings are holes: decided once, by where they lie.
+//! The rings that are holes: decided once, by their position.
 use super::Rings;
 use crate::contain::{Location, locate};
 use crate::shape::edges;
 use crate::{Scalar, Vec2, ring};
 
-/// Which rings have their inside on their right, so that as borders of the polygon they count the other
-/// way round: a decision without numbers, for rings that do not cross. A ring that lies in an even number
-/// of others bounds a part, one that lies in an odd number a hole.
+/// The rings that have their inside on their right, and so count in the opposite orientation as borders of the polygon.
+/// A decision without numbers, for rings that do not cross. A ring that lies in an even number of others bounds a part,
+/// one that lies in an odd number a hole.
 ///
 /// ```
 /// use geograd::{Aabb2, polygon::Sides};
@@ -48,7 +48,7 @@ impl Sides {
             others: (1..rings.count()).map(turned).collect(),
         }
     }
-    /// Returns `true` if a ring counts the other way round.
+    /// Returns `true` if a ring counts in the opposite orientation.
     #[must_use]
     #[inline]
     pub fn is_turned(&self, ring: usize) -> bool {
@@ -57,20 +57,20 @@ impl Sides {
             Some(k) => self.others.get(k).copied().unwrap_or(false),
         }
     }
-    /// One, or minus one for rings that count the other way round.
+    /// Returns one, or minus one for rings that are counted in the opposite orientation.
     #[inline(always)]
     pub(crate) fn sign<S: Scalar>(&self, ring: usize) -> S {
         S::lit(if self.is_turned(ring) { -1.0 } else { 1.0 })
     }
 }
 
-/// `true` if a ring lies in another one, both not crossing.
+/// Returns `true` if a ring lies in another one, both not crossing.
 fn lies_in<S: Scalar<Mask = bool>>(
     inner: &[Vec2<S>],
     outer: &[Vec2<S>],
     where_identical: bool,
 ) -> bool {
-    // Vertices may lie on the other border. Between two of them there is then a place that does not.
+    // Vertices may lie on the other border. Between two of them there is then a point that does not.
     let between = edges(inner)
         .map(|[p, q]| Vec2::new(p.x.halved() + q.x.halved(), p.y.halved() + q.y.halved()));
     let places = inner.iter().copied().chain(between);

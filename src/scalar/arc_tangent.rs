@@ -1,5 +1,5 @@
-//! The angle of a vector in `f64` by our own arithmetic, on numbers and lanes alike, so that it has the same bits on every
-//! machine and at every SIMD level.
+//! The angle of a vector in `f64` by our own arithmetic, on numbers and lanes alike, so that its bits are equal on
+//! every machine and at every SIMD level.
 //!
 //! The arctangent of the shorter side over the longer one is that of `r = s / l`, or `π/4` and that of
 //! `r = (s − l) / (s + l)` where that is nearer to zero, so that `r` is below `√2 − 1`. Then a polynomial follows, and the
@@ -27,7 +27,7 @@ const SERIES: [f64; 12] = [
     -0.033_723_998_466_293_51,
     0.015_433_384_613_947_445,
 ];
-/// The same for angles of `f32`: it errs by less than 2⁻⁴⁹ of the cube.
+/// The series for angles of `f32`: it errs by less than 2⁻⁴⁹ of the cube.
 const SHORT_SERIES: [f64; 9] = [
     -0.333_333_333_332_989_9,
     0.199_999_999_888_458_87,
@@ -79,7 +79,7 @@ impl<W: Scalar<Primal = W>> Octant<W> {
             sign,
         }
     }
-    /// Returns the numerator and the denominator of `r`, each with what it lacks.
+    /// Returns the numerator and the denominator of `r`, each with its rounding error.
     #[inline(always)]
     fn quotient(short: W, long: W, is_diagonal: W::Mask) -> [[W; 2]; 2] {
         let (zero, one) = (W::zero(), W::one());
@@ -112,8 +112,8 @@ fn halves<W: Scalar>(x: W) -> [W; 2] {
 }
 
 /// Returns the angle of the vector `(x, y)` in radians, in `[−π, π]`; 0 at the origin. The sign of a zero does not
-/// count. It errs by 0.7 units in the last place at most: the nearest number but for one of a hundred, for which it is
-/// a neighbour.
+/// count. It errs by 0.7 units in the last place at most: it is the nearest number in all but one of a hundred cases,
+/// in which it is a neighbour.
 #[inline(always)]
 pub(crate) fn atan2_wide<W: Scalar<Primal = W>>(y: W, x: W) -> W {
     let octant = Octant::of(y, x);
@@ -122,7 +122,7 @@ pub(crate) fn atan2_wide<W: Scalar<Primal = W>>(y: W, x: W) -> W {
     let [[above, above_lacks], [below, below_lacks]] =
         Octant::quotient(short, long, octant.is_diagonal);
     let inverse = W::one().over(below);
-    // The quotient as a half and what is left of it.
+    // The quotient as a high half and the rest.
     let [r, _] = halves(above * inverse);
     let [high, low] = halves(below);
     let left = ((above - r * high) - r * low) + (above_lacks - r * below_lacks);

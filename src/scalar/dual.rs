@@ -36,7 +36,7 @@ pub trait Tangent:
     fn constant(value: Self::Inner) -> Self;
     /// Returns the chain rule: `f(self)` from `f` and its first three derivatives at `self.value()`.
     fn chain(self, f: [Self::Inner; 4]) -> Self;
-    /// Part by part `yes` or `no`.
+    /// Selects `yes` or `no`, part by part.
     fn pick(mask: <Self::Inner as Scalar>::Mask, yes: Self, no: Self) -> Self;
     /// Runs one operation on such numbers. Large numbers do so out of line: a program of their operations in line takes
     /// minutes to compile and is no faster.

@@ -1,7 +1,7 @@
 //! `num-dual`'s vector duals as scalars (feature `nalgebra`).
 //!
-//! Only those of a size known at compile time are `Copy` and can be scalars. They cost several
-//! times what a [`Jet`](crate::Jet) costs in a default build; take them where other code wants them.
+//! Only those of a size known at compile time are `Copy` and can be scalars. They cost several times what a
+//! [`Jet`](crate::Jet) costs in a default build; use them if other code needs them.
 use crate::Scalar;
 use crate::pack::leaf;
 use crate::scalar::dual::Tangent;

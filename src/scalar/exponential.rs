@@ -1,5 +1,5 @@
-//! Exponentials and logarithms of `f64`, and of lanes of it: polynomials, so that a number and a lane give the same bits on
-//! every machine and at every SIMD level.
+//! Exponentials and logarithms of `f64`, and of lanes of it: polynomials, so that a number and a lane have equal bits
+//! on every machine and at every SIMD level.
 use crate::Scalar;
 use crate::scalar::polynomial::{SHIFT, polynomial};
 
@@ -8,9 +8,9 @@ const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 
 /// Numbers of `f64` whose exponents can be read and written.
 pub(crate) trait Exponents: Scalar<Primal = Self> {
-    /// `2ᵏ` for a whole `k` from −1022 to 1023.
+    /// Returns `2ᵏ` for a whole `k` from −1022 to 1023.
     fn power_of_two(k: Self) -> Self;
-    /// `(e, m)` of a normal positive number `2ᵉ m`, `m` in `[1, 2)`.
+    /// Returns `(e, m)` of a normal positive number `2ᵉ m`, `m` in `[1, 2)`.
     fn exponent(self) -> (Self, Self);
 }
 
@@ -26,7 +26,7 @@ pub(crate) const UNBIASED: f64 = 4_503_599_627_370_496.0 + 1023.0;
 /// Bits of a significand.
 pub(crate) const BITS: i32 = 52;
 
-/// `k` with its bias in the low bits of the significand: shifted left by [`BITS`] they are `2ᵏ`.
+/// Returns `k` with its bias in the low bits of the significand: shifted left by [`BITS`] they are `2ᵏ`.
 #[inline(always)]
 pub(crate) fn biased<W: Scalar>(k: W) -> W {
     k + W::lit(BIASED)
@@ -103,7 +103,7 @@ pub(crate) fn exp_single<W: Exponents>(x: W) -> W {
     W::select(x.equals(x), power * W::power_of_two(k), x)
 }
 
-/// `k` and `eʳ` with `x = k ln 2 + r`.
+/// Returns `k` and `eʳ` with `x = k ln 2 + r`.
 #[inline(always)]
 fn reduced<W: Scalar, const N: usize>(x: W, series: [f64; N]) -> (W, W) {
     let k = rounded(x * W::lit(std::f64::consts::LOG2_E));

@@ -1,7 +1,7 @@
 //! `f32` and `f64` as scalars, and the elementary functions they share with SIMD lanes.
 //!
 //! Sine, cosine, arctangent, exponential and logarithm are polynomials, evaluated in `f64`, so that a number and a lane
-//! give the same bits on every machine and at every SIMD level. None calls the platform's library.
+//! have equal bits on every machine and at every SIMD level. None calls the platform's library.
 use crate::Scalar;
 use crate::scalar::arc_tangent::{atan2_single, atan2_wide};
 use crate::scalar::exponential::{exp_single, exp_wide, ln_single, ln_wide};
@@ -17,7 +17,7 @@ fn quadrant_of<W: Scalar>(angle: W) -> W {
     (angle * W::lit(std::f64::consts::FRAC_2_PI) + shift) - shift
 }
 
-/// Sine and cosine of an angle from those of what is left after the nearest quarter turn.
+/// Returns sine and cosine of an angle from those of its remainder after the nearest quarter turn.
 #[inline(always)]
 fn turned<W: Scalar>(quadrant: W, sin: W, cos: W) -> (W, W) {
     let shift = W::lit(SHIFT);
@@ -32,7 +32,7 @@ fn turned<W: Scalar>(quadrant: W, sin: W, cos: W) -> (W, W) {
     )
 }
 
-/// Sine and cosine of lanes of `f64` (or one `f64`) for angles up to [`REDUCED`].
+/// Returns sine and cosine of lanes of `f64` (or one `f64`) for angles up to [`REDUCED`].
 ///
 /// Reduction to `[−π/4, π/4]` by three parts of π/2 whose products with the quadrant are exact,
 /// then the minimax polynomials of Sun's fdlibm (`k_sin.c`, `k_cos.c`); within one unit in the
@@ -74,8 +74,8 @@ fn sin_cos_reduced<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
     turned(quadrant, sin, cos)
 }
 
-/// Sine and cosine in `f64` of angles that are `f32`, for angles up to [`REDUCED`]: right to 2⁻⁴²,
-/// which is more than an `f32` and its rest have.
+/// Returns sine and cosine in `f64` of angles that are `f32`, for angles up to [`REDUCED`]: right to 2⁻⁴², which is
+/// more than an `f32` and its rest have.
 ///
 /// As [`sin_cos_reduced`], with shorter polynomials (minimax, by Remez' exchange) and π/2 in two
 /// parts, of which the first has 33 bits.
@@ -109,8 +109,8 @@ fn sin_cos_short<W: Scalar<Primal = W>>(angle: W) -> (W, W) {
     turned(quadrant, sin, cos)
 }
 
-/// Sine and cosine of lanes of `f64` (or one `f64`), of which `short` says whether they come from
-/// `f32`; `far` serves the rare huge angles.
+/// Returns sine and cosine of lanes of `f64` (or one `f64`). `short` says that the angles come from `f32`; `far` serves
+/// the rare huge angles.
 #[inline(always)]
 fn sin_cos_by<W: Scalar<Primal = W>>(short: bool, angle: W, far: impl Fn(W) -> (W, W)) -> (W, W) {
     use crate::Mask;
@@ -130,13 +130,13 @@ fn sin_cos_by<W: Scalar<Primal = W>>(short: bool, angle: W, far: impl Fn(W) -> (
     (W::select(near, sin, far_sin), W::select(near, cos, far_cos))
 }
 
-/// Sine and cosine of lanes of `f64` (or one `f64`).
+/// Returns sine and cosine of lanes of `f64` (or one `f64`).
 #[inline(always)]
 pub(crate) fn sin_cos_wide<W: Scalar<Primal = W>>(angle: W, far: impl Fn(W) -> (W, W)) -> (W, W) {
     sin_cos_by(false, angle, far)
 }
 
-/// Sine and cosine in `f64` of angles that are `f32`.
+/// Returns sine and cosine in `f64` of angles that are `f32`.
 #[inline(always)]
 pub(crate) fn sin_cos_single<W: Scalar<Primal = W>>(angle: W, far: impl Fn(W) -> (W, W)) -> (W, W) {
     sin_cos_by(true, angle, far)
@@ -165,17 +165,17 @@ pub trait Float: Copy + std::fmt::Debug + Send + Sync + 'static {
     fn high(self) -> Self;
     /// Returns all ones if `yes`.
     fn mask(yes: bool) -> Self::Bits;
-    /// Bitwise choice.
+    /// Selects bit by bit.
     fn choose(mask: Self::Bits, yes: Self, no: Self) -> Self;
-    /// Bitwise and.
+    /// Returns the bitwise and.
     fn and(a: Self::Bits, b: Self::Bits) -> Self::Bits;
-    /// Bitwise or.
+    /// Returns the bitwise or.
     fn or(a: Self::Bits, b: Self::Bits) -> Self::Bits;
-    /// Bitwise not.
+    /// Returns the bitwise complement.
     fn not(a: Self::Bits) -> Self::Bits;
 }
 
-/// Both formats: the macro takes what the two differ in.
+/// Both formats: the arguments of the macro are their differences.
 macro_rules! float {
     ($f:ident, $bits:ident, compensated: $compensated:literal, parallel: $parallel:literal,
      low_half: $low:literal, mantissa: $mantissa:literal,
@@ -328,13 +328,13 @@ macro_rules! float {
     };
 }
 
-/// [`atan2_wide`] of numbers, compiled once.
+/// Returns [`atan2_wide`] of numbers, compiled once.
 #[inline(never)]
 fn atan2_of_wide(y: f64, x: f64) -> f64 {
     atan2_wide(y, x)
 }
 
-/// [`atan2_single`] of numbers, compiled once.
+/// Returns [`atan2_single`] of numbers, compiled once.
 #[inline(never)]
 fn atan2_of_single(y: f64, x: f64) -> f64 {
     atan2_single(y, x)

@@ -16,33 +16,33 @@ use crate::{Fixed, Pack, Scalar};
 pub struct Guard<S: Scalar>(Option<S::Primal>);
 
 impl<S: Scalar> Guard<S> {
-    /// Of no shapes.
+    /// Creates the guard of no shapes.
     #[must_use]
     #[inline(always)]
     pub const fn new() -> Self {
         Guard(None)
     }
-    /// Of one shape.
+    /// Creates the guard of one shape.
     #[must_use]
     #[inline(always)]
     pub fn of<P: Pack<Scalar = S>>(shape: &P) -> Self {
         Self::new().and(shape)
     }
-    /// With the numbers of another shape.
+    /// Adds the numbers of another shape.
     #[must_use]
     #[inline(always)]
     pub fn and<P: Pack<Scalar = S>>(mut self, shape: &P) -> Self {
         shape.remake(&mut |&x| self = self.and_number(x));
         self
     }
-    /// Of some numbers.
+    /// Creates the guard of some numbers.
     #[must_use]
     #[inline(always)]
     pub fn of_numbers(numbers: &[S]) -> Self {
         let start = Self::new();
         numbers.iter().fold(start, |all, &x| all.and_number(x))
     }
-    /// With another number.
+    /// Adds another number.
     #[must_use]
     #[inline(always)]
     pub fn and_number(self, x: S) -> Self {
@@ -52,7 +52,7 @@ impl<S: Scalar> Guard<S> {
             Some(sum) => Guard(Some(sum + x.primal())),
         }
     }
-    /// Returns a truth of these shapes: as it is, or false.
+    /// Returns a condition about these shapes, or false if a number is NaN.
     #[must_use]
     #[inline(always)]
     pub fn truth(self, holds: S::Mask) -> S::Mask {
@@ -76,8 +76,8 @@ impl<S: Scalar> Default for Guard<S> {
     }
 }
 
-/// Returns the result of a function of a shape, made of the scalar of the shape: NaN everywhere if a number of the
-/// shape is NaN.
+/// Returns the result of a function of a shape, which has the shape's scalar: NaN everywhere if a number of the shape
+/// is NaN.
 #[doc(hidden)]
 #[must_use]
 #[inline(always)]

@@ -1,8 +1,8 @@
 //! A lean forward-mode dual number: a value and `N` derivatives, nothing else.
 //!
-//! The engine of the derivative drivers. It has the value of a plain computation to the bit, but for results below the
-//! smallest normal number: exact ties add two halves there, and `atan2` in `f32` divides. It costs
-//! the same in every build profile, nests, and runs over SIMD lanes.
+//! The engine of the derivative drivers. It has the value of a plain computation to the bit, except for results below
+//! the smallest normal number: exact ties add two halves there, and `atan2` in `f32` divides. It costs the same in
+//! every build profile, nests, and runs over SIMD lanes.
 use crate::Scalar;
 use crate::scalar::dual::Tangent;
 use std::array::from_fn;

@@ -1,8 +1,8 @@
 //! SIMD as a scalar: a fixed bundle of numbers on which every operation acts lane by lane.
 //!
-//! Plain arrays and plain loops, no intrinsics: the compiler turns each operation into vector
-//! instructions of whatever width the surrounding function was compiled for, so the same source
-//! serves SSE2, AVX2, AVX-512, NEON and WASM and gives the same bits on all of them.
+//! Plain arrays and plain loops, no intrinsics: the compiler turns each operation into vector instructions of the width
+//! for which the surrounding function was compiled. One source serves SSE2, AVX2, AVX-512, NEON and WASM, with equal
+//! bits on all of them.
 use crate::scalar::float::{Float, sin_cos_single, sin_cos_wide, split_single};
 use crate::{Mask, Scalar};
 use std::fmt::Debug;
@@ -42,7 +42,7 @@ macro_rules! lanes_of {
 }
 
 impl<T: Float + Copy, const N: usize> Lanes<T, N> {
-    /// Returns the same number in every lane.
+    /// Returns lanes with a number in each.
     #[inline(always)]
     pub fn splat(x: T) -> Self {
         Lanes([x; N])
@@ -278,7 +278,7 @@ macro_rules! lanes {
     };
 }
 
-/// Lane by lane, for angles that the polynomial does not serve.
+/// Returns sine and cosine lane by lane, for angles that the polynomial does not serve.
 #[inline(never)]
 fn far_sin_cos<const N: usize>(angle: Lanes<f64, N>) -> (Lanes<f64, N>, Lanes<f64, N>) {
     (

@@ -4,10 +4,10 @@ use std::ops::{BitAnd, BitOr, Not};
 
 /// The outcome of a comparison: a `bool`, one `bool` per SIMD lane, or a symbol of a recording.
 ///
-/// [`any`](Mask::any) and [`all`](Mask::all) are **hints** for leaving early: the code that follows must give the
-/// same value without them, that is if `any` had answered `true` and `all` `false`. A symbol answers so unless its
-/// truth is known; [recording](crate::ad::program) refuses a function whose value depends on the answer. Choose with
-/// [`Scalar::select`](crate::Scalar::select). Code that needs control flow asks for `S: Scalar<Mask = bool>`.
+/// [`any`](Mask::any) and [`all`](Mask::all) are **hints** for leaving early: the code that follows must give the value
+/// that it gives without them, that is if `any` were `true` and `all` `false`. A symbol returns these unless its truth
+/// is known; [recording](crate::ad::program) refuses a function whose value depends on the result. Choose with
+/// [`Scalar::select`](crate::Scalar::select). Code that needs control flow requires `S: Scalar<Mask = bool>`.
 pub trait Mask:
     Copy + Debug + Send + Sync + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {

@@ -1,10 +1,8 @@
 //! The number types that formulas are generic over, and their rules at kinks.
 //!
-//! A [`Scalar`] is a number that a shape can be made of: `f32`, `f64`, a dual number over either (of
-//! `num-dual` or our own [`Jet`]), or a bundle of SIMD [`Lanes`].
-//! Comparisons look at the value only and yield a [`Mask`]; branch-free code chooses with
-//! [`Scalar::select`] and runs on all of them, code with control flow asks for
-//! `S: Scalar<Mask = bool>`.
+//! A [`Scalar`] is a number type of shapes: `f32`, `f64`, a dual number over either (of `num-dual` or our own [`Jet`]),
+//! or a bundle of SIMD [`Lanes`]. Comparisons look at the value only and yield a [`Mask`]; branch-free code chooses
+//! with [`Scalar::select`] and runs on all of them, code with control flow requires `S: Scalar<Mask = bool>`.
 //!
 //! # The kink policy
 //!
@@ -19,9 +17,9 @@
 //!
 //! # Three kinds of functions
 //!
-//! * *Straight lines* ask for `S: Scalar` alone. They run on floats, SIMD lanes, duals and the symbols of a
+//! * *Straight lines* require `S: Scalar` alone. They run on floats, SIMD lanes, duals and the symbols of a
 //!   [recording](crate::ad::program).
-//! * *Searches* (clipping, hulls) ask for `S: Scalar<Mask = bool>`. `…_search` returns a record of the decisions, which
+//! * *Searches* (clipping, hulls) require `S: Scalar<Mask = bool>`. `…_search` returns a record of the decisions, which
 //!   holds no numbers; `…_replay` computes the result from inputs and record, with derivatives.
 //! * *Folds* are sums over the edges of a list of any length ([`Fold`](crate::kernels::Fold)).
 //!
@@ -58,8 +56,7 @@ pub(crate) fn speck<S: Scalar>() -> f64 {
     power_of_largest::<S>(-0.5)
 }
 
-/// Returns the largest number of the format to a power between −1 and 1, as bounds of sizes are given: the same on
-/// every machine.
+/// Returns the largest number of the format to a power between −1 and 1, for bounds of sizes; equal on every machine.
 #[inline]
 pub(crate) fn power_of_largest<S: Scalar>(power: f64) -> f64 {
     // It is 2ⁿ less half a unit in its last place.
@@ -78,7 +75,7 @@ pub(crate) fn largest<S: Scalar, const N: usize>(x: [S; N]) -> S::Primal {
         .fold(zero, |most, x| most.most(x.primal().magnitude()))
 }
 
-/// `√(x² + y² + z²)` without overflow; 0 with derivative 0 at the origin.
+/// Returns `√(x² + y² + z²)` without overflow; 0 with derivative 0 at the origin.
 ///
 /// One root: of [`hypot`](Scalar::hypot) of `hypot` the inner one has no second derivative where x and y are zero.
 #[inline(always)]

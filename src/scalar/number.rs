@@ -1,10 +1,10 @@
-//! Numbers, and the shapes that are made of them: a number is a shape, and a shape is lifted to other numbers.
+//! Numbers, and shapes over them: a number is a shape, and a shape is lifted to other numbers.
 use crate::error::Field;
 use crate::scalar::mask::Mask;
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A number that a shape can be made of; the [module](super) lists the implementing types and the rules at kinks.
+/// A number type of shapes; the [module](super) lists the implementing types and the rules at kinks.
 ///
 /// Division in geometry goes through [`over`](Scalar::over), roots through
 /// [`root`](Scalar::root), absolute values through [`magnitude`](Scalar::magnitude): the
@@ -70,25 +70,25 @@ pub trait Scalar:
     /// Returns the value without its derivatives.
     fn primal(self) -> Self::Primal;
 
-    /// `self < other`, by value.
+    /// Returns `self < other`, by value.
     fn below(self, other: Self) -> Self::Mask;
-    /// `self ≤ other`, by value.
+    /// Returns `self ≤ other`, by value.
     fn at_most(self, other: Self) -> Self::Mask;
-    /// `self = other`, by value.
+    /// Returns `self = other`, by value.
     fn equals(self, other: Self) -> Self::Mask;
-    /// `yes` where the mask is true, else `no`. The other value has no effect, even if it is NaN.
+    /// Returns `yes` where the mask is true, else `no`. The other value has no effect, even if it is NaN.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
     /// Returns the quotient, with the value of plain numbers.
     fn over(self, divisor: Self) -> Self;
     /// Returns the square root; 0 with derivative 0 for zero and below, NaN for NaN.
     fn root(self) -> Self;
-    /// Sine and cosine of an angle in radians.
+    /// Returns sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
-    /// Sine and cosine, each as a short high part (half the significand, a constant) and the rest
-    /// (which carries the derivative): `[(sin_high, sin_low), (cos_high, cos_low)]`.
+    /// Returns sine and cosine, each as a short high part (half the significand, a constant) and the rest (which
+    /// carries the derivative): `[(sin_high, sin_low), (cos_high, cos_low)]`.
     fn sin_cos_parts(self) -> [(Self, Self); 2];
-    /// `(high, low)` with `high + low = self` exactly, `high` a constant of half the significand.
+    /// Returns `(high, low)` with `high + low = self` exactly, `high` a constant of half the significand.
     fn parts(self) -> (Self, Self);
     /// Returns the angle of `(x, self)` in radians, in `[−π, π]`; 0 with derivative 0 at the origin. The sign of a zero
     /// does not count: `(−1, −0)` is at π.
@@ -101,27 +101,27 @@ pub trait Scalar:
     /// to be normal count as the smallest normal number.
     fn binade(self) -> Self;
 
-    /// Zero.
+    /// Returns zero.
     #[inline(always)]
     fn zero() -> Self {
         Self::lit(0.0)
     }
-    /// One.
+    /// Returns one.
     #[inline(always)]
     fn one() -> Self {
         Self::lit(1.0)
     }
-    /// `self > other`, by value.
+    /// Returns `self > other`, by value.
     #[inline(always)]
     fn above(self, other: Self) -> Self::Mask {
         other.below(self)
     }
-    /// `self ≥ other`, by value.
+    /// Returns `self ≥ other`, by value.
     #[inline(always)]
     fn at_least(self, other: Self) -> Self::Mask {
         other.at_most(self)
     }
-    /// Returns half of it.
+    /// Returns half of the number.
     #[inline(always)]
     fn halved(self) -> Self {
         self * Self::lit(0.5)
@@ -148,39 +148,41 @@ pub trait Scalar:
     fn magnitude(self) -> Self {
         self.most(-self)
     }
-    /// [`root`](Scalar::root), by the name that plain numbers have. Numbers below zero have the root 0, not NaN.
+    /// Returns the [`root`](Scalar::root), by the name that plain numbers have. Numbers below zero have the root 0, not
+    /// NaN.
     #[inline(always)]
     fn sqrt(self) -> Self {
         self.root()
     }
-    /// [`magnitude`](Scalar::magnitude), by the name that plain numbers have.
+    /// Returns the [`magnitude`](Scalar::magnitude), by the name that plain numbers have.
     #[inline(always)]
     fn abs(self) -> Self {
         self.magnitude()
     }
-    /// [`least`](Scalar::least), by the name that plain numbers have; of NaN and a number it is not always the number.
+    /// Returns the [`least`](Scalar::least), by the name that plain numbers have; of NaN and a number it is not always
+    /// the number.
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         self.least(other)
     }
-    /// [`most`](Scalar::most), by the name that plain numbers have; of NaN and a number it is not always the number.
+    /// Returns the [`most`](Scalar::most), by the name that plain numbers have; of NaN and a number it is not always
+    /// the number.
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         self.most(other)
     }
-    /// Whichever of `self` and `−self` is not negative. Unlike [`magnitude`](Scalar::magnitude) it
-    /// has the derivative of `self` at zero: for choosing between two descriptions of the same thing,
-    /// where there is no kink.
+    /// Returns `self` or `−self`, whichever is not negative. Unlike [`magnitude`](Scalar::magnitude) it has the
+    /// derivative of `self` at zero: for choosing between two descriptions of one thing, where there is no kink.
     #[inline(always)]
     fn unsigned(self) -> Self {
         Self::select(self.below(Self::zero()), -self, self)
     }
-    /// `self`, negated where `side` is negative.
+    /// Returns `self`, negated where `side` is negative.
     #[inline(always)]
     fn signed_as(self, side: Self) -> Self {
         Self::select(side.below(Self::zero()), -self, self)
     }
-    /// `√(self² + other²)` without overflow; 0 with derivative 0 at the origin.
+    /// Returns `√(self² + other²)` without overflow; 0 with derivative 0 at the origin.
     #[inline(always)]
     fn hypot(self, other: Self) -> Self {
         let (x, y) = (self.primal(), other.primal());
@@ -194,38 +196,39 @@ pub trait Scalar:
         let (x, y) = (self * scale, other * scale);
         (x * x + y * y).root() * back
     }
-    /// Returns the same value with the derivatives multiplied by a constant: shares a derivative at a tie that one
+    /// Returns this value with the derivatives multiplied by a constant: shares a derivative at a tie that one
     /// comparison cannot detect.
     #[inline(always)]
     fn damp(self, share: Self::Primal) -> Self {
         let value = Self::from_primal(self.primal());
         value + (self - value) * Self::from_primal(share)
     }
-    /// Returns the same derivatives with another value, to correct rounding of the value alone.
+    /// Returns these derivatives with another value, to correct rounding of the value alone.
     ///
-    /// The literal zero as value says that products with it are zero: programs do not compute them, but their
+    /// The literal zero as value means that products with it are zero: programs do not compute them, only their
     /// derivatives.
     #[inline(always)]
     fn with_primal(self, value: Self::Primal) -> Self {
         (self - Self::from_primal(self.primal())) + Self::from_primal(value)
     }
-    /// `false` if it is known to be a number: an input of a program that is being recorded, whose columns are checked.
+    /// Returns `false` if it is known to be a number: an input of a program that is being recorded, whose columns are
+    /// checked.
     #[doc(hidden)]
     #[inline(always)]
     fn may_be_nan(self) -> bool {
         true
     }
-    /// Returns the same where the mask is true, else NaN in every part, made of the given NaN.
+    /// Returns the number where the mask is true, else the given NaN in every part.
     #[doc(hidden)]
     #[inline(always)]
     fn known(self, known: Self::Mask, nan: Self::Primal) -> Self {
         Self::select(known, self, self * Self::from_primal(nan))
     }
-    /// True where the value is neither infinite nor NaN.
+    /// Returns `true` where the value is neither infinite nor NaN.
     ///
     /// A guard stands before the operation that needs it: `x.over(S::select(y.equals(zero), one, y))`, then a choice.
-    /// On a GPU a check of the result is none, because drivers fold a divisor that is always zero, and what they make
-    /// of the quotient is neither infinite nor NaN; nor does a check afterwards keep derivatives finite.
+    /// On a GPU a check of the result is unreliable, because drivers fold a divisor that is always zero, and their
+    /// quotient is neither infinite nor NaN; nor does a check afterwards keep derivatives finite.
     #[inline(always)]
     fn finite(self) -> Self::Mask {
         self.unsigned().at_most(Self::lit(Self::LARGEST))
@@ -238,8 +241,8 @@ pub trait Scalar:
         let low = Self::select(self.above(largest), largest, self);
         Self::select(low.below(-largest), -largest, low)
     }
-    /// Returns the same number; a zero loses its sign. Results end in it: which zero a sum of products gives
-    /// depends on what was left out because nothing needed it.
+    /// Returns the number, with a positive zero for either zero. Results apply it last: the sign of a zero sum of
+    /// products depends on which unneeded terms were left out.
     #[inline(always)]
     fn canonical(self) -> Self {
         self + Self::zero()
@@ -260,7 +263,7 @@ pub trait Scalar:
         let (sin, cos) = self.sin_cos();
         sin.over(cos)
     }
-    /// `self` squared.
+    /// Returns `self` squared.
     #[inline(always)]
     fn squared(self) -> Self {
         self * self
@@ -284,11 +287,10 @@ pub trait Scalar:
     }
 }
 
-/// A shape made of scalars, in a fixed order.
+/// A shape as a list of scalars, in a fixed order.
 ///
-/// `With<T>` is the same shape made of `T`: of dual numbers to differentiate, of gradients to hold a Hessian. Numbers,
-/// shapes, tuples and arrays of them, and vectors of run-time
-/// length are packs. `#[derive(Shape)]` makes a struct one.
+/// `With<T>` is this shape over `T`: of dual numbers to differentiate, of gradients to hold a Hessian. Numbers, shapes,
+/// tuples and arrays of them, and vectors of run-time length are packs. `#[derive(Shape)]` makes a struct one.
 ///
 /// ```
 /// use geograd::{Obb2, Pack};
@@ -302,11 +304,11 @@ pub trait Scalar:
 pub trait Pack: Clone {
     /// The number type of the shape.
     type Scalar: Clone;
-    /// The same shape made of `T`.
+    /// This shape over `T`.
     type With<T: Clone>: Clone;
-    /// `true` if it has lists of run-time length. [`fewer`](Pack::fewer) is not asked otherwise.
+    /// `true` if it has lists of run-time length. [`fewer`](Pack::fewer) is not called otherwise.
     const LISTS: bool = false;
-    /// Returns the same shape with every scalar replaced, first field first.
+    /// Returns this shape with every scalar replaced, first field first.
     fn remake<T: Clone>(&self, f: &mut impl FnMut(&Self::Scalar) -> T) -> Self::With<T>;
     /// Calls a function with every scalar by reference, first field first.
     fn each(&mut self, f: &mut impl FnMut(&mut Self::Scalar));
@@ -339,8 +341,8 @@ pub trait Pack: Clone {
     {
         self.remake(&mut |x| num_traits::AsPrimitive::as_(*x))
     }
-    /// Returns the same with some elements of a list of run-time length dropped: halves first, single ones
-    /// last. Nothing for shapes of fixed size. For shrinking.
+    /// Returns copies with some elements of a list of run-time length dropped: halves first, single ones last. Empty
+    /// for shapes of fixed size. For shrinking.
     ///
     /// ```
     /// use geograd::Pack;
@@ -362,7 +364,7 @@ pub trait Pack: Clone {
         self.remake(&mut |x| all.push(x.clone()));
         all
     }
-    /// Returns the same shape with its scalars taken from a list, which must have enough of them.
+    /// Returns this shape with its scalars taken from a list, which must have enough of them.
     ///
     /// # Panics
     ///
@@ -375,8 +377,8 @@ pub trait Pack: Clone {
     }
 }
 
-/// A shape with the same number of scalars for every value: numbers, [derived](crate::Shape)
-/// shapes, and arrays of them and tuples of up to six.
+/// A shape whose number of scalars does not depend on its value: numbers, [derived](crate::Shape) shapes, and arrays of
+/// them and tuples of up to six.
 ///
 /// ```
 /// use geograd::{Fixed, Obb2, Pack, Vec2};
@@ -393,7 +395,7 @@ pub trait Pack: Clone {
     note = "numbers, arrays, tuples of up to six and structs with `#[derive(geograd::Shape)]` are"
 )]
 pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static {
-    /// The same shape made of another scalar.
+    /// This shape over another scalar.
     type Of<R: Scalar>: Fixed<Scalar = R>;
     /// The number of scalars.
     const LEN: usize;
@@ -411,11 +413,11 @@ pub trait Fixed: Pack<Scalar: Copy + Send + Sync> + Copy + Send + Sync + 'static
     ///
     /// When there are fewer.
     fn store(self, to: &mut [Self::Scalar]);
-    /// Returns the shape with the same scalar everywhere. Its codes are zero.
+    /// Returns the shape with one scalar everywhere. Its codes are zero.
     fn filled(scalar: Self::Scalar) -> Self;
     /// Returns the name of scalar `i`, such as `links[0].x`; that of a lone number from `LEN` on.
     fn name(i: usize) -> Field;
-    /// Returns the same shape with its codes taken from the first `CODES` places of a slice.
+    /// Returns this shape with its codes taken from the first `CODES` places of a slice.
     ///
     /// # Panics
     ///

@@ -45,9 +45,9 @@ pub trait Real:
     type NumDual: Scalar<Mask = bool>;
     /// Returns a dual number of num-dual's.
     fn num_dual(value: Self, derivative: Self) -> Self::NumDual;
-    /// Its value and its derivative.
+    /// Returns its value and its derivative.
     fn of_num_dual(dual: Self::NumDual) -> (Self, Self);
-    /// Nearest number to an `f64`.
+    /// Returns the number nearest to an `f64`.
     #[inline]
     fn nearest(x: f64) -> Self {
         Self::lit(x)

@@ -44,12 +44,12 @@ struct Extreme<S: Scalar, const MOST: bool> {
     first: S,
     /// The sum of the others less the first: no value, only derivatives.
     rest: S,
-    /// How many they are.
+    /// The number of those that tie.
     count: S::Primal,
 }
 
 impl<S: Scalar, const MOST: bool> Extreme<S, MOST> {
-    /// One number.
+    /// Creates the extreme of one number.
     #[inline(always)]
     fn new(x: S) -> Self {
         Extreme {
@@ -81,7 +81,7 @@ impl<S: Scalar, const MOST: bool> Extreme<S, MOST> {
         let more = (pair - z) * S::lit(1.0 / 6.0);
         of(pair, z) + S::select(all, more, S::zero())
     }
-    /// That, or another number.
+    /// Adds another number.
     #[must_use]
     #[inline(always)]
     fn or(self, x: S) -> Self {
@@ -120,7 +120,7 @@ impl<S: Scalar, const MOST: bool> Extreme<S, MOST> {
     }
 }
 
-/// The least and the largest of numbers that come one by one.
+/// The least and the largest of numbers that are added one by one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Span<S: Scalar> {
     low: Extreme<S, false>,
@@ -136,7 +136,7 @@ impl<S: Scalar> Span<S> {
             high: Extreme::new(x),
         }
     }
-    /// With another number.
+    /// Adds another number.
     #[must_use]
     #[inline(always)]
     pub(crate) fn or(self, x: S) -> Self {

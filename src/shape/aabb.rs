@@ -25,7 +25,7 @@ pub struct Aabb2<S> {
 }
 
 impl<S> Aabb2<S> {
-    /// From lower and upper bounds, unchecked.
+    /// Creates a box from lower and upper bounds, unchecked.
     #[inline(always)]
     pub const fn new(min_x: S, min_y: S, max_x: S, max_y: S) -> Self {
         Aabb2 {
@@ -36,7 +36,7 @@ impl<S> Aabb2<S> {
 }
 
 impl<S: Scalar> Aabb2<S> {
-    /// From lower and upper bounds.
+    /// Creates a box from lower and upper bounds.
     ///
     /// # Errors
     ///
@@ -62,7 +62,7 @@ impl<S: Scalar> Aabb2<S> {
             max: Vec2::new(x.most(), y.most()),
         })
     }
-    /// Width and height.
+    /// Returns width and height.
     #[must_use]
     #[inline(always)]
     pub fn size(self) -> Vec2<S> {

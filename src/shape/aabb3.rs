@@ -37,7 +37,7 @@ pub struct Aabb3<S> {
 }
 
 impl<S> Aabb3<S> {
-    /// From lower and upper bounds, unchecked.
+    /// Creates a box from lower and upper bounds, unchecked.
     #[inline(always)]
     pub const fn new(min: Vec3<S>, max: Vec3<S>) -> Self {
         Aabb3 { min, max }

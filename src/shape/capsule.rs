@@ -29,7 +29,7 @@ pub struct Capsule2<S> {
 }
 
 impl<S> Capsule2<S> {
-    /// From the ends of the segment inside and the radius, unchecked.
+    /// Creates a capsule from the ends of the segment inside and the radius, unchecked.
     #[inline(always)]
     pub const fn new(from: Vec2<S>, to: Vec2<S>, radius: S) -> Self {
         Capsule2 { from, to, radius }
@@ -37,7 +37,7 @@ impl<S> Capsule2<S> {
 }
 
 impl<S: Scalar> Capsule2<S> {
-    /// From the ends of the segment inside and the radius.
+    /// Creates a capsule from the ends of the segment inside and the radius.
     ///
     /// # Errors
     ///
@@ -87,7 +87,7 @@ impl<S: Scalar> Capsule2<S> {
     pub fn contains(self, point: Vec2<S>) -> S::Mask {
         let [from, to, at] = [self.from, self.to, point].each_as(twofold::flat);
         let radius = self.radius.primal();
-        let seen = within::Along::new(from, to, at, radius);
+        let seen = within::AxisPoint::new(from, to, at, radius);
         let across = within::square([twofold::turn(seen.axis, seen.arm)]);
         let reach =
             within::square([radius * seen.unit]) * within::square(twofold::rounded(seen.axis));

@@ -30,7 +30,7 @@ pub struct Capsule3<S> {
 }
 
 impl<S> Capsule3<S> {
-    /// From the ends of the segment inside and the radius, unchecked.
+    /// Creates a capsule from the ends of the segment inside and the radius, unchecked.
     #[inline(always)]
     pub const fn new(start: Vec3<S>, end: Vec3<S>, radius: S) -> Self {
         Capsule3 { start, end, radius }
@@ -38,7 +38,7 @@ impl<S> Capsule3<S> {
 }
 
 impl<S: Scalar> Capsule3<S> {
-    /// From the ends of the segment inside and the radius.
+    /// Creates a capsule from the ends of the segment inside and the radius.
     ///
     /// # Errors
     ///
@@ -93,7 +93,7 @@ impl<S: Scalar> Capsule3<S> {
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         let [start, end, at] = [self.start, self.end, point].each_as(twofold::deep);
         let radius = self.radius.primal();
-        let seen = within::Along::new(start, end, at, radius);
+        let seen = within::AxisPoint::new(start, end, at, radius);
         let across = within::square(twofold::cross(seen.axis, seen.arm));
         let reach =
             within::square([radius * seen.unit]) * within::square(twofold::rounded(seen.axis));

@@ -28,7 +28,7 @@ pub struct Circle<S> {
 }
 
 impl<S> Circle<S> {
-    /// From centre and radius, unchecked.
+    /// Creates a circle from centre and radius, unchecked.
     #[inline(always)]
     pub const fn new(center: Vec2<S>, radius: S) -> Self {
         Circle { center, radius }
@@ -36,7 +36,7 @@ impl<S> Circle<S> {
 }
 
 impl<S: Scalar> Circle<S> {
-    /// From centre and radius.
+    /// Creates a circle from centre and radius.
     ///
     /// # Errors
     ///
@@ -81,10 +81,9 @@ impl<S: Scalar> Circle<S> {
 
 /// Returns the circle through three points.
 ///
-/// For points on one line there is none, and the result is the circle with the longest side as its
-/// diameter, which is also the smallest one around the points; sides of equal length share the
-/// derivatives, and three coinciding points give radius zero. Near a line the radius grows without bound;
-/// it and the centre end at the largest finite number.
+/// For points on one line there is none. The result is then the circle with the longest side as its diameter, which is
+/// also the smallest one around the points. Sides of equal length share the derivatives, and three coinciding points
+/// give radius zero. Near a line the radius grows without bound; it and the centre end at the largest finite number.
 ///
 /// The centre is where the perpendicular bisectors meet: with b and c relative to a and
 /// `d = 2 b × c`, it is `a + ((|b|² c − |c|² b) turned back by a quarter) / d`.
@@ -111,8 +110,8 @@ pub fn circumcircle<S: Scalar>(a: Vec2<S>, b: Vec2<S>, c: Vec2<S>) -> Circle<S> 
     let (b, c) = (b * scale, c * scale);
     let (bb, cc) = (b.length_squared(), c.length_squared());
     let twice = b.perp_dot(c) * S::lit(2.0);
-    // Below this the points are on one line as far as the numbers can tell, and derivatives, which grow
-    // with the inverse square, would not be finite.
+    // Below this the points are collinear within rounding, and derivatives, which grow with the inverse square, would
+    // not be finite.
     let line = twice.magnitude().at_most(S::lit(S::EPSILON.powi(2)));
     let twice = S::select(line, S::one(), twice);
     let across = c * bb - b * cc;

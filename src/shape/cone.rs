@@ -44,7 +44,7 @@ fn has_height<S: Scalar<Mask = bool>>(shape: &Cone<S>) -> Result<(), Flaw> {
 }
 
 impl<S> Cone<S> {
-    /// From both ends of the axis and the radius, unchecked.
+    /// Creates a cone from both ends of the axis and the radius, unchecked.
     #[inline(always)]
     pub const fn new(apex: Vec3<S>, base: Vec3<S>, radius: S) -> Self {
         Cone { apex, base, radius }
@@ -52,7 +52,7 @@ impl<S> Cone<S> {
 }
 
 impl<S: Scalar> Cone<S> {
-    /// From both ends of the axis and the radius.
+    /// Creates a cone from both ends of the axis and the radius.
     ///
     /// # Errors
     ///
@@ -94,7 +94,7 @@ impl<S: Scalar> Cone<S> {
     pub fn center(self) -> Vec3<S> {
         self.apex.lerp(self.base, S::lit(0.75))
     }
-    /// Returns the smallest axis-aligned box around it. Kinks where the apex reaches as far as the base, and where the
+    /// Returns the smallest axis-aligned box around it. Kinks: where apex and base have an equal bound, and where the
     /// axis is orthogonal to one of the world's.
     #[must_use]
     #[inline]
@@ -111,7 +111,7 @@ impl<S: Scalar> Cone<S> {
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         let [apex, base, at] = [self.apex, self.base, point].each_as(twofold::deep);
         let radius = self.radius.primal();
-        let seen = within::Along::new(apex, base, at, radius);
+        let seen = within::AxisPoint::new(apex, base, at, radius);
         let across = within::square(twofold::cross(seen.axis, seen.arm));
         let axis = within::square(twofold::rounded(seen.axis));
         let reach = within::square([radius * seen.unit]) * within::square([seen.height]);

@@ -36,7 +36,7 @@ pub(crate) fn check_convex<S: Scalar<Mask = bool>>(vertices: &[Vec2<S>]) -> Resu
     if n < 3 {
         return flaw(n, VertexFault::Missing);
     }
-    // A path that always turns left is around once it has had its lowest place twice.
+    // A path that always turns left has gone around once it has reached its lowest point twice.
     let mut lows = 0;
     for index in 0..n {
         let (before, here) = (vertices[(index + n - 1) % n], vertices[index]);
@@ -63,7 +63,7 @@ pub(super) fn between<S: Scalar<Mask = bool>>(p: Vec2<S>, q: Vec2<S>, r: Vec2<S>
     order(p, q) != order(r, q)
 }
 
-/// Returns the place of the lowest vertex by x, then by y: always a corner.
+/// Returns the index of the lowest vertex by x, then by y: always a corner.
 pub(super) fn corner_of<S: Scalar<Mask = bool>>(ring: &[Vec2<S>]) -> Option<usize> {
     (0..ring.len()).min_by(|&i, &j| crate::predicate::left_to_right(ring[i], ring[j]))
 }

@@ -42,7 +42,7 @@ fn has_height<S: Scalar<Mask = bool>>(shape: &Cylinder<S>) -> Result<(), Flaw> {
     }
 }
 
-/// Returns how far a disc of radius one reaches along x, y and z, given its unit normal.
+/// Returns the half extents along x, y and z of a disc of radius one, given its unit normal.
 #[inline(always)]
 pub(super) fn disc_reach<S: Scalar>(normal: Vec3<S>) -> Vec3<S> {
     Vec3::new(
@@ -53,7 +53,7 @@ pub(super) fn disc_reach<S: Scalar>(normal: Vec3<S>) -> Vec3<S> {
 }
 
 impl<S> Cylinder<S> {
-    /// From both ends of the axis and the radius, unchecked.
+    /// Creates a cylinder from both ends of the axis and the radius, unchecked.
     #[inline(always)]
     pub const fn new(start: Vec3<S>, end: Vec3<S>, radius: S) -> Self {
         Cylinder { start, end, radius }
@@ -61,7 +61,7 @@ impl<S> Cylinder<S> {
 }
 
 impl<S: Scalar> Cylinder<S> {
-    /// From both ends of the axis and the radius.
+    /// Creates a cylinder from both ends of the axis and the radius.
     ///
     /// # Errors
     ///
@@ -116,7 +116,7 @@ impl<S: Scalar> Cylinder<S> {
     pub fn contains(self, point: Vec3<S>) -> S::Mask {
         let [start, end, at] = [self.start, self.end, point].each_as(twofold::deep);
         let radius = self.radius.primal();
-        let seen = within::Along::new(start, end, at, radius);
+        let seen = within::AxisPoint::new(start, end, at, radius);
         let across = within::square(twofold::cross(seen.axis, seen.arm));
         let reach =
             within::square([radius * seen.unit]) * within::square(twofold::rounded(seen.axis));

@@ -2,9 +2,8 @@
 use crate::Scalar;
 use crate::shape::Rotation3;
 
-/// Which axes three angles turn about, in order: each turns about an axis of the body as the ones before
-/// have left it (intrinsic). Read backwards the same name says turns about fixed axes: `Zyx` is yaw,
-/// pitch, roll.
+/// The axes that three angles turn about, in order: each turns about an axis of the body as the previous turns have
+/// left it (intrinsic). Read backwards, a name gives turns about fixed axes: `Zyx` is yaw, pitch, roll.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[expect(missing_docs, reason = "the names say it")]
 pub enum EulerOrder {
@@ -59,7 +58,7 @@ impl EulerOrder {
 }
 
 impl<S: Scalar> Rotation3<S> {
-    /// From three angles in radians about the axes that the order names.
+    /// Creates a rotation from three angles in radians about the axes that the order names.
     ///
     /// ```
     /// use geograd::{EulerOrder, Rotation3};
@@ -77,9 +76,8 @@ impl<S: Scalar> Rotation3<S> {
         };
         turn(i, angles[0]) * turn(j, angles[1]) * turn(k, angles[2])
     }
-    /// Three angles in radians about the axes that the order names: the first and the third in
-    /// `[−π, π]`, the middle one in `[−π/2, π/2]`, or `[0, π]` where the first and the third axis are
-    /// the same.
+    /// Returns three angles in radians about the axes that the order names: the first and the third in `[−π, π]`, the
+    /// middle one in `[−π/2, π/2]`, or `[0, π]` where the first and the third axis are equal.
     ///
     /// Kinks: at either end of the middle angle's range (gimbal lock) only the sum or the difference of
     /// the others is determined; they share it equally.
@@ -90,7 +88,7 @@ impl<S: Scalar> Rotation3<S> {
     pub fn euler(self, order: EulerOrder) -> [S; 3] {
         let unit = self.normalized();
         let at = [unit.x, unit.y, unit.z];
-        // The source turns about fixed axes: the same angles the other way round.
+        // The source turns about fixed axes: these are the angles in reverse order.
         let [k, j, i] = order.axes();
         let symmetric = i == k;
         let k = if symmetric { 3 - i - j } else { k };

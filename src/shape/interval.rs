@@ -24,7 +24,7 @@ pub struct Interval<S> {
 }
 
 impl<S> Interval<S> {
-    /// From its bounds, unchecked.
+    /// Creates an interval from its bounds, unchecked.
     #[inline(always)]
     pub const fn new(min: S, max: S) -> Self {
         Interval { min, max }
@@ -32,7 +32,7 @@ impl<S> Interval<S> {
 }
 
 impl<S: Scalar> Interval<S> {
-    /// From its bounds.
+    /// Creates an interval from its bounds.
     ///
     /// # Errors
     ///
@@ -44,7 +44,7 @@ impl<S: Scalar> Interval<S> {
         let made = Interval { min, max };
         made.validate().map(|()| made)
     }
-    /// From its centre and its length.
+    /// Creates an interval from its centre and its length.
     #[must_use]
     #[inline(always)]
     pub fn from_center(center: S, length: S) -> Self {
@@ -68,8 +68,8 @@ impl<S: Scalar> Interval<S> {
     pub fn contains(self, x: S) -> S::Mask {
         self.min.at_most(x) & x.at_most(self.max)
     }
-    /// Returns the signed distance of two intervals: the gap between them, or minus the shortest shift that
-    /// parts them. Ties share the derivative.
+    /// Returns the signed distance of two intervals: the gap between them, or minus the shortest translation that
+    /// separates them. Ties share the derivative.
     #[must_use]
     #[inline(always)]
     pub fn signed_distance(self, other: Self) -> S {
@@ -106,9 +106,8 @@ impl<S: Scalar> Interval<S> {
         let shared = S::select(shared.above(S::zero()), shared, S::zero());
         Guard::of(&self).and(&other).result(shared.canonical())
     }
-    /// Intersection over union, in `[0, 1]`; 0 with derivative zero where they are apart, touch, or both
-    /// have length zero. Kinks: equal bounds share the derivative, so that identical intervals have derivative
-    /// zero.
+    /// Returns the intersection over union, in `[0, 1]`; 0 with derivative zero where they are apart, touch, or both
+    /// have length zero. Kinks: equal bounds share the derivative, so that identical intervals have derivative zero.
     #[must_use]
     #[inline]
     pub fn iou(self, other: Self) -> S {

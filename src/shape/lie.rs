@@ -7,7 +7,7 @@ use crate::{Scalar, Vec3};
 /// formulas are off by less than 5·10⁻¹⁶ of the coefficient, on both sides. In single precision by 7·10⁻⁷.
 const SMALL_ANGLE: f64 = 1.0;
 
-/// `Σ c₀ + c₁ u + c₂ u² + …`
+/// Returns `Σ c₀ + c₁ u + c₂ u² + …`.
 fn series<S: Scalar>(u: S, terms: &[f64]) -> S {
     let mut sum = S::zero();
     for &term in terms.iter().rev() {
@@ -55,7 +55,7 @@ const D: [f64; 11] = [
     77_683.0 / 14_101_100_039_391_805_440_000.0,
 ];
 
-/// `sin t / t`, `(1 - cos t) / t²` and `(t - sin t) / t³` for the length t of a vector.
+/// Returns `sin t / t`, `(1 - cos t) / t²` and `(t - sin t) / t³` for the length t of a vector.
 fn forward<S: Scalar>(v: Vec3<S>) -> [S; 3] {
     let (u, angle) = (v.length_squared(), v.length());
     let small = angle.below(S::lit(SMALL_ANGLE));
@@ -73,7 +73,7 @@ fn forward<S: Scalar>(v: Vec3<S>) -> [S; 3] {
     ]
 }
 
-/// `(t/2) cot(t/2)` and `(1 - (t/2) cot(t/2)) / t²` for the length t of a vector.
+/// Returns `(t/2) cot(t/2)` and `(1 - (t/2) cot(t/2)) / t²` for the length t of a vector.
 fn backward<S: Scalar>(v: Vec3<S>) -> [S; 2] {
     let (u, angle) = (v.length_squared(), v.length());
     let small = angle.below(S::lit(SMALL_ANGLE));
@@ -91,7 +91,7 @@ fn backward<S: Scalar>(v: Vec3<S>) -> [S; 2] {
     ]
 }
 
-/// `a I + b [v] + c v vᵀ`, column by column.
+/// Returns `a I + b [v] + c v vᵀ`, column by column.
 fn combine<S: Scalar>(v: Vec3<S>, a: S, b: S, c: S) -> [Vec3<S>; 3] {
     let (x, y, z) = (v * (v.x * c), v * (v.y * c), v * (v.z * c));
     let side = v * b;

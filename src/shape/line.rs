@@ -23,7 +23,7 @@ use std::ops::Mul;
 pub struct Line2<S> {
     /// One point of the line, where its parameter is 0.
     pub point: Vec2<S>,
-    /// The way from parameter 0 to parameter 1.
+    /// The vector from parameter 0 to parameter 1.
     pub direction: Vec2<S>,
 }
 
@@ -44,7 +44,7 @@ fn has_direction<S: Scalar<Mask = bool>>(shape: &Line2<S>) -> Result<(), Flaw> {
 }
 
 impl<S> Line2<S> {
-    /// From a point and a direction, unchecked.
+    /// Creates a line from a point and a direction, unchecked.
     #[inline(always)]
     pub const fn new(point: Vec2<S>, direction: Vec2<S>) -> Self {
         Line2 { point, direction }
@@ -52,7 +52,7 @@ impl<S> Line2<S> {
 }
 
 impl<S: Scalar> Line2<S> {
-    /// From a point and a direction.
+    /// Creates a line from a point and a direction.
     ///
     /// # Errors
     ///
@@ -85,8 +85,8 @@ impl<S: Scalar> Line2<S> {
         let point = Vec2::new(a.over(length) * away, b.over(length) * away);
         Line2::new(point.canonical(), (-normal.perp()).canonical())
     }
-    /// `[a, b, c]` with `a x + b y + c = 0` on the line and positive on its left;
-    /// `√(a² + b²)` is the length of the direction.
+    /// Returns `[a, b, c]` with `a x + b y + c = 0` on the line and positive on its left; `√(a² + b²)` is the length of
+    /// the direction.
     ///
     /// The coefficients that DGAL gives for the line through two points are these, negated.
     /// `c` loses digits far from the origin: geometry here never uses it.

@@ -19,7 +19,7 @@ use std::ops::Mul;
 pub struct Line3<S> {
     /// Its point at parameter 0.
     pub point: Vec3<S>,
-    /// The way from parameter 0 to parameter 1.
+    /// The vector from parameter 0 to parameter 1.
     #[shape(direction)]
     pub direction: Vec3<S>,
 }
@@ -31,7 +31,7 @@ fn has_direction<S: Scalar<Mask = bool>>(shape: &Line3<S>) -> Result<(), Flaw> {
 }
 
 impl<S> Line3<S> {
-    /// From a point and a direction, unchecked.
+    /// Creates a line from a point and a direction, unchecked.
     #[inline(always)]
     pub const fn new(point: Vec3<S>, direction: Vec3<S>) -> Self {
         Line3 { point, direction }
@@ -39,7 +39,7 @@ impl<S> Line3<S> {
 }
 
 impl<S: Scalar> Line3<S> {
-    /// From a point and a direction.
+    /// Creates a line from a point and a direction.
     ///
     /// # Errors
     ///

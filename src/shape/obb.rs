@@ -6,7 +6,7 @@ use std::ops::Mul;
 /// A rotated box in the plane: centre, size along its own axes, heading in radians
 /// (counter-clockwise). Valid when finite and of non-negative size; zero size is valid.
 ///
-/// A heading and the same heading plus a half turn are the same box.
+/// A heading and that heading plus a half turn give one box.
 ///
 /// ```
 /// use geograd::Obb2;
@@ -32,7 +32,7 @@ pub struct Obb2<S> {
 }
 
 impl<S> Obb2<S> {
-    /// From centre, width, height and heading, unchecked.
+    /// Creates a box from centre, width, height and heading, unchecked.
     #[inline(always)]
     pub const fn new(x: S, y: S, width: S, height: S, heading: S) -> Self {
         Obb2 {
@@ -44,7 +44,7 @@ impl<S> Obb2<S> {
 }
 
 impl<S: Scalar> Obb2<S> {
-    /// From centre, size and heading.
+    /// Creates a box from centre, size and heading.
     ///
     /// # Errors
     ///
@@ -62,9 +62,9 @@ impl<S: Scalar> Obb2<S> {
     }
     /// Returns the box nearest to a quadrilateral, given by its corners in order around it.
     ///
-    /// The centre is the mean of the corners, the width runs along the first edge, and the axes
-    /// are the mean of the directions of all four edges, weighted by length. Exact for
-    /// rectangles. Corners may run either way round; the heading is that of the first edge.
+    /// The centre is the mean of the corners, the width runs along the first edge, and the axes are the mean of the
+    /// directions of all four edges, weighted by length. Exact for rectangles. Corners may have either orientation; the
+    /// heading is that of the first edge.
     ///
     /// Kinks: quadrilaterals of zero area, and those whose edges cancel (heading 0).
     ///
@@ -146,7 +146,7 @@ impl<S: Scalar> Obb2<S> {
 }
 
 impl<S: Scalar> From<Aabb2<S>> for Obb2<S> {
-    /// Returns the same box with heading zero.
+    /// Returns the box as one with heading zero.
     #[inline(always)]
     fn from(bounds: Aabb2<S>) -> Self {
         Obb2 {

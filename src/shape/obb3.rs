@@ -31,7 +31,7 @@ pub struct Obb3<S> {
 }
 
 impl<S> Obb3<S> {
-    /// From centre, size and rotation, unchecked.
+    /// Creates a box from centre, size and rotation, unchecked.
     #[inline(always)]
     pub const fn new(center: Vec3<S>, size: Vec3<S>, rotation: Rotation3<S>) -> Self {
         Obb3 {
@@ -163,7 +163,7 @@ impl<S: Scalar> From<YawBox3<S>> for Obb3<S> {
 }
 
 impl<S: Scalar> From<Aabb3<S>> for Obb3<S> {
-    /// Returns the same box, not turned; a side longer than the largest number is that.
+    /// Returns the box as one with no rotation; a side longer than the largest number becomes that number.
     #[inline(always)]
     fn from(bounds: Aabb3<S>) -> Self {
         Obb3::new(

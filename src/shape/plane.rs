@@ -37,7 +37,7 @@ fn has_direction<S: Scalar<Mask = bool>>(plane: &Plane3<S>) -> Result<(), Flaw> 
 }
 
 impl<S> Plane3<S> {
-    /// From normal and offset, unchecked.
+    /// Creates a plane from normal and offset, unchecked.
     #[inline(always)]
     pub const fn new(normal: Vec3<S>, offset: S) -> Self {
         Plane3 { normal, offset }
@@ -45,7 +45,7 @@ impl<S> Plane3<S> {
 }
 
 impl<S: Scalar> Plane3<S> {
-    /// Through a point, with a normal of any length but zero.
+    /// Creates the plane through a point, with a normal of any length except zero.
     #[must_use]
     #[inline(always)]
     pub fn through(point: Vec3<S>, normal: Vec3<S>) -> Self {

@@ -1,4 +1,4 @@
-//! Convex polygons with their vertices in place, and the edges of any ring.
+//! Convex polygons that store their vertices inline, and the edges of any ring.
 use super::convexity::{
     between, check_capacity, check_convex, check_finite, corner_of, runs_clockwise,
 };
@@ -28,13 +28,13 @@ use crate::{Aabb2, Obb2, Scalar, Shape, Vec2};
 pub struct ConvexPolygon<S, const N: usize> {
     /// The vertices, counter-clockwise; the first `count` of them matter.
     pub vertices: [Vec2<S>; N],
-    /// How many vertices there are: at most `N`.
+    /// The number of vertices, at most `N`.
     #[shape(code)]
     pub count: usize,
 }
 
 impl<S: PartialEq, const N: usize> PartialEq for ConvexPolygon<S, N> {
-    /// Returns `true` if both have the same vertices in the same order.
+    /// Returns `true` if both have equal vertices in one order.
     fn eq(&self, other: &Self) -> bool {
         self.as_slice() == other.as_slice()
     }
@@ -50,7 +50,7 @@ impl<S, const N: usize> ConvexPolygon<S, N> {
 }
 
 impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
-    /// From the first `N` of some vertices, unchecked.
+    /// Creates a polygon from the first `N` of some vertices, unchecked.
     #[must_use]
     #[inline]
     pub fn from_vertices(vertices: &[Vec2<S>]) -> Self {
@@ -60,7 +60,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
             count: vertices.len().min(N),
         }
     }
-    /// From vertices in counter-clockwise order, each a strict turn to the left.
+    /// Creates a polygon from vertices in counter-clockwise order, each a strict turn to the left.
     ///
     /// # Errors
     ///
@@ -75,9 +75,8 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
         check_convex(vertices)?;
         Ok(Self::from_vertices(vertices))
     }
-    /// From the vertices of a convex ring of either orientation, and the place of each of the
-    /// polygon's vertices in it. Repeated and collinear vertices are left out, clockwise rings are
-    /// taken backwards.
+    /// Creates a polygon from the vertices of a convex ring of either orientation. Returns also the index of each of
+    /// the polygon's vertices in the ring. Repeated and collinear vertices are left out, clockwise rings are reversed.
     ///
     /// ```
     /// use geograd::{ConvexPolygon, Vec2};
@@ -161,9 +160,9 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
             n => all[k % n],
         }
     }
-    /// `N` vertices of the same polygon: behind the last one the first is repeated, `N − count`
-    /// times. As a closed ring that has `N` edges, those beyond the polygon's own from the first
-    /// vertex to itself, so that straight-line code over `N` edges needs no count.
+    /// Returns `N` vertices of the polygon: behind the last one the first is repeated, `N − count` times. As a closed
+    /// ring it has `N` edges, and those beyond the polygon's own lead from the first vertex to itself. Straight-line
+    /// code over `N` edges therefore needs no count.
     #[must_use]
     #[inline]
     pub fn padded(&self) -> [Vec2<S>; N] {
@@ -180,7 +179,7 @@ impl<S: Scalar, const N: usize> ConvexPolygon<S, N> {
     pub fn edges(&self) -> impl Iterator<Item = [Vec2<S>; 2]> + '_ {
         edges(self.as_slice())
     }
-    /// `N` edges: those of the polygon, then such of length zero, from the first vertex to itself.
+    /// Returns `N` edges: those of the polygon, then edges of length zero, from the first vertex to itself.
     #[must_use]
     #[inline]
     pub fn padded_edges(&self) -> [[Vec2<S>; 2]; N] {
@@ -220,21 +219,21 @@ pub fn polyline_edges<S: Copy>(path: &[Vec2<S>]) -> impl Iterator<Item = [Vec2<S
 }
 
 impl<S: Scalar, const N: usize> From<[Vec2<S>; N]> for ConvexPolygon<S, N> {
-    /// With these vertices, unchecked.
+    /// Creates a polygon with these vertices, unchecked.
     #[inline]
     fn from(vertices: [Vec2<S>; N]) -> Self {
         ConvexPolygon { vertices, count: N }
     }
 }
 impl<S: Scalar> From<Aabb2<S>> for ConvexPolygon<S, 4> {
-    /// With the box's corners, from the lower left.
+    /// Creates a polygon with the box's corners, from the lower left.
     #[inline]
     fn from(shape: Aabb2<S>) -> Self {
         shape.corners().into()
     }
 }
 impl<S: Scalar> From<Obb2<S>> for ConvexPolygon<S, 4> {
-    /// With the box's corners, the first edge along its heading.
+    /// Creates a polygon with the box's corners, the first edge along its heading.
     #[inline]
     fn from(shape: Obb2<S>) -> Self {
         shape.corners().into()

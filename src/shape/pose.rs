@@ -5,9 +5,8 @@ use std::ops::Mul;
 
 /// A rotation of the plane, as the cosine and sine of its angle (counter-clockwise).
 ///
-/// Operators take both numbers as they are, and scale by their length. [`normalized`](Self::normalized) brings any
-/// pair but zero to length one, and [`Move`](crate::kernels::Move) does that by itself. Valid when finite and not
-/// zero.
+/// Operators take both numbers as they are, and scale by their length. [`normalized`](Self::normalized) brings any pair
+/// except zero to length one, and [`Move`](crate::kernels::Move) does that by itself. Valid when finite and not zero.
 ///
 /// ```
 /// use geograd::{Rotation2, Vec2};
@@ -33,7 +32,7 @@ fn is_not_zero<S: Scalar<Mask = bool>>(turn: &Rotation2<S>) -> Result<(), Flaw> 
 }
 
 impl<S: Scalar> Rotation2<S> {
-    /// No rotation.
+    /// Returns the rotation by zero.
     #[inline(always)]
     pub fn identity() -> Self {
         Rotation2 {
@@ -41,7 +40,7 @@ impl<S: Scalar> Rotation2<S> {
             sin: S::zero(),
         }
     }
-    /// By an angle in radians, counter-clockwise.
+    /// Creates the rotation by an angle in radians, counter-clockwise.
     #[inline(always)]
     pub fn from_angle(angle: S) -> Self {
         let (sin, cos) = angle.sin_cos();
@@ -53,8 +52,8 @@ impl<S: Scalar> Rotation2<S> {
     pub fn angle(self) -> S {
         self.sin.atan2(self.cos)
     }
-    /// Returns the rotation by the same angle with numbers of length one; no rotation (with derivative zero) for two
-    /// zeros.
+    /// Returns the rotation by this angle with cosine and sine of length one; no rotation (with derivative zero) for
+    /// two zeros.
     ///
     /// ```
     /// use geograd::Rotation2;
@@ -90,7 +89,7 @@ impl<S: Scalar> Rotation2<S> {
 
 impl<S: Scalar> Mul for Rotation2<S> {
     type Output = Self;
-    /// First `other`, then `self`.
+    /// Returns the rotation that turns by `other` first, then by `self`.
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         Rotation2 {
@@ -133,7 +132,7 @@ pub struct Pose2<S> {
 }
 
 impl<S: Scalar> Pose2<S> {
-    /// From where the origin goes and the angle in radians, counter-clockwise.
+    /// Creates a motion from the image of the origin and the angle in radians, counter-clockwise.
     #[inline(always)]
     pub fn new(translation: Vec2<S>, angle: S) -> Self {
         Pose2 {
@@ -141,7 +140,7 @@ impl<S: Scalar> Pose2<S> {
             translation,
         }
     }
-    /// No motion.
+    /// Returns the motion that moves nothing.
     #[inline(always)]
     pub fn identity() -> Self {
         Pose2 {
@@ -155,8 +154,8 @@ impl<S: Scalar> Pose2<S> {
     pub fn angle(self) -> S {
         self.rotation.angle()
     }
-    /// Returns the motion with its rotation [normalized](Rotation2::normalized): rigid, whatever the length of cosine
-    /// and sine.
+    /// Returns the motion with its rotation [normalized](Rotation2::normalized): rigid for any length of cosine and
+    /// sine.
     #[must_use]
     #[inline(always)]
     pub fn normalized(self) -> Self {
@@ -179,7 +178,7 @@ impl<S: Scalar> Pose2<S> {
 
 impl<S: Scalar> Mul for Pose2<S> {
     type Output = Self;
-    /// First `other`, then `self`.
+    /// Returns the motion that applies `other` first, then `self`.
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         Pose2 {

@@ -24,7 +24,8 @@ pub struct Pose3<S> {
 }
 
 impl<S> Pose3<S> {
-    /// From where the origin goes and the rotation, in the order of [`Pose2::new`](crate::Pose2::new) and of the boxes.
+    /// Creates a motion from the image of the origin and the rotation, in the order of
+    /// [`Pose2::new`](crate::Pose2::new) and of the boxes.
     #[inline(always)]
     pub const fn new(translation: Vec3<S>, rotation: Rotation3<S>) -> Self {
         Pose3 {
@@ -35,7 +36,7 @@ impl<S> Pose3<S> {
 }
 
 impl<S: Scalar> Pose3<S> {
-    /// No motion.
+    /// Returns the motion that moves nothing.
     #[inline(always)]
     pub fn identity() -> Self {
         Pose3::new(Vec3::zero(), Rotation3::identity())
@@ -47,8 +48,8 @@ impl<S: Scalar> Pose3<S> {
         let rotation = self.rotation.inverse();
         Pose3::new(-(rotation * self.translation), rotation)
     }
-    /// Returns the motion a fraction `t` of the way to another one: the rotation along the shorter way round,
-    /// the origin along a straight line.
+    /// Returns the motion a fraction `t` of the way to another one: the rotation along the shorter arc, the origin
+    /// along a straight line.
     #[must_use]
     #[inline]
     pub fn interpolate(self, other: Self, t: S) -> Self {
@@ -80,7 +81,7 @@ impl<S: Scalar> Pose3<S> {
 
 impl<S: Scalar> Mul for Pose3<S> {
     type Output = Self;
-    /// First `other`, then `self`.
+    /// Returns the motion that applies `other` first, then `self`.
     #[inline]
     fn mul(self, other: Self) -> Self {
         Pose3::new(self * other.translation, self.rotation * other.rotation)

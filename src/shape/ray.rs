@@ -21,7 +21,7 @@ use std::ops::Mul;
 pub struct Ray2<S> {
     /// Its start, at parameter 0.
     pub point: Vec2<S>,
-    /// The way from parameter 0 to parameter 1.
+    /// The vector from parameter 0 to parameter 1.
     pub direction: Vec2<S>,
 }
 
@@ -32,7 +32,7 @@ fn has_direction<S: Scalar<Mask = bool>>(shape: &Ray2<S>) -> Result<(), Flaw> {
 }
 
 impl<S> Ray2<S> {
-    /// From its start and a direction, unchecked.
+    /// Creates a ray from its start and a direction, unchecked.
     #[inline(always)]
     pub const fn new(point: Vec2<S>, direction: Vec2<S>) -> Self {
         Ray2 { point, direction }
@@ -40,7 +40,7 @@ impl<S> Ray2<S> {
 }
 
 impl<S: Scalar> Ray2<S> {
-    /// From its start and a direction.
+    /// Creates a ray from its start and a direction.
     ///
     /// # Errors
     ///

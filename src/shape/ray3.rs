@@ -23,7 +23,7 @@ use std::ops::Mul;
 pub struct Ray3<S> {
     /// Its start, at parameter 0.
     pub point: Vec3<S>,
-    /// The way from parameter 0 to parameter 1.
+    /// The vector from parameter 0 to parameter 1.
     #[shape(direction)]
     pub direction: Vec3<S>,
 }
@@ -35,7 +35,7 @@ fn has_direction<S: Scalar<Mask = bool>>(shape: &Ray3<S>) -> Result<(), Flaw> {
 }
 
 impl<S> Ray3<S> {
-    /// From its start and a direction, unchecked.
+    /// Creates a ray from its start and a direction, unchecked.
     #[inline(always)]
     pub const fn new(point: Vec3<S>, direction: Vec3<S>) -> Self {
         Ray3 { point, direction }
@@ -43,7 +43,7 @@ impl<S> Ray3<S> {
 }
 
 impl<S: Scalar> Ray3<S> {
-    /// From its start and a direction.
+    /// Creates a ray from its start and a direction.
     ///
     /// # Errors
     ///

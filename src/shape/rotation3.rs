@@ -3,9 +3,9 @@ use crate::error::Field;
 use crate::{Flaw, Scalar, Shape, Vec3};
 use std::ops::Mul;
 
-/// A rotation of space as a quaternion `w + x i + y j + z k` of any length but zero: all that uses it
-/// divides by its length, so that derivatives by the four numbers are those of the direction alone. A
-/// quaternion and its negative are the same rotation.
+/// A rotation of space as a quaternion `w + x i + y j + z k` of any length except zero. All functions divide by its
+/// length, so that derivatives by the four numbers are those of the direction alone. A quaternion and its negative give
+/// one rotation.
 ///
 /// Optimisers that step in the four numbers need nothing else. Others step in three and use the *body tangent*:
 /// the rotation vector, in the body's own axes, of a small turn applied first. Gradients go from one to the other
@@ -51,7 +51,7 @@ fn is_not_zero<S: Scalar<Mask = bool>>(q: &Rotation3<S>) -> Result<(), Flaw> {
 const SMALL_ANGLE: f64 = 0.03;
 
 impl<S> Rotation3<S> {
-    /// From the four numbers of a quaternion, unchecked.
+    /// Creates a rotation from the four numbers of a quaternion, unchecked.
     #[inline(always)]
     pub const fn new(w: S, x: S, y: S, z: S) -> Self {
         Rotation3 { w, x, y, z }
@@ -59,7 +59,7 @@ impl<S> Rotation3<S> {
 }
 
 impl<S: Scalar> Rotation3<S> {
-    /// No rotation.
+    /// Returns the rotation by zero.
     #[inline(always)]
     pub fn identity() -> Self {
         let zero = S::zero();
@@ -94,8 +94,8 @@ impl<S: Scalar> Rotation3<S> {
             z.over(length),
         )
     }
-    /// Returns the same rotation with a quaternion of length one and `w ≥ 0`. If `w = 0`, the first of x, y and z that
-    /// is not zero is positive.
+    /// Returns this rotation as a quaternion of length one with `w ≥ 0`. If `w = 0`, the first of x, y and z that is
+    /// not zero is positive.
     #[must_use]
     #[inline(always)]
     pub fn canonical(self) -> Self {
@@ -107,8 +107,8 @@ impl<S: Scalar> Rotation3<S> {
         let turn = |x: S| S::select(flip, -x, x).canonical();
         Rotation3::new(turn(unit.w), turn(unit.x), turn(unit.y), turn(unit.z))
     }
-    /// By an angle in radians about an axis of any length, counter-clockwise when the axis points at
-    /// the viewer; no rotation for the zero axis.
+    /// Creates the rotation by an angle in radians about an axis of any length, counter-clockwise when the axis points
+    /// at the viewer; no rotation for the zero axis.
     #[must_use]
     #[inline]
     pub fn from_axis_angle(axis: Vec3<S>, angle: S) -> Self {
@@ -122,7 +122,7 @@ impl<S: Scalar> Rotation3<S> {
             axis.z * sin,
         )
     }
-    /// About the z axis by an angle in radians, counter-clockwise seen from above.
+    /// Creates the rotation about the z axis by an angle in radians, counter-clockwise seen from above.
     #[must_use]
     #[inline(always)]
     pub fn from_yaw(angle: S) -> Self {
@@ -205,8 +205,8 @@ impl<S: Scalar> Rotation3<S> {
         let [x, y, z] = self.axes();
         [[x.x, y.x, z.x], [x.y, y.y, z.y], [x.z, y.z, z.z]]
     }
-    /// From the images of the axes: a quaternion of length one where they are orthonormal and
-    /// right-handed, else of a rotation near them.
+    /// Creates the rotation from the images of the axes: a quaternion of length one if they are orthonormal and
+    /// right-handed, else a quaternion of a rotation near them.
     ///
     /// The largest of the four numbers is found first and the others follow from it, so that no
     /// rotation loses digits and none has a kink but the choice of the sign.
@@ -239,7 +239,7 @@ impl<S: Scalar> Rotation3<S> {
         let [w, x, y, z] = pick(other.above(one), second, first);
         Rotation3::new(w, x, y, z).normalized()
     }
-    /// From a matrix, row by row: see [`from_axes`](Self::from_axes).
+    /// Creates the rotation from a matrix, row by row: see [`from_axes`](Self::from_axes).
     #[must_use]
     #[inline]
     pub fn from_matrix(m: [[S; 3]; 3]) -> Self {
@@ -252,8 +252,8 @@ impl<S: Scalar> Rotation3<S> {
     pub fn inverse(self) -> Self {
         Rotation3::new(self.w, -self.x, -self.y, -self.z)
     }
-    /// Returns the rotation a fraction `t` of the way to another one, along the shorter way round and at even
-    /// speed. Kink: rotations half a turn apart, where both ways are equally long.
+    /// Returns the rotation a fraction `t` of the way to another one, along the shorter arc and at even speed. Kink:
+    /// rotations half a turn apart, where both arcs are equally long.
     #[must_use]
     #[inline]
     pub fn interpolate(self, other: Self, t: S) -> Self {
@@ -329,7 +329,7 @@ impl<S: Scalar> Rotation3<S> {
 
 impl<S: Scalar> Mul for Rotation3<S> {
     type Output = Self;
-    /// First `other`, then `self`; of length one.
+    /// Returns the rotation that turns by `other` first, then by `self`; of length one.
     #[inline]
     fn mul(self, other: Self) -> Self {
         let (a, b) = (self.normalized(), other.normalized());

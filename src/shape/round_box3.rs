@@ -25,13 +25,13 @@ pub struct RoundBox3<S> {
     /// The box inside.
     #[shape(names("x", "y", "z", "dx", "dy", "dz", "qw", "qx", "qy", "qz"))]
     pub inner: Obb3<S>,
-    /// The radius of edges and corners, by which the faces are beyond those of the box inside.
+    /// The radius of edges and corners, and the distance of the faces from those of the box inside.
     #[shape(non_negative)]
     pub radius: S,
 }
 
 impl<S> RoundBox3<S> {
-    /// From the box inside and the radius, unchecked.
+    /// Creates a box from the box inside and the radius, unchecked.
     #[inline(always)]
     pub const fn new(inner: Obb3<S>, radius: S) -> Self {
         RoundBox3 { inner, radius }
@@ -39,7 +39,7 @@ impl<S> RoundBox3<S> {
 }
 
 impl<S: Scalar> RoundBox3<S> {
-    /// From the box inside and the radius.
+    /// Creates a box from the box inside and the radius.
     ///
     /// # Errors
     ///

@@ -3,7 +3,7 @@ use crate::error::{Flaw, Validate};
 use crate::{Aabb2, Line2, Pose2, Ray2, Scalar, Shape, Vec2};
 use std::ops::Mul;
 
-/// The straight way between two points. Valid when finite; its ends may coincide.
+/// A straight segment between two points. Valid when finite; its ends may coincide.
 ///
 /// ```
 /// use geograd::{Segment2, Vec2};
@@ -23,7 +23,7 @@ pub struct Segment2<S> {
 }
 
 impl<S> Segment2<S> {
-    /// From its ends, unchecked.
+    /// Creates a segment from its ends, unchecked.
     #[inline(always)]
     pub const fn new(from: Vec2<S>, to: Vec2<S>) -> Self {
         Segment2 { from, to }
@@ -31,7 +31,7 @@ impl<S> Segment2<S> {
 }
 
 impl<S: Scalar> Segment2<S> {
-    /// From its ends.
+    /// Creates a segment from its ends.
     ///
     /// # Errors
     ///
@@ -43,7 +43,7 @@ impl<S: Scalar> Segment2<S> {
         let made = Segment2 { from, to };
         made.validate().map(|()| made)
     }
-    /// Returns the way from its start to its end.
+    /// Returns the vector from its start to its end.
     #[must_use]
     #[inline(always)]
     pub fn along(self) -> Vec2<S> {
@@ -55,7 +55,7 @@ impl<S: Scalar> Segment2<S> {
     pub fn length(self) -> S {
         self.along().length().canonical()
     }
-    /// Returns the point half way.
+    /// Returns the midpoint.
     #[must_use]
     #[inline(always)]
     pub fn midpoint(self) -> Vec2<S> {

@@ -22,7 +22,7 @@ pub struct Segment3<S> {
 }
 
 impl<S> Segment3<S> {
-    /// From both ends.
+    /// Creates a segment from both ends.
     #[inline(always)]
     pub const fn new(start: Vec3<S>, end: Vec3<S>) -> Self {
         Segment3 { start, end }
@@ -36,7 +36,7 @@ impl<S: Scalar> Segment3<S> {
     pub fn length(self) -> S {
         self.start.distance(self.end)
     }
-    /// From start to end.
+    /// Returns the vector from start to end.
     #[must_use]
     #[inline(always)]
     pub fn vector(self) -> Vec3<S> {

@@ -25,7 +25,7 @@ pub struct Sphere<S> {
 }
 
 impl<S> Sphere<S> {
-    /// From centre and radius, unchecked.
+    /// Creates a sphere from centre and radius, unchecked.
     #[inline(always)]
     pub const fn new(center: Vec3<S>, radius: S) -> Self {
         Sphere { center, radius }

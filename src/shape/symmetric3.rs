@@ -35,7 +35,8 @@ pub struct Symmetric3<S> {
 }
 
 impl<S> Symmetric3<S> {
-    /// From the diagonal and what is beside it: first row, then second row.
+    /// Creates a matrix from its diagonal and the entries above it: those of the first row, then that of the second
+    /// row.
     #[inline(always)]
     pub const fn new(xx: S, yy: S, zz: S, xy: S, xz: S, yz: S) -> Self {
         Symmetric3 {
@@ -50,7 +51,7 @@ impl<S> Symmetric3<S> {
 }
 
 impl<S: Scalar> Symmetric3<S> {
-    /// Returns the same number along the whole diagonal.
+    /// Returns the multiple of the identity by a number.
     #[must_use]
     #[inline(always)]
     pub fn isotropic(x: S) -> Self {
@@ -82,7 +83,7 @@ impl<S: Scalar> Symmetric3<S> {
         let rows = self.rows();
         rows[0].dot(rows[1].cross(rows[2]))
     }
-    /// Its rows.
+    /// Returns the rows.
     #[must_use]
     #[inline(always)]
     pub fn rows(self) -> [Vec3<S>; 3] {

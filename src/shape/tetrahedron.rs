@@ -29,7 +29,7 @@ pub struct Tetrahedron<S> {
 }
 
 impl<S> Tetrahedron<S> {
-    /// From its corners.
+    /// Creates a tetrahedron from its corners.
     #[inline(always)]
     pub const fn new(a: Vec3<S>, b: Vec3<S>, c: Vec3<S>, d: Vec3<S>) -> Self {
         Tetrahedron { a, b, c, d }

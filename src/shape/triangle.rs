@@ -30,7 +30,7 @@ pub struct Triangle2<S> {
 }
 
 impl<S> Triangle2<S> {
-    /// From its corners, unchecked.
+    /// Creates a triangle from its corners, unchecked.
     #[inline(always)]
     pub const fn new(a: Vec2<S>, b: Vec2<S>, c: Vec2<S>) -> Self {
         Triangle2 { a, b, c }
@@ -38,7 +38,7 @@ impl<S> Triangle2<S> {
 }
 
 impl<S: Scalar> Triangle2<S> {
-    /// From its corners.
+    /// Creates a triangle from its corners.
     ///
     /// # Errors
     ///
@@ -60,7 +60,7 @@ impl<S: Scalar> Triangle2<S> {
     #[must_use]
     #[inline(always)]
     pub fn counter_clockwise(self) -> [Vec2<S>; 3] {
-        // Only the sign is asked for: units in which the product is representable.
+        // Only the sign matters, so units are chosen in which the product is representable.
         let (b, c) = (self.b - self.a, self.c - self.a);
         let (u, v) = (unit_power(b), unit_power(c));
         let clockwise = (b * u).perp_dot(c * v).below(S::zero());
@@ -120,9 +120,9 @@ impl<S: Scalar> Triangle2<S> {
     }
     /// Returns the largest circle inside: it touches all three sides. Center and radius are in units of length.
     ///
-    /// The center is the mean of the corners, each weighted by the length of the side opposite; the
-    /// radius is twice the area over the perimeter, for either orientation. Corners on one line give
-    /// radius zero and a center on that line, three coinciding ones give their place.
+    /// The center is the mean of the corners, each weighted by the length of the side opposite; the radius is twice the
+    /// area over the perimeter, for either orientation. Corners on one line give radius zero and a center on that line,
+    /// three coinciding ones give that point.
     ///
     /// Kinks: zero area, where the radius has derivative zero, and two corners that coincide; three that do
     /// share the derivatives of the center, a third each. Source: Coxeter and Greitzer, Geometry Revisited,

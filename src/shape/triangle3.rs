@@ -28,7 +28,7 @@ pub struct Triangle3<S> {
 }
 
 impl<S> Triangle3<S> {
-    /// From its corners.
+    /// Creates a triangle from its corners.
     #[inline(always)]
     pub const fn new(a: Vec3<S>, b: Vec3<S>, c: Vec3<S>) -> Self {
         Triangle3 { a, b, c }
@@ -78,8 +78,8 @@ impl<S: Scalar> Triangle3<S> {
     pub fn plane(self) -> Plane3<S> {
         Plane3::through(self.a, self.twice_area_normal())
     }
-    /// Six times the signed volume of the tetrahedron with a point: positive when the point is behind
-    /// the triangle, as for the points inside a closed mesh whose normals look outwards.
+    /// Returns six times the signed volume of the tetrahedron with a point. It is positive when the point is behind the
+    /// triangle, as for the points inside a closed mesh whose normals point outwards.
     #[must_use]
     #[inline(always)]
     pub fn six_volume(self, point: Vec3<S>) -> S {

@@ -18,7 +18,7 @@ macro_rules! vector {
         }
 
         impl<S> $name<S> {
-            /// From coordinates.
+            /// Creates a vector from coordinates.
             #[inline(always)]
             pub const fn new($($field: S),*) -> Self {
                 Self { $($field),* }
@@ -45,8 +45,8 @@ macro_rules! vector {
             pub fn length_squared(self) -> S {
                 self.dot(self)
             }
-            /// Returns the vector of length one in the same direction, or the zero vector (with derivative
-            /// zero) for the zero vector.
+            /// Returns the vector of length one in this direction, or the zero vector (with derivative zero) for the
+            /// zero vector.
             #[must_use]
             #[inline(always)]
             pub fn normalize_or_zero(self) -> Self {
@@ -55,7 +55,7 @@ macro_rules! vector {
                 let length = S::select(zero, S::one(), length);
                 Self { $($field: S::select(zero, S::zero(), self.$field.over(length))),* }
             }
-            /// Returns the vector of length one in the same direction; `None` for the zero vector.
+            /// Returns the vector of length one in this direction; `None` for the zero vector.
             #[must_use]
             #[inline]
             pub fn try_normalize(self) -> Option<Self>
@@ -70,25 +70,25 @@ macro_rules! vector {
             pub fn lerp(self, other: Self, t: S) -> Self {
                 self + (other - self) * t
             }
-            /// Coordinate by coordinate the smaller one; ties share the derivative.
+            /// Returns the smaller coordinate of both, coordinate by coordinate; ties share the derivative.
             #[must_use]
             #[inline(always)]
             pub fn least(self, other: Self) -> Self {
                 Self { $($field: self.$field.least(other.$field)),* }
             }
-            /// Coordinate by coordinate the larger one; ties share the derivative.
+            /// Returns the larger coordinate of both, coordinate by coordinate; ties share the derivative.
             #[must_use]
             #[inline(always)]
             pub fn most(self, other: Self) -> Self {
                 Self { $($field: self.$field.most(other.$field)),* }
             }
-            /// Returns the same vector; zeros lose their sign.
+            /// Returns the vector with its zeros positive.
             #[must_use]
             #[inline(always)]
             pub fn canonical(self) -> Self {
                 Self { $($field: self.$field.canonical()),* }
             }
-            /// Returns the same vector with coordinates beyond the largest number at that.
+            /// Returns the vector with coordinates clamped to the largest number.
             #[inline(always)]
             pub(crate) fn saturated(self) -> Self {
                 Self { $($field: self.$field.saturated()),* }
@@ -174,7 +174,7 @@ vector! {
 }
 
 impl<S: Scalar> Vec2<S> {
-    /// `yes` where the mask is true, else `no`.
+    /// Returns `yes` where the mask is true, else `no`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
         Vec2::new(S::select(mask, yes.x, no.x), S::select(mask, yes.y, no.y))
@@ -219,7 +219,7 @@ impl<S: Scalar> Vec2<S> {
 }
 
 impl<S: Scalar> Vec3<S> {
-    /// `yes` where the mask is true, else `no`.
+    /// Returns `yes` where the mask is true, else `no`.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn select(mask: S::Mask, yes: Self, no: Self) -> Self {
         let pick = |yes: S, no: S| S::select(mask, yes, no);

@@ -1,7 +1,7 @@
 //! Membership of points in shapes, by signs in numbers of twice the digits: straight lines.
 use crate::arrays::Each;
 use crate::scalar::largest;
-use crate::twofold::{Twofold, Way, cross, dot, rounded, turn, volume, way};
+use crate::twofold::{ExactVector, Twofold, cross, dot, rounded, turn, volume, way};
 use crate::{Mask, Scalar};
 
 /// Returns the power of two that brings the largest of some sizes to about one; one for zeros.
@@ -10,7 +10,7 @@ pub(super) fn unit<P: Scalar<Primal = P>, const N: usize>(sizes: [P; N]) -> P {
     crate::distance::edge::scale_of::<P>(largest(sizes))
 }
 
-/// Returns the size of the way between two points: its largest coordinate, rounded.
+/// Returns the size of the difference of two points: its largest coordinate, rounded.
 #[inline(always)]
 pub(super) fn size<P: Scalar<Primal = P>, const N: usize>(from: [P; N], to: [P; N]) -> P {
     let mut ways = [P::zero(); N];
@@ -69,10 +69,10 @@ pub(super) fn in_tetrahedron<P: Scalar<Primal = P>>(
 
 /// Returns `true` where the origin, known to be in the plane of three points, is in their triangle, which may be flat.
 #[inline(always)]
-fn in_face<P: Scalar>(arms: [Way<P, 3>; 3]) -> P::Mask {
+fn in_face<P: Scalar>(arms: [ExactVector<P, 3>; 3]) -> P::Mask {
     let turns = [(0, 1), (1, 2), (2, 0)].each_as(|(i, j)| cross(arms[i], arms[j]));
     let in_sight = |k: usize| {
-        // A flat triangle turns nowhere: its bounds say where it ends.
+        // A flat triangle has no orientation: its bounds decide.
         one_sided(turns.each_as(|turn| turn[k])) & !(one_sign(arms.each_as(|arm| arm[k].high)))
     };
     in_sight(0) & in_sight(1) & in_sight(2)
@@ -95,28 +95,28 @@ pub(super) fn in_triangle<P: Scalar<Primal = P>>(corners: [[P; 2]; 3], point: [P
     one_sided(turns) & bounds[0] & bounds[1]
 }
 
-/// What the points of an axis are: its way, and those from its ends to a point, in one unit.
-pub(super) struct Along<P, const N: usize> {
-    /// The way from start to end.
-    pub axis: Way<P, N>,
-    /// The way from the start to the point.
-    pub arm: Way<P, N>,
-    /// How far the point is along the axis from the start, times the axis.
+/// A point relative to the axis of a solid: exact vectors along the axis and to the point, in one unit.
+pub(super) struct AxisPoint<P, const N: usize> {
+    /// The vector from start to end.
+    pub axis: ExactVector<P, N>,
+    /// The vector from the start to the point.
+    pub arm: ExactVector<P, N>,
+    /// The inner product of the axis with the vector from the start to the point.
     pub height: P,
-    /// How far the point is along the axis from the end, times the axis.
+    /// The inner product of the axis with the vector from the end to the point.
     pub beyond: P,
-    /// The power of two of all ways.
+    /// The power of two that scales all vectors.
     pub unit: P,
 }
 
-impl<P: Scalar<Primal = P>, const N: usize> Along<P, N> {
-    /// Returns a point as seen from an axis of a solid with a radius.
+impl<P: Scalar<Primal = P>, const N: usize> AxisPoint<P, N> {
+    /// Returns a point relative to the axis of a solid with a radius.
     #[inline(always)]
     pub fn new(start: [P; N], end: [P; N], point: [P; N], radius: P) -> Self {
         let unit = unit([size(start, end), size(start, point), radius]);
         let axis = way(start, end, unit);
         let arm = way(start, point, unit);
-        Along {
+        AxisPoint {
             axis,
             arm,
             height: dot(axis, arm),

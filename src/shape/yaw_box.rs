@@ -29,7 +29,7 @@ pub struct YawBox3<S> {
 }
 
 impl<S> YawBox3<S> {
-    /// From centre, size and heading, unchecked.
+    /// Creates a box from centre, size and heading, unchecked.
     #[inline(always)]
     pub const fn new(center: Vec3<S>, size: Vec3<S>, heading: S) -> Self {
         YawBox3 {
@@ -111,7 +111,7 @@ impl<S: Scalar> YawBox3<S> {
 }
 
 impl<S: Scalar> From<Aabb3<S>> for YawBox3<S> {
-    /// Returns the same box with heading zero; a side longer than the largest number is that.
+    /// Returns the box as one with heading zero; a side longer than the largest number becomes that number.
     #[inline(always)]
     fn from(bounds: Aabb3<S>) -> Self {
         YawBox3::new(bounds.center(), bounds.size().saturated(), S::zero())

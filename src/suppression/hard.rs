@@ -3,8 +3,8 @@ use super::{Pair, Rules, neighbours, order};
 use crate::Scalar;
 use crate::error::Error;
 
-/// Returns the detections that no better one, kept itself, overlaps by more than the threshold: their places, the
-/// best first.
+/// Returns the indices of the detections that no better one, kept itself, overlaps by more than the threshold, the best
+/// first.
 ///
 /// # Errors
 ///
@@ -45,9 +45,9 @@ pub fn hard<S: Scalar<Mask = bool>>(
     Ok(kept)
 }
 
-/// Returns the same as [`hard`], round by round: in every round a detection stays if no better one that stayed in
-/// the round before overlaps it, until nothing changes. Gives the kept ones, the best first, and the number
-/// of rounds, which is at most the length of the longest chain of overlaps.
+/// Returns the detections that [`hard`] keeps, computed round by round: in every round a detection stays if no better
+/// one that stayed in the previous round overlaps it, until nothing changes. Also returns the number of rounds, which
+/// is at most the length of the longest chain of overlaps. The best detection is first.
 ///
 /// # Errors
 ///

@@ -34,7 +34,7 @@ pub fn matrix<S: Scalar<Mask = bool>>(
         counts[i] = true;
     }
     let is_better = |i: usize, j: usize| counts[i] && better(scores, i, j).is_lt();
-    // How much every detection is overlapped by a better one.
+    // The largest overlap of every detection with a better one.
     let mut most = vec![S::zero(); scores.len()];
     for &i in &order {
         for &(other, pair) in near.of(i) {

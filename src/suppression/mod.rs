@@ -31,15 +31,15 @@ pub use soft::{Decayed, soft, soft_replay, soft_search, soft_vjp};
 /// Two things of a list, or one of each of two lists, and how much they overlap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair<S> {
-    /// The first one's place in its list.
+    /// The first one's index in its list.
     pub first: usize,
-    /// The second one's place in its list.
+    /// The second one's index in its list.
     pub second: usize,
     /// Their overlap.
     pub overlap: S,
 }
 
-/// Which detections count, and how many are kept.
+/// The rules that select the detections that count, and the number that is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rules<'a, S> {
     /// The class of every detection; `None` where all are of one. Detections of two classes do not suppress
@@ -54,7 +54,7 @@ pub struct Rules<'a, S> {
 }
 
 impl<S: Scalar> Rules<'_, S> {
-    /// Suppression of overlaps above a threshold, of one class, of all scores, of any number.
+    /// Creates the options that suppress overlaps above a threshold, of one class, of all scores, of any number.
     pub fn above(overlap: S) -> Self {
         Rules {
             classes: None,
@@ -65,7 +65,7 @@ impl<S: Scalar> Rules<'_, S> {
     }
 }
 
-/// How a score falls by an overlap: by a factor in `[0, 1]`. Scores below zero, which a factor would raise, stay.
+/// The decay of a score by an overlap: a factor in `[0, 1]`. Scores below zero, which a factor would raise, stay.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Decay<S> {
     /// By the factor `1 − overlap`, for overlaps above the threshold; by the factor 0 for overlaps above one.
@@ -103,7 +103,7 @@ impl<S: Scalar<Mask = bool>> Decay<S> {
 /// A detection that is kept, and its score after suppression.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kept<S> {
-    /// Its place in the list of scores.
+    /// Its index in the list of scores.
     pub index: usize,
     /// Its score.
     pub score: S,
@@ -163,7 +163,7 @@ pub(crate) fn better<S: Scalar<Mask = bool>>(scores: &[S], i: usize, j: usize) -
     }
 }
 
-/// Returns the places of all scores that are at least so large, the best first; of equal ones the one that comes
+/// Returns the indices of all scores that are at least so large, the best first; of equal ones the one that comes
 /// first.
 ///
 /// # Errors
@@ -184,7 +184,7 @@ pub fn order<S: Scalar<Mask = bool>>(scores: &[S], least: S) -> Result<Vec<usize
     Ok(order)
 }
 
-/// The overlapping pairs of each detection, both ways, within a class.
+/// The overlapping pairs of each detection, in both orders, within a class.
 pub(crate) struct Neighbours {
     start: Vec<usize>,
     /// The other one, and the pair.
@@ -197,7 +197,7 @@ impl Neighbours {
     }
 }
 
-/// Checks rules for so many detections.
+/// Checks rules for a number of detections.
 pub(crate) fn check_rules<S: Scalar<Mask = bool>>(
     count: usize,
     rules: &Rules<'_, S>,

@@ -41,7 +41,7 @@ pub fn soft<S: Scalar<Mask = bool>>(
     Ok(soft_search(scores, pairs, decay, rules)?.0)
 }
 
-/// [`soft`] and the record of its decisions, for [`soft_replay`] and [`soft_vjp`].
+/// Returns the result of [`soft`] and the record of its decisions, for [`soft_replay`] and [`soft_vjp`].
 ///
 /// # Errors
 ///
@@ -141,9 +141,10 @@ pub fn soft_replay<S: Scalar<Mask = bool>>(
     .collect()
 }
 
-/// Derivatives of `Σ kept_bar · score` of the kept detections by all scores and by the overlaps of all pairs.
+/// Returns the derivatives of `Σ kept_bar · score` of the kept detections by all scores and by the overlaps of all
+/// pairs.
 ///
-/// Which detections are kept, and which pairs lower which scores, stays as recorded.
+/// The kept detections, and the pairs that lower scores, stay as recorded.
 #[must_use]
 pub fn soft_vjp<S: Scalar<Mask = bool>>(
     scores: &[S],

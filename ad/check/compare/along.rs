@@ -1,6 +1,9 @@
-//! Derivatives along one direction against differences along it.
+//! Comparison of the derivatives along one direction with differences along it. For every combination of outputs it
+//! decides the smoothness at the input along the direction and whether a derivative is refused. It extrapolates
+//! differences at falling step sizes ([`DerivativeTest`]), has a refusal confirmed by other sequences of steps, and
+//! accepts derivatives that a convention at kinks allows. [`steps`](super::steps) calls it for every direction.
+use crate::ad::check::compare::assessment::Assessment;
 use crate::ad::check::compare::derivative_test::DerivativeTest;
-use crate::ad::check::compare::opinion::Opinion;
 use crate::ad::check::compare::projection::worst_input;
 use crate::ad::check::evidence::{Combination, Evidence, comparison};
 use crate::ad::check::notes::Notes;
@@ -12,31 +15,32 @@ use crate::ad::check::tolerances::{
     COARSE, DECIDED, FEW_INPUTS, FIRST, INFORMATIVE, NEAR_JUMP, ROUNDINGS, SAFETY, TALL,
 };
 use crate::ad::check::verdict::{ByWitness, Reason, Smoothness, Witness};
-use crate::ad::check::witness::{Estimate, Ladder, dot};
+use crate::ad::check::witness::{Estimate, StepSequence, dot};
 
-/// Makes a ladder: values along a direction, from a first step downwards.
-pub(crate) type Climb<'c> = &'c dyn Fn(&[f64], f64) -> Ladder;
+/// A function that evaluates a sequence of steps along a direction, from a first step downwards.
+pub(crate) type TakeSteps<'c> = &'c dyn Fn(&[f64], f64) -> StepSequence;
 
-/// Places in [`PAIRS`](crate::ad::check::verdict::PAIRS): derivatives by hand, and by duals, against differences.
+/// Indices in [`PAIRS`](crate::ad::check::verdict::PAIRS): derivatives by hand, and by duals, against differences.
 const BY_HAND: usize = 1;
 const BY_DUALS: usize = 2;
 
 /// A direction to take differences along.
-pub(crate) struct Along<'d> {
-    pub(crate) e: &'d Evidence<'d>,
-    /// The number of the direction. Of a short input the first directions are its axes, in order.
+pub(crate) struct AlongDirection<'d> {
+    pub(crate) evidence: &'d Evidence<'d>,
+    /// The number of the direction. For a short input the first directions are its axes, in order.
     pub(crate) k: usize,
     pub(crate) direction: &'d [f64],
     /// Values along it.
-    pub(crate) here: &'d Ladder,
-    pub(crate) climb: Climb<'d>,
-    /// The same without regard to the domain, for a function that is defined everywhere.
-    pub(crate) across: Option<Climb<'d>>,
-    /// `true` if others have judged the derivative with respect to the number of the direction.
-    pub(crate) covered: bool,
+    pub(crate) here: &'d StepSequence,
+    pub(crate) take_steps: TakeSteps<'d>,
+    /// The function that evaluates steps without regard to the domain, for a function that is defined everywhere.
+    pub(crate) across: Option<TakeSteps<'d>>,
+    /// `true` if another comparison has judged the derivative with respect to the number of the direction.
+    pub(crate) judged: bool,
 }
 
-/// The derivatives of one combination along a direction, and per number if the direction is an axis.
+/// The derivatives of one combination of outputs along a direction, or with respect to one number if the direction is
+/// an axis.
 struct Derivatives {
     by_hand: Option<f64>,
     by_duals: Option<f64>,
@@ -56,7 +60,7 @@ impl Derivatives {
             ..ByWitness::default()
         }
     }
-    /// Returns the derivative by the other of the two exact witnesses.
+    /// Returns the derivative by duals for the adjoint, and by the adjoint for the duals.
     fn other(&self, witness: Witness) -> Option<f64> {
         match witness {
             Witness::Adjoint => self.by_duals,
@@ -65,26 +69,25 @@ impl Derivatives {
     }
 }
 
-impl Along<'_> {
+impl AlongDirection<'_> {
     /// Returns `true` if no source is known and the convention [`flat`](Conventions::flat) holds, as for shapes.
     fn is_of_shapes(&self) -> bool {
-        !self.here.traced && self.e.subject.conventions().flat
+        !self.here.traced && self.evidence.subject.conventions().flat
     }
 
-    /// Returns `true` if the direction is that of one number.
+    /// Returns `true` if the direction moves one number only.
     fn is_axis(&self) -> bool {
-        self.e.x.len() <= FEW_INPUTS && self.k < self.e.x.len()
+        self.evidence.x.len() <= FEW_INPUTS && self.k < self.evidence.x.len()
     }
-    /// Returns the input that a complaint names: the axis, or 0 along another direction.
+    /// Returns the input that a fault names: the axis, or 0 along another direction.
     fn input(&self) -> usize {
         if self.is_axis() { self.k } else { 0 }
     }
 
-    /// By how much the value may change within the rounding of the steps along a direction. Along
-    /// an axis steps are exact; of a function whose branches are not known, which may round its input, every number
-    /// counts.
+    /// Returns the change of the value that rounding of the steps along a direction allows. Along an axis steps are
+    /// exact. A function whose branches are unknown may round its input, so every number counts.
     fn reach(&self) -> f64 {
-        let e = self.e;
+        let e = self.evidence;
         let moved = || (0..e.x.len()).filter(|&i| self.is_of_shapes() || self.direction[i] != 0.0);
         if !self.is_of_shapes() && moved().count() < 2 {
             return 0.0;
@@ -93,47 +96,47 @@ impl Along<'_> {
         moved().map(|i| derivative(i) * e.eps * e.x[i].abs()).sum()
     }
 
-    /// Notes a jump of an output along the direction, larger than the rounding of steps, and a complaint where it must
+    /// Notes a jump of an output along the direction, larger than the rounding of steps, and a fault if the output must
     /// not jump.
     pub(crate) fn jumps(&self) -> Notes {
-        let (e, here) = (self.e, self.here);
-        let mut said = Notes::new(e.x.len());
+        let (e, here) = (self.evidence, self.here);
+        let mut notes = Notes::new(e.x.len());
         let reach = self.reach();
-        let mut unrest = Vec::new();
+        let mut deviation = Vec::new();
         for j in 0..e.y.len() {
-            // Single precision may say zero where double does not.
+            // Single precision may be zero where double is not.
             let size = here.center[j].abs().max(e.y[j].abs());
             if here.traced && here.jump(j, e.eps * size).is_some() {
                 // Rounding within a branch is no jump.
                 let none = vec![0.0; e.y.len()];
-                unrest = e.spread(&e.y, Some(&none), |x| Some(e.subject.value(x)));
-                unrest[j] = unrest[j].max(e.explained(j));
+                deviation = e.deviation(&e.y, Some(&none), |x| Some(e.subject.value(x)));
+                deviation[j] = deviation[j].max(e.explained(j));
             }
-            let noise = e.eps * size + unrest.get(j).unwrap_or(&0.0) + reach;
+            let noise = e.eps * size + deviation.get(j).unwrap_or(&0.0) + reach;
             let noise = noise.max(e.resolution[j]);
-            // A kink may be nearer than the smallest step; a jump still jumps nearer by.
-            let near = || (self.climb)(self.direction, NEAR_JUMP).jump(j, noise);
+            // A kink may be nearer than the smallest step. A jump shows at smaller steps, too.
+            let near = || (self.take_steps)(self.direction, NEAR_JUMP).jump(j, noise);
             if here.jump(j, noise).is_some() && near().is_some() {
-                said.jump = true;
+                notes.jump = true;
                 let allowed = match e.subject.conventions().jumps {
                     Jumps::Never => false,
                     Jumps::FromZero => e.y[j] == 0.0,
                     Jumps::Anywhere => true,
                 };
                 if !allowed {
-                    said.complain(Reason::Jump, j, self.k);
+                    notes.add_fault(Reason::Jump, j, self.k);
                 }
                 break;
             }
         }
-        said
+        notes
     }
 
-    /// One combination of outputs: the kind of place along the direction, changes of branch, and derivatives against
-    /// steps.
+    /// Judges one combination of outputs: the smoothness along the direction, changes of branch, and derivatives
+    /// against differences.
     pub(crate) fn one_row(&self, row: &Combination, noise: f64) -> Notes {
-        let (e, direction) = (self.e, self.direction);
-        let mut said = Notes::new(e.x.len());
+        let (e, direction) = (self.evidence, self.direction);
+        let mut notes = Notes::new(e.x.len());
         let mut noise = noise;
         // Along random directions the steps are rounded in every coordinate.
         if direction.iter().filter(|d| **d != 0.0).count() > 1
@@ -157,7 +160,7 @@ impl Along<'_> {
             },
             along: !self.is_axis(),
         };
-        let ladder = |first| (self.climb)(direction, first);
+        let sequence = |first| (self.take_steps)(direction, first);
         let own = match (self.is_axis(), e.x.get(self.k)) {
             (true, Some(x)) => x.abs() / direction[self.k].abs(),
             _ => 1.0,
@@ -165,7 +168,7 @@ impl Along<'_> {
         let test = DerivativeTest {
             weights: &row.weights,
             here: self.here,
-            climb: &ladder,
+            steps_from: &sequence,
             derivative: 0.0,
             exact: f64::INFINITY,
             noise,
@@ -191,18 +194,19 @@ impl Along<'_> {
                 guessed: e.subject.guessed_scales(),
                 ..test
             };
-            let (seen, opinion) = self.one_derivative(row, witness, test, &derivatives, &mut said);
-            place = match opinion {
-                Opinion::Fine { .. } => place.or(Some(seen)),
+            let (seen, assessment) =
+                self.one_derivative(row, witness, test, &derivatives, &mut notes);
+            place = match assessment {
+                Assessment::Agrees { .. } => place.or(Some(seen)),
                 _ => Some(seen),
             };
-            // An adjoint that agrees with the duals is judged for both.
+            // An adjoint that equals the duals is judged for both.
             let equal = ROUNDINGS * e.eps * row.largest;
             if let (Witness::Adjoint, Some(dual)) = (witness, derivatives.by_duals)
                 && (dual - derivative).abs() <= equal
             {
-                let estimate = match opinion {
-                    Opinion::Fine { estimate, .. } if !opinion.undefined() => estimate,
+                let estimate = match assessment {
+                    Assessment::Agrees { estimate, .. } if !assessment.undefined() => estimate,
                     _ => None,
                 };
                 if let Some(found) = estimate {
@@ -214,16 +218,16 @@ impl Along<'_> {
                         gap,
                         (&found, tolerance),
                         &derivatives,
-                        &mut said,
+                        &mut notes,
                     );
                 }
                 break;
             }
         }
         let (place, switched) = place.unwrap_or_else(|| {
-            // No derivative at all: still say what kind of place it is.
+            // Without derivatives the smoothness is determined nevertheless.
             match test.first() {
-                Opinion::Fine {
+                Assessment::Agrees {
                     place, switched, ..
                 } => (place, switched),
                 _ => (Smoothness::Undefined, self.here.traced),
@@ -231,22 +235,22 @@ impl Along<'_> {
         });
         let derived = row.adjoint.is_some() || row.dual.is_some();
         if place != Smoothness::Undefined && derived {
-            said.told.push((row.output, self.k, place));
-            match said.covered.get_mut(self.k) {
-                Some(covered) if e.x.len() <= FEW_INPUTS => *covered = true,
-                _ => said.covered.fill(true),
+            notes.smoothness.push((row.output, self.k, place));
+            match notes.judged.get_mut(self.k) {
+                Some(judged) if e.x.len() <= FEW_INPUTS => *judged = true,
+                _ => notes.judged.fill(true),
             }
         }
-        said.directions[match place {
+        notes.directions[match place {
             Smoothness::Smooth => 0,
             Smoothness::Kink => 1,
             Smoothness::Undefined => 2,
         }] += 1;
-        said.switched += u64::from(switched);
-        said
+        notes.switched += u64::from(switched);
+        notes
     }
 
-    /// A comparison with an estimate.
+    /// Compares a derivative with an estimate by differences.
     fn note(
         &self,
         row: &Combination,
@@ -254,40 +258,41 @@ impl Along<'_> {
         gap: f64,
         (found, tolerance): (&Estimate, f64),
         derivatives: &Derivatives,
-        said: &mut Notes,
+        notes: &mut Notes,
     ) {
         let numbers = derivatives.numbers(Some(found.value), None);
         let at = comparison(row, self.input(), numbers, tolerance / derivatives.per);
         let size = row.largest / derivatives.per;
-        said.compared(pair, gap / derivatives.per, size, self.e.eps, at);
+        notes.compared(pair, gap / derivatives.per, size, self.evidence.eps, at);
     }
 
-    /// One witness: what kind of place it is, and what the last ladder said.
+    /// Judges the derivative of one witness along the direction. Returns the smoothness, `true` if branches switch, and
+    /// the assessment by the last sequence of step sizes.
     fn one_derivative(
         &self,
         row: &Combination,
         witness: Witness,
         mut test: DerivativeTest<'_>,
         derivatives: &Derivatives,
-        said: &mut Notes,
-    ) -> ((Smoothness, bool), Opinion) {
-        let (e, direction) = (self.e, self.direction);
-        let mut opinion = test.first();
-        if opinion.complains() {
-            e.provoke(row);
-            e.provoke_widely(row);
+        notes: &mut Notes,
+    ) -> ((Smoothness, bool), Assessment) {
+        let (e, direction) = (self.evidence, self.direction);
+        let mut assessment = test.first();
+        if assessment.refuses() {
+            e.perturb(row);
+            e.perturb_in_double(row);
             test.exact = row.allowed_along(direction);
             test.rough = e.rough_value(e.on(), &row.weights);
-            opinion = test.first();
+            assessment = test.first();
         }
-        let coarse = opinion;
-        opinion = test.finer(opinion);
-        let covered = self.covered || said.covered.get(self.k).is_some_and(|covered| *covered);
-        if self.is_axis() && opinion.undefined() && !covered {
-            said.covered[self.k] |= self.coarsely_covered(row, coarse, test.exact);
+        let coarse = assessment;
+        assessment = test.finer(assessment);
+        let judged = self.judged || notes.judged.get(self.k).is_some_and(|judged| *judged);
+        if self.is_axis() && assessment.undefined() && !judged {
+            notes.judged[self.k] |= self.is_coarsely_judged(row, coarse, test.exact);
         }
-        let place = match opinion {
-            Opinion::Fine {
+        let place = match assessment {
+            Assessment::Agrees {
                 place,
                 switched,
                 estimate,
@@ -299,21 +304,22 @@ impl Along<'_> {
                         Witness::Adjoint => BY_HAND,
                         _ => BY_DUALS,
                     };
-                    self.note(row, pair, gap, (&found, tolerance), derivatives, said);
+                    self.note(row, pair, gap, (&found, tolerance), derivatives, notes);
                 }
                 (place, switched)
             }
-            Opinion::Other { estimate } => {
-                self.other(row, witness, &test, estimate, derivatives, said)
+            Assessment::Differs { estimate } => {
+                self.other(row, witness, &test, estimate, derivatives, notes)
             }
-            Opinion::Outside { sides, tolerance } => {
-                self.outside(row, witness, &test, (sides, tolerance), derivatives, said)
+            Assessment::Outside { sides, tolerance } => {
+                self.outside(row, witness, &test, (sides, tolerance), derivatives, notes)
             }
         };
-        (place, opinion)
+        (place, assessment)
     }
 
-    /// Returns the kind of place, and whether branches switch, where steps give another derivative.
+    /// Decides about a derivative that differs from the differences. Returns the smoothness, and `true` if branches
+    /// switch.
     fn other(
         &self,
         row: &Combination,
@@ -321,44 +327,44 @@ impl Along<'_> {
         test: &DerivativeTest<'_>,
         estimate: Estimate,
         derivatives: &Derivatives,
-        said: &mut Notes,
+        notes: &mut Notes,
     ) -> (Smoothness, bool) {
-        let (e, direction) = (self.e, self.direction);
+        let (e, direction) = (self.evidence, self.direction);
         let agree = derivatives.by_hand.zip(derivatives.by_duals);
         let agree = agree.is_some_and(|(a, b)| (a - b).abs() <= test.exact);
-        let review = test.again(Opinion::Other { estimate }, agree);
+        let review = test.again(Assessment::Differs { estimate }, agree);
         if !review.stands {
             return match review.supported {
                 true => (Smoothness::Smooth, false),
                 false => (Smoothness::Undefined, true),
             };
         }
-        if agree && self.tell_nothing(test) {
+        if agree && self.is_undecidable(test) {
             return (Smoothness::Undefined, true);
         }
         let found = review.against.unwrap_or(estimate);
         let tolerance = SAFETY * found.error + test.exact;
         let tied = agree && e.exactly_tied();
-        // Without the function's source, steps alone tell whether pieces meet.
+        // Without the function's source, steps alone show if branches meet.
         let unknown = self.is_of_shapes() && derivatives.other(witness).is_none();
-        // Away from a tie derivatives differ a little between places; only larger differences are pieces.
+        // Derivatives vary smoothly between neighbouring points. Only a larger difference means another branch.
         let least = if tied { 0.0 } else { DECIDED * row.largest };
         let is_among = || {
             let own = (test.derivative, tolerance);
-            e.among_derivatives_nearby(&row.weights, direction, own, least)
+            e.is_among_derivatives_nearby(&row.weights, direction, own, least)
         };
         let by_convention = if witness == Witness::Dual && e.tie_of_duals() {
             Some((Smoothness::Smooth, false))
         } else if tied && (chosen(e) || self.bent(row)) {
             Some((Smoothness::Undefined, true))
         } else if (tied || unknown) && is_among() {
-            // At a tie any derivative between those of the pieces is right.
+            // At a tie any derivative between those of the branches is right.
             Some((Smoothness::Kink, true))
         } else {
             (unknown && self.chosen_here(row)).then_some((Smoothness::Undefined, true))
         };
         if let Some(place) = by_convention {
-            said.convention = true;
+            notes.convention = true;
             return place;
         }
         let other = derivatives.other(witness);
@@ -366,10 +372,10 @@ impl Along<'_> {
         let input = if e.x.len() <= FEW_INPUTS {
             self.input()
         } else {
-            let ladder = |there: &[f64]| (self.climb)(there, FIRST[0]);
-            worst_input(e, row, witness, direction, &ladder)
+            let sequence = |there: &[f64]| (self.take_steps)(there, FIRST[0]);
+            worst_input(e, row, witness, direction, &sequence)
         };
-        said.complain_of(
+        notes.add_fault_with(
             Reason::Disagree(witness, Witness::Difference),
             agrees.then_some(witness),
             (row.output, input),
@@ -379,7 +385,8 @@ impl Along<'_> {
         (Smoothness::Smooth, false)
     }
 
-    /// Returns the kind of place, and whether branches switch, where the derivative is not between those of both sides.
+    /// Decides about a derivative that is not between those of both sides. Returns the smoothness, and `true` if
+    /// branches switch.
     fn outside(
         &self,
         row: &Combination,
@@ -387,9 +394,9 @@ impl Along<'_> {
         test: &DerivativeTest<'_>,
         (sides, tolerance): ([f64; 2], f64),
         derivatives: &Derivatives,
-        said: &mut Notes,
+        notes: &mut Notes,
     ) -> (Smoothness, bool) {
-        let e = self.e;
+        let e = self.evidence;
         let border = self.here.is_at_border();
         let is_tie = chosen(e) && e.exactly_tied();
         let unknown = self.is_of_shapes() && derivatives.other(witness).is_none();
@@ -401,16 +408,16 @@ impl Along<'_> {
             || (unknown && border)
             || (unknown && self.chosen_here(row))
         {
-            said.convention = true;
+            notes.convention = true;
         } else if test
-            .again(Opinion::Outside { sides, tolerance }, false)
+            .again(Assessment::Outside { sides, tolerance }, false)
             .stands
-            && !e.among_derivatives_nearby(&row.weights, self.direction, own, 0.0)
+            && !e.is_among_derivatives_nearby(&row.weights, self.direction, own, 0.0)
         {
             let at = (row.output, self.input());
             let numbers = derivatives.numbers(None, Some(sides));
             let tolerance = tolerance / derivatives.per;
-            said.complain_of(Reason::OutsideKink, None, at, numbers, tolerance);
+            notes.add_fault_with(Reason::OutsideKink, None, at, numbers, tolerance);
         }
         let place = match border {
             true => Smoothness::Smooth,
@@ -419,8 +426,8 @@ impl Along<'_> {
         (place, true)
     }
 
-    /// Returns `true` if a declared convention allows the derivative. Where the value is zero, it may be zero. At the
-    /// border of the domain it may lie between zero and that of the only side.
+    /// Returns `true` if a declared convention allows the derivative. If the value is zero, the derivative may be zero.
+    /// At the border of the domain it may lie between zero and that of the only side.
     fn flat(
         &self,
         row: &Combination,
@@ -428,75 +435,78 @@ impl Along<'_> {
         (derivative, tolerance): (f64, f64),
     ) -> bool {
         let border = self.here.is_at_border();
-        self.e.subject.conventions().flat
+        self.evidence.subject.conventions().flat
             && if border {
                 let (low, high) = (sides[0].min(0.0), sides[0].max(0.0));
                 derivative >= low - tolerance && derivative <= high + tolerance
             } else {
-                dot(&row.weights, &self.e.y) == 0.0 && derivative.abs() <= tolerance
+                dot(&row.weights, &self.evidence.y) == 0.0 && derivative.abs() <= tolerance
             }
     }
 
-    /// Returns `true` for a function of unknown source that may jump anywhere and whose derivatives are right beside
-    /// the input. At the input it then chooses among several results.
+    /// Returns `true` for a function of unknown source that may jump anywhere and whose derivatives are right near the
+    /// input. At the input it then chooses among several results.
     fn chosen_here(&self, row: &Combination) -> bool {
-        self.e.subject.conventions().jumps == Jumps::Anywhere
-            && self.e.is_right_beside(row, self.direction)
+        self.evidence.subject.conventions().jumps == Jumps::Anywhere
+            && self.evidence.is_right_nearby(row, self.direction)
     }
 
     /// Returns `true` if a kink exactly on the border of the domain has its other side beyond, and the derivative is
     /// between both.
     fn beyond(&self, test: &DerivativeTest<'_>) -> bool {
         let border = self.here.is_at_border();
-        let Some(across) = self.across.filter(|_| border && self.e.exactly_tied()) else {
+        let Some(across) = self
+            .across
+            .filter(|_| border && self.evidence.exactly_tied())
+        else {
             return false;
         };
         let here = across(self.direction, FIRST[0]);
-        let climb = |first| across(self.direction, first);
+        let steps_from = |first| across(self.direction, first);
         let there = DerivativeTest {
             here: &here,
-            climb: &climb,
+            steps_from: &steps_from,
             ..*test
         };
-        let said = there.first();
-        !said.undefined() && !said.complains()
+        let assessment = there.first();
+        !assessment.undefined() && !assessment.refuses()
     }
 
     /// Returns `true` if steps cannot decide although both witnesses agree. Either cancellation leaves no digits, or
-    /// the feature is smaller than the smallest step: lines parallel but for 1e-11, a ball of 1e-13.
-    fn tell_nothing(&self, test: &DerivativeTest<'_>) -> bool {
-        self.here.still() || self.seen_nearer(test) || self.left_at_once()
+    /// the feature is smaller than the smallest step: lines with an angle of 1e-11, a ball of 1e-13.
+    fn is_undecidable(&self, test: &DerivativeTest<'_>) -> bool {
+        self.here.still() || self.is_confirmed_nearer(test) || self.leaves_branch_at_once()
     }
 
-    /// Returns `true` if the function may jump anywhere, and no step takes the branches of the input.
-    fn left_at_once(&self) -> bool {
-        let mut rungs = self.here.ahead.iter().chain(&self.here.behind);
-        let jumps = self.e.subject.conventions().jumps == Jumps::Anywhere;
-        jumps && self.here.traced && rungs.all(|rung| !rung.same)
+    /// Returns `true` if the function may jump anywhere and takes other branches at every step than at the input.
+    fn leaves_branch_at_once(&self) -> bool {
+        let mut steps = self.here.ahead.iter().chain(&self.here.behind);
+        let jumps = self.evidence.subject.conventions().jumps == Jumps::Anywhere;
+        jumps && self.here.traced && steps.all(|step| !step.same)
     }
 
     /// Returns `true` if far smaller steps confirm the derivative.
-    fn seen_nearer(&self, test: &DerivativeTest<'_>) -> bool {
-        let here = (self.climb)(self.direction, NEAR_JUMP);
-        let said = DerivativeTest {
+    fn is_confirmed_nearer(&self, test: &DerivativeTest<'_>) -> bool {
+        let here = (self.take_steps)(self.direction, NEAR_JUMP);
+        let assessment = DerivativeTest {
             here: &here,
             ..*test
         }
         .first();
-        matches!(said, Opinion::Fine { .. }) && !said.undefined()
+        matches!(assessment, Assessment::Agrees { .. }) && !assessment.undefined()
     }
 
     /// Returns `true` if there is no gradient at the input. Derivatives exist along two directions, from both sides or
-    /// one, but that along their sum is another number. This is so where a function of degree one that is not linear
-    /// begins: the circle through three points where these coincide.
+    /// one, but the derivative along their sum is not the sum of both. This is so where a function of degree one that
+    /// is not linear begins: the circle through three points where these coincide.
     fn bent(&self, row: &Combination) -> bool {
-        let (e, weights, noise) = (self.e, &row.weights, row.noise);
+        let (e, weights, noise) = (self.evidence, &row.weights, row.noise);
         let derivatives = |direction: &[f64]| {
-            let ladder = (self.climb)(direction, FIRST[0]);
+            let sequence = (self.take_steps)(direction, FIRST[0]);
             [
-                ladder.central(weights, noise, false),
-                ladder.one_sided(true, weights, noise),
-                ladder.one_sided(false, weights, noise),
+                sequence.central(weights, noise, false),
+                sequence.one_sided(true, weights, noise),
+                sequence.one_sided(false, weights, noise),
             ]
         };
         let here = derivatives(self.direction);
@@ -520,15 +530,15 @@ impl Along<'_> {
 
     /// Returns `true` if a difference is precise enough for the usual size of the derivative, though not for the
     /// largest.
-    fn coarsely_covered(&self, row: &Combination, said: Opinion, exact: f64) -> bool {
-        let Opinion::Fine {
+    fn is_coarsely_judged(&self, row: &Combination, coarse: Assessment, exact: f64) -> bool {
+        let Assessment::Agrees {
             estimate: Some(found),
             ..
-        } = said
+        } = coarse
         else {
             return false;
         };
-        let e = self.e;
+        let e = self.evidence;
         let derivatives = |x: &[f64]| e.subject.adjoint(x, &row.weights);
         let typical = (row.adjoint.as_ref()).map_or(0.0, |list| {
             let typical = e.typical(&row.weights, list, &derivatives, TALL);
@@ -541,9 +551,9 @@ impl Along<'_> {
 /// Returns `true` if the result is chosen from several, not a least or greatest number: by a search, or as points that
 /// may jump.
 ///
-/// If several choices are as good to the bit, derivatives are those of one of them, or their mean. They need not be
-/// between the derivatives of the two choices on either side. Numbers that are no points do not count: scores and areas
-/// that jump are not chosen from among others.
+/// If several choices tie to the bit, derivatives are those of one of them, or their mean. They need not be between the
+/// derivatives of the two choices on either side. Numbers that are no points do not count: scores and areas that jump
+/// are not chosen from among others.
 fn chosen(e: &Evidence<'_>) -> bool {
     let conventions = e.subject.conventions();
     let points = || e.subject.output_kinds().contains(&Kind::X);

@@ -1,88 +1,92 @@
-//! One derivative along one direction against what ladders of steps give for it.
-use crate::ad::check::compare::opinion::{Opinion, Review, review};
+//! The test of one derivative along one direction by sequences of steps. It decides if the steps confirm the
+//! derivative, refuse it or decide nothing: central differences within one branch, derivatives of both sides across a
+//! kink. [`along`](super::along) calls it, and has a refusal reviewed by further sequences
+//! ([`again`](DerivativeTest::again)).
+use crate::ad::check::compare::assessment::{Assessment, Review, review};
 use crate::ad::check::tolerances::{FINER, FIRST, INFORMATIVE, OWN_FIRST, OWN_SIZE, SAFETY, SIDES};
 use crate::ad::check::verdict::Smoothness;
-use crate::ad::check::witness::{Estimate, Ladder};
+use crate::ad::check::witness::{Estimate, StepSequence};
 
-/// The two sides of a comparison: a derivative, and ladders of any first step along its direction.
+/// A derivative, and sequences of steps along its direction that it is compared with.
 pub(crate) struct DerivativeTest<'l> {
     pub(crate) weights: &'l [f64],
     /// Values along the direction.
-    pub(crate) here: &'l Ladder,
-    /// The same from another first step.
-    pub(crate) climb: &'l dyn Fn(f64) -> Ladder,
+    pub(crate) here: &'l StepSequence,
+    /// Evaluates a sequence with another first step.
+    pub(crate) steps_from: &'l dyn Fn(f64) -> StepSequence,
     pub(crate) derivative: f64,
-    /// The error that the derivative may have by itself.
+    /// The rounding error of the derivative.
     pub(crate) exact: f64,
     /// The rounding noise of the value.
     pub(crate) noise: f64,
-    /// The measured roughness of the values: a gap that it explains is no complaint.
+    /// The measured roughness of the values: a gap that it explains is no refusal.
     pub(crate) rough: f64,
-    /// The same of constant values: they do not show the digits that they lose by cancellation.
+    /// The roughness of values that are constant along all steps: they do not show the digits that they lose by
+    /// cancellation.
     pub(crate) hidden: f64,
     /// The largest derivative.
     pub(crate) size: f64,
-    /// `true` if the scales are only guessed, so that finer steps are worth a try.
+    /// `true` if the scales are only guessed, so that finer steps are tried.
     pub(crate) guessed: bool,
     /// The number's own size in units of its scale.
     pub(crate) own: f64,
 }
 
 impl DerivativeTest<'_> {
-    /// Returns the opinion of the first ladder.
-    pub(crate) fn first(&self) -> Opinion {
+    /// Returns the assessment by the first sequence.
+    pub(crate) fn first(&self) -> Assessment {
         self.compare(self.here)
     }
 
-    /// Returns the opinion of a ladder with another first step.
-    fn other(&self, first: f64) -> Opinion {
-        let ladder = (self.climb)(first);
-        if ladder.still() && !self.here.still() {
+    /// Returns the assessment by a sequence with another first step.
+    fn other(&self, first: f64) -> Assessment {
+        let sequence = (self.steps_from)(first);
+        if sequence.still() && !self.here.still() {
             // Too small steps: the derivative need not be zero.
-            return Opinion::Fine {
+            return Assessment::Agrees {
                 place: Smoothness::Undefined,
                 switched: false,
                 estimate: None,
             };
         }
-        self.compare(&ladder)
+        self.compare(&sequence)
     }
 
-    /// Returns the opinions of ladders that begin at the number's own size, where that is far smaller than its scale.
-    fn of_own_size(&self) -> Vec<Opinion> {
+    /// Returns the assessments by sequences that begin at the number's own size, if that is far smaller than its scale.
+    fn of_own_size(&self) -> Vec<Assessment> {
         let worth = self.guessed && self.own > 0.0 && self.own < OWN_SIZE;
         let firsts = OWN_FIRST.iter().filter(|_| worth);
         firsts.map(|first| self.other(first * self.own)).collect()
     }
 
-    /// Returns the opinion of finer steps, where the first ones decide nothing.
-    pub(crate) fn finer(&self, said: Opinion) -> Opinion {
-        if !said.undefined() || !self.guessed {
-            return said;
+    /// Returns the assessment by finer steps, if the first ones decide nothing.
+    pub(crate) fn finer(&self, first: Assessment) -> Assessment {
+        if !first.undefined() || !self.guessed {
+            return first;
         }
         let own = self.of_own_size();
-        let own = own.into_iter().filter(|said| !said.undefined());
+        let own = own.into_iter().filter(|one| !one.undefined());
         let finer = FIRST[FINER].iter().map(|&first| self.other(first));
-        let fine = |said: &Opinion| matches!(said, Opinion::Fine { .. }) && !said.undefined();
-        own.chain(finer.filter(fine)).last().unwrap_or(said)
+        let fine = |one: &Assessment| matches!(one, Assessment::Agrees { .. }) && !one.undefined();
+        own.chain(finer.filter(fine)).last().unwrap_or(first)
     }
 
-    /// Returns the review of a complaint by all ladders. Against two witnesses that `agree` the finest steps must
+    /// Returns the review of a refusal by all sequences. Against two witnesses that `agree` the finest steps must
     /// decide: a trace has no comparison that shows a pole between two steps.
-    pub(crate) fn again(&self, said: Opinion, agree: bool) -> Review {
-        let mut all = vec![said];
+    pub(crate) fn again(&self, first: Assessment, agree: bool) -> Review {
+        let mut all = vec![first];
         all.extend(FIRST[1..].iter().map(|&first| self.other(first)));
         let own = self.of_own_size();
-        let mut covered = review(&all, &own, self.exact);
+        let mut reviewed = review(&all, &own, self.exact);
         let finest = all.iter().chain(&own).last();
-        if agree && self.guessed && finest.is_some_and(Opinion::undefined) {
-            covered.stands = false;
+        if agree && self.guessed && finest.is_some_and(Assessment::undefined) {
+            reviewed.stands = false;
         }
-        covered
+        reviewed
     }
 
-    /// Returns the derivative against an estimate that is the same on both sides.
-    fn smooth(&self, e: Estimate, informative: bool, switched: bool, rough: f64) -> Opinion {
+    /// Compares the derivative with an estimate that both sides share.
+    fn smooth(&self, e: Estimate, informative: bool, switched: bool, rough: f64) -> Assessment {
         let tolerance = SAFETY * e.error + self.exact;
         let gap = (e.value - self.derivative).abs();
         let roughly = Estimate {
@@ -92,53 +96,53 @@ impl DerivativeTest<'_> {
         let explained = gap <= SAFETY * roughly.error + self.exact;
         if tolerance.is_finite() && informative && (gap <= tolerance || !explained) {
             return if gap <= tolerance {
-                Opinion::Fine {
+                Assessment::Agrees {
                     place: Smoothness::Smooth,
                     switched,
                     estimate: Some(e),
                 }
             } else {
-                Opinion::Other { estimate: e }
+                Assessment::Differs { estimate: e }
             };
         }
-        Opinion::Fine {
+        Assessment::Agrees {
             place: Smoothness::Undefined,
             switched,
             estimate: explained.then_some(roughly),
         }
     }
 
-    /// Returns the opinion of a ladder about the derivative.
-    fn compare(&self, ladder: &Ladder) -> Opinion {
+    /// Returns the assessment of the derivative by a sequence.
+    fn compare(&self, sequence: &StepSequence) -> Assessment {
         let (weights, derivative, exact) = (self.weights, self.derivative, self.exact);
-        let noise = self.noise.max(ladder.noise(weights));
-        let rough = if ladder.still() {
+        let noise = self.noise.max(sequence.noise(weights));
+        let rough = if sequence.still() {
             self.rough.max(self.hidden)
         } else {
             self.rough
         };
-        let undefined = Opinion::Fine {
+        let undefined = Assessment::Agrees {
             place: Smoothness::Undefined,
-            switched: ladder.traced,
+            switched: sequence.traced,
             estimate: None,
         };
         let informative =
             |e: &Estimate| SAFETY * e.error <= INFORMATIVE * self.size.max(e.value.abs());
-        if ladder.traced
-            && let Some(e) = ladder.central(weights, noise, true).filter(informative)
+        if sequence.traced
+            && let Some(e) = sequence.central(weights, noise, true).filter(informative)
         {
             return self.smooth(e, true, false, rough);
         }
-        let ahead = ladder.one_sided(true, weights, noise);
-        let behind = ladder.one_sided(false, weights, noise);
+        let ahead = sequence.one_sided(true, weights, noise);
+        let behind = sequence.one_sided(false, weights, noise);
         let (ahead, behind) = match (ahead, behind) {
             (Some(ahead), Some(behind)) => (ahead, behind),
             (Some(side), None) | (None, Some(side)) => (side, side),
             (None, None) => return undefined,
         };
         let error = ahead.error.max(behind.error);
-        let border = ladder.is_at_border();
-        if !ladder.settled() {
+        let border = sequence.is_at_border();
+        if !sequence.settled() {
             return undefined;
         }
         if !border && (ahead.value - behind.value).abs() <= SIDES * SAFETY * error + exact {
@@ -148,12 +152,12 @@ impl DerivativeTest<'_> {
                 error: error + 0.5 * (ahead.value - behind.value).abs() / SAFETY,
                 step: ahead.step.min(behind.step),
             };
-            let central = ladder.central(weights, noise, false);
+            let central = sequence.central(weights, noise, false);
             let e = match central {
-                Some(central) if !ladder.traced && central.error < mean.error => central,
+                Some(central) if !sequence.traced && central.error < mean.error => central,
                 _ => mean,
             };
-            return self.smooth(e, informative(&e), ladder.traced, rough);
+            return self.smooth(e, informative(&e), sequence.traced, rough);
         }
         let sides = [behind.value, ahead.value];
         let tolerance = SAFETY * error + exact;
@@ -167,9 +171,9 @@ impl DerivativeTest<'_> {
                 error: error + 0.5 * (high - low) / SAFETY,
                 step: ahead.step.min(behind.step),
             };
-            return Opinion::Fine {
+            return Assessment::Agrees {
                 place: Smoothness::Undefined,
-                switched: ladder.traced,
+                switched: sequence.traced,
                 estimate: (beyond <= tolerance).then_some(middle),
             };
         }
@@ -183,13 +187,13 @@ impl DerivativeTest<'_> {
             } else {
                 Smoothness::Kink
             };
-            Opinion::Fine {
+            Assessment::Agrees {
                 place,
-                switched: ladder.traced,
+                switched: sequence.traced,
                 estimate: None,
             }
         } else {
-            Opinion::Outside { sides, tolerance }
+            Assessment::Outside { sides, tolerance }
         }
     }
 }

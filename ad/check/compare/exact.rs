@@ -1,4 +1,6 @@
-//! The adjoint against duals and further witnesses: no steps, so hardly any tolerance.
+//! Comparison of the adjoint with the exact witnesses: duals, num-dual's numbers, batches and further witnesses. They
+//! take no steps, so only rounding may separate them. It decides per number of the input; rounding is perturbed where
+//! they differ. [`judge`](crate::ad::check::judge) calls it first.
 use crate::ad::check::compare::values::another;
 use crate::ad::check::evidence::{Combination, Evidence, comparison};
 use crate::ad::check::notes::Notes;
@@ -6,8 +8,8 @@ use crate::ad::check::tolerances::{CONVENTION_BORDER, DECIDED, FEW_INPUTS, SAFET
 use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::dot;
 
-/// Returns `true` if a convention may decide about this derivative: the value is zero and the input cannot be
-/// moved both ways.
+/// Returns `true` if a convention may decide about this derivative: the value is zero and the input cannot be moved in
+/// both directions.
 pub(crate) fn conventional_border(e: &Evidence<'_>, row: &Combination, i: usize) -> bool {
     let stuck = |sign: f64| {
         let mut there = e.x.to_vec();
@@ -17,13 +19,13 @@ pub(crate) fn conventional_border(e: &Evidence<'_>, row: &Combination, i: usize)
     e.subject.conventions().flat && dot(&row.weights, &e.y) == 0.0 && (stuck(1.0) || stuck(-1.0))
 }
 
-/// Returns all rows against all witnesses that take no steps.
+/// Compares all rows with all witnesses that take no steps.
 pub(crate) fn exact(e: &Evidence<'_>) -> Notes {
-    let mut said = Notes::new(e.x.len());
+    let mut notes = Notes::new(e.x.len());
     for row in &e.rows {
-        said.add(one_row(e, row));
+        notes.add(one_row(e, row));
     }
-    said
+    notes
 }
 
 /// Returns the error that a witness other than the adjoint and the duals may have, per number. It is the change of its
@@ -33,41 +35,41 @@ fn rounding_of(
     e: &Evidence<'_>,
     row: &Combination,
     (witness, form): (Witness, usize),
-    said: &[f64],
+    notes: &[f64],
 ) -> Vec<f64> {
-    // Backwards, edges that are nearly parallel give terms as much larger than the derivative. Their rounding may be as
-    // large as the derivative itself, without another decision.
+    // In the backward pass, edges that are nearly parallel give terms that are larger than the derivative by this
+    // factor. Their rounding may be as large as the derivative itself, without another decision.
     let sizes: Vec<f64> = row.size.iter().map(|size| size / DECIDED).collect();
     if witness == Witness::NumDual {
-        // Held as strictly as our own duals.
+        // SubjectRef as strictly as our own duals.
         let by_them = |x: &[f64]| e.by_num_dual(row, x);
         let along = |axis: &[f64]| e.num_dual_along(row, e.x, axis);
-        return e.rounding_of_duals(row, said, &by_them, &along);
+        return e.rounding_of_duals(row, notes, &by_them, &along);
     }
-    let mut spread = e.spread(said, Some(&sizes), |x| match witness {
+    let mut deviation = e.deviation(notes, Some(&sizes), |x| match witness {
         Witness::Further(k) => e.subject.further(x, &row.weights).into_iter().nth(k),
         _ => Some(e.subject.batch(form, x, &row.weights)?.1),
     });
     if let Witness::Further(k) = witness {
         let noisy = |seed| e.subject.noisy_further(e.x, &row.weights, k, seed);
-        let own = e.roundings_of_each(said, &sizes, noisy);
-        for (spread, own) in spread.iter_mut().zip(own) {
-            *spread = spread.max(own);
+        let own = e.roundings_of_each(notes, &sizes, noisy);
+        for (deviation, own) in deviation.iter_mut().zip(own) {
+            *deviation = deviation.max(own);
         }
     }
-    spread
+    deviation
 }
 
 fn one_row(e: &Evidence<'_>, row: &Combination) -> Notes {
-    let mut said = Notes::new(e.x.len());
+    let mut notes = Notes::new(e.x.len());
     let Some(adjoint) = &row.adjoint else {
-        return said;
+        return notes;
     };
     let further = e.subject.further(e.x, &row.weights);
     let batch = |form| Some((form, e.subject.batch(form, e.x, &row.weights)?));
     let batches: Vec<_> = (0..e.subject.forms()).filter_map(batch).collect();
     for (_, (value, _)) in &batches {
-        said.add(another(e, value, Witness::Batch));
+        notes.add(another(e, value, Witness::Batch));
     }
     let dual = row
         .dual
@@ -87,7 +89,7 @@ fn one_row(e: &Evidence<'_>, row: &Combination) -> Notes {
         );
     for (witness, form, other) in others {
         if other.len() != adjoint.len() {
-            said.complain_of_length(witness, row.output, [other.len(), adjoint.len()]);
+            notes.add_length_fault(witness, row.output, [other.len(), adjoint.len()]);
             continue;
         }
         let pair = match witness {
@@ -98,14 +100,14 @@ fn one_row(e: &Evidence<'_>, row: &Combination) -> Notes {
         };
         let mut theirs: Option<Vec<f64>> = None;
         for i in 0..adjoint.len() {
-            said.covered[i] = true;
+            notes.judged[i] = true;
             let gap = (adjoint[i] - other[i]).abs();
             if gap > row.allowed(i) || gap.is_nan() {
-                e.provoke(row);
+                e.perturb(row);
             }
             let mut tolerance = row.allowed(i);
             if gap > tolerance && witness != Witness::Dual {
-                // Duals were provoked with the row; others on their own.
+                // The row's perturbation includes the duals; other witnesses have their own.
                 let theirs =
                     theirs.get_or_insert_with(|| rounding_of(e, row, (witness, form), &other));
                 tolerance += SAFETY * theirs[i];
@@ -117,15 +119,15 @@ fn one_row(e: &Evidence<'_>, row: &Combination) -> Notes {
                 ..ByWitness::default()
             };
             let at = comparison(row, i, numbers, tolerance);
-            said.compared(pair, gap, row.size[i], e.eps, at);
+            notes.compared(pair, gap, row.size[i], e.eps, at);
             if gap > tolerance && conventional_border(e, row, i) {
-                // Differences will ask both whether they lie between zero and the only side.
-                said.convention = true;
+                // Differences decide for both if they lie between zero and the derivative of the only side.
+                notes.convention = true;
             } else if gap > tolerance || gap.is_nan() {
                 let reason = Reason::Disagree(Witness::Adjoint, witness);
-                said.complain_of(reason, None, (row.output, i), numbers, tolerance);
+                notes.add_fault_with(reason, None, (row.output, i), numbers, tolerance);
             }
         }
     }
-    said
+    notes
 }

@@ -1,4 +1,6 @@
-//! Invariances: the value and its derivatives when the whole input moves.
+//! Check of declared invariances: it moves the whole input and decides if the value follows as declared, and if the
+//! derivatives balance. Both follow from [`symmetry`](crate::ad::check::symmetry). [`judge`](crate::ad::check::judge)
+//! calls it away from jumps.
 use crate::ad::check::evidence::{Combination, Evidence};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
@@ -9,37 +11,37 @@ use crate::ad::check::tolerances::{
     DRAWS, GROWTH, ROTATION, ROUNDINGS, SAFETY, SCALING, TRANSLATION,
 };
 use crate::ad::check::verdict::{ByWitness, Reason, Witness};
-use crate::ad::check::witness::{beside, dot};
+use crate::ad::check::witness::{dot, perturbed};
 
-/// Declared motions, of values and of derivatives.
+/// Checks declared motions, of values and of derivatives.
 pub(crate) fn invariances(e: &Evidence<'_>) -> Notes {
-    let mut said = Notes::new(e.x.len());
+    let mut notes = Notes::new(e.x.len());
     let kinds = e.subject.kinds();
     if kinds.len() != e.x.len() || e.x.is_empty() {
-        return said;
+        return notes;
     }
-    // The same for every motion.
-    let spread = match e.subject.invariances() {
+    // The deviation does not depend on the motion.
+    let deviation = match e.subject.invariances() {
         [] => Vec::new(),
-        _ => e.spread(&e.y, None, |x| Some(e.subject.value(x))),
+        _ => e.deviation(&e.y, None, |x| Some(e.subject.value(x))),
     };
     for &invariance in e.subject.invariances() {
         let amount = amount_of(invariance.motion, &e.scales);
-        said.add(value_moves(e, invariance, amount, &kinds, &spread));
+        notes.add(value_moves(e, invariance, amount, &kinds, &deviation));
         for row in &e.rows {
             let Some(derivatives) = &row.adjoint else {
                 continue;
             };
-            said.add(match invariance.motion {
+            notes.add(match invariance.motion {
                 Motion::Exchange => derivatives_exchange(e, row, derivatives),
                 _ => derivatives_balance(e, invariance, row, derivatives, &kinds),
             });
         }
     }
-    said
+    notes
 }
 
-/// Returns how far an input moves, by the scales of its numbers.
+/// Returns the amount of a motion of an input, from the scales of its numbers.
 fn amount_of(motion: Motion, scales: &[f64]) -> f64 {
     match motion {
         Motion::TranslationX | Motion::TranslationY | Motion::TranslationZ => {
@@ -51,7 +53,7 @@ fn amount_of(motion: Motion, scales: &[f64]) -> f64 {
     }
 }
 
-/// Returns an input, moved as a whole by an amount.
+/// Moves an input as a whole by an amount.
 fn there(
     subject: &dyn Subject,
     motion: Motion,
@@ -64,7 +66,7 @@ fn there(
     there.iter().map(|x| precision.round(*x)).collect()
 }
 
-/// Returns the input whose value breaks an invariance, of one that is moved.
+/// Returns the moved input, whose value breaks an invariance.
 pub(crate) fn moved(subject: &dyn Subject, motion: Motion, x: &[f64]) -> Vec<f64> {
     let amount = amount_of(motion, &subject.scales(x));
     there(subject, motion, amount, &subject.kinds(), x)
@@ -80,19 +82,19 @@ fn outputs(e: &Evidence<'_>) -> Vec<Kind> {
     }
 }
 
-/// Returns the value of the whole input, moved, against the moved value.
+/// Compares the value at the moved input with the moved value.
 fn value_moves(
     e: &Evidence<'_>,
     invariance: Invariance,
     amount: f64,
     kinds: &[Kind],
-    spread: &[f64],
+    deviation: &[f64],
 ) -> Notes {
-    let (mut said, subject) = (Notes::new(e.x.len()), e.subject);
+    let (mut notes, subject) = (Notes::new(e.x.len()), e.subject);
     let motion = invariance.motion;
     let there = there(subject, motion, amount, kinds, e.x);
     if !subject.inside(&there) {
-        return said;
+        return notes;
     }
     let y = subject.value(&there);
     let wanted = match invariance.answer {
@@ -100,7 +102,7 @@ fn value_moves(
         Effect::Power(p) => e.y.iter().map(|y| y * amount.powi(p)).collect(),
         Effect::Follows => moved_by(motion, amount, &outputs(e), &e.y),
     };
-    // Moving rounds every number; what that may do, a derivative says.
+    // Moving rounds every number; derivatives bound the effect.
     let rows = e.rows.iter();
     let derivatives = rows.filter_map(|row| row.adjoint.as_ref().or(row.dual.as_ref()));
     let moved = |derivatives: &Vec<f64>| -> f64 {
@@ -112,48 +114,48 @@ fn value_moves(
     for j in (0..y.len()).filter(|&j| !e.both_saturated(y[j], wanted[j])) {
         let size = y[j].abs().max(wanted[j].abs());
         let growth = (size / e.y[j].abs().max(f64::MIN_POSITIVE)).clamp(1.0, GROWTH);
-        let off = 2.0 * spread[j].max(e.resolution[j]) + e.eps * rounding;
+        let off = 2.0 * deviation[j].max(e.resolution[j]) + e.eps * rounding;
         let mut tolerance = ROUNDINGS * e.eps * size + growth * SAFETY * off;
         if (y[j] - wanted[j]).abs() > tolerance {
-            // The moved input has a conditioning of its own, and few draws may miss that of
-            // this one.
-            tolerance += SAFETY * unrest(e, &there, &y)[j];
-            tolerance += growth * SAFETY * unrest(e, e.x, &e.y)[j];
+            // The moved input has a conditioning of its own, and few draws may miss the conditioning of the original
+            // one.
+            tolerance += SAFETY * deviation_at(e, &there, &y)[j];
+            tolerance += growth * SAFETY * deviation_at(e, e.x, &e.y)[j];
         }
         if (y[j] - wanted[j]).abs() > tolerance {
             let numbers = ByWitness::pair(y[j], wanted[j]);
             let reason = Reason::MotionBroken(motion);
-            said.complain_of(reason, None, (j, 0), numbers, tolerance);
+            notes.add_fault_with(reason, None, (j, 0), numbers, tolerance);
         }
     }
-    said
+    notes
 }
 
-/// Returns the derivatives with the arguments exchanged against the exchanged derivatives.
+/// Compares the derivatives with the arguments exchanged with the exchanged derivatives.
 fn derivatives_exchange(e: &Evidence<'_>, row: &Combination, derivatives: &[f64]) -> Notes {
-    let mut said = Notes::new(e.x.len());
+    let mut notes = Notes::new(e.x.len());
     let Some(other) = e.subject.adjoint(&exchanged(e.x), &row.weights) else {
-        return said;
+        return notes;
     };
     let other = exchanged(&other);
     for i in 0..other.len() {
         if (other[i] - derivatives[i]).abs() > row.allowed(i) {
-            e.provoke(row);
-            e.provoke_exchanged(row);
+            e.perturb(row);
+            e.perturb_exchanged(row);
         }
         let sides = [derivatives[i], other[i]];
         unbalanced(
-            &mut said,
+            &mut notes,
             Motion::Exchange,
             (row.output, i),
             sides,
             row.allowed(i),
         );
     }
-    said
+    notes
 }
 
-/// Returns the derivatives along the motion of the input against the motion of the value.
+/// Compares the derivative along the motion of the input with the velocity of the value.
 fn derivatives_balance(
     e: &Evidence<'_>,
     invariance: Invariance,
@@ -161,11 +163,11 @@ fn derivatives_balance(
     derivatives: &[f64],
     kinds: &[Kind],
 ) -> Notes {
-    let mut said = Notes::new(e.x.len());
+    let mut notes = Notes::new(e.x.len());
     let speed = velocity(invariance.motion, kinds, e.x);
     let wanted = dot(&row.weights, &answer(invariance, &outputs(e), &e.y));
     let balance = dot(derivatives, &speed);
-    // The answer is as far off as the value is.
+    // The velocity of the value has the value's error.
     let off = SAFETY
         * row.noise
         * match invariance.answer {
@@ -181,38 +183,41 @@ fn derivatives_balance(
         (0..e.x.len()).map(own).sum::<f64>() + ROUNDINGS * e.eps * wanted.abs() + off
     };
     if (balance - wanted).abs() > tolerance() {
-        e.provoke(row);
+        e.perturb(row);
     }
     let at = (row.output, 0);
     unbalanced(
-        &mut said,
+        &mut notes,
         invariance.motion,
         at,
         [balance, wanted],
         tolerance(),
     );
-    said
+    notes
 }
 
-/// By how much the value at another input changes under provoked rounding.
-fn unrest(e: &Evidence<'_>, x: &[f64], y: &[f64]) -> Vec<f64> {
+/// Returns the change of the value at another input when rounding errors are perturbed.
+fn deviation_at(e: &Evidence<'_>, x: &[f64], y: &[f64]) -> Vec<f64> {
     let (subject, precision) = (e.subject, e.subject.precision());
     let rounding = subject.rounding(x);
-    let mut unrest = vec![0.0_f64; y.len()];
+    let mut deviation = vec![0.0_f64; y.len()];
     for round in 0..DRAWS {
-        let there = beside(precision, x, &rounding, round);
+        let there = perturbed(precision, x, &rounding, round);
         if subject.inside(&there) {
-            for (unrest, (a, b)) in unrest.iter_mut().zip(subject.value(&there).iter().zip(y)) {
-                *unrest = unrest.max((a - b).abs());
+            for (deviation, (a, b)) in deviation
+                .iter_mut()
+                .zip(subject.value(&there).iter().zip(y))
+            {
+                *deviation = deviation.max((a - b).abs());
             }
         }
     }
-    unrest
+    deviation
 }
 
-/// Complains about derivatives that do not follow a motion.
+/// Adds a fault if derivatives do not follow a motion.
 fn unbalanced(
-    said: &mut Notes,
+    notes: &mut Notes,
     motion: Motion,
     at: (usize, usize),
     [a, b]: [f64; 2],
@@ -221,6 +226,6 @@ fn unbalanced(
     if (a - b).abs() > tolerance || (a - b).is_nan() {
         let reason = Reason::MotionUnbalanced(motion);
         let suspect = Some(Witness::Adjoint);
-        said.complain_of(reason, suspect, at, ByWitness::pair(a, b), tolerance);
+        notes.add_fault_with(reason, suspect, at, ByWitness::pair(a, b), tolerance);
     }
 }

@@ -1,23 +1,24 @@
-//! The adjoint is linear in what it is seeded with.
+//! Check that the adjoint is linear in its seed: it decides if the adjoint of a random sum of outputs is the sum of
+//! their adjoints, and that of zero is zero. [`judge`](crate::ad::check::judge) calls it.
 use crate::ad::check::evidence::Evidence;
 use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{ROUNDINGS, UNSEEN};
 use crate::ad::check::verdict::{ByWitness, Reason, Witness};
-use crate::ad::check::witness::beside;
+use crate::ad::check::witness::perturbed;
 use crate::ad::sample::Draw;
 
-/// Inputs a last digit away at which an adjoint is asked for.
+/// The number of inputs a last digit away at which the adjoint is computed.
 const NEIGHBOURS: u64 = 12;
 
-/// Returns how far a derivative of a weighted sum is from itself at inputs a last digit away, equal numbers moved
+/// Returns the largest change of a derivative of a weighted sum at inputs a last digit away, where equal numbers move
 /// alike. Terms that cancel inside a function differ by their roundings there; a derivative that is not linear does
 /// not.
-fn spread(e: &Evidence<'_>, weights: &[f64], derivative: f64, i: usize) -> f64 {
+fn deviation(e: &Evidence<'_>, weights: &[f64], derivative: f64, i: usize) -> f64 {
     let still = vec![0.0; e.x.len()];
     (0..NEIGHBOURS)
         .filter_map(|k| {
-            // Every third of the ways to move is by last digits.
-            let x = beside(e.subject.precision(), e.x, &still, 3 * k);
+            // Every third perturbation is by last digits.
+            let x = perturbed(e.subject.precision(), e.x, &still, 3 * k);
             let found = e.subject.adjoint(&x, weights)?;
             Some((found.get(i)? - derivative).abs())
         })
@@ -25,11 +26,11 @@ fn spread(e: &Evidence<'_>, weights: &[f64], derivative: f64, i: usize) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Returns the adjoint of a random sum against the sum of the adjoints, and that of nothing against nothing.
+/// Compares the adjoint of a random sum with the sum of the adjoints, and the adjoint of zero with zero.
 pub(crate) fn linear(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
-    let mut said = Notes::new(e.x.len());
+    let mut notes = Notes::new(e.x.len());
     if e.rows.is_empty() || e.rows.iter().any(|row| row.adjoint.is_none()) {
-        return said;
+        return notes;
     }
     let m = e.y.len();
     let mut factor = || f64::from([-3_i8, -1, 1, 3][draw.below(4)]) * 0.75;
@@ -42,13 +43,13 @@ pub(crate) fn linear(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
     };
     let weights: Vec<f64> = (0..m).map(weight).collect();
     let Some(combined) = e.subject.adjoint(e.x, &weights) else {
-        return said;
+        return notes;
     };
     if combined.len() != e.x.len() {
-        said.complain_of_length(Witness::Adjoint, 0, [combined.len(), e.x.len()]);
-        return said;
+        notes.add_length_fault(Witness::Adjoint, 0, [combined.len(), e.x.len()]);
+        return notes;
     }
-    // The roundings inside a function of unknown source do not show; mistakes of this kind are as large as the sum.
+    // Roundings inside a function of unknown source cannot be perturbed; mistakes of this kind are as large as the sum.
     let is_unseen = e.subject.conventions().flat && e.subject.noisy(e.x, &weights, 0).is_none();
     let unseen = if is_unseen { UNSEEN } else { 1.0 };
     let total = |i: usize| {
@@ -62,23 +63,23 @@ pub(crate) fn linear(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
     for (i, &got) in combined.iter().enumerate() {
         let (sum, tolerance) = total(i);
         if (got - sum).abs() > tolerance {
-            e.rows.iter().for_each(|row| e.provoke(row));
+            e.rows.iter().for_each(|row| e.perturb(row));
         }
         let (_, mut tolerance) = total(i);
         if is_unseen && (got - sum).abs() > tolerance {
-            tolerance += ROUNDINGS * spread(e, &weights, got, i);
+            tolerance += ROUNDINGS * deviation(e, &weights, got, i);
         }
         if (got - sum).abs() > tolerance {
             let (reason, suspect) = (Reason::NotLinear, Some(Witness::Adjoint));
             let numbers = ByWitness::pair(got, sum);
-            said.complain_of(reason, suspect, (0, i), numbers, tolerance);
+            notes.add_fault_with(reason, suspect, (0, i), numbers, tolerance);
             break;
         }
     }
     if let Some(nothing) = e.subject.adjoint(e.x, &vec![0.0; m])
         && let Some(i) = nothing.iter().position(|&x| x != 0.0)
     {
-        said.complain(Reason::NotLinear, 0, i);
+        notes.add_fault(Reason::NotLinear, 0, i);
     }
-    said
+    notes
 }

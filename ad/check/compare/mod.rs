@@ -1,6 +1,5 @@
-//! Independent comparisons: each reads the [evidence](crate::ad::check::evidence) about one input and
-//! returns its findings. [`judge`](crate::ad::check::judge) refuses the complaints, or explains them by the
-//! findings of others.
+//! Independent comparisons: each reads the [evidence](crate::ad::check::evidence) about one input and returns its
+//! findings. [`judge`](crate::ad::check::judge) refuses for their faults, or explains them by the findings of others.
 //!
 //! | file | comparison |
 //! | --- | --- |
@@ -14,13 +13,13 @@
 //! | `invariance` | the value and its derivatives with those of the moved input |
 //! | `curvature` | second derivatives with one another |
 pub(crate) mod along;
+pub(crate) mod assessment;
 pub(crate) mod curvature;
 pub(crate) mod derivative_test;
 pub(crate) mod exact;
 pub(crate) mod invariance;
 pub(crate) mod linear;
 pub(crate) mod nearby;
-pub(crate) mod opinion;
 pub(crate) mod projection;
 pub(crate) mod proof;
 pub(crate) mod steps;

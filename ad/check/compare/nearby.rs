@@ -1,10 +1,12 @@
-//! Derivatives beside a kink: what a derivative at the kink may be between.
+//! Derivatives near a kink, which bound a right derivative at the kink. This file decides if a derivative lies between
+//! those of the smooth branches that meet at the input (Clarke's generalised gradient). [`along`](super::along) and
+//! [`judge`](crate::ad::check::judge) call it before they refuse a derivative at a tie.
 use crate::ad::check::evidence::{Combination, Evidence, finite};
 use crate::ad::check::tolerances::{
     APPROACHES, FEW_INPUTS, FEW_PLACES, FIRST, INFORMATIVE, MOVED_ROUNDINGS, NEARBY, NEARER,
     NEARER_STEPS, PLACES, SAFETY, SIDES, TRIES, TRIES_OF_STEPS,
 };
-use crate::ad::check::witness::{Estimate, Ladder, Precision, combined, dot};
+use crate::ad::check::witness::{Estimate, Precision, StepSequence, combined, dot};
 use crate::ad::sample::Draw;
 
 /// Returns the difference of two lists.
@@ -13,13 +15,13 @@ fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
 }
 
 impl Evidence<'_> {
-    /// Returns `true` if a derivative along a direction is between those at places beside the input.
+    /// Returns `true` if a derivative along a direction is between those at points near the input.
     ///
-    /// Kinks of both signs may meet (the larger one of two functions with kinks of their own), or the input may be
-    /// at the border of its domain. The derivatives to both sides of the input do not bound a right derivative there;
-    /// the derivatives of the function's smooth pieces do (Clarke's generalised gradient). Derivatives of two pieces
+    /// Kinks of both signs may meet (the larger one of two functions with kinks of their own), or the input may be at
+    /// the border of its domain. The derivatives to both sides of the input do not bound a right derivative there; the
+    /// derivatives of the function's smooth branches do (Clarke's generalised gradient). Derivatives of two branches
     /// differ by at least `apart`.
-    pub(crate) fn among_derivatives_nearby(
+    pub(crate) fn is_among_derivatives_nearby(
         &self,
         weights: &[f64],
         direction: &[f64],
@@ -37,7 +39,7 @@ impl Evidence<'_> {
         let mut draw = Draw::new(11);
         let (mut least, mut most, mut seen) = (f64::INFINITY, f64::NEG_INFINITY, 0);
         for k in 0..tries {
-            // The input may lie between two kinks that are nearer to each other than that.
+            // The input may lie between two kinks that are nearer to each other than this distance.
             let far = match k % 2 {
                 0 => NEARBY,
                 _ if by_duals => NEARBY * NEARER.powf(draw.within(0.0, 1.0)),
@@ -76,9 +78,8 @@ impl Evidence<'_> {
         false
     }
 
-    /// Returns `true` if the derivatives by hand along a direction are those of differences at several places beside
-    /// the input.
-    pub(crate) fn is_right_beside(&self, row: &Combination, direction: &[f64]) -> bool {
+    /// Returns `true` if the derivatives by hand along a direction equal differences at several points near the input.
+    pub(crate) fn is_right_nearby(&self, row: &Combination, direction: &[f64]) -> bool {
         let on = self.on();
         let mut draw = Draw::new(17);
         let mut seen = 0;
@@ -112,8 +113,8 @@ impl Evidence<'_> {
         false
     }
 
-    /// Returns the derivative along a direction at a place beside the input by differences, of steps that are small
-    /// beside the way to it; `None` where they see a kink.
+    /// Returns the derivative along a direction at a point near the input by differences, whose steps are small
+    /// compared with its distance; `None` if they cross a kink.
     fn by_steps(
         &self,
         weights: &[f64],
@@ -129,7 +130,7 @@ impl Evidence<'_> {
         };
         let probe = |places: &[Vec<f64>]| places.iter().map(probe).collect();
         let first = FIRST[0] * far;
-        let ladder = Ladder::climb(
+        let sequence = StepSequence::evaluate(
             &probe,
             on.precision(),
             there,
@@ -140,24 +141,23 @@ impl Evidence<'_> {
         );
         let terms = weights.iter().zip(&center).map(|(w, y)| (w * y).abs());
         let noise = self.eps * terms.sum::<f64>();
-        let noise = noise.max(ladder.noise(weights));
-        let ahead = ladder.one_sided(true, weights, noise)?;
-        let behind = ladder.one_sided(false, weights, noise)?;
+        let noise = noise.max(sequence.noise(weights));
+        let ahead = sequence.one_sided(true, weights, noise)?;
+        let behind = sequence.one_sided(false, weights, noise)?;
         let is_kink =
             (ahead.value - behind.value).abs() > SIDES * SAFETY * ahead.error.max(behind.error);
         if is_kink {
             return None;
         }
-        ladder.central(weights, noise, false)
+        sequence.central(weights, noise, false)
     }
 
-    /// Returns `true` if the derivatives by hand lie between those of the smooth pieces that meet at the input, as
-    /// duals tell a few last digits beside it: along every axis, along random directions, and along those that lead
-    /// from the pieces' derivatives and their mean to the derivatives in question.
+    /// Returns `true` if the derivatives by hand lie in the convex hull of those of the smooth branches that meet at
+    /// the input. Duals give the latter at points a few last digits away.
     ///
-    /// Steps need both sides of a kink, at several steps each. Here it is enough that the pieces are there, which
-    /// may end as near as a millionth of the scales.
-    pub(crate) fn between_pieces(&self, row: &Combination) -> bool {
+    /// Steps need both sides of a kink, at several steps each. Here a branch may end as near as a millionth of the
+    /// scales.
+    pub(crate) fn is_between_branches(&self, row: &Combination) -> bool {
         let (on, n) = (self.on(), self.x.len());
         let Some(adjoint) = row.adjoint.as_ref().filter(|_| n <= FEW_INPUTS) else {
             return false;
@@ -168,7 +168,7 @@ impl Evidence<'_> {
         }
         let rounding = self.subject.rounding(self.x);
         let mut draw = Draw::new(13);
-        let pieces: Vec<Vec<f64>> = (0..PLACES)
+        let branches: Vec<Vec<f64>> = (0..PLACES)
             .filter_map(|_| {
                 let there: Vec<f64> = (0..n)
                     .map(|i| {
@@ -188,7 +188,7 @@ impl Evidence<'_> {
                 finite(&derivatives).then_some(derivatives)
             })
             .collect();
-        if pieces.is_empty() {
+        if branches.is_empty() {
             return false;
         }
         // Derivatives times scales are comparable.
@@ -197,9 +197,9 @@ impl Evidence<'_> {
             each.map(|(derivative, scale)| derivative * scale).collect()
         };
         let own = scaled(adjoint);
-        let corners: Vec<Vec<f64>> = pieces.iter().map(|piece| scaled(piece)).collect();
-        // From one of them to the nearest of all that lie between: the way on is a direction that separates the
-        // derivatives in question from the pieces', if there is one.
+        let corners: Vec<Vec<f64>> = branches.iter().map(|branch| scaled(branch)).collect();
+        // An iteration towards the point of the hull that is nearest to the derivatives in question (Frank and Wolfe).
+        // The vector from it to them separates them from the branches' derivatives, if that is possible.
         let mut nearest = corners[0].clone();
         for _ in 0..APPROACHES {
             let on = minus(&own, &nearest);

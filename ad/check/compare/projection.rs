@@ -1,18 +1,19 @@
 //! The adjoint against duals along a direction: `⟨vjp(w), v⟩ = ⟨w, jvp(v)⟩`.
 //!
-//! One jvp costs about as much as one value, whatever the number of inputs, so this is how duals
-//! judge an input too long for a whole Jacobian. No number of the direction is smaller than half a
-//! unit: a single derivative that is off by `e` units moves the product by `e / 2` at least, while the
-//! product may be off by what all derivatives may be off by together. So among n inputs a single derivative
-//! is refused from 32 n roundings of the largest derivative on: 10⁻¹¹ of it for a thousand numbers in
-//! double precision. A direction along which they disagree is halved until the number at fault is found.
+//! One jvp costs about as much as one value, whatever the number of inputs, so this is how duals judge an input too
+//! long for a whole Jacobian. [`judge`](crate::ad::check::judge) calls it, and [`along`](super::along) uses its
+//! halving. No number of the direction is smaller than half a unit: a single derivative that is off by `e` units moves
+//! the product by `e / 2` at least, while the product may be off by what all derivatives may be off by together. So
+//! among n inputs a single derivative is refused from 32 n roundings of the largest derivative on: 10⁻¹¹ of it for a
+//! thousand numbers in double precision. A direction along which they disagree is halved until the number at fault is
+//! found.
 use crate::ad::check::compare::exact::conventional_border;
 use crate::ad::check::evidence::{Combination, Evidence, comparison};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
 use crate::ad::check::tolerances::{FEW_INPUTS, PARTS, PROJECTIONS, ROUNDINGS, SAFETY};
 use crate::ad::check::verdict::{ByWitness, Reason, Witness};
-use crate::ad::check::witness::{Ladder, dot};
+use crate::ad::check::witness::{StepSequence, dot};
 use crate::ad::sample::Draw;
 use std::cell::Cell;
 use std::ops::Range;
@@ -24,7 +25,7 @@ struct Product {
     other: f64,
     /// The difference that rounding explains by itself.
     plain: f64,
-    /// The same, with the changes that provoked rounding shows.
+    /// The difference that rounding explains with the changes that perturbed rounding shows.
     tolerance: f64,
 }
 
@@ -58,13 +59,13 @@ fn part(direction: &[f64], range: &Range<usize>) -> Vec<f64> {
     (0..direction.len()).map(keep).collect()
 }
 
-/// Returns the adjoint against duals along random directions, and that of a function of `f32` against
-/// its duals in double precision.
+/// Compares the adjoint with duals along random directions, and for a function of `f32` with its duals in double
+/// precision.
 pub(crate) fn projections(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
     let (n, subject) = (e.x.len(), e.subject);
-    let mut said = Notes::new(n);
+    let mut notes = Notes::new(n);
     if n == 0 {
-        return said;
+        return notes;
     }
     let long = n > FEW_INPUTS;
     let wide = e.wide.as_deref().filter(|_| long);
@@ -78,15 +79,15 @@ pub(crate) fn projections(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
             })
             .collect();
         let mut project = |row, witness, on| {
-            let along = Along {
-                e,
+            let along = RowProjection {
+                evidence: e,
                 row,
                 witness,
                 on,
                 direction: &direction,
                 left: Cell::new(PARTS),
             };
-            along.project(&mut said);
+            along.project(&mut notes);
         };
         for row in &e.rows {
             project(row, Witness::Dual, subject);
@@ -98,34 +99,34 @@ pub(crate) fn projections(e: &Evidence<'_>, draw: &mut Draw) -> Notes {
             }
         }
     }
-    said
+    notes
 }
 
-/// One row along one direction; the duals are those of `on`.
-struct Along<'e> {
-    e: &'e Evidence<'e>,
+/// The comparison of one row along one direction; `on` computes the duals.
+struct RowProjection<'e> {
+    evidence: &'e Evidence<'e>,
     row: &'e Combination,
     witness: Witness,
     on: &'e dyn Subject,
     direction: &'e [f64],
-    /// How many more parts may be looked at.
+    /// The number of parts that may still be computed.
     left: Cell<usize>,
 }
 
-impl Along<'_> {
-    fn project(&self, said: &mut Notes) {
-        let &Along {
-            e,
+impl RowProjection<'_> {
+    fn project(&self, notes: &mut Notes) {
+        let &RowProjection {
+            evidence: e,
             row,
             witness,
             direction,
             ..
         } = self;
-        let Some(whole) = self.product(direction, said) else {
+        let Some(whole) = self.product(direction, notes) else {
             return;
         };
         let sizes: Vec<f64> = direction.iter().map(|d| d.abs()).collect();
-        said.covered.fill(true);
+        notes.judged.fill(true);
         if row.dual.is_none() {
             let pair = match witness {
                 Witness::Dual => 0,
@@ -134,36 +135,36 @@ impl Along<'_> {
             };
             let numbers = whole.numbers(witness, 1.0, true);
             let at = comparison(row, 0, numbers, whole.tolerance);
-            said.compared(pair, whole.gap(), dot(&row.size, &sizes), e.eps, at);
+            notes.compared(pair, whole.gap(), dot(&row.size, &sizes), e.eps, at);
         }
-        let Some((range, last)) = self.search((0..direction.len(), whole), said) else {
+        let Some((range, last)) = self.search((0..direction.len(), whole), notes) else {
             return;
         };
         let input = range.start;
-        // One number left: say derivatives rather than products.
+        // With one number left the fault shows derivatives rather than products.
         let per = if range.len() == 1 {
             direction[input]
         } else {
             1.0
         };
         if range.len() == 1 && conventional_border(e, row, input) {
-            said.convention = true;
+            notes.convention = true;
             return;
         }
         let numbers = last.numbers(witness, per, range.len() > 1);
         let suspect = (witness == Witness::Wide).then_some(Witness::Adjoint);
         let reason = Reason::Disagree(Witness::Adjoint, witness);
         let tolerance = last.tolerance / per.abs();
-        said.complain_of(reason, suspect, (row.output, input), numbers, tolerance);
+        notes.add_fault_with(reason, suspect, (row.output, input), numbers, tolerance);
     }
 
-    /// Returns the smallest part of a direction at which both sides differ by more than they may. Halves are
-    /// searched although the whole is within its tolerance: what a few numbers on a kink may be off by
-    /// must not hide the others.
+    /// Returns the smallest part of a direction along which both products differ by more than they may. Halves are
+    /// searched although the whole is within its tolerance: the large tolerance of a few numbers on a kink must not
+    /// hide the others.
     fn search(
         &self,
         (range, product): (Range<usize>, Product),
-        said: &mut Notes,
+        notes: &mut Notes,
     ) -> Option<(Range<usize>, Product)> {
         if product.gap() <= product.plain {
             return None;
@@ -173,12 +174,12 @@ impl Along<'_> {
             let mut halves: Vec<(Range<usize>, Product)> = Vec::new();
             for half in [range.start..middle, middle..range.end] {
                 self.left.set(self.left.get().checked_sub(1)?);
-                let product = self.product(&part(self.direction, &half), said)?;
+                let product = self.product(&part(self.direction, &half), notes)?;
                 halves.push((half, product));
             }
             halves.sort_by(|a, b| b.1.gap().total_cmp(&a.1.gap()));
             for half in halves {
-                let found = self.search(half, said);
+                let found = self.search(half, notes);
                 if found.is_some() {
                     return found;
                 }
@@ -187,11 +188,11 @@ impl Along<'_> {
         (product.gap() > product.tolerance).then_some((range, product))
     }
 
-    /// Returns both products along a part of the direction; rounding is provoked when they differ. `None` when
-    /// there is nothing to compare, or a length or number that is complained about.
-    fn product(&self, direction: &[f64], said: &mut Notes) -> Option<Product> {
-        let &Along {
-            e,
+    /// Returns both products along a part of the direction; rounding is perturbed when they differ. `None` if there is
+    /// nothing to compare, or if a length or number is a fault of its own.
+    fn product(&self, direction: &[f64], notes: &mut Notes) -> Option<Product> {
+        let &RowProjection {
+            evidence: e,
             row,
             witness,
             on,
@@ -204,12 +205,12 @@ impl Along<'_> {
         };
         let ahead = along(e.x, direction)?;
         if ahead.len() != e.y.len() {
-            said.complain_of_length(witness, row.output, [ahead.len(), e.y.len()]);
+            notes.add_length_fault(witness, row.output, [ahead.len(), e.y.len()]);
             return None;
         }
         if ahead.iter().any(|y| !y.is_finite()) {
             if (row.dual.is_none() && witness == Witness::Dual) || witness == Witness::NumDual {
-                said.complain(Reason::NotFinite(witness), row.output, 0);
+                notes.add_fault(Reason::NotFinite(witness), row.output, 0);
             }
             return None;
         }
@@ -228,14 +229,14 @@ impl Along<'_> {
         let plain = own(&row.plain) + sums;
         let mut tolerance = row.allowed_along(direction) + sums;
         if (adjoint - other).abs() > plain {
-            e.provoke(row);
-            e.provoke_widely(row);
+            e.perturb(row);
+            e.perturb_in_double(row);
             // A tie is decided as it stands: a kink in a single number is no rounding.
             let single = (0..direction.len())
                 .map(|i| direction[i].abs() * row.size[i])
                 .fold(0.0, f64::max);
             let strict = (witness != Witness::Wide).then_some([single]);
-            let spread = e.spread(&[other], strict.as_ref().map(|s| &s[..]), |x| {
+            let deviation = e.deviation(&[other], strict.as_ref().map(|s| &s[..]), |x| {
                 Some(vec![dot(&row.weights, &along(x, direction)?)])
             });
             let own = e.roundings(&[other], &[single], |seed| {
@@ -243,7 +244,7 @@ impl Along<'_> {
                     Some(vec![dot(&row.weights, &along(e.x, shorter)?)])
                 })
             });
-            tolerance = row.allowed_along(direction) + sums + SAFETY * spread[0].max(own[0]);
+            tolerance = row.allowed_along(direction) + sums + SAFETY * deviation[0].max(own[0]);
         }
         Some(Product {
             adjoint,
@@ -254,14 +255,14 @@ impl Along<'_> {
     }
 }
 
-/// Returns the number of the input at which a derivative that differences refuse along a direction is off
-/// most, as far as halving the direction tells.
+/// Returns the number of the input whose derivative is off most, when differences refuse the derivative along a
+/// direction. Halving the direction finds it approximately.
 pub(crate) fn worst_input(
     e: &Evidence<'_>,
     row: &Combination,
     witness: Witness,
     direction: &[f64],
-    climb: &dyn Fn(&[f64]) -> Ladder,
+    take_steps: &dyn Fn(&[f64]) -> StepSequence,
 ) -> usize {
     let excess = |range: &Range<usize>| {
         let there = part(direction, range);
@@ -269,7 +270,7 @@ pub(crate) fn worst_input(
             (Witness::Adjoint, Some(list)) => dot(list, &there),
             _ => e.by_duals(row, &there)?,
         };
-        let estimate = climb(&there).central(&row.weights, row.noise, false)?;
+        let estimate = take_steps(&there).central(&row.weights, row.noise, false)?;
         Some((estimate.value - derivative).abs() - SAFETY * estimate.error)
     };
     let mut range = 0..direction.len();

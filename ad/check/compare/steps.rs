@@ -1,18 +1,20 @@
-//! Adjoint and duals against differences, and against both sides at a kink.
-use crate::ad::check::compare::along::Along;
+//! Comparison of adjoint and duals with differences, at a kink with the derivatives of both sides. It chooses the
+//! directions (axes, random ones, at a kink those that keep ties), evaluates sequences of steps along each, and has
+//! [`along`](super::along) judge them. [`judge`](crate::ad::check::judge) calls it.
+use crate::ad::check::compare::along::AlongDirection;
 use crate::ad::check::evidence::{Evidence, finite};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::tolerances::{
     BORDER, FEW_INPUTS, FIRST, KINK_DIRECTIONS, LONG_DIRECTIONS, TIED_DIRECTIONS, WIDE_NOISE,
 };
 use crate::ad::check::trace::Trace;
-use crate::ad::check::witness::{Ladder, Probed, axis};
+use crate::ad::check::witness::{Probed, StepSequence, axis};
 use crate::ad::sample::Draw;
 
-/// Derivatives against differences along every direction. A long input that is `refused` already, by itself or
-/// along a direction, is tried along no further ones: they are all alike.
+/// Compares derivatives with differences along every direction. A long input that is `refused` already, in one number
+/// or along a direction, is tried along no further ones: they are all alike.
 pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: bool) -> Notes {
-    let mut said = Notes::new(e.x.len());
+    let mut notes = Notes::new(e.x.len());
     let on = e.on();
     let (center, trace) = match on.traced(e.x) {
         Some((values, trace)) => (values, Some(trace)),
@@ -20,7 +22,7 @@ pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: 
     };
     let n = e.x.len();
     if n == 0 || center.len() != e.y.len() || center.iter().any(|y| !y.is_finite()) {
-        return said;
+        return notes;
     }
     let usable = |values: &Vec<f64>| values.len() == center.len() && finite(values);
     let anywhere = |places: &[Vec<f64>]| -> Vec<Probed> {
@@ -41,8 +43,8 @@ pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: 
         let next = |inside: bool| if inside { found.next().flatten() } else { None };
         inside.into_iter().map(next).collect()
     };
-    let climb = |direction: &[f64], first: f64| {
-        Ladder::climb(
+    let take_steps = |direction: &[f64], first: f64| {
+        StepSequence::evaluate(
             &probe,
             on.precision(),
             e.x,
@@ -54,7 +56,7 @@ pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: 
     };
     let across = |direction: &[f64], first: f64| {
         let precision = on.precision();
-        Ladder::climb(&anywhere, precision, e.x, &center, trace, direction, first)
+        StepSequence::evaluate(&anywhere, precision, e.x, &center, trace, direction, first)
     };
     let (mut directions, more) = directions(e, draw);
     // Differences in double precision have the rounding of its numbers.
@@ -67,32 +69,32 @@ pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: 
     });
     let (mut plain, mut kinks, mut k) = (true, false, 0);
     while k < directions.len() {
-        let here = climb(&directions[k], FIRST[0]);
-        let along = Along {
-            e,
+        let here = take_steps(&directions[k], FIRST[0]);
+        let along = AlongDirection {
+            evidence: e,
             k,
             direction: &directions[k],
             here: &here,
-            climb: &climb,
+            take_steps: &take_steps,
             across: on.total().then_some(&across),
-            covered: before.covered.get(k).is_some_and(|covered| *covered),
+            judged: before.judged.get(k).is_some_and(|judged| *judged),
         };
         let jumps = along.jumps();
         if jumps.jump {
-            said.directions[2] += e.rows.len() as u64;
+            notes.directions[2] += e.rows.len() as u64;
             plain = false;
-            said.add(jumps);
+            notes.add(jumps);
         } else {
             for row in &e.rows {
                 let one = along.one_row(row, wide_noise.unwrap_or(row.noise));
                 kinks |= one.directions[1] > 0;
                 plain &= one.switched == 0;
-                said.add(one);
+                notes.add(one);
             }
         }
         k += 1;
-        // The directions of a long input are all alike: one refusal says it.
-        if n > FEW_INPUTS && (refused || said.complaints.iter().any(|c| !e.excusable(c))) {
+        // The directions of a long input are all alike: one refusal is enough.
+        if n > FEW_INPUTS && (refused || notes.faults.iter().any(|c| !e.excusable(c))) {
             break;
         }
         // At a kink the coordinate axes are not enough.
@@ -101,9 +103,9 @@ pub(crate) fn steps(e: &Evidence<'_>, draw: &mut Draw, before: &Notes, refused: 
             directions.extend(tied(e));
         }
     }
-    let [smooth, kinked, undefined] = said.directions;
-    said.plain = plain && smooth > 0 && kinked == 0 && undefined == 0 && !said.jump;
-    said
+    let [smooth, kinked, undefined] = notes.directions;
+    notes.plain = plain && smooth > 0 && kinked == 0 && undefined == 0 && !notes.jump;
+    notes
 }
 
 /// Returns the axes, or random directions of a long input, and more for a kink.
@@ -121,8 +123,8 @@ fn directions(e: &Evidence<'_>, draw: &mut Draw) -> (Vec<Vec<f64>>, Vec<Vec<f64>
     }
     let axes = (0..n).map(|i| axis(n, i).iter().map(|d| d * e.scales[i]).collect());
     let mut more: Vec<Vec<f64>> = (0..KINK_DIRECTIONS).map(|_| random()).collect();
-    // A number at the border of its domain can move to one side only, and one side of a kink says
-    // nothing of the other: there such a number stays, so that both sides are seen.
+    // A number at the border of its domain can move to one side only, and one side of a kink gives no information on
+    // the other. Such a number stays, so that both sides are seen.
     for i in (0..n).filter(|&i| bordered(e, i)) {
         more.iter_mut().for_each(|direction| direction[i] = 0.0);
     }
@@ -140,8 +142,8 @@ fn bordered(e: &Evidence<'_>, i: usize) -> bool {
     inside.contains(&false)
 }
 
-/// Directions that keep ties: along each all numbers of one magnitude move alike. There a kink of
-/// many is smooth, and a derivative has no choice.
+/// Returns directions that keep ties: all numbers of one magnitude move alike along each. A kink of many arguments is
+/// smooth there, and a derivative is unique.
 fn tied(e: &Evidence<'_>) -> Vec<Vec<f64>> {
     let mut sizes: Vec<u64> = e.x.iter().map(|x| x.abs().to_bits()).collect();
     sizes.sort_unstable();

@@ -1,4 +1,5 @@
-//! A function of `f32` against itself in `f64`, as far as single precision can tell.
+//! Comparison of a function of `f32` with its source in `f64`. It decides if values and derivatives agree within the
+//! rounding of the inputs and of single precision. [`judge`](crate::ad::check::judge) calls it.
 use crate::ad::check::evidence::{Combination, Evidence, SMALLEST, comparison, finite};
 use crate::ad::check::notes::Notes;
 use crate::ad::check::subject::Subject;
@@ -7,78 +8,77 @@ use crate::ad::check::verdict::{ByWitness, Reason, Witness};
 use crate::ad::check::witness::{combined, dot};
 use crate::ad::declared::Jumps;
 
-/// Values and derivatives against those in double precision, at the same inputs of single precision.
+/// Compares values and derivatives with those in double precision, at the same inputs of single precision.
 ///
 /// The value of an operation may be off by the change of the exact function when inputs move by twice their rounding
-/// (that of numbers of one unit is the rounding of the largest). The change of the value in single precision does
-/// not count: a formula that scatters its results is wrong by as much as it scatters. Edges a millionth from parallel
-/// are no such case, since there the function itself moves. Terms that cancel may take as much more as the row says
-/// ([`roundings`](Subject::roundings)). A derivative may scatter a hundred times as much. A closure does not tell which
-/// of its numbers are of one unit; it may be as rough as it is.
+/// (that of numbers of one unit is the rounding of the largest). The change of the value in single precision does not
+/// count: a formula that scatters its results has errors of that size. Edges a millionth from parallel are no such
+/// case, since there the function itself moves. Terms that cancel may add the error that the row declares
+/// ([`roundings`](Subject::roundings)). A derivative may scatter a hundred times as much. The numbers of a closure have
+/// unknown units, so its own roughness is allowed.
 pub(crate) fn wide(e: &Evidence<'_>) -> Notes {
-    let mut said = Notes::new(e.x.len());
+    let mut notes = Notes::new(e.x.len());
     let Some(wide) = e.wide.as_deref() else {
-        return said;
+        return notes;
     };
     let value = wide.value(e.x);
     if !finite(&value) {
-        return said;
+        return notes;
     }
-    said.add(values(e, wide, &value));
-    // Longer inputs are projected.
+    notes.add(values(e, wide, &value));
+    // Longer inputs are compared along directions ([`projection`](super::projection)).
     if e.x.len() <= FEW_INPUTS {
         for row in &e.rows {
-            said.add(derivatives(e, wide, row));
+            notes.add(derivatives(e, wide, row));
         }
     }
-    said
+    notes
 }
 
 fn values(e: &Evidence<'_>, wide: &dyn Subject, value: &[f64]) -> Notes {
-    let mut said = Notes::new(e.x.len());
-    // Decisions may fall differently in the other format, so other branches count as spread.
+    let mut notes = Notes::new(e.x.len());
+    // Decisions may fall differently in the other format, so changes of branch count as deviation.
     let f = |x: &[f64]| Some(wide.value(x));
-    let mut spread = e.spread(value, None, f);
+    let mut deviation = e.deviation(value, None, f);
     let count = value.len().min(e.y.len());
     let plain = |j: usize| ROUNDINGS * e.eps * f64::max(value[j].abs(), e.y[j].abs());
-    let outside = |spread: &[f64]| {
-        let off = |j: usize| (value[j] - e.y[j]).abs() > plain(j) + SAFETY * spread[j];
+    let outside = |deviation: &[f64]| {
+        let off = |j: usize| (value[j] - e.y[j]).abs() > plain(j) + SAFETY * deviation[j];
         (0..count).any(off)
     };
     if !e.subject.comparable() {
-        let own = e.spread(&e.y, None, |x| Some(e.subject.value(x)));
-        spread
+        let own = e.deviation(&e.y, None, |x| Some(e.subject.value(x)));
+        deviation
             .iter_mut()
             .zip(own)
-            .for_each(|(spread, own)| *spread += own);
-    } else if outside(&spread) {
-        spread = e.spread_of_many(value, f);
+            .for_each(|(deviation, own)| *deviation += own);
+    } else if outside(&deviation) {
+        deviation = e.deviation_of_many(value, f);
     }
     for j in 0..count {
         let (narrow, value) = (e.y[j], value[j]);
         let own = e.resolution[j].max(e.cancelled);
-        let off = spread[j].max(own).max(reach(e, j));
+        let off = deviation[j].max(own).max(reach(e, j));
         let tolerance = plain(j) + SAFETY * off;
         if e.both_saturated(narrow, value) {
             continue;
         }
-        // A hit of a corner: single precision decides beside it as double precision does on it.
+        // At a hit of a corner, single precision may decide near the input as double precision decides at the input.
         let decided = |there: &[f64]| {
-            let beside = e.subject.value(there);
-            beside.get(j).is_some_and(|y| (y - value).abs() <= plain(j))
+            let near = e.subject.value(there);
+            near.get(j).is_some_and(|y| (y - value).abs() <= plain(j))
         };
         let jumps = e.subject.conventions().jumps == Jumps::Anywhere;
-        if (value - narrow).abs() > tolerance && !(jumps && e.holds_beside(decided)) {
+        if (value - narrow).abs() > tolerance && !(jumps && e.holds_nearby(decided)) {
             let reason = Reason::ValuesDisagree(Witness::Wide);
             let numbers = ByWitness::pair(narrow, value);
-            said.complain_of(reason, None, (j, 0), numbers, tolerance);
+            notes.add_fault_with(reason, None, (j, 0), numbers, tolerance);
         }
     }
-    said
+    notes
 }
 
-/// By how much an output may change within the rounding of the inputs, as the derivatives by hand have it; zero of a
-/// closure.
+/// Returns the change of an output within the rounding of the inputs, by the derivatives by hand; zero for a closure.
 fn reach(e: &Evidence<'_>, output: usize) -> f64 {
     let alone = |row: &&Combination| {
         row.weights
@@ -98,26 +98,26 @@ fn reach(e: &Evidence<'_>, output: usize) -> f64 {
 }
 
 fn derivatives(e: &Evidence<'_>, wide: &dyn Subject, row: &Combination) -> Notes {
-    let mut said = Notes::new(e.x.len());
+    let mut notes = Notes::new(e.x.len());
     let by_duals = |x: &[f64]| {
         let jacobian = wide.jacobian(x)?;
         Some(combined(&row.weights, &jacobian, x.len()))
     };
     let (Some(exact), Some(adjoint)) = (by_duals(e.x), &row.adjoint) else {
-        return said;
+        return notes;
     };
     if !finite(&exact) {
-        return said;
+        return notes;
     }
     let weight: f64 = row.weights.iter().map(|weight| weight.abs()).sum();
     let cancelled = |i: usize| SAFETY * weight * e.cancelled / e.units[i];
     let mut tolerance = row.plain.clone();
     let outside =
         |tolerance: &[f64]| (0..exact.len()).any(|i| (exact[i] - adjoint[i]).abs() > tolerance[i]);
-    let provoked = outside(&tolerance);
-    // A quotient has a derivative as large as itself divided by its divisor, before anything cancels.
+    let perturbed = outside(&tolerance);
+    // A quotient has a derivative of its own size divided by its divisor, before anything cancels.
     let value = dot(&row.weights, &e.y).abs();
-    // A value that is all rounding was decided by it: where shapes touch, they may be apart.
+    // Rounding decides a value of its own size: shapes that touch may be apart.
     let lost = value <= SAFETY * reach(e, row.output);
     let plain = |i: usize| match e.x[i] {
         x if x != 0.0 && e.subject.comparable() => {
@@ -125,9 +125,9 @@ fn derivatives(e: &Evidence<'_>, wide: &dyn Subject, row: &Combination) -> Notes
         }
         _ => row.plain[i],
     };
-    if provoked {
+    if perturbed {
         let by_hand = |x: &[f64]| e.subject.adjoint(x, &row.weights);
-        let own = e.spread(adjoint, None, by_hand);
+        let own = e.deviation(adjoint, None, by_hand);
         let rough = e.rough_derivatives(&row.weights, adjoint, &by_hand);
         let with = |theirs: &[f64]| -> Vec<f64> {
             let each = (0..exact.len()).map(|i| {
@@ -141,30 +141,30 @@ fn derivatives(e: &Evidence<'_>, wide: &dyn Subject, row: &Combination) -> Notes
             });
             each.collect()
         };
-        tolerance = with(&e.spread(&exact, None, by_duals));
+        tolerance = with(&e.deviation(&exact, None, by_duals));
         if outside(&tolerance) && e.subject.comparable() {
-            tolerance = with(&e.spread_of_many(&exact, by_duals));
+            tolerance = with(&e.deviation_of_many(&exact, by_duals));
         }
     }
     let within = |found: &[f64]| {
         let each = found.iter().zip(&exact).zip(&tolerance);
         each.len() == exact.len() && each.clone().all(|((a, b), most)| (a - b).abs() <= *most)
     };
-    // At a tie single precision decides beside it as double precision does on it.
+    // At a tie single precision may decide near the input as double precision decides at the input.
     let decided = |there: &[f64]| {
-        let beside = e.subject.adjoint(there, &row.weights);
-        beside.is_some_and(|beside| within(&beside))
+        let near = e.subject.adjoint(there, &row.weights);
+        near.is_some_and(|near| within(&near))
     };
-    if outside(&tolerance) && e.holds_beside(decided) {
-        said.covered.fill(true);
-        return said;
+    if outside(&tolerance) && e.holds_nearby(decided) {
+        notes.judged.fill(true);
+        return notes;
     }
     // Below the smallest number of single precision there are no digits.
     tolerance
         .iter_mut()
         .for_each(|tolerance| *tolerance = tolerance.max(SMALLEST));
     for i in 0..exact.len() {
-        said.covered[i] = true;
+        notes.judged[i] = true;
         let gap = (exact[i] - adjoint[i]).abs();
         let numbers = ByWitness {
             adjoint: Some(adjoint[i]),
@@ -173,13 +173,13 @@ fn derivatives(e: &Evidence<'_>, wide: &dyn Subject, row: &Combination) -> Notes
             ..ByWitness::default()
         };
         let mut at = comparison(row, i, numbers, tolerance[i]);
-        at.provoked = provoked;
-        said.compared(3, gap, row.size[i], e.eps, at);
+        at.perturbed = perturbed;
+        notes.compared(3, gap, row.size[i], e.eps, at);
         if gap > tolerance[i] {
             let reason = Reason::Disagree(Witness::Adjoint, Witness::Wide);
             let suspect = Some(Witness::Adjoint);
-            said.complain_of(reason, suspect, (row.output, i), numbers, tolerance[i]);
+            notes.add_fault_with(reason, suspect, (row.output, i), numbers, tolerance[i]);
         }
     }
-    said
+    notes
 }

@@ -1,27 +1,28 @@
-//! Which features of two boxes are nearest, and where on them: numbers without derivatives.
+//! The features of two boxes that are nearest, and the points on them: numbers without derivatives.
 use super::super::spot::part;
 use super::face::{Facing, overlap};
 use super::features::{Corners, Edges, larger, smaller, turned, weight};
-use super::seen::{Gaps, Seen, column, dot, sign, sign_or_none};
+use super::seen::{Gaps, RelativeBox, column, dot, sign, sign_or_none};
 use crate::Scalar;
 use crate::arrays::Each;
 
-/// By so many roundings of the unit edges must part boxes more than faces do.
+/// The number of roundings of the unit by which edges must separate boxes more than faces.
 const MORE: f64 = 8.0;
-/// At most so many roundings of the unit points of boxes that touch seem apart: planes then say how the boxes part.
+/// The number of roundings of the unit by which points of touching boxes may seem apart: within it planes decide the
+/// direction.
 const TOUCH: f64 = 32.0;
-/// At most so many roundings a point that is beside or on a face seems beyond it.
+/// The number of roundings by which a point next to or on a face may seem beyond it.
 const BESIDE: f64 = 8.0;
 
 /// The features that the distance is computed from.
 pub(super) struct Choice<P: Scalar> {
     /// `true` if the boxes overlap or touch.
     pub inside: P::Mask,
-    /// `true` if a feature of b is nearest to a face, an edge or a corner of a, which says the direction.
+    /// `true` if a feature of b is nearest to a face, an edge or a corner of a, which gives the direction.
     pub by_a: P::Mask,
     /// `true` if an edge of each is. Else a corner of a is nearest to a feature of b.
     pub by_edges: P::Mask,
-    /// One along the axes, of a or of b, along which the way is that of two fixed points; zero along the others.
+    /// One along the axes, of a or of b, along which the vector joins two fixed points; zero along the others.
     pub keep: [P; 3],
     /// The sides along the axes on which the other box is.
     pub out: [P; 3],
@@ -31,25 +32,25 @@ pub(super) struct Choice<P: Scalar> {
     pub y: [P; 3],
     /// One along the axis of a that the edge is parallel to, else zero.
     pub edge_a: [P; 3],
-    /// The same of b.
+    /// The weights of the edges of b.
     pub edge_b: [P; 3],
     /// The side of the normal of two edges on which b is.
     pub side: P,
-    /// The gap of the planes that part the boxes best.
+    /// The gap of the planes that separate the boxes best.
     pub deepest: P,
     /// The shares of the axes of a in that.
     pub share_a: [P; 3],
-    /// Of those of b.
+    /// The shares of the faces of b.
     pub share_b: [P; 3],
-    /// Of pairs of edges.
+    /// The shares of pairs of edges.
     pub share_edges: [[P; 3]; 3],
-    /// Where b is along its axes parallel to a face of a, as parts of half its size.
+    /// For each face of a, the point of b nearest to it along the axes of b parallel to it, as parts of half its size.
     pub lean_a: [[P; 3]; 3],
-    /// Where a is along its axes parallel to a face of b.
+    /// For each face of b, the point of a nearest to it along the axes of a parallel to it.
     pub lean_b: [[P; 3]; 3],
 }
 
-/// Weights of which only the first that is not zero is kept.
+/// Returns weights that are one for the first mask that is true and zero for all others.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn first_of<P: Scalar, const N: usize>(masks: [P::Mask; N]) -> [P; N] {
     let mut free = P::zero().equals(P::zero());
@@ -60,7 +61,7 @@ fn first_of<P: Scalar, const N: usize>(masks: [P::Mask; N]) -> [P; N] {
     })
 }
 
-/// What nine pairs of edges have, by shares.
+/// Returns the sum of a number of nine pairs of edges, weighted by `shares`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn mixed<P: Scalar>(
     edges: &[[Edges<P>; 3]; 3],
@@ -76,7 +77,7 @@ fn mixed<P: Scalar>(
     sum
 }
 
-/// The planes that part the boxes best.
+/// The planes that separate the boxes best.
 struct Deepest<P: Scalar> {
     value: P,
     a: [P::Mask; 3],
@@ -101,7 +102,7 @@ impl<P: Scalar> Deepest<P> {
             by_edges,
         }
     }
-    /// Returns how many they are, as the reciprocal.
+    /// Returns one over the number of planes that tie.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn share(&self) -> P {
         let count = |masks: &[P::Mask]| {
@@ -112,10 +113,10 @@ impl<P: Scalar> Deepest<P> {
     }
 }
 
-/// Returns the features that are nearest, or the planes that part the boxes best, and the points there.
+/// Returns the features that are nearest, or the planes that separate the boxes best, and the points there.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> Choice<P> {
-    let Seen { c, d, r, g, h } = seen;
+pub(super) fn decide<P: Scalar<Primal = P>>(seen: &RelativeBox<P>, gaps: &Gaps<P>) -> Choice<P> {
+    let RelativeBox { c, d, r, g, h } = seen;
     let (zero, one) = (P::zero(), P::one());
     let transposed = [0, 1, 2].each_as(|j| column(r, j));
     let of_b = Corners::new(*c, *r, *h, *g);
@@ -126,7 +127,7 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
     let all = edges.iter().flatten();
     let least = all.fold(corners, |least, edges| smaller(least, edges.square));
     let deep = Deepest::new(gaps);
-    // Flat boxes can cross where no candidate is: no gap but rounding says that they meet.
+    // Flat boxes can cross without any candidate: they meet if all gaps are within rounding.
     let touch = least.at_most(P::lit((TOUCH * P::EPSILON).powi(2)));
     let inside = deep.value.at_most(P::lit(BESIDE * P::EPSILON)) | touch;
 
@@ -161,7 +162,7 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
     let three =
         |of_k: fn(&Edges<P>, usize) -> P| [0, 1, 2].each_as(|k| of(&|edges| of_k(edges, k)));
     let clear = of(&|edges| weight(edges.clear)).above(zero);
-    // The way itself where the normal has few digits.
+    // The difference of the points, if the normal has few digits.
     let rough = by_sides & !clear & !inside;
     let by_edges = by_sides & !rough;
 
@@ -225,7 +226,7 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
         part(middle.at[0], half[1]),
         part(middle.at[1], half[2]),
     ];
-    // Back from the face's axes to those of the box.
+    // Converted from the face's axes to those of the box.
     let owner = [0, 1, 2].each_as(|k| {
         (axis[0] * own_parts[k] + axis[1] * own_parts[(k + 2) % 3])
             + axis[2] * own_parts[(k + 1) % 3]
@@ -240,7 +241,7 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
     let keep_near = pick(rough, fully, pick(near_a, keep_a, keep_b));
     let keep = pick(inside, pick(any(deep_a), deep_a, deep_b), keep_near);
 
-    // The direction, to which sides of length zero give way.
+    // The direction along which sides of length zero grow.
     let at_a = [0, 1, 2].each_as(|k| g[k] * x[k]);
     let at_b = [0, 1, 2].each_as(|k| h[k] * y[k]);
     let way = [0, 1, 2].each_as(|k| (c[k] + dot(r[k], at_b)) - at_a[k]);
@@ -256,7 +257,7 @@ pub(super) fn decide<P: Scalar<Primal = P>>(seen: &Seen<P>, gaps: &Gaps<P>) -> C
     let flat = |x: P| x.equals(zero);
     let along_a = |l: usize, j: usize| flat(r[l][(j + 1) % 3]) & flat(r[l][(j + 2) % 3]);
     let along_b = |l: usize, j: usize| flat(r[(l + 1) % 3][j]) & flat(r[(l + 2) % 3][j]);
-    // Whether a face of one box is that which the other is over, or parallel to it.
+    // Masks of the faces of each box that are under the other one, or parallel to such a face.
     let met_a = [0, 1, 2].each_as(|l| {
         let other = (0..3).fold(zero, |sum, j| {
             sum + P::select(along_a(l, j), face_b[j], zero)

@@ -12,11 +12,11 @@ pub(super) fn overlap<P: Scalar>(half: P, center: P, other: P) -> P {
     part((low + high).halved(), half)
 }
 
-/// A face of one box and what of the other one faces it.
+/// A face of one box, and the other box in its frame.
 pub(super) struct Facing<P> {
     /// The axes of the other box along the face's normal and its two sides.
     pub rows: [[P; 3]; 3],
-    /// The centre of the other box along the same.
+    /// The centre of the other box along these sides.
     pub center: [P; 3],
     /// Half the sides of the face.
     pub half: [P; 2],
@@ -28,12 +28,12 @@ pub(super) struct Facing<P> {
 
 /// A point that the face and a face of the other box may share, seen along the normal.
 #[derive(Clone, Copy)]
-struct Shared<P> {
+struct SharedPoint<P> {
     /// Along both sides of the face, in the unit of length.
     at: [P; 2],
     /// Along both sides of the other face, as parts of half of them.
     other: [P; 2],
-    /// How far it is above the middle of the other face, and how far outside of either.
+    /// Its height over the middle of the other face, plus its distance outside of either face.
     cost: P,
 }
 
@@ -41,7 +41,7 @@ struct Shared<P> {
 pub(super) struct Middle<P: Scalar> {
     /// Along both sides of the face, in the unit of length.
     pub at: [P; 2],
-    /// The same point of the other box: along its axes, as parts of half its size.
+    /// The corresponding point of the other box: along its axes, as parts of half its size.
     pub other: [P; 3],
     /// `true` if an edge or a face of the other box is parallel to the face.
     pub parallel: P::Mask,
@@ -51,9 +51,9 @@ impl<P: Scalar> Facing<P> {
     /// Returns the mean of the lowest corners of what faces each other, of those that are at most some slack higher
     /// than the lowest one: corners over the face, corners of the face below the other one, and crossings of edges.
     ///
-    /// The other box has one face that is the nearest to parallel, and its lowest points are there. A corner outside
-    /// of the other face costs as much as it is outside: of shapes that meet in a point or an edge beside each other
-    /// rounding leaves no corner inside.
+    /// The other box has one face that is the nearest to parallel, and its lowest points are there. The cost of a
+    /// corner outside the other face is its distance from that face. Rounding may leave no corner inside if shapes meet
+    /// in a point or an edge.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn middle(&self, side: P, slack: P) -> Middle<P> {
         let (zero, one) = (P::zero(), P::one());
@@ -85,7 +85,7 @@ impl<P: Scalar> Facing<P> {
         let wide_v = either(no_v, [-wide_u[1], wide_u[0]], v);
         let det = wide_u[0] * wide_v[1] - wide_u[1] * wide_v[0];
         let over = one.over(P::select(det.equals(zero), one, det));
-        let mut all = [Shared {
+        let mut all = [SharedPoint {
             at: [zero; 2],
             other: [zero; 2],
             cost: most,
@@ -111,7 +111,7 @@ impl<P: Scalar> Facing<P> {
                         let (mut at, mut other) = ([bound; 2], [s; 2]);
                         (at[l], other[n]) = (along, part);
                         let height = rise[n] * part + rise[1 - n] * s;
-                        add(Shared {
+                        add(SharedPoint {
                             at,
                             other,
                             cost: P::select(crosses, height, most),
@@ -125,7 +125,7 @@ impl<P: Scalar> Facing<P> {
                 let at = [0, 1].each_as(|k| q[k] + (u[k] * s + v[k] * t));
                 let beside = larger(outside(at[0], half[0]), outside(at[1], half[1]));
                 let height = rise[0] * s + rise[1] * t;
-                add(Shared {
+                add(SharedPoint {
                     at,
                     other: [s, t],
                     cost: height + beside,
@@ -139,7 +139,7 @@ impl<P: Scalar> Facing<P> {
                 let inside = by_u.equals(other[0]) & by_v.equals(other[1]) & !no_u & !no_v;
                 let beside = P::select(inside, zero, larger(rest(0), rest(1)));
                 let height = rise[0] * other[0] + rise[1] * other[1];
-                add(Shared {
+                add(SharedPoint {
                     at,
                     other,
                     cost: height + beside,

@@ -1,6 +1,6 @@
 //! Corners and pairs of edges of two boxes as candidates for the nearest points: numbers without derivatives.
 use super::super::spot::part;
-use super::seen::{NEXT, Seen, least_square, sign};
+use super::seen::{NEXT, RelativeBox, least_square, sign};
 use crate::Scalar;
 use crate::arrays::Each;
 
@@ -10,7 +10,7 @@ pub(super) fn squared<P: Scalar>(x: P) -> P {
     x * x
 }
 
-/// One where the mask is true, else zero.
+/// Returns one where the mask is true, else zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn weight<P: Scalar>(mask: P::Mask) -> P {
     P::select(mask, P::one(), P::zero())
@@ -47,14 +47,15 @@ const SIGNS: [[f64; 3]; 8] = {
     signs
 };
 
-/// Returns how far coordinates are beyond a box.
+/// Returns the distance of a coordinate from the interval `[−half, half]`.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn beyond<P: Scalar>(x: P, half: P) -> P {
     larger(x.unsigned() - half, P::zero())
 }
 
 impl<P: Scalar> Corners<P> {
-    /// Of a box with a centre and half its size along axes `rows[k]`, against one with its centre at zero.
+    /// Returns the features of a box with a centre and half its size along axes `rows[k]`, against a box with its
+    /// centre at zero.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new(center: [P; 3], rows: [[P; 3]; 3], half: [P; 3], other: [P; 3]) -> Self {
         let squares = [0, 1, 2].each_as(|k| {
@@ -106,13 +107,13 @@ impl<P: Scalar> Corners<P> {
 /// An edge of each box: those that support them along their common normal.
 #[derive(Clone, Copy)]
 pub(super) struct Edges<P: Scalar> {
-    /// The square of the shortest way between them; the largest number where that ends beyond one of them.
+    /// The squared distance of their lines; the largest number if a nearest point is beyond an end.
     pub square: P,
     /// `true` if the normal has at least half the digits of the format.
     pub clear: P::Mask,
     /// The point of a along its axes, as parts of half its size.
     pub x: [P; 3],
-    /// Those of b.
+    /// The coordinates on the edge of b.
     pub y: [P; 3],
     /// The side of the normal.
     pub side: P,
@@ -122,8 +123,8 @@ pub(super) struct Edges<P: Scalar> {
     pub upright_b: [P; 3],
 }
 
-/// Returns the matrix with a sign for each zero. Where an axis of b lies in a plane of a, neither of the plane's sides
-/// is nearer: a turn too small to count then says which one is, the same for all pairs of edges.
+/// Returns the matrix with a sign for each zero. If an axis of b lies in a plane of a, neither of the plane's sides is
+/// nearer. A rotation too small to count then decides for all pairs of edges alike.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn turned<P: Scalar>(r: &[[P; 3]; 3]) -> [[P; 3]; 3] {
     let turn = [0.73, 0.41, 0.97].each_as(|part| P::lit(part * P::EPSILON.powi(2)));
@@ -138,8 +139,8 @@ pub(super) fn turned<P: Scalar>(r: &[[P; 3]; 3]) -> [[P; 3]; 3] {
 
 impl<P: Scalar> Edges<P> {
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn new(seen: &Seen<P>, turned: &[[P; 3]; 3], i: usize, j: usize) -> Self {
-        let Seen { c, r, g, h, .. } = seen;
+    pub(super) fn new(seen: &RelativeBox<P>, turned: &[[P; 3]; 3], i: usize, j: usize) -> Self {
+        let RelativeBox { c, r, g, h, .. } = seen;
         let ([k, l], [m, p]) = (NEXT[i], NEXT[j]);
         let zero = P::zero();
         let (rk, rl) = (r[k][j], r[l][j]);
@@ -149,8 +150,8 @@ impl<P: Scalar> Edges<P> {
         // The sides of a that the normal `(-rl, rk)` leaves, of b those that it enters.
         let (tk, tl) = (turned[k][j], turned[l][j]);
         let (xk, xl) = (-side.signed_as(tl), side.signed_as(tk));
-        // Along axis m of b the normal is as long as axis p is along axis i of a, which says the sign where products
-        // cancel but for rounding.
+        // The normal's component along axis m of b equals that of axis p of b along axis i of a up to sign, which gives
+        // the sign if products cancel within rounding.
         let across = |m: usize, own: P| {
             let (plus, minus) = (tk * turned[l][m], tl * turned[k][m]);
             let size = plus.unsigned() + minus.unsigned();

@@ -1,11 +1,11 @@
 //! Two boxes of any orientation, in the frame of the first.
 //!
 //! All that chooses between features is computed with plain numbers; the distance is then computed once, with
-//! derivatives, from the features that were chosen. Of the 144 pairs of edges nine can be nearest: those that
-//! support both boxes along their common normal.
+//! derivatives, from the features that were chosen. Nine of the 144 pairs of edges can be nearest: those that support
+//! both boxes along their common normal.
 //!
-//! The axes of b as a's axes see them are a matrix, of whose numbers every sign is taken. They decide alike wherever
-//! they occur, so that no rounding leaves out the end of a common stretch in favour of neither.
+//! The axes of b along a's axes are a matrix; every sign is taken from its numbers. They decide alike wherever they
+//! occur, so that no rounding leaves out the end of a common stretch in favour of neither.
 mod decide;
 mod face;
 mod features;
@@ -19,20 +19,20 @@ use crate::distance::edge::scale_of;
 use crate::scalar::{most_of, speck};
 use crate::{Scalar, Vec3};
 use decide::{Choice, decide};
-use seen::{Gaps, Seen, column, dot, gaps_primal, least_square, sign_or_none};
+use seen::{Gaps, RelativeBox, column, dot, gaps_primal, least_square, sign_or_none};
 
-/// As constants of a number with derivatives.
+/// Returns constants of a scalar type with derivatives.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn fixed<S: Scalar>(x: [S::Primal; 3]) -> [S; 3] {
     x.each_as(|x| S::from_primal(x.primal()))
 }
 
-impl<S: Scalar> Seen<S> {
-    /// Returns the gap of the planes that part the boxes best, in the mean of all that tie. Along faces that are
-    /// parallel the boxes are turned about the middle of what faces each other.
+impl<S: Scalar> RelativeBox<S> {
+    /// Returns the gap of the planes that separate the boxes best, in the mean of all that tie. Parallel faces turn
+    /// about the middle of their overlap.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn deepest(&self, gaps: &Gaps<S>, choice: &Choice<S::Primal>) -> S {
-        let Seen { r, g, h, c, d } = self;
+        let RelativeBox { r, g, h, c, d } = self;
         let share = |x: S::Primal| S::from_primal(x.primal());
         let mut sum = S::zero();
         for k in 0..3 {
@@ -59,9 +59,9 @@ impl<S: Scalar> Seen<S> {
     }
 }
 
-/// b as a sees it, in units in which both are of a size near one, and the units.
+/// Returns b in the frame of a, in units in which both are of a size near one, and the scale of these units.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (Seen<S>, S) {
+fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (RelativeBox<S>, S) {
     let anchor = a.anchor();
     let scale = scale_of::<S>(a.extent(anchor).most(b.extent(anchor)));
     let way = ((b.given - a.given) + (b.arm - a.arm)) * scale;
@@ -73,7 +73,7 @@ fn seen<S: Scalar>(a: &BoxCore<S>, b: &BoxCore<S>) -> (Seen<S>, S) {
         let none = sine.unsigned().below(S::lit(S::PARALLEL));
         S::select(none, sine.with_primal(S::Primal::zero()), sine)
     };
-    let seen = Seen {
+    let seen = RelativeBox {
         c: a.axes.each_as(|axis| axis.dot(way)),
         d: b.axes.each_as(|axis| axis.dot(way)),
         r: [0, 1, 2].each_as(|i| [0, 1, 2].each_as(|j| turn(i, j))),
@@ -89,13 +89,13 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
     let (seen, scale) = seen(&a, &b);
     let gaps = seen.gaps();
     let choice = decide(&seen.primal(), &gaps_primal(&gaps));
-    let Seen { c, r, g, h, .. } = seen;
+    let RelativeBox { c, r, g, h, .. } = seen;
     let (x, y) = (fixed::<S>(choice.x), fixed::<S>(choice.y));
     let (at_a, at_b) = (
         [0, 1, 2].each_as(|k| g[k] * x[k]),
         [0, 1, 2].each_as(|k| h[k] * y[k]),
     );
-    // The way from the point of a to that of b, along the axes of a and of b.
+    // The vector from the point of a to that of b, along the axes of a and of b.
     let w = [0, 1, 2].each_as(|k| (c[k] + dot(r[k], at_b)) - at_a[k]);
     let seen_b = [0, 1, 2].each_as(|j| (seen.d[j] + at_b[j]) - dot(column(&r, j), at_a));
     let keep = fixed::<S>(choice.keep);
@@ -130,7 +130,7 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
         shape(a.axes, unit),
     );
     let length = apart.length();
-    // Duals of the length of a speck pass through numbers beyond the largest one.
+    // Duals of a tiny length pass through numbers beyond the largest one.
     let straight = apart.dot(way.constant());
     let straight = straight.with_primal(length.primal());
     let length = S::select(length.at_most(S::lit(speck::<S>())), straight, length);
@@ -154,11 +154,11 @@ pub(super) fn relate<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> Relation<S> {
     }
 }
 
-/// Returns the longest distance of points of two boxes: of every two opposite sides of b the corner of a says which is
+/// Returns the longest distance of points of two boxes: the corner of a decides which of two opposite sides of b is
 /// farther.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn farthest<S: Scalar>(a: BoxCore<S>, b: BoxCore<S>) -> S {
-    let (Seen { c, d, r, g, h }, scale) = seen(&a, &b);
+    let (RelativeBox { c, d, r, g, h }, scale) = seen(&a, &b);
     // From the corner of a at the negative ends of its axes; the others by signs.
     let (along_a, along_b) = (
         [0, 1, 2].each_as(|i| g[i] * c[i]),

@@ -1,16 +1,16 @@
-//! A box as another one sees it, and the gaps between both.
+//! A box in the frame of another one, and the gaps between both.
 use crate::Scalar;
 use crate::arrays::Each;
 
 /// The axes after one, in order: with it they are a right-handed frame.
 pub(super) const NEXT: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 
-/// b as a sees it.
+/// Box b in the frame of box a.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen<S> {
-    /// The way from the centre of a to that of b, along the axes of a.
+pub(super) struct RelativeBox<S> {
+    /// The vector from the centre of a to that of b, along the axes of a.
     pub c: [S; 3],
-    /// The same along the axes of b.
+    /// That vector along the axes of b.
     pub d: [S; 3],
     /// The axes of b: of entry `[i][j]` axis j, along axis i of a.
     pub r: [[S; 3]; 3],
@@ -20,7 +20,7 @@ pub(super) struct Seen<S> {
     pub h: [S; 3],
 }
 
-/// How far the boxes are parted along the normals of faces and of pairs of edges.
+/// The gaps between the boxes along the normals of faces and of pairs of edges.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gaps<S> {
     /// Along the axes of a.
@@ -37,7 +37,7 @@ pub(super) fn sign<P: Scalar>(x: P) -> P {
     P::one().signed_as(x)
 }
 
-/// Returns the same; zero of zero.
+/// Returns the sign of a number, -1 or 1; zero for zero.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn sign_or_none<P: Scalar>(x: P) -> P {
     P::select(x.equals(P::zero()), P::zero(), sign(x))
@@ -61,12 +61,12 @@ pub(super) fn least_square<S: Scalar>() -> S {
     S::lit(S::EPSILON.powi(4))
 }
 
-impl<S: Scalar> Seen<S> {
-    /// Returns the same without derivatives.
+impl<S: Scalar> RelativeBox<S> {
+    /// Returns the relation without derivatives.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn primal(&self) -> Seen<S::Primal> {
+    pub fn primal(&self) -> RelativeBox<S::Primal> {
         let plain = |x: [S; 3]| x.each_as(S::primal);
-        Seen {
+        RelativeBox {
             c: plain(self.c),
             d: plain(self.d),
             r: self.r.each_as(plain),
@@ -74,11 +74,11 @@ impl<S: Scalar> Seen<S> {
             h: plain(self.h),
         }
     }
-    /// Returns the gaps along all normals. Those of edges are along directions that are orthogonal to both as far as
-    /// the matrix has digits: a product of its numbers and itself, in other order, is exactly zero.
+    /// Returns the gaps along all normals. The gaps of edges are along directions that are orthogonal to both within
+    /// the digits of the matrix: the difference of a product and itself in other order is exactly zero.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn gaps(&self) -> Gaps<S> {
-        let Seen { c, d, r, g, h } = self;
+        let RelativeBox { c, d, r, g, h } = self;
         let size = r.each_as(|row| row.each_as(S::magnitude));
         let edges = |i: usize, j: usize| {
             let ([k, l], [m, p]) = (NEXT[i], NEXT[j]);

@@ -1,7 +1,7 @@
 //! Frames of truths and detections, and how each of them counts.
 use crate::suppression::Pair;
 
-/// How a truth or a detection counts.
+/// The role of a truth or a detection in the count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Counts {
     /// It must be found, or must be right.
@@ -15,11 +15,11 @@ pub enum Counts {
 /// The truths and detections of one image or scan.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
-    /// How every truth counts.
+    /// The role of every truth.
     pub truths: &'a [Counts],
     /// The score of every detection.
     pub scores: &'a [f64],
-    /// How every detection counts.
+    /// The role of every detection.
     pub detections: &'a [Counts],
     /// Overlaps of detections (the first of a pair) and truths (the second); others do not overlap.
     pub pairs: &'a [Pair<f64>],

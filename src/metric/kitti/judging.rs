@@ -1,31 +1,31 @@
-//! How truths choose detections, and precision at the scores where it is read.
+//! The matching of truths to detections, and precision at the scores where it is read.
 use super::frames::{Angles, Counts, Frame};
 use crate::Scalar;
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::metric::{Outcome, Point, Recalls};
 use crate::suppression::invalid;
 
-/// Average precision by the rules, and what it was read from.
+/// Average precision by the rules, and the curve it is read from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
     /// Precision and recall at the scores where it was read, the highest one first.
     pub curve: Vec<Point>,
-    /// Similarity of orientation at the same scores: of right detections the mean of `(1 + cos(a − b)) / 2` for the
-    /// angles of truth and detection, times precision. Empty where no angles were given.
+    /// Similarity of orientation at these scores: the mean over right detections of `(1 + cos(a − b)) / 2` for the
+    /// angles of truth and detection, times precision. Empty without angles.
     pub similarity: Vec<f64>,
-    /// The truths that had to be found.
+    /// The number of truths that have to be found.
     pub truths: usize,
 }
 
 impl Judged {
-    /// Average precision, in `[0, 1]`: at eleven recalls every fourth of the forty-one that the scores stand
-    /// for, at forty all but the first. [`Recalls::All`] counts as forty, which is all there are.
+    /// Returns the average precision, in `[0, 1]`. At eleven recalls it takes every fourth of the forty-one recalls
+    /// that have scores, at forty all except the first. [`Recalls::All`] counts as forty, which is all there are.
     #[must_use]
     pub fn average_precision(&self, recalls: Recalls) -> f64 {
         average(self.curve.iter().map(|point| point.precision), recalls)
     }
-    /// Average orientation similarity (AOS), in `[0, 1]`, at the same recalls; at most average precision. Zero where no
-    /// angles were given.
+    /// Returns the average orientation similarity (AOS), in `[0, 1]`, at the recalls of
+    /// [`average_precision`](Self::average_precision), which bounds it from above. Zero if no angles were given.
     #[must_use]
     pub fn average_orientation_similarity(&self, recalls: Recalls) -> f64 {
         average(self.similarity.iter().copied(), recalls)
@@ -48,19 +48,19 @@ fn average(values: impl Iterator<Item = f64>, recalls: Recalls) -> f64 {
 }
 
 /// The outcomes of the detections of a frame of at least a score, and the number of truths missed.
-struct Matched {
+struct FrameMatches {
     outcomes: Vec<Outcome>,
     missed: usize,
 }
 
 /// Overlaps of every truth above the threshold, with the detections in their order.
-struct Near {
+struct TruthOverlaps {
     all: Vec<(usize, f64)>,
     /// Truth t has the entries `starts[t]..starts[t + 1]`.
     starts: Vec<usize>,
 }
 
-fn near(frame: &Frame<'_>, threshold: f64) -> Result<Near, Error> {
+fn near(frame: &Frame<'_>, threshold: f64) -> Result<TruthOverlaps, Error> {
     let counts = [
         ("detections", frame.detections.len(), frame.scores.len()),
         ("unlabelled", frame.unlabelled.len(), frame.scores.len()),
@@ -109,13 +109,13 @@ fn near(frame: &Frame<'_>, threshold: f64) -> Result<Near, Error> {
     for own in starts.windows(2) {
         all[own[0]..own[1]].sort_by_key(|&(detection, _)| detection);
     }
-    Ok(Near { all, starts })
+    Ok(TruthOverlaps { all, starts })
 }
 
-/// Which detections the truths take, one after the other. With `least`, of detections of at least this score
-/// the one of the largest overlap, ignored ones only where no other is left; without, of all the one of the
-/// highest score.
-fn matched(frame: &Frame<'_>, near: &Near, least: Option<f64>) -> Matched {
+/// Matches the truths, one after the other, to detections. With `least` a truth takes the detection of the largest
+/// overlap of at least this score, and ignored ones only if no other is left. Without it a truth takes the detection of
+/// the highest score.
+fn matched(frame: &Frame<'_>, near: &TruthOverlaps, least: Option<f64>) -> FrameMatches {
     let mut outcomes = vec![Outcome::Wrong; frame.scores.len()];
     let mut is_taken = vec![false; frame.scores.len()];
     let mut missed = 0;
@@ -159,7 +159,7 @@ fn matched(frame: &Frame<'_>, near: &Near, least: Option<f64>) -> Matched {
             }
         }
     }
-    Matched { outcomes, missed }
+    FrameMatches { outcomes, missed }
 }
 
 /// Returns the scores of right detections, the highest first, at which recall passes the next fortieth.
@@ -183,14 +183,14 @@ fn thresholds(mut right: Vec<f64>, truths: usize) -> Vec<f64> {
     out
 }
 
-/// Frames that are judged: what is read at every score on its own.
+/// Frames that are judged: the data that is read at every score separately.
 pub(crate) struct Judging<'a> {
     frames: &'a [Frame<'a>],
     /// Empty where none were given.
     angles: &'a [Angles<'a>],
     threshold: f64,
-    near: Vec<Near>,
-    /// The truths that have to be found.
+    near: Vec<TruthOverlaps>,
+    /// The number of truths that have to be found.
     truths: usize,
     /// The scores at which precision is read, the highest one first.
     pub(crate) scores: Vec<f64>,
@@ -226,7 +226,7 @@ impl<'a> Judging<'a> {
         })
     }
 
-    /// Precision, recall and the similarity of orientation of all detections of at least a score.
+    /// Returns precision, recall and orientation similarity of all detections of at least a score.
     pub(crate) fn at(&self, score: f64) -> (Point, f64) {
         let (mut right, mut wrong, mut missed) = (0_usize, 0_usize, 0_usize);
         let mut similar = 0.0;

@@ -4,7 +4,7 @@
 //! Geiger, Lenz and Urtasun, *Are we ready for autonomous driving?*, CVPR 2012; forty recalls since Simonelli et
 //! al., *Disentangling monocular 3D object detection*, ICCV 2019. Differences from [`outcomes`](super::outcomes):
 //!
-//! * truths choose detections, in the order of the truths, and not the other way round;
+//! * truths choose detections, in the order of the truths, and not the reverse;
 //! * precision is read at about forty scores, those of right detections at which recall passes a fortieth;
 //! * an overlap must be above the threshold, equality is not enough;
 //! * detections in regions without labels are not wrong: their overlap is the share of the detection in the
@@ -61,7 +61,7 @@ impl Difficulty {
             Difficulty::Hard => 0.5,
         }
     }
-    /// How a truth counts.
+    /// Returns the role of a truth in the count.
     ///
     /// ```
     /// use geograd::metric::kitti::{Counts, Difficulty, Label, GroundTruth};
@@ -82,7 +82,8 @@ impl Difficulty {
             Label::Other => Counts::Not,
         }
     }
-    /// How a detection of such a height in pixels counts, of the class that is judged or of another one.
+    /// Returns the role in the count of a detection of a height in pixels, of the class that is judged or of another
+    /// one.
     #[must_use]
     pub fn detection(self, height: f64, is_of_class: bool) -> Counts {
         if height < self.height() {
@@ -95,7 +96,7 @@ impl Difficulty {
     }
 }
 
-/// A truth's class, seen from the class that is judged.
+/// A truth's class, relative to the class that is judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Label {
     /// The class that is judged.
@@ -113,7 +114,7 @@ pub struct GroundTruth {
     pub label: Label,
     /// The height of its box in the image, in pixels.
     pub height: f64,
-    /// How much of it is hidden: 0 nothing, 1 partly, 2 largely, 3 unknown.
+    /// The degree to which it is hidden: 0 not at all, 1 partly, 2 largely, 3 unknown.
     pub occlusion: u8,
     /// The share of it outside of the image, in `[0, 1]`.
     pub truncation: f64,
@@ -150,7 +151,7 @@ pub fn judge(frames: &[Frame<'_>], threshold: f64) -> Result<Judged, Error> {
     Ok(Judging::new(frames, None, threshold)?.judged())
 }
 
-/// [`judge`] with the angles of every frame, for the similarity of orientation.
+/// Judges frames as [`judge`] does, with the angles of every frame, for the similarity of orientation.
 ///
 /// # Errors
 ///

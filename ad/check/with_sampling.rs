@@ -1,4 +1,5 @@
-//! A function together with what a sampling says of it: its ties, how far its values may be off, where it is defined.
+//! A function together with the declarations of a sampling: its ties, resolution and domain.
+//! [`examine`](fn@crate::ad::check::examine) wraps every function in it before it is judged.
 use crate::ad::check::certificate::Proof;
 use crate::ad::check::sampling::Sampling;
 use crate::ad::check::subject::{Conventions, Subject};
@@ -6,28 +7,28 @@ use crate::ad::check::symmetry::{Invariance, Kind};
 use crate::ad::check::trace::Trace;
 use crate::ad::check::witness::Precision;
 
-/// A function with a sampling.
-pub(crate) struct Agreed<'a> {
-    pub(crate) subject: Held<'a>,
+/// A function with the declarations of a sampling.
+pub(crate) struct WithSampling<'a> {
+    pub(crate) subject: SubjectRef<'a>,
     pub(crate) sampling: &'a Sampling<'a>,
 }
 
-/// A function that is lent, or made on the way.
-pub(crate) enum Held<'a> {
-    Lent(&'a dyn Subject),
-    Made(Box<dyn Subject + 'a>),
+/// A function that is borrowed or owned.
+pub(crate) enum SubjectRef<'a> {
+    Borrowed(&'a dyn Subject),
+    Owned(Box<dyn Subject + 'a>),
 }
 
-impl<'a> Agreed<'a> {
+impl<'a> WithSampling<'a> {
     fn subject(&self) -> &(dyn Subject + 'a) {
         match &self.subject {
-            Held::Lent(subject) => *subject,
-            Held::Made(subject) => &**subject,
+            SubjectRef::Borrowed(subject) => *subject,
+            SubjectRef::Owned(subject) => &**subject,
         }
     }
 }
 
-/// Methods that the function answers alone.
+/// Methods that are forwarded to the function unchanged.
 macro_rules! handed_on {
     ($(fn $name:ident(&self $(, $arg:ident: $type:ty)*) -> $out:ty;)*) => { $(
         fn $name(&self $(, $arg: $type)*) -> $out {
@@ -36,7 +37,7 @@ macro_rules! handed_on {
     )* };
 }
 
-impl Subject for Agreed<'_> {
+impl Subject for WithSampling<'_> {
     handed_on! {
         fn precision(&self) -> Precision;
         fn value(&self, x: &[f64]) -> Vec<f64>;
@@ -64,9 +65,9 @@ impl Subject for Agreed<'_> {
         fn invariances(&self) -> &[Invariance];
     }
     fn wide(&self) -> Option<Box<dyn Subject + '_>> {
-        let subject = Held::Made(self.subject().wide()?);
+        let subject = SubjectRef::Owned(self.subject().wide()?);
         let sampling = self.sampling;
-        Some(Box::new(Agreed { subject, sampling }))
+        Some(Box::new(WithSampling { subject, sampling }))
     }
     fn proof(&self, x: &[f64]) -> Option<Proof> {
         self.sampling.proof.and_then(|proof| proof(x))
@@ -75,7 +76,7 @@ impl Subject for Agreed<'_> {
         self.subject().inside(x) && self.sampling.inside.is_none_or(|inside| inside(x))
     }
     fn total(&self) -> bool {
-        // Beyond a border that was said the function may be anything.
+        // Beyond a declared border the function may be anything.
         self.sampling.inside.is_none() && self.subject().total()
     }
     fn scales(&self, x: &[f64]) -> Vec<f64> {
