@@ -6,10 +6,10 @@ use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::sweep::Chooses;
 use crate::kernels::machine::suppress::Greed;
 
-/// The shapes kept so far, and those suppressed.
+/// The state of a suppression: which shapes are kept, and which are suppressed.
 struct Kept<'a, T> {
     rules: Greed<'a, T>,
-    /// The shape that suppresses now.
+    /// The kept shape whose pairs are computed now.
     row: usize,
     gone: Vec<bool>,
     kept: Vec<usize>,
@@ -39,8 +39,8 @@ impl<T: Real> Chooses<T> for Kept<'_, T> {
     }
 }
 
-/// Returns the shapes of a list, given the best first, that no better one, kept itself, suppresses. The better one of a
-/// pair is the first argument.
+/// Returns the shapes of a list, best first, that no better kept shape suppresses. The better shape of a pair is the
+/// first argument.
 pub fn suppress<T: Real>(pairs: &Pairs<'_, T>, rules: Greed<'_, T>) -> Vec<usize> {
     let [count, _] = pairs.counts();
     let mut kept = Kept {

@@ -32,7 +32,7 @@ use crate::kernels::row::item::{Leaf, Target};
 use crate::scalar::real::in_format;
 use crate::suppression::{Rules, order};
 
-/// Returns an error for columns that stay on a GPU.
+/// Returns an error for a column that stays on a GPU.
 pub(crate) fn check_here<T: Real>(columns: &[Column<'_, T>]) -> Result<(), Error> {
     let is_away = |column: &Column<'_, T>| column.held.is_some_and(|own| own.here().is_none());
     match columns.iter().any(is_away) {
@@ -75,11 +75,11 @@ struct Scaled<T> {
 }
 
 impl<T: Real> Scaled<T> {
-    /// Divides all cotangents by one power of two if one is larger than the kernel takes ([`Plan::steepest`]).
+    /// Divides all cotangents by one power of two if one exceeds the range of the kernel ([`Plan::steepest`]).
     ///
     /// # Errors
     ///
-    /// When one is not finite.
+    /// [`Error::Invalid`] for one that is not finite.
     fn new(plan: &Plan<T>, upstream: &Upstream<'_, T>) -> Result<Self, Error> {
         let steep = tame(upstream.derivatives, plan.steepest)?;
         let factor = steep.iter().flatten().map(|x| x.1).fold(T::one(), T::most);
@@ -107,8 +107,8 @@ impl<T: Real> Scaled<T> {
     }
 }
 
-/// The engine in a format. Coercions of a concrete format are compiled in this library, and with them all that it
-/// computes: whoever calls a batch compiles no more than what turns shapes into numbers.
+/// The engine of a format. These coercions make this library compile the engines, so that a calling crate compiles no
+/// copy.
 type InFormat<T> = fn(&Processor) -> &dyn Engine<T>;
 static F32: InFormat<f32> = |engine| engine;
 static F64: InFormat<f64> = |engine| engine;

@@ -1,4 +1,4 @@
-//! Aligned items over plain numbers, block by block: the same code for every operation.
+//! Aligned items over plain numbers, block by block, for every operation.
 use crate::Real;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles, planes, tiles, with_lanes};
@@ -11,18 +11,18 @@ use crate::kernels::row::item::{Piece, STRETCH, Target};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Items per block: with their results few enough for the innermost cache.
+/// The number of items in a block, few enough for the innermost cache together with their results.
 const ITEMS: usize = 256;
 
-/// Aligned items as numbers, checked, and where their results go.
+/// Aligned items as checked numbers, and the targets of their results.
 pub struct Aligned<'a, T> {
     /// The plan by which the items are computed.
     pub plan: &'a Plan<T>,
     /// The shapes, then the cotangents.
     pub columns: &'a [Column<'a, T>],
-    /// `true` if some items may be rare: of shapes too extreme, or cotangents too large, for kernels.
+    /// `true` if some items may have shapes too extreme, or cotangents too large, for kernels.
     pub rare: bool,
-    /// How many items.
+    /// The number of items.
     pub count: usize,
     /// `true` if numbers were not checked before. Each stretch is then tested just before it is computed, so memory is read
     /// once.
@@ -31,8 +31,8 @@ pub struct Aligned<'a, T> {
     pub targets: Vec<Option<Target<'a, T>>>,
 }
 
-/// Computes aligned items on all threads. `false` if `unchecked` numbers fail a quick test: some results are then missing,
-/// and the caller checks and computes again.
+/// Computes aligned items on all threads. Returns `false` if `unchecked` numbers fail a quick test: the results are
+/// then incomplete, and the caller checks and computes again.
 pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
     let mut pieces: Vec<Vec<Option<Piece<'_, T>>>> = Vec::new();
     pieces.resize_with(work.count.div_ceil(STRETCH), Vec::new);
@@ -91,11 +91,11 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
 /// Items that one thread computes.
 struct Stretch<'a, T> {
     plan: &'a Plan<T>,
-    /// For every column: `true` if one item stands for all.
+    /// For each column: `true` if one item stands for all.
     ones: Vec<bool>,
-    /// For every column: numbers per item.
+    /// For each column: the number of scalars per item.
     fields: Vec<usize>,
-    /// For every column: its numbers.
+    /// For each column: its numbers.
     numbers: Vec<&'a [T]>,
     rare: bool,
     /// `true` if rows are prefetched.
@@ -103,7 +103,7 @@ struct Stretch<'a, T> {
 }
 
 impl<T: Real> Stretch<'_, T> {
-    /// Returns `true` if quick tests find all numbers valid; they may fail for valid numbers, too.
+    /// Returns `true` if quick tests find all numbers valid. They may reject valid numbers, too.
     fn is_sound(&self) -> bool {
         self.numbers.iter().enumerate().all(|(k, numbers)| {
             let own = self.plan.arguments.get(k);
@@ -187,8 +187,7 @@ impl<T: Real> Stretch<'_, T> {
             false => &self.numbers[k][items.start * fields..items.end * fields],
         }
     }
-    /// Returns a block's shapes in tiles, prepared. One shape that stands for all is prepared for the first
-    /// block and stays.
+    /// Returns the prepared shapes of a block in tiles. A shape that stands for all is prepared once.
     fn prepared<'r>(
         &self,
         k: usize,
@@ -222,7 +221,7 @@ impl<T: Real> Stretch<'_, T> {
             }
         }
     }
-    /// Puts the right results of rare items in their places.
+    /// Replaces the results of extreme items by those of the scalar code.
     fn mend(&self, items: Range<usize>, mut out: Results<'_, T>) {
         let plan = self.plan;
         let Some(rare) = &plan.rare else { return };

@@ -1,5 +1,5 @@
-//! The kernels, each compiled for every level: the list, and the only calls into code compiled for
-//! instructions that a processor may lack.
+//! The list of kernels, each compiled for every level, with the only calls into code whose instructions a processor may
+//! lack.
 use crate::Vec2;
 use crate::kernels::cpu::arch::Bound;
 use crate::kernels::cpu::blocks;
@@ -38,7 +38,7 @@ macro_rules! entries {
             #[cfg(any(not(target_arch = "x86_64"), geograd_portable))]
             use crate::Lanes;
             type T = $t;
-            /// The kernels of this format.
+            /// The kernels of one format.
             pub static KERNELS: Kernels<$t> = Kernels { $($name,)* };
             $(
                 fn $name($($arg: $type),*) $(-> $out)? {
@@ -83,7 +83,7 @@ macro_rules! entries {
 }
 
 entries! {
-    /// Rotated boxes with their trigonometry done.
+    /// Prepares rotated boxes: computes sines and cosines.
     obb2_frames(shapes: Tiles<'_, T>, view: View, frames: &mut [Lane<T>]) = overlaps::obb2_frames::<T, V>;
     /// Bounds of prepared rotated boxes.
     obb2_bounds(frames: Tiles<'_, T>, bounds: &mut [Lane<T>]) = overlaps::obb2_bounds::<T, V>;
@@ -109,7 +109,7 @@ entries! {
     all_common_upright(numbers: &[T]) -> bool = overlaps::all_common_upright::<T, V>;
     /// Scores of upright boxes from what they share seen from above.
     upright_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = upright_boxes::scores::<T, V>;
-    /// The same with fourteen derivatives each, from the ten derivatives of that.
+    /// The scores of upright boxes with fourteen derivatives each, from areas seen from above with ten.
     upright_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = upright_boxes::derivatives::<T, V>;
     /// `true` if boxes of any orientation in space are valid and of common size, or zero size.
     all_common_obb3(numbers: &[T]) -> bool = boxes3::all_common::<T, V>;
@@ -127,19 +127,19 @@ entries! {
     bring(rows: &[T], fields: usize, out: &mut [Lane<T>]) = blocks::bring::<T, V>;
     /// Tiles into rows of numbers.
     take(results: Planes<'_, T>, fields: usize, rows: &mut [T], stride: usize) = blocks::take::<T, V>;
-    /// One item of a tile in every place of another.
+    /// Broadcasts one item of a tile to all places of another tile.
     spread(from: &[Lane<T>], item: usize, tile: &mut [Lane<T>]) = blocks::spread::<T, V>;
     /// Picked rows of numbers into tiles.
     gather(rows: &[T], stride: usize, picked: &[u32], fields: usize, out: &mut [Lane<T>]) = blocks::gather::<T, V>;
-    /// The items whose bounds meet those of a row.
+    /// The items whose bounds meet those of a row, as indices.
     near(row: &[T; BOUNDS], bounds: Tiles<'_, T>, first: u32, hits: &mut [u32]) -> usize = blocks::near::<T, V>;
-    /// The same of a tree of bounds.
+    /// The items of a tree whose bounds meet those of a row, as indices.
     search(row: &[T; BOUNDS], levels: &[Vec<Lane<T>>], room: &mut Vec<u32>) -> [usize; 2] = blocks::search::<T, V>;
     /// Results of picked columns, put into a row per field.
     scatter(results: Planes<'_, T>, columns: &[u32], first: usize, rows: &mut [T], stride: usize) = blocks::scatter::<T, V>;
-    /// Derivatives, added up.
+    /// Derivatives of all columns, added up.
     accumulate(results: Planes<'_, T>, fields: [usize; 2], count: usize, rows: &mut [Lane<T>], columns: &mut [Lane<T>]) = blocks::accumulate::<T, V>;
-    /// The same for picked columns.
+    /// Derivatives of picked columns, added up.
     accumulate_picked(results: Planes<'_, T>, fields: [usize; 2], columns: &[u32], rows: &mut [Lane<T>], sums: &mut [Lane<T>]) = blocks::accumulate_picked::<T, V>;
     /// The largest number.
     largest(numbers: &[T]) -> T = blocks::largest::<T, V>;
@@ -159,9 +159,9 @@ entries! {
     carry_out(code: &[Code], memory: Memory<'_, T>, native: Option<&Bound<'_, T>>) = execute::carry_out::<T, V>;
     /// Some items by a recorded program, from rows to rows.
     over_rows(tape: &Tape, part: Rows<'_, T>, wanted: &mut [Wanted<'_, T>]) = rowwise::over_rows::<T, V>;
-    /// The edges of a path that can be nearest to a point, and how often the path winds around it.
+    /// The edges of a path that can be nearest to a point, and the winding number of the path.
     near_edges(point: Vec2<T>, path: &nearest::Edges<T>, limits: nearest::Limits<T>, squares: &mut [Lane<T>], picked: &mut [u32]) -> Option<(usize, T)> = nearest::near_edges::<T, V>;
-    /// Measures of rings; false, and any numbers, where a vertex is not finite.
+    /// Measures of rings; `false` if a vertex is not finite, and the measures are then arbitrary.
     ring_values(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) -> bool = rings::values::<T, V>;
     /// Adjoints of measures of rings.
     ring_bars(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], upstream: &[T], bars: &mut [Vec2<T>]) = rings::bars::<T, V>;

@@ -6,12 +6,12 @@ use crate::kernels::cpu::simd::Simd;
 use std::cell::Cell;
 use std::marker::PhantomData;
 
-/// A program as machine code, of which there is none.
+/// The machine code of a program, which does not exist in this build.
 #[derive(Debug)]
 pub(crate) enum Native {}
 
 impl Native {
-    /// Nothing: the interpreter carries out all instructions.
+    /// Returns `None`: the interpreter executes all instructions.
     #[expect(
         clippy::extra_unused_type_parameters,
         reason = "the format, as with machine code"
@@ -30,7 +30,7 @@ impl Native {
     }
 }
 
-/// Machine code with its memory, of which there is none.
+/// Machine code with its memory, which does not exist in this build.
 pub(crate) struct Bound<'a, T>(&'a Native, PhantomData<&'a mut [T]>);
 
 impl<'a, T> Bound<'a, T> {

@@ -1,4 +1,4 @@
-//! Block kernels that know nothing of operations: rows into tiles and back, what bounds tell, sums.
+//! Block kernels that are independent of operations: transposition of rows and tiles, searches in bounds, sums.
 //!
 //! Compiled in this library only, by the entries in `arch`.
 mod bounds;

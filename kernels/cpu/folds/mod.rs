@@ -1,4 +1,5 @@
-//! Folds over ragged lists of paths: edges side by side as a program, what they tell joined in order.
+//! Folds over ragged lists of paths: a program computes all edges in parallel, then the states of each path are joined
+//! in order.
 pub(crate) mod paths;
 mod sieve;
 
@@ -50,7 +51,7 @@ pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec
     Ok(out)
 }
 
-/// Returns the numbers of the cotangents of every context and every vertex, for those of results.
+/// Returns the cotangents of every context and every vertex, from those of the results.
 pub fn cotangents<T: Real>(
     folding: &Folding<T>,
     input: &Input<'_, T>,
@@ -62,7 +63,7 @@ pub fn cotangents<T: Real>(
     check_upstream(upstream, sizes.out.max(1))?;
     let paths = paths(folding, input)?;
     let states = states(sizes, &programs, &paths)?;
-    // From results to what every edge told.
+    // The adjoint of the last step: from results to the states of every edge.
     let Sizes {
         own,
         wide,
@@ -98,7 +99,7 @@ pub fn cotangents<T: Real>(
             at += bars.len();
         }
     });
-    // From there to the ends of every edge.
+    // The adjoint of the body: from states to the ends of every edge.
     let body = plan(sizes, &programs, Mode::Vjp)?;
     let count = paths.edges.len();
     let mut shared_bars = vec![T::default(); count * wide];
@@ -137,7 +138,7 @@ pub fn cotangents<T: Real>(
     Ok((context_bars, path_bars))
 }
 
-/// How the arguments of contexts are checked.
+/// Returns the preparation of every argument of contexts: they are checked only.
 fn preparations<T: Real>(folding: &Folding<T>) -> Vec<Preparation<T>> {
     let mut all: Vec<_> = (folding.leaves)()
         .into_iter()
@@ -147,7 +148,7 @@ fn preparations<T: Real>(folding: &Folding<T>) -> Vec<Preparation<T>> {
     all
 }
 
-/// Checks offsets, paths and their contexts. Whoever looks at every vertex anyway finds those that are not finite itself.
+/// Checks offsets, paths and their contexts. Vertices are checked by the caller, which reads them all anyway.
 pub(crate) fn check<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<(), Error> {
     check_spans(input)?;
     let (spans, winding) = (input.spans, folding.sizes.winding);
@@ -176,7 +177,7 @@ pub(crate) fn check_spans<T: Real>(input: &Input<'_, T>) -> Result<(), Error> {
     check_offsets::<T>(input.count, input.spans.offsets(&[0, input.count]))
 }
 
-/// Returns a body of edges as a batch sees it.
+/// Returns the plan of the body of edges for batches.
 fn plan<T: Real>(sizes: &Sizes, programs: &Programs, mode: Mode) -> Result<Arc<Plan<T>>, Error> {
     let recorded = match mode {
         Mode::Vjp => &programs.edge_vjp,

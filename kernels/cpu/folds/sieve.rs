@@ -1,4 +1,4 @@
-//! Which edges of paths can be the nearest ones to their points, on all threads.
+//! A search on all threads for the edges of paths that can be nearest to their points.
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, TILE, tiles};
 use crate::kernels::cpu::nearest::{Edges, Limits};
@@ -8,7 +8,7 @@ use crate::kernels::machine::PathSpans;
 use crate::kernels::row::item::rows::numbers;
 use crate::{Real, Vec2};
 
-/// The edges of some paths that can be nearest to a point, one after another.
+/// The edges of some paths that can be nearest to the point of each path, path after path.
 #[derive(Default)]
 pub struct Sieved<T> {
     pub(crate) edges: Vec<u32>,
@@ -18,10 +18,11 @@ pub struct Sieved<T> {
     unsound: bool,
 }
 
-/// The number of vertices of a piece of work.
+/// The number of vertices in a piece of work.
 const PIECE: usize = 1 << 14;
 
-/// Which edges of every path can be nearest to its point, on all threads; `None` if a vertex is not finite.
+/// Returns the edges of every path that can be nearest to its point, computed on all threads; `None` if a vertex is not
+/// finite.
 pub fn sieved<T: Real>(
     points: &[Vec2<T>],
     vertices: &[Vec2<T>],

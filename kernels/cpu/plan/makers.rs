@@ -1,4 +1,4 @@
-//! Recorded programs, and functions that are computed item by item, as makers of blocks.
+//! Makers from recorded programs, and from functions of one item.
 use super::computation::{Plan, Preparation, Prepare};
 use crate::Real;
 use crate::ad::program::graph::{Graph, Id};
@@ -13,8 +13,8 @@ use crate::kernels::row::derivation::{Mode, Replays};
 use crate::kernels::row::item::Leaf;
 use std::sync::Arc;
 
-/// How a recorded program is computed. Its inputs are the numbers of its arguments and then those of
-/// cotangents. For all pairs what is made of one argument alone is made once per shape.
+/// Returns the plan of a recorded program. Its inputs are the numbers of the arguments, then those of cotangents. If
+/// `framed`, numbers that depend on one argument alone are computed once per shape.
 pub(crate) fn of_recorded<T: Real>(
     mode: Mode,
     leaves: Vec<Leaf<T>>,
@@ -34,7 +34,7 @@ pub(crate) fn of_recorded<T: Real>(
     let body = match framed {
         false => maker(&value.graph, &fields, &value.outputs, Skipping::Much)?,
         true => {
-            // Cotangents come as they are.
+            // Cotangents have no frame.
             let (graph, own) = (&value.graph, arguments.len());
             let parts = split(graph, &fields, own, &value.outputs, |_| true);
             for ((argument, frame), &own) in arguments.iter_mut().zip(&parts.frames).zip(&fields) {
@@ -47,7 +47,8 @@ pub(crate) fn of_recorded<T: Real>(
     Ok(Plan::new(mode, arguments, outputs, Box::new(body)))
 }
 
-/// How frames are made of shapes of so many numbers, and how many numbers those have.
+/// Returns the number of scalars of the frames that a program makes of shapes with `fields` numbers, and that
+/// preparation.
 pub(crate) fn prepared<T: Real>(
     frame: &Piece,
     fields: usize,
@@ -60,20 +61,20 @@ pub(crate) fn prepared<T: Real>(
     Ok((frame.outputs.len(), Arc::new(prepare)))
 }
 
-/// Computes item by item.
+/// A maker that computes item by item.
 struct Items<T> {
     each: Each<T>,
-    /// Numbers of every shape, then of every cotangent.
+    /// The number of scalars of every shape, then of every cotangent.
     fields: Vec<usize>,
-    /// Numbers of all shapes.
+    /// The number of scalars of all shapes.
     taken: usize,
-    /// Numbers of results per item.
+    /// The number of scalars of a result.
     made: usize,
 }
 
-/// Computes tiles of results item by item, each from its numbers, input after input.
+/// Computes tiles of results item by item. `each` maps the numbers of an item, input after input, to a result.
 ///
-/// An item that is the one before has its results: what fills up a last tile repeats the last item.
+/// An item equal to the one before reuses its result, since padding repeats the last item.
 fn by_item<T: Real>(
     inputs: &[Tiles<'_, T>],
     fields: &[usize],
@@ -111,7 +112,7 @@ impl<T: Real> Maker<T> for Items<T> {
     }
 }
 
-/// How an operation is computed item by item.
+/// Returns the plan of an operation that is computed item by item.
 pub(crate) fn of_items<T: Real>(
     mode: Mode,
     leaves: Vec<Leaf<T>>,
@@ -130,12 +131,12 @@ pub(crate) fn of_items<T: Real>(
     Plan::new(mode, plans, outputs, Box::new(items))
 }
 
-/// Decides item by item, and computes the program of the record.
+/// A maker that decides item by item, and computes the program of each record.
 struct ReplayedItems<T> {
     replays: Arc<dyn Replays<T>>,
-    /// Numbers of every shape, direction and cotangent.
+    /// The number of scalars of every shape, direction and cotangent.
     fields: Vec<usize>,
-    /// Numbers of results per item.
+    /// The number of scalars of a result.
     made: usize,
 }
 
@@ -146,14 +147,15 @@ impl<T: Real> Maker<T> for ReplayedItems<T> {
             taken.clear();
             match self.replays.decide(numbers, &mut taken) {
                 Ok(recorded) => self.replays.put(numbers, &recorded.run_on(&taken), one),
-                // A replay that cannot be recorded, because it is too long, has no derivatives: NaN stands for them.
+                // A replay too long to record has no derivatives: they are NaN.
                 Err(_) => one.fill(T::lit(f64::NAN)),
             }
         });
     }
 }
 
-/// How a mode of a derived search is computed: by replays. Those of a VJP give cotangents alone, so nothing is skipped.
+/// Returns the plan of a mode of a derived search, computed by replays. Replays of a VJP return cotangents alone, so
+/// nothing is skipped.
 pub(crate) fn of_replays<T: Real>(
     mode: Mode,
     recording: &Recording<T>,

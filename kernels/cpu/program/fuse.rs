@@ -1,9 +1,9 @@
-//! The choice of nodes that an instruction computes: a node with those of its operands that no other node needs.
+//! The cover of a graph by instructions: each computes a node, together with operands that no other node needs.
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::program::instructions::Op;
 use std::collections::HashMap;
 
-/// The cost of an instruction beside its operands, in units of an operand.
+/// The cost of choosing an instruction, in units of one operand.
 const CHOICE: u32 = 3;
 
 /// An instruction on nodes.
@@ -12,7 +12,7 @@ pub(crate) struct Step {
     pub(crate) op: Op,
     from: [Id; 4],
     count: usize,
-    /// Nodes that it computes besides its own.
+    /// The nodes that it computes besides its own.
     inner: [Option<Id>; 2],
 }
 
@@ -33,7 +33,7 @@ impl Step {
     }
 }
 
-/// Returns the instruction of a node alone; `None` for what is no instruction, and for sines.
+/// Returns the instruction of a single node; `None` for a node that is no instruction, and for sines.
 fn alone(node: Node) -> Option<Step> {
     use Node as N;
     let op = match node {
@@ -208,7 +208,7 @@ fn candidates(node: Node, of: impl Fn(Id) -> Option<Node>, found: &mut Vec<Step>
     }
 }
 
-/// Nodes that one instruction computes together, from the same operands.
+/// Nodes that one instruction computes together, from common operands.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Group {
     pub(crate) op: Op,
@@ -229,8 +229,8 @@ impl Group {
     }
 }
 
-/// Groups of nodes, by node: all sines of an angle, and pairs of instructions on the same operands. Pairs agree
-/// in what `apart` says of them.
+/// Returns groups by node: all sines and cosines of an angle, and pairs of instructions on common operands. `apart` has
+/// to agree on both nodes of a pair.
 pub(crate) fn groups(
     graph: &Graph,
     live: &[bool],
@@ -258,7 +258,7 @@ pub(crate) fn groups(
         groups.extend(nodes.map(|x| (x, group)));
     }
     let steps = || live().filter_map(|x| Some((x, steps[x as usize].as_ref()?)));
-    // Sums by their operands, whatever the order.
+    // Sums by their operands in any order.
     let mut sums: HashMap<[Id; 4], (Id, &Step)> = HashMap::new();
     for (x, step) in steps().filter(|(_, step)| matches!(step.op, Op::Add | Op::Dot)) {
         sums.entry(sorted(step)).or_insert((x, step));
@@ -287,8 +287,7 @@ pub(crate) fn groups(
     groups
 }
 
-/// Returns the operands of [`Op::Turn`] whose results are a difference of products and a sum of two of the other
-/// products.
+/// Returns the operands of [`Op::Turn`], whose results are a difference of two products and the sum of two others.
 fn turn([a, b, c, d]: [Id; 4], [p, q, r, s]: [Id; 4]) -> Option<[Id; 4]> {
     let are = |x: [Id; 2], [y, z]: [Id; 2]| x == [y, z] || x == [z, y];
     let both = |x, y| are([p, q], x) && are([r, s], y) || are([p, q], y) && are([r, s], x);
@@ -301,16 +300,16 @@ fn turn([a, b, c, d]: [Id; 4], [p, q, r, s]: [Id; 4]) -> Option<[Id; 4]> {
     }
 }
 
-/// Returns the operands of an instruction in order.
+/// Returns the operands of an instruction, sorted.
 fn sorted(step: &Step) -> [Id; 4] {
-    // Places without an operand come last.
+    // Unused operands come last.
     let mut from = [Id::MAX; 4];
     from[..step.count].copy_from_slice(step.operands());
     from.sort_unstable();
     from
 }
 
-/// Returns the angle, and whether it is its parts that are asked for, and which result.
+/// Returns the angle of a sine or cosine, whether the node wants it in two parts, and the index of the result.
 pub(crate) fn sine_of(node: Node) -> Option<(Id, bool, usize)> {
     match node {
         Node::SinHigh(x) => Some((x, true, 0)),
@@ -323,7 +322,7 @@ pub(crate) fn sine_of(node: Node) -> Option<(Id, bool, usize)> {
     }
 }
 
-/// How often each node is needed, by live nodes and by `needed`.
+/// Returns the number of uses of each node, by live nodes and by `needed`.
 pub(crate) fn uses(graph: &Graph, live: &[bool], needed: &[Id]) -> Vec<u32> {
     let mut uses = vec![0; graph.len()];
     for (_, node) in graph.nodes().iter().enumerate().filter(|(i, _)| live[*i]) {
@@ -337,8 +336,8 @@ pub(crate) fn uses(graph: &Graph, live: &[bool], needed: &[Id]) -> Vec<u32> {
     uses
 }
 
-/// Returns the instruction of every node that is not inside another one's: the cheapest cover of each tree of
-/// nodes that are needed once. Numbers, inputs and sines have none.
+/// Returns the instruction of every node that is not inside another instruction: the cheapest cover of each tree of
+/// nodes with one use. Constants, inputs and sines have none.
 pub(crate) fn cover(graph: &Graph, uses: &[u32]) -> Vec<Option<Step>> {
     let mut steps: Vec<Option<Step>> = vec![None; graph.len()];
     let mut costs = vec![0; graph.len()];
@@ -347,7 +346,7 @@ pub(crate) fn cover(graph: &Graph, uses: &[u32]) -> Vec<Option<Step>> {
         found.clear();
         let of = |x: Id| (uses[x as usize] == 1).then(|| graph.at(x));
         candidates(node, of, &mut found);
-        // A node that others need, too, costs nothing here: it is computed anyway.
+        // A node with other uses costs nothing here: it is computed anyway.
         let own = |&x: &Id| {
             if uses[x as usize] == 1 {
                 costs[x as usize]

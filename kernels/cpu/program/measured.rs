@@ -1,4 +1,4 @@
-//! Programs in batches, for tests and measurements: rows of numbers in, rows of numbers out, on one thread.
+//! Programs in batches, for tests and measurements: from rows of numbers to rows of numbers, on one thread.
 use crate::ad::program::Program;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::formats::kernels_in;
@@ -9,20 +9,20 @@ use crate::kernels::cpu::program::split::{Piece, split};
 use crate::kernels::cpu::program::{Interpreted, Skipping};
 use crate::{Real, Unrecordable};
 
-/// How a program is carried out. Results are the same bits any way.
+/// Options of a program's execution. They do not change the bits of results.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Way {
-    /// `true` if what depends on one argument alone is computed before, once per item.
+    /// `true` to compute numbers that depend on one argument once per item of that argument, beforehand.
     pub frames: bool,
-    /// When blocks leave out what they do not need.
+    /// The condition under which blocks skip nodes.
     pub skipping: Skipping,
-    /// Lanes of a slot, if not as usual.
+    /// The number of lanes of a slot; `None` for the usual one.
     pub width: Option<usize>,
-    /// `true` for machine code, from the first item on.
+    /// `true` to use machine code from the first item on.
     pub native: bool,
 }
 
-/// Sets after how many tiles of sixteen items programs become machine code.
+/// Sets the number of tiles, of sixteen items each, after which programs become machine code.
 pub fn compile_after(tiles: usize) {
     super::compile_after(tiles);
 }
@@ -32,7 +32,7 @@ pub fn compile_after(tiles: usize) {
 pub struct Trial(Recorded);
 
 impl Trial {
-    /// Takes the recording of a program.
+    /// Creates it from the recording of a program.
     #[must_use]
     pub fn of<In, Out>(program: &Program<In, Out>) -> Trial {
         Trial(program.recorded().clone())
@@ -42,11 +42,11 @@ impl Trial {
     pub fn run<T: Real>(&self, inputs: &[T]) -> Vec<T> {
         self.0.run(inputs)
     }
-    /// Makes it ready for batches. `fields` says how many numbers each argument has.
+    /// Prepares it for batches. `fields` is the number of scalars of each argument.
     ///
     /// # Errors
     ///
-    /// If it has too many instructions, or numbers at a time.
+    /// If it has too many instructions, or too many numbers live at a time.
     pub fn ready(&self, fields: &[usize], way: Way) -> Result<Ready, Unrecordable> {
         let value = &self.0.value;
         let made = |piece: &Piece, fields: &[usize], skipping| {
@@ -106,12 +106,12 @@ pub struct Prepared<T> {
 }
 
 impl Ready {
-    /// Returns how many instructions and slots it has, without those of frames.
+    /// Returns the numbers of instructions and of slots, without frames.
     #[must_use]
     pub fn size(&self) -> (usize, usize) {
         self.body.size()
     }
-    /// Returns the instructions, one to a line.
+    /// Returns the instructions, one per line.
     #[must_use]
     pub fn listing(&self) -> String {
         let lines = self.body.tape().code.iter();
@@ -119,7 +119,7 @@ impl Ready {
             .map(|code| format!("{:?} {:?} <- {:?}\n", code.op, code.to, code.from))
             .collect()
     }
-    /// Items of an argument, from rows of numbers; their frames, where there are frames.
+    /// Returns the items of an argument from rows of numbers, with frames if there are any.
     #[must_use]
     pub fn items<T: Real>(&self, argument: usize, rows: &[T]) -> Prepared<T> {
         let fields = self.fields[argument];
@@ -136,7 +136,7 @@ impl Ready {
             fields: *width,
         }
     }
-    /// Results of so many items, number by number in rows; an argument of one tile stands for all.
+    /// Returns the results of `count` items, field by field; an argument of one tile stands for all.
     #[must_use]
     pub fn compute<T: Real>(&self, count: usize, items: &[Prepared<T>]) -> Vec<T> {
         let mut rows = vec![T::default(); count * self.results];
@@ -149,8 +149,8 @@ impl Ready {
         }
         rows
     }
-    /// Results of so many items, from columns of numbers and a column for each; a column of one number stands for all.
-    /// The program has no frames, and arguments of one number.
+    /// Returns the results of `count` items, from one column of numbers per argument; a column of one number stands for
+    /// all. The program has no frames, and its arguments have one number each.
     #[must_use]
     pub fn columns<T: Real>(&self, count: usize, columns: &[&[T]]) -> Vec<Vec<T>> {
         let mut given = Vec::new();
@@ -161,7 +161,7 @@ impl Ready {
                 is_one: rows.len() < count,
             });
         }
-        // Columns of other programs begin anywhere, too.
+        // Results of users' programs may begin at any address, too.
         let mut all = vec![vec![T::default(); count + 1]; self.results];
         let mut wanted: Vec<Wanted<'_, T>> =
             all.iter_mut().map(|x| (Some(&mut x[1..]), 1)).collect();
@@ -170,7 +170,7 @@ impl Ready {
         all.iter_mut().for_each(|x| x.truncate(count));
         all
     }
-    /// Computes items over and over, for measuring.
+    /// Computes the items `times` times, for measurements.
     pub fn repeat<T: Real>(&self, items: &[Prepared<T>], times: usize) {
         let mut lanes = vec![Lane::default(); planes(self.results)];
         let inputs: Vec<Tiles<'_, T>> = items.iter().map(|x| Prepared::from(x, 0)).collect();
@@ -184,7 +184,7 @@ impl Ready {
 }
 
 impl<T: Real> Prepared<T> {
-    /// From a tile on.
+    /// Returns the tiles from number `tile` on.
     fn from(&self, tile: usize) -> Tiles<'_, T> {
         match self.lanes.len() == self.fields {
             true => Tiles::one(&self.lanes),

@@ -1,8 +1,8 @@
-//! From instructions of the interpreter to machine code: a run of them at a time, with values in registers.
+//! The compiler from instructions of the interpreter to machine code: one run at a time, with values in registers.
 //!
-//! Every value has a slot in memory, as in the interpreter. Within a run it stays in a register as long as there is room.
-//! It is stored where it makes room for another one, or where a later run reads it. For rows, inputs and results may be
-//! read and written where they lie; [`Far`] has the conditions.
+//! Every value has a slot in memory, as in the interpreter. Within a run it stays in a register while there are enough.
+//! It is stored when its register is needed, or if a later run reads it. For rows, inputs and results may be read and
+//! written in place; [`Far`] has the conditions.
 use super::encode::{AT_MOST, EQUAL, Encoder, LESS, Masked, NOT_AT_MOST, NOT_LESS, Operand, Two};
 use super::events::{Events, events, sizes};
 use super::far::Far;
@@ -12,10 +12,10 @@ use crate::kernels::cpu::program::instructions::{Code, Op};
 use crate::kernels::cpu::program::lower::Tape;
 use crate::kernels::row::item::STRETCH;
 
-/// Shorter runs stay with the interpreter.
+/// The least length of a run; the interpreter executes shorter ones.
 const SHORTEST: usize = 3;
 
-/// Returns `true` for calls of functions and jumps, which stay with the interpreter.
+/// Returns `true` for function calls and jumps, which the interpreter executes.
 fn is_left(op: Op) -> bool {
     matches!(
         op,
@@ -23,7 +23,7 @@ fn is_left(op: Op) -> bool {
     )
 }
 
-/// Returns the runs of a list of instructions: none is jumped into.
+/// Returns the runs of a list of instructions. No jump ends inside one.
 fn runs(code: &[Code]) -> Vec<[usize; 2]> {
     let mut targets = Vec::new();
     for (i, own) in code.iter().enumerate() {
@@ -44,7 +44,7 @@ fn runs(code: &[Code]) -> Vec<[usize; 2]> {
     all
 }
 
-/// When a slot is read next.
+/// The next read of a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Next {
     /// By an instruction of the run.
@@ -54,27 +54,27 @@ enum Next {
     Never,
 }
 
-/// Registers and the run that is compiled.
+/// The compiler of one run: registers and code.
 struct Compiler<'a> {
     out: &'a mut Encoder,
     events: &'a Events,
-    /// Slots that are read after all instructions.
+    /// The slots that are read after all instructions.
     outputs: &'a [u16],
     far: &'a Far,
     /// The end of the run.
     end: usize,
-    /// Bytes from a slot to the next.
+    /// The distance in bytes from a slot to the next.
     stride: usize,
-    /// The slot whose value a register holds; `true` if memory does not have it yet.
+    /// For each register the slot whose value it holds; `true` if the slot is out of date.
     held: Vec<Option<(u16, bool)>>,
-    /// Registers of the current instruction.
+    /// For each register: `true` if the current instruction uses it.
     pinned: Vec<bool>,
     /// The current instruction.
     at: usize,
 }
 
 impl Compiler<'_> {
-    /// When a slot's present value is read after an instruction.
+    /// Returns when a slot's present value is read after instruction `after`.
     fn next(&self, slot: u16, after: usize) -> Next {
         let events = self.events.get(&slot).map_or(&[][..], Vec::as_slice);
         let from = events.partition_point(|event| event.0 <= after);
@@ -89,7 +89,7 @@ impl Compiler<'_> {
     fn place(&self, slot: u16) -> i32 {
         (slot as usize * self.stride) as i32
     }
-    /// Returns the place of a slot's present value in memory.
+    /// Returns the location of a slot's present value in memory.
     fn home(&self, slot: u16) -> Operand {
         match self.far.input(slot, self.at) {
             Some(k) => Operand::Far(k),
@@ -103,7 +103,7 @@ impl Compiler<'_> {
             .position(|held| held.is_some_and(|held| held.0 == slot));
         found.map(|register| register as u8)
     }
-    /// Returns a register for a new value, pinned until the instruction is over.
+    /// Takes a register for a new value, pinned during the instruction.
     fn fresh(&mut self) -> u8 {
         let free = |k: &usize| self.held[*k].is_none() && !self.pinned[*k];
         let found = (0..self.held.len()).find(free);
@@ -111,14 +111,14 @@ impl Compiler<'_> {
         self.pinned[register] = true;
         register as u8
     }
-    /// Frees the register whose value is read latest from now on.
+    /// Frees the register whose value is read latest.
     fn evict(&mut self) -> usize {
         let distance = |k: usize| match self.held[k].map(|held| self.next(held.0, self.at)) {
             Some(Next::Read(at)) => at,
             Some(Next::Later) => self.end,
             Some(Next::Never) | None => usize::MAX,
         };
-        // One is never pinned: no instruction takes as many registers as there are.
+        // One register is never pinned: no instruction uses all of them.
         let last = (0..self.held.len())
             .filter(|&k| !self.pinned[k])
             .max_by_key(|&k| distance(k))
@@ -131,7 +131,7 @@ impl Compiler<'_> {
         }
         last
     }
-    /// Returns the register of an operand, which is loaded if need be.
+    /// Returns the register of an operand, loaded if necessary.
     fn register(&mut self, slot: u16) -> u8 {
         let register = match self.find(slot) {
             Some(register) => register,
@@ -147,15 +147,15 @@ impl Compiler<'_> {
         self.pinned[register as usize] = true;
         register
     }
-    /// Prefetches the same place of the next stretch of an input. A stretch is checked just before this code runs, so
-    /// nearer numbers are in the cache already.
+    /// Prefetches the next stretch of an input, at the current offset. The current stretch is in the cache, since it
+    /// was checked just before.
     fn prefetch(&mut self, home: Operand) {
         if let Operand::Far(_) = home {
             let size = if self.out.is_double() { 8 } else { 4 };
             self.out.prefetch(STRETCH * size, false);
         }
     }
-    /// Returns an operand where it is: one that the run reads again comes into a register.
+    /// Returns an operand where it is; loads one that the run reads again.
     fn operand(&mut self, slot: u16) -> Operand {
         match (self.find(slot), self.next(slot, self.at)) {
             (None, Next::Later | Next::Never) => {
@@ -166,7 +166,7 @@ impl Compiler<'_> {
             _ => Operand::Register(self.register(slot)),
         }
     }
-    /// Ends an instruction: frees registers of values that are not read again, and binds those of results.
+    /// Ends an instruction: frees registers of values without further reads, and assigns those of results.
     fn finish(&mut self, results: &[(u16, u8)]) {
         for &(slot, register) in results {
             self.store_results(slot, register);
@@ -187,7 +187,7 @@ impl Compiler<'_> {
             }
         }
     }
-    /// Stores a value in the place of every result that it is. Adding zero takes the sign from zeros.
+    /// Stores a value to every result that it is. Adding zero removes the sign from zeros.
     fn store_results(&mut self, slot: u16, register: u8) {
         let far = self.far;
         let places = far.outputs(slot, self.at);
@@ -217,7 +217,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Returns a constant by its bits in both formats.
+    /// Returns a constant from its bits in both formats.
     fn bits(&mut self, single: u32, double: u64) -> Operand {
         let twice = u64::from(single) << 32 | u64::from(single);
         let bits = if self.out.is_double() { double } else { twice };
@@ -257,7 +257,7 @@ impl Compiler<'_> {
         }
         to
     }
-    /// `yes` where truths hold, else `no`.
+    /// Emits a selection: `yes` where truths hold, else `no`.
     fn choose(&mut self, truths: u8, yes: u8, no: u8) -> u8 {
         let to = self.fresh();
         if self.out.is_512() {
@@ -266,7 +266,7 @@ impl Compiler<'_> {
         self.out.choose(to, truths, yes, no);
         to
     }
-    /// `yes` where a comparison holds, else `no`.
+    /// Emits a selection: `yes` where a comparison holds, else `no`.
     fn choose_by(&mut self, predicate: u8, [a, b]: [u16; 2], yes: u8, no: u8) -> u8 {
         let (a, b) = (self.register(a), self.operand(b));
         if self.out.is_512() {
@@ -278,14 +278,14 @@ impl Compiler<'_> {
         let truths = self.truths(predicate, a, b);
         self.choose(truths, yes, no)
     }
-    /// Returns a comparison, joined with a vector of truths by `op`.
+    /// Returns a comparison, combined with a vector of truths by `op`.
     fn joined(&mut self, predicate: u8, [a, b, m]: [u16; 3], op: Two) -> u8 {
         let (a, b) = (self.register(a), self.operand(b));
         let truths = self.truths(predicate, a, b);
         let m = self.operand(m);
         self.two(op, truths, m)
     }
-    /// `(x . y) . z`, or `z . (x . y)`.
+    /// Emits `(x . y) . z`, or `z . (x . y)`.
     fn three(&mut self, inner: Two, outer: Two, [x, y, z]: [u16; 3], is_first: bool) -> u8 {
         let (x, y) = (self.register(x), self.operand(y));
         let inner = self.two(inner, x, y);
@@ -297,7 +297,7 @@ impl Compiler<'_> {
             self.two(outer, z, Operand::Register(inner))
         }
     }
-    /// `(x . y) . (z . w)`.
+    /// Emits `(x . y) . (z . w)`.
     fn four(&mut self, first: Two, second: Two, outer: Two, [x, y, z, w]: [u16; 4]) -> u8 {
         let (x, y) = (self.register(x), self.operand(y));
         let left = self.two(first, x, y);
@@ -306,9 +306,9 @@ impl Compiler<'_> {
         self.two(outer, left, Operand::Register(right))
     }
 
-    /// One instruction.
+    /// Compiles one instruction.
     fn instruction(&mut self, own: &Code) {
-        // Operands that are in registers stay there until they are read.
+        // Operands in registers stay there until they are read.
         let [operands, _] = sizes(own.op);
         for &slot in &own.from[..operands] {
             if let Some(register) = self.find(slot) {
@@ -454,7 +454,7 @@ impl Compiler<'_> {
                 let (sum, difference) = (self.pair(Add, pair), self.pair(Sub, pair));
                 return self.finish(&[(own.to[0], sum), (own.to[1], difference)]);
             }
-            // They are in no run.
+            // Runs do not contain these.
             Op::Exp
             | Op::Ln
             | Op::Atan2
@@ -477,11 +477,11 @@ impl Compiler<'_> {
         let (yes, no) = (self.register(z), self.register(w));
         self.choose_by(predicate, [x, y], yes, no)
     }
-    /// Returns the root of what is above zero, else zero.
+    /// Emits the square root of positive numbers, zero for all others.
     fn root(&mut self, x: u16) -> u8 {
         let (zero, x) = (Operand::Register(self.zero()), self.register(x));
         let from = Operand::Register(x);
-        // Also of NaN, whose root is NaN.
+        // Likewise for NaN, whose root is NaN.
         if self.out.is_512() {
             let to = self.fresh();
             self.out.compare(NOT_AT_MOST, to, x, zero);
@@ -493,7 +493,7 @@ impl Compiler<'_> {
         self.out.root(root, from, Masked::No);
         self.two(Two::And, root, Operand::Register(above))
     }
-    /// As [`Scalar::binade`](crate::Scalar::binade) of one number: the exponent field e becomes 2·bias + 1 − e.
+    /// Emits [`Scalar::binade`](crate::Scalar::binade): exponent field e becomes 2·bias + 1 − e.
     fn binade(&mut self, x: u16) -> u8 {
         let least = self.bits(f32::MIN_POSITIVE.to_bits(), f64::MIN_POSITIVE.to_bits());
         let field = self.bits(f32::INFINITY.to_bits(), f64::INFINITY.to_bits());
@@ -507,7 +507,7 @@ impl Compiler<'_> {
         self.out.subtract_whole(to, to, Operand::Register(exponent));
         to
     }
-    /// `z` where x is less than y, half of it where both are equal, else zero.
+    /// Emits `z` where x is less than y, half of it where both are equal, else zero.
     fn split(&mut self, [x, y, z]: [u16; 3]) -> u8 {
         let (z, half) = (self.register(z), self.number(0.5));
         let half = self.two(Two::Mul, z, half);
@@ -527,7 +527,7 @@ impl Compiler<'_> {
         let less = self.truths(LESS, a, b);
         self.choose(less, z, tie)
     }
-    /// Zero where x is less than y, half of `z` where both are equal, else `z`.
+    /// Emits zero where x is less than y, half of `z` where both are equal, else `z`.
     fn rest(&mut self, [x, y, z]: [u16; 3]) -> u8 {
         let (z, half) = (self.register(z), self.number(0.5));
         let half = self.two(Two::Mul, z, half);
@@ -549,8 +549,8 @@ impl Compiler<'_> {
     }
 }
 
-/// Compiles all runs of a program, whose slots begin every `stride` bytes. Returns the code, its runs, and what it reads
-/// and writes outside of slots. `of_rows`: items are rows of numbers, not tiles.
+/// Compiles all runs of a program, whose slots begin every `stride` bytes. Returns the code, its runs, and its accesses
+/// outside of slots. With `of_rows` items are rows of numbers, else tiles.
 pub(crate) fn compile(
     mut out: Encoder,
     tape: &Tape,
@@ -566,7 +566,7 @@ pub(crate) fn compile(
     let near: Vec<u16> = far.near_outputs(&tape.outputs);
     let mut all = Vec::new();
     for [from, to] in runs {
-        // Runs begin on a line of the cache; the gap is `int3`.
+        // Runs begin on a cache line; the padding is `int3`.
         let entry = out.bytes.len().next_multiple_of(64);
         out.bytes.resize(entry, 0xcc);
         let start = out.begin();

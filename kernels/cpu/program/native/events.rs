@@ -1,8 +1,8 @@
-//! When the instructions of a program read and write their slots.
+//! The reads and writes of slots by the instructions of a program.
 use crate::kernels::cpu::program::instructions::{Code, Op};
 use std::collections::HashMap;
 
-/// Returns the operands of an instruction, and its results.
+/// Returns the numbers of operands and of results of an instruction.
 pub(super) fn sizes(op: Op) -> [usize; 2] {
     macro_rules! listed {
         ($($name:ident($($x:ident),*) = $value:expr;)*) => {
@@ -19,10 +19,10 @@ pub(super) fn sizes(op: Op) -> [usize; 2] {
     crate::kernels::cpu::program::instructions::instructions! { listed!() }
 }
 
-/// Reads (`true`) and writes of slots, instruction by instruction.
+/// The reads (`true`) and writes of every slot, in the order of instructions.
 pub(super) type Events = HashMap<u16, Vec<(usize, bool)>>;
 
-/// Returns all of them.
+/// Returns the reads and writes of every slot.
 pub(super) fn events(code: &[Code]) -> Events {
     let mut all = Events::new();
     for (i, own) in code.iter().enumerate() {
