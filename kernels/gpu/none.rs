@@ -1,5 +1,5 @@
-//! The stand-in of the GPU in a build without the feature `gpu`: types without values, so that all else is the same in
-//! both.
+//! The stand-in of the GPU in a build without the feature `gpu`: types without values, so that all other code compiles
+//! in both builds.
 use crate::error::Argument;
 use crate::kernels::Fold;
 use crate::kernels::call::folding::Folding;
@@ -19,7 +19,7 @@ use std::any::Any;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
-/// A GPU. There is none in a build without the feature `gpu`.
+/// A GPU, which a build without the feature `gpu` cannot have.
 pub type Gpu = Machine<Device>;
 
 /// The engine of a GPU, which a build without the feature `gpu` cannot have.
@@ -137,14 +137,14 @@ impl Engine<f32> for Device {
     }
 }
 
-/// Rings on a GPU.
+/// Rings on a GPU, which a build without the feature `gpu` cannot have.
 #[derive(Clone, Debug)]
 pub enum Rings {}
 
-/// Results of rings on a GPU.
+/// Results of rings on a GPU, which a build without the feature `gpu` cannot have.
 #[derive(Clone, Debug)]
 pub enum RingValues<T = ()> {
-    /// Never made.
+    /// A variant that uses the type parameter; it has no values.
     #[doc(hidden)]
     Never(Device, PhantomData<fn() -> T>),
 }
@@ -193,7 +193,7 @@ impl Device {
     }
 }
 
-/// Texts of shaders, each with a name.
+/// Shader sources, each with its name.
 type Shaders = Result<Vec<(String, String)>, Error>;
 
 /// Returns the shaders of a straight line, which a build without the feature `gpu` does not have.
@@ -206,7 +206,7 @@ pub fn line_sources(_: &str, _: Arc<Recording<f32>>) -> Shaders {
     Err(Error::Gpu(GpuFault::NotBuilt))
 }
 
-/// Returns the same of a fold.
+/// Returns the shaders of a fold, which a build without the feature `gpu` does not have.
 ///
 /// # Errors
 ///

@@ -1,7 +1,7 @@
-//! Lists of numbers, in buffers that fit a binding each.
+//! Lists of numbers, split into buffers that fit one binding each.
 use super::context::Inner;
 
-/// A buffer and how many items it holds.
+/// A buffer and its number of items.
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
     pub buffer: wgpu::Buffer,
@@ -9,7 +9,7 @@ pub(super) struct Piece {
 }
 
 impl Inner {
-    /// Buffers for a list of items of one number each.
+    /// Creates buffers for a list of items of one number each.
     pub fn pieces(&self, len: usize) -> Vec<Piece> {
         self.counted(len)
             .into_iter()

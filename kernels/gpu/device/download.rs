@@ -1,4 +1,4 @@
-//! How results come back: at once, later, or awaited.
+//! Downloads of results: blocking, started and awaited later, or as futures.
 use super::context::{Device, Inner, locked};
 use super::data::Piece;
 use crate::kernels::machine::Later;
@@ -11,7 +11,7 @@ use std::task::{Context, Poll, Waker};
 use std::time::Duration;
 
 impl Inner {
-    /// Starts bringing numbers back.
+    /// Starts the download of the first bytes of every buffer.
     pub fn bring(&self, gpu: &Device, parts: &[(&wgpu::Buffer, u64)]) -> Result<Arrival, Error> {
         let whole: Vec<_> = parts
             .iter()
@@ -20,7 +20,7 @@ impl Inner {
         self.bring_parts(gpu, &whole)
     }
 
-    /// Starts bringing back so many bytes of every buffer, from a byte on.
+    /// Starts the download of a range of bytes of every buffer: first byte, number of bytes.
     pub fn bring_parts(
         &self,
         gpu: &Device,
@@ -47,7 +47,7 @@ impl Inner {
     }
 }
 
-/// How far a download is.
+/// The state of a download.
 #[derive(Debug, Default)]
 pub(super) struct State {
     left: AtomicUsize,
@@ -90,8 +90,8 @@ impl State {
 
     /// Waits for a submission and for what it maps.
     ///
-    /// Any thread that drives the device may be the one that is told of a mapped buffer, so the
-    /// end of the submission is not the end of the wait.
+    /// The callback of a mapped buffer runs on any thread that polls the device, so the end of the submission does not
+    /// end the wait.
     pub fn wait(&self, inner: &Inner, submission: &wgpu::SubmissionIndex) -> Result<(), Error> {
         inner.wait(Some(submission.clone()))?;
         let mut waker = locked(&self.waker);
@@ -107,10 +107,10 @@ impl State {
     }
 }
 
-/// How long to wait for another thread before looking whether the device is still there.
+/// The wait for another thread, after which it is checked that the device still exists.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// Buffers on their way to the processor.
+/// Buffers that are being downloaded.
 #[derive(Debug)]
 pub(super) struct Arrival {
     gpu: Device,
@@ -121,7 +121,7 @@ pub(super) struct Arrival {
 }
 
 impl Arrival {
-    /// Waits, then hands each part over.
+    /// Waits, then passes each part to `each`.
     pub fn finish(self, each: impl FnMut(usize, &[u32])) -> Result<(), Error> {
         self.wait()?;
         self.read(each)
@@ -131,7 +131,7 @@ impl Arrival {
         self.state.wait(&self.gpu.inner, &self.submission)
     }
 
-    /// Hands each part over, in order.
+    /// Passes each part to `each`, in order.
     pub fn read(&self, mut each: impl FnMut(usize, &[u32])) -> Result<(), Error> {
         self.gpu.inner.alive()?;
         if self.state.failed.load(Ordering::Acquire) {
@@ -147,10 +147,10 @@ impl Arrival {
     }
 }
 
-/// Makes what was asked for out of what arrived.
+/// A conversion of downloaded buffers to the result.
 type Make<T> = dyn FnMut(&Arrival) -> Result<T, Error> + Send;
 
-/// A download that was started: wait for it with [`wait`](Pending::wait), or await it.
+/// A started download: wait for it with [`wait`](Pending::wait), or await it.
 #[must_use = "nothing arrives unless waited for"]
 pub struct Pending<T> {
     arrival: Arrival,
@@ -194,7 +194,8 @@ impl<T> Pending<T> {
     ///
     /// # Errors
     ///
-    /// [`GpuFault::DeviceLost`](crate::GpuFault::DeviceLost), or [`GpuFault::OutOfMemory`](crate::GpuFault::OutOfMemory) when they have no room.
+    /// [`GpuFault::DeviceLost`](crate::GpuFault::DeviceLost), or
+    /// [`GpuFault::OutOfMemory`](crate::GpuFault::OutOfMemory) when memory for them is missing.
     pub fn wait(mut self) -> Result<T, Error> {
         self.arrival.wait()?;
         (self.make)(&self.arrival)
@@ -214,7 +215,7 @@ impl<T> Future for Pending<T> {
         }
         if !this.arrival.watched {
             this.arrival.watched = true;
-            // A thread drives the device while the task sleeps.
+            // A thread polls the device while the task sleeps.
             let (gpu, state) = (this.arrival.gpu.clone(), Arc::clone(&this.arrival.state));
             let submission = this.arrival.submission.clone();
             std::thread::spawn(move || {
@@ -228,7 +229,8 @@ impl<T> Future for Pending<T> {
     }
 }
 
-/// Returns the buffers of some pieces and the bytes to bring back, whose numbers follow from their items.
+/// Returns the buffers of some pieces and the numbers of bytes to download; `numbers` is the number of scalars of some
+/// items.
 pub(super) fn parts(
     pieces: &[Piece],
     numbers: impl Fn(usize) -> usize,
@@ -245,7 +247,7 @@ impl<T> Later<T> for Pending<T> {
     }
 }
 
-/// The methods of the interface of machines for a handle that has `start_download`.
+/// Implements the download methods of the machines' interface for a handle that has `start_download`.
 macro_rules! downloads {
     ($out:ty) => {
         fn started(&self) -> Result<crate::kernels::resident::Pending<$out>, Error> {

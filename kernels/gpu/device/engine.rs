@@ -1,4 +1,4 @@
-//! The GPU behind the calls of [`Machine`](crate::kernels::machine::Machine).
+//! The engine of a GPU, behind the calls of [`Machine`](crate::kernels::machine::Machine).
 use super::context::Device;
 use super::generated::held::HeldColumn;
 use super::lists::Lists;
@@ -24,7 +24,7 @@ use crate::kernels::row::item::Leaf;
 use crate::kernels::row::item::counts::expect;
 use crate::suppression::Rules;
 
-/// Columns that stay.
+/// Returns columns on the device as one handle.
 fn stored(count: usize, columns: impl IntoIterator<Item = HeldColumn>) -> Stored<f32> {
     let columns = columns.into_iter();
     Stored::new(
@@ -180,7 +180,7 @@ impl Engine<f32> for Device {
         let Some(offsets) = groups else {
             return self.kept(call, shapes, scores, rules);
         };
-        // Group after group. All shapes are checked first, so that errors name the caller's rows.
+        // The loop computes group after group. All shapes are checked first, so that errors name the caller's rows.
         check(Argument::A, &plan(call, true)?.arguments[0], shapes)?;
         let (all, mut kept) = (shapes.all(), Vec::new());
         for ends in offsets.windows(2) {

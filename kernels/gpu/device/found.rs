@@ -1,4 +1,4 @@
-//! Compacted lists on the GPU: the pairs whose score is above a threshold.
+//! Reductions to the pairs whose score is above a threshold, as compact lists on the GPU.
 use super::context::Device;
 use super::download::Pending;
 use super::download::downloads;
@@ -13,14 +13,14 @@ use crate::kernels::machine::found::Found;
 #[derive(Clone, Debug)]
 pub struct Founds {
     gpu: Device,
-    /// Triples of row, column and score, and how many.
+    /// Buffers of triples (row, column, score), with the number of triples.
     lists: Vec<(wgpu::Buffer, usize)>,
-    /// `true` if rows come once per piece of columns.
+    /// `true` if a row's triples are split over pieces of columns.
     is_mixed: bool,
 }
 
 impl Founds {
-    /// Starts bringing them back, row by row and within a row by column.
+    /// Starts the download of the pairs, ordered by row and then by column.
     ///
     /// # Errors
     ///
@@ -48,7 +48,7 @@ impl Founds {
     }
 }
 
-/// Bytes of one pair in a list.
+/// The size of a triple in bytes.
 const BYTES: u64 = 12;
 
 impl Downloads<Vec<Found>> for Founds {
@@ -56,8 +56,8 @@ impl Downloads<Vec<Found>> for Founds {
 }
 
 impl Reducer<'_> {
-    /// Returns every pair above the threshold: counted first, then written to places that follow from the
-    /// counts, so the order is the same every time.
+    /// Returns every pair above the threshold. A first pass counts, a second writes each pair to an index that follows
+    /// from the counts, so the order is deterministic.
     pub fn above(mut self, threshold: f32) -> Result<Founds, Error> {
         let (gpu, inner) = (self.gpu, &self.gpu.inner);
         let mut all = Founds {

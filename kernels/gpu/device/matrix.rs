@@ -1,4 +1,4 @@
-//! Matrices that stay on the GPU.
+//! Matrices in GPU memory.
 use super::block::{Block, block_of, place_block};
 use super::context::Device;
 use super::download::Pending;
@@ -11,8 +11,7 @@ use crate::kernels::machine::{Reduced, Reduction};
 use crate::kernels::row::item::counts::{entries, expect};
 use std::any::Any;
 
-/// A matrix on the GPU: one number per row of one list and row of another. Clones of a handle are
-/// the same numbers.
+/// A matrix on the GPU: one number per row of one list and row of another. Clones share the memory.
 #[derive(Clone, Debug)]
 pub struct Matrix {
     pub(super) gpu: Device,
@@ -22,7 +21,7 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    /// Room for a matrix.
+    /// Allocates a matrix.
     pub(super) fn room(gpu: &Device, rows: usize, columns: usize) -> Result<Self, Error> {
         entries(rows, columns, 1)?;
         let blocks = gpu.inner.cut(rows, columns, 4).into_iter().map(|block| {
@@ -37,7 +36,7 @@ impl Matrix {
         })
     }
 
-    /// Other numbers, checked.
+    /// Writes checked numbers to the matrix.
     fn write(&self, values: &[f32]) {
         for (block, buffer) in &self.blocks {
             let inner = &self.gpu.inner;
@@ -45,7 +44,7 @@ impl Matrix {
         }
     }
 
-    /// Returns the same numbers in other buffers, copied by a kernel.
+    /// Returns a copy in new buffers, made by a kernel.
     fn copied(&self) -> Result<Matrix, Error> {
         let made = || Matrix::room(&self.gpu, self.rows, self.columns);
         let to = self.gpu.inner.guarded(made)?;
@@ -53,7 +52,7 @@ impl Matrix {
         Ok(to)
     }
 
-    /// Returns the same over numbers that are there already.
+    /// Copies the numbers into another matrix.
     fn copied_into(&self, to: &Matrix) -> Result<(), Error> {
         self.gpu
             .fits(to, self.rows, self.columns, Argument::Values)?;
@@ -77,7 +76,7 @@ impl Matrix {
         })
     }
 
-    /// Starts bringing the matrix back, row by row.
+    /// Starts the download of the matrix in row-major order.
     ///
     /// # Errors
     ///
@@ -136,11 +135,11 @@ impl Matrices<f32> for Matrix {
     }
 }
 
-/// Numbers that a dispatch copies at most.
+/// The largest number of scalars that a dispatch copies.
 const MOST_COPIED: usize = MOST_GROUPS * GROUP;
 
 impl Device {
-    /// Refuses a matrix of another context or another size.
+    /// Checks that a matrix has this context and this size.
     pub(super) fn fits(
         &self,
         matrix: &Matrix,
@@ -155,7 +154,7 @@ impl Device {
 }
 
 impl Matrix {
-    /// Returns the dispatches of a reduction.
+    /// Returns the reducer of the matrix.
     pub(super) fn reducer(&self, own_rows: bool) -> Reducer<'_> {
         let sweep = |(block, buffer): &(Block, wgpu::Buffer)| {
             let rows = (block.row_piece, block.row_start, block.row_base, block.rows);

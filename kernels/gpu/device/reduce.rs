@@ -1,6 +1,6 @@
-//! Reductions on the GPU, of all pairs of two lists or of a matrix that is there already.
+//! Reductions on the GPU, of all pairs of two lists or of a stored matrix.
 //!
-//! The whole matrix of two lists never exists, so memory stays bounded.
+//! The matrix of two lists is never stored as a whole, which bounds the memory.
 use super::context::Device;
 use super::data::Piece;
 use super::download::Pending;
@@ -14,7 +14,7 @@ use crate::kernels::machine::found::Best;
 use crate::kernels::machine::{self, Downloads};
 use crate::kernels::machine::{Reduced, Reduction};
 
-/// The largest score of every row (or column) and where it is, on the GPU.
+/// The largest score of every row (or column) and its index, on the GPU.
 #[derive(Clone, Debug)]
 pub struct Bests {
     gpu: Device,
@@ -23,12 +23,12 @@ pub struct Bests {
 }
 
 impl Bests {
-    /// Refuses what is of another context.
+    /// Checks that the results belong to a context.
     pub(crate) fn is_of(&self, gpu: &Device) -> Result<(), Error> {
         gpu.owns(&self.gpu)
     }
 
-    /// Starts bringing them back, in the order of the rows (or columns).
+    /// Starts the download of the scores, in the order of the rows (or columns).
     ///
     /// # Errors
     ///
@@ -63,7 +63,7 @@ impl Downloads<Vec<Best>> for Bests {
 }
 
 impl Reducer<'_> {
-    /// Returns the largest of every own row (or column).
+    /// Returns the largest score of every own row (or column).
     pub fn best(self) -> Result<Bests, Error> {
         let inner = &self.gpu.inner;
         inner.guarded(|| {
@@ -95,7 +95,7 @@ impl Reducer<'_> {
         })
     }
 
-    /// One number per own row and strip, brought back.
+    /// Downloads one number per own row and strip, and passes them to `each`.
     fn totals(self, take: Take, threshold: f32, mut each: impl FnMut(&[u32])) -> Result<(), Error> {
         let inner = &self.gpu.inner;
         let binding = if take == Take::Count { 7 } else { 4 };
@@ -137,7 +137,7 @@ impl Reducer<'_> {
 }
 
 impl Reducer<'_> {
-    /// Returns a reduction.
+    /// Computes a reduction.
     pub fn reduced(self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
         Ok(match reduction {
             Reduction::Best { .. } => {

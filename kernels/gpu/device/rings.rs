@@ -14,7 +14,7 @@ use crate::ring::Measure;
 use crate::{Fixed, Vec2};
 use std::marker::PhantomData;
 
-/// A run of rings that fits the buffers.
+/// A run of rings that fit the buffers.
 #[derive(Clone, Debug)]
 struct Run {
     vertices: wgpu::Buffer,
@@ -24,13 +24,13 @@ struct Run {
     long: Option<LongRings>,
 }
 
-/// The long rings of a run, cut into spans: one thread for each ring would be slow.
+/// The long rings of a run, split into spans, since one thread for such a ring would be slow.
 #[derive(Clone, Debug)]
 struct LongRings {
-    /// Which long ring, and the first vertex in it.
+    /// For each span the index of its long ring, and the first vertex in it.
     spans: wgpu::Buffer,
     span_count: usize,
-    /// Which ring, its first span and how many.
+    /// For each long ring its index, its first span, and the number of spans.
     longs: wgpu::Buffer,
     long_count: usize,
 }
@@ -55,17 +55,17 @@ impl LongRings {
     }
 }
 
-/// The threads of a kernel of long rings: one per span, or one per long ring.
+/// The items of a kernel of long rings: spans, or whole rings.
 enum Over {
     Spans,
     Longs,
 }
 
-/// Bytes of a part's sums, and of a ring's with its scale.
+/// The sizes in bytes of a span's sums, and of a ring's sums with its scale.
 const PART_BYTES: usize = 24;
 const WHOLE_BYTES: usize = 32;
 
-/// Rings on the GPU, checked.
+/// Checked rings on the GPU.
 #[derive(Clone, Debug)]
 pub struct Rings {
     gpu: Device,
@@ -74,17 +74,18 @@ pub struct Rings {
 }
 
 impl Rings {
-    /// Returns the context that they are in.
+    /// Returns the context of the rings.
     pub(crate) fn gpu(&self) -> &Device {
         &self.gpu
     }
 
-    /// Moves the vertices, in the same buffers; each ring keeps as many as it has.
+    /// Replaces the vertices in place; the sizes of rings do not change.
     ///
     /// # Errors
     ///
-    /// The input's for another number of vertices or one that is not finite (the old ones
-    /// are then as they were), or what the device says.
+    /// [`Error::Length`](crate::Error::Length) for another number of vertices,
+    /// [`Error::Invalid`](crate::Error::Invalid) for one that is not finite (no vertex changes then), or the errors of
+    /// the device.
     pub fn update(&mut self, vertices: &[Vec2<f32>]) -> Result<(), Error> {
         let corners = self.runs.iter().map(|run| run.corners).sum();
         expect(Argument::Vertices, corners, vertices.len())?;
@@ -102,7 +103,7 @@ impl Rings {
     }
 }
 
-/// Vertices as the shader reads them.
+/// Returns vertices in the shader's layout.
 fn pairs_of(vertices: &[Vec2<f32>]) -> Vec<[f32; 2]> {
     vertices.iter().map(|v| [v.x, v.y]).collect()
 }
@@ -116,7 +117,7 @@ pub struct RingValues<T> {
 }
 
 impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
-    /// Starts bringing the results back, in the order of the rings.
+    /// Starts the download of the results, in the order of the rings.
     ///
     /// # Errors
     ///
@@ -140,13 +141,12 @@ impl<T: Fixed<Scalar = f32> + 'static> Downloads<Vec<T>> for RingValues<T> {
 }
 
 impl Device {
-    /// Checks rings and brings them to the GPU. Ring i has the vertices
-    /// `offsets[i]..offsets[i + 1]`.
+    /// Checks rings and uploads them. Ring i has the vertices `offsets[i]..offsets[i + 1]`.
     ///
     /// # Errors
     ///
-    /// The input's as [`Cpu::ragged`](crate::kernels::Cpu::ragged), [`GpuFault::TooLarge`](crate::GpuFault::TooLarge)
-    /// for a ring that fits no buffer, or what the device says.
+    /// The errors of the input as in [`Cpu::ragged`](crate::kernels::Cpu::ragged),
+    /// [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a ring that fits no buffer, or the errors of the device.
     pub(crate) fn upload_rings(
         &self,
         vertices: &[Vec2<f32>],
@@ -193,11 +193,11 @@ impl Device {
         })
     }
 
-    /// One result per ring.
+    /// Returns one result per ring.
     ///
     /// # Errors
     ///
-    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or what the device says.
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or the errors of the device.
     pub(crate) fn ragged_of<T: Fixed<Scalar = f32>>(
         &self,
         measure: Measure,
@@ -228,8 +228,8 @@ impl Device {
         })
     }
 
-    /// Returns the adjoint of `ragged`, for the numbers of the cotangents of so many results: one derivative per
-    /// vertex.
+    /// Returns the adjoint of [`ragged_of`](Self::ragged_of): one derivative per vertex, from the cotangents of the
+    /// results.
     ///
     /// # Errors
     ///
@@ -287,7 +287,7 @@ impl Device {
 }
 
 impl Run {
-    /// The kernel of short rings: a thread each.
+    /// Dispatches the kernel of short rings, one thread per ring.
     fn dispatch(
         &self,
         measure: Measure,
@@ -302,7 +302,7 @@ impl Run {
         work.dispatch(&pipeline, counted(self.rings), &buffers, size);
     }
 
-    /// A kernel of long rings.
+    /// Dispatches a kernel of long rings.
     fn over(
         &self,
         measure: Measure,
@@ -321,7 +321,7 @@ impl Run {
             Over::Longs => (long.long_count, [groups(long.long_count), 1]),
         };
         let mut buffers: Vec<_> = match entry {
-            // It reads sums alone.
+            // It reads no vertices.
             "scale_main" | "whole_main" => Vec::new(),
             _ => vec![(1, &self.vertices), (2, &self.offsets)],
         };

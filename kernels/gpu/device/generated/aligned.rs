@@ -1,4 +1,4 @@
-//! Item i of every column: one thread per item.
+//! Aligned batches on the GPU: one thread per item.
 use super::operation::Generated;
 use super::replays::Replayed;
 use super::text::{Form, GROUP, MOST_GROUPS};
@@ -19,7 +19,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 impl Device {
-    /// Item i of every column, into targets of the right length.
+    /// Computes item i of every column, into targets of the right length.
     pub(in crate::kernels::gpu::device) fn aligned(
         &self,
         call: &Call<f32>,
@@ -46,7 +46,7 @@ impl Device {
         }
     }
 
-    /// Chunk by chunk: while one is computed, the one before comes back.
+    /// Computes chunk by chunk: while one is computed, the one before is downloaded.
     fn compute(
         &self,
         made: &Arc<Generated<f32>>,
@@ -61,7 +61,7 @@ impl Device {
             .map(|target| target.map_or_else(Vec::new, Target::pieces))
             .collect();
         let chunk = chunk(inner, made)?;
-        // Shapes that stand for all go up again with every chunk: they are few bytes.
+        // Shapes that stand for all are uploaded again with every chunk, since they are few bytes.
         let mut open: VecDeque<(Arrival, Chunk)> = VecDeque::new();
         for start in (0..count).step_by(chunk) {
             let items = start..count.min(start + chunk);
@@ -79,7 +79,7 @@ impl Device {
         Ok(())
     }
 
-    /// Brings some items up, computes them and starts bringing them back.
+    /// Uploads some items, computes them and starts their download.
     fn start(
         &self,
         made: &Arc<Generated<f32>>,
@@ -121,7 +121,7 @@ impl Device {
     }
 }
 
-/// The code that computes items: a kernel, or replays of decisions of the processor.
+/// The code that computes items: a kernel, or replays of decisions made on the CPU.
 enum Made {
     Kernel(Arc<Generated<f32>>),
     Replays(Arc<Replayed>, Arc<Plan<f32>>),
@@ -134,7 +134,7 @@ impl Made {
             None => Made::Kernel(call.generated(false)?),
         })
     }
-    /// Checks columns; how many items there are.
+    /// Checks columns. Returns the number of items.
     fn checked(&self, columns: &[Column<'_, f32>]) -> Result<usize, Error> {
         let arguments = match self {
             Made::Kernel(made) => &made.arguments,
@@ -146,16 +146,16 @@ impl Made {
     }
 }
 
-/// Returns how many items a dispatch takes, so that what goes in and what comes out fits a binding each.
+/// Returns the number of items of a dispatch whose inputs and outputs fit one binding each.
 fn chunk(inner: &Inner, made: &Generated<f32>) -> Result<usize, Error> {
     let fields = |numbers: &[usize]| numbers.iter().sum::<usize>().max(1);
     let widest = fields(&made.widths).max(fields(&made.gives));
-    // A last tile may be a part of one.
+    // The last tile may be incomplete.
     let most = inner.most_bytes as usize / 4 / widest;
     let threads = MOST_GROUPS * GROUP;
     match most.min(threads) / TILE * TILE {
         0 => Err(inner.too_large(TILE * widest)),
-        // Whole pieces of targets, where there are.
+        // Whole pieces of targets, if there are any.
         chunk if chunk > STRETCH => Ok(chunk / STRETCH * STRETCH),
         chunk => Ok(chunk),
     }
@@ -186,7 +186,7 @@ pub(super) fn tiles(
     parts.concat()
 }
 
-/// Items on their way back.
+/// Items that are being downloaded.
 struct Chunk {
     items: Range<usize>,
     /// The first number of every shape of a result, and the count of all numbers.
@@ -207,7 +207,7 @@ impl Chunk {
             numbers,
         }
     }
-    /// Puts results where they belong.
+    /// Copies downloaded results to the targets.
     fn finish(
         self,
         made: &Generated<f32>,

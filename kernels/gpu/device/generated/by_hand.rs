@@ -1,4 +1,4 @@
-//! Bodies by hand: the overlap of boxes in the plane, which mirror their Rust source in WGSL.
+//! Bodies by hand of the overlap of boxes in the plane, copies of their Rust source in WGSL.
 use super::operation::{Body, Generated, Kind, Name};
 use crate::Error;
 use crate::kernels::call::recording::Call;
@@ -10,7 +10,7 @@ use crate::overlap::Denominator;
 use std::fmt::Write;
 use std::sync::Arc;
 
-/// Returns the boxes of compiled kernels and the divisor of the area of intersection, if they have a body by hand.
+/// Returns the kind of boxes and the divisor of the intersection area of compiled kernels, if they have a body by hand.
 fn kind_of(compiled: Compiled) -> Option<(Kind, Denominator)> {
     match compiled {
         Compiled::Obb2(over) => Some((Kind::Rotated, over)),
@@ -19,7 +19,7 @@ fn kind_of(compiled: Compiled) -> Option<(Kind, Denominator)> {
     }
 }
 
-/// Returns the boxes in WGSL.
+/// Returns the WGSL of a kind of boxes.
 fn text_of(kind: Kind) -> &'static str {
     match kind {
         Kind::Rotated => include_str!("../../wgsl/obb2.wgsl"),
@@ -27,12 +27,12 @@ fn text_of(kind: Kind) -> &'static str {
     }
 }
 
-/// Operations of a body by hand, for the size of a dispatch.
+/// The number of operations of a body by hand, for the size of a dispatch.
 const OPERATIONS: usize = 1 << 12;
 
 impl Generated<f32> {
-    /// Returns the body by hand of a call for all pairs, if it has one. Boxes are prepared as for batches on the
-    /// processor, so that both machines start from the same sines, for huge headings and for long thin boxes too.
+    /// Returns the body by hand of a call for all pairs, if it has one. Boxes are prepared as for batches on the CPU,
+    /// so that both machines use equal sines, also for huge headings and long thin boxes.
     pub(in crate::kernels::gpu::device) fn by_hand(
         call: &Call<f32>,
     ) -> Result<Option<Self>, Error> {
@@ -80,8 +80,8 @@ impl Generated<f32> {
     }
 }
 
-/// Returns the functions that a body is one of. With `is_extreme` they serve boxes plain products of whose numbers
-/// over- or underflow.
+/// Returns the WGSL functions that the body calls. With `is_extreme` they serve boxes whose plain products overflow or
+/// underflow.
 fn head(kind: Kind, over: Denominator, is_extreme: bool, takes: usize) -> String {
     let mut text = policy();
     let _ = writeln!(

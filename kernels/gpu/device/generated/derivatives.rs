@@ -10,16 +10,16 @@ use crate::kernels::gpu::device::work::{Params, Work, groups};
 use crate::kernels::gpu::device::written::{self, Kernel};
 use std::sync::Arc;
 
-/// Sums of derivatives of both lists, shape by shape, and of results.
+/// Sums over all pairs: derivatives of both lists, shape by shape, and results.
 struct Sums {
     bars: [Vec<f64>; 2],
     total: f64,
 }
 
 impl Device {
-    /// Returns the numbers of the derivatives of both lists, and the sum of all results where one factor is the seed of
-    /// all and the body gives results beside derivatives. Sums of a dispatch are added in `f32`, those of dispatches in
-    /// `f64`, always in the same order.
+    /// Returns the derivatives of both lists. If one factor is the seed of all pairs and the body computes results with
+    /// derivatives, it also returns the sum of all results. Sums within a dispatch are added in `f32`, those of
+    /// dispatches in `f64`, in a fixed order.
     pub(in crate::kernels::gpu::device) fn derivatives(
         &self,
         made: &Arc<Generated<f32>>,
@@ -39,7 +39,7 @@ impl Device {
                     let own = block_of(&block, columns, numbers);
                     (Some(inner.guarded(|| Ok(inner.stored(&own)))?), 0.0)
                 }
-                // A matrix is cut as the pairs are.
+                // A matrix is split as the pairs are.
                 Seed::Matrix(matrix) => (Some(matrix.blocks[k].1.clone()), 0.0),
                 Seed::Factor(factor) => (None, *factor),
             };
@@ -57,7 +57,7 @@ impl Device {
         Ok((bars, has_total.then_some(sums.total)))
     }
 
-    /// One dispatch, and the sums of what it leaves: a partial sum per strip for own shapes, one per workgroup for walked
+    /// Runs one dispatch and sums what it writes: a partial sum per strip for own shapes, one per workgroup for walked
     /// ones.
     fn pull(
         &self,
@@ -95,7 +95,7 @@ impl Device {
             let mut buffers = vec![(1, piece.buffers[0]), (2, piece.buffers[1])];
             buffers.extend((5..).zip(&parts));
             buffers.extend(upstream.map(|upstream| (3, upstream)));
-            // Bodies that give results beside derivatives add these up, column by column.
+            // Bodies that compute results with derivatives also sum the results, column by column.
             let has_totals = matches!((of, upstream), (Of::Both(_), None));
             let totals = has_totals.then(|| {
                 let numbers = tall * piece.counts[own];
@@ -130,7 +130,7 @@ impl Device {
     }
 }
 
-/// Partial sums of derivatives of so many shapes of a list: part by part, and of each field by field.
+/// Partial sums of derivatives of a list's shapes: part by part, and within a part field by field.
 struct Partial {
     list: usize,
     count: usize,
@@ -139,12 +139,12 @@ struct Partial {
 }
 
 impl Partial {
-    /// Numbers of a part.
+    /// Returns the length of a part.
     fn numbers(&self) -> usize {
         self.fields * self.count
     }
 
-    /// Their sums, in a new buffer.
+    /// Returns the sums over parts, in a new buffer.
     fn folded(&self, work: &mut Work<'_>, parts: &wgpu::Buffer) -> wgpu::Buffer {
         let inner = work.inner;
         let pipeline = inner.written(Kernel::Fold, "fold_main");
@@ -160,7 +160,7 @@ impl Partial {
         to
     }
 
-    /// Adds sums that came back to those of others, which lie shape by shape.
+    /// Adds downloaded sums, which are field by field, to `sums`, which are shape by shape.
     fn add(&self, numbers: &[u32], sums: &mut [f64]) {
         let shapes = sums.chunks_exact_mut(self.fields.max(1)).take(self.count);
         for (i, shape) in shapes.enumerate() {

@@ -1,4 +1,4 @@
-//! Folds over paths: a thread per path walks along its edges.
+//! Folds over paths: one thread per path walks along its edges.
 use super::operation::{Body, Name, body_of, part};
 use super::text::{Form, GROUP, MOST_GROUPS, call};
 use crate::ad::program::WGSL;
@@ -27,24 +27,24 @@ pub(super) struct GeneratedFold {
     edge: Body,
     join: Body,
     finish: Body,
-    /// The pull-back of each, without the result before it.
+    /// The pull-back of each, without its result.
     edge_vjp: Body,
     join_vjp: Body,
     finish_vjp: Body,
-    /// The state after no edge.
+    /// The state before the first edge.
     empty: Vec<f32>,
     is_closed: bool,
-    /// Numbers of a vertex.
+    /// The number of scalars of a vertex.
     element: usize,
-    /// Numbers of a context.
+    /// The number of scalars of a context.
     context: usize,
-    /// Numbers of a context and a reference.
+    /// The number of scalars of a context with its reference vertex.
     shared: usize,
-    /// Numbers of a result.
+    /// The number of scalars of a result.
     out: usize,
 }
 
-/// Returns the shaders of a fold, whose state after no edge is `empty`.
+/// Writes the shaders of a fold, whose state before the first edge is `empty`.
 pub(super) fn shaders(
     programs: &Programs,
     sizes: &Sizes,
@@ -84,7 +84,7 @@ fn shaders_of(folding: &Folding<f32>) -> Result<Arc<GeneratedFold>, Error> {
     shaders(&*(folding.programs)()?, &folding.sizes, empty)
 }
 
-/// `name0`, `name1`, … `count` of them.
+/// Returns `count` names: `name0`, `name1`, …
 fn names(name: &str, count: usize) -> Vec<String> {
     (0..count).map(|k| format!("{name}{k}")).collect()
 }
@@ -115,7 +115,7 @@ impl GeneratedFold {
         }
         text
     }
-    /// Bindings, and the beginning of a thread's work: what belongs to its path, and where its edges are.
+    /// Returns the bindings and the start of a thread's work: the numbers of its path, and the range of its edges.
     fn head(&self, entry: &str, more: &[(&str, &str)]) -> String {
         let vertex = match self.element {
             2 => "vec2f".to_owned(),
@@ -135,7 +135,7 @@ impl GeneratedFold {
                 k + 4
             );
         }
-        // The layout of bindings comes from their use: `shared_numbers` is used even if a fold has no context.
+        // The layout of bindings follows from their use, so `shared_numbers` is used even if a fold has no context.
         let _ = write!(
             text,
             "
@@ -164,12 +164,12 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
             );
         }
         for (k, x) in self.empty.iter().enumerate() {
-            // By its bits: WGSL has no literal for infinity or NaN.
+            // As bits, since WGSL has no literal for infinity or NaN.
             let _ = writeln!(text, "    var state{k} = bitcast<f32>({}u);", x.to_bits());
         }
         text
     }
-    /// Returns the text that computes the state of one edge, as `edge`, and the numbers that it takes.
+    /// Returns the WGSL that computes the state of one edge as `edge`, and the numbers that it takes.
     fn edge_of(&self) -> (String, Vec<String>) {
         let mut inputs = names("s", self.shared);
         for end in ["tail", "tip"] {
@@ -188,7 +188,7 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         );
         (text, inputs)
     }
-    /// Joins the state of an edge to that of the edges before.
+    /// Returns the WGSL that joins the state of an edge to that of the edges before.
     fn join_of(&self) -> String {
         let mut inputs = names("state", self.state());
         inputs.extend(elements("edge", 0..self.state()));
@@ -262,11 +262,11 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
                 shared + k
             )
         });
-        // Takes the sign from zeros.
+        // Adding zero removes the sign of zeros.
         let put = lines(context, &|k| {
             format!("    context_bars[path * {context}u + {k}u] = context{k} + 0.0;\n")
         });
-        // An array of none cannot be bound: the buffer has one number per path, which is not read.
+        // An empty array cannot be bound: the buffer has one unused number per path.
         let unused = match context {
             0 => "    context_bars[path] = 0.0;\n",
             _ => "",
@@ -294,11 +294,11 @@ struct Load {
     vertices: Range<usize>,
 }
 
-/// The offsets and vertices of paths. On a GPU a path that all share is repeated.
+/// The offsets and vertices of paths. A path that all contexts share is repeated on a GPU.
 struct Listed<'a> {
     offsets: Cow<'a, [usize]>,
     numbers: &'a [f32],
-    /// Vertices of a path that all share.
+    /// The number of vertices of a shared path.
     shared: Option<usize>,
 }
 
@@ -328,7 +328,7 @@ impl<'a> Listed<'a> {
     }
 }
 
-/// Checks paths; of every one its context and then its reference, as numbers.
+/// Checks paths. Returns the context and then the reference vertex of every path, as numbers.
 fn shared(folding: &Folding<f32>, input: &Input<'_, f32>) -> Result<Vec<f32>, Error> {
     check(folding, input)?;
     Ok(paths(folding, input)?.shared)
@@ -468,7 +468,7 @@ impl Device {
                         let first = shaders.element * load.vertices.start;
                         let own = &mut path_bars[first..first + numbers.len()];
                         let bars = own.iter_mut().zip(numbers);
-                        // Takes the sign from zeros.
+                        // Adding zero removes the sign of zeros.
                         bars.for_each(|(bar, x)| *bar = x + 0.0);
                     }
                 }
@@ -477,7 +477,7 @@ impl Device {
         Ok(())
     }
 
-    /// Cuts paths into loads, each of which fits the buffers with `per_vertex` numbers per vertex.
+    /// Splits paths into loads, each of which fits the buffers with `per_vertex` numbers per vertex.
     fn loads(
         &self,
         shaders: &GeneratedFold,
@@ -487,7 +487,7 @@ impl Device {
         let numbers = self.inner.most_bytes as usize / 4;
         let most_vertices = numbers / per_vertex;
         let per_path = shaders.shared.max(shaders.out).max(shaders.context).max(1);
-        // One less: there is one offset more than there are paths.
+        // Minus one, since there is one offset more than there are paths.
         let most_paths = (numbers / per_path)
             .saturating_sub(1)
             .min(MOST_GROUPS * GROUP);
@@ -499,7 +499,8 @@ impl Device {
             let fitting = rest.partition_point(|&end| end - offsets[start] <= most_vertices);
             if fitting == 0 {
                 let vertices = offsets[start + 1] - offsets[start];
-                // One path alone: buffers of fewer than `2 * per_path` numbers make `most_paths` zero.
+                // If buffers have fewer than `2 * per_path` numbers, `most_paths` is zero and even one path does not
+                // fit.
                 return Err(self
                     .inner
                     .too_large((vertices * per_vertex).max(2 * per_path)));
@@ -534,7 +535,7 @@ impl Device {
     }
 }
 
-/// Workgroups for so many paths.
+/// Returns the workgroups for `paths` paths.
 fn groups(paths: usize) -> [u32; 2] {
     [paths.div_ceil(GROUP) as u32, 1]
 }

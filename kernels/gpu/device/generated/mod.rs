@@ -1,4 +1,4 @@
-//! Any operation and any program on a GPU, by functions in WGSL that its recording is written as.
+//! Operations and programs on a GPU, by WGSL functions written from their recordings.
 mod aligned;
 mod by_hand;
 mod columns;
@@ -32,8 +32,8 @@ use text::{Form, Of};
 use uploaded::MOST_OPERATIONS;
 
 impl Inner {
-    /// Returns the pipeline of a generated kernel, compiled at the first call. Pipelines of programs that are gone are
-    /// given up.
+    /// Returns the pipeline of a generated kernel, compiled at the first call. It also drops the pipelines of programs
+    /// that no longer exist.
     fn generated(
         &self,
         name: &Name,
@@ -57,13 +57,14 @@ impl Generated<f32> {
     pub(super) fn pipeline(&self, inner: &Inner, form: Form) -> wgpu::ComputePipeline {
         inner.generated(&self.name, form, || form.text(self))
     }
-    /// Returns how many pairs a dispatch computes at most: drivers reset a GPU that is busy with one for seconds.
+    /// Returns the largest number of pairs in a dispatch: an operating system resets a GPU after seconds of one
+    /// dispatch.
     pub(super) fn most_pairs(&self) -> usize {
         MOST_OPERATIONS / self.bodies[0].operations.max(1)
     }
 }
 
-/// Returns every shader that an operation can need, with a name: for tests that have no GPU.
+/// Returns every shader that an operation can need, with its name: for tests without a GPU.
 ///
 /// # Errors
 ///
@@ -81,7 +82,7 @@ where
     )
 }
 
-/// Returns the shaders of a straight line; of reductions, whose template is the same for all, one.
+/// Returns the shaders of a straight line. Reductions have one template, so only one of them is included.
 #[doc(hidden)]
 pub fn line_sources(
     name: &str,
@@ -124,18 +125,18 @@ fn sources(
     Ok(all)
 }
 
-/// Returns the forms of all pairs of a mode. Seeds are a snippet that is the same for all: each is taken once.
+/// Returns the forms of all pairs of a mode. Each template with a snippet for the seed occurs once.
 fn forms(mode: Mode, made: &Generated<f32>, outputs: usize, taken: &[Take]) -> Vec<Form> {
     let mut all = Vec::new();
     match mode {
         Mode::Value if made.gives == [1] => {
             all.push(Form::Pairs);
             all.extend(taken.iter().map(|&take| Form::Reduce(take, true)));
-            // The template around the same body: once for all.
+            // Reductions share one template around one body: it is tested once.
             if taken.len() > 1 {
                 all.extend(Take::OF_GROUPS.map(|take| Form::ReduceGroups(take, true)));
             }
-            // Both arguments may be shapes of one list.
+            // The arguments may be two shapes of one list.
             if made.arguments[0].fields == made.arguments[1].fields {
                 all.push(Form::Masks);
             }
@@ -158,7 +159,7 @@ fn forms(mode: Mode, made: &Generated<f32>, outputs: usize, taken: &[Take]) -> V
     all
 }
 
-/// Returns every shader that a fold can need, with a name.
+/// Returns every shader that a fold can need, with its name.
 ///
 /// # Errors
 ///
@@ -179,7 +180,7 @@ pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
         .into())
 }
 
-/// Returns the shader that replays what was decided.
+/// Returns the shader that replays recorded decisions.
 #[doc(hidden)]
 #[must_use]
 pub fn replay_source() -> String {

@@ -1,4 +1,4 @@
-//! Every row with every column.
+//! All pairs: every row with every column.
 use super::uploaded::Sides;
 use crate::Error;
 use crate::kernels::call::recording::Call;
@@ -7,7 +7,7 @@ use crate::kernels::gpu::device::context::Device;
 use crate::kernels::machine::Column;
 
 impl Device {
-    /// Returns every row with every row of columns of numbers, plane after plane.
+    /// Writes the results of every row with every column of plain lists, plane after plane.
     pub(in crate::kernels::gpu::device) fn planes(
         &self,
         call: &Call<f32>,

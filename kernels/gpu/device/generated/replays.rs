@@ -1,7 +1,7 @@
-//! Item i of every column, for what searches: decided on the processor, replayed on the GPU.
+//! Aligned batches of searches: decided on the CPU, replayed on the GPU.
 //!
-//! A replay is a list of instructions, and one kernel carries out those of any operation: what a thread
-//! does is data, so that no record asks for a pipeline of its own.
+//! A replay is a list of instructions, and one kernel executes those of all operations. A thread's work is data, so no
+//! record needs a pipeline of its own.
 use super::instructions::{Replay, instructions, numbers};
 use super::operation::Name;
 use super::text::{Form, GROUP, MOST_GROUPS};
@@ -19,13 +19,13 @@ use std::fmt::Write;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock, PoisonError, RwLock};
 
-/// Bytes of the slots of all items of a dispatch.
+/// The size in bytes of the slots of all items of a dispatch.
 const MOST_SLOTS: usize = 1 << 28;
 
-/// Items that are decided at a time.
+/// The number of items that are decided at a time.
 const CHUNK: usize = 32 * STRETCH;
 
-/// Returns the kernel.
+/// Returns the WGSL of the kernel.
 pub(super) fn text() -> String {
     let mut text = String::from(WGSL);
     for (name, number) in numbers() {
@@ -34,19 +34,19 @@ pub(super) fn text() -> String {
     text + include_str!("../../wgsl/replay.wgsl")
 }
 
-/// By which the pipeline is kept: as long as the process lives.
+/// Returns the name of its pipeline, which lives as long as the process.
 fn name() -> &'static Name {
     static NAME: OnceLock<Name> = OnceLock::new();
     NAME.get_or_init(Name::default)
 }
 
-/// Replays that are kept as instructions; one more, and all are dropped. A bound of memory.
+/// The number of replays that are kept as instructions. One more drops all, which bounds the memory.
 const MOST_KEPT: usize = 1 << 14;
 
-/// Recorded replays by their addresses, which no other one has as long as they are kept, and their instructions.
+/// Recorded replays by their addresses, which stay unique while the replays are kept, with their instructions.
 type Known = HashMap<usize, (Arc<Recorded>, Arc<Replay>)>;
 
-/// The replays of a search, and those that have occurred as instructions.
+/// The replays of a search, with the instructions of those that have occurred.
 pub(crate) struct Replayed {
     replays: Arc<dyn Replays<f32>>,
     known: RwLock<Known>,
@@ -60,7 +60,7 @@ impl Replayed {
             known: RwLock::default(),
         }
     }
-    /// Decides an item: the instructions of its record, and the numbers that they take, which are appended.
+    /// Decides an item. Returns the instructions of its record, and appends the numbers that they take to `taken`.
     fn instructions(&self, numbers: &[f32], taken: &mut Vec<f32>) -> Result<Arc<Replay>, Error> {
         let recorded = self.replays.decide(numbers, taken)?;
         let address = Arc::as_ptr(&recorded) as usize;
@@ -80,7 +80,7 @@ impl Replayed {
     }
 }
 
-/// A stretch of items: their numbers, shape by shape, those that replays take, and which replays.
+/// A stretch of items: their numbers, shape by shape, the numbers that replays take, and the index of each replay.
 #[derive(Default)]
 struct Stretch {
     items: Range<usize>,
@@ -93,7 +93,7 @@ struct Stretch {
 }
 
 impl Stretch {
-    /// Decides its items.
+    /// Decides the items of the stretch.
     fn decide(&mut self, replayed: &Replayed, columns: &[Column<'_, f32>]) {
         let mut rooms = vec![Vec::new(); columns.len()];
         let parts: Vec<&[f32]> = columns
@@ -114,7 +114,7 @@ impl Stretch {
             }
         }
     }
-    /// Makes rows of results of what was found.
+    /// Converts replayed numbers to rows of results.
     fn finish(&mut self, replays: &dyn Replays<f32>, width: usize) {
         let [_, gives] = replays.sizes();
         let own = self.numbers.len() / self.items.len();
@@ -128,7 +128,7 @@ impl Stretch {
     }
 }
 
-/// Items that go up together: places in the chunk, and their programs.
+/// Items that are uploaded together: indices in the chunk, and their programs.
 #[derive(Default)]
 struct Load {
     items: Vec<u32>,
@@ -139,8 +139,7 @@ struct Load {
 }
 
 impl Load {
-    /// Returns how many numbers its instructions and its slots are with one more item, and a program if it has another
-    /// one.
+    /// Returns the numbers of instructions and of slots with one more item, and with its program if that `is_new`.
     fn numbers(&self, replay: &Replay, is_new: bool, sizes: [usize; 2]) -> [usize; 2] {
         let slots = self.slots.max(replay.slots);
         let items = self.items.len() + 1;
@@ -148,7 +147,7 @@ impl Load {
         let widest = slots.max(sizes[0]).max(sizes[1]);
         [4 * code, items * widest]
     }
-    /// Returns `true` if it still fits with that.
+    /// Returns `true` if the load fits the buffers with one more item.
     fn fits(&self, replay: &Replay, is_new: bool, sizes: [usize; 2], most_bytes: usize) -> bool {
         let [code, slots] = self.numbers(replay, is_new, sizes);
         4 * code <= most_bytes
@@ -217,7 +216,7 @@ impl Device {
         Ok(())
     }
 
-    /// Replays items that are decided, those of a program side by side.
+    /// Replays decided items; items of one program are adjacent.
     fn replay(&self, sizes: [usize; 2], stretches: &mut [Stretch]) -> Result<(), Error> {
         let all: Vec<&Arc<Replay>> = stretches.iter().flat_map(|x| &x.replays).collect();
         let mut ranks = HashMap::new();

@@ -1,4 +1,4 @@
-//! The shader of a form: the function, and the kernel around it.
+//! The shader of a form: a function, and the kernel around it.
 use super::operation::Generated;
 use super::suppress::masks;
 use super::template;
@@ -27,7 +27,7 @@ impl Form {
     }
 }
 
-/// The place of a number: items in tiles, field after field within a tile, as on the processor.
+/// The index of a number: items in tiles, field after field within a tile, as on the CPU.
 const PLACE: &str = "\
 fn place(item: u32, fields: u32) -> u32 {
     return item / 16u * 16u * fields + item % 16u;
@@ -35,8 +35,8 @@ fn place(item: u32, fields: u32) -> u32 {
 ";
 const _: () = assert!(TILE == 16);
 
-/// Item i of every column: one thread per item. Parameters are how many items; of every column where it
-/// begins and whether it has more than one item; of every result where it begins.
+/// Returns the shader of aligned items: one thread per item. Parameters are the number of items; for every column its
+/// start and whether it has more than one item; for every result its start.
 fn aligned(made: &Generated<f32>) -> String {
     let columns = made.widths.len();
     let mut text = bindings(1 + columns + made.gives.len(), &["inputs"], &["outputs"]);
@@ -61,7 +61,7 @@ fn aligned_main(@builtin(global_invocation_id) thread: vec3u) {{
         inputs.extend(numbers("inputs", &format!("c{k}"), width));
     }
     if inputs.is_empty() {
-        // A binding that nothing uses would be none.
+        // The shader must use a binding, or its layout would omit it.
         inputs.push("inputs[0] * 0.0".to_owned());
     }
     let _ = writeln!(text, "    let y = {};", call("body", inputs));

@@ -9,19 +9,19 @@ use crate::kernels::machine::Column;
 use crate::kernels::row::item::STRETCH;
 use std::ops::Range;
 
-/// A list that went up: prepared shapes, in buffers that fit a binding each.
+/// An uploaded list: prepared shapes, in buffers that fit one binding each.
 #[derive(Clone, Debug)]
 pub(in crate::kernels::gpu::device) struct Side {
-    /// Shapes per buffer.
+    /// The number of shapes per buffer.
     pub(super) window: usize,
     pub(super) buffers: Vec<wgpu::Buffer>,
     pub(super) count: usize,
-    /// `true` if they need a body for extreme shapes.
+    /// `true` if its shapes need a body for extreme shapes.
     pub(super) is_extreme: bool,
 }
 
 impl Side {
-    /// Brings a list up that was checked.
+    /// Uploads a checked list.
     pub fn new(
         inner: &Inner,
         made: &Generated<f32>,
@@ -29,13 +29,13 @@ impl Side {
         column: &Column<'_, f32>,
     ) -> Result<Self, Error> {
         let count = column.len();
-        // Sums of derivatives, which have the numbers of a shape, must fit a binding, too.
+        // Sums of derivatives, which have a shape's number of scalars, must fit a binding, too.
         let width = made.widths[k]
             .next_multiple_of(4)
             .max(made.arguments[k].fields)
             .max(1);
         let window = inner.most_bytes as usize / 4 / width;
-        // So that no dispatch has more workgroups than it may have.
+        // This keeps the workgroups of a dispatch within their limit.
         let window = window.min(MOST_GROUPS * ROWS) / TILE * TILE;
         if window == 0 {
             return Err(inner.too_large(TILE * width));
@@ -53,7 +53,7 @@ impl Side {
             is_extreme,
         })
     }
-    /// Puts as many other shapes in their place, without a new buffer.
+    /// Replaces the shapes by as many others, in place.
     pub fn rewrite(
         &mut self,
         inner: &Inner,
@@ -73,7 +73,7 @@ impl Side {
         }
         Ok(())
     }
-    /// Returns the parts of a range of shapes, each in one buffer: the buffer, where in it, which shapes.
+    /// Returns the parts of a range of shapes, each in one buffer: the buffer, the index in it, and the shapes.
     pub(super) fn parts(
         &self,
         range: Range<usize>,
@@ -87,7 +87,7 @@ impl Side {
     }
 }
 
-/// Returns the prepared numbers of some shapes, and whether any of them is extreme.
+/// Returns the prepared numbers of some shapes, and `true` if any of them is extreme.
 fn frames(
     made: &Generated<f32>,
     k: usize,

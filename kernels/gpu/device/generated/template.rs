@@ -1,4 +1,4 @@
-//! Templates of all pairs around a body, generated or by hand: the functions that name its numbers, and sizes.
+//! Templates of all pairs around a body, generated or by hand: sizes, and the functions that name the body's numbers.
 use super::operation::{Body, Generated};
 use super::text::{Form, GROUP, Of, ROWS, call};
 use crate::kernels::gpu::device::written::{
@@ -6,26 +6,26 @@ use crate::kernels::gpu::device::written::{
 };
 use std::fmt::Write;
 
-/// Derivatives that are summed by themselves, so that rounding grows slowly.
+/// The number of derivatives in a sum of their own, so that the rounding error grows slowly.
 const STEP_SLOPES: usize = 16;
 
-/// Threads and walked shapes of a kernel.
+/// The numbers of threads and of walked shapes of a kernel.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::kernels::gpu::device) struct Size {
-    /// Threads of a workgroup.
+    /// The number of threads of a workgroup.
     group: usize,
-    /// Own shapes of a workgroup.
+    /// The number of own shapes of a workgroup.
     pub own: usize,
-    /// Walked shapes that are taken together.
+    /// The number of walked shapes in workgroup memory at a time.
     step: usize,
-    /// Walked shapes of a thread.
+    /// The number of walked shapes of a thread.
     pub strip: usize,
 }
 
 impl Generated<f32> {
     /// Returns the size of a kernel of all pairs.
     pub(in crate::kernels::gpu::device) fn size(&self, form: Form) -> Size {
-        // Large programs need many registers: few threads.
+        // Large programs need many registers, so their workgroups have few threads.
         let (group, step) = match self.kind {
             Some(_) => (written::GROUP, STEP),
             None => (GROUP, ROWS),
@@ -55,7 +55,7 @@ impl Generated<f32> {
             _ => size,
         }
     }
-    /// Returns the lists whose derivatives each kernel of an adjoint sums: a body by hand gives those of both at once.
+    /// Returns the lists whose derivatives each kernel of an adjoint sums: a body by hand computes both at once.
     pub(super) fn passes(&self, slots: usize) -> Vec<Of> {
         match self.kind {
             Some(_) => vec![Of::Both(slots)],
@@ -122,12 +122,12 @@ pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
     text
 }
 
-/// Returns the functions that name the numbers of shapes, and call the body.
+/// Returns the WGSL functions that name the numbers of shapes and call the body.
 fn shapes(made: &Generated<f32>, body: &Body, own: usize, has_seed: bool) -> String {
     let mut text = String::new();
     for (k, shape, function) in [(own, "Own", "own_at"), (1 - own, "Walked", "walked_at")] {
         let (list, width) = (["a_quads", "b_quads"][k], made.widths[k]);
-        // Arrays of none do not exist, and a binding that nothing uses would be none.
+        // WGSL has no empty arrays, and an unused binding would vanish from the layout.
         let quads = width.div_ceil(4).max(1);
         let read = (0..quads).map(|q| format!("    let q{q} = {list}[item * {quads}u + {q}u];\n"));
         let number = |i: usize| format!("q{}.{}", i / 4, ["x", "y", "z", "w"][i % 4]);
@@ -168,7 +168,7 @@ fn body_at(own: Own, walked: Walked{seed}) -> array<f32, {}> {{
     text
 }
 
-/// Returns the function that puts down the results of a pair.
+/// Returns the WGSL function that stores the results of a pair.
 fn put_pair(body: &Body) -> String {
     let gives = body.gives;
     let lines = (0..gives).map(|k| format!("    values[at + {k}u * params.plane] = y[{k}];\n"));
@@ -178,11 +178,11 @@ fn put_pair(body: &Body) -> String {
     )
 }
 
-/// Returns the functions that add and put down derivatives.
+/// Returns the WGSL functions that add and store derivatives.
 fn bars(made: &Generated<f32>, body: &Body, of: Of) -> String {
     let mut text = String::new();
     let gives = body.gives;
-    // Own and walked shapes: how many derivatives, and from which result of the body on.
+    // For own and walked shapes: the number of derivatives, and the index of the first one in the body's result.
     let (own, own_at, walked) = match of {
         Of::Rows | Of::Columns => (gives, 0, None),
         Of::Both(_) => (made.gives[1], 1 + made.gives[0], Some((made.gives[0], 1))),

@@ -1,4 +1,4 @@
-//! The calls over columns that stay.
+//! Calls over columns on the GPU.
 use super::{HeldColumn, State, Windows, held, window};
 use crate::Error;
 use crate::kernels::cpu::aligned::items;
@@ -13,8 +13,8 @@ use crate::kernels::machine::Column;
 use std::sync::Arc;
 
 impl Device {
-    /// Item i of columns that stay, one result per item, which stays. `over` are results that are there
-    /// already and may be written over.
+    /// Computes item i of columns on the GPU. Returns one result per item, on the GPU. `over` are earlier results that
+    /// may be overwritten.
     pub(in crate::kernels::gpu::device) fn held_aligned(
         &self,
         made: &Arc<Generated<f32>>,
@@ -38,7 +38,7 @@ impl Device {
                 None => check_upstream(&column.all(), column.fields.max(1))?,
             }
             lists.push(match column.count {
-                // A slice beside columns that stay goes up for this call.
+                // A slice next to columns on the GPU is uploaded for this call.
                 Some(_) => {
                     let own = HeldColumn::new(self, column.fields, column.all().into_owned())?;
                     (own.for_all(made, k)?, true)
@@ -92,7 +92,7 @@ impl Device {
         Ok(results.collect())
     }
 
-    /// One dispatch. Columns beyond what one kernel may bind are copied together first.
+    /// Runs one dispatch. If a kernel cannot bind all columns, some are copied into one buffer first.
     fn dispatch(
         &self,
         made: &Arc<Generated<f32>>,
@@ -145,8 +145,8 @@ impl Device {
         })
     }
 
-    /// Returns the buffers of results: present ones, if they lie side by side and nothing is read from them, or new
-    /// ones.
+    /// Returns the buffers of results: those of `over`, if they are contiguous and the call reads nothing from them, or
+    /// new ones.
     fn room(
         &self,
         made: &Generated<f32>,
@@ -197,5 +197,6 @@ impl Device {
     }
 }
 
-/// Buffers that a kernel binds at most, the results among them: as many as WebGPU guarantees on every device.
+/// The largest number of buffers that a kernel binds, with those of results: as many as WebGPU guarantees on every
+/// device.
 const MOST_BOUND: usize = 8;

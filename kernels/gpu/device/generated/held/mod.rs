@@ -1,9 +1,8 @@
-//! Columns that stay on the GPU between calls of any operation.
+//! Columns that stay on the GPU between calls.
 //!
-//! A column is kept as it was given and, from its first use on, as every operation wants it prepared: what
-//! an operation asks of the processor (sines, frames) is computed once per column, not once per call.
-//! Results are columns, too. They are read where they are by whatever prepares nothing; an operation that
-//! has something computed of them beforehand has them brought to the processor once.
+//! A column is stored as given and, from its first use by an operation on, as this operation prepares it. So numbers
+//! that the CPU prepares (sines, frames) are computed once per column, not once per call. Results are columns, too. An
+//! operation without preparation reads them in place; for others they are downloaded and prepared once.
 use crate::Error;
 use crate::error::Argument;
 use crate::kernels::cpu::checked::check_numbers;
@@ -25,7 +24,7 @@ use std::sync::{Arc, Mutex, Weak};
 
 mod calls;
 
-/// Numbers of one shape of every item, which stay on the GPU.
+/// The numbers of one shape of every item, on the GPU.
 #[doc(hidden)]
 #[derive(Debug)]
 pub struct HeldColumn {
@@ -37,28 +36,28 @@ pub struct HeldColumn {
 
 #[derive(Debug, Default)]
 struct State {
-    /// Grows whenever other numbers come.
+    /// The version of the numbers, which grows with every update.
     version: u64,
-    /// The numbers, shape by shape, where the processor has them.
+    /// The numbers, shape by shape, if the CPU has them.
     rows: Option<Arc<Vec<f32>>>,
-    /// As they are, in tiles.
+    /// The numbers in tiles, unprepared.
     plain: Option<(u64, Windows)>,
-    /// As operations want them, by whose they are and which argument: for all items, and for all pairs.
+    /// The numbers as operations prepare them, by the key of the preparation: for aligned batches, and for all pairs.
     aligned: HashMap<(u64, usize), (Weak<u64>, u64, Windows)>,
     pairs: HashMap<(u64, usize), (Weak<u64>, u64, Side)>,
 }
 
-/// Items in tiles, cut into buffers.
+/// Items in tiles, split over buffers.
 #[derive(Clone, Debug)]
 struct Windows {
-    /// Items per buffer.
+    /// The number of items per buffer.
     window: usize,
-    /// Each buffer, and the number in it that they begin with.
+    /// Each buffer, and the index of the first number in it.
     parts: Vec<(wgpu::Buffer, usize)>,
 }
 
 impl Windows {
-    /// Returns the place of an item: the buffer, the number in it, and the first later item that is in another buffer.
+    /// Returns the location of an item: the buffer, the index in it, and the first later item in another buffer.
     fn at(&self, item: usize, width: usize) -> (&wgpu::Buffer, usize, usize) {
         let k = item / self.window;
         let (buffer, start) = &self.parts[k];
@@ -70,7 +69,7 @@ impl Windows {
     }
 }
 
-/// Returns how many items of so many numbers a buffer takes, and a dispatch.
+/// Returns the number of items of `width` numbers that fit a buffer and a dispatch.
 fn window(inner: &Inner, width: usize) -> Result<usize, Error> {
     let most = inner.most_bytes as usize / 4 / width.max(1);
     match most.min(MOST_GROUPS * GROUP) / TILE * TILE {
@@ -79,7 +78,7 @@ fn window(inner: &Inner, width: usize) -> Result<usize, Error> {
     }
 }
 
-/// Brings prepared numbers up, into buffers that are there where they are.
+/// Uploads prepared numbers, into the buffers `there` if given.
 fn brought_up(
     inner: &Inner,
     there: Option<&Windows>,
@@ -107,7 +106,7 @@ fn brought_up(
     Ok(Windows { window, parts })
 }
 
-/// Returns the column of a call that stays on this GPU; `None` of one that does not stay.
+/// Returns the column of a call that is on this GPU; `None` for one on the CPU.
 pub(in crate::kernels::gpu::device) fn held<'a>(
     gpu: &Device,
     column: &Column<'a, f32>,
@@ -149,7 +148,7 @@ impl Stays<f32> for HeldColumn {
 }
 
 impl HeldColumn {
-    /// Numbers that were checked, of so many fields per shape.
+    /// Creates a column from checked numbers, with `fields` scalars per shape.
     pub(crate) fn new(gpu: &Device, fields: usize, rows: Vec<f32>) -> Result<Self, Error> {
         gpu.inner.alive()?;
         let count = rows.len() / fields.max(1);
@@ -169,7 +168,7 @@ impl HeldColumn {
         }
     }
 
-    /// Returns the shapes that were found best, in that order. They are put together on the processor, which prepares
+    /// Returns the shapes with the indices in `bests`, in that order. They are gathered on the CPU, which prepares
     /// shapes.
     pub(crate) fn picked(&self, bests: &[Best]) -> Result<Self, Error> {
         let rows = self.rows(&mut locked(&self.state))?;
@@ -181,7 +180,7 @@ impl HeldColumn {
         )
     }
 
-    /// Refuses a column of another context.
+    /// Checks that the column belongs to this context.
     pub(in crate::kernels::gpu::device) fn is_of(&self, gpu: &Device) -> Result<(), Error> {
         gpu.owns(&self.gpu)
     }
@@ -191,7 +190,7 @@ impl HeldColumn {
         self.rows(&mut locked(&self.state))
     }
 
-    /// Returns the numbers on the processor, where they are kept.
+    /// Returns the numbers on the CPU, where they are kept.
     fn rows(&self, state: &mut State) -> Result<Arc<Vec<f32>>, Error> {
         if let Some(rows) = &state.rows {
             return Ok(Arc::clone(rows));
@@ -212,7 +211,7 @@ impl HeldColumn {
         Ok(rows)
     }
 
-    /// Returns the parts to bring back: for every buffer the first byte, and the number of bytes, of whole tiles.
+    /// Returns the parts to download: for every buffer the first byte and the number of bytes, of whole tiles.
     fn parts(&self, state: &State) -> Vec<(wgpu::Buffer, u64, u64)> {
         let Some((_, plain)) = &state.plain else {
             return Vec::new();
@@ -226,7 +225,7 @@ impl HeldColumn {
         parts.collect()
     }
 
-    /// Returns the column as an argument of an operation wants it.
+    /// Returns the column as an argument of an aligned operation, prepared.
     fn for_all(&self, made: &Generated<f32>, k: usize) -> Result<Windows, Error> {
         let inner = &self.gpu.inner;
         let mut state = locked(&self.state);
@@ -268,7 +267,7 @@ impl HeldColumn {
         Ok(found)
     }
 
-    /// Returns the column as a list of all pairs wants it.
+    /// Returns the column as a list of all pairs, prepared.
     pub(in crate::kernels::gpu::device) fn for_pairs(
         &self,
         made: &Generated<f32>,
@@ -301,15 +300,15 @@ impl HeldColumn {
         Ok(side)
     }
 
-    /// Returns the buffers that new results may overwrite: whole columns of one buffer. `None` if they lie in another
-    /// way or are lent to others.
+    /// Returns the buffers that new results may overwrite: whole columns in one buffer. `None` for another layout, or
+    /// for buffers that others use.
     fn results(&self) -> Option<Windows> {
         let state = locked(&self.state);
         state.plain.as_ref().map(|(_, plain)| plain.clone())
     }
 }
 
-/// Shapes out of tiles of single fields.
+/// Converts tiles of single fields to rows.
 fn untile(lanes: &[f32], fields: usize, rows: &mut [f32]) {
     for (i, row) in rows.chunks_exact_mut(fields.max(1)).enumerate() {
         let at = i / TILE * TILE * fields + i % TILE;
@@ -319,9 +318,9 @@ fn untile(lanes: &[f32], fields: usize, rows: &mut [f32]) {
     }
 }
 
-/// Starts bringing columns back: the numbers of each, shape by shape.
+/// Starts the download of columns: the numbers of each, shape by shape.
 fn start_download(gpu: &Device, columns: &[&HeldColumn]) -> Result<Pending<Vec<Vec<f32>>>, Error> {
-    // Rows that the processor has already; for the others the range of their parts.
+    // Rows that the CPU has already; for the others the range of their parts.
     let mut known = Vec::new();
     let mut parts = Vec::new();
     for column in columns {
