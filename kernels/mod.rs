@@ -4,11 +4,11 @@
 //! | --- | --- | --- |
 //! | [`Cpu::aligned`] | item i of every column; [`One`] repeats one shape | one result per item |
 //! | [`Cpu::all_pairs`] | every shape of a with every shape of b | a [`Table`] |
-//! | [`Cpu::row_max`], [`Cpu::column_max`] | the same | the best match of every row or column |
-//! | [`Cpu::above`], [`Cpu::count_above`] | the same | the pairs above a threshold |
-//! | [`Cpu::above_grouped`], [`Cpu::row_max_grouped`] | two lists in [`Groups`] | the same within every group |
+//! | [`Cpu::row_max`], [`Cpu::column_max`] | two lists | the best match of every row or column |
+//! | [`Cpu::above`], [`Cpu::count_above`] | two lists | the pairs above a threshold |
+//! | [`Cpu::above_grouped`], [`Cpu::row_max_grouped`] | two lists in [`Groups`] | these results within every group |
 //! | [`Cpu::greedy_grouped`], [`Cpu::outcomes_grouped`] | pairs in [`Groups`] | one-to-one pairs, outcomes of detections |
-//! | [`Cpu::sum`], [`Cpu::mean`], [`Cpu::sum_grad`] | the same | a loss, and its gradient |
+//! | [`Cpu::sum`], [`Cpu::mean`], [`Cpu::sum_grad`] | two lists | a loss, and its gradient |
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
 //! The function is a value: a [verb](verbs) such as [`Iou`]; its gradient ([`value_grad`](Iou::value_grad)), Jacobian
@@ -36,8 +36,8 @@
 //!
 //! # One call
 //!
-//! The way of `cpu.all_pairs(Iou, &a, &b)`, with the files of `kernels/` that it leads through. A folder imports those below
-//! it, in this order: `row`, `call`, `machine`, `cpu`, `gpu`, `backend`, `verbs`, `ops`, `dynamic`, `check`, `fuzz`.
+//! The path of `cpu.all_pairs(Iou, &a, &b)` through the files of `kernels/`. A folder imports those below it, in this
+//! order: `row`, `call`, `machine`, `cpu`, `gpu`, `backend`, `verbs`, `ops`, `dynamic`, `check`, `fuzz`.
 //!
 //! ```text
 //! verbs/mod.rs           Iou of two boxes selects its row
@@ -93,7 +93,7 @@ pub use row::item::{self, Item, Single, Target};
 pub use row::op::{self, Op};
 pub use verbs::*;
 
-/// Results of reductions of all pairs, and reductions of a [`Matrix`](reduce::Matrix) that is there already.
+/// Results of reductions of all pairs, and reductions of a stored [`Matrix`](reduce::Matrix).
 pub mod reduce {
     pub use crate::kernels::cpu::matrix::Matrix;
     pub use crate::kernels::machine::found::{Best, Found};

@@ -9,11 +9,11 @@ use crate::kernels::row::item::counts::expect;
 use crate::kernels::row::item::rows::numbers;
 use crate::kernels::{Backend, Cpu};
 
-/// Rings on a machine, which are checked.
+/// Checked rings on a machine.
 #[derive(Clone, Debug)]
 pub struct Rings(Side);
 
-/// On the CPU vertices, and where each ring begins among them.
+/// The rings of a machine: on the CPU vertices and offsets.
 #[derive(Clone, Debug)]
 enum Side {
     Cpu(Vec<Vec2<f32>>, Vec<usize>),
@@ -26,7 +26,7 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// The input's as [`Cpu::ragged`](crate::kernels::Cpu::ragged), or what the device says.
+    /// The errors of the input as in [`Cpu::ragged`](crate::kernels::Cpu::ragged), or those of the device.
     pub fn upload_rings(self, vertices: &[Vec2<f32>], offsets: &[usize]) -> Result<Rings, Error> {
         Ok(Rings(match self {
             Backend::Cpu => {
@@ -39,8 +39,8 @@ impl Backend<'_> {
 }
 
 impl Rings {
-    /// [`Cpu::ragged`](crate::kernels::Cpu::ragged) of a measure of rings with kernels by hand: signed area, perimeter,
-    /// centroid.
+    /// Computes [`Cpu::ragged`](crate::kernels::Cpu::ragged) for a measure of rings with kernels by hand: signed area,
+    /// perimeter, centroid.
     ///
     /// # Errors
     ///
@@ -66,12 +66,12 @@ impl Rings {
         })
     }
 
-    /// [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
+    /// Computes the adjoint, as [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
     ///
     /// # Errors
     ///
-    /// The input's for an upstream of another length or one that is not finite, or what the
-    /// device says.
+    /// [`Error::Length`] for an upstream of another length, [`Error::Invalid`] for one that is not finite, or the
+    /// errors of the device.
     pub fn ragged_vjp<F>(&self, measure: F, upstream: &[F::Out<f32>]) -> Result<RingBars, Error>
     where
         F: Fold<Element<f32> = Vec2<f32>, Context<f32> = [f32; 0]>,
@@ -94,12 +94,12 @@ impl Rings {
         })
     }
 
-    /// Replaces the vertices; each ring keeps its number of them.
+    /// Replaces the vertices; the sizes of rings do not change.
     ///
     /// # Errors
     ///
-    /// The input's for another number of vertices or one that is not finite (the old ones
-    /// are then as they were), or what the device says.
+    /// [`Error::Length`] for another number of vertices, [`Error::Invalid`] for one that is not finite (no vertex
+    /// changes then), or the errors of the device.
     pub fn update(&mut self, vertices: &[Vec2<f32>]) -> Result<(), Error> {
         match &mut self.0 {
             Side::Cpu(own, offsets) => {

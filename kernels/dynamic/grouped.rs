@@ -1,4 +1,4 @@
-//! Groups of rows, and suppression, on columns of numbers.
+//! Pairs within groups, and suppression, on columns of numbers.
 use super::forms::Function;
 use super::rows::Rows;
 use crate::Real;
@@ -98,9 +98,9 @@ impl<T: Real> Function<T> {
 
 /// Suppression.
 impl<T: Real> Function<T> {
-    /// Returns the rows that no better one of their group, kept itself, suppresses, as
-    /// [`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped). The offsets of a list without groups are zero and
-    /// its length.
+    /// Returns the rows that no better kept row of their group suppresses, as
+    /// [`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped). A list without groups has the offsets `[0,
+    /// length]`.
     ///
     /// # Errors
     ///

@@ -8,10 +8,10 @@ use crate::kernels::row::item::{Item, by_shape, leaves_of, memory, put, width};
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// Reads the numbers of some shapes, one after another.
+/// A function that writes the numbers of some shapes, one after another.
 type Read<'a, T> = Box<dyn Fn(Range<usize>, &mut [T]) + Send + Sync + 'a>;
 
-/// The numbers of a column, in memory or by a function.
+/// The source of a column's numbers: memory, or a function.
 enum Numbers<'a, T> {
     Lent(&'a [T]),
     Read(Read<'a, T>),
@@ -20,16 +20,16 @@ enum Numbers<'a, T> {
 /// One argument of every item, as numbers.
 pub struct Column<'a, T> {
     numbers: Numbers<'a, T>,
-    /// Numbers per item.
+    /// The number of scalars per item.
     pub fields: usize,
-    /// How many items; `None` for one that stands for any number.
+    /// The number of items; `None` for one that stands for any number.
     pub count: Option<usize>,
-    /// The column on the machine, if it stays there.
+    /// The column on the machine, if it is there.
     pub(crate) held: Option<&'a dyn Stays<T>>,
 }
 
 impl<'a, T: Real> Column<'a, T> {
-    /// Shapes as a column.
+    /// Creates a column from shapes.
     pub(crate) fn of<P: Item<Scalar = T>>(shapes: &'a [P]) -> Self {
         let numbers = match memory::lent(shapes) {
             Some(numbers) => Numbers::Lent(numbers),
@@ -47,14 +47,15 @@ impl<'a, T: Real> Column<'a, T> {
             held: None,
         }
     }
-    /// Returns a column that stays on a machine, with its numbers if that is the CPU.
+    /// Creates a column from one on a machine, with its numbers if that is the CPU.
     pub(crate) fn held(own: &'a dyn Stays<T>, count: usize) -> Self {
         Column {
             held: Some(own),
             ..Column::lent(own.here().unwrap_or_default(), own.fields(), Some(count))
         }
     }
-    /// Numbers of shapes, one shape after another; `None` items for one that stands for any number.
+    /// Creates a column from the numbers of shapes, one shape after another; `None` items for one that stands for any
+    /// number.
     pub(crate) fn lent(numbers: &'a [T], fields: usize, count: Option<usize>) -> Self {
         Column {
             numbers: Numbers::Lent(numbers),
@@ -63,7 +64,7 @@ impl<'a, T: Real> Column<'a, T> {
             held: None,
         }
     }
-    /// Numbers that are read when they are needed.
+    /// Creates a column whose numbers `read` writes when they are needed.
     pub(crate) fn read(
         fields: usize,
         count: usize,
@@ -76,7 +77,7 @@ impl<'a, T: Real> Column<'a, T> {
             held: None,
         }
     }
-    /// Returns some numbers of every shape of a list.
+    /// Creates a column from some of the scalars of every shape of a list.
     fn part<P: Item<Scalar = T>>(shapes: &'a [P], part: Range<usize>) -> Self {
         let fields = part.len();
         Column {
@@ -94,18 +95,18 @@ impl<'a, T: Real> Column<'a, T> {
             held: None,
         }
     }
-    /// Returns the same for all items.
+    /// Returns the column as one whose item stands for all.
     pub(super) fn repeated(self) -> Self {
         Column {
             count: None,
             ..self
         }
     }
-    /// Returns how many items it holds itself.
+    /// Returns the number of items in memory.
     pub(crate) fn len(&self) -> usize {
         self.count.unwrap_or(1)
     }
-    /// Returns the numbers of some items, as they lie in memory or written into `room`.
+    /// Returns the numbers of some items: in place if they are contiguous, else written into `room`.
     pub(crate) fn numbers<'r>(&'r self, items: Range<usize>, room: &'r mut Vec<T>) -> &'r [T] {
         let items = match self.count {
             Some(_) => items,

@@ -1,4 +1,4 @@
-//! Downloads on their way.
+//! Downloads that have been started.
 use crate::GpuFault;
 use crate::error::Error;
 use std::fmt;
@@ -6,9 +6,9 @@ use std::future::Future;
 use std::pin::Pin;
 use std::task::{Context, Poll};
 
-/// A download of a device that was started.
+/// A started download of a device.
 pub(crate) trait Later<X>: Future<Output = Result<X, Error>> + Send + Unpin {
-    /// Waits for it.
+    /// Waits for the result.
     #[doc(hidden)]
     fn wait(self: Box<Self>) -> Result<X, Error>;
 }
@@ -18,7 +18,7 @@ pub(crate) trait Later<X>: Future<Output = Result<X, Error>> + Send + Unpin {
 pub struct Pending<X>(State<X>);
 
 enum State<X> {
-    /// It is here; taken when it was given away.
+    /// The result; `None` after it was taken.
     Ready(Option<X>),
     Later(Box<dyn Later<X>>),
 }
@@ -43,7 +43,7 @@ impl<X> Pending<X> {
     pub(crate) fn later(download: impl Later<X> + 'static) -> Self {
         Pending(State::Later(Box::new(download)))
     }
-    /// Returns the same download, with a function of its result.
+    /// Returns the download with `with` applied to its result.
     pub(crate) fn map<Y: 'static>(
         self,
         with: impl Fn(X) -> Y + Send + Unpin + 'static,
@@ -57,11 +57,11 @@ impl<X> Pending<X> {
         }
     }
 
-    /// Waits for it.
+    /// Waits for the result.
     ///
     /// # Errors
     ///
-    /// [`GpuFault::DeviceLost`], or [`GpuFault::OutOfMemory`] when there is no room for it.
+    /// [`GpuFault::DeviceLost`], or [`GpuFault::OutOfMemory`] when memory for the result is missing.
     pub fn wait(self) -> Result<X, Error> {
         match self.0 {
             State::Ready(found) => found.ok_or(Error::Gpu(GpuFault::DeviceLost)),
@@ -75,14 +75,14 @@ impl<X: Unpin> Future for Pending<X> {
 
     fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
         match &mut self.get_mut().0 {
-            // Polled again after it was ready, it has nothing more to give.
+            // A future that is polled after its result was taken stays pending.
             State::Ready(own) => own.take().map_or(Poll::Pending, |own| Poll::Ready(Ok(own))),
             State::Later(own) => Pin::new(&mut **own).poll(context),
         }
     }
 }
 
-/// A download with a function of its result.
+/// A download with a function to apply to its result.
 struct Mapped<X, F> {
     download: Box<dyn Later<X>>,
     with: F,
