@@ -1,4 +1,4 @@
-//! The replays of a search as programs: one for every record that occurs, in `f32` or `f64`.
+//! The replays of a search as programs: one for every record that occurs, in either format.
 use crate::Error;
 use crate::ad::program::Sym;
 use crate::ad::program::record::record_with_codes;
@@ -11,23 +11,23 @@ use crate::{Fixed, Pack, Real};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
 
-/// Programs that a search keeps; one more, and all are dropped. A bound of memory.
+/// The number of programs that a search keeps. One more drops all, which bounds the memory.
 const MOST_KEPT: usize = 1 << 14;
 
-/// Something for every pair of an input's codes and a record.
+/// A cache by an input's codes and its record.
 type Cache<D, X> = RwLock<HashMap<(Vec<u32>, <D as Search>::Record), Arc<X>>>;
 
 /// A run of numbers of an item or a result.
 #[derive(Clone, Copy, Debug)]
 enum Block {
-    /// Those of the search's input, or of a gradient or direction, which has the input's codes.
+    /// The numbers of the search's input, or of a gradient or direction, which has the input's codes.
     Input,
-    /// So many numbers.
+    /// A number of plain scalars.
     Plain(usize),
 }
 
 impl Block {
-    /// Its numbers in a program, which has no codes, and in a column.
+    /// Returns the number of scalars in a program, which has no codes, and in a column.
     const fn sizes<R: Item>(self) -> [usize; 2] {
         match self {
             Block::Input => [R::LEN, width::<R>()],
@@ -89,12 +89,12 @@ where
     })
 }
 
-/// Returns the numbers of some blocks in a program, which has no codes.
+/// Returns the number of scalars of some blocks in a program, which has no codes.
 fn numbers_of<R: Item>(blocks: &[Block]) -> usize {
     blocks.iter().map(|block| block.sizes::<R>()[0]).sum()
 }
 
-/// Returns the value of a key, made on first use. Two threads may make it; the first is kept.
+/// Returns the value of a key, made at first use. If two threads make it, the first is kept.
 fn made<D: Search, X>(
     all: &Cache<D, X>,
     key: (Vec<u32>, D::Record),
@@ -125,7 +125,7 @@ where
         let mut recorded = record_with_codes::<T, In<D, T>, Out<D, T>>(codes, replay)?;
         for step in &self.steps {
             recorded = match *step {
-                // Without the result, which [`by_reverse`] gives first: a replay gives the derivative alone.
+                // Without the value, which [`by_reverse`] puts first: a replay computes the derivative alone.
                 Step::Mode(Mode::Vjp) => recorded.vjp(),
                 Step::Mode(mode) => by_reverse(&recorded, mode),
                 Step::Along(Order::First) => recorded.jvp(),
@@ -134,7 +134,7 @@ where
         }
         Ok(recorded)
     }
-    /// Codes and record of an item; appends its numbers without codes to `taken`.
+    /// Returns codes and record of an item; appends its numbers without codes to `taken`.
     fn key(&self, numbers: &[T], taken: &mut Vec<T>) -> (Vec<u32>, D::Record) {
         let mut rest = numbers;
         for block in &self.takes {
@@ -152,7 +152,7 @@ where
     }
 }
 
-/// Returns the input of a search that an item begins with.
+/// Returns the input of a search, with which an item's numbers begin.
 fn input<D: Search, T: Real>(numbers: &[T]) -> D::In<T>
 where
     D::In<T>: Item<Scalar = T>,

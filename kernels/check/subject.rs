@@ -1,5 +1,4 @@
-//! An operation as a subject of the verification harness: its witnesses, its invariances, what it
-//! does on purpose.
+//! An operation as a subject of the verification harness: its witnesses and its declared properties.
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::trace::{Trace, Traced, num_duals, of_num_duals, trace};
@@ -14,9 +13,9 @@ use crate::kernels::check::witness::Batch;
 use crate::{Fixed, Jet, Pack, Real, Scalar};
 use std::fmt;
 
-/// An operation's value by another path.
+/// A second computation of an operation's value.
 pub type Path<S> = fn(&[S]) -> Vec<S>;
-/// An operation's value and derivatives, fused.
+/// The fused computation of an operation's value and derivatives.
 pub type Fused<S> = fn(&[S]) -> (Vec<S>, Vec<S>);
 
 /// An operation near an input, in one format.
@@ -35,7 +34,7 @@ impl<S: Real> fmt::Debug for OpSubject<'_, S> {
     }
 }
 
-/// The statements of a source.
+/// The declared properties of a source.
 #[derive(Clone, Copy)]
 struct Stated {
     outputs: usize,
@@ -44,8 +43,8 @@ struct Stated {
     conventions: Conventions,
 }
 
-/// A source near an input, as functions of lists of every kind of number that the harness asks: what asks is compiled
-/// once, whatever the source.
+/// A source near an input, as untyped functions of every number type of the harness, so that the harness is compiled
+/// once.
 trait Code<S: Real> {
     fn value(&self, x: &[S]) -> Vec<S>;
     fn first(&self, x: &[First<S>]) -> Vec<First<S>>;
@@ -61,11 +60,11 @@ trait Code<S: Real> {
         x: &[Jet<Noisy<S>, 1>],
         y_bar: &[Jet<Noisy<S>, 1>],
     ) -> Vec<Jet<Noisy<S>, 1>>;
-    /// Returns the same source in double precision.
+    /// Returns this source in double precision.
     fn wide(&self) -> OpSubject<'_, f64>;
 }
 
-/// A source near an input, which says how many numbers there are.
+/// A source near an input, which fixes the number of scalars.
 struct At<'a, O: WithAdjoint>(&'a O::In<f64>)
 where
     O::In<f64>: Sample;
@@ -130,7 +129,7 @@ where
 }
 
 impl<'a, S: Real> OpSubject<'a, S> {
-    /// Returns a source near an input, which says how many numbers there are.
+    /// Creates a subject from a source near an input, which fixes the number of scalars.
     #[must_use]
     pub fn of<O: WithAdjoint>(
         near: &'a O::In<f64>,
@@ -160,7 +159,7 @@ impl<'a, S: Real> OpSubject<'a, S> {
             },
         }
     }
-    /// With a batch as a further witness; a batch computes in `f32`.
+    /// Adds a batch as a further witness; a batch computes in `f32`.
     #[must_use]
     pub fn with_batch(mut self, batch: Option<&'a Batch<'a>>) -> Self {
         self.batch = batch;
@@ -187,7 +186,7 @@ impl<S: Real> Subject for OpSubject<'_, S> {
         Some(widened(&self.code.vjp(&nearest(x), &nearest(y_bar))))
     }
     fn noisy(&self, x: &[f64], y_bar: &[f64], seed: u64) -> Option<Vec<f64>> {
-        // Low parts of single precision hold what roundings leave; others would spoil them.
+        // Low parts in single precision hold rounding errors; other values would distort them.
         if S::COMPENSATED {
             return None;
         }

@@ -1,4 +1,4 @@
-//! Tests of many inputs of an operation at a time.
+//! Tests of a list of inputs of an operation.
 use super::arguments::Inputs;
 use super::families::{Family, limits_of, power};
 use super::job::{Job, Lists};
@@ -11,32 +11,32 @@ use crate::kernels::row::op::{Finite, Limits};
 use crate::scalar::Guard;
 use crate::{Jet, Real, Scalar};
 
-/// One of so many inputs is computed again by the scalar code, and one with duals.
+/// The step between the inputs that the scalar code computes, too, and between those of duals.
 const SINGLE: usize = 127;
 const DUAL: usize = 1021;
 
-/// Shapes of a square that is computed as all pairs.
+/// The number of shapes whose all pairs are computed.
 const SQUARE: usize = 16;
 
-/// Values of duals are those of plain numbers but for so many roundings, and for what is below the least normal number.
+/// The number of roundings by which the value of duals may differ, apart from numbers below the smallest normal one.
 const DUAL_ROUNDINGS: f64 = 16.0;
 
-/// Inputs are judged as far as this says, so that not everything is done to all of them.
+/// The choice of tests for a list, since all tests for all inputs would take too long.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Thorough {
-    /// Computed at all levels of instructions.
+    /// `true` to compute at all levels of instructions.
     pub levels: bool,
-    /// With cotangents of all sizes.
+    /// `true` to use cotangents of all sizes.
     pub upstream: bool,
-    /// With exchanged and with identical shapes.
+    /// `true` to test exchanged and identical shapes.
     pub pairs: bool,
-    /// The first of them by scalar code, with duals, and as all pairs.
+    /// The step between inputs that the scalar code computes, too, and between those of duals.
     pub single: usize,
     pub dual: usize,
 }
 
 impl Thorough {
-    /// Everything, of all inputs.
+    /// All tests.
     pub const ALL: Thorough = Thorough {
         levels: true,
         upstream: true,
@@ -44,7 +44,7 @@ impl Thorough {
         single: 1,
         dual: 1,
     };
-    /// Returns some of it.
+    /// Returns a random choice of tests.
     pub fn some(draw: &mut Draw) -> Self {
         Thorough {
             levels: draw.once_in(8),
@@ -64,7 +64,7 @@ pub(super) struct Found<T> {
 
 pub(super) type Outcome = Result<(), Finding>;
 
-/// The property is broken at a place, if there is one.
+/// Returns the finding that a property is broken at `place`; no finding for `None`.
 pub(super) fn unless(property: Property, place: Option<usize>) -> Outcome {
     place.map_or(Ok(()), |at| Err(Finding { property, at }))
 }
@@ -75,10 +75,10 @@ fn same<T: Real>(a: &[T], b: &[T]) -> bool {
     a.len() == b.len() && a.iter().map(bits).eq(b.iter().map(bits))
 }
 
-/// Returns the first place of a number that is not finite.
+/// Returns the index of the first number that is not finite.
 #[allow(clippy::eq_op)]
 fn not_finite<T: Real>(list: &[T]) -> Option<usize> {
-    // A number less itself is zero, unless it is infinite or none; sums need no branches.
+    // A number minus itself is zero unless it is infinite or NaN; sums need no branches.
     let (whole, rest) = list.as_chunks::<16>();
     let mut sums = [T::zero(); 16];
     for numbers in whole {
@@ -92,14 +92,14 @@ fn not_finite<T: Real>(list: &[T]) -> Option<usize> {
     }
 }
 
-/// Returns the first place of which something is true, which it hardly ever is.
+/// Returns the index of the first entry that is `ill`, which is rare.
 pub(super) fn first_where<T>(list: &[T], ill: impl Fn(&T) -> bool) -> Option<usize> {
     let found = list.iter().fold(false, |any, x| any | ill(x));
     found.then(|| list.iter().position(ill)).flatten()
 }
 
 impl<T: Real> Job<T> {
-    /// Cotangents of one.
+    /// Returns cotangents of one.
     fn ones(&self, count: usize) -> Lists<T> {
         let of = |&fields: &usize| vec![T::one(); fields * count];
         self.outputs.iter().map(of).collect()
@@ -127,7 +127,7 @@ impl<T: Real> Job<T> {
         })
     }
 
-    /// Returns the input of which a derivative of a list is.
+    /// Returns the index of the input to which derivative number `at` of a list belongs.
     fn input_at(&self, inputs: &Inputs<T>, list: usize, at: usize) -> usize {
         match self.shapes.get(list) {
             Some(shape) => at / shape.leaf.fields,
@@ -189,7 +189,7 @@ impl<T: Real> Job<T> {
         })
     }
 
-    /// Judges inputs; the first finding ends it.
+    /// Tests inputs until the first finding.
     pub(super) fn judge(&self, inputs: &Inputs<T>, upstream: &Lists<T>, how: Thorough) -> Outcome {
         let found = self.compute(inputs)?;
         self.finite_values(&found.values)?;
@@ -219,7 +219,7 @@ impl<T: Real> Job<T> {
         self.exchanged(inputs, &found)
     }
 
-    /// By the scalar code, at other levels, in other forms, at other places.
+    /// Tests that the scalar code, other levels, other forms and other positions give equal bits.
     fn same_bits(&self, inputs: &Inputs<T>, found: &Found<T>, how: Thorough) -> Outcome {
         let broken = |place| unless(Property::SameBits, place);
         let accepted = |place| Finding {
@@ -237,7 +237,7 @@ impl<T: Real> Job<T> {
                 return false;
             }
             let ones: Vec<T> = value.iter().map(|_| T::one()).collect();
-            // Batches give no zero with a sign.
+            // Batches return no zero with a sign.
             let plain =
                 |list: Vec<T>| -> Vec<T> { list.into_iter().map(|x| x.canonical()).collect() };
             !same(&plain((self.alone)(&x)), &value)
@@ -292,7 +292,7 @@ impl<T: Real> Job<T> {
         else {
             return Ok(());
         };
-        // From a place of no multiple of anything.
+        // From an index that is no multiple of a lane's length.
         let items = 1..1 + SQUARE;
         let planes = square(inputs, items.clone()).map_err(|_| accepted(1))?;
         let place = (0..SQUARE).find(|&i| {
@@ -316,7 +316,7 @@ impl<T: Real> Job<T> {
         broken(place.map(|i| 1 + i))
     }
 
-    /// Duals: finite, and with the value of plain numbers.
+    /// Tests that duals are finite, with the value of plain numbers.
     fn duals(&self, inputs: &Inputs<T>, found: &Found<T>, how: Thorough) -> Outcome {
         let Some(recorded) = &self.recorded else {
             return Ok(());
@@ -352,8 +352,8 @@ impl<T: Real> Job<T> {
         Ok(())
     }
 
-    /// NaN in one number after another of every so many inputs, as methods guard their results: NaN, and without it the
-    /// bits of the batch.
+    /// Sets one number after another of some inputs to NaN: guarded results must be NaN, and without NaN guards must
+    /// not change a bit.
     fn nan(&self, inputs: &Inputs<T>, found: &Found<T>, how: Thorough) -> Outcome {
         let Some(recorded) = &self.recorded else {
             return Ok(());
@@ -391,7 +391,7 @@ impl<T: Real> Job<T> {
         })
     }
 
-    /// Cotangents of all sizes.
+    /// Returns cotangents of all sizes.
     pub(super) fn cotangents(&self, draw: &mut Draw, count: usize) -> Lists<T> {
         let family = Family::any::<T>(draw);
         let mut of = |&fields: &usize| {

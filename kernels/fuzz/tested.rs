@@ -1,6 +1,6 @@
-//! The rows as the harness, the fuzzer, tests and benches take them: values without types.
+//! The rows as untyped values for the harness, the fuzzer, tests and benches.
 //!
-//! A program that asks for them compiles every row with all that judges it, and should do so in one place.
+//! A program that uses them compiles every row with its tests, and should do so in one place.
 use crate::ad::check::{Report, Sampling};
 use crate::ad::sample::drawn::Kinship;
 use crate::ad::sample::{Draw, Family, Sample, random};
@@ -24,13 +24,13 @@ use crate::{Fixed, Pack, Real};
 use std::fmt;
 use std::sync::OnceLock;
 
-/// Texts of shaders, each with a name.
+/// Shader sources, each with its name.
 pub type Shaders = Result<Vec<(String, String)>, Error>;
 
-/// A row of the library, with what draws its inputs and what judges it.
+/// A row of the library, with the source of its inputs and its tests.
 ///
-/// Numbers of an input are those of its columns: shape by shape, first field first, codes after the scalars of their
-/// shape; of a path, the vertices last.
+/// An input is a list of numbers: its shapes one after another, each with its scalars and then its codes, and last the
+/// vertices of a path.
 #[derive(Clone, Copy)]
 pub struct Tested {
     /// The row.
@@ -78,12 +78,12 @@ impl Tested {
     pub const fn name(&self) -> &'static str {
         self.operation.declared.name
     }
-    /// Runs every check of the harness; with a backend, batches on it are further witnesses of `f32`. Searches and
-    /// folds have none.
+    /// Runs every check of the harness. With a backend, its batches are further witnesses of `f32`. Searches and folds
+    /// have none.
     ///
     /// # Errors
     ///
-    /// The backend's.
+    /// The errors of the backend.
     pub fn check<S: Real>(
         &self,
         plan: &Sampling<'_>,
@@ -91,7 +91,7 @@ impl Tested {
     ) -> Result<Report, Error> {
         (self.formed::<S>().check)(self, plan, backend)
     }
-    /// Fuzzes it with so many inputs from a seed.
+    /// Fuzzes it with `count` inputs from a seed.
     #[must_use]
     pub fn fuzz<S: Real>(&self, count: u64, seed: u64) -> Fuzzed {
         (self.formed::<S>().fuzz)(self, count, seed)
@@ -101,7 +101,7 @@ impl Tested {
     pub fn alone<S: Real>(&self, x: &[S]) -> Vec<S> {
         (self.formed::<S>().code.alone)(x)
     }
-    /// Returns the result and the derivatives of a cotangent by hand; `None` where there are none.
+    /// Returns the result and the derivatives by hand, from a cotangent; `None` without them.
     #[must_use]
     pub fn by_hand<S: Real>(&self, x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
         (self.formed::<S>().code.by_hand)(x, out_bar)
@@ -116,7 +116,7 @@ impl Tested {
     pub fn ordinary(&self, draw: &mut Draw) -> Vec<f64> {
         (self.inputs.ordinary)(draw)
     }
-    /// Returns the cases at which geometry fails.
+    /// Returns the hard cases of its shapes, in which geometry often fails.
     #[must_use]
     pub fn hard(&self) -> Vec<Vec<f64>> {
         (self.inputs.hard)()
@@ -126,7 +126,7 @@ impl Tested {
     pub fn show(&self, x: &[f64]) -> String {
         (self.inputs.show)(x)
     }
-    /// Returns every shader that it may need; a search has none of its own.
+    /// Returns every shader that it can need; a search has none of its own.
     ///
     /// # Errors
     ///
@@ -194,7 +194,7 @@ fn fuzz_straight<S: Real>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
 }
 
 impl Inputs {
-    /// Inputs of one type.
+    /// Returns the inputs of one type.
     const fn of<X: Sample + Item>() -> Self {
         Inputs {
             random: fuzz::sampled::<X>,
@@ -205,7 +205,7 @@ impl Inputs {
             name: X::name,
         }
     }
-    /// Inputs with a path, and something before it or not.
+    /// Returns inputs with a path, and with a context if it has one.
     const fn of_path<X: Sample>() -> Self {
         Inputs {
             random: |draw| random::<X>(draw).scalars(),
@@ -213,13 +213,13 @@ impl Inputs {
             hard: || X::hard().iter().map(Pack::scalars).collect(),
             show: |x| format!("{x:?}"),
             kinship: Kinship::of::<X>(),
-            // Numbers of a path have no names.
+            // The numbers of a path have no names.
             name: f64::name,
         }
     }
 }
 
-/// Rows as values.
+/// A list of rows, filled by the walk over all rows.
 struct Values(Vec<Tested>);
 
 impl Walk for Values {
@@ -346,8 +346,8 @@ impl Walk for Values {
     }
 }
 
-/// Every row of the library, in the order of [`operations`](crate::kernels::dynamic::operations).
-// Inlined, so that it is compiled where it is called.
+/// Returns every row of the library, in the order of [`operations`](crate::kernels::dynamic::operations).
+// Inlined, so that the calling crate compiles the rows.
 #[inline]
 #[must_use]
 pub fn rows() -> &'static [Tested] {

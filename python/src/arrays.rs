@@ -12,16 +12,16 @@ use pyo3::exceptions::{PyMemoryError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-/// An argument as it was given.
+/// An argument in the form of the caller.
 pub enum Given<'py> {
     Array(Bound<'py, PyUntypedArray>),
-    /// Arrays of one axis, of one length and format: a field each.
+    /// Arrays of one axis, of one length and format: one per field.
     Columns(Vec<Py<PyUntypedArray>>),
     Number(f64),
 }
 
 impl<'py> Given<'py> {
-    /// An argument for a column: an array, or a shape of its kind.
+    /// Reads an argument for a column: an array, or a shape of its kind.
     pub fn new(x: &Bound<'py, PyAny>, column: &Column) -> PyResult<Self> {
         if let Ok(shape) = x.cast::<Shape>() {
             let shape = shape.get();
@@ -50,7 +50,7 @@ impl<'py> Given<'py> {
             return Ok(Given::Number(number.extract()?));
         }
         let array = array(x, &column.name, column.kind)?;
-        // A lone number stands for a shape of one.
+        // A lone number stands for a shape with one number.
         if table().is_one_number(column.kind)
             && column.axes == [1]
             && array.shape().last() != Some(&1)
@@ -60,7 +60,7 @@ impl<'py> Given<'py> {
         }
         Ok(Given::Array(array))
     }
-    /// True if it is an array of `f32`, or says nothing.
+    /// Returns `true` for an array of `f32`; `None` for an argument without a format.
     fn format(&self, py: Python<'_>) -> Option<bool> {
         match self {
             Given::Columns(columns) => {
@@ -73,20 +73,20 @@ impl<'py> Given<'py> {
     }
 }
 
-/// Why symbols cannot be used here.
+/// Returns the error for symbols in a place that cannot take them.
 pub fn symbolic(name: &str) -> PyErr {
     PyTypeError::new_err(format!(
         "`{name}` has symbols, which only the plain call of a verb or a function takes"
     ))
 }
 
-/// True if a call is in `f64`: not if all arrays are `f32`.
+/// Returns `true` if a call is in `f64`: unless all arrays are `f32`.
 pub fn is_double(py: Python<'_>, given: &[Given<'_>]) -> bool {
     let mut formats = given.iter().filter_map(|own| own.format(py)).peekable();
     formats.peek().is_none() || formats.any(|is_double| is_double)
 }
 
-/// An argument, lent: its numbers one after another, or an array for every field.
+/// A borrowed argument: its numbers in row-major order, or an array for every field.
 pub struct Lent<'py, T: Number> {
     parts: Vec<PyReadonlyArrayDyn<'py, T>>,
     is_apart: bool,
@@ -95,13 +95,13 @@ pub struct Lent<'py, T: Number> {
 }
 
 impl<'py, T: Number> Lent<'py, T> {
-    /// The numbers of an argument, copied only where they are of another format or not one after another.
+    /// Borrows the numbers of an argument. Copies arrays of another format, or not contiguous.
     pub fn new(py: Python<'py>, given: Given<'py>, column: &Column) -> PyResult<Self> {
         let array = match given {
             Given::Array(array) => array.into_any(),
             Given::Columns(columns) if columns.len() == column.fields() => {
                 let count = columns.first().map_or(0, |own| own.bind(py).len());
-                // One row may stand for all, as rows do.
+                // One row may stand for all, as in [`Rows`].
                 if count != 1 {
                     return Lent::apart(py, columns, column, count);
                 }
@@ -149,11 +149,11 @@ impl<'py, T: Number> Lent<'py, T> {
             fields: column.fields(),
         })
     }
-    /// Axes before those of the fields.
+    /// Returns the axes before those of the fields.
     pub fn lead(&self) -> &[usize] {
         &self.lead
     }
-    /// The numbers of an argument that is no shape.
+    /// Returns the numbers of an argument that is no shape.
     pub fn numbers(&self) -> PyResult<&[T]> {
         match (&self.parts[..], self.is_apart) {
             ([whole], false) => slice(whole),
@@ -162,11 +162,11 @@ impl<'py, T: Number> Lent<'py, T> {
             )),
         }
     }
-    /// What [`rows`](Lent::rows) are made of: all numbers, or those of every field.
+    /// Returns the slices from which [`rows`](Lent::rows) makes rows: all numbers, or those of every field.
     pub fn slices(&self) -> PyResult<Vec<&[T]>> {
         self.parts.iter().map(slice).collect()
     }
-    /// As rows, of which one stands for all if it may.
+    /// Returns the rows; one row stands for all if it may.
     pub fn rows<'s>(&self, slices: &'s [&'s [T]], may_be_one: bool) -> Rows<'s, T> {
         match slices {
             [numbers] if !self.is_apart && may_be_one && self.count() == 1 => Rows::one(numbers),
@@ -177,7 +177,7 @@ impl<'py, T: Number> Lent<'py, T> {
     pub fn count(&self) -> usize {
         self.lead.iter().product()
     }
-    /// Rows repeated for the leading axes of a result.
+    /// Repeats rows for the leading axes of a result.
     pub fn repeated(self, py: Python<'py>, lead: &[usize], column: &Column) -> PyResult<Self> {
         let shape = with_fields(lead, column);
         let numpy = py.import("numpy")?;
@@ -195,7 +195,7 @@ impl<'py, T: Number> Lent<'py, T> {
     }
 }
 
-/// The numbers of an array, one after another.
+/// Returns the numbers of a contiguous array.
 fn slice<'s, T: Number>(own: &'s PyReadonlyArrayDyn<'_, T>) -> PyResult<&'s [T]> {
     let failed = |error: numpy::AsSliceError| PyValueError::new_err(error.to_string());
     own.as_slice().map_err(failed)
@@ -205,7 +205,7 @@ fn in_use(name: &str) -> PyErr {
     PyValueError::new_err(format!("`{name}` is being written by another call"))
 }
 
-/// An array of a format whose numbers are one after another: itself, or a copy.
+/// Returns a contiguous array in the format: the array itself, or a copy.
 fn plain<T: Number>(array: Bound<'_, PyAny>) -> PyResult<Bound<'_, PyArrayDyn<T>>> {
     let py = array.py();
     if let Ok(same) = array.cast::<PyArrayDyn<T>>()
@@ -221,14 +221,14 @@ fn plain<T: Number>(array: Bound<'_, PyAny>) -> PyResult<Bound<'_, PyArrayDyn<T>
     Ok(made.cast_into::<PyArrayDyn<T>>()?)
 }
 
-/// The shape of an array of a column.
+/// Returns the shape of an array of a column.
 pub fn with_fields(lead: &[usize], column: &Column) -> Vec<usize> {
     let mut shape = lead.to_vec();
     shape.extend(&column.axes);
     shape
 }
 
-/// The axes of an array before those of its fields.
+/// Returns the axes of an array before those of its fields.
 fn lead<'a>(shape: &'a [usize], column: &Column) -> PyResult<&'a [usize]> {
     if column.axes.is_empty() {
         return Ok(shape);
@@ -251,7 +251,7 @@ fn lead<'a>(shape: &'a [usize], column: &Column) -> PyResult<&'a [usize]> {
     }
 }
 
-/// The leading axes of a result, by NumPy's rules, and how many rows that are.
+/// Returns the leading axes of a result, by NumPy's rules, and their number of rows.
 pub fn broadcast<T: Number>(
     lent: &[Lent<'_, T>],
     columns: &[Column],
@@ -292,7 +292,7 @@ fn shapes_of<T: Number>(lent: &[Lent<'_, T>]) -> String {
     lent.iter().map(one).collect::<Vec<_>>().join(" and ")
 }
 
-/// Arguments whose rows are as many as those of the result, or one.
+/// Repeats arguments so that each has as many rows as the result, or one.
 pub fn aligned<'py, T: Number>(
     py: Python<'py>,
     lent: Vec<Lent<'py, T>>,
@@ -321,7 +321,7 @@ pub fn aligned<'py, T: Number>(
     fitted.collect()
 }
 
-/// An array for results: a new one whose numbers are all written, or the caller's.
+/// An array for results: a new one that is written completely, or the caller's.
 pub struct Target<'py, T: Number> {
     array: Bound<'py, PyArrayDyn<T>>,
     object: Bound<'py, PyAny>,
@@ -349,7 +349,7 @@ impl<'py, T: Number> Target<'py, T> {
             is_callers: false,
         })
     }
-    /// The caller's array, or that of the caller's shape.
+    /// Returns the caller's array as a target, also if it is inside a shape.
     pub fn given(out: &Bound<'py, PyAny>, shape: &[usize], name: &str) -> PyResult<Self> {
         let mut object = out.clone();
         if let Ok(dressed) = out.cast::<Shape>()
@@ -391,7 +391,7 @@ impl<'py, T: Number> Target<'py, T> {
             ))
         })
     }
-    /// The result as an object: the caller's own, or the new array by `dress`.
+    /// Returns the result as an object: the caller's own, or the new array after `dress`.
     pub fn done(
         self,
         dress: impl FnOnce(Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>>,
@@ -403,14 +403,14 @@ impl<'py, T: Number> Target<'py, T> {
     }
 }
 
-/// The numbers of a locked array.
+/// Returns the numbers of a locked array.
 pub fn written<'a, T: Number>(guard: &'a mut PyReadwriteArrayDyn<'_, T>) -> PyResult<&'a mut [T]> {
     guard
         .as_slice_mut()
         .map_err(|error| PyValueError::new_err(error.to_string()))
 }
 
-/// Offsets of groups or of paths: whole numbers, none of them negative.
+/// Returns offsets of groups or of paths: whole numbers that are not negative.
 pub fn offsets(py: Python<'_>, x: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<usize>> {
     let array = py.import("numpy")?.call_method1("asarray", (x,))?;
     let dtype = array.getattr("dtype")?;

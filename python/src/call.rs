@@ -1,4 +1,4 @@
-//! Callables: a row of the table, or a traced function, with everything that is derived of it.
+//! Callables: a row of the table, or a traced function, with their derivatives.
 use crate::column::{Column, Kind, NUMBERS};
 use crate::number::{Form, Made, Number};
 use crate::raised;
@@ -22,9 +22,9 @@ enum Body {
 /// A row or a traced function.
 pub struct Callable {
     body: Body,
-    /// The arguments, but for paths.
+    /// The arguments, without paths.
     pub takes: Vec<Column>,
-    /// The results; a traced function has them after its first recording only.
+    /// The results; a traced function has them after its first recording.
     gives: OnceLock<Vec<Column>>,
     cache: Cache,
 }
@@ -52,14 +52,14 @@ impl Callable {
             cache: Cache::default(),
         }
     }
-    /// The row that it is.
+    /// Returns the row, if it is one.
     pub fn operation(&self) -> Option<&'static Operation> {
         match &self.body {
             Body::Row(operation) => Some(operation),
             Body::Traced(_) => None,
         }
     }
-    /// The function of Python that it records.
+    /// Returns the function of Python that it records, if it is one.
     pub fn traced(&self) -> Option<&Traced> {
         match &self.body {
             Body::Row(_) => None,
@@ -69,27 +69,27 @@ impl Callable {
     pub fn is_of_paths(&self) -> bool {
         self.operation().is_some_and(|row| row.sort == Sort::Fold)
     }
-    /// True if its result is a tuple, even of one.
+    /// Returns `true` if its result is a tuple, even of one.
     pub fn is_tuple(&self) -> bool {
         match &self.body {
             Body::Row(_) => self.gives().len() > 1,
             Body::Traced(traced) => traced.is_tuple(),
         }
     }
-    /// The results, after it was recorded; none before.
+    /// Returns the results; an empty list before the recording.
     pub fn gives(&self) -> &[Column] {
         self.gives.get().map_or(&[], |gives| gives)
     }
-    /// Numbers of a result.
+    /// Returns the number of scalars of a result.
     pub fn outputs(&self) -> usize {
         self.gives().iter().map(Column::fields).sum()
     }
-    /// Numbers of an input.
+    /// Returns the number of scalars of an input.
     pub fn inputs(&self) -> usize {
         self.takes.iter().map(Column::fields).sum()
     }
 
-    /// The columns of a form.
+    /// Returns the columns of a form.
     pub fn signature(&self, form: Form) -> PyResult<&Signature> {
         let kept = &self.cache.signatures[form as usize];
         if let Some(signature) = kept.get() {
@@ -159,7 +159,7 @@ impl Callable {
         Signature { takes, gives }
     }
 
-    /// The program of a form.
+    /// Returns the program of a form.
     pub fn program<T: Number>(&self, form: Form) -> PyResult<&Program<T>> {
         let kept = &T::made(&self.cache.made).programs[form as usize];
         if let Some(program) = kept.get() {
@@ -195,7 +195,7 @@ impl Callable {
         Ok(kept.get_or_init(|| made))
     }
 
-    /// The function of a form.
+    /// Returns the function of a form.
     pub fn function<T: Number>(&self, form: Form) -> PyResult<&Function<T>> {
         let kept = &T::made(&self.cache.made).functions[form as usize];
         if let Some(function) = kept.get() {
@@ -220,7 +220,7 @@ impl Callable {
         Ok(kept.get_or_init(|| made))
     }
 
-    /// The function of paths.
+    /// Returns the function of paths.
     pub fn on_paths<T: Number>(&self) -> PyResult<&OnPaths<T>> {
         let kept = T::made(&self.cache.made)
             .on_paths

@@ -86,7 +86,7 @@ impl Report {
     }
 }
 
-/// How inputs of columns are drawn.
+/// Returns the distribution of inputs for columns.
 fn inputs(columns: &[Column]) -> Inputs {
     let mut parts = Vec::new();
     for column in columns {
@@ -98,7 +98,7 @@ fn inputs(columns: &[Column]) -> Inputs {
     Inputs::new(parts)
 }
 
-/// The names of the numbers of columns.
+/// Returns the names of the numbers of columns.
 fn names(columns: &[Column]) -> Vec<String> {
     let mut all = Vec::new();
     for column in columns {
@@ -120,7 +120,7 @@ fn names(columns: &[Column]) -> Vec<String> {
     all
 }
 
-/// The arguments of a check beside its function.
+/// The arguments of a check besides its function.
 #[derive(FromPyObject)]
 pub struct Asked<'py> {
     #[pyo3(item)]
@@ -153,7 +153,7 @@ impl Asked<'_> {
     }
 }
 
-/// The first exception of a function of Python, after which nothing is called any more.
+/// The first exception of a function of Python, after which no function is called.
 #[derive(Default)]
 struct Thrown(RefCell<Option<PyErr>>);
 
@@ -175,7 +175,7 @@ impl Thrown {
     }
 }
 
-/// Runs a check with what was asked.
+/// Runs a check with these arguments.
 fn with<'py, X>(
     py: Python<'py>,
     asked: &Asked<'py>,
@@ -275,7 +275,7 @@ fn judged<T: Number>(
             Ok(y)
         })
     };
-    // One number of the result: its gradient; several: the products with a cotangent.
+    // With one number in the result the gradient; with several the products with a cotangent.
     let adjoint = |x: Vec<T>, bar: &[T]| {
         let n = x.len();
         thrown.or(nowhere(n), || {
@@ -299,7 +299,7 @@ fn judged<T: Number>(
     thrown.done(found)
 }
 
-/// A list of numbers in a format.
+/// Returns a list of numbers in a format.
 fn listed<T: Number>(x: &Bound<'_, PyAny>) -> PyResult<Vec<T>> {
     let py = x.py();
     let array = py

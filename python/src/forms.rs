@@ -1,4 +1,4 @@
-//! The forms of a call, for rows of the table and traced functions alike.
+//! The forms of a call, for rows of the table and for traced functions.
 use crate::arrays::{
     Given, Lent, Target, aligned, broadcast, is_double, offsets, with_fields, written,
 };
@@ -18,7 +18,7 @@ use pyo3::types::{PyList, PyTuple};
 
 pub type Object<'py> = Bound<'py, PyAny>;
 
-/// A call: what of, its name in messages, and its arguments.
+/// A call: the callable, its name in messages, and its arguments.
 pub struct Call<'a, 'py> {
     pub py: Python<'py>,
     pub of: &'a Callable,
@@ -43,7 +43,7 @@ macro_rules! in_format {
 
 pub(crate) use in_format;
 
-/// Results of a list by their places: what `out` has there.
+/// Lists the entries of `out` in the order of results.
 fn flattened<'py>(out: &Object<'py>, into: &mut Vec<Option<Object<'py>>>) -> PyResult<()> {
     if out.cast::<PyTuple>().is_ok() || out.cast::<PyList>().is_ok() {
         for part in out.try_iter()? {
@@ -56,7 +56,7 @@ fn flattened<'py>(out: &Object<'py>, into: &mut Vec<Option<Object<'py>>>) -> PyR
 }
 
 impl<'py> Call<'_, 'py> {
-    /// The arguments of columns.
+    /// Reads the arguments of columns.
     fn given(&self, columns: &[Column]) -> PyResult<Vec<Given<'py>>> {
         if self.arguments.len() != columns.len() {
             let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
@@ -97,7 +97,7 @@ impl<'py> Call<'_, 'py> {
         done.map_err(raised)
     }
 
-    /// Item by item.
+    /// Computes item by item.
     pub fn item_by_item(&self, form: Form) -> PyResult<Object<'py>> {
         let signature = self.of.signature(form)?;
         if form == Form::ValueGrad {
@@ -125,7 +125,7 @@ impl<'py> Call<'_, 'py> {
             }
         })
     }
-    /// Results that a call writes, of so many items.
+    /// Computes the results of `count` items into targets.
     fn filled<T: Number>(
         &self,
         form: Form,
@@ -168,7 +168,7 @@ impl<'py> Call<'_, 'py> {
         }
         self.arranged(form, results)
     }
-    /// New arrays for results, or the caller's.
+    /// Returns new arrays for results, or the caller's.
     fn targets<T: Number>(
         &self,
         lead: &[usize],
@@ -195,7 +195,7 @@ impl<'py> Call<'_, 'py> {
         });
         given.collect()
     }
-    /// Results in the form that a caller takes apart.
+    /// Returns results in the structure that the caller expects.
     pub fn arranged(&self, form: Form, mut results: Vec<Object<'py>>) -> PyResult<Object<'py>> {
         let (py, values) = (self.py, self.of.gives().len());
         let tuple = |list: Vec<Object<'py>>| PyTuple::new(py, list).map(Bound::into_any);
@@ -222,7 +222,7 @@ impl<'py> Call<'_, 'py> {
         }
     }
 
-    /// Both lists of a call of all pairs.
+    /// Reads both lists of a call of all pairs.
     pub fn two(&self) -> PyResult<Vec<Given<'py>>> {
         let takes = &self.of.takes;
         if takes.len() != 2 {
@@ -254,7 +254,7 @@ impl<'py> Call<'_, 'py> {
         <[Lent<'py, T>; 2]>::try_from(lent)
             .map_err(|_| PyTypeError::new_err("two lists are needed"))
     }
-    /// Both lists of every batch: the axes of the batches, and the lists, each with all of these axes.
+    /// Returns the axes of the batches, and both lists with all of these axes.
     fn batched<T: Number>(
         &self,
         given: Vec<Given<'py>>,
@@ -302,7 +302,7 @@ impl<'py> Call<'_, 'py> {
         let fitted = pair(fitted.collect::<PyResult<Vec<_>>>()?)?;
         Ok((batches, fitted))
     }
-    /// The lists of every batch, and how many rows each has.
+    /// Returns the lists of every batch, and the numbers of rows of both.
     fn each<'a, T: Number>(
         &self,
         batches: &[usize],
@@ -341,7 +341,7 @@ impl<'py> Call<'_, 'py> {
         self.run(items, || reduce(lists))
     }
 
-    /// Every row of `a` with every row of `b`.
+    /// Computes every row of `a` with every row of `b`.
     pub fn all_pairs(&self) -> PyResult<Object<'py>> {
         self.of.signature(Form::Value)?;
         let given = self.two()?;
@@ -376,7 +376,7 @@ impl<'py> Call<'_, 'py> {
         drop(guard);
         target.done(|array| match planes {
             None => Ok(array),
-            // Numbers of a result last, as everywhere.
+            // The axis of a result's numbers is the last one, as in other forms.
             Some(_) => self
                 .py
                 .import("numpy")?
@@ -384,7 +384,7 @@ impl<'py> Call<'_, 'py> {
         })
     }
 
-    /// The largest result of every row or of every column, and where it is.
+    /// Returns the largest result of every row or of every column, and its index.
     pub fn most(&self, of_rows: bool) -> PyResult<Object<'py>> {
         let given = self.two()?;
         in_format!(self, given, best, of_rows)
@@ -415,7 +415,7 @@ impl<'py> Call<'_, 'py> {
             .into_any())
     }
 
-    /// Every pair above a threshold: rows, columns, values.
+    /// Returns every pair above a threshold: rows, columns, values.
     pub fn above(&self, threshold: f64) -> PyResult<Object<'py>> {
         let given = self.two()?;
         in_format!(self, given, found, threshold)
@@ -434,7 +434,7 @@ impl<'py> Call<'_, 'py> {
         Ok((rows, columns, values).into_pyobject(self.py)?.into_any())
     }
 
-    /// How many pairs are above a threshold.
+    /// Returns the number of pairs above a threshold.
     pub fn count_above(&self, threshold: f64) -> PyResult<u64> {
         let given = self.two()?;
         in_format!(self, given, counted, threshold)
@@ -449,7 +449,7 @@ impl<'py> Call<'_, 'py> {
         })
     }
 
-    /// The sum of all results, or their mean.
+    /// Returns the sum of all results, or their mean.
     pub fn total(&self, is_mean: bool) -> PyResult<f64> {
         let given = self.two()?;
         in_format!(self, given, totalled, is_mean)
@@ -463,7 +463,7 @@ impl<'py> Call<'_, 'py> {
         })
     }
 
-    /// The same with its gradient by both lists.
+    /// Returns the sum of all results, or their mean, with its gradient by both lists.
     pub fn total_grad(&self, is_mean: bool) -> PyResult<Object<'py>> {
         let given = self.two()?;
         in_format!(self, given, lost, is_mean)
@@ -480,7 +480,7 @@ impl<'py> Call<'_, 'py> {
         Ok((value, derivatives).into_pyobject(self.py)?.into_any())
     }
 
-    /// Gradients of the sum of all results, each times its number of a matrix.
+    /// Returns the gradients of the sum of all results, each weighted by an entry of the matrix `upstream`.
     pub fn all_pairs_vjp(&self, upstream: &Object<'py>) -> PyResult<Object<'py>> {
         let mut given = self.two()?;
         let column = Column {
@@ -541,7 +541,7 @@ impl<'py> Call<'_, 'py> {
             .call_method1("reshape", (PyTuple::new(self.py, shape)?,))
     }
 
-    /// A row of paths: the value, its gradient, or its adjoint.
+    /// Computes a row of paths: the value, its gradient, or its adjoint.
     pub fn paths(&self, form: Form) -> PyResult<Object<'py>> {
         let takes = &self.of.takes;
         let wanted = takes.len() + 1 + usize::from(form == Form::Vjp);
@@ -618,7 +618,7 @@ impl<'py> Call<'_, 'py> {
         let lent = lent
             .map(|(given, column)| Lent::<T>::new(self.py, given, column))
             .collect::<PyResult<Vec<_>>>()?;
-        // One path stands for all rows, as one row does for all paths.
+        // One path stands for all rows, and one row for all paths.
         let many = lent.iter().map(Lent::count).find(|&rows| rows != 1);
         let count = match (paths, many) {
             (1, Some(rows)) if !self.machine.is_gpu() => rows,
@@ -716,7 +716,7 @@ impl<'py> Call<'_, 'py> {
             }
         }
     }
-    /// A row for every path.
+    /// Repeats an argument to a row for every path.
     fn full<T: Number>(
         &self,
         lent: Lent<'py, T>,

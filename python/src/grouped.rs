@@ -11,7 +11,7 @@ use numpy::PyArray1;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 
-/// The offsets of both lists.
+/// Returns the offsets of both lists.
 pub fn both(py: Python<'_>, groups: &Object<'_>) -> PyResult<[Vec<usize>; 2]> {
     let needed = || PyTypeError::new_err("groups: the offsets of both lists are needed");
     let pair = groups.try_iter().map_err(|_| needed())?;
@@ -25,7 +25,7 @@ pub fn both(py: Python<'_>, groups: &Object<'_>) -> PyResult<[Vec<usize>; 2]> {
     ])
 }
 
-/// The arguments of suppression beside shapes.
+/// The arguments of suppression besides shapes.
 pub struct Asked<'a, 'py> {
     pub scores: &'a Object<'py>,
     pub overlap: f64,
@@ -36,7 +36,7 @@ pub struct Asked<'a, 'py> {
 }
 
 impl<'py> Call<'_, 'py> {
-    /// Every pair of a group above a threshold: rows, columns, values.
+    /// Returns every pair of a group above a threshold: rows, columns, values.
     pub fn above_grouped(&self, threshold: f64, groups: &Object<'py>) -> PyResult<Object<'py>> {
         let (given, groups) = (self.two()?, both(self.py, groups)?);
         in_format!(self, given, found_grouped, threshold, &groups)
@@ -60,8 +60,7 @@ impl<'py> Call<'_, 'py> {
         Ok((rows, columns, values).into_pyobject(self.py)?.into_any())
     }
 
-    /// The largest result of every row or column of a group, and where it is: -inf and -1 where the group has nothing
-    /// on the other side.
+    /// Returns the largest result of every row or column of a group, and its index; -inf and -1 without pairs.
     pub fn most_grouped(&self, of_rows: bool, groups: &Object<'py>) -> PyResult<Object<'py>> {
         let (given, groups) = (self.two()?, both(self.py, groups)?);
         in_format!(self, given, best_grouped, of_rows, &groups)
@@ -96,7 +95,7 @@ impl<'py> Call<'_, 'py> {
         Ok((values, places).into_pyobject(self.py)?.into_any())
     }
 
-    /// The places of the shapes that suppression keeps. It decides shape by shape, on the processor alone.
+    /// Returns the indices of the shapes that suppression keeps. It decides shape by shape, on the CPU alone.
     pub fn suppress(&self, asked: &Asked<'_, 'py>) -> PyResult<Object<'py>> {
         let given = self.two()?;
         match is_double(self.py, &given) {

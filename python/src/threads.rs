@@ -1,11 +1,11 @@
-//! Threads of this process: a pool for each process, since none of its threads lives on in a forked child.
+//! The thread pool of this process; a forked child needs its own, since threads do not survive a fork.
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// The pool of a process: its number, its threads, and itself.
+/// The pool of a process: the process number, the number of threads, and the pool.
 struct Kept {
     process: u32,
     threads: usize,
@@ -13,7 +13,7 @@ struct Kept {
 }
 
 static POOL: Mutex<Option<Kept>> = Mutex::new(None);
-/// How many threads calls use; zero until the first call asks.
+/// The number of threads of calls; zero before the first call.
 static THREADS: AtomicUsize = AtomicUsize::new(0);
 
 thread_local! {
@@ -68,7 +68,7 @@ pub fn after_fork() {
     HELD.with_borrow_mut(|held| *held = None);
 }
 
-/// The pool of this process.
+/// Returns the pool of this process.
 fn pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
     let process = std::process::id();
     let mut kept = lock();
@@ -87,7 +87,7 @@ fn pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
         pool: made.clone(),
     };
     if let Some(old) = kept.replace(new) {
-        // Dropped in a child, it would wake threads that are not there.
+        // Dropping it in a child would wait for threads that do not exist there.
         if old.process != process {
             std::mem::forget(old);
         }
@@ -95,7 +95,7 @@ fn pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
     Ok(made)
 }
 
-/// Items below which a call runs on its own thread: the library cuts no batch that is this small.
+/// The number of items below which a call runs on its own thread: the library does not split so small a batch.
 pub const FEW: usize = 2048;
 
 /// Runs a call without Python's lock, on the threads of this process.

@@ -21,7 +21,7 @@ pub struct Recorded {
     pub call: Callable,
 }
 
-/// Columns by their names, the names of their shapes (or none) and their sizes; a size of zero is a lone number.
+/// Returns columns from their names, the names of their shapes (or none) and their sizes; size zero is a lone number.
 pub fn columns(takes: Vec<(String, Option<String>, usize)>) -> PyResult<Vec<Column>> {
     let column = |(name, shape, size): (String, Option<String>, usize)| {
         let kind = match (&shape, size) {
@@ -168,7 +168,7 @@ macro_rules! either {
 }
 
 impl Program {
-    /// That of a form of a callable.
+    /// Returns the program of a form of a callable.
     pub fn of(call: &Callable, form: &str, double: bool) -> PyResult<Program> {
         let form = Form::named(form)
             .ok_or_else(|| PyValueError::new_err(format!("no form is called {form}")))?;
@@ -277,7 +277,7 @@ impl Program {
     }
 }
 
-/// The lists of a tuple.
+/// Returns the lists of a tuple.
 pub fn listed<'py>(tuple: &Bound<'py, PyTuple>) -> Vec<Bound<'py, PyAny>> {
     tuple.iter().collect()
 }

@@ -25,13 +25,13 @@ pub struct Verb {
     place: usize,
 }
 
-/// The shape of an argument as far as it says one.
+/// The shape of an argument, as far as the argument determines it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Said {
-    /// A plain array, which fits lone numbers, and shapes of one.
+    /// A plain array, which fits lone numbers, and shapes with one number.
     Nothing,
     Kind(Kind),
-    /// Paths of any sort with so many numbers a vertex.
+    /// Paths of any sort, by the number of scalars of a vertex.
     Path(usize),
 }
 
@@ -66,7 +66,7 @@ impl Said {
 /// The meaning of an argument `kind`.
 enum Wanted {
     Nothing,
-    /// The same kind for all shapes.
+    /// One kind for all shapes.
     All(Kind),
     Each(Vec<Option<Kind>>),
 }
@@ -95,7 +95,7 @@ impl Wanted {
     }
 }
 
-/// A shape by its name or its class.
+/// Returns a shape from its name or its class.
 fn one_kind(kind: &Object<'_>) -> PyResult<Kind> {
     if let Ok(name) = kind.cast::<PyString>() {
         let name = name.to_cow()?;
@@ -119,7 +119,7 @@ fn one_kind(kind: &Object<'_>) -> PyResult<Kind> {
     }
 }
 
-/// How many arguments a form takes beside those of the row.
+/// Returns the number of arguments of a form besides those of the row.
 fn further(row: &Row, form: &str) -> usize {
     match form {
         "vjp" => row.call.gives().len(),
@@ -132,7 +132,7 @@ impl Verb {
     fn of(&self) -> &'static catalogue::Verb {
         &catalogue::verbs()[self.place]
     }
-    /// The row for the arguments of a form.
+    /// Returns the row for the arguments of a form.
     fn row(
         &self,
         arguments: &[Object<'_>],
@@ -154,7 +154,7 @@ impl Verb {
             row.takes.iter().enumerate().all(|(k, &kind)| {
                 let by_kind = match &wanted {
                     Wanted::Nothing => None,
-                    // Paths say themselves what they are; lists of symbols do not.
+                    // Paths have a kind of their own; lists of symbols do not.
                     Wanted::All(_)
                         if said[k] != Said::Nothing
                             && matches!(kind, RING | POLYLINE | POLYLINE3 | CLOUD3) =>
@@ -184,7 +184,7 @@ impl Verb {
             }
         }
         let mut rows: Vec<&Row> = verb.rows.iter().filter(fits).collect();
-        // One kind for all shapes is that of one at least, and of as many as can be: lone numbers fit it, too.
+        // One kind for all shapes means at least one argument of it, and as many as possible; lone numbers fit it, too.
         if let Wanted::All(all) = wanted {
             let named = |row: &Row| row.takes.iter().filter(|&&kind| kind == all).count();
             let most = rows.iter().map(|row| named(row)).max().unwrap_or(0);
@@ -215,7 +215,7 @@ impl Verb {
             }
         }
     }
-    /// Why no row was found, with the rows that are there.
+    /// Returns the error that no row fits, with a list of the existing rows.
     fn refused(&self, said: &[Said], form: &str, why: &str) -> PyErr {
         let verb = self.of();
         let given: Vec<String> = said.iter().map(|said| said.name()).collect();
@@ -275,7 +275,7 @@ impl Verb {
             false => call.item_by_item(form),
         }
     }
-    /// The row of symbols, as part of the function that is being recorded.
+    /// Records the row with symbols, as part of the open recording.
     fn recorded<'py, T: Number>(
         &self,
         py: Python<'py>,
@@ -341,13 +341,13 @@ impl Verb {
     }
 }
 
-/// The shapes of a row as they are written.
+/// Returns the shapes of a row as text.
 fn signature(kinds: &[Kind]) -> String {
     let names: Vec<&str> = kinds.iter().map(|&kind| table().name(kind)).collect();
     format!("({})", names.join(", "))
 }
 
-/// A symbol in an argument.
+/// Returns a symbol in an argument, if there is one.
 fn symbol_in(x: &Object<'_>, depth: usize) -> Option<Any> {
     if let Ok(symbol) = x.cast::<Symbol>() {
         return Some(symbol.get().0);
@@ -374,7 +374,7 @@ fn is_of_objects(x: &Object<'_>) -> bool {
     })
 }
 
-/// The numbers of an argument one by one: symbols, and literals.
+/// Lists the numbers of an argument: symbols, and literals.
 fn flat<T: Number>(
     x: &Object<'_>,
     into: &mut Vec<geograd::kernels::dynamic::Symbol<T>>,
@@ -411,7 +411,7 @@ fn flat<T: Number>(
     Ok(())
 }
 
-/// Forms of pairs: the row, and the call.
+/// Runs a form of pairs: selects the row and calls it.
 macro_rules! of_pairs {
     ($me:expr, $py:expr, $arguments:expr, $kind:expr, $out:expr, $backend:expr, $form:literal, |$call:ident| $run:expr) => {{
         let row = $me.row(&$arguments, $kind, None, $form)?;
@@ -870,7 +870,7 @@ pub fn valid_samples<'py>(
         let mut parts = Vec::new();
         for (sampler, layout) in samplers.iter().zip(&layouts) {
             let scalars = sampler.draw(&mut draw);
-            // The number of vertices of a polygon, which is all that a whole number of an argument says.
+            // The whole number of an argument is a polygon's number of vertices.
             let with = |code: usize| [&scalars[..], &vec![code as f64; layout.codes()]].concat();
             let codes = (0..=scalars.len() / 2).rev().map(with);
             parts.extend(
