@@ -51,7 +51,7 @@ impl Writer<'_> {
         });
         format!("<{}>", each.collect::<Vec<_>>().join(", "))
     }
-    /// Returns the same without a scalar.
+    /// Returns `const N: usize`, the generics without the scalar.
     fn constants(&self) -> String {
         let each = self.shape.parameters.iter().filter_map(|p| match p {
             Parameter::Scalar => None,
