@@ -12,10 +12,11 @@
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
 //! The function is a value: a [verb](verbs) such as [`Iou`]; its gradient ([`value_grad`](Iou::value_grad)), Jacobian
-//! ([`jacobian`](Iou::jacobian)), adjoint ([`vjp`](Iou::vjp)), derivative along a direction ([`jvp`](Iou::jvp)), Hessian
-//! ([`hessian`](Iou::hessian)) or Hessian times a direction ([`hvp`](Iou::hvp)); an [operation](op); a
-//! [`search`](search::search); a plain generic [`function`]; a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Calls that end in
-//! `_into` write into the caller's memory. [`operation!`](crate::operation) makes a function an operation.
+//! ([`jacobian`](Iou::jacobian)), adjoint ([`vjp`](Iou::vjp)), derivative along a direction ([`jvp`](Iou::jvp)),
+//! Hessian ([`hessian`](Iou::hessian)) or Hessian times a direction ([`hvp`](Iou::hvp)); an [operation](op); a
+//! [`search`](search::search); a plain generic [`function`]; a [`Program`](crate::Program). Columns are slices, vectors
+//! or [`One`]. Calls that end in `_into` write into the caller's memory. [`operation!`](crate::operation) makes a
+//! function an operation.
 //!
 //! # Inputs and results
 //!
@@ -28,8 +29,8 @@
 //! corners, stay what the search found, and a shape with a NaN contains nothing: a comparison with NaN is false.
 //! Outside of verbs a comparison may lose it: [`least`](crate::Scalar::least), [`most`](crate::Scalar::most) and
 //! [`clamp`](crate::Scalar::clamp) may give the other number, and so may a formula of a module, such as
-//! [`giou_obb2`](crate::iou::giou_obb2), or the bounds of a shape. A method sees only what it reads: the area of a box no
-//! NaN of its centre. Drivers of a GPU may assume that there is no NaN: there such an item may have any result.
+//! [`giou_obb2`](crate::iou::giou_obb2), or the bounds of a shape. A method sees only what it reads: the area of a box
+//! no NaN of its centre. Drivers of a GPU may assume that there is no NaN: there such an item may have any result.
 //!
 //! Without pairs a sum is 0, a count 0 and a list empty. The mean is 0 with a gradient of zero, as the loss of a step
 //! without matches. The maximum of an empty row is an error: [`Error::NoLargest`](crate::Error::NoLargest).
@@ -50,8 +51,8 @@
 //! machine/table.rs       the results
 //! ```
 //!
-//! A row without a compiled kernel is recorded (`row/straight_line.rs`) and interpreted (`cpu/program/`). A GPU writes its
-//! recording in WGSL (`gpu/device/generated/`).
+//! A row without a compiled kernel is recorded (`row/straight_line.rs`) and interpreted (`cpu/program/`). A GPU writes
+//! its recording in WGSL (`gpu/device/generated/`).
 //!
 //! # GPUs
 //!

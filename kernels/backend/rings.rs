@@ -11,13 +11,13 @@ use crate::kernels::{Backend, Cpu};
 
 /// Checked rings on a machine.
 #[derive(Clone, Debug)]
-pub struct Rings(Side);
+pub struct Rings(MachineRings);
 
 /// The rings of a machine: on the CPU vertices and offsets.
 #[derive(Clone, Debug)]
-enum Side {
+enum MachineRings {
     Cpu(Vec<Vec2<f32>>, Vec<usize>),
-    Gpu(gpu::Rings),
+    Gpu(gpu::DeviceRings),
 }
 
 impl Backend<'_> {
@@ -31,9 +31,9 @@ impl Backend<'_> {
         Ok(Rings(match self {
             Backend::Cpu => {
                 check_ragged(vertices, offsets)?;
-                Side::Cpu(vertices.to_vec(), offsets.to_vec())
+                MachineRings::Cpu(vertices.to_vec(), offsets.to_vec())
             }
-            Backend::Gpu(gpu) => Side::Gpu(gpu.engine.upload_rings(vertices, offsets)?),
+            Backend::Gpu(gpu) => MachineRings::Gpu(gpu.engine.upload_rings(vertices, offsets)?),
         }))
     }
 }
@@ -56,10 +56,10 @@ impl Rings {
             )
         };
         Ok(match &self.0 {
-            Side::Cpu(vertices, offsets) => {
+            MachineRings::Cpu(vertices, offsets) => {
                 RingValues::new(Ready(Cpu::new().ragged(measure, vertices, offsets)?))
             }
-            Side::Gpu(own) => RingValues::new(
+            MachineRings::Gpu(own) => RingValues::new(
                 own.gpu()
                     .ragged_of(const { F::MEASURE.expect("by hand") }, own)?,
             ),
@@ -83,10 +83,10 @@ impl Rings {
             )
         };
         Ok(match &self.0 {
-            Side::Cpu(vertices, offsets) => RingBars::new(Ready(
+            MachineRings::Cpu(vertices, offsets) => RingBars::new(Ready(
                 Cpu::new().ragged_vjp(measure, vertices, offsets, upstream)?,
             )),
-            Side::Gpu(own) => RingBars::new(own.gpu().ragged_vjp_of(
+            MachineRings::Gpu(own) => RingBars::new(own.gpu().ragged_vjp_of(
                 const { F::MEASURE.expect("by hand") },
                 own,
                 (upstream.len(), &numbers(upstream)),
@@ -102,13 +102,13 @@ impl Rings {
     /// changes then), or the errors of the device.
     pub fn update(&mut self, vertices: &[Vec2<f32>]) -> Result<(), Error> {
         match &mut self.0 {
-            Side::Cpu(own, offsets) => {
+            MachineRings::Cpu(own, offsets) => {
                 expect(Argument::Vertices, own.len(), vertices.len())?;
                 check_ragged(vertices, offsets)?;
                 own.copy_from_slice(vertices);
                 Ok(())
             }
-            Side::Gpu(own) => own.update(vertices),
+            MachineRings::Gpu(own) => own.update(vertices),
         }
     }
 }

@@ -3,7 +3,7 @@ use crate::Real;
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
 use crate::kernels::call::recording::{Body, Call, Recording};
-use crate::kernels::row::derivation::{Mode, Order, Step};
+use crate::kernels::row::derivation::{DerivativeStep, Mode, Order};
 use crate::kernels::row::item::Leaf;
 use crate::kernels::row::limits::Derivative;
 use crate::kernels::row::once::Key;
@@ -20,7 +20,7 @@ impl<T: Real> Recording<T> {
     fn along(&self, order: Order) -> Result<Arc<Recording<T>>, Error> {
         self.made(Key::Along(order), &|| {
             let body = match &self.body {
-                Body::Search(search) => Body::Search(search.then(Step::Along(order))),
+                Body::Search(search) => Body::Search(search.then(DerivativeStep::Along(order))),
                 _ => Body::Graph(Arc::new(self.program_along(order)?)),
             };
             let fields: Vec<usize> = self.takes.iter().map(|leaf| leaf.fields).collect();

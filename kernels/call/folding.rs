@@ -5,7 +5,7 @@ use crate::ad::program::recorded::Recorded;
 use crate::error::Field;
 use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::{Item, Leaf, leaves_of};
-use crate::kernels::row::once::{Kept, known};
+use crate::kernels::row::once::{RecordingCache, known};
 use crate::ring::Measure;
 use crate::{Error, Fixed, Pack, Real, Scalar};
 use std::sync::Arc;
@@ -67,7 +67,7 @@ pub struct Folding<T: 'static> {
     pub(crate) leaves: fn() -> Vec<Leaf<T>>,
     /// The names of an element's numbers.
     pub(crate) field: fn(usize) -> Field,
-    pub(crate) programs: fn() -> Result<Arc<Programs>, Error>,
+    pub(crate) programs: fn() -> Result<Arc<FoldPrograms>, Error>,
     /// Writes the join of a list of states.
     pub(crate) joined: fn(&[T], &mut [T]),
     /// Returns the joined states before every one of a list, and after the last.
@@ -124,7 +124,7 @@ fn finish<F: Fold, T: Scalar>(shared: &[T], state: &[T], out: &mut [T]) {
 /// cotangent of a result. `before` has the joined states before every edge, and after the last one.
 pub(crate) fn backwards<S: Scalar>(
     sizes: &Sizes,
-    programs: &Programs,
+    programs: &FoldPrograms,
     shared: &[S],
     [states, before]: [&[S]; 2],
     winding: Option<S>,
@@ -150,7 +150,7 @@ pub(crate) fn backwards<S: Scalar>(
 }
 
 /// The recording of a fold in a format: its parts as programs.
-pub(crate) struct Programs {
+pub(crate) struct FoldPrograms {
     /// From context, reference and both ends to the state of an edge; and its pull-back.
     pub(crate) edge: Recorded,
     pub(crate) edge_vjp: Recorded,
@@ -169,10 +169,10 @@ pub(crate) struct Programs {
     pub(crate) finish: Recorded,
     pub(crate) finish_vjp: Recorded,
     /// The plans of machines.
-    pub(crate) made: Kept,
+    pub(crate) made: RecordingCache,
 }
 
-pub(crate) fn programs<F: Fold, T: Real>() -> Result<Arc<Programs>, Error> {
+pub(crate) fn programs<F: Fold, T: Real>() -> Result<Arc<FoldPrograms>, Error> {
     type Context<F, T> = <F as Fold>::Context<Sym<T>>;
     type Reference<F, T> = <F as Fold>::Reference<Sym<T>>;
     type State<F, T> = <F as Fold>::State<Sym<T>>;
@@ -186,14 +186,14 @@ pub(crate) fn programs<F: Fold, T: Real>() -> Result<Arc<Programs>, Error> {
         let finish = record::<T, (Context<F, T>, Reference<F, T>, State<F, T>), F::Out<Sym<T>>>(
             |(context, reference, state)| F::finish(context, reference, state),
         )?;
-        Ok(Programs {
+        Ok(FoldPrograms {
             edge_vjp: edge.value_vjp(),
             join_vjp: join.vjp(),
             finish_vjp: finish.vjp(),
             edge,
             join,
             finish,
-            made: Kept::default(),
+            made: RecordingCache::default(),
         })
     })
 }

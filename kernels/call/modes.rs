@@ -1,7 +1,7 @@
 //! Functions that batches run ([`Function`]), and their derivatives, which batches run, too.
 use crate::Pack;
 use crate::error::Error;
-use crate::kernels::call::recording::{Call, Parts, Recording};
+use crate::kernels::call::recording::{Call, LineParts, Recording};
 use crate::kernels::row::derivation::{Mode, Order};
 use crate::kernels::row::derivatives::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
 use crate::kernels::row::item::{Item, Results, WithJacobian, leaves_of, widths};
@@ -117,7 +117,7 @@ where
     Recording::of_line(
         TypeId::of::<O>(),
         const {
-            &Parts {
+            &LineParts {
                 compiled: O::compiled,
                 takes: leaves_of::<R>,
                 outputs: widths::<O::Out<R::Scalar>>,

@@ -6,11 +6,11 @@
 use crate::ad::program::recorded::Recorded;
 use crate::error::{Argument, Error};
 use crate::kernels::row::compiled::Compiled;
+use crate::kernels::row::derivation::DerivativeStep;
 pub use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::derivation::Replays;
-use crate::kernels::row::derivation::Step;
 use crate::kernels::row::item::Leaf;
-use crate::kernels::row::once::{Kept, Key, known_by};
+use crate::kernels::row::once::{Key, RecordingCache, known_by};
 use crate::kernels::row::straight_line::{Line, by_reverse};
 use crate::{Real, Unrecordable};
 use std::any::TypeId;
@@ -22,21 +22,21 @@ use std::sync::Arc;
 pub(crate) type Each<T> = fn(&[T], Option<&[T]>, &mut [T]);
 
 /// An untyped search, or a derivative of one.
-pub(crate) struct Searched<T> {
+pub(crate) struct UntypedSearch<T> {
     /// Returns the function that decides and computes one item in a mode.
     pub(crate) item: fn(Mode) -> Each<T>,
     /// Returns its replays, differentiated by some steps.
-    pub(crate) replays: fn(Vec<Step>) -> Arc<dyn Replays<T>>,
+    pub(crate) replays: fn(Vec<DerivativeStep>) -> Arc<dyn Replays<T>>,
     /// The steps from the search to the function.
-    pub(crate) steps: Vec<Step>,
+    pub(crate) steps: Vec<DerivativeStep>,
 }
 
-impl<T> Searched<T> {
+impl<T> UntypedSearch<T> {
     /// Returns this search differentiated once more.
-    pub(crate) fn then(&self, step: Step) -> Self {
+    pub(crate) fn then(&self, step: DerivativeStep) -> Self {
         let steps = [&self.steps[..], &[step]].concat();
         let (item, replays) = (self.item, self.replays);
-        Searched {
+        UntypedSearch {
             item,
             replays,
             steps,
@@ -44,7 +44,7 @@ impl<T> Searched<T> {
     }
     /// Returns the replays of a mode of the function.
     pub(crate) fn replays(&self, mode: Mode) -> Arc<dyn Replays<T>> {
-        (self.replays)(self.then(Step::Mode(mode)).steps)
+        (self.replays)(self.then(DerivativeStep::Mode(mode)).steps)
     }
     /// Returns the number of scalars of every shape in the result of a mode. A Jacobian has a gradient per scalar of
     /// the result; `outputs` counts codes, too.
@@ -68,7 +68,7 @@ pub(crate) enum Body<T: 'static> {
     /// A recorded graph.
     Graph(Arc<Recorded>),
     /// A search: decisions, then a straight line for every record.
-    Search(Searched<T>),
+    Search(UntypedSearch<T>),
 }
 
 /// An untyped function: its layouts, its body, and the plans that machines made of it.
@@ -82,11 +82,11 @@ pub struct Recording<T: Real> {
     /// The kernels that the library has compiled for it.
     pub(crate) compiled: Option<Compiled>,
     pub(crate) body: Body<T>,
-    made: Kept,
+    made: RecordingCache,
 }
 
 /// The parts of a recording of a straight line.
-pub(crate) struct Parts<T: Real> {
+pub(crate) struct LineParts<T: Real> {
     pub(crate) compiled: fn() -> Option<Compiled>,
     pub(crate) takes: fn() -> Vec<Leaf<T>>,
     pub(crate) outputs: fn() -> Vec<usize>,
@@ -118,12 +118,12 @@ impl<T: Real> Recording<T> {
             arguments,
             compiled: None,
             body,
-            made: Kept::default(),
+            made: RecordingCache::default(),
         }
     }
 
     /// Returns the recording of an operation, which is made once.
-    pub(crate) fn of_line(operation: TypeId, parts: &Parts<T>) -> Arc<Self> {
+    pub(crate) fn of_line(operation: TypeId, parts: &LineParts<T>) -> Arc<Self> {
         let made = known_by(operation, &|| {
             let compiled = (parts.compiled)();
             let mut takes = (parts.takes)();
@@ -170,7 +170,7 @@ impl<T: Real> Recording<T> {
             let fields: Vec<usize> = self.takes.iter().map(|leaf| leaf.fields).collect();
             let (body, gives) = match &self.body {
                 Body::Search(search) => (
-                    Body::Search(search.then(Step::Mode(mode))),
+                    Body::Search(search.then(DerivativeStep::Mode(mode))),
                     search.gives(mode, &fields, &self.outputs),
                 ),
                 _ => {

@@ -118,7 +118,7 @@ where
         );
     }
     let made = known::<Searched<D>, _>(|| {
-        let body = Body::Search(recording::Searched {
+        let body = Body::Search(recording::UntypedSearch {
             item: item_in::<D, R>,
             replays: crate::kernels::call::replayed::of::<D, R>,
             steps: Vec::new(),

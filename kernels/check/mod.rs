@@ -114,24 +114,24 @@ impl<S: Real> ScalarCode<S> {
 }
 
 /// A straight line in one format for the harness and the fuzzer: its batches and its scalar code.
-pub(crate) struct Examined<S: Real> {
+pub(crate) struct LineCode<S: Real> {
     pub(crate) recording: Arc<Recording<S>>,
     pub(crate) code: ScalarCode<S>,
 }
 
-impl<S: Real> Examined<S> {
+impl<S: Real> LineCode<S> {
     pub(crate) fn of<O: Op>() -> Self
     where
         O::In<S>: Item<Scalar = S>,
         O::Out<S>: Item<Scalar = S>,
     {
-        Examined {
+        LineCode {
             recording: recording_of::<O, O::In<S>>(),
             code: const { ScalarCode::of::<O>() },
         }
     }
     /// Returns the computations that the harness compares.
-    fn computations(&self, stated: &Stated) -> Result<Computations<S>, Error> {
+    fn computations(&self, stated: &LineProperties) -> Result<Computations<S>, Error> {
         let value = self.recording.program(Mode::Value)?;
         let is_wide = Precision::of::<S>() == Precision::F64;
         let by_hand_alone = self.code.num_dual.is_some() && is_wide;
@@ -174,17 +174,17 @@ fn on_num_dual<O: Op, S: Real>(x: &[S::NumDual]) -> Vec<S::NumDual> {
 
 /// The declared properties of a straight line, and the kinds of its result's numbers.
 #[derive(Clone, Copy)]
-pub(crate) struct Stated {
+pub(crate) struct LineProperties {
     pub(crate) declared: &'static Declared,
     pub(crate) output_kinds: fn() -> Vec<Kind>,
 }
 
-impl Stated {
+impl LineProperties {
     const fn of<O: Op>() -> Self
     where
         O::Out<f64>: Sample,
     {
-        Stated {
+        LineProperties {
             declared: const { &O::DECLARED },
             output_kinds: || O::Out::<f64>::filled(1.0).kinds(),
         }
@@ -375,10 +375,10 @@ where
     O::In<S>: Item,
     O::Out<S>: Item,
 {
-    let wide = &Examined::<f64>::of::<O>();
-    let own = &Examined::<S>::of::<O>();
+    let wide = &LineCode::<f64>::of::<O>();
+    let own = &LineCode::<S>::of::<O>();
     examined::<S>(
-        const { &Stated::of::<O>() },
+        const { &LineProperties::of::<O>() },
         (const { Kinship::of::<O::In<f64>>() }, O::In::<f64>::name),
         own,
         wide,
@@ -389,10 +389,10 @@ where
 /// Judges a straight line, with batches on a backend as further witnesses of `f32`: aligned values, values with
 /// gradients, and all pairs if `pairs` is set.
 pub(crate) fn examined<S: Real>(
-    stated: &Stated,
+    stated: &LineProperties,
     (kinship, name): (Kinship, fn(usize) -> Field),
-    own: &Examined<S>,
-    wide: &Examined<f64>,
+    own: &LineCode<S>,
+    wide: &LineCode<f64>,
     (sampling, backend, pairs): (&Sampling<'_>, Option<Backend<'_>>, bool),
 ) -> Result<Report, Error> {
     let declared = stated.declared;

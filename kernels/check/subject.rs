@@ -21,11 +21,11 @@ pub type Fused<S> = fn(&[S]) -> (Vec<S>, Vec<S>);
 /// An operation near an input, in one format.
 pub struct OpSubject<'a, S: Real> {
     near: &'a dyn Near,
-    code: Box<dyn Code<S> + 'a>,
+    code: Box<dyn SourceFunctions<S> + 'a>,
     paths: &'a [Path<S>],
     fused: Option<Fused<S>>,
     batch: Option<&'a Batch<'a>>,
-    stated: Stated,
+    stated: SourceProperties,
 }
 
 impl<S: Real> fmt::Debug for OpSubject<'_, S> {
@@ -36,7 +36,7 @@ impl<S: Real> fmt::Debug for OpSubject<'_, S> {
 
 /// The declared properties of a source.
 #[derive(Clone, Copy)]
-struct Stated {
+struct SourceProperties {
     outputs: usize,
     output_kinds: fn() -> Vec<Kind>,
     invariances: &'static [Invariance],
@@ -45,7 +45,7 @@ struct Stated {
 
 /// A source near an input, as untyped functions of every number type of the harness, so that the harness is compiled
 /// once.
-trait Code<S: Real> {
+trait SourceFunctions<S: Real> {
     fn value(&self, x: &[S]) -> Vec<S>;
     fn first(&self, x: &[First<S>]) -> Vec<First<S>>;
     fn jets(&self, x: &[Jet<S, 1>]) -> Vec<Jet<S, 1>>;
@@ -65,11 +65,11 @@ trait Code<S: Real> {
 }
 
 /// A source near an input, which fixes the number of scalars.
-struct At<'a, O: WithAdjoint>(&'a O::In<f64>)
+struct SourceAt<'a, O: WithAdjoint>(&'a O::In<f64>)
 where
     O::In<f64>: Sample;
 
-impl<O: WithAdjoint> At<'_, O>
+impl<O: WithAdjoint> SourceAt<'_, O>
 where
     O::In<f64>: Sample,
 {
@@ -84,7 +84,7 @@ where
     }
 }
 
-impl<O: WithAdjoint, S: Real> Code<S> for At<'_, O>
+impl<O: WithAdjoint, S: Real> SourceFunctions<S> for SourceAt<'_, O>
 where
     O::In<f64>: Sample,
     O::Out<f64>: Sample,
@@ -142,11 +142,11 @@ impl<'a, S: Real> OpSubject<'a, S> {
     {
         OpSubject {
             near,
-            code: Box::new(At::<O>(near)),
+            code: Box::new(SourceAt::<O>(near)),
             paths,
             fused,
             batch: None,
-            stated: Stated {
+            stated: SourceProperties {
                 outputs: O::Out::<S>::LEN,
                 output_kinds: || Sample::kinds(&O::Out::<f64>::filled(1.0)),
                 invariances: O::DECLARED.invariances,

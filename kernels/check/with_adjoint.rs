@@ -1,5 +1,5 @@
 //! Operations, searches and folds in the harness's form: one function, generic over the scalar, and its adjoint.
-use crate::kernels::call::folding::{Programs, Sizes, backwards, programs};
+use crate::kernels::call::folding::{FoldPrograms, Sizes, backwards, programs};
 use crate::kernels::call::search::Search;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::fold::{Fold, by_hand, fold};
@@ -181,7 +181,7 @@ pub(super) fn context_and_path<F: Fold, S: Scalar>(
 }
 
 /// Returns the programs of a fold, in the format of a scalar.
-fn programs_of<F: Fold, S: Scalar>() -> Option<Arc<Programs>> {
+fn programs_of<F: Fold, S: Scalar>() -> Option<Arc<FoldPrograms>> {
     match S::EPSILON > 1e-10 {
         true => programs::<F, f32>().ok(),
         false => programs::<F, f64>().ok(),
@@ -192,7 +192,7 @@ fn programs_of<F: Fold, S: Scalar>() -> Option<Arc<Programs>> {
 /// path. `shared` has the context and the reference vertex.
 fn pull_back<S: Scalar>(
     sizes: &Sizes,
-    programs: &Programs,
+    programs: &FoldPrograms,
     shared: &[S],
     empty: Vec<S>,
     path: &[S],

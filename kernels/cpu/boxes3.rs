@@ -5,7 +5,7 @@
 use crate::clip::{COMMON_FAR, COMMON_LARGE, COMMON_SMALL};
 use crate::kernels::cpu::arch::{LARGE, Vector};
 use crate::kernels::cpu::blocks::all_within;
-use crate::kernels::cpu::lane::{PLANE, Results, Tiles};
+use crate::kernels::cpu::lane::{PLANE, ResultTiles, Tiles};
 use crate::kernels::cpu::overlaps::{is_within, lanes_of, put, seed};
 use crate::overlap::Denominator;
 use crate::overlap3::{score_obb3_here, score_obb3_vjp_here};
@@ -34,7 +34,7 @@ pub(crate) fn scores<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     if !LARGE {
         return;
@@ -59,7 +59,7 @@ pub(crate) fn derivatives<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     if !LARGE {
         return;

@@ -5,7 +5,7 @@ use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::cpu::simd::Simd;
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::machine::Column;
 use crate::kernels::row::item::Leaf;
 use std::sync::Mutex;
@@ -91,7 +91,7 @@ pub(crate) fn check<T: Real>(
     };
     let first_flaw = Mutex::new(None);
     let is_any_rare = Mutex::new(false);
-    spread(doubtful, |start: usize| {
+    in_parallel(doubtful, |start: usize| {
         let mut room = Vec::new();
         let numbers = column.numbers(start..count.min(start + GROUP), &mut room);
         let mut rare = false;

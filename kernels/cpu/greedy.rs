@@ -3,11 +3,11 @@ use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::lane::Planes;
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::sweep::Chooses;
+use crate::kernels::cpu::sweep::RowChoice;
 use crate::kernels::machine::suppress::Greed;
 
 /// The state of a suppression: which shapes are kept, and which are suppressed.
-struct Kept<'a, T> {
+struct Suppression<'a, T> {
     rules: Greed<'a, T>,
     /// The kept shape whose pairs are computed now.
     row: usize,
@@ -15,7 +15,7 @@ struct Kept<'a, T> {
     kept: Vec<usize>,
 }
 
-impl<T: Real> Chooses<T> for Kept<'_, T> {
+impl<T: Real> RowChoice<T> for Suppression<'_, T> {
     fn next(&mut self) -> Option<usize> {
         let first = self.kept.last().map_or(0, |last| last + 1);
         if self.kept.len() == self.rules.most {
@@ -43,7 +43,7 @@ impl<T: Real> Chooses<T> for Kept<'_, T> {
 /// first argument.
 pub fn suppress<T: Real>(pairs: &Pairs<'_, T>, rules: Greed<'_, T>) -> Vec<usize> {
     let [count, _] = pairs.counts();
-    let mut kept = Kept {
+    let mut kept = Suppression {
         rules,
         row: 0,
         gone: vec![false; count],

@@ -8,14 +8,14 @@ use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::greedy;
 use crate::kernels::cpu::lane::{
-    BLOCK, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
+    BLOCK, Lane, LaneBuffer, PLANE, Planes, ResultTiles, TILE, Tiles, planes, tiles, with_lanes,
 };
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{List, Plan};
 use crate::kernels::cpu::reductions::{self, initial, raise};
 use crate::kernels::cpu::sweep::LEAST_OF_TREE;
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::machine::GroupSpans;
 use crate::kernels::machine::found::{Best, Found};
 use crate::kernels::machine::suppress::Greed;
@@ -65,13 +65,13 @@ fn part<'p, T: Real>(pairs: &'p Pairs<'_, T>, spans: &[Range<usize>; 2]) -> Pair
 }
 
 /// The results of some pairs, ordered by row and then by column.
-struct Scored<'a, T> {
+struct PairScores<'a, T> {
     rows: &'a [u32],
     columns: &'a [u32],
     values: &'a [T],
 }
 
-impl<T: Copy> Scored<'_, T> {
+impl<T: Copy> PairScores<'_, T> {
     fn each(&self) -> impl Iterator<Item = (usize, usize, T)> + '_ {
         let places = self.rows.iter().zip(self.columns).zip(self.values);
         places.map(|((&row, &column), &value)| (row as usize, column as usize, value))
@@ -79,11 +79,11 @@ impl<T: Copy> Scored<'_, T> {
 }
 
 /// Pairs of two lists that are buffered until they fill a block.
-struct Waiting<'a, T: Real> {
+struct PairBuffer<'a, T: Real> {
     plan: &'a Plan<T>,
     lists: &'a [List<'a, T>; 2],
     /// Shapes of either list as rows of numbers.
-    picking: [Lent<T>; 2],
+    picking: [LaneBuffer<T>; 2],
     rows: Vec<u32>,
     columns: Vec<u32>,
     /// The shapes gathered from either list.
@@ -93,9 +93,14 @@ struct Waiting<'a, T: Real> {
     one: Vec<T>,
 }
 
-impl<T: Real> Waiting<'_, T> {
+impl<T: Real> PairBuffer<'_, T> {
     /// Adds a row with some columns to the buffer.
-    fn add(&mut self, row: usize, mut columns: &[u32], consume: &mut impl FnMut(Scored<'_, T>)) {
+    fn add(
+        &mut self,
+        row: usize,
+        mut columns: &[u32],
+        consume: &mut impl FnMut(PairScores<'_, T>),
+    ) {
         while !columns.is_empty() {
             let room = BLOCK * TILE - self.columns.len();
             let (now, rest) = columns.split_at(room.min(columns.len()));
@@ -108,7 +113,7 @@ impl<T: Real> Waiting<'_, T> {
         }
     }
     /// Computes the buffered pairs.
-    fn finish(&mut self, consume: &mut impl FnMut(Scored<'_, T>)) {
+    fn finish(&mut self, consume: &mut impl FnMut(PairScores<'_, T>)) {
         let count = self.columns.len();
         if count == 0 {
             return;
@@ -119,13 +124,13 @@ impl<T: Real> Waiting<'_, T> {
             (kernels_in::<T>().gather)(numbers, list.stride(), places, list.frame_fields, picked);
         }
         let inputs = [0, 1].map(|k| Tiles::new(&*self.picked[k], self.lists[k].frame_fields));
-        let out = Results {
+        let out = ResultTiles {
             lanes: &mut *self.results,
             tiles: tiles(count),
         };
         self.plan.maker.make(&inputs, out);
         self.mend();
-        consume(Scored {
+        consume(PairScores {
             rows: &self.rows,
             columns: &self.columns,
             values: &flat(Planes(&*self.results).field(0))[..count],
@@ -160,7 +165,7 @@ fn sweep_small<T: Real>(
     pairs: &Pairs<'_, T>,
     groups: impl Iterator<Item = [Range<usize>; 2]>,
     wants: impl Fn(usize, usize) -> bool,
-    mut consume: impl FnMut(Scored<'_, T>),
+    mut consume: impl FnMut(PairScores<'_, T>),
 ) {
     let lists = pairs.lists();
     let [a, b] = &lists;
@@ -169,7 +174,7 @@ fn sweep_small<T: Real>(
     with_lanes(lanes[0] + lanes[1] + planes(fields), |all| {
         let (own, all) = all.split_at_mut(lanes[0]);
         let (others, results) = all.split_at_mut(lanes[1]);
-        let mut desk = Waiting {
+        let mut desk = PairBuffer {
             plan: pairs.plan,
             lists: &lists,
             picking: [a.picking(), b.picking()],
@@ -217,13 +222,13 @@ fn sweep_small<T: Real>(
 }
 
 /// A piece of work: some groups, the pairs of their rows and columns, and the first row and column.
-struct Piece<'p, T> {
+struct GroupPiece<'p, T> {
     groups: Range<usize>,
     pairs: Pairs<'p, T>,
     from: [usize; 2],
 }
 
-impl<T: Real> Piece<'_, T> {
+impl<T: Real> GroupPiece<'_, T> {
     /// Returns the groups, with rows and columns counted from the piece's first ones.
     fn groups<'s>(
         &self,
@@ -242,11 +247,11 @@ fn each_piece<T: Real, W: Send>(
     pairs: &Pairs<'_, T>,
     spans: &GroupSpans<'_>,
     work: Vec<(Range<usize>, W)>,
-    run: impl Fn(Piece<'_, T>, W) + Send + Sync,
+    run: impl Fn(GroupPiece<'_, T>, W) + Send + Sync,
 ) {
-    spread(work, |(groups, work): (Range<usize>, W)| {
+    in_parallel(work, |(groups, work): (Range<usize>, W)| {
         let own = spans.of(&groups);
-        let piece = Piece {
+        let piece = GroupPiece {
             groups,
             from: [own[0].start, own[1].start],
             pairs: part(pairs, &own),

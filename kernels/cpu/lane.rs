@@ -67,16 +67,16 @@ pub(crate) const PLANE: usize = BLOCK + 1;
 
 /// A buffer for results, field by field: field `k` of tile `t` goes to `lanes[k * PLANE + t]`.
 #[derive(Debug)]
-pub(crate) struct Results<'a, T> {
+pub(crate) struct ResultTiles<'a, T> {
     pub lanes: &'a mut [Lane<T>],
     /// The number of tiles to compute.
     pub tiles: usize,
 }
 
-impl<T> Results<'_, T> {
+impl<T> ResultTiles<'_, T> {
     /// Returns a shorter borrow of this buffer.
-    pub fn again(&mut self) -> Results<'_, T> {
-        Results {
+    pub fn again(&mut self) -> ResultTiles<'_, T> {
+        ResultTiles {
             lanes: self.lanes,
             tiles: self.tiles,
         }
@@ -134,7 +134,7 @@ thread_local! {
 pub struct Stock<T> {
     /// The lanes that a call computes with.
     desk: RefCell<Vec<Lane<T>>>,
-    /// Lists that no [`Lent`] holds now.
+    /// Lists that no [`LaneBuffer`] holds now.
     lists: RefCell<Vec<Vec<Lane<T>>>>,
     /// Furnished buffers, each with the number of its owner; the latest come last.
     rooms: RefCell<Vec<(u64, Vec<Lane<T>>)>>,
@@ -202,16 +202,16 @@ const KEPT_LANES: usize = 1 << 13;
 
 /// Lanes from the thread's stock, with arbitrary contents. They return to the stock when this value is dropped.
 #[derive(Debug)]
-pub struct Lent<T: Real> {
+pub struct LaneBuffer<T: Real> {
     lanes: Vec<Lane<T>>,
     count: usize,
 }
 
-impl<T: Real> Lent<T> {
+impl<T: Real> LaneBuffer<T> {
     /// Takes `count` lanes from the stock, or allocates them.
     pub(crate) fn new(count: usize) -> Self {
         if count == 0 {
-            return Lent {
+            return LaneBuffer {
                 lanes: Vec::new(),
                 count,
             };
@@ -222,25 +222,25 @@ impl<T: Real> Lent<T> {
             fitting.map(|at| lists.swap_remove(at))
         });
         let lanes = old.unwrap_or_else(|| vec![Lane::default(); count]);
-        Lent { lanes, count }
+        LaneBuffer { lanes, count }
     }
 }
 
-impl<T: Real> Deref for Lent<T> {
+impl<T: Real> Deref for LaneBuffer<T> {
     type Target = [Lane<T>];
     #[inline]
     fn deref(&self) -> &[Lane<T>] {
         self.lanes.get(..self.count).unwrap_or_default()
     }
 }
-impl<T: Real> DerefMut for Lent<T> {
+impl<T: Real> DerefMut for LaneBuffer<T> {
     #[inline]
     fn deref_mut(&mut self) -> &mut [Lane<T>] {
         self.lanes.get_mut(..self.count).unwrap_or_default()
     }
 }
 
-impl<T: Real> Drop for Lent<T> {
+impl<T: Real> Drop for LaneBuffer<T> {
     fn drop(&mut self) {
         let mut lanes = std::mem::take(&mut self.lanes);
         if lanes.is_empty() || lanes.len() > KEPT_LANES {

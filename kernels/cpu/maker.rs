@@ -1,13 +1,13 @@
 //! The interface of compiled kernels and interpreted programs: both compute blocks of items.
-use crate::kernels::cpu::lane::{Results, Tiles};
-use crate::kernels::cpu::program::rowwise::{Given, Wanted};
+use crate::kernels::cpu::lane::{ResultTiles, Tiles};
+use crate::kernels::cpu::program::rowwise::{ArgumentRows, ResultRows};
 
 /// A computation of blocks of items from one or more arguments.
 ///
 /// Compiled kernels and interpreted programs are makers. A maker does not depend on batches.
 pub(crate) trait Maker<T>: Send + Sync {
     /// Computes `out.tiles` tiles of results. Each input has at least as many tiles, or one that stands for all.
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>);
+    fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>);
     /// Returns this computation as one over rows of numbers, if it has that form.
     fn rows(&self) -> Option<&dyn OverRows<T>> {
         None
@@ -19,10 +19,10 @@ pub(crate) trait OverRows<T> {
     /// Computes `items` items and prefetches their rows if `far`. The first `skipped` results are not written.
     fn over_rows(
         &self,
-        given: &[Given<'_, T>],
+        given: &[ArgumentRows<'_, T>],
         items: usize,
         skipped: usize,
-        wanted: &mut [Wanted<'_, T>],
+        wanted: &mut [ResultRows<'_, T>],
         far: bool,
     );
 }

@@ -4,7 +4,7 @@ use crate::assignment;
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::kernels::Groups;
 use crate::kernels::cpu::Cpu;
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::metric::{self, Frame, Outcome, kitti, nuscenes};
 use crate::suppression::{Pair, invalid};
 use crate::{Real, Scalar};
@@ -32,21 +32,21 @@ fn pieces(groups: usize, work: impl Fn(usize) -> usize) -> Vec<Range<usize>> {
 fn each<W: Send, R: Send>(work: Vec<W>, run: impl Fn(W) -> R + Send + Sync) -> Vec<R> {
     let mut results: Vec<Option<R>> = work.iter().map(|_| None).collect();
     let all = work.into_iter().zip(&mut results).collect();
-    spread(all, |(work, result): (W, &mut Option<R>)| {
+    in_parallel(all, |(work, result): (W, &mut Option<R>)| {
         *result = Some(run(work))
     });
     results.into_iter().flatten().collect()
 }
 
 /// Pairs sorted by their groups.
-struct Split<'a, T: Clone> {
+struct GroupedPairs<'a, T: Clone> {
     pairs: Cow<'a, [Pair<T>]>,
     /// Group g has the pairs `ends[g]..ends[g + 1]`.
     ends: Vec<usize>,
     offsets: [&'a [usize]; 2],
 }
 
-impl<'a, T: Real> Split<'a, T> {
+impl<'a, T: Real> GroupedPairs<'a, T> {
     /// Sorts pairs by their groups; within a group they keep their order.
     fn new(pairs: &'a [Pair<T>], groups: Groups<'a>, counts: [usize; 2]) -> Result<Self, Error> {
         groups.spans(counts)?;
@@ -83,7 +83,7 @@ impl<'a, T: Real> Split<'a, T> {
         if !is_ordered {
             pairs.to_mut().sort_by_key(|pair| group[pair.first]);
         }
-        Ok(Split {
+        Ok(GroupedPairs {
             pairs,
             ends,
             offsets,
@@ -154,7 +154,7 @@ impl Cpu {
         pairs: &[Pair<T>],
         groups: Groups<'_>,
     ) -> Result<Vec<Pair<T>>, Error> {
-        let split = Split::new(pairs, groups, counts(groups))?;
+        let split = GroupedPairs::new(pairs, groups, counts(groups))?;
         let of_piece = |piece: Range<usize>| {
             let one = |g: usize| {
                 let from = split.places(&(g..g + 1)).map(|places| places.start);
@@ -176,7 +176,7 @@ impl Cpu {
         pairs: &[Pair<f64>],
         groups: Groups<'_>,
     ) -> Result<Vec<Pair<f64>>, Error> {
-        let split = Split::new(pairs, groups, counts(groups))?;
+        let split = GroupedPairs::new(pairs, groups, counts(groups))?;
         let of_piece = |piece: Range<usize>| {
             let from = split.places(&piece).map(|places| places.start);
             let chosen = assignment::largest(&split.own(&piece))?;
@@ -229,7 +229,7 @@ impl Cpu {
                 });
             }
         }
-        let split = Split::new(frame.pairs, groups, [frame.scores.len(), frame.truths])?;
+        let split = GroupedPairs::new(frame.pairs, groups, [frame.scores.len(), frame.truths])?;
         let of_piece = |piece: Range<usize>| {
             let [own, truths] = split.places(&piece);
             let part = Frame {

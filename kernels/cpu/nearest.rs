@@ -11,7 +11,7 @@ use crate::{Real, Scalar, Vec2};
 
 /// The limits within which squared distances and signs are reliable.
 #[derive(Clone, Copy, Debug)]
-pub struct Limits<T> {
+pub struct ReliableLimits<T> {
     /// The largest distance of a vertex from the point.
     far: T,
     /// The smallest distance of the farthest vertex from the point.
@@ -22,10 +22,10 @@ pub struct Limits<T> {
     doubt: T,
 }
 
-impl<T: Real> Limits<T> {
+impl<T: Real> ReliableLimits<T> {
     pub(crate) fn new() -> Self {
         let power = |exponent: f64| T::lit(power_of_largest::<T>(exponent));
-        Limits {
+        ReliableLimits {
             far: power(0.39),
             near: power(-0.26),
             short: power(-0.83),
@@ -40,7 +40,7 @@ impl<T: Real> Limits<T> {
 const SLACK: f64 = 64.0;
 
 /// The state after some edges.
-struct Seen<S> {
+struct NearestState<S> {
     /// The least squared distance.
     least: S,
     /// The farthest coordinate of a vertex.
@@ -51,10 +51,10 @@ struct Seen<S> {
     doubt: S,
 }
 
-impl<S: Scalar> Seen<S> {
+impl<S: Scalar> NearestState<S> {
     #[inline(always)]
     fn nothing() -> Self {
-        Seen {
+        NearestState {
             least: S::lit(S::LARGEST),
             extent: S::zero(),
             winding: S::zero(),
@@ -140,13 +140,13 @@ fn later<T: Real>(lanes: &[Lane<T>], t: usize) -> Option<Lane<T>> {
 pub(crate) fn near_edges<T: Real, V: Vector<T>>(
     point: Vec2<T>,
     path: &Edges<T>,
-    limits: Limits<T>,
+    limits: ReliableLimits<T>,
     squares: &mut [Lane<T>],
     picked: &mut [u32],
 ) -> Option<(usize, T)> {
     let origin = Vec2::new(V::splat(point.x), V::splat(point.y));
     let short = V::splat(limits.short);
-    let mut all = Seen::<V>::nothing();
+    let mut all = NearestState::<V>::nothing();
     let columns = path.x.iter().zip(&path.y).take(tiles(path.count));
     for (t, ((x, y), square)) in columns.zip(squares.iter_mut()).enumerate() {
         let (next_x, next_y) = (later(&path.x, t)?, later(&path.y, t)?);
@@ -163,7 +163,7 @@ pub(crate) fn near_edges<T: Real, V: Vector<T>>(
     all.doubt.write(&mut lanes[1], 0);
     all.extent.write(&mut lanes[2], 0);
     all.winding.write(&mut lanes[3], 0);
-    let mut seen = Seen::<T>::nothing();
+    let mut seen = NearestState::<T>::nothing();
     let mut k = 0;
     while k < V::WIDTH {
         seen.least = seen.least.least(lanes[0].0[k]);

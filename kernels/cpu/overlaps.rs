@@ -9,7 +9,7 @@ use crate::clip::{
 use crate::iou::giou_framed;
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::blocks::all_within;
-use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
+use crate::kernels::cpu::lane::{Lane, PLANE, ResultTiles, Tiles};
 use crate::overlap::{Denominator, score_aabb2, score_framed};
 use crate::{Aabb2, Fixed, Obb2, Real, Scalar, Vec2};
 
@@ -94,7 +94,7 @@ pub(crate) fn obb2_frames<T: Real, V: Vector<T>>(
 /// Returns the lanes of a tile of results, in which field `k` is lane `k * PLANE`.
 #[inline(always)]
 pub(crate) fn lanes_of<'a, T, const LANES: usize>(
-    out: &'a mut Results<'_, T>,
+    out: &'a mut ResultTiles<'_, T>,
     t: usize,
 ) -> Option<&'a mut [Lane<T>; LANES]> {
     out.lanes.get_mut(t..)?.first_chunk_mut()
@@ -168,7 +168,7 @@ pub(crate) fn obb2_scores<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
@@ -190,7 +190,7 @@ pub(crate) fn obb2_derivatives<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, { 2 * OBB2 * PLANE + 1 }>(&mut out, t) else {
@@ -215,7 +215,7 @@ pub(crate) fn obb2_derivatives<T: Real, V: Vector<T>>(
 pub(crate) fn giou_scores<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
@@ -237,7 +237,7 @@ pub(crate) fn giou_derivatives<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, { 2 * OBB2 * PLANE + 1 }>(&mut out, t) else {
@@ -274,7 +274,7 @@ pub(crate) fn aabb2_scores<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
@@ -296,7 +296,7 @@ pub(crate) fn aabb2_derivatives<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, { 2 * AABB2 * PLANE + 1 }>(&mut out, t) else {
@@ -382,11 +382,11 @@ pub(crate) fn all_common_upright<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
 /// They are so wide that [`relate`](crate::clip::relate) finds boxes apart whose bounds do not meet, in spite of its
 /// rounding. Let `R` be the sum of half the widths and heights of both boxes, ε the distance from 1 to the next number,
 /// and say the bounds are apart along x. Each bound has a slack of `4ε |x| + 128ε (half width + half height)`, of which
-/// its own rounding takes less than `4ε (|x| + half width + half height)`. So the exact boxes are apart by `g ≥ 120 ε
-/// R`. Boxes that are apart by `g` are separated by `g / √2` or more along one of their four axes: where a corner faces
-/// a corner, the shortest segment between them lies in the quarter of normals of either, hence between two axes less
-/// than a quarter apart, and within 45° of one of them. The separating-axis test rounds distances of centres and
-/// extents by less than `12 ε (g + R)`, which is less than `g / √2`.
+/// its own rounding takes less than `4ε (|x| + half width + half height)`. So the exact boxes are apart by
+/// `g ≥ 120 ε R`. Boxes that are apart by `g` are separated by `g / √2` or more along one of their four axes: where a
+/// corner faces a corner, the shortest segment between them lies in the quarter of normals of either, hence between two
+/// axes less than a quarter apart, and within 45° of one of them. The separating-axis test rounds distances of centres
+/// and extents by less than `12 ε (g + R)`, which is less than `g / √2`.
 #[inline(always)]
 pub(crate) fn obb2_bounds<T: Real, V: Vector<T>>(frames: Tiles<'_, T>, bounds: &mut [Lane<T>]) {
     let (of_place, of_size) = (V::lit(4.0 * T::EPSILON), V::lit(128.0 * T::EPSILON));

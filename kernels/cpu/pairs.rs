@@ -5,8 +5,8 @@ use crate::kernels::cpu::blocks::QUAD;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{BLOCK, Lane, TILE, tiles};
 use crate::kernels::cpu::plan::{List, Plan, Shapes};
-use crate::kernels::cpu::sweep::{Chooses, Columns, Part, Sweep, Upstream};
-use crate::kernels::cpu::work::{rows_per_piece, spread};
+use crate::kernels::cpu::sweep::{Columns, RowChoice, RowPart, Sweep, Upstream};
+use crate::kernels::cpu::work::{in_parallel, rows_per_piece};
 use std::ops::Range;
 
 /// An operation and both lists as numbers, checked.
@@ -56,13 +56,13 @@ impl<T: Real> Pairs<'_, T> {
         let sweep = Sweep::new(self.plan, upstream, &a, &b);
         let piece = rows_per_piece(rows);
         let work = work.into_iter().enumerate().collect();
-        spread(work, |(i, work): (usize, W)| {
+        in_parallel(work, |(i, work): (usize, W)| {
             run(&sweep, i * piece..rows.min((i + 1) * piece), work);
         });
         sweep.is_filtered()
     }
     /// Computes the rows that `choice` asks for, on this thread.
-    pub fn chosen(&self, choice: &mut impl Chooses<T>) {
+    pub fn chosen(&self, choice: &mut impl RowChoice<T>) {
         let [a, b] = self.lists();
         Sweep::new(self.plan, None, &a, &b).run_chosen(choice);
     }
@@ -72,7 +72,7 @@ impl<T: Real> Pairs<'_, T> {
 ///
 /// Picked results are put together in the cache before they leave in long runs: single stores would
 /// wait for memory one by one.
-fn put<T: Real>(part: &Part<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
+fn put<T: Real>(part: &RowPart<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
     let (first, width) = (part.stretch.start, part.stretch.len());
     match &part.columns {
         Columns::Run(run) => {
@@ -139,10 +139,10 @@ pub fn planes<T: Real>(pairs: &Pairs<'_, T>, planes: &mut [T]) {
     });
 }
 
-/// The layout of sums of derivatives in lanes. A filtered sweep with an upstream yields picked columns alone, any other one
-/// runs alone: each has its own layout.
+/// The layout of sums of derivatives in lanes. A filtered sweep with an upstream yields picked columns alone, any other
+/// one runs alone: each has its own layout.
 #[derive(Clone, Copy)]
-enum Lay {
+enum SumLayout {
     /// In tiles, field by field.
     Tiles,
     /// Item by item: the numbers of an item contiguous, padded to a multiple of four, so that single items can be added
@@ -150,19 +150,19 @@ enum Lay {
     Items,
 }
 
-impl Lay {
+impl SumLayout {
     fn of(filtered: bool) -> Self {
         match filtered {
-            true => Lay::Items,
-            false => Lay::Tiles,
+            true => SumLayout::Items,
+            false => SumLayout::Tiles,
         }
     }
     /// Returns number `k` of an item that has `fields` numbers.
     #[inline]
     fn number<T: Copy>(self, lanes: &[Lane<T>], fields: usize, item: usize, k: usize) -> T {
         match self {
-            Lay::Tiles => lanes[item / TILE * fields + k].0[item % TILE],
-            Lay::Items => flat(lanes)[item * fields.next_multiple_of(QUAD) + k],
+            SumLayout::Tiles => lanes[item / TILE * fields + k].0[item % TILE],
+            SumLayout::Items => flat(lanes)[item * fields.next_multiple_of(QUAD) + k],
         }
     }
 }
@@ -233,7 +233,7 @@ pub fn pull_back<T: Real>(
                     }
                 }
             });
-            let lay = Lay::of(sweep.is_filtered());
+            let lay = SumLayout::of(sweep.is_filtered());
             let bars = a_bar.chunks_exact_mut(fields[0]);
             for (bar, sums) in bars.zip(row_sums.chunks_exact(wide)) {
                 for (k, x) in bar.iter_mut().enumerate() {
@@ -252,7 +252,7 @@ pub fn pull_back<T: Real>(
             }
         }
     }
-    let lay = Lay::of(filtered);
+    let lay = SumLayout::of(filtered);
     for (j, bar) in b_bar.chunks_exact_mut(fields[1]).enumerate() {
         for (k, x) in bar.iter_mut().enumerate() {
             *x = lay.number(total, fields[1], j, k).canonical();

@@ -83,7 +83,7 @@ struct Node {
 }
 
 /// A tree over bounds: the root is the last node.
-struct Tree {
+struct BoxTree {
     nodes: Vec<Node>,
     order: Vec<usize>,
 }
@@ -99,7 +99,7 @@ fn around(all: impl Iterator<Item = [[f64; 3]; 2]>) -> [[f64; 3]; 2] {
     })
 }
 
-impl Tree {
+impl BoxTree {
     fn new(ends: &[[[f64; 3]; 2]]) -> Self {
         let mut order: Vec<usize> = (0..ends.len()).collect();
         halve(ends, &mut order);
@@ -131,7 +131,7 @@ impl Tree {
             }
             level = next..nodes.len();
         }
-        Tree { nodes, order }
+        BoxTree { nodes, order }
     }
 
     /// Calls `found` with every box that contains the point, in the order of the tree. The answer is an upper limit:
@@ -213,15 +213,15 @@ fn check<P: Validate>(name: &'static str, shapes: &[P]) -> Result<(), Error> {
 fn pieces<B: Container, R: Send>(
     points: &[B::Point],
     boxes: &[B],
-    of: impl Fn(&Tree, usize, &[B::Point]) -> R + Sync,
+    of: impl Fn(&BoxTree, usize, &[B::Point]) -> R + Sync,
 ) -> Result<Vec<R>, Error> {
     check("points", points)?;
     check("boxes", boxes)?;
     let ends: Vec<_> = boxes.iter().map(|one| one.ends()).collect();
-    let tree = Tree::new(&ends);
+    let tree = BoxTree::new(&ends);
     let run = |(piece, points)| of(&tree, piece * PIECE, points);
     #[cfg(feature = "parallel")]
-    if crate::kernels::cpu::work::is_spread() {
+    if crate::kernels::cpu::work::is_parallel() {
         use rayon::prelude::*;
         return Ok(points.par_chunks(PIECE).enumerate().map(run).collect());
     }

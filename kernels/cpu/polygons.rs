@@ -7,7 +7,7 @@ use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles, tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::ragged::check_offsets;
-use crate::kernels::cpu::work::{rows_per_piece, spread};
+use crate::kernels::cpu::work::{in_parallel, rows_per_piece};
 use crate::kernels::row::item::counts::expect;
 use crate::kernels::row::item::rows::numbers;
 use crate::overlap_polygon::holed;
@@ -179,22 +179,22 @@ impl Cpu {
 
 /// The functions over pairs that are compiled in this library for both formats, so that a calling crate compiles no
 /// copy.
-struct Drivers<T: Real> {
+struct RingKernels<T: Real> {
     ring_scores: fn(RingPairs<'_, T>) -> Vec<T>,
     ring_derivatives: fn(RingPairs<'_, T>, &[T]) -> Pulled<T>,
 }
 
-static F32: Drivers<f32> = Drivers {
+static F32: RingKernels<f32> = RingKernels {
     ring_scores: scores,
     ring_derivatives: derivatives,
 };
-static F64: Drivers<f64> = Drivers {
+static F64: RingKernels<f64> = RingKernels {
     ring_scores: scores,
     ring_derivatives: derivatives,
 };
 
 #[inline]
-fn drivers_in<T: Real>() -> &'static Drivers<T> {
+fn drivers_in<T: Real>() -> &'static RingKernels<T> {
     in_format([&F32, &F64])
 }
 
@@ -273,15 +273,15 @@ fn bounds<T: Real>(list: RingList<'_, T>) -> Vec<Lane<T>> {
 }
 
 /// A search for the polygons of b whose bounds meet those of a polygon of a.
-struct Near<'a, T> {
+struct NearSearch<'a, T> {
     pairs: RingPairs<'a, T>,
     bounds: Option<[Vec<Lane<T>>; 2]>,
 }
 
-impl<'a, T: Real> Near<'a, T> {
+impl<'a, T: Real> NearSearch<'a, T> {
     fn new(pairs: RingPairs<'a, T>) -> Self {
         let bounds = pairs.all.then(|| pairs.lists.map(bounds));
-        Near { pairs, bounds }
+        NearSearch { pairs, bounds }
     }
     /// Returns the number of results per polygon of a.
     fn wide(&self) -> usize {
@@ -310,7 +310,7 @@ impl<'a, T: Real> Near<'a, T> {
 
 /// Returns the results of all pairs, on all threads.
 pub(crate) fn scores<T: Real>(pairs: RingPairs<'_, T>) -> Vec<T> {
-    let near = Near::new(pairs);
+    let near = NearSearch::new(pairs);
     let [a, b] = pairs.lists;
     let wide = near.wide();
     let mut out = vec![T::default(); a.count() * wide];
@@ -319,7 +319,7 @@ pub(crate) fn scores<T: Real>(pairs: RingPairs<'_, T>) -> Vec<T> {
     }
     let rows = rows_per_piece(a.count());
     let work = out.chunks_mut(rows * wide).enumerate().collect();
-    spread(work, |(piece, out): (usize, &mut [T])| {
+    in_parallel(work, |(piece, out): (usize, &mut [T])| {
         let mut hits = Vec::new();
         for (i, out) in out.chunks_mut(wide).enumerate() {
             let i = piece * rows + i;
@@ -333,7 +333,7 @@ pub(crate) fn scores<T: Real>(pairs: RingPairs<'_, T>) -> Vec<T> {
 
 /// Returns the results of all pairs, and derivatives times cotangents, on all threads.
 pub(crate) fn derivatives<T: Real>(pairs: RingPairs<'_, T>, upstream: &[T]) -> Pulled<T> {
-    let near = Near::new(pairs);
+    let near = NearSearch::new(pairs);
     let [a, b] = pairs.lists;
     let wide = near.wide();
     let mut out = vec![T::default(); a.count() * wide];
@@ -362,7 +362,7 @@ pub(crate) fn derivatives<T: Real>(pairs: RingPairs<'_, T>, upstream: &[T]) -> P
         &'a mut [Vec2<T>],
         &'a mut Vec<Vec2<T>>,
     );
-    spread(work, |(first, out, up, a_bars, b_bars): Work<'_, T>| {
+    in_parallel(work, |(first, out, up, a_bars, b_bars): Work<'_, T>| {
         let (mut hits, mut one, mut other) = (Vec::new(), Vec::new(), Vec::new());
         let last = first + out.len() / wide;
         // The vertices of the second list that the piece uses: of equal indices if aligned, else all.

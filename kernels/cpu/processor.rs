@@ -19,8 +19,8 @@ use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::found::Best;
-use crate::kernels::machine::suppress::Ranked;
-use crate::kernels::machine::{Bests, FOREIGN, Founds, Matrix, Ready, Stays, Stored};
+use crate::kernels::machine::suppress::RankedShapes;
+use crate::kernels::machine::{Bests, FOREIGN, Founds, MachineColumn, Matrix, Ready, Stored};
 use crate::kernels::machine::{
     Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Sealed, Seed, count_of,
 };
@@ -67,14 +67,14 @@ impl Processor {
 }
 
 /// Cotangents within the range of a kernel.
-struct Scaled<T> {
+struct ScaledCotangents<T> {
     /// The cotangents divided by `factor`; `None` if all are within range.
     scaled: Option<Vec<T>>,
     /// The power of two by which the results are multiplied.
     factor: T,
 }
 
-impl<T: Real> Scaled<T> {
+impl<T: Real> ScaledCotangents<T> {
     /// Divides all cotangents by one power of two if one exceeds the range of the kernel ([`Plan::steepest`]).
     ///
     /// # Errors
@@ -85,7 +85,7 @@ impl<T: Real> Scaled<T> {
         let factor = steep.iter().flatten().map(|x| x.1).fold(T::one(), T::most);
         let all = upstream.derivatives.iter();
         let scaled = steep.map(|_| all.map(|&x| x.over(factor)).collect());
-        Ok(Scaled { scaled, factor })
+        Ok(ScaledCotangents { scaled, factor })
     }
     /// Writes the cotangents of both lists.
     fn pull_back(
@@ -129,7 +129,7 @@ impl<T: Real> Engine<T> for Processor {
     fn keep(&self, count: usize, columns: Vec<Numbers<T>>) -> Result<Stored<T>, Error> {
         let columns = columns
             .into_iter()
-            .map(|own| Box::new(own) as Box<dyn Stays<T>>);
+            .map(|own| Box::new(own) as Box<dyn MachineColumn<T>>);
         Ok(Stored::new(count, columns.collect()))
     }
 
@@ -304,7 +304,7 @@ impl<T: Real> Engine<T> for Processor {
         let upstream = Upstream { derivatives, step };
         let plan = plan(&call.clone().derived(Mode::Vjp)?, true)?;
         let pairs = self.lists(&plan, lists)?;
-        Scaled::new(&plan, &upstream)?.pull_back(&pairs, upstream, bars);
+        ScaledCotangents::new(&plan, &upstream)?.pull_back(&pairs, upstream, bars);
         match seed {
             Seed::Factor(_) => Ok(self.reduce(call, lists, Reduction::Sum)?.sum()),
             _ => Ok(0.0),
@@ -330,7 +330,7 @@ impl<T: Real> Engine<T> for Processor {
                 (order, Some(ends))
             }
         };
-        let ranked = Ranked::of(order, shapes, &rules);
+        let ranked = RankedShapes::of(order, shapes, &rules);
         let (lists, greed) = (ranked.lists(), ranked.greed(&rules));
         let pairs = self.lists(&plan, &lists)?;
         let kept = match ends {

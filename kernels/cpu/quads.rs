@@ -4,7 +4,7 @@
 use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
 use crate::kernels::cpu::arch::{LARGE, Vector};
 use crate::kernels::cpu::blocks::{all_up_to, bring};
-use crate::kernels::cpu::lane::{Lane, PLANE, Results, TILE, Tiles};
+use crate::kernels::cpu::lane::{Lane, PLANE, ResultTiles, TILE, Tiles};
 use crate::kernels::cpu::overlaps::{lanes_of, put, seed};
 use crate::overlap_polygon::{intersection_area_quads, is_convex};
 use crate::scalar::power_of_largest;
@@ -64,7 +64,7 @@ pub(crate) fn all_convex<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
 pub(crate) fn quad_scores<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
@@ -85,7 +85,7 @@ pub(crate) fn quad_derivatives<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     if !LARGE {
         return;

@@ -3,7 +3,7 @@ use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::checked::check_upstream;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::simd::Simd;
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::row::item::rows::numbers;
 use crate::ring::Measure;
 use crate::{Real, Vec2};
@@ -28,7 +28,7 @@ pub(crate) fn measured<T: Real>(
     }
     // Vertices are tested while they are in the cache.
     let sound = AtomicBool::new(true);
-    spread(work, |(offsets, values): (&[usize], &mut [T])| {
+    in_parallel(work, |(offsets, values): (&[usize], &mut [T])| {
         if !(kernels_in::<T>().ring_values)(measure, vertices, offsets, values) {
             sound.store(false, Ordering::Relaxed);
         }
@@ -57,7 +57,7 @@ pub(crate) fn measured_vjp<T: Real>(
         rest = after;
         work.push((&offsets[cut[0]..=cut[1]], &upstream[own], bars));
     }
-    spread(
+    in_parallel(
         work,
         |(offsets, upstream, bars): (&[usize], &[T], &mut [Vec2<T>])| {
             (kernels_in::<T>().ring_bars)(measure, vertices, offsets, upstream, bars);

@@ -4,7 +4,7 @@ use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::sweep::{Columns, Part};
+use crate::kernels::cpu::sweep::{Columns, RowPart};
 use crate::kernels::cpu::work::rows_per_piece;
 use crate::kernels::machine::found::{Best, Found};
 
@@ -17,7 +17,7 @@ enum Scores<'a, T> {
 }
 
 /// Returns the scores of a part of a row.
-fn scores<'a, T: Real>(part: &Part<'a, T>) -> Scores<'a, T> {
+fn scores<'a, T: Real>(part: &RowPart<'a, T>) -> Scores<'a, T> {
     let scores = flat(part.results.field(0));
     match &part.columns {
         Columns::Run(run) => Scores::Run(run.start, &scores[..run.len()]),

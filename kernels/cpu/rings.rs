@@ -25,7 +25,7 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
     let fields = measure.fields();
     let rings = offsets.len().saturating_sub(1);
     let empty = Lane([T::default(); TILE]);
-    let mut side = Side {
+    let mut side = RingLanes {
         x: [empty; SMALL],
         y: [empty; SMALL],
         count: 0,
@@ -80,14 +80,14 @@ fn finite<T: Real, V: Vector<T>>(vertices: &[Vec2<T>]) -> bool {
 }
 
 /// The vertices of as many rings as there are lanes, one ring per lane.
-struct Side<T> {
+struct RingLanes<T> {
     x: [Lane<T>; SMALL],
     y: [Lane<T>; SMALL],
     /// The most vertices of a ring.
     count: usize,
 }
 
-impl<T: Real> Side<T> {
+impl<T: Real> RingLanes<T> {
     /// Fills the lanes from short rings of at least one vertex. Shorter ones repeat their last vertex, which adds edges
     /// of length zero and changes no sum.
     #[inline(always)]
@@ -170,7 +170,7 @@ impl<T: Real> Side<T> {
     }
 }
 
-impl<T: Real, V: Vector<T>> Vertices<V> for &Side<T> {
+impl<T: Real, V: Vector<T>> Vertices<V> for &RingLanes<T> {
     #[inline(always)]
     fn count(self) -> usize {
         self.count
@@ -190,7 +190,11 @@ impl<T: Real, V: Vector<T>> Vertices<V> for &Side<T> {
 
 /// Writes the results of as many rings as there are lanes. Returns `false` if each ring must be measured alone.
 #[inline(always)]
-fn side_by_side<T: Real, V: Vector<T>>(measure: Measure, side: &Side<T>, out: &mut [T]) -> bool {
+fn side_by_side<T: Real, V: Vector<T>>(
+    measure: Measure,
+    side: &RingLanes<T>,
+    out: &mut [T],
+) -> bool {
     let mut room = Lane([T::default(); TILE]);
     match measure {
         Measure::SignedArea => {

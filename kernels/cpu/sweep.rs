@@ -8,7 +8,7 @@ use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{
-    BLOCK, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
+    BLOCK, Lane, LaneBuffer, PLANE, Planes, ResultTiles, TILE, Tiles, planes, tiles, with_lanes,
 };
 use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::overlaps::BOUNDS;
@@ -42,7 +42,7 @@ pub struct Upstream<'a, T> {
 /// Results of a row with some columns.
 ///
 /// The results of a row come stretch by stretch. A long stretch may come in several parts.
-pub struct Part<'a, T> {
+pub struct RowPart<'a, T> {
     /// The row.
     pub row: usize,
     /// The columns of this part's stretch. Columns of it that are in no part have zeros.
@@ -64,7 +64,7 @@ pub enum Columns<'a> {
 }
 
 /// A choice of rows, and of the later columns to compute with each.
-pub(crate) trait Chooses<T> {
+pub(crate) trait RowChoice<T> {
     /// Returns the next row.
     fn next(&mut self) -> Option<usize>;
     /// Returns `true` if the row's result with a column is wanted.
@@ -88,7 +88,7 @@ pub struct Sweep<'a, T: Real> {
     fields: usize,
     rare: Option<&'a Rare<T>>,
     /// Columns as rows of numbers, to gather from, and the length of such a row.
-    picking: Lent<T>,
+    picking: LaneBuffer<T>,
     stride: usize,
     tree: Option<Tree<T>>,
     /// The factors of derivatives.
@@ -112,7 +112,7 @@ impl<'a, T: Real> Sweep<'a, T> {
             maker: &*plan.maker,
             fields: plan.made(),
             rare: plan.rare.as_ref(),
-            picking: Lent::new(0),
+            picking: LaneBuffer::new(0),
             stride: b.stride(),
             tree: None,
             // Derivatives are always picked.
@@ -136,13 +136,13 @@ impl<'a, T: Real> Sweep<'a, T> {
     }
 
     /// Computes the rows of a choice, each with the later columns that are wanted and, with bounds, near.
-    pub fn run_chosen(mut self, choice: &mut impl Chooses<T>) {
+    pub fn run_chosen(mut self, choice: &mut impl RowChoice<T>) {
         if self.picking.is_empty() {
             self.picking = self.b.picking();
         }
-        let lanes = Desk::lanes(&self).iter().sum();
+        let lanes = SweepBuffers::lanes(&self).iter().sum();
         with_lanes(lanes, |lanes| {
-            let mut desk = Desk::new(&self, lanes);
+            let mut desk = SweepBuffers::new(&self, lanes);
             let count = self.b.count;
             let (mut room, mut hits) = (Vec::new(), Vec::new());
             while let Some(row) = choice.next() {
@@ -153,7 +153,7 @@ impl<'a, T: Real> Sweep<'a, T> {
                 }
                 if !hits.is_empty() {
                     desk.choose(row);
-                    desk.some(0..count, &hits, &mut |part: Part<'_, T>| {
+                    desk.some(0..count, &hits, &mut |part: RowPart<'_, T>| {
                         if let Columns::Picked(columns) = part.columns {
                             choice.take(columns, part.results);
                         }
@@ -164,7 +164,7 @@ impl<'a, T: Real> Sweep<'a, T> {
     }
 
     /// Returns the columns whose bounds meet the row's, ascending; without bounds all columns from the row's own index
-    /// on. Earlier ones may be among them: [`Chooses::wants`] rejects these.
+    /// on. Earlier ones may be among them: [`RowChoice::wants`] rejects these.
     fn near<'r>(&self, row: usize, room: &'r mut Vec<u32>) -> &'r [u32] {
         let count = self.b.count;
         match (&self.tree, &self.b.bounds, self.a.bounds_of(row)) {
@@ -210,8 +210,8 @@ impl<'a, T: Real> Sweep<'a, T> {
 
     /// Computes some rows and calls `consume` with their results. Columns come in order within each row, rows in order
     /// within each column.
-    pub fn run(&self, rows: Range<usize>, consume: impl FnMut(Part<'_, T>)) {
-        let lanes = Desk::lanes(self).iter().sum();
+    pub fn run(&self, rows: Range<usize>, consume: impl FnMut(RowPart<'_, T>)) {
+        let lanes = SweepBuffers::lanes(self).iter().sum();
         with_lanes(lanes, |lanes| self.run_on(lanes, rows, consume));
     }
 
@@ -219,12 +219,12 @@ impl<'a, T: Real> Sweep<'a, T> {
         &self,
         lanes: &mut [Lane<T>],
         rows: Range<usize>,
-        mut consume: impl FnMut(Part<'_, T>),
+        mut consume: impl FnMut(RowPart<'_, T>),
     ) {
-        let mut desk = Desk::new(self, lanes);
+        let mut desk = SweepBuffers::new(self, lanes);
         if let Some(tree) = &self.tree {
             let mut room = Vec::new();
-            let mut group = Group::default();
+            let mut group = RowGroup::default();
             let is_plain =
                 self.upstream.is_none() && self.a.rare.is_empty() && self.b.rare.is_empty();
             for row in rows {
@@ -273,7 +273,7 @@ impl<'a, T: Real> Sweep<'a, T> {
 
 /// Rows with few columns that one call of a kernel computes together.
 #[derive(Default)]
-struct Group {
+struct RowGroup {
     /// The number of tiles in use.
     tiles: usize,
     /// Each row, its first tile, and the end of its columns among those of all rows.
@@ -282,7 +282,7 @@ struct Group {
 }
 
 /// The lanes and numbers that one thread computes with.
-struct Desk<'a, T: Real> {
+struct SweepBuffers<'a, T: Real> {
     sweep: &'a Sweep<'a, T>,
     row: usize,
     row_is_rare: bool,
@@ -297,7 +297,7 @@ struct Desk<'a, T: Real> {
     one: Vec<T>,
 }
 
-impl<'a, T: Real> Desk<'a, T> {
+impl<'a, T: Real> SweepBuffers<'a, T> {
     /// Returns the numbers of lanes of a desk: for the row, gathered columns, upstream derivatives and results.
     fn lanes(sweep: &Sweep<'_, T>) -> [usize; 4] {
         [
@@ -313,7 +313,7 @@ impl<'a, T: Real> Desk<'a, T> {
         let (own, lanes) = lanes.split_at_mut(own);
         let (picked, lanes) = lanes.split_at_mut(picked);
         let (seeds, results) = lanes.split_at_mut(seeds);
-        Desk {
+        SweepBuffers {
             sweep,
             row: usize::MAX,
             row_is_rare: false,
@@ -330,7 +330,7 @@ impl<'a, T: Real> Desk<'a, T> {
         if row != self.row {
             self.row = row;
             let own = &mut self.own[..self.sweep.a.frame_fields];
-            self.sweep.a.spread(row, own);
+            self.sweep.a.broadcast(row, own);
             self.row_is_rare = !self.sweep.a.rare.is_empty() && self.sweep.a.is_rare(row);
         }
     }
@@ -343,7 +343,7 @@ impl<'a, T: Real> Desk<'a, T> {
     fn make(&mut self, columns: Tiles<'_, T>, count: usize) {
         let inputs = [Tiles::one(self.own), columns, Tiles::new(self.seeds, 1)];
         let used = if self.sweep.upstream.is_some() { 3 } else { 2 };
-        let out = Results {
+        let out = ResultTiles {
             lanes: self.results,
             tiles: tiles(count),
         };
@@ -353,13 +353,13 @@ impl<'a, T: Real> Desk<'a, T> {
         Planes(self.results)
     }
     /// Adds a row with few columns to the group, which has enough free tiles.
-    fn add(&mut self, group: &mut Group, row: usize, columns: &[u32]) {
+    fn add(&mut self, group: &mut RowGroup, row: usize, columns: &[u32]) {
         let Sweep { a, b, stride, .. } = *self.sweep;
         let first = group.tiles;
         group.tiles += tiles(columns.len());
         for t in first..group.tiles {
             let own = &mut self.own[t * a.frame_fields..][..a.frame_fields];
-            a.spread(row, own);
+            a.broadcast(row, own);
         }
         let picked = &mut self.picked[first * b.frame_fields..group.tiles * b.frame_fields];
         (kernels_in::<T>().gather)(
@@ -373,12 +373,12 @@ impl<'a, T: Real> Desk<'a, T> {
         group.rows.push((row, first, group.columns.len()));
     }
     /// Computes the group and passes on its results.
-    fn finish(&mut self, group: &mut Group, consume: &mut impl FnMut(Part<'_, T>)) {
+    fn finish(&mut self, group: &mut RowGroup, consume: &mut impl FnMut(RowPart<'_, T>)) {
         let Sweep { a, b, .. } = *self.sweep;
         if group.tiles > 0 {
             let own = Tiles::new(self.own, a.frame_fields);
             let picked = Tiles::new(self.picked, b.frame_fields);
-            let out = Results {
+            let out = ResultTiles {
                 lanes: self.results,
                 tiles: group.tiles,
             };
@@ -388,7 +388,7 @@ impl<'a, T: Real> Desk<'a, T> {
         }
         let mut start = 0;
         for &(row, tile, end) in &group.rows {
-            consume(Part {
+            consume(RowPart {
                 row,
                 stretch: 0..b.count,
                 is_first: true,
@@ -402,7 +402,7 @@ impl<'a, T: Real> Desk<'a, T> {
         group.columns.clear();
     }
     /// Computes the row with all columns of a stretch.
-    fn all(&mut self, stretch: Range<usize>, consume: &mut impl FnMut(Part<'_, T>)) {
+    fn all(&mut self, stretch: Range<usize>, consume: &mut impl FnMut(RowPart<'_, T>)) {
         let b = self.sweep.b;
         let first = stretch.start;
         let columns = &b.frames[first / TILE * b.frame_fields..];
@@ -421,7 +421,7 @@ impl<'a, T: Real> Desk<'a, T> {
                 self.mend(j, j - first);
             }
         }
-        consume(Part {
+        consume(RowPart {
             row: self.row,
             stretch: stretch.clone(),
             is_first: true,
@@ -430,7 +430,12 @@ impl<'a, T: Real> Desk<'a, T> {
         });
     }
     /// Computes the row with some columns of a stretch; the others have zeros.
-    fn some(&mut self, stretch: Range<usize>, hits: &[u32], consume: &mut impl FnMut(Part<'_, T>)) {
+    fn some(
+        &mut self,
+        stretch: Range<usize>,
+        hits: &[u32],
+        consume: &mut impl FnMut(RowPart<'_, T>),
+    ) {
         let Sweep { b, stride, .. } = *self.sweep;
         let picked = std::mem::take(&mut self.picked);
         let parts = hits.chunks(BLOCK * TILE);
@@ -460,7 +465,7 @@ impl<'a, T: Real> Desk<'a, T> {
                     }
                 }
             }
-            consume(Part {
+            consume(RowPart {
                 row: self.row,
                 stretch: stretch.clone(),
                 is_first: i == 0,

@@ -13,7 +13,7 @@ pub struct Tree<T> {
 }
 
 /// Interleaves the bits of a coordinate below 2¹⁶ with zeros, for Morton's curve.
-fn spread(place: f64) -> u32 {
+fn interleave(place: f64) -> u32 {
     let place = place as u32 & 0xffff;
     let place = (place | place << 8) & 0x00ff_00ff;
     let place = (place | place << 4) & 0x0f0f_0f0f;
@@ -43,7 +43,7 @@ impl<T: Real> Tree<T> {
         // One scale for both axes keeps tiles short in a long, narrow scene.
         let scale = 65_535.0 / (right - left).max(top - bottom);
         let place = |(i, [x, y]): (usize, &[f64; 2])| {
-            let along = spread((x - left) * scale) | spread((y - bottom) * scale) << 1;
+            let along = interleave((x - left) * scale) | interleave((y - bottom) * scale) << 1;
             u64::from(along) << 32 | i as u64
         };
         let mut order: Vec<u64> = centers.iter().enumerate().map(place).collect();

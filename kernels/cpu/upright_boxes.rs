@@ -4,7 +4,7 @@
 use crate::ad::adjoint::upright::{Upright, score_from_area_vjp};
 use crate::clip::area_from_half;
 use crate::kernels::cpu::arch::Vector;
-use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
+use crate::kernels::cpu::lane::{Lane, PLANE, ResultTiles, Tiles};
 use crate::kernels::cpu::overlaps::{
     OBB2, SEEN, UPRIGHT, frame_fields, framed, lanes_of, put, seed,
 };
@@ -13,7 +13,7 @@ use crate::overlap3::{Scales, heights, score_of_columns};
 use crate::{Fixed, Obb2, Real};
 
 /// Extends results with ten derivatives of boxes seen from above to fourteen derivatives of upright boxes.
-pub(crate) fn spread_derivatives<T: Real>(out: &mut Results<'_, T>) {
+pub(crate) fn extend_derivatives<T: Real>(out: &mut ResultTiles<'_, T>) {
     for t in 0..out.tiles {
         // Moving the last fields first overwrites none that is still needed.
         for side in [1, 0] {
@@ -48,7 +48,7 @@ pub(crate) fn scores<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
@@ -78,7 +78,7 @@ pub(crate) fn derivatives<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, { 2 * UPRIGHT * PLANE + 1 }>(&mut out, t) else {

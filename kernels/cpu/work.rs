@@ -32,14 +32,14 @@ pub fn on_this_thread<R>(run: impl FnOnce() -> R) -> R {
 
 /// Returns `true` if work of the calling thread may run on others.
 #[cfg(feature = "parallel")]
-pub(crate) fn is_spread() -> bool {
+pub(crate) fn is_parallel() -> bool {
     !STAYS.get()
 }
 
 /// Runs every piece of work, in parallel if threads are allowed.
-pub fn spread<W: Send>(work: Vec<W>, run: impl Fn(W) + Send + Sync) {
+pub fn in_parallel<W: Send>(work: Vec<W>, run: impl Fn(W) + Send + Sync) {
     #[cfg(feature = "parallel")]
-    if work.len() > 1 && is_spread() {
+    if work.len() > 1 && is_parallel() {
         use rayon::prelude::*;
         work.into_par_iter().with_max_len(1).for_each(run);
         return;

@@ -2,7 +2,7 @@
 use super::Mode;
 use super::described::{Shape, shapes, summary, verb_of};
 use super::forms::Function;
-use super::paths::{Code, OnPaths, fold_double, fold_single};
+use super::paths::{OnPaths, UntypedFold, fold_double, fold_single};
 use super::program::Program;
 use super::rows::{Layout, named};
 use super::symbol::Symbol;
@@ -35,7 +35,8 @@ pub enum Sort {
     Fold,
 }
 
-/// An operation of the library, without its types. Its declared [properties](Declared) are fields: its `name`, its `doc`.
+/// An operation of the library, without its types. Its declared [properties](Declared) are fields: its `name`, its
+/// `doc`.
 #[derive(Clone, Copy, Debug)]
 pub struct Operation {
     /// The properties that it declares.
@@ -74,7 +75,7 @@ enum Runner<T: Real> {
     /// On columns.
     Columns(fn() -> Arc<Recording<T>>),
     /// On paths.
-    Paths(Code<T>),
+    Paths(UntypedFold<T>),
 }
 
 impl<T: Real> Clone for InFormat<T> {
@@ -395,9 +396,9 @@ where
 }
 
 /// A list of operations, filled by the walk over all rows.
-struct Values(Vec<Operation>);
+struct OperationList(Vec<Operation>);
 
-impl Walk for Values {
+impl Walk for OperationList {
     fn straight<O: Op>(&mut self, row: Written)
     where
         O::In<f32>: Item<Scalar = f32>,
@@ -437,7 +438,7 @@ impl Walk for Values {
 pub fn operations() -> &'static [Operation] {
     static ALL: OnceLock<Vec<Operation>> = OnceLock::new();
     ALL.get_or_init(|| {
-        let mut all = Values(Vec::new());
+        let mut all = OperationList(Vec::new());
         ops::each(&mut all);
         all.0
     })

@@ -3,7 +3,7 @@ use super::forms::{Function, targets};
 use super::rows::Rows;
 use crate::Real;
 use crate::error::Error;
-use crate::kernels::cpu::work::{on_this_thread, spread};
+use crate::kernels::cpu::work::{in_parallel, on_this_thread};
 use crate::kernels::machine::count_of;
 
 /// The number of items that are copied to rows at a time, few enough for the cache of a core.
@@ -49,7 +49,7 @@ impl<T: Real> Function<T> {
                 done,
             });
         }
-        spread(work, |stretch: Stretch<'_, T>| {
+        in_parallel(work, |stretch: Stretch<'_, T>| {
             let items = stretch.from..stretch.from + stretch.count;
             let mut room: Vec<Vec<T>> = arguments.iter().map(|_| Vec::new()).collect();
             let own = arguments.iter().zip(&mut room);

@@ -350,8 +350,8 @@ macro_rules! of_pairs {
             ///
             /// # Errors
             ///
-            /// As [`all_pairs`](Function::all_pairs), [`Error::NotOneNumber`] for other results, and errors of what else
-            /// the call takes.
+            /// As [`all_pairs`](Function::all_pairs), [`Error::NotOneNumber`] for other results, and errors of what
+            /// else the call takes.
             pub fn $name(
                 &self,
                 $a: Rows<'_, T>,

@@ -99,8 +99,8 @@ impl<T: Real> Function<T> {
 /// Suppression.
 impl<T: Real> Function<T> {
     /// Returns the rows that no better kept row of their group suppresses, as
-    /// [`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped). A list without groups has the offsets `[0,
-    /// length]`.
+    /// [`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped). A list without groups has the offsets
+    /// `[0, length]`.
     ///
     /// # Errors
     ///

@@ -19,7 +19,7 @@ type Derivatives<T> = (Vec<T>, Vec<T>);
 
 /// An untyped fold.
 #[derive(Debug)]
-pub(super) struct Code<T: 'static> {
+pub(super) struct UntypedFold<T: 'static> {
     pub(super) values: fn(Backend<'_>, &[Rows<'_, T>], &[T], &[usize]) -> Result<Vec<T>, Error>,
     pub(super) derivatives:
         fn(Backend<'_>, &[Rows<'_, T>], &[T], &[usize], &[T]) -> Result<Derivatives<T>, Error>,
@@ -44,12 +44,12 @@ impl<T> Clone for Shared<T> {
     }
 }
 impl<T> Copy for Shared<T> {}
-impl<T> Clone for Code<T> {
+impl<T> Clone for UntypedFold<T> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<T> Copy for Code<T> {}
+impl<T> Copy for UntypedFold<T> {}
 
 /// Columns of numbers, read as columns of shapes.
 pub(super) struct Contexts<'a, R: Item> {
@@ -85,7 +85,7 @@ pub(super) fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P> {
 /// Builds an untyped fold in a format; `$machine` maps a backend to the machine.
 macro_rules! fold_in {
     ($format:ty, |$backend:pat_param| $machine:expr) => {
-        Code {
+        UntypedFold {
             values: |$backend, rows, vertices, offsets| {
                 let contexts = Contexts::<F::Context<$format>>::new(rows);
                 let vertices = loaded::<F::Element<$format>>(vertices);
@@ -137,13 +137,13 @@ macro_rules! fold_in {
 use crate::kernels::cpu::Cpu;
 use crate::kernels::row::fold::fold;
 
-pub(super) const fn fold_single<F: Fold>() -> Code<f32>
+pub(super) const fn fold_single<F: Fold>() -> UntypedFold<f32>
 where
     F::Context<f32>: Item<Scalar = f32>,
 {
     fold_in!(f32, |backend| backend)
 }
-pub(super) const fn fold_double<F: Fold>() -> Code<f64>
+pub(super) const fn fold_double<F: Fold>() -> UntypedFold<f64>
 where
     F::Context<f64>: Item<Scalar = f64>,
 {
@@ -172,7 +172,7 @@ where
 /// ```
 #[derive(Clone, Debug)]
 pub struct OnPaths<T: Real> {
-    pub(super) code: Code<T>,
+    pub(super) code: UntypedFold<T>,
     pub(super) names: Vec<Argument>,
     pub(super) takes: Vec<Leaf<T>>,
     /// The number of scalars of the result.
@@ -183,7 +183,7 @@ pub struct OnPaths<T: Real> {
 
 impl<T: Real> OnPaths<T> {
     pub(super) fn new(
-        code: Code<T>,
+        code: UntypedFold<T>,
         names: &[&'static str],
         takes: Vec<Leaf<T>>,
         gives: usize,

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 /// The memory of rows.
 #[derive(Clone, Copy, Debug)]
-enum Numbers<'a, T> {
+enum RowMemory<'a, T> {
     /// Row-major: the fields of a row are adjacent.
     Together(&'a [T]),
     /// One slice per field.
@@ -19,7 +19,7 @@ enum Numbers<'a, T> {
 /// One argument of every item as plain numbers: rows in row-major order, or a slice for every field.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<'a, T> {
-    numbers: Numbers<'a, T>,
+    numbers: RowMemory<'a, T>,
     fields: usize,
     is_one: bool,
 }
@@ -29,7 +29,7 @@ impl<'a, T: Real> Rows<'a, T> {
     #[must_use]
     pub const fn new(numbers: &'a [T], fields: usize) -> Self {
         Rows {
-            numbers: Numbers::Together(numbers),
+            numbers: RowMemory::Together(numbers),
             fields,
             is_one: false,
         }
@@ -38,7 +38,7 @@ impl<'a, T: Real> Rows<'a, T> {
     #[must_use]
     pub const fn one(row: &'a [T]) -> Self {
         Rows {
-            numbers: Numbers::Together(row),
+            numbers: RowMemory::Together(row),
             fields: row.len(),
             is_one: true,
         }
@@ -58,7 +58,7 @@ impl<'a, T: Real> Rows<'a, T> {
     #[must_use]
     pub const fn apart(fields: &'a [&'a [T]]) -> Self {
         Rows {
-            numbers: Numbers::Apart(fields),
+            numbers: RowMemory::Apart(fields),
             fields: fields.len(),
             is_one: false,
         }
@@ -67,8 +67,8 @@ impl<'a, T: Real> Rows<'a, T> {
     #[must_use]
     pub fn numbers(&self) -> Cow<'a, [T]> {
         match self.numbers {
-            Numbers::Together(numbers) => Cow::Borrowed(numbers),
-            Numbers::Apart(fields) => {
+            RowMemory::Together(numbers) => Cow::Borrowed(numbers),
+            RowMemory::Apart(fields) => {
                 let count = self.count().unwrap_or(0);
                 let mut rows = vec![T::default(); count * fields.len()];
                 gather(fields, 0..count, &mut rows);
@@ -80,8 +80,8 @@ impl<'a, T: Real> Rows<'a, T> {
     #[must_use]
     pub fn count(&self) -> Option<usize> {
         let numbers = match self.numbers {
-            Numbers::Together(numbers) => numbers.len().checked_div(self.fields).unwrap_or(0),
-            Numbers::Apart(fields) => fields.iter().map(|field| field.len()).min().unwrap_or(0),
+            RowMemory::Together(numbers) => numbers.len().checked_div(self.fields).unwrap_or(0),
+            RowMemory::Apart(fields) => fields.iter().map(|field| field.len()).min().unwrap_or(0),
         };
         (!self.is_one).then_some(numbers)
     }
@@ -92,17 +92,17 @@ impl<'a, T: Real> Rows<'a, T> {
     }
     /// Returns `true` if every field is a slice of its own.
     pub(super) const fn is_apart(&self) -> bool {
-        matches!(self.numbers, Numbers::Apart(_))
+        matches!(self.numbers, RowMemory::Apart(_))
     }
     /// Returns some rows, copied to `room` if fields are separate; a row that stands for all is returned as it is.
     pub(super) fn some<'s>(&'s self, items: Range<usize>, room: &'s mut Vec<T>) -> Rows<'s, T> {
         match self.numbers {
-            Numbers::Together(_) if self.is_one => *self,
-            Numbers::Together(numbers) => {
+            RowMemory::Together(_) if self.is_one => *self,
+            RowMemory::Together(numbers) => {
                 let fields = self.fields;
                 Rows::new(&numbers[items.start * fields..items.end * fields], fields)
             }
-            Numbers::Apart(fields) => {
+            RowMemory::Apart(fields) => {
                 room.resize(items.len() * fields.len(), T::default());
                 gather(fields, items, room);
                 Rows::new(room, fields.len())
@@ -123,11 +123,11 @@ impl<'a, T: Real> Rows<'a, T> {
             });
         }
         match self.numbers {
-            Numbers::Together(numbers) => {
+            RowMemory::Together(numbers) => {
                 let whole = numbers.len() - numbers.len() % expected.max(1);
                 expect(argument, whole, numbers.len())?;
             }
-            Numbers::Apart(fields) => {
+            RowMemory::Apart(fields) => {
                 let count = fields.first().map_or(0, |field| field.len());
                 let mut lengths = fields.iter().map(|field| field.len());
                 lengths.try_for_each(|found| expect(argument, count, found))?;
@@ -138,8 +138,8 @@ impl<'a, T: Real> Rows<'a, T> {
     /// Converts it to a column with any number of fields.
     pub(super) fn lent(&self) -> Column<'a, T> {
         match self.numbers {
-            Numbers::Together(numbers) => Column::lent(numbers, self.fields, self.count()),
-            Numbers::Apart(fields) => {
+            RowMemory::Together(numbers) => Column::lent(numbers, self.fields, self.count()),
+            RowMemory::Apart(fields) => {
                 let read = |items: Range<usize>, rows: &mut [T]| gather(fields, items, rows);
                 Column::read(self.fields, self.count().unwrap_or(0), read)
             }

@@ -3,7 +3,7 @@ use crate::Real;
 
 /// A list of inputs of an operation.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Inputs<T> {
+pub(super) struct InputColumns<T> {
     /// The numbers of every shape of an input, input after input.
     pub columns: Vec<Vec<T>>,
     /// The numbers of all vertices, if an input has a path.
@@ -16,7 +16,7 @@ pub(super) struct Inputs<T> {
     pub outside: u64,
 }
 
-impl<T: Real> Inputs<T> {
+impl<T: Real> InputColumns<T> {
     /// Returns the inputs with their two shapes exchanged.
     pub fn exchanged(&self) -> Self {
         let mut other = self.clone();

@@ -1,8 +1,8 @@
 //! Properties of pairs of shapes: apart, identical, exchanged.
-use super::arguments::Inputs;
+use super::arguments::InputColumns;
 use super::inputs::is_inside;
 use super::job::Job;
-use super::properties::{Found, Outcome, first_where, unless};
+use super::properties::{BatchResults, Outcome, first_where, unless};
 use super::property::{Finding, Property};
 use crate::Real;
 use crate::ad::declared::Kind;
@@ -15,7 +15,7 @@ const LIMIT: f64 = 1e20;
 
 impl<T: Real> Job<T> {
     /// Tests pairs that are certainly apart, since their numbers bound them along x or y.
-    pub(super) fn apart(&self, inputs: &Inputs<T>, found: &Found<T>) -> Outcome {
+    pub(super) fn apart(&self, inputs: &InputColumns<T>, found: &BatchResults<T>) -> Outcome {
         use Extremes::{Ratio, Shared, Union};
         if !matches!(self.declared.extremes, Shared | Ratio | Union) || self.shapes.len() != 2 {
             return Ok(());
@@ -58,7 +58,7 @@ impl<T: Real> Job<T> {
     }
 
     /// Tests every shape with itself.
-    pub(super) fn identical(&self, inputs: &Inputs<T>) -> Outcome {
+    pub(super) fn identical(&self, inputs: &InputColumns<T>) -> Outcome {
         use Extremes::{One, Ratio, Union};
         let extremes = self.declared.extremes;
         if !matches!(extremes, Ratio | Union | One)
@@ -95,7 +95,7 @@ impl<T: Real> Job<T> {
     }
 
     /// Tests the shapes in exchanged order.
-    pub(super) fn exchanged(&self, inputs: &Inputs<T>, found: &Found<T>) -> Outcome {
+    pub(super) fn exchanged(&self, inputs: &InputColumns<T>, found: &BatchResults<T>) -> Outcome {
         let [a, b] = [0, 1].map(|s| self.shapes[s].leaf.fields);
         if !self.declared.is_symmetric() || a != b || self.outputs.len() != 1 {
             return Ok(());
@@ -129,7 +129,7 @@ impl<T: Real> Job<T> {
 
     /// Returns the number of roundings of one by which a result may change when shapes are exchanged; infinite without
     /// a declared bound.
-    fn exchange_may_change(&self, inputs: &Inputs<T>, i: usize) -> f64 {
+    fn exchange_may_change(&self, inputs: &InputColumns<T>, i: usize) -> f64 {
         let Some(power) = self.declared.power() else {
             return f64::INFINITY;
         };

@@ -1,5 +1,5 @@
 //! The drawing of inputs.
-use super::arguments::Inputs;
+use super::arguments::InputColumns;
 use super::families::{Family, is_angle_within, limited, limits_of, power};
 use super::job::Job;
 use super::property::{Finding, Property};
@@ -17,7 +17,7 @@ const GROUP: usize = 16;
 /// The largest number of vertices of a path.
 const MOST: usize = 8;
 
-impl<T: Real> Inputs<T> {
+impl<T: Real> InputColumns<T> {
     /// Returns all numbers of an input, its vertices last.
     pub fn item(&self, job: &Job<T>, i: usize) -> Vec<T> {
         let mut numbers = Vec::with_capacity(job.kinds.len());
@@ -40,7 +40,7 @@ impl<T: Real> Inputs<T> {
             rest = others;
         }
         let vertices = rest.len() / job.vertex.len().max(1);
-        Inputs {
+        InputColumns {
             columns,
             vertices: rest.repeat(count),
             offsets: (0..=count).map(|i| i * vertices).collect(),
@@ -106,7 +106,7 @@ impl<T: Real> Job<T> {
     pub(super) fn draw(
         &self,
         draw: &mut Draw,
-        inputs: &mut Inputs<T>,
+        inputs: &mut InputColumns<T>,
         count: usize,
     ) -> Result<(), Finding> {
         let limits = limits_of::<T>(self.declared.finite);
@@ -166,7 +166,7 @@ impl<T: Real> Job<T> {
     fn keep_inside(
         &self,
         draw: &mut Draw,
-        inputs: &mut Inputs<T>,
+        inputs: &mut InputColumns<T>,
         limits: Option<[i32; 2]>,
     ) -> Result<(), Finding> {
         if self.declared.domain.is_none() {
@@ -194,7 +194,7 @@ impl<T: Real> Job<T> {
     fn draw_paths(
         &self,
         draw: &mut Draw,
-        inputs: &mut Inputs<T>,
+        inputs: &mut InputColumns<T>,
         family: impl Fn(&mut Draw) -> Family,
     ) {
         inputs.offsets.clear();
@@ -213,7 +213,7 @@ impl<T: Real> Job<T> {
     }
 
     /// Copies some numbers to other places of their kind, so that shapes share coordinates, touch, or are flat.
-    fn mingle(&self, draw: &mut Draw, inputs: &mut Inputs<T>) {
+    fn mingle(&self, draw: &mut Draw, inputs: &mut InputColumns<T>) {
         // Heights mix with sizes, and the numbers of a quaternion with each other.
         let drawn_as = |kind| match kind {
             Kind::Z => Kind::Length,
@@ -263,7 +263,7 @@ impl<T: Real> Job<T> {
     }
 
     /// Turns numbers into valid shapes.
-    fn mend(&self, draw: &mut Draw, inputs: &mut Inputs<T>, limits: Option<[i32; 2]>) {
+    fn mend(&self, draw: &mut Draw, inputs: &mut InputColumns<T>, limits: Option<[i32; 2]>) {
         for (shape, column) in self.shapes.iter().zip(&mut inputs.columns) {
             for numbers in column.chunks_exact_mut(shape.leaf.fields) {
                 shape.rules.mend(numbers);

@@ -1,5 +1,5 @@
 //! Untyped operations of any sort, so that the fuzzer is compiled once.
-use super::arguments::Inputs;
+use super::arguments::InputColumns;
 use super::rules::Rules;
 use crate::ad::declared::Kind;
 use crate::ad::program::recorded::Recorded;
@@ -24,12 +24,12 @@ use crate::{Fixed, Pack, Real};
 use std::sync::Arc;
 
 /// The numbers of results, a list for each of their shapes.
-pub(super) type Lists<T> = Vec<Vec<T>>;
+pub(super) type ResultLists<T> = Vec<Vec<T>>;
 type Compute<T, const N: usize> =
-    Box<dyn Fn(&Inputs<T>, [&[Vec<T>]; N]) -> Result<Lists<T>, Error> + Sync>;
+    Box<dyn Fn(&InputColumns<T>, [&[Vec<T>]; N]) -> Result<ResultLists<T>, Error> + Sync>;
 
 /// One shape of an input.
-pub(super) struct Shape<T> {
+pub(super) struct InputShape<T> {
     pub leaf: Leaf<T>,
     pub kinds: Vec<Kind>,
     pub rules: Rules,
@@ -39,7 +39,7 @@ pub(super) struct Shape<T> {
 pub struct Job<T: Real> {
     /// The name of the operation's type.
     pub(super) op: &'static str,
-    pub(super) shapes: Vec<Shape<T>>,
+    pub(super) shapes: Vec<InputShape<T>>,
     /// The kinds of the input scalars. Vertices are listed separately.
     pub(super) kinds: Vec<Kind>,
     /// The kinds of the scalars of a vertex, if an input has a path.
@@ -66,7 +66,7 @@ pub struct Job<T: Real> {
 }
 
 /// A straight line in one format, with the source of its inputs.
-pub(crate) struct Straight<T: Real> {
+pub(crate) struct LineSource<T: Real> {
     pub(crate) declared: &'static Declared,
     pub(crate) op: &'static str,
     pub(crate) recording: Arc<Recording<T>>,
@@ -79,7 +79,7 @@ pub(crate) struct Straight<T: Real> {
 
 /// A computation of all pairs of the shapes with some indices.
 pub(super) type Square<T> =
-    Box<dyn Fn(&Inputs<T>, std::ops::Range<usize>) -> Result<Vec<T>, Error> + Sync>;
+    Box<dyn Fn(&InputColumns<T>, std::ops::Range<usize>) -> Result<Vec<T>, Error> + Sync>;
 
 /// Returns the last part of a type's name.
 fn short(name: &'static str) -> &'static str {
@@ -107,13 +107,13 @@ pub(crate) fn shown<X: Sample + Item>(numbers: &[f64]) -> String {
 }
 
 /// Returns the shapes of an input, with their rules.
-fn shapes<T: Real>(leaves: Vec<Leaf<T>>, kinds: &[Kind], is_convex: bool) -> Vec<Shape<T>> {
+fn shapes<T: Real>(leaves: Vec<Leaf<T>>, kinds: &[Kind], is_convex: bool) -> Vec<InputShape<T>> {
     let mut rest = kinds;
     let shape = |leaf: Leaf<T>| {
         let (own, others) = rest.split_at(leaf.fields - leaf.codes);
         rest = others;
         let kinds = [own, &vec![Kind::Number; leaf.codes]].concat();
-        Shape {
+        InputShape {
             rules: Rules::of(&leaf, &kinds, is_convex),
             leaf,
             kinds,
@@ -128,15 +128,15 @@ fn kinds_of<X: Sample + Fixed>() -> Vec<Kind> {
 }
 
 /// A function from a mode and a form (aligned, or all pairs) to its plan.
-type Planned<T> = Arc<dyn Fn(Mode, bool) -> Result<Arc<Plan<T>>, Error> + Send + Sync>;
+type PlanOf<T> = Arc<dyn Fn(Mode, bool) -> Result<Arc<Plan<T>>, Error> + Send + Sync>;
 
-fn planned<T: Real>(recording: &Arc<Recording<T>>) -> Planned<T> {
+fn planned<T: Real>(recording: &Arc<Recording<T>>) -> PlanOf<T> {
     let call = Call::of(Arc::clone(recording));
     Arc::new(move |mode, framed| plan(&call.clone().derived(mode)?, framed))
 }
 
 /// Returns the computation of results by a plan of a mode.
-fn computed<T: Real, const N: usize>(make: &Planned<T>, mode: Mode) -> Compute<T, N> {
+fn computed<T: Real, const N: usize>(make: &PlanOf<T>, mode: Mode) -> Compute<T, N> {
     let make = Arc::clone(make);
     Box::new(move |inputs, bars| {
         // The plan is made at the first call.
@@ -186,7 +186,7 @@ impl<T: Real> Job<T> {
         O::Out<T>: Item<Scalar = T>,
         O::In<f64>: Sample + Item<Scalar = f64>,
     {
-        Job::of_line(&Straight {
+        Job::of_line(&LineSource {
             declared: const { &O::DECLARED },
             op: short(std::any::type_name::<O>()),
             recording: recording_of::<O, O::In<T>>(),
@@ -202,7 +202,7 @@ impl<T: Real> Job<T> {
     }
 
     /// Returns the job of an untyped straight line.
-    pub(crate) fn of_line(line: &Straight<T>) -> Self {
+    pub(crate) fn of_line(line: &LineSource<T>) -> Self {
         let recording = &line.recording;
         let outputs = recording.outputs.clone();
         let is_number = outputs == [1];
@@ -340,7 +340,7 @@ impl<T: Real> Job<T> {
     }
 }
 
-fn contexts<F: Fold, T: Real>(inputs: &Inputs<T>) -> Vec<F::Context<T>>
+fn contexts<F: Fold, T: Real>(inputs: &InputColumns<T>) -> Vec<F::Context<T>>
 where
     F::Context<T>: Item<Scalar = T>,
 {
@@ -353,7 +353,7 @@ where
 }
 
 /// Returns the numbers of all shapes of a context, context by context.
-fn context_rows<T: Real>(inputs: &Inputs<T>) -> Vec<T> {
+fn context_rows<T: Real>(inputs: &InputColumns<T>) -> Vec<T> {
     let mut all = Vec::new();
     for i in 0..inputs.count {
         for column in &inputs.columns {

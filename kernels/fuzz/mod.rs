@@ -34,7 +34,7 @@ pub mod tested;
 
 #[doc(hidden)]
 pub use job::Job;
-pub(crate) use job::{Straight, all_numbers, sampled, shown};
+pub(crate) use job::{LineSource, all_numbers, sampled, shown};
 pub use property::Property;
 
 use crate::Real;
@@ -44,8 +44,8 @@ use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::Item;
 use crate::kernels::row::op::Op;
 use crate::scalar::real::in_format;
-use arguments::Inputs;
-use properties::Thorough;
+use arguments::InputColumns;
+use properties::TestSelection;
 use property::Finding;
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -114,13 +114,13 @@ impl fmt::Display for Fuzzed {
 }
 
 /// A fuzzer of a format.
-type Run<T> = fn(&Job<T>, u64, u64) -> Fuzzed;
-static F32: Run<f32> = run;
-static F64: Run<f64> = run;
+type Fuzzer<T> = fn(&Job<T>, u64, u64) -> Fuzzed;
+static F32: Fuzzer<f32> = run;
+static F64: Fuzzer<f64> = run;
 
 /// Returns the fuzzer of a format, which this library compiles with optimisation.
-pub(crate) fn fuzzed_in<T: Real>() -> Run<T> {
-    *in_format::<Run<T>>([&F32, &F64])
+pub(crate) fn fuzzed_in<T: Real>() -> Fuzzer<T> {
+    *in_format::<Fuzzer<T>>([&F32, &F64])
 }
 
 /// Fuzzes an operation of fixed size on all cores; stops at the first broken property.
@@ -174,7 +174,7 @@ pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
     let per_chunk = (CHUNK as u64).min(count.max(1));
     let chunks = count.div_ceil(per_chunk);
     let work = || {
-        let mut inputs = Inputs::default();
+        let mut inputs = InputColumns::default();
         loop {
             let i = next.fetch_add(1, Ordering::Relaxed);
             if i >= chunks {
@@ -185,7 +185,7 @@ pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
             let inhabited = job.draw(&mut draw, &mut inputs, per_chunk as usize);
             let bars = job.cotangents(&mut draw, inputs.count);
             let outcome =
-                inhabited.and_then(|()| job.judge(&inputs, &bars, Thorough::some(&mut draw)));
+                inhabited.and_then(|()| job.judge(&inputs, &bars, TestSelection::some(&mut draw)));
             outside.fetch_add(inputs.outside, Ordering::Relaxed);
             done.fetch_add(per_chunk, Ordering::Relaxed);
             if let Err(Finding { property, at }) = outcome {

@@ -1,7 +1,7 @@
 //! Tests of a list of inputs of an operation.
-use super::arguments::Inputs;
+use super::arguments::InputColumns;
 use super::families::{Family, limits_of, power};
-use super::job::{Job, Lists};
+use super::job::{Job, ResultLists};
 use super::property::{Finding, Property};
 use crate::ad::declared::Kind;
 use crate::ad::forward::First;
@@ -23,7 +23,7 @@ const DUAL_ROUNDINGS: f64 = 16.0;
 
 /// The choice of tests for a list, since all tests for all inputs would take too long.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Thorough {
+pub(super) struct TestSelection {
     /// `true` to compute at all levels of instructions.
     pub levels: bool,
     /// `true` to use cotangents of all sizes.
@@ -35,9 +35,9 @@ pub(super) struct Thorough {
     pub dual: usize,
 }
 
-impl Thorough {
+impl TestSelection {
     /// All tests.
-    pub const ALL: Thorough = Thorough {
+    pub const ALL: TestSelection = TestSelection {
         levels: true,
         upstream: true,
         pairs: true,
@@ -46,7 +46,7 @@ impl Thorough {
     };
     /// Returns a random choice of tests.
     pub fn some(draw: &mut Draw) -> Self {
-        Thorough {
+        TestSelection {
             levels: draw.once_in(8),
             upstream: draw.once_in(2),
             pairs: draw.once_in(3),
@@ -57,9 +57,9 @@ impl Thorough {
 }
 
 /// Results and derivatives of many inputs.
-pub(super) struct Found<T> {
-    pub values: Lists<T>,
-    pub derivatives: Lists<T>,
+pub(super) struct BatchResults<T> {
+    pub values: ResultLists<T>,
+    pub derivatives: ResultLists<T>,
 }
 
 pub(super) type Outcome = Result<(), Finding>;
@@ -100,12 +100,12 @@ pub(super) fn first_where<T>(list: &[T], ill: impl Fn(&T) -> bool) -> Option<usi
 
 impl<T: Real> Job<T> {
     /// Returns cotangents of one.
-    fn ones(&self, count: usize) -> Lists<T> {
+    fn ones(&self, count: usize) -> ResultLists<T> {
         let of = |&fields: &usize| vec![T::one(); fields * count];
         self.outputs.iter().map(of).collect()
     }
 
-    pub(super) fn compute(&self, inputs: &Inputs<T>) -> Result<Found<T>, Finding> {
+    pub(super) fn compute(&self, inputs: &InputColumns<T>) -> Result<BatchResults<T>, Finding> {
         let refused = |_| Finding {
             property: Property::Accepted,
             at: 0,
@@ -113,7 +113,7 @@ impl<T: Real> Job<T> {
         if let Some(both) = &self.both {
             let mut values = both(inputs, []).map_err(refused)?;
             let derivatives = values.split_off(self.outputs.len());
-            return Ok(Found {
+            return Ok(BatchResults {
                 values,
                 derivatives,
             });
@@ -121,14 +121,14 @@ impl<T: Real> Job<T> {
         let values = (self.values)(inputs, []).map_err(refused)?;
         let derivatives =
             (self.derivatives)(inputs, [&self.ones(inputs.count)]).map_err(refused)?;
-        Ok(Found {
+        Ok(BatchResults {
             values,
             derivatives,
         })
     }
 
     /// Returns the index of the input to which derivative number `at` of a list belongs.
-    fn input_at(&self, inputs: &Inputs<T>, list: usize, at: usize) -> usize {
+    fn input_at(&self, inputs: &InputColumns<T>, list: usize, at: usize) -> usize {
         match self.shapes.get(list) {
             Some(shape) => at / shape.leaf.fields,
             None => {
@@ -143,8 +143,8 @@ impl<T: Real> Job<T> {
     /// Returns the derivatives of one input.
     pub(super) fn derivatives_of(
         &self,
-        inputs: &Inputs<T>,
-        derivatives: &Lists<T>,
+        inputs: &InputColumns<T>,
+        derivatives: &ResultLists<T>,
         i: usize,
     ) -> Vec<T> {
         let mut own = Vec::with_capacity(self.kinds.len());
@@ -163,13 +163,13 @@ impl<T: Real> Job<T> {
         own
     }
 
-    pub(super) fn value_of(&self, values: &Lists<T>, i: usize) -> Vec<T> {
+    pub(super) fn value_of(&self, values: &ResultLists<T>, i: usize) -> Vec<T> {
         let own = values.iter().zip(&self.outputs);
         own.flat_map(|(list, &n)| list[i * n..][..n].to_vec())
             .collect()
     }
 
-    fn finite_values(&self, values: &Lists<T>) -> Outcome {
+    fn finite_values(&self, values: &ResultLists<T>) -> Outcome {
         if self.declared.finite == Finite::Undeclared {
             return Ok(());
         }
@@ -179,7 +179,11 @@ impl<T: Real> Job<T> {
             .try_for_each(|(list, n)| unless(Property::Finite, not_finite(list).map(|at| at / n)))
     }
 
-    fn finite_derivatives(&self, inputs: &Inputs<T>, derivatives: &Lists<T>) -> Outcome {
+    fn finite_derivatives(
+        &self,
+        inputs: &InputColumns<T>,
+        derivatives: &ResultLists<T>,
+    ) -> Outcome {
         if matches!(self.declared.finite, Finite::Undeclared | Finite::Values(_)) {
             return Ok(());
         }
@@ -190,7 +194,12 @@ impl<T: Real> Job<T> {
     }
 
     /// Tests inputs until the first finding.
-    pub(super) fn judge(&self, inputs: &Inputs<T>, upstream: &Lists<T>, how: Thorough) -> Outcome {
+    pub(super) fn judge(
+        &self,
+        inputs: &InputColumns<T>,
+        upstream: &ResultLists<T>,
+        how: TestSelection,
+    ) -> Outcome {
         let found = self.compute(inputs)?;
         self.finite_values(&found.values)?;
         self.finite_derivatives(inputs, &found.derivatives)?;
@@ -220,7 +229,12 @@ impl<T: Real> Job<T> {
     }
 
     /// Tests that the scalar code, other levels, other forms and other positions give equal bits.
-    fn same_bits(&self, inputs: &Inputs<T>, found: &Found<T>, how: Thorough) -> Outcome {
+    fn same_bits(
+        &self,
+        inputs: &InputColumns<T>,
+        found: &BatchResults<T>,
+        how: TestSelection,
+    ) -> Outcome {
         let broken = |place| unless(Property::SameBits, place);
         let accepted = |place| Finding {
             property: Property::Accepted,
@@ -249,7 +263,7 @@ impl<T: Real> Job<T> {
                         )
                 })
         }))?;
-        let compare = |other: &Lists<T>, own: &Lists<T>, is_derivative: bool| {
+        let compare = |other: &ResultLists<T>, own: &ResultLists<T>, is_derivative: bool| {
             for (k, (other, own)) in other.iter().zip(own).enumerate() {
                 if same(other, own) {
                     continue;
@@ -317,7 +331,12 @@ impl<T: Real> Job<T> {
     }
 
     /// Tests that duals are finite, with the value of plain numbers.
-    fn duals(&self, inputs: &Inputs<T>, found: &Found<T>, how: Thorough) -> Outcome {
+    fn duals(
+        &self,
+        inputs: &InputColumns<T>,
+        found: &BatchResults<T>,
+        how: TestSelection,
+    ) -> Outcome {
         let Some(recorded) = &self.recorded else {
             return Ok(());
         };
@@ -354,7 +373,12 @@ impl<T: Real> Job<T> {
 
     /// Sets one number after another of some inputs to NaN: guarded results must be NaN, and without NaN guards must
     /// not change a bit.
-    fn nan(&self, inputs: &Inputs<T>, found: &Found<T>, how: Thorough) -> Outcome {
+    fn nan(
+        &self,
+        inputs: &InputColumns<T>,
+        found: &BatchResults<T>,
+        how: TestSelection,
+    ) -> Outcome {
         let Some(recorded) = &self.recorded else {
             return Ok(());
         };
@@ -392,7 +416,7 @@ impl<T: Real> Job<T> {
     }
 
     /// Returns cotangents of all sizes.
-    pub(super) fn cotangents(&self, draw: &mut Draw, count: usize) -> Lists<T> {
+    pub(super) fn cotangents(&self, draw: &mut Draw, count: usize) -> ResultLists<T> {
         let family = Family::any::<T>(draw);
         let mut of = |&fields: &usize| {
             let numbers = (0..fields * count).map(|_| family.number(Kind::Number, draw));

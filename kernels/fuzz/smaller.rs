@@ -1,10 +1,10 @@
 //! The reduction of an input to a simpler one that breaks the same property.
 use super::Broken;
-use super::arguments::Inputs;
+use super::arguments::InputColumns;
 use super::families::limits_of;
 use super::inputs::is_valid;
-use super::job::{Job, Lists};
-use super::properties::Thorough;
+use super::job::{Job, ResultLists};
+use super::properties::TestSelection;
 use super::property::Property;
 use crate::Real;
 
@@ -16,15 +16,15 @@ const ATTEMPTS: usize = 4000;
 
 /// Returns the property that an input breaks.
 fn broken<T: Real>(job: &Job<T>, x: &[T], bars: &[T]) -> Option<Property> {
-    let inputs = Inputs::repeated(job, x, COPIES);
+    let inputs = InputColumns::repeated(job, x, COPIES);
     let mut rest = bars;
     let bar = |&fields: &usize| {
         let (own, others) = rest.split_at(fields);
         rest = others;
         own.repeat(COPIES)
     };
-    let bars: Lists<T> = job.outputs.iter().map(bar).collect();
-    let found = job.judge(&inputs, &bars, Thorough::ALL);
+    let bars: ResultLists<T> = job.outputs.iter().map(bar).collect();
+    let found = job.judge(&inputs, &bars, TestSelection::ALL);
     found.err().map(|found| found.property)
 }
 

@@ -9,11 +9,11 @@ use crate::kernels::Backend;
 use crate::kernels::call::search::Search;
 use crate::kernels::check::proofs::Proofs;
 use crate::kernels::check::{
-    Examined, Folded, ScalarCode, Stated, WithAdjoint, check_fold_on, check_fold_with,
+    Folded, LineCode, LineProperties, ScalarCode, WithAdjoint, check_fold_on, check_fold_with,
     check_search_with, examined,
 };
 use crate::kernels::dynamic::{self, Operation};
-use crate::kernels::fuzz::{self, Fuzzed, Job, Straight, fuzzed_in};
+use crate::kernels::fuzz::{self, Fuzzed, Job, LineSource, fuzzed_in};
 use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
 use crate::kernels::row::fold::{Fold, by_hand, fold};
@@ -35,9 +35,9 @@ pub type Shaders = Result<Vec<(String, String)>, Error>;
 pub struct Tested {
     /// The row.
     pub operation: Operation,
-    inputs: Inputs,
-    single: Formed<f32>,
-    double: Formed<f64>,
+    inputs: RowInputs,
+    single: RowInFormat<f32>,
+    double: RowInFormat<f64>,
     shaders: fn(&Operation) -> Shaders,
 }
 
@@ -49,7 +49,7 @@ impl fmt::Debug for Tested {
 
 /// The inputs of a row.
 #[derive(Clone, Copy)]
-struct Inputs {
+struct RowInputs {
     random: fn(&mut Draw) -> Vec<f64>,
     ordinary: fn(&mut Draw) -> Vec<f64>,
     hard: fn() -> Vec<Vec<f64>>,
@@ -59,18 +59,18 @@ struct Inputs {
 }
 
 /// A row in one format.
-struct Formed<S: Real> {
+struct RowInFormat<S: Real> {
     code: ScalarCode<S>,
     check: fn(&Tested, &Sampling<'_>, Option<Backend<'_>>) -> Result<Report, Error>,
     fuzz: fn(&Tested, u64, u64) -> Fuzzed,
 }
 
-impl<S: Real> Clone for Formed<S> {
+impl<S: Real> Clone for RowInFormat<S> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<S: Real> Copy for Formed<S> {}
+impl<S: Real> Copy for RowInFormat<S> {}
 
 impl Tested {
     /// Returns the name of its function.
@@ -135,17 +135,17 @@ impl Tested {
         (self.shaders)(&self.operation)
     }
 
-    fn formed<S: Real>(&self) -> &Formed<S> {
+    fn formed<S: Real>(&self) -> &RowInFormat<S> {
         in_format([&self.single, &self.double])
     }
-    fn stated(&self) -> Stated {
-        Stated {
+    fn stated(&self) -> LineProperties {
+        LineProperties {
             declared: self.operation.declared,
             output_kinds: self.operation.kinds[1],
         }
     }
-    fn examined<S: Real>(&self) -> Option<Examined<S>> {
-        Some(Examined {
+    fn examined<S: Real>(&self) -> Option<LineCode<S>> {
+        Some(LineCode {
             recording: self.operation.straight::<S>()?,
             code: self.formed::<S>().code,
         })
@@ -176,11 +176,11 @@ fn check_straight<S: Real>(
 
 /// Fuzzes a straight line.
 fn fuzz_straight<S: Real>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
-    let Some(Examined { recording, code }) = row.examined::<S>() else {
+    let Some(LineCode { recording, code }) = row.examined::<S>() else {
         unreachable!("a straight line is fuzzed as one")
     };
     let operation = &row.operation;
-    let job = Job::of_line(&Straight {
+    let job = Job::of_line(&LineSource {
         declared: operation.declared,
         op: operation.name,
         recording,
@@ -193,10 +193,10 @@ fn fuzz_straight<S: Real>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
     fuzzed_in::<S>()(&job, count, seed)
 }
 
-impl Inputs {
+impl RowInputs {
     /// Returns the inputs of one type.
     const fn of<X: Sample + Item>() -> Self {
-        Inputs {
+        RowInputs {
             random: fuzz::sampled::<X>,
             ordinary: |draw| fuzz::all_numbers(&Family::Ordinary.draw::<X>(draw)),
             hard: || X::hard().iter().map(fuzz::all_numbers).collect(),
@@ -207,7 +207,7 @@ impl Inputs {
     }
     /// Returns inputs with a path, and with a context if it has one.
     const fn of_path<X: Sample>() -> Self {
-        Inputs {
+        RowInputs {
             random: |draw| random::<X>(draw).scalars(),
             ordinary: |draw| Family::Ordinary.draw::<X>(draw).scalars(),
             hard: || X::hard().iter().map(Pack::scalars).collect(),
@@ -220,9 +220,9 @@ impl Inputs {
 }
 
 /// A list of rows, filled by the walk over all rows.
-struct Values(Vec<Tested>);
+struct RowList(Vec<Tested>);
 
-impl Walk for Values {
+impl Walk for RowList {
     fn straight<O: Op>(&mut self, row: Written)
     where
         O::In<f32>: Item<Scalar = f32>,
@@ -230,13 +230,13 @@ impl Walk for Values {
         O::In<f64>: Item<Scalar = f64> + Sample,
         O::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        const fn formed<O: Op, S: Real>() -> Formed<S>
+        const fn formed<O: Op, S: Real>() -> RowInFormat<S>
         where
             O::In<S>: Item<Scalar = S>,
             O::Out<S>: Item<Scalar = S>,
             O::In<f64>: Sample,
         {
-            Formed {
+            RowInFormat {
                 code: ScalarCode::of::<O>(),
                 check: check_straight::<S>,
                 fuzz: fuzz_straight::<S>,
@@ -247,7 +247,7 @@ impl Walk for Values {
             ..const {
                 Tested {
                     operation: dynamic::straight::<O>(),
-                    inputs: Inputs::of::<O::In<f64>>(),
+                    inputs: RowInputs::of::<O::In<f64>>(),
                     single: formed::<O, f32>(),
                     double: formed::<O, f64>(),
                     shaders: Operation::shaders,
@@ -262,14 +262,14 @@ impl Walk for Values {
         D::In<f64>: Item<Scalar = f64> + Sample,
         D::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        const fn formed<D: Search, S: Real>() -> Formed<S>
+        const fn formed<D: Search, S: Real>() -> RowInFormat<S>
         where
             D::In<S>: Item<Scalar = S>,
             D::Out<S>: Item<Scalar = S>,
             D::In<f64>: Item<Scalar = f64> + Sample,
             D::Out<f64>: Sample,
         {
-            Formed {
+            RowInFormat {
                 code: ScalarCode {
                     alone: |x| {
                         let input = get::<D::In<S>>(&by_kind::<D::In<S>>(x));
@@ -284,7 +284,7 @@ impl Walk for Values {
         }
         self.0.push(Tested {
             operation: const { dynamic::search::<D>() }.written(row),
-            inputs: const { Inputs::of::<D::In<f64>>() },
+            inputs: const { RowInputs::of::<D::In<f64>>() },
             single: const { formed::<D, f32>() },
             double: const { formed::<D, f64>() },
             shaders: |_| Ok(Vec::new()),
@@ -301,7 +301,7 @@ impl Walk for Values {
     {
         const fn formed<F: Fold, S: Real>(
             check: fn(&Tested, &Sampling<'_>, Option<Backend<'_>>) -> Result<Report, Error>,
-        ) -> Formed<S>
+        ) -> RowInFormat<S>
         where
             F::Context<S>: Item<Scalar = S>,
             F::Context<f64>: Item<Scalar = f64> + Sample,
@@ -309,7 +309,7 @@ impl Walk for Values {
             Vec<F::Element<f64>>: Sample,
             F::Out<f64>: Sample,
         {
-            Formed {
+            RowInFormat {
                 code: ScalarCode {
                     alone: |x| {
                         let (context, vertices) = x.split_at(F::Context::<S>::LEN);
@@ -333,7 +333,7 @@ impl Walk for Values {
         }
         self.0.push(Tested {
             operation: const { dynamic::fold::<F>() }.written(row),
-            inputs: const { Inputs::of_path::<(F::Context<f64>, Vec<F::Element<f64>>)>() },
+            inputs: const { RowInputs::of_path::<(F::Context<f64>, Vec<F::Element<f64>>)>() },
             single: const {
                 formed::<F, f32>(|_, plan, backend| match backend {
                     Some(backend) => check_fold_on::<F>(backend, plan),
@@ -353,7 +353,7 @@ impl Walk for Values {
 pub fn rows() -> &'static [Tested] {
     static ALL: OnceLock<Vec<Tested>> = OnceLock::new();
     ALL.get_or_init(|| {
-        let mut all = Values(Vec::new());
+        let mut all = RowList(Vec::new());
         ops::each(&mut all);
         all.0
     })

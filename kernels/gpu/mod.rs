@@ -54,8 +54,8 @@
 //! accordingly: little, except where a function is steep or terms cancel. The harness measures the difference input by
 //! input ([`check_on`](crate::kernels::check::check_on)) and refuses a larger one.
 //!
-//! Nor does WGSL guarantee infinities and NaN: a driver that finds a divisor to be always zero may put any number for the
-//! quotient. A function of one's own guards what it divides by, not the result
+//! Nor does WGSL guarantee infinities and NaN: a driver that finds a divisor to be always zero may put any number for
+//! the quotient. A function of one's own guards what it divides by, not the result
 //! ([Guards](crate::ad::program#guards)).
 //!
 //! ```no_run

@@ -139,27 +139,27 @@ impl Engine<f32> for Device {
 
 /// Rings on a GPU, which a build without the feature `gpu` cannot have.
 #[derive(Clone, Debug)]
-pub enum Rings {}
+pub enum DeviceRings {}
 
 /// Results of rings on a GPU, which a build without the feature `gpu` cannot have.
 #[derive(Clone, Debug)]
-pub enum RingValues<T = ()> {
+pub enum DeviceRingValues<T = ()> {
     /// A variant that uses the type parameter; it has no values.
     #[doc(hidden)]
     Never(Device, PhantomData<fn() -> T>),
 }
 
-impl<T: 'static> Downloads<Vec<T>> for RingValues<T> {
+impl<T: 'static> Downloads<Vec<T>> for DeviceRingValues<T> {
     fn started(&self) -> Result<Pending<Vec<T>>, Error> {
-        let RingValues::Never(never, _) = self;
+        let DeviceRingValues::Never(never, _) = self;
         match *never {}
     }
     fn taken(self: Box<Self>) -> Result<Vec<T>, Error> {
-        let RingValues::Never(never, _) = *self;
+        let DeviceRingValues::Never(never, _) = *self;
         match never {}
     }
     fn boxed(&self) -> Box<dyn Downloads<Vec<T>>> {
-        let RingValues::Never(never, _) = self;
+        let DeviceRingValues::Never(never, _) = self;
         match *never {}
     }
     fn any(&self) -> &dyn Any {
@@ -167,7 +167,7 @@ impl<T: 'static> Downloads<Vec<T>> for RingValues<T> {
     }
 }
 
-impl Rings {
+impl DeviceRings {
     pub(crate) fn gpu(&self) -> &Device {
         match *self {}
     }
@@ -177,18 +177,22 @@ impl Rings {
 }
 
 impl Device {
-    pub(crate) fn upload_rings(&self, _: &[Vec2<f32>], _: &[usize]) -> Result<Rings, Error> {
+    pub(crate) fn upload_rings(&self, _: &[Vec2<f32>], _: &[usize]) -> Result<DeviceRings, Error> {
         match *self {}
     }
-    pub(crate) fn ragged_of<T>(&self, _: Measure, _: &Rings) -> Result<RingValues<T>, Error> {
+    pub(crate) fn ragged_of<T>(
+        &self,
+        _: Measure,
+        _: &DeviceRings,
+    ) -> Result<DeviceRingValues<T>, Error> {
         match *self {}
     }
     pub(crate) fn ragged_vjp_of(
         &self,
         _: Measure,
-        _: &Rings,
+        _: &DeviceRings,
         _: (usize, &[f32]),
-    ) -> Result<RingValues<Vec2<f32>>, Error> {
+    ) -> Result<DeviceRingValues<Vec2<f32>>, Error> {
         match *self {}
     }
 }

@@ -174,9 +174,9 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// Returns the adjoint of [`all_pairs`](Machine::all_pairs) for one number as result: derivatives of `Σ upstream[i,
-    /// j] · result[i, j]` with respect to every shape of both lists. `upstream` is a row-major matrix: a slice, or a
-    /// [`Matrix`] on the machine.
+    /// Returns the adjoint of [`all_pairs`](Machine::all_pairs) for one number as result: derivatives of
+    /// `Σ upstream[i, j] · result[i, j]` with respect to every shape of both lists. `upstream` is a row-major matrix: a
+    /// slice, or a [`Matrix`] on the machine.
     ///
     /// # Errors
     ///
@@ -198,7 +198,7 @@ impl<E: ?Sized> Machine<E> {
         a: A,
         b: B,
         upstream: impl Factors<Number<A>>,
-    ) -> Result<Lists<A, B>, Error>
+    ) -> Result<ListGradients<A, B>, Error>
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
@@ -521,7 +521,7 @@ impl<E: ?Sized> Machine<E> {
 }
 
 /// The gradients of both lists, at the place of their results.
-pub(crate) type Lists<A, B> = (
+pub(crate) type ListGradients<A, B> = (
     <Both<A, B> as Place>::List<<A as Columns>::Item>,
     <Both<A, B> as Place>::List<<B as Columns>::Item>,
 );
@@ -541,7 +541,7 @@ impl<E: ?Sized> Machine<E> {
         call: &Call<Number<A>>,
         lists: &[Column<'_, Number<A>>; 2],
         seed: &Seed<'_, Number<A>>,
-    ) -> Result<(f64, Lists<A, B>), Error>
+    ) -> Result<(f64, ListGradients<A, B>), Error>
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
@@ -556,7 +556,7 @@ impl<E: ?Sized> Machine<E> {
         &self,
         lists: &[Column<'_, Number<A>>; 2],
         [a_bar, b_bar]: [Vec<Number<A>>; 2],
-    ) -> Result<Lists<A, B>, Error>
+    ) -> Result<ListGradients<A, B>, Error>
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,

@@ -1,5 +1,5 @@
 //! Columns as numbers: one argument of every item.
-use super::stays::Stays;
+use super::stays::MachineColumn;
 use crate::Real;
 use crate::error::Error;
 use crate::kernels::call::recording::Call;
@@ -12,28 +12,28 @@ use std::ops::Range;
 type Read<'a, T> = Box<dyn Fn(Range<usize>, &mut [T]) + Send + Sync + 'a>;
 
 /// The source of a column's numbers: memory, or a function.
-enum Numbers<'a, T> {
+enum ColumnSource<'a, T> {
     Lent(&'a [T]),
     Read(Read<'a, T>),
 }
 
 /// One argument of every item, as numbers.
 pub struct Column<'a, T> {
-    numbers: Numbers<'a, T>,
+    numbers: ColumnSource<'a, T>,
     /// The number of scalars per item.
     pub fields: usize,
     /// The number of items; `None` for one that stands for any number.
     pub count: Option<usize>,
     /// The column on the machine, if it is there.
-    pub(crate) held: Option<&'a dyn Stays<T>>,
+    pub(crate) held: Option<&'a dyn MachineColumn<T>>,
 }
 
 impl<'a, T: Real> Column<'a, T> {
     /// Creates a column from shapes.
     pub(crate) fn of<P: Item<Scalar = T>>(shapes: &'a [P]) -> Self {
         let numbers = match memory::lent(shapes) {
-            Some(numbers) => Numbers::Lent(numbers),
-            None => Numbers::Read(Box::new(move |items, rows| {
+            Some(numbers) => ColumnSource::Lent(numbers),
+            None => ColumnSource::Read(Box::new(move |items, rows| {
                 let rows = rows.chunks_exact_mut(width::<P>());
                 for (shape, row) in shapes[items].iter().zip(rows) {
                     put(*shape, row);
@@ -48,7 +48,7 @@ impl<'a, T: Real> Column<'a, T> {
         }
     }
     /// Creates a column from one on a machine, with its numbers if that is the CPU.
-    pub(crate) fn held(own: &'a dyn Stays<T>, count: usize) -> Self {
+    pub(crate) fn held(own: &'a dyn MachineColumn<T>, count: usize) -> Self {
         Column {
             held: Some(own),
             ..Column::lent(own.here().unwrap_or_default(), own.fields(), Some(count))
@@ -58,7 +58,7 @@ impl<'a, T: Real> Column<'a, T> {
     /// number.
     pub(crate) fn lent(numbers: &'a [T], fields: usize, count: Option<usize>) -> Self {
         Column {
-            numbers: Numbers::Lent(numbers),
+            numbers: ColumnSource::Lent(numbers),
             fields,
             count,
             held: None,
@@ -71,7 +71,7 @@ impl<'a, T: Real> Column<'a, T> {
         read: impl Fn(Range<usize>, &mut [T]) + Send + Sync + 'a,
     ) -> Self {
         Column {
-            numbers: Numbers::Read(Box::new(read)),
+            numbers: ColumnSource::Read(Box::new(read)),
             fields,
             count: Some(count),
             held: None,
@@ -81,7 +81,7 @@ impl<'a, T: Real> Column<'a, T> {
     fn part<P: Item<Scalar = T>>(shapes: &'a [P], part: Range<usize>) -> Self {
         let fields = part.len();
         Column {
-            numbers: Numbers::Read(Box::new(move |items, rows| {
+            numbers: ColumnSource::Read(Box::new(move |items, rows| {
                 let mut all = vec![T::default(); width::<P>()];
                 let mut scalars = vec![T::default(); P::LEN];
                 for (shape, row) in shapes[items].iter().zip(rows.chunks_exact_mut(fields)) {
@@ -113,8 +113,10 @@ impl<'a, T: Real> Column<'a, T> {
             None => 0..1,
         };
         match &self.numbers {
-            Numbers::Lent(numbers) => &numbers[items.start * self.fields..items.end * self.fields],
-            Numbers::Read(read) => {
+            ColumnSource::Lent(numbers) => {
+                &numbers[items.start * self.fields..items.end * self.fields]
+            }
+            ColumnSource::Read(read) => {
                 room.resize(items.len() * self.fields, T::default());
                 read(items, room);
                 room
@@ -124,8 +126,8 @@ impl<'a, T: Real> Column<'a, T> {
     /// Returns all its numbers.
     pub(crate) fn all(&self) -> Cow<'_, [T]> {
         match &self.numbers {
-            Numbers::Lent(numbers) => Cow::Borrowed(numbers),
-            Numbers::Read(read) => {
+            ColumnSource::Lent(numbers) => Cow::Borrowed(numbers),
+            ColumnSource::Read(read) => {
                 let mut room = vec![T::default(); self.len() * self.fields];
                 read(0..self.len(), &mut room);
                 Cow::Owned(room)

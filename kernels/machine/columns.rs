@@ -1,8 +1,8 @@
 //! Columns: the arguments of a batch.
 //!
-//! A *column* is a slice of shapes, or [`One`] that stands for all. Several columns are a tuple: `(&points,
-//! One(circle))`. Results are columns, too: a batch whose result is a number and a shape returns `(Vec<f64>,
-//! Vec<Shape>)`.
+//! A *column* is a slice of shapes, or [`One`] that stands for all. Several columns are a tuple:
+//! `(&points, One(circle))`. Results are columns, too: a batch whose result is a number and a shape returns
+//! `(Vec<f64>, Vec<Shape>)`.
 use super::column::{Column, list_of};
 use super::held::Held;
 use super::{Here, Place, There};

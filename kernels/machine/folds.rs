@@ -11,7 +11,7 @@ use crate::kernels::row::item::rows::{fill, numbers};
 use crate::{Error, Fixed, Pack, Real};
 
 /// The cotangents of every context and every vertex.
-type Pulled<C, V> = (Vec<<C as Columns>::Item>, Vec<V>);
+type PathCotangents<C, V> = (Vec<<C as Columns>::Item>, Vec<V>);
 
 /// Paths of any number of vertices.
 impl<E: ?Sized> Machine<E> {
@@ -253,7 +253,7 @@ impl<E: ?Sized> Machine<E> {
         vertices: &[V],
         spans: PathSpans<'_>,
         upstream: &[F::Out<V::Scalar>],
-    ) -> Result<Pulled<C, V>, Error>
+    ) -> Result<PathCotangents<C, V>, Error>
     where
         F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
         C::Item: Pack<Scalar = V::Scalar>,

@@ -11,7 +11,8 @@ use crate::kernels::row::item::Single;
 use crate::kernels::row::item::counts::expect;
 use crate::suppression::{Rules, better, check_groups, check_scores};
 
-/// Groups of two lists: group g pairs the shapes `a[g]..a[g + 1]` of the first list with `b[g]..b[g + 1]` of the second.
+/// Groups of two lists: group g pairs the shapes `a[g]..a[g + 1]` of the first list with `b[g]..b[g + 1]` of the
+/// second.
 ///
 /// Offsets begin at zero, never decrease and end at the length of their list. A group may be empty on either side.
 ///

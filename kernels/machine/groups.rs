@@ -1,8 +1,8 @@
 //! Groups of two lists, in the form that an engine takes.
 use std::ops::Range;
 
-/// The checked offsets of the groups of both lists: group `g` has the rows `a[g]..a[g + 1]` and the columns `b[g]..b[g
-/// + 1]`.
+/// The checked offsets of the groups of both lists: group `g` has the rows `a[g]..a[g + 1]` and the columns
+/// `b[g]..b[g + 1]`.
 #[derive(Clone, Copy, Debug)]
 pub struct GroupSpans<'a> {
     /// Offsets of the first list.

@@ -1,8 +1,8 @@
 //! Machines and their calls.
 //!
-//! [`Machine`] has every call once: for the CPU, for a GPU, and for a [`Backend`](crate::kernels::Backend) that is either.
-//! Columns are slices, [`One`], or [arrays that stay on the machine](crate::kernels::resident). Results
-//! of slices are vectors; results stay on the machine if one of the columns does.
+//! [`Machine`] has every call once: for the CPU, for a GPU, and for a [`Backend`](crate::kernels::Backend) that is
+//! either. Columns are slices, [`One`], or [arrays that stay on the machine](crate::kernels::resident). Results of
+//! slices are vectors; results stay on the machine if one of the columns does.
 mod all_pairs;
 mod column;
 mod columns;
@@ -37,7 +37,7 @@ pub(crate) use held::numbers_of;
 pub use location::{Here, Place, There};
 pub use paths::{Input, PathSpans, VertexBars};
 #[cfg(feature = "gpu")]
-pub(crate) use pending::Later;
+pub(crate) use pending::DeviceDownload;
 pub use pending::Pending;
 pub(crate) use primitives::sealed::Sealed;
 pub(crate) use primitives::try_then_check;
@@ -47,7 +47,7 @@ pub use results::{
 };
 pub(crate) use results::{Downloads, Matrices, Ready};
 pub use stays::Numbers;
-pub(crate) use stays::{FOREIGN, Stays};
+pub(crate) use stays::{FOREIGN, MachineColumn};
 pub use stored::{HeldNumbers, Stored};
 pub use table::Table;
 pub use targets::{Skip, Targets};
@@ -110,9 +110,9 @@ impl<E: ?Sized> Machine<E> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] when columns differ in length, [`Error::Invalid`] for a shape that is not
-    /// valid. A GPU also returns [`Error::Gpu`] and, for what cannot be recorded, [`Error::Program`]; a program that fits
-    /// no buffer gives [`GpuFault::TooLarge`](crate::GpuFault::TooLarge). Arrays of another machine give
+    /// [`Error::Length`] when columns differ in length, [`Error::Invalid`] for a shape that is not valid. A GPU also
+    /// returns [`Error::Gpu`] and, for what cannot be recorded, [`Error::Program`]; a program that fits no buffer gives
+    /// [`GpuFault::TooLarge`](crate::GpuFault::TooLarge). Arrays of another machine give
     /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer).
     ///
     /// ```

@@ -19,7 +19,7 @@ pub struct Numbers<T> {
 }
 
 /// The numbers of one shape of every item, on a machine.
-pub(crate) trait Stays<T>: fmt::Debug + Send + Sync {
+pub(crate) trait MachineColumn<T>: fmt::Debug + Send + Sync {
     /// Returns the number of scalars of a shape.
     #[doc(hidden)]
     fn fields(&self) -> usize;
@@ -34,7 +34,7 @@ pub(crate) trait Stays<T>: fmt::Debug + Send + Sync {
     fn update(&mut self, rows: Vec<T>);
     /// Starts the download of several columns of one machine, this one among them.
     #[doc(hidden)]
-    fn started(&self, all: &[Box<dyn Stays<T>>]) -> Result<Pending<Vec<Vec<T>>>, Error>;
+    fn started(&self, all: &[Box<dyn MachineColumn<T>>]) -> Result<Pending<Vec<Vec<T>>>, Error>;
     #[doc(hidden)]
     fn any(&self) -> &dyn Any;
 }

@@ -1,7 +1,7 @@
 //! Untyped columns of a machine.
 use super::column::Column;
 use super::pending::Pending;
-use super::stays::{FOREIGN, Stays};
+use super::stays::{FOREIGN, MachineColumn};
 use crate::Real;
 use crate::error::Error;
 
@@ -9,7 +9,7 @@ use crate::error::Error;
 #[derive(Debug)]
 pub struct Stored<T = f32> {
     count: usize,
-    pub(super) columns: Vec<Box<dyn Stays<T>>>,
+    pub(super) columns: Vec<Box<dyn MachineColumn<T>>>,
 }
 
 impl<T> Default for Stored<T> {
@@ -23,7 +23,7 @@ impl<T> Default for Stored<T> {
 }
 
 impl<T: Real> Stored<T> {
-    pub(crate) fn new(count: usize, columns: Vec<Box<dyn Stays<T>>>) -> Self {
+    pub(crate) fn new(count: usize, columns: Vec<Box<dyn MachineColumn<T>>>) -> Self {
         Stored { count, columns }
     }
     /// Returns the columns for a call.

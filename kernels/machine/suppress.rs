@@ -45,7 +45,7 @@ pub struct Greed<'a, T> {
 }
 
 /// The shapes to suppress, best first.
-pub(crate) struct Ranked<T> {
+pub(crate) struct RankedShapes<T> {
     /// Their indices in the caller's list.
     pub order: Vec<usize>,
     /// Their numbers, shape after shape.
@@ -55,12 +55,12 @@ pub(crate) struct Ranked<T> {
     classes: Option<Vec<u32>>,
 }
 
-impl<T: Real> Ranked<T> {
+impl<T: Real> RankedShapes<T> {
     /// Reads shapes in the order of their indices.
     pub fn of(order: Vec<usize>, shapes: &Column<'_, T>, rules: &Rules<'_, T>) -> Self {
         let (all, fields) = (shapes.all(), shapes.fields);
         let own = |&i: &usize| &all[i * fields..(i + 1) * fields];
-        Ranked {
+        RankedShapes {
             numbers: order.iter().flat_map(own).copied().collect(),
             fields,
             classes: rules

@@ -49,7 +49,7 @@ pub(crate) enum Order {
 
 /// A step from a function to one of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Step {
+pub(crate) enum DerivativeStep {
     /// A derivative by a mode.
     Mode(Mode),
     /// A derivative along directions.

@@ -81,8 +81,8 @@ pub trait Fold: Declares {
     fn in_plane_mut<S: Scalar>(_path: &mut [Self::Element<S>]) -> &mut [Vec2<S>] {
         &mut []
     }
-    /// An element of a path: a point of the plane or of space, or any other shape without codes (whole numbers). Batches
-    /// check only that its numbers are finite.
+    /// An element of a path: a point of the plane or of space, or any other shape without codes (whole numbers).
+    /// Batches check only that its numbers are finite.
     type Element<S: Scalar>: Fixed<Scalar = S>;
     /// The arguments besides the path: shapes, numbers, a tuple of them, or `[S; 0]` for none.
     type Context<S: Scalar>: Fixed<Scalar = S>;

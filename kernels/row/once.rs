@@ -31,10 +31,10 @@ pub(crate) enum Key {
     Along(Order),
 }
 
-type Made = Arc<dyn Any + Send + Sync>;
+type CachedValue = Arc<dyn Any + Send + Sync>;
 
 /// A cache of values of any type, each made once, by their keys.
-pub(crate) struct Once<K>(RwLock<HashMap<K, Made>>);
+pub(crate) struct Once<K>(RwLock<HashMap<K, CachedValue>>);
 
 impl<K> Default for Once<K> {
     fn default() -> Self {
@@ -55,7 +55,7 @@ impl<K: Eq + Hash> Once<K> {
         let found = match found {
             Some(found) => found,
             None => {
-                let made: Made = Arc::new(make()?);
+                let made: CachedValue = Arc::new(make()?);
                 let mut known = self.0.write().unwrap_or_else(PoisonError::into_inner);
                 // If two threads made one, both use the first.
                 Arc::clone(known.entry(key).or_insert(made))
@@ -68,7 +68,7 @@ impl<K: Eq + Hash> Once<K> {
 }
 
 /// The cache of a recording: programs of modes, plans of machines, derivatives.
-pub(crate) type Kept = Once<Key>;
+pub(crate) type RecordingCache = Once<Key>;
 
 /// The recordings and programs of all functions, by the type of the function and that of the value.
 static KNOWN: LazyLock<Once<(TypeId, TypeId)>> = LazyLock::new(Once::default);

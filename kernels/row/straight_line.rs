@@ -5,7 +5,7 @@ use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::limits::Derivative;
-use crate::kernels::row::once::{Kept, Key, known_by};
+use crate::kernels::row::once::{Key, RecordingCache, known_by};
 use crate::{Real, Scalar, Unrecordable};
 use std::any::TypeId;
 use std::marker::PhantomData;
@@ -41,7 +41,7 @@ pub(crate) fn by_reverse(value: &Recorded, mode: Mode) -> Recorded {
 }
 
 /// The programs of a straight line in a format.
-struct Programs<T>(Kept, PhantomData<fn() -> T>);
+struct LinePrograms<T>(RecordingCache, PhantomData<fn() -> T>);
 
 impl<T: Real> Line<T> {
     /// Returns the program of a mode, by the declared source of derivatives.
@@ -49,7 +49,7 @@ impl<T: Real> Line<T> {
         if self.codes > 0 {
             return Err(Error::Program(Unrecordable::Codes));
         }
-        let new = || Ok(Programs::<T>(Kept::default(), PhantomData));
+        let new = || Ok(LinePrograms::<T>(RecordingCache::default(), PhantomData));
         let kept = known_by((self.id)(), &new)?;
         kept.0.made(Key::Program(mode), &|| self.recorded(mode))
     }

@@ -13,14 +13,14 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
 /// An argument in the form of the caller.
-pub enum Given<'py> {
+pub enum CallArgument<'py> {
     Array(Bound<'py, PyUntypedArray>),
     /// Arrays of one axis, of one length and format: one per field.
     Columns(Vec<Py<PyUntypedArray>>),
     Number(f64),
 }
 
-impl<'py> Given<'py> {
+impl<'py> CallArgument<'py> {
     /// Reads an argument for a column: an array, or a shape of its kind.
     pub fn new(x: &Bound<'py, PyAny>, column: &Column) -> PyResult<Self> {
         if let Ok(shape) = x.cast::<Shape>() {
@@ -34,20 +34,22 @@ impl<'py> Given<'py> {
                 )));
             }
             return match &shape.content {
-                Content::Array(array) => Ok(Given::Array(array.bind(x.py()).clone())),
-                Content::Columns(columns) if column.kind == shape.kind => Ok(Given::Columns(
-                    columns.iter().map(|own| own.clone_ref(x.py())).collect(),
-                )),
-                Content::Columns(columns) => {
-                    Ok(Given::Array(stacked(x.py(), columns)?.into_bound(x.py())))
+                Content::Array(array) => Ok(CallArgument::Array(array.bind(x.py()).clone())),
+                Content::Columns(columns) if column.kind == shape.kind => {
+                    Ok(CallArgument::Columns(
+                        columns.iter().map(|own| own.clone_ref(x.py())).collect(),
+                    ))
                 }
+                Content::Columns(columns) => Ok(CallArgument::Array(
+                    stacked(x.py(), columns)?.into_bound(x.py()),
+                )),
                 Content::Items(_) => Err(symbolic(&column.name)),
             };
         }
         if column.axes.is_empty()
             && let Ok(number) = x.cast_exact::<pyo3::types::PyFloat>()
         {
-            return Ok(Given::Number(number.extract()?));
+            return Ok(CallArgument::Number(number.extract()?));
         }
         let array = array(x, &column.name, column.kind)?;
         // A lone number stands for a shape with one number.
@@ -56,18 +58,20 @@ impl<'py> Given<'py> {
             && array.shape().last() != Some(&1)
         {
             let key = (x.py().Ellipsis(), x.py().None());
-            return Ok(Given::Array(array.as_any().get_item(key)?.cast_into()?));
+            return Ok(CallArgument::Array(
+                array.as_any().get_item(key)?.cast_into()?,
+            ));
         }
-        Ok(Given::Array(array))
+        Ok(CallArgument::Array(array))
     }
     /// Returns `true` for an array of `f32`; `None` for an argument without a format.
     fn format(&self, py: Python<'_>) -> Option<bool> {
         match self {
-            Given::Columns(columns) => {
+            CallArgument::Columns(columns) => {
                 let first = columns.first()?.bind(py);
                 Some(first.dtype().itemsize() == 8)
             }
-            Given::Array(array) if array.ndim() > 0 => Some(array.dtype().itemsize() == 8),
+            CallArgument::Array(array) if array.ndim() > 0 => Some(array.dtype().itemsize() == 8),
             _ => None,
         }
     }
@@ -81,34 +85,34 @@ pub fn symbolic(name: &str) -> PyErr {
 }
 
 /// Returns `true` if a call is in `f64`: unless all arrays are `f32`.
-pub fn is_double(py: Python<'_>, given: &[Given<'_>]) -> bool {
+pub fn is_double(py: Python<'_>, given: &[CallArgument<'_>]) -> bool {
     let mut formats = given.iter().filter_map(|own| own.format(py)).peekable();
     formats.peek().is_none() || formats.any(|is_double| is_double)
 }
 
 /// A borrowed argument: its numbers in row-major order, or an array for every field.
-pub struct Lent<'py, T: Number> {
+pub struct ArgumentNumbers<'py, T: Number> {
     parts: Vec<PyReadonlyArrayDyn<'py, T>>,
     is_apart: bool,
     lead: Vec<usize>,
     fields: usize,
 }
 
-impl<'py, T: Number> Lent<'py, T> {
+impl<'py, T: Number> ArgumentNumbers<'py, T> {
     /// Borrows the numbers of an argument. Copies arrays of another format, or not contiguous.
-    pub fn new(py: Python<'py>, given: Given<'py>, column: &Column) -> PyResult<Self> {
+    pub fn new(py: Python<'py>, given: CallArgument<'py>, column: &Column) -> PyResult<Self> {
         let array = match given {
-            Given::Array(array) => array.into_any(),
-            Given::Columns(columns) if columns.len() == column.fields() => {
+            CallArgument::Array(array) => array.into_any(),
+            CallArgument::Columns(columns) if columns.len() == column.fields() => {
                 let count = columns.first().map_or(0, |own| own.bind(py).len());
                 // One row may stand for all, as in [`Rows`].
                 if count != 1 {
-                    return Lent::apart(py, columns, column, count);
+                    return ArgumentNumbers::apart(py, columns, column, count);
                 }
                 stacked(py, &columns)?.into_bound(py).into_any()
             }
-            Given::Columns(columns) => stacked(py, &columns)?.into_bound(py).into_any(),
-            Given::Number(x) => PyArrayDyn::<T>::from_owned_array(
+            CallArgument::Columns(columns) => stacked(py, &columns)?.into_bound(py).into_any(),
+            CallArgument::Number(x) => PyArrayDyn::<T>::from_owned_array(
                 py,
                 numpy::ndarray::arr0(T::narrowed(x)).into_dyn(),
             )
@@ -116,7 +120,7 @@ impl<'py, T: Number> Lent<'py, T> {
         };
         let array = plain::<T>(array)?;
         let lead = lead(array.shape(), column)?.to_vec();
-        Lent::whole(array, lead, column)
+        ArgumentNumbers::whole(array, lead, column)
     }
     fn whole(
         array: Bound<'py, PyArrayDyn<T>>,
@@ -124,7 +128,7 @@ impl<'py, T: Number> Lent<'py, T> {
         column: &Column,
     ) -> PyResult<Self> {
         let numbers = array.try_readonly().map_err(|_| in_use(&column.name))?;
-        Ok(Lent {
+        Ok(ArgumentNumbers {
             parts: vec![numbers],
             is_apart: false,
             lead,
@@ -142,7 +146,7 @@ impl<'py, T: Number> Lent<'py, T> {
             let own = plain::<T>(own.into_bound(py).into_any())?;
             parts.push(own.try_readonly().map_err(|_| in_use(&column.name))?);
         }
-        Ok(Lent {
+        Ok(ArgumentNumbers {
             parts,
             is_apart: true,
             lead: vec![count],
@@ -162,7 +166,7 @@ impl<'py, T: Number> Lent<'py, T> {
             )),
         }
     }
-    /// Returns the slices from which [`rows`](Lent::rows) makes rows: all numbers, or those of every field.
+    /// Returns the slices from which [`rows`](ArgumentNumbers::rows) makes rows: all numbers, or those of every field.
     pub fn slices(&self) -> PyResult<Vec<&[T]>> {
         self.parts.iter().map(slice).collect()
     }
@@ -191,7 +195,7 @@ impl<'py, T: Number> Lent<'py, T> {
             }
         };
         let array = numpy.call_method1("broadcast_to", (array, PyTuple::new(py, &shape)?))?;
-        Lent::whole(plain::<T>(array)?, lead.to_vec(), column)
+        ArgumentNumbers::whole(plain::<T>(array)?, lead.to_vec(), column)
     }
 }
 
@@ -253,7 +257,7 @@ fn lead<'a>(shape: &'a [usize], column: &Column) -> PyResult<&'a [usize]> {
 
 /// Returns the leading axes of a result, by NumPy's rules, and their number of rows.
 pub fn broadcast<T: Number>(
-    lent: &[Lent<'_, T>],
+    lent: &[ArgumentNumbers<'_, T>],
     columns: &[Column],
 ) -> PyResult<(Vec<usize>, usize)> {
     let axes = lent.iter().map(|x| x.lead.len()).max().unwrap_or(0);
@@ -284,8 +288,8 @@ pub fn broadcast<T: Number>(
     }
 }
 
-fn shapes_of<T: Number>(lent: &[Lent<'_, T>]) -> String {
-    let one = |x: &Lent<'_, T>| match x.is_apart {
+fn shapes_of<T: Number>(lent: &[ArgumentNumbers<'_, T>]) -> String {
+    let one = |x: &ArgumentNumbers<'_, T>| match x.is_apart {
         true => format!("{:?}", [x.count(), x.fields]),
         false => format!("{:?}", x.parts[0].shape()),
     };
@@ -295,11 +299,11 @@ fn shapes_of<T: Number>(lent: &[Lent<'_, T>]) -> String {
 /// Repeats arguments so that each has as many rows as the result, or one.
 pub fn aligned<'py, T: Number>(
     py: Python<'py>,
-    lent: Vec<Lent<'py, T>>,
+    lent: Vec<ArgumentNumbers<'py, T>>,
     columns: &[Column],
     lead: &[usize],
     count: usize,
-) -> PyResult<Vec<Lent<'py, T>>> {
+) -> PyResult<Vec<ArgumentNumbers<'py, T>>> {
     let fitted = lent
         .into_iter()
         .zip(columns)

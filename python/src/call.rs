@@ -1,6 +1,6 @@
 //! Callables: a row of the table, or a traced function, with their derivatives.
 use crate::column::{Column, Kind, NUMBERS};
-use crate::number::{Form, Made, Number};
+use crate::number::{BothFormats, Form, Number};
 use crate::raised;
 use crate::tracing::Traced;
 use geograd::kernels::dynamic::{Function, Mode, OnPaths, Operation, Program, Sort};
@@ -11,17 +11,17 @@ use std::sync::OnceLock;
 #[derive(Default)]
 struct Cache {
     signatures: [OnceLock<Signature>; 7],
-    made: Made,
+    made: BothFormats,
 }
 
-enum Body {
+enum CallableBody {
     Row(&'static Operation),
     Traced(Traced),
 }
 
 /// A row or a traced function.
 pub struct Callable {
-    body: Body,
+    body: CallableBody,
     /// The arguments, without paths.
     pub takes: Vec<Column>,
     /// The results; a traced function has them after its first recording.
@@ -38,7 +38,7 @@ pub struct Signature {
 impl Callable {
     pub fn of_row(operation: &'static Operation, takes: Vec<Column>, gives: Vec<Column>) -> Self {
         Callable {
-            body: Body::Row(operation),
+            body: CallableBody::Row(operation),
             takes,
             gives: OnceLock::from(gives),
             cache: Cache::default(),
@@ -46,7 +46,7 @@ impl Callable {
     }
     pub fn of_traced(traced: Traced, takes: Vec<Column>) -> Self {
         Callable {
-            body: Body::Traced(traced),
+            body: CallableBody::Traced(traced),
             takes,
             gives: OnceLock::new(),
             cache: Cache::default(),
@@ -55,15 +55,15 @@ impl Callable {
     /// Returns the row, if it is one.
     pub fn operation(&self) -> Option<&'static Operation> {
         match &self.body {
-            Body::Row(operation) => Some(operation),
-            Body::Traced(_) => None,
+            CallableBody::Row(operation) => Some(operation),
+            CallableBody::Traced(_) => None,
         }
     }
     /// Returns the function of Python that it records, if it is one.
     pub fn traced(&self) -> Option<&Traced> {
         match &self.body {
-            Body::Row(_) => None,
-            Body::Traced(traced) => Some(traced),
+            CallableBody::Row(_) => None,
+            CallableBody::Traced(traced) => Some(traced),
         }
     }
     pub fn is_of_paths(&self) -> bool {
@@ -72,8 +72,8 @@ impl Callable {
     /// Returns `true` if its result is a tuple, even of one.
     pub fn is_tuple(&self) -> bool {
         match &self.body {
-            Body::Row(_) => self.gives().len() > 1,
-            Body::Traced(traced) => traced.is_tuple(),
+            CallableBody::Row(_) => self.gives().len() > 1,
+            CallableBody::Traced(traced) => traced.is_tuple(),
         }
     }
     /// Returns the results; an empty list before the recording.
@@ -166,8 +166,10 @@ impl Callable {
             return Ok(program);
         }
         let made = match (form, &self.body) {
-            (Form::Value, Body::Row(operation)) => operation.program::<T>().map_err(raised)?,
-            (Form::Value, Body::Traced(traced)) => {
+            (Form::Value, CallableBody::Row(operation)) => {
+                operation.program::<T>().map_err(raised)?
+            }
+            (Form::Value, CallableBody::Traced(traced)) => {
                 let (program, gives) = traced.record::<T>(&self.takes)?;
                 let known = self.gives.get_or_init(|| gives.clone());
                 let widths =
@@ -202,7 +204,7 @@ impl Callable {
             return Ok(function);
         }
         let of_row = match &self.body {
-            Body::Row(operation) => {
+            CallableBody::Row(operation) => {
                 let mode = match form {
                     Form::Value => Some(Mode::Value),
                     Form::ValueGrad => Some(Mode::ValueGrad),
@@ -211,7 +213,7 @@ impl Callable {
                 };
                 mode.and_then(|mode| operation.function::<T>(mode))
             }
-            Body::Traced(_) => None,
+            CallableBody::Traced(_) => None,
         };
         let made = match of_row {
             Some(function) => function,

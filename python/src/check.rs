@@ -122,7 +122,7 @@ fn names(columns: &[Column]) -> Vec<String> {
 
 /// The arguments of a check besides its function.
 #[derive(FromPyObject)]
-pub struct Asked<'py> {
+pub struct CheckArguments<'py> {
     #[pyo3(item)]
     samples: usize,
     #[pyo3(item)]
@@ -140,7 +140,7 @@ pub struct Asked<'py> {
     jumps: String,
 }
 
-impl Asked<'_> {
+impl CheckArguments<'_> {
     fn jumps(&self) -> PyResult<Jumps> {
         match self.jumps.as_str() {
             "never" => Ok(Jumps::Never),
@@ -155,9 +155,9 @@ impl Asked<'_> {
 
 /// The first exception of a function of Python, after which no function is called.
 #[derive(Default)]
-struct Thrown(RefCell<Option<PyErr>>);
+struct FirstException(RefCell<Option<PyErr>>);
 
-impl Thrown {
+impl FirstException {
     fn or<X>(&self, otherwise: X, call: impl FnOnce() -> PyResult<X>) -> X {
         if self.0.borrow().is_some() {
             return otherwise;
@@ -178,10 +178,10 @@ impl Thrown {
 /// Runs a check with these arguments.
 fn with<'py, X>(
     py: Python<'py>,
-    asked: &Asked<'py>,
+    asked: &CheckArguments<'py>,
     run: impl FnOnce(&Sampling<'_>) -> PyResult<X>,
 ) -> PyResult<X> {
-    let thrown = Thrown::default();
+    let thrown = FirstException::default();
     let inside = |x: &[f64]| {
         thrown.or(false, || match &asked.inside {
             Some(inside) => inside.call1((PyArray1::from_slice(py, x),))?.is_truthy(),
@@ -208,7 +208,7 @@ fn with<'py, X>(
 pub fn check_recorded<'py>(
     py: Python<'py>,
     of: &Recorded,
-    asked: Asked<'py>,
+    asked: CheckArguments<'py>,
 ) -> PyResult<Vec<Report>> {
     use crate::number::Form;
     let double = of.call.program::<f64>(Form::Value)?.clone();
@@ -241,7 +241,7 @@ pub fn check_callables<'py>(
     value: &Bound<'py, PyAny>,
     gradient: &Bound<'py, PyAny>,
     takes: Vec<(String, Option<String>, usize)>,
-    asked: Asked<'py>,
+    asked: CheckArguments<'py>,
     double: bool,
 ) -> PyResult<Report> {
     let columns = crate::traced::columns(takes)?;
@@ -266,7 +266,7 @@ fn judged<T: Number>(
     jumps: Jumps,
 ) -> PyResult<Found> {
     let py = value.py();
-    let (thrown, outputs) = (Thrown::default(), Cell::new(1));
+    let (thrown, outputs) = (FirstException::default(), Cell::new(1));
     let nowhere = |n: usize| vec![T::narrowed(f64::NAN); n];
     let value = |x: Vec<T>| {
         thrown.or(nowhere(outputs.get()), || {

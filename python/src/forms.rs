@@ -1,6 +1,7 @@
 //! The forms of a call, for rows of the table and for traced functions.
 use crate::arrays::{
-    Given, Lent, Target, aligned, broadcast, is_double, offsets, with_fields, written,
+    ArgumentNumbers, CallArgument, Target, aligned, broadcast, is_double, offsets, with_fields,
+    written,
 };
 use crate::call::Callable;
 use crate::column::{Column, NUMBERS};
@@ -57,7 +58,7 @@ fn flattened<'py>(out: &Object<'py>, into: &mut Vec<Option<Object<'py>>>) -> PyR
 
 impl<'py> Call<'_, 'py> {
     /// Reads the arguments of columns.
-    fn given(&self, columns: &[Column]) -> PyResult<Vec<Given<'py>>> {
+    fn given(&self, columns: &[Column]) -> PyResult<Vec<CallArgument<'py>>> {
         if self.arguments.len() != columns.len() {
             let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
             return Err(PyTypeError::new_err(format!(
@@ -71,18 +72,18 @@ impl<'py> Call<'_, 'py> {
         self.arguments
             .iter()
             .zip(columns)
-            .map(|(x, column)| Given::new(x, column))
+            .map(|(x, column)| CallArgument::new(x, column))
             .collect()
     }
     fn lent<T: Number>(
         &self,
-        given: Vec<Given<'py>>,
+        given: Vec<CallArgument<'py>>,
         columns: &[Column],
-    ) -> PyResult<Vec<Lent<'py, T>>> {
+    ) -> PyResult<Vec<ArgumentNumbers<'py, T>>> {
         given
             .into_iter()
             .zip(columns)
-            .map(|(x, column)| Lent::new(self.py, x, column))
+            .map(|(x, column)| ArgumentNumbers::new(self.py, x, column))
             .collect()
     }
     pub fn run<R: Send>(
@@ -106,13 +107,13 @@ impl<'py> Call<'_, 'py> {
         let given = self.given(&signature.takes)?;
         in_format!(self, given, items, form)
     }
-    fn items<T: Number>(&self, given: Vec<Given<'py>>, form: Form) -> PyResult<Object<'py>> {
+    fn items<T: Number>(&self, given: Vec<CallArgument<'py>>, form: Form) -> PyResult<Object<'py>> {
         let takes = &self.of.signature(form)?.takes;
         let function = self.of.function::<T>(form)?;
         let lent = self.lent::<T>(given, takes)?;
         let (lead, count) = broadcast(&lent, takes)?;
         let lent = aligned(self.py, lent, takes, &lead, count)?;
-        let slices = lent.iter().map(Lent::slices);
+        let slices = lent.iter().map(ArgumentNumbers::slices);
         let slices = slices.collect::<PyResult<Vec<_>>>()?;
         let rows = lent.iter().zip(&slices);
         let rows: Vec<_> = rows.map(|(x, slices)| x.rows(slices, true)).collect();
@@ -223,7 +224,7 @@ impl<'py> Call<'_, 'py> {
     }
 
     /// Reads both lists of a call of all pairs.
-    pub fn two(&self) -> PyResult<Vec<Given<'py>>> {
+    pub fn two(&self) -> PyResult<Vec<CallArgument<'py>>> {
         let takes = &self.of.takes;
         if takes.len() != 2 {
             return Err(PyTypeError::new_err(format!(
@@ -234,7 +235,10 @@ impl<'py> Call<'_, 'py> {
         }
         self.given(takes)
     }
-    fn lists<T: Number>(&self, given: Vec<Given<'py>>) -> PyResult<[Lent<'py, T>; 2]> {
+    fn lists<T: Number>(
+        &self,
+        given: Vec<CallArgument<'py>>,
+    ) -> PyResult<[ArgumentNumbers<'py, T>; 2]> {
         let takes = &self.of.takes;
         let lent = self.lent::<T>(given, takes)?;
         for (one, column) in lent.iter().zip(takes) {
@@ -251,25 +255,25 @@ impl<'py> Call<'_, 'py> {
                 )));
             }
         }
-        <[Lent<'py, T>; 2]>::try_from(lent)
+        <[ArgumentNumbers<'py, T>; 2]>::try_from(lent)
             .map_err(|_| PyTypeError::new_err("two lists are needed"))
     }
     /// Returns the axes of the batches, and both lists with all of these axes.
     fn batched<T: Number>(
         &self,
-        given: Vec<Given<'py>>,
-    ) -> PyResult<(Vec<usize>, [Lent<'py, T>; 2])> {
+        given: Vec<CallArgument<'py>>,
+    ) -> PyResult<(Vec<usize>, [ArgumentNumbers<'py, T>; 2])> {
         let takes = &self.of.takes;
         let lent = self.lent::<T>(given, takes)?;
         let most = lent.iter().map(|x| x.lead().len()).max().unwrap_or(0);
-        let pair = |all: Vec<Lent<'py, T>>| {
-            <[Lent<'py, T>; 2]>::try_from(all)
+        let pair = |all: Vec<ArgumentNumbers<'py, T>>| {
+            <[ArgumentNumbers<'py, T>; 2]>::try_from(all)
                 .map_err(|_| PyTypeError::new_err("two lists are needed"))
         };
         if most <= 1 {
             return Ok((Vec::new(), pair(lent)?));
         }
-        let axes = |x: &Lent<'py, T>| {
+        let axes = |x: &ArgumentNumbers<'py, T>| {
             x.lead()
                 .split_last()
                 .map_or((1, Vec::new()), |(&n, axes)| (n, axes.to_vec()))
@@ -306,7 +310,7 @@ impl<'py> Call<'_, 'py> {
     fn each<'a, T: Number>(
         &self,
         batches: &[usize],
-        lists: &[Lent<'py, T>; 2],
+        lists: &[ArgumentNumbers<'py, T>; 2],
         slices: &'a [Vec<&'a [T]>; 2],
     ) -> (Vec<[Rows<'a, T>; 2]>, [usize; 2]) {
         let count: usize = batches.iter().product();
@@ -330,7 +334,7 @@ impl<'py> Call<'_, 'py> {
     }
     pub fn reduced<T: Number, R: Send>(
         &self,
-        given: Vec<Given<'py>>,
+        given: Vec<CallArgument<'py>>,
         reduce: impl FnOnce([Rows<'_, T>; 2]) -> Result<R, geograd::Error> + Send,
     ) -> PyResult<R> {
         self.one_number()?;
@@ -347,7 +351,7 @@ impl<'py> Call<'_, 'py> {
         let given = self.two()?;
         in_format!(self, given, pairs)
     }
-    fn pairs<T: Number>(&self, given: Vec<Given<'py>>) -> PyResult<Object<'py>> {
+    fn pairs<T: Number>(&self, given: Vec<CallArgument<'py>>) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
         let (batches, lists) = self.batched::<T>(given)?;
         let slices = [lists[0].slices()?, lists[1].slices()?];
@@ -389,7 +393,11 @@ impl<'py> Call<'_, 'py> {
         let given = self.two()?;
         in_format!(self, given, best, of_rows)
     }
-    fn best<T: Number>(&self, given: Vec<Given<'py>>, of_rows: bool) -> PyResult<Object<'py>> {
+    fn best<T: Number>(
+        &self,
+        given: Vec<CallArgument<'py>>,
+        of_rows: bool,
+    ) -> PyResult<Object<'py>> {
         self.one_number()?;
         let function = self.of.function::<T>(Form::Value)?;
         let (batches, lists) = self.batched::<T>(given)?;
@@ -420,7 +428,11 @@ impl<'py> Call<'_, 'py> {
         let given = self.two()?;
         in_format!(self, given, found, threshold)
     }
-    fn found<T: Number>(&self, given: Vec<Given<'py>>, threshold: f64) -> PyResult<Object<'py>> {
+    fn found<T: Number>(
+        &self,
+        given: Vec<CallArgument<'py>>,
+        threshold: f64,
+    ) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
         let machine = &self.machine;
         let all: Vec<Found<T>> = self.reduced::<T, _>(given, |lists| {
@@ -439,7 +451,7 @@ impl<'py> Call<'_, 'py> {
         let given = self.two()?;
         in_format!(self, given, counted, threshold)
     }
-    fn counted<T: Number>(&self, given: Vec<Given<'py>>, threshold: f64) -> PyResult<u64> {
+    fn counted<T: Number>(&self, given: Vec<CallArgument<'py>>, threshold: f64) -> PyResult<u64> {
         let function = self.of.function::<T>(Form::Value)?;
         let machine = &self.machine;
         self.reduced::<T, _>(given, |lists| {
@@ -454,7 +466,7 @@ impl<'py> Call<'_, 'py> {
         let given = self.two()?;
         in_format!(self, given, totalled, is_mean)
     }
-    fn totalled<T: Number>(&self, given: Vec<Given<'py>>, is_mean: bool) -> PyResult<f64> {
+    fn totalled<T: Number>(&self, given: Vec<CallArgument<'py>>, is_mean: bool) -> PyResult<f64> {
         let function = self.of.function::<T>(Form::Value)?;
         let machine = &self.machine;
         self.reduced::<T, _>(given, |lists| match is_mean {
@@ -468,7 +480,11 @@ impl<'py> Call<'_, 'py> {
         let given = self.two()?;
         in_format!(self, given, lost, is_mean)
     }
-    fn lost<T: Number>(&self, given: Vec<Given<'py>>, is_mean: bool) -> PyResult<Object<'py>> {
+    fn lost<T: Number>(
+        &self,
+        given: Vec<CallArgument<'py>>,
+        is_mean: bool,
+    ) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
         let machine = &self.machine;
         let shapes = self.shapes_of(&given);
@@ -488,10 +504,10 @@ impl<'py> Call<'_, 'py> {
             kind: NUMBERS,
             axes: Vec::new(),
         };
-        given.push(Given::new(upstream, &column)?);
+        given.push(CallArgument::new(upstream, &column)?);
         in_format!(self, given, pulled)
     }
-    fn pulled<T: Number>(&self, mut given: Vec<Given<'py>>) -> PyResult<Object<'py>> {
+    fn pulled<T: Number>(&self, mut given: Vec<CallArgument<'py>>) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
         let column = Column {
             name: "upstream".to_owned(),
@@ -501,7 +517,7 @@ impl<'py> Call<'_, 'py> {
         let upstream = given
             .pop()
             .ok_or_else(|| PyTypeError::new_err("upstream is needed"))?;
-        let upstream = Lent::<T>::new(self.py, upstream, &column)?;
+        let upstream = ArgumentNumbers::<T>::new(self.py, upstream, &column)?;
         let shapes = self.shapes_of(&given);
         self.one_number()?;
         let [a, b] = self.lists::<T>(given)?;
@@ -524,14 +540,14 @@ impl<'py> Call<'_, 'py> {
             .into_pyobject(self.py)?
             .into_any())
     }
-    fn shapes_of(&self, given: &[Given<'py>]) -> Vec<Vec<usize>> {
-        let shape = |given: &Given<'py>| match given {
-            Given::Array(array) => array.shape().to_vec(),
-            Given::Columns(columns) => {
+    fn shapes_of(&self, given: &[CallArgument<'py>]) -> Vec<Vec<usize>> {
+        let shape = |given: &CallArgument<'py>| match given {
+            CallArgument::Array(array) => array.shape().to_vec(),
+            CallArgument::Columns(columns) => {
                 let count = columns.first().map_or(0, |own| own.bind(self.py).len());
                 vec![count, columns.len()]
             }
-            Given::Number(_) => Vec::new(),
+            CallArgument::Number(_) => Vec::new(),
         };
         given.iter().map(shape).collect()
     }
@@ -571,11 +587,13 @@ impl<'py> Call<'_, 'py> {
         let mut given = contexts
             .iter()
             .zip(takes)
-            .map(|(x, column)| Given::new(x, column))
+            .map(|(x, column)| CallArgument::new(x, column))
             .collect::<PyResult<Vec<_>>>()?;
-        given.push(Given::Array(paths.get().vertices.bind(self.py).clone()));
+        given.push(CallArgument::Array(
+            paths.get().vertices.bind(self.py).clone(),
+        ));
         if let Some(upstream) = rest.get(1) {
-            given.push(Given::new(upstream, &self.upstream())?);
+            given.push(CallArgument::new(upstream, &self.upstream())?);
         }
         let array = paths.get().offsets.bind(self.py);
         let offsets = offsets(self.py, array.as_any(), "offsets")?;
@@ -596,7 +614,7 @@ impl<'py> Call<'_, 'py> {
     }
     fn on_paths<T: Number>(
         &self,
-        mut given: Vec<Given<'py>>,
+        mut given: Vec<CallArgument<'py>>,
         form: Form,
         offsets: Vec<usize>,
     ) -> PyResult<Object<'py>> {
@@ -613,13 +631,16 @@ impl<'py> Call<'_, 'py> {
         let vertices = rest
             .next()
             .ok_or_else(|| PyTypeError::new_err("paths are needed"))?;
-        let vertices = Lent::<T>::new(self.py, vertices, &column)?;
+        let vertices = ArgumentNumbers::<T>::new(self.py, vertices, &column)?;
         let lent = given.into_iter().zip(takes);
         let lent = lent
-            .map(|(given, column)| Lent::<T>::new(self.py, given, column))
+            .map(|(given, column)| ArgumentNumbers::<T>::new(self.py, given, column))
             .collect::<PyResult<Vec<_>>>()?;
         // One path stands for all rows, and one row for all paths.
-        let many = lent.iter().map(Lent::count).find(|&rows| rows != 1);
+        let many = lent
+            .iter()
+            .map(ArgumentNumbers::count)
+            .find(|&rows| rows != 1);
         let count = match (paths, many) {
             (1, Some(rows)) if !self.machine.is_gpu() => rows,
             _ => paths,
@@ -628,7 +649,7 @@ impl<'py> Call<'_, 'py> {
             None => None,
             Some(upstream) => {
                 let column = self.upstream();
-                let lent = Lent::<T>::new(self.py, upstream, &column)?;
+                let lent = ArgumentNumbers::<T>::new(self.py, upstream, &column)?;
                 Some(self.full(lent, &column, count)?)
             }
         };
@@ -636,7 +657,7 @@ impl<'py> Call<'_, 'py> {
         for (lent, column) in lent.into_iter().zip(takes) {
             contexts.push(self.full::<T>(lent, column, count)?);
         }
-        let slices = contexts.iter().map(Lent::slices);
+        let slices = contexts.iter().map(ArgumentNumbers::slices);
         let slices = slices.collect::<PyResult<Vec<_>>>()?;
         let rows = contexts.iter().zip(&slices);
         let rows: Vec<_> = rows.map(|(x, slices)| x.rows(slices, false)).collect();
@@ -719,10 +740,10 @@ impl<'py> Call<'_, 'py> {
     /// Repeats an argument to a row for every path.
     fn full<T: Number>(
         &self,
-        lent: Lent<'py, T>,
+        lent: ArgumentNumbers<'py, T>,
         column: &Column,
         count: usize,
-    ) -> PyResult<Lent<'py, T>> {
+    ) -> PyResult<ArgumentNumbers<'py, T>> {
         if lent.lead() == [count] {
             return Ok(lent);
         }

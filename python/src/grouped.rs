@@ -1,5 +1,5 @@
 //! Pairs within groups, and suppression.
-use crate::arrays::{Given, Lent, is_double, offsets};
+use crate::arrays::{ArgumentNumbers, CallArgument, is_double, offsets};
 use crate::column::{Column, NUMBERS};
 use crate::forms::{Call, Object, in_format};
 use crate::number::{Form, Number};
@@ -26,7 +26,7 @@ pub fn both(py: Python<'_>, groups: &Object<'_>) -> PyResult<[Vec<usize>; 2]> {
 }
 
 /// The arguments of suppression besides shapes.
-pub struct Asked<'a, 'py> {
+pub struct SuppressArguments<'a, 'py> {
     pub scores: &'a Object<'py>,
     pub overlap: f64,
     pub score: Option<f64>,
@@ -43,7 +43,7 @@ impl<'py> Call<'_, 'py> {
     }
     fn found_grouped<T: Number>(
         &self,
-        given: Vec<Given<'py>>,
+        given: Vec<CallArgument<'py>>,
         threshold: f64,
         groups: &[Vec<usize>; 2],
     ) -> PyResult<Object<'py>> {
@@ -67,7 +67,7 @@ impl<'py> Call<'_, 'py> {
     }
     fn best_grouped<T: Number>(
         &self,
-        given: Vec<Given<'py>>,
+        given: Vec<CallArgument<'py>>,
         of_rows: bool,
         groups: &[Vec<usize>; 2],
     ) -> PyResult<Object<'py>> {
@@ -96,7 +96,7 @@ impl<'py> Call<'_, 'py> {
     }
 
     /// Returns the indices of the shapes that suppression keeps. It decides shape by shape, on the CPU alone.
-    pub fn suppress(&self, asked: &Asked<'_, 'py>) -> PyResult<Object<'py>> {
+    pub fn suppress(&self, asked: &SuppressArguments<'_, 'py>) -> PyResult<Object<'py>> {
         let given = self.two()?;
         match is_double(self.py, &given) {
             true => self.kept::<f64>(given, asked),
@@ -105,19 +105,20 @@ impl<'py> Call<'_, 'py> {
     }
     fn kept<T: Number>(
         &self,
-        mut given: Vec<Given<'py>>,
-        asked: &Asked<'_, 'py>,
+        mut given: Vec<CallArgument<'py>>,
+        asked: &SuppressArguments<'_, 'py>,
     ) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
         let needed = || PyTypeError::new_err("a list of shapes is needed");
         let column = &self.of.takes[0];
-        let shapes = Lent::<T>::new(self.py, given.pop().ok_or_else(needed)?, column)?;
+        let shapes = ArgumentNumbers::<T>::new(self.py, given.pop().ok_or_else(needed)?, column)?;
         let scores = Column {
             name: "scores".to_owned(),
             kind: NUMBERS,
             axes: Vec::new(),
         };
-        let scores = Lent::<T>::new(self.py, Given::new(asked.scores, &scores)?, &scores)?;
+        let scores =
+            ArgumentNumbers::<T>::new(self.py, CallArgument::new(asked.scores, &scores)?, &scores)?;
         let (lead, numbers) = (shapes.lead().len(), scores.numbers()?);
         if lead != 1 || scores.lead().len() != 1 {
             return Err(PyValueError::new_err(

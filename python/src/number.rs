@@ -55,14 +55,14 @@ const FOREIGN: &str = "this symbol belongs to a recording that is over, or to an
 /// The two formats of arrays.
 pub trait Number: Real + Element {
     const IS_DOUBLE: bool;
-    fn made(made: &Made) -> &InFormat<Self>;
+    fn made(made: &BothFormats) -> &InFormat<Self>;
     fn narrowed(x: f64) -> Self;
     fn any(symbol: Symbol<Self>) -> Any;
     fn symbol(any: Any) -> PyResult<Symbol<Self>>;
 }
 impl Number for f32 {
     const IS_DOUBLE: bool = false;
-    fn made(made: &Made) -> &InFormat<f32> {
+    fn made(made: &BothFormats) -> &InFormat<f32> {
         &made.single
     }
     fn narrowed(x: f64) -> f32 {
@@ -80,7 +80,7 @@ impl Number for f32 {
 }
 impl Number for f64 {
     const IS_DOUBLE: bool = true;
-    fn made(made: &Made) -> &InFormat<f64> {
+    fn made(made: &BothFormats) -> &InFormat<f64> {
         &made.double
     }
     fn narrowed(x: f64) -> f64 {
@@ -116,7 +116,7 @@ impl<T: Number> Default for InFormat<T> {
 
 /// The functions and programs in both formats.
 #[derive(Default)]
-pub struct Made {
+pub struct BothFormats {
     single: InFormat<f32>,
     double: InFormat<f64>,
 }

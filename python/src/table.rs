@@ -21,7 +21,7 @@ pub struct Shape {
 }
 
 /// A row: a verb with certain shapes.
-pub struct Listed {
+pub struct TableRow {
     pub verb: String,
     pub kinds: Vec<Kind>,
     pub operation: &'static Operation,
@@ -33,7 +33,7 @@ pub struct Listed {
 /// All shapes and rows.
 pub struct Table {
     pub shapes: Vec<Shape>,
-    pub rows: Vec<Listed>,
+    pub rows: Vec<TableRow>,
     by_name: HashMap<String, Kind>,
 }
 
@@ -105,7 +105,7 @@ impl Table {
                 let path = FIRST.iter().position(|&path| name.shapes == [path]);
                 kinds.push(path.map_or(RING, |path| path as Kind));
             }
-            table.rows.push(Listed {
+            table.rows.push(TableRow {
                 verb: name.verb,
                 kinds,
                 operation,

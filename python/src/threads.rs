@@ -6,22 +6,22 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// The pool of a process: the process number, the number of threads, and the pool.
-struct Kept {
+struct ProcessPool {
     process: u32,
     threads: usize,
     pool: Arc<rayon::ThreadPool>,
 }
 
-static POOL: Mutex<Option<Kept>> = Mutex::new(None);
+static POOL: Mutex<Option<ProcessPool>> = Mutex::new(None);
 /// The number of threads of calls; zero before the first call.
 static THREADS: AtomicUsize = AtomicUsize::new(0);
 
 thread_local! {
     /// The lock of the pool while this thread forks.
-    static HELD: RefCell<Option<MutexGuard<'static, Option<Kept>>>> = const { RefCell::new(None) };
+    static HELD: RefCell<Option<MutexGuard<'static, Option<ProcessPool>>>> = const { RefCell::new(None) };
 }
 
-fn lock() -> MutexGuard<'static, Option<Kept>> {
+fn lock() -> MutexGuard<'static, Option<ProcessPool>> {
     POOL.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -81,7 +81,7 @@ fn pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
     let made = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let made = made.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
     let made = Arc::new(made);
-    let new = Kept {
+    let new = ProcessPool {
         process,
         threads,
         pool: made.clone(),

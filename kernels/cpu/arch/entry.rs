@@ -1,16 +1,16 @@
 //! The list of kernels, each compiled for every level, with the only calls into code whose instructions a processor may
 //! lack.
 use crate::Vec2;
-use crate::kernels::cpu::arch::Bound;
+use crate::kernels::cpu::arch::BoundCode;
 use crate::kernels::cpu::blocks;
 use crate::kernels::cpu::boxes3;
-use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles};
+use crate::kernels::cpu::lane::{Lane, Planes, ResultTiles, TILE, Tiles};
 use crate::kernels::cpu::nearest;
 use crate::kernels::cpu::overlaps::{self, BOUNDS, View};
 use crate::kernels::cpu::program::execute::{self, Memory, Pass};
-use crate::kernels::cpu::program::instructions::Code;
+use crate::kernels::cpu::program::instructions::Instruction;
 use crate::kernels::cpu::program::lower::Tape;
-use crate::kernels::cpu::program::rowwise::{self, Rows, Wanted};
+use crate::kernels::cpu::program::rowwise::{self, ResultRows, RowRange};
 use crate::kernels::cpu::quads;
 use crate::kernels::cpu::rings::{self, Measure};
 use crate::kernels::cpu::upright_boxes;
@@ -90,37 +90,37 @@ entries! {
     /// `true` if rotated boxes are valid and of ordinary size.
     all_ordinary_obb2(numbers: &[T]) -> bool = overlaps::all_ordinary_obb2::<T, V>;
     /// Scores of prepared rotated boxes.
-    obb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = overlaps::obb2_scores::<T, V>;
+    obb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: ResultTiles<'_, T>) = overlaps::obb2_scores::<T, V>;
     /// Scores of prepared rotated boxes with ten derivatives each.
-    obb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = overlaps::obb2_derivatives::<T, V>;
+    obb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: ResultTiles<'_, T>) = overlaps::obb2_derivatives::<T, V>;
     /// `true` if rotated boxes are valid and of common size, or zero size.
     all_common_obb2(numbers: &[T]) -> bool = overlaps::all_common_obb2::<T, V>;
     /// Generalised IoU of prepared rotated boxes.
-    giou_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = overlaps::giou_scores::<T, V>;
+    giou_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: ResultTiles<'_, T>) = overlaps::giou_scores::<T, V>;
     /// Generalised IoU of prepared rotated boxes with ten derivatives each.
-    giou_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = overlaps::giou_derivatives::<T, V>;
+    giou_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: ResultTiles<'_, T>) = overlaps::giou_derivatives::<T, V>;
     /// Areas that convex quadrilaterals share.
-    quad_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = quads::quad_scores::<T, V>;
+    quad_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: ResultTiles<'_, T>) = quads::quad_scores::<T, V>;
     /// Areas that convex quadrilaterals share with sixteen derivatives each.
-    quad_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = quads::quad_derivatives::<T, V>;
+    quad_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: ResultTiles<'_, T>) = quads::quad_derivatives::<T, V>;
     /// `true` if quadrilaterals are convex and of ordinary size.
     all_convex_quads(numbers: &[T]) -> bool = quads::all_convex::<T, V>;
     /// `true` if upright boxes are valid and of common size, or zero size.
     all_common_upright(numbers: &[T]) -> bool = overlaps::all_common_upright::<T, V>;
     /// Scores of upright boxes from what they share seen from above.
-    upright_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = upright_boxes::scores::<T, V>;
+    upright_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: ResultTiles<'_, T>) = upright_boxes::scores::<T, V>;
     /// The scores of upright boxes with fourteen derivatives each, from areas seen from above with ten.
-    upright_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = upright_boxes::derivatives::<T, V>;
+    upright_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: ResultTiles<'_, T>) = upright_boxes::derivatives::<T, V>;
     /// `true` if boxes of any orientation in space are valid and of common size, or zero size.
     all_common_obb3(numbers: &[T]) -> bool = boxes3::all_common::<T, V>;
     /// Scores of boxes of any orientation in space.
-    obb3_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes3::scores::<T, V>;
+    obb3_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: ResultTiles<'_, T>) = boxes3::scores::<T, V>;
     /// Scores of boxes of any orientation in space with twenty derivatives each.
-    obb3_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes3::derivatives::<T, V>;
+    obb3_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: ResultTiles<'_, T>) = boxes3::derivatives::<T, V>;
     /// Scores of axis-aligned boxes.
-    aabb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = overlaps::aabb2_scores::<T, V>;
+    aabb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: ResultTiles<'_, T>) = overlaps::aabb2_scores::<T, V>;
     /// Scores of axis-aligned boxes with eight derivatives each.
-    aabb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = overlaps::aabb2_derivatives::<T, V>;
+    aabb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: ResultTiles<'_, T>) = overlaps::aabb2_derivatives::<T, V>;
     /// `true` if axis-aligned boxes are valid.
     all_aabb2(numbers: &[T]) -> bool = blocks::all_aabb2::<T, V>;
     /// Rows of numbers into tiles.
@@ -128,7 +128,7 @@ entries! {
     /// Tiles into rows of numbers.
     take(results: Planes<'_, T>, fields: usize, rows: &mut [T], stride: usize) = blocks::take::<T, V>;
     /// Broadcasts one item of a tile to all places of another tile.
-    spread(from: &[Lane<T>], item: usize, tile: &mut [Lane<T>]) = blocks::spread::<T, V>;
+    broadcast(from: &[Lane<T>], item: usize, tile: &mut [Lane<T>]) = blocks::broadcast::<T, V>;
     /// Picked rows of numbers into tiles.
     gather(rows: &[T], stride: usize, picked: &[u32], fields: usize, out: &mut [Lane<T>]) = blocks::gather::<T, V>;
     /// The items whose bounds meet those of a row, as indices.
@@ -156,11 +156,11 @@ entries! {
     /// A part of a block by a recorded program.
     interpret(tape: &Tape, pass: Pass<'_, T>, out: &mut [Lane<T>]) = execute::interpret::<T, V>;
     /// The instructions of a recorded program on numbers in slots.
-    carry_out(code: &[Code], memory: Memory<'_, T>, native: Option<&Bound<'_, T>>) = execute::carry_out::<T, V>;
+    carry_out(code: &[Instruction], memory: Memory<'_, T>, native: Option<&BoundCode<'_, T>>) = execute::carry_out::<T, V>;
     /// Some items by a recorded program, from rows to rows.
-    over_rows(tape: &Tape, part: Rows<'_, T>, wanted: &mut [Wanted<'_, T>]) = rowwise::over_rows::<T, V>;
+    over_rows(tape: &Tape, part: RowRange<'_, T>, wanted: &mut [ResultRows<'_, T>]) = rowwise::over_rows::<T, V>;
     /// The edges of a path that can be nearest to a point, and the winding number of the path.
-    near_edges(point: Vec2<T>, path: &nearest::Edges<T>, limits: nearest::Limits<T>, squares: &mut [Lane<T>], picked: &mut [u32]) -> Option<(usize, T)> = nearest::near_edges::<T, V>;
+    near_edges(point: Vec2<T>, path: &nearest::Edges<T>, limits: nearest::ReliableLimits<T>, squares: &mut [Lane<T>], picked: &mut [u32]) -> Option<(usize, T)> = nearest::near_edges::<T, V>;
     /// Measures of rings; `false` if a vertex is not finite, and the measures are then arbitrary.
     ring_values(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) -> bool = rings::values::<T, V>;
     /// Adjoints of measures of rings.

@@ -33,9 +33,9 @@ pub use entry::of_f32::KERNELS as F32;
 pub use entry::of_f64::KERNELS as F64;
 pub(crate) use memory::flat;
 #[cfg(all(target_arch = "x86_64", feature = "native", not(geograd_portable)))]
-pub(crate) use native::{Bound, Native};
+pub(crate) use native::{BoundCode, Native};
 #[cfg(not(all(target_arch = "x86_64", feature = "native", not(geograd_portable))))]
-pub(crate) use no_native::{Bound, Native};
+pub(crate) use no_native::{BoundCode, Native};
 
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::scalar::lanes::LaneMask;

@@ -9,11 +9,11 @@
 //! [`compile`] alone writes the code: packed arithmetic between vector registers, loads and stores at `slot + offset`
 //! and `table[k] + offset`, one loop, no other jump. Slots are below the tape's count, the offset below the bytes in
 //! use, and [`Native::bind`] refuses memory for fewer slots. Every address in the table is that of a slot or of numbers
-//! borrowed by a [`Bound`], and [`Bound::run`] requires at least as many of these as a slot has in use. The code writes
-//! to mutably borrowed numbers only. It uses registers that its calling convention leaves to it, and the instructions
-//! of a level that the processor has.
+//! borrowed by a [`BoundCode`], and [`BoundCode::run`] requires at least as many of these as a slot has in use. The
+//! code writes to mutably borrowed numbers only. It uses registers that its calling convention leaves to it, and the
+//! instructions of a level that the processor has.
 use crate::kernels::cpu::lane::{Lane, TILE};
-use crate::kernels::cpu::program::instructions::Run;
+use crate::kernels::cpu::program::instructions::CodeRun;
 use crate::kernels::cpu::program::lower::Tape;
 use crate::kernels::cpu::program::native::{Encoder, MOST, compile};
 use crate::kernels::cpu::simd::Simd;
@@ -25,7 +25,7 @@ use std::marker::PhantomData;
 #[derive(Debug)]
 pub(crate) struct Native {
     code: Mmap,
-    runs: Vec<Run>,
+    runs: Vec<CodeRun>,
     /// For each address in the table the slot that it stands for, inputs first; `None` for an address that the code
     /// does not use.
     table: Vec<Option<u16>>,
@@ -78,7 +78,7 @@ impl Native {
     }
     /// Returns the code with the memory of its slots; `None` if the memory has another size than the code expects.
     #[inline]
-    pub(crate) fn bind<'a, T>(&'a self, lanes: &'a [Cell<Lane<T>>]) -> Option<Bound<'a, T>> {
+    pub(crate) fn bind<'a, T>(&'a self, lanes: &'a [Cell<Lane<T>>]) -> Option<BoundCode<'a, T>> {
         if lanes.len() < self.lanes || self.number != size_of::<T>() {
             return None;
         }
@@ -88,7 +88,7 @@ impl Native {
                 *address = lanes[slot as usize * self.stride].as_ptr().cast();
             }
         }
-        Some(Bound {
+        Some(BoundCode {
             native: self,
             lanes,
             table,
@@ -99,7 +99,7 @@ impl Native {
 }
 
 /// Machine code with the memory that it reads and writes.
-pub(crate) struct Bound<'a, T> {
+pub(crate) struct BoundCode<'a, T> {
     native: &'a Native,
     lanes: &'a [Cell<Lane<T>>],
     /// Addresses of inputs and results.
@@ -109,9 +109,9 @@ pub(crate) struct Bound<'a, T> {
     lender: PhantomData<&'a mut [T]>,
 }
 
-impl<'a, T> Bound<'a, T> {
+impl<'a, T> BoundCode<'a, T> {
     /// Returns the runs in order.
-    pub(crate) fn runs(&self) -> &'a [Run] {
+    pub(crate) fn runs(&self) -> &'a [CodeRun] {
         &self.native.runs
     }
     /// Makes the code read input `k` in place, if it [can](Native::has_input).
@@ -128,7 +128,7 @@ impl<'a, T> Bound<'a, T> {
     }
     /// Executes a run on `width` lanes of every slot.
     #[inline]
-    pub(crate) fn run(&self, run: &Run, width: usize) {
+    pub(crate) fn run(&self, run: &CodeRun, width: usize) {
         // The lanes and the borrowed numbers must have that many vectors, or the code would write beyond them.
         let fits = (1..=self.native.stride).contains(&width) && width * TILE <= self.lent;
         if !fits {

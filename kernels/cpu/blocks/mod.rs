@@ -11,4 +11,4 @@ pub(crate) use derivatives::{accumulate, accumulate_picked};
 pub(crate) use numbers::{
     add_up, all_aabb2, all_finite, all_up_to, all_within, count_above, largest,
 };
-pub(crate) use rows::{QUAD, bring, gather, scatter, spread, take};
+pub(crate) use rows::{QUAD, bring, broadcast, gather, scatter, take};

@@ -377,7 +377,11 @@ fn gather_quads<T: Real, V: Vector<T>, const QUADS: usize>(
 
 /// Broadcasts one item of a tile to all places of another tile.
 #[inline(always)]
-pub(crate) fn spread<T: Real, V: Vector<T>>(from: &[Lane<T>], item: usize, tile: &mut [Lane<T>]) {
+pub(crate) fn broadcast<T: Real, V: Vector<T>>(
+    from: &[Lane<T>],
+    item: usize,
+    tile: &mut [Lane<T>],
+) {
     for (lane, from) in tile.iter_mut().zip(from) {
         let x = V::splat(from.0[item % TILE]);
         let mut at = 0;

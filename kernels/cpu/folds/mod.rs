@@ -4,13 +4,13 @@ pub(crate) mod paths;
 mod sieve;
 
 use crate::error::Field;
-use crate::kernels::call::folding::{Folding, Programs, Sizes, backwards};
+use crate::kernels::call::folding::{FoldPrograms, Folding, Sizes, backwards};
 use crate::kernels::cpu::checked::{check_argument, check_upstream};
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::plan::{Plan, Preparation, name, of_recorded};
 use crate::kernels::cpu::ragged::check_offsets;
 use crate::kernels::cpu::stretches::{self, Aligned};
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::machine::{Input, PathSpans};
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::counts::expect;
@@ -32,7 +32,7 @@ pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec
         .chunks_mut(STRETCH * sizes.out.max(1))
         .enumerate()
         .collect();
-    spread(work, |(i, out): (usize, &mut [T])| {
+    in_parallel(work, |(i, out): (usize, &mut [T])| {
         let mut state = vec![T::default(); sizes.state];
         for (k, out) in out.chunks_exact_mut(sizes.out).enumerate() {
             let path = i * STRETCH + k;
@@ -84,7 +84,7 @@ pub fn cotangents<T: Real>(
         work.push((first..end, bars, some));
     }
     type Work<'a, T> = (Range<usize>, &'a mut [T], &'a mut [T]);
-    spread(work, |(some, context_bars, state_bars): Work<'_, T>| {
+    in_parallel(work, |(some, context_bars, state_bars): Work<'_, T>| {
         let mut at = 0;
         for (k, path) in some.enumerate() {
             let shared = &paths.shared[path * wide..][..wide];
@@ -178,7 +178,11 @@ pub(crate) fn check_spans<T: Real>(input: &Input<'_, T>) -> Result<(), Error> {
 }
 
 /// Returns the plan of the body of edges for batches.
-fn plan<T: Real>(sizes: &Sizes, programs: &Programs, mode: Mode) -> Result<Arc<Plan<T>>, Error> {
+fn plan<T: Real>(
+    sizes: &Sizes,
+    programs: &FoldPrograms,
+    mode: Mode,
+) -> Result<Arc<Plan<T>>, Error> {
     let recorded = match mode {
         Mode::Vjp => &programs.edge_vjp,
         _ => &programs.edge,
@@ -209,7 +213,7 @@ fn plan<T: Real>(sizes: &Sizes, programs: &Programs, mode: Mode) -> Result<Arc<P
 /// Returns the states of all edges.
 fn states<T: Real>(
     sizes: &Sizes,
-    programs: &Programs,
+    programs: &FoldPrograms,
     paths: &Paths<'_, T>,
 ) -> Result<Vec<T>, Error> {
     let body = plan(sizes, programs, Mode::Value)?;

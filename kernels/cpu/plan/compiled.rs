@@ -9,7 +9,7 @@ use crate::iou::giou_framed;
 use crate::kernels::cpu::arch::LARGE;
 use crate::kernels::cpu::boxes3::{OBB3, is_common_obb3};
 use crate::kernels::cpu::formats::kernels_in;
-use crate::kernels::cpu::lane::{Lane, Results, Tiles};
+use crate::kernels::cpu::lane::{Lane, ResultTiles, Tiles};
 use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::overlaps::{
     AABB2, OBB2, SEEN, UPRIGHT, View, is_common_upright, is_solid_obb2,
@@ -56,12 +56,12 @@ pub(super) fn outline<T: Real>(compiled: Compiled) -> Option<Outline<T>> {
 }
 
 /// A kernel of two shapes, of the cotangents of its results if there are any, and of a buffer for results.
-struct Kernel<F>(F);
-impl<T, F> Maker<T> for Kernel<F>
+struct PairMaker<F>(F);
+impl<T, F> Maker<T> for PairMaker<F>
 where
-    F: Fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>) + Send + Sync,
+    F: Fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, ResultTiles<'_, T>) + Send + Sync,
 {
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+    fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>) {
         (self.0)(inputs[0], inputs[1], inputs.get(2).copied(), out);
     }
 }
@@ -69,8 +69,8 @@ where
 /// Returns the kernel of a mode: `values`, or `derivatives`.
 fn maker<T: Real>(
     mode: Mode,
-    values: impl Fn(Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>) + Send + Sync + 'static,
-    derivatives: impl Fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>)
+    values: impl Fn(Tiles<'_, T>, Tiles<'_, T>, ResultTiles<'_, T>) + Send + Sync + 'static,
+    derivatives: impl Fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, ResultTiles<'_, T>)
     + Send
     + Sync
     + 'static,
@@ -78,10 +78,10 @@ fn maker<T: Real>(
     let values = move |a: Tiles<'_, T>,
                        b: Tiles<'_, T>,
                        _: Option<Tiles<'_, T>>,
-                       out: Results<'_, T>| values(a, b, out);
+                       out: ResultTiles<'_, T>| values(a, b, out);
     match mode {
-        Mode::Value => Box::new(Kernel(values)),
-        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => Box::new(Kernel(derivatives)),
+        Mode::Value => Box::new(PairMaker(values)),
+        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => Box::new(PairMaker(derivatives)),
     }
 }
 
@@ -256,7 +256,7 @@ fn of_birds_eye<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
         move |a, b, out| (kernels.obb2_scores)(over, a, b, out),
         move |a, b, seeds, mut out| {
             (kernels.obb2_derivatives)(over, a, b, seeds, out.again());
-            upright_boxes::spread_derivatives(&mut out);
+            upright_boxes::extend_derivatives(&mut out);
         },
     );
     let flat = of_obb2::<T>(over, mode).rare;

@@ -2,7 +2,7 @@
 use crate::Real;
 use crate::error::{Argument, Flaw};
 use crate::kernels::cpu::formats::kernels_in;
-use crate::kernels::cpu::lane::{Lane, Lent, TILE, Tiles};
+use crate::kernels::cpu::lane::{Lane, LaneBuffer, TILE, Tiles};
 use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::machine::Column;
@@ -171,11 +171,11 @@ pub struct List<'a, T: Real> {
     /// The number of shapes.
     pub count: usize,
     /// Prepared shapes in tiles.
-    pub frames: Lent<T>,
+    pub frames: LaneBuffer<T>,
     /// The number of scalars of a prepared shape.
     pub frame_fields: usize,
     /// Bounds in tiles. Padding meets nothing, the bounds of a rare shape meet everything. `None` without use for them.
-    pub bounds: Option<Lent<T>>,
+    pub bounds: Option<LaneBuffer<T>>,
     /// The indices of shapes beyond the kernels' range, ascending.
     pub rare: Vec<u32>,
 }
@@ -190,7 +190,7 @@ impl<'a, T: Real> List<'a, T> {
     ) -> Self {
         let (fields, count) = (preparation.fields, shapes.len());
         let tiles = count.div_ceil(TILE);
-        let mut lanes = Lent::new(tiles * fields);
+        let mut lanes = LaneBuffer::new(tiles * fields);
         let (mut room, mut rare_ones) = (Vec::new(), Vec::new());
         for start in (0..count).step_by(STRETCH) {
             let items = start..count.min(start + STRETCH);
@@ -204,9 +204,9 @@ impl<'a, T: Real> List<'a, T> {
             }
         }
         let frame_fields = preparation.frame_fields();
-        let mut frames = Lent::new(0);
+        let mut frames = LaneBuffer::new(0);
         if let Some((_, make)) = &preparation.frame {
-            frames = Lent::new(tiles * frame_fields);
+            frames = LaneBuffer::new(tiles * frame_fields);
             make(Tiles::new(&lanes, fields), &mut frames);
         }
         let mut list = List {
@@ -218,7 +218,7 @@ impl<'a, T: Real> List<'a, T> {
             rare: rare_ones,
         };
         if let (Some(make), true) = (&preparation.bounds, bounded) {
-            let mut bounds = Lent::new(tiles * BOUNDS);
+            let mut bounds = LaneBuffer::new(tiles * BOUNDS);
             let frames = Tiles::new(&list.frames, frame_fields);
             make([Tiles::new(&lanes, fields), frames], &mut bounds);
             // Finite, so that they meet real bounds but not those of padding, which are infinite.
@@ -247,9 +247,9 @@ impl<'a, T: Real> List<'a, T> {
         self.frame_fields.next_multiple_of(4)
     }
     /// Returns the prepared shapes as rows of numbers, to gather from.
-    pub fn picking(&self) -> Lent<T> {
+    pub fn picking(&self) -> LaneBuffer<T> {
         let stride = self.stride();
-        let mut picking = Lent::new(self.count.div_ceil(TILE) * stride);
+        let mut picking = LaneBuffer::new(self.count.div_ceil(TILE) * stride);
         // Sixteen rows take as many lanes as a row has numbers.
         let rows = picking.chunks_exact_mut(stride.max(1));
         for (rows, tile) in rows.zip(self.frames.chunks_exact(self.frame_fields.max(1))) {
@@ -267,9 +267,9 @@ impl<'a, T: Real> List<'a, T> {
         self.shapes.numbers(i..i + 1, room)
     }
     /// Broadcasts a prepared shape to all places of a tile.
-    pub fn spread(&self, i: usize, tile: &mut [Lane<T>]) {
+    pub fn broadcast(&self, i: usize, tile: &mut [Lane<T>]) {
         let from = &self.frames[i / TILE * self.frame_fields..];
-        (kernels_in::<T>().spread)(from, i % TILE, tile);
+        (kernels_in::<T>().broadcast)(from, i % TILE, tile);
     }
     /// Returns a shape's bounds.
     pub fn bounds_of(&self, i: usize) -> Option<[T; BOUNDS]> {

@@ -4,11 +4,11 @@ use crate::Real;
 use crate::ad::program::graph::{Graph, Id};
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
-use crate::kernels::call::recording::{Each, Recording, Searched};
-use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
+use crate::kernels::call::recording::{Each, Recording, UntypedSearch};
+use crate::kernels::cpu::lane::{Lane, ResultTiles, TILE, Tiles};
 use crate::kernels::cpu::maker::Maker;
-use crate::kernels::cpu::program::split::{Piece, split};
-use crate::kernels::cpu::program::{Interpreted, Skipping};
+use crate::kernels::cpu::program::split::{Subgraph, split};
+use crate::kernels::cpu::program::{Interpreter, Skipping};
 use crate::kernels::row::derivation::{Mode, Replays};
 use crate::kernels::row::item::Leaf;
 use std::sync::Arc;
@@ -29,7 +29,7 @@ pub(crate) fn of_recorded<T: Real>(
     }
     let value = &recorded.value;
     let maker = |graph: &Graph, fields: &[usize], outputs: &[Id], skipping| {
-        Interpreted::new(graph, fields, outputs, skipping).map_err(Error::Program)
+        Interpreter::new(graph, fields, outputs, skipping).map_err(Error::Program)
     };
     let body = match framed {
         false => maker(&value.graph, &fields, &value.outputs, Skipping::Much)?,
@@ -50,10 +50,10 @@ pub(crate) fn of_recorded<T: Real>(
 /// Returns the number of scalars of the frames that a program makes of shapes with `fields` numbers, and that
 /// preparation.
 pub(crate) fn prepared<T: Real>(
-    frame: &Piece,
+    frame: &Subgraph,
     fields: usize,
 ) -> Result<(usize, Prepare<T>), Error> {
-    let made = Interpreted::new(&frame.graph, &[fields], &frame.outputs, Skipping::Never);
+    let made = Interpreter::new(&frame.graph, &[fields], &frame.outputs, Skipping::Never);
     let made = made.map_err(Error::Program)?;
     let prepare = move |shapes: Tiles<'_, T>, frames: &mut [Lane<T>]| {
         made.prepare(&[shapes], frames);
@@ -62,7 +62,7 @@ pub(crate) fn prepared<T: Real>(
 }
 
 /// A maker that computes item by item.
-struct Items<T> {
+struct ItemMaker<T> {
     each: Each<T>,
     /// The number of scalars of every shape, then of every cotangent.
     fields: Vec<usize>,
@@ -79,7 +79,7 @@ fn by_item<T: Real>(
     inputs: &[Tiles<'_, T>],
     fields: &[usize],
     made: usize,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
     mut each: impl FnMut(&[T], &mut [T]),
 ) {
     let (mut numbers, mut last) = (Vec::new(), Vec::new());
@@ -103,8 +103,8 @@ fn by_item<T: Real>(
     }
 }
 
-impl<T: Real> Maker<T> for Items<T> {
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+impl<T: Real> Maker<T> for ItemMaker<T> {
+    fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>) {
         by_item(inputs, &self.fields, self.made, out, |numbers, one| {
             let (shapes, seed) = numbers.split_at(self.taken);
             (self.each)(shapes, (!seed.is_empty()).then_some(seed), one);
@@ -121,7 +121,7 @@ pub(crate) fn of_items<T: Real>(
 ) -> Plan<T> {
     let arguments: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
     let made = mode.skipped(&outputs) + mode.gives(&arguments, &outputs).iter().sum::<usize>();
-    let items = Items {
+    let items = ItemMaker {
         each,
         taken: arguments.iter().sum(),
         fields: [arguments, outputs.clone()].concat(),
@@ -132,7 +132,7 @@ pub(crate) fn of_items<T: Real>(
 }
 
 /// A maker that decides item by item, and computes the program of each record.
-struct ReplayedItems<T> {
+struct ReplayMaker<T> {
     replays: Arc<dyn Replays<T>>,
     /// The number of scalars of every shape, direction and cotangent.
     fields: Vec<usize>,
@@ -140,8 +140,8 @@ struct ReplayedItems<T> {
     made: usize,
 }
 
-impl<T: Real> Maker<T> for ReplayedItems<T> {
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+impl<T: Real> Maker<T> for ReplayMaker<T> {
+    fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>) {
         let mut taken = Vec::new();
         by_item(inputs, &self.fields, self.made, out, |numbers, one| {
             taken.clear();
@@ -159,7 +159,7 @@ impl<T: Real> Maker<T> for ReplayedItems<T> {
 pub(crate) fn of_replays<T: Real>(
     mode: Mode,
     recording: &Recording<T>,
-    search: &Searched<T>,
+    search: &UntypedSearch<T>,
 ) -> Plan<T> {
     let (takes, outputs) = (&recording.takes, &recording.outputs);
     let mut fields: Vec<usize> = takes.iter().map(|leaf| leaf.fields).collect();
@@ -167,7 +167,7 @@ pub(crate) fn of_replays<T: Real>(
     if mode == Mode::Vjp {
         fields.extend(outputs);
     }
-    let items = ReplayedItems {
+    let items = ReplayMaker {
         replays: search.replays(mode),
         fields,
         made: gives.iter().sum(),

@@ -5,9 +5,9 @@
 //! Memory is a list of slots, each some lanes of sixteen numbers, as cells. A result may overwrite an operand, since
 //! every lane is read before it is written.
 use crate::Real;
-use crate::kernels::cpu::arch::{Bound, Native, Vector};
+use crate::kernels::cpu::arch::{BoundCode, Native, Vector};
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
-use crate::kernels::cpu::program::instructions::{Code, Op, instructions};
+use crate::kernels::cpu::program::instructions::{Instruction, Opcode, instructions};
 use crate::kernels::cpu::program::lower::Tape;
 use std::cell::Cell;
 
@@ -48,7 +48,7 @@ fn lane<T: Real, V: Vector<T>>(part: impl Fn(usize) -> V) -> Lane<T> {
 }
 
 #[inline(always)]
-fn one<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V) -> V) {
+fn one<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Instruction, f: impl Fn(V) -> V) {
     let [a, ..] = code.from;
     for (a, to) in memory.slot(a).iter().zip(memory.slot(code.to[0])) {
         let mut k = 0;
@@ -64,7 +64,7 @@ fn one<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V) -
 }
 
 #[inline(always)]
-fn two<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, V) -> V) {
+fn two<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Instruction, f: impl Fn(V, V) -> V) {
     let [a, b, ..] = code.from;
     let from = memory.slot(a).iter().zip(memory.slot(b));
     for ((a, b), to) in from.zip(memory.slot(code.to[0])) {
@@ -81,7 +81,11 @@ fn two<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, V
 }
 
 #[inline(always)]
-fn three<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, V, V) -> V) {
+fn three<T: Real, V: Vector<T>>(
+    memory: Memory<'_, T>,
+    code: Instruction,
+    f: impl Fn(V, V, V) -> V,
+) {
     let [a, b, c, _] = code.from;
     let from = memory.slot(a).iter().zip(memory.slot(b));
     for (((a, b), c), to) in from.zip(memory.slot(c)).zip(memory.slot(code.to[0])) {
@@ -98,7 +102,11 @@ fn three<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V,
 }
 
 #[inline(always)]
-fn four<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, V, V, V) -> V) {
+fn four<T: Real, V: Vector<T>>(
+    memory: Memory<'_, T>,
+    code: Instruction,
+    f: impl Fn(V, V, V, V) -> V,
+) {
     let [a, b, c, d] = code.from;
     let (first, second) = (memory.slot(a).iter(), memory.slot(b));
     let (third, fourth) = (memory.slot(c), memory.slot(d));
@@ -123,7 +131,7 @@ fn four<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, 
 #[inline(always)]
 fn several<T: Real, V: Vector<T>, const A: usize, const N: usize>(
     memory: Memory<'_, T>,
-    code: Code,
+    code: Instruction,
     f: impl Fn([V; A]) -> [V; N],
 ) {
     let lanes = |slot: u16| memory.slot(slot).as_flattened();
@@ -222,7 +230,7 @@ pub(crate) struct Pass<'a, T> {
 }
 
 /// A function that executes instructions on slots, or their runs as machine code.
-pub(crate) type CarryOut<T> = fn(&[Code], Memory<'_, T>, Option<&Bound<'_, T>>);
+pub(crate) type CarryOut<T> = fn(&[Instruction], Memory<'_, T>, Option<&BoundCode<'_, T>>);
 
 #[inline(always)]
 fn copied<T: Real, V: Vector<T>>(from: &Lane<T>) -> Lane<T> {
@@ -289,11 +297,11 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
 /// Executes instructions.
 #[inline(always)]
 pub(crate) fn carry_out<T: Real, V: Vector<T>>(
-    code: &[Code],
+    code: &[Instruction],
     memory: Memory<'_, T>,
-    native: Option<&Bound<'_, T>>,
+    native: Option<&BoundCode<'_, T>>,
 ) {
-    let mut runs = native.map_or(&[][..], Bound::runs);
+    let mut runs = native.map_or(&[][..], BoundCode::runs);
     let mut next = 0;
     loop {
         if let (Some(native), Some((run, others))) = (native, runs.split_first())
@@ -315,29 +323,29 @@ pub(crate) fn carry_out<T: Real, V: Vector<T>>(
         macro_rules! arms {
             ($($name:ident($x:ident $(, $more:ident)*) = $value:expr;)*) => {
                 match code.op {
-                    $(Op::$name => by_arity!((memory, code,
+                    $(Opcode::$name => by_arity!((memory, code,
                         #[inline(always)]
                         |$x: V $(, $more: V)*| $value); $x $(, $more)*),)*
-                    Op::Parts => several(memory, code,
+                    Opcode::Parts => several(memory, code,
                         #[inline(always)]
                         |[x]: [V; 1]| {
                             let [(a, b), (c, d)] = x.sin_cos_parts();
                             [a, b, c, d]
                         }),
-                    Op::SinCos => several(memory, code,
+                    Opcode::SinCos => several(memory, code,
                         #[inline(always)]
                         |[x]: [V; 1]| {
                             let (sin, cos) = x.sin_cos();
                             [sin, cos]
                         }),
-                    Op::Turn => several(memory, code,
+                    Opcode::Turn => several(memory, code,
                         #[inline(always)]
                         |[x, y, z, w]: [V; 4]| [x * z + y * w, y * z - x * w]),
-                    Op::SumSub => several(memory, code,
+                    Opcode::SumSub => several(memory, code,
                         #[inline(always)]
                         |[x, y]: [V; 2]| [x + y, x - y]),
-                    Op::SkipIfAll | Op::SkipIfNone => {
-                        if is::<T, V>(memory, code.from[0], code.op == Op::SkipIfAll) {
+                    Opcode::SkipIfAll | Opcode::SkipIfNone => {
+                        if is::<T, V>(memory, code.from[0], code.op == Opcode::SkipIfAll) {
                             next += code.to[0] as usize;
                         }
                     }

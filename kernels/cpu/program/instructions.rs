@@ -100,7 +100,7 @@ macro_rules! names {
     ($($name:ident($($x:ident),*) = $value:expr;)*) => {
         /// The operation of an instruction.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub(crate) enum Op {
+        pub(crate) enum Opcode {
             $(
                 #[doc = concat!("`", stringify!($value), "`")]
                 $name,
@@ -124,9 +124,9 @@ instructions! { names!() }
 
 /// An instruction: its operation, and the slots of its results and operands.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Code {
+pub(crate) struct Instruction {
     /// The operation.
-    pub(crate) op: Op,
+    pub(crate) op: Opcode,
     /// Slots of results; most instructions have one.
     pub(crate) to: [u16; 4],
     /// Slots of operands.
@@ -135,7 +135,7 @@ pub(crate) struct Code {
 
 /// A run of instructions compiled to a function of machine code.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Run {
+pub(crate) struct CodeRun {
     /// The first instruction, and the one after the last.
     pub(crate) from: usize,
     pub(crate) to: usize,

@@ -1,8 +1,8 @@
 //! The translation of a graph to a tape: instructions in order, operands and results in slots.
 use crate::Unrecordable;
 use crate::ad::program::graph::{Graph, Id, Node};
-use crate::kernels::cpu::program::fuse::{Group, Step, cover, groups, uses};
-use crate::kernels::cpu::program::instructions::{Code, Op};
+use crate::kernels::cpu::program::fuse::{NodeGroup, NodeInstruction, cover, groups, uses};
+use crate::kernels::cpu::program::instructions::{Instruction, Opcode};
 use crate::kernels::cpu::program::skip;
 use crate::kernels::cpu::program::slots::Slots;
 use std::collections::HashMap;
@@ -11,7 +11,7 @@ use std::collections::HashMap;
 #[derive(Clone, Debug)]
 pub(crate) struct Tape {
     /// The instructions in order.
-    pub(crate) code: Vec<Code>,
+    pub(crate) code: Vec<Instruction>,
     /// The number of slots; those of constants come last.
     pub(crate) slots: usize,
     /// The slots of constants, with their values, which no instruction changes.
@@ -24,16 +24,16 @@ pub(crate) struct Tape {
 
 /// The place of a node: a slot, or a constant.
 #[derive(Clone, Copy)]
-enum Place {
+enum Location {
     Slot(u32),
     Constant(u32),
 }
 
 struct Lowering<'a> {
     graph: &'a Graph,
-    steps: Vec<Option<Step>>,
+    steps: Vec<Option<NodeInstruction>>,
     /// The group of each node that is computed together with others.
-    groups: HashMap<Id, Group>,
+    groups: HashMap<Id, NodeGroup>,
     /// The number of slots that each node needs for its computation if every node has one use (Sethi and Ullman).
     room: Vec<u32>,
     /// Nodes in the order of their instructions.
@@ -197,28 +197,28 @@ fn assign(
     let mut place = |slots: &Slots, x: Id| {
         let Some(number) = graph.constant(x) else {
             // Operands precede their nodes, so this default is unused.
-            return Place::Slot(slots.at(x).unwrap_or_default());
+            return Location::Slot(slots.at(x).unwrap_or_default());
         };
         let known = constants
             .iter()
             .position(|known| known.to_bits() == number.to_bits());
-        Place::Constant(known.unwrap_or_else(|| {
+        Location::Constant(known.unwrap_or_else(|| {
             constants.push(number);
             constants.len() - 1
         }) as u32)
     };
     // One slot serves all unused results.
     let mut waste = None;
-    let mut code: Vec<(Op, [Place; 4], [Place; 4])> = Vec::new();
+    let mut code: Vec<(Opcode, [Location; 4], [Location; 4])> = Vec::new();
     let mut jump = None;
-    let zero = Place::Slot(0);
+    let zero = Location::Slot(0);
     for at in 0..=lowering.order.len() {
         if let Some((first, end, skip)) = skip {
             if at == first && first < end {
                 let op = if skip.all {
-                    Op::SkipIfAll
+                    Opcode::SkipIfAll
                 } else {
-                    Op::SkipIfNone
+                    Opcode::SkipIfNone
                 };
                 let mask = place(&slots, skip.mask);
                 slots.read(skip.mask);
@@ -227,7 +227,7 @@ fn assign(
             }
             if let (true, Some(jump)) = (at == end, jump) {
                 let count = code.len() - jump - 1;
-                code[jump].1[0] = Place::Slot(count as u32);
+                code[jump].1[0] = Location::Slot(count as u32);
             }
         }
         let Some(&x) = lowering.order.get(at) else {
@@ -245,7 +245,7 @@ fn assign(
         let op = match (lowering.groups.get(&x), &lowering.steps[x as usize]) {
             (Some(group), _) => {
                 for (to, result) in to.iter_mut().zip(group.results()) {
-                    *to = Place::Slot(match result {
+                    *to = Location::Slot(match result {
                         &Some(y) => slots.take(y),
                         None => *waste.get_or_insert_with(|| slots.any()),
                     });
@@ -253,7 +253,7 @@ fn assign(
                 group.op
             }
             (None, Some(step)) => {
-                to[0] = Place::Slot(slots.take(x));
+                to[0] = Location::Slot(slots.take(x));
                 step.op
             }
             // The order has no other nodes.
@@ -261,16 +261,16 @@ fn assign(
         };
         code.push((op, to, from));
     }
-    let outputs: Vec<Place> = outputs.iter().map(|&x| place(&slots, x)).collect();
+    let outputs: Vec<Location> = outputs.iter().map(|&x| place(&slots, x)).collect();
     let count = slots.count;
-    let name = |place: Place| {
+    let name = |place: Location| {
         u16::try_from(match place {
-            Place::Slot(slot) => slot,
-            Place::Constant(k) => count + k,
+            Location::Slot(slot) => slot,
+            Location::Constant(k) => count + k,
         })
         .map_err(|_| Unrecordable::TooLong)
     };
-    let names = |places: [Place; 4]| -> Result<[u16; 4], Unrecordable> {
+    let names = |places: [Location; 4]| -> Result<[u16; 4], Unrecordable> {
         let [a, b, c, d] = places;
         Ok([name(a)?, name(b)?, name(c)?, name(d)?])
     };
@@ -283,15 +283,15 @@ fn assign(
     };
     for (op, to, from) in code {
         let (to, from) = (names(to)?, names(from)?);
-        tape.code.push(Code { op, to, from });
+        tape.code.push(Instruction { op, to, from });
     }
     for (k, &constant) in constants.iter().enumerate() {
         tape.constants
-            .push((name(Place::Constant(k as u32))?, constant));
+            .push((name(Location::Constant(k as u32))?, constant));
     }
     for slot in places {
         tape.inputs
-            .push(slot.map(|slot| name(Place::Slot(slot))).transpose()?);
+            .push(slot.map(|slot| name(Location::Slot(slot))).transpose()?);
     }
     for place in outputs {
         tape.outputs.push(name(place)?);

@@ -2,11 +2,11 @@
 use crate::ad::program::Program;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::formats::kernels_in;
-use crate::kernels::cpu::lane::{BLOCK, Lane, Planes, Results, TILE, Tiles, planes, tiles};
+use crate::kernels::cpu::lane::{BLOCK, Lane, Planes, ResultTiles, TILE, Tiles, planes, tiles};
 use crate::kernels::cpu::maker::{Maker, OverRows};
-use crate::kernels::cpu::program::rowwise::{Given, Wanted};
-use crate::kernels::cpu::program::split::{Piece, split};
-use crate::kernels::cpu::program::{Interpreted, Skipping};
+use crate::kernels::cpu::program::rowwise::{ArgumentRows, ResultRows};
+use crate::kernels::cpu::program::split::{Subgraph, split};
+use crate::kernels::cpu::program::{Interpreter, Skipping};
 use crate::{Real, Unrecordable};
 
 /// Options of a program's execution. They do not change the bits of results.
@@ -49,15 +49,15 @@ impl Trial {
     /// If it has too many instructions, or too many numbers live at a time.
     pub fn ready(&self, fields: &[usize], way: Way) -> Result<Ready, Unrecordable> {
         let value = &self.0.value;
-        let made = |piece: &Piece, fields: &[usize], skipping| {
-            let made = Interpreted::new(&piece.graph, fields, &piece.outputs, skipping)?;
+        let made = |piece: &Subgraph, fields: &[usize], skipping| {
+            let made = Interpreter::new(&piece.graph, fields, &piece.outputs, skipping)?;
             let made = made.with_native(way.native);
             Ok(match way.width {
                 Some(width) => made.with_width(width),
                 None => made,
             })
         };
-        let whole = Piece {
+        let whole = Subgraph {
             graph: value.graph.clone(),
             outputs: value.outputs.clone(),
         };
@@ -93,8 +93,8 @@ impl Trial {
 #[derive(Debug)]
 pub struct Ready {
     fields: Vec<usize>,
-    frames: Option<Vec<(Interpreted, usize)>>,
-    body: Interpreted,
+    frames: Option<Vec<(Interpreter, usize)>>,
+    body: Interpreter,
     results: usize,
 }
 
@@ -155,7 +155,7 @@ impl Ready {
     pub fn columns<T: Real>(&self, count: usize, columns: &[&[T]]) -> Vec<Vec<T>> {
         let mut given = Vec::new();
         for &rows in columns {
-            given.push(Given {
+            given.push(ArgumentRows {
                 rows,
                 fields: 1,
                 is_one: rows.len() < count,
@@ -163,7 +163,7 @@ impl Ready {
         }
         // Results of users' programs may begin at any address, too.
         let mut all = vec![vec![T::default(); count + 1]; self.results];
-        let mut wanted: Vec<Wanted<'_, T>> =
+        let mut wanted: Vec<ResultRows<'_, T>> =
             all.iter_mut().map(|x| (Some(&mut x[1..]), 1)).collect();
         self.body.over_rows(&given, count, 0, &mut wanted, false);
         all.iter_mut().for_each(|x| x.rotate_left(1));
@@ -179,7 +179,7 @@ impl Ready {
         }
     }
     fn make<T: Real>(&self, inputs: &[Tiles<'_, T>], lanes: &mut [Lane<T>], tiles: usize) {
-        self.body.make(inputs, Results { lanes, tiles });
+        self.body.make(inputs, ResultTiles { lanes, tiles });
     }
 }
 

@@ -22,7 +22,7 @@ pub(crate) mod split;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::arch::Native;
 use crate::kernels::cpu::formats::kernels_in;
-use crate::kernels::cpu::lane::{Lane, PLANE, Results, TILE, Tiles, with_room};
+use crate::kernels::cpu::lane::{Lane, PLANE, ResultTiles, TILE, Tiles, with_room};
 use crate::kernels::cpu::maker::{Maker, OverRows};
 use crate::kernels::cpu::simd::Simd;
 use crate::{Real, Unrecordable};
@@ -30,7 +30,7 @@ use execute::Pass;
 use execute::STRIP;
 pub use lower::Skipping;
 pub(crate) use lower::Tape;
-use rowwise::{Given, Rows, Wanted};
+use rowwise::{ArgumentRows, ResultRows, RowRange};
 use std::cell::Cell;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -41,7 +41,7 @@ const SLOT: usize = 1 << 10;
 
 /// A program that computes blocks of items.
 #[derive(Debug)]
-pub(crate) struct Interpreted {
+pub(crate) struct Interpreter {
     tape: Tape,
     /// The number of scalars of each argument.
     fields: Vec<usize>,
@@ -63,7 +63,7 @@ pub(crate) fn compile_after(tiles: usize) {
     WORTH.store(tiles, Ordering::Relaxed);
 }
 
-impl Interpreted {
+impl Interpreter {
     /// Translates a graph without grafts. Its inputs are the numbers of all arguments, one argument after another.
     /// `skipping` says when a block may skip nodes that none of its items needs.
     ///
@@ -83,7 +83,7 @@ impl Interpreted {
             _ => x,
         };
         let outputs: Vec<Id> = outputs.iter().map(plain).collect();
-        Ok(Interpreted {
+        Ok(Interpreter {
             tape: Tape::new(graph, fields.iter().sum(), &outputs, skipping)?,
             fields: fields.to_vec(),
             number: NEXT.fetch_add(1, Ordering::Relaxed),
@@ -187,13 +187,13 @@ impl Interpreted {
     }
 }
 
-impl<T: Real> OverRows<T> for Interpreted {
+impl<T: Real> OverRows<T> for Interpreter {
     fn over_rows(
         &self,
-        given: &[Given<'_, T>],
+        given: &[ArgumentRows<'_, T>],
         items: usize,
         skipped: usize,
-        wanted: &mut [Wanted<'_, T>],
+        wanted: &mut [ResultRows<'_, T>],
         far: bool,
     ) {
         let width = self.width::<T>();
@@ -202,7 +202,7 @@ impl<T: Real> OverRows<T> for Interpreted {
         with_room(self.number, furnish, |lanes| {
             let lanes = Cell::from_mut(lanes).as_slice_of_cells();
             for first in (0..items).step_by(width * TILE) {
-                let part = Rows {
+                let part = RowRange {
                     lanes,
                     stride: width,
                     given,
@@ -219,11 +219,11 @@ impl<T: Real> OverRows<T> for Interpreted {
     }
 }
 
-impl<T: Real> Maker<T> for Interpreted {
+impl<T: Real> Maker<T> for Interpreter {
     fn rows(&self) -> Option<&dyn OverRows<T>> {
         Some(self)
     }
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+    fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>) {
         self.compute(inputs, out.tiles, out.lanes, [1, PLANE], true);
     }
 }

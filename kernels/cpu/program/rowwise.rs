@@ -18,7 +18,7 @@ pub(crate) const NEAR: usize = 1 << 18;
 
 /// An argument of a batch: one row per item, or one that stands for all.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Given<'a, T> {
+pub(crate) struct ArgumentRows<'a, T> {
     pub(crate) rows: &'a [T],
     /// The number of scalars of a row, at least one.
     pub(crate) fields: usize,
@@ -26,15 +26,15 @@ pub(crate) struct Given<'a, T> {
 }
 
 /// The results of a batch: rows, `None` if they are not wanted, and the number of scalars of a row.
-pub(crate) type Wanted<'a, T> = (Option<&'a mut [T]>, usize);
+pub(crate) type ResultRows<'a, T> = (Option<&'a mut [T]>, usize);
 
 /// A range of items of a batch.
 #[derive(Clone, Copy)]
-pub(crate) struct Rows<'a, T> {
+pub(crate) struct RowRange<'a, T> {
     /// The lanes of all slots, and the number of lanes of one.
     pub(crate) lanes: &'a [Cell<Lane<T>>],
     pub(crate) stride: usize,
-    pub(crate) given: &'a [Given<'a, T>],
+    pub(crate) given: &'a [ArgumentRows<'a, T>],
     /// The first item, and the number of items.
     pub(crate) first: usize,
     pub(crate) items: usize,
@@ -51,8 +51,8 @@ pub(crate) struct Rows<'a, T> {
 #[inline(always)]
 pub(crate) fn over_rows<T: Real, V: Vector<T>>(
     tape: &Tape,
-    part: Rows<'_, T>,
-    wanted: &mut [Wanted<'_, T>],
+    part: RowRange<'_, T>,
+    wanted: &mut [ResultRows<'_, T>],
 ) {
     let tiles = part.items.div_ceil(TILE);
     let memory = Memory {
@@ -104,7 +104,7 @@ pub(crate) fn over_rows<T: Real, V: Vector<T>>(
     }
 }
 
-impl<T> Rows<'_, T> {
+impl<T> RowRange<'_, T> {
     /// Returns the rows of these items.
     fn of<'r>(&self, rows: &'r mut Option<&mut [T]>, fields: usize) -> Option<&'r mut [T]> {
         rows.as_deref_mut()?
@@ -171,8 +171,8 @@ fn lanes_of<'a, T>(memory: Memory<'a, T>, slot: u16) -> &'a [Cell<Lane<T>>] {
 fn bring<T: Real, V: Vector<T>>(
     memory: Memory<'_, T>,
     slots: &[Option<u16>],
-    given: &Given<'_, T>,
-    part: &Rows<'_, T>,
+    given: &ArgumentRows<'_, T>,
+    part: &RowRange<'_, T>,
 ) {
     let fields = slots.len();
     if given.is_one {

@@ -89,7 +89,7 @@ fn find_by(
     outputs: &[Id],
     is_wanted: impl Fn(Id, bool) -> bool,
 ) -> Option<Skip> {
-    let mut search = Search::new(graph, live, outputs);
+    let mut search = SkipSearch::new(graph, live, outputs);
     let mut best: Option<(usize, Id, bool, Vec<Id>)> = None;
     // Later truths make more nodes superfluous.
     for mask in (0..graph.len() as Id).rev() {
@@ -115,7 +115,7 @@ fn find_by(
 }
 
 /// The search among all truths, one after another.
-struct Search<'a> {
+struct SkipSearch<'a> {
     graph: &'a Graph,
     live: &'a [bool],
     /// For each node: `true` for a truth that a selection or another truth reads.
@@ -136,9 +136,9 @@ struct Search<'a> {
     visits: usize,
 }
 
-impl<'a> Search<'a> {
+impl<'a> SkipSearch<'a> {
     fn new(graph: &'a Graph, live: &'a [bool], outputs: &[Id]) -> Self {
-        let mut search = Search {
+        let mut search = SkipSearch {
             graph,
             live,
             is_judged: vec![false; graph.len()],

@@ -6,7 +6,7 @@ use crate::ad::program::graph::{Graph, Id, Node};
 
 /// A graph with its inputs and outputs.
 #[derive(Clone, Debug)]
-pub(crate) struct Piece {
+pub(crate) struct Subgraph {
     /// The operations.
     pub(crate) graph: Graph,
     /// The results.
@@ -17,9 +17,9 @@ pub(crate) struct Piece {
 #[derive(Clone, Debug)]
 pub(crate) struct Split {
     /// The frame of each argument: numbers that depend on no other one.
-    pub(crate) frames: Vec<Piece>,
+    pub(crate) frames: Vec<Subgraph>,
     /// The results from all frames, one frame after another, and then from the arguments without a frame.
-    pub(crate) body: Piece,
+    pub(crate) body: Subgraph,
     /// The number of inputs of the body from each of them.
     pub(crate) widths: Vec<usize>,
 }
@@ -119,7 +119,7 @@ pub(crate) fn split(
     }
     Split {
         frames,
-        body: Piece {
+        body: Subgraph {
             graph: body,
             outputs: outputs.iter().map(|&x| names[x as usize]).collect(),
         },
@@ -128,7 +128,7 @@ pub(crate) fn split(
 }
 
 /// Extracts the subgraph that `outputs` need, and numbers its inputs from `first`.
-fn frame(graph: &Graph, outputs: &[Id], first: u32) -> Piece {
+fn frame(graph: &Graph, outputs: &[Id], first: u32) -> Subgraph {
     let live = graph.live(outputs, false);
     let mut piece = Graph::new(graph.format);
     let mut names = vec![0; graph.len()];
@@ -138,7 +138,7 @@ fn frame(graph: &Graph, outputs: &[Id], first: u32) -> Piece {
             node => node.renamed(|y| names[y as usize]),
         });
     }
-    Piece {
+    Subgraph {
         graph: piece,
         outputs: outputs.iter().map(|&x| names[x as usize]).collect(),
     }

@@ -18,8 +18,8 @@ use crate::ad::sample::{Draw, fewer_digits};
 use crate::kernels::dynamic::{Function, Rows};
 use crate::kernels::fuzz::tested::{Tested, rows};
 use crate::kernels::fuzz::{self, Broken, Fuzzed, Property};
-use operands::Parts;
-use sentences::{Case, Part, SENTENCES, Sentence};
+use operands::ArgumentRanges;
+use sentences::{Case, SENTENCES, Sentence, ShapeOf};
 use std::collections::HashMap;
 use std::time::Instant;
 
@@ -33,7 +33,7 @@ pub struct Identity {
     sentence: &'static Sentence,
     /// The row whose arguments are the input.
     row: &'static Tested,
-    parts: Parts,
+    parts: ArgumentRanges,
     /// The other rows; `true` if a row takes its arguments in exchanged order.
     asked: Vec<(&'static Tested, bool)>,
 }
@@ -64,16 +64,16 @@ fn shapes_of(row: &Tested) -> Vec<String> {
 }
 
 /// A row on columns, and the numbers of its arguments.
-struct Column<T: Real> {
+struct RowColumns<T: Real> {
     function: Function<T>,
     fields: [usize; 2],
 }
 
-impl<T: Real> Column<T> {
+impl<T: Real> RowColumns<T> {
     fn of(row: &Tested) -> Option<Self> {
         let layouts = row.operation.layouts::<T>();
         let [a, b] = &layouts[..] else { return None };
-        Some(Column {
+        Some(RowColumns {
             function: row.operation.value()?,
             fields: [a.fields(), b.fields()],
         })
@@ -105,7 +105,7 @@ impl Identity {
         rows: &HashMap<(String, String), &'static Tested>,
     ) -> Option<Self> {
         let shapes = shapes_of(row);
-        let parts = Parts::of(row)?;
+        let parts = ArgumentRanges::of(row)?;
         if shapes.len() != 2 {
             return None;
         }
@@ -119,11 +119,11 @@ impl Identity {
                 "" => row.operation.verb(),
                 verb => verb.to_owned(),
             };
-            let name = |part: Part| match part {
-                Part::Argument(k) => shapes[k].as_str(),
-                Part::Point => point,
+            let name = |part: ShapeOf| match part {
+                ShapeOf::Argument(k) => shapes[k].as_str(),
+                ShapeOf::Point => point,
             };
-            let by = |of: [Part; 2]| {
+            let by = |of: [ShapeOf; 2]| {
                 let shapes = of.map(name).join(" ");
                 rows.get(&(verb.clone(), shapes)).copied()
             };
@@ -138,7 +138,7 @@ impl Identity {
                 .iter()
                 .zip(&asked)
                 .any(|(question, (other, exchanged))| {
-                    question.of == [Part::Argument(1), Part::Argument(0)]
+                    question.of == [ShapeOf::Argument(1), ShapeOf::Argument(0)]
                         && *exchanged
                         && other.name() == row.name()
                 });
@@ -166,7 +166,7 @@ impl Identity {
 
     /// Returns the index of the first input for which the identity does not hold.
     fn first_broken<T: Real>(&self, inputs: &[Vec<f64>]) -> Option<usize> {
-        let Some(values) = Column::<T>::of(self.row)?.results(inputs) else {
+        let Some(values) = RowColumns::<T>::of(self.row)?.results(inputs) else {
             return Some(0);
         };
         let mut cases: Vec<Case<'_>> = Vec::new();
@@ -208,7 +208,7 @@ impl Identity {
                     false => answers[i] = None,
                 }
             }
-            let Some(results) = Column::<T>::of(row)?.results(&items) else {
+            let Some(results) = RowColumns::<T>::of(row)?.results(&items) else {
                 return whose.first().copied();
             };
             for (i, result) in whose.into_iter().zip(results) {

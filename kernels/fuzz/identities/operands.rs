@@ -9,7 +9,7 @@ use std::ops::Range;
 
 /// The ranges of the numbers of two arguments.
 #[derive(Clone, Debug)]
-pub(super) struct Parts {
+pub(super) struct ArgumentRanges {
     kinds: Vec<Kind>,
     /// The index of the first number of the second argument.
     second: usize,
@@ -17,7 +17,7 @@ pub(super) struct Parts {
     pub dimension: usize,
 }
 
-impl Parts {
+impl ArgumentRanges {
     /// Returns the parts of a row with two arguments of fixed size in the plane or in space.
     pub fn of(row: &Tested) -> Option<Self> {
         let kinds = (row.operation.kinds[0])();
@@ -32,7 +32,7 @@ impl Parts {
             (true, false) => 2,
             _ => return None,
         };
-        (a.fields() + b.fields() == kinds.len()).then(|| Parts {
+        (a.fields() + b.fields() == kinds.len()).then(|| ArgumentRanges {
             second: a.fields(),
             kinds,
             dimension,

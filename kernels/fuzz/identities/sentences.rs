@@ -1,9 +1,9 @@
 //! The identities.
-use super::operands::Parts;
+use super::operands::ArgumentRanges;
 
 /// An input, and the result of the identity's own row.
 pub(crate) struct Case<'a> {
-    pub(super) parts: &'a Parts,
+    pub(super) parts: &'a ArgumentRanges,
     pub(super) input: &'a [f64],
     pub(super) value: Vec<f64>,
     /// The largest error of a length that rounding explains for this input.
@@ -31,7 +31,7 @@ impl Case<'_> {
 
 /// A shape that a row takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Part {
+pub(super) enum ShapeOf {
     /// The shape of an argument.
     Argument(usize),
     Point,
@@ -43,7 +43,7 @@ pub(super) struct Question {
     /// Its verb; an empty name is the identity's own verb.
     pub verb: &'static str,
     /// Its shapes, in either order.
-    pub of: [Part; 2],
+    pub of: [ShapeOf; 2],
     /// Its arguments' numbers; `None` where the comparison does not apply.
     pub arguments: fn(&Case<'_>) -> Option<[Vec<f64>; 2]>,
 }
@@ -61,9 +61,9 @@ pub(super) struct Sentence {
     pub holds: fn(&Case<'_>, &[f64]) -> bool,
 }
 
-const A: Part = Part::Argument(0);
-const B: Part = Part::Argument(1);
-const POINT: Part = Part::Point;
+const A: ShapeOf = ShapeOf::Argument(0);
+const B: ShapeOf = ShapeOf::Argument(1);
+const POINT: ShapeOf = ShapeOf::Point;
 
 /// Returns the question for a verb with the arguments in order.
 const fn same(verb: &'static str) -> Question {

@@ -3,19 +3,19 @@ use super::context::Inner;
 
 /// A buffer and its number of items.
 #[derive(Clone, Debug)]
-pub(super) struct Piece {
+pub(super) struct BufferPiece {
     pub buffer: wgpu::Buffer,
     pub items: usize,
 }
 
 impl Inner {
     /// Creates buffers for a list of items of one number each.
-    pub fn pieces(&self, len: usize) -> Vec<Piece> {
+    pub fn pieces(&self, len: usize) -> Vec<BufferPiece> {
         self.counted(len)
             .into_iter()
             .map(|items| {
                 let buffer = self.storage(items);
-                Piece { buffer, items }
+                BufferPiece { buffer, items }
             })
             .collect()
     }

@@ -1,7 +1,7 @@
 //! Downloads of results: blocking, started and awaited later, or as futures.
 use super::context::{Device, Inner, locked};
-use super::data::Piece;
-use crate::kernels::machine::Later;
+use super::data::BufferPiece;
+use crate::kernels::machine::DeviceDownload;
 use crate::{Error, GpuFault};
 use std::future::Future;
 use std::pin::Pin;
@@ -12,7 +12,11 @@ use std::time::Duration;
 
 impl Inner {
     /// Starts the download of the first bytes of every buffer.
-    pub fn bring(&self, gpu: &Device, parts: &[(&wgpu::Buffer, u64)]) -> Result<Arrival, Error> {
+    pub fn bring(
+        &self,
+        gpu: &Device,
+        parts: &[(&wgpu::Buffer, u64)],
+    ) -> Result<BufferDownload, Error> {
         let whole: Vec<_> = parts
             .iter()
             .map(|&(from, bytes)| (from, 0, bytes))
@@ -25,7 +29,7 @@ impl Inner {
         &self,
         gpu: &Device,
         parts: &[(&wgpu::Buffer, u64, u64)],
-    ) -> Result<Arrival, Error> {
+    ) -> Result<BufferDownload, Error> {
         self.guarded(|| {
             let mut encoder = self.encoder();
             let mut staged = Vec::new();
@@ -35,8 +39,8 @@ impl Inner {
                 staged.push((staging, bytes));
             }
             let submission = self.queue.submit([encoder.finish()]);
-            let state = State::of(staged.iter().map(|(staging, _)| staging));
-            Ok(Arrival {
+            let state = DownloadState::of(staged.iter().map(|(staging, _)| staging));
+            Ok(BufferDownload {
                 gpu: gpu.clone(),
                 staged,
                 state,
@@ -49,19 +53,19 @@ impl Inner {
 
 /// The state of a download.
 #[derive(Debug, Default)]
-pub(super) struct State {
+pub(super) struct DownloadState {
     left: AtomicUsize,
     failed: AtomicBool,
     waker: Mutex<Option<Waker>>,
     arrived: Condvar,
 }
 
-impl State {
+impl DownloadState {
     /// Maps buffers for reading.
-    pub fn of<'a>(staged: impl ExactSizeIterator<Item = &'a wgpu::Buffer>) -> Arc<State> {
-        let state = Arc::new(State {
+    pub fn of<'a>(staged: impl ExactSizeIterator<Item = &'a wgpu::Buffer>) -> Arc<DownloadState> {
+        let state = Arc::new(DownloadState {
             left: AtomicUsize::new(staged.len()),
-            ..State::default()
+            ..DownloadState::default()
         });
         for staging in staged {
             let state = Arc::clone(&state);
@@ -112,15 +116,15 @@ const PATIENCE: Duration = Duration::from_millis(50);
 
 /// Buffers that are being downloaded.
 #[derive(Debug)]
-pub(super) struct Arrival {
+pub(super) struct BufferDownload {
     gpu: Device,
     staged: Vec<(wgpu::Buffer, u64)>,
-    state: Arc<State>,
+    state: Arc<DownloadState>,
     submission: wgpu::SubmissionIndex,
     watched: bool,
 }
 
-impl Arrival {
+impl BufferDownload {
     /// Waits, then passes each part to `each`.
     pub fn finish(self, each: impl FnMut(usize, &[u32])) -> Result<(), Error> {
         self.wait()?;
@@ -148,12 +152,12 @@ impl Arrival {
 }
 
 /// A conversion of downloaded buffers to the result.
-type Make<T> = dyn FnMut(&Arrival) -> Result<T, Error> + Send;
+type Make<T> = dyn FnMut(&BufferDownload) -> Result<T, Error> + Send;
 
 /// A started download: wait for it with [`wait`](Pending::wait), or await it.
 #[must_use = "nothing arrives unless waited for"]
 pub struct Pending<T> {
-    arrival: Arrival,
+    arrival: BufferDownload,
     make: Box<Make<T>>,
 }
 
@@ -167,8 +171,8 @@ impl<T> std::fmt::Debug for Pending<T> {
 
 impl<T> Pending<T> {
     pub(super) fn new(
-        arrival: Arrival,
-        make: impl FnMut(&Arrival) -> Result<T, Error> + Send + 'static,
+        arrival: BufferDownload,
+        make: impl FnMut(&BufferDownload) -> Result<T, Error> + Send + 'static,
     ) -> Self {
         Pending {
             arrival,
@@ -232,7 +236,7 @@ impl<T> Future for Pending<T> {
 /// Returns the buffers of some pieces and the numbers of bytes to download; `numbers` is the number of scalars of some
 /// items.
 pub(super) fn parts(
-    pieces: &[Piece],
+    pieces: &[BufferPiece],
     numbers: impl Fn(usize) -> usize,
 ) -> Vec<(&wgpu::Buffer, u64)> {
     pieces
@@ -241,7 +245,7 @@ pub(super) fn parts(
         .collect()
 }
 
-impl<T> Later<T> for Pending<T> {
+impl<T> DeviceDownload<T> for Pending<T> {
     fn wait(self: Box<Self>) -> Result<T, Error> {
         Pending::wait(*self)
     }

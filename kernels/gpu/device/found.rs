@@ -3,7 +3,7 @@ use super::context::Device;
 use super::download::Pending;
 use super::download::downloads;
 use super::reducer::Reducer;
-use super::work::{Params, Work};
+use super::work::{Commands, Params};
 use super::written::{Kernel, Take};
 use crate::Error;
 use crate::kernels::machine::Downloads;
@@ -11,7 +11,7 @@ use crate::kernels::machine::found::Found;
 
 /// Pairs whose score is above a threshold, on the GPU.
 #[derive(Clone, Debug)]
-pub struct Founds {
+pub struct DeviceFounds {
     gpu: Device,
     /// Buffers of triples (row, column, score), with the number of triples.
     lists: Vec<(wgpu::Buffer, usize)>,
@@ -19,7 +19,7 @@ pub struct Founds {
     is_mixed: bool,
 }
 
-impl Founds {
+impl DeviceFounds {
     /// Starts the download of the pairs, ordered by row and then by column.
     ///
     /// # Errors
@@ -51,16 +51,16 @@ impl Founds {
 /// The size of a triple in bytes.
 const BYTES: u64 = 12;
 
-impl Downloads<Vec<Found>> for Founds {
+impl Downloads<Vec<Found>> for DeviceFounds {
     downloads!(Vec<Found>);
 }
 
 impl Reducer<'_> {
     /// Returns every pair above the threshold. A first pass counts, a second writes each pair to an index that follows
     /// from the counts, so the order is deterministic.
-    pub fn above(mut self, threshold: f32) -> Result<Founds, Error> {
+    pub fn above(mut self, threshold: f32) -> Result<DeviceFounds, Error> {
         let (gpu, inner) = (self.gpu, &self.gpu.inner);
-        let mut all = Founds {
+        let mut all = DeviceFounds {
             gpu: gpu.clone(),
             lists: Vec::new(),
             is_mixed: self.sweeps.iter().any(|sweep| sweep.more),
@@ -72,7 +72,7 @@ impl Reducer<'_> {
                 let place = inner.written(Kernel::Gather, "places_main");
                 let places = inner.storage(sweep.room() + 1);
                 let total = inner.storage(1);
-                let mut work = Work::new(inner);
+                let mut work = Commands::new(inner);
                 let buffers = sweep.buffers(&[(7, &places)]);
                 work.dispatch(&count, sweep.params(threshold), &buffers, self.size(&sweep));
                 let list = Params {
@@ -99,7 +99,7 @@ impl Reducer<'_> {
             let list = inner.guarded(|| {
                 let write = self.pipeline(Take::Found);
                 let list = inner.storage(3 * found);
-                let mut work = Work::new(inner);
+                let mut work = Commands::new(inner);
                 let buffers = sweep.buffers(&[(4, &list), (7, &places)]);
                 work.dispatch(&write, sweep.params(threshold), &buffers, self.size(&sweep));
                 work.submit()?;

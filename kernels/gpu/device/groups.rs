@@ -1,7 +1,7 @@
 //! Reductions within groups on the GPU: a thread per own row (or column) walks a range of the other list; one dispatch
 //! computes as many groups as possible.
 use super::context::Inner;
-use super::reducer::{Part, Sweep};
+use super::reducer::{ListPart, ReduceDispatch};
 use super::written::STRIP;
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ const RANGES: u32 = 9;
 
 /// A dispatch: own shapes of one part and walked shapes of one part.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Run {
+struct GroupDispatch {
     own_part: usize,
     own: Range<usize>,
     walked_part: usize,
@@ -22,7 +22,7 @@ struct Run {
 
 /// The limits of a dispatch.
 #[derive(Clone, Copy, Debug)]
-struct Limits {
+struct DispatchLimits {
     /// The number of partial results, one for each own shape and strip.
     room: usize,
     pairs: usize,
@@ -37,9 +37,9 @@ fn runs(
     own: &[Range<usize>],
     walked: &[Range<usize>],
     groups: impl Iterator<Item = [Range<usize>; 2]>,
-    limits: Limits,
-) -> Vec<Run> {
-    let mut runs: Vec<Run> = Vec::new();
+    limits: DispatchLimits,
+) -> Vec<GroupDispatch> {
+    let mut runs: Vec<GroupDispatch> = Vec::new();
     // The largest number of strips, and the pairs, of the last run, if groups may be added to it.
     let mut open: Option<(usize, usize)> = None;
     let (mut own_part, mut first_part) = (0, 0);
@@ -102,7 +102,7 @@ fn runs(
                 open = None;
             }
             for (i, &(walked_part, count)) in parts.iter().enumerate() {
-                runs.push(Run {
+                runs.push(GroupDispatch {
                     own_part,
                     own: stretch.clone(),
                     walked_part,
@@ -120,19 +120,20 @@ impl Inner {
     /// each.
     pub fn group_sweeps(
         &self,
-        own: &[Part],
-        walked: &[Part],
+        own: &[ListPart],
+        walked: &[ListPart],
         offsets: [&[usize]; 2],
         pairs: usize,
-    ) -> Vec<Sweep> {
+    ) -> Vec<ReduceDispatch> {
         let spans = offsets.map(|all| all.windows(2).map(|span| span[0]..span[1]));
         let [own_spans, walked_spans] = spans;
         let groups = own_spans
             .zip(walked_spans)
             .map(|(own, walked)| [own, walked]);
-        let shapes =
-            |parts: &[Part]| -> Vec<_> { parts.iter().map(|part| part.shapes.clone()).collect() };
-        let limits = Limits {
+        let shapes = |parts: &[ListPart]| -> Vec<_> {
+            parts.iter().map(|part| part.shapes.clone()).collect()
+        };
+        let limits = DispatchLimits {
             // Reductions write four numbers per entry.
             room: self.most_bytes as usize / 16,
             pairs,
@@ -148,10 +149,10 @@ impl Inner {
             .chunks(self.chunk)
             .map(|piece| self.stored(piece))
             .collect();
-        let sweep = |run: Run| {
+        let sweep = |run: GroupDispatch| {
             let (from, to) = (&own[run.own_part], &walked[run.walked_part]);
             let out_piece = run.own.start / self.chunk;
-            Sweep {
+            ReduceDispatch {
                 own_start: from.at + run.own.start - from.shapes.start,
                 out_piece,
                 out_start: run.own.start - out_piece * self.chunk,

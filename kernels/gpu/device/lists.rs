@@ -1,10 +1,10 @@
 //! Two lists on the GPU and the kernels of their pairs.
 use super::context::Device;
 use super::generated::operation::Generated;
-use super::generated::uploaded::Sides;
-use super::matrix::Matrix;
-use super::reducer::{LISTS, Part, Reducer};
-use super::seed::Seed;
+use super::generated::uploaded::UploadedLists;
+use super::matrix::DeviceMatrix;
+use super::reducer::{LISTS, ListPart, Reducer};
+use super::seed::PairSeed;
 use crate::Error;
 use crate::error::Argument;
 use crate::kernels::call::recording::Call;
@@ -16,13 +16,13 @@ use crate::kernels::machine::{GroupedReduction, Reduced, Reduction};
 use std::sync::Arc;
 
 /// Two lists on the GPU and the kernels of their pairs.
-pub(crate) struct Lists<'a> {
+pub(crate) struct DeviceLists<'a> {
     gpu: &'a Device,
     made: Arc<Generated<f32>>,
-    sides: Sides,
+    sides: UploadedLists,
 }
 
-impl<'a> Lists<'a> {
+impl<'a> DeviceLists<'a> {
     /// Checks and uploads two lists; those that stay on the GPU are prepared once.
     pub fn new(
         gpu: &'a Device,
@@ -30,13 +30,13 @@ impl<'a> Lists<'a> {
         columns: &[Column<'_, f32>; 2],
     ) -> Result<Self, Error> {
         let made = call.generated(true)?;
-        let sides = Sides::of(gpu, &made, columns)?;
+        let sides = UploadedLists::of(gpu, &made, columns)?;
         let made = sides.body_for(made);
-        Ok(Lists { gpu, made, sides })
+        Ok(DeviceLists { gpu, made, sides })
     }
 
     /// Writes results of one number to a matrix.
-    pub fn matrix_into(&self, matrix: &mut Matrix) -> Result<(), Error> {
+    pub fn matrix_into(&self, matrix: &mut DeviceMatrix) -> Result<(), Error> {
         let [rows, columns] = self.sides.counts();
         self.gpu.fits(matrix, rows, columns, Argument::Values)?;
         for (block, values) in &matrix.blocks {
@@ -54,13 +54,13 @@ impl<'a> Lists<'a> {
     }
 
     /// Returns the runs of a list that lie in one buffer each, with their results in one buffer, too.
-    fn parts(&self, k: usize) -> Vec<Part> {
+    fn parts(&self, k: usize) -> Vec<ListPart> {
         let (chunk, count) = (self.gpu.inner.chunk, self.sides.counts()[k]);
         let pieces = (0..count)
             .step_by(chunk)
             .map(|base| base..count.min(base + chunk));
         let all = pieces.flat_map(|piece| self.sides.parts(k, piece));
-        let part = |(buffer, at, shapes): (&wgpu::Buffer, usize, _)| Part {
+        let part = |(buffer, at, shapes): (&wgpu::Buffer, usize, _)| ListPart {
             buffer: buffer.clone(),
             binding: LISTS[k],
             at,
@@ -123,8 +123,8 @@ impl<'a> Lists<'a> {
 
     /// Returns the summed derivatives of both lists. If one factor is the seed of all pairs, bodies that compute
     /// results with derivatives also return the sum of the results.
-    pub fn derivatives(&self, seed: &Seed<'_>) -> Result<([Vec<f32>; 2], Option<f64>), Error> {
-        if let Seed::Matrix(matrix) = seed {
+    pub fn derivatives(&self, seed: &PairSeed<'_>) -> Result<([Vec<f32>; 2], Option<f64>), Error> {
+        if let PairSeed::Matrix(matrix) = seed {
             let [rows, columns] = self.sides.counts();
             self.gpu.fits(matrix, rows, columns, Argument::Upstream)?;
         }

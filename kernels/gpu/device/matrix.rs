@@ -2,8 +2,8 @@
 use super::block::{Block, block_of, place_block};
 use super::context::Device;
 use super::download::Pending;
-use super::reducer::{MATRIX, Reducer, Sweep};
-use super::work::{MOST_GROUPS, Params, Work, groups};
+use super::reducer::{MATRIX, ReduceDispatch, Reducer};
+use super::work::{Commands, MOST_GROUPS, Params, groups};
 use super::written::{GROUP, Kernel, STRIP};
 use crate::error::{Argument, Error};
 use crate::kernels::machine::{self, Matrices};
@@ -13,14 +13,14 @@ use std::any::Any;
 
 /// A matrix on the GPU: one number per row of one list and row of another. Clones share the memory.
 #[derive(Clone, Debug)]
-pub struct Matrix {
+pub struct DeviceMatrix {
     pub(super) gpu: Device,
     pub(super) rows: usize,
     pub(super) columns: usize,
     pub(super) blocks: Vec<(Block, wgpu::Buffer)>,
 }
 
-impl Matrix {
+impl DeviceMatrix {
     /// Allocates a matrix.
     pub(super) fn room(gpu: &Device, rows: usize, columns: usize) -> Result<Self, Error> {
         entries(rows, columns, 1)?;
@@ -28,7 +28,7 @@ impl Matrix {
             let values = gpu.inner.storage(block.rows * block.columns);
             (block, values)
         });
-        Ok(Matrix {
+        Ok(DeviceMatrix {
             gpu: gpu.clone(),
             rows,
             columns,
@@ -45,21 +45,21 @@ impl Matrix {
     }
 
     /// Returns a copy in new buffers, made by a kernel.
-    fn copied(&self) -> Result<Matrix, Error> {
-        let made = || Matrix::room(&self.gpu, self.rows, self.columns);
+    fn copied(&self) -> Result<DeviceMatrix, Error> {
+        let made = || DeviceMatrix::room(&self.gpu, self.rows, self.columns);
         let to = self.gpu.inner.guarded(made)?;
         self.copied_into(&to)?;
         Ok(to)
     }
 
     /// Copies the numbers into another matrix.
-    fn copied_into(&self, to: &Matrix) -> Result<(), Error> {
+    fn copied_into(&self, to: &DeviceMatrix) -> Result<(), Error> {
         self.gpu
             .fits(to, self.rows, self.columns, Argument::Values)?;
         let inner = &self.gpu.inner;
         inner.guarded(|| {
             let pipeline = inner.written(Kernel::Gather, "copy_main");
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             for ((block, from), (_, to)) in self.blocks.iter().zip(&to.blocks) {
                 let count = block.rows * block.columns;
                 for start in (0..count).step_by(MOST_COPIED) {
@@ -101,7 +101,7 @@ impl Matrix {
     }
 }
 
-impl Matrices<f32> for Matrix {
+impl Matrices<f32> for DeviceMatrix {
     fn size(&self) -> [usize; 2] {
         [self.rows, self.columns]
     }
@@ -142,7 +142,7 @@ impl Device {
     /// Checks that a matrix has this context and this size.
     pub(super) fn fits(
         &self,
-        matrix: &Matrix,
+        matrix: &DeviceMatrix,
         rows: usize,
         columns: usize,
         argument: Argument,
@@ -153,7 +153,7 @@ impl Device {
     }
 }
 
-impl Matrix {
+impl DeviceMatrix {
     /// Returns the reducer of the matrix.
     pub(super) fn reducer(&self, own_rows: bool) -> Reducer<'_> {
         let sweep = |(block, buffer): &(Block, wgpu::Buffer)| {
@@ -163,7 +163,7 @@ impl Matrix {
                 true => (rows, columns),
                 false => (columns, rows),
             };
-            Sweep {
+            ReduceDispatch {
                 own_start: 0,
                 out_piece: own.0,
                 out_start: own.1,

@@ -48,5 +48,5 @@ pub use context::{Device, Gpu};
 #[doc(hidden)]
 pub use generated::operation::Generated;
 pub use generated::{fold_sources, line_sources, op_sources, replay_source};
-pub(crate) use rings::Rings;
+pub(crate) use rings::DeviceRings;
 pub use written::common_sources;

@@ -1,6 +1,6 @@
 //! The kernels of a call on a GPU, made once per function, mode and form.
 use super::generated::operation::Generated;
-use super::generated::replays::Replayed;
+use super::generated::replays::SearchReplays;
 use crate::kernels::call::recording::{Body, Call, Recording};
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::once::Key;
@@ -27,14 +27,14 @@ impl Call<f32> {
         })
     }
     /// Returns the replays of a search; `None` for other functions.
-    pub(crate) fn replays(&self) -> Option<Arc<Replayed>> {
+    pub(crate) fn replays(&self) -> Option<Arc<SearchReplays>> {
         let Body::Search(search) = &self.recording.body else {
             return None;
         };
         let (key, mode) = (Key::Replays(self.mode), self.mode);
         let made = self
             .recording
-            .made(key, &|| Ok(Replayed::new(search.replays(mode))));
+            .made(key, &|| Ok(SearchReplays::new(search.replays(mode))));
         let made = made.unwrap_or_else(|_: Error| unreachable!("a replay is recorded later"));
         Some(made)
     }

@@ -2,12 +2,12 @@
 //!
 //! The matrix of two lists is never stored as a whole, which bounds the memory.
 use super::context::Device;
-use super::data::Piece;
+use super::data::BufferPiece;
 use super::download::Pending;
 use super::download::{downloads, parts};
 use super::reducer::Reducer;
 use super::seed::sum_of;
-use super::work::{Work, groups};
+use super::work::{Commands, groups};
 use super::written::{Kernel, Take};
 use crate::Error;
 use crate::kernels::machine::found::Best;
@@ -16,13 +16,13 @@ use crate::kernels::machine::{Reduced, Reduction};
 
 /// The largest score of every row (or column) and its index, on the GPU.
 #[derive(Clone, Debug)]
-pub struct Bests {
+pub struct DeviceBests {
     gpu: Device,
-    values: Vec<Piece>,
-    indices: Vec<Piece>,
+    values: Vec<BufferPiece>,
+    indices: Vec<BufferPiece>,
 }
 
-impl Bests {
+impl DeviceBests {
     /// Checks that the results belong to a context.
     pub(crate) fn is_of(&self, gpu: &Device) -> Result<(), Error> {
         gpu.owns(&self.gpu)
@@ -58,13 +58,13 @@ impl Bests {
     }
 }
 
-impl Downloads<Vec<Best>> for Bests {
+impl Downloads<Vec<Best>> for DeviceBests {
     downloads!(Vec<Best>);
 }
 
 impl Reducer<'_> {
     /// Returns the largest score of every own row (or column).
-    pub fn best(self) -> Result<Bests, Error> {
+    pub fn best(self) -> Result<DeviceBests, Error> {
         let inner = &self.gpu.inner;
         inner.guarded(|| {
             let pipeline = self.pipeline(Take::Best);
@@ -74,7 +74,7 @@ impl Reducer<'_> {
             for sweep in &self.sweeps {
                 let part_values = inner.storage(sweep.room());
                 let part_indices = inner.storage(sweep.room());
-                let mut work = Work::new(inner);
+                let mut work = Commands::new(inner);
                 let buffers = sweep.buffers(&[(4, &part_values), (7, &part_indices)]);
                 work.dispatch(&pipeline, sweep.params(0.0), &buffers, self.size(sweep));
                 let buffers = [
@@ -87,7 +87,7 @@ impl Reducer<'_> {
                 work.dispatch(&gather, sweep.params(0.0), &buffers, size);
                 work.submit()?;
             }
-            Ok(Bests {
+            Ok(DeviceBests {
                 gpu: self.gpu.clone(),
                 values,
                 indices,
@@ -103,7 +103,7 @@ impl Reducer<'_> {
             let totals = inner.guarded(|| {
                 let pipeline = self.pipeline(take);
                 let totals = inner.storage(sweep.room());
-                let mut work = Work::new(inner);
+                let mut work = Commands::new(inner);
                 let buffers = sweep.buffers(&[(binding, &totals)]);
                 work.dispatch(
                     &pipeline,

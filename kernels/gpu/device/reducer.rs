@@ -2,8 +2,8 @@
 //! or over a stored matrix.
 use super::context::Device;
 use super::generated::operation::Generated;
-use super::generated::text::Form;
-use super::generated::uploaded::Sides;
+use super::generated::text::KernelForm;
+use super::generated::uploaded::UploadedLists;
 use super::work::Params;
 use super::written::{GROUP, Kernel, STRIP, Take};
 use crate::Error;
@@ -16,7 +16,7 @@ pub(super) const MATRIX: u32 = 3;
 
 /// One dispatch of a reduction: a run of own rows (or columns) with a run of walked columns (or rows).
 #[derive(Clone, Debug)]
-pub(super) struct Sweep {
+pub(super) struct ReduceDispatch {
     /// The index of the first own row (or column) in its buffer.
     pub own_start: usize,
     /// The index of the buffer of their results.
@@ -41,23 +41,23 @@ pub(super) struct Sweep {
     pub bound: Vec<(u32, wgpu::Buffer)>,
 }
 
-impl Sweep {
+impl ReduceDispatch {
     /// Returns the number of partial results: one per own row (or column) and strip.
     pub fn room(&self) -> usize {
         self.own * self.strips
     }
 
     /// Splits the own rows in halves, if their pairs need more than one buffer. There must be at least two.
-    pub fn halves(self) -> [Sweep; 2] {
+    pub fn halves(self) -> [ReduceDispatch; 2] {
         let half = self.own / 2;
-        let second = Sweep {
+        let second = ReduceDispatch {
             own_start: self.own_start + half,
             out_start: self.out_start + half,
             own_base: self.own_base + half,
             own: self.own - half,
             ..self.clone()
         };
-        [Sweep { own: half, ..self }, second]
+        [ReduceDispatch { own: half, ..self }, second]
     }
 
     pub fn params(&self, threshold: f32) -> Params {
@@ -84,7 +84,7 @@ impl Sweep {
 }
 
 /// A run of a list in one buffer.
-pub(super) struct Part {
+pub(super) struct ListPart {
     pub buffer: wgpu::Buffer,
     /// The binding of the list.
     pub binding: u32,
@@ -102,14 +102,14 @@ pub(super) struct Reducer<'a> {
     pub walked: usize,
     /// `true` if threads compute rows.
     own_rows: bool,
-    kernels: Kernels<'a>,
+    kernels: ScoreSource<'a>,
     /// `true` if every own row walks a range of its own.
     is_grouped: bool,
-    pub sweeps: Vec<Sweep>,
+    pub sweeps: Vec<ReduceDispatch>,
 }
 
 /// The source of scores.
-enum Kernels<'a> {
+enum ScoreSource<'a> {
     /// Scores stored in a matrix.
     Matrix,
     /// Scores that a body computes.
@@ -122,17 +122,17 @@ impl<'a> Reducer<'a> {
         gpu: &'a Device,
         counts: [usize; 2],
         own_rows: bool,
-        sweeps: Vec<Sweep>,
+        sweeps: Vec<ReduceDispatch>,
     ) -> Self {
-        Reducer::new(gpu, Kernels::Matrix, counts, own_rows, sweeps)
+        Reducer::new(gpu, ScoreSource::Matrix, counts, own_rows, sweeps)
     }
 
     fn new(
         gpu: &'a Device,
-        kernels: Kernels<'a>,
+        kernels: ScoreSource<'a>,
         [own, walked]: [usize; 2],
         own_rows: bool,
-        sweeps: Vec<Sweep>,
+        sweeps: Vec<ReduceDispatch>,
     ) -> Self {
         Reducer {
             gpu,
@@ -150,7 +150,7 @@ impl<'a> Reducer<'a> {
     pub fn of_groups(
         gpu: &'a Device,
         made: &'a Arc<Generated<f32>>,
-        [own, walked]: [&[Part]; 2],
+        [own, walked]: [&[ListPart]; 2],
         offsets: [&[usize]; 2],
         own_rows: bool,
     ) -> Result<Self, Error> {
@@ -159,7 +159,7 @@ impl<'a> Reducer<'a> {
         let counts = offsets.map(|all| all.last().copied().unwrap_or(0));
         Ok(Reducer {
             is_grouped: true,
-            ..Reducer::new(gpu, Kernels::Lists(made), counts, own_rows, sweeps)
+            ..Reducer::new(gpu, ScoreSource::Lists(made), counts, own_rows, sweeps)
         })
     }
 
@@ -167,7 +167,7 @@ impl<'a> Reducer<'a> {
     pub fn of_lists(
         gpu: &'a Device,
         made: &'a Arc<Generated<f32>>,
-        sides: &Sides,
+        sides: &UploadedLists,
         own_rows: bool,
     ) -> Self {
         let (k, inner, counts) = (usize::from(!own_rows), &gpu.inner, sides.counts());
@@ -183,35 +183,44 @@ impl<'a> Reducer<'a> {
             let whole = base..counts[k].min(base + inner.chunk);
             for (buffer, at, own) in sides.parts(k, whole) {
                 for start in own.clone().step_by(most) {
-                    sweeps.extend(walked.iter().map(|(other, other_at, range)| Sweep {
-                        own_start: at + start - own.start,
-                        out_piece,
-                        out_start: start - base,
-                        own_base: start,
-                        own: most.min(own.end - start),
-                        walked_start: *other_at,
-                        walked_base: range.start,
-                        walked: range.len(),
-                        strips: range.len().div_ceil(STRIP),
-                        more: range.start > 0,
-                        bound: vec![(LISTS[k], buffer.clone()), (LISTS[1 - k], (*other).clone())],
-                    }));
+                    sweeps.extend(
+                        walked
+                            .iter()
+                            .map(|(other, other_at, range)| ReduceDispatch {
+                                own_start: at + start - own.start,
+                                out_piece,
+                                out_start: start - base,
+                                own_base: start,
+                                own: most.min(own.end - start),
+                                walked_start: *other_at,
+                                walked_base: range.start,
+                                walked: range.len(),
+                                strips: range.len().div_ceil(STRIP),
+                                more: range.start > 0,
+                                bound: vec![
+                                    (LISTS[k], buffer.clone()),
+                                    (LISTS[1 - k], (*other).clone()),
+                                ],
+                            }),
+                    );
                 }
             }
         }
         let counts = [counts[k], counts[1 - k]];
-        Reducer::new(gpu, Kernels::Lists(made), counts, own_rows, sweeps)
+        Reducer::new(gpu, ScoreSource::Lists(made), counts, own_rows, sweeps)
     }
 
     /// Returns the pipeline of a reduction.
     pub fn pipeline(&self, take: Take) -> wgpu::ComputePipeline {
         let (inner, own_rows) = (&self.gpu.inner, self.own_rows);
         match self.kernels {
-            Kernels::Matrix => inner.written(Kernel::ReduceMatrix(take, own_rows), "reduce_main"),
-            Kernels::Lists(made) => {
+            ScoreSource::Matrix => {
+                inner.written(Kernel::ReduceMatrix(take, own_rows), "reduce_main")
+            }
+            ScoreSource::Lists(made) => {
                 let form = match self.is_grouped {
-                    true => Form::ReduceGroups(take, own_rows),
-                    false => Form::Reduce(take, own_rows),
+                    true => KernelForm::ReduceGroups(take, own_rows),
+                    false => KernelForm::Reduce(take, own_rows),
                 };
                 made.pipeline(inner, form)
             }
@@ -219,10 +228,12 @@ impl<'a> Reducer<'a> {
     }
 
     /// Returns the workgroups of a sweep.
-    pub fn size(&self, sweep: &Sweep) -> [u32; 2] {
+    pub fn size(&self, sweep: &ReduceDispatch) -> [u32; 2] {
         let group = match self.kernels {
-            Kernels::Matrix => GROUP,
-            Kernels::Lists(made) => made.size(Form::Reduce(Take::Best, self.own_rows)).own,
+            ScoreSource::Matrix => GROUP,
+            ScoreSource::Lists(made) => {
+                made.size(KernelForm::Reduce(Take::Best, self.own_rows)).own
+            }
         };
         [sweep.own.div_ceil(group) as u32, sweep.strips as u32]
     }

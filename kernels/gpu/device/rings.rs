@@ -2,7 +2,7 @@
 use super::context::{Device, Inner};
 use super::download::Pending;
 use super::download::downloads;
-use super::work::{Params, Work, groups};
+use super::work::{Commands, Params, groups};
 use super::written::{Kernel, LONG, ROW, SPAN};
 use crate::Error;
 use crate::error::Argument;
@@ -16,7 +16,7 @@ use std::marker::PhantomData;
 
 /// A run of rings that fit the buffers.
 #[derive(Clone, Debug)]
-struct Run {
+struct RingRun {
     vertices: wgpu::Buffer,
     offsets: wgpu::Buffer,
     rings: usize,
@@ -56,7 +56,7 @@ impl LongRings {
 }
 
 /// The items of a kernel of long rings: spans, or whole rings.
-enum Over {
+enum LongItems {
     Spans,
     Longs,
 }
@@ -67,13 +67,13 @@ const WHOLE_BYTES: usize = 32;
 
 /// Checked rings on the GPU.
 #[derive(Clone, Debug)]
-pub struct Rings {
+pub struct DeviceRings {
     gpu: Device,
-    runs: Vec<Run>,
+    runs: Vec<RingRun>,
     len: usize,
 }
 
-impl Rings {
+impl DeviceRings {
     /// Returns the context of the rings.
     pub(crate) fn gpu(&self) -> &Device {
         &self.gpu
@@ -110,13 +110,13 @@ fn pairs_of(vertices: &[Vec2<f32>]) -> Vec<[f32; 2]> {
 
 /// One result per ring, on the GPU.
 #[derive(Clone, Debug)]
-pub struct RingValues<T> {
+pub struct DeviceRingValues<T> {
     gpu: Device,
     parts: Vec<(wgpu::Buffer, u64)>,
     result: PhantomData<fn() -> T>,
 }
 
-impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
+impl<T: Fixed<Scalar = f32> + 'static> DeviceRingValues<T> {
     /// Starts the download of the results, in the order of the rings.
     ///
     /// # Errors
@@ -136,7 +136,7 @@ impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
     }
 }
 
-impl<T: Fixed<Scalar = f32> + 'static> Downloads<Vec<T>> for RingValues<T> {
+impl<T: Fixed<Scalar = f32> + 'static> Downloads<Vec<T>> for DeviceRingValues<T> {
     downloads!(Vec<T>);
 }
 
@@ -151,7 +151,7 @@ impl Device {
         &self,
         vertices: &[Vec2<f32>],
         offsets: &[usize],
-    ) -> Result<Rings, Error> {
+    ) -> Result<DeviceRings, Error> {
         check_ragged(vertices, offsets)?;
         let inner = &self.inner;
         let most_vertices = (inner.most_bytes / 8) as usize;
@@ -176,7 +176,7 @@ impl Device {
                 let base = own[0];
                 let corners = pairs_of(&vertices[base..own[own.len() - 1]]);
                 let own: Vec<u32> = own.iter().map(|&at| (at - base) as u32).collect();
-                Run {
+                RingRun {
                     vertices: inner.stored(&corners),
                     offsets: inner.stored(&own),
                     rings: own.len() - 1,
@@ -186,7 +186,7 @@ impl Device {
             };
             Ok(cuts.windows(2).map(run).collect())
         })?;
-        Ok(Rings {
+        Ok(DeviceRings {
             gpu: self.clone(),
             runs,
             len: offsets.len() - 1,
@@ -201,13 +201,13 @@ impl Device {
     pub(crate) fn ragged_of<T: Fixed<Scalar = f32>>(
         &self,
         measure: Measure,
-        rings: &Rings,
-    ) -> Result<RingValues<T>, Error> {
+        rings: &DeviceRings,
+    ) -> Result<DeviceRingValues<T>, Error> {
         self.owns(&rings.gpu)?;
         let inner = &self.inner;
         let fields = measure.fields();
         inner.guarded(|| {
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             let mut parts = Vec::new();
             for run in &rings.runs {
                 let values = inner.storage(run.rings * fields);
@@ -215,12 +215,19 @@ impl Device {
                 if let Some(long) = &run.long {
                     let wholes = run.sum_up(measure, &mut work, long);
                     let bound = [(4, &values), (7, &long.longs), (9, &wholes)];
-                    run.over(measure, &mut work, long, "long_main", Over::Longs, &bound);
+                    run.over(
+                        measure,
+                        &mut work,
+                        long,
+                        "long_main",
+                        LongItems::Longs,
+                        &bound,
+                    );
                 }
                 parts.push((values, 4 * (run.rings * fields) as u64));
             }
             work.submit()?;
-            Ok(RingValues {
+            Ok(DeviceRingValues {
                 gpu: self.clone(),
                 parts,
                 result: PhantomData,
@@ -238,16 +245,16 @@ impl Device {
     pub(crate) fn ragged_vjp_of(
         &self,
         measure: Measure,
-        rings: &Rings,
+        rings: &DeviceRings,
         (results, numbers): (usize, &[f32]),
-    ) -> Result<RingValues<Vec2<f32>>, Error> {
+    ) -> Result<DeviceRingValues<Vec2<f32>>, Error> {
         self.owns(&rings.gpu)?;
         expect(Argument::Upstream, rings.len, results)?;
         let fields = measure.fields();
         check_upstream(numbers, fields)?;
         let inner = &self.inner;
         inner.guarded(|| {
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             let mut parts = Vec::new();
             let mut rest = numbers;
             for run in &rings.runs {
@@ -270,14 +277,14 @@ impl Device {
                         &mut work,
                         long,
                         "long_vjp_main",
-                        Over::Spans,
+                        LongItems::Spans,
                         &bound,
                     );
                 }
                 parts.push((bars, 8 * run.corners as u64));
             }
             work.submit()?;
-            Ok(RingValues {
+            Ok(DeviceRingValues {
                 gpu: self.clone(),
                 parts,
                 result: PhantomData,
@@ -286,12 +293,12 @@ impl Device {
     }
 }
 
-impl Run {
+impl RingRun {
     /// Dispatches the kernel of short rings, one thread per ring.
     fn dispatch(
         &self,
         measure: Measure,
-        work: &mut Work<'_>,
+        work: &mut Commands<'_>,
         entry: &'static str,
         bound: &[(u32, &wgpu::Buffer)],
     ) {
@@ -306,19 +313,19 @@ impl Run {
     fn over(
         &self,
         measure: Measure,
-        work: &mut Work<'_>,
+        work: &mut Commands<'_>,
         long: &LongRings,
         entry: &'static str,
-        over: Over,
+        over: LongItems,
         bound: &[(u32, &wgpu::Buffer)],
     ) {
         let (count, size) = match over {
-            Over::Spans => {
+            LongItems::Spans => {
                 let wide = long.span_count.min(ROW);
                 let tall = long.span_count.div_ceil(ROW);
                 (long.span_count, [wide as u32, tall as u32])
             }
-            Over::Longs => (long.long_count, [groups(long.long_count), 1]),
+            LongItems::Longs => (long.long_count, [groups(long.long_count), 1]),
         };
         let mut buffers: Vec<_> = match entry {
             // It reads no vertices.
@@ -331,17 +338,17 @@ impl Run {
     }
 
     /// Returns the scale and the sums of every long ring.
-    fn sum_up(&self, measure: Measure, work: &mut Work<'_>, long: &LongRings) -> wgpu::Buffer {
+    fn sum_up(&self, measure: Measure, work: &mut Commands<'_>, long: &LongRings) -> wgpu::Buffer {
         let inner = work.inner;
         let parts = inner.storage(long.span_count * PART_BYTES / 4);
         let wholes = inner.storage(long.long_count * WHOLE_BYTES / 4);
         let (spans, longs) = ((6, &long.spans), (7, &long.longs));
         let (parts, sums) = ((8, &parts), (9, &wholes));
         for (entry, over, bound) in [
-            ("extent_main", Over::Spans, &[spans, longs, parts][..]),
-            ("scale_main", Over::Longs, &[longs, parts, sums]),
-            ("sums_main", Over::Spans, &[spans, longs, parts, sums]),
-            ("whole_main", Over::Longs, &[longs, parts, sums]),
+            ("extent_main", LongItems::Spans, &[spans, longs, parts][..]),
+            ("scale_main", LongItems::Longs, &[longs, parts, sums]),
+            ("sums_main", LongItems::Spans, &[spans, longs, parts, sums]),
+            ("whole_main", LongItems::Longs, &[longs, parts, sums]),
         ] {
             self.over(measure, work, long, entry, over, bound);
         }

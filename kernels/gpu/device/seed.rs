@@ -1,12 +1,12 @@
 //! The factors of derivatives of all pairs, and downloaded sums.
-use super::matrix::Matrix;
+use super::matrix::DeviceMatrix;
 
 /// The factors of derivatives of all pairs.
-pub(crate) enum Seed<'a> {
+pub(crate) enum PairSeed<'a> {
     /// A number for every pair, in row-major order.
     Numbers(&'a [f32]),
     /// A number for every pair, in a matrix on the GPU.
-    Matrix(&'a Matrix),
+    Matrix(&'a DeviceMatrix),
     /// One number for all pairs.
     Factor(f32),
 }

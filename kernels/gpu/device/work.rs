@@ -1,6 +1,6 @@
 //! The execution of kernels: pipelines, dispatches, error scopes.
 use super::context::{Inner, locked};
-use super::download::State;
+use super::download::DownloadState;
 use super::written::{GROUP, Kernel};
 use crate::{Error, GpuFault};
 use std::sync::atomic::Ordering;
@@ -31,7 +31,7 @@ pub(super) struct Params {
 const PARAMS_BYTES: u64 = 64;
 
 /// Commands to be submitted to the queue.
-pub(super) struct Work<'a> {
+pub(super) struct Commands<'a> {
     pub inner: &'a Inner,
     encoder: wgpu::CommandEncoder,
     queries: Option<wgpu::QuerySet>,
@@ -41,7 +41,7 @@ pub(super) struct Work<'a> {
 /// The largest number of passes whose time one submission can measure.
 const MOST_TIMED: u32 = 2048;
 
-impl<'a> Work<'a> {
+impl<'a> Commands<'a> {
     pub fn new(inner: &'a Inner) -> Self {
         let queries = inner.timing.then(|| {
             inner.device.create_query_set(&wgpu::QuerySetDescriptor {
@@ -50,7 +50,7 @@ impl<'a> Work<'a> {
                 count: 2 * MOST_TIMED,
             })
         });
-        Work {
+        Commands {
             inner,
             encoder: inner.encoder(),
             queries,
@@ -169,7 +169,7 @@ impl<'a> Work<'a> {
         let staging = self.inner.staging(bytes);
         self.copy(&resolved, 0, &staging, bytes);
         let index = self.inner.queue.submit([self.encoder.finish()]);
-        State::of([&staging].into_iter()).wait(self.inner, &index)?;
+        DownloadState::of([&staging].into_iter()).wait(self.inner, &index)?;
         let view = staging
             .get_mapped_range(..)
             .map_err(|_| Error::Gpu(GpuFault::DeviceLost))?;

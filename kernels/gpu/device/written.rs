@@ -60,18 +60,18 @@ pub(super) enum Kernel {
 
 /// The factors of derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Seed {
+pub(super) enum SeedSource {
     Matrix,
     /// One factor for all pairs.
     Factor,
 }
 
-impl Seed {
+impl SeedSource {
     /// Returns the WGSL of the factor of a pair.
     pub(super) fn text(self) -> &'static str {
         match self {
-            Seed::Matrix => include_str!("../wgsl/seed_matrix.wgsl"),
-            Seed::Factor => include_str!("../wgsl/seed_factor.wgsl"),
+            SeedSource::Matrix => include_str!("../wgsl/seed_matrix.wgsl"),
+            SeedSource::Factor => include_str!("../wgsl/seed_factor.wgsl"),
         }
     }
 }

@@ -182,7 +182,7 @@ where
                 });
             }
         };
-        Piece::Written(room, Box::new(write))
+        TargetPiece::Written(room, Box::new(write))
     });
     Target {
         pieces: pieces.collect(),
@@ -391,13 +391,13 @@ type Write<'a, T> = Box<dyn FnOnce(&[T]) + Send + 'a>;
 /// The memory for one shape of every result.
 pub struct Target<'a, T> {
     /// The pieces, of [`STRETCH`] items each; the last one may have fewer.
-    pieces: Vec<Piece<'a, T>>,
+    pieces: Vec<TargetPiece<'a, T>>,
     /// The number of items.
     pub(crate) count: usize,
 }
 
 /// A piece of a target.
-pub(crate) enum Piece<'a, T> {
+pub(crate) enum TargetPiece<'a, T> {
     /// Numbers in place.
     Lent(&'a mut [T]),
     /// A buffer of numbers, and the function that converts them to shapes: for shapes that are no slice of numbers.
@@ -413,7 +413,7 @@ pub fn target<P: Item>(shapes: &mut [P]) -> Target<'_, P::Scalar> {
     let count = shapes.len();
     let pieces = shapes.chunks_mut(STRETCH).map(|shapes| {
         if memory::is_plain::<P>() {
-            return Piece::Lent(memory::lent_mut(shapes).unwrap_or_default());
+            return TargetPiece::Lent(memory::lent_mut(shapes).unwrap_or_default());
         }
         let room = vec![P::Scalar::default(); shapes.len() * width::<P>()];
         let write = move |rows: &[P::Scalar]| {
@@ -421,7 +421,7 @@ pub fn target<P: Item>(shapes: &mut [P]) -> Target<'_, P::Scalar> {
                 *shape = get(row);
             }
         };
-        Piece::Written(room, Box::new(write))
+        TargetPiece::Written(room, Box::new(write))
     });
     Target {
         pieces: pieces.collect(),
@@ -434,26 +434,29 @@ impl<'a, T: Real> Target<'a, T> {
     pub(crate) fn of_rows(rows: &'a mut [T], fields: usize) -> Self {
         Target {
             count: rows.len() / fields,
-            pieces: rows.chunks_mut(STRETCH * fields).map(Piece::Lent).collect(),
+            pieces: rows
+                .chunks_mut(STRETCH * fields)
+                .map(TargetPiece::Lent)
+                .collect(),
         }
     }
     /// Returns the pieces.
-    pub(crate) fn pieces(self) -> Vec<Piece<'a, T>> {
+    pub(crate) fn pieces(self) -> Vec<TargetPiece<'a, T>> {
         self.pieces
     }
 }
 
-impl<T> Piece<'_, T> {
+impl<T> TargetPiece<'_, T> {
     /// Returns the numbers for writing.
     pub(crate) fn numbers(&mut self) -> &mut [T] {
         match self {
-            Piece::Lent(numbers) => numbers,
-            Piece::Written(numbers, _) => numbers,
+            TargetPiece::Lent(numbers) => numbers,
+            TargetPiece::Written(numbers, _) => numbers,
         }
     }
     /// Converts the numbers to shapes.
     pub(crate) fn finish(self) {
-        if let Piece::Written(numbers, write) = self {
+        if let TargetPiece::Written(numbers, write) = self {
             write(&numbers);
         }
     }

@@ -3,12 +3,14 @@
 //! Every value has a slot in memory, as in the interpreter. Within a run it stays in a register while there are enough.
 //! It is stored when its register is needed, or if a later run reads it. For rows, inputs and results may be read and
 //! written in place; [`Far`] has the conditions.
-use super::encode::{AT_MOST, EQUAL, Encoder, LESS, Masked, NOT_AT_MOST, NOT_LESS, Operand, Two};
+use super::encode::{
+    AT_MOST, BinaryOpcode, EQUAL, Encoder, LESS, NOT_AT_MOST, NOT_LESS, Operand, Writemask,
+};
 use super::events::{Events, events, sizes};
 use super::far::Far;
 use crate::kernels::cpu::program::instructions::AHEAD;
-use crate::kernels::cpu::program::instructions::Run;
-use crate::kernels::cpu::program::instructions::{Code, Op};
+use crate::kernels::cpu::program::instructions::CodeRun;
+use crate::kernels::cpu::program::instructions::{Instruction, Opcode};
 use crate::kernels::cpu::program::lower::Tape;
 use crate::kernels::row::item::STRETCH;
 
@@ -16,18 +18,24 @@ use crate::kernels::row::item::STRETCH;
 const SHORTEST: usize = 3;
 
 /// Returns `true` for function calls and jumps, which the interpreter executes.
-fn is_left(op: Op) -> bool {
+fn is_left(op: Opcode) -> bool {
     matches!(
         op,
-        Op::Parts | Op::SinCos | Op::Exp | Op::Ln | Op::Atan2 | Op::SkipIfAll | Op::SkipIfNone
+        Opcode::Parts
+            | Opcode::SinCos
+            | Opcode::Exp
+            | Opcode::Ln
+            | Opcode::Atan2
+            | Opcode::SkipIfAll
+            | Opcode::SkipIfNone
     )
 }
 
 /// Returns the runs of a list of instructions. No jump ends inside one.
-fn runs(code: &[Code]) -> Vec<[usize; 2]> {
+fn runs(code: &[Instruction]) -> Vec<[usize; 2]> {
     let mut targets = Vec::new();
     for (i, own) in code.iter().enumerate() {
-        if matches!(own.op, Op::SkipIfAll | Op::SkipIfNone) {
+        if matches!(own.op, Opcode::SkipIfAll | Opcode::SkipIfNone) {
             targets.push(i + 1 + own.to[0] as usize);
         }
     }
@@ -46,7 +54,7 @@ fn runs(code: &[Code]) -> Vec<[usize; 2]> {
 
 /// The next read of a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Next {
+enum NextRead {
     /// By an instruction of the run.
     Read(usize),
     /// After the run.
@@ -75,15 +83,15 @@ struct Compiler<'a> {
 
 impl Compiler<'_> {
     /// Returns when a slot's present value is read after instruction `after`.
-    fn next(&self, slot: u16, after: usize) -> Next {
+    fn next(&self, slot: u16, after: usize) -> NextRead {
         let events = self.events.get(&slot).map_or(&[][..], Vec::as_slice);
         let from = events.partition_point(|event| event.0 <= after);
         match events.get(from) {
-            Some(&(at, true)) if at < self.end => Next::Read(at),
-            Some((_, true)) => Next::Later,
-            Some((_, false)) => Next::Never,
-            None if self.outputs.contains(&slot) => Next::Later,
-            None => Next::Never,
+            Some(&(at, true)) if at < self.end => NextRead::Read(at),
+            Some((_, true)) => NextRead::Later,
+            Some((_, false)) => NextRead::Never,
+            None if self.outputs.contains(&slot) => NextRead::Later,
+            None => NextRead::Never,
         }
     }
     fn place(&self, slot: u16) -> i32 {
@@ -114,9 +122,9 @@ impl Compiler<'_> {
     /// Frees the register whose value is read latest.
     fn evict(&mut self) -> usize {
         let distance = |k: usize| match self.held[k].map(|held| self.next(held.0, self.at)) {
-            Some(Next::Read(at)) => at,
-            Some(Next::Later) => self.end,
-            Some(Next::Never) | None => usize::MAX,
+            Some(NextRead::Read(at)) => at,
+            Some(NextRead::Later) => self.end,
+            Some(NextRead::Never) | None => usize::MAX,
         };
         // One register is never pinned: no instruction uses all of them.
         let last = (0..self.held.len())
@@ -124,7 +132,7 @@ impl Compiler<'_> {
             .max_by_key(|&k| distance(k))
             .unwrap_or_default();
         if let Some((slot, true)) = self.held[last].take()
-            && self.next(slot, self.at) != Next::Never
+            && self.next(slot, self.at) != NextRead::Never
         {
             let place = self.place(slot);
             self.out.store(last as u8, place);
@@ -158,7 +166,7 @@ impl Compiler<'_> {
     /// Returns an operand where it is; loads one that the run reads again.
     fn operand(&mut self, slot: u16) -> Operand {
         match (self.find(slot), self.next(slot, self.at)) {
-            (None, Next::Later | Next::Never) => {
+            (None, NextRead::Later | NextRead::Never) => {
                 let home = self.home(slot);
                 self.prefetch(home);
                 home
@@ -177,12 +185,12 @@ impl Compiler<'_> {
                 continue;
             };
             let is_over = results.iter().any(|result| result.0 == slot);
-            if is_over || self.next(slot, self.at) == Next::Never {
+            if is_over || self.next(slot, self.at) == NextRead::Never {
                 self.held[k] = None;
             }
         }
         for &(slot, register) in results {
-            if self.next(slot, self.at) != Next::Never {
+            if self.next(slot, self.at) != NextRead::Never {
                 self.held[register as usize] = Some((slot, true));
             }
         }
@@ -196,10 +204,10 @@ impl Compiler<'_> {
         }
         let zero = self.number(0.0);
         let to = match self.next(slot, self.at) {
-            Next::Never => register,
-            Next::Read(_) | Next::Later => self.fresh(),
+            NextRead::Never => register,
+            NextRead::Read(_) | NextRead::Later => self.fresh(),
         };
-        self.out.two(Two::Add, to, register, zero);
+        self.out.two(BinaryOpcode::Add, to, register, zero);
         for &k in places {
             self.out.store_far(to, k);
             self.out.prefetch(AHEAD, true);
@@ -209,7 +217,7 @@ impl Compiler<'_> {
     fn flush(&mut self) {
         for k in 0..self.held.len() {
             if let Some((slot, true)) = self.held[k].take()
-                && self.next(slot, self.at) != Next::Never
+                && self.next(slot, self.at) != NextRead::Never
             {
                 let place = self.place(slot);
                 self.out.store(k as u8, place);
@@ -231,22 +239,23 @@ impl Compiler<'_> {
     }
     fn zero(&mut self) -> u8 {
         let zero = self.fresh();
-        self.out.two(Two::Xor, zero, zero, Operand::Register(zero));
+        self.out
+            .two(BinaryOpcode::Xor, zero, zero, Operand::Register(zero));
         zero
     }
-    fn two(&mut self, op: Two, a: u8, b: Operand) -> u8 {
+    fn two(&mut self, op: BinaryOpcode, a: u8, b: Operand) -> u8 {
         let to = self.fresh();
         self.out.two(op, to, a, b);
         to
     }
     fn negated(&mut self, x: u16) -> u8 {
         let (x, sign) = (self.register(x), self.sign());
-        self.two(Two::Xor, x, sign)
+        self.two(BinaryOpcode::Xor, x, sign)
     }
     fn magnitude(&mut self, x: u16) -> u8 {
         let x = self.register(x);
         let all = self.bits(!(1 << 31), !(1 << 63));
-        self.two(Two::And, x, all)
+        self.two(BinaryOpcode::And, x, all)
     }
     /// Returns a comparison as a vector of truths.
     fn truths(&mut self, predicate: u8, a: u8, b: Operand) -> u8 {
@@ -279,14 +288,20 @@ impl Compiler<'_> {
         self.choose(truths, yes, no)
     }
     /// Returns a comparison, combined with a vector of truths by `op`.
-    fn joined(&mut self, predicate: u8, [a, b, m]: [u16; 3], op: Two) -> u8 {
+    fn joined(&mut self, predicate: u8, [a, b, m]: [u16; 3], op: BinaryOpcode) -> u8 {
         let (a, b) = (self.register(a), self.operand(b));
         let truths = self.truths(predicate, a, b);
         let m = self.operand(m);
         self.two(op, truths, m)
     }
     /// Emits `(x . y) . z`, or `z . (x . y)`.
-    fn three(&mut self, inner: Two, outer: Two, [x, y, z]: [u16; 3], is_first: bool) -> u8 {
+    fn three(
+        &mut self,
+        inner: BinaryOpcode,
+        outer: BinaryOpcode,
+        [x, y, z]: [u16; 3],
+        is_first: bool,
+    ) -> u8 {
         let (x, y) = (self.register(x), self.operand(y));
         let inner = self.two(inner, x, y);
         if is_first {
@@ -298,7 +313,13 @@ impl Compiler<'_> {
         }
     }
     /// Emits `(x . y) . (z . w)`.
-    fn four(&mut self, first: Two, second: Two, outer: Two, [x, y, z, w]: [u16; 4]) -> u8 {
+    fn four(
+        &mut self,
+        first: BinaryOpcode,
+        second: BinaryOpcode,
+        outer: BinaryOpcode,
+        [x, y, z, w]: [u16; 4],
+    ) -> u8 {
         let (x, y) = (self.register(x), self.operand(y));
         let left = self.two(first, x, y);
         let (z, w) = (self.register(z), self.operand(w));
@@ -307,7 +328,7 @@ impl Compiler<'_> {
     }
 
     /// Compiles one instruction.
-    fn instruction(&mut self, own: &Code) {
+    fn instruction(&mut self, own: &Instruction) {
         // Operands in registers stay there until they are read.
         let [operands, _] = sizes(own.op);
         for &slot in &own.from[..operands] {
@@ -317,155 +338,155 @@ impl Compiler<'_> {
         }
         let [x, y, z, w] = own.from;
         let (pair, triple, all) = ([x, y], [x, y, z], own.from);
-        use Two::{Add, And, AndNot, Div, Max, Min, Mul, Or, Sub, Xor};
+        use BinaryOpcode::{Add, And, AndNot, Div, Max, Min, Mul, Or, Sub, Xor};
         let result = match own.op {
-            Op::Copy => {
+            Opcode::Copy => {
                 let from = self.operand(x);
                 let to = self.fresh();
                 self.out.load(to, from);
                 to
             }
-            Op::Canonical => {
+            Opcode::Canonical => {
                 let (zero, x) = (self.zero(), self.operand(x));
                 self.two(Add, zero, x)
             }
-            Op::Neg => self.negated(x),
-            Op::Magnitude => self.magnitude(x),
-            Op::Root => self.root(x),
-            Op::Binade => self.binade(x),
-            Op::High => {
+            Opcode::Neg => self.negated(x),
+            Opcode::Magnitude => self.magnitude(x),
+            Opcode::Root => self.root(x),
+            Opcode::Binade => self.binade(x),
+            Opcode::High => {
                 let x = self.register(x);
                 // The bits that [`Scalar::parts`](crate::Scalar::parts) leaves to the low half.
                 let high = self.bits(!((1 << 12) - 1), !((1 << 27) - 1));
                 self.two(And, x, high)
             }
-            Op::Not => {
+            Opcode::Not => {
                 let (x, all) = (self.register(x), self.bits(!0, !0));
                 self.two(Xor, x, all)
             }
-            Op::Always => {
+            Opcode::Always => {
                 let (to, all) = (self.fresh(), self.bits(!0, !0));
                 self.out.load(to, all);
                 to
             }
-            Op::Never => self.zero(),
-            Op::Add => self.pair(Add, pair),
-            Op::Sub => self.pair(Sub, pair),
-            Op::Mul => self.pair(Mul, pair),
-            Op::Div => self.pair(Div, pair),
-            Op::Min => self.pair(Min, pair),
-            Op::Max => self.pair(Max, pair),
-            Op::And => self.pair(And, pair),
-            Op::Or => self.pair(Or, pair),
-            Op::Lt => self.compared(LESS, pair),
-            Op::Le => self.compared(AT_MOST, pair),
-            Op::Eq => self.compared(EQUAL, pair),
-            Op::Select => {
+            Opcode::Never => self.zero(),
+            Opcode::Add => self.pair(Add, pair),
+            Opcode::Sub => self.pair(Sub, pair),
+            Opcode::Mul => self.pair(Mul, pair),
+            Opcode::Div => self.pair(Div, pair),
+            Opcode::Min => self.pair(Min, pair),
+            Opcode::Max => self.pair(Max, pair),
+            Opcode::And => self.pair(And, pair),
+            Opcode::Or => self.pair(Or, pair),
+            Opcode::Lt => self.compared(LESS, pair),
+            Opcode::Le => self.compared(AT_MOST, pair),
+            Opcode::Eq => self.compared(EQUAL, pair),
+            Opcode::Select => {
                 let [m, x, y] = triple.map(|slot| self.register(slot));
                 self.choose(m, x, y)
             }
-            Op::Split => self.split(triple),
-            Op::Rest => self.rest(triple),
-            Op::AddAdd => self.three(Add, Add, triple, true),
-            Op::SubAdd => self.three(Sub, Add, triple, true),
-            Op::MulAdd => self.three(Mul, Add, triple, true),
-            Op::AddSub => self.three(Add, Sub, triple, true),
-            Op::SubSub => self.three(Sub, Sub, triple, true),
-            Op::MulSub => self.three(Mul, Sub, triple, true),
-            Op::FromAdd => self.three(Add, Sub, triple, false),
-            Op::FromSub => self.three(Sub, Sub, triple, false),
-            Op::FromMul => self.three(Mul, Sub, triple, false),
-            Op::AddMul => self.three(Add, Mul, triple, true),
-            Op::SubMul => self.three(Sub, Mul, triple, true),
-            Op::MulMul => self.three(Mul, Mul, triple, true),
-            Op::MaxMin => self.three(Max, Min, triple, true),
-            Op::MinMax => self.three(Min, Max, triple, true),
-            Op::MinFrom => self.three(Max, Min, triple, false),
-            Op::MaxFrom => self.three(Min, Max, triple, false),
-            Op::MaxFromMul => {
+            Opcode::Split => self.split(triple),
+            Opcode::Rest => self.rest(triple),
+            Opcode::AddAdd => self.three(Add, Add, triple, true),
+            Opcode::SubAdd => self.three(Sub, Add, triple, true),
+            Opcode::MulAdd => self.three(Mul, Add, triple, true),
+            Opcode::AddSub => self.three(Add, Sub, triple, true),
+            Opcode::SubSub => self.three(Sub, Sub, triple, true),
+            Opcode::MulSub => self.three(Mul, Sub, triple, true),
+            Opcode::FromAdd => self.three(Add, Sub, triple, false),
+            Opcode::FromSub => self.three(Sub, Sub, triple, false),
+            Opcode::FromMul => self.three(Mul, Sub, triple, false),
+            Opcode::AddMul => self.three(Add, Mul, triple, true),
+            Opcode::SubMul => self.three(Sub, Mul, triple, true),
+            Opcode::MulMul => self.three(Mul, Mul, triple, true),
+            Opcode::MaxMin => self.three(Max, Min, triple, true),
+            Opcode::MinMax => self.three(Min, Max, triple, true),
+            Opcode::MinFrom => self.three(Max, Min, triple, false),
+            Opcode::MaxFrom => self.three(Min, Max, triple, false),
+            Opcode::MaxFromMul => {
                 let inner = self.three(Mul, Min, triple, false);
                 let w = self.register(w);
                 self.two(Max, w, Operand::Register(inner))
             }
-            Op::MaxFromNeg => {
+            Opcode::MaxFromNeg => {
                 let (inner, y) = (self.negated(x), self.register(y));
                 let inner = self.two(Min, y, Operand::Register(inner));
                 let z = self.register(z);
                 self.two(Max, z, Operand::Register(inner))
             }
-            Op::MaxMulAdd => {
+            Opcode::MaxMulAdd => {
                 let inner = self.three(Mul, Add, triple, true);
                 let w = self.register(w);
                 self.two(Max, w, Operand::Register(inner))
             }
-            Op::SubByAdd => self.four(Sub, Add, Mul, all),
-            Op::SubAndSub => self.four(Sub, Sub, Add, all),
-            Op::Dot => self.four(Mul, Mul, Add, all),
-            Op::Cross => self.four(Mul, Mul, Sub, all),
-            Op::SelectNeg => {
+            Opcode::SubByAdd => self.four(Sub, Add, Mul, all),
+            Opcode::SubAndSub => self.four(Sub, Sub, Add, all),
+            Opcode::Dot => self.four(Mul, Mul, Add, all),
+            Opcode::Cross => self.four(Mul, Mul, Sub, all),
+            Opcode::SelectNeg => {
                 let (m, yes, no) = (self.register(x), self.negated(y), self.register(z));
                 self.choose(m, yes, no)
             }
-            Op::SelectMul => {
+            Opcode::SelectMul => {
                 let (m, yes, no) = (self.register(x), self.pair(Mul, [y, z]), self.register(w));
                 self.choose(m, yes, no)
             }
-            Op::ElseMul => {
+            Opcode::ElseMul => {
                 let (m, yes, no) = (self.register(x), self.register(y), self.pair(Mul, [z, w]));
                 self.choose(m, yes, no)
             }
-            Op::SelectAdd => {
+            Opcode::SelectAdd => {
                 let [m, yes, no] = triple.map(|slot| self.register(slot));
                 let chosen = self.choose(m, yes, no);
                 let w = self.operand(w);
                 self.two(Add, chosen, w)
             }
-            Op::MagnitudeMax => {
+            Opcode::MagnitudeMax => {
                 let (x, y) = (self.magnitude(x), self.operand(y));
                 self.two(Max, x, y)
             }
-            Op::MaxMagnitude => {
+            Opcode::MaxMagnitude => {
                 let (x, y) = (self.register(x), self.magnitude(y));
                 self.two(Max, x, Operand::Register(y))
             }
-            Op::AndNot => {
+            Opcode::AndNot => {
                 let (n, m) = (self.register(y), self.operand(x));
                 self.two(AndNot, n, m)
             }
-            Op::SelectLt => self.choose_slots(LESS, all),
-            Op::SelectLe => self.choose_slots(AT_MOST, all),
-            Op::SelectEq => self.choose_slots(EQUAL, all),
-            Op::SelectNegLt => {
+            Opcode::SelectLt => self.choose_slots(LESS, all),
+            Opcode::SelectLe => self.choose_slots(AT_MOST, all),
+            Opcode::SelectEq => self.choose_slots(EQUAL, all),
+            Opcode::SelectNegLt => {
                 let (yes, no) = (self.negated(z), self.register(w));
                 self.choose_by(LESS, pair, yes, no)
             }
-            Op::LtAnd => self.joined(LESS, triple, And),
-            Op::LeAnd => self.joined(AT_MOST, triple, And),
-            Op::EqAnd => self.joined(EQUAL, triple, And),
-            Op::LtOr => self.joined(LESS, triple, Or),
-            Op::LeOr => self.joined(AT_MOST, triple, Or),
-            Op::EqOr => self.joined(EQUAL, triple, Or),
-            Op::Turn => {
+            Opcode::LtAnd => self.joined(LESS, triple, And),
+            Opcode::LeAnd => self.joined(AT_MOST, triple, And),
+            Opcode::EqAnd => self.joined(EQUAL, triple, And),
+            Opcode::LtOr => self.joined(LESS, triple, Or),
+            Opcode::LeOr => self.joined(AT_MOST, triple, Or),
+            Opcode::EqOr => self.joined(EQUAL, triple, Or),
+            Opcode::Turn => {
                 let first = self.four(Mul, Mul, Add, [x, z, y, w]);
                 let second = self.four(Mul, Mul, Sub, [y, z, x, w]);
                 return self.finish(&[(own.to[0], first), (own.to[1], second)]);
             }
-            Op::SumSub => {
+            Opcode::SumSub => {
                 let (sum, difference) = (self.pair(Add, pair), self.pair(Sub, pair));
                 return self.finish(&[(own.to[0], sum), (own.to[1], difference)]);
             }
             // Runs do not contain these.
-            Op::Exp
-            | Op::Ln
-            | Op::Atan2
-            | Op::Parts
-            | Op::SinCos
-            | Op::SkipIfAll
-            | Op::SkipIfNone => return,
+            Opcode::Exp
+            | Opcode::Ln
+            | Opcode::Atan2
+            | Opcode::Parts
+            | Opcode::SinCos
+            | Opcode::SkipIfAll
+            | Opcode::SkipIfNone => return,
         };
         self.finish(&[(own.to[0], result)]);
     }
-    fn pair(&mut self, op: Two, [x, y]: [u16; 2]) -> u8 {
+    fn pair(&mut self, op: BinaryOpcode, [x, y]: [u16; 2]) -> u8 {
         let (x, y) = (self.register(x), self.operand(y));
         self.two(op, x, y)
     }
@@ -485,13 +506,13 @@ impl Compiler<'_> {
         if self.out.is_512() {
             let to = self.fresh();
             self.out.compare(NOT_AT_MOST, to, x, zero);
-            self.out.root(to, from, Masked::Zeroed);
+            self.out.root(to, from, Writemask::Zeroed);
             return to;
         }
         let above = self.truths(NOT_AT_MOST, x, zero);
         let root = self.fresh();
-        self.out.root(root, from, Masked::No);
-        self.two(Two::And, root, Operand::Register(above))
+        self.out.root(root, from, Writemask::No);
+        self.two(BinaryOpcode::And, root, Operand::Register(above))
     }
     /// Emits [`Scalar::binade`](crate::Scalar::binade): exponent field e becomes 2·bias + 1 − e.
     fn binade(&mut self, x: u16) -> u8 {
@@ -500,8 +521,8 @@ impl Compiler<'_> {
         let twice_bias_and_one = self.bits(255 << 23, 2047 << 52);
         let (start, x) = (self.fresh(), self.operand(x));
         self.out.load(start, least);
-        let normal = self.two(Two::Max, start, x);
-        let exponent = self.two(Two::And, normal, field);
+        let normal = self.two(BinaryOpcode::Max, start, x);
+        let exponent = self.two(BinaryOpcode::And, normal, field);
         let to = self.fresh();
         self.out.load(to, twice_bias_and_one);
         self.out.subtract_whole(to, to, Operand::Register(exponent));
@@ -510,7 +531,7 @@ impl Compiler<'_> {
     /// Emits `z` where x is less than y, half of it where both are equal, else zero.
     fn split(&mut self, [x, y, z]: [u16; 3]) -> u8 {
         let (z, half) = (self.register(z), self.number(0.5));
-        let half = self.two(Two::Mul, z, half);
+        let half = self.two(BinaryOpcode::Mul, z, half);
         let (a, b) = (self.register(x), self.register(y));
         let b = Operand::Register(b);
         if self.out.is_512() {
@@ -523,14 +544,14 @@ impl Compiler<'_> {
             return to;
         }
         let equal = self.truths(EQUAL, a, b);
-        let tie = self.two(Two::And, half, Operand::Register(equal));
+        let tie = self.two(BinaryOpcode::And, half, Operand::Register(equal));
         let less = self.truths(LESS, a, b);
         self.choose(less, z, tie)
     }
     /// Emits zero where x is less than y, half of `z` where both are equal, else `z`.
     fn rest(&mut self, [x, y, z]: [u16; 3]) -> u8 {
         let (z, half) = (self.register(z), self.number(0.5));
-        let half = self.two(Two::Mul, z, half);
+        let half = self.two(BinaryOpcode::Mul, z, half);
         let (a, b) = (self.register(x), self.register(y));
         let b = Operand::Register(b);
         if self.out.is_512() {
@@ -545,7 +566,7 @@ impl Compiler<'_> {
         let equal = self.truths(EQUAL, a, b);
         let tie = self.choose(equal, half, z);
         let less = self.truths(LESS, a, b);
-        self.two(Two::AndNot, less, Operand::Register(tie))
+        self.two(BinaryOpcode::AndNot, less, Operand::Register(tie))
     }
 }
 
@@ -556,7 +577,7 @@ pub(crate) fn compile(
     tape: &Tape,
     stride: usize,
     of_rows: bool,
-) -> (Vec<u8>, Vec<Run>, Far) {
+) -> (Vec<u8>, Vec<CodeRun>, Far) {
     let code = &tape.code[..];
     let (events, runs) = (events(code), runs(code));
     let far = match of_rows {
@@ -588,7 +609,7 @@ pub(crate) fn compile(
         }
         compiler.flush();
         out.end(start);
-        all.push(Run { from, to, entry });
+        all.push(CodeRun { from, to, entry });
     }
     (out.finish(), all, far)
 }

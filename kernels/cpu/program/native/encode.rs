@@ -18,7 +18,7 @@ pub(super) enum Operand {
 
 /// A vector instruction: its opcode, the map of opcodes, and the mandatory prefix.
 #[derive(Clone, Copy)]
-pub(super) struct Vector {
+pub(super) struct VectorOpcode {
     opcode: u8,
     map: u8,
     prefix: u8,
@@ -27,7 +27,7 @@ pub(super) struct Vector {
 
 /// The writemask of an AVX-512 instruction: none, or the register `k1`, with the other numbers kept or zeroed.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Masked {
+pub(super) enum Writemask {
     No,
     Merged,
     Zeroed,
@@ -93,8 +93,8 @@ impl Encoder {
     }
 
     /// Returns an instruction of packed numbers in opcode map 0F.
-    const fn packed(&self, opcode: u8) -> Vector {
-        Vector {
+    const fn packed(&self, opcode: u8) -> VectorOpcode {
+        VectorOpcode {
             opcode,
             map: 1,
             prefix: self.is_double as u8,
@@ -103,7 +103,15 @@ impl Encoder {
     }
 
     /// Emits `to = a ∘ b`, masked by `k1` in AVX-512.
-    fn emit(&mut self, own: Vector, to: u8, a: u8, b: Operand, masked: Masked, more: Option<u8>) {
+    fn emit(
+        &mut self,
+        own: VectorOpcode,
+        to: u8,
+        a: u8,
+        b: Operand,
+        masked: Writemask,
+        more: Option<u8>,
+    ) {
         let (low, high) = match b {
             Operand::Register(b) => (b >> 3 & 1, b >> 4 & 1),
             // The base is r10, loaded just before.
@@ -125,10 +133,10 @@ impl Encoder {
                     | flipped(to >> 4, 4)
                     | own.map,
                 wide | (!a & 15) << 3 | 4 | own.prefix,
-                u8::from(masked == Masked::Zeroed) << 7
+                u8::from(masked == Writemask::Zeroed) << 7
                     | 0x40
                     | flipped(a >> 4, 3)
-                    | u8::from(masked != Masked::No),
+                    | u8::from(masked != Writemask::No),
             ]);
         } else {
             self.bytes.extend([
@@ -156,11 +164,11 @@ impl Encoder {
         self.bytes.extend(more);
     }
     fn plain(&mut self, opcode: u8, to: u8, a: u8, b: Operand) {
-        self.emit(self.packed(opcode), to, a, b, Masked::No, None);
+        self.emit(self.packed(opcode), to, a, b, Writemask::No, None);
     }
 
     /// Emits an operation of two vectors.
-    pub(super) fn two(&mut self, op: Two, to: u8, a: u8, b: Operand) {
+    pub(super) fn two(&mut self, op: BinaryOpcode, to: u8, a: u8, b: Operand) {
         self.plain(op as u8, to, a, b);
     }
     /// Emits a load of a vector to a register.
@@ -175,7 +183,7 @@ impl Encoder {
     }
     /// Emits a load of a vector where `k1` holds, zero elsewhere.
     pub(super) fn load_zeroed(&mut self, to: u8, from: Operand) {
-        self.emit(self.packed(0x28), to, 0, from, Masked::Zeroed, None);
+        self.emit(self.packed(0x28), to, 0, from, Writemask::Zeroed, None);
     }
     /// Emits a store of a register to a slot.
     pub(super) fn store(&mut self, from: u8, slot: i32) {
@@ -194,65 +202,65 @@ impl Encoder {
         self.plain(0x11, from, 0, Operand::Far(k));
     }
     /// Emits a square root.
-    pub(super) fn root(&mut self, to: u8, from: Operand, masked: Masked) {
+    pub(super) fn root(&mut self, to: u8, from: Operand, masked: Writemask) {
         self.emit(self.packed(0x51), to, 0, from, masked, None);
     }
     /// Emits a comparison, into a vector of truths (AVX2) or into `k1`.
     pub(super) fn compare(&mut self, predicate: u8, to: u8, a: u8, b: Operand) {
         let to = if self.is_512 { 1 } else { to };
-        self.emit(self.packed(0xc2), to, a, b, Masked::No, Some(predicate));
+        self.emit(self.packed(0xc2), to, a, b, Writemask::No, Some(predicate));
     }
     /// Emits `k1` as a vector of truths, in AVX-512.
     pub(super) fn truths(&mut self, to: u8) {
-        let own = Vector {
+        let own = VectorOpcode {
             opcode: 0x38,
             map: 2,
             prefix: 2,
             wide: self.is_double,
         };
-        self.emit(own, to, 0, Operand::Register(1), Masked::No, None);
+        self.emit(own, to, 0, Operand::Register(1), Writemask::No, None);
     }
     /// Emits a selection in AVX-512: `yes` where `k1` holds, else `no`.
     pub(super) fn blend(&mut self, to: u8, no: u8, yes: Operand) {
-        let own = Vector {
+        let own = VectorOpcode {
             opcode: 0x65,
             map: 2,
             prefix: 1,
             wide: self.is_double,
         };
-        self.emit(own, to, no, yes, Masked::Merged, None);
+        self.emit(own, to, no, yes, Writemask::Merged, None);
     }
     /// Emits a selection: `yes` where a vector of truths holds, else `no`. In AVX-512 the truths must be in `to`.
     pub(super) fn choose(&mut self, to: u8, truths: u8, yes: u8, no: u8) {
         if self.is_512 {
-            let own = Vector {
+            let own = VectorOpcode {
                 opcode: 0x25,
                 map: 3,
                 prefix: 1,
                 wide: self.is_double,
             };
             let no = Operand::Register(no);
-            self.emit(own, to, yes, no, Masked::No, Some(CHOOSE));
+            self.emit(own, to, yes, no, Writemask::No, Some(CHOOSE));
         } else {
-            let own = Vector {
+            let own = VectorOpcode {
                 opcode: 0x4a + u8::from(self.is_double),
                 map: 3,
                 prefix: 1,
                 wide: false,
             };
             let yes = Operand::Register(yes);
-            self.emit(own, to, no, yes, Masked::No, Some(truths << 4));
+            self.emit(own, to, no, yes, Writemask::No, Some(truths << 4));
         }
     }
     /// Emits the difference as integers of the format's width.
     pub(super) fn subtract_whole(&mut self, to: u8, a: u8, b: Operand) {
-        let own = Vector {
+        let own = VectorOpcode {
             opcode: 0xfa + u8::from(self.is_double),
             map: 1,
             prefix: 1,
             wide: self.is_double && self.is_512,
         };
-        self.emit(own, to, a, b, Masked::No, None);
+        self.emit(own, to, a, b, Writemask::No, None);
     }
 
     /// Begins a function of the first slot (`rdi`), the bytes of a slot in use (`rsi`) and the table of addresses
@@ -291,7 +299,7 @@ impl Encoder {
 
 /// The operations of two vectors, with their opcodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Two {
+pub(super) enum BinaryOpcode {
     And = 0x54,
     /// The complement of the first, and the second.
     AndNot = 0x55,

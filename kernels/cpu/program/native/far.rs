@@ -1,7 +1,7 @@
 //! Inputs and results that machine code reads and writes in place, without slots.
 use super::events::Events;
 use crate::kernels::cpu::program::Tape;
-use crate::kernels::cpu::program::instructions::Op;
+use crate::kernels::cpu::program::instructions::Opcode;
 use std::collections::HashMap;
 
 /// The largest number of addresses in a table.
@@ -36,7 +36,7 @@ impl Far {
                 inputs.insert(slot, (k, end));
             }
         }
-        let skips = |op| matches!(op, Op::SkipIfAll | Op::SkipIfNone);
+        let skips = |op| matches!(op, Opcode::SkipIfAll | Opcode::SkipIfNone);
         if tape.code.iter().any(|own| skips(own.op)) {
             return Far { inputs, outputs };
         }

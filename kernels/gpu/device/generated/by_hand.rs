@@ -1,5 +1,5 @@
 //! Bodies by hand of the overlap of boxes in the plane, copies of their Rust source in WGSL.
-use super::operation::{Body, Generated, Kind, Name};
+use super::operation::{Generated, Kind, Name, ShaderBody};
 use crate::Error;
 use crate::kernels::call::recording::Call;
 use crate::kernels::cpu::plan::plan;
@@ -55,7 +55,7 @@ impl Generated<f32> {
                 true => (fields.clone(), 1 + fields.iter().sum::<usize>()),
             };
             let takes = widths.iter().sum();
-            let body = Body {
+            let body = ShaderBody {
                 entry,
                 text: String::new(),
                 operations: OPERATIONS,

@@ -1,12 +1,12 @@
 //! The adjoint of all pairs: derivatives summed for every shape, in a fixed order.
 use super::operation::Generated;
-use super::text::{Form, Of};
-use super::uploaded::{Piece, Sides};
+use super::text::{KernelForm, SummedLists};
+use super::uploaded::{PairDispatch, UploadedLists};
 use crate::Error;
 use crate::kernels::gpu::device::block::block_of;
 use crate::kernels::gpu::device::context::Device;
-use crate::kernels::gpu::device::seed::{Seed, sum_of};
-use crate::kernels::gpu::device::work::{Params, Work, groups};
+use crate::kernels::gpu::device::seed::{PairSeed, sum_of};
+use crate::kernels::gpu::device::work::{Commands, Params, groups};
 use crate::kernels::gpu::device::written::{self, Kernel};
 use std::sync::Arc;
 
@@ -23,8 +23,8 @@ impl Device {
     pub(in crate::kernels::gpu::device) fn derivatives(
         &self,
         made: &Arc<Generated<f32>>,
-        sides: &Sides,
-        seed: &Seed<'_>,
+        sides: &UploadedLists,
+        seed: &PairSeed<'_>,
     ) -> Result<([Vec<f32>; 2], Option<f64>), Error> {
         let inner = &self.inner;
         let [rows, columns] = sides.counts();
@@ -35,13 +35,13 @@ impl Device {
         };
         for (k, block) in inner.cut(rows, columns, 4).into_iter().enumerate() {
             let (upstream, factor) = match seed {
-                Seed::Numbers(numbers) => {
+                PairSeed::Numbers(numbers) => {
                     let own = block_of(&block, columns, numbers);
                     (Some(inner.guarded(|| Ok(inner.stored(&own)))?), 0.0)
                 }
                 // A matrix is split as the pairs are.
-                Seed::Matrix(matrix) => (Some(matrix.blocks[k].1.clone()), 0.0),
-                Seed::Factor(factor) => (None, *factor),
+                PairSeed::Matrix(matrix) => (Some(matrix.blocks[k].1.clone()), 0.0),
+                PairSeed::Factor(factor) => (None, *factor),
             };
             let operations = made.bodies.iter().map(|body| body.operations).max();
             for piece in sides.pieces(&block, operations.unwrap_or(1)) {
@@ -50,7 +50,10 @@ impl Device {
                 }
             }
         }
-        let has_total = matches!((&passes[..], seed), ([Of::Both(_)], Seed::Factor(_)));
+        let has_total = matches!(
+            (&passes[..], seed),
+            ([SummedLists::Both(_)], PairSeed::Factor(_))
+        );
         let bars = sums
             .bars
             .map(|sums| sums.iter().map(|&x| x as f32 + 0.0).collect());
@@ -62,19 +65,19 @@ impl Device {
     fn pull(
         &self,
         made: &Arc<Generated<f32>>,
-        of: Of,
-        piece: &Piece<'_>,
+        of: SummedLists,
+        piece: &PairDispatch<'_>,
         upstream: Option<&wgpu::Buffer>,
         factor: f32,
         sums: &mut Sums,
     ) -> Result<(), Error> {
         let inner = &self.inner;
         let seed = match upstream {
-            Some(_) => written::Seed::Matrix,
-            None => written::Seed::Factor,
+            Some(_) => written::SeedSource::Matrix,
+            None => written::SeedSource::Factor,
         };
-        let form = Form::Derivatives(of, seed);
-        let own = usize::from(of != Of::Rows);
+        let form = KernelForm::Derivatives(of, seed);
+        let own = usize::from(of != SummedLists::Rows);
         let [wide, tall] = piece.groups(own, made.size(form));
         let partial = |list: usize, parts: usize| Partial {
             list,
@@ -83,7 +86,7 @@ impl Device {
             parts,
         };
         let partials = match of {
-            Of::Both(_) => vec![partial(own, tall), partial(1 - own, wide)],
+            SummedLists::Both(_) => vec![partial(own, tall), partial(1 - own, wide)],
             _ => vec![partial(own, tall)],
         };
         let rooms = inner.guarded(|| {
@@ -96,7 +99,7 @@ impl Device {
             buffers.extend((5..).zip(&parts));
             buffers.extend(upstream.map(|upstream| (3, upstream)));
             // Bodies that compute results with derivatives also sum the results, column by column.
-            let has_totals = matches!((of, upstream), (Of::Both(_), None));
+            let has_totals = matches!((of, upstream), (SummedLists::Both(_), None));
             let totals = has_totals.then(|| {
                 let numbers = tall * piece.counts[own];
                 (inner.storage(numbers), numbers)
@@ -106,7 +109,7 @@ impl Device {
                 factor,
                 ..piece.params(own)
             };
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             work.dispatch(&pipeline, params, &buffers, [wide as u32, tall as u32]);
             let folded = partials.iter().zip(&parts);
             let mut rooms: Vec<_> = folded
@@ -145,7 +148,7 @@ impl Partial {
     }
 
     /// Returns the sums over parts, in a new buffer.
-    fn folded(&self, work: &mut Work<'_>, parts: &wgpu::Buffer) -> wgpu::Buffer {
+    fn folded(&self, work: &mut Commands<'_>, parts: &wgpu::Buffer) -> wgpu::Buffer {
         let inner = work.inner;
         let pipeline = inner.written(Kernel::Fold, "fold_main");
         let to = inner.storage(self.numbers());

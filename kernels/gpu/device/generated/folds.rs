@@ -1,15 +1,15 @@
 //! Folds over paths: one thread per path walks along its edges.
-use super::operation::{Body, Name, body_of, part};
-use super::text::{Form, GROUP, MOST_GROUPS, call};
+use super::operation::{Name, ShaderBody, body_of, part};
+use super::text::{GROUP, KernelForm, MOST_GROUPS, call};
 use crate::ad::program::WGSL;
 use crate::ad::program::recorded::Recorded;
-use crate::kernels::call::folding::{Folding, Programs, Sizes};
+use crate::kernels::call::folding::{FoldPrograms, Folding, Sizes};
 use crate::kernels::cpu::checked::check_upstream;
 use crate::kernels::cpu::folds::check;
 use crate::kernels::cpu::folds::paths::paths;
-use crate::kernels::cpu::program::split::Piece;
+use crate::kernels::cpu::program::split::Subgraph;
 use crate::kernels::gpu::device::context::Device;
-use crate::kernels::gpu::device::work::Work;
+use crate::kernels::gpu::device::work::Commands;
 use crate::kernels::machine::{Input, PathSpans, VertexBars};
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::rows::numbers;
@@ -24,13 +24,13 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub(super) struct GeneratedFold {
     name: Name,
-    edge: Body,
-    join: Body,
-    finish: Body,
+    edge: ShaderBody,
+    join: ShaderBody,
+    finish: ShaderBody,
     /// The pull-back of each, without its result.
-    edge_vjp: Body,
-    join_vjp: Body,
-    finish_vjp: Body,
+    edge_vjp: ShaderBody,
+    join_vjp: ShaderBody,
+    finish_vjp: ShaderBody,
     /// The state before the first edge.
     empty: Vec<f32>,
     is_closed: bool,
@@ -46,12 +46,12 @@ pub(super) struct GeneratedFold {
 
 /// Writes the shaders of a fold, whose state before the first edge is `empty`.
 pub(super) fn shaders(
-    programs: &Programs,
+    programs: &FoldPrograms,
     sizes: &Sizes,
     empty: Vec<f32>,
 ) -> Result<Arc<GeneratedFold>, Error> {
     programs.made.made(Key::Gpu(Mode::Value, false), &|| {
-        let piece = |recorded: &Recorded| Piece {
+        let piece = |recorded: &Recorded| Subgraph {
             graph: recorded.value.graph.clone(),
             outputs: recorded.value.outputs.clone(),
         };
@@ -99,10 +99,10 @@ impl GeneratedFold {
         self.empty.len()
     }
     /// Returns the shader of a kernel.
-    pub fn text(&self, form: Form) -> String {
+    pub fn text(&self, form: KernelForm) -> String {
         let mut text = format!("{WGSL}\n{}\n{}\n", self.edge.text, self.join.text);
         match form {
-            Form::FoldDerivatives => {
+            KernelForm::FoldDerivatives => {
                 for body in [&self.edge_vjp, &self.join_vjp, &self.finish_vjp] {
                     text += &body.text;
                 }
@@ -289,20 +289,20 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
 }
 
 /// Paths that are uploaded together.
-struct Load {
+struct PathLoad {
     paths: Range<usize>,
     vertices: Range<usize>,
 }
 
 /// The offsets and vertices of paths. A path that all contexts share is repeated on a GPU.
-struct Listed<'a> {
+struct PathList<'a> {
     offsets: Cow<'a, [usize]>,
     numbers: &'a [f32],
     /// The number of vertices of a shared path.
     shared: Option<usize>,
 }
 
-impl<'a> Listed<'a> {
+impl<'a> PathList<'a> {
     fn new(input: &'a Input<'_, f32>) -> Result<Self, Error> {
         let (offsets, shared) = match input.spans {
             PathSpans::Ragged(offsets) => (offsets.into(), None),
@@ -312,7 +312,7 @@ impl<'a> Listed<'a> {
                 (offsets.collect(), Some(length))
             }
         };
-        Ok(Listed {
+        Ok(PathList {
             offsets,
             numbers: &input.vertices,
             shared,
@@ -361,17 +361,18 @@ impl Device {
         }
         let shaders = shaders_of(folding)?;
         let shared = shared(folding, input)?;
-        let listed = Listed::new(input)?;
+        let listed = PathList::new(input)?;
         let inner = &self.inner;
         inner.alive()?;
         for load in self.loads(&shaders, &listed.offsets, shaders.element)? {
             let count = load.paths.len();
             let results = inner.guarded(|| {
-                let pipeline =
-                    inner.generated(&shaders.name, Form::Fold, || shaders.text(Form::Fold));
+                let pipeline = inner.generated(&shaders.name, KernelForm::Fold, || {
+                    shaders.text(KernelForm::Fold)
+                });
                 let own = self.upload(&shaders, &load, &listed, &shared);
                 let results = inner.storage(count * shaders.out);
-                let mut work = Work::new(inner);
+                let mut work = Commands::new(inner);
                 let [a, b, c] = own.each_ref();
                 let buffers = [(1, a), (2, b), (3, c), (4, &results)];
                 let params = [[count as u32, 0, 0, 0]];
@@ -411,7 +412,7 @@ impl Device {
         let shaders = shaders_of(folding)?;
         let shared = shared(folding, input)?;
         check_upstream(upstream, shaders.out.max(1))?;
-        let listed = Listed::new(input)?;
+        let listed = PathList::new(input)?;
         let inner = &self.inner;
         inner.alive()?;
         for load in self.loads(
@@ -420,7 +421,7 @@ impl Device {
             shaders.state().max(shaders.element),
         )? {
             let (count, vertices) = (load.paths.len(), load.vertices.len());
-            let form = Form::FoldDerivatives;
+            let form = KernelForm::FoldDerivatives;
             let (by_context, by_vertex) = inner.guarded(|| {
                 let pipeline = inner.generated(&shaders.name, form, || shaders.text(form));
                 let own = self.upload(&shaders, &load, &listed, &shared);
@@ -429,7 +430,7 @@ impl Device {
                 let before = inner.storage(vertices * shaders.state());
                 let by_context = inner.storage(count * shaders.context.max(1));
                 let by_vertex = inner.storage(shaders.element * vertices);
-                let mut work = Work::new(inner);
+                let mut work = Commands::new(inner);
                 let [a, b, c] = own.each_ref();
                 let buffers = [
                     (1, a),
@@ -483,7 +484,7 @@ impl Device {
         shaders: &GeneratedFold,
         offsets: &[usize],
         per_vertex: usize,
-    ) -> Result<Vec<Load>, Error> {
+    ) -> Result<Vec<PathLoad>, Error> {
         let numbers = self.inner.most_bytes as usize / 4;
         let most_vertices = numbers / per_vertex;
         let per_path = shaders.shared.max(shaders.out).max(shaders.context).max(1);
@@ -505,7 +506,7 @@ impl Device {
                     .inner
                     .too_large((vertices * per_vertex).max(2 * per_path)));
             }
-            loads.push(Load {
+            loads.push(PathLoad {
                 paths: start..start + fitting,
                 vertices: offsets[start]..offsets[start + fitting],
             });
@@ -518,8 +519,8 @@ impl Device {
     fn upload(
         &self,
         shaders: &GeneratedFold,
-        load: &Load,
-        listed: &Listed<'_>,
+        load: &PathLoad,
+        listed: &PathList<'_>,
         shared: &[f32],
     ) -> [wgpu::Buffer; 3] {
         let inner = &self.inner;

@@ -5,7 +5,7 @@
 //! that record.
 use crate::Error;
 use crate::ad::program::graph::{Graph, Id, Node};
-use crate::kernels::cpu::program::instructions::Op;
+use crate::kernels::cpu::program::instructions::Opcode;
 use crate::kernels::cpu::program::{Skipping, Tape};
 
 /// A replay as instructions of four words each: operation and slot of the result; two operands; two more. Further
@@ -48,7 +48,7 @@ pub(crate) fn instructions(graph: &Graph, inputs: usize, outputs: &[Id]) -> Resu
     for own in &tape.code {
         let ([x, y, z, w], [first, rest @ ..]) = (own.from, own.to);
         code.push(match own.op {
-            Op::Parts | Op::SinCos => {
+            Opcode::Parts | Opcode::SinCos => {
                 let head = to(own.op as u32, first);
                 [head, two(x, rest[0]), two(rest[1], rest[2]), 0]
             }
@@ -74,15 +74,15 @@ pub(crate) fn instructions(graph: &Graph, inputs: usize, outputs: &[Id]) -> Resu
 pub(crate) fn numbers() -> Vec<(&'static str, u32)> {
     macro_rules! listed {
         ($($name:ident($($x:ident),*) = $value:expr;)*) => {
-            vec![$((stringify!($name), Op::$name as u32),)*]
+            vec![$((stringify!($name), Opcode::$name as u32),)*]
         };
     }
     let mut all = crate::kernels::cpu::program::instructions::instructions! { listed!() };
     all.extend([
-        ("Parts", Op::Parts as u32),
-        ("SinCos", Op::SinCos as u32),
-        ("Turn", Op::Turn as u32),
-        ("SumSub", Op::SumSub as u32),
+        ("Parts", Opcode::Parts as u32),
+        ("SinCos", Opcode::SinCos as u32),
+        ("Turn", Opcode::Turn as u32),
+        ("SumSub", Opcode::SumSub as u32),
         ("Constant", CONSTANT),
         ("Take", TAKE),
         ("Give", GIVE),

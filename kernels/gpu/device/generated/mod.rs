@@ -17,7 +17,7 @@ pub(super) mod text;
 pub(super) mod uploaded;
 
 use super::context::{Inner, locked};
-use super::written::{Seed, Take, ring_source};
+use super::written::{SeedSource, Take, ring_source};
 use crate::kernels::Fold;
 use crate::kernels::call::folding;
 use crate::kernels::call::modes::recording_of;
@@ -28,7 +28,7 @@ use crate::kernels::row::op::Op;
 use crate::{Error, Pack};
 use operation::{Generated, Name};
 use std::sync::Arc;
-use text::{Form, Of};
+use text::{KernelForm, SummedLists};
 use uploaded::MOST_OPERATIONS;
 
 impl Inner {
@@ -37,7 +37,7 @@ impl Inner {
     fn generated(
         &self,
         name: &Name,
-        form: Form,
+        form: KernelForm,
         text: impl FnOnce() -> String,
     ) -> wgpu::ComputePipeline {
         let mut pipelines = locked(&self.generated);
@@ -54,7 +54,7 @@ impl Inner {
 
 impl Generated<f32> {
     /// Returns the pipeline of a kernel around it.
-    pub(super) fn pipeline(&self, inner: &Inner, form: Form) -> wgpu::ComputePipeline {
+    pub(super) fn pipeline(&self, inner: &Inner, form: KernelForm) -> wgpu::ComputePipeline {
         inner.generated(&self.name, form, || form.text(self))
     }
     /// Returns the largest number of pairs in a dispatch: an operating system resets a GPU after seconds of one
@@ -106,11 +106,11 @@ fn sources(
     for &mode in modes {
         let call = call.clone().derived(mode)?;
         let made = call.generated(false)?;
-        let mut add = |form: Form, made: &Generated<f32>| {
+        let mut add = |form: KernelForm, made: &Generated<f32>| {
             all.push((format!("{name} {mode:?} {form:?}"), form.text(made)));
         };
-        add(Form::Aligned, &made);
-        add(Form::Columns, &made);
+        add(KernelForm::Aligned, &made);
+        add(KernelForm::Columns, &made);
         if made.arguments.len() != 2 {
             continue;
         }
@@ -126,33 +126,39 @@ fn sources(
 }
 
 /// Returns the forms of all pairs of a mode. Each template with a snippet for the seed occurs once.
-fn forms(mode: Mode, made: &Generated<f32>, outputs: usize, taken: &[Take]) -> Vec<Form> {
+fn forms(mode: Mode, made: &Generated<f32>, outputs: usize, taken: &[Take]) -> Vec<KernelForm> {
     let mut all = Vec::new();
     match mode {
         Mode::Value if made.gives == [1] => {
-            all.push(Form::Pairs);
-            all.extend(taken.iter().map(|&take| Form::Reduce(take, true)));
+            all.push(KernelForm::Pairs);
+            all.extend(taken.iter().map(|&take| KernelForm::Reduce(take, true)));
             // Reductions share one template around one body: it is tested once.
             if taken.len() > 1 {
-                all.extend(Take::OF_GROUPS.map(|take| Form::ReduceGroups(take, true)));
+                all.extend(Take::OF_GROUPS.map(|take| KernelForm::ReduceGroups(take, true)));
             }
             // The arguments may be two shapes of one list.
             if made.arguments[0].fields == made.arguments[1].fields {
-                all.push(Form::Masks);
+                all.push(KernelForm::Masks);
             }
         }
-        Mode::Value | Mode::ValueGrad | Mode::Jacobian => all.push(Form::Pairs),
+        Mode::Value | Mode::ValueGrad | Mode::Jacobian => all.push(KernelForm::Pairs),
         Mode::Vjp if outputs == 1 && made.kind.is_some() => {
             for slots in [0, 8] {
                 all.extend(
-                    [Seed::Matrix, Seed::Factor]
-                        .map(|seed| Form::Derivatives(Of::Both(slots), seed)),
+                    [SeedSource::Matrix, SeedSource::Factor]
+                        .map(|seed| KernelForm::Derivatives(SummedLists::Both(slots), seed)),
                 );
             }
         }
         Mode::Vjp if outputs == 1 => {
-            all.push(Form::Derivatives(Of::Rows, Seed::Factor));
-            all.push(Form::Derivatives(Of::Columns, Seed::Matrix));
+            all.push(KernelForm::Derivatives(
+                SummedLists::Rows,
+                SeedSource::Factor,
+            ));
+            all.push(KernelForm::Derivatives(
+                SummedLists::Columns,
+                SeedSource::Matrix,
+            ));
         }
         Mode::Vjp => (),
     }
@@ -175,7 +181,7 @@ pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
         &folding::Sizes::of::<F>(),
         F::empty::<f32>().scalars(),
     )?;
-    Ok([Form::Fold, Form::FoldDerivatives]
+    Ok([KernelForm::Fold, KernelForm::FoldDerivatives]
         .map(|form| (format!("{form:?}"), made.text(form)))
         .into())
 }

@@ -6,7 +6,7 @@ use crate::ad::program::wgsl::{Taken, exact, function_of};
 use crate::error::Field;
 use crate::kernels::cpu::plan::makers::prepared;
 use crate::kernels::cpu::plan::{List, Preparation, Shapes, name};
-use crate::kernels::cpu::program::split::{Piece, split};
+use crate::kernels::cpu::program::split::{Subgraph, split};
 use crate::kernels::machine::Column;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::{Leaf, Quick};
@@ -47,14 +47,14 @@ pub struct Generated<T> {
     pub(super) gives: Vec<usize>,
     /// The WGSL functions: one for the whole result, and for all pairs one for the derivatives with respect to each
     /// argument.
-    pub(super) bodies: Vec<Body>,
+    pub(super) bodies: Vec<ShaderBody>,
     /// The code for shapes whose plain products overflow or underflow; `None` if one body serves all.
     pub(super) extreme: Option<Arc<Self>>,
 }
 
 /// A function in WGSL.
 #[derive(Clone, Debug)]
-pub(super) struct Body {
+pub(super) struct ShaderBody {
     /// The name of the function.
     pub entry: &'static str,
     pub text: String,
@@ -75,8 +75,13 @@ fn is_sine(node: Node) -> bool {
 }
 
 /// Writes a piece as a function of `inputs` numbers. It has at least one, since WGSL has no empty arrays.
-pub(super) fn body_of(name: &'static str, piece: &Piece, inputs: usize, taken: &[Taken]) -> Body {
-    Body {
+pub(super) fn body_of(
+    name: &'static str,
+    piece: &Subgraph,
+    inputs: usize,
+    taken: &[Taken],
+) -> ShaderBody {
+    ShaderBody {
         entry: name,
         text: function_of(name, &piece.graph, &piece.outputs, inputs.max(1), taken),
         operations: piece.graph.len(),
@@ -85,14 +90,14 @@ pub(super) fn body_of(name: &'static str, piece: &Piece, inputs: usize, taken: &
 }
 
 /// Returns the part of a piece that `outputs` need.
-pub(super) fn part(piece: &Piece, outputs: &[Id]) -> Piece {
+pub(super) fn part(piece: &Subgraph, outputs: &[Id]) -> Subgraph {
     let live = piece.graph.live(outputs, false);
     let mut graph = Graph::new(piece.graph.format);
     let mut names = vec![0; piece.graph.len()];
     for x in (0..piece.graph.len()).filter(|&x| live[x]) {
         names[x] = graph.push(piece.graph.at(x as Id).renamed(|y| names[y as usize]));
     }
-    Piece {
+    Subgraph {
         outputs: outputs.iter().map(|&x| names[x as usize]).collect(),
         graph,
     }
@@ -289,7 +294,7 @@ fn unlike(all: impl Iterator<Item = String>) -> Vec<String> {
 }
 
 /// Returns `true` if a frame consists of all numbers of a shape, unchanged.
-fn is_whole(frame: &Piece, fields: usize) -> bool {
+fn is_whole(frame: &Subgraph, fields: usize) -> bool {
     let input = |(k, &x): (usize, &Id)| frame.graph.at(x) == Node::Input(k as u32);
     frame.outputs.len() == fields && frame.outputs.iter().enumerate().all(input)
 }

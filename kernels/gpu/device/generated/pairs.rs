@@ -1,5 +1,5 @@
 //! All pairs: every row with every column.
-use super::uploaded::Sides;
+use super::uploaded::UploadedLists;
 use crate::Error;
 use crate::kernels::call::recording::Call;
 use crate::kernels::gpu::device::block::place_block;
@@ -16,7 +16,7 @@ impl Device {
     ) -> Result<(), Error> {
         let inner = &self.inner;
         let made = call.generated(true)?;
-        let sides = Sides::of(self, &made, lists)?;
+        let sides = UploadedLists::of(self, &made, lists)?;
         let made = sides.body_for(made);
         let [rows, columns] = sides.counts();
         let fields = made.bodies[0].gives;

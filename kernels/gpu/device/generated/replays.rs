@@ -4,16 +4,16 @@
 //! record needs a pipeline of its own.
 use super::instructions::{Replay, instructions, numbers};
 use super::operation::Name;
-use super::text::{Form, GROUP, MOST_GROUPS};
+use super::text::{GROUP, KernelForm, MOST_GROUPS};
 use crate::Error;
 use crate::ad::program::WGSL;
 use crate::ad::program::recorded::Recorded;
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::gpu::device::context::Device;
-use crate::kernels::gpu::device::work::Work;
+use crate::kernels::gpu::device::work::Commands;
 use crate::kernels::machine::Column;
 use crate::kernels::row::derivation::Replays;
-use crate::kernels::row::item::{Piece, STRETCH, Target};
+use crate::kernels::row::item::{STRETCH, Target, TargetPiece};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::ops::Range;
@@ -44,18 +44,18 @@ fn name() -> &'static Name {
 const MOST_KEPT: usize = 1 << 14;
 
 /// Recorded replays by their addresses, which stay unique while the replays are kept, with their instructions.
-type Known = HashMap<usize, (Arc<Recorded>, Arc<Replay>)>;
+type ReplayCache = HashMap<usize, (Arc<Recorded>, Arc<Replay>)>;
 
 /// The replays of a search, with the instructions of those that have occurred.
-pub(crate) struct Replayed {
+pub(crate) struct SearchReplays {
     replays: Arc<dyn Replays<f32>>,
-    known: RwLock<Known>,
+    known: RwLock<ReplayCache>,
 }
 
-impl Replayed {
+impl SearchReplays {
     /// Returns the replays of a search.
     pub(crate) fn new(replays: Arc<dyn Replays<f32>>) -> Self {
-        Replayed {
+        SearchReplays {
             replays,
             known: RwLock::default(),
         }
@@ -94,7 +94,7 @@ struct Stretch {
 
 impl Stretch {
     /// Decides the items of the stretch.
-    fn decide(&mut self, replayed: &Replayed, columns: &[Column<'_, f32>]) {
+    fn decide(&mut self, replayed: &SearchReplays, columns: &[Column<'_, f32>]) {
         let mut rooms = vec![Vec::new(); columns.len()];
         let parts: Vec<&[f32]> = columns
             .iter()
@@ -130,7 +130,7 @@ impl Stretch {
 
 /// Items that are uploaded together: indices in the chunk, and their programs.
 #[derive(Default)]
-struct Load {
+struct ReplayLoad {
     items: Vec<u32>,
     codes: Vec<u32>,
     programs: Vec<[u32; 2]>,
@@ -138,7 +138,7 @@ struct Load {
     slots: usize,
 }
 
-impl Load {
+impl ReplayLoad {
     /// Returns the numbers of instructions and of slots with one more item, and with its program if that `is_new`.
     fn numbers(&self, replay: &Replay, is_new: bool, sizes: [usize; 2]) -> [usize; 2] {
         let slots = self.slots.max(replay.slots);
@@ -170,7 +170,7 @@ impl Device {
     /// Decides and replays all items.
     pub(super) fn replayed(
         &self,
-        replayed: &Replayed,
+        replayed: &SearchReplays,
         gives: &[usize],
         columns: &[Column<'_, f32>],
         count: usize,
@@ -178,7 +178,7 @@ impl Device {
     ) -> Result<(), Error> {
         self.inner.alive()?;
         let replays = &*replayed.replays;
-        let mut targets: Vec<Vec<Piece<'_, f32>>> = targets
+        let mut targets: Vec<Vec<TargetPiece<'_, f32>>> = targets
             .into_iter()
             .map(|target| target.map_or_else(Vec::new, Target::pieces))
             .collect();
@@ -191,7 +191,7 @@ impl Device {
             });
             let mut stretches: Vec<Stretch> = stretches.collect();
             let each = |stretches: &mut Vec<Stretch>, run: &(dyn Fn(&mut Stretch) + Sync)| {
-                spread(stretches.iter_mut().collect(), run);
+                in_parallel(stretches.iter_mut().collect(), run);
             };
             each(&mut stretches, &|stretch| stretch.decide(replayed, columns));
             if let Some(error) = stretches.iter().find_map(|stretch| stretch.failed) {
@@ -212,7 +212,7 @@ impl Device {
                 }
             }
         }
-        targets.into_iter().flatten().for_each(Piece::finish);
+        targets.into_iter().flatten().for_each(TargetPiece::finish);
         Ok(())
     }
 
@@ -228,7 +228,7 @@ impl Device {
         let mut order: Vec<usize> = (0..all.len()).collect();
         order.sort_by_key(|&item| rank_of[item]);
         let most_bytes = self.inner.most_bytes as usize;
-        let mut loads = vec![Load::default()];
+        let mut loads = vec![ReplayLoad::default()];
         let mut last = None;
         for item in order {
             let replay = all[item];
@@ -236,7 +236,7 @@ impl Device {
             let mut load = loads.len() - 1;
             if !loads[load].fits(replay, is_new, sizes, most_bytes) {
                 (is_new, load) = (true, load + 1);
-                loads.push(Load::default());
+                loads.push(ReplayLoad::default());
                 if !loads[load].fits(replay, true, sizes, most_bytes) {
                     let [code, slots] = loads[load].numbers(replay, true, sizes);
                     return Err(self.inner.too_large(code.max(slots)));
@@ -258,7 +258,7 @@ impl Device {
     fn carry_out(
         &self,
         [takes, gives]: [usize; 2],
-        load: &Load,
+        load: &ReplayLoad,
         stretches: &mut [Stretch],
     ) -> Result<(), Error> {
         let inner = &self.inner;
@@ -271,7 +271,7 @@ impl Device {
             }
         }
         let outputs = inner.guarded(|| {
-            let pipeline = inner.generated(name(), Form::Replay, text);
+            let pipeline = inner.generated(name(), KernelForm::Replay, text);
             let buffers = [
                 inner.stored(&load.codes),
                 inner.stored(&load.programs),
@@ -281,7 +281,7 @@ impl Device {
                 inner.storage(gives * count),
             ];
             let bound = buffers.iter().zip(1..).map(|(buffer, k)| (k, buffer));
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             let params = [[count as u32, 0, 0, 0]];
             let groups = [count.div_ceil(GROUP) as u32, 1];
             work.dispatch_with(&pipeline, &params, &bound.collect::<Vec<_>>(), groups);

@@ -2,16 +2,19 @@
 use super::operation::Generated;
 use super::suppress::masks;
 use super::template;
-use super::text::{Form, GROUP, bindings, call, numbers, results};
+use super::text::{GROUP, KernelForm, bindings, call, numbers, results};
 use crate::kernels::cpu::lane::TILE;
 use std::fmt::Write;
 
-impl Form {
+impl KernelForm {
     /// Returns the shader.
     pub fn text(self, made: &Generated<f32>) -> String {
         let body = self.body(made);
         let kernel = match self {
-            Form::Pairs | Form::Reduce(..) | Form::ReduceGroups(..) | Form::Derivatives(..) => {
+            KernelForm::Pairs
+            | KernelForm::Reduce(..)
+            | KernelForm::ReduceGroups(..)
+            | KernelForm::Derivatives(..) => {
                 return format!(
                     "{}{}\n{}",
                     made.head,
@@ -19,8 +22,8 @@ impl Form {
                     template::text(made, body, self)
                 );
             }
-            Form::Columns => super::columns::text(made),
-            Form::Masks => masks(made, body),
+            KernelForm::Columns => super::columns::text(made),
+            KernelForm::Masks => masks(made, body),
             _ => aligned(made),
         };
         format!("{}{}\n{PLACE}{kernel}", made.head, body.text)

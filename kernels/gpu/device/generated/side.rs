@@ -3,7 +3,7 @@ use super::operation::Generated;
 use super::text::{MOST_GROUPS, ROWS};
 use crate::Error;
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::gpu::device::context::Inner;
 use crate::kernels::machine::Column;
 use crate::kernels::row::item::STRETCH;
@@ -11,7 +11,7 @@ use std::ops::Range;
 
 /// An uploaded list: prepared shapes, in buffers that fit one binding each.
 #[derive(Clone, Debug)]
-pub(in crate::kernels::gpu::device) struct Side {
+pub(in crate::kernels::gpu::device) struct UploadedList {
     /// The number of shapes per buffer.
     pub(super) window: usize,
     pub(super) buffers: Vec<wgpu::Buffer>,
@@ -20,7 +20,7 @@ pub(in crate::kernels::gpu::device) struct Side {
     pub(super) is_extreme: bool,
 }
 
-impl Side {
+impl UploadedList {
     /// Uploads a checked list.
     pub fn new(
         inner: &Inner,
@@ -46,7 +46,7 @@ impl Side {
             buffers.push(inner.guarded(|| Ok(inner.stored(&numbers)))?);
             is_extreme |= is_so;
         }
-        Ok(Side {
+        Ok(UploadedList {
             window,
             buffers,
             count,
@@ -97,7 +97,7 @@ fn frames(
     let starts = items.clone().step_by(STRETCH);
     let mut parts = vec![(Vec::new(), false); starts.len()];
     let work = starts.zip(&mut parts).collect();
-    spread(work, |(start, part): (usize, &mut (Vec<f32>, bool))| {
+    in_parallel(work, |(start, part): (usize, &mut (Vec<f32>, bool))| {
         let mut room = Vec::new();
         let numbers = column.numbers(start..items.end.min(start + STRETCH), &mut room);
         *part = (made.prepare_rows(k, numbers), made.is_extreme(k, numbers));

@@ -4,8 +4,8 @@
 //! writes two bits per pair: the result is certainly above the threshold, or so near to it that rounding may decide.
 //! The CPU walks through the rows in order, and computes a near pair itself when the outcome depends on it, with the
 //! bits of a batch on the CPU.
-use super::operation::{Body, Generated};
-use super::text::{Form, GROUP, MOST_GROUPS, both, bound, call};
+use super::operation::{Generated, ShaderBody};
+use super::text::{GROUP, KernelForm, MOST_GROUPS, both, bound, call};
 use super::uploaded::MOST_OPERATIONS;
 use crate::error::Argument;
 use crate::kernels::call::recording::Call;
@@ -15,12 +15,12 @@ use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::lane::{Planes, TILE};
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{List, plan};
-use crate::kernels::cpu::sweep::{Chooses, Sweep};
+use crate::kernels::cpu::sweep::{RowChoice, Sweep};
 use crate::kernels::gpu::device::context::Device;
-use crate::kernels::gpu::device::work::Work;
+use crate::kernels::gpu::device::work::Commands;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::suppress::Greed;
-use crate::kernels::machine::suppress::Ranked;
+use crate::kernels::machine::suppress::RankedShapes;
 use crate::suppression::{Rules, order};
 use crate::{Error, Scalar};
 use std::fmt::Write;
@@ -53,7 +53,7 @@ impl Device {
         let (plan, made) = (plan(call, true)?, call.generated(true)?);
         // All shapes are checked, so that errors name the caller's rows.
         check(Argument::A, &plan.arguments[0], shapes)?;
-        let ranked = Ranked::of(order(scores, rules.score)?, shapes, &rules);
+        let ranked = RankedShapes::of(order(scores, rules.score)?, shapes, &rules);
         self.inner.alive()?;
         let lists = ranked.lists();
         let pairs = Cpu::new().engine.lists(&plan, &lists)?;
@@ -74,13 +74,13 @@ fn suppressed(
         return Ok(Vec::new());
     }
     let masks = Masks::new(gpu, made, greed, [&a, &b])?;
-    let mut kept = Kept {
+    let mut kept = MaskedSuppression {
         rows: masks.first_rows(),
         masks,
         greed,
         gone: vec![0; a.count.div_ceil(WORD)],
         kept: Vec::new(),
-        block: Block::default(),
+        block: MaskBlock::default(),
         at: 0,
         next: 0,
         near: Vec::new(),
@@ -95,7 +95,7 @@ fn suppressed(
 
 /// The masks of some rows.
 #[derive(Default)]
-struct Block {
+struct MaskBlock {
     /// The rows, ascending.
     rows: Vec<u32>,
     /// The first word of columns.
@@ -105,13 +105,13 @@ struct Block {
 }
 
 /// The state of a suppression: which shapes are kept, and which are suppressed.
-struct Kept<'a> {
+struct MaskedSuppression<'a> {
     masks: Masks<'a>,
     greed: Greed<'a, f32>,
     /// One bit per shape: set if it is suppressed.
     gone: Vec<u32>,
     kept: Vec<usize>,
-    block: Block,
+    block: MaskBlock,
     /// The next row of the block, and the first shape after its rows.
     at: usize,
     next: usize,
@@ -126,7 +126,7 @@ fn has(bits: &[u32], place: usize) -> bool {
     bits[place / WORD] >> (place % WORD) & 1 != 0
 }
 
-impl Kept<'_> {
+impl MaskedSuppression<'_> {
     /// Computes the masks of the next remaining rows. Returns `false` if there are none.
     fn advance(&mut self) -> bool {
         let count = self.masks.count;
@@ -146,7 +146,7 @@ impl Kept<'_> {
     }
 }
 
-impl Chooses<f32> for Kept<'_> {
+impl RowChoice<f32> for MaskedSuppression<'_> {
     fn next(&mut self) -> Option<usize> {
         if self.kept.len() == self.greed.most {
             return None;
@@ -163,7 +163,7 @@ impl Chooses<f32> for Kept<'_> {
                 continue;
             }
             self.kept.push(row as usize);
-            let Block { rows, first, masks } = &self.block;
+            let MaskBlock { rows, first, masks } = &self.block;
             let words = masks.iter().skip(self.at - 1).step_by(rows.len());
             self.near.clear();
             for (word, &[certain, near]) in (*first..).zip(words) {
@@ -269,7 +269,7 @@ impl<'a> Masks<'a> {
         [class, u32::from(list.is_rare(i))]
     }
     /// Computes the masks of some rows, with all columns behind the first row.
-    fn of(&self, rows: Vec<u32>) -> Result<Block, Error> {
+    fn of(&self, rows: Vec<u32>) -> Result<MaskBlock, Error> {
         let (inner, made, list) = (&self.gpu.inner, self.made, self.rows);
         let first = rows[0] as usize / WORD;
         let (mut shapes, mut room) = (Vec::new(), Vec::new());
@@ -286,13 +286,15 @@ impl<'a> Masks<'a> {
         let threshold = self.greed.threshold;
         let mut masks = Vec::new();
         inner.guarded(|| {
-            let pipeline = inner.generated(&made.name, Form::Masks, || Form::Masks.text(made));
+            let pipeline = inner.generated(&made.name, KernelForm::Masks, || {
+                KernelForm::Masks.text(made)
+            });
             let own = [
                 inner.stored(&numbers),
                 inner.stored(&bounds),
                 inner.stored(&ids),
             ];
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             for window in &self.windows {
                 let words = window.columns.start / WORD..window.columns.end.div_ceil(WORD);
                 let words = words.start.max(first)..words.end;
@@ -331,7 +333,7 @@ impl<'a> Masks<'a> {
             work.submit().map(drop)
         })?;
         let parts: Vec<_> = masks.iter().map(|(room, bytes)| (room, *bytes)).collect();
-        let mut block = Block {
+        let mut block = MaskBlock {
             rows,
             first,
             masks: Vec::new(),
@@ -353,7 +355,7 @@ fn bounds_of(list: &List<'_, f32>, i: usize) -> [f32; 4] {
 /// Returns the kernel: one thread per row and word of columns. Parameters are the numbers of rows and columns; the
 /// first column's index in the list and the first wanted word; the starts of both lists; the limits between which
 /// results are near the threshold.
-pub(super) fn masks(made: &Generated<f32>, body: &Body) -> String {
+pub(super) fn masks(made: &Generated<f32>, body: &ShaderBody) -> String {
     let mut text = String::from("@group(0) @binding(0) var<uniform> params: array<vec4u, 3>;\n");
     for (k, (access, name, of)) in [
         ("read", "a_numbers", "f32"),

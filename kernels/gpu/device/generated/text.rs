@@ -1,5 +1,5 @@
 //! Text of kernels around a generated function: the reads, the call and the writes of a thread.
-use super::operation::{Body, Generated};
+use super::operation::{Generated, ShaderBody};
 use crate::kernels::cpu::lane::TILE;
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -8,13 +8,13 @@ use std::sync::Weak;
 /// The number of threads of a workgroup: few, since large programs need many registers.
 pub(in crate::kernels::gpu::device) const GROUP: usize = 64;
 pub(super) use crate::kernels::gpu::device::work::MOST_GROUPS;
-use crate::kernels::gpu::device::written::{Seed, Take};
+use crate::kernels::gpu::device::written::{SeedSource, Take};
 /// The least number of rows that a thread of all pairs walks through.
 pub(super) const ROWS: usize = 16;
 
 /// The lists whose derivatives a kernel sums.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in crate::kernels::gpu::device) enum Of {
+pub(in crate::kernels::gpu::device) enum SummedLists {
     /// The first one.
     Rows,
     /// The second one.
@@ -26,7 +26,7 @@ pub(in crate::kernels::gpu::device) enum Of {
 
 /// The form of a kernel around a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in super::super) enum Form {
+pub(in super::super) enum KernelForm {
     /// Item i of every column.
     Aligned,
     /// Item i of columns on the GPU, each in a buffer of its own.
@@ -34,7 +34,7 @@ pub(in super::super) enum Form {
     /// Every row with every column.
     Pairs,
     /// Sums of derivatives of the shapes of lists, with a factor for every pair or one for all.
-    Derivatives(Of, Seed),
+    Derivatives(SummedLists, SeedSource),
     /// A reduction of every row with every column, by threads for rows or for columns.
     Reduce(Take, bool),
     /// A reduction within groups, by threads for rows or for columns.
@@ -49,27 +49,27 @@ pub(in super::super) enum Form {
     FoldDerivatives,
 }
 
-impl Form {
+impl KernelForm {
     /// Returns the name of the entry point.
     pub fn entry(self) -> &'static str {
         match self {
-            Form::Aligned => "aligned_main",
-            Form::Columns => "columns_main",
-            Form::Pairs => "pairs_main",
-            Form::Derivatives(Of::Both(_), _) => "pairs_vjp_main",
-            Form::Derivatives(..) => "slopes_main",
-            Form::Reduce(..) | Form::ReduceGroups(..) => "reduce_main",
-            Form::Masks => "masks_main",
-            Form::Replay => "replay_main",
-            Form::Fold => "fold_main",
-            Form::FoldDerivatives => "fold_slopes_main",
+            KernelForm::Aligned => "aligned_main",
+            KernelForm::Columns => "columns_main",
+            KernelForm::Pairs => "pairs_main",
+            KernelForm::Derivatives(SummedLists::Both(_), _) => "pairs_vjp_main",
+            KernelForm::Derivatives(..) => "slopes_main",
+            KernelForm::Reduce(..) | KernelForm::ReduceGroups(..) => "reduce_main",
+            KernelForm::Masks => "masks_main",
+            KernelForm::Replay => "replay_main",
+            KernelForm::Fold => "fold_main",
+            KernelForm::FoldDerivatives => "fold_slopes_main",
         }
     }
     /// Returns the function that it calls.
-    pub(super) fn body(self, made: &Generated<f32>) -> &Body {
+    pub(super) fn body(self, made: &Generated<f32>) -> &ShaderBody {
         match self {
-            Form::Derivatives(Of::Rows, _) => &made.bodies[1],
-            Form::Derivatives(Of::Columns, _) => &made.bodies[2],
+            KernelForm::Derivatives(SummedLists::Rows, _) => &made.bodies[1],
+            KernelForm::Derivatives(SummedLists::Columns, _) => &made.bodies[2],
             _ => &made.bodies[0],
         }
     }
@@ -170,4 +170,4 @@ pub(super) fn results(gives: &[usize], parameter: usize) -> String {
 
 /// Pipelines of generated kernels, by the number of the program and the form of the kernel.
 pub(in crate::kernels::gpu::device) type Pipelines =
-    HashMap<(u64, Form), (Weak<u64>, wgpu::ComputePipeline)>;
+    HashMap<(u64, KernelForm), (Weak<u64>, wgpu::ComputePipeline)>;

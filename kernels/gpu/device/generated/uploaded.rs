@@ -1,14 +1,14 @@
 //! Uploaded lists of all pairs, and kernels that compute blocks of results: one thread per column and some rows.
 use super::held::held;
 use super::operation::Generated;
-use super::side::Side;
+use super::side::UploadedList;
 use super::template::Size;
-use super::text::{Form, ROWS};
+use super::text::{KernelForm, ROWS};
 use crate::Error;
 use crate::kernels::cpu::checked::check_argument;
 use crate::kernels::gpu::device::block::Block;
 use crate::kernels::gpu::device::context::{Device, Inner};
-use crate::kernels::gpu::device::work::{Params, Work};
+use crate::kernels::gpu::device::work::{Commands, Params};
 use crate::kernels::machine::Column;
 use std::ops::Range;
 use std::sync::Arc;
@@ -17,13 +17,13 @@ use std::sync::Arc;
 pub(super) const MOST_OPERATIONS: usize = 1 << 42;
 
 /// Both lists, checked and uploaded.
-pub(in crate::kernels::gpu::device) struct Sides {
-    a: Side,
-    b: Side,
+pub(in crate::kernels::gpu::device) struct UploadedLists {
+    a: UploadedList,
+    b: UploadedList,
 }
 
 /// One dispatch: the location of both lists, their ranges, and the place of the results in a block.
-pub(super) struct Piece<'a> {
+pub(super) struct PairDispatch<'a> {
     pub buffers: [&'a wgpu::Buffer; 2],
     /// The numbers of rows and columns, and the first of each in its buffer and in its list.
     pub counts: [usize; 2],
@@ -35,7 +35,7 @@ pub(super) struct Piece<'a> {
     plane: usize,
 }
 
-impl Piece<'_> {
+impl PairDispatch<'_> {
     /// Returns the parameters of a kernel with one thread per shape of list `own`.
     pub fn params(&self, own: usize) -> Params {
         Params {
@@ -58,7 +58,7 @@ impl Piece<'_> {
     }
 }
 
-impl Sides {
+impl UploadedLists {
     /// Checks and prepares two lists; those that stay on the GPU are prepared once.
     pub fn of(
         gpu: &Device,
@@ -70,10 +70,10 @@ impl Sides {
             Some(column) => column.for_pairs(made, k),
             None => {
                 check_argument(k, &made.arguments, &lists[k])?;
-                Side::new(&gpu.inner, made, k, &lists[k])
+                UploadedList::new(&gpu.inner, made, k, &lists[k])
             }
         };
-        Ok(Sides {
+        Ok(UploadedLists {
             a: side(0)?,
             b: side(1)?,
         })
@@ -99,7 +99,7 @@ impl Sides {
         side.parts(range)
     }
     /// Returns the dispatches of a block of results, for a function with `operations` operations.
-    pub(super) fn pieces(&self, block: &Block, operations: usize) -> Vec<Piece<'_>> {
+    pub(super) fn pieces(&self, block: &Block, operations: usize) -> Vec<PairDispatch<'_>> {
         let mut pieces = Vec::new();
         let rows = block.row_base..block.row_base + block.rows;
         let columns = block.column_base..block.column_base + block.columns;
@@ -113,7 +113,7 @@ impl Sides {
                         own.start - block.row_base,
                         columns.start - block.column_base,
                     );
-                    pieces.push(Piece {
+                    pieces.push(PairDispatch {
                         buffers: [a, b],
                         counts: [own.len(), columns.len()],
                         starts: [a_at + own.start - rows.start, b_at],
@@ -136,8 +136,11 @@ impl Sides {
         to: &wgpu::Buffer,
     ) -> Result<(), Error> {
         inner.guarded(|| {
-            let (pipeline, size) = (made.pipeline(inner, Form::Pairs), made.size(Form::Pairs));
-            let mut work = Work::new(inner);
+            let (pipeline, size) = (
+                made.pipeline(inner, KernelForm::Pairs),
+                made.size(KernelForm::Pairs),
+            );
+            let mut work = Commands::new(inner);
             for piece in self.pieces(block, made.bodies[0].operations) {
                 let [a, b] = piece.buffers;
                 let [wide, tall] = piece.groups(1, size);

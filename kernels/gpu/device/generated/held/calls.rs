@@ -1,5 +1,5 @@
 //! Calls over columns on the GPU.
-use super::{HeldColumn, State, Windows, held, window};
+use super::{ColumnState, HeldColumn, Windows, held, window};
 use crate::Error;
 use crate::kernels::cpu::aligned::items;
 use crate::kernels::cpu::checked::{check, check_upstream};
@@ -7,8 +7,8 @@ use crate::kernels::cpu::lane::TILE;
 use crate::kernels::gpu::device::context::Device;
 use crate::kernels::gpu::device::generated::aligned::tiles;
 use crate::kernels::gpu::device::generated::operation::Generated;
-use crate::kernels::gpu::device::generated::text::{Form, GROUP, MOST_GROUPS};
-use crate::kernels::gpu::device::work::Work;
+use crate::kernels::gpu::device::generated::text::{GROUP, KernelForm, MOST_GROUPS};
+use crate::kernels::gpu::device::work::Commands;
 use crate::kernels::machine::Column;
 use std::sync::Arc;
 
@@ -83,9 +83,9 @@ impl Device {
             start = end;
         }
         let results = room.into_iter().zip(&made.gives).map(|(windows, &fields)| {
-            let state = State {
+            let state = ColumnState {
                 plain: Some((0, windows)),
-                ..State::default()
+                ..ColumnState::default()
             };
             HeldColumn::of(self, fields, count, state)
         });
@@ -108,9 +108,9 @@ impl Device {
             .filter(|(_, _, width, _)| *width > 0)
             .collect();
         inner.guarded(|| {
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             if !read.is_empty() && read.len() < MOST_BOUND {
-                let form = Form::Columns;
+                let form = KernelForm::Columns;
                 let pipeline = inner.generated(&made.name, form, || form.text(made));
                 let mut buffers: Vec<(u32, &wgpu::Buffer)> = Vec::new();
                 for (buffer, ..) in &read {
@@ -120,7 +120,7 @@ impl Device {
                 work.dispatch_with(&pipeline, params, &buffers, groups);
                 return work.submit().map(drop);
             }
-            let form = Form::Aligned;
+            let form = KernelForm::Aligned;
             let pipeline = inner.generated(&made.name, form, || form.text(made));
             let sizes = inputs.iter().map(|(_, _, width, is_many)| {
                 let items = if *is_many { items } else { 1 };

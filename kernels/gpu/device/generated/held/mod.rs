@@ -11,11 +11,11 @@ use crate::kernels::gpu::device::context::{Device, Inner, locked};
 use crate::kernels::gpu::device::download::Pending;
 use crate::kernels::gpu::device::generated::aligned::tiles;
 use crate::kernels::gpu::device::generated::operation::Generated;
-use crate::kernels::gpu::device::generated::side::Side;
+use crate::kernels::gpu::device::generated::side::UploadedList;
 use crate::kernels::gpu::device::generated::text::{GROUP, MOST_GROUPS};
 use crate::kernels::machine::Column;
 use crate::kernels::machine::found::Best;
-use crate::kernels::machine::{self, FOREIGN, Stays};
+use crate::kernels::machine::{self, FOREIGN, MachineColumn};
 use crate::kernels::row::item::Leaf;
 use std::any::Any;
 use std::collections::HashMap;
@@ -31,11 +31,11 @@ pub struct HeldColumn {
     gpu: Device,
     fields: usize,
     count: usize,
-    state: Mutex<State>,
+    state: Mutex<ColumnState>,
 }
 
 #[derive(Debug, Default)]
-struct State {
+struct ColumnState {
     /// The version of the numbers, which grows with every update.
     version: u64,
     /// The numbers, shape by shape, if the CPU has them.
@@ -44,7 +44,7 @@ struct State {
     plain: Option<(u64, Windows)>,
     /// The numbers as operations prepare them, by the key of the preparation: for aligned batches, and for all pairs.
     aligned: HashMap<(u64, usize), (Weak<u64>, u64, Windows)>,
-    pairs: HashMap<(u64, usize), (Weak<u64>, u64, Side)>,
+    pairs: HashMap<(u64, usize), (Weak<u64>, u64, UploadedList)>,
 }
 
 /// Items in tiles, split over buffers.
@@ -119,7 +119,7 @@ pub(in crate::kernels::gpu::device) fn held<'a>(
     Ok(Some(own))
 }
 
-impl Stays<f32> for HeldColumn {
+impl MachineColumn<f32> for HeldColumn {
     fn fields(&self) -> usize {
         self.fields
     }
@@ -136,7 +136,7 @@ impl Stays<f32> for HeldColumn {
     }
     fn started(
         &self,
-        all: &[Box<dyn Stays<f32>>],
+        all: &[Box<dyn MachineColumn<f32>>],
     ) -> Result<machine::Pending<Vec<Vec<f32>>>, Error> {
         let all = all.iter().map(|own| own.any().downcast_ref());
         let all: Vec<&HeldColumn> = all.collect::<Option<_>>().ok_or(FOREIGN)?;
@@ -152,14 +152,14 @@ impl HeldColumn {
     pub(crate) fn new(gpu: &Device, fields: usize, rows: Vec<f32>) -> Result<Self, Error> {
         gpu.inner.alive()?;
         let count = rows.len() / fields.max(1);
-        let state = State {
+        let state = ColumnState {
             rows: Some(Arc::new(rows)),
-            ..State::default()
+            ..ColumnState::default()
         };
         Ok(Self::of(gpu, fields, count, state))
     }
 
-    fn of(gpu: &Device, fields: usize, count: usize, state: State) -> Self {
+    fn of(gpu: &Device, fields: usize, count: usize, state: ColumnState) -> Self {
         HeldColumn {
             gpu: gpu.clone(),
             fields,
@@ -191,7 +191,7 @@ impl HeldColumn {
     }
 
     /// Returns the numbers on the CPU, where they are kept.
-    fn rows(&self, state: &mut State) -> Result<Arc<Vec<f32>>, Error> {
+    fn rows(&self, state: &mut ColumnState) -> Result<Arc<Vec<f32>>, Error> {
         if let Some(rows) = &state.rows {
             return Ok(Arc::clone(rows));
         }
@@ -212,7 +212,7 @@ impl HeldColumn {
     }
 
     /// Returns the parts to download: for every buffer the first byte and the number of bytes, of whole tiles.
-    fn parts(&self, state: &State) -> Vec<(wgpu::Buffer, u64, u64)> {
+    fn parts(&self, state: &ColumnState) -> Vec<(wgpu::Buffer, u64, u64)> {
         let Some((_, plain)) = &state.plain else {
             return Vec::new();
         };
@@ -272,7 +272,7 @@ impl HeldColumn {
         &self,
         made: &Generated<f32>,
         k: usize,
-    ) -> Result<Side, Error> {
+    ) -> Result<UploadedList, Error> {
         let inner = &self.gpu.inner;
         let mut state = locked(&self.state);
         let version = state.version;
@@ -290,7 +290,7 @@ impl HeldColumn {
                 side.rewrite(inner, made, k, &column)?;
                 side
             }
-            None => Side::new(inner, made, k, &column)?,
+            None => UploadedList::new(inner, made, k, &column)?,
         };
         state
             .pairs
