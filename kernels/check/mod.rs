@@ -327,9 +327,9 @@ where
 /// Runs every check in `f32`, with batches on a backend as further witnesses: values, adjoints, and values with
 /// gradients. On a GPU these are its [generated](crate::kernels::gpu) kernels.
 ///
-/// A backend rounds differently: a GPU may fuse products and sums, divides to within two and a half units in the last
-/// place, and flushes numbers below the smallest normal one to zero. These errors are less than the tolerance, which
-/// comes from eight perturbations of the inputs by twice their rounding.
+/// A backend rounds differently: a GPU may fuse products and sums, and flush numbers below the smallest normal one to
+/// zero. Its quotients are right to two and a half units in the last place. These errors are less than the tolerance,
+/// which comes from eight perturbations of the inputs by twice their rounding.
 ///
 /// # Errors
 ///

@@ -70,7 +70,7 @@ impl<'a> Batch<'a> {
     ///
     /// # Errors
     ///
-    /// As the batches'.
+    /// The errors of the batches.
     pub fn new(asks: Vec<ByMachine<'a>>, inputs: &[Vec<f64>]) -> Result<Self, Error> {
         let inputs: Vec<Vec<f32>> = inputs.iter().map(|x| single(x)).collect();
         let answers =

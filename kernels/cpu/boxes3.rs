@@ -95,8 +95,8 @@ pub(crate) fn is_common_obb3<T: Real>(x: &[T]) -> bool {
     sized && x[6..].iter().all(turn) && x[6..].iter().any(|x| x.unsigned() >= T::lit(SHORT))
 }
 
-/// Returns `true` if every box is valid, of a size from 10⁻⁵ to 10⁶ or zero, no farther than 10⁹ from the origin, with
-/// a quaternion that is neither very long nor very short.
+/// Returns `true` if every box is valid, of a size from 10⁻⁵ to 10⁶ or zero, and no farther than 10⁹ from the origin.
+/// Its quaternion must be neither very long nor very short.
 #[inline(always)]
 pub(crate) fn all_common<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     let (small, large, far) = (COMMON_SMALL, COMMON_LARGE, COMMON_FAR);

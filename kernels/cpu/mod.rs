@@ -17,7 +17,7 @@
 //!
 //! *Compiled kernels* serve the scores of boxes in the plane (`overlaps`), boxes in space (`upright_boxes`, `boxes3`),
 //! areas of quadrilaterals (`quads`) and measures of rings (`rings`): their generic source on processor vectors, for
-//! every format and level (`arch::entry` lists them). A kernel costs a second or two of every build, so a box with yaw
+//! every format and level (`arch::entry` lists them). A kernel costs a second or two of every build. So a box with yaw
 //! goes through the kernel of its ground plan, and its height is a short second stage. Boxes of any rotation have one
 //! loop of three rounds in which the axes take turns, so indices are constant and the kernel stays small. Shapes too
 //! extreme for a kernel take the scalar code.

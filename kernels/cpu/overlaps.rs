@@ -380,13 +380,13 @@ pub(crate) fn all_common_upright<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
 /// Writes the bounds of prepared rotated boxes: lower x and y, upper x and y.
 ///
 /// They are so wide that [`relate`](crate::clip::relate) finds boxes apart whose bounds do not meet, in spite of its
-/// rounding. Let `R` be the sum of half the widths and heights of both boxes, ε the distance from 1 to the next number,
-/// and say the bounds are apart along x. Each bound has a slack of `4ε |x| + 128ε (half width + half height)`, of which
-/// its own rounding takes less than `4ε (|x| + half width + half height)`. So the exact boxes are apart by
+/// rounding. Let `R` be the sum of half the widths and heights of both boxes, and ε the distance from 1 to the next
+/// number. Let the bounds be apart along x. Each bound has a slack of `4ε |x| + 128ε (half width + half height)`, of
+/// which its own rounding takes less than `4ε (|x| + half width + half height)`. So the exact boxes are apart by
 /// `g ≥ 120 ε R`. Boxes that are apart by `g` are separated by `g / √2` or more along one of their four axes: where a
-/// corner faces a corner, the shortest segment between them lies in the quarter of normals of either, hence between two
-/// axes less than a quarter apart, and within 45° of one of them. The separating-axis test rounds distances of centres
-/// and extents by less than `12 ε (g + R)`, which is less than `g / √2`.
+/// corner faces a corner, the shortest segment between them lies in the quarter of normals of either. Hence it lies
+/// between two axes less than a quarter apart, and within 45° of one of them. The separating-axis test rounds distances
+/// of centres and extents by less than `12 ε (g + R)`, which is less than `g / √2`.
 #[inline(always)]
 pub(crate) fn obb2_bounds<T: Real, V: Vector<T>>(frames: Tiles<'_, T>, bounds: &mut [Lane<T>]) {
     let (of_place, of_size) = (V::lit(4.0 * T::EPSILON), V::lit(128.0 * T::EPSILON));

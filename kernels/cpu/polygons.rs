@@ -127,7 +127,8 @@ impl Cpu {
     ///
     /// # Errors
     ///
-    /// As [`rings`](Cpu::rings), and for cotangents of another number or not finite.
+    /// As [`rings`](Cpu::rings), and [`Error::Length`] unless there is one cotangent per result,
+    /// [`Error::Invalid`] for one that is not finite.
     pub fn rings_vjp<T: Real>(
         &self,
         score: RingScore,
@@ -162,7 +163,8 @@ impl Cpu {
     ///
     /// # Errors
     ///
-    /// As [`all_rings`](Cpu::all_rings), and for cotangents of another number or not finite.
+    /// As [`all_rings`](Cpu::all_rings), and [`Error::Length`] unless there is one cotangent per result,
+    /// [`Error::Invalid`] for one that is not finite.
     pub fn all_rings_vjp<T: Real>(
         &self,
         score: RingScore,
@@ -290,8 +292,8 @@ impl<'a, T: Real> NearSearch<'a, T> {
             None => 1,
         }
     }
-    /// Calls `run` for every polygon of b whose bounds meet those of polygon `i` of a, in ascending order, with the
-    /// index of the result in its row.
+    /// Calls `run` for every polygon of b whose bounds meet those of polygon `i` of a, in ascending order. It passes
+    /// the index of the result in its row.
     fn each(&self, i: usize, hits: &mut Vec<u32>, mut run: impl FnMut(usize, usize)) {
         let Some([rows, columns]) = &self.bounds else {
             return run(i, 0);

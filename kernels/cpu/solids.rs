@@ -16,8 +16,8 @@ pub(crate) fn aabb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>]
     }
 }
 
-/// The margin of bounds, as a share of the ball around a box. Boxes whose bounds do not meet are then so far apart that
-/// the separating axes of a pair, edge against edge, show it in single precision, too.
+/// The margin of bounds, as a share of the ball around a box. Boxes whose bounds do not meet are then far apart: the
+/// separating axes of a pair, edge against edge, show it in single precision, too.
 const SLACK: f64 = 0.01;
 
 /// Writes the bounds of boxes of any orientation: those of the ball around each, which a rotation does not change.

@@ -94,7 +94,7 @@ impl<T: Real> Copy for Runner<T> {}
 /// An argument of an operation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Its name, by which errors call it.
+    /// Its name in errors.
     pub name: Argument,
     /// Its shape.
     pub shape: Shape,

@@ -235,8 +235,8 @@ impl<T: Real> Function<T> {
     ///
     /// # Errors
     ///
-    /// As [`aligned`](Function::aligned), and [`Error::TooLarge`] when there are more numbers than memory has
-    /// addresses.
+    /// As [`aligned`](Function::aligned), and [`Error::TooLarge`] when there are more numbers than fit the
+    /// address space.
     pub fn all_pairs(&self, a: Rows<'_, T>, b: Rows<'_, T>) -> Result<Vec<T>, Error> {
         let lists = self.lists(&a, &b)?;
         let mut planes = vec![T::default(); self.planes_of(&lists)?];
@@ -255,7 +255,7 @@ impl<T: Real> Function<T> {
     ///
     /// # Errors
     ///
-    /// As [`all_pairs`](Function::all_pairs), and [`Error::Length`] for another number of them. Nothing is written
+    /// As [`all_pairs`](Function::all_pairs), and [`Error::Length`] for a slice of another length. Nothing is written
     /// then.
     pub fn all_pairs_into(
         &self,

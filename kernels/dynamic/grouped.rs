@@ -104,7 +104,8 @@ impl<T: Real> Function<T> {
     ///
     /// # Errors
     ///
-    /// As there; [`Error::Arguments`] and [`Error::NotOneNumber`] for functions of others than two shapes of a sort.
+    /// As [`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped); [`Error::Arguments`] and
+    /// [`Error::NotOneNumber`] unless the function takes two shapes of one kind and returns one number.
     pub fn suppress(
         &self,
         shapes: Rows<'_, T>,

@@ -33,7 +33,7 @@ impl Machine<dyn Engine<f32>> {
     ///
     /// # Errors
     ///
-    /// As there.
+    /// As [`aligned`](Machine::aligned).
     #[doc(hidden)]
     pub fn aligned_rows(
         &self,
@@ -53,7 +53,7 @@ impl Machine<dyn Engine<f32>> {
     ///
     /// # Errors
     ///
-    /// As there, and [`Error::Length`] for a matrix of another size.
+    /// As [`all_pairs`](Machine::all_pairs), and [`Error::Length`] for a matrix of another size.
     #[doc(hidden)]
     pub fn all_pairs_rows(
         &self,
@@ -75,7 +75,7 @@ impl Machine<dyn Engine<f32>> {
     ///
     /// # Errors
     ///
-    /// As there.
+    /// As [`all_pairs_vjp`](Machine::all_pairs_vjp).
     #[doc(hidden)]
     pub fn all_pairs_vjp_rows(
         &self,

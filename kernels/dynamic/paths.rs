@@ -254,7 +254,7 @@ impl<T: Real> OnPaths<T> {
     ///
     /// # Errors
     ///
-    /// As [`values`](OnPaths::values), and [`Error::Length`] for another number of them. Nothing is written then.
+    /// As [`values`](OnPaths::values), and [`Error::Length`] for a slice of another length. Nothing is written then.
     pub fn values_into(
         &self,
         contexts: &[Rows<'_, T>],
@@ -272,7 +272,8 @@ impl<T: Real> OnPaths<T> {
     ///
     /// # Errors
     ///
-    /// As [`values`](OnPaths::values), and for cotangents of another number or not finite.
+    /// As [`values`](OnPaths::values), and [`Error::Length`] unless there is one cotangent per result,
+    /// [`Error::Invalid`] for one that is not finite.
     pub fn vjp(
         &self,
         contexts: &[Rows<'_, T>],

@@ -7,10 +7,10 @@
 //! inputs: all levels of instructions, forms of a batch, positions and the scalar code give equal bits, and duals are
 //! finite with equal values.
 //!
-//! Numbers are random bits, moderate numbers, a few values so that shapes share coordinates, multiples of 45 degrees,
-//! neighbours of all these, or numbers near the limits of the format. The distribution is chosen per list, per field,
-//! or per number, so that a shape may mix them. Rows with [limits](crate::kernels::op::Limits) receive numbers within
-//! them.
+//! Numbers are random bits, moderate numbers, or numbers near the limits of the format. Others are a few values, so
+//! that shapes share coordinates, multiples of 45 degrees, and neighbours of these. The distribution is chosen per
+//! list, per field, or per number, so that a shape may mix them. Rows with [limits](crate::kernels::op::Limits) receive
+//! numbers within them.
 //!
 //! ```
 //! use geograd::Obb2;

@@ -1,7 +1,7 @@
 //! The properties that operations can break.
 use std::fmt;
 
-/// How an operation broke a declared property.
+/// A declared property that an operation breaks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Property {

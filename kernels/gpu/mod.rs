@@ -44,13 +44,13 @@
 //!
 //! # Rounding
 //!
-//! WGSL lets a driver fuse a product with a sum, add the terms of a sum in another order, divide and take roots to
-//! within two and a half units in the last place, and take numbers below the smallest normal one (1.2·10⁻³⁸) for zero.
+//! WGSL lets a driver fuse a product with a sum, and add the terms of a sum in another order. Quotients and roots are
+//! right to two and a half units in the last place. Numbers below the smallest normal one (1.2·10⁻³⁸) may become zero.
 //! Sums that carry the digits which rounding takes away are written so that no driver reorders them: thin boxes need
 //! these digits. Its own sines, exponentials, logarithms and angles may be far off (an angle by four thousand units),
 //! so generated kernels use none of them: they compute polynomials, right to about two units, on any driver
 //! ([`WGSL`](crate::ad::program::WGSL)). Sines of an angle of one shape come from the processor. So every operation
-//! rounds as if its inputs had been moved by a few units in the last place, and a result differs from the CPU's
+//! rounds as if its inputs were perturbed by a few units in the last place. A result differs from the CPU's
 //! accordingly: little, except where a function is steep or terms cancel. The harness measures the difference input by
 //! input ([`check_on`](crate::kernels::check::check_on)) and refuses a larger one.
 //!

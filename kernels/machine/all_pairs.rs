@@ -89,7 +89,7 @@ impl<E: ?Sized> Machine<E> {
     /// # Errors
     ///
     /// [`Error::Invalid`] for a shape that is not valid, [`Error::TooLarge`] when the table has more
-    /// numbers than memory has addresses, [`Error::NotOneNumber`] for other results of lists on the machine; of a GPU
+    /// numbers than fit the address space, [`Error::NotOneNumber`] for other results of lists on the machine; of a GPU
     /// also [`Error::Gpu`] and [`Error::Program`].
     ///
     /// ```
@@ -152,8 +152,8 @@ impl<E: ?Sized> Machine<E> {
     ///
     /// # Errors
     ///
-    /// As [`all_pairs`](Machine::all_pairs), and [`Error::Length`] for another number of them. They are
-    /// then as they were.
+    /// As [`all_pairs`](Machine::all_pairs), and [`Error::Length`] for a slice of another length, which does
+    /// not change then.
     pub fn all_pairs_planes<A, B, R>(
         &self,
         run: R,

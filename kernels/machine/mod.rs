@@ -111,8 +111,8 @@ impl<E: ?Sized> Machine<E> {
     /// # Errors
     ///
     /// [`Error::Length`] when columns differ in length, [`Error::Invalid`] for a shape that is not valid. A GPU also
-    /// returns [`Error::Gpu`] and, for what cannot be recorded, [`Error::Program`]; a program that fits no buffer gives
-    /// [`GpuFault::TooLarge`](crate::GpuFault::TooLarge). Arrays of another machine give
+    /// returns [`Error::Gpu`] and, for a function that cannot be recorded, [`Error::Program`]; a program that fits no
+    /// buffer gives [`GpuFault::TooLarge`](crate::GpuFault::TooLarge). Arrays of another machine give
     /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer).
     ///
     /// ```

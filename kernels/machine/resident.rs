@@ -25,7 +25,7 @@
 //! assert!(iou.download()?.iter().all(|&iou| iou > 0.95));
 //!
 //! let matrix = here.all_pairs(Iou, &a, &b)?;
-//! let best = matrix.row_max()?; // of a matrix that is there already
+//! let best = matrix.row_max()?; // of a matrix on the machine
 //! let matched = here.pick(&b, &best)?; // the truth of every guess
 //! assert!(here.aligned(Iou, (&a, &matched))?.download()?[0] > 0.95);
 //! # Ok::<(), geograd::Error>(())

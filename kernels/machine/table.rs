@@ -21,7 +21,7 @@ impl<P: Results> Table<P> {
     ///
     /// # Errors
     ///
-    /// [`Error::TooLarge`] when they have more numbers than memory has addresses.
+    /// [`Error::TooLarge`] when its size overflows the address space.
     pub fn new(rows: usize, columns: usize) -> Result<Self, Error> {
         Ok(Table {
             rows,

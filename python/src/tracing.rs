@@ -14,8 +14,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A function of Python that computes results from symbols.
 pub struct Traced {
-    /// The function. It takes a list of symbols for every column, and returns whether the result is a tuple, and for
-    /// every part of it a shape's name, its numbers, and whether they have an axis of their own.
+    /// The function. It takes a list of symbols for every column. It returns whether the result is a tuple. For every
+    /// part of the result it returns a shape's name, its numbers, and whether they have an axis of their own.
     function: Py<PyAny>,
     names: Vec<&'static str>,
     is_tuple: AtomicBool,

@@ -143,7 +143,7 @@ entries! {
     accumulate_picked(results: Planes<'_, T>, fields: [usize; 2], columns: &[u32], rows: &mut [Lane<T>], sums: &mut [Lane<T>]) = blocks::accumulate_picked::<T, V>;
     /// The largest number.
     largest(numbers: &[T]) -> T = blocks::largest::<T, V>;
-    /// How many numbers are above a threshold.
+    /// The number of entries above a threshold.
     count_above(numbers: &[T], threshold: T) -> u64 = blocks::count_above::<T, V>;
     /// Numbers added to sixteen sums.
     add_up(numbers: &[T], sums: &mut [f64; TILE]) = blocks::add_up::<T, V>;
@@ -157,7 +157,7 @@ entries! {
     interpret(tape: &Tape, pass: Pass<'_, T>, out: &mut [Lane<T>]) = execute::interpret::<T, V>;
     /// The instructions of a recorded program on numbers in slots.
     carry_out(code: &[Instruction], memory: Memory<'_, T>, native: Option<&BoundCode<'_, T>>) = execute::carry_out::<T, V>;
-    /// Some items by a recorded program, from rows to rows.
+    /// The results of some items by a recorded program, from rows to rows.
     over_rows(tape: &Tape, part: RowRange<'_, T>, wanted: &mut [ResultRows<'_, T>]) = rowwise::over_rows::<T, V>;
     /// The edges of a path that can be nearest to a point, and the winding number of the path.
     near_edges(point: Vec2<T>, path: &nearest::Edges<T>, limits: nearest::ReliableLimits<T>, squares: &mut [Lane<T>], picked: &mut [u32]) -> Option<(usize, T)> = nearest::near_edges::<T, V>;

@@ -9,8 +9,8 @@
 //! [`compile`] alone writes the code: packed arithmetic between vector registers, loads and stores at `slot + offset`
 //! and `table[k] + offset`, one loop, no other jump. Slots are below the tape's count, the offset below the bytes in
 //! use, and [`Native::bind`] refuses memory for fewer slots. Every address in the table is that of a slot or of numbers
-//! borrowed by a [`BoundCode`], and [`BoundCode::run`] requires at least as many of these as a slot has in use. The
-//! code writes to mutably borrowed numbers only. It uses registers that its calling convention leaves to it, and the
+//! borrowed by a [`BoundCode`]. [`BoundCode::run`] requires at least as many of these as a slot has in use. The code
+//! writes to mutably borrowed numbers only. It uses registers that its calling convention leaves to it, and the
 //! instructions of a level that the processor has.
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::kernels::cpu::program::instructions::CodeRun;

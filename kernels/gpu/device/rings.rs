@@ -240,8 +240,8 @@ impl Device {
     ///
     /// # Errors
     ///
-    /// As `ragged`, and The input's for an upstream of another length or
-    /// one that is not finite.
+    /// As [`ragged_of`](Self::ragged_of), and [`Error::Length`](crate::Error::Length) for an upstream of another
+    /// length, [`Error::Invalid`](crate::Error::Invalid) for one that is not finite.
     pub(crate) fn ragged_vjp_of(
         &self,
         measure: Measure,

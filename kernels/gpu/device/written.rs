@@ -36,8 +36,8 @@ pub(super) const LONG: usize = 1024;
 pub(super) const SPAN: usize = 2048;
 /// The number of spans along the first dimension of a dispatch.
 pub(super) const ROW: usize = 32_768;
-/// Returns whether a measure of rings needs sums of moments, and of lengths, and its measure of a ring in WGSL with the
-/// derivative at a vertex.
+/// Returns whether a measure of rings needs sums of moments, and of lengths. Returns also its WGSL: the measure of a
+/// ring, and the derivative at a vertex.
 const fn mirror_of(measure: Measure) -> (bool, bool, &'static str) {
     match measure {
         Measure::SignedArea => (false, false, include_str!("../wgsl/signed_area.wgsl")),

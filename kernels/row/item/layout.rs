@@ -228,8 +228,8 @@ pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
     }
 }
 
-/// Reorders the numbers of an item from the order of columns, in which each shape has its scalars and then its codes,
-/// to that of [`Fixed::load`]: all scalars, then all codes.
+/// Reorders the numbers of an item. In columns each shape has its scalars and then its codes; for [`Fixed::load`] all
+/// scalars come first, then all codes.
 pub(crate) fn by_kind<R: Item>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
     if const { R::CODES == 0 } {
         return numbers.to_vec();

@@ -1,8 +1,8 @@
 //! An encoder of x86-64 vector instructions, in the encodings VEX (AVX2) and EVEX (AVX-512).
 //!
 //! Intel's Software Developer's Manual, volume 2, sections 2.3 (VEX) and 2.7 (EVEX). Operands in memory are slots, at
-//! `rdi + rax + displacement`, numbers outside of slots, whose addresses are in the table at `rdx`, and constants
-//! behind the code.
+//! `rdi + rax + displacement`, and constants behind the code. Others are numbers outside of slots, whose addresses are
+//! in the table at `rdx`.
 
 /// An operand of an instruction: a register, or a location in memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 //!
 //! Shapes are uploaded best first. Block by block, the GPU compares some remaining rows with all later columns and
 //! writes two bits per pair: the result is certainly above the threshold, or so near to it that rounding may decide.
-//! The CPU walks through the rows in order, and computes a near pair itself when the outcome depends on it, with the
+//! The CPU walks through the rows in order. It computes a near pair itself when the outcome depends on it, with the
 //! bits of a batch on the CPU.
 use super::operation::{Generated, ShaderBody};
 use super::text::{GROUP, KernelForm, MOST_GROUPS, both, bound, call};
