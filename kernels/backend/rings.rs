@@ -3,7 +3,7 @@ use crate::Vec2;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::gpu;
-use crate::kernels::machine::{Ready, RingBars, RingValues};
+use crate::kernels::machine::{InMemory, RingBars, RingValues};
 use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::counts::expect;
 use crate::kernels::row::item::rows::numbers;
@@ -57,7 +57,7 @@ impl Rings {
         };
         Ok(match &self.0 {
             MachineRings::Cpu(vertices, offsets) => {
-                RingValues::new(Ready(Cpu::new().ragged(measure, vertices, offsets)?))
+                RingValues::new(InMemory(Cpu::new().ragged(measure, vertices, offsets)?))
             }
             MachineRings::Gpu(own) => RingValues::new(
                 own.gpu()
@@ -83,7 +83,7 @@ impl Rings {
             )
         };
         Ok(match &self.0 {
-            MachineRings::Cpu(vertices, offsets) => RingBars::new(Ready(
+            MachineRings::Cpu(vertices, offsets) => RingBars::new(InMemory(
                 Cpu::new().ragged_vjp(measure, vertices, offsets, upstream)?,
             )),
             MachineRings::Gpu(own) => RingBars::new(own.gpu().ragged_vjp_of(

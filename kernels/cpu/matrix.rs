@@ -4,7 +4,7 @@ use crate::error::{Argument, Error};
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::machine::found::{Best, Found, check_sides, check_threshold};
-use crate::kernels::machine::{self, Bests, Founds, Matrices, Pending, Ready};
+use crate::kernels::machine::{self, Bests, Founds, InMemory, Matrices, Pending};
 use crate::kernels::machine::{Reduced, Reduction};
 use crate::kernels::row::item::counts::{entries, expect};
 use std::any::Any;
@@ -160,13 +160,13 @@ impl<T: Real> Matrices<T> for Matrix<T> {
     fn reduce(&self, reduction: Reduction<T>) -> Result<Reduced<T>, Error> {
         Ok(match reduction {
             Reduction::Best { of_rows: true } => {
-                Reduced::Bests(Bests::new(Ready(self.row_max()?), self.columns()))
+                Reduced::Bests(Bests::new(InMemory(self.row_max()?), self.columns()))
             }
             Reduction::Best { of_rows: false } => {
-                Reduced::Bests(Bests::new(Ready(self.column_max()?), self.rows()))
+                Reduced::Bests(Bests::new(InMemory(self.column_max()?), self.rows()))
             }
             Reduction::Above(threshold) => {
-                Reduced::Founds(Founds::new(Ready(self.above(threshold)?)))
+                Reduced::Founds(Founds::new(InMemory(self.above(threshold)?)))
             }
             Reduction::Count(threshold) => Reduced::Count(self.count_above(threshold)?),
             Reduction::Sum => Reduced::Sum(self.sum()),

@@ -5,7 +5,7 @@ use crate::kernels::cpu::blocks::QUAD;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{BLOCK, Lane, TILE, tiles};
 use crate::kernels::cpu::plan::{List, Plan, Shapes};
-use crate::kernels::cpu::sweep::{Columns, RowChoice, RowPart, Sweep, Upstream};
+use crate::kernels::cpu::sweep::{PartColumns, RowChoice, RowPart, Sweep, Upstream};
 use crate::kernels::cpu::work::{in_parallel, rows_per_piece};
 use std::ops::Range;
 
@@ -75,13 +75,13 @@ impl<T: Real> Pairs<'_, T> {
 fn put<T: Real>(part: &RowPart<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
     let (first, width) = (part.stretch.start, part.stretch.len());
     match &part.columns {
-        Columns::Run(run) => {
+        PartColumns::Run(run) => {
             for (k, row) in rows.iter_mut().enumerate() {
                 let results = flat(part.results.field(k));
                 row[run.clone()].copy_from_slice(&results[..width]);
             }
         }
-        Columns::Picked(columns) if width <= BLOCK * TILE => {
+        PartColumns::Picked(columns) if width <= BLOCK * TILE => {
             if let [row] = rows {
                 let row = &mut row[part.stretch.clone()];
                 row.fill(T::default());
@@ -95,7 +95,7 @@ fn put<T: Real>(part: &RowPart<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]])
             }
         }
         // A stretch longer than a block, from a tree, has few results: they are stored one by one.
-        Columns::Picked(columns) => {
+        PartColumns::Picked(columns) => {
             for (k, row) in rows.iter_mut().enumerate() {
                 if part.is_first {
                     row.fill(T::default());
@@ -217,7 +217,7 @@ pub fn pull_back<T: Real>(
             sweep.run(rows, |part| {
                 let row_sums = &mut row_sums[(part.row - start) * wide..][..wide];
                 match part.columns {
-                    Columns::Run(run) => {
+                    PartColumns::Run(run) => {
                         let sums = &mut column_sums[run.start / TILE * fields[1]..];
                         (kernels_in::<T>().accumulate)(
                             part.results,
@@ -227,7 +227,7 @@ pub fn pull_back<T: Real>(
                             sums,
                         );
                     }
-                    Columns::Picked(columns) => {
+                    PartColumns::Picked(columns) => {
                         let add = kernels_in::<T>().accumulate_picked;
                         add(part.results, fields, columns, row_sums, column_sums);
                     }

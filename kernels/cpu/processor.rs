@@ -20,7 +20,7 @@ use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::found::Best;
 use crate::kernels::machine::suppress::RankedShapes;
-use crate::kernels::machine::{Bests, FOREIGN, Founds, MachineColumn, Matrix, Ready, Stored};
+use crate::kernels::machine::{Bests, FOREIGN, Founds, InMemory, MachineColumn, Matrix, Stored};
 use crate::kernels::machine::{
     Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Sealed, Seed, count_of,
 };
@@ -109,13 +109,13 @@ impl<T: Real> ScaledCotangents<T> {
 
 /// The engine of a format. These coercions make this library compile the engines, so that a calling crate compiles no
 /// copy.
-type InFormat<T> = fn(&Processor) -> &dyn Engine<T>;
-static F32: InFormat<f32> = |engine| engine;
-static F64: InFormat<f64> = |engine| engine;
+type EngineOf<T> = fn(&Processor) -> &dyn Engine<T>;
+static F32: EngineOf<f32> = |engine| engine;
+static F64: EngineOf<f64> = |engine| engine;
 
 impl<T: Real> On<Processor> for T {
     fn engine(engine: &Processor) -> &dyn Engine<T> {
-        in_format::<InFormat<T>>([&F32, &F64])(engine)
+        in_format::<EngineOf<T>>([&F32, &F64])(engine)
     }
 }
 
@@ -245,10 +245,10 @@ impl<T: Real> Engine<T> for Processor {
                     true => (reductions::most_of_rows(&pairs), lists[1].len()),
                     false => (reductions::most_of_columns(&pairs), lists[0].len()),
                 };
-                Reduced::Bests(Bests::new(Ready(best), among))
+                Reduced::Bests(Bests::new(InMemory(best), among))
             }
             Reduction::Above(threshold) => {
-                Reduced::Founds(Founds::new(Ready(reductions::above(&pairs, threshold))))
+                Reduced::Founds(Founds::new(InMemory(reductions::above(&pairs, threshold))))
             }
             Reduction::Count(threshold) => {
                 Reduced::Count(reductions::count_above(&pairs, threshold))
@@ -273,7 +273,7 @@ impl<T: Real> Engine<T> for Processor {
             GroupedReduction::Above(threshold) => {
                 pairs.filter_above(threshold);
                 let found = grouped::above(&pairs, groups, threshold);
-                Reduced::Founds(Founds::new(Ready(found)))
+                Reduced::Founds(Founds::new(InMemory(found)))
             }
         })
     }
@@ -342,7 +342,7 @@ impl<T: Real> Engine<T> for Processor {
 
     fn pick(&self, list: &Stored<T>, bests: &Bests<T>) -> Result<Stored<T>, Error> {
         let own = list.own::<Numbers<T>>()?;
-        let found = bests.own::<Ready<Vec<Best<T>>>>()?;
+        let found = bests.own::<InMemory<Vec<Best<T>>>>()?;
         expect(Argument::Shape, bests.among, list.len())?;
         let columns = own.into_iter().map(|own| {
             let rows = found.0.iter();

@@ -4,7 +4,7 @@ use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::sweep::{Columns, RowPart};
+use crate::kernels::cpu::sweep::{PartColumns, RowPart};
 use crate::kernels::cpu::work::rows_per_piece;
 use crate::kernels::machine::found::{Best, Found};
 
@@ -20,8 +20,8 @@ enum Scores<'a, T> {
 fn scores<'a, T: Real>(part: &RowPart<'a, T>) -> Scores<'a, T> {
     let scores = flat(part.results.field(0));
     match &part.columns {
-        Columns::Run(run) => Scores::Run(run.start, &scores[..run.len()]),
-        Columns::Picked(columns) => Scores::Picked(columns, scores),
+        PartColumns::Run(run) => Scores::Run(run.start, &scores[..run.len()]),
+        PartColumns::Picked(columns) => Scores::Picked(columns, scores),
     }
 }
 

@@ -50,13 +50,13 @@ pub struct RowPart<'a, T> {
     /// `true` for the first part of a stretch.
     pub is_first: bool,
     /// The columns of this part.
-    pub columns: Columns<'a>,
+    pub columns: PartColumns<'a>,
     /// Their results.
     pub results: Planes<'a, T>,
 }
 
 /// Columns of a part.
-pub enum Columns<'a> {
+pub enum PartColumns<'a> {
     /// The whole stretch, which begins at a multiple of sixteen.
     Run(Range<usize>),
     /// Some columns, ascending.
@@ -154,7 +154,7 @@ impl<'a, T: Real> Sweep<'a, T> {
                 if !hits.is_empty() {
                     desk.choose(row);
                     desk.some(0..count, &hits, &mut |part: RowPart<'_, T>| {
-                        if let Columns::Picked(columns) = part.columns {
+                        if let PartColumns::Picked(columns) = part.columns {
                             choice.take(columns, part.results);
                         }
                     });
@@ -392,7 +392,7 @@ impl<'a, T: Real> SweepBuffers<'a, T> {
                 row,
                 stretch: 0..b.count,
                 is_first: true,
-                columns: Columns::Picked(&group.columns[start..end]),
+                columns: PartColumns::Picked(&group.columns[start..end]),
                 results: Planes(&self.results[tile..]),
             });
             start = end;
@@ -425,7 +425,7 @@ impl<'a, T: Real> SweepBuffers<'a, T> {
             row: self.row,
             stretch: stretch.clone(),
             is_first: true,
-            columns: Columns::Run(stretch),
+            columns: PartColumns::Run(stretch),
             results: self.results(),
         });
     }
@@ -469,7 +469,7 @@ impl<'a, T: Real> SweepBuffers<'a, T> {
                 row: self.row,
                 stretch: stretch.clone(),
                 is_first: i == 0,
-                columns: Columns::Picked(columns),
+                columns: PartColumns::Picked(columns),
                 results: self.results(),
             });
         }

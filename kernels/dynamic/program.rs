@@ -22,10 +22,10 @@ use std::sync::Arc;
 /// Clones share the plans that machines made of it.
 #[derive(Clone)]
 pub struct Program<T: Real> {
-    inner: Arc<Inner<T>>,
+    inner: Arc<ProgramParts<T>>,
 }
 
-struct Inner<T: Real> {
+struct ProgramParts<T: Real> {
     /// The graph; that of an operation includes its gradient by hand, if it has one.
     recorded: Arc<Recorded>,
     names: Vec<Argument>,
@@ -82,7 +82,7 @@ impl<T: Real> Program<T> {
         let recorded = Arc::new(recorded);
         let body = Body::Graph(Arc::clone(&recorded));
         Program {
-            inner: Arc::new(Inner {
+            inner: Arc::new(ProgramParts {
                 recording: Arc::new(Recording::new(takes, gives, &[], body)),
                 recorded,
                 names,
@@ -97,7 +97,7 @@ impl<T: Real> Program<T> {
         recording: Arc<Recording<T>>,
     ) -> Self {
         Program {
-            inner: Arc::new(Inner {
+            inner: Arc::new(ProgramParts {
                 recorded: Arc::new(recorded),
                 names,
                 recording,
@@ -121,7 +121,7 @@ impl<T: Real> Program<T> {
             });
         }
         Ok(Program {
-            inner: Arc::new(Inner {
+            inner: Arc::new(ProgramParts {
                 recorded: Arc::clone(&inner.recorded),
                 names: named(names, takes),
                 recording: Arc::clone(&inner.recording),

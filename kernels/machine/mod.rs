@@ -45,7 +45,7 @@ pub use primitives::{Engine, Items, On, Room, Seed};
 pub use results::{
     Bests, Founds, GroupedReduction, Matrix, Reduced, Reduction, RingBars, RingValues,
 };
-pub(crate) use results::{Downloads, Matrices, Ready};
+pub(crate) use results::{Downloads, InMemory, Matrices};
 pub use stays::Numbers;
 pub(crate) use stays::{FOREIGN, MachineColumn};
 pub use stored::{HeldNumbers, Stored};

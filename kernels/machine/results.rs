@@ -25,9 +25,9 @@ pub(crate) trait Downloads<X>: Send + Sync {
 
 /// A result in the memory of the program.
 #[derive(Clone, Debug)]
-pub(crate) struct Ready<X>(pub X);
+pub(crate) struct InMemory<X>(pub X);
 
-impl<X: Clone + Send + Sync + 'static> Downloads<X> for Ready<X> {
+impl<X: Clone + Send + Sync + 'static> Downloads<X> for InMemory<X> {
     fn started(&self) -> Result<Pending<X>, Error> {
         Ok(Pending::ready(self.0.clone()))
     }

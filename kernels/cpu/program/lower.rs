@@ -110,7 +110,7 @@ impl Tape {
         let (graph, outputs) = &polished(graph, outputs);
         let live = graph.live(outputs, false);
         let count = |nodes: &[bool]| nodes.iter().filter(|x| **x).count();
-        let share = |skip: &skip::Skip| count(&skip.idle) as f64 / count(&live) as f64;
+        let share = |skip: &skip::SkipCondition| count(&skip.idle) as f64 / count(&live) as f64;
         let skip = match skipping {
             Skipping::Never => None,
             Skipping::Much => {
@@ -170,7 +170,7 @@ fn assign(
     lowering: Lowering<'_>,
     inputs: usize,
     outputs: &[Id],
-    skip: Option<(usize, usize, &skip::Skip)>,
+    skip: Option<(usize, usize, &skip::SkipCondition)>,
 ) -> Result<Tape, Unrecordable> {
     let graph = lowering.graph;
     let mut left = vec![0; graph.len()];

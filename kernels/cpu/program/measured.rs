@@ -11,7 +11,7 @@ use crate::{Real, Unrecordable};
 
 /// Options of a program's execution. They do not change the bits of results.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Way {
+pub struct Execution {
     /// `true` to compute numbers that depend on one argument once per item of that argument, beforehand.
     pub frames: bool,
     /// The condition under which blocks skip nodes.
@@ -47,12 +47,12 @@ impl Trial {
     /// # Errors
     ///
     /// If it has too many instructions, or too many numbers live at a time.
-    pub fn ready(&self, fields: &[usize], way: Way) -> Result<Ready, Unrecordable> {
+    pub fn ready(&self, fields: &[usize], execution: Execution) -> Result<Ready, Unrecordable> {
         let value = &self.0.value;
         let made = |piece: &Subgraph, fields: &[usize], skipping| {
             let made = Interpreter::new(&piece.graph, fields, &piece.outputs, skipping)?;
-            let made = made.with_native(way.native);
-            Ok(match way.width {
+            let made = made.with_native(execution.native);
+            Ok(match execution.width {
                 Some(width) => made.with_width(width),
                 None => made,
             })
@@ -61,11 +61,11 @@ impl Trial {
             graph: value.graph.clone(),
             outputs: value.outputs.clone(),
         };
-        if !way.frames {
+        if !execution.frames {
             return Ok(Ready {
                 fields: fields.to_vec(),
                 frames: None,
-                body: made(&whole, fields, way.skipping)?,
+                body: made(&whole, fields, execution.skipping)?,
                 results: whole.outputs.len(),
             });
         }
@@ -83,7 +83,7 @@ impl Trial {
         Ok(Ready {
             fields: fields.to_vec(),
             frames: Some(frames.collect::<Result<_, Unrecordable>>()?),
-            body: made(&parts.body, &widths, way.skipping)?,
+            body: made(&parts.body, &widths, execution.skipping)?,
             results: whole.outputs.len(),
         })
     }

@@ -19,7 +19,7 @@ const VISITS: usize = 256;
 
 /// A truth and the nodes that it makes superfluous.
 #[derive(Clone, Debug)]
-pub(crate) struct Skip {
+pub(crate) struct SkipCondition {
     /// The truth.
     pub(crate) mask: Id,
     /// `true` if it must hold for all items, `false` if for none.
@@ -72,14 +72,14 @@ fn is_size(graph: &Graph, x: Id, depth: usize) -> bool {
 }
 
 /// Returns the truth that few items satisfy and whose absence makes most nodes superfluous.
-pub(crate) fn find_seldom(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<Skip> {
+pub(crate) fn find_seldom(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<SkipCondition> {
     find_by(graph, live, outputs, |mask, all| {
         !all && is_seldom(graph, mask, DEPTH)
     })
 }
 
 /// Returns the truth that makes most nodes superfluous; the first of equal ones.
-pub(crate) fn find(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<Skip> {
+pub(crate) fn find(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<SkipCondition> {
     find_by(graph, live, outputs, |_, _| true)
 }
 
@@ -88,7 +88,7 @@ fn find_by(
     live: &[bool],
     outputs: &[Id],
     is_wanted: impl Fn(Id, bool) -> bool,
-) -> Option<Skip> {
+) -> Option<SkipCondition> {
     let mut search = SkipSearch::new(graph, live, outputs);
     let mut best: Option<(usize, Id, bool, Vec<Id>)> = None;
     // Later truths make more nodes superfluous.
@@ -111,7 +111,7 @@ fn find_by(
     for x in nodes {
         idle[x as usize] = true;
     }
-    Some(Skip { mask, all, idle })
+    Some(SkipCondition { mask, all, idle })
 }
 
 /// The search among all truths, one after another.

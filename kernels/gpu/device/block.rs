@@ -1,5 +1,5 @@
 //! The splitting of lists and matrices into buffers.
-use super::context::Inner;
+use super::context::SharedContext;
 
 /// A part of a matrix that fits one buffer: rows of one piece of `a` by all columns of one piece
 /// of `b`.
@@ -53,7 +53,7 @@ const MOST_ROWS: usize = super::work::MOST_GROUPS * super::written::STEP;
 /// The largest number of pairs in a dispatch: an operating system resets a GPU after seconds of one dispatch.
 const MOST_PAIRS: u64 = 1 << 30;
 
-impl Inner {
+impl SharedContext {
     /// Splits a list. Returns the number of items of each piece.
     pub fn counted(&self, len: usize) -> Vec<usize> {
         (0..len.div_ceil(self.chunk))

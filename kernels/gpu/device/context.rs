@@ -16,11 +16,11 @@ pub type Gpu = Machine<Device>;
 /// The engine of a GPU: a context. Clones share the device and compiled shaders.
 #[derive(Clone)]
 pub struct Device {
-    pub(super) inner: Arc<Inner>,
+    pub(super) inner: Arc<SharedContext>,
 }
 
 /// The part of a context that all clones share.
-pub(super) struct Inner {
+pub(super) struct SharedContext {
     pub(super) device: wgpu::Device,
     pub(super) queue: wgpu::Queue,
     pub(super) adapter: Adapter,
@@ -112,7 +112,7 @@ impl Machine<Device> {
         let timing = options.timing && device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
         log::info!("using {adapter}; {chunk} shapes per buffer, subgroup slots {slots}");
         let engine = Device {
-            inner: Arc::new(Inner {
+            inner: Arc::new(SharedContext {
                 device,
                 queue,
                 adapter,
@@ -201,7 +201,7 @@ pub(super) const MOST_BYTES_PER_SHAPE: u64 = 64;
 /// The smallest limit of a buffer's size in bytes.
 pub(super) const LEAST_BYTES: u64 = 4096;
 
-impl Inner {
+impl SharedContext {
     /// Returns the pipeline of a shader that has no body of two shapes.
     pub(super) fn written(&self, kernel: Kernel, entry: &'static str) -> wgpu::ComputePipeline {
         self.pipeline(kernel, entry, || kernel.text())

@@ -1,5 +1,5 @@
 //! Lists of numbers, split into buffers that fit one binding each.
-use super::context::Inner;
+use super::context::SharedContext;
 
 /// A buffer and its number of items.
 #[derive(Clone, Debug)]
@@ -8,7 +8,7 @@ pub(super) struct BufferPiece {
     pub items: usize,
 }
 
-impl Inner {
+impl SharedContext {
     /// Creates buffers for a list of items of one number each.
     pub fn pieces(&self, len: usize) -> Vec<BufferPiece> {
         self.counted(len)

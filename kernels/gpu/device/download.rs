@@ -1,5 +1,5 @@
 //! Downloads of results: blocking, started and awaited later, or as futures.
-use super::context::{Device, Inner, locked};
+use super::context::{Device, SharedContext, locked};
 use super::data::BufferPiece;
 use crate::kernels::machine::DeviceDownload;
 use crate::{Error, GpuFault};
@@ -10,7 +10,7 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::task::{Context, Poll, Waker};
 use std::time::Duration;
 
-impl Inner {
+impl SharedContext {
     /// Starts the download of the first bytes of every buffer.
     pub fn bring(
         &self,
@@ -96,7 +96,11 @@ impl DownloadState {
     ///
     /// The callback of a mapped buffer runs on any thread that polls the device, so the end of the submission does not
     /// end the wait.
-    pub fn wait(&self, inner: &Inner, submission: &wgpu::SubmissionIndex) -> Result<(), Error> {
+    pub fn wait(
+        &self,
+        inner: &SharedContext,
+        submission: &wgpu::SubmissionIndex,
+    ) -> Result<(), Error> {
         inner.wait(Some(submission.clone()))?;
         let mut waker = locked(&self.waker);
         while !self.is_ready() {
@@ -154,27 +158,27 @@ impl BufferDownload {
 /// A conversion of downloaded buffers to the result.
 type Make<T> = dyn FnMut(&BufferDownload) -> Result<T, Error> + Send;
 
-/// A started download: wait for it with [`wait`](Pending::wait), or await it.
+/// A started download: wait for it with [`wait`](DevicePending::wait), or await it.
 #[must_use = "nothing arrives unless waited for"]
-pub struct Pending<T> {
+pub struct DevicePending<T> {
     arrival: BufferDownload,
     make: Box<Make<T>>,
 }
 
-impl<T> std::fmt::Debug for Pending<T> {
+impl<T> std::fmt::Debug for DevicePending<T> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Pending")
+        f.debug_struct("DevicePending")
             .field("is_ready", &self.arrival.state.is_ready())
             .finish_non_exhaustive()
     }
 }
 
-impl<T> Pending<T> {
+impl<T> DevicePending<T> {
     pub(super) fn new(
         arrival: BufferDownload,
         make: impl FnMut(&BufferDownload) -> Result<T, Error> + Send + 'static,
     ) -> Self {
-        Pending {
+        DevicePending {
             arrival,
             make: Box::new(make),
         }
@@ -206,7 +210,7 @@ impl<T> Pending<T> {
     }
 }
 
-impl<T> Future for Pending<T> {
+impl<T> Future for DevicePending<T> {
     type Output = Result<T, Error>;
 
     fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
@@ -245,9 +249,9 @@ pub(super) fn parts(
         .collect()
 }
 
-impl<T> DeviceDownload<T> for Pending<T> {
+impl<T> DeviceDownload<T> for DevicePending<T> {
     fn wait(self: Box<Self>) -> Result<T, Error> {
-        Pending::wait(*self)
+        DevicePending::wait(*self)
     }
 }
 

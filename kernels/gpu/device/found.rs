@@ -1,6 +1,6 @@
 //! Reductions to the pairs whose score is above a threshold, as compact lists on the GPU.
 use super::context::Device;
-use super::download::Pending;
+use super::download::DevicePending;
 use super::download::downloads;
 use super::reducer::Reducer;
 use super::work::{Commands, Params};
@@ -25,13 +25,13 @@ impl DeviceFounds {
     /// # Errors
     ///
     /// The errors of the device.
-    pub fn start_download(&self) -> Result<Pending<Vec<Found>>, Error> {
+    pub fn start_download(&self) -> Result<DevicePending<Vec<Found>>, Error> {
         let len = self.lists.iter().map(|list| list.1).sum();
         let is_mixed = self.is_mixed;
         let lists = self.lists.iter();
         let parts: Vec<_> = lists.map(|(list, n)| (list, BYTES * *n as u64)).collect();
         let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
-        Ok(Pending::new(arrival, move |arrival| {
+        Ok(DevicePending::new(arrival, move |arrival| {
             let mut all = Vec::with_capacity(len);
             arrival.read(|_, numbers| {
                 all.extend(numbers.chunks_exact(3).map(|entry| Found {

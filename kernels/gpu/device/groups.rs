@@ -1,6 +1,6 @@
 //! Reductions within groups on the GPU: a thread per own row (or column) walks a range of the other list; one dispatch
 //! computes as many groups as possible.
-use super::context::Inner;
+use super::context::SharedContext;
 use super::reducer::{ListPart, ReduceDispatch};
 use super::written::STRIP;
 use std::ops::Range;
@@ -115,7 +115,7 @@ fn runs(
     runs
 }
 
-impl Inner {
+impl SharedContext {
     /// Returns the dispatches of groups, given by the offsets of own and walked shapes, with at most `pairs` pairs
     /// each.
     pub fn group_sweeps(

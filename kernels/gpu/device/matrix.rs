@@ -1,7 +1,7 @@
 //! Matrices in GPU memory.
 use super::block::{Block, block_of, place_block};
 use super::context::Device;
-use super::download::Pending;
+use super::download::DevicePending;
 use super::reducer::{MATRIX, ReduceDispatch, Reducer};
 use super::work::{Commands, MOST_GROUPS, Params, groups};
 use super::written::{GROUP, Kernel, STRIP};
@@ -81,7 +81,7 @@ impl DeviceMatrix {
     /// # Errors
     ///
     /// The errors of the device.
-    pub fn start_download(&self) -> Result<Pending<Vec<f32>>, Error> {
+    pub fn start_download(&self) -> Result<DevicePending<Vec<f32>>, Error> {
         let (rows, columns) = (self.rows, self.columns);
         let blocks: Vec<Block> = self.blocks.iter().map(|&(block, _)| block).collect();
         let parts: Vec<_> = self
@@ -90,7 +90,7 @@ impl DeviceMatrix {
             .map(|(block, buffer)| (buffer, 4 * (block.rows * block.columns) as u64))
             .collect();
         let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
-        Ok(Pending::new(arrival, move |arrival| {
+        Ok(DevicePending::new(arrival, move |arrival| {
             let mut all = vec![0.0; rows * columns];
             arrival.read(|part, numbers| {
                 let numbers = bytemuck::cast_slice(numbers);

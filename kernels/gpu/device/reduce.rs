@@ -3,7 +3,7 @@
 //! The matrix of two lists is never stored as a whole, which bounds the memory.
 use super::context::Device;
 use super::data::BufferPiece;
-use super::download::Pending;
+use super::download::DevicePending;
 use super::download::{downloads, parts};
 use super::reducer::Reducer;
 use super::seed::sum_of;
@@ -33,12 +33,12 @@ impl DeviceBests {
     /// # Errors
     ///
     /// The errors of the device.
-    pub fn start_download(&self) -> Result<Pending<Vec<Best>>, Error> {
+    pub fn start_download(&self) -> Result<DevicePending<Vec<Best>>, Error> {
         let mut all = parts(&self.values, |n| n);
         all.extend(parts(&self.indices, |n| n));
         let arrival = self.gpu.inner.bring(&self.gpu, &all)?;
         let half = self.values.len();
-        Ok(Pending::new(arrival, move |arrival| {
+        Ok(DevicePending::new(arrival, move |arrival| {
             let (mut values, mut indices): (Vec<f32>, Vec<u32>) = (Vec::new(), Vec::new());
             arrival.read(|part, numbers| {
                 if part < half {

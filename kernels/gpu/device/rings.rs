@@ -1,6 +1,6 @@
 //! Batches of rings on the GPU.
-use super::context::{Device, Inner};
-use super::download::Pending;
+use super::context::{Device, SharedContext};
+use super::download::DevicePending;
 use super::download::downloads;
 use super::work::{Commands, Params, groups};
 use super::written::{Kernel, LONG, ROW, SPAN};
@@ -36,7 +36,7 @@ struct LongRings {
 }
 
 impl LongRings {
-    fn new(inner: &Inner, offsets: &[u32]) -> Option<Self> {
+    fn new(inner: &SharedContext, offsets: &[u32]) -> Option<Self> {
         let (mut spans, mut longs): (Vec<[u32; 2]>, Vec<[u32; 3]>) = (Vec::new(), Vec::new());
         for (ring, ends) in offsets.windows(2).enumerate() {
             let count = ends[1] - ends[0];
@@ -122,10 +122,10 @@ impl<T: Fixed<Scalar = f32> + 'static> DeviceRingValues<T> {
     /// # Errors
     ///
     /// The errors of the device.
-    pub fn start_download(&self) -> Result<Pending<Vec<T>>, Error> {
+    pub fn start_download(&self) -> Result<DevicePending<Vec<T>>, Error> {
         let parts: Vec<_> = self.parts.iter().map(|(buffer, n)| (buffer, *n)).collect();
         let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
-        Ok(Pending::new(arrival, |arrival| {
+        Ok(DevicePending::new(arrival, |arrival| {
             let mut all = Vec::new();
             arrival.read(|_, numbers| {
                 let numbers: &[f32] = bytemuck::cast_slice(numbers);
@@ -356,7 +356,11 @@ impl RingRun {
     }
 }
 
-fn ring_pipeline(measure: Measure, inner: &Inner, entry: &'static str) -> wgpu::ComputePipeline {
+fn ring_pipeline(
+    measure: Measure,
+    inner: &SharedContext,
+    entry: &'static str,
+) -> wgpu::ComputePipeline {
     inner.written(Kernel::Ragged(measure), entry)
 }
 

@@ -1,5 +1,5 @@
 //! The execution of kernels: pipelines, dispatches, error scopes.
-use super::context::{Inner, locked};
+use super::context::{SharedContext, locked};
 use super::download::DownloadState;
 use super::written::{GROUP, Kernel};
 use crate::{Error, GpuFault};
@@ -32,7 +32,7 @@ const PARAMS_BYTES: u64 = 64;
 
 /// Commands to be submitted to the queue.
 pub(super) struct Commands<'a> {
-    pub inner: &'a Inner,
+    pub inner: &'a SharedContext,
     encoder: wgpu::CommandEncoder,
     queries: Option<wgpu::QuerySet>,
     timed: u32,
@@ -42,7 +42,7 @@ pub(super) struct Commands<'a> {
 const MOST_TIMED: u32 = 2048;
 
 impl<'a> Commands<'a> {
-    pub fn new(inner: &'a Inner) -> Self {
+    pub fn new(inner: &'a SharedContext) -> Self {
         let queries = inner.timing.then(|| {
             inner.device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: None,
@@ -192,7 +192,7 @@ pub(super) fn groups(threads: usize) -> u32 {
     threads.div_ceil(GROUP) as u32
 }
 
-impl Inner {
+impl SharedContext {
     pub fn encoder(&self) -> wgpu::CommandEncoder {
         self.device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: None })

@@ -9,7 +9,7 @@ use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::plan::{Plan, plan};
 use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::gpu::device::context::Device;
-use crate::kernels::gpu::device::context::Inner;
+use crate::kernels::gpu::device::context::SharedContext;
 use crate::kernels::gpu::device::download::BufferDownload;
 use crate::kernels::gpu::device::work::Commands;
 use crate::kernels::machine::Column;
@@ -149,7 +149,7 @@ impl ItemCode {
 }
 
 /// Returns the number of items of a dispatch whose inputs and outputs fit one binding each.
-fn chunk(inner: &Inner, made: &Generated<f32>) -> Result<usize, Error> {
+fn chunk(inner: &SharedContext, made: &Generated<f32>) -> Result<usize, Error> {
     let fields = |numbers: &[usize]| numbers.iter().sum::<usize>().max(1);
     let widest = fields(&made.widths).max(fields(&made.gives));
     // The last tile may be incomplete.

@@ -1,5 +1,5 @@
 //! Bodies by hand of the overlap of boxes in the plane, copies of their Rust source in WGSL.
-use super::operation::{Generated, Kind, Name, ShaderBody};
+use super::operation::{BoxKind, Generated, ProgramName, ShaderBody};
 use crate::Error;
 use crate::kernels::call::recording::Call;
 use crate::kernels::cpu::plan::plan;
@@ -11,19 +11,19 @@ use std::fmt::Write;
 use std::sync::Arc;
 
 /// Returns the kind of boxes and the divisor of the intersection area of compiled kernels, if they have a body by hand.
-fn kind_of(compiled: Compiled) -> Option<(Kind, Denominator)> {
+fn kind_of(compiled: Compiled) -> Option<(BoxKind, Denominator)> {
     match compiled {
-        Compiled::Obb2(over) => Some((Kind::Rotated, over)),
-        Compiled::Aabb2(over) => Some((Kind::AxisAligned, over)),
+        Compiled::Obb2(over) => Some((BoxKind::Rotated, over)),
+        Compiled::Aabb2(over) => Some((BoxKind::AxisAligned, over)),
         _ => None,
     }
 }
 
 /// Returns the WGSL of a kind of boxes.
-fn text_of(kind: Kind) -> &'static str {
+fn text_of(kind: BoxKind) -> &'static str {
     match kind {
-        Kind::Rotated => include_str!("../../wgsl/obb2.wgsl"),
-        Kind::AxisAligned => include_str!("../../wgsl/aabb2.wgsl"),
+        BoxKind::Rotated => include_str!("../../wgsl/obb2.wgsl"),
+        BoxKind::AxisAligned => include_str!("../../wgsl/aabb2.wgsl"),
     }
 }
 
@@ -62,7 +62,7 @@ impl Generated<f32> {
                 gives: numbers,
             };
             Ok(Generated {
-                name: Name::default(),
+                name: ProgramName::default(),
                 kind: Some(kind),
                 head: head(kind, over, is_extreme, takes),
                 arguments,
@@ -73,7 +73,7 @@ impl Generated<f32> {
             })
         };
         let mut ordinary = made(false)?;
-        if kind == Kind::Rotated {
+        if kind == BoxKind::Rotated {
             ordinary.extreme = Some(Arc::new(made(true)?));
         }
         Ok(Some(ordinary))
@@ -82,7 +82,7 @@ impl Generated<f32> {
 
 /// Returns the WGSL functions that the body calls. With `is_extreme` they serve boxes whose plain products overflow or
 /// underflow.
-fn head(kind: Kind, over: Denominator, is_extreme: bool, takes: usize) -> String {
+fn head(kind: BoxKind, over: Denominator, is_extreme: bool, takes: usize) -> String {
     let mut text = policy();
     let _ = writeln!(
         text,

@@ -1,5 +1,5 @@
 //! Folds over paths: one thread per path walks along its edges.
-use super::operation::{Name, ShaderBody, body_of, part};
+use super::operation::{ProgramName, ShaderBody, body_of, part};
 use super::text::{GROUP, KernelForm, MOST_GROUPS, call};
 use crate::ad::program::WGSL;
 use crate::ad::program::recorded::Recorded;
@@ -23,7 +23,7 @@ use std::sync::Arc;
 /// The shaders of a fold: written once, compiled once per device.
 #[derive(Debug)]
 pub(super) struct GeneratedFold {
-    name: Name,
+    name: ProgramName,
     edge: ShaderBody,
     join: ShaderBody,
     finish: ShaderBody,
@@ -60,7 +60,7 @@ pub(super) fn shaders(
         let edge_vjp = piece(&programs.edge_vjp);
         let derivatives = part(&edge_vjp, &edge_vjp.outputs[sizes.state..]);
         Ok(GeneratedFold {
-            name: Name::default(),
+            name: ProgramName::default(),
             edge: whole("fold_edge", &programs.edge),
             join: whole("fold_join", &programs.join),
             finish: whole("fold_finish", &programs.finish),

@@ -16,7 +16,7 @@ pub(super) mod template;
 pub(super) mod text;
 pub(super) mod uploaded;
 
-use super::context::{Inner, locked};
+use super::context::{SharedContext, locked};
 use super::written::{SeedSource, Take, ring_source};
 use crate::kernels::Fold;
 use crate::kernels::call::folding;
@@ -26,17 +26,17 @@ use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::Item;
 use crate::kernels::row::op::Op;
 use crate::{Error, Pack};
-use operation::{Generated, Name};
+use operation::{Generated, ProgramName};
 use std::sync::Arc;
 use text::{KernelForm, SummedLists};
 use uploaded::MOST_OPERATIONS;
 
-impl Inner {
+impl SharedContext {
     /// Returns the pipeline of a generated kernel, compiled at the first call. It also drops the pipelines of programs
     /// that no longer exist.
     fn generated(
         &self,
-        name: &Name,
+        name: &ProgramName,
         form: KernelForm,
         text: impl FnOnce() -> String,
     ) -> wgpu::ComputePipeline {
@@ -54,7 +54,11 @@ impl Inner {
 
 impl Generated<f32> {
     /// Returns the pipeline of a kernel around it.
-    pub(super) fn pipeline(&self, inner: &Inner, form: KernelForm) -> wgpu::ComputePipeline {
+    pub(super) fn pipeline(
+        &self,
+        inner: &SharedContext,
+        form: KernelForm,
+    ) -> wgpu::ComputePipeline {
         inner.generated(&self.name, form, || form.text(self))
     }
     /// Returns the largest number of pairs in a dispatch: an operating system resets a GPU after seconds of one

@@ -17,26 +17,26 @@ use std::sync::{Arc, LazyLock};
 
 /// The kinds of boxes that have bodies by hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Kind {
+pub(super) enum BoxKind {
     /// [`Obb2`](crate::Obb2).
     Rotated,
     /// [`Aabb2`](crate::Aabb2).
     AxisAligned,
 }
 
-impl Kind {
+impl BoxKind {
     /// Returns the name of the prepared boxes, which all scores share.
-    fn prepared(self) -> Name {
-        static NAMES: LazyLock<[Name; 2]> = LazyLock::new(Default::default);
+    fn prepared(self) -> ProgramName {
+        static NAMES: LazyLock<[ProgramName; 2]> = LazyLock::new(Default::default);
         NAMES[self as usize].clone()
     }
 }
 
 /// An operation, or a program, for GPUs: made once, compiled once per context.
 pub struct Generated<T> {
-    pub(super) name: Name,
+    pub(super) name: ProgramName,
     /// The kind of boxes of a body by hand.
-    pub(super) kind: Option<Kind>,
+    pub(super) kind: Option<BoxKind>,
     /// The WGSL functions that its bodies call.
     pub(super) head: String,
     /// For every argument, its checks and its preparation.
@@ -105,12 +105,12 @@ pub(super) fn part(piece: &Subgraph, outputs: &[Id]) -> Subgraph {
 
 /// A unique name; pipelines are kept as long as it lives.
 #[derive(Clone, Debug)]
-pub(super) struct Name(pub Arc<u64>);
+pub(super) struct ProgramName(pub Arc<u64>);
 
-impl Default for Name {
+impl Default for ProgramName {
     fn default() -> Self {
         static NEXT: AtomicU64 = AtomicU64::new(1);
-        Name(Arc::new(NEXT.fetch_add(1, Ordering::Relaxed)))
+        ProgramName(Arc::new(NEXT.fetch_add(1, Ordering::Relaxed)))
     }
 }
 
@@ -185,7 +185,7 @@ impl<T: Real> Generated<T> {
         }
         let gives = mode.gives(&fields, &outputs);
         Ok(Generated {
-            name: Name::default(),
+            name: ProgramName::default(),
             kind: None,
             head: format!("{WGSL}\n"),
             arguments,
@@ -198,7 +198,7 @@ impl<T: Real> Generated<T> {
 
     /// Returns the key of the prepared shapes of an argument, and the name that owns them. Bodies by hand of one kind
     /// of boxes share them.
-    pub(super) fn prepared(&self, k: usize) -> ((u64, usize), Name) {
+    pub(super) fn prepared(&self, k: usize) -> ((u64, usize), ProgramName) {
         let (name, k) = match self.kind {
             Some(kind) => (kind.prepared(), 0),
             None => (self.name.clone(), k),

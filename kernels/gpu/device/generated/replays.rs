@@ -3,7 +3,7 @@
 //! A replay is a list of instructions, and one kernel executes those of all operations. A thread's work is data, so no
 //! record needs a pipeline of its own.
 use super::instructions::{Replay, instructions, numbers};
-use super::operation::Name;
+use super::operation::ProgramName;
 use super::text::{GROUP, KernelForm, MOST_GROUPS};
 use crate::Error;
 use crate::ad::program::WGSL;
@@ -35,9 +35,9 @@ pub(super) fn text() -> String {
 }
 
 /// Returns the name of its pipeline, which lives as long as the process.
-fn name() -> &'static Name {
-    static NAME: OnceLock<Name> = OnceLock::new();
-    NAME.get_or_init(Name::default)
+fn name() -> &'static ProgramName {
+    static NAME: OnceLock<ProgramName> = OnceLock::new();
+    NAME.get_or_init(ProgramName::default)
 }
 
 /// The number of replays that are kept as instructions. One more drops all, which bounds the memory.

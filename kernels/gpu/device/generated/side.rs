@@ -4,7 +4,7 @@ use super::text::{MOST_GROUPS, ROWS};
 use crate::Error;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::work::in_parallel;
-use crate::kernels::gpu::device::context::Inner;
+use crate::kernels::gpu::device::context::SharedContext;
 use crate::kernels::machine::Column;
 use crate::kernels::row::item::STRETCH;
 use std::ops::Range;
@@ -23,7 +23,7 @@ pub(in crate::kernels::gpu::device) struct UploadedList {
 impl UploadedList {
     /// Uploads a checked list.
     pub fn new(
-        inner: &Inner,
+        inner: &SharedContext,
         made: &Generated<f32>,
         k: usize,
         column: &Column<'_, f32>,
@@ -56,7 +56,7 @@ impl UploadedList {
     /// Replaces the shapes by as many others, in place.
     pub fn rewrite(
         &mut self,
-        inner: &Inner,
+        inner: &SharedContext,
         made: &Generated<f32>,
         k: usize,
         column: &Column<'_, f32>,

@@ -7,7 +7,7 @@ use super::text::{KernelForm, ROWS};
 use crate::Error;
 use crate::kernels::cpu::checked::check_argument;
 use crate::kernels::gpu::device::block::Block;
-use crate::kernels::gpu::device::context::{Device, Inner};
+use crate::kernels::gpu::device::context::{Device, SharedContext};
 use crate::kernels::gpu::device::work::{Commands, Params};
 use crate::kernels::machine::Column;
 use std::ops::Range;
@@ -130,7 +130,7 @@ impl UploadedLists {
     /// Computes a block of results.
     pub fn compute(
         &self,
-        inner: &Inner,
+        inner: &SharedContext,
         made: &Arc<Generated<f32>>,
         block: &Block,
         to: &wgpu::Buffer,

@@ -7,8 +7,8 @@ use crate::Error;
 use crate::error::Argument;
 use crate::kernels::cpu::checked::check_numbers;
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::gpu::device::context::{Device, Inner, locked};
-use crate::kernels::gpu::device::download::Pending;
+use crate::kernels::gpu::device::context::{Device, SharedContext, locked};
+use crate::kernels::gpu::device::download::DevicePending;
 use crate::kernels::gpu::device::generated::aligned::tiles;
 use crate::kernels::gpu::device::generated::operation::Generated;
 use crate::kernels::gpu::device::generated::side::UploadedList;
@@ -70,7 +70,7 @@ impl Windows {
 }
 
 /// Returns the number of items of `width` numbers that fit a buffer and a dispatch.
-fn window(inner: &Inner, width: usize) -> Result<usize, Error> {
+fn window(inner: &SharedContext, width: usize) -> Result<usize, Error> {
     let most = inner.most_bytes as usize / 4 / width.max(1);
     match most.min(MOST_GROUPS * GROUP) / TILE * TILE {
         0 => Err(inner.too_large(TILE * width)),
@@ -80,7 +80,7 @@ fn window(inner: &Inner, width: usize) -> Result<usize, Error> {
 
 /// Uploads prepared numbers, into the buffers `there` if given.
 fn brought_up(
-    inner: &Inner,
+    inner: &SharedContext,
     there: Option<&Windows>,
     width: usize,
     count: usize,
@@ -319,7 +319,10 @@ fn untile(lanes: &[f32], fields: usize, rows: &mut [f32]) {
 }
 
 /// Starts the download of columns: the numbers of each, shape by shape.
-fn start_download(gpu: &Device, columns: &[&HeldColumn]) -> Result<Pending<Vec<Vec<f32>>>, Error> {
+fn start_download(
+    gpu: &Device,
+    columns: &[&HeldColumn],
+) -> Result<DevicePending<Vec<Vec<f32>>>, Error> {
     // Rows that the CPU has already; for the others the range of their parts.
     let mut known = Vec::new();
     let mut parts = Vec::new();
@@ -340,7 +343,7 @@ fn start_download(gpu: &Device, columns: &[&HeldColumn]) -> Result<Pending<Vec<V
     }
     let bytes: Vec<_> = parts.iter().map(|(x, at, n)| (x, *at, *n)).collect();
     let arrival = gpu.inner.bring_parts(gpu, &bytes)?;
-    Ok(Pending::new(arrival, move |arrival| {
+    Ok(DevicePending::new(arrival, move |arrival| {
         let mut all: Vec<(Vec<f32>, usize)> = known
             .iter()
             .map(|(rows, fields, count, _)| match rows {
