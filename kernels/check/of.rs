@@ -1,4 +1,4 @@
-//! A check of an operation given as a value: `Check::of(Iou.row::<(Obb2<f64>, Obb2<f64>)>())`.
+//! A check of an operation that is a value: `Check::of(Iou.row::<(Obb2<f64>, Obb2<f64>)>())`.
 use crate::ad::check::{Check, Report, SEED, Sampling};
 use crate::ad::sample::Sample;
 use crate::kernels::check::check_with;

@@ -1,4 +1,4 @@
-//! Suppression while pairs are computed: only those that a kept shape may suppress.
+//! Suppression that computes only the pairs with a kept shape.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::lane::Planes;

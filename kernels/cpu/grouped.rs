@@ -174,7 +174,7 @@ fn sweep_small<T: Real>(
     with_lanes(lanes[0] + lanes[1] + planes(fields), |all| {
         let (own, all) = all.split_at_mut(lanes[0]);
         let (others, results) = all.split_at_mut(lanes[1]);
-        let mut desk = PairBuffer {
+        let mut buffer = PairBuffer {
             plan: pairs.plan,
             lists: &lists,
             picking: [a.picking(), b.picking()],
@@ -214,10 +214,10 @@ fn sweep_small<T: Real>(
                 };
                 hits.clear();
                 hits.extend(near.iter().filter(|&&column| wants(row, column as usize)));
-                desk.add(row, &hits, &mut consume);
+                buffer.add(row, &hits, &mut consume);
             }
         }
-        desk.finish(&mut consume);
+        buffer.finish(&mut consume);
     });
 }
 

@@ -133,7 +133,7 @@ thread_local! {
 #[derive(Debug)]
 pub struct Stock<T> {
     /// The lanes that a call computes with.
-    desk: RefCell<Vec<Lane<T>>>,
+    scratch: RefCell<Vec<Lane<T>>>,
     /// Lists that no [`LaneBuffer`] holds now.
     lists: RefCell<Vec<Vec<Lane<T>>>>,
     /// Furnished buffers, each with the number of its owner; the latest come last.
@@ -143,7 +143,7 @@ pub struct Stock<T> {
 impl<T> Stock<T> {
     const fn new() -> Self {
         Stock {
-            desk: RefCell::new(Vec::new()),
+            scratch: RefCell::new(Vec::new()),
             lists: RefCell::new(Vec::new()),
             rooms: RefCell::new(Vec::new()),
         }
@@ -158,7 +158,7 @@ fn stock<T: Real>() -> &'static LocalKey<Stock<T>> {
 
 /// Calls `run` with `count` lanes of this thread; their contents are arbitrary.
 pub(crate) fn with_lanes<T: Real, R>(count: usize, run: impl FnOnce(&mut [Lane<T>]) -> R) -> R {
-    stock::<T>().with(|kept| match kept.desk.try_borrow_mut() {
+    stock::<T>().with(|kept| match kept.scratch.try_borrow_mut() {
         Ok(mut lanes) => {
             if lanes.len() < count {
                 lanes.resize(count, Lane::default());

@@ -12,8 +12,8 @@
 //! # Method
 //!
 //! *From shapes to numbers.* Rows and columns of shapes become plain numbers, and all code below knows numbers only: it
-//! is compiled once, in the library. `plan` decides how each argument is checked and prepared, and which
-//! kernel computes blocks. Blocks are made of tiles, sixteen items of one field (`lane`).
+//! is compiled once, in the library. `plan` decides how each argument is checked and prepared, and which kernel
+//! computes blocks. Blocks are made of tiles: sixteen items, field after field (`lane`).
 //!
 //! *Compiled kernels* serve the scores of boxes in the plane (`overlaps`), boxes in space (`upright_boxes`, `boxes3`),
 //! areas of quadrilaterals (`quads`) and measures of rings (`rings`): their generic source on processor vectors, for
@@ -23,10 +23,10 @@
 //! extreme for a kernel take the scalar code.
 //!
 //! *The interpreter* (`program`) runs all other rows: `lower`, `fuse` and `slots` make a tape of instructions, and
-//! `execute` runs each over a block that fits the innermost cache. For all pairs, `split` computes once per shape
-//! whatever depends on one argument; `skip` leaves out what no item of a block takes. `folds` runs edges of a path in
-//! parallel; `nearest` finds the edges that a distance needs; `polygons` has rings of two ragged lists. Searches run
-//! item by item.
+//! `execute` runs each over a block that fits the innermost cache. For all pairs, `split` computes numbers that depend
+//! on one argument once per shape; `skip` leaves out nodes that no item of a block needs. `folds` computes the edges of
+//! paths in parallel; `nearest` finds the edges that a distance needs; `polygons` computes rings of two ragged lists.
+//! Searches run item by item.
 //!
 //! *Pairs.* `sweep` walks all pairs for tables (`pairs`) and reductions (`reductions`). If results of shapes apart are
 //! zero, bounds are compared first, by a tree (`tree`) where lists are long and few pairs near; boxes in space are

@@ -142,7 +142,7 @@ impl<'a, T: Real> Sweep<'a, T> {
         }
         let lanes = SweepBuffers::lanes(&self).iter().sum();
         with_lanes(lanes, |lanes| {
-            let mut desk = SweepBuffers::new(&self, lanes);
+            let mut buffers = SweepBuffers::new(&self, lanes);
             let count = self.b.count;
             let (mut room, mut hits) = (Vec::new(), Vec::new());
             while let Some(row) = choice.next() {
@@ -152,8 +152,8 @@ impl<'a, T: Real> Sweep<'a, T> {
                     hits.extend(near.iter().filter(|&&column| choice.wants(column as usize)));
                 }
                 if !hits.is_empty() {
-                    desk.choose(row);
-                    desk.some(0..count, &hits, &mut |part: RowPart<'_, T>| {
+                    buffers.choose(row);
+                    buffers.some(0..count, &hits, &mut |part: RowPart<'_, T>| {
                         if let PartColumns::Picked(columns) = part.columns {
                             choice.take(columns, part.results);
                         }
@@ -221,7 +221,7 @@ impl<'a, T: Real> Sweep<'a, T> {
         rows: Range<usize>,
         mut consume: impl FnMut(RowPart<'_, T>),
     ) {
-        let mut desk = SweepBuffers::new(self, lanes);
+        let mut buffers = SweepBuffers::new(self, lanes);
         if let Some(tree) = &self.tree {
             let mut room = Vec::new();
             let mut group = RowGroup::default();
@@ -234,16 +234,16 @@ impl<'a, T: Real> Sweep<'a, T> {
                 let hits = tree.near(&bounds, &mut room);
                 if is_plain && tiles(hits.len()) <= GROUP {
                     if group.tiles + tiles(hits.len()) > GROUP {
-                        desk.finish(&mut group, &mut consume);
+                        buffers.finish(&mut group, &mut consume);
                     }
-                    desk.add(&mut group, row, hits);
+                    buffers.add(&mut group, row, hits);
                 } else {
-                    desk.finish(&mut group, &mut consume);
-                    desk.choose(row);
-                    desk.some(0..self.b.count, hits, &mut consume);
+                    buffers.finish(&mut group, &mut consume);
+                    buffers.choose(row);
+                    buffers.some(0..self.b.count, hits, &mut consume);
                 }
             }
-            return desk.finish(&mut group, &mut consume);
+            return buffers.finish(&mut group, &mut consume);
         }
         let mut hits = [0; (BLOCK + 1) * TILE];
         let step = BLOCK * TILE;
@@ -257,15 +257,15 @@ impl<'a, T: Real> Sweep<'a, T> {
                 _ => None,
             };
             for row in rows.clone() {
-                desk.choose(row);
+                buffers.choose(row);
                 if let (Some(bounds), Some(own)) = (bounds, self.a.bounds_of(row)) {
                     let near = (kernels_in::<T>().near)(&own, bounds, first as u32, &mut hits);
                     if 4 * near <= self.quarters * stretch.len() {
-                        desk.some(stretch.clone(), &hits[..near], &mut consume);
+                        buffers.some(stretch.clone(), &hits[..near], &mut consume);
                         continue;
                     }
                 }
-                desk.all(stretch.clone(), &mut consume);
+                buffers.all(stretch.clone(), &mut consume);
             }
         }
     }
@@ -298,7 +298,7 @@ struct SweepBuffers<'a, T: Real> {
 }
 
 impl<'a, T: Real> SweepBuffers<'a, T> {
-    /// Returns the numbers of lanes of a desk: for the row, gathered columns, upstream derivatives and results.
+    /// Returns the numbers of lanes of the buffers: for the row, gathered columns, upstream derivatives and results.
     fn lanes(sweep: &Sweep<'_, T>) -> [usize; 4] {
         [
             GROUP * sweep.a.frame_fields,
@@ -307,7 +307,7 @@ impl<'a, T: Real> SweepBuffers<'a, T> {
             planes(sweep.fields),
         ]
     }
-    /// Creates a desk on some lanes with arbitrary contents.
+    /// Creates buffers on some lanes with arbitrary contents.
     fn new(sweep: &'a Sweep<'a, T>, lanes: &'a mut [Lane<T>]) -> Self {
         let [own, picked, seeds, _] = Self::lanes(sweep);
         let (own, lanes) = lanes.split_at_mut(own);
@@ -339,7 +339,7 @@ impl<'a, T: Real> SweepBuffers<'a, T> {
         let Upstream { derivatives, step } = self.sweep.upstream?;
         Some(&derivatives[self.row * step..][..self.sweep.b.count])
     }
-    /// Computes the row with some columns into the desk's buffer of results.
+    /// Computes the row with some columns into the buffer of results.
     fn make(&mut self, columns: Tiles<'_, T>, count: usize) {
         let inputs = [Tiles::one(self.own), columns, Tiles::new(self.seeds, 1)];
         let used = if self.sweep.upstream.is_some() { 3 } else { 2 };
