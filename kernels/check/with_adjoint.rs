@@ -17,7 +17,7 @@ pub trait WithAdjoint: 'static {
     type In<S: Scalar>: Pack<Scalar = S>;
     /// The result, generic over the scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// `true` for a search, whose derivatives are those of its replay.
+    /// `true` for a search, whose derivatives are its replay's.
     const SEARCHES: bool = false;
     /// Returns the result by the generic source.
     fn eval<S: Scalar<Mask = bool>>(input: &Self::In<S>) -> Self::Out<S>;

@@ -19,7 +19,7 @@ pub(crate) fn checked<T: Real>(
     Ok((count, rare))
 }
 
-/// Returns the name of column `k`: the columns of arguments come first, then those of cotangents.
+/// Returns the name of column `k`: arguments come first, then cotangents.
 pub(crate) fn name_of<T>(arguments: &[Preparation<T>], k: usize) -> Argument {
     let own = arguments.get(k);
     own.map_or(Argument::Upstream, |argument| argument.argument(k))

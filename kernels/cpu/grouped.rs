@@ -138,7 +138,7 @@ impl<T: Real> PairBuffer<'_, T> {
         self.rows.clear();
         self.columns.clear();
     }
-    /// Replaces the results of pairs with extreme shapes by those of the scalar code.
+    /// Replaces the results of pairs with extreme shapes by the scalar code's.
     fn mend(&mut self) {
         let [a, b] = self.lists;
         let Some(rare) = &self.plan.rare else { return };

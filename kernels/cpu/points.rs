@@ -1,7 +1,7 @@
 //! Point-in-box queries of many points and many boxes.
 //!
 //! A tree of the boxes' bounds excludes boxes far from a point; [`contains`](crate::Obb2::contains) decides for the
-//! others. So results equal those of a loop over all points and boxes, for any number of threads.
+//! others. So results equal the results of a loop over all points and boxes, for any number of threads.
 use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::Cpu;
 use crate::shape::{Aabb3, Obb3, YawBox3};

@@ -274,7 +274,7 @@ fn bounds<T: Real>(list: RingList<'_, T>) -> Vec<Lane<T>> {
     all
 }
 
-/// A search for the polygons of b whose bounds meet those of a polygon of a.
+/// A search for the polygons of b whose bounds meet the bounds of a polygon of a.
 struct NearSearch<'a, T> {
     pairs: RingPairs<'a, T>,
     bounds: Option<[Vec<Lane<T>>; 2]>,

@@ -39,7 +39,7 @@ pub(crate) fn measured<T: Real>(
     }
 }
 
-/// Writes the cotangents of vertices from those of the results. Offsets were checked.
+/// Writes the cotangents of vertices from the results' cotangents. Offsets were checked.
 pub(crate) fn measured_vjp<T: Real>(
     measure: Measure,
     vertices: &[Vec2<T>],

@@ -20,7 +20,7 @@ pub(crate) fn aabb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>]
 /// separating axes of a pair, edge against edge, show it in single precision, too.
 const SLACK: f64 = 0.01;
 
-/// Writes the bounds of boxes of any orientation: those of the ball around each, which a rotation does not change.
+/// Writes the bounds of boxes of any orientation: of the ball around each, which a rotation does not change.
 pub(crate) fn obb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>]) {
     for (t, out) in bounds.as_chunks_mut::<BOUNDS>().0.iter_mut().enumerate() {
         let Some(shape) = shapes.tile::<OBB3>(t) else {

@@ -223,7 +223,7 @@ impl<T: Real> Stretch<'_, T> {
             }
         }
     }
-    /// Replaces the results of extreme items by those of the scalar code.
+    /// Replaces the results of extreme items by the scalar code's.
     fn mend(&self, items: Range<usize>, mut out: ResultTiles<'_, T>) {
         let plan = self.plan;
         let Some(rare) = &plan.rare else { return };

@@ -276,7 +276,7 @@ impl<'a, T: Real> Sweep<'a, T> {
 struct RowGroup {
     /// The number of tiles in use.
     tiles: usize,
-    /// Each row, its first tile, and the end of its columns among those of all rows.
+    /// Each row, its first tile, and the end of its columns in `columns`.
     rows: Vec<(usize, usize, usize)>,
     columns: Vec<u32>,
 }

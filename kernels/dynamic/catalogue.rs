@@ -125,7 +125,7 @@ impl Operation {
     pub fn derivatives(&self) -> Option<Derivative> {
         (self.sort == Sort::Straight).then_some(self.declared.derivative)
     }
-    /// Returns the shapes of its result: one, or those of a tuple.
+    /// Returns the shapes of its result: one, or the entries of a tuple.
     #[must_use]
     pub fn result(&self) -> Vec<Shape> {
         shapes(&(self.double.gives)(), &(self.kinds[1])())
@@ -145,7 +145,7 @@ impl Operation {
     fn of<T: Real>(&self) -> &InFormat<T> {
         in_format([&self.single, &self.double])
     }
-    /// Returns the layouts of its arguments in a format, to trace functions of the same shapes.
+    /// Returns the layouts of its arguments in a format, to trace functions of its shapes.
     #[must_use]
     pub fn layouts<T: Real>(&self) -> Vec<Layout<T>> {
         let leaves = (self.of::<T>().takes)().into_iter();
@@ -178,7 +178,7 @@ impl Operation {
     pub fn value_grad<T: Real>(&self) -> Option<Function<T>> {
         self.function(Mode::ValueGrad)
     }
-    /// Returns the adjoint on columns; the last columns are those of cotangents.
+    /// Returns the adjoint on columns; the last columns are cotangents.
     #[must_use]
     pub fn vjp<T: Real>(&self) -> Option<Function<T>> {
         self.function(Mode::Vjp)

@@ -11,7 +11,7 @@ use crate::kernels::row::op::{Finite, Limits};
 use crate::scalar::Guard;
 use crate::{Jet, Real, Scalar};
 
-/// The step between the inputs that the scalar code computes, too, and between those of duals.
+/// The steps between inputs that the scalar code computes, too, and between inputs of duals.
 const SINGLE: usize = 127;
 const DUAL: usize = 1021;
 
@@ -30,7 +30,7 @@ pub(super) struct TestSelection {
     pub upstream: bool,
     /// `true` to test exchanged and identical shapes.
     pub pairs: bool,
-    /// The step between inputs that the scalar code computes, too, and between those of duals.
+    /// The steps between inputs that the scalar code computes, too, and between inputs of duals.
     pub single: usize,
     pub dual: usize,
 }
@@ -69,7 +69,7 @@ pub(super) fn unless(property: Property, place: Option<usize>) -> Outcome {
     place.map_or(Ok(()), |at| Err(Finding { property, at }))
 }
 
-/// Returns `true` if two lists have the same bits.
+/// Returns `true` if two lists have equal bits.
 fn same<T: Real>(a: &[T], b: &[T]) -> bool {
     let bits = |x: &T| x.widen().to_bits();
     a.len() == b.len() && a.iter().map(bits).eq(b.iter().map(bits))

@@ -1,4 +1,4 @@
-//! The reduction of an input to a simpler one that breaks the same property.
+//! The reduction of an input to a simpler one that breaks its property.
 use super::Broken;
 use super::arguments::InputColumns;
 use super::families::limits_of;

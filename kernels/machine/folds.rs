@@ -264,7 +264,7 @@ impl<E: ?Sized> Machine<E> {
         Ok((by_context, bars))
     }
 
-    /// Writes the cotangents of vertices, and returns those of contexts.
+    /// Writes the cotangents of vertices. Returns the cotangents of contexts.
     fn pull_into<F, C: Columns, V: Fixed<Scalar: On<E>>>(
         &self,
         context: &C,

@@ -62,8 +62,8 @@ use std::fmt;
 /// A machine that runs batches: [`Cpu`](crate::kernels::Cpu), [`Gpu`](crate::kernels::gpu::Gpu), or either behind a
 /// [`Backend`](crate::kernels::Backend).
 ///
-/// Results of a GPU equal those of the CPU to within rounding; its errors include [`Error::Gpu`], and
-/// [`Error::Program`] for functions that cannot be recorded.
+/// Results of a GPU equal the CPU's to within rounding; its errors include [`Error::Gpu`], and [`Error::Program`] for
+/// functions that cannot be recorded.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub struct Machine<E: ?Sized> {
     pub(crate) engine: E,

@@ -15,7 +15,7 @@ pub enum PathSpans<'a> {
 }
 
 impl<'a> PathSpans<'a> {
-    /// Returns the offsets of paths; `ends` holds those of a shared path.
+    /// Returns the offsets of paths; `ends` holds the two offsets of a shared path.
     pub(crate) const fn offsets(&self, ends: &'a [usize; 2]) -> &'a [usize] {
         match *self {
             PathSpans::Ragged(offsets) => offsets,

@@ -104,8 +104,8 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         reduction: GroupedReduction<T>,
     ) -> Result<Reduced<T>, Error>;
 
-    /// Writes the cotangents of both lists from those of all results. Returns the sum of all results if one factor is
-    /// the seed of all pairs, otherwise 0.
+    /// Writes the cotangents of both lists from the cotangents of all results. Returns the sum of all results if one
+    /// factor is the seed of all pairs, otherwise 0.
     #[doc(hidden)]
     fn pull_back(
         &self,
@@ -119,7 +119,7 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
     #[doc(hidden)]
     fn fold(&self, folding: &Folding<T>, input: &Input<'_, T>, out: &mut [T]) -> Result<(), Error>;
 
-    /// Writes the cotangents of every context and every vertex, from those of every result.
+    /// Writes the cotangents of every context and every vertex from the results' cotangents.
     #[doc(hidden)]
     fn fold_back(
         &self,

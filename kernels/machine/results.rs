@@ -198,7 +198,7 @@ impl<T: Real> Matrix<T> {
         self.0.update(values)
     }
 
-    /// Returns a copy of the numbers on the same machine.
+    /// Returns a copy of the matrix on its machine.
     ///
     /// # Errors
     ///

@@ -29,7 +29,7 @@ pub(crate) trait MachineColumn<T>: fmt::Debug + Send + Sync {
     /// Checks shapes, one after another.
     #[doc(hidden)]
     fn check(&self, leaf: Leaf<T>, numbers: &[T]) -> Result<(), Error>;
-    /// Replaces the numbers by those of as many other shapes; they were checked.
+    /// Replaces the numbers of all shapes; the new ones were checked.
     #[doc(hidden)]
     fn update(&mut self, rows: Vec<T>);
     /// Starts the download of several columns of one machine, this one among them.

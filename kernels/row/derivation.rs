@@ -17,7 +17,7 @@ pub enum Mode {
 }
 
 impl Mode {
-    /// Returns the number of scalars of every output shape, from those of the arguments and of the results.
+    /// Returns the number of scalars of every output shape, from the numbers of arguments and results.
     pub(crate) fn gives(self, takes: &[usize], outputs: &[usize]) -> Vec<usize> {
         match self {
             Mode::Value => outputs.to_vec(),

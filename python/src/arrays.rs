@@ -153,7 +153,7 @@ impl<'py, T: Number> ArgumentNumbers<'py, T> {
             fields: column.fields(),
         })
     }
-    /// Returns the axes before those of the fields.
+    /// Returns the axes before the axes of fields.
     pub fn lead(&self) -> &[usize] {
         &self.lead
     }
@@ -232,7 +232,7 @@ pub fn with_fields(lead: &[usize], column: &Column) -> Vec<usize> {
     shape
 }
 
-/// Returns the axes of an array before those of its fields.
+/// Returns the axes of an array before the axes of its fields.
 fn lead<'a>(shape: &'a [usize], column: &Column) -> PyResult<&'a [usize]> {
     if column.axes.is_empty() {
         return Ok(shape);

@@ -121,7 +121,7 @@ fn one_kind(kind: &Object<'_>) -> PyResult<Kind> {
     }
 }
 
-/// Returns the number of arguments of a form besides those of the row.
+/// Returns the number of arguments that a form adds to the row's.
 fn further(row: &Row, form: &str) -> usize {
     match form {
         "vjp" => row.call.gives().len(),

@@ -2,7 +2,7 @@
 //!
 //! The interpreter carries out an instruction for a whole block, so every value goes through memory. In machine code
 //! values stay in registers: users' functions of six to fourteen numbers with derivatives take half the time
-//! (`BENCHMARKS.md`, Python). Systems that refuse executable memory keep the interpreter, with the same bits.
+//! (`BENCHMARKS.md`, Python). Systems that refuse executable memory keep the interpreter, with equal bits.
 //!
 //! # Why it is sound
 //!

@@ -1,4 +1,4 @@
-//! Searches for the bounds that meet those of a row, in a list or in a tree.
+//! Searches for bounds that meet a row's, in a list or in a tree.
 use crate::Real;
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
@@ -48,8 +48,8 @@ fn splat<T: Real, V: Vector<T>>(row: &[T; BOUNDS]) -> [V; BOUNDS] {
     ]
 }
 
-/// Writes the index of every item whose bounds meet those of the row, ascending; the first item has index `first`.
-/// Returns their number. `hits` has room for sixteen more indices than there are items.
+/// Writes the index of every item whose bounds meet the row's, ascending; the first item has index `first`. Returns
+/// their number. `hits` has room for sixteen more indices than there are items.
 #[inline(always)]
 pub(crate) fn near<T: Real, V: Vector<T>>(
     row: &[T; BOUNDS],
@@ -91,9 +91,9 @@ fn places(bits: u32, base: u32, room: &mut [u32; TILE]) -> usize {
     few + high.count_ones() as usize
 }
 
-/// Finds every item of a tree of bounds that meets those of the row. Level 0 has the items, in the tree's order. Each
-/// box of a higher level bounds a tile of the level below, up to a single tile. Indices found are written level by
-/// level. Returns the range of those of level 0, the items.
+/// Finds every item of a tree whose bounds meet the row's. Level 0 has the items, in the tree's order. Each box of a
+/// higher level bounds a tile of the level below, up to a single tile. Indices found are written level by level.
+/// Returns the range of the indices of level 0, the items.
 ///
 /// There is no branch per item, since it would be unpredictable. `room` grows as needed.
 #[inline(always)]

@@ -51,7 +51,7 @@ pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec
     Ok(out)
 }
 
-/// Returns the cotangents of every context and every vertex, from those of the results.
+/// Returns the cotangents of every context and every vertex from the results' cotangents.
 pub fn cotangents<T: Real>(
     folding: &Folding<T>,
     input: &Input<'_, T>,

@@ -221,7 +221,7 @@ impl<'a, T: Real> List<'a, T> {
             let mut bounds = LaneBuffer::new(tiles * BOUNDS);
             let frames = Tiles::new(&list.frames, frame_fields);
             make([Tiles::new(&lanes, fields), frames], &mut bounds);
-            // Finite, so that they meet real bounds but not those of padding, which are infinite.
+            // Finite, so that they meet the bounds of shapes but not the infinite ones of padding.
             let everything = [T::lit(-T::LARGEST), T::lit(T::LARGEST)];
             let nowhere = [T::lit(f64::INFINITY), T::lit(f64::NEG_INFINITY)];
             for (items, [low, high]) in [

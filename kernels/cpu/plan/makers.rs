@@ -13,7 +13,7 @@ use crate::kernels::row::derivation::{Mode, Replays};
 use crate::kernels::row::item::Leaf;
 use std::sync::Arc;
 
-/// Returns the plan of a recorded program. Its inputs are the numbers of the arguments, then those of cotangents. If
+/// Returns the plan of a recorded program. Its inputs are the numbers of the arguments, then of cotangents. If
 /// `framed`, numbers that depend on one argument alone are computed once per shape.
 pub(crate) fn of_recorded<T: Real>(
     mode: Mode,

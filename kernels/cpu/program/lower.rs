@@ -12,7 +12,7 @@ use std::collections::HashMap;
 pub(crate) struct Tape {
     /// The instructions in order.
     pub(crate) code: Vec<Instruction>,
-    /// The number of slots; those of constants come last.
+    /// The number of slots; constants have the last ones.
     pub(crate) slots: usize,
     /// The slots of constants, with their values, which no instruction changes.
     pub(crate) constants: Vec<(u16, f64)>,

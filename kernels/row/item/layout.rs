@@ -212,8 +212,7 @@ fn codes_of<T: Real>(numbers: &[T]) -> Vec<u32> {
     numbers.iter().map(code).collect()
 }
 
-/// Returns a code as a number of a column. Those of signed integers keep their sign, so that it is exact in `f32` up to
-/// 2²⁴ and down to −2²⁴.
+/// Returns a code as a number of a column. Signed integers keep their sign, so that `f32` is exact from −2²⁴ to 2²⁴.
 fn number_of_code<T: Real>(code: u32) -> T {
     T::lit(f64::from(code as i32))
 }

@@ -174,7 +174,7 @@ impl Compiler<'_> {
             _ => Operand::Register(self.register(slot)),
         }
     }
-    /// Ends an instruction: frees registers of values without further reads, and assigns those of results.
+    /// Ends an instruction: frees registers of values without further reads, and assigns registers to results.
     fn finish(&mut self, results: &[(u16, u8)]) {
         for &(slot, register) in results {
             self.store_results(slot, register);

@@ -18,7 +18,7 @@ struct Sums {
 
 impl Device {
     /// Returns the derivatives of both lists. If one factor is the seed of all pairs and the body computes results with
-    /// derivatives, it also returns the sum of all results. Sums within a dispatch are added in `f32`, those of
+    /// derivatives, it also returns the sum of all results. Sums within a dispatch are added in `f32`, sums over
     /// dispatches in `f64`, in a fixed order.
     pub(in crate::kernels::gpu::device) fn derivatives(
         &self,

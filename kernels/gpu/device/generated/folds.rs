@@ -389,8 +389,8 @@ impl Device {
         Ok(())
     }
 
-    /// Writes the cotangents of contexts and vertices. Those of a shared path are added to `vertex_bars`, which must be
-    /// zero.
+    /// Writes the cotangents of contexts and vertices. Cotangents of a shared path are added to `vertex_bars`, which
+    /// must be zero.
     pub(crate) fn folded_back(
         &self,
         folding: &Folding<f32>,

@@ -1,7 +1,7 @@
 //! Aligned batches of searches: decided on the CPU, replayed on the GPU.
 //!
-//! A replay is a list of instructions, and one kernel executes those of all operations. A thread's work is data, so no
-//! record needs a pipeline of its own.
+//! A replay is a list of instructions, and one kernel executes the lists of all operations. A thread's work is data, so
+//! no record needs a pipeline of its own.
 use super::instructions::{Replay, instructions, numbers};
 use super::operation::ProgramName;
 use super::text::{GROUP, KernelForm, MOST_GROUPS};

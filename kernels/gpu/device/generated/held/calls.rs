@@ -145,8 +145,8 @@ impl Device {
         })
     }
 
-    /// Returns the buffers of results: those of `over`, if they are contiguous and the call reads nothing from them, or
-    /// new ones.
+    /// Returns the buffers of results: the buffers of `over`, if they are contiguous and the call reads nothing from
+    /// them, or new ones.
     fn room(
         &self,
         made: &Generated<f32>,
@@ -197,6 +197,5 @@ impl Device {
     }
 }
 
-/// The largest number of buffers that a kernel binds, with those of results: as many as WebGPU guarantees on every
-/// device.
+/// The largest number of buffers that a kernel binds, results included: as many as WebGPU guarantees on every device.
 const MOST_BOUND: usize = 8;
