@@ -4,18 +4,19 @@
 //! | --- | --- | --- |
 //! | [`Cpu::aligned`] | item i of every column; [`One`] repeats one shape | one result per item |
 //! | [`Cpu::all_pairs`] | every shape of a with every shape of b | a [`Table`] |
-//! | [`Cpu::row_max`], [`Cpu::column_max`] | the same | the best match of every row or column |
-//! | [`Cpu::above`], [`Cpu::count_above`] | the same | the pairs above a threshold |
-//! | [`Cpu::above_grouped`], [`Cpu::row_max_grouped`] | two lists in [`Groups`] | the same within every group |
+//! | [`Cpu::row_max`], [`Cpu::column_max`] | two lists | the best match of every row or column |
+//! | [`Cpu::above`], [`Cpu::count_above`] | two lists | the pairs above a threshold |
+//! | [`Cpu::above_grouped`], [`Cpu::row_max_grouped`] | two lists in [`Groups`] | these results within every group |
 //! | [`Cpu::greedy_grouped`], [`Cpu::outcomes_grouped`] | pairs in [`Groups`] | one-to-one pairs, outcomes of detections |
-//! | [`Cpu::sum`], [`Cpu::mean`], [`Cpu::sum_grad`] | the same | a loss, and its gradient |
+//! | [`Cpu::sum`], [`Cpu::mean`], [`Cpu::sum_grad`] | two lists | a loss, and its gradient |
 //! | [`Cpu::ragged`], [`Cpu::fold`] | paths as vertices and offsets | one result per path |
 //!
 //! The function is a value: a [verb](verbs) such as [`Iou`]; its gradient ([`value_grad`](Iou::value_grad)), Jacobian
-//! ([`jacobian`](Iou::jacobian)), adjoint ([`vjp`](Iou::vjp)), derivative along a direction ([`jvp`](Iou::jvp)), Hessian
-//! ([`hessian`](Iou::hessian)) or Hessian times a direction ([`hvp`](Iou::hvp)); an [operation](op); a
-//! [`search`](search::search); a plain generic [`function`]; a [`Program`](crate::Program). Columns are slices, vectors or [`One`]. Calls that end in
-//! `_into` write into the caller's memory. [`operation!`](crate::operation) makes a function an operation.
+//! ([`jacobian`](Iou::jacobian)), adjoint ([`vjp`](Iou::vjp)), derivative along a direction ([`jvp`](Iou::jvp)),
+//! Hessian ([`hessian`](Iou::hessian)) or Hessian times a direction ([`hvp`](Iou::hvp)); an [operation](op); a
+//! [`search`](search::search); a plain generic [`function`]; a [`Program`](crate::Program). Columns are slices, vectors
+//! or [`One`]. Calls that end in `_into` write into the caller's memory. [`operation!`](crate::operation) makes a
+//! function an operation.
 //!
 //! # Inputs and results
 //!
@@ -28,16 +29,16 @@
 //! corners, stay what the search found, and a shape with a NaN contains nothing: a comparison with NaN is false.
 //! Outside of verbs a comparison may lose it: [`least`](crate::Scalar::least), [`most`](crate::Scalar::most) and
 //! [`clamp`](crate::Scalar::clamp) may give the other number, and so may a formula of a module, such as
-//! [`giou_obb2`](crate::iou::giou_obb2), or the bounds of a shape. A method sees only what it reads: the area of a box no
-//! NaN of its centre. Drivers of a GPU may assume that there is no NaN: there such an item may have any result.
+//! [`giou_obb2`](crate::iou::giou_obb2), or the bounds of a shape. A method sees only what it reads: the area of a box
+//! no NaN of its centre. Drivers of a GPU may assume that there is no NaN: there such an item may have any result.
 //!
 //! Without pairs a sum is 0, a count 0 and a list empty. The mean is 0 with a gradient of zero, as the loss of a step
 //! without matches. The maximum of an empty row is an error: [`Error::NoLargest`](crate::Error::NoLargest).
 //!
 //! # One call
 //!
-//! The way of `cpu.all_pairs(Iou, &a, &b)`, with the files of `kernels/` that it leads through. A folder imports those below
-//! it, in this order: `row`, `call`, `machine`, `cpu`, `gpu`, `backend`, `verbs`, `ops`, `dynamic`, `check`, `fuzz`.
+//! The path of `cpu.all_pairs(Iou, &a, &b)` through the files of `kernels/`. A folder imports those below it, in this
+//! order: `row`, `call`, `machine`, `cpu`, `gpu`, `backend`, `verbs`, `ops`, `dynamic`, `check`, `fuzz`.
 //!
 //! ```text
 //! verbs/mod.rs           Iou of two boxes selects its row
@@ -50,8 +51,8 @@
 //! machine/table.rs       the results
 //! ```
 //!
-//! A row without a compiled kernel is recorded (`row/straight_line.rs`) and interpreted (`cpu/program/`). A GPU writes its
-//! recording in WGSL (`gpu/device/generated/`).
+//! A row without a compiled kernel is recorded (`row/straight_line.rs`) and interpreted (`cpu/program/`). A GPU writes
+//! its recording in WGSL (`gpu/device/generated/`).
 //!
 //! # GPUs
 //!
@@ -93,7 +94,7 @@ pub use row::item::{self, Item, Single, Target};
 pub use row::op::{self, Op};
 pub use verbs::*;
 
-/// Results of reductions of all pairs, and reductions of a [`Matrix`](reduce::Matrix) that is there already.
+/// Results of reductions of all pairs, and reductions of a stored [`Matrix`](reduce::Matrix).
 pub mod reduce {
     pub use crate::kernels::cpu::matrix::Matrix;
     pub use crate::kernels::machine::found::{Best, Found};

@@ -1,7 +1,5 @@
 //! Rows of the library by names of their own, for tests that mean one of them.
-use geograd::convention::{
-    Detectron2Box, ImageBox, KittiBox, Le90, Le135, LidarBox, NuScenesBox, OpenCvBox, Xyxyr,
-};
+use geograd::convention::KittiBox;
 use geograd::iou::Exponent;
 use geograd::kernels::fold::{Cloud3, Polyline, Polyline3, Ring};
 use geograd::kernels::verbs::{self, OverPath, Takes};
@@ -19,20 +17,8 @@ macro_rules! rows {
     )* };
 }
 rows! {
-    Le90OfImageBox = verbs::Convert<Le90<f64>>: ImageBox<f64>;
-    Le135OfImageBox = verbs::Convert<Le135<f64>>: ImageBox<f64>;
-    OpenCvOfImageBox = verbs::Convert<OpenCvBox<f64>>: ImageBox<f64>;
-    Detectron2OfImageBox = verbs::Convert<Detectron2Box<f64>>: ImageBox<f64>;
-    ImageBoxOfDetectron2 = verbs::Convert<ImageBox<f64>>: Detectron2Box<f64>;
-    Obb2OfImageBox = verbs::FlipY: (ImageBox<f64>, f64);
-    Obb2OfXyxyr = verbs::Convert<Obb2<f64>>: Xyxyr<f64>;
-    XyxyrOfObb2 = verbs::Convert<Xyxyr<f64>>: Obb2<f64>;
     CornersOfObb2 = verbs::Corners: Obb2<f64>;
-    YawOfKitti = verbs::Convert<YawBox3<f64>>: KittiBox<f64>;
     KittiOfYaw = verbs::Convert<KittiBox<f64>>: YawBox3<f64>;
-    YawOfLidar = verbs::Convert<YawBox3<f64>>: LidarBox<f64>;
-    Obb3OfNuScenes = verbs::Convert<Obb3<f64>>: NuScenesBox<f64>;
-    Obb3OfYaw = verbs::Convert<Obb3<f64>>: YawBox3<f64>;
     DistancePointSegment = verbs::Distance: (Vec2<f64>, Segment2<f64>);
     DistanceSegments = verbs::Distance: (Segment2<f64>, Segment2<f64>);
     SignedDistanceAabb2 = verbs::SignedDistance: (Aabb2<f64>, Aabb2<f64>);
@@ -134,40 +120,18 @@ rows! {
     AlphaIouObb2 = verbs::AlphaIou: (Obb2<f64>, Obb2<f64>, Exponent<f64>);
     AlphaIouAabb2 = verbs::AlphaIou: (Aabb2<f64>, Aabb2<f64>, Exponent<f64>);
     GiouAabb2 = verbs::Giou: (Aabb2<f64>, Aabb2<f64>);
-    GiouHullAabb2 = verbs::GiouHull: (Aabb2<f64>, Aabb2<f64>);
-    GiouAabbObb2 = verbs::GiouAabb: (Obb2<f64>, Obb2<f64>);
     DiouAabb2 = verbs::Diou: (Aabb2<f64>, Aabb2<f64>);
-    DiouHullAabb2 = verbs::DiouHull: (Aabb2<f64>, Aabb2<f64>);
     DiouObb2 = verbs::Diou: (Obb2<f64>, Obb2<f64>);
-    DiouAabbObb2 = verbs::DiouAabb: (Obb2<f64>, Obb2<f64>);
     CiouAabb2 = verbs::Ciou: (Aabb2<f64>, Aabb2<f64>);
-    CiouHullAabb2 = verbs::CiouHull: (Aabb2<f64>, Aabb2<f64>);
     CiouObb2 = verbs::Ciou: (Obb2<f64>, Obb2<f64>);
-    CiouAabbObb2 = verbs::CiouAabb: (Obb2<f64>, Obb2<f64>);
-    CiouFixedWeightAabb2 = verbs::CiouFixedWeight: (Aabb2<f64>, Aabb2<f64>);
-    CiouFixedWeightObb2 = verbs::CiouFixedWeight: (Obb2<f64>, Obb2<f64>);
     EiouAabb2 = verbs::Eiou: (Aabb2<f64>, Aabb2<f64>);
-    EiouHullAabb2 = verbs::EiouHull: (Aabb2<f64>, Aabb2<f64>);
     EiouObb2 = verbs::Eiou: (Obb2<f64>, Obb2<f64>);
-    EiouAabbObb2 = verbs::EiouAabb: (Obb2<f64>, Obb2<f64>);
     HullAreaObb2 = verbs::HullArea: (Obb2<f64>, Obb2<f64>);
     HullAreaAabb2 = verbs::HullArea: (Aabb2<f64>, Aabb2<f64>);
-    GiouAabb3 = verbs::Giou: (Aabb3<f64>, Aabb3<f64>);
-    DiouAabb3 = verbs::Diou: (Aabb3<f64>, Aabb3<f64>);
-    CiouAabb3 = verbs::Ciou: (Aabb3<f64>, Aabb3<f64>);
-    EiouAabb3 = verbs::Eiou: (Aabb3<f64>, Aabb3<f64>);
     GiouYaw = verbs::Giou: (YawBox3<f64>, YawBox3<f64>);
     DiouYaw = verbs::Diou: (YawBox3<f64>, YawBox3<f64>);
     CiouYaw = verbs::Ciou: (YawBox3<f64>, YawBox3<f64>);
     EiouYaw = verbs::Eiou: (YawBox3<f64>, YawBox3<f64>);
-    GiouAabbYaw = verbs::GiouAabb: (YawBox3<f64>, YawBox3<f64>);
-    DiouAabbYaw = verbs::DiouAabb: (YawBox3<f64>, YawBox3<f64>);
-    CiouAabbYaw = verbs::CiouAabb: (YawBox3<f64>, YawBox3<f64>);
-    EiouAabbYaw = verbs::EiouAabb: (YawBox3<f64>, YawBox3<f64>);
-    GiouRectangleYaw = verbs::GiouRectangle: (YawBox3<f64>, YawBox3<f64>);
-    DiouRectangleYaw = verbs::DiouRectangle: (YawBox3<f64>, YawBox3<f64>);
-    CiouRectangleYaw = verbs::CiouRectangle: (YawBox3<f64>, YawBox3<f64>);
-    EiouRectangleYaw = verbs::EiouRectangle: (YawBox3<f64>, YawBox3<f64>);
     GiouObb3 = verbs::Giou: (Obb3<f64>, Obb3<f64>);
     DiouObb3 = verbs::Diou: (Obb3<f64>, Obb3<f64>);
     CiouObb3 = verbs::Ciou: (Obb3<f64>, Obb3<f64>);
@@ -176,8 +140,6 @@ rows! {
     DiouAabbObb3 = verbs::DiouAabb: (Obb3<f64>, Obb3<f64>);
     CiouAabbObb3 = verbs::CiouAabb: (Obb3<f64>, Obb3<f64>);
     EiouAabbObb3 = verbs::EiouAabb: (Obb3<f64>, Obb3<f64>);
-    AlphaIouYaw = verbs::AlphaIou: (YawBox3<f64>, YawBox3<f64>);
-    AlphaIouAabb3 = verbs::AlphaIou: (Aabb3<f64>, Aabb3<f64>);
     SeparationAwareAabb3 = verbs::SeparationAware: (Aabb3<f64>, Aabb3<f64>);
     SeparationAwareYaw = verbs::SeparationAware: (YawBox3<f64>, YawBox3<f64>);
     SeparationAwareObb3 = verbs::SeparationAware: (Obb3<f64>, Obb3<f64>);
@@ -269,20 +231,15 @@ pub mod fold {
 }
 pub mod iou {
     pub use super::{
-        AlphaIouAabb2, AlphaIouObb2, CiouAabb2, CiouAabbObb2, CiouFixedWeightAabb2,
-        CiouFixedWeightObb2, CiouHullAabb2, CiouObb2, DiouAabb2, DiouAabbObb2, DiouHullAabb2,
-        DiouObb2, EiouAabb2, EiouAabbObb2, EiouHullAabb2, EiouObb2, GiouAabb2, GiouAabbObb2,
-        GiouHullAabb2, GiouObb2, HullAreaAabb2, HullAreaObb2,
+        AlphaIouAabb2, AlphaIouObb2, CiouAabb2, CiouObb2, DiouAabb2, DiouObb2, EiouAabb2, EiouObb2,
+        GiouAabb2, GiouObb2, HullAreaAabb2, HullAreaObb2,
     };
 }
 pub mod iou3 {
     pub use super::{
-        AlphaIouAabb3, AlphaIouYaw, CiouAabb3, CiouAabbObb3, CiouAabbYaw, CiouObb3,
-        CiouRectangleYaw, CiouYaw, DiouAabb3, DiouAabbObb3, DiouAabbYaw, DiouObb3,
-        DiouRectangleYaw, DiouYaw, EiouAabb3, EiouAabbObb3, EiouAabbYaw, EiouObb3,
-        EiouRectangleYaw, EiouYaw, GiouAabb3, GiouAabbObb3, GiouAabbYaw, GiouObb3,
-        GiouRectangleYaw, GiouYaw, SeparationAwareAabb3, SeparationAwareObb2, SeparationAwareObb3,
-        SeparationAwareYaw,
+        CiouAabbObb3, CiouObb3, CiouYaw, DiouAabbObb3, DiouObb3, DiouYaw, EiouAabbObb3, EiouObb3,
+        EiouYaw, GiouAabbObb3, GiouObb3, GiouYaw, SeparationAwareAabb3, SeparationAwareObb2,
+        SeparationAwareObb3, SeparationAwareYaw,
     };
 }
 pub mod overlap {

@@ -1,7 +1,7 @@
 //! `#[derive(Shape)]` of geograd, where it is documented.
 //!
-//! No dependencies: a struct's fields are read from its tokens in a few lines, and whoever builds
-//! geograd builds no parser of all of Rust.
+//! It has no dependencies: it reads a struct's fields from its tokens, so that building geograd needs no parser of all
+//! of Rust.
 mod parse;
 mod write;
 

@@ -1,7 +1,7 @@
 //! The declaration of a struct, read from its tokens.
 use proc_macro::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
-/// Why a struct is not a shape, and where that shows.
+/// The reason why a struct is not a shape, and its location.
 pub struct Refusal {
     text: String,
     span: Span,
@@ -12,7 +12,7 @@ impl Refusal {
         let text = text.into();
         Err(Refusal { text, span })
     }
-    /// `compile_error!("…");` at the place.
+    /// Returns the tokens `compile_error!("…");` at the location.
     pub fn into_tokens(self) -> TokenStream {
         let message = TokenTree::from(Literal::string(&self.text));
         let all = [
@@ -29,7 +29,7 @@ impl Refusal {
     }
 }
 
-/// A struct that is to be a shape.
+/// The declaration of a shape.
 pub struct Shape {
     pub name: String,
     /// The parameter that stands for the scalar.
@@ -38,9 +38,9 @@ pub struct Shape {
     pub fields: Vec<Field>,
     /// Functions with further rules.
     pub rules: Vec<TokenStream>,
-    /// The implementations that the author writes by hand.
+    /// The traits that the author implements by hand.
     pub except: Vec<String>,
-    /// The path of the library, where its name is another.
+    /// The path of the library, if it is renamed.
     pub library: String,
 }
 
@@ -52,15 +52,15 @@ pub enum Parameter {
 
 /// A field.
 pub struct Field {
-    /// How code names it: an identifier or a number.
+    /// The name of the field in code: an identifier or a number.
     pub member: String,
     pub tokens: TokenStream,
     pub form: Form,
-    /// Names of its numbers instead of those that follow from the field.
+    /// The names of its numbers, if they do not follow from the field's.
     pub names: Vec<String>,
     pub non_negative: bool,
     pub positive: bool,
-    /// The field that it does not exceed.
+    /// The field that is an upper bound.
     pub at_most: Option<String>,
     /// The effect of motions on its numbers.
     pub kind: Option<Motions>,
@@ -68,19 +68,19 @@ pub struct Field {
 
 /// The effect of motions on the numbers of a field.
 pub enum Motions {
-    /// Each is of this kind.
+    /// Each number is of this kind.
     Kind(String),
-    /// Its points are directions, or rotation vectors: the function that says so.
+    /// Its points are directions, or rotation vectors; the function for this kind.
     Points(&'static str),
 }
 
-/// How a field is made of scalars.
+/// The structure of a type in terms of scalars.
 pub enum Form {
     Scalar,
     Array(Box<Form>),
     Tuple(Vec<Form>),
     Shape,
-    /// Not at all: a count or code.
+    /// A count or code, without scalars.
     Code,
 }
 
@@ -98,7 +98,7 @@ fn group(token: Option<&TokenTree>, delimiter: Delimiter) -> Option<&Group> {
         _ => None,
     }
 }
-/// Returns the tokens; what a macro put in is not set apart.
+/// Returns the tokens, with groups from macros expanded.
 fn list(stream: TokenStream) -> Vec<TokenTree> {
     let one = |token| match token {
         TokenTree::Group(group) if group.delimiter() == Delimiter::None => list(group.stream()),
@@ -110,7 +110,7 @@ fn span_of(tokens: Tokens<'_>) -> Span {
     tokens.first().map_or_else(Span::call_site, TokenTree::span)
 }
 
-/// Splits at a sign outside of angle brackets; nothing after the last one.
+/// Splits at a sign outside of angle brackets. A sign at the end adds no empty part.
 fn split(tokens: Tokens<'_>, at: char) -> Vec<Tokens<'_>> {
     let (mut parts, mut start, mut depth) = (Vec::new(), 0, 0_i32);
     for (i, token) in tokens.iter().enumerate() {
@@ -129,7 +129,7 @@ fn split(tokens: Tokens<'_>, at: char) -> Vec<Tokens<'_>> {
     parts
 }
 
-/// Takes attributes off the front; what stands in `#[shape(…)]` of them.
+/// Takes attributes off the front. Returns the contents of `#[shape(…)]`.
 fn attributes<'a>(tokens: &mut Tokens<'a>) -> Vec<TokenTree> {
     let mut found = Vec::new();
     while is_punct(tokens.first(), '#') {
@@ -251,10 +251,10 @@ pub fn shape(input: TokenStream) -> Result<Shape, Refusal> {
 
 const UNBOUND: &str = "a shape's struct has no bounds: functions of it have";
 
-/// The implementations that can be left to the author.
+/// The traits whose implementation can be left to the author.
 const EXCEPTIONS: [&str; 4] = ["Validate", "approx", "Sample", "Arbitrary"];
 
-/// Takes generic parameters off the front: the scalar's name, and all in order.
+/// Takes generic parameters off the front. Returns the scalar's name, and all parameters in order.
 fn parameters(tokens: &mut Tokens<'_>, name: &Ident) -> Result<(String, Vec<Parameter>), Refusal> {
     let missing = format!("a shape is generic over its scalar: `struct {name}<S>`");
     if !is_punct(tokens.first(), '<') {
@@ -298,7 +298,7 @@ fn parameters(tokens: &mut Tokens<'_>, name: &Ident) -> Result<(String, Vec<Para
     }
 }
 
-/// Reads a field; `place` is its number in a tuple.
+/// Reads a field; `place` is its index in a tuple.
 fn field(mut tokens: Tokens<'_>, place: Option<usize>, scalar: &str) -> Result<Field, Refusal> {
     let about = attributes(&mut tokens);
     visibility(&mut tokens);
@@ -358,7 +358,7 @@ fn field(mut tokens: Tokens<'_>, place: Option<usize>, scalar: &str) -> Result<F
     Ok(field)
 }
 
-/// How a type is made of scalars.
+/// Returns the structure of a type in terms of scalars.
 fn form(tokens: Tokens<'_>, scalar: &str) -> Result<Form, Refusal> {
     if let [TokenTree::Group(inside)] = tokens {
         let inner = list(inside.stream());

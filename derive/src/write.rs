@@ -4,12 +4,12 @@ use crate::parse::{Field, Form, Motions, Parameter, Shape};
 use proc_macro::{Group, TokenStream, TokenTree};
 use std::fmt::Write;
 
-/// Returns the name that stands for a field's type until [`weave`].
+/// Returns the placeholder of a field's type, which [`weave`] replaces.
 fn hole(i: usize) -> String {
     format!("__type_{i}")
 }
 
-/// Parses text and puts types into its holes.
+/// Parses text and replaces placeholders by types.
 fn weave(text: &str, types: &[&TokenStream]) -> TokenStream {
     fn fill(tokens: TokenStream, types: &[&TokenStream]) -> TokenStream {
         let one = |token| match token {
@@ -37,13 +37,13 @@ fn shown(field: &Field) -> &str {
     field.member.strip_prefix("r#").unwrap_or(&field.member)
 }
 
-/// A struct with what text needs of it.
+/// A struct with the parts of text that its implementations need.
 struct Writer<'a> {
     shape: &'a Shape,
 }
 
 impl Writer<'_> {
-    /// `impl<S: bound, const N: usize>`.
+    /// Returns `impl<S: bound, const N: usize>`.
     fn generics(&self, bound: &str) -> String {
         let each = self.shape.parameters.iter().map(|p| match p {
             Parameter::Scalar => format!("{}: {bound}", self.shape.scalar),
@@ -51,7 +51,7 @@ impl Writer<'_> {
         });
         format!("<{}>", each.collect::<Vec<_>>().join(", "))
     }
-    /// Returns the same without a scalar.
+    /// Returns `const N: usize`, the generics without the scalar.
     fn constants(&self) -> String {
         let each = self.shape.parameters.iter().filter_map(|p| match p {
             Parameter::Scalar => None,
@@ -68,7 +68,7 @@ impl Writer<'_> {
         let each = each.collect::<Vec<_>>().join(", ");
         format!("{}<{each}>", self.shape.name)
     }
-    /// Something of every field: its number, the field, whether it is a code.
+    /// Joins the texts of all fields, each from its number, the field, and whether it is a code.
     fn fields(&self, mut of: impl FnMut(usize, &Field, bool) -> String) -> String {
         let each = self.shape.fields.iter().enumerate().map(|(i, field)| {
             let is_code = matches!(field.form, Form::Code);
@@ -76,7 +76,7 @@ impl Writer<'_> {
         });
         each.collect()
     }
-    /// `Name { field: value, … }`.
+    /// Returns `Name { field: value, … }`.
     fn made(&self, mut of: impl FnMut(usize, &Field, bool) -> String) -> String {
         let name = &self.shape.name;
         let all = self
@@ -106,7 +106,7 @@ fn remake(form: &Form, place: &str, depth: usize) -> String {
     }
 }
 
-/// Hands out every scalar of a place.
+/// Returns code that visits every scalar of a place.
 fn each(form: &Form, place: &str, depth: usize) -> String {
     match form {
         Form::Scalar => format!("__f(&mut {place});"),

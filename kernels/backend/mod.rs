@@ -11,7 +11,7 @@ use std::ops::Deref;
 
 /// The machine on which batches run. There is no silent fallback from one to the other.
 ///
-/// The calls are those of every [`Machine`], for any operation and any program, in `f32`. Columns are slices, or arrays
+/// It has the calls of every [`Machine`], for any operation and any program, in `f32`. Columns are slices, or arrays
 /// that stay on the machine between calls; see [`resident`](crate::kernels::resident).
 ///
 /// ```
@@ -42,7 +42,7 @@ pub enum Auto {
 impl Backend<'_> {
     /// Returns the best GPU, or the CPU and the reason why there is no GPU.
     ///
-    /// A driver in software counts as no GPU ([`OnlySoftware`](crate::GpuFault::OnlySoftware)) unless the environment
+    /// A software driver counts as no GPU ([`OnlySoftware`](crate::GpuFault::OnlySoftware)) unless the environment
     /// variable `GEOGRAD_GPU` asks for one.
     #[must_use]
     pub fn auto() -> Auto {
@@ -54,7 +54,7 @@ impl Backend<'_> {
     }
 }
 
-/// The CPU of every backend.
+/// The CPU that all backends use.
 static CPU: Cpu = Cpu::new();
 
 impl Deref for Backend<'_> {
@@ -68,7 +68,7 @@ impl Deref for Backend<'_> {
 }
 
 impl<'a> Backend<'a> {
-    /// Returns the same machine: its calls take arrays that stay there, too.
+    /// Returns the machine as a backend, whose calls take arrays on the machine, too.
     #[must_use]
     pub const fn resident(self) -> Backend<'a> {
         self

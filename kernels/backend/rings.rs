@@ -3,21 +3,21 @@ use crate::Vec2;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::check_ragged;
 use crate::kernels::gpu;
-use crate::kernels::machine::{Ready, RingBars, RingValues};
+use crate::kernels::machine::{InMemory, RingBars, RingValues};
 use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::counts::expect;
 use crate::kernels::row::item::rows::numbers;
 use crate::kernels::{Backend, Cpu};
 
-/// Rings on a machine, which are checked.
+/// Checked rings on a machine.
 #[derive(Clone, Debug)]
-pub struct Rings(Side);
+pub struct Rings(MachineRings);
 
-/// On the CPU vertices, and where each ring begins among them.
+/// The rings of a machine: on the CPU vertices and offsets.
 #[derive(Clone, Debug)]
-enum Side {
+enum MachineRings {
     Cpu(Vec<Vec2<f32>>, Vec<usize>),
-    Gpu(gpu::Rings),
+    Gpu(gpu::DeviceRings),
 }
 
 impl Backend<'_> {
@@ -26,21 +26,21 @@ impl Backend<'_> {
     ///
     /// # Errors
     ///
-    /// The input's as [`Cpu::ragged`](crate::kernels::Cpu::ragged), or what the device says.
+    /// The errors of the input as in [`Cpu::ragged`](crate::kernels::Cpu::ragged), or those of the device.
     pub fn upload_rings(self, vertices: &[Vec2<f32>], offsets: &[usize]) -> Result<Rings, Error> {
         Ok(Rings(match self {
             Backend::Cpu => {
                 check_ragged(vertices, offsets)?;
-                Side::Cpu(vertices.to_vec(), offsets.to_vec())
+                MachineRings::Cpu(vertices.to_vec(), offsets.to_vec())
             }
-            Backend::Gpu(gpu) => Side::Gpu(gpu.engine.upload_rings(vertices, offsets)?),
+            Backend::Gpu(gpu) => MachineRings::Gpu(gpu.engine.upload_rings(vertices, offsets)?),
         }))
     }
 }
 
 impl Rings {
-    /// [`Cpu::ragged`](crate::kernels::Cpu::ragged) of a measure of rings with kernels by hand: signed area, perimeter,
-    /// centroid.
+    /// Computes [`Cpu::ragged`](crate::kernels::Cpu::ragged) for a measure of rings with kernels by hand: signed area,
+    /// perimeter, centroid.
     ///
     /// # Errors
     ///
@@ -56,22 +56,22 @@ impl Rings {
             )
         };
         Ok(match &self.0 {
-            Side::Cpu(vertices, offsets) => {
-                RingValues::new(Ready(Cpu::new().ragged(measure, vertices, offsets)?))
+            MachineRings::Cpu(vertices, offsets) => {
+                RingValues::new(InMemory(Cpu::new().ragged(measure, vertices, offsets)?))
             }
-            Side::Gpu(own) => RingValues::new(
+            MachineRings::Gpu(own) => RingValues::new(
                 own.gpu()
                     .ragged_of(const { F::MEASURE.expect("by hand") }, own)?,
             ),
         })
     }
 
-    /// [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
+    /// Computes the adjoint, as [`Cpu::ragged_vjp`](crate::kernels::Cpu::ragged_vjp).
     ///
     /// # Errors
     ///
-    /// The input's for an upstream of another length or one that is not finite, or what the
-    /// device says.
+    /// [`Error::Length`] for an upstream of another length, [`Error::Invalid`] for one that is not finite, or the
+    /// errors of the device.
     pub fn ragged_vjp<F>(&self, measure: F, upstream: &[F::Out<f32>]) -> Result<RingBars, Error>
     where
         F: Fold<Element<f32> = Vec2<f32>, Context<f32> = [f32; 0]>,
@@ -83,10 +83,10 @@ impl Rings {
             )
         };
         Ok(match &self.0 {
-            Side::Cpu(vertices, offsets) => RingBars::new(Ready(
+            MachineRings::Cpu(vertices, offsets) => RingBars::new(InMemory(
                 Cpu::new().ragged_vjp(measure, vertices, offsets, upstream)?,
             )),
-            Side::Gpu(own) => RingBars::new(own.gpu().ragged_vjp_of(
+            MachineRings::Gpu(own) => RingBars::new(own.gpu().ragged_vjp_of(
                 const { F::MEASURE.expect("by hand") },
                 own,
                 (upstream.len(), &numbers(upstream)),
@@ -94,21 +94,21 @@ impl Rings {
         })
     }
 
-    /// Replaces the vertices; each ring keeps its number of them.
+    /// Replaces the vertices; the sizes of rings do not change.
     ///
     /// # Errors
     ///
-    /// The input's for another number of vertices or one that is not finite (the old ones
-    /// are then as they were), or what the device says.
+    /// [`Error::Length`] for another number of vertices, [`Error::Invalid`] for one that is not finite (no vertex
+    /// changes then), or the errors of the device.
     pub fn update(&mut self, vertices: &[Vec2<f32>]) -> Result<(), Error> {
         match &mut self.0 {
-            Side::Cpu(own, offsets) => {
+            MachineRings::Cpu(own, offsets) => {
                 expect(Argument::Vertices, own.len(), vertices.len())?;
                 check_ragged(vertices, offsets)?;
                 own.copy_from_slice(vertices);
                 Ok(())
             }
-            Side::Gpu(own) => own.update(vertices),
+            MachineRings::Gpu(own) => own.update(vertices),
         }
     }
 }

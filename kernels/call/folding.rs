@@ -1,30 +1,29 @@
-//! A fold without its types: what batches ask of it, as functions of numbers and as programs. All else is compiled once,
-//! whatever the fold.
+//! Untyped folds: functions of numbers and programs, so that other code is compiled once for all folds.
 use crate::ad::program::Sym;
 use crate::ad::program::record::record;
 use crate::ad::program::recorded::Recorded;
 use crate::error::Field;
 use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::{Item, Leaf, leaves_of};
-use crate::kernels::row::once::{Kept, known};
+use crate::kernels::row::once::{RecordingCache, known};
 use crate::ring::Measure;
 use crate::{Error, Fixed, Pack, Real, Scalar};
 use std::sync::Arc;
 
-/// How many numbers the parts of a fold have.
+/// The numbers of scalars of a fold's parts.
 #[derive(Clone, Copy, Debug)]
 pub struct Sizes {
-    /// Numbers of a context.
+    /// The number of scalars of a context.
     pub(crate) own: usize,
-    /// Numbers of a context and the reference after it.
+    /// The number of scalars of a context with its reference vertex.
     pub(crate) wide: usize,
-    /// Numbers of an element of a path.
+    /// The number of scalars of an element of a path.
     pub(crate) element: usize,
     pub(crate) state: usize,
     pub(crate) out: usize,
     /// `true` if an edge leads from the last vertex back to the first.
     pub(crate) closed: bool,
-    /// The number of the state that is the winding number.
+    /// The index in the state of the winding number.
     pub(crate) winding: Option<usize>,
 }
 
@@ -40,17 +39,17 @@ impl Sizes {
             winding: F::WINDING,
         }
     }
-    /// Returns the states of a list of numbers; none of a fold whose states have no numbers.
+    /// Splits a list of numbers into states; an empty list if states have no numbers.
     pub(crate) fn states<'a, S>(&self, numbers: &'a [S]) -> std::slice::ChunksExact<'a, S> {
         numbers.chunks_exact(self.state.max(1))
     }
-    /// Puts the winding number of all edges in a state, where that is known.
+    /// Sets the winding number in a state, if it is known.
     pub(crate) fn wind<S: Copy>(&self, state: &mut [S], winding: Option<S>) {
         if let (Some(place), Some(winding)) = (self.winding, winding) {
             state[place] = winding;
         }
     }
-    /// Returns how many edges so many vertices have.
+    /// Returns the number of edges of a path with `vertices` vertices.
     pub(crate) fn edges(&self, vertices: usize) -> usize {
         match self.closed {
             true => vertices,
@@ -59,21 +58,21 @@ impl Sizes {
     }
 }
 
-/// A fold in a format.
+/// An untyped fold in a format.
 pub struct Folding<T: 'static> {
     pub(crate) sizes: Sizes,
     /// The kernels by hand of a measure of rings.
     pub(crate) measure: Option<Measure>,
     pub(crate) arguments: &'static [&'static str],
     pub(crate) leaves: fn() -> Vec<Leaf<T>>,
-    /// The name of a number of an element.
+    /// The names of an element's numbers.
     pub(crate) field: fn(usize) -> Field,
-    pub(crate) programs: fn() -> Result<Arc<Programs>, Error>,
-    /// Joins a list of states in order.
+    pub(crate) programs: fn() -> Result<Arc<FoldPrograms>, Error>,
+    /// Writes the join of a list of states.
     pub(crate) joined: fn(&[T], &mut [T]),
-    /// The joined states before every one of a list, and after the last.
+    /// Returns the joined states before every one of a list, and after the last.
     pub(crate) before: fn(&[T]) -> Vec<T>,
-    /// From context and reference, and a state, to the result.
+    /// Writes the result of a context with its reference, and a state.
     pub(crate) finish: fn(&[T], &[T], &mut [T]),
 }
 
@@ -121,11 +120,11 @@ fn finish<F: Fold, T: Scalar>(shared: &[T], state: &[T], out: &mut [T]) {
     .store(out);
 }
 
-/// Returns the cotangents of context and reference, and of the states of all edges one after another, from that of a
-/// result. `before` has the joined states before every edge, and after the last one.
+/// Returns the cotangents of context and reference, and of the states of all edges one after another, from the
+/// cotangent of a result. `before` has the joined states before every edge, and after the last one.
 pub(crate) fn backwards<S: Scalar>(
     sizes: &Sizes,
-    programs: &Programs,
+    programs: &FoldPrograms,
     shared: &[S],
     [states, before]: [&[S]; 2],
     winding: Option<S>,
@@ -150,19 +149,19 @@ pub(crate) fn backwards<S: Scalar>(
     (shared_bar.to_vec(), state_bars)
 }
 
-/// The recording of a fold in a format: its bodies as programs.
-pub(crate) struct Programs {
-    /// From context, reference and both ends to a state, and its pull-back.
+/// The recording of a fold in a format: its parts as programs.
+pub(crate) struct FoldPrograms {
+    /// From context, reference and both ends to the state of an edge; and its pull-back.
     pub(crate) edge: Recorded,
     pub(crate) edge_vjp: Recorded,
-    /// Joining two states, and its pull-back.
+    /// The join of two states; and its pull-back.
     #[cfg_attr(
         not(any(feature = "gpu", feature = "check")),
         expect(dead_code, reason = "only a GPU and the harness join by it")
     )]
     pub(crate) join: Recorded,
     pub(crate) join_vjp: Recorded,
-    /// The end, and its pull-back.
+    /// From context, reference and state to the result; and its pull-back.
     #[cfg_attr(
         not(feature = "gpu"),
         expect(dead_code, reason = "only a GPU ends by it")
@@ -170,10 +169,10 @@ pub(crate) struct Programs {
     pub(crate) finish: Recorded,
     pub(crate) finish_vjp: Recorded,
     /// The plans of machines.
-    pub(crate) made: Kept,
+    pub(crate) made: RecordingCache,
 }
 
-pub(crate) fn programs<F: Fold, T: Real>() -> Result<Arc<Programs>, Error> {
+pub(crate) fn programs<F: Fold, T: Real>() -> Result<Arc<FoldPrograms>, Error> {
     type Context<F, T> = <F as Fold>::Context<Sym<T>>;
     type Reference<F, T> = <F as Fold>::Reference<Sym<T>>;
     type State<F, T> = <F as Fold>::State<Sym<T>>;
@@ -187,14 +186,14 @@ pub(crate) fn programs<F: Fold, T: Real>() -> Result<Arc<Programs>, Error> {
         let finish = record::<T, (Context<F, T>, Reference<F, T>, State<F, T>), F::Out<Sym<T>>>(
             |(context, reference, state)| F::finish(context, reference, state),
         )?;
-        Ok(Programs {
+        Ok(FoldPrograms {
             edge_vjp: edge.value_vjp(),
             join_vjp: join.vjp(),
             finish_vjp: finish.vjp(),
             edge,
             join,
             finish,
-            made: Kept::default(),
+            made: RecordingCache::default(),
         })
     })
 }

@@ -1,4 +1,4 @@
-//! Calls: what is asked of a function. Its recording, and the derivative that is wanted.
+//! Calls: a function's recording, and the derivative to compute.
 mod directions;
 pub(crate) mod folding;
 pub(crate) mod modes;

@@ -1,7 +1,7 @@
-//! Functions that batches run ([`Function`]), and their derivatives, which are such functions, too.
+//! Functions that batches run ([`Function`]), and their derivatives, which batches run, too.
 use crate::Pack;
 use crate::error::Error;
-use crate::kernels::call::recording::{Call, Parts, Recording};
+use crate::kernels::call::recording::{Call, LineParts, Recording};
 use crate::kernels::row::derivation::{Mode, Order};
 use crate::kernels::row::derivatives::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
 use crate::kernels::row::item::{Item, Results, WithJacobian, leaves_of, widths};
@@ -23,11 +23,11 @@ use std::sync::Arc;
 pub trait Function<R: Item> {
     /// The result per item.
     type Out: Results<Scalar = R::Scalar>;
-    /// Returns the function without its types, and the derivative of it.
+    /// Returns the untyped function with the derivative to compute.
     ///
     /// # Errors
     ///
-    /// Errors of recording it, as far as that happens here.
+    /// The errors of recording it, if it is recorded here.
     #[doc(hidden)]
     fn call(&self) -> Result<Call<R::Scalar>, Error>;
 }
@@ -108,7 +108,7 @@ where
     }
 }
 
-/// Returns the recording of an operation, the same one at every call.
+/// Returns the recording of an operation, which is made once.
 pub(crate) fn recording_of<O, R: Item>() -> Arc<Recording<R::Scalar>>
 where
     O: Op<In<<R as Pack>::Scalar> = R>,
@@ -117,7 +117,7 @@ where
     Recording::of_line(
         TypeId::of::<O>(),
         const {
-            &Parts {
+            &LineParts {
                 compiled: O::compiled,
                 takes: leaves_of::<R>,
                 outputs: widths::<O::Out<R::Scalar>>,

@@ -1,42 +1,42 @@
 //! Recordings: functions as machines run them, without the types of shapes.
 //!
-//! A [`Recording`] has the layouts of what a function takes and gives, its body, and all that machines have made of it. A
-//! [`Call`] is a recording with the derivative that is wanted. Whatever a batch runs (a verb, an operation, a search, a plain
-//! function, a program, a derivative of one) yields a call and nothing else.
+//! A [`Recording`] has the layouts of a function's arguments and results, its body, and the plans that machines made of
+//! it. A [`Call`] is a recording with the derivative to compute. Every function of a batch (a verb, an operation, a
+//! search, a plain function, a program, a derivative of one) becomes a call.
 use crate::ad::program::recorded::Recorded;
 use crate::error::{Argument, Error};
 use crate::kernels::row::compiled::Compiled;
+use crate::kernels::row::derivation::DerivativeStep;
 pub use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::derivation::Replays;
-use crate::kernels::row::derivation::Step;
 use crate::kernels::row::item::Leaf;
-use crate::kernels::row::once::{Kept, Key, known_by};
+use crate::kernels::row::once::{Key, RecordingCache, known_by};
 use crate::kernels::row::straight_line::{Line, by_reverse};
 use crate::{Real, Unrecordable};
 use std::any::TypeId;
 use std::fmt;
 use std::sync::Arc;
 
-/// Computes one item: its numbers, the cotangent of its result or nothing, and room for a result, or for a result and
-/// derivatives.
+/// A function of one item: its numbers, the cotangent of its result or none, and a buffer for the result, with
+/// derivatives if wanted.
 pub(crate) type Each<T> = fn(&[T], Option<&[T]>, &mut [T]);
 
-/// A search, or a derivative of one, as machines take it.
-pub(crate) struct Searched<T> {
-    /// Decides and computes one item in a mode.
+/// An untyped search, or a derivative of one.
+pub(crate) struct UntypedSearch<T> {
+    /// Returns the function that decides and computes one item in a mode.
     pub(crate) item: fn(Mode) -> Each<T>,
-    /// Its replays, differentiated by some steps.
-    pub(crate) replays: fn(Vec<Step>) -> Arc<dyn Replays<T>>,
+    /// Returns its replays, differentiated by some steps.
+    pub(crate) replays: fn(Vec<DerivativeStep>) -> Arc<dyn Replays<T>>,
     /// The steps from the search to the function.
-    pub(crate) steps: Vec<Step>,
+    pub(crate) steps: Vec<DerivativeStep>,
 }
 
-impl<T> Searched<T> {
-    /// Returns the same with one more derivative.
-    pub(crate) fn then(&self, step: Step) -> Self {
+impl<T> UntypedSearch<T> {
+    /// Returns this search differentiated once more.
+    pub(crate) fn then(&self, step: DerivativeStep) -> Self {
         let steps = [&self.steps[..], &[step]].concat();
         let (item, replays) = (self.item, self.replays);
-        Searched {
+        UntypedSearch {
             item,
             replays,
             steps,
@@ -44,10 +44,10 @@ impl<T> Searched<T> {
     }
     /// Returns the replays of a mode of the function.
     pub(crate) fn replays(&self, mode: Mode) -> Arc<dyn Replays<T>> {
-        (self.replays)(self.then(Step::Mode(mode)).steps)
+        (self.replays)(self.then(DerivativeStep::Mode(mode)).steps)
     }
-    /// Numbers of every shape that a mode gives. A Jacobian has a gradient per scalar of the result; `outputs` counts
-    /// codes, too.
+    /// Returns the number of scalars of every shape in the result of a mode. A Jacobian has a gradient per scalar of
+    /// the result; `outputs` counts codes, too.
     pub(crate) fn gives(&self, mode: Mode, takes: &[usize], outputs: &[usize]) -> Vec<usize> {
         match mode {
             Mode::Jacobian => {
@@ -63,30 +63,30 @@ impl<T> Searched<T> {
 
 /// The body of a function.
 pub(crate) enum Body<T: 'static> {
-    /// A straight line, which is recorded when it is first needed.
+    /// A straight line, recorded when it is first needed.
     Line(&'static Line<T>),
     /// A recorded graph.
     Graph(Arc<Recorded>),
     /// A search: decisions, then a straight line for every record.
-    Search(Searched<T>),
+    Search(UntypedSearch<T>),
 }
 
-/// A function as machines run it: its layouts, its body, and what was made of it.
+/// An untyped function: its layouts, its body, and the plans that machines made of it.
 pub struct Recording<T: Real> {
-    /// The shapes that it takes.
+    /// The layouts of its arguments.
     pub(crate) takes: Vec<Leaf<T>>,
-    /// Numbers of every shape of its result.
+    /// The number of scalars of every shape of its result.
     pub(crate) outputs: Vec<usize>,
     /// The names of its arguments, one for each, or none.
     pub(crate) arguments: &'static [&'static str],
     /// The kernels that the library has compiled for it.
     pub(crate) compiled: Option<Compiled>,
     pub(crate) body: Body<T>,
-    made: Kept,
+    made: RecordingCache,
 }
 
 /// The parts of a recording of a straight line.
-pub(crate) struct Parts<T: Real> {
+pub(crate) struct LineParts<T: Real> {
     pub(crate) compiled: fn() -> Option<Compiled>,
     pub(crate) takes: fn() -> Vec<Leaf<T>>,
     pub(crate) outputs: fn() -> Vec<usize>,
@@ -105,7 +105,7 @@ impl<T: Real> fmt::Debug for Recording<T> {
 }
 
 impl<T: Real> Recording<T> {
-    /// Returns a function of such shapes.
+    /// Creates a recording from its parts, without plans.
     pub(crate) fn new(
         takes: Vec<Leaf<T>>,
         outputs: Vec<usize>,
@@ -118,12 +118,12 @@ impl<T: Real> Recording<T> {
             arguments,
             compiled: None,
             body,
-            made: Kept::default(),
+            made: RecordingCache::default(),
         }
     }
 
-    /// Returns the recording of an operation, the same one at every call.
-    pub(crate) fn of_line(operation: TypeId, parts: &Parts<T>) -> Arc<Self> {
+    /// Returns the recording of an operation, which is made once.
+    pub(crate) fn of_line(operation: TypeId, parts: &LineParts<T>) -> Arc<Self> {
         let made = known_by(operation, &|| {
             let compiled = (parts.compiled)();
             let mut takes = (parts.takes)();
@@ -143,7 +143,7 @@ impl<T: Real> Recording<T> {
         made.unwrap_or_else(|_: Error| unreachable!("nothing is recorded yet"))
     }
 
-    /// Something that is made of the function once.
+    /// Returns the value of a key, made once per recording.
     pub(crate) fn made<X: Send + Sync + 'static>(
         &self,
         key: Key,
@@ -170,7 +170,7 @@ impl<T: Real> Recording<T> {
             let fields: Vec<usize> = self.takes.iter().map(|leaf| leaf.fields).collect();
             let (body, gives) = match &self.body {
                 Body::Search(search) => (
-                    Body::Search(search.then(Step::Mode(mode))),
+                    Body::Search(search.then(DerivativeStep::Mode(mode))),
                     search.gives(mode, &fields, &self.outputs),
                 ),
                 _ => {
@@ -191,7 +191,7 @@ impl<T: Real> Recording<T> {
     }
 }
 
-/// A function and the derivative that is wanted of it: all that a machine is given beside columns.
+/// A function and the derivative to compute: with columns this is the complete input of a machine.
 #[derive(Debug)]
 pub struct Call<T: Real> {
     pub(crate) recording: Arc<Recording<T>>,
@@ -208,31 +208,31 @@ impl<T: Real> Clone for Call<T> {
 }
 
 impl<T: Real> Call<T> {
-    /// Returns the value of a function.
+    /// Creates a call of a function's value.
     pub(crate) const fn of(recording: Arc<Recording<T>>) -> Self {
         Call {
             recording,
             mode: Mode::Value,
         }
     }
-    /// Returns the derivative of what is called: of a value another mode of the same function, of a derivative one of
-    /// the next order.
+    /// Returns the call of the next derivative: of a value another mode of the function, of a derivative one of the
+    /// next order.
     ///
     /// # Errors
     ///
-    /// Errors of recording the inner derivative.
+    /// The errors of recording the inner derivative.
     pub(crate) fn derived(self, mode: Mode) -> Result<Self, Error> {
         let recording = self.function()?;
         Ok(Call { recording, mode })
     }
-    /// Returns the function that is called: a recording, or a derivative of one as a recording of its own.
+    /// Returns the called function as a recording of its own, also if it is a derivative.
     pub(crate) fn function(self) -> Result<Arc<Recording<T>>, Error> {
         match self.mode {
             Mode::Value => Ok(self.recording),
             inner => self.recording.derivative(inner),
         }
     }
-    /// Returns the name of a column: an argument, or a cotangent after them.
+    /// Returns the name of column `k`: arguments come first, then cotangents.
     pub(crate) fn argument(&self, k: usize) -> Argument {
         let (takes, names) = (self.recording.takes.len(), self.recording.arguments);
         match names.get(k) {

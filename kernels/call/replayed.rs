@@ -1,86 +1,86 @@
-//! The replays of a search as programs: one for every record that occurs, in `f32` or `f64`.
+//! The replays of a search as programs: one for every record that occurs, in either format.
 use crate::Error;
 use crate::ad::program::Sym;
 use crate::ad::program::record::record_with_codes;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::row::decision::Search;
-use crate::kernels::row::derivation::{Mode, Order, Replays, Step};
+use crate::kernels::row::derivation::{DerivativeStep, Mode, Order, Replays};
 use crate::kernels::row::item::{Item, by_kind, by_shape, get, width};
 use crate::kernels::row::straight_line::by_reverse;
 use crate::{Fixed, Pack, Real};
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError, RwLock};
 
-/// Programs that a search keeps; one more, and all are dropped. A bound of memory.
+/// The number of programs that a search keeps. One more drops all, which bounds the memory.
 const MOST_KEPT: usize = 1 << 14;
 
-/// Something for every pair of an input's codes and a record.
+/// A cache by an input's codes and its record.
 type Cache<D, X> = RwLock<HashMap<(Vec<u32>, <D as Search>::Record), Arc<X>>>;
 
 /// A run of numbers of an item or a result.
 #[derive(Clone, Copy, Debug)]
-enum Block {
-    /// Those of the search's input, or of a gradient or direction, which has the input's codes.
+enum NumberBlock {
+    /// The numbers of the search's input, or of a gradient or direction, which has the input's codes.
     Input,
-    /// So many numbers.
+    /// A number of plain scalars.
     Plain(usize),
 }
 
-impl Block {
-    /// Its numbers in a program, which has no codes, and in a column.
+impl NumberBlock {
+    /// Returns the number of scalars in a program, which has no codes, and in a column.
     const fn sizes<R: Item>(self) -> [usize; 2] {
         match self {
-            Block::Input => [R::LEN, width::<R>()],
-            Block::Plain(count) => [count, count],
+            NumberBlock::Input => [R::LEN, width::<R>()],
+            NumberBlock::Plain(count) => [count, count],
         }
     }
 }
 
 /// The replays of the search `D` in the format `T`, differentiated.
-struct Differentiated<D: Search, T> {
-    steps: Vec<Step>,
+struct DerivedReplays<D: Search, T> {
+    steps: Vec<DerivativeStep>,
     /// Blocks of an item.
-    takes: Vec<Block>,
+    takes: Vec<NumberBlock>,
     /// Blocks of a result.
-    gives: Vec<Block>,
+    gives: Vec<NumberBlock>,
     programs: Cache<D, Recorded>,
     format: std::marker::PhantomData<fn() -> T>,
 }
 
 /// Returns the replays of a search, differentiated by some steps.
-pub(crate) fn of<D, R: Item>(steps: Vec<Step>) -> Arc<dyn Replays<R::Scalar>>
+pub(crate) fn of<D, R: Item>(steps: Vec<DerivativeStep>) -> Arc<dyn Replays<R::Scalar>>
 where
     D: Search<In<<R as Pack>::Scalar> = R>,
 {
     let (mut takes, mut gives) = (
-        vec![Block::Input],
-        vec![Block::Plain(D::Out::<R::Scalar>::LEN)],
+        vec![NumberBlock::Input],
+        vec![NumberBlock::Plain(D::Out::<R::Scalar>::LEN)],
     );
     for step in &steps {
         let (own, results) = (takes.clone(), gives.clone());
         match step {
-            Step::Mode(Mode::Value) => {}
-            Step::Mode(Mode::ValueGrad) => gives.extend(own),
-            Step::Mode(Mode::Jacobian) => {
+            DerivativeStep::Mode(Mode::Value) => {}
+            DerivativeStep::Mode(Mode::ValueGrad) => gives.extend(own),
+            DerivativeStep::Mode(Mode::Jacobian) => {
                 for _ in 0..numbers_of::<R>(&results) {
                     gives.extend(own.iter().copied());
                 }
             }
-            Step::Mode(Mode::Vjp) => {
+            DerivativeStep::Mode(Mode::Vjp) => {
                 takes.extend(results);
                 gives = own;
             }
-            Step::Along(Order::First) => {
+            DerivativeStep::Along(Order::First) => {
                 takes.extend(own);
                 gives.extend(results);
             }
-            Step::Along(Order::Second) => {
+            DerivativeStep::Along(Order::Second) => {
                 takes.extend(own.iter().copied());
                 gives = own;
             }
         }
     }
-    Arc::new(Differentiated::<D, R::Scalar> {
+    Arc::new(DerivedReplays::<D, R::Scalar> {
         steps,
         takes,
         gives,
@@ -89,12 +89,12 @@ where
     })
 }
 
-/// Returns the numbers of some blocks in a program, which has no codes.
-fn numbers_of<R: Item>(blocks: &[Block]) -> usize {
+/// Returns the number of scalars of some blocks in a program, which has no codes.
+fn numbers_of<R: Item>(blocks: &[NumberBlock]) -> usize {
     blocks.iter().map(|block| block.sizes::<R>()[0]).sum()
 }
 
-/// Returns the value of a key, made on first use. Two threads may make it; the first is kept.
+/// Returns the value of a key, made at first use. If two threads make it, the first is kept.
 fn made<D: Search, X>(
     all: &Cache<D, X>,
     key: (Vec<u32>, D::Record),
@@ -113,7 +113,7 @@ fn made<D: Search, X>(
     Ok(Arc::clone(kept.entry(key).or_insert(made)))
 }
 
-impl<D: Search, T: Real> Differentiated<D, T>
+impl<D: Search, T: Real> DerivedReplays<D, T>
 where
     D::In<T>: Item<Scalar = T>,
 {
@@ -125,25 +125,25 @@ where
         let mut recorded = record_with_codes::<T, In<D, T>, Out<D, T>>(codes, replay)?;
         for step in &self.steps {
             recorded = match *step {
-                // Without the result, which [`by_reverse`] gives first: a replay gives the derivative alone.
-                Step::Mode(Mode::Vjp) => recorded.vjp(),
-                Step::Mode(mode) => by_reverse(&recorded, mode),
-                Step::Along(Order::First) => recorded.jvp(),
-                Step::Along(Order::Second) => recorded.hvp(),
+                // Without the value, which [`by_reverse`] puts first: a replay computes the derivative alone.
+                DerivativeStep::Mode(Mode::Vjp) => recorded.vjp(),
+                DerivativeStep::Mode(mode) => by_reverse(&recorded, mode),
+                DerivativeStep::Along(Order::First) => recorded.jvp(),
+                DerivativeStep::Along(Order::Second) => recorded.hvp(),
             };
         }
         Ok(recorded)
     }
-    /// Codes and record of an item; appends its numbers without codes to `taken`.
+    /// Returns codes and record of an item; appends its numbers without codes to `taken`.
     fn key(&self, numbers: &[T], taken: &mut Vec<T>) -> (Vec<u32>, D::Record) {
         let mut rest = numbers;
         for block in &self.takes {
             let (own, others) = rest.split_at(block.sizes::<D::In<T>>()[1]);
             match block {
-                Block::Input => {
+                NumberBlock::Input => {
                     taken.extend_from_slice(&by_kind::<D::In<T>>(own)[..D::In::<T>::LEN]);
                 }
-                Block::Plain(_) => taken.extend_from_slice(own),
+                NumberBlock::Plain(_) => taken.extend_from_slice(own),
             }
             rest = others;
         }
@@ -152,7 +152,7 @@ where
     }
 }
 
-/// Returns the input of a search that an item begins with.
+/// Returns the input of a search, with which an item's numbers begin.
 fn input<D: Search, T: Real>(numbers: &[T]) -> D::In<T>
 where
     D::In<T>: Item<Scalar = T>,
@@ -160,7 +160,7 @@ where
     get::<D::In<T>>(&by_kind::<D::In<T>>(&numbers[..width::<D::In<T>>()]))
 }
 
-impl<D: Search, T: Real> Replays<T> for Differentiated<D, T>
+impl<D: Search, T: Real> Replays<T> for DerivedReplays<D, T>
 where
     D::In<T>: Item<Scalar = T>,
 {
@@ -182,8 +182,8 @@ where
             let (place, after) = row.split_at_mut(to);
             match block {
                 // A gradient has the input's codes.
-                Block::Input => by_shape::<D::In<T>>(own, &codes, place),
-                Block::Plain(_) => place.copy_from_slice(own),
+                NumberBlock::Input => by_shape::<D::In<T>>(own, &codes, place),
+                NumberBlock::Plain(_) => place.copy_from_slice(own),
             }
             (found, row) = (others, after);
         }

@@ -1,8 +1,8 @@
 //! Operations with a search: decided on plain values, then replayed.
 //!
-//! A search yields a *record* of decisions: indices and small enums, never numbers. The result is computed
-//! from the input and the record by a straight line, which duals and batches replay. Between decisions
-//! the result is smooth. Where a decision changes, the derivatives are those of the branch that was taken.
+//! A search yields a *record* of decisions: indices and small enums, never numbers. The result is computed from the
+//! input and the record by a straight line, which duals and batches replay. Between decisions the result is smooth.
+//! Where a decision changes, the derivatives belong to the branch taken.
 use crate::error::Error;
 use crate::kernels::call::modes::Function;
 use crate::kernels::call::recording::{self, Body, Call, Each, Recording};
@@ -14,7 +14,7 @@ use crate::kernels::row::op::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};
 use crate::{Fixed, Jet, Pack, Scalar};
 use std::sync::Arc;
 
-/// Inputs per replay on duals. More need fewer replays, but each dual holds so many derivatives.
+/// The number of inputs per replay on duals. A larger one needs fewer replays with larger duals.
 const AT_A_TIME: usize = 4;
 
 /// Returns the result on duals, with derivatives by inputs `first..first + AT_A_TIME`. `codes` are the input's.
@@ -26,14 +26,14 @@ fn replayed<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
 ) -> Vec<Jet<R::Scalar, AT_A_TIME>> {
     let jets = numbers[..R::LEN].iter().enumerate();
     let jets: Vec<Jet<R::Scalar, AT_A_TIME>> = jets
-        // Inputs before `first` wrap to indices that are no variable.
+        // Indices before `first` wrap around, so they mark no variable.
         .map(|(i, &x)| Jet::variable(x, i.wrapping_sub(first)))
         .collect();
     let moved = D::In::<Jet<R::Scalar, AT_A_TIME>>::load(&jets).load_codes(codes);
     D::replay::<Jet<R::Scalar, AT_A_TIME>>(moved, record).scalars()
 }
 
-/// The result of one item, and the gradient of each of its numbers.
+/// Writes the result of one item, and the gradient of each of its numbers.
 fn item_and_jacobian<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     numbers: &[R::Scalar],
     out: &mut [R::Scalar],
@@ -59,7 +59,7 @@ fn item_and_jacobian<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     }
 }
 
-/// The result of one item, and derivatives times a cotangent (ones, if there is none).
+/// Writes the result of one item, and its derivatives times a cotangent; without one it is all ones.
 fn item<D: Search<In<<R as Pack>::Scalar> = R>, R: Item>(
     numbers: &[R::Scalar],
     out_bar: Option<&[R::Scalar]>,
@@ -105,7 +105,7 @@ where
     }
 }
 
-/// Returns the recording of a search, the same one at every call.
+/// Returns the recording of a search, which is made once.
 pub(crate) fn recording<D, R: Item>() -> Arc<Recording<R::Scalar>>
 where
     D: Search<In<<R as Pack>::Scalar> = R>,
@@ -118,7 +118,7 @@ where
         );
     }
     let made = known::<Searched<D>, _>(|| {
-        let body = Body::Search(recording::Searched {
+        let body = Body::Search(recording::UntypedSearch {
             item: item_in::<D, R>,
             replays: crate::kernels::call::replayed::of::<D, R>,
             steps: Vec::new(),
@@ -133,7 +133,7 @@ where
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Searched<D>(std::marker::PhantomData<fn() -> D>);
 
-/// Returns a search as a function of batches, with gradients like any other.
+/// Turns a search into a function of batches, with gradients like any other.
 ///
 /// Aligned batches run it on the CPU and on a GPU; all pairs and their reductions run on the CPU.
 ///

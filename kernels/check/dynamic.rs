@@ -37,7 +37,7 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// Returns the inputs that such shapes make up.
+    /// Creates inputs from the shapes.
     #[must_use]
     pub fn new(parts: Vec<Sampler>) -> Self {
         let kinds: Vec<Vec<Kind>> = parts.iter().map(|part| (part.kinds)()).collect();
@@ -47,12 +47,12 @@ impl Inputs {
             kinds: kinds.concat(),
         }
     }
-    /// Returns how many numbers an input has.
+    /// Returns the number of scalars of an input.
     #[must_use]
     pub fn count(&self) -> usize {
         self.kinds.len()
     }
-    /// Returns the numbers of every part.
+    /// Splits the numbers of an input by shapes.
     fn split<'a>(&self, x: &'a [f64]) -> Vec<&'a [f64]> {
         let mut rest = x;
         let part = |&n: &usize| {
@@ -68,14 +68,14 @@ impl Inputs {
         let all = || self.parts.iter().zip(self.split(x));
         x.len() == self.count() && all().all(|(part, own)| (part.inside)(own))
     }
-    /// For each number, the length over which a function may be expected to change.
+    /// Returns for each number the length over which a function is expected to change.
     #[must_use]
     pub fn scales(&self, x: &[f64]) -> Vec<f64> {
         let all = self.parts.iter().zip(self.split(x));
         let own: Vec<f64> = all.flat_map(|(part, own)| (part.scales)(own)).collect();
         together(own, &self.kinds)
     }
-    /// Returns a random input, of which now and then shapes touch, share numbers, are far away, tiny or huge.
+    /// Returns a random input. Some have shapes that touch, share numbers, are far away, tiny or huge.
     #[must_use]
     pub fn draw(&self, draw: &mut Draw) -> Vec<f64> {
         let mut parts: Vec<Vec<f64>> = self.parts.iter().map(|part| (part.draw)(draw)).collect();
@@ -111,7 +111,7 @@ impl Inputs {
         let length = self.lengths.get(part).copied().unwrap_or(0);
         &self.kinds[start..start + length]
     }
-    /// Returns the hard cases of every shape, combined: all combinations, or some of many.
+    /// Returns the hard cases of every shape in all combinations, or in some of many.
     #[must_use]
     pub fn hard(&self) -> Vec<Vec<f64>> {
         let cases: Vec<Vec<Vec<f64>>> = self.parts.iter().map(|part| (part.hard)()).collect();
@@ -127,8 +127,8 @@ impl Inputs {
         all.map(input).filter(|x| self.inside(x)).collect()
     }
 
-    /// Returns the inputs of a sampling, rounded to a format; how many of them are no random ones; and how many more
-    /// were drawn outside the domain.
+    /// Returns the inputs of a sampling, rounded to a format; the number of hard ones, which come first; and the number
+    /// of rejected draws outside the domain.
     fn points<S: Real>(&self, sampling: &Sampling<'_>) -> (Vec<Vec<f64>>, usize, u64) {
         let inside = |x: &[f64]| sampling.inside.is_none_or(|inside| inside(x));
         let rounded =
@@ -155,8 +155,8 @@ impl Inputs {
         (all, random_from, outside)
     }
 
-    /// The conventions of functions of shapes: a derivative that is zero where the value is, or between zero and the
-    /// only side at the border of the domain, as of a box without width.
+    /// The conventions of functions of shapes: a derivative is zero where the value is, or between zero and the
+    /// one-sided derivative at the border of the domain, for example of a box without width.
     pub const CONVENTIONS: Conventions = Conventions {
         flat: true,
         jumps: Jumps::Never,
@@ -164,8 +164,8 @@ impl Inputs {
         searches: false,
     };
 
-    /// Returns a check at the inputs of a sampling, rounded to the format, to which a function is added; by
-    /// [these conventions](Inputs::CONVENTIONS), unless others are set.
+    /// Creates a check at the inputs of a sampling, rounded to the format. It follows [these
+    /// conventions](Inputs::CONVENTIONS) unless others are set, and needs a function to check.
     #[must_use]
     pub fn check<'a, S: Real>(&'a self, name: &str, sampling: &Sampling<'a>) -> Check<'a, Vec<S>> {
         let (own_inside, own_scales) = (sampling.inside, sampling.scales);
@@ -198,7 +198,7 @@ impl Inputs {
     }
 }
 
-/// How often a random input is drawn anew while it is outside the domain.
+/// The largest number of draws for a random input inside the domain.
 const ATTEMPTS: usize = 16;
 
 impl Near for Inputs {
@@ -240,8 +240,8 @@ impl<T: Real> Program<T> {
         }
     }
 
-    /// Returns a check of the derivatives of the program: backwards against forwards and differences, second ones
-    /// against duals of duals, and, in `f32`, all of them against the same function in `f64` if that is given.
+    /// Checks the derivatives of the program: reverse against forward and differences, second ones against duals of
+    /// duals. In `f32` all are compared with `wide`, this function in `f64`, if it is given.
     ///
     /// ```
     /// use geograd::check::{Jumps, Sampling};
@@ -261,7 +261,7 @@ impl<T: Real> Program<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] for inputs of another number of numbers.
+    /// [`Error::Length`] for inputs with another number of scalars.
     pub fn check(
         &self,
         name: &str,

@@ -1,4 +1,4 @@
-//! Jets as input and derivatives as lists, for subjects of recorded and of generic functions.
+//! Jets as inputs and derivatives as lists, for recorded and for generic functions.
 use crate::ad::check::noise::Noisy;
 use crate::ad::check::witness::Precision;
 use crate::ad::forward::{Along, First};
@@ -6,7 +6,7 @@ use crate::ad::sample::drawn::Near;
 use crate::scalar::float::Float;
 use crate::{Jet, Real, Scalar};
 
-/// Lists between formats.
+/// Returns a list in double precision.
 pub(crate) fn widened<S: Float>(list: &[S]) -> Vec<f64> {
     list.iter().map(|x| x.widen()).collect()
 }
@@ -17,7 +17,7 @@ pub(crate) fn noisy_list<S: Real>(list: &[f64]) -> Vec<Noisy<S>> {
     list.iter().map(|&x| Noisy(S::nearest(x))).collect()
 }
 
-/// Numbers that move along a direction.
+/// Returns numbers that move along a direction.
 pub(crate) fn moving<S: Real, T: Scalar>(
     x: &[f64],
     direction: &[f64],
@@ -34,14 +34,14 @@ pub(crate) fn slopes<T: Copy>(jets: &[Jet<T, 1>]) -> Vec<T> {
     jets.iter().map(|jet| jet.derivative[0]).collect()
 }
 
-/// Numbers as variables, of which some from one on have a derivative of their own.
+/// Returns numbers as variables; some of them, from index `start` on, have a derivative of their own.
 fn variables<S: Real>(x: &[f64], start: usize) -> Vec<First<S>> {
     let jets = x.iter().enumerate();
     let jets = jets.map(|(i, &x)| Jet::variable(S::nearest(x), i.wrapping_sub(start)));
     jets.collect()
 }
 
-/// Returns the values that jets carry through a function.
+/// Returns the values of jets that a function returns.
 pub(crate) fn values_of_jets<S: Real>(
     x: &[f64],
     eval: impl Fn(&[First<S>]) -> Vec<First<S>>,
@@ -50,7 +50,7 @@ pub(crate) fn values_of_jets<S: Real>(
     jets.iter().map(|jet| jet.value.widen()).collect()
 }
 
-/// Returns the Jacobian of a function of so many results, some variables at a time: one row per result.
+/// Returns the Jacobian of a function with `outputs` results, some variables at a time: one row per result.
 pub(crate) fn jacobian<S: Real>(
     outputs: usize,
     x: &[f64],
@@ -100,7 +100,7 @@ pub(crate) fn second_order<S: Real>(
     bends
 }
 
-/// How large a rounding error of every number shapes may behave as if they had made.
+/// Returns the backward error per number: the perturbation of the input that may explain the rounding of shapes.
 pub(crate) fn rounding(near: &dyn Near, precision: Precision, x: &[f64]) -> Vec<f64> {
     let (eps, extents) = (precision.epsilon(), near.extents(x));
     let of = |(extent, x): (&f64, &f64)| eps * extent.max(0.5 * x.abs());

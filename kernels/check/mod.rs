@@ -1,4 +1,4 @@
-//! Operations as subjects of the verification harness.
+//! Rows as subjects of the verification harness.
 //!
 //! ```
 //! use geograd::Triangle2;
@@ -7,13 +7,13 @@
 //! assert!(report.passed(), "{report}");
 //! ```
 //!
-//! An invariance is a motion of the input and what the result then does ([`symmetry`](crate::ad::check::symmetry)): it
-//! stays, grows with a power of the scale, or follows by the kinds of its numbers. The harness checks derivatives and
-//! invariances, not the formula: a radius off by a factor of two passes, so a formula needs a test of its value, too.
+//! An invariance is a motion of the input with its effect on the result ([`symmetry`](crate::ad::check::symmetry)): the
+//! result stays, grows with a power of the scale, or moves along according to the kinds of its numbers. The harness
+//! checks derivatives and invariances, not the formula: a radius off by a factor of two passes, so a formula needs a
+//! test of its value, too.
 //!
-//! An operation is judged by its recording, so that the harness is compiled once, in the library. An adjoint by
-//! hand has two further witnesses: the recording differentiated backwards in double precision, and num-dual's
-//! numbers.
+//! An operation is judged by its recording, so that the harness is compiled once, in the library. An adjoint by hand
+//! has two further witnesses: reverse derivatives of the recording in double precision, and num-dual's numbers.
 mod dynamic;
 mod jets;
 mod of;
@@ -57,10 +57,10 @@ use crate::{Error, Fixed, Pack, Real};
 use std::any::Any;
 use std::sync::Arc;
 
-/// The parts of the harness that are compiled in this library, with its optimisation, for each format: generic functions
-/// would be compiled anew wherever an operation is checked.
+/// The parts of the harness that this library compiles with optimisation, for each format. Generic functions would be
+/// compiled anew in every crate that checks an operation.
 pub(crate) struct Harness<S: Real> {
-    /// Hands a recorded operation to whoever judges it.
+    /// Passes a recorded operation as a subject to its judge.
     pub(crate) judged: fn(&RecordedSubject<'_, S>, &mut dyn FnMut(&dyn Subject)),
 }
 
@@ -72,7 +72,7 @@ static F64: Harness<f64> = Harness {
 };
 
 impl<S: Real> Harness<S> {
-    /// That of a format.
+    /// Returns the harness of a format.
     pub(crate) fn get() -> &'static Self {
         in_format([&F32, &F64])
     }
@@ -82,9 +82,9 @@ impl<S: Real> Harness<S> {
 pub(crate) struct ScalarCode<S: Real> {
     /// The function.
     pub(crate) alone: Path<S>,
-    /// The result and derivatives by hand.
+    /// The result and the derivatives by hand.
     pub(crate) by_hand: ByHand<S>,
-    /// The function on num-dual's numbers, where derivatives are by hand.
+    /// The function on num-dual's numbers, if derivatives are by hand.
     pub(crate) num_dual: Option<fn(&[S::NumDual]) -> Vec<S::NumDual>>,
 }
 
@@ -104,7 +104,7 @@ impl<S: Real> ScalarCode<S> {
                 true => by_hand::<O, S>,
                 false => nothing::<S>,
             },
-            // Compiled for derivatives by hand alone.
+            // Compiled only if derivatives are by hand.
             num_dual: match is_by_hand {
                 true => Some(on_num_dual::<O, S>),
                 false => None,
@@ -113,25 +113,25 @@ impl<S: Real> ScalarCode<S> {
     }
 }
 
-/// A straight line in one format as the harness and the fuzzer take it: batches of it, and its scalar code.
-pub(crate) struct Examined<S: Real> {
+/// A straight line in one format for the harness and the fuzzer: its batches and its scalar code.
+pub(crate) struct LineCode<S: Real> {
     pub(crate) recording: Arc<Recording<S>>,
     pub(crate) code: ScalarCode<S>,
 }
 
-impl<S: Real> Examined<S> {
+impl<S: Real> LineCode<S> {
     pub(crate) fn of<O: Op>() -> Self
     where
         O::In<S>: Item<Scalar = S>,
         O::Out<S>: Item<Scalar = S>,
     {
-        Examined {
+        LineCode {
             recording: recording_of::<O, O::In<S>>(),
             code: const { ScalarCode::of::<O>() },
         }
     }
-    /// Returns all that the harness needs of it.
-    fn computations(&self, stated: &Stated) -> Result<Computations<S>, Error> {
+    /// Returns the computations that the harness compares.
+    fn computations(&self, stated: &LineProperties) -> Result<Computations<S>, Error> {
         let value = self.recording.program(Mode::Value)?;
         let is_wide = Precision::of::<S>() == Precision::F64;
         let by_hand_alone = self.code.num_dual.is_some() && is_wide;
@@ -152,7 +152,7 @@ impl<S: Real> Examined<S> {
     }
 }
 
-/// Returns the function.
+/// Returns the result.
 fn alone<O: Op, S: Real>(x: &[S]) -> Vec<S> {
     O::eval(O::In::<S>::load(x)).scalars()
 }
@@ -161,59 +161,59 @@ fn nothing<S>(_x: &[S], _out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
     None
 }
 
-/// Returns the value and derivatives by hand.
+/// Returns the result and the derivatives by hand.
 fn by_hand<O: Op, S: Real>(x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
     let (value, bars) = O::adjoint(O::In::<S>::load(x), O::Out::<S>::load(out_bar))?;
     Some((value.scalars(), bars.scalars()))
 }
 
-/// Returns the function itself on num-dual's numbers.
+/// Returns the result on num-dual's numbers.
 fn on_num_dual<O: Op, S: Real>(x: &[S::NumDual]) -> Vec<S::NumDual> {
     O::eval(O::In::<S::NumDual>::load(x)).scalars()
 }
 
-/// The declared properties of a straight line, and the kinds of the numbers of its result.
+/// The declared properties of a straight line, and the kinds of its result's numbers.
 #[derive(Clone, Copy)]
-pub(crate) struct Stated {
+pub(crate) struct LineProperties {
     pub(crate) declared: &'static Declared,
     pub(crate) output_kinds: fn() -> Vec<Kind>,
 }
 
-impl Stated {
+impl LineProperties {
     const fn of<O: Op>() -> Self
     where
         O::Out<f64>: Sample,
     {
-        Stated {
+        LineProperties {
             declared: const { &O::DECLARED },
             output_kinds: || O::Out::<f64>::filled(1.0).kinds(),
         }
     }
 }
 
-/// Returns the value of a fold edge by edge.
+/// Returns the value of a fold, edge by edge.
 fn value_by_edges<F: Fold, S: Real>(x: &[S]) -> Vec<S> {
     let (context, path) = context_and_path::<F, S>(x);
     edge_by_edge::<F, S>(context, &path).scalars()
 }
 
-/// How often a random input is drawn anew while it is outside the domain.
+/// The largest number of draws for a random input inside the domain.
 const ATTEMPTS: usize = 16;
-/// One random input of so many lies on a grid of few numbers.
+/// The step between the random inputs that lie on a coarse grid.
 const LATTICE: usize = 3;
 
-/// The inputs that are judged.
+/// The inputs to judge.
 struct Cases {
     /// Hard cases, then random inputs, all rounded to a format. Some may be outside the domain.
     all: Vec<Box<dyn Drawn>>,
-    /// How many of them are hard.
+    /// The number of hard cases.
     random_from: usize,
-    /// How many more were drawn, outside the domain.
+    /// The number of rejected draws outside the domain.
     outside: u64,
 }
 
 impl Cases {
-    /// Returns the inputs of a sampling, rounded to a format.
+    /// Draws the inputs of a sampling, rounded to a format.
     fn of(kinship: Kinship, sampling: &Sampling<'_>, precision: Precision) -> Self {
         let rounded = |x: Box<dyn Drawn>| {
             let list: Vec<f64> = x.numbers().iter().map(|&x| precision.round(x)).collect();
@@ -254,10 +254,10 @@ impl Cases {
     }
 }
 
-/// Makes subjects near an input and hands them over.
+/// Builds the subjects near an input and passes them to a function.
 type With<'a> = &'a dyn Fn(&dyn Drawn, Option<&Batch<'_>>, &mut dyn FnMut(&dyn Subject));
 
-/// Judges an operation at hard cases and random inputs, with batches as further witnesses if there are some to ask.
+/// Judges an operation at hard cases and random inputs, with batches, if there are any, as further witnesses.
 fn judged(
     name: &'static str,
     sampling: &Sampling<'_>,
@@ -296,7 +296,7 @@ fn judged(
     }
 }
 
-/// Returns the input of a subject that is made for one type.
+/// Casts the input of a subject to its type.
 fn typed<X: Sample>(x: &dyn Drawn) -> &X {
     let found = x.as_any().downcast_ref();
     found.unwrap_or_else(|| unreachable!("inputs of one kind are of one type"))
@@ -313,7 +313,7 @@ where
     check_with::<O, S>(&Sampling::new(samples, seed))
 }
 
-/// Returns the same by a sampling.
+/// Runs every check of an operation at the inputs of a sampling.
 pub fn check_with<O: Op, S: Real>(sampling: &Sampling<'_>) -> Report
 where
     O::In<f64>: Sample + Item,
@@ -324,16 +324,16 @@ where
     without_batch(straight::<O, S>(sampling, None, false))
 }
 
-/// Returns the same in `f32`, with batches of items side by side on a backend as further witnesses (values and
-/// adjoints, and the value with its gradient): on a GPU its [generated](crate::kernels::gpu) kernels.
+/// Runs every check in `f32`, with batches on a backend as further witnesses: values, adjoints, and values with
+/// gradients. On a GPU these are its [generated](crate::kernels::gpu) kernels.
 ///
-/// A backend rounds differently: a GPU may fuse products and sums, divides to within two and a half
-/// units in the last place, and takes numbers below the smallest normal one for zero. All of it is
-/// less than what moving inputs by twice their rounding, eight times over, allows.
+/// A backend rounds differently: a GPU may fuse products and sums, and flush numbers below the smallest normal one to
+/// zero. Its quotients are right to two and a half units in the last place. These errors are less than the tolerance,
+/// which comes from eight perturbations of the inputs by twice their rounding.
 ///
 /// # Errors
 ///
-/// The backend's.
+/// The errors of the backend.
 pub fn check_on<O: Op>(backend: Backend<'_>, sampling: &Sampling<'_>) -> Result<Report, Error>
 where
     O::In<f64>: Sample + Item,
@@ -344,12 +344,12 @@ where
     straight::<O, f32>(sampling, Some(backend), false)
 }
 
-/// Returns the same with the kernels of all pairs as one witness more: other kernels, of which boxes in the plane have
-/// some by hand on a GPU.
+/// Runs every check as [`check_on`], with the kernels of all pairs as one more witness: they differ from the others,
+/// and on a GPU those of boxes in the plane are by hand.
 ///
 /// # Errors
 ///
-/// The backend's.
+/// The errors of the backend.
 pub fn check_pairs_on<O, A, B>(
     backend: Backend<'_>,
     sampling: &Sampling<'_>,
@@ -375,10 +375,10 @@ where
     O::In<S>: Item,
     O::Out<S>: Item,
 {
-    let wide = &Examined::<f64>::of::<O>();
-    let own = &Examined::<S>::of::<O>();
+    let wide = &LineCode::<f64>::of::<O>();
+    let own = &LineCode::<S>::of::<O>();
     examined::<S>(
-        const { &Stated::of::<O>() },
+        const { &LineProperties::of::<O>() },
         (const { Kinship::of::<O::In<f64>>() }, O::In::<f64>::name),
         own,
         wide,
@@ -386,13 +386,13 @@ where
     )
 }
 
-/// Judges a straight line, with batches on a backend as further witnesses of `f32`: items side by side, the value
-/// with its gradient, and all pairs if they are wanted.
+/// Judges a straight line, with batches on a backend as further witnesses of `f32`: aligned values, values with
+/// gradients, and all pairs if `pairs` is set.
 pub(crate) fn examined<S: Real>(
-    stated: &Stated,
+    stated: &LineProperties,
     (kinship, name): (Kinship, fn(usize) -> Field),
-    own: &Examined<S>,
-    wide: &Examined<f64>,
+    own: &LineCode<S>,
+    wide: &LineCode<f64>,
     (sampling, backend, pairs): (&Sampling<'_>, Option<Backend<'_>>, bool),
 ) -> Result<Report, Error> {
     let declared = stated.declared;
@@ -434,14 +434,14 @@ pub(crate) fn examined<S: Real>(
     report.map(|report| Report { names, ..report })
 }
 
-/// Returns the names of the numbers of an input, given those of its arguments: `point.x`.
+/// Returns the names of an input's numbers, from those of its arguments: `point.x`.
 fn names_of(name: fn(usize) -> Field, count: usize, arguments: &[&str]) -> Vec<String> {
     let named = |i: usize| {
         let field = name(i).to_string();
         let (argument, rest) = match arguments {
             [] => return field,
             [one] => (*one, field.as_str()),
-            // A tuple numbers its parts.
+            // The parts of a tuple are numbered.
             several => {
                 let digits = field.bytes().take_while(u8::is_ascii_digit).count();
                 let part = field[..digits].parse::<usize>().ok();
@@ -460,7 +460,7 @@ fn names_of(name: fn(usize) -> Field, count: usize, arguments: &[&str]) -> Vec<S
     (0..count).map(named).collect()
 }
 
-/// Judges what was recorded of an operation; if nothing was, refuses it.
+/// Judges the recording of an operation; refuses the operation without one.
 fn recorded<S: Real>(
     name: &'static str,
     kinship: Kinship,
@@ -502,11 +502,12 @@ where
     without_batch(folded::<F, S>(sampling, Vec::new()))
 }
 
-/// Returns the same in `f32`, with batches of measures of rings on a backend as a further witness; see [`check_on`].
+/// Runs every check of a fold in `f32`, with batches of measures of rings on a backend as a further witness; see
+/// [`check_on`].
 ///
 /// # Errors
 ///
-/// The backend's.
+/// The errors of the backend.
 pub fn check_fold_on<F: Fold>(
     backend: Backend<'_>,
     sampling: &Sampling<'_>,
@@ -540,7 +541,7 @@ where
         inputs,
         asks,
         &|x, batch, judge| {
-            // A measure by hand is the fold of its edges, too.
+            // A measure by hand is also checked edge by edge.
             let by_edges: [Path<S>; 1] = [value_by_edges::<F, S>];
             let paths = match F::MEASURE {
                 Some(_) => &by_edges[..],

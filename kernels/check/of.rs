@@ -22,8 +22,8 @@ pub struct OfOperation<O> {
 }
 
 impl Check<'static, f64> {
-    /// Returns a check of an operation, in single and in double precision: at the hard cases of its shapes and at
-    /// two hundred random inputs, unless told otherwise.
+    /// Creates a check of an operation in single and in double precision. By default its inputs are the hard cases of
+    /// the shapes and two hundred random inputs.
     ///
     /// ```
     /// use geograd::check::*;
@@ -58,32 +58,32 @@ where
     O::In<f32>: Item,
     O::Out<f32>: Item,
 {
-    /// At so many random inputs.
+    /// Sets the number of random inputs.
     #[must_use]
     pub fn samples(mut self, samples: usize) -> Self {
         self.sampling.samples = samples;
         self
     }
-    /// From another seed.
+    /// Sets the seed.
     #[must_use]
     pub fn seed(mut self, seed: u64) -> Self {
         self.sampling.seed = seed;
         self
     }
-    /// At every so many of the hard cases; at none for zero.
+    /// Uses every `every`-th hard case; none for zero.
     #[must_use]
     pub fn hard(mut self, every: usize) -> Self {
         self.sampling.hard = every;
         self
     }
-    /// At one more input, before all others.
+    /// Adds an input before all others.
     #[must_use]
     pub fn and(mut self, point: O::In<f64>) -> Self {
         self.points.push(point.scalars());
         self
     }
-    /// Returns the domain of the operation, beside what its shapes say: inputs outside are not judged, and no step
-    /// leads there. It stands in the place of the [domain](crate::kernels::op::Declared::domain) that the row states.
+    /// Sets the domain of the operation, in addition to the rules of its shapes: inputs outside are not judged, and no
+    /// step leads there. It replaces the [domain](crate::kernels::op::Declared::domain) that the row declares.
     ///
     /// ```
     /// use geograd::check::*;
@@ -102,16 +102,16 @@ where
         self.inside = Some(Rc::new(move |x| f(&O::In::<f64>::load(x))));
         self
     }
-    /// For each number, the length over which the operation may be expected to change. By default what the shapes
-    /// say.
+    /// Sets for each number the length over which the operation is expected to change. The default comes from the
+    /// shapes.
     #[must_use]
     pub fn scales(mut self, f: impl Fn(&O::In<f64>) -> O::In<f64> + 'static) -> Self {
         self.scales = Some(Rc::new(move |x| f(&O::In::<f64>::load(x)).scalars()));
         self
     }
-    /// Returns how far values may be off, beyond rounding, in the unit of the result: by a table, by an iteration that
-    /// stops, by digits that cancel in single precision. Derivatives are held to what they were held to. It stands in
-    /// the place of what the row [states](crate::kernels::op::Declared::resolution).
+    /// Sets the error of values beyond rounding, in the unit of the result: from a lookup table, an iteration that
+    /// stops, or digits that cancel in single precision. The tolerance of derivatives does not change. It replaces the
+    /// [resolution](crate::kernels::op::Declared::resolution) that the row declares.
     ///
     /// ```
     /// use geograd::check::*;
@@ -137,7 +137,7 @@ where
             .get_or_insert(O::DECLARED.resolution)[0] = absolute;
         self
     }
-    /// Returns the same as a share of each number of the result.
+    /// Sets the error of values beyond rounding, relative to each number of the result.
     #[must_use]
     pub fn relative_resolution(mut self, share: f64) -> Self {
         self.sampling
@@ -145,13 +145,13 @@ where
             .get_or_insert(O::DECLARED.resolution)[1] = share;
         self
     }
-    /// A derivative by hand must share exact ties as duals do.
+    /// Requires that a derivative by hand shares exact ties as duals do.
     #[must_use]
     pub fn shared_ties(mut self) -> Self {
         self.sampling.shared_ties = true;
         self
     }
-    /// Runs the check: a report in single precision, and one in double.
+    /// Runs the check. Returns a report in single precision, and one in double.
     #[must_use]
     pub fn run(&self) -> [Report; 2] {
         let sampling = Sampling {
@@ -165,11 +165,11 @@ where
             check_with::<O, f64>(&sampling),
         ]
     }
-    /// Judges, and panics with the report when something was refused.
+    /// Runs the check, and panics with the report if an input was refused.
     ///
     /// # Panics
     ///
-    /// When something was refused.
+    /// If an input was refused.
     #[track_caller]
     pub fn assert(&self) {
         for report in self.run() {

@@ -1,4 +1,4 @@
-//! Proofs of the rows of distances in space: shapes as bodies, and the row of their nearest points.
+//! Proofs of distances in space: shapes as convex bodies, and the nearest points of the row for them.
 use crate::ad::check::certificate::{Body, Proof, Proved};
 use crate::kernels::dynamic::{Function, Operation, Rows};
 use crate::{
@@ -6,13 +6,13 @@ use crate::{
     Sphere, Tetrahedron, Triangle3, Vec3, YawBox3,
 };
 
-/// Returns a box by its size and its axes.
+/// Returns a box as a body, from its size and its axes.
 fn boxed(center: Vec3<f64>, size: Vec3<f64>, axes: [Vec3<f64>; 3], radius: f64) -> Body {
     let half = [size.x, size.y, size.z].map(|side| side / 2.0);
     Body::boxed(center, [0, 1, 2].map(|k| axes[k] * half[k]), axes, radius)
 }
 
-/// Returns a shape as a body, and the numbers after it.
+/// Returns a shape as a body, and the numbers that follow it.
 fn body<'a>(shape: &str, x: &'a [f64]) -> Option<(Body, &'a [f64])> {
     fn of<P: Fixed<Scalar = f64>>(x: &[f64], body: fn(P) -> Body) -> Option<(Body, &[f64])> {
         let (own, rest) = x.split_at_checked(P::LEN)?;
@@ -77,7 +77,7 @@ fn body<'a>(shape: &str, x: &'a [f64]) -> Option<(Body, &'a [f64])> {
     }
 }
 
-/// Returns the axes of the world, turned.
+/// Returns the rotated coordinate axes.
 fn turned(turn: impl Fn(Vec3<f64>) -> Vec3<f64>) -> [Vec3<f64>; 3] {
     let (x, y, z) = (
         Vec3::new(1.0, 0.0, 0.0),
@@ -87,16 +87,16 @@ fn turned(turn: impl Fn(Vec3<f64>) -> Vec3<f64>) -> [Vec3<f64>; 3] {
     [turn(x), turn(y), turn(z)]
 }
 
-/// The proofs of a row.
+/// The source of proofs for a row.
 pub(crate) struct Proofs<S: Real> {
     measure: Proved,
     shapes: &'static [&'static str],
-    /// The row of the nearest points of the same shapes, if there is one.
+    /// The row of the nearest points of these shapes, if there is one.
     points: Option<Function<S>>,
 }
 
 impl<S: Real> Proofs<S> {
-    /// Those of a distance of two shapes of space.
+    /// Returns the source of proofs for a distance of two shapes in space.
     pub(crate) fn of<'a>(
         row: &Operation,
         mut others: impl Iterator<Item = &'a Operation>,

@@ -1,5 +1,5 @@
-//! A recorded operation as a subject of the verification harness: lists of numbers in, lists of numbers
-//! out. It is compiled once, in the library, whatever the operation (`Harness` sees to that).
+//! A recorded operation as a subject of the verification harness: functions from lists of numbers to lists of numbers.
+//! `Harness` sees to it that it is compiled once, in the library.
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::trace::{Trace, Traced, num_duals, of_num_duals, trace};
@@ -17,33 +17,32 @@ use crate::kernels::row::op::Jumps;
 use crate::{Jet, Real, Scalar};
 use std::sync::Arc;
 
-/// The result and the derivatives of a cotangent, by hand, on plain numbers; nothing where there are none.
+/// The result and the derivatives by hand, from an input and a cotangent; `None` without them.
 pub(crate) type ByHand<S> = fn(&[S], &[S]) -> Option<(Vec<S>, Vec<S>)>;
 
-/// All that the harness compares of an operation in one format.
+/// The computations of an operation in one format that the harness compares.
 #[derive(Clone)]
 pub(crate) struct Computations<S: Real> {
-    /// The result, recorded.
+    /// The recorded result.
     pub value: Arc<Recorded>,
-    /// The result and derivatives from the input and a cotangent, recorded: from wherever the operation says
-    /// that its derivatives come.
+    /// The recorded result with derivatives, from the input and a cotangent, by the declared source of derivatives.
     pub derivatives: Arc<Recorded>,
-    /// The same by differentiating the recorded function backwards, where derivatives are by hand: another derivation
-    /// of them. In double precision alone, since cotangents of nearly parallel boxes cancel in single.
+    /// Reverse derivatives of the recorded function, as a second derivation, if the first is by hand. In double
+    /// precision alone, since cotangents of nearly parallel boxes cancel in single.
     pub reversed: Option<Arc<Recorded>>,
-    /// The function itself, on plain numbers, where it is more than its recording.
+    /// The function itself on plain numbers, if it is more than its recording.
     pub source: Option<Path<S>>,
-    /// The result by a batch.
+    /// A batch of the result.
     pub batch: Function<S>,
-    /// Derivatives by hand, on plain numbers.
+    /// The derivatives by hand on plain numbers.
     pub by_hand: ByHand<S>,
-    /// The function itself on num-dual's numbers, where derivatives are by hand.
+    /// The function itself on num-dual's numbers, if derivatives are by hand.
     pub num_dual: Option<fn(&[S::NumDual]) -> Vec<S::NumDual>>,
-    /// How many numbers a result has.
+    /// The number of scalars of a result.
     pub outputs: usize,
     /// The kind of each number of a result.
     pub output_kinds: Vec<Kind>,
-    /// `true` if duals of duals see its second derivatives: not those of a part with a gradient by hand.
+    /// `true` if duals of duals compute its second derivatives; not so if a part has a gradient by hand.
     pub nests: bool,
     /// Its invariances.
     pub invariances: &'static [Invariance],
@@ -52,7 +51,7 @@ pub(crate) struct Computations<S: Real> {
 }
 
 impl<S: Real> Computations<S> {
-    /// Returns the result by a batch of one item; nothing where the batch refuses it.
+    /// Returns the result of a batch of one item; an empty list if the batch refuses it.
     fn batch_value(&self, x: &[S]) -> Vec<S> {
         let mut rest = x;
         let takes = self.batch.takes().into_iter();
@@ -72,12 +71,12 @@ impl<S: Real> Computations<S> {
         let mut all = self.derivatives.run_on(&[x, y_bar].concat());
         all.split_off(self.outputs)
     }
-    /// Returns the derivatives by differentiating the recorded function backwards, where that is another derivation.
+    /// Returns reverse derivatives of the recorded function, if they are a second derivation.
     fn reversed_on<T: Scalar>(&self, x: &[T], y_bar: &[T]) -> Option<Vec<T>> {
         let mut all = self.reversed.as_ref()?.run_on(&[x, y_bar].concat());
         Some(all.split_off(self.outputs))
     }
-    /// Returns the Hessian times a direction, through the derivatives, on another kind of number.
+    /// Returns the Hessian times a direction, from the derivatives on another number type.
     fn bends<T>(&self, x: &[f64], y_bar: &[f64], direction: &[f64], of: impl Fn(S) -> T) -> Vec<T>
     where
         T: Scalar<Primal = T>,
@@ -91,9 +90,9 @@ impl<S: Real> Computations<S> {
 pub struct RecordedSubject<'a, S: Real> {
     pub(crate) near: &'a dyn Near,
     pub(crate) recording: &'a Computations<S>,
-    /// The same operation in double precision.
+    /// The operation in double precision.
     pub(crate) wide: Option<&'a Computations<f64>>,
-    /// A batch on a backend as a further witness.
+    /// A batch on a backend, as a further witness.
     pub(crate) batch: Option<&'a Batch<'a>>,
 }
 
@@ -131,7 +130,7 @@ impl<S: Real> Subject for RecordedSubject<'_, S> {
         Some(widened(&derivatives))
     }
     fn noisy(&self, x: &[f64], y_bar: &[f64], seed: u64) -> Option<Vec<f64>> {
-        // Low parts of single precision hold what roundings leave; others would spoil them.
+        // Low parts in single precision hold rounding errors; other values would distort them.
         if S::COMPENSATED {
             return None;
         }
@@ -143,7 +142,7 @@ impl<S: Real> Subject for RecordedSubject<'_, S> {
     }
     fn further(&self, x: &[f64], y_bar: &[f64]) -> Vec<Vec<f64>> {
         let (x, y_bar): (Vec<S>, Vec<S>) = (nearest(x), nearest(y_bar));
-        // By another derivation, and as batches compute them.
+        // Derivatives by a second derivation, and as batches compute them.
         let reversed = self.recording.reversed_on(&x, &y_bar);
         let mut all = vec![widened(&self.recording.derivatives_on::<S>(x, y_bar))];
         all.extend(reversed.map(|derivatives| widened(&derivatives)));

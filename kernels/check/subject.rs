@@ -1,5 +1,4 @@
-//! An operation as a subject of the verification harness: its witnesses, its invariances, what it
-//! does on purpose.
+//! An operation as a subject of the verification harness: its witnesses and its declared properties.
 use crate::ad::check::noise::{Noisy, noisy};
 use crate::ad::check::subject::{Conventions, Subject};
 use crate::ad::check::trace::{Trace, Traced, num_duals, of_num_duals, trace};
@@ -14,19 +13,19 @@ use crate::kernels::check::witness::Batch;
 use crate::{Fixed, Jet, Pack, Real, Scalar};
 use std::fmt;
 
-/// An operation's value by another path.
+/// A second computation of an operation's value.
 pub type Path<S> = fn(&[S]) -> Vec<S>;
-/// An operation's value and derivatives, fused.
+/// The fused computation of an operation's value and derivatives.
 pub type Fused<S> = fn(&[S]) -> (Vec<S>, Vec<S>);
 
 /// An operation near an input, in one format.
 pub struct OpSubject<'a, S: Real> {
     near: &'a dyn Near,
-    code: Box<dyn Code<S> + 'a>,
+    code: Box<dyn SourceFunctions<S> + 'a>,
     paths: &'a [Path<S>],
     fused: Option<Fused<S>>,
     batch: Option<&'a Batch<'a>>,
-    stated: Stated,
+    stated: SourceProperties,
 }
 
 impl<S: Real> fmt::Debug for OpSubject<'_, S> {
@@ -35,18 +34,18 @@ impl<S: Real> fmt::Debug for OpSubject<'_, S> {
     }
 }
 
-/// The statements of a source.
+/// The declared properties of a source.
 #[derive(Clone, Copy)]
-struct Stated {
+struct SourceProperties {
     outputs: usize,
     output_kinds: fn() -> Vec<Kind>,
     invariances: &'static [Invariance],
     conventions: Conventions,
 }
 
-/// A source near an input, as functions of lists of every kind of number that the harness asks: what asks is compiled
-/// once, whatever the source.
-trait Code<S: Real> {
+/// A source near an input, as untyped functions of every number type of the harness, so that the harness is compiled
+/// once.
+trait SourceFunctions<S: Real> {
     fn value(&self, x: &[S]) -> Vec<S>;
     fn first(&self, x: &[First<S>]) -> Vec<First<S>>;
     fn jets(&self, x: &[Jet<S, 1>]) -> Vec<Jet<S, 1>>;
@@ -61,16 +60,16 @@ trait Code<S: Real> {
         x: &[Jet<Noisy<S>, 1>],
         y_bar: &[Jet<Noisy<S>, 1>],
     ) -> Vec<Jet<Noisy<S>, 1>>;
-    /// Returns the same source in double precision.
+    /// Returns this source in double precision.
     fn wide(&self) -> OpSubject<'_, f64>;
 }
 
-/// A source near an input, which says how many numbers there are.
-struct At<'a, O: WithAdjoint>(&'a O::In<f64>)
+/// A source near an input, which fixes the number of scalars.
+struct SourceAt<'a, O: WithAdjoint>(&'a O::In<f64>)
 where
     O::In<f64>: Sample;
 
-impl<O: WithAdjoint> At<'_, O>
+impl<O: WithAdjoint> SourceAt<'_, O>
 where
     O::In<f64>: Sample,
 {
@@ -85,7 +84,7 @@ where
     }
 }
 
-impl<O: WithAdjoint, S: Real> Code<S> for At<'_, O>
+impl<O: WithAdjoint, S: Real> SourceFunctions<S> for SourceAt<'_, O>
 where
     O::In<f64>: Sample,
     O::Out<f64>: Sample,
@@ -130,7 +129,7 @@ where
 }
 
 impl<'a, S: Real> OpSubject<'a, S> {
-    /// Returns a source near an input, which says how many numbers there are.
+    /// Creates a subject from a source near an input, which fixes the number of scalars.
     #[must_use]
     pub fn of<O: WithAdjoint>(
         near: &'a O::In<f64>,
@@ -143,11 +142,11 @@ impl<'a, S: Real> OpSubject<'a, S> {
     {
         OpSubject {
             near,
-            code: Box::new(At::<O>(near)),
+            code: Box::new(SourceAt::<O>(near)),
             paths,
             fused,
             batch: None,
-            stated: Stated {
+            stated: SourceProperties {
                 outputs: O::Out::<S>::LEN,
                 output_kinds: || Sample::kinds(&O::Out::<f64>::filled(1.0)),
                 invariances: O::DECLARED.invariances,
@@ -160,7 +159,7 @@ impl<'a, S: Real> OpSubject<'a, S> {
             },
         }
     }
-    /// With a batch as a further witness; a batch computes in `f32`.
+    /// Adds a batch as a further witness; a batch computes in `f32`.
     #[must_use]
     pub fn with_batch(mut self, batch: Option<&'a Batch<'a>>) -> Self {
         self.batch = batch;
@@ -187,7 +186,7 @@ impl<S: Real> Subject for OpSubject<'_, S> {
         Some(widened(&self.code.vjp(&nearest(x), &nearest(y_bar))))
     }
     fn noisy(&self, x: &[f64], y_bar: &[f64], seed: u64) -> Option<Vec<f64>> {
-        // Low parts of single precision hold what roundings leave; others would spoil them.
+        // Low parts in single precision hold rounding errors; other values would distort them.
         if S::COMPENSATED {
             return None;
         }

@@ -1,5 +1,5 @@
-//! Operations, searches and folds as the harness takes them: one function, generic over the scalar, and its adjoint.
-use crate::kernels::call::folding::{Programs, Sizes, backwards, programs};
+//! Operations, searches and folds in the harness's form: one function, generic over the scalar, and its adjoint.
+use crate::kernels::call::folding::{FoldPrograms, Sizes, backwards, programs};
 use crate::kernels::call::search::Search;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::fold::{Fold, by_hand, fold};
@@ -8,30 +8,30 @@ use crate::kernels::row::op::{Declared, Derivative, Op};
 use crate::{Fixed, Jet, Pack, Real, Scalar};
 use std::sync::Arc;
 
-/// A function, generic over the scalar, with its adjoint: an operation, a search or a fold as the harness takes it.
+/// A function, generic over the scalar, with its adjoint: the harness's form of an operation, a search or a fold.
 #[doc(hidden)]
 pub trait WithAdjoint: 'static {
     /// The declared properties of the forward function.
     const DECLARED: Declared;
-    /// The argument, made of any scalar.
+    /// The argument, generic over the scalar.
     type In<S: Scalar>: Pack<Scalar = S>;
-    /// The result, made of the same scalar.
+    /// The result, generic over the scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// `true` for a search, whose derivatives are those of its replay.
+    /// `true` for a search, whose derivatives are its replay's.
     const SEARCHES: bool = false;
-    /// Returns the generic source.
+    /// Returns the result by the generic source.
     fn eval<S: Scalar<Mask = bool>>(input: &Self::In<S>) -> Self::Out<S>;
     /// Returns the numbers of the gradient of `out_bar · output` with respect to the input.
     fn pulled<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Vec<S>;
-    /// Returns the same in the shapes of the input.
+    /// Returns the gradient of `out_bar · output` in the shape of the input.
     fn vjp<S: Scalar<Mask = bool>>(input: &Self::In<S>, out_bar: Self::Out<S>) -> Self::In<S> {
         input.refill(&Self::pulled(input, out_bar))
     }
-    /// Returns the function on num-dual's numbers; only for operations with an adjoint by hand, as a witness of it.
+    /// Returns the result on num-dual's numbers, as a witness of an adjoint by hand; `None` for other operations.
     fn on_num_dual<S: Real>(_input: &Self::In<S::NumDual>) -> Option<Self::Out<S::NumDual>> {
         None
     }
-    /// Returns an input like another one, made of the numbers of a list.
+    /// Returns an input with the structure of `like` from a list of numbers.
     fn made<T: Scalar>(like: &Self::In<f64>, numbers: &[T]) -> Self::In<T>;
 }
 
@@ -51,7 +51,7 @@ impl<O: Op> WithAdjoint for Straight<O> {
         if let Some((_, input_bar)) = O::adjoint(input, out_bar) {
             return input_bar.scalars();
         }
-        // In the format that the scalar has.
+        // The scalar's epsilon tells the format.
         let recorded = match S::EPSILON > 1e-10 {
             true => program_of::<O, f32>(Mode::Vjp),
             false => program_of::<O, f64>(Mode::Vjp),
@@ -74,7 +74,7 @@ impl<O: Op> WithAdjoint for Straight<O> {
     }
 }
 
-/// Returns the decisions, which derivatives have no part in: a search is compiled for plain numbers alone.
+/// Returns the decisions. Derivatives do not enter them, so a search is compiled for plain numbers alone.
 fn decided<D: Search, S: Scalar<Mask = bool>>(input: D::In<S>) -> D::Record {
     let mut numbers = Vec::new();
     for x in input.scalars() {
@@ -90,7 +90,7 @@ fn along<S: Scalar>(result: &[Jet<S, 1>], out_bar: &[S]) -> S {
     terms.fold(S::zero(), |sum, term| sum + term)
 }
 
-/// An operation with a search, as the harness sees it.
+/// A search in the harness's form.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Replayed<D>(std::marker::PhantomData<D>);
@@ -125,7 +125,7 @@ impl<D: Search> WithAdjoint for Replayed<D> {
     }
 }
 
-/// A fold, as the harness sees it.
+/// A fold in the harness's form.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
 pub struct Folded<F>(std::marker::PhantomData<F>);
@@ -167,12 +167,12 @@ impl<F: Fold> WithAdjoint for Folded<F> {
     }
 }
 
-/// Returns the context and the path that a list of numbers makes up.
+/// Returns the context and the path from a list of numbers.
 pub(super) fn context_and_path<F: Fold, S: Scalar>(
     numbers: &[S],
 ) -> (F::Context<S>, Vec<F::Element<S>>) {
     let (context, rest) = numbers.split_at(F::Context::<S>::LEN);
-    // A loop, since every adapter of an iterator is compiled for every fold.
+    // A loop, since every adapter of an iterator would be compiled for every fold.
     let mut path = Vec::new();
     for element in rest.chunks_exact(F::Element::<S>::LEN.max(1)) {
         path.push(F::Element::load(element));
@@ -180,19 +180,19 @@ pub(super) fn context_and_path<F: Fold, S: Scalar>(
     (F::Context::load(context), path)
 }
 
-/// Returns the programs of a fold, in the format that a scalar has.
-fn programs_of<F: Fold, S: Scalar>() -> Option<Arc<Programs>> {
+/// Returns the programs of a fold, in the format of a scalar.
+fn programs_of<F: Fold, S: Scalar>() -> Option<Arc<FoldPrograms>> {
     match S::EPSILON > 1e-10 {
         true => programs::<F, f32>().ok(),
         false => programs::<F, f64>().ok(),
     }
 }
 
-/// Returns the adjoint of a fold for one path by its programs, on any scalar: cotangents of the context and of every
-/// number of the path. `shared` has the context and the reference.
+/// Returns the adjoint of a fold for one path, on any scalar: cotangents of the context and of every number of the
+/// path. `shared` has the context and the reference vertex.
 fn pull_back<S: Scalar>(
     sizes: &Sizes,
-    programs: &Programs,
+    programs: &FoldPrograms,
     shared: &[S],
     empty: Vec<S>,
     path: &[S],

@@ -1,4 +1,4 @@
-//! Batches as witnesses: results of a [`Backend`] beside those of all other witnesses.
+//! Batches as witnesses: results of a [`Backend`] that the harness compares with all others.
 //!
 //! ```
 //! use geograd::ad::check::Sampling;
@@ -43,14 +43,14 @@ impl BatchResult {
     }
 }
 
-/// Computes the results of many inputs, lists of numbers, on a machine.
+/// A function from many inputs, lists of numbers, to their results on a machine.
 pub type ByMachine<'a> = &'a dyn Fn(&[Vec<f32>]) -> Result<Vec<BatchResult>, Error>;
 
-/// Batches as witnesses, one of each form. Inputs known beforehand are asked about in one large batch, as users would;
-/// others (shrunk ones, those beside a point) one by one.
+/// Batches as witnesses, one of each form. Inputs known beforehand are computed in one large batch, as users would.
+/// Others (shrunk ones, neighbours of a point) are computed one by one.
 pub struct Batch<'a> {
     asks: Vec<ByMachine<'a>>,
-    /// The answers of each form so far.
+    /// The results so far, for each form.
     known: Vec<HashMap<Vec<u32>, BatchResult>>,
     error: Cell<Option<Error>>,
 }
@@ -66,11 +66,11 @@ fn widened(list: &[f32]) -> Vec<f64> {
 }
 
 impl<'a> Batch<'a> {
-    /// Witnesses that have been asked about all these inputs.
+    /// Creates witnesses and computes the results of all these inputs.
     ///
     /// # Errors
     ///
-    /// As the batches'.
+    /// The errors of the batches.
     pub fn new(asks: Vec<ByMachine<'a>>, inputs: &[Vec<f64>]) -> Result<Self, Error> {
         let inputs: Vec<Vec<f32>> = inputs.iter().map(|x| single(x)).collect();
         let answers =
@@ -81,12 +81,12 @@ impl<'a> Batch<'a> {
             error: Cell::new(None),
         })
     }
-    /// Returns how many forms there are.
+    /// Returns the number of forms.
     #[must_use]
     pub fn forms(&self) -> usize {
         self.asks.len()
     }
-    /// Returns the answer of a form for an input; nothing after an error, which [`error`](Batch::error) keeps.
+    /// Returns the result of a form for an input; `None` after an error, which [`error`](Batch::error) returns.
     #[must_use]
     pub fn about(&self, form: usize, x: &[f64]) -> Option<BatchResult> {
         let x = single(x);
@@ -111,10 +111,10 @@ impl<'a> Batch<'a> {
     }
 }
 
-/// Inputs that all pairs are asked about at a time: of their square only the diagonal says something.
+/// The number of inputs in one batch of all pairs, of which only the diagonal is used.
 const SIDE: usize = 64;
 
-/// Columns of a function's arguments, from the numbers of every input.
+/// Returns the columns of a function's arguments from the numbers of every input.
 fn columns(function: &Function<f32>, inputs: &[Vec<f32>]) -> Vec<(Vec<f32>, usize)> {
     let mut from = 0;
     let column = |(_, layout): (_, Layout<f32>)| {
@@ -145,10 +145,9 @@ fn asked(
     Ok((0..inputs.len()).map(item).collect())
 }
 
-/// Asks a backend about two shapes by all pairs: values from the matrix, derivatives from the adjoint of an upstream
-/// that counts every row with its own column alone. Inputs whose derivatives would meet infinite ones of a row with
-/// another column, which are none of theirs, are asked about by themselves. Nothing of other results than one number
-/// of two shapes.
+/// Computes two shapes by all pairs on a backend: values from the matrix, derivatives from the adjoint of an upstream
+/// that is one on the diagonal. Inputs with infinite derivatives elsewhere in their row or column are computed alone.
+/// Returns nothing for other operations.
 pub(crate) fn ask_pairs(
     backend: Backend<'_>,
     recording: &Arc<Recording<f32>>,
@@ -189,7 +188,7 @@ pub(crate) fn ask_pairs(
     Ok(answers)
 }
 
-/// Asks a backend about any operation, one call per output for the derivatives.
+/// Computes any operation on a backend, with one call per output for the derivatives.
 pub(crate) fn ask_any(
     backend: Backend<'_>,
     recording: &Arc<Recording<f32>>,
@@ -221,8 +220,7 @@ pub(crate) fn ask_any(
     Ok(answers)
 }
 
-/// Asks a backend about an operation with one number as result, by the kernel that computes it with its gradient;
-/// nothing of others.
+/// Computes an operation of one number on a backend, by the kernel of the value with its gradient; nothing for others.
 pub(crate) fn ask_gradient(
     backend: Backend<'_>,
     recording: &Arc<Recording<f32>>,
@@ -240,7 +238,7 @@ pub(crate) fn ask_gradient(
     Ok(all.into_iter().map(answer).collect())
 }
 
-/// Asks a backend about paths, one call per output for the derivatives.
+/// Computes folds over paths on a backend, with one call per output for the derivatives.
 pub(crate) fn ask_folds<F: Fold>(
     backend: Backend<'_>,
     inputs: &[Vec<f32>],

@@ -9,7 +9,7 @@ use crate::kernels::cpu::stretches::{self, Aligned};
 use crate::kernels::machine::Column;
 use crate::kernels::row::item::Target;
 
-/// Checks columns: how many items there are, and whether some may be too rare for kernels.
+/// Checks columns. Returns the number of items, and `true` if some may be too extreme for kernels.
 pub(crate) fn checked<T: Real>(
     plan: &Plan<T>,
     columns: &[Column<'_, T>],
@@ -19,7 +19,7 @@ pub(crate) fn checked<T: Real>(
     Ok((count, rare))
 }
 
-/// Returns the name of a column, given those of arguments: cotangents follow.
+/// Returns the name of column `k`: arguments come first, then cotangents.
 pub(crate) fn name_of<T>(arguments: &[Preparation<T>], k: usize) -> Argument {
     let own = arguments.get(k);
     own.map_or(Argument::Upstream, |argument| argument.argument(k))
@@ -47,7 +47,7 @@ pub(crate) fn items<T: Real>(
     Ok(count.unwrap_or(1))
 }
 
-/// Checks the numbers of columns; whether some may be too rare, or too steep, for kernels.
+/// Checks the numbers of columns. Returns `true` if some may be too extreme, or too steep, for kernels.
 pub(crate) fn sound<T: Real>(
     arguments: &[Preparation<T>],
     steepest: f64,
@@ -85,10 +85,10 @@ pub(crate) fn compute<'a, T: Real>(
     });
 }
 
-/// Computes items whose numbers nobody has checked, into targets that nobody has seen: `true` when it has. `false` where
-/// numbers must be checked before, or some are doubtful; results are then not all there.
+/// Computes items with unchecked numbers into new targets. Returns `false` where numbers must be checked first, or some
+/// are suspect; the results are then incomplete.
 ///
-/// Numbers of a program are read from memory once in this way, and not twice.
+/// A program thus reads its numbers from memory once.
 pub(crate) fn compute_unchecked<'a, T: Real>(
     plan: &'a Plan<T>,
     columns: &'a [Column<'a, T>],

@@ -1,11 +1,11 @@
 //! Block kernels of the overlap of boxes of any orientation in space.
 //!
-//! Compiled in this library only, by the entries in `arch`. Unlike those of the plane they scale every pair, so
-//! shapes need no preparation. Derivatives of extreme boxes may overflow here: those take the scalar code.
+//! Compiled in this library only, by the entries in `arch`. Unlike the kernels of the plane they scale every pair, so
+//! shapes need no preparation. Derivatives of extreme boxes may overflow here, so the scalar code computes them.
 use crate::clip::{COMMON_FAR, COMMON_LARGE, COMMON_SMALL};
 use crate::kernels::cpu::arch::{LARGE, Vector};
 use crate::kernels::cpu::blocks::all_within;
-use crate::kernels::cpu::lane::{PLANE, Results, Tiles};
+use crate::kernels::cpu::lane::{PLANE, ResultTiles, Tiles};
 use crate::kernels::cpu::overlaps::{is_within, lanes_of, put, seed};
 use crate::overlap::Denominator;
 use crate::overlap3::{score_obb3_here, score_obb3_vjp_here};
@@ -15,7 +15,7 @@ use crate::{Fixed, Real};
 /// Numbers of a box of any orientation: centre, size, quaternion.
 pub(crate) const OBB3: usize = 10;
 
-/// Returns a part of a tile of boxes.
+/// Returns the vector of boxes that begins at item `at` of tile `t`.
 #[inline(always)]
 fn obb3<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<Obb3<V>> {
     let tile = tiles.tile::<OBB3>(t)?;
@@ -28,13 +28,13 @@ fn obb3<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Opti
     Some(Obb3::load(&numbers))
 }
 
-/// Scores of boxes.
+/// Writes the scores of pairs of boxes.
 #[inline(always)]
 pub(crate) fn scores<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     if !LARGE {
         return;
@@ -52,14 +52,14 @@ pub(crate) fn scores<T: Real, V: Vector<T>>(
     }
 }
 
-/// Scores of boxes, each followed by its twenty derivatives.
+/// Writes the scores of pairs of boxes, each followed by its twenty derivatives.
 #[inline(always)]
 pub(crate) fn derivatives<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     if !LARGE {
         return;
@@ -86,7 +86,7 @@ pub(crate) fn derivatives<T: Real, V: Vector<T>>(
 const LONG: f64 = 1e3;
 const SHORT: f64 = 1e-3;
 
-/// Returns `true` if a valid box is of common size and place, like those of [`all_common`].
+/// Returns `true` if a valid box is within the limits that [`all_common`] has for many.
 pub(crate) fn is_common_obb3<T: Real>(x: &[T]) -> bool {
     let place = |x: &T| x.unsigned() <= T::lit(COMMON_FAR);
     let size = |x: &T| is_within(*x, COMMON_SMALL, COMMON_LARGE);
@@ -95,8 +95,8 @@ pub(crate) fn is_common_obb3<T: Real>(x: &[T]) -> bool {
     sized && x[6..].iter().all(turn) && x[6..].iter().any(|x| x.unsigned() >= T::lit(SHORT))
 }
 
-/// Returns `true` if every box is valid, of a size from 10⁻⁵ to 10⁶ or zero, no farther than 10⁹ from the origin, with
-/// a quaternion that is neither very long nor very short.
+/// Returns `true` if every box is valid, of a size from 10⁻⁵ to 10⁶ or zero, and no farther than 10⁹ from the origin.
+/// Its quaternion must be neither very long nor very short.
 #[inline(always)]
 pub(crate) fn all_common<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     let (small, large, far) = (COMMON_SMALL, COMMON_LARGE, COMMON_FAR);

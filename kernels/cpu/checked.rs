@@ -5,12 +5,12 @@ use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::plan::Preparation;
 use crate::kernels::cpu::simd::Simd;
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::machine::Column;
 use crate::kernels::row::item::Leaf;
 use std::sync::Mutex;
 
-/// Checks that every upstream derivative is finite; each has so many numbers.
+/// Checks that every upstream derivative is finite; each has `fields` numbers.
 pub(crate) fn check_upstream<T: Real>(upstream: &[T], fields: usize) -> Result<(), Error> {
     if (kernels_in::<T>().all_finite)(upstream) {
         return Ok(());
@@ -25,12 +25,12 @@ pub(crate) fn check_upstream<T: Real>(upstream: &[T], fields: usize) -> Result<(
     Ok(())
 }
 
-/// Upstream derivatives that kernels bear: each with what its results are to be multiplied by afterwards.
-/// `None` when they are so themselves, as nearly always.
+/// Scales upstream derivatives into the range of kernels. Returns each of them with the factor that its results need
+/// afterwards, or `None` if all are in range, the usual case.
 ///
 /// # Errors
 ///
-/// When one is not finite.
+/// [`Error::Invalid`] for one that is not finite.
 pub(crate) fn tame<T: Real>(upstream: &[T], steepest: f64) -> Result<Option<Vec<(T, T)>>, Error> {
     if (kernels_in::<T>().all_up_to)(upstream, steepest) {
         return Ok(None);
@@ -39,18 +39,17 @@ pub(crate) fn tame<T: Real>(upstream: &[T], steepest: f64) -> Result<Option<Vec<
     Ok(Some(upstream.iter().map(|&x| tamed(x)).collect()))
 }
 
-/// Multiplies derivatives by what was taken from their upstream derivative.
+/// Multiplies derivatives by the factor that [`tame`] took from their upstream derivative.
 pub(crate) fn restore<T: Real>(derivatives: &mut [T], by: T) {
     for x in derivatives {
         *x = (*x * by).saturated();
     }
 }
 
-/// Shapes looked at together: few enough for the innermost cache.
+/// The number of shapes tested together, few enough for the innermost cache.
 const GROUP: usize = 2048;
 
-/// Checks every shape of a column that is number `k` of the arguments; `true` if some may be too rare for
-/// kernels.
+/// Checks every shape of column `k`. Returns `true` if some may be too extreme for kernels.
 pub(crate) fn check_argument<T: Real>(
     k: usize,
     arguments: &[Preparation<T>],
@@ -59,7 +58,7 @@ pub(crate) fn check_argument<T: Real>(
     check(arguments[k].argument(k), &arguments[k], column)
 }
 
-/// Checks shapes of a layout, one after another.
+/// Checks the shapes of a layout, one after another.
 pub(crate) fn check_numbers<T: Real>(
     argument: Argument,
     leaf: Leaf<T>,
@@ -70,7 +69,7 @@ pub(crate) fn check_numbers<T: Real>(
     check(argument, &Preparation::plain(leaf), &column).map(drop)
 }
 
-/// Checks every shape of a column; `true` if some may be too rare for kernels.
+/// Checks every shape of a column. Returns `true` if some may be too extreme for kernels.
 pub(crate) fn check<T: Real>(
     argument: Argument,
     preparation: &Preparation<T>,
@@ -84,7 +83,7 @@ pub(crate) fn check<T: Real>(
             let numbers = column.numbers(start..count.min(start + GROUP), &mut room);
             !(preparation.all_ordinary)(numbers)
         };
-        // Nearly always all is well, which a look at all numbers at once can tell.
+        // One test of all numbers suffices for the usual column.
         (0..count)
             .step_by(GROUP)
             .filter(|x| is_doubtful(x))
@@ -92,7 +91,7 @@ pub(crate) fn check<T: Real>(
     };
     let first_flaw = Mutex::new(None);
     let is_any_rare = Mutex::new(false);
-    spread(doubtful, |start: usize| {
+    in_parallel(doubtful, |start: usize| {
         let mut room = Vec::new();
         let numbers = column.numbers(start..count.min(start + GROUP), &mut room);
         let mut rare = false;

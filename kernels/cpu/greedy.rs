@@ -1,21 +1,21 @@
-//! Suppression while pairs are computed: only those that a kept shape may suppress.
+//! Suppression that computes only the pairs with a kept shape.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::lane::Planes;
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::sweep::Chooses;
+use crate::kernels::cpu::sweep::RowChoice;
 use crate::kernels::machine::suppress::Greed;
 
-/// The shapes kept so far, and those suppressed.
-struct Kept<'a, T> {
+/// The state of a suppression: which shapes are kept, and which are suppressed.
+struct Suppression<'a, T> {
     rules: Greed<'a, T>,
-    /// The shape that suppresses now.
+    /// The kept shape whose pairs are computed now.
     row: usize,
     gone: Vec<bool>,
     kept: Vec<usize>,
 }
 
-impl<T: Real> Chooses<T> for Kept<'_, T> {
+impl<T: Real> RowChoice<T> for Suppression<'_, T> {
     fn next(&mut self) -> Option<usize> {
         let first = self.kept.last().map_or(0, |last| last + 1);
         if self.kept.len() == self.rules.most {
@@ -39,11 +39,11 @@ impl<T: Real> Chooses<T> for Kept<'_, T> {
     }
 }
 
-/// Returns the shapes of a list, given the best first, that no better one, kept itself, suppresses. The better one of a
-/// pair is the first argument.
+/// Returns the shapes of a list, best first, that no better kept shape suppresses. The better shape of a pair is the
+/// first argument.
 pub fn suppress<T: Real>(pairs: &Pairs<'_, T>, rules: Greed<'_, T>) -> Vec<usize> {
     let [count, _] = pairs.counts();
-    let mut kept = Kept {
+    let mut kept = Suppression {
         rules,
         row: 0,
         gone: vec![false; count],

@@ -1,30 +1,30 @@
 //! All pairs within groups of two lists, such as the detections and truths of every frame, over plain numbers.
 //!
 //! Small groups are computed together: their pairs fill the lanes of a tile that one group would leave partly empty. A
-//! group that is large enough for a tree or for threads of its own runs as ungrouped lists do. Results have the same bits
-//! either way.
+//! group that is large enough for a tree or for threads of its own runs as an ungrouped pair of lists. Both give equal
+//! bits.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::greedy;
 use crate::kernels::cpu::lane::{
-    BLOCK, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
+    BLOCK, Lane, LaneBuffer, PLANE, Planes, ResultTiles, TILE, Tiles, planes, tiles, with_lanes,
 };
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{List, Plan};
 use crate::kernels::cpu::reductions::{self, initial, raise};
 use crate::kernels::cpu::sweep::LEAST_OF_TREE;
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::machine::GroupSpans;
 use crate::kernels::machine::found::{Best, Found};
 use crate::kernels::machine::suppress::Greed;
 use std::ops::Range;
 
-/// Work of a piece, in pairs that are looked at: a millisecond or less. A group of more is a piece of its own.
+/// The work of a piece, in pairs that are tested: a millisecond or less. A larger group is a piece of its own.
 const PIECE: usize = 1 << 18;
 
-/// Pieces of about equal work, which depend on the offsets alone.
+/// Cuts groups into ranges of about equal work. The cuts depend on the offsets alone.
 fn pieces(spans: &GroupSpans<'_>) -> Vec<Range<usize>> {
     let (mut pieces, mut first, mut work) = (Vec::new(), 0, 0);
     for group in 0..spans.count() {
@@ -42,19 +42,19 @@ fn pieces(spans: &GroupSpans<'_>) -> Vec<Range<usize>> {
     pieces
 }
 
-/// Returns the cost of a group, in pairs. A row costs about `TILE` pairs more, since it is prepared and its bounds
-/// compared; a column costs one.
+/// Returns the cost of a group, in pairs. A row adds about `TILE` pairs for its preparation and the comparison of its
+/// bounds; a column adds one.
 fn cost(spans: &GroupSpans<'_>, group: usize) -> usize {
     let (rows, columns) = (spans.rows(group).len(), spans.columns(group).len());
     rows.saturating_mul(columns + TILE).saturating_add(columns)
 }
 
-/// Returns `true` if a group is large: it is a piece of its own, so the first group of a piece tells.
+/// Returns `true` if a group is large. A large group is a piece of its own, so `group` is the first one of its piece.
 fn is_alone(spans: &GroupSpans<'_>, group: usize) -> bool {
     spans.columns(group).len() >= LEAST_OF_TREE || cost(spans, group) >= PIECE
 }
 
-/// Pairs of some rows and columns alone.
+/// Returns the pairs of some rows with some columns.
 fn part<'p, T: Real>(pairs: &'p Pairs<'_, T>, spans: &[Range<usize>; 2]) -> Pairs<'p, T> {
     Pairs {
         plan: pairs.plan,
@@ -64,38 +64,43 @@ fn part<'p, T: Real>(pairs: &'p Pairs<'_, T>, spans: &[Range<usize>; 2]) -> Pair
     }
 }
 
-/// Results of some pairs, row by row and within a row by column.
-struct Scored<'a, T> {
+/// The results of some pairs, ordered by row and then by column.
+struct PairScores<'a, T> {
     rows: &'a [u32],
     columns: &'a [u32],
     values: &'a [T],
 }
 
-impl<T: Copy> Scored<'_, T> {
+impl<T: Copy> PairScores<'_, T> {
     fn each(&self) -> impl Iterator<Item = (usize, usize, T)> + '_ {
         let places = self.rows.iter().zip(self.columns).zip(self.values);
         places.map(|((&row, &column), &value)| (row as usize, column as usize, value))
     }
 }
 
-/// Pairs of two lists that are computed together once they fill a block.
-struct Waiting<'a, T: Real> {
+/// Pairs of two lists that are buffered until they fill a block.
+struct PairBuffer<'a, T: Real> {
     plan: &'a Plan<T>,
     lists: &'a [List<'a, T>; 2],
     /// Shapes of either list as rows of numbers.
-    picking: [Lent<T>; 2],
+    picking: [LaneBuffer<T>; 2],
     rows: Vec<u32>,
     columns: Vec<u32>,
-    /// Shapes that were picked of either list.
+    /// The shapes gathered from either list.
     picked: [&'a mut [Lane<T>]; 2],
     results: &'a mut [Lane<T>],
     /// Numbers of one result.
     one: Vec<T>,
 }
 
-impl<T: Real> Waiting<'_, T> {
-    /// Adds a row with some columns.
-    fn add(&mut self, row: usize, mut columns: &[u32], consume: &mut impl FnMut(Scored<'_, T>)) {
+impl<T: Real> PairBuffer<'_, T> {
+    /// Adds a row with some columns to the buffer.
+    fn add(
+        &mut self,
+        row: usize,
+        mut columns: &[u32],
+        consume: &mut impl FnMut(PairScores<'_, T>),
+    ) {
         while !columns.is_empty() {
             let room = BLOCK * TILE - self.columns.len();
             let (now, rest) = columns.split_at(room.min(columns.len()));
@@ -107,8 +112,8 @@ impl<T: Real> Waiting<'_, T> {
             columns = rest;
         }
     }
-    /// Computes the pairs that wait.
-    fn finish(&mut self, consume: &mut impl FnMut(Scored<'_, T>)) {
+    /// Computes the buffered pairs.
+    fn finish(&mut self, consume: &mut impl FnMut(PairScores<'_, T>)) {
         let count = self.columns.len();
         if count == 0 {
             return;
@@ -119,13 +124,13 @@ impl<T: Real> Waiting<'_, T> {
             (kernels_in::<T>().gather)(numbers, list.stride(), places, list.frame_fields, picked);
         }
         let inputs = [0, 1].map(|k| Tiles::new(&*self.picked[k], self.lists[k].frame_fields));
-        let out = Results {
+        let out = ResultTiles {
             lanes: &mut *self.results,
             tiles: tiles(count),
         };
         self.plan.maker.make(&inputs, out);
         self.mend();
-        consume(Scored {
+        consume(PairScores {
             rows: &self.rows,
             columns: &self.columns,
             values: &flat(Planes(&*self.results).field(0))[..count],
@@ -133,7 +138,7 @@ impl<T: Real> Waiting<'_, T> {
         self.rows.clear();
         self.columns.clear();
     }
-    /// Puts the right results of rare pairs in their places.
+    /// Replaces the results of pairs with extreme shapes by the scalar code's.
     fn mend(&mut self) {
         let [a, b] = self.lists;
         let Some(rare) = &self.plan.rare else { return };
@@ -154,13 +159,13 @@ impl<T: Real> Waiting<'_, T> {
     }
 }
 
-/// Computes the wanted pairs of small groups, each given by its rows and columns. Where there are bounds, pairs apart are
-/// left out.
+/// Computes the wanted pairs of small groups, each given by its rows and columns. Skips pairs whose bounds do not meet,
+/// if shapes have bounds.
 fn sweep_small<T: Real>(
     pairs: &Pairs<'_, T>,
     groups: impl Iterator<Item = [Range<usize>; 2]>,
     wants: impl Fn(usize, usize) -> bool,
-    mut consume: impl FnMut(Scored<'_, T>),
+    mut consume: impl FnMut(PairScores<'_, T>),
 ) {
     let lists = pairs.lists();
     let [a, b] = &lists;
@@ -169,7 +174,7 @@ fn sweep_small<T: Real>(
     with_lanes(lanes[0] + lanes[1] + planes(fields), |all| {
         let (own, all) = all.split_at_mut(lanes[0]);
         let (others, results) = all.split_at_mut(lanes[1]);
-        let mut desk = Waiting {
+        let mut buffer = PairBuffer {
             plan: pairs.plan,
             lists: &lists,
             picking: [a.picking(), b.picking()],
@@ -209,22 +214,22 @@ fn sweep_small<T: Real>(
                 };
                 hits.clear();
                 hits.extend(near.iter().filter(|&&column| wants(row, column as usize)));
-                desk.add(row, &hits, &mut consume);
+                buffer.add(row, &hits, &mut consume);
             }
         }
-        desk.finish(&mut consume);
+        buffer.finish(&mut consume);
     });
 }
 
-/// A piece of work: groups, the pairs of their rows and columns alone, and where these begin.
-struct Piece<'p, T> {
+/// A piece of work: some groups, the pairs of their rows and columns, and the first row and column.
+struct GroupPiece<'p, T> {
     groups: Range<usize>,
     pairs: Pairs<'p, T>,
     from: [usize; 2],
 }
 
-impl<T: Real> Piece<'_, T> {
-    /// Its groups, counted from its own rows and columns.
+impl<T: Real> GroupPiece<'_, T> {
+    /// Returns the groups, with rows and columns counted from the piece's first ones.
     fn groups<'s>(
         &self,
         spans: &'s GroupSpans<'s>,
@@ -242,11 +247,11 @@ fn each_piece<T: Real, W: Send>(
     pairs: &Pairs<'_, T>,
     spans: &GroupSpans<'_>,
     work: Vec<(Range<usize>, W)>,
-    run: impl Fn(Piece<'_, T>, W) + Send + Sync,
+    run: impl Fn(GroupPiece<'_, T>, W) + Send + Sync,
 ) {
-    spread(work, |(groups, work): (Range<usize>, W)| {
+    in_parallel(work, |(groups, work): (Range<usize>, W)| {
         let own = spans.of(&groups);
-        let piece = Piece {
+        let piece = GroupPiece {
             groups,
             from: [own[0].start, own[1].start],
             pairs: part(pairs, &own),
@@ -255,7 +260,7 @@ fn each_piece<T: Real, W: Send>(
     });
 }
 
-/// Returns every pair within a group whose score is above the threshold, row by row and within a row by column.
+/// Returns every pair within a group whose score is above the threshold, ordered by row and then by column.
 pub fn above<T: Real>(pairs: &Pairs<'_, T>, spans: GroupSpans<'_>, threshold: T) -> Vec<Found<T>> {
     let pieces = pieces(&spans);
     let mut found = vec![Vec::new(); pieces.len()];
@@ -287,8 +292,8 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, spans: GroupSpans<'_>, threshold: T)
     found.concat()
 }
 
-/// Returns the largest score of every row, or of every column, within its group; of several the first. `None` for rows
-/// of groups without columns, and columns of groups without rows.
+/// Returns the largest score of every row, or of every column, within its group; the first of equal ones. The entry is
+/// `None` for a row whose group has no columns, and for a column whose group has no rows.
 pub fn most<T: Real>(
     pairs: &Pairs<'_, T>,
     spans: GroupSpans<'_>,
@@ -348,8 +353,8 @@ pub fn most<T: Real>(
     best
 }
 
-/// Returns the shapes that stay. The list is given group by group, in a group the best first. A kept shape suppresses
-/// later ones of its group and class; at most as many as the rules say stay of a group.
+/// Returns the kept shapes. The list is given group by group, each group best first. A kept shape suppresses later ones
+/// of its group and class. The rules limit the number of kept shapes of a group.
 pub fn suppress<T: Real>(
     pairs: &Pairs<'_, T>,
     offsets: &[usize],

@@ -3,11 +3,11 @@ use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::checked::check_numbers;
 use crate::kernels::machine::Numbers;
-use crate::kernels::machine::{Pending, Stays};
+use crate::kernels::machine::{MachineColumn, Pending};
 use crate::kernels::row::item::Leaf;
 use std::any::Any;
 
-impl<T: Real> Stays<T> for Numbers<T> {
+impl<T: Real> MachineColumn<T> for Numbers<T> {
     fn fields(&self) -> usize {
         self.fields
     }
@@ -20,7 +20,7 @@ impl<T: Real> Stays<T> for Numbers<T> {
     fn update(&mut self, rows: Vec<T>) {
         self.rows = rows;
     }
-    fn started(&self, all: &[Box<dyn Stays<T>>]) -> Result<Pending<Vec<Vec<T>>>, Error> {
+    fn started(&self, all: &[Box<dyn MachineColumn<T>>]) -> Result<Pending<Vec<Vec<T>>>, Error> {
         let all = all
             .iter()
             .map(|own| own.here().unwrap_or_default().to_vec());

@@ -1,7 +1,7 @@
 //! Memory of blocks: sixteen numbers of one field side by side, on a cache line's border.
 //!
-//! A *tile* is sixteen items, field after field; each field of it is one [`Lane`]. Kernels read and
-//! write tiles whatever their vectors' width is, so the layout is the same at every level.
+//! A *tile* is sixteen items, field after field; each field of it is one [`Lane`]. Kernels of every vector width read
+//! and write tiles, so all levels share one layout.
 
 use crate::Real;
 use crate::scalar::real::in_format;
@@ -9,7 +9,7 @@ use std::cell::RefCell;
 use std::ops::{Deref, DerefMut};
 use std::thread::LocalKey;
 
-/// Items of a tile.
+/// The number of items of a tile.
 pub(crate) const TILE: usize = 16;
 
 /// One field of a tile.
@@ -23,8 +23,8 @@ impl<T: Copy + Default> Default for Lane<T> {
     }
 }
 
-/// Items in tiles, to be read: field `k` of tile `t` is `lanes[t * step + k]`. With a step of zero
-/// the first tile stands for all.
+/// Items in tiles, to be read: field `k` of tile `t` is `lanes[t * step + k]`. With a step of zero the first tile is
+/// every tile.
 #[derive(Debug)]
 pub(crate) struct Tiles<'a, T> {
     pub lanes: &'a [Lane<T>],
@@ -40,43 +40,43 @@ impl<T> Clone for Tiles<'_, T> {
 impl<T> Copy for Tiles<'_, T> {}
 
 impl<'a, T> Tiles<'a, T> {
-    /// One tile after another, of so many fields.
+    /// Creates a view of tiles in memory order, each of `fields` lanes.
     pub fn new(lanes: &'a [Lane<T>], fields: usize) -> Self {
         Tiles {
             lanes,
             step: fields,
         }
     }
-    /// One tile that stands for all.
+    /// Creates a view of one tile that stands for all.
     pub fn one(lanes: &'a [Lane<T>]) -> Self {
         Tiles { lanes, step: 0 }
     }
-    /// Returns the fields of a tile; `None` where there is no such tile.
+    /// Returns the fields of a tile; `None` beyond the last tile.
     #[inline(always)]
     pub fn tile<const FIELDS: usize>(&self, t: usize) -> Option<&'a [Lane<T>; FIELDS]> {
         self.lanes.get(t * self.step..)?.first_chunk()
     }
 }
 
-/// Most tiles of a block of results.
+/// The largest number of tiles in a block of results.
 pub(crate) const BLOCK: usize = 64;
 
-/// Lanes from one field of results to the next: odd, so that not all fields want the same lines of the
-/// cache, and a constant, so that kernels need no more than one pointer.
+/// The number of lanes from one field of results to the next: odd, so that fields do not compete for one set of cache
+/// lines, and a constant, so that kernels need no more than one pointer.
 pub(crate) const PLANE: usize = BLOCK + 1;
 
-/// Room for results, field by field: field `k` of tile `t` goes to `lanes[k * PLANE + t]`.
+/// A buffer for results, field by field: field `k` of tile `t` goes to `lanes[k * PLANE + t]`.
 #[derive(Debug)]
-pub(crate) struct Results<'a, T> {
+pub(crate) struct ResultTiles<'a, T> {
     pub lanes: &'a mut [Lane<T>],
-    /// How many tiles are asked for.
+    /// The number of tiles to compute.
     pub tiles: usize,
 }
 
-impl<T> Results<'_, T> {
-    /// Returns the same room, lent on.
-    pub fn again(&mut self) -> Results<'_, T> {
-        Results {
+impl<T> ResultTiles<'_, T> {
+    /// Returns a shorter borrow of this buffer.
+    pub fn again(&mut self) -> ResultTiles<'_, T> {
+        ResultTiles {
             lanes: self.lanes,
             tiles: self.tiles,
         }
@@ -88,7 +88,7 @@ impl<T> Results<'_, T> {
     }
 }
 
-/// Lanes that results of so many fields take.
+/// Returns the number of lanes of a buffer for results with `fields` numbers.
 pub(crate) const fn planes(fields: usize) -> usize {
     fields * PLANE
 }
@@ -106,19 +106,19 @@ impl<T> Clone for Planes<'_, T> {
 impl<T> Copy for Planes<'_, T> {}
 
 impl<'a, T> Planes<'a, T> {
-    /// Returns the tiles of a field and whatever follows.
+    /// Returns the tiles of field `k`, and what follows in memory.
     #[inline(always)]
     pub fn field(&self, k: usize) -> &'a [Lane<T>] {
         self.0.get(k * PLANE..).unwrap_or_default()
     }
-    /// From a field on.
+    /// Returns the results without their first `k` fields.
     #[inline(always)]
     pub fn from(&self, k: usize) -> Self {
         Planes(self.field(k))
     }
 }
 
-/// Returns how many tiles so many items take.
+/// Returns the number of tiles that `items` items fill.
 pub(crate) const fn tiles(items: usize) -> usize {
     items.div_ceil(TILE)
 }
@@ -128,49 +128,49 @@ thread_local! {
     static F64: Stock<f64> = const { Stock::new() };
 }
 
-/// Lanes of each thread, kept from call to call: to make room anew would take a short batch's time, most of it
-/// the system's for giving pages and taking them back.
+/// The buffers of one thread, kept from call to call. New buffers would take as long as a short batch, most of it for
+/// the system's page allocation.
 #[derive(Debug)]
 pub struct Stock<T> {
     /// The lanes that a call computes with.
-    desk: RefCell<Vec<Lane<T>>>,
-    /// Lists that are not lent.
+    scratch: RefCell<Vec<Lane<T>>>,
+    /// Lists that no [`LaneBuffer`] holds now.
     lists: RefCell<Vec<Vec<Lane<T>>>>,
-    /// Rooms, each with the number of its owner; the latest come last.
+    /// Furnished buffers, each with the number of its owner; the latest come last.
     rooms: RefCell<Vec<(u64, Vec<Lane<T>>)>>,
 }
 
 impl<T> Stock<T> {
     const fn new() -> Self {
         Stock {
-            desk: RefCell::new(Vec::new()),
+            scratch: RefCell::new(Vec::new()),
             lists: RefCell::new(Vec::new()),
             rooms: RefCell::new(Vec::new()),
         }
     }
 }
 
-/// Returns the lanes that this thread keeps.
+/// Returns the buffers of this thread.
 #[inline]
 fn stock<T: Real>() -> &'static LocalKey<Stock<T>> {
     in_format([&F32, &F64])
 }
 
-/// Lends the thread's lanes, with anything in them.
+/// Calls `run` with `count` lanes of this thread; their contents are arbitrary.
 pub(crate) fn with_lanes<T: Real, R>(count: usize, run: impl FnOnce(&mut [Lane<T>]) -> R) -> R {
-    stock::<T>().with(|kept| match kept.desk.try_borrow_mut() {
+    stock::<T>().with(|kept| match kept.scratch.try_borrow_mut() {
         Ok(mut lanes) => {
             if lanes.len() < count {
                 lanes.resize(count, Lane::default());
             }
             run(&mut lanes[..count])
         }
-        // The lanes are lent already, further up.
+        // An outer call uses the lanes already.
         Err(_) => run(&mut vec![Lane::default(); count]),
     })
 }
 
-/// Lends the thread's room of a number. `furnish` makes one unless the thread still keeps it.
+/// Calls `run` with this thread's buffer number `whose`. `furnish` makes the buffer unless the thread still has it.
 pub(crate) fn with_room<T: Real, R>(
     whose: u64,
     furnish: impl FnOnce() -> Vec<Lane<T>>,
@@ -195,23 +195,23 @@ pub(crate) fn with_room<T: Real, R>(
     result
 }
 
-/// How many lists and rooms a thread keeps, and of how many lanes at most: half a megabyte of single precision. A
-/// longer list takes longer to fill than to allocate.
+/// The limits of a thread's stock: the number of lists and buffers, and the lanes of each, half a megabyte in single
+/// precision. Filling a longer list takes longer than allocating it.
 const KEPT_LISTS: usize = 8;
 const KEPT_LANES: usize = 1 << 13;
 
-/// Lanes for as long as they are needed, with anything in them.
+/// Lanes from the thread's stock, with arbitrary contents. They return to the stock when this value is dropped.
 #[derive(Debug)]
-pub struct Lent<T: Real> {
+pub struct LaneBuffer<T: Real> {
     lanes: Vec<Lane<T>>,
     count: usize,
 }
 
-impl<T: Real> Lent<T> {
-    /// So many lanes: those of a list that is not lent, or new ones.
+impl<T: Real> LaneBuffer<T> {
+    /// Takes `count` lanes from the stock, or allocates them.
     pub(crate) fn new(count: usize) -> Self {
         if count == 0 {
-            return Lent {
+            return LaneBuffer {
                 lanes: Vec::new(),
                 count,
             };
@@ -222,31 +222,31 @@ impl<T: Real> Lent<T> {
             fitting.map(|at| lists.swap_remove(at))
         });
         let lanes = old.unwrap_or_else(|| vec![Lane::default(); count]);
-        Lent { lanes, count }
+        LaneBuffer { lanes, count }
     }
 }
 
-impl<T: Real> Deref for Lent<T> {
+impl<T: Real> Deref for LaneBuffer<T> {
     type Target = [Lane<T>];
     #[inline]
     fn deref(&self) -> &[Lane<T>] {
         self.lanes.get(..self.count).unwrap_or_default()
     }
 }
-impl<T: Real> DerefMut for Lent<T> {
+impl<T: Real> DerefMut for LaneBuffer<T> {
     #[inline]
     fn deref_mut(&mut self) -> &mut [Lane<T>] {
         self.lanes.get_mut(..self.count).unwrap_or_default()
     }
 }
 
-impl<T: Real> Drop for Lent<T> {
+impl<T: Real> Drop for LaneBuffer<T> {
     fn drop(&mut self) {
         let mut lanes = std::mem::take(&mut self.lanes);
         if lanes.is_empty() || lanes.len() > KEPT_LANES {
             return;
         }
-        // A thread that ends keeps nothing.
+        // The stock of a thread that ends is gone already.
         let _ = stock::<T>().try_with(|kept| {
             let Ok(mut lists) = kept.lists.try_borrow_mut() else {
                 return;

@@ -1,30 +1,28 @@
-//! The contract of what computes blocks of items: compiled kernels and interpreted programs.
-use crate::kernels::cpu::lane::{Results, Tiles};
-use crate::kernels::cpu::program::rowwise::{Given, Wanted};
+//! The interface of compiled kernels and interpreted programs: both compute blocks of items.
+use crate::kernels::cpu::lane::{ResultTiles, Tiles};
+use crate::kernels::cpu::program::rowwise::{ArgumentRows, ResultRows};
 
-/// Something that computes blocks of items from one or more arguments.
+/// A computation of blocks of items from one or more arguments.
 ///
 /// Compiled kernels and interpreted programs are makers. A maker does not depend on batches.
 pub(crate) trait Maker<T>: Send + Sync {
-    /// Computes as many tiles of results as are asked for. Each input has at least as many tiles, or
-    /// one that stands for all.
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>);
-    /// Returns the same computation from rows of numbers, if there is one.
+    /// Computes `out.tiles` tiles of results. Each input has at least as many tiles, or one that stands for all.
+    fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>);
+    /// Returns this computation as one over rows of numbers, if it has that form.
     fn rows(&self) -> Option<&dyn OverRows<T>> {
         None
     }
 }
 
-/// Something that computes items from rows to rows.
+/// A computation of items from rows of numbers to rows of numbers.
 pub(crate) trait OverRows<T> {
-    /// Computes so many items; rows are prefetched if they are `far`. Results are all but the first ones, which are
-    /// skipped.
+    /// Computes `items` items and prefetches their rows if `far`. The first `skipped` results are not written.
     fn over_rows(
         &self,
-        given: &[Given<'_, T>],
+        given: &[ArgumentRows<'_, T>],
         items: usize,
         skipped: usize,
-        wanted: &mut [Wanted<'_, T>],
+        wanted: &mut [ResultRows<'_, T>],
         far: bool,
     );
 }

@@ -4,17 +4,17 @@ use crate::assignment;
 use crate::error::{Argument, Error, Field, Flaw};
 use crate::kernels::Groups;
 use crate::kernels::cpu::Cpu;
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::metric::{self, Frame, Outcome, kitti, nuscenes};
 use crate::suppression::{Pair, invalid};
 use crate::{Real, Scalar};
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// Pairs and places of a piece of work: a millisecond or less. A group of more is a piece of its own.
+/// The work of a piece, in pairs and items: a millisecond or less. A larger group is a piece of its own.
 const PIECE: usize = 1 << 13;
 
-/// Ranges of groups of about equal work, given that of each; they depend on it alone.
+/// Cuts groups into ranges of about equal work. The cuts depend on `work`, the work of a group, alone.
 fn pieces(groups: usize, work: impl Fn(usize) -> usize) -> Vec<Range<usize>> {
     let (mut pieces, mut first, mut sum) = (Vec::new(), 0, 0);
     for group in 0..groups {
@@ -28,26 +28,26 @@ fn pieces(groups: usize, work: impl Fn(usize) -> usize) -> Vec<Range<usize>> {
     pieces
 }
 
-/// Runs every piece on all threads; its results follow those of the pieces before.
+/// Runs every piece on all threads. Returns the results of all pieces in order.
 fn each<W: Send, R: Send>(work: Vec<W>, run: impl Fn(W) -> R + Send + Sync) -> Vec<R> {
     let mut results: Vec<Option<R>> = work.iter().map(|_| None).collect();
     let all = work.into_iter().zip(&mut results).collect();
-    spread(all, |(work, result): (W, &mut Option<R>)| {
+    in_parallel(all, |(work, result): (W, &mut Option<R>)| {
         *result = Some(run(work))
     });
     results.into_iter().flatten().collect()
 }
 
-/// Pairs of groups, group by group.
-struct Split<'a, T: Clone> {
+/// Pairs sorted by their groups.
+struct GroupedPairs<'a, T: Clone> {
     pairs: Cow<'a, [Pair<T>]>,
     /// Group g has the pairs `ends[g]..ends[g + 1]`.
     ends: Vec<usize>,
     offsets: [&'a [usize]; 2],
 }
 
-impl<'a, T: Real> Split<'a, T> {
-    /// Pairs in the order of their groups, and within a group in the given one.
+impl<'a, T: Real> GroupedPairs<'a, T> {
+    /// Sorts pairs by their groups; within a group they keep their order.
     fn new(pairs: &'a [Pair<T>], groups: Groups<'a>, counts: [usize; 2]) -> Result<Self, Error> {
         groups.spans(counts)?;
         let offsets = groups.offsets();
@@ -83,7 +83,7 @@ impl<'a, T: Real> Split<'a, T> {
         if !is_ordered {
             pairs.to_mut().sort_by_key(|pair| group[pair.first]);
         }
-        Ok(Split {
+        Ok(GroupedPairs {
             pairs,
             ends,
             offsets,
@@ -92,12 +92,12 @@ impl<'a, T: Real> Split<'a, T> {
     fn count(&self) -> usize {
         self.ends.len() - 1
     }
-    /// Returns the places of some groups in both lists.
+    /// Returns the ranges of some groups in both lists.
     fn places(&self, groups: &Range<usize>) -> [Range<usize>; 2] {
         self.offsets
             .map(|offsets| offsets[groups.start]..offsets[groups.end])
     }
-    /// Returns the pairs of some groups, with places counted from the first ones of these groups.
+    /// Returns the pairs of some groups, with indices counted from the first items of these groups.
     fn own(&self, groups: &Range<usize>) -> Vec<Pair<T>> {
         let [first, second] = self.places(groups).map(|places| places.start);
         let pairs = &self.pairs[self.ends[groups.start]..self.ends[groups.end]];
@@ -116,7 +116,7 @@ impl<'a, T: Real> Split<'a, T> {
     }
 }
 
-/// Pairs with places counted from others.
+/// Returns pairs with `first` and `second` added to their indices.
 fn shifted<T>(pairs: Vec<Pair<T>>, [first, second]: [usize; 2]) -> impl Iterator<Item = Pair<T>> {
     pairs.into_iter().map(move |pair| Pair {
         first: pair.first + first,
@@ -125,15 +125,15 @@ fn shifted<T>(pairs: Vec<Pair<T>>, [first, second]: [usize; 2]) -> impl Iterator
     })
 }
 
-/// Returns the numbers of both lists, by the offsets of their groups.
+/// Returns the lengths of both lists, from the offsets of their groups.
 fn counts(groups: Groups<'_>) -> [usize; 2] {
     let last = |offsets: &[usize]| offsets.last().copied().unwrap_or(0);
     groups.offsets().map(last)
 }
 
 impl Cpu {
-    /// [`greedy`](assignment::greedy) of every group, group by group: one-to-one pairs, in a group the largest overlap
-    /// first.
+    /// Applies [`greedy`](assignment::greedy) to every group. Returns one-to-one pairs group by group, in a group the
+    /// largest overlap first.
     ///
     /// # Errors
     ///
@@ -154,7 +154,7 @@ impl Cpu {
         pairs: &[Pair<T>],
         groups: Groups<'_>,
     ) -> Result<Vec<Pair<T>>, Error> {
-        let split = Split::new(pairs, groups, counts(groups))?;
+        let split = GroupedPairs::new(pairs, groups, counts(groups))?;
         let of_piece = |piece: Range<usize>| {
             let one = |g: usize| {
                 let from = split.places(&(g..g + 1)).map(|places| places.start);
@@ -165,7 +165,8 @@ impl Cpu {
         Ok(each(split.pieces(), of_piece).concat())
     }
 
-    /// [`largest`](assignment::largest) of every group: the one-to-one pairs of the largest sum, by their first place.
+    /// Applies [`largest`](assignment::largest) to every group. Returns the one-to-one pairs of the largest sum,
+    /// ordered by their first index.
     ///
     /// # Errors
     ///
@@ -175,7 +176,7 @@ impl Cpu {
         pairs: &[Pair<f64>],
         groups: Groups<'_>,
     ) -> Result<Vec<Pair<f64>>, Error> {
-        let split = Split::new(pairs, groups, counts(groups))?;
+        let split = GroupedPairs::new(pairs, groups, counts(groups))?;
         let of_piece = |piece: Range<usize>| {
             let from = split.places(&piece).map(|places| places.start);
             let chosen = assignment::largest(&split.own(&piece))?;
@@ -184,12 +185,13 @@ impl Cpu {
         let done: Result<Vec<_>, Error> = each(split.pieces(), of_piece).into_iter().collect();
         match done {
             Ok(done) => Ok(done.concat()),
-            // Its items are those of the whole list.
+            // The error counts items in the whole list.
             Err(_) => assignment::largest(pairs),
         }
     }
 
-    /// [`outcomes`](metric::outcomes) of every group of detections and truths: which detections are right.
+    /// Applies [`outcomes`](metric::outcomes) to every group of detections and truths. Returns which detections are
+    /// right.
     ///
     /// # Errors
     ///
@@ -227,7 +229,7 @@ impl Cpu {
                 });
             }
         }
-        let split = Split::new(frame.pairs, groups, [frame.scores.len(), frame.truths])?;
+        let split = GroupedPairs::new(frame.pairs, groups, [frame.scores.len(), frame.truths])?;
         let of_piece = |piece: Range<usize>| {
             let [own, truths] = split.places(&piece);
             let part = Frame {
@@ -248,13 +250,13 @@ impl Cpu {
         let done: Result<Vec<_>, Error> = each(split.pieces(), of_piece).into_iter().collect();
         match done {
             Ok(done) => Ok(done.concat()),
-            // Its items are those of the whole list.
+            // The error counts items in the whole list.
             Err(_) => metric::outcomes(frame, threshold),
         }
     }
 
-    /// [`kitti::judge`], and with angles [`kitti::judge_oriented`]: each of the forty scores at which precision is read
-    /// is a piece of work.
+    /// Runs [`kitti::judge`], or with angles [`kitti::judge_oriented`], on all threads. Each of the forty scores at
+    /// which precision is read is a piece of work.
     ///
     /// # Errors
     ///
@@ -270,7 +272,7 @@ impl Cpu {
         Ok(judging.collect(read.into_iter()))
     }
 
-    /// [`nuscenes::judge`] at several thresholds.
+    /// Runs [`nuscenes::judge`] at several thresholds.
     ///
     /// # Errors
     ///

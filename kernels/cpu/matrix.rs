@@ -1,21 +1,21 @@
-//! A matrix that is there already, and its reductions on the CPU.
+//! A matrix of scores in memory, and its reductions on the CPU.
 use crate::Real;
 use crate::error::{Argument, Error};
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::machine::found::{Best, Found, check_sides, check_threshold};
-use crate::kernels::machine::{self, Bests, Founds, Matrices, Pending, Ready};
+use crate::kernels::machine::{self, Bests, Founds, InMemory, Matrices, Pending};
 use crate::kernels::machine::{Reduced, Reduction};
 use crate::kernels::row::item::counts::{entries, expect};
 use std::any::Any;
 
-/// Nothing found yet in so many columns.
+/// Returns the initial maximum of every column.
 fn no_best<T: Real>(columns: usize) -> Vec<Best<T>> {
     let value = T::lit(f64::NEG_INFINITY);
     vec![Best { value, index: 0 }; columns]
 }
 
-/// A matrix of scores on the CPU, to be reduced more than once.
+/// A matrix of scores on the CPU, for several reductions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Matrix<T = f32> {
     rows: usize,
@@ -24,12 +24,11 @@ pub struct Matrix<T = f32> {
 }
 
 impl<T: Real> Matrix<T> {
-    /// From its numbers, row by row.
+    /// Creates a matrix from its numbers in row-major order.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] for another number of them than rows times columns, [`Error::TooLarge`]
-    /// when that is beyond memory.
+    /// [`Error::Length`] unless there are rows times columns numbers, [`Error::TooLarge`] when that product overflows.
     ///
     /// ```
     /// use geograd::kernels::reduce::Matrix;
@@ -47,17 +46,17 @@ impl<T: Real> Matrix<T> {
         })
     }
 
-    /// Returns how many rows.
+    /// Returns the number of rows.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.rows
     }
-    /// Returns how many columns.
+    /// Returns the number of columns.
     #[must_use]
     pub fn columns(&self) -> usize {
         self.columns
     }
-    /// Its numbers, row by row.
+    /// Returns the numbers in row-major order.
     #[must_use]
     pub fn values(&self) -> &[T] {
         &self.values
@@ -66,7 +65,7 @@ impl<T: Real> Matrix<T> {
     fn rows_of(&self) -> impl Iterator<Item = &[T]> {
         self.values.chunks(self.columns.max(1))
     }
-    /// Returns the largest number of every row and its column; of several the first.
+    /// Returns the largest number of every row and its column; the first of equal ones.
     ///
     /// # Errors
     ///
@@ -81,7 +80,7 @@ impl<T: Real> Matrix<T> {
         Ok(best.collect())
     }
 
-    /// Returns the largest number of every column and its row; of several the first.
+    /// Returns the largest number of every column and its row; the first of equal ones.
     ///
     /// # Errors
     ///
@@ -99,7 +98,7 @@ impl<T: Real> Matrix<T> {
         Ok(best)
     }
 
-    /// Returns every number above the threshold, row by row and within a row by column.
+    /// Returns every number above the threshold, ordered by row and then by column.
     ///
     /// # Errors
     ///
@@ -108,7 +107,7 @@ impl<T: Real> Matrix<T> {
         check_threshold(threshold)?;
         let mut found = Vec::new();
         for (row, values) in self.rows_of().enumerate() {
-            // Most rows of most matrices have nothing.
+            // Most rows of a usual matrix have no number above the threshold.
             if (kernels_in::<T>().largest)(values).above(threshold) {
                 let above = values
                     .iter()
@@ -120,7 +119,7 @@ impl<T: Real> Matrix<T> {
         Ok(found)
     }
 
-    /// Returns how many numbers are above the threshold.
+    /// Returns the number of entries above the threshold.
     ///
     /// # Errors
     ///
@@ -130,7 +129,7 @@ impl<T: Real> Matrix<T> {
         Ok((kernels_in::<T>().count_above)(&self.values, threshold))
     }
 
-    /// Returns the sum of all numbers, added in `f64`, always in the same order.
+    /// Returns the sum of all numbers, added in `f64` in a fixed order.
     #[must_use]
     pub fn sum(&self) -> f64 {
         let mut sums = [0.0; TILE];
@@ -140,7 +139,7 @@ impl<T: Real> Matrix<T> {
         sums.iter().sum()
     }
 
-    /// Returns the mean of all numbers; zero where there are none.
+    /// Returns the mean of all numbers; zero for an empty matrix.
     #[must_use]
     pub fn mean(&self) -> f64 {
         self.sum() / (self.rows as f64 * self.columns as f64).max(1.0)
@@ -161,13 +160,13 @@ impl<T: Real> Matrices<T> for Matrix<T> {
     fn reduce(&self, reduction: Reduction<T>) -> Result<Reduced<T>, Error> {
         Ok(match reduction {
             Reduction::Best { of_rows: true } => {
-                Reduced::Bests(Bests::new(Ready(self.row_max()?), self.columns()))
+                Reduced::Bests(Bests::new(InMemory(self.row_max()?), self.columns()))
             }
             Reduction::Best { of_rows: false } => {
-                Reduced::Bests(Bests::new(Ready(self.column_max()?), self.rows()))
+                Reduced::Bests(Bests::new(InMemory(self.column_max()?), self.rows()))
             }
             Reduction::Above(threshold) => {
-                Reduced::Founds(Founds::new(Ready(self.above(threshold)?)))
+                Reduced::Founds(Founds::new(InMemory(self.above(threshold)?)))
             }
             Reduction::Count(threshold) => Reduced::Count(self.count_above(threshold)?),
             Reduction::Sum => Reduced::Sum(self.sum()),

@@ -1,4 +1,4 @@
-//! Batches on the CPU: on all SIMD lanes and threads, with the same bits for any number of either.
+//! Batches on the CPU: on all SIMD lanes and threads, with equal bits for any number of either.
 //!
 //! Operations with compiled kernels run their generic source on bundles of lanes; all others, and
 //! programs, are recorded and interpreted block by block. The instruction set is chosen at run time, once
@@ -6,37 +6,36 @@
 //! [`Simd`](simd::Simd). Inputs are checked before anything is written: an error leaves every buffer
 //! unchanged.
 //!
-//! With the feature `parallel` the work runs on rayon's current thread pool (run inside
-//! `pool.install` to choose another). It is cut the same way for any number of threads, and sums
-//! are added in a fixed order.
+//! With the feature `parallel` the work runs on rayon's current thread pool (run inside `pool.install` to choose
+//! another). Its pieces do not depend on the number of threads, and sums are added in a fixed order.
 //!
 //! # Method
 //!
 //! *From shapes to numbers.* Rows and columns of shapes become plain numbers, and all code below knows numbers only: it
-//! is compiled once, in the library. `plan` decides how each argument is checked and prepared, and which
-//! kernel computes blocks. Blocks are made of tiles, sixteen items of one field (`lane`).
+//! is compiled once, in the library. `plan` decides how each argument is checked and prepared, and which kernel
+//! computes blocks. Blocks are made of tiles: sixteen items, field after field (`lane`).
 //!
-//! *Compiled kernels* serve the scores of boxes in the plane (`boxes`), boxes in space (`upright`, `boxes3`), areas of
-//! quadrilaterals (`quads`) and measures of rings (`rings`): their generic source on processor vectors, for every
-//! format and level (`arch::entry` lists them). A kernel costs a second or two of every build, so a box with yaw goes
-//! through the kernel of its ground plan, and its height is a short second stage. Boxes of any rotation have one loop
-//! of three rounds in which the axes take turns, so indices are constant and the kernel stays small. Shapes too extreme
-//! for a kernel take the scalar code.
+//! *Compiled kernels* serve the scores of boxes in the plane (`overlaps`), boxes in space (`upright_boxes`, `boxes3`),
+//! areas of quadrilaterals (`quads`) and measures of rings (`rings`): their generic source on processor vectors, for
+//! every format and level (`arch::entry` lists them). A kernel costs a second or two of every build. So a box with yaw
+//! goes through the kernel of its ground plan, and its height is a short second stage. Boxes of any rotation have one
+//! loop of three rounds in which the axes take turns, so indices are constant and the kernel stays small. Shapes too
+//! extreme for a kernel take the scalar code.
 //!
 //! *The interpreter* (`program`) runs all other rows: `lower`, `fuse` and `slots` make a tape of instructions, and
-//! `execute` runs each over a block that fits the innermost cache. For all pairs, `split` computes once per shape
-//! whatever depends on one argument; `skip` leaves out what no item of a block takes. `folds` runs edges of a path in
-//! parallel; `nearest` finds the edges that a distance needs; `polygons` has rings of two ragged lists. Searches run
-//! item by item.
+//! `execute` runs each over a block that fits the innermost cache. For all pairs, `split` computes numbers that depend
+//! on one argument once per shape; `skip` leaves out nodes that no item of a block needs. `folds` computes the edges of
+//! paths in parallel; `nearest` finds the edges that a distance needs; `polygons` computes rings of two ragged lists.
+//! Searches run item by item.
 //!
 //! *Pairs.* `sweep` walks all pairs for tables (`pairs`) and reductions (`reductions`). If results of shapes apart are
 //! zero, bounds are compared first, by a tree (`tree`) where lists are long and few pairs near; boxes in space are
 //! filtered by their bounds seen from above (`solids`). The pairs that remain are gathered, computed densely and
-//! scattered. Suppression (`greedy`) computes only pairs of which one is kept. Small groups (`grouped`), such as the boxes of
-//! a frame, share the lanes of a tile.
+//! scattered. Suppression (`greedy`) computes only pairs with a kept shape. Small groups (`grouped`), such as the boxes
+//! of a frame, share the lanes of a tile.
 //!
-//! *Same bits.* Work is cut in the same way for any number of threads, and sums are added in a fixed order, so bits
-//! never depend on level, position, threads or filter.
+//! *Same bits.* The cut into pieces does not depend on the number of threads, and sums are added in a fixed order. So
+//! bits never depend on level, position, threads or filter.
 //!
 //! *Two measured rules for kernels.* A kernel contains no call: hence loops and `#[inline(always)]` functions, since
 //! closures do not inherit instruction sets. It contains no run-time case. `.ci/assembly` reads what the compiler made
@@ -120,10 +119,10 @@ impl Machine<Processor> {
         let engine = Processor { cull: true };
         Machine { engine }
     }
-    /// Returns the same with culling of all-pairs batches on or off.
+    /// Returns a CPU with culling of all-pairs batches on or off.
     ///
-    /// Culling compares bounds before anything else is computed. Results are the same bits either way. If nearly all
-    /// pairs overlap, it costs a few hundredths of the time and stops.
+    /// Culling compares bounds before anything else is computed. It changes no bit of a result. If nearly all pairs
+    /// overlap, it costs a few hundredths of the time and stops.
     #[must_use]
     pub const fn culled(self, cull: bool) -> Self {
         let engine = Processor { cull };

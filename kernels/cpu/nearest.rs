@@ -1,8 +1,7 @@
-//! A block kernel of points and paths: which edges can be the nearest ones, and how often the path winds.
+//! A block kernel of points and paths: the candidates for the nearest edge, and the winding number.
 //!
-//! The squared distances of a thousand edges, rounded as they may be, tell the nearest edges from all others.
-//! Only the edges that remain are folded with derivatives. So the result has the bits of the fold over all edges,
-//! whatever the vectors' width is.
+//! Squared distances, with a bound of their rounding errors, exclude most edges. Only the remaining edges are folded
+//! with derivatives. The result has the bits of the fold over all edges, for every vector width.
 //!
 //! Compiled in this library only, by the entries in `arch`.
 use crate::kernels::cpu::arch::{Vector, flat};
@@ -10,23 +9,23 @@ use crate::kernels::cpu::lane::{Lane, TILE, tiles};
 use crate::scalar::power_of_largest;
 use crate::{Real, Scalar, Vec2};
 
-/// The limits within which squares and signs are right.
+/// The limits within which squared distances and signs are reliable.
 #[derive(Clone, Copy, Debug)]
-pub struct Limits<T> {
-    /// Vertices no farther than this, as seen from the point.
+pub struct ReliableLimits<T> {
+    /// The largest distance of a vertex from the point.
     far: T,
-    /// The farthest of them no nearer than this.
+    /// The smallest distance of the farthest vertex from the point.
     near: T,
-    /// Edges of a squared length up to this count as their ends. They are shorter than the error of rounding.
+    /// The squared length up to which an edge is replaced by its ends, since it is shorter than the rounding error.
     short: T,
-    /// Products whose sign counts are above this.
+    /// The smallest magnitude of a product whose sign is reliable.
     doubt: T,
 }
 
-impl<T: Real> Limits<T> {
+impl<T: Real> ReliableLimits<T> {
     pub(crate) fn new() -> Self {
         let power = |exponent: f64| T::lit(power_of_largest::<T>(exponent));
-        Limits {
+        ReliableLimits {
             far: power(0.39),
             near: power(-0.26),
             short: power(-0.83),
@@ -35,35 +34,35 @@ impl<T: Real> Limits<T> {
     }
 }
 
-/// The error of a distance by rounding, in units of ε times the farthest coordinate. Both ways to find a distance
-/// are off by less than half of it. Each of their two products and quotients of vectors has a few roundings of a
-/// length below `2√2` such units; the ends of an edge have two more.
+/// The rounding error of a distance, in units of ε times the farthest coordinate. Both formulas of a distance err by
+/// less than half of it. Each of their two products and quotients of vectors has a few roundings of a length below
+/// `2√2` such units; the ends of an edge have two more.
 const SLACK: f64 = 64.0;
 
 /// The state after some edges.
-struct Seen<S> {
+struct NearestState<S> {
     /// The least squared distance.
     least: S,
     /// The farthest coordinate of a vertex.
     extent: S,
     /// The winding number.
     winding: S,
-    /// The least of the numbers whose signs it was made of.
+    /// The least magnitude of the products whose signs decided it.
     doubt: S,
 }
 
-impl<S: Scalar> Seen<S> {
+impl<S: Scalar> NearestState<S> {
     #[inline(always)]
     fn nothing() -> Self {
-        Seen {
+        NearestState {
             least: S::lit(S::LARGEST),
             extent: S::zero(),
             winding: S::zero(),
             doubt: S::lit(S::LARGEST),
         }
     }
-    /// Sees the edge from a to b from the origin; its squared distance. Edges of at most a squared length of
-    /// `short` count as their ends.
+    /// Updates the state with the edge from a to b, seen from the origin. Returns its squared distance. An edge of
+    /// squared length up to `short` is replaced by its ends.
     #[inline(always)]
     fn see(&mut self, a: Vec2<S>, b: Vec2<S>, short: S) -> S {
         let (zero, one) = (S::zero(), S::one());
@@ -74,7 +73,7 @@ impl<S: Scalar> Seen<S> {
         let across = turn.over(S::select(is_inside, square, one)) * turn;
         let (start, end) = (a.length_squared(), b.length_squared());
         let distance = S::select(is_inside, across, start.least(end));
-        // The very number whose sign the fold looks at, but for a power of two.
+        // Up to a power of two this is the number whose sign the fold uses.
         let side = a.perp_dot(b);
         let up = a.y.at_most(zero) & zero.below(b.y);
         let down = b.y.at_most(zero) & zero.below(a.y);
@@ -93,8 +92,7 @@ impl<S: Scalar> Seen<S> {
     }
 }
 
-/// A path in columns: its vertices, from the first one to that after the last edge, which fills up the last lane and
-/// one more.
+/// A path in columns: its vertices up to the one after the last edge, with padding for the last lane and one more.
 #[derive(Debug, Default)]
 pub struct Edges<T> {
     x: Vec<Lane<T>>,
@@ -104,7 +102,7 @@ pub struct Edges<T> {
 }
 
 impl<T: Real> Edges<T> {
-    /// Takes another path, closed or not.
+    /// Replaces the path by another one, closed or not.
     pub(crate) fn set(&mut self, path: &[Vec2<T>], closed: bool) {
         self.count = path.len() - usize::from(!closed && !path.is_empty());
         let lanes = tiles(self.count) + 1;
@@ -129,26 +127,26 @@ impl<T: Real> Edges<T> {
     }
 }
 
-/// Returns a lane that begins one number later than a lane of some.
+/// Returns the lane of the numbers that begin one place after lane `t`.
 #[inline(always)]
 fn later<T: Real>(lanes: &[Lane<T>], t: usize) -> Option<Lane<T>> {
     Some(Lane(*flat(lanes).get(t * TILE + 1..)?.first_chunk()?))
 }
 
-/// Lists all edges of a path that can be nearest to a point, in order, and says how many they are and how often
-/// the path winds around it. `None` where squares, or signs, may be lost. There is room for sixteen more than
-/// there are edges, as there is for their squared distances.
+/// Lists the edges of a path that can be nearest to a point, in order. Returns their number and the path's winding
+/// number, or `None` where squared distances or signs are unreliable. `squares` and `picked` have room for sixteen more
+/// numbers than edges.
 #[inline(always)]
 pub(crate) fn near_edges<T: Real, V: Vector<T>>(
     point: Vec2<T>,
     path: &Edges<T>,
-    limits: Limits<T>,
+    limits: ReliableLimits<T>,
     squares: &mut [Lane<T>],
     picked: &mut [u32],
 ) -> Option<(usize, T)> {
     let origin = Vec2::new(V::splat(point.x), V::splat(point.y));
     let short = V::splat(limits.short);
-    let mut all = Seen::<V>::nothing();
+    let mut all = NearestState::<V>::nothing();
     let columns = path.x.iter().zip(&path.y).take(tiles(path.count));
     for (t, ((x, y), square)) in columns.zip(squares.iter_mut()).enumerate() {
         let (next_x, next_y) = (later(&path.x, t)?, later(&path.y, t)?);
@@ -165,7 +163,7 @@ pub(crate) fn near_edges<T: Real, V: Vector<T>>(
     all.doubt.write(&mut lanes[1], 0);
     all.extent.write(&mut lanes[2], 0);
     all.winding.write(&mut lanes[3], 0);
-    let mut seen = Seen::<T>::nothing();
+    let mut seen = NearestState::<T>::nothing();
     let mut k = 0;
     while k < V::WIDTH {
         seen.least = seen.least.least(lanes[0].0[k]);
@@ -191,7 +189,7 @@ pub(crate) fn near_edges<T: Real, V: Vector<T>>(
             let mut bits = V::bits(V::read(lane, at).at_most(limit));
             while bits != 0 {
                 let edge = t * TILE + at + bits.trailing_zeros() as usize;
-                // The places that fill up the last lane repeat the last vertex.
+                // The padding of the last lane repeats the last vertex.
                 if let (true, Some(place)) = (edge < path.count, picked.get_mut(count)) {
                     *place = edge as u32;
                     count += 1;

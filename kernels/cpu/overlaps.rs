@@ -9,42 +9,42 @@ use crate::clip::{
 use crate::iou::giou_framed;
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::blocks::all_within;
-use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
+use crate::kernels::cpu::lane::{Lane, PLANE, ResultTiles, Tiles};
 use crate::overlap::{Denominator, score_aabb2, score_framed};
 use crate::{Aabb2, Fixed, Obb2, Real, Scalar, Vec2};
 
-/// Numbers of a rotated box.
+/// The number of scalars of a rotated box.
 pub(crate) const OBB2: usize = 5;
-/// Numbers of an axis-aligned box.
+/// The number of scalars of an axis-aligned box.
 pub(crate) const AABB2: usize = 4;
-/// Numbers of an upright box: centre, size, heading.
+/// The number of scalars of an upright box: centre, size, heading.
 pub(crate) const UPRIGHT: usize = 7;
-/// Numbers of bounds: lower x and y, upper x and y.
+/// The number of scalars of bounds: lower x and y, upper x and y.
 pub(crate) const BOUNDS: usize = 4;
-/// Most numbers of a rotated box with its trigonometry done.
+/// The largest number of scalars of a rotated box with its sine and cosine computed.
 const FRAME: usize = 10;
 
-/// Numbers of a rotated box with its trigonometry done: without low parts where none are needed.
+/// Returns the number of scalars of a rotated box with sine and cosine, and with low parts where the format needs them.
 pub(crate) const fn frame_fields<T: Scalar>() -> usize {
     if T::COMPENSATED { FRAME } else { 6 }
 }
 
-/// How rotated boxes come out of shapes.
+/// The conversion from shapes to rotated boxes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum View {
-    /// They are the shapes.
+    /// Shapes are rotated boxes.
     Flat,
-    /// They are upright boxes seen from above.
+    /// Shapes are upright boxes, seen from above.
     FromAbove,
-    /// The same, followed by where the middle of an upright box is, and half its height.
+    /// Shapes are upright boxes, seen from above, with the centre's height and half the height appended.
     Upright,
 }
 
-/// The fields of an upright box that the rotated box seen from above has.
+/// The fields of an upright box that make the rotated box seen from above.
 pub(crate) const SEEN: [usize; OBB2] = [0, 1, 3, 4, 6];
 
 impl View {
-    /// Numbers of a prepared shape.
+    /// Returns the number of scalars of a prepared shape.
     pub(crate) const fn fields<T: Scalar>(self) -> usize {
         match self {
             View::Flat | View::FromAbove => frame_fields::<T>(),
@@ -53,7 +53,7 @@ impl View {
     }
 }
 
-/// Does the trigonometry of rotated boxes.
+/// Prepares rotated boxes: computes sines and cosines.
 #[inline(always)]
 pub(crate) fn obb2_frames<T: Real, V: Vector<T>>(
     shapes: Tiles<'_, T>,
@@ -91,16 +91,16 @@ pub(crate) fn obb2_frames<T: Real, V: Vector<T>>(
     }
 }
 
-/// Returns the lanes of a tile of results: the one of field `k` is `[k * PLANE]`.
+/// Returns the lanes of a tile of results, in which field `k` is lane `k * PLANE`.
 #[inline(always)]
 pub(crate) fn lanes_of<'a, T, const LANES: usize>(
-    out: &'a mut Results<'_, T>,
+    out: &'a mut ResultTiles<'_, T>,
     t: usize,
 ) -> Option<&'a mut [Lane<T>; LANES]> {
     out.lanes.get_mut(t..)?.first_chunk_mut()
 }
 
-/// Writes numbers as fields of a tile of results, from field `first` on.
+/// Writes numbers as fields of a tile of results, beginning with field `first`.
 #[inline(always)]
 pub(crate) fn put<T: Real, V: Vector<T>, const N: usize, const LANES: usize>(
     numbers: [V; N],
@@ -115,7 +115,7 @@ pub(crate) fn put<T: Real, V: Vector<T>, const N: usize, const LANES: usize>(
     }
 }
 
-/// Returns the factor of the derivatives of a tile: one where none is given.
+/// Returns the factor of the derivatives of a tile: the seed, or one without seeds.
 #[inline(always)]
 pub(crate) fn seed<T: Real, V: Vector<T>>(seeds: Option<Tiles<'_, T>>, t: usize, at: usize) -> V {
     match seeds.and_then(|seeds| seeds.tile::<1>(t)) {
@@ -124,7 +124,7 @@ pub(crate) fn seed<T: Real, V: Vector<T>>(seeds: Option<Tiles<'_, T>>, t: usize,
     }
 }
 
-/// Returns a part of a tile of prepared boxes.
+/// Returns the vector of prepared boxes that begins at item `at` of tile `t`.
 #[inline(always)]
 pub(crate) fn framed<T: Real, V: Vector<T>>(
     tiles: Tiles<'_, T>,
@@ -162,13 +162,13 @@ pub(crate) fn framed<T: Real, V: Vector<T>>(
     ]))
 }
 
-/// Scores of prepared rotated boxes of ordinary size.
+/// Writes the scores of prepared rotated boxes of ordinary size.
 #[inline(always)]
 pub(crate) fn obb2_scores<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
@@ -183,14 +183,14 @@ pub(crate) fn obb2_scores<T: Real, V: Vector<T>>(
     }
 }
 
-/// Scores of prepared rotated boxes of ordinary size, each followed by its ten derivatives.
+/// Writes the scores of prepared rotated boxes of ordinary size, each followed by its ten derivatives.
 #[inline(always)]
 pub(crate) fn obb2_derivatives<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, { 2 * OBB2 * PLANE + 1 }>(&mut out, t) else {
@@ -210,12 +210,12 @@ pub(crate) fn obb2_derivatives<T: Real, V: Vector<T>>(
     }
 }
 
-/// Generalised IoU of prepared rotated boxes of [common](all_common_obb2) size.
+/// Writes the generalised IoU of prepared rotated boxes of [common](all_common_obb2) size.
 #[inline(always)]
 pub(crate) fn giou_scores<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
@@ -230,14 +230,14 @@ pub(crate) fn giou_scores<T: Real, V: Vector<T>>(
     }
 }
 
-/// Generalised IoU of prepared rotated boxes of [common](all_common_obb2) size, each followed by its ten
+/// Writes the generalised IoU of prepared rotated boxes of [common](all_common_obb2) size, each followed by its ten
 /// derivatives.
 #[inline(always)]
 pub(crate) fn giou_derivatives<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, { 2 * OBB2 * PLANE + 1 }>(&mut out, t) else {
@@ -256,7 +256,7 @@ pub(crate) fn giou_derivatives<T: Real, V: Vector<T>>(
     }
 }
 
-/// Returns a part of a tile of axis-aligned boxes.
+/// Returns the vector of axis-aligned boxes that begins at item `at` of tile `t`.
 #[inline(always)]
 fn aabb2<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<Aabb2<V>> {
     let tile = tiles.tile::<AABB2>(t)?;
@@ -268,13 +268,13 @@ fn aabb2<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Opt
     ))
 }
 
-/// Scores of axis-aligned boxes.
+/// Writes the scores of axis-aligned boxes.
 #[inline(always)]
 pub(crate) fn aabb2_scores<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
@@ -289,14 +289,14 @@ pub(crate) fn aabb2_scores<T: Real, V: Vector<T>>(
     }
 }
 
-/// Scores of axis-aligned boxes, each followed by its eight derivatives.
+/// Writes the scores of axis-aligned boxes, each followed by its eight derivatives.
 #[inline(always)]
 pub(crate) fn aabb2_derivatives<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, { 2 * AABB2 * PLANE + 1 }>(&mut out, t) else {
@@ -341,13 +341,13 @@ pub(crate) fn all_common_obb2<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     )
 }
 
-/// Returns `true` if one number is zero or within limits; of a place or angle the magnitude.
+/// Returns `true` if a number is zero or its magnitude within limits.
 pub(crate) fn is_within<T: Real>(x: T, low: f64, high: f64) -> bool {
     let x = x.unsigned();
     x == T::default() || (x >= T::lit(low) && x <= T::lit(high))
 }
 
-/// Returns `true` if a valid upright box is of common size, as [`all_common_upright`] says of many.
+/// Returns `true` if a valid upright box is of common size; [`all_common_upright`] tests many.
 pub(crate) fn is_common_upright<T: Real>(x: &[T]) -> bool {
     let fine = fine::<T>();
     let place = |x: &T| is_within(*x, fine, COMMON_FAR);
@@ -363,7 +363,8 @@ pub(crate) fn is_solid_obb2<T: Real>(x: &[T]) -> bool {
     x[..2].iter().all(place) && x[2..4].iter().all(size) && is_within(x[4], fine, T::LARGEST)
 }
 
-/// Returns the same of upright boxes.
+/// Returns `true` if every upright box is valid, of a size from 10⁻⁵ to 10⁶ or zero, and no farther than 10⁹ from the
+/// origin.
 #[inline(always)]
 pub(crate) fn all_common_upright<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     let fine = fine::<T>();
@@ -376,18 +377,16 @@ pub(crate) fn all_common_upright<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     )
 }
 
-/// Bounds of prepared rotated boxes: lower x and y, upper x and y.
+/// Writes the bounds of prepared rotated boxes: lower x and y, upper x and y.
 ///
-/// They are wide enough that boxes whose bounds do not meet are apart in the eyes of
-/// [`relate`](crate::clip::relate), too, whatever it rounds. Let `R` be the sum of half the widths and
-/// heights of both boxes, ε the distance from 1 to the next number, and say the bounds are apart
-/// along x. Each bound has a slack of `4ε |x| + 128ε (half width + half height)`, of which its own
-/// rounding takes less than `4ε (|x| + half width + half height)`. So the exact boxes are apart by
-/// `g ≥ 120 ε R`. Boxes that are apart by `g` are separated by `g / √2` or more along one of their four
-/// axes: where a corner faces a corner, the shortest way between them lies in the quarter of normals
-/// of either, hence between two axes less than a quarter apart, and within 45° of one of them. The
-/// separating-axis test rounds distances of centres and extents by less than `12 ε (g + R)`, which is
-/// less than `g / √2`.
+/// They are so wide that [`relate`](crate::clip::relate) finds boxes apart whose bounds do not meet, in spite of its
+/// rounding. Let `R` be the sum of half the widths and heights of both boxes, and ε the distance from 1 to the next
+/// number. Let the bounds be apart along x. Each bound has a slack of `4ε |x| + 128ε (half width + half height)`, of
+/// which its own rounding takes less than `4ε (|x| + half width + half height)`. So the exact boxes are apart by
+/// `g ≥ 120 ε R`. Boxes that are apart by `g` are separated by `g / √2` or more along one of their four axes: where a
+/// corner faces a corner, the shortest segment between them lies in the quarter of normals of either. Hence it lies
+/// between two axes less than a quarter apart, and within 45° of one of them. The separating-axis test rounds distances
+/// of centres and extents by less than `12 ε (g + R)`, which is less than `g / √2`.
 #[inline(always)]
 pub(crate) fn obb2_bounds<T: Real, V: Vector<T>>(frames: Tiles<'_, T>, bounds: &mut [Lane<T>]) {
     let (of_place, of_size) = (V::lit(4.0 * T::EPSILON), V::lit(128.0 * T::EPSILON));

@@ -1,28 +1,28 @@
-//! Batches of all pairs over plain numbers: the same code for every operation.
+//! Batches of all pairs over plain numbers, for every operation.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::blocks::QUAD;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{BLOCK, Lane, TILE, tiles};
 use crate::kernels::cpu::plan::{List, Plan, Shapes};
-use crate::kernels::cpu::sweep::{Chooses, Columns, Part, Sweep, Upstream};
-use crate::kernels::cpu::work::{rows_per_piece, spread};
+use crate::kernels::cpu::sweep::{PartColumns, RowChoice, RowPart, Sweep, Upstream};
+use crate::kernels::cpu::work::{in_parallel, rows_per_piece};
 use std::ops::Range;
 
 /// An operation and both lists as numbers, checked.
 pub struct Pairs<'a, T> {
-    /// How it is computed.
+    /// The plan by which a pair is computed.
     pub plan: &'a Plan<T>,
     /// The shapes of both lists.
     pub shapes: [Shapes<'a, T>; 2],
-    /// `true` if some shapes of a list are too rare for kernels.
+    /// For each list: `true` if some shapes are too extreme for kernels.
     pub rare: [bool; 2],
-    /// `true` if pairs that are apart for certain may be left out.
+    /// `true` if pairs that are certainly apart may be left out.
     pub filter: bool,
 }
 
 impl<T: Real> Pairs<'_, T> {
-    /// Returns how many shapes each list has.
+    /// Returns the number of shapes of each list.
     pub fn counts(&self) -> [usize; 2] {
         self.shapes.each_ref().map(Shapes::len)
     }
@@ -30,7 +30,7 @@ impl<T: Real> Pairs<'_, T> {
     pub fn is_filtered(&self) -> bool {
         self.filter && self.plan.arguments.iter().all(|x| x.bounds.is_some())
     }
-    /// Leaves out no pair if the threshold is negative: results of pairs that are apart, zero, are above it.
+    /// Turns the filter off if the threshold is negative: a pair that is apart has result zero, which is above it.
     pub fn filter_above(&mut self, threshold: T) {
         self.filter &= threshold >= T::default();
     }
@@ -43,8 +43,8 @@ impl<T: Real> Pairs<'_, T> {
             List::new(&self.plan.arguments[k], whole, self.rare[k], bounded)
         })
     }
-    /// Computes all pairs piece by piece, on all threads: each piece is some rows and its own entry of `work`.
-    /// The result is `true` if a filter was used, whether or not it left pairs out.
+    /// Computes all pairs on all threads, in pieces of some rows, each with its own entry of `work`. Returns `true` if
+    /// a filter was used, even if it left out no pair.
     pub fn sweep<W: Send>(
         &self,
         upstream: Option<Upstream<'_, T>>,
@@ -56,32 +56,32 @@ impl<T: Real> Pairs<'_, T> {
         let sweep = Sweep::new(self.plan, upstream, &a, &b);
         let piece = rows_per_piece(rows);
         let work = work.into_iter().enumerate().collect();
-        spread(work, |(i, work): (usize, W)| {
+        in_parallel(work, |(i, work): (usize, W)| {
             run(&sweep, i * piece..rows.min((i + 1) * piece), work);
         });
         sweep.is_filtered()
     }
-    /// Computes the rows of a choice, on this thread.
-    pub fn chosen(&self, choice: &mut impl Chooses<T>) {
+    /// Computes the rows that `choice` asks for, on this thread.
+    pub fn chosen(&self, choice: &mut impl RowChoice<T>) {
         let [a, b] = self.lists();
         Sweep::new(self.plan, None, &a, &b).run_chosen(choice);
     }
 }
 
-/// Puts the results of a row into the row of every field. `room` is kept from call to call.
+/// Writes the results of a row into the row of every field. `room` is a buffer that is kept from call to call.
 ///
 /// Picked results are put together in the cache before they leave in long runs: single stores would
 /// wait for memory one by one.
-fn put<T: Real>(part: &Part<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
+fn put<T: Real>(part: &RowPart<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
     let (first, width) = (part.stretch.start, part.stretch.len());
     match &part.columns {
-        Columns::Run(run) => {
+        PartColumns::Run(run) => {
             for (k, row) in rows.iter_mut().enumerate() {
                 let results = flat(part.results.field(k));
                 row[run.clone()].copy_from_slice(&results[..width]);
             }
         }
-        Columns::Picked(columns) if width <= BLOCK * TILE => {
+        PartColumns::Picked(columns) if width <= BLOCK * TILE => {
             if let [row] = rows {
                 let row = &mut row[part.stretch.clone()];
                 row.fill(T::default());
@@ -94,8 +94,8 @@ fn put<T: Real>(part: &Part<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
                 row[part.stretch.clone()].copy_from_slice(room);
             }
         }
-        // A stretch longer than a block, of a tree: its few results are stored one by one.
-        Columns::Picked(columns) => {
+        // A stretch longer than a block, from a tree, has few results: they are stored one by one.
+        PartColumns::Picked(columns) => {
             for (k, row) in rows.iter_mut().enumerate() {
                 if part.is_first {
                     row.fill(T::default());
@@ -108,14 +108,14 @@ fn put<T: Real>(part: &Part<'_, T>, room: &mut Vec<T>, rows: &mut [&mut [T]]) {
     }
 }
 
-/// Results, or results with derivatives: a matrix per number, row by row, one after another.
+/// Writes results, or results with derivatives: one row-major matrix per scalar, one after another.
 pub fn planes<T: Real>(pairs: &Pairs<'_, T>, planes: &mut [T]) {
     let [rows, columns] = pairs.counts();
     if rows * columns == 0 {
         return;
     }
     let piece = rows_per_piece(rows) * columns;
-    // Every piece gets its rows of every matrix.
+    // Every piece takes its rows of every matrix.
     let mut work: Vec<Vec<&mut [T]>> = Vec::new();
     work.resize_with(rows.div_ceil(rows_per_piece(rows)), Vec::new);
     for plane in planes.chunks_mut(rows * columns) {
@@ -139,34 +139,35 @@ pub fn planes<T: Real>(pairs: &Pairs<'_, T>, planes: &mut [T]) {
     });
 }
 
-/// The layout of sums of derivatives in lanes. A filtered sweep with an upstream yields picked columns alone, any other one
-/// runs alone: each has its own layout.
+/// The layout of sums of derivatives in lanes. A filtered sweep with an upstream yields picked columns alone, any other
+/// one runs alone: each has its own layout.
 #[derive(Clone, Copy)]
-enum Lay {
+enum SumLayout {
     /// In tiles, field by field.
     Tiles,
-    /// Item by item: the numbers of one side by side, padded to a multiple of four, so that single items can be added to.
+    /// Item by item: the numbers of an item contiguous, padded to a multiple of four, so that single items can be added
+    /// to.
     Items,
 }
 
-impl Lay {
+impl SumLayout {
     fn of(filtered: bool) -> Self {
         match filtered {
-            true => Lay::Items,
-            false => Lay::Tiles,
+            true => SumLayout::Items,
+            false => SumLayout::Tiles,
         }
     }
-    /// Returns the number of field `k` of an item of so many fields.
+    /// Returns number `k` of an item that has `fields` numbers.
     #[inline]
     fn number<T: Copy>(self, lanes: &[Lane<T>], fields: usize, item: usize, k: usize) -> T {
         match self {
-            Lay::Tiles => lanes[item / TILE * fields + k].0[item % TILE],
-            Lay::Items => flat(lanes)[item * fields.next_multiple_of(QUAD) + k],
+            SumLayout::Tiles => lanes[item / TILE * fields + k].0[item % TILE],
+            SumLayout::Items => flat(lanes)[item * fields.next_multiple_of(QUAD) + k],
         }
     }
 }
 
-/// Returns the sum of sixteen numbers: halves added to halves.
+/// Returns the sum of sixteen numbers by pairwise halving.
 #[inline]
 fn folded<T: Real>(mut numbers: [T; TILE]) -> T {
     let mut half = TILE / 2;
@@ -180,10 +181,10 @@ fn folded<T: Real>(mut numbers: [T; TILE]) -> T {
     numbers[0].canonical()
 }
 
-/// Derivatives of the sum of upstream times scores, with respect to every shape of both lists.
+/// Writes the derivatives of the sum of upstream times scores, with respect to every shape of both lists.
 ///
-/// A row has sixteen sums; column `j` is added to sum `j` modulo sixteen. A column has one sum per piece of rows. The order
-/// of additions is fixed and the same in both layouts.
+/// A row has sixteen sums; column `j` is added to sum `j` modulo sixteen. A column has one sum per piece of rows. Both
+/// layouts add in one fixed order.
 pub fn pull_back<T: Real>(
     pairs: &Pairs<'_, T>,
     upstream: Upstream<'_, T>,
@@ -216,7 +217,7 @@ pub fn pull_back<T: Real>(
             sweep.run(rows, |part| {
                 let row_sums = &mut row_sums[(part.row - start) * wide..][..wide];
                 match part.columns {
-                    Columns::Run(run) => {
+                    PartColumns::Run(run) => {
                         let sums = &mut column_sums[run.start / TILE * fields[1]..];
                         (kernels_in::<T>().accumulate)(
                             part.results,
@@ -226,13 +227,13 @@ pub fn pull_back<T: Real>(
                             sums,
                         );
                     }
-                    Columns::Picked(columns) => {
+                    PartColumns::Picked(columns) => {
                         let add = kernels_in::<T>().accumulate_picked;
                         add(part.results, fields, columns, row_sums, column_sums);
                     }
                 }
             });
-            let lay = Lay::of(sweep.is_filtered());
+            let lay = SumLayout::of(sweep.is_filtered());
             let bars = a_bar.chunks_exact_mut(fields[0]);
             for (bar, sums) in bars.zip(row_sums.chunks_exact(wide)) {
                 for (k, x) in bar.iter_mut().enumerate() {
@@ -242,7 +243,7 @@ pub fn pull_back<T: Real>(
             }
         },
     );
-    // Piece after piece, so the order of the sum is fixed.
+    // Adding piece after piece fixes the order of the sum.
     let (total, others) = partials.split_at_mut(width);
     for partial in others.chunks(width) {
         for (sum, part) in total.iter_mut().zip(partial) {
@@ -251,7 +252,7 @@ pub fn pull_back<T: Real>(
             }
         }
     }
-    let lay = Lay::of(filtered);
+    let lay = SumLayout::of(filtered);
     for (j, bar) in b_bar.chunks_exact_mut(fields[1]).enumerate() {
         for (k, x) in bar.iter_mut().enumerate() {
             *x = lay.number(total, fields[1], j, k).canonical();

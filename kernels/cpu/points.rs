@@ -1,34 +1,33 @@
-//! Which boxes points lie in, of many points and many boxes.
+//! Point-in-box queries of many points and many boxes.
 //!
-//! A tree of the boxes' bounds leaves out those that are far from a point; what is near decides itself, by
-//! [`contains`](crate::Obb2::contains). So results are those of the loop over all points and boxes, whatever the
-//! number of threads.
+//! A tree of the boxes' bounds excludes boxes far from a point; [`contains`](crate::Obb2::contains) decides for the
+//! others. So results equal the results of a loop over all points and boxes, for any number of threads.
 use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::Cpu;
 use crate::shape::{Aabb3, Obb3, YawBox3};
 use crate::{Aabb2, Obb2, Real, Vec2, Vec3};
 
-/// Boxes of a leaf, and children of a node.
+/// The largest number of boxes of a leaf, and of children of a node.
 const FEW: usize = 8;
-/// Points per piece of work.
+/// The number of points in a piece of work.
 const PIECE: usize = 1024;
 
-/// A kind of box that points can lie in.
+/// A kind of box that can contain points.
 pub trait Container: Copy + Validate + Sync {
     /// A point of its space.
     type Point: Copy + Validate + Sync;
-    /// Returns the coordinates of a point; the third one is zero in the plane.
+    /// Returns the coordinates of a point; in the plane the third one is zero.
     #[doc(hidden)]
     fn place(point: Self::Point) -> [f64; 3];
-    /// Returns `true` if the point is in the box; the border belongs to it.
+    /// Returns `true` if the point is in the box or on its border.
     #[must_use]
     fn holds(self, point: Self::Point) -> bool;
-    /// Returns the lower and the upper ends of bounds that no point in it is outside of, whatever was rounded.
+    /// Returns the lower and upper corner of bounds that contain every point of the box, with a margin for rounding.
     #[doc(hidden)]
     fn ends(self) -> [[f64; 3]; 2];
 }
 
-/// Bounds with room for what was rounded on the way to them and in the box's own frame.
+/// Adds a margin to bounds, for the rounding of the bounds and of the box's own frame.
 fn with_room(low: [f64; 3], high: [f64; 3], epsilon: f64) -> [[f64; 3]; 2] {
     let of = |k: usize| low[k].abs() + high[k].abs() + (high[k] - low[k]);
     let room = 8.0 * epsilon * (of(0) + of(1) + of(2));
@@ -72,24 +71,24 @@ containers! {
     Obb3 of Vec3 at in_space: own => own.bounding();
 }
 
-/// Bounds of some boxes that are near each other.
+/// A node of the tree: bounds around some neighbouring boxes.
 struct Node {
     ends: [[f64; 3]; 2],
-    /// The smallest number of a box in it.
+    /// The smallest index of a box in it.
     first: usize,
-    /// Its children among the nodes; of a leaf its boxes in the tree's order.
+    /// The range of its children among the nodes, or of a leaf's boxes in the tree's order.
     from: usize,
     to: usize,
     is_leaf: bool,
 }
 
 /// A tree over bounds: the root is the last node.
-struct Tree {
+struct BoxTree {
     nodes: Vec<Node>,
     order: Vec<usize>,
 }
 
-/// Returns the smallest bounds around some.
+/// Returns the smallest bounds around all given ones.
 fn around(all: impl Iterator<Item = [[f64; 3]; 2]>) -> [[f64; 3]; 2] {
     let none = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
     all.fold(none, |[low, high], [l, h]| {
@@ -100,7 +99,7 @@ fn around(all: impl Iterator<Item = [[f64; 3]; 2]>) -> [[f64; 3]; 2] {
     })
 }
 
-impl Tree {
+impl BoxTree {
     fn new(ends: &[[[f64; 3]; 2]]) -> Self {
         let mut order: Vec<usize> = (0..ends.len()).collect();
         halve(ends, &mut order);
@@ -132,11 +131,11 @@ impl Tree {
             }
             level = next..nodes.len();
         }
-        Tree { nodes, order }
+        BoxTree { nodes, order }
     }
 
-    /// Calls `found` with every box that holds the point, in the order of the tree, of those whose number is
-    /// below what the last call answered.
+    /// Calls `found` with every box that contains the point, in the order of the tree. The answer is an upper limit:
+    /// boxes with larger indices are skipped from then on.
     fn visit<B: Container>(
         &self,
         boxes: &[B],
@@ -168,13 +167,13 @@ impl Tree {
     }
 }
 
-/// Puts items that are near each other side by side: both halves along the longer side of their bounds, again
-/// and again.
+/// Sorts items so that neighbours in space are neighbours in the list, by repeated halving along the longest side of
+/// their bounds.
 fn halve(ends: &[[[f64; 3]; 2]], items: &mut [usize]) {
     if items.len() <= FEW {
         return;
     }
-    // Halves first, so that nothing overflows.
+    // Halving before adding avoids overflow.
     let middle = |i: usize, k: usize| ends[i][0][k] * 0.5 + ends[i][1][k] * 0.5;
     let width = |k: usize| {
         let all = items.iter().map(|&i| middle(i, k));
@@ -189,7 +188,7 @@ fn halve(ends: &[[[f64; 3]; 2]], items: &mut [usize]) {
     } else {
         usize::from(z > y) + 1
     };
-    // A whole number of leaves on the left.
+    // The left side has a whole number of leaves.
     let half = (items.len() / 2).next_multiple_of(FEW);
     items.select_nth_unstable_by(half, |&i, &j| {
         middle(i, k).total_cmp(&middle(j, k)).then(i.cmp(&j))
@@ -210,19 +209,19 @@ fn check<P: Validate>(name: &'static str, shapes: &[P]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Returns the results of `of` for every piece of the points, in their order.
+/// Returns the results of `of` for every piece of the points, in order.
 fn pieces<B: Container, R: Send>(
     points: &[B::Point],
     boxes: &[B],
-    of: impl Fn(&Tree, usize, &[B::Point]) -> R + Sync,
+    of: impl Fn(&BoxTree, usize, &[B::Point]) -> R + Sync,
 ) -> Result<Vec<R>, Error> {
     check("points", points)?;
     check("boxes", boxes)?;
     let ends: Vec<_> = boxes.iter().map(|one| one.ends()).collect();
-    let tree = Tree::new(&ends);
+    let tree = BoxTree::new(&ends);
     let run = |(piece, points)| of(&tree, piece * PIECE, points);
     #[cfg(feature = "parallel")]
-    if crate::kernels::cpu::work::is_spread() {
+    if crate::kernels::cpu::work::is_parallel() {
         use rayon::prelude::*;
         return Ok(points.par_chunks(PIECE).enumerate().map(run).collect());
     }
@@ -230,7 +229,7 @@ fn pieces<B: Container, R: Send>(
 }
 
 impl Cpu {
-    /// Returns the first box that holds each point, by its place in the list; `None` for points in no box.
+    /// Returns the index of the first box that contains each point, or `None`.
     ///
     /// # Errors
     ///
@@ -264,7 +263,7 @@ impl Cpu {
         Ok(all.concat())
     }
 
-    /// Returns every point with every box that holds it, as their places in the lists: by point, then by box.
+    /// Returns every point with every box that contains it, as indices, ordered by point and then by box.
     ///
     /// # Errors
     ///
@@ -289,7 +288,7 @@ impl Cpu {
         Ok(all.concat())
     }
 
-    /// Returns how many of the points every box holds.
+    /// Returns the number of points in every box.
     ///
     /// # Errors
     ///

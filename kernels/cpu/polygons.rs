@@ -1,4 +1,4 @@
-//! Batches of polygons of any kind: how much rings of two ragged lists overlap.
+//! Batches of simple polygons: overlap scores of rings from two ragged lists.
 use crate::ad::adjoint::overlap_rings;
 use crate::error::{Argument, Error, Flaw, VertexFault};
 use crate::kernels::cpu::Cpu;
@@ -7,7 +7,7 @@ use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles, tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::cpu::ragged::check_offsets;
-use crate::kernels::cpu::work::{rows_per_piece, spread};
+use crate::kernels::cpu::work::{in_parallel, rows_per_piece};
 use crate::kernels::row::item::counts::expect;
 use crate::kernels::row::item::rows::numbers;
 use crate::overlap_polygon::holed;
@@ -15,8 +15,8 @@ use crate::reference::bounds_of;
 use crate::scalar::real::in_format;
 use crate::{Aabb2, Real, Vec2};
 
-/// Polygons of one ring each, one after another: polygon i has the vertices `offsets[i]..offsets[i + 1]`. There
-/// is one offset more than there are polygons, from 0 to the number of vertices.
+/// A list of polygons with one ring each: polygon i has the vertices `offsets[i]..offsets[i + 1]`. The first offset is
+/// 0, the last one the number of vertices.
 ///
 /// Rings have any number of vertices and either orientation, convex or not, and do not cross themselves. One
 /// of fewer than three vertices has no area and shares nothing.
@@ -29,7 +29,7 @@ pub struct RingList<'a, T> {
 }
 
 impl<'a, T> RingList<'a, T> {
-    /// Returns how many polygons there are.
+    /// Returns the number of polygons.
     fn count(&self) -> usize {
         self.offsets.len() - 1
     }
@@ -60,7 +60,7 @@ impl RingScore {
             RingScore::Iof => holed::iof(a, b),
         }
     }
-    /// Writes derivatives times a cotangent; the value.
+    /// Writes the derivatives times a cotangent. Returns the value.
     fn vjp<T: Real>(
         self,
         [a, b]: [&[Vec2<T>]; 2],
@@ -77,7 +77,7 @@ impl RingScore {
     }
 }
 
-/// Two lists, and which of their polygons meet: those of the same row, or all.
+/// Two lists and the pairs to compute: polygons of equal index, or all pairs.
 #[derive(Clone, Copy)]
 pub struct RingPairs<'a, T> {
     score: RingScore,
@@ -89,9 +89,9 @@ pub struct RingPairs<'a, T> {
 pub type Pulled<T> = (Vec<T>, [Vec<Vec2<T>>; 2]);
 
 impl Cpu {
-    /// Returns how much polygons of the same row overlap, one result per row.
+    /// Returns the score of every pair of polygons with equal index.
     ///
-    /// Every result has the bits of the function for two polygons, on any number of threads.
+    /// Every result has the bits of the function for two polygons, for any number of threads.
     ///
     /// # Errors
     ///
@@ -122,12 +122,13 @@ impl Cpu {
         Ok((drivers_in::<T>().ring_scores)(aligned(score, a, b)?))
     }
 
-    /// [`rings`](Cpu::rings) with its adjoint: the results, and one cotangent per vertex of either list, for one
-    /// of every result.
+    /// Computes [`rings`](Cpu::rings) with its adjoint. Returns the results, and one cotangent per vertex of either
+    /// list, from one cotangent per result.
     ///
     /// # Errors
     ///
-    /// As [`rings`](Cpu::rings), and for cotangents of another number or not finite.
+    /// As [`rings`](Cpu::rings), and [`Error::Length`] unless there is one cotangent per result,
+    /// [`Error::Invalid`] for one that is not finite.
     pub fn rings_vjp<T: Real>(
         &self,
         score: RingScore,
@@ -141,8 +142,8 @@ impl Cpu {
         Ok((drivers_in::<T>().ring_derivatives)(pairs, upstream))
     }
 
-    /// Returns how much every polygon of one list overlaps every one of another: row after row, a row per polygon of
-    /// the first list. Pairs whose bounds are apart cost next to nothing.
+    /// Returns the score of every polygon of one list with every polygon of another, in row-major order. Pairs whose
+    /// bounds do not meet cost next to nothing.
     ///
     /// # Errors
     ///
@@ -157,12 +158,13 @@ impl Cpu {
         Ok((drivers_in::<T>().ring_scores)(crossed(score, a, b)?))
     }
 
-    /// [`all_rings`](Cpu::all_rings) with its adjoint: the results, and one cotangent per vertex of either list,
-    /// added up over all pairs, for one of every result. Pairs of cotangent zero have no derivatives.
+    /// Computes [`all_rings`](Cpu::all_rings) with its adjoint. Returns the results, and one cotangent per vertex of
+    /// either list, summed over all pairs, from one cotangent per result. Pairs of cotangent zero are skipped.
     ///
     /// # Errors
     ///
-    /// As [`all_rings`](Cpu::all_rings), and for cotangents of another number or not finite.
+    /// As [`all_rings`](Cpu::all_rings), and [`Error::Length`] unless there is one cotangent per result,
+    /// [`Error::Invalid`] for one that is not finite.
     pub fn all_rings_vjp<T: Real>(
         &self,
         score: RingScore,
@@ -177,28 +179,28 @@ impl Cpu {
     }
 }
 
-/// The functions of pairs that are compiled in this library for both formats: whoever calls them compiles no more than
-/// what turns shapes into numbers.
-struct Drivers<T: Real> {
+/// The functions over pairs that are compiled in this library for both formats, so that a calling crate compiles no
+/// copy.
+struct RingKernels<T: Real> {
     ring_scores: fn(RingPairs<'_, T>) -> Vec<T>,
     ring_derivatives: fn(RingPairs<'_, T>, &[T]) -> Pulled<T>,
 }
 
-static F32: Drivers<f32> = Drivers {
+static F32: RingKernels<f32> = RingKernels {
     ring_scores: scores,
     ring_derivatives: derivatives,
 };
-static F64: Drivers<f64> = Drivers {
+static F64: RingKernels<f64> = RingKernels {
     ring_scores: scores,
     ring_derivatives: derivatives,
 };
 
 #[inline]
-fn drivers_in<T: Real>() -> &'static Drivers<T> {
+fn drivers_in<T: Real>() -> &'static RingKernels<T> {
     in_format([&F32, &F64])
 }
 
-/// Polygons of the same row, checked.
+/// Pairs polygons of equal index, after checks.
 fn aligned<'a, T: Real>(
     score: RingScore,
     a: RingList<'a, T>,
@@ -212,7 +214,7 @@ fn aligned<'a, T: Real>(
     Ok(RingPairs { score, lists, all })
 }
 
-/// Returns all pairs, checked.
+/// Pairs all polygons of one list with all of another, after checks.
 fn crossed<'a, T: Real>(
     score: RingScore,
     a: RingList<'a, T>,
@@ -255,7 +257,7 @@ fn check<T: Real>(argument: Argument, list: RingList<'_, T>) -> Result<(), Error
     Ok(())
 }
 
-/// Bounds of polygons in tiles. Nothing meets those of a polygon without vertices.
+/// Returns the bounds of polygons in tiles. Bounds of a polygon without vertices meet nothing.
 fn bounds<T: Real>(list: RingList<'_, T>) -> Vec<Lane<T>> {
     let (least, most) = (T::lit(f64::NEG_INFINITY), T::lit(f64::INFINITY));
     let mut all = vec![Lane::default(); tiles(list.count()) * BOUNDS];
@@ -272,26 +274,26 @@ fn bounds<T: Real>(list: RingList<'_, T>) -> Vec<Lane<T>> {
     all
 }
 
-/// Finds the polygons of b that a polygon of a may meet.
-struct Near<'a, T> {
+/// A search for the polygons of b whose bounds meet the bounds of a polygon of a.
+struct NearSearch<'a, T> {
     pairs: RingPairs<'a, T>,
     bounds: Option<[Vec<Lane<T>>; 2]>,
 }
 
-impl<'a, T: Real> Near<'a, T> {
+impl<'a, T: Real> NearSearch<'a, T> {
     fn new(pairs: RingPairs<'a, T>) -> Self {
         let bounds = pairs.all.then(|| pairs.lists.map(bounds));
-        Near { pairs, bounds }
+        NearSearch { pairs, bounds }
     }
-    /// Returns how many results there are for every polygon of a.
+    /// Returns the number of results per polygon of a.
     fn wide(&self) -> usize {
         match self.bounds {
             Some(_) => self.pairs.lists[1].count(),
             None => 1,
         }
     }
-    /// Calls something for every polygon of b that polygon `i` of a may meet, ascending, with the place of the
-    /// result in the row.
+    /// Calls `run` for every polygon of b whose bounds meet those of polygon `i` of a, in ascending order. It passes
+    /// the index of the result in its row.
     fn each(&self, i: usize, hits: &mut Vec<u32>, mut run: impl FnMut(usize, usize)) {
         let Some([rows, columns]) = &self.bounds else {
             return run(i, 0);
@@ -308,9 +310,9 @@ impl<'a, T: Real> Near<'a, T> {
     }
 }
 
-/// Results of all pairs, on all threads.
+/// Returns the results of all pairs, on all threads.
 pub(crate) fn scores<T: Real>(pairs: RingPairs<'_, T>) -> Vec<T> {
-    let near = Near::new(pairs);
+    let near = NearSearch::new(pairs);
     let [a, b] = pairs.lists;
     let wide = near.wide();
     let mut out = vec![T::default(); a.count() * wide];
@@ -319,7 +321,7 @@ pub(crate) fn scores<T: Real>(pairs: RingPairs<'_, T>) -> Vec<T> {
     }
     let rows = rows_per_piece(a.count());
     let work = out.chunks_mut(rows * wide).enumerate().collect();
-    spread(work, |(piece, out): (usize, &mut [T])| {
+    in_parallel(work, |(piece, out): (usize, &mut [T])| {
         let mut hits = Vec::new();
         for (i, out) in out.chunks_mut(wide).enumerate() {
             let i = piece * rows + i;
@@ -331,9 +333,9 @@ pub(crate) fn scores<T: Real>(pairs: RingPairs<'_, T>) -> Vec<T> {
     out
 }
 
-/// Results of all pairs and derivatives times cotangents, on all threads.
+/// Returns the results of all pairs, and derivatives times cotangents, on all threads.
 pub(crate) fn derivatives<T: Real>(pairs: RingPairs<'_, T>, upstream: &[T]) -> Pulled<T> {
-    let near = Near::new(pairs);
+    let near = NearSearch::new(pairs);
     let [a, b] = pairs.lists;
     let wide = near.wide();
     let mut out = vec![T::default(); a.count() * wide];
@@ -343,7 +345,7 @@ pub(crate) fn derivatives<T: Real>(pairs: RingPairs<'_, T>, upstream: &[T]) -> P
     }
     let rows = rows_per_piece(a.count());
     let [a_bars, b_bars] = &mut bars;
-    // Derivatives by b are added per piece of rows, and then piece by piece.
+    // Derivatives by b are summed within each piece of rows, then over pieces.
     let pieces = a.count().div_ceil(rows);
     let mut sums: Vec<Vec<Vec2<T>>> = vec![Vec::new(); pieces];
     let mut work = Vec::new();
@@ -362,10 +364,10 @@ pub(crate) fn derivatives<T: Real>(pairs: RingPairs<'_, T>, upstream: &[T]) -> P
         &'a mut [Vec2<T>],
         &'a mut Vec<Vec2<T>>,
     );
-    spread(work, |(first, out, up, a_bars, b_bars): Work<'_, T>| {
+    in_parallel(work, |(first, out, up, a_bars, b_bars): Work<'_, T>| {
         let (mut hits, mut one, mut other) = (Vec::new(), Vec::new(), Vec::new());
         let last = first + out.len() / wide;
-        // The vertices of the second list that the piece takes: those of the same rows if aligned, else all.
+        // The vertices of the second list that the piece uses: of equal indices if aligned, else all.
         let base = if pairs.all { 0 } else { b.offsets[first] };
         let end = if pairs.all {
             b.vertices.len()
@@ -404,7 +406,7 @@ pub(crate) fn derivatives<T: Real>(pairs: RingPairs<'_, T>, upstream: &[T]) -> P
     (out, bars)
 }
 
-/// Adds numbers to as many others.
+/// Adds `from` to `to`, entry by entry.
 fn add<T: Real>(to: &mut [Vec2<T>], from: &[Vec2<T>]) {
     for (to, from) in to.iter_mut().zip(from) {
         *to += *from;

@@ -19,8 +19,8 @@ use crate::kernels::cpu::reductions;
 use crate::kernels::cpu::sweep::Upstream;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::found::Best;
-use crate::kernels::machine::suppress::Ranked;
-use crate::kernels::machine::{Bests, FOREIGN, Founds, Matrix, Ready, Stays, Stored};
+use crate::kernels::machine::suppress::RankedShapes;
+use crate::kernels::machine::{Bests, FOREIGN, Founds, InMemory, MachineColumn, Matrix, Stored};
 use crate::kernels::machine::{
     Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Sealed, Seed, count_of,
 };
@@ -32,7 +32,7 @@ use crate::kernels::row::item::{Leaf, Target};
 use crate::scalar::real::in_format;
 use crate::suppression::{Rules, order};
 
-/// Returns an error for columns that stay on a GPU.
+/// Returns an error for a column that stays on a GPU.
 pub(crate) fn check_here<T: Real>(columns: &[Column<'_, T>]) -> Result<(), Error> {
     let is_away = |column: &Column<'_, T>| column.held.is_some_and(|own| own.here().is_none());
     match columns.iter().any(is_away) {
@@ -67,25 +67,25 @@ impl Processor {
 }
 
 /// Cotangents within the range of a kernel.
-struct Scaled<T> {
+struct ScaledCotangents<T> {
     /// The cotangents divided by `factor`; `None` if all are within range.
     scaled: Option<Vec<T>>,
     /// The power of two by which the results are multiplied.
     factor: T,
 }
 
-impl<T: Real> Scaled<T> {
-    /// Divides all cotangents by one power of two if one is larger than the kernel takes ([`Plan::steepest`]).
+impl<T: Real> ScaledCotangents<T> {
+    /// Divides all cotangents by one power of two if one exceeds the range of the kernel ([`Plan::steepest`]).
     ///
     /// # Errors
     ///
-    /// When one is not finite.
+    /// [`Error::Invalid`] for one that is not finite.
     fn new(plan: &Plan<T>, upstream: &Upstream<'_, T>) -> Result<Self, Error> {
         let steep = tame(upstream.derivatives, plan.steepest)?;
         let factor = steep.iter().flatten().map(|x| x.1).fold(T::one(), T::most);
         let all = upstream.derivatives.iter();
         let scaled = steep.map(|_| all.map(|&x| x.over(factor)).collect());
-        Ok(Scaled { scaled, factor })
+        Ok(ScaledCotangents { scaled, factor })
     }
     /// Writes the cotangents of both lists.
     fn pull_back(
@@ -107,15 +107,15 @@ impl<T: Real> Scaled<T> {
     }
 }
 
-/// The engine in a format. Coercions of a concrete format are compiled in this library, and with them all that it
-/// computes: whoever calls a batch compiles no more than what turns shapes into numbers.
-type InFormat<T> = fn(&Processor) -> &dyn Engine<T>;
-static F32: InFormat<f32> = |engine| engine;
-static F64: InFormat<f64> = |engine| engine;
+/// The engine of a format. These coercions make this library compile the engines, so that a calling crate compiles no
+/// copy.
+type EngineOf<T> = fn(&Processor) -> &dyn Engine<T>;
+static F32: EngineOf<f32> = |engine| engine;
+static F64: EngineOf<f64> = |engine| engine;
 
 impl<T: Real> On<Processor> for T {
     fn engine(engine: &Processor) -> &dyn Engine<T> {
-        in_format::<InFormat<T>>([&F32, &F64])(engine)
+        in_format::<EngineOf<T>>([&F32, &F64])(engine)
     }
 }
 
@@ -129,7 +129,7 @@ impl<T: Real> Engine<T> for Processor {
     fn keep(&self, count: usize, columns: Vec<Numbers<T>>) -> Result<Stored<T>, Error> {
         let columns = columns
             .into_iter()
-            .map(|own| Box::new(own) as Box<dyn Stays<T>>);
+            .map(|own| Box::new(own) as Box<dyn MachineColumn<T>>);
         Ok(Stored::new(count, columns.collect()))
     }
 
@@ -245,10 +245,10 @@ impl<T: Real> Engine<T> for Processor {
                     true => (reductions::most_of_rows(&pairs), lists[1].len()),
                     false => (reductions::most_of_columns(&pairs), lists[0].len()),
                 };
-                Reduced::Bests(Bests::new(Ready(best), among))
+                Reduced::Bests(Bests::new(InMemory(best), among))
             }
             Reduction::Above(threshold) => {
-                Reduced::Founds(Founds::new(Ready(reductions::above(&pairs, threshold))))
+                Reduced::Founds(Founds::new(InMemory(reductions::above(&pairs, threshold))))
             }
             Reduction::Count(threshold) => {
                 Reduced::Count(reductions::count_above(&pairs, threshold))
@@ -273,7 +273,7 @@ impl<T: Real> Engine<T> for Processor {
             GroupedReduction::Above(threshold) => {
                 pairs.filter_above(threshold);
                 let found = grouped::above(&pairs, groups, threshold);
-                Reduced::Founds(Founds::new(Ready(found)))
+                Reduced::Founds(Founds::new(InMemory(found)))
             }
         })
     }
@@ -304,7 +304,7 @@ impl<T: Real> Engine<T> for Processor {
         let upstream = Upstream { derivatives, step };
         let plan = plan(&call.clone().derived(Mode::Vjp)?, true)?;
         let pairs = self.lists(&plan, lists)?;
-        Scaled::new(&plan, &upstream)?.pull_back(&pairs, upstream, bars);
+        ScaledCotangents::new(&plan, &upstream)?.pull_back(&pairs, upstream, bars);
         match seed {
             Seed::Factor(_) => Ok(self.reduce(call, lists, Reduction::Sum)?.sum()),
             _ => Ok(0.0),
@@ -330,7 +330,7 @@ impl<T: Real> Engine<T> for Processor {
                 (order, Some(ends))
             }
         };
-        let ranked = Ranked::of(order, shapes, &rules);
+        let ranked = RankedShapes::of(order, shapes, &rules);
         let (lists, greed) = (ranked.lists(), ranked.greed(&rules));
         let pairs = self.lists(&plan, &lists)?;
         let kept = match ends {
@@ -342,7 +342,7 @@ impl<T: Real> Engine<T> for Processor {
 
     fn pick(&self, list: &Stored<T>, bests: &Bests<T>) -> Result<Stored<T>, Error> {
         let own = list.own::<Numbers<T>>()?;
-        let found = bests.own::<Ready<Vec<Best<T>>>>()?;
+        let found = bests.own::<InMemory<Vec<Best<T>>>>()?;
         expect(Argument::Shape, bests.among, list.len())?;
         let columns = own.into_iter().map(|own| {
             let rows = found.0.iter();

@@ -4,21 +4,21 @@
 use crate::ad::adjoint::overlap_quad::area_of_quads_vjp;
 use crate::kernels::cpu::arch::{LARGE, Vector};
 use crate::kernels::cpu::blocks::{all_up_to, bring};
-use crate::kernels::cpu::lane::{Lane, PLANE, Results, TILE, Tiles};
+use crate::kernels::cpu::lane::{Lane, PLANE, ResultTiles, TILE, Tiles};
 use crate::kernels::cpu::overlaps::{lanes_of, put, seed};
 use crate::overlap_polygon::{intersection_area_quads, is_convex};
 use crate::scalar::power_of_largest;
 use crate::{Fixed, Mask, Real, Scalar, Vec2};
 
-/// Numbers of a quadrilateral.
+/// The number of scalars of a quadrilateral.
 pub(crate) const QUAD2: usize = 8;
 
-/// Coordinates beyond this take the scalar code: `10¹⁵` in single precision.
+/// Returns the limit of coordinates beyond which the scalar code computes: `10¹⁵` in single precision.
 pub(crate) fn farthest<T: Scalar>() -> f64 {
     power_of_largest::<T>(0.39)
 }
 
-/// Returns a part of a tile of quadrilaterals.
+/// Returns the vector of quadrilaterals that begins at item `at` of tile `t`.
 #[inline(always)]
 fn quad<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<[Vec2<V>; 4]> {
     let tile = tiles.tile::<QUAD2>(t)?;
@@ -31,8 +31,8 @@ fn quad<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Opti
     Some(quad)
 }
 
-/// Returns `true` if all quadrilaterals are convex, in either order, and of ordinary size. A quick test: `false`
-/// perhaps for such, too.
+/// Returns `true` if all quadrilaterals are convex, of either orientation, and of ordinary size. The test is quick: it
+/// may return `false` for such ones, too.
 #[inline(always)]
 pub(crate) fn all_convex<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     let far = farthest::<T>();
@@ -46,7 +46,7 @@ pub(crate) fn all_convex<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
             let Some(corners) = quad::<T, V>(Tiles::one(&tile), 0, at) else {
                 return false;
             };
-            // Products of sides of others may vanish.
+            // Products of shorter sides may underflow.
             let size = corners.iter().fold(V::zero(), |size, v| {
                 size.most(v.x.unsigned()).most(v.y.unsigned())
             });
@@ -59,12 +59,12 @@ pub(crate) fn all_convex<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     true
 }
 
-/// Areas that convex quadrilaterals share.
+/// Writes the intersection areas of convex quadrilaterals.
 #[inline(always)]
 pub(crate) fn quad_scores<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
@@ -79,13 +79,13 @@ pub(crate) fn quad_scores<T: Real, V: Vector<T>>(
     }
 }
 
-/// Areas that convex quadrilaterals share, each followed by its sixteen derivatives.
+/// Writes the intersection areas of convex quadrilaterals, each followed by its sixteen derivatives.
 #[inline(always)]
 pub(crate) fn quad_derivatives<T: Real, V: Vector<T>>(
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     if !LARGE {
         return;

@@ -1,18 +1,18 @@
-//! Ragged batches: paths of any number of vertices, and the measures of rings by kernels of their own.
+//! Ragged batches: paths of any number of vertices, and kernels for measures of rings.
 use crate::error::{Argument, Error, Validate};
 use crate::kernels::cpu::checked::check_upstream;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::simd::Simd;
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::row::item::rows::numbers;
 use crate::ring::Measure;
 use crate::{Real, Vec2};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Vertices, or rings, per piece of work.
+/// The number of vertices, or of rings, in a piece of work.
 const STRETCH: usize = 2048;
 
-/// Measures every ring into numbers of results.
+/// Writes the measures of every ring.
 pub(crate) fn measured<T: Real>(
     measure: Measure,
     vertices: &[Vec2<T>],
@@ -26,9 +26,9 @@ pub(crate) fn measured<T: Real>(
         rest = after;
         work.push((&offsets[cut[0]..=cut[1]], values));
     }
-    // Vertices are looked at while they are at hand.
+    // Vertices are tested while they are in the cache.
     let sound = AtomicBool::new(true);
-    spread(work, |(offsets, values): (&[usize], &mut [T])| {
+    in_parallel(work, |(offsets, values): (&[usize], &mut [T])| {
         if !(kernels_in::<T>().ring_values)(measure, vertices, offsets, values) {
             sound.store(false, Ordering::Relaxed);
         }
@@ -39,7 +39,7 @@ pub(crate) fn measured<T: Real>(
     }
 }
 
-/// Returns the cotangents of vertices, for the numbers of those of results. Offsets were checked.
+/// Writes the cotangents of vertices from the results' cotangents. Offsets were checked.
 pub(crate) fn measured_vjp<T: Real>(
     measure: Measure,
     vertices: &[Vec2<T>],
@@ -57,7 +57,7 @@ pub(crate) fn measured_vjp<T: Real>(
         rest = after;
         work.push((&offsets[cut[0]..=cut[1]], &upstream[own], bars));
     }
-    spread(
+    in_parallel(
         work,
         |(offsets, upstream, bars): (&[usize], &[T], &mut [Vec2<T>])| {
             (kernels_in::<T>().ring_bars)(measure, vertices, offsets, upstream, bars);
@@ -79,7 +79,7 @@ fn check_finite<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error> {
     }
 }
 
-/// Checks offsets of so many vertices.
+/// Checks the offsets of a list of `vertices` vertices.
 pub(crate) fn check_offsets<T: Real>(vertices: usize, offsets: &[usize]) -> Result<(), Error> {
     Simd::current()?;
     if offsets.first() != Some(&0) {
@@ -112,7 +112,7 @@ pub(crate) fn check_vertices<T: Real>(vertices: &[Vec2<T>]) -> Result<(), Error>
     Ok(())
 }
 
-/// Returns the cuts of a ragged batch: indices of rings, about [`STRETCH`] vertices or rings apart.
+/// Returns the cuts of a ragged batch: indices of rings, [`STRETCH`] vertices or rings apart.
 pub(crate) fn cuts(offsets: &[usize]) -> Vec<usize> {
     let rings = offsets.len() - 1;
     let mut cuts = vec![0];

@@ -1,14 +1,14 @@
-//! Reductions of all pairs over plain numbers, without the matrix.
+//! Reductions of all pairs over plain numbers, without storing the matrix.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::pairs::Pairs;
-use crate::kernels::cpu::sweep::{Columns, Part};
+use crate::kernels::cpu::sweep::{PartColumns, RowPart};
 use crate::kernels::cpu::work::rows_per_piece;
 use crate::kernels::machine::found::{Best, Found};
 
-/// Scores of one row.
+/// The scores of a row, or of a part of it.
 enum Scores<'a, T> {
     /// The first of successive columns, and their scores.
     Run(usize, &'a [T]),
@@ -16,16 +16,16 @@ enum Scores<'a, T> {
     Picked(&'a [u32], &'a [T]),
 }
 
-/// Returns the scores of a part.
-fn scores<'a, T: Real>(part: &Part<'a, T>) -> Scores<'a, T> {
+/// Returns the scores of a part of a row.
+fn scores<'a, T: Real>(part: &RowPart<'a, T>) -> Scores<'a, T> {
     let scores = flat(part.results.field(0));
     match &part.columns {
-        Columns::Run(run) => Scores::Run(run.start, &scores[..run.len()]),
-        Columns::Picked(columns) => Scores::Picked(columns, scores),
+        PartColumns::Run(run) => Scores::Run(run.start, &scores[..run.len()]),
+        PartColumns::Picked(columns) => Scores::Picked(columns, scores),
     }
 }
 
-/// Picked scores with their columns.
+/// Returns picked scores with their columns.
 fn picked<'a, T: Real>(
     columns: &'a [u32],
     scores: &'a [T],
@@ -40,7 +40,7 @@ pub fn initial<T: Real>(filtered: bool, index: usize) -> Best<T> {
     Best { value, index }
 }
 
-/// Takes a larger score.
+/// Raises the maximum to a larger score.
 #[inline]
 pub fn raise<T: Real>(best: &mut Best<T>, value: T, index: usize) {
     if value.above(best.value) {
@@ -48,7 +48,7 @@ pub fn raise<T: Real>(best: &mut Best<T>, value: T, index: usize) {
     }
 }
 
-/// Returns the largest score of every row and its column; of several the first.
+/// Returns the largest score of every row and its column; the first of equal ones.
 pub fn most_of_rows<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     let [rows, columns] = pairs.counts();
     let mut best = vec![initial(false, 0); rows];
@@ -80,7 +80,7 @@ pub fn most_of_rows<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     best
 }
 
-/// Returns the largest score of every column and its row; of several the first.
+/// Returns the largest score of every column and its row; the first of equal ones.
 pub fn most_of_columns<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     let [rows, columns] = pairs.counts();
     let mut best = vec![initial(false, 0); columns];
@@ -112,7 +112,7 @@ pub fn most_of_columns<T: Real>(pairs: &Pairs<'_, T>) -> Vec<Best<T>> {
     best
 }
 
-/// Returns every pair whose score is above the threshold, row by row and within a row by column.
+/// Returns every pair whose score is above the threshold, ordered by row and then by column.
 pub fn above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> Vec<Found<T>> {
     let [rows, _] = pairs.counts();
     let mut found = vec![Vec::new(); rows.div_ceil(rows_per_piece(rows))];
@@ -126,7 +126,7 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> Vec<Found<T>> {
                 }
             };
             match scores(&part) {
-                // Most runs have no score above the threshold, and their maximum tells that faster.
+                // Most runs have no score above the threshold; their maximum shows that faster.
                 Scores::Run(first, values) => {
                     if (kernels_in::<T>().largest)(values).above(threshold) {
                         for (k, &value) in values.iter().enumerate() {
@@ -141,7 +141,7 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> Vec<Found<T>> {
                 }
             }
         });
-        // A piece comes stretch by stretch, each with all rows.
+        // A piece comes stretch by stretch, each with all rows, so its results must be sorted.
         found.sort_unstable_by_key(|x| (x.row, x.column));
     });
     found.concat()
@@ -165,8 +165,8 @@ pub fn count_above<T: Real>(pairs: &Pairs<'_, T>, threshold: T) -> u64 {
     counts.iter().sum()
 }
 
-/// Returns the sum of all scores in `f64`: of a row sixteen sums, column `j` in sum `j` modulo sixteen, then
-/// rows, then pieces of rows, all in a fixed order.
+/// Returns the sum of all scores in `f64`. A row has sixteen sums, column `j` in sum `j` modulo sixteen. These, rows,
+/// and pieces of rows are added in a fixed order.
 pub fn sum<T: Real>(pairs: &Pairs<'_, T>) -> f64 {
     let [rows, _] = pairs.counts();
     let mut sums = vec![0.0; rows.div_ceil(rows_per_piece(rows))];

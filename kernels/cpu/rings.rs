@@ -1,4 +1,4 @@
-//! Block kernels of rings: small ones side by side, one ring per lane; long ones one after another.
+//! Block kernels of rings: one short ring per lane, or one long ring at a time.
 //!
 //! Compiled in this library only, by the entries in `arch`.
 use crate::kernels::cpu::arch::Vector;
@@ -9,12 +9,12 @@ pub use crate::ring::Measure;
 use crate::ring::{Measured, Vertices};
 use crate::{Mask, Real, Vec2, ad, ring};
 
-/// Rings of at most so many vertices are measured side by side. Longer ones keep sixteen sums, which
-/// would make the order of additions another.
+/// The largest number of vertices of a ring that shares a vector with others. Longer rings use sixteen partial sums,
+/// which is another order of additions.
 const SMALL: usize = ring::SIDE;
 
-/// Measures every ring: ring `i` has the vertices `offsets[i]..offsets[i + 1]`. The result is `true` if all
-/// vertices are finite; where one is not, the measures are any numbers.
+/// Writes the measures of every ring: ring `i` has the vertices `offsets[i]..offsets[i + 1]`. Returns `false` if a
+/// vertex is not finite; the measures are then arbitrary.
 #[inline(always)]
 pub(crate) fn values<T: Real, V: Vector<T>>(
     measure: Measure,
@@ -25,13 +25,13 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
     let fields = measure.fields();
     let rings = offsets.len().saturating_sub(1);
     let empty = Lane([T::default(); TILE]);
-    let mut side = Side {
+    let mut side = RingLanes {
         x: [empty; SMALL],
         y: [empty; SMALL],
         count: 0,
     };
     let mut first = 0;
-    // How many of the next rings are measured alone.
+    // The number of rings that follow and are measured one at a time.
     let mut alone = 0;
     while first < rings {
         let out = &mut out[first * fields..];
@@ -45,8 +45,7 @@ pub(crate) fn values<T: Real, V: Vector<T>>(
             }
             if small {
                 side.fill::<V>(vertices, ends);
-                // The vertices already in tiles are tested there; an infinite sum of finite numbers is told
-                // apart.
+                // The vertices in tiles are tested there. An infinite sum of finite numbers is recognised later.
                 let own = vertices.get(ends[0]..ends[V::WIDTH]).unwrap_or_default();
                 if !side.is_finite::<V>() && !finite::<T, V>(own) {
                     return false;
@@ -80,17 +79,17 @@ fn finite<T: Real, V: Vector<T>>(vertices: &[Vec2<T>]) -> bool {
     }
 }
 
-/// Vertices of as many rings as there are lanes, one ring per lane.
-struct Side<T> {
+/// The vertices of as many rings as there are lanes, one ring per lane.
+struct RingLanes<T> {
     x: [Lane<T>; SMALL],
     y: [Lane<T>; SMALL],
     /// The most vertices of a ring.
     count: usize,
 }
 
-impl<T: Real> Side<T> {
-    /// From rings of at least one vertex, none long. Shorter ones repeat their last vertex, which
-    /// adds edges of length zero and changes no sum.
+impl<T: Real> RingLanes<T> {
+    /// Fills the lanes from short rings of at least one vertex. Shorter ones repeat their last vertex, which adds edges
+    /// of length zero and changes no sum.
     #[inline(always)]
     fn fill<V: Vector<T>>(&mut self, vertices: &[Vec2<T>], ends: &[usize]) {
         let count = ends[1] - ends[0];
@@ -99,7 +98,7 @@ impl<T: Real> Side<T> {
             same &= ring[1] - ring[0] == count;
         }
         if same {
-            // Rings of one size, which is most.
+            // Rings of equal size are the usual case.
             self.count = count;
             let all = memory::lent(vertices).unwrap_or_default();
             let own = all.get(2 * ends[0]..).unwrap_or_default();
@@ -128,7 +127,7 @@ impl<T: Real> Side<T> {
             }
         }
     }
-    /// Returns `true` if every vertex is finite, unless finite ones add up to what is not.
+    /// Returns `true` if every vertex is finite. It returns `false` also when finite vertices have an infinite sum.
     #[inline(always)]
     fn is_finite<V: Vector<T>>(&self) -> bool {
         let (mut x, mut y) = (V::zero(), V::zero());
@@ -137,18 +136,18 @@ impl<T: Real> Side<T> {
             y += V::read(&self.y[k % SMALL], 0);
         }
         let sum = x + y;
-        // A finite number less itself is zero, all others less themselves are not numbers.
+        // A finite number minus itself is zero, any other one minus itself is NaN.
         #[allow(clippy::eq_op)]
         let nothing = sum - sum;
         nothing.equals(V::zero()).all()
     }
-    /// From rings of as many numbers each, two vertices at a time.
+    /// Fills the lanes from rings of `NUMBERS` coordinates each, two vertices at a time.
     #[inline(always)]
     fn fill_same<V: Vector<T>, const NUMBERS: usize>(&mut self, numbers: &[T]) -> Option<()> {
         let rings = numbers.as_chunks::<NUMBERS>().0.get(..V::WIDTH)?;
         let mut k = 0;
         while 2 * k < NUMBERS {
-            // The last two may overlap those before.
+            // The last pair of vertices may overlap the one before.
             let at = if 2 * k + 4 > NUMBERS {
                 NUMBERS - 4
             } else {
@@ -171,7 +170,7 @@ impl<T: Real> Side<T> {
     }
 }
 
-impl<T: Real, V: Vector<T>> Vertices<V> for &Side<T> {
+impl<T: Real, V: Vector<T>> Vertices<V> for &RingLanes<T> {
     #[inline(always)]
     fn count(self) -> usize {
         self.count
@@ -189,9 +188,13 @@ impl<T: Real, V: Vector<T>> Vertices<V> for &Side<T> {
     }
 }
 
-/// Results of as many rings as there are lanes; whether they hold, or each ring must be measured alone.
+/// Writes the results of as many rings as there are lanes. Returns `false` if each ring must be measured alone.
 #[inline(always)]
-fn side_by_side<T: Real, V: Vector<T>>(measure: Measure, side: &Side<T>, out: &mut [T]) -> bool {
+fn side_by_side<T: Real, V: Vector<T>>(
+    measure: Measure,
+    side: &RingLanes<T>,
+    out: &mut [T],
+) -> bool {
     let mut room = Lane([T::default(); TILE]);
     match measure {
         Measure::SignedArea => {
@@ -212,14 +215,14 @@ fn side_by_side<T: Real, V: Vector<T>>(measure: Measure, side: &Side<T>, out: &m
             for (lane, out) in out.chunks_exact_mut(2).take(V::WIDTH).enumerate() {
                 (out[0], out[1]) = (room.0[lane], more.0[lane]);
             }
-            // Repeated vertices would count in the mean that stands for the centroid of nothing.
+            // A ring without area has the mean of its vertices as centroid, in which repeated ones would count.
             return !flat.any();
         }
     }
     true
 }
 
-/// Adjoints: one cotangent per vertex of the rings, from one upstream derivative per result.
+/// Writes the adjoints: one cotangent per vertex, from one upstream derivative per result.
 #[inline(always)]
 pub(crate) fn bars<T: Real, V: Vector<T>>(
     measure: Measure,
@@ -237,7 +240,7 @@ pub(crate) fn bars<T: Real, V: Vector<T>>(
     }
 }
 
-/// Returns `true` if offsets never decrease nor exceed a number of vertices.
+/// Returns `true` if offsets never decrease and none exceeds the number of vertices.
 #[inline(always)]
 pub(crate) fn never_decreases<T: Real, V: Vector<T>>(offsets: &[usize], vertices: usize) -> bool {
     let rises = offsets

@@ -1,8 +1,8 @@
-//! Which vector instructions the batches use.
+//! The choice of vector instructions for batches.
 //!
-//! Chosen at run time: the best the processor has. Results are the same bits at every level, so a
-//! lower one is for measuring and testing only: [`Simd::limit`], or the environment variable
-//! `GEOGRAD_SIMD` with the word `baseline`, `avx2` or `v4`.
+//! The level is chosen at run time: the best that the processor has. All levels give equal bits, so a lower one is for
+//! measuring and testing only: [`Simd::limit`], or the environment variable `GEOGRAD_SIMD` with the word `baseline`,
+//! `avx2` or `v4`.
 //!
 //! | level | processors | `f32` at once |
 //! | --- | --- | --- |
@@ -21,14 +21,13 @@ use std::sync::atomic::{AtomicU8, Ordering};
 pub enum Simd {
     /// The instructions that every processor of the target has.
     Baseline = 1,
-    /// AVX2 and what came with it (x86-64-v3).
+    /// AVX2 and the extensions of x86-64-v3.
     Avx2 = 2,
     /// AVX-512 with F, BW, CD, DQ and VL (x86-64-v4).
     V4 = 3,
 }
 
-/// The level in use; zero before the first call, [`REFUSED`] if the environment names one that is not
-/// there.
+/// The level in use; zero before the first call, [`REFUSED`] if the environment names an unavailable one.
 static LEVEL: AtomicU8 = AtomicU8::new(0);
 const REFUSED: u8 = u8::MAX;
 
@@ -36,10 +35,10 @@ const REFUSED: u8 = u8::MAX;
 const VARIABLE: &str = "GEOGRAD_SIMD";
 
 impl Simd {
-    /// Every level there is, lowest first.
+    /// All levels, lowest first.
     const ALL: [Simd; 3] = [Simd::Baseline, Simd::Avx2, Simd::V4];
 
-    /// The levels this processor has, lowest first.
+    /// Returns the levels that this processor has, lowest first.
     #[must_use]
     pub fn available() -> Vec<Simd> {
         let best = best();
@@ -54,12 +53,12 @@ impl Simd {
             Simd::V4 => "v4",
         }
     }
-    /// Returns the level batches use now.
+    /// Returns the level that batches use now.
     ///
     /// # Errors
     ///
-    /// [`Error::Simd`] when the environment variable `GEOGRAD_SIMD` asks for a level that is unknown or
-    /// that the processor lacks. Batches give the same error.
+    /// [`Error::Simd`] when the environment variable `GEOGRAD_SIMD` asks for a level that is unknown or that the
+    /// processor lacks. Batches return this error, too.
     pub fn current() -> Result<Simd, Error> {
         match LEVEL.load(Ordering::Relaxed) {
             0 => {
@@ -77,7 +76,7 @@ impl Simd {
             _ => Ok(Self::in_use()),
         }
     }
-    /// Makes all batches of the process use this level from now on; `None` for the best there is.
+    /// Makes all batches of the process use `level` from now on; with `None` the best one.
     ///
     /// # Errors
     ///
@@ -94,7 +93,7 @@ impl Simd {
     fn named(word: &str) -> Option<Simd> {
         Self::ALL.into_iter().find(|level| level.name() == word)
     }
-    /// Returns the level of kernels: a level that the processor has, whatever happened before.
+    /// Returns the level of kernels, which the processor has in any case.
     #[inline]
     pub(crate) fn in_use() -> Simd {
         match LEVEL.load(Ordering::Relaxed) {
@@ -105,7 +104,7 @@ impl Simd {
     }
 }
 
-/// Returns the best level there is.
+/// Returns the best level that the processor has.
 fn best() -> Simd {
     #[cfg(all(target_arch = "x86_64", not(geograd_portable)))]
     {

@@ -4,10 +4,10 @@ use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::{Real, Scalar};
 
-/// Numbers of an axis-aligned box: the lower corner, then the upper one.
+/// The number of scalars of an axis-aligned box: lower corner, upper corner.
 const AABB3: usize = 6;
 
-/// The bounds of axis-aligned boxes are the boxes themselves.
+/// Writes the bounds of axis-aligned boxes, which are the boxes themselves.
 pub(crate) fn aabb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>]) {
     for (t, out) in bounds.as_chunks_mut::<BOUNDS>().0.iter_mut().enumerate() {
         if let Some(shape) = shapes.tile::<AABB3>(t) {
@@ -16,12 +16,11 @@ pub(crate) fn aabb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>]
     }
 }
 
-/// How much wider than the ball around a box its bounds are, as a share of the ball: boxes whose bounds do
-/// not meet are so far apart that the separating axes of a pair, edge against edge, tell it in single
-/// precision, too.
+/// The margin of bounds, as a share of the ball around a box. Boxes whose bounds do not meet are then far apart: the
+/// separating axes of a pair, edge against edge, show it in single precision, too.
 const SLACK: f64 = 0.01;
 
-/// The bounds of boxes of any orientation: of the balls around them, so that turns do not matter.
+/// Writes the bounds of boxes of any orientation: of the ball around each, which a rotation does not change.
 pub(crate) fn obb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>]) {
     for (t, out) in bounds.as_chunks_mut::<BOUNDS>().0.iter_mut().enumerate() {
         let Some(shape) = shapes.tile::<OBB3>(t) else {
@@ -33,7 +32,7 @@ pub(crate) fn obb3_bounds<T: Real>(shapes: Tiles<'_, T>, bounds: &mut [Lane<T>])
             let reach = |x: f64| ball + 4.0 * T::EPSILON * x.abs();
             let [low_x, low_y, high_x, high_y] =
                 [x - reach(x), y - reach(y), x + reach(x), y + reach(y)];
-            // Finite, as those of shapes must be: infinite ones would meet the places after the last shape.
+            // Bounds must be finite like shapes: infinite ones would meet the padding after the last shape.
             let bound = |x: f64| T::lit(x.clamp(-T::LARGEST, T::LARGEST));
             out[0].0[i] = bound(low_x);
             out[1].0[i] = bound(low_y);

@@ -1,40 +1,42 @@
-//! Aligned items over plain numbers, block by block: the same code for every operation.
+//! Aligned items over plain numbers, block by block, for every operation.
 use crate::Real;
 use crate::kernels::cpu::formats::kernels_in;
-use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles, planes, tiles, with_lanes};
+use crate::kernels::cpu::lane::{
+    Lane, Planes, ResultTiles, TILE, Tiles, planes, tiles, with_lanes,
+};
 use crate::kernels::cpu::maker::OverRows;
 use crate::kernels::cpu::plan::{Plan, Preparation};
-use crate::kernels::cpu::program::rowwise::{Given, NEAR, Wanted};
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::program::rowwise::{ArgumentRows, NEAR, ResultRows};
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::machine::Column;
-use crate::kernels::row::item::{Piece, STRETCH, Target};
+use crate::kernels::row::item::{STRETCH, Target, TargetPiece};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Items per block: with their results few enough for the innermost cache.
+/// The number of items in a block, few enough for the innermost cache together with their results.
 const ITEMS: usize = 256;
 
-/// Aligned items as numbers, checked, and where their results go.
+/// Aligned items as checked numbers, and the targets of their results.
 pub struct Aligned<'a, T> {
     /// The plan by which the items are computed.
     pub plan: &'a Plan<T>,
     /// The shapes, then the cotangents.
     pub columns: &'a [Column<'a, T>],
-    /// `true` if some items may be rare: of shapes too extreme, or cotangents too large, for kernels.
+    /// `true` if some items may have shapes too extreme, or cotangents too large, for kernels.
     pub rare: bool,
-    /// How many items.
+    /// The number of items.
     pub count: usize,
-    /// `true` if numbers were not checked before. Each stretch is then tested just before it is computed, so memory is read
-    /// once.
+    /// `true` if numbers were not checked before. Each stretch is then tested just before it is computed, so memory is
+    /// read once.
     pub unchecked: bool,
     /// The targets of the results, for every shape of a result.
     pub targets: Vec<Option<Target<'a, T>>>,
 }
 
-/// Computes aligned items on all threads. `false` if `unchecked` numbers fail a quick test: some results are then missing,
-/// and the caller checks and computes again.
+/// Computes aligned items on all threads. Returns `false` if `unchecked` numbers fail a quick test: the results are
+/// then incomplete, and the caller checks and computes again.
 pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
-    let mut pieces: Vec<Vec<Option<Piece<'_, T>>>> = Vec::new();
+    let mut pieces: Vec<Vec<Option<TargetPiece<'_, T>>>> = Vec::new();
     pieces.resize_with(work.count.div_ceil(STRETCH), Vec::new);
     for target in work.targets {
         match target {
@@ -52,9 +54,9 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
     let far = (given + made) * size_of::<T>() > NEAR;
     let (unchecked, has_failed) = (work.unchecked, AtomicBool::new(false));
     let work = pieces.into_iter().enumerate().collect();
-    spread(
+    in_parallel(
         work,
-        |(i, mut pieces): (usize, Vec<Option<Piece<'_, T>>>)| {
+        |(i, mut pieces): (usize, Vec<Option<TargetPiece<'_, T>>>)| {
             let items = i * STRETCH..count.min((i + 1) * STRETCH);
             let mut rooms: Vec<Vec<T>> = columns.iter().map(|_| Vec::new()).collect();
             let numbers: Vec<&[T]> = columns
@@ -64,7 +66,7 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
                 .collect();
             let mut places: Vec<Option<&mut [T]>> = pieces
                 .iter_mut()
-                .map(|piece| piece.as_mut().map(Piece::numbers))
+                .map(|piece| piece.as_mut().map(TargetPiece::numbers))
                 .collect();
             let stretch = Stretch {
                 plan,
@@ -82,7 +84,7 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
                 return;
             }
             stretch.compute(items.len(), &mut places);
-            pieces.into_iter().flatten().for_each(Piece::finish);
+            pieces.into_iter().flatten().for_each(TargetPiece::finish);
         },
     );
     !has_failed.into_inner()
@@ -91,11 +93,11 @@ pub fn compute<T: Real>(work: Aligned<'_, T>) -> bool {
 /// Items that one thread computes.
 struct Stretch<'a, T> {
     plan: &'a Plan<T>,
-    /// For every column: `true` if one item stands for all.
+    /// For each column: `true` if one item stands for all.
     ones: Vec<bool>,
-    /// For every column: numbers per item.
+    /// For each column: the number of scalars per item.
     fields: Vec<usize>,
-    /// For every column: its numbers.
+    /// For each column: its numbers.
     numbers: Vec<&'a [T]>,
     rare: bool,
     /// `true` if rows are prefetched.
@@ -103,7 +105,7 @@ struct Stretch<'a, T> {
 }
 
 impl<T: Real> Stretch<'_, T> {
-    /// Returns `true` if quick tests find all numbers valid; they may fail for valid numbers, too.
+    /// Returns `true` if quick tests find all numbers valid. They may reject valid numbers, too.
     fn is_sound(&self) -> bool {
         self.numbers.iter().enumerate().all(|(k, numbers)| {
             let own = self.plan.arguments.get(k);
@@ -138,7 +140,7 @@ impl<T: Real> Stretch<'_, T> {
                     .enumerate()
                     .map(|(k, (own, frames))| self.prepared(k, items.clone(), own, frames))
                     .collect();
-                let mut out = Results {
+                let mut out = ResultTiles {
                     lanes: &mut *results,
                     tiles: tiles(items.len()),
                 };
@@ -166,15 +168,15 @@ impl<T: Real> Stretch<'_, T> {
         places: &mut [Option<&mut [T]>],
     ) {
         let columns = self.numbers.iter().zip(&self.fields).zip(&self.ones);
-        let given: Vec<Given<'_, T>> = columns
-            .map(|((&rows, &fields), &is_one)| Given {
+        let given: Vec<ArgumentRows<'_, T>> = columns
+            .map(|((&rows, &fields), &is_one)| ArgumentRows {
                 rows,
                 fields,
                 is_one,
             })
             .collect();
         let places = places.iter_mut().zip(&self.plan.gives);
-        let mut wanted: Vec<Wanted<'_, T>> = places
+        let mut wanted: Vec<ResultRows<'_, T>> = places
             .map(|(place, &fields)| (place.as_deref_mut(), fields))
             .collect();
         program.over_rows(&given, count, self.plan.skipped, &mut wanted, self.far);
@@ -187,8 +189,7 @@ impl<T: Real> Stretch<'_, T> {
             false => &self.numbers[k][items.start * fields..items.end * fields],
         }
     }
-    /// Returns a block's shapes in tiles, prepared. One shape that stands for all is prepared for the first
-    /// block and stays.
+    /// Returns the prepared shapes of a block in tiles. A shape that stands for all is prepared once.
     fn prepared<'r>(
         &self,
         k: usize,
@@ -222,8 +223,8 @@ impl<T: Real> Stretch<'_, T> {
             }
         }
     }
-    /// Puts the right results of rare items in their places.
-    fn mend(&self, items: Range<usize>, mut out: Results<'_, T>) {
+    /// Replaces the results of extreme items by the scalar code's.
+    fn mend(&self, items: Range<usize>, mut out: ResultTiles<'_, T>) {
         let plan = self.plan;
         let Some(rare) = &plan.rare else { return };
         let mut one = vec![T::default(); self.plan.made()];

@@ -1,14 +1,14 @@
-//! All pairs of two prepared lists, row by row, as far as they need to be computed.
+//! Results of all pairs of two prepared lists, row by row; pairs that are certainly zero are skipped.
 //!
-//! A *row* is here a shape of the first list, a *column* one of the second, a *stretch* a run of columns. A column is
-//! *near* a row if their bounds meet. A filter leaves out pairs that are not, whose result is zero for certain; near
-//! columns are *picked* and computed tile by tile. *Rare* shapes are too extreme for kernels; the scalar code computes
-//! them. A consumer gets results with their columns, which do not depend on the pairs that were left out.
+//! Here a *row* is a shape of the first list, a *column* one of the second, a *stretch* a run of columns. A column is
+//! *near* a row if their bounds meet. A filter skips all other pairs, whose result is certainly zero; near columns are
+//! *picked* and computed tile by tile. *Rare* shapes are too extreme for kernels; the scalar code computes them. A
+//! consumer receives results with their columns, whether or not other pairs were skipped.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{
-    BLOCK, Lane, Lent, PLANE, Planes, Results, TILE, Tiles, planes, tiles, with_lanes,
+    BLOCK, Lane, LaneBuffer, PLANE, Planes, ResultTiles, TILE, Tiles, planes, tiles, with_lanes,
 };
 use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::overlaps::BOUNDS;
@@ -16,65 +16,66 @@ use crate::kernels::cpu::plan::{List, Plan, Rare};
 use crate::kernels::cpu::tree::Tree;
 use std::ops::Range;
 
-/// A tree is made of at least so many columns, if at most this share of pairs is near.
+/// The smallest number of columns for which a tree is built, and the largest share of near pairs.
 pub const LEAST_OF_TREE: usize = 512;
 const SPARSE: f64 = 1.0 / 24.0;
 
-/// Sums of lists of which a larger share of pairs is near are computed without bounds.
+/// The share of near pairs above which sums over lists are computed without bounds.
 const DENSE: f64 = 0.6;
 
-/// Rows from which the share of near pairs is estimated.
+/// The number of rows from which the share of near pairs is estimated.
 const SAMPLED: usize = 16;
 
-/// Tiles that one call of a kernel computes of rows with few columns: the processor overlaps their latencies.
+/// The number of tiles that one call of a kernel computes for rows with few columns: the processor overlaps their
+/// latencies.
 const GROUP: usize = 8;
 
-/// An upstream matrix: row `i` starts at `i * step`. With a step of zero all rows are the same one.
+/// An upstream matrix: row `i` starts at `i * step`. With a step of zero row 0 is every row.
 #[derive(Clone, Copy, Debug)]
 pub struct Upstream<'a, T> {
     /// The numbers.
     pub derivatives: &'a [T],
-    /// From row to row.
+    /// The distance from one row to the next.
     pub step: usize,
 }
 
 /// Results of a row with some columns.
 ///
-/// The results of a row come stretch by stretch. A long stretch may come in more than one part.
-pub struct Part<'a, T> {
+/// The results of a row come stretch by stretch. A long stretch may come in several parts.
+pub struct RowPart<'a, T> {
     /// The row.
     pub row: usize,
-    /// The columns that this part and its neighbours belong to. Columns that are in no part have zeros.
+    /// The columns of this part's stretch. Columns of it that are in no part have zeros.
     pub stretch: Range<usize>,
-    /// `true` if it is the first part about its stretch.
+    /// `true` for the first part of a stretch.
     pub is_first: bool,
     /// The columns of this part.
-    pub columns: Columns<'a>,
+    pub columns: PartColumns<'a>,
     /// Their results.
     pub results: Planes<'a, T>,
 }
 
 /// Columns of a part.
-pub enum Columns<'a> {
+pub enum PartColumns<'a> {
     /// The whole stretch, which begins at a multiple of sixteen.
     Run(Range<usize>),
-    /// Some, ascending.
+    /// Some columns, ascending.
     Picked(&'a [u32]),
 }
 
-/// A choice of rows, and of the later columns whose results with a row are wanted.
-pub(crate) trait Chooses<T> {
+/// A choice of rows, and of the later columns to compute with each.
+pub(crate) trait RowChoice<T> {
     /// Returns the next row.
     fn next(&mut self) -> Option<usize>;
     /// Returns `true` if the row's result with a column is wanted.
     fn wants(&self, _column: usize) -> bool {
         true
     }
-    /// Replaces `columns` by those that are wanted and returns `true`; `false` if they must be searched for.
+    /// Replaces `columns` by the wanted ones and returns `true`; returns `false` if they must be searched for.
     fn wanted(&mut self, _columns: &mut Vec<u32>) -> bool {
         false
     }
-    /// Results of the row with some columns that were wanted.
+    /// Receives the results of the row with some wanted columns.
     fn take(&mut self, columns: &[u32], results: Planes<'_, T>);
 }
 
@@ -83,22 +84,22 @@ pub struct Sweep<'a, T: Real> {
     a: &'a List<'a, T>,
     b: &'a List<'a, T>,
     maker: &'a dyn Maker<T>,
-    /// Numbers per result.
+    /// The number of scalars per result.
     fields: usize,
     rare: Option<&'a Rare<T>>,
-    /// Columns as rows of numbers, for picking some, and how many numbers each has.
-    picking: Lent<T>,
+    /// Columns as rows of numbers, to gather from, and the length of such a row.
+    picking: LaneBuffer<T>,
     stride: usize,
     tree: Option<Tree<T>>,
     /// The factors of derivatives.
     upstream: Option<Upstream<'a, T>>,
-    /// Quarters of a stretch: if no more of its columns are near, these are picked; otherwise all are computed.
+    /// In quarters of a stretch: the share of near columns up to which these are picked; beyond it all are computed.
     quarters: usize,
 }
 
 impl<'a, T: Real> Sweep<'a, T> {
-    /// Prepares results, or results with derivatives if there is an `upstream`. Bounds are compared where both lists have
-    /// them.
+    /// Prepares a sweep over results, or with an `upstream` over results with derivatives. Bounds are compared if both
+    /// lists have them.
     pub fn new(
         plan: &'a Plan<T>,
         upstream: Option<Upstream<'a, T>>,
@@ -111,7 +112,7 @@ impl<'a, T: Real> Sweep<'a, T> {
             maker: &*plan.maker,
             fields: plan.made(),
             rare: plan.rare.as_ref(),
-            picking: Lent::new(0),
+            picking: LaneBuffer::new(0),
             stride: b.stride(),
             tree: None,
             // Derivatives are always picked.
@@ -134,14 +135,14 @@ impl<'a, T: Real> Sweep<'a, T> {
         sweep
     }
 
-    /// Computes the rows of a choice, each with the later columns that are wanted and, where there are bounds, near.
-    pub fn run_chosen(mut self, choice: &mut impl Chooses<T>) {
+    /// Computes the rows of a choice, each with the later columns that are wanted and, with bounds, near.
+    pub fn run_chosen(mut self, choice: &mut impl RowChoice<T>) {
         if self.picking.is_empty() {
             self.picking = self.b.picking();
         }
-        let lanes = Desk::lanes(&self).iter().sum();
+        let lanes = SweepBuffers::lanes(&self).iter().sum();
         with_lanes(lanes, |lanes| {
-            let mut desk = Desk::new(&self, lanes);
+            let mut buffers = SweepBuffers::new(&self, lanes);
             let count = self.b.count;
             let (mut room, mut hits) = (Vec::new(), Vec::new());
             while let Some(row) = choice.next() {
@@ -151,9 +152,9 @@ impl<'a, T: Real> Sweep<'a, T> {
                     hits.extend(near.iter().filter(|&&column| choice.wants(column as usize)));
                 }
                 if !hits.is_empty() {
-                    desk.choose(row);
-                    desk.some(0..count, &hits, &mut |part: Part<'_, T>| {
-                        if let Columns::Picked(columns) = part.columns {
+                    buffers.choose(row);
+                    buffers.some(0..count, &hits, &mut |part: RowPart<'_, T>| {
+                        if let PartColumns::Picked(columns) = part.columns {
                             choice.take(columns, part.results);
                         }
                     });
@@ -162,8 +163,8 @@ impl<'a, T: Real> Sweep<'a, T> {
         });
     }
 
-    /// Returns the columns whose bounds meet the row's, ascending; without bounds all from the row's own place on.
-    /// Earlier ones may be among them: [`Chooses::wants`] rejects these.
+    /// Returns the columns whose bounds meet the row's, ascending; without bounds all columns from the row's own index
+    /// on. Earlier ones may be among them: [`RowChoice::wants`] rejects these.
     fn near<'r>(&self, row: usize, room: &'r mut Vec<u32>) -> &'r [u32] {
         let count = self.b.count;
         match (&self.tree, &self.b.bounds, self.a.bounds_of(row)) {
@@ -189,7 +190,7 @@ impl<'a, T: Real> Sweep<'a, T> {
         !self.picking.is_empty()
     }
 
-    /// Returns the share of pairs whose bounds meet, of some rows.
+    /// Returns the share of pairs whose bounds meet, estimated from some rows.
     fn share_of_near(&self) -> f64 {
         let Some(bounds) = &self.b.bounds else {
             return 1.0;
@@ -207,10 +208,10 @@ impl<'a, T: Real> Sweep<'a, T> {
         near as f64 / pairs.max(1) as f64
     }
 
-    /// Computes some rows and calls `consume` with their results. Each row has its columns in order; each column
-    /// has its rows in order.
-    pub fn run(&self, rows: Range<usize>, consume: impl FnMut(Part<'_, T>)) {
-        let lanes = Desk::lanes(self).iter().sum();
+    /// Computes some rows and calls `consume` with their results. Columns come in order within each row, rows in order
+    /// within each column.
+    pub fn run(&self, rows: Range<usize>, consume: impl FnMut(RowPart<'_, T>)) {
+        let lanes = SweepBuffers::lanes(self).iter().sum();
         with_lanes(lanes, |lanes| self.run_on(lanes, rows, consume));
     }
 
@@ -218,12 +219,12 @@ impl<'a, T: Real> Sweep<'a, T> {
         &self,
         lanes: &mut [Lane<T>],
         rows: Range<usize>,
-        mut consume: impl FnMut(Part<'_, T>),
+        mut consume: impl FnMut(RowPart<'_, T>),
     ) {
-        let mut desk = Desk::new(self, lanes);
+        let mut buffers = SweepBuffers::new(self, lanes);
         if let Some(tree) = &self.tree {
             let mut room = Vec::new();
-            let mut group = Group::default();
+            let mut group = RowGroup::default();
             let is_plain =
                 self.upstream.is_none() && self.a.rare.is_empty() && self.b.rare.is_empty();
             for row in rows {
@@ -233,16 +234,16 @@ impl<'a, T: Real> Sweep<'a, T> {
                 let hits = tree.near(&bounds, &mut room);
                 if is_plain && tiles(hits.len()) <= GROUP {
                     if group.tiles + tiles(hits.len()) > GROUP {
-                        desk.finish(&mut group, &mut consume);
+                        buffers.finish(&mut group, &mut consume);
                     }
-                    desk.add(&mut group, row, hits);
+                    buffers.add(&mut group, row, hits);
                 } else {
-                    desk.finish(&mut group, &mut consume);
-                    desk.choose(row);
-                    desk.some(0..self.b.count, hits, &mut consume);
+                    buffers.finish(&mut group, &mut consume);
+                    buffers.choose(row);
+                    buffers.some(0..self.b.count, hits, &mut consume);
                 }
             }
-            return desk.finish(&mut group, &mut consume);
+            return buffers.finish(&mut group, &mut consume);
         }
         let mut hits = [0; (BLOCK + 1) * TILE];
         let step = BLOCK * TILE;
@@ -256,15 +257,15 @@ impl<'a, T: Real> Sweep<'a, T> {
                 _ => None,
             };
             for row in rows.clone() {
-                desk.choose(row);
+                buffers.choose(row);
                 if let (Some(bounds), Some(own)) = (bounds, self.a.bounds_of(row)) {
                     let near = (kernels_in::<T>().near)(&own, bounds, first as u32, &mut hits);
                     if 4 * near <= self.quarters * stretch.len() {
-                        desk.some(stretch.clone(), &hits[..near], &mut consume);
+                        buffers.some(stretch.clone(), &hits[..near], &mut consume);
                         continue;
                     }
                 }
-                desk.all(stretch.clone(), &mut consume);
+                buffers.all(stretch.clone(), &mut consume);
             }
         }
     }
@@ -272,32 +273,32 @@ impl<'a, T: Real> Sweep<'a, T> {
 
 /// Rows with few columns that one call of a kernel computes together.
 #[derive(Default)]
-struct Group {
-    /// Tiles in use.
+struct RowGroup {
+    /// The number of tiles in use.
     tiles: usize,
-    /// Each row, its first tile, and where its columns end among those of all.
+    /// Each row, its first tile, and the end of its columns in `columns`.
     rows: Vec<(usize, usize, usize)>,
     columns: Vec<u32>,
 }
 
 /// The lanes and numbers that one thread computes with.
-struct Desk<'a, T: Real> {
+struct SweepBuffers<'a, T: Real> {
     sweep: &'a Sweep<'a, T>,
     row: usize,
     row_is_rare: bool,
-    /// The row's shape in every place of a tile; those of a group, tile after tile.
+    /// The row's shape broadcast to a tile; for a group, one such tile after another.
     own: &'a mut [Lane<T>],
-    /// Columns that were picked.
+    /// Gathered columns.
     picked: &'a mut [Lane<T>],
     /// Upstream derivatives.
     seeds: &'a mut [Lane<T>],
     results: &'a mut [Lane<T>],
-    /// Numbers of one result.
+    /// The numbers of one result.
     one: Vec<T>,
 }
 
-impl<'a, T: Real> Desk<'a, T> {
-    /// Numbers of lanes of a desk: the row, picked columns, upstream derivatives and results.
+impl<'a, T: Real> SweepBuffers<'a, T> {
+    /// Returns the numbers of lanes of the buffers: for the row, gathered columns, upstream derivatives and results.
     fn lanes(sweep: &Sweep<'_, T>) -> [usize; 4] {
         [
             GROUP * sweep.a.frame_fields,
@@ -306,13 +307,13 @@ impl<'a, T: Real> Desk<'a, T> {
             planes(sweep.fields),
         ]
     }
-    /// Returns a desk on some lanes; their contents do not matter.
+    /// Creates buffers on some lanes with arbitrary contents.
     fn new(sweep: &'a Sweep<'a, T>, lanes: &'a mut [Lane<T>]) -> Self {
         let [own, picked, seeds, _] = Self::lanes(sweep);
         let (own, lanes) = lanes.split_at_mut(own);
         let (picked, lanes) = lanes.split_at_mut(picked);
         let (seeds, results) = lanes.split_at_mut(seeds);
-        Desk {
+        SweepBuffers {
             sweep,
             row: usize::MAX,
             row_is_rare: false,
@@ -323,13 +324,13 @@ impl<'a, T: Real> Desk<'a, T> {
             one: vec![T::default(); sweep.fields],
         }
     }
-    /// Takes a row.
+    /// Makes `row` the current row.
     #[inline]
     fn choose(&mut self, row: usize) {
         if row != self.row {
             self.row = row;
             let own = &mut self.own[..self.sweep.a.frame_fields];
-            self.sweep.a.spread(row, own);
+            self.sweep.a.broadcast(row, own);
             self.row_is_rare = !self.sweep.a.rare.is_empty() && self.sweep.a.is_rare(row);
         }
     }
@@ -338,11 +339,11 @@ impl<'a, T: Real> Desk<'a, T> {
         let Upstream { derivatives, step } = self.sweep.upstream?;
         Some(&derivatives[self.row * step..][..self.sweep.b.count])
     }
-    /// Computes the row with some columns into the desk's results.
+    /// Computes the row with some columns into the buffer of results.
     fn make(&mut self, columns: Tiles<'_, T>, count: usize) {
         let inputs = [Tiles::one(self.own), columns, Tiles::new(self.seeds, 1)];
         let used = if self.sweep.upstream.is_some() { 3 } else { 2 };
-        let out = Results {
+        let out = ResultTiles {
             lanes: self.results,
             tiles: tiles(count),
         };
@@ -351,14 +352,14 @@ impl<'a, T: Real> Desk<'a, T> {
     fn results(&self) -> Planes<'_, T> {
         Planes(self.results)
     }
-    /// Adds a row with few columns to the group, which has tiles left for it.
-    fn add(&mut self, group: &mut Group, row: usize, columns: &[u32]) {
+    /// Adds a row with few columns to the group, which has enough free tiles.
+    fn add(&mut self, group: &mut RowGroup, row: usize, columns: &[u32]) {
         let Sweep { a, b, stride, .. } = *self.sweep;
         let first = group.tiles;
         group.tiles += tiles(columns.len());
         for t in first..group.tiles {
             let own = &mut self.own[t * a.frame_fields..][..a.frame_fields];
-            a.spread(row, own);
+            a.broadcast(row, own);
         }
         let picked = &mut self.picked[first * b.frame_fields..group.tiles * b.frame_fields];
         (kernels_in::<T>().gather)(
@@ -372,26 +373,26 @@ impl<'a, T: Real> Desk<'a, T> {
         group.rows.push((row, first, group.columns.len()));
     }
     /// Computes the group and passes on its results.
-    fn finish(&mut self, group: &mut Group, consume: &mut impl FnMut(Part<'_, T>)) {
+    fn finish(&mut self, group: &mut RowGroup, consume: &mut impl FnMut(RowPart<'_, T>)) {
         let Sweep { a, b, .. } = *self.sweep;
         if group.tiles > 0 {
             let own = Tiles::new(self.own, a.frame_fields);
             let picked = Tiles::new(self.picked, b.frame_fields);
-            let out = Results {
+            let out = ResultTiles {
                 lanes: self.results,
                 tiles: group.tiles,
             };
             self.sweep.maker.make(&[own, picked], out);
-            // The row's lanes hold the rows of the group: the next row is spread anew.
+            // The row's lanes hold the rows of the group, so the next row must be broadcast again.
             self.row = usize::MAX;
         }
         let mut start = 0;
         for &(row, tile, end) in &group.rows {
-            consume(Part {
+            consume(RowPart {
                 row,
                 stretch: 0..b.count,
                 is_first: true,
-                columns: Columns::Picked(&group.columns[start..end]),
+                columns: PartColumns::Picked(&group.columns[start..end]),
                 results: Planes(&self.results[tile..]),
             });
             start = end;
@@ -400,8 +401,8 @@ impl<'a, T: Real> Desk<'a, T> {
         group.rows.clear();
         group.columns.clear();
     }
-    /// Results of the row with all columns of a stretch.
-    fn all(&mut self, stretch: Range<usize>, consume: &mut impl FnMut(Part<'_, T>)) {
+    /// Computes the row with all columns of a stretch.
+    fn all(&mut self, stretch: Range<usize>, consume: &mut impl FnMut(RowPart<'_, T>)) {
         let b = self.sweep.b;
         let first = stretch.start;
         let columns = &b.frames[first / TILE * b.frame_fields..];
@@ -420,20 +421,25 @@ impl<'a, T: Real> Desk<'a, T> {
                 self.mend(j, j - first);
             }
         }
-        consume(Part {
+        consume(RowPart {
             row: self.row,
             stretch: stretch.clone(),
             is_first: true,
-            columns: Columns::Run(stretch),
+            columns: PartColumns::Run(stretch),
             results: self.results(),
         });
     }
-    /// Results of the row with some columns of a stretch; the others have zeros.
-    fn some(&mut self, stretch: Range<usize>, hits: &[u32], consume: &mut impl FnMut(Part<'_, T>)) {
+    /// Computes the row with some columns of a stretch; the others have zeros.
+    fn some(
+        &mut self,
+        stretch: Range<usize>,
+        hits: &[u32],
+        consume: &mut impl FnMut(RowPart<'_, T>),
+    ) {
         let Sweep { b, stride, .. } = *self.sweep;
         let picked = std::mem::take(&mut self.picked);
         let parts = hits.chunks(BLOCK * TILE);
-        // Without hits one empty part, so that the consumer writes the stretch's zeros.
+        // Without hits an empty part makes the consumer write the stretch's zeros.
         let none = hits.is_empty().then_some(hits);
         for (i, columns) in parts.chain(none).enumerate() {
             let tiles = &mut picked[..tiles(columns.len()) * b.frame_fields];
@@ -459,17 +465,17 @@ impl<'a, T: Real> Desk<'a, T> {
                     }
                 }
             }
-            consume(Part {
+            consume(RowPart {
                 row: self.row,
                 stretch: stretch.clone(),
                 is_first: i == 0,
-                columns: Columns::Picked(columns),
+                columns: PartColumns::Picked(columns),
                 results: self.results(),
             });
         }
         self.picked = picked;
     }
-    /// Puts the right result of a rare pair in its place.
+    /// Replaces the result of a rare pair by that of the scalar code.
     fn mend(&mut self, column: usize, place: usize) {
         let Sweep { a, b, rare, .. } = *self.sweep;
         if let Some(rare) = rare {

@@ -1,10 +1,10 @@
-//! Block kernels of the overlap of upright boxes: the last stage, after what is shared seen from above.
+//! Block kernels of the overlap of upright boxes: the last stage, after the areas seen from above.
 //!
 //! Compiled in this library only, by the entries in `arch`.
 use crate::ad::adjoint::upright::{Upright, score_from_area_vjp};
 use crate::clip::area_from_half;
 use crate::kernels::cpu::arch::Vector;
-use crate::kernels::cpu::lane::{Lane, PLANE, Results, Tiles};
+use crate::kernels::cpu::lane::{Lane, PLANE, ResultTiles, Tiles};
 use crate::kernels::cpu::overlaps::{
     OBB2, SEEN, UPRIGHT, frame_fields, framed, lanes_of, put, seed,
 };
@@ -12,10 +12,10 @@ use crate::overlap::Denominator;
 use crate::overlap3::{Scales, heights, score_of_columns};
 use crate::{Fixed, Obb2, Real};
 
-/// Turns results with ten derivatives of boxes seen from above into those with fourteen of upright boxes.
-pub(crate) fn spread_derivatives<T: Real>(out: &mut Results<'_, T>) {
+/// Extends results with ten derivatives of boxes seen from above to fourteen derivatives of upright boxes.
+pub(crate) fn extend_derivatives<T: Real>(out: &mut ResultTiles<'_, T>) {
     for t in 0..out.tiles {
-        // From the last one on, so that none is lost.
+        // Moving the last fields first overwrites none that is still needed.
         for side in [1, 0] {
             for (from, to) in SEEN.into_iter().enumerate().rev() {
                 let from = out.lanes[(1 + side * OBB2 + from) * PLANE + t];
@@ -30,7 +30,7 @@ pub(crate) fn spread_derivatives<T: Real>(out: &mut Results<'_, T>) {
     }
 }
 
-/// Returns a part of a tile of prepared upright boxes.
+/// Returns the vector of prepared upright boxes that begins at item `at` of tile `t`.
 #[inline(always)]
 fn upright<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> Option<Upright<V>> {
     let flat = framed(tiles, t, at)?;
@@ -42,13 +42,13 @@ fn upright<T: Real, V: Vector<T>>(tiles: Tiles<'_, T>, t: usize, at: usize) -> O
     })
 }
 
-/// Scores of prepared upright boxes of common size, put in the place of areas shared seen from above.
+/// Replaces intersection areas seen from above by the scores of prepared upright boxes of common size.
 #[inline(always)]
 pub(crate) fn scores<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, 1>(&mut out, t) else {
@@ -71,14 +71,14 @@ pub(crate) fn scores<T: Real, V: Vector<T>>(
     }
 }
 
-/// The same with fourteen derivatives each, put in the place of areas with ten.
+/// Replaces intersection areas and their ten derivatives by scores and their fourteen derivatives.
 #[inline(always)]
 pub(crate) fn derivatives<T: Real, V: Vector<T>>(
     over: Denominator,
     a: Tiles<'_, T>,
     b: Tiles<'_, T>,
     seeds: Option<Tiles<'_, T>>,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
 ) {
     for t in 0..out.tiles {
         let Some(out) = lanes_of::<T, { 2 * UPRIGHT * PLANE + 1 }>(&mut out, t) else {

@@ -1,15 +1,15 @@
-//! How batches are cut into pieces of work: never depending on the number of threads.
+//! The cut of batches into pieces of work, independent of the number of threads.
 use std::cell::Cell;
 
 thread_local! {
-    /// `true` if batches that this thread calls stay on it.
+    /// `true` if batches called by this thread stay on it.
     static STAYS: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Runs batches inside on the calling thread alone; results are the same bits.
+/// Runs batches inside `run` on the calling thread alone; bits do not change.
 ///
-/// rayon's own pool is as good where all threads may be used. It is not where a call is too small to wake them, or in
-/// a process that was forked from one that used them: there are none then, and a call would wait for ever.
+/// It helps where a call is too small for waking threads. A forked process needs it: the threads of its parent's pool
+/// do not exist there, so a call would wait for ever.
 ///
 /// ```
 /// use geograd::kernels::dynamic::{Rows, on_this_thread, operation};
@@ -30,16 +30,16 @@ pub fn on_this_thread<R>(run: impl FnOnce() -> R) -> R {
     run()
 }
 
-/// Returns `true` if work of the calling thread may use others.
+/// Returns `true` if work of the calling thread may run on others.
 #[cfg(feature = "parallel")]
-pub(crate) fn is_spread() -> bool {
+pub(crate) fn is_parallel() -> bool {
     !STAYS.get()
 }
 
-/// Runs every piece of work, on all threads when there are threads.
-pub fn spread<W: Send>(work: Vec<W>, run: impl Fn(W) + Send + Sync) {
+/// Runs every piece of work, in parallel if threads are allowed.
+pub fn in_parallel<W: Send>(work: Vec<W>, run: impl Fn(W) + Send + Sync) {
     #[cfg(feature = "parallel")]
-    if work.len() > 1 && is_spread() {
+    if work.len() > 1 && is_parallel() {
         use rayon::prelude::*;
         work.into_par_iter().with_max_len(1).for_each(run);
         return;
@@ -47,7 +47,7 @@ pub fn spread<W: Send>(work: Vec<W>, run: impl Fn(W) + Send + Sync) {
     work.into_iter().for_each(run);
 }
 
-/// Rows of a matrix per piece of work: at most 64 pieces, each of them worth a thread's while.
+/// Returns the number of rows in a piece of work: there are at most 64 pieces, each worth a thread's start.
 pub fn rows_per_piece(rows: usize) -> usize {
     rows.div_ceil(64).max(16)
 }

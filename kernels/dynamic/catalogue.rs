@@ -2,7 +2,7 @@
 use super::Mode;
 use super::described::{Shape, shapes, summary, verb_of};
 use super::forms::Function;
-use super::paths::{Code, OnPaths, fold_double, fold_single};
+use super::paths::{OnPaths, UntypedFold, fold_double, fold_single};
 use super::program::Program;
 use super::rows::{Layout, named};
 use super::symbol::Symbol;
@@ -24,7 +24,7 @@ use crate::{Fixed, Real};
 use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
-/// The sort of function that an operation is.
+/// The kind of formula that an operation has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Sort {
     /// A straight line: a program, with derivatives of any order.
@@ -35,18 +35,19 @@ pub enum Sort {
     Fold,
 }
 
-/// An operation of the library, without its types. Its declared [properties](Declared) are fields: its `name`, its `doc`.
+/// An operation of the library, without its types. Its declared [properties](Declared) are fields: its `name`, its
+/// `doc`.
 #[derive(Clone, Copy, Debug)]
 pub struct Operation {
     /// The properties that it declares.
     pub(crate) declared: &'static Declared,
-    /// Its verb and its shapes.
+    /// Its verb and its shapes, as in the tables of rows.
     pub(crate) row: Written,
-    /// The sort of function that it is.
+    /// The kind of its formula.
     pub sort: Sort,
     /// The kinds of the scalars of its arguments, and of its result.
     pub(crate) kinds: [fn() -> Vec<Kind>; 2],
-    /// How its arguments are drawn.
+    /// The distributions from which its arguments are drawn.
     samplers: fn() -> Vec<Sampler>,
     single: InFormat<f32>,
     double: InFormat<f64>,
@@ -74,7 +75,7 @@ enum Runner<T: Real> {
     /// On columns.
     Columns(fn() -> Arc<Recording<T>>),
     /// On paths.
-    Paths(Code<T>),
+    Paths(UntypedFold<T>),
 }
 
 impl<T: Real> Clone for InFormat<T> {
@@ -93,15 +94,15 @@ impl<T: Real> Copy for Runner<T> {}
 /// An argument of an operation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
-    /// Its name, by which errors call it.
+    /// Its name in errors.
     pub name: Argument,
     /// Its shape.
     pub shape: Shape,
 }
 
 impl Operation {
-    /// Returns the name of its [verb](crate::kernels::verbs) in lower case: `iou` of `iou_obb2`, `convert` of
-    /// conversions.
+    /// Returns the name of its [verb](crate::kernels::verbs) in lower case: `iou` of `iou_obb2`; `convert` of a
+    /// conversion.
     #[must_use]
     pub fn verb(&self) -> String {
         verb_of(self.row.verb)
@@ -111,7 +112,7 @@ impl Operation {
     pub fn summary(&self) -> String {
         summary(self.declared.doc)
     }
-    /// Its arguments, but for the path of a fold.
+    /// Returns its arguments, without the path of a fold.
     #[must_use]
     pub fn arguments(&self) -> Vec<Parameter> {
         let shapes = shapes(&(self.double.takes)(), &(self.kinds[0])());
@@ -119,23 +120,23 @@ impl Operation {
         let all = names.into_iter().zip(shapes);
         all.map(|(name, shape)| Parameter { name, shape }).collect()
     }
-    /// Returns the source of derivatives of a straight line; `None` of a search or a fold.
+    /// Returns how the derivatives of a straight line are made; `None` for a search or a fold.
     #[must_use]
     pub fn derivatives(&self) -> Option<Derivative> {
         (self.sort == Sort::Straight).then_some(self.declared.derivative)
     }
-    /// Returns the shapes of its result: one, or those of a tuple.
+    /// Returns the shapes of its result: one, or the entries of a tuple.
     #[must_use]
     pub fn result(&self) -> Vec<Shape> {
         shapes(&(self.double.gives)(), &(self.kinds[1])())
     }
-    /// How its arguments are drawn, but for the path of a fold.
+    /// Returns the distributions of its arguments, without the path of a fold.
     #[must_use]
     pub fn samplers(&self) -> Vec<Sampler> {
         (self.samplers)()
     }
-    /// True where the operation is defined, given the numbers of a valid input, argument after argument. Folds
-    /// are defined at every valid input.
+    /// Returns `true` if the operation is defined at a valid input, given as the numbers of one argument after another.
+    /// Folds are defined at every valid input.
     #[must_use]
     pub fn is_inside(&self, input: &[f64]) -> bool {
         self.declared.domain.is_none_or(|inside| inside(input))
@@ -144,15 +145,15 @@ impl Operation {
     fn of<T: Real>(&self) -> &InFormat<T> {
         in_format([&self.single, &self.double])
     }
-    /// Returns the layouts of its arguments in a format, to trace functions of the same shapes.
+    /// Returns the layouts of its arguments in a format, to trace functions of its shapes.
     #[must_use]
     pub fn layouts<T: Real>(&self) -> Vec<Layout<T>> {
         let leaves = (self.of::<T>().takes)().into_iter();
         leaves.map(|leaf| Layout { leaf }).collect()
     }
 
-    /// Returns the operation on columns: its value, its gradient or its adjoint; `None` for folds, which run
-    /// [on paths](Operation::on_paths), and for the gradient of several numbers.
+    /// Returns a mode of the operation on columns: its value, gradient or adjoint. `None` for folds, which run [on
+    /// paths](Operation::on_paths), and for the gradient of a result of several numbers.
     #[must_use]
     pub fn function<T: Real>(&self, mode: Mode) -> Option<Function<T>> {
         let Runner::Columns(recording) = self.of::<T>().body else {
@@ -172,17 +173,17 @@ impl Operation {
     pub fn value<T: Real>(&self) -> Option<Function<T>> {
         self.function(Mode::Value)
     }
-    /// Returns the value, one number, and its gradient on columns; `None` also for other results.
+    /// Returns the value, one number, with its gradient, on columns; `None` for other results and for folds.
     #[must_use]
     pub fn value_grad<T: Real>(&self) -> Option<Function<T>> {
         self.function(Mode::ValueGrad)
     }
-    /// Returns the adjoint on columns, of which cotangents come last.
+    /// Returns the adjoint on columns; the last columns are cotangents.
     #[must_use]
     pub fn vjp<T: Real>(&self) -> Option<Function<T>> {
         self.function(Mode::Vjp)
     }
-    /// Returns the operation on paths; `None` for those of fixed size.
+    /// Returns the operation on paths; `None` unless it is a fold.
     #[must_use]
     pub fn on_paths<T: Real>(&self) -> Option<OnPaths<T>> {
         let own = self.of::<T>();
@@ -245,13 +246,13 @@ impl Operation {
         Ok(Program::new(recorded, takes, gives))
     }
 
-    /// Records the operation as part of the function that is open on this thread. It takes a list of numbers per argument;
-    /// of a fold the last one is the path.
+    /// Records the operation as part of the function that is being recorded on this thread. It takes a list of numbers
+    /// per argument; the last one of a fold is the path.
     ///
     /// # Errors
     ///
-    /// [`Error::Arguments`] and [`Error::Fields`] for other numbers of them; [`Error::Program`] for searches, and for
-    /// symbols that are not of the recording that is open on this thread.
+    /// [`Error::Arguments`] and [`Error::Fields`] for a wrong number of arguments or fields; [`Error::Program`] for
+    /// searches, and for symbols of another recording or thread.
     pub fn on_symbols<T: Real>(&self, arguments: &[&[Symbol<T>]]) -> Result<Vec<Symbol<T>>, Error> {
         let program = match self.of::<T>().body {
             Runner::Paths(code) => {
@@ -270,7 +271,7 @@ impl Operation {
             _ => None,
         }
     }
-    /// Returns the shaders of a straight line, each with a name.
+    /// Returns the shaders of a straight line, each with its name.
     ///
     /// # Errors
     ///
@@ -282,7 +283,7 @@ impl Operation {
             None => Err(Error::Program(Unrecordable::Path)),
         }
     }
-    /// Returns the same with its row in the table.
+    /// Returns the operation with its row in the tables.
     pub(crate) const fn written(self, row: Written) -> Self {
         Operation { row, ..self }
     }
@@ -299,8 +300,8 @@ fn kinds_of<P: Fixed<Scalar = f64> + Sample>() -> Vec<Kind> {
     P::filled(1.0).kinds()
 }
 
-/// The description of an operation by what operations of any sort have: its type, sort and arguments, and the operation
-/// in both formats.
+/// Builds the description of an operation from the parts that all sorts have: its type, sort and arguments, and the
+/// operation in both formats.
 macro_rules! described {
     ($op:ty, $sort:ident, $In:ty, single: $single:expr, double: $double:expr) => {
         Operation {
@@ -319,7 +320,7 @@ macro_rules! described {
     };
 }
 
-/// Returns a straight line.
+/// Returns the description of a straight line.
 #[doc(hidden)]
 #[must_use]
 pub const fn straight<O: Op>() -> Operation
@@ -343,7 +344,7 @@ where
     described!(O, Straight, O::In<f64>, single: of::<f32, O>(), double: of::<f64, O>())
 }
 
-/// Returns a search.
+/// Returns the description of a search.
 #[doc(hidden)]
 #[must_use]
 pub const fn search<D: Search>() -> Operation
@@ -367,7 +368,7 @@ where
     described!(D, Search, D::In<f64>, single: of::<f32, D>(), double: of::<f64, D>())
 }
 
-/// Returns a fold.
+/// Returns the description of a fold.
 #[doc(hidden)]
 #[must_use]
 pub const fn fold<F: Fold>() -> Operation
@@ -394,10 +395,10 @@ where
     )
 }
 
-/// Rows as values.
-struct Values(Vec<Operation>);
+/// A list of operations, filled by the walk over all rows.
+struct OperationList(Vec<Operation>);
 
-impl Walk for Values {
+impl Walk for OperationList {
     fn straight<O: Op>(&mut self, row: Written)
     where
         O::In<f32>: Item<Scalar = f32>,
@@ -429,20 +430,21 @@ impl Walk for Values {
     }
 }
 
-/// Every row of the library. A crate that calls this compiles all rows in both formats; others compile none.
+/// Returns every row of the library. A crate that calls this compiles all rows in both formats; other crates compile
+/// none.
 // Inlined, so that the calling crate compiles the rows, not this one.
 #[inline]
 #[must_use]
 pub fn operations() -> &'static [Operation] {
     static ALL: OnceLock<Vec<Operation>> = OnceLock::new();
     ALL.get_or_init(|| {
-        let mut all = Values(Vec::new());
+        let mut all = OperationList(Vec::new());
         ops::each(&mut all);
         all.0
     })
 }
 
-/// Returns the operation of a name.
+/// Returns the operation with this name.
 ///
 /// ```
 /// use geograd::kernels::dynamic::operation;

@@ -1,27 +1,27 @@
-//! Names, summaries and shapes of operations as texts and values.
+//! Names, summaries and shapes of operations, as text and values.
 use super::rows::Layout;
 use crate::ad::declared::Kind;
 use crate::error::Field;
 use crate::kernels::row::bounds::{Bound, bounds};
 use crate::kernels::row::item::Leaf;
 
-/// A shape that an operation takes or gives.
+/// A shape in an operation's arguments or result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
     /// Its name: `Obb2`, `number`, `[Vec2; 4]`.
     pub name: String,
-    /// Its numbers, first field first.
+    /// Its numbers, in the order of fields.
     pub fields: Vec<Number>,
 }
 
-/// A number of a shape.
+/// A scalar of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Number {
-    /// Its name; `value` of a lone number.
+    /// Its name; `value` for a lone number.
     pub name: Field,
-    /// Its kind: length, coordinate, angle, number, ….
+    /// Its kind: length, coordinate, angle, number and others.
     pub kind: Kind,
-    /// The values that it may have.
+    /// The bound of its values.
     pub bound: Bound,
 }
 
@@ -39,17 +39,17 @@ pub(super) fn verb_of(path: &str) -> String {
     snake
 }
 
-/// Returns the first paragraph of Markdown as plain text.
+/// Returns the first paragraph of a Markdown text as plain text.
 pub(super) fn summary(doc: &str) -> String {
     let lines = doc.lines().map(str::trim);
     let lines: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
     let text = lines.join(" ");
     let (mut plain, mut rest) = (String::new(), text.as_str());
-    // A link is its words.
+    // The text of a link replaces the link.
     while let Some(at) = rest.find("](") {
         let (before, after) = rest.split_at(at);
         plain.push_str(before);
-        // Names of functions end in parentheses of their own.
+        // Names of functions have parentheses of their own.
         let end = after.find("())").map(|end| end + 3);
         let end = end.filter(|&end| after[..end].matches(')').count() == 2);
         let end = end.or_else(|| after.find(')').map(|end| end + 1));

@@ -1,15 +1,15 @@
-//! Items of arguments whose fields lie apart in memory.
+//! Batches of columns whose fields are separate in memory.
 use super::forms::{Function, targets};
 use super::rows::Rows;
 use crate::Real;
 use crate::error::Error;
-use crate::kernels::cpu::work::{on_this_thread, spread};
+use crate::kernels::cpu::work::{in_parallel, on_this_thread};
 use crate::kernels::machine::count_of;
 
-/// Items that are put into rows at a time: few enough that they stay in the cache of a core.
+/// The number of items that are copied to rows at a time, few enough for the cache of a core.
 const STRETCH: usize = 1 << 11;
 
-/// A stretch of items, and the places of its results.
+/// A stretch of items, and the memory of its results.
 struct Stretch<'a, T> {
     from: usize,
     count: usize,
@@ -18,8 +18,8 @@ struct Stretch<'a, T> {
 }
 
 impl<T: Real> Function<T> {
-    /// [`aligned_into_new`](Function::aligned_into_new) of rows whose fields lie apart: stretch by stretch they become
-    /// rows, once, while they are in the cache.
+    /// Does as [`aligned_into_new`](Function::aligned_into_new) for rows with separate fields: each stretch is copied
+    /// to rows once, while it is in the cache.
     pub(super) fn by_stretches(
         &self,
         arguments: &[Rows<'_, T>],
@@ -49,7 +49,7 @@ impl<T: Real> Function<T> {
                 done,
             });
         }
-        spread(work, |stretch: Stretch<'_, T>| {
+        in_parallel(work, |stretch: Stretch<'_, T>| {
             let items = stretch.from..stretch.from + stretch.count;
             let mut room: Vec<Vec<T>> = arguments.iter().map(|_| Vec::new()).collect();
             let own = arguments.iter().zip(&mut room);
@@ -65,7 +65,7 @@ impl<T: Real> Function<T> {
             .find_map(|(k, done)| Some((k, done.err()?)));
         match failed {
             None => Ok(()),
-            // Counted from the first item of all.
+            // The item is counted from the first of all items.
             Some((k, error)) => Err(match error {
                 Error::Invalid {
                     argument,

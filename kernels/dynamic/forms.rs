@@ -20,7 +20,8 @@ use std::sync::Arc;
 
 /// A function of rows of numbers: an operation in one format, its gradient or its adjoint, or a program.
 ///
-/// Every call takes [`Rows`] and checks all of them before anything is written. Results are plain numbers, row by row.
+/// Every call takes [`Rows`] and checks all of them before anything is written. Results are plain numbers in row-major
+/// order.
 #[derive(Clone)]
 pub struct Function<T: Real> {
     pub(super) recording: Arc<Recording<T>>,
@@ -51,7 +52,7 @@ impl<T: Real> Function<T> {
             gpu: None,
         }
     }
-    /// Returns the same function on another machine. A function runs on the CPU unless it is told otherwise.
+    /// Returns this function on another machine. Without this call a function runs on the CPU.
     ///
     /// ```
     /// use geograd::kernels::Backend;
@@ -81,7 +82,7 @@ impl<T: Real> Function<T> {
     pub(crate) fn call(&self) -> Result<Call<T>, Error> {
         Call::of(Arc::clone(&self.recording)).derived(self.mode)
     }
-    /// Returns a name and a layout for every column that it takes; cotangents of an adjoint come last.
+    /// Returns the name and the layout of every column that it takes; the last columns of an adjoint are cotangents.
     #[must_use]
     pub fn takes(&self) -> Vec<(Argument, Layout<T>)> {
         let own = self.recording.takes.iter().map(|&leaf| Layout { leaf });
@@ -96,7 +97,7 @@ impl<T: Real> Function<T> {
         }
         all
     }
-    /// Returns the number of fields of every column that it gives.
+    /// Returns the number of fields of every column of its result.
     #[must_use]
     pub fn gives(&self) -> Vec<usize> {
         let takes: Vec<usize> = self
@@ -108,8 +109,8 @@ impl<T: Real> Function<T> {
         self.mode.gives(&takes, &self.recording.outputs)
     }
 
-    /// Item i of every column: a list of numbers for every column of the result, as
-    /// [`Cpu::aligned`](crate::kernels::Cpu::aligned).
+    /// Computes item i of every column, as [`Cpu::aligned`](crate::kernels::Cpu::aligned). Returns a list of numbers
+    /// for every column of the result.
     ///
     /// # Errors
     ///
@@ -129,8 +130,8 @@ impl<T: Real> Function<T> {
         Ok(lists)
     }
 
-    /// [`aligned_into`](Function::aligned_into) for slices that nobody has seen: they may be written on an error, so that
-    /// numbers can be checked while they are near.
+    /// Computes as [`aligned_into`](Function::aligned_into) into newly allocated slices. They may be written even on an
+    /// error, so that numbers can be checked while they are in the cache.
     ///
     /// # Errors
     ///
@@ -146,8 +147,8 @@ impl<T: Real> Function<T> {
         }
     }
 
-    /// [`aligned`](Function::aligned) into the caller's slices: one for every column of the result, or `None` for
-    /// what is not wanted.
+    /// Writes the results of [`aligned`](Function::aligned) to the caller's slices: one for every column of the result,
+    /// or `None` for an unwanted one.
     ///
     /// # Errors
     ///
@@ -183,12 +184,12 @@ impl<T: Real> Function<T> {
         }
     }
 
-    /// Returns an error with the names of arguments.
+    /// Replaces places of arguments in an error by their names.
     pub(super) fn named<X>(&self, result: Result<X, Error>) -> Result<X, Error> {
         result.map_err(|error| renamed(error, &self.names))
     }
 
-    /// Columns of the right number of fields.
+    /// Converts rows to columns, and checks their numbers of fields.
     pub(super) fn listed<'a>(&self, rows: &[Rows<'a, T>]) -> Result<Vec<Column<'a, T>>, Error> {
         let takes = self.takes();
         if takes.len() != rows.len() {
@@ -203,7 +204,7 @@ impl<T: Real> Function<T> {
             .collect()
     }
 
-    /// Returns both lists as columns of the right number of fields.
+    /// Converts both lists to columns, and checks their numbers of fields.
     pub(super) fn lists<'a>(
         &self,
         a: &Rows<'a, T>,
@@ -229,13 +230,13 @@ impl<T: Real> Function<T> {
         Ok(columns)
     }
 
-    /// Returns every row of `a` with every row of `b`, as [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs): plane
-    /// after plane, one for every number of the result, each a matrix, row by row.
+    /// Computes every row of `a` with every row of `b`, as [`Cpu::all_pairs`](crate::kernels::Cpu::all_pairs). Returns
+    /// one row-major matrix for every number of the result, one after another.
     ///
     /// # Errors
     ///
-    /// As [`aligned`](Function::aligned), and [`Error::TooLarge`] when there are more numbers than memory has
-    /// addresses.
+    /// As [`aligned`](Function::aligned), and [`Error::TooLarge`] when there are more numbers than fit the
+    /// address space.
     pub fn all_pairs(&self, a: Rows<'_, T>, b: Rows<'_, T>) -> Result<Vec<T>, Error> {
         let lists = self.lists(&a, &b)?;
         let mut planes = vec![T::default(); self.planes_of(&lists)?];
@@ -245,16 +246,16 @@ impl<T: Real> Function<T> {
         )?;
         Ok(planes)
     }
-    /// Returns how many numbers all pairs give.
+    /// Returns the number of scalars in the results of all pairs.
     fn planes_of(&self, lists: &[Column<'_, T>; 2]) -> Result<usize, Error> {
         entries(lists[0].len(), lists[1].len(), self.gives().iter().sum())
     }
 
-    /// [`all_pairs`](Function::all_pairs) into the caller's numbers.
+    /// Writes the results of [`all_pairs`](Function::all_pairs) to `planes`.
     ///
     /// # Errors
     ///
-    /// As [`all_pairs`](Function::all_pairs), and [`Error::Length`] for another number of them. Nothing is written
+    /// As [`all_pairs`](Function::all_pairs), and [`Error::Length`] for a slice of another length. Nothing is written
     /// then.
     pub fn all_pairs_into(
         &self,
@@ -270,7 +271,7 @@ impl<T: Real> Function<T> {
         )
     }
 
-    /// How a result of one number is computed of all pairs.
+    /// Checks that the result is one number.
     pub(super) fn one_number(&self) -> Result<(), Error> {
         match self.gives().iter().sum() {
             1 => Ok(()),
@@ -278,7 +279,8 @@ impl<T: Real> Function<T> {
         }
     }
 
-    /// Returns a form of two lists: something of an engine, the call and both as columns, for results of one number.
+    /// Runs a form of two lists, for results of one number: a function of an engine, the call and both lists as
+    /// columns.
     pub(super) fn of_lists<X>(
         &self,
         a: &Rows<'_, T>,
@@ -290,7 +292,7 @@ impl<T: Real> Function<T> {
         self.named(form(self.engine(), &self.call()?, &lists))
     }
 
-    /// Returns a reduction of all results.
+    /// Reduces all results.
     fn reduced(
         &self,
         a: &Rows<'_, T>,
@@ -302,7 +304,7 @@ impl<T: Real> Function<T> {
         })
     }
 
-    /// Returns the sum of all results where one factor is that of all, and derivatives of both lists.
+    /// Returns the sum of all results if one factor is the seed of all pairs, and the derivatives by both lists.
     fn pulled(
         &self,
         a: &Rows<'_, T>,
@@ -316,10 +318,10 @@ impl<T: Real> Function<T> {
     }
 }
 
-/// A number, and derivatives of both lists.
+/// A loss, with its derivatives by both lists.
 pub(super) type Loss<T> = (f64, Vec<T>, Vec<T>);
 
-/// A GPU as an engine in a format: none computes in `f64`.
+/// A cast of a GPU to an engine of a format; no GPU computes in `f64`.
 type OfGpu<T> = fn(&Gpu) -> Option<&dyn Engine<T>>;
 static SINGLE: OfGpu<f32> = |gpu| Some(&gpu.engine);
 static DOUBLE: OfGpu<f64> = |_| None;
@@ -328,7 +330,7 @@ fn engine_of<T: Real>(gpu: &Gpu) -> Option<&dyn Engine<T>> {
     in_format::<OfGpu<T>>([&SINGLE, &DOUBLE])(gpu)
 }
 
-/// Returns the GPU of a machine, which has to compute in a format; `None` for the CPU.
+/// Returns the GPU of a backend, which must compute in the format; `None` for the CPU.
 pub(super) fn gpu_of<T: Real>(backend: Backend<'_>) -> Result<Option<Gpu>, Error> {
     match backend {
         Backend::Cpu => Ok(None),
@@ -339,8 +341,7 @@ pub(super) fn gpu_of<T: Real>(backend: Backend<'_>) -> Result<Option<Gpu>, Error
     }
 }
 
-/// Reductions and losses of all pairs: documentation, names, what else they take, and what they are of a function and both
-/// lists.
+/// Defines reductions and losses of all pairs, each by its documentation, name, further arguments, and formula.
 macro_rules! of_pairs {
     ($($(#[$doc:meta])* $name:ident($($more:ident: $type:ty)?) -> $out:ty
         = |$own:ident, $a:ident, $b:ident| $do:expr;)*) => {
@@ -349,8 +350,8 @@ macro_rules! of_pairs {
             ///
             /// # Errors
             ///
-            /// As [`all_pairs`](Function::all_pairs), [`Error::NotOneNumber`] for other results, and errors of what else
-            /// the call takes.
+            /// As [`all_pairs`](Function::all_pairs), [`Error::NotOneNumber`] for other results, and errors of what
+            /// else the call takes.
             pub fn $name(
                 &self,
                 $a: Rows<'_, T>,
@@ -365,37 +366,41 @@ macro_rules! of_pairs {
 }
 
 of_pairs! {
-    /// The largest result of every row of `a` and its row of `b`, as [`Cpu::row_max`](crate::kernels::Cpu::row_max).
+    /// Returns the largest result of every row of `a` and its row of `b`, as
+    /// [`Cpu::row_max`](crate::kernels::Cpu::row_max).
     row_max() -> Vec<Best<T>>
         = |own, a, b| own.reduced(&a, &b, Reduction::Best { of_rows: true })?.bests().taken();
-    /// The largest result of every row of `b` and its row of `a`, as
+    /// Returns the largest result of every row of `b` and its row of `a`, as
     /// [`Cpu::column_max`](crate::kernels::Cpu::column_max).
     column_max() -> Vec<Best<T>>
         = |own, a, b| own.reduced(&a, &b, Reduction::Best { of_rows: false })?.bests().taken();
-    /// Every pair whose result is above the threshold, row by row, as [`Cpu::above`](crate::kernels::Cpu::above).
+    /// Returns every pair whose result is above the threshold, row by row, as
+    /// [`Cpu::above`](crate::kernels::Cpu::above).
     above(threshold: T) -> Vec<Found<T>>
         = |own, a, b| own.reduced(&a, &b, Reduction::Above(threshold))?.founds().taken();
-    /// How many pairs have a result above the threshold, as [`Cpu::count_above`](crate::kernels::Cpu::count_above).
+    /// Returns the number of pairs whose result is above the threshold, as
+    /// [`Cpu::count_above`](crate::kernels::Cpu::count_above).
     count_above(threshold: T) -> u64
         = |own, a, b| Ok(own.reduced(&a, &b, Reduction::Count(threshold))?.count());
-    /// The sum of all results, as [`Cpu::sum`](crate::kernels::Cpu::sum).
+    /// Returns the sum of all results, as [`Cpu::sum`](crate::kernels::Cpu::sum).
     sum() -> f64
         = |own, a, b| Ok(own.reduced(&a, &b, Reduction::Sum)?.sum());
-    /// The mean of all results, zero where there are none, as [`Cpu::mean`](crate::kernels::Cpu::mean).
+    /// Returns the mean of all results, zero without pairs, as [`Cpu::mean`](crate::kernels::Cpu::mean).
     mean() -> f64
         = |own, a, b| own.of_lists(&a, &b, losses::mean);
-    /// The sum of all results and its derivatives by both lists, as [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
+    /// Returns the sum of all results and its derivatives by both lists, as
+    /// [`Cpu::sum_grad`](crate::kernels::Cpu::sum_grad).
     sum_grad() -> Loss<T>
         = |own, a, b| own.pulled(&a, &b, &Seed::Factor(crate::Scalar::one()));
-    /// The mean of all results and its derivatives by both lists, zero where there are none, as
+    /// Returns the mean of all results and its derivatives by both lists, zero without pairs, as
     /// [`Cpu::mean_grad`](crate::kernels::Cpu::mean_grad).
     mean_grad() -> Loss<T>
         = |own, a, b| {
             let (mean, [a_bar, b_bar]) = own.of_lists(&a, &b, losses::mean_pulled)?;
             Ok((mean, a_bar, b_bar))
         };
-    /// Derivatives of `Σ upstream[i, j] · result[i, j]` by both lists, as
-    /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp). `upstream` is a matrix, row by row.
+    /// Returns the derivatives of `Σ upstream[i, j] · result[i, j]` by both lists, as
+    /// [`Cpu::all_pairs_vjp`](crate::kernels::Cpu::all_pairs_vjp). `upstream` is a row-major matrix.
     all_pairs_vjp(upstream: &[T]) -> (Vec<T>, Vec<T>)
         = |own, a, b| {
             let (_, a, b) = own.pulled(&a, &b, &Seed::Numbers(upstream))?;
@@ -403,7 +408,7 @@ of_pairs! {
         };
 }
 
-/// Returns the caller's slices as targets, each of so many rows.
+/// Converts the caller's slices to targets for `count` rows each.
 pub(super) fn targets<'a, T: Real>(
     gives: &[usize],
     count: usize,

@@ -1,4 +1,4 @@
-//! Groups of rows, and suppression, on columns of numbers.
+//! Pairs within groups, and suppression, on columns of numbers.
 use super::forms::Function;
 use super::rows::Rows;
 use crate::Real;
@@ -98,13 +98,14 @@ impl<T: Real> Function<T> {
 
 /// Suppression.
 impl<T: Real> Function<T> {
-    /// Returns the rows that no better one of their group, kept itself, suppresses, as
-    /// [`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped). The offsets of a list without groups are zero and
-    /// its length.
+    /// Returns the rows that no better kept row of their group suppresses, as
+    /// [`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped). A list without groups has the offsets
+    /// `[0, length]`.
     ///
     /// # Errors
     ///
-    /// As there; [`Error::Arguments`] and [`Error::NotOneNumber`] for functions of others than two shapes of a sort.
+    /// As [`Cpu::suppress_grouped`](crate::kernels::Cpu::suppress_grouped); [`Error::Arguments`] and
+    /// [`Error::NotOneNumber`] unless the function takes two shapes of one kind and returns one number.
     pub fn suppress(
         &self,
         shapes: Rows<'_, T>,

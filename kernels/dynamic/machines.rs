@@ -6,15 +6,15 @@ use crate::kernels::machine::Column;
 use crate::kernels::machine::{Engine, Items, Machine, Numbers, Room, Seed};
 use crate::kernels::machine::{HeldNumbers, Matrix};
 
-/// Returns the first column of numbers.
+/// Returns the first column.
 fn list(held: &HeldNumbers) -> Column<'_, f32> {
     let first = held.columns().next();
     first.unwrap_or_else(|| Column::lent(&[], 1, Some(0)))
 }
 
-/// Functions without the types of their shapes, on columns that stay.
+/// Untyped functions on columns that stay on the machine.
 impl Machine<dyn Engine<f32>> {
-    /// Uploads columns of arguments of a function, all of one length; the call that takes them checks them.
+    /// Uploads columns of arguments of a function, all of one length. The call that takes them checks them.
     ///
     /// # Errors
     ///
@@ -29,11 +29,11 @@ impl Machine<dyn Engine<f32>> {
         self.engine.keep(count, numbers.collect())
     }
 
-    /// Item i of every column, as [`aligned`](Machine::aligned), over results that are there if there are any.
+    /// Computes item i of every column, as [`aligned`](Machine::aligned), into `into` if given.
     ///
     /// # Errors
     ///
-    /// As there.
+    /// As [`aligned`](Machine::aligned).
     #[doc(hidden)]
     pub fn aligned_rows(
         &self,
@@ -48,12 +48,12 @@ impl Machine<dyn Engine<f32>> {
         Ok(stored)
     }
 
-    /// Returns every row of one column with every row of another, for results of one number, as
-    /// [`all_pairs`](Machine::all_pairs), into an existing matrix if there is one.
+    /// Computes every row of one column with every row of another, for results of one number, as
+    /// [`all_pairs`](Machine::all_pairs), into `into` if given.
     ///
     /// # Errors
     ///
-    /// As there, and [`Error::Length`] for a matrix of another size.
+    /// As [`all_pairs`](Machine::all_pairs), and [`Error::Length`] for a matrix of another size.
     #[doc(hidden)]
     pub fn all_pairs_rows(
         &self,
@@ -75,7 +75,7 @@ impl Machine<dyn Engine<f32>> {
     ///
     /// # Errors
     ///
-    /// As there.
+    /// As [`all_pairs_vjp`](Machine::all_pairs_vjp).
     #[doc(hidden)]
     pub fn all_pairs_vjp_rows(
         &self,

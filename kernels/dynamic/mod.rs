@@ -1,5 +1,5 @@
-//! Operations without types of shapes, for bindings and tools: by name, on columns of plain numbers, and functions of
-//! other languages.
+//! Operations without types, for bindings and tools: by name, on columns of plain numbers, and functions of other
+//! languages.
 //!
 //! | access to | by |
 //! | --- | --- |
@@ -10,8 +10,8 @@
 //! | its derivatives, and its operations as data | [`Program`], [`Nodes`] |
 //! | its check by the harness, and that of any two functions of lists | [`Program::check`], [`Inputs`](crate::kernels::check::Inputs) |
 //!
-//! Columns are slices of numbers, row by row ([`Rows`]); results are vectors, or go into the caller's slices. A wrong
-//! argument is an error that names it as the operation does, before anything is written.
+//! Columns are slices of numbers in row-major order ([`Rows`]); results are vectors, or are written to the caller's
+//! slices. A wrong argument is an error that names it as the operation does, before anything is written.
 //!
 //! ```
 //! use geograd::kernels::dynamic::{Rows, operation};

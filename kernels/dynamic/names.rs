@@ -4,25 +4,25 @@ use crate::kernels::ops::walk::Written;
 use crate::kernels::ops::written;
 use std::fmt;
 
-/// A row of the library by its names.
+/// The names of a row of the library.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
-    /// Its name in reports: that of its function.
+    /// Its name in reports, which is that of its function.
     pub row: &'static str,
     /// Its verb.
     pub verb: String,
-    /// The shapes that it takes: `Obb2`, `[Vec2;4]`, `number`; of a fold `ring` or `polyline`.
+    /// Its shapes: `Obb2`, `[Vec2;4]`, `number`; `ring` or `polyline` for a fold's path.
     pub shapes: Vec<String>,
     /// Its verb and its shapes: `iou(obb2,obb2)`.
     pub spelling: String,
 }
 
-/// Why no row was found by a name.
+/// The reason why no row has a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unnamed {
-    /// The name is that of a function; a command line says the verb and the shapes.
+    /// The name is that of a function; a command line names the verb and the shapes.
     Function(Name),
-    /// Neither a verb nor a row has it.
+    /// Neither a verb nor a row has this name.
     Unknown,
 }
 
@@ -62,7 +62,7 @@ pub fn names() -> Vec<Name> {
     written().map(name).collect()
 }
 
-/// Returns the names of rows in reports that a verb or a spelling names; those of all rows for an empty one.
+/// Returns the report names of the rows that a verb or a spelling names; of all rows for an empty text.
 ///
 /// ```
 /// use geograd::kernels::dynamic::{Unnamed, named_rows};
@@ -76,7 +76,7 @@ pub fn names() -> Vec<Name> {
 ///
 /// # Errors
 ///
-/// [`Unnamed`] where there is none.
+/// [`Unnamed`] if no row has this name.
 pub fn named_rows(asked: &str) -> Result<Vec<&'static str>, Unnamed> {
     let asked: String = asked.to_lowercase();
     let asked: String = asked.chars().filter(|c| !c.is_whitespace()).collect();
@@ -90,7 +90,7 @@ pub fn named_rows(asked: &str) -> Result<Vec<&'static str>, Unnamed> {
     Err(function.map_or(Unnamed::Unknown, Unnamed::Function))
 }
 
-/// Returns a shape as tables write it, spelled as its type is.
+/// Returns a shape as the tables spell it.
 fn spelled(shape: &str) -> String {
     match shape {
         "Number" => "number",

@@ -1,48 +1,48 @@
-//! Programs as lists of operations, for whoever writes them in another language.
+//! Programs as lists of operations, for translation to other languages.
 use crate::ad::program::graph::Node;
 use crate::ad::program::recorded::Recorded;
 
-/// The operations of a program, each after its operands.
+/// A program as a list of operations, each after its operands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Nodes {
-    /// How many numbers go in.
+    /// The number of inputs.
     pub inputs: usize,
-    /// The operations.
+    /// The operations in order.
     pub nodes: Vec<Step>,
-    /// The places of the results among them.
+    /// The indices of the results in `nodes`.
     pub outputs: Vec<u32>,
 }
 
-/// One operation.
+/// An operation of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
     /// The elementary operation.
     pub operation: Elementary,
-    /// The places of its operands.
+    /// The indices of its operands in `nodes`.
     pub operands: Vec<u32>,
 }
 
-/// Lists elementary operations: a documentation, a name, and the name that emitters see.
+/// Defines elementary operations: documentation, name, and the name for emitters.
 macro_rules! elementary {
     ($($(#[$doc:meta])* $Name:ident = $name:literal: $node:pat,)*) => {
-        /// An elementary operation: the method of [`Scalar`](crate::Scalar) of the same meaning on plain numbers.
+        /// An elementary operation: a method of [`Scalar`](crate::Scalar) on plain numbers.
         ///
-        /// Products and sums are two roundings, never one. `least` and `most` are choices: of a comparison with NaN they
-        /// give the second operand.
+        /// A product in a sum is rounded before the sum (no fused operation). `least` and `most` are selections: if an
+        /// operand is NaN they return the second one.
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[non_exhaustive]
         pub enum Elementary {
             /// A number of the format.
             Constant(f64),
-            /// The number in this place of the input, from zero.
+            /// The number at this index of the input, from zero.
             Input(u32),
-            /// A known truth.
+            /// A constant truth.
             Bool(bool),
             $($(#[$doc])* $Name,)*
         }
 
         impl Elementary {
-            /// Its name, in lower case.
+            /// Returns its name in lower case.
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self {
@@ -52,7 +52,7 @@ macro_rules! elementary {
                     $(Elementary::$Name => $name,)*
                 }
             }
-            /// True where it gives a truth, not a number.
+            /// Returns `true` if its result is a truth, not a number.
             #[must_use]
             pub const fn is_truth(self) -> bool {
                 use Elementary::*;
@@ -63,7 +63,7 @@ macro_rules! elementary {
                     Node::Const(bits) => Elementary::Constant(f64::from_bits(bits)),
                     Node::Input(place) => Elementary::Input(place),
                     Node::Bool(truth) => Elementary::Bool(truth),
-                    // Gone from a graph of values.
+                    // A graph of values has no grafts.
                     Node::Graft { .. } => Elementary::Canonical,
                     $($node => Elementary::$Name,)*
                 }
@@ -135,7 +135,7 @@ elementary! {
     Select = "select": Node::Select(..),
 }
 
-/// Returns the operations of a program.
+/// Returns the operations of a program as a list.
 pub(super) fn nodes(recorded: &Recorded) -> Nodes {
     let lowered = &recorded.value;
     let step = |&node: &Node| Step {

@@ -1,4 +1,4 @@
-//! Folds over paths on plain numbers.
+//! Untyped folds over paths of plain numbers.
 use super::forms::gpu_of;
 use super::rows::{Layout, Rows, named, renamed};
 use crate::ad::program::Sym;
@@ -14,24 +14,24 @@ use crate::kernels::row::item::{Item, Leaf};
 use crate::{Fixed, Real};
 use std::marker::PhantomData;
 
-/// Numbers of contexts and of vertices.
+/// The derivatives by the numbers of contexts and of vertices.
 type Derivatives<T> = (Vec<T>, Vec<T>);
 
-/// A fold without its types.
+/// An untyped fold.
 #[derive(Debug)]
-pub(super) struct Code<T: 'static> {
+pub(super) struct UntypedFold<T: 'static> {
     pub(super) values: fn(Backend<'_>, &[Rows<'_, T>], &[T], &[usize]) -> Result<Vec<T>, Error>,
     pub(super) derivatives:
         fn(Backend<'_>, &[Rows<'_, T>], &[T], &[usize], &[T]) -> Result<Derivatives<T>, Error>,
-    /// The same for one path that all contexts share.
+    /// The fold over one path that all contexts share.
     pub(super) shared: Shared<T>,
-    /// Numbers of a vertex.
+    /// The number of scalars of a vertex.
     pub(super) vertex: usize,
     /// The result of one path from the numbers of its context and then of its vertices.
     pub(super) symbols: fn(&[Sym<T>]) -> Vec<Sym<T>>,
 }
 
-/// A fold over one path for many contexts: values, and derivatives for a cotangent of every one.
+/// A fold over one path for many contexts: its values, and its derivatives for a cotangent per context.
 #[derive(Debug)]
 pub(super) struct Shared<T: 'static> {
     values: fn(Backend<'_>, &[Rows<'_, T>], &[T]) -> Result<Vec<T>, Error>,
@@ -44,14 +44,14 @@ impl<T> Clone for Shared<T> {
     }
 }
 impl<T> Copy for Shared<T> {}
-impl<T> Clone for Code<T> {
+impl<T> Clone for UntypedFold<T> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<T> Copy for Code<T> {}
+impl<T> Copy for UntypedFold<T> {}
 
-/// Columns of numbers as columns of shapes.
+/// Columns of numbers, read as columns of shapes.
 pub(super) struct Contexts<'a, R: Item> {
     rows: &'a [Rows<'a, R::Scalar>],
     row: PhantomData<fn() -> R>,
@@ -76,16 +76,16 @@ impl<R: Item> Columns for Contexts<'_, R> {
     }
 }
 
-/// Shapes from their numbers.
+/// Returns shapes from their numbers.
 pub(super) fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P> {
     let shapes = numbers.chunks_exact(P::LEN.max(1));
     shapes.map(P::load).collect()
 }
 
-/// A fold in one format; the machine, given a backend.
+/// Builds an untyped fold in a format; `$machine` maps a backend to the machine.
 macro_rules! fold_in {
     ($format:ty, |$backend:pat_param| $machine:expr) => {
-        Code {
+        UntypedFold {
             values: |$backend, rows, vertices, offsets| {
                 let contexts = Contexts::<F::Context<$format>>::new(rows);
                 let vertices = loaded::<F::Element<$format>>(vertices);
@@ -137,13 +137,13 @@ macro_rules! fold_in {
 use crate::kernels::cpu::Cpu;
 use crate::kernels::row::fold::fold;
 
-pub(super) const fn fold_single<F: Fold>() -> Code<f32>
+pub(super) const fn fold_single<F: Fold>() -> UntypedFold<f32>
 where
     F::Context<f32>: Item<Scalar = f32>,
 {
     fold_in!(f32, |backend| backend)
 }
-pub(super) const fn fold_double<F: Fold>() -> Code<f64>
+pub(super) const fn fold_double<F: Fold>() -> UntypedFold<f64>
 where
     F::Context<f64>: Item<Scalar = f64>,
 {
@@ -172,10 +172,10 @@ where
 /// ```
 #[derive(Clone, Debug)]
 pub struct OnPaths<T: Real> {
-    pub(super) code: Code<T>,
+    pub(super) code: UntypedFold<T>,
     pub(super) names: Vec<Argument>,
     pub(super) takes: Vec<Leaf<T>>,
-    /// Numbers of the result.
+    /// The number of scalars of the result.
     pub(super) gives: usize,
     /// The GPU that runs it; `None` for the CPU.
     pub(super) gpu: Option<Gpu>,
@@ -183,7 +183,7 @@ pub struct OnPaths<T: Real> {
 
 impl<T: Real> OnPaths<T> {
     pub(super) fn new(
-        code: Code<T>,
+        code: UntypedFold<T>,
         names: &[&'static str],
         takes: Vec<Leaf<T>>,
         gives: usize,
@@ -196,7 +196,7 @@ impl<T: Real> OnPaths<T> {
             gpu: None,
         }
     }
-    /// Returns the same fold on another machine. A fold runs on the CPU unless it is told otherwise.
+    /// Returns this fold on another machine. Without this call a fold runs on the CPU.
     ///
     /// # Errors
     ///
@@ -211,25 +211,25 @@ impl<T: Real> OnPaths<T> {
     fn backend(&self) -> Backend<'_> {
         self.gpu.as_ref().map_or(Backend::Cpu, Backend::Gpu)
     }
-    /// Returns a name and a layout for every column that it takes beside paths.
+    /// Returns the name and the layout of every column that it takes besides paths.
     #[must_use]
     pub fn takes(&self) -> Vec<(Argument, Layout<T>)> {
         let layouts = self.takes.iter().map(|&leaf| Layout { leaf });
         self.names.iter().copied().zip(layouts).collect()
     }
-    /// Numbers of a result.
+    /// Returns the number of scalars of a result.
     #[must_use]
     pub const fn gives(&self) -> usize {
         self.gives
     }
 
-    /// Numbers of a vertex: two in the plane, three in space.
+    /// Returns the number of scalars of a vertex: two in the plane, three in space.
     #[must_use]
     pub const fn vertex(&self) -> usize {
         self.code.vertex
     }
 
-    /// Returns the numbers of one result per path, or per row where all share one path.
+    /// Returns the numbers of one result per path, or per row if all share one path.
     ///
     /// # Errors
     ///
@@ -250,11 +250,11 @@ impl<T: Real> OnPaths<T> {
         values.map_err(|e| renamed(e, &self.names))
     }
 
-    /// [`values`](OnPaths::values) into the caller's numbers.
+    /// Writes the results of [`values`](OnPaths::values) to the caller's slice.
     ///
     /// # Errors
     ///
-    /// As [`values`](OnPaths::values), and [`Error::Length`] for another number of them. Nothing is written then.
+    /// As [`values`](OnPaths::values), and [`Error::Length`] for a slice of another length. Nothing is written then.
     pub fn values_into(
         &self,
         contexts: &[Rows<'_, T>],
@@ -268,11 +268,12 @@ impl<T: Real> OnPaths<T> {
         Ok(())
     }
 
-    /// Cotangents of every column and of every vertex, for a cotangent of every result.
+    /// Returns the cotangents of every column and of every vertex, from one cotangent per result.
     ///
     /// # Errors
     ///
-    /// As [`values`](OnPaths::values), and for cotangents of another number or not finite.
+    /// As [`values`](OnPaths::values), and [`Error::Length`] unless there is one cotangent per result,
+    /// [`Error::Invalid`] for one that is not finite.
     pub fn vjp(
         &self,
         contexts: &[Rows<'_, T>],
@@ -309,7 +310,7 @@ impl<T: Real> OnPaths<T> {
         Ok((columns, vertices))
     }
 
-    /// Results of one number, and their derivatives by every column and every vertex of their path.
+    /// Returns results of one number, with their derivatives by every column and every vertex of their path.
     ///
     /// # Errors
     ///
@@ -329,7 +330,7 @@ impl<T: Real> OnPaths<T> {
         Ok((values, contexts, vertices))
     }
 
-    /// Returns how many contexts share the only path, and what runs them, if they do.
+    /// Returns the fold over a shared path and the number of contexts, if there is one path and several contexts.
     fn shared(
         &self,
         contexts: &[Rows<'_, T>],
@@ -341,7 +342,7 @@ impl<T: Real> OnPaths<T> {
         (is_one && count != 1).then_some((self.code.shared, count))
     }
 
-    /// Returns the number of vertices, where there are as many columns, as wide, as there should be.
+    /// Checks the number of columns and their numbers of fields. Returns the number of vertices.
     fn checked(&self, contexts: &[Rows<'_, T>], vertices: &[T]) -> Result<usize, Error> {
         if contexts.len() != self.takes.len() {
             return Err(Error::Arguments {

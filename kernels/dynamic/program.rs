@@ -1,4 +1,4 @@
-//! Programs whose shapes are known at run time, and how functions of other languages become such.
+//! Programs whose shapes are known at run time, and the recording of functions of other languages.
 use super::Mode;
 use super::forms::Function;
 use super::nodes::{Nodes, nodes};
@@ -17,25 +17,25 @@ use crate::{Real, Scalar};
 use std::fmt;
 use std::sync::Arc;
 
-/// A recorded function of lists of numbers: traced, of an operation, or a derivative of such.
+/// A recorded function of lists of numbers: a traced function, an operation, or a derivative of one of these.
 ///
-/// Clones share what was made of it.
+/// Clones share the plans that machines made of it.
 #[derive(Clone)]
 pub struct Program<T: Real> {
-    inner: Arc<Inner<T>>,
+    inner: Arc<ProgramParts<T>>,
 }
 
-struct Inner<T: Real> {
-    /// The graph; an operation's includes its gradient by hand, if it has one.
+struct ProgramParts<T: Real> {
+    /// The graph; that of an operation includes its gradient by hand, if it has one.
     recorded: Arc<Recorded>,
     names: Vec<Argument>,
-    /// The recording that machines run; an operation's has its own gradient and adjoint.
+    /// The recording that machines run; that of an operation has its own gradient and adjoint.
     recording: Arc<Recording<T>>,
-    /// `true` of an operation.
+    /// `true` for an operation.
     is_row: bool,
 }
 
-/// Returns the results for some numbers; NaN if one of them is.
+/// Returns the results for some numbers; NaN if one of the numbers is NaN.
 fn guarded<S: Scalar>(input: &[S], mut results: Vec<S>) -> Vec<S> {
     let guard = Guard::of_numbers(input);
     for result in &mut results {
@@ -54,7 +54,7 @@ impl<T: Real> fmt::Debug for Program<T> {
     }
 }
 
-/// The operations one by one, in the order in which they are carried out.
+/// The text lists the operations in the order of execution.
 impl<T: Real> fmt::Display for Program<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let inner = &*self.inner;
@@ -82,7 +82,7 @@ impl<T: Real> Program<T> {
         let recorded = Arc::new(recorded);
         let body = Body::Graph(Arc::clone(&recorded));
         Program {
-            inner: Arc::new(Inner {
+            inner: Arc::new(ProgramParts {
                 recording: Arc::new(Recording::new(takes, gives, &[], body)),
                 recorded,
                 names,
@@ -97,7 +97,7 @@ impl<T: Real> Program<T> {
         recording: Arc<Recording<T>>,
     ) -> Self {
         Program {
-            inner: Arc::new(Inner {
+            inner: Arc::new(ProgramParts {
                 recorded: Arc::new(recorded),
                 names,
                 recording,
@@ -106,7 +106,7 @@ impl<T: Real> Program<T> {
         }
     }
 
-    /// Returns the same with names for its arguments, by which errors call them.
+    /// Returns the program with names for its arguments, which errors then use.
     ///
     /// # Errors
     ///
@@ -121,7 +121,7 @@ impl<T: Real> Program<T> {
             });
         }
         Ok(Program {
-            inner: Arc::new(Inner {
+            inner: Arc::new(ProgramParts {
                 recorded: Arc::clone(&inner.recorded),
                 names: named(names, takes),
                 recording: Arc::clone(&inner.recording),
@@ -130,12 +130,12 @@ impl<T: Real> Program<T> {
         })
     }
 
-    /// Its graph.
+    /// Returns the graph.
     #[cfg(feature = "check")]
     pub(crate) fn recorded(&self) -> &Recorded {
         &self.inner.recorded
     }
-    /// Returns a name and a layout for every argument.
+    /// Returns the name and the layout of every argument.
     #[must_use]
     pub fn takes(&self) -> Vec<(Argument, Layout<T>)> {
         let layouts = self
@@ -146,12 +146,12 @@ impl<T: Real> Program<T> {
             .map(|&leaf| Layout { leaf });
         self.inner.names.iter().copied().zip(layouts).collect()
     }
-    /// Numbers of every shape of the result.
+    /// Returns the number of scalars of every shape in the result.
     #[must_use]
     pub fn gives(&self) -> &[usize] {
         &self.inner.recording.outputs
     }
-    /// Returns how many numbers go in, and how many come out.
+    /// Returns the numbers of input scalars and of output scalars.
     #[must_use]
     pub fn sizes(&self) -> [usize; 2] {
         [
@@ -164,17 +164,17 @@ impl<T: Real> Program<T> {
     pub fn format(&self) -> Format {
         T::FORMAT
     }
-    /// Returns how many operations a value takes, by kind.
+    /// Returns the number of operations in a value, by kind.
     #[must_use]
     pub fn cost(&self) -> Cost {
         Cost::of(&self.inner.recorded.value.graph)
     }
-    /// Its operations as data.
+    /// Returns the operations as data.
     #[must_use]
     pub fn nodes(&self) -> Nodes {
         nodes(&self.inner.recorded)
     }
-    /// Returns the program as what runs on columns, in every form.
+    /// Returns the program as a function of columns, with every form of a batch.
     #[must_use]
     pub fn function(&self) -> Function<T> {
         Function {
@@ -184,11 +184,11 @@ impl<T: Real> Program<T> {
             names: self.inner.names.clone(),
         }
     }
-    /// Returns the results for the numbers of one input, unchecked but for how many there are.
+    /// Returns the results for the numbers of one input. It checks only their count.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] for another number of them.
+    /// [`Error::Length`] for another count.
     pub fn eval(&self, input: &[T]) -> Result<Vec<T>, Error> {
         expect(Argument::Shape, self.inner.recorded.inputs, input.len())?;
         Ok(guarded(input, self.inner.recorded.run(input)))
@@ -197,12 +197,12 @@ impl<T: Real> Program<T> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] for another number of them.
+    /// [`Error::Length`] for another count.
     pub fn eval_on<S: Scalar>(&self, input: &[S]) -> Result<Vec<S>, Error> {
         expect(Argument::Shape, self.inner.recorded.inputs, input.len())?;
         Ok(guarded(input, self.inner.recorded.run_on(input)))
     }
-    /// Item i of every column, as [`Function::aligned`].
+    /// Computes item i of every column, as [`Function::aligned`].
     ///
     /// # Errors
     ///
@@ -211,7 +211,7 @@ impl<T: Real> Program<T> {
         self.function().aligned(rows)
     }
 
-    /// Returns a derivative of it, from the arguments that it takes beside the same ones, and its results.
+    /// Returns a derivative of it, with `more` arguments after its own, and with other results.
     fn derived(
         &self,
         recorded: Recorded,
@@ -242,8 +242,8 @@ impl<T: Real> Program<T> {
         }
     }
 
-    /// Returns the result, one number, and its gradient. An operation's is the one that its row says: by hand,
-    /// backwards or forwards.
+    /// Returns the program of the result, one number, and its gradient. An operation uses the derivative that its row
+    /// declares: by hand, reverse or forward.
     ///
     /// # Errors
     ///
@@ -254,8 +254,8 @@ impl<T: Real> Program<T> {
         let gives = [self.gives(), &self.inputs()].concat();
         Ok(self.derived(recorded, Vec::new(), gives))
     }
-    /// Returns the adjoint: from an input and a cotangent of the result to the cotangent of the input. An operation's
-    /// is the one that its row says.
+    /// Returns the adjoint: from an input and a cotangent of the result to the cotangent of the input. An operation
+    /// uses the derivative that its row declares.
     ///
     /// # Errors
     ///
@@ -273,13 +273,13 @@ impl<T: Real> Program<T> {
         let bars = bars.map(|&n| (Argument::Upstream, Layout::numbers(n).leaf));
         Ok(self.derived(recorded, bars.collect(), self.inputs()))
     }
-    /// From an input and a direction of it to the result and its derivative along the direction.
+    /// Returns the program from an input and a direction to the result and its derivative along the direction.
     #[must_use]
     pub fn jvp(&self) -> Self {
         let gives = [self.gives(), self.gives()].concat();
         self.derived(self.inner.recorded.jvp(), self.directions(), gives)
     }
-    /// From an input and a direction of it to the derivative of the gradient along the direction.
+    /// Returns the program from an input and a direction to the derivative of the gradient along the direction.
     ///
     /// # Errors
     ///
@@ -289,8 +289,8 @@ impl<T: Real> Program<T> {
         let recorded = self.inner.recorded.hvp();
         Ok(self.derived(recorded, self.directions(), self.inputs()))
     }
-    /// Returns the derivatives of every number of the result by every number of the input, those of the first result
-    /// first.
+    /// Returns the program of the derivatives of every number of the result by every number of the input, in row-major
+    /// order: one row per number of the result.
     ///
     /// # Errors
     ///
@@ -307,7 +307,7 @@ impl<T: Real> Program<T> {
         };
         Ok(self.derived(recorded, Vec::new(), vec![inputs * outputs]))
     }
-    /// Returns the second derivatives by all numbers of the input, those by the first number first.
+    /// Returns the program of the second derivatives by all numbers of the input, in row-major order.
     ///
     /// # Errors
     ///
@@ -319,13 +319,13 @@ impl<T: Real> Program<T> {
         Ok(self.derived(recorded, Vec::new(), vec![inputs * inputs]))
     }
 
-    /// Returns the result as part of a larger function that is being recorded: a list of symbols for every argument. A
-    /// gradient by hand comes along.
+    /// Records the program as part of a larger function that is being recorded, with a list of symbols for every
+    /// argument. A gradient by hand is included.
     ///
     /// # Errors
     ///
-    /// [`Error::Arguments`] and [`Error::Fields`] for other numbers of them, [`Error::Program`] for symbols that are
-    /// not of the recording that is open on this thread.
+    /// [`Error::Arguments`] and [`Error::Fields`] for a wrong number of arguments or fields, [`Error::Program`] for
+    /// symbols of another recording or thread.
     pub fn on_symbols(&self, arguments: &[&[Symbol<T>]]) -> Result<Vec<Symbol<T>>, Error> {
         let inner = &*self.inner;
         let layouts: Vec<_> = inner.names.iter().copied().zip(self.inputs()).collect();
@@ -357,7 +357,7 @@ impl Program<f32> {
     }
 }
 
-/// Returns the symbols of all arguments, each of so many.
+/// Returns the symbols of all arguments in one list, after a check of their numbers.
 pub(super) fn flat<T: Real>(
     layouts: &[(Argument, usize)],
     arguments: &[&[Symbol<T>]],
@@ -387,7 +387,7 @@ pub(super) fn flat<T: Real>(
 
 /// A function that is being recorded on this thread, from its arguments to its results.
 ///
-/// Dropped, it records nothing. It stays on its thread.
+/// Dropping it discards the recording. It cannot leave its thread.
 ///
 /// ```
 /// use geograd::kernels::dynamic::{Layout, Rows, Tracing, operation, symbol};
@@ -420,12 +420,12 @@ impl<T: Real> fmt::Debug for Tracing<T> {
 }
 
 impl<T: Real> Tracing<T> {
-    /// Starts to record a function of such arguments.
+    /// Starts recording a function of arguments with these layouts.
     ///
     /// # Errors
     ///
-    /// [`Error::Program`] where a recording is open on this thread ([`Unrecordable::Nested`]), or for shapes with whole
-    /// numbers.
+    /// [`Error::Program`] if another recording is open on this thread ([`Unrecordable::Nested`]), or for shapes with
+    /// whole numbers.
     pub fn start(takes: &[Layout<T>]) -> Result<Self, Error> {
         if takes.iter().any(|layout| layout.codes() > 0) {
             return Err(Error::Program(Unrecordable::Codes));
@@ -445,7 +445,7 @@ impl<T: Real> Tracing<T> {
             .map(|leaf| all.by_ref().take(leaf.fields).collect())
             .collect()
     }
-    /// Returns the program with these results, each a list of numbers.
+    /// Ends the recording and returns the program with these results, each a list of numbers.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! Columns of plain numbers, and what is asked of them.
+//! Columns of plain numbers, and the layouts that they must have.
 use crate::error::{Argument, Error, Field, Validate};
 use crate::kernels::machine::Column;
 use crate::kernels::row::item::counts::expect;
@@ -7,44 +7,44 @@ use crate::{Fixed, Real};
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// The numbers of rows.
+/// The memory of rows.
 #[derive(Clone, Copy, Debug)]
-enum Numbers<'a, T> {
-    /// Row by row.
+enum RowMemory<'a, T> {
+    /// Row-major: the fields of a row are adjacent.
     Together(&'a [T]),
-    /// Every field on its own.
+    /// One slice per field.
     Apart(&'a [&'a [T]]),
 }
 
-/// One argument of every item as plain numbers: rows of so many fields, one after another, or a slice for every field.
+/// One argument of every item as plain numbers: rows in row-major order, or a slice for every field.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<'a, T> {
-    numbers: Numbers<'a, T>,
+    numbers: RowMemory<'a, T>,
     fields: usize,
     is_one: bool,
 }
 
 impl<'a, T: Real> Rows<'a, T> {
-    /// Rows of so many fields each.
+    /// Creates rows of `fields` numbers each, in row-major order.
     #[must_use]
     pub const fn new(numbers: &'a [T], fields: usize) -> Self {
         Rows {
-            numbers: Numbers::Together(numbers),
+            numbers: RowMemory::Together(numbers),
             fields,
             is_one: false,
         }
     }
-    /// One row that stands for all items.
+    /// Creates one row that stands for all items.
     #[must_use]
     pub const fn one(row: &'a [T]) -> Self {
         Rows {
-            numbers: Numbers::Together(row),
+            numbers: RowMemory::Together(row),
             fields: row.len(),
             is_one: true,
         }
     }
-    /// Rows whose fields lie apart in memory, such as the structs of Arrow: a slice for every field. Calls read them where
-    /// they lie, a few thousand rows at a time.
+    /// Creates rows with one slice per field, such as the structs of Arrow. Calls read the slices in place, a few
+    /// thousand rows at a time.
     ///
     /// ```
     /// use geograd::kernels::dynamic::{Rows, operation};
@@ -58,17 +58,17 @@ impl<'a, T: Real> Rows<'a, T> {
     #[must_use]
     pub const fn apart(fields: &'a [&'a [T]]) -> Self {
         Rows {
-            numbers: Numbers::Apart(fields),
+            numbers: RowMemory::Apart(fields),
             fields: fields.len(),
             is_one: false,
         }
     }
-    /// Returns the numbers, row by row; a copy of those whose fields lie apart.
+    /// Returns the numbers in row-major order; copies separate fields.
     #[must_use]
     pub fn numbers(&self) -> Cow<'a, [T]> {
         match self.numbers {
-            Numbers::Together(numbers) => Cow::Borrowed(numbers),
-            Numbers::Apart(fields) => {
+            RowMemory::Together(numbers) => Cow::Borrowed(numbers),
+            RowMemory::Apart(fields) => {
                 let count = self.count().unwrap_or(0);
                 let mut rows = vec![T::default(); count * fields.len()];
                 gather(fields, 0..count, &mut rows);
@@ -76,40 +76,40 @@ impl<'a, T: Real> Rows<'a, T> {
             }
         }
     }
-    /// Returns how many rows there are; `None` for one that stands for all.
+    /// Returns the number of rows; `None` for one that stands for all items.
     #[must_use]
     pub fn count(&self) -> Option<usize> {
         let numbers = match self.numbers {
-            Numbers::Together(numbers) => numbers.len().checked_div(self.fields).unwrap_or(0),
-            Numbers::Apart(fields) => fields.iter().map(|field| field.len()).min().unwrap_or(0),
+            RowMemory::Together(numbers) => numbers.len().checked_div(self.fields).unwrap_or(0),
+            RowMemory::Apart(fields) => fields.iter().map(|field| field.len()).min().unwrap_or(0),
         };
         (!self.is_one).then_some(numbers)
     }
-    /// Numbers of a row.
+    /// Returns the number of fields of a row.
     #[must_use]
     pub const fn fields(&self) -> usize {
         self.fields
     }
-    /// Returns `true` if every field is on its own.
+    /// Returns `true` if every field is a slice of its own.
     pub(super) const fn is_apart(&self) -> bool {
-        matches!(self.numbers, Numbers::Apart(_))
+        matches!(self.numbers, RowMemory::Apart(_))
     }
-    /// Returns some rows, in the caller's memory where they have to be put together; one that stands for all as it is.
+    /// Returns some rows, copied to `room` if fields are separate; a row that stands for all is returned as it is.
     pub(super) fn some<'s>(&'s self, items: Range<usize>, room: &'s mut Vec<T>) -> Rows<'s, T> {
         match self.numbers {
-            Numbers::Together(_) if self.is_one => *self,
-            Numbers::Together(numbers) => {
+            RowMemory::Together(_) if self.is_one => *self,
+            RowMemory::Together(numbers) => {
                 let fields = self.fields;
                 Rows::new(&numbers[items.start * fields..items.end * fields], fields)
             }
-            Numbers::Apart(fields) => {
+            RowMemory::Apart(fields) => {
                 room.resize(items.len() * fields.len(), T::default());
                 gather(fields, items, room);
                 Rows::new(room, fields.len())
             }
         }
     }
-    /// As a column of rows of so many fields.
+    /// Converts it to a column, and checks its number of fields.
     pub(super) fn column(
         &self,
         argument: Argument,
@@ -123,11 +123,11 @@ impl<'a, T: Real> Rows<'a, T> {
             });
         }
         match self.numbers {
-            Numbers::Together(numbers) => {
+            RowMemory::Together(numbers) => {
                 let whole = numbers.len() - numbers.len() % expected.max(1);
                 expect(argument, whole, numbers.len())?;
             }
-            Numbers::Apart(fields) => {
+            RowMemory::Apart(fields) => {
                 let count = fields.first().map_or(0, |field| field.len());
                 let mut lengths = fields.iter().map(|field| field.len());
                 lengths.try_for_each(|found| expect(argument, count, found))?;
@@ -135,11 +135,11 @@ impl<'a, T: Real> Rows<'a, T> {
         }
         Ok(self.lent())
     }
-    /// As a column of whatever rows.
+    /// Converts it to a column with any number of fields.
     pub(super) fn lent(&self) -> Column<'a, T> {
         match self.numbers {
-            Numbers::Together(numbers) => Column::lent(numbers, self.fields, self.count()),
-            Numbers::Apart(fields) => {
+            RowMemory::Together(numbers) => Column::lent(numbers, self.fields, self.count()),
+            RowMemory::Apart(fields) => {
                 let read = |items: Range<usize>, rows: &mut [T]| gather(fields, items, rows);
                 Column::read(self.fields, self.count().unwrap_or(0), read)
             }
@@ -147,7 +147,7 @@ impl<'a, T: Real> Rows<'a, T> {
     }
 }
 
-/// Rows of fields that lie apart.
+/// Copies rows of separate fields to row-major order.
 fn gather<T: Real>(fields: &[&[T]], items: Range<usize>, rows: &mut [T]) {
     for (k, field) in fields.iter().enumerate() {
         let places = rows.iter_mut().skip(k).step_by(fields.len());
@@ -157,7 +157,7 @@ fn gather<T: Real>(fields: &[&[T]], items: Range<usize>, rows: &mut [T]) {
     }
 }
 
-/// The meaning of a column of numbers: fields of a row, their names, and which values are valid.
+/// The meaning of a column of numbers: the fields of a row, their names, and the valid values.
 #[derive(Debug)]
 pub struct Layout<T> {
     pub(super) leaf: Leaf<T>,
@@ -171,7 +171,7 @@ impl<T> Clone for Layout<T> {
 impl<T> Copy for Layout<T> {}
 
 impl<T: Real> Layout<T> {
-    /// So many finite numbers.
+    /// Returns the layout of `fields` finite numbers.
     ///
     /// ```
     /// use geograd::kernels::dynamic::Layout;
@@ -183,7 +183,7 @@ impl<T: Real> Layout<T> {
             leaf: Leaf::numbers(fields),
         }
     }
-    /// Returns a shape.
+    /// Returns the layout of a shape.
     ///
     /// ```
     /// use geograd::Obb2;
@@ -205,12 +205,12 @@ impl<T: Real> Layout<T> {
             (name, _) => shape_name(name),
         }
     }
-    /// Numbers of a row: scalars, then whole numbers.
+    /// Returns the number of fields of a row: scalars, then whole numbers.
     #[must_use]
     pub const fn fields(&self) -> usize {
         self.leaf.fields
     }
-    /// Returns how many of them are whole numbers, which have no derivatives.
+    /// Returns the number of fields that are whole numbers, which have no derivatives.
     #[must_use]
     pub const fn codes(&self) -> usize {
         self.leaf.codes
@@ -221,7 +221,7 @@ impl<T: Real> Layout<T> {
         let scalars = 0..self.leaf.fields - self.leaf.codes;
         scalars.map(self.leaf.name).collect()
     }
-    /// Returns `Ok` when a row is valid.
+    /// Checks that a row is valid.
     ///
     /// # Errors
     ///
@@ -243,7 +243,7 @@ impl<T: Real> Layout<T> {
     }
 }
 
-/// Returns the name of a shape, from that of its type: without paths and without the format of its numbers.
+/// Returns the name of a shape from the name of its type, without paths and the format of its numbers.
 pub(super) fn shape_name(of_type: &str) -> String {
     let mut name = String::new();
     for part in of_type.split_inclusive(|c: char| !c.is_alphanumeric() && c != '_' && c != ':') {
@@ -260,7 +260,7 @@ pub(super) fn shape_name(of_type: &str) -> String {
     name
 }
 
-/// Returns the names of arguments: their own, or those of their places.
+/// Returns the names of arguments: declared ones, or else their places.
 pub(super) fn named(names: &[&'static str], count: usize) -> Vec<Argument> {
     (0..count)
         .map(|k| match names.get(k) {

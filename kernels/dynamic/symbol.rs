@@ -1,9 +1,9 @@
-//! The operations of [`Scalar`] on symbols, as plain functions that refuse what is not of the open recording.
+//! The operations of [`Scalar`] on symbols, as functions that refuse symbols of other recordings.
 //!
 //! A function is recorded between [`Tracing::start`](super::Tracing::start) and
-//! [`Tracing::finish`](super::Tracing::finish). Symbols stand for its numbers, [`Truth`]s for comparisons of them.
-//! They mean something on the thread of their recording only, until it is finished: everywhere else every function
-//! here gives [`Unrecordable::ForeignSymbol`](crate::Unrecordable::ForeignSymbol).
+//! [`Tracing::finish`](super::Tracing::finish). Symbols stand for its numbers, [`Truth`]s for comparisons of them. They
+//! are valid on the thread of their recording until it is finished. Elsewhere every function here returns
+//! [`Unrecordable::ForeignSymbol`](crate::Unrecordable::ForeignSymbol).
 use crate::ad::program::opened::{is_open, is_open_in};
 use crate::ad::program::{Sym, SymMask};
 use crate::error::Error;
@@ -18,11 +18,11 @@ pub struct Symbol<T>(pub(super) Sym<T>);
 #[derive(Clone, Copy, Debug)]
 pub struct Truth<T>(SymMask<T>);
 
-/// A result of the functions here: an error for symbols that are not of the recording that is open on this thread.
+/// The result of a function here: an error for symbols of another recording or thread.
 pub type Made<X> = Result<X, Error>;
 
 impl<T: Real> Symbol<T> {
-    /// Returns `Ok` when it is of the recording that is open on this thread.
+    /// Checks that the symbol belongs to the recording that is open on this thread.
     ///
     /// # Errors
     ///
@@ -32,7 +32,7 @@ impl<T: Real> Symbol<T> {
     }
 }
 impl<T: Real> Truth<T> {
-    /// Returns `Ok` when it is of the recording that is open on this thread.
+    /// Checks that the truth belongs to the recording that is open on this thread.
     ///
     /// # Errors
     ///
@@ -42,7 +42,7 @@ impl<T: Real> Truth<T> {
     }
 }
 
-/// True while a recording is open on this thread.
+/// Returns `true` while a recording is open on this thread.
 #[must_use]
 pub fn is_recording() -> bool {
     is_open()
@@ -58,19 +58,19 @@ pub fn literal<T: Real>(x: f64) -> Made<Symbol<T>> {
     Ok(Symbol(Sym::lit(x)))
 }
 
-/// Functions of symbols: a documentation, a name, arguments, and what [`Scalar`] does.
+/// Defines functions of symbols: documentation, name, arguments, and a formula of [`Scalar`].
 macro_rules! functions {
     ($($(#[$doc:meta])* $name:ident($($x:ident: $type:ident),+) -> $out:ident = $body:expr;)*) => { $(
         $(#[$doc])*
         ///
         /// # Errors
         ///
-        /// [`Error::Program`] for what is not of the recording that is open on this thread.
+        /// [`Error::Program`] for symbols of another recording or thread.
         pub fn $name<T: Real>($($x: $type<T>),+) -> Made<$out<T>> {
             $($x.belongs()?;)+
             $(let $x = $x.0;)+
             let made = $out($body);
-            // One operation too many shows here.
+            // This finds a recording with too many operations.
             made.belongs()?;
             Ok(made)
         }
@@ -78,81 +78,81 @@ macro_rules! functions {
 }
 
 functions! {
-    /// `−x`.
+    /// Returns `−x`.
     neg(x: Symbol) -> Symbol = -x;
-    /// `a + b`.
+    /// Returns `a + b`.
     add(a: Symbol, b: Symbol) -> Symbol = a + b;
-    /// `a − b`.
+    /// Returns `a − b`.
     sub(a: Symbol, b: Symbol) -> Symbol = a - b;
-    /// `a b`.
+    /// Returns `a b`.
     mul(a: Symbol, b: Symbol) -> Symbol = a * b;
-    /// `a / b`: [`Scalar::over`].
+    /// Returns `a / b`: [`Scalar::over`].
     over(a: Symbol, b: Symbol) -> Symbol = a.over(b);
-    /// The smaller one; an exact tie shares the derivative: [`Scalar::least`].
+    /// Returns the smaller one; an exact tie shares the derivative: [`Scalar::least`].
     least(a: Symbol, b: Symbol) -> Symbol = a.least(b);
-    /// The larger one; an exact tie shares the derivative: [`Scalar::most`].
+    /// Returns the larger one; an exact tie shares the derivative: [`Scalar::most`].
     most(a: Symbol, b: Symbol) -> Symbol = a.most(b);
-    /// The nearest value in `[low, high]`; at either border the derivative is shared: [`Scalar::clamp`].
+    /// Returns the nearest value in `[low, high]`; at either border the derivative is shared: [`Scalar::clamp`].
     clamp(x: Symbol, low: Symbol, high: Symbol) -> Symbol = x.clamp(low, high);
-    /// `x`, or NaN where `of` is NaN: comparisons, and so the smaller and the larger number, do not see one.
+    /// Returns `x`, or NaN where `of` is NaN, since comparisons, [`least`] and [`most`] lose it.
     known(x: Symbol, of: Symbol) -> Symbol = Guard::of_numbers(&[of]).result(x);
-    /// `|x|`, with derivative 0 at 0: [`Scalar::magnitude`].
+    /// Returns `|x|`, with derivative 0 at 0: [`Scalar::magnitude`].
     magnitude(x: Symbol) -> Symbol = x.magnitude();
-    /// `|x|`, with derivative 1 at 0: [`Scalar::unsigned`].
+    /// Returns `|x|`, with derivative 1 at 0: [`Scalar::unsigned`].
     unsigned(x: Symbol) -> Symbol = x.unsigned();
-    /// `x`, negated where `side` is negative: [`Scalar::signed_as`].
+    /// Returns `x`, negated where `side` is negative: [`Scalar::signed_as`].
     signed_as(x: Symbol, side: Symbol) -> Symbol = x.signed_as(side);
-    /// The square root; zero with derivative zero at zero and below: [`Scalar::root`].
+    /// Returns the square root; zero with derivative zero at zero and below: [`Scalar::root`].
     root(x: Symbol) -> Symbol = x.root();
-    /// `√(a² + b²)` without overflow; derivative zero at the origin: [`Scalar::hypot`].
+    /// Returns `√(a² + b²)` without overflow; derivative zero at the origin: [`Scalar::hypot`].
     hypot(a: Symbol, b: Symbol) -> Symbol = a.hypot(b);
-    /// The sine of an angle in radians.
+    /// Returns the sine of an angle in radians.
     sin(x: Symbol) -> Symbol = x.sin();
-    /// The cosine of an angle in radians.
+    /// Returns the cosine of an angle in radians.
     cos(x: Symbol) -> Symbol = x.cos();
-    /// The tangent of an angle in radians.
+    /// Returns the tangent of an angle in radians.
     tan(x: Symbol) -> Symbol = x.tan();
-    /// The angle of the vector `(x, y)` in radians, in `[−π, π]`: [`Scalar::atan2`].
+    /// Returns the angle of the vector `(x, y)` in radians, in `[−π, π]`: [`Scalar::atan2`].
     atan2(y: Symbol, x: Symbol) -> Symbol = y.atan2(x);
-    /// The exponential.
+    /// Returns the exponential.
     exp(x: Symbol) -> Symbol = x.exp();
-    /// The natural logarithm.
+    /// Returns the natural logarithm.
     ln(x: Symbol) -> Symbol = x.ln();
-    /// `x²`.
+    /// Returns `x²`.
     squared(x: Symbol) -> Symbol = x.squared();
-    /// `x / 2`.
+    /// Returns `x / 2`.
     halved(x: Symbol) -> Symbol = x.halved();
-    /// The power of two that brings `x > 0` into `[2, 4)`, a constant: [`Scalar::binade`].
+    /// Returns the power of two that brings `x > 0` into `[2, 4)`, a constant: [`Scalar::binade`].
     binade(x: Symbol) -> Symbol = x.binade();
-    /// The value without its derivatives: [`Scalar::primal`].
+    /// Returns the value without its derivatives: [`Scalar::primal`].
     primal(x: Symbol) -> Symbol = x.primal();
-    /// The derivatives of `x` at another value: [`Scalar::with_primal`].
+    /// Returns the derivatives of `x` at another value: [`Scalar::with_primal`].
     with_primal(x: Symbol, value: Symbol) -> Symbol = x.with_primal(value);
-    /// The value of `x` with its derivatives multiplied by `share`: [`Scalar::damp`].
+    /// Returns the value of `x` with its derivatives multiplied by `share`: [`Scalar::damp`].
     damp(x: Symbol, share: Symbol) -> Symbol = x.damp(share);
-    /// The nearest finite number: [`Scalar::saturated`].
+    /// Returns the nearest finite number: [`Scalar::saturated`].
     saturated(x: Symbol) -> Symbol = x.saturated();
-    /// The same number; a zero loses its sign: [`Scalar::canonical`].
+    /// Returns `x` with the sign removed from a zero: [`Scalar::canonical`].
     canonical(x: Symbol) -> Symbol = x.canonical();
-    /// `a < b`.
+    /// Returns `a < b`.
     below(a: Symbol, b: Symbol) -> Truth = a.below(b);
-    /// `a ≤ b`.
+    /// Returns `a ≤ b`.
     at_most(a: Symbol, b: Symbol) -> Truth = a.at_most(b);
-    /// `a > b`.
+    /// Returns `a > b`.
     above(a: Symbol, b: Symbol) -> Truth = a.above(b);
-    /// `a ≥ b`.
+    /// Returns `a ≥ b`.
     at_least(a: Symbol, b: Symbol) -> Truth = a.at_least(b);
-    /// `a = b`.
+    /// Returns `a = b`.
     equals(a: Symbol, b: Symbol) -> Truth = a.equals(b);
-    /// True where the value is neither infinite nor NaN: [`Scalar::finite`].
+    /// Returns `true` where the value is neither infinite nor NaN: [`Scalar::finite`].
     finite(x: Symbol) -> Truth = x.finite();
-    /// Both truths.
+    /// Returns the conjunction of two truths.
     and(a: Truth, b: Truth) -> Truth = a & b;
-    /// Either truth.
+    /// Returns the disjunction of two truths.
     or(a: Truth, b: Truth) -> Truth = a | b;
-    /// The other truth.
+    /// Returns the negation of a truth.
     not(x: Truth) -> Truth = !x;
-    /// `yes` where the truth holds, else `no`, without a trace of what is not chosen: [`Scalar::select`].
+    /// Returns `yes` where the truth holds, else `no`, without effects of the other one: [`Scalar::select`].
     select(truth: Truth, yes: Symbol, no: Symbol) -> Symbol = Sym::select(truth, yes, no);
 }
 
@@ -160,28 +160,29 @@ functions! {
 ///
 /// # Errors
 ///
-/// [`Error::Program`] for what is not of the recording that is open on this thread.
+/// [`Error::Program`] for symbols of another recording or thread.
 pub fn powi<T: Real>(x: Symbol<T>, exponent: i32) -> Made<Symbol<T>> {
     x.belongs()?;
     Ok(Symbol(x.0.powi(exponent)))
 }
 
-/// `(high, low)` with `high + low = x` exactly, `high` a constant of half the significand: [`Scalar::parts`].
+/// Splits `x` into `(high, low)` with `high + low = x` exactly, `high` a constant of half the significand:
+/// [`Scalar::parts`].
 ///
 /// # Errors
 ///
-/// [`Error::Program`] for what is not of the recording that is open on this thread.
+/// [`Error::Program`] for symbols of another recording or thread.
 pub fn parts<T: Real>(x: Symbol<T>) -> Made<(Symbol<T>, Symbol<T>)> {
     x.belongs()?;
     let (high, low) = x.0.parts();
     Ok((Symbol(high), Symbol(low)))
 }
 
-/// Sine and cosine, each as a short high part and the rest: [`Scalar::sin_cos_parts`].
+/// Returns sine and cosine, each as a short high part and the rest: [`Scalar::sin_cos_parts`].
 ///
 /// # Errors
 ///
-/// [`Error::Program`] for what is not of the recording that is open on this thread.
+/// [`Error::Program`] for symbols of another recording or thread.
 pub fn sin_cos_parts<T: Real>(x: Symbol<T>) -> Made<[(Symbol<T>, Symbol<T>); 2]> {
     x.belongs()?;
     let parts = x.0.sin_cos_parts();

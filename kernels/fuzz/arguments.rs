@@ -1,29 +1,29 @@
-//! Inputs as columns of numbers.
+//! Lists of inputs as columns of numbers.
 use crate::Real;
 
-/// Many inputs of an operation.
+/// A list of inputs of an operation.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Inputs<T> {
-    /// For every shape of an input its numbers, input after input.
+pub(super) struct InputColumns<T> {
+    /// The numbers of every shape of an input, input after input.
     pub columns: Vec<Vec<T>>,
-    /// Numbers of vertices of paths, where an input has one.
+    /// The numbers of all vertices, if an input has a path.
     pub vertices: Vec<T>,
     /// The first vertex of every path, and the end of the last.
     pub offsets: Vec<usize>,
-    /// How many inputs.
+    /// The number of inputs.
     pub count: usize,
-    /// How many more were drawn outside the domain.
+    /// The number of rejected draws outside the domain.
     pub outside: u64,
 }
 
-impl<T: Real> Inputs<T> {
-    /// With the second shape instead of the first, and the first instead of the second.
+impl<T: Real> InputColumns<T> {
+    /// Returns the inputs with their two shapes exchanged.
     pub fn exchanged(&self) -> Self {
         let mut other = self.clone();
         other.columns.swap(0, 1);
         other
     }
-    /// With the first shape instead of the second.
+    /// Returns the inputs with their first shape in place of the second.
     pub fn twins(&self) -> Self {
         let mut other = self.clone();
         other.columns[1] = other.columns[0].clone();

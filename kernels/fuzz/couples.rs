@@ -1,21 +1,21 @@
 //! Properties of pairs of shapes: apart, identical, exchanged.
-use super::arguments::Inputs;
+use super::arguments::InputColumns;
 use super::inputs::is_inside;
 use super::job::Job;
-use super::properties::{Found, Outcome, first_where, unless};
+use super::properties::{BatchResults, Outcome, first_where, unless};
 use super::property::{Finding, Property};
 use crate::Real;
 use crate::ad::declared::Kind;
 use crate::kernels::row::op::Extremes;
 
-/// Values may change by so many roundings, times the longest aspect, when shapes are exchanged, for aspects up to a
-/// limit.
+/// The number of roundings, times the longest aspect, by which values may change when shapes are exchanged, and the
+/// limit of aspects.
 const ROUNDINGS: f64 = 64.0;
 const LIMIT: f64 = 1e20;
 
 impl<T: Real> Job<T> {
-    /// Shapes that are apart for certain: by what their numbers reach along x or y.
-    pub(super) fn apart(&self, inputs: &Inputs<T>, found: &Found<T>) -> Outcome {
+    /// Tests pairs that are certainly apart, since their numbers bound them along x or y.
+    pub(super) fn apart(&self, inputs: &InputColumns<T>, found: &BatchResults<T>) -> Outcome {
         use Extremes::{Ratio, Shared, Union};
         if !matches!(self.declared.extremes, Shared | Ratio | Union) || self.shapes.len() != 2 {
             return Ok(());
@@ -38,7 +38,8 @@ impl<T: Real> Job<T> {
         let place = places.find(|&i| {
             let is_apart = [Kind::X, Kind::Y].into_iter().any(|along| {
                 let ([a, b], [c, d]) = (reach(0, i, along), reach(1, i, along));
-                // More than rounding apart; in the format itself, where shapes are nothing but coordinates.
+                // They must be further apart than rounding. Shapes of plain coordinates are compared in their own
+                // format.
                 let least = [a, b, c, d]
                     .into_iter()
                     .fold(0.0, |m: f64, x| m.max(x.abs()))
@@ -56,8 +57,8 @@ impl<T: Real> Job<T> {
         unless(Property::Apart, place)
     }
 
-    /// Returns a shape and itself.
-    pub(super) fn identical(&self, inputs: &Inputs<T>) -> Outcome {
+    /// Tests every shape with itself.
+    pub(super) fn identical(&self, inputs: &InputColumns<T>) -> Outcome {
         use Extremes::{One, Ratio, Union};
         let extremes = self.declared.extremes;
         if !matches!(extremes, Ratio | Union | One)
@@ -65,7 +66,7 @@ impl<T: Real> Job<T> {
         {
             return Ok(());
         }
-        // Twins outside the domain are left out.
+        // Pairs outside the domain are skipped.
         let mut twins = inputs.twins();
         let mut places: Vec<usize> = (0..inputs.count).collect();
         if self.declared.domain.is_some() {
@@ -79,7 +80,7 @@ impl<T: Real> Job<T> {
         let unless = |property, place: Option<usize>| unless(property, place.map(|at| places[at]));
         let ill = |x: &T| (*x != T::one()) & (*x != T::zero());
         unless(Property::Identical, first_where(&found.values[0], ill))?;
-        // Nothing decides a union alone; a share of the first box has a kink here.
+        // Only a union is smooth here; a share of the first box has a kink.
         if extremes != Union {
             return Ok(());
         }
@@ -93,15 +94,15 @@ impl<T: Real> Job<T> {
             })
     }
 
-    /// Returns the same shapes in the other order.
-    pub(super) fn exchanged(&self, inputs: &Inputs<T>, found: &Found<T>) -> Outcome {
+    /// Tests the shapes in exchanged order.
+    pub(super) fn exchanged(&self, inputs: &InputColumns<T>, found: &BatchResults<T>) -> Outcome {
         let [a, b] = [0, 1].map(|s| self.shapes[s].leaf.fields);
         if !self.declared.is_symmetric() || a != b || self.outputs.len() != 1 {
             return Ok(());
         }
         let mut exchanged = inputs.exchanged();
         for i in 0..inputs.count {
-            // One that leaves the domain stays as it is.
+            // An input that leaves the domain is not exchanged.
             if self.declared.domain.is_some() && !is_inside(self, &exchanged.item(self, i)) {
                 exchanged.put(self, i, &inputs.item(self, i));
             }
@@ -114,7 +115,7 @@ impl<T: Real> Job<T> {
         let (own, n) = (&found.values[0], self.outputs[0]);
         let place = (0..own.len()).find(|&k| {
             let apart = (own[k].widen() - others[0][k].widen()).abs();
-            // A score without an end changes as it is large.
+            // An unbounded score changes in proportion to its size.
             let size = own[k].widen().abs().max(1.0);
             let size = if self.declared.power() == Some(0) {
                 size
@@ -126,9 +127,9 @@ impl<T: Real> Job<T> {
         unless(Property::Symmetric, place.map(|k| k / n))
     }
 
-    /// By how many roundings of one a result may change when shapes are exchanged; infinite where nothing is
-    /// declared.
-    fn exchange_may_change(&self, inputs: &Inputs<T>, i: usize) -> f64 {
+    /// Returns the number of roundings of one by which a result may change when shapes are exchanged; infinite without
+    /// a declared bound.
+    fn exchange_may_change(&self, inputs: &InputColumns<T>, i: usize) -> f64 {
         let Some(power) = self.declared.power() else {
             return f64::INFINITY;
         };
@@ -139,7 +140,7 @@ impl<T: Real> Job<T> {
         let sides = [0, 1].map(|s| self.shapes[s].rules.sides(numbers(s)));
         let is_measure = matches!(self.declared.extremes, Extremes::Shared);
         if power > 0 && !is_measure {
-            // A distance moves by a rounding of the coordinates.
+            // A distance changes by a rounding of the coordinates.
             let all = [0, 1].map(numbers);
             let all = all.iter().flat_map(|x| x.iter()).zip(&self.kinds);
             let largest = all.fold(0.0_f64, |m, (x, kind)| match kind.is_length() {
@@ -151,8 +152,8 @@ impl<T: Real> Job<T> {
         if sides.iter().any(Vec::is_empty) {
             return f64::INFINITY;
         }
-        // A rounding of the longest side moves a side of the shorter ones. So does one of the way between boxes apart,
-        // which scores with derivatives there compare with sizes.
+        // A rounding of the longest side moves the sides of the other box. So does a rounding of the distance of boxes
+        // apart, in scores that compare it with sizes.
         let all = || sides.iter().flatten().copied();
         let way = match self.declared.extremes {
             Extremes::Undeclared | Extremes::One => {
@@ -170,11 +171,11 @@ impl<T: Real> Job<T> {
             return f64::INFINITY;
         }
         let content = |sides: &Vec<f64>| sides.iter().product::<f64>();
-        // Two sides of a volume may be short.
+        // A volume may have two short sides.
         let aspect = if power == 3 { aspect * aspect } else { aspect };
         match is_measure {
             true => ROUNDINGS * aspect * content(&sides[0]).min(content(&sides[1])),
-            // Ratios of squares of sizes are in scores without an end.
+            // Unbounded scores contain ratios of squares of sizes.
             false if self.declared.range.least < -3.0 || self.declared.range.largest > 1.0 => {
                 ROUNDINGS * aspect * aspect
             }

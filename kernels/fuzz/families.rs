@@ -1,32 +1,32 @@
-//! Numbers of kinds that break things.
+//! Distributions of numbers that provoke errors.
 use crate::Real;
 use crate::ad::declared::Kind;
 use crate::ad::sample::Draw;
 use crate::kernels::row::op::{Finite, Limits};
 use std::f64::consts::FRAC_PI_4;
 
-/// Numbers of a kind.
+/// A distribution of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Family {
-    /// Any bits that are a finite number.
+    /// Any bit pattern of a finite number.
     Bits,
     /// From 2⁻¹⁶ to 2¹⁶.
     Moderate,
-    /// Few different numbers, so that shapes share coordinates; angles of multiples of 45 degrees.
+    /// A few values, so that shapes share coordinates; angles are multiples of 45 degrees.
     Shared,
-    /// Few different numbers, and others a few roundings beside.
+    /// A few values, and others a few roundings away.
     Nearly,
     /// Numbers of about unit size.
     Ordinary,
-    /// Numbers of about unit size times a power of two, the same for all.
+    /// Numbers of about unit size times one power of two.
     Scaled(i32),
     /// Powers of two.
     Powers,
-    /// The largest and the least numbers, and others near them.
+    /// The largest and the smallest numbers, and others near them.
     Limits,
 }
 
-/// Few different numbers.
+/// The few values of shared coordinates.
 const SHARED: [f64; 16] = [
     0.0, -0.0, 1.0, -1.0, 2.0, -2.0, 0.5, -0.5, 3.0, 0.1, -0.1, 1e-3, 1e3, 0.25, 1.5, -3.0,
 ];
@@ -54,13 +54,13 @@ pub(super) fn power(exponent: i32) -> f64 {
     }
 }
 
-/// Returns the finite number of the format that is nearest.
+/// Returns the nearest finite number of the format.
 fn nearest<T: Real>(x: f64) -> T {
     T::lit(x.clamp(-T::LARGEST, T::LARGEST))
 }
 
 impl Family {
-    /// Returns a family that batches compute at full speed.
+    /// Returns a random family that batches compute at full speed.
     pub fn quick(draw: &mut Draw) -> Self {
         match draw.below(6) {
             0 | 1 => Family::Moderate,
@@ -69,7 +69,7 @@ impl Family {
             _ => Family::Ordinary,
         }
     }
-    /// Any one.
+    /// Returns a random family.
     pub fn any<T: Real>(draw: &mut Draw) -> Self {
         match draw.below(10) {
             0 => Family::Bits,
@@ -95,7 +95,7 @@ impl Family {
                 };
                 T::lit(if x.is_finite() { x } else { 1.0 })
             }
-            // From 2⁻¹⁶ to 2¹⁶, both signs.
+            // Both signs.
             Family::Moderate => {
                 let power = 1023 - 16 + (bits & 31);
                 T::lit(f64::from_bits(
@@ -126,7 +126,7 @@ impl Family {
             Family::Limits => {
                 let most = T::LARGEST;
                 let [least, largest] = exponents::<T>();
-                // The least normal one.
+                // The smallest normal number.
                 let normal = power(2 - largest - 1);
                 let x = match bits >> 60 {
                     0 | 1 => most,
@@ -151,7 +151,7 @@ impl Family {
     }
 }
 
-/// Returns the exponents that a row limits its numbers to.
+/// Returns the exponents to which a row limits its numbers.
 pub(super) fn limits_of<T: Real>(finite: Finite) -> Option<[i32; 2]> {
     let of = |limits: Limits| match is_wide::<T>() {
         true => limits.double,
@@ -164,7 +164,7 @@ pub(super) fn limits_of<T: Real>(finite: Finite) -> Option<[i32; 2]> {
     }
 }
 
-/// Returns whether a row with limits declares anything of this angle.
+/// Returns `true` if a row with limits declares a property for this angle.
 pub(super) fn is_angle_within<T: Real>(x: T) -> bool {
     let [single, double] = Limits::LEAST_ANGLE;
     let least = if is_wide::<T>() { double } else { single };
@@ -172,8 +172,7 @@ pub(super) fn is_angle_within<T: Real>(x: T) -> bool {
     size == 0.0 || size >= power(least)
 }
 
-/// Returns a number within limits: its own digits with another exponent where that is beyond them; zero for a lesser
-/// angle.
+/// Returns a number within limits: with another exponent if its own is beyond them; zero for a smaller angle.
 pub(super) fn limited<T: Real>(x: T, kind: Kind, [least, most]: [i32; 2]) -> T {
     let wide = x.widen();
     if kind.is_angle() && !is_angle_within(x) {

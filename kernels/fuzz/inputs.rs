@@ -1,5 +1,5 @@
-//! Lists of inputs, and how they are drawn.
-use super::arguments::Inputs;
+//! The drawing of inputs.
+use super::arguments::InputColumns;
 use super::families::{Family, is_angle_within, limited, limits_of, power};
 use super::job::Job;
 use super::property::{Finding, Property};
@@ -8,16 +8,16 @@ use crate::ad::declared::Kind;
 use crate::ad::sample::Draw;
 use crate::kernels::row::op::Finite;
 
-/// How often an input of the harness is drawn anew when it is not valid or beyond limits.
+/// The largest number of draws from the harness for one valid input within limits.
 const ATTEMPTS: usize = 100;
 
-/// Inputs that are one of the harness, stretched differently.
+/// The number of inputs made by stretching one input of the harness.
 const GROUP: usize = 16;
 
-/// Most vertices of a path.
+/// The largest number of vertices of a path.
 const MOST: usize = 8;
 
-impl<T: Real> Inputs<T> {
+impl<T: Real> InputColumns<T> {
     /// Returns all numbers of an input, its vertices last.
     pub fn item(&self, job: &Job<T>, i: usize) -> Vec<T> {
         let mut numbers = Vec::with_capacity(job.kinds.len());
@@ -31,7 +31,7 @@ impl<T: Real> Inputs<T> {
         }
         numbers
     }
-    /// Returns an input so many times.
+    /// Returns `count` copies of an input.
     pub fn repeated(job: &Job<T>, numbers: &[T], count: usize) -> Self {
         let (mut columns, mut rest) = (Vec::new(), numbers);
         for shape in &job.shapes {
@@ -40,7 +40,7 @@ impl<T: Real> Inputs<T> {
             rest = others;
         }
         let vertices = rest.len() / job.vertex.len().max(1);
-        Inputs {
+        InputColumns {
             columns,
             vertices: rest.repeat(count),
             offsets: (0..=count).map(|i| i * vertices).collect(),
@@ -48,7 +48,7 @@ impl<T: Real> Inputs<T> {
             outside: 0,
         }
     }
-    /// Puts numbers in the place of those of an input of fixed size.
+    /// Replaces the numbers of input `i`, which has fixed size.
     pub fn put(&mut self, job: &Job<T>, i: usize, numbers: &[T]) {
         let mut rest = numbers;
         for (shape, column) in job.shapes.iter().zip(&mut self.columns) {
@@ -58,7 +58,7 @@ impl<T: Real> Inputs<T> {
             column[i * n..][..n].copy_from_slice(own);
         }
     }
-    /// Keeps inputs of fixed size at some places, which ascend.
+    /// Keeps the inputs of fixed size at some indices, which ascend.
     pub fn keep(&mut self, job: &Job<T>, places: &[usize]) {
         for (shape, column) in job.shapes.iter().zip(&mut self.columns) {
             let n = shape.leaf.fields;
@@ -90,23 +90,23 @@ pub(super) fn is_inside<T: Real>(job: &Job<T>, numbers: &[T]) -> bool {
     })
 }
 
-/// Numbers of one kind beside one another: families of numbers.
+/// The distribution of families over the numbers of a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Mix {
-    /// One family for all.
+    /// One family for all numbers.
     One,
-    /// One for every number of a shape, the same in all inputs.
+    /// One family per field, for all inputs.
     ByField,
-    /// One for every number.
+    /// One family per number.
     ByNumber,
 }
 
 impl<T: Real> Job<T> {
-    /// Draws inputs, all of them inside the domain, if any can be found there.
+    /// Draws inputs, all of them inside the domain, if it contains any.
     pub(super) fn draw(
         &self,
         draw: &mut Draw,
-        inputs: &mut Inputs<T>,
+        inputs: &mut InputColumns<T>,
         count: usize,
     ) -> Result<(), Finding> {
         let limits = limits_of::<T>(self.declared.finite);
@@ -117,7 +117,7 @@ impl<T: Real> Job<T> {
             _ => Mix::ByNumber,
         };
         let any = |draw: &mut Draw| match (self.declared.finite, mix) {
-            // Inputs far from ordinary take the scalar code, which is a tenth as fast.
+            // Inputs far from ordinary use the scalar code, which is ten times slower.
             (Finite::Always, Mix::One) if !draw.once_in(6) => Family::quick(draw),
             _ => Family::any::<T>(draw),
         };
@@ -162,11 +162,11 @@ impl<T: Real> Job<T> {
         self.keep_inside(draw, inputs, limits)
     }
 
-    /// Replaces inputs outside the domain by those of the harness that are inside, stretched.
+    /// Replaces inputs outside the domain by stretched inputs of the harness that are inside.
     fn keep_inside(
         &self,
         draw: &mut Draw,
-        inputs: &mut Inputs<T>,
+        inputs: &mut InputColumns<T>,
         limits: Option<[i32; 2]>,
     ) -> Result<(), Finding> {
         if self.declared.domain.is_none() {
@@ -194,14 +194,14 @@ impl<T: Real> Job<T> {
     fn draw_paths(
         &self,
         draw: &mut Draw,
-        inputs: &mut Inputs<T>,
+        inputs: &mut InputColumns<T>,
         family: impl Fn(&mut Draw) -> Family,
     ) {
         inputs.offsets.clear();
         inputs.offsets.push(0);
         let (mut end, mut bits) = (0, 0);
         for i in 0..inputs.count {
-            // Sixteen times four bits.
+            // Four bits for each of sixteen inputs.
             bits = if i % 16 == 0 { draw.bits() } else { bits >> 4 };
             end += (bits & 15) as usize * (MOST + 1) / 16;
             inputs.offsets.push(end);
@@ -212,9 +212,9 @@ impl<T: Real> Job<T> {
         }
     }
 
-    /// Some numbers become those of other places of the same kind: shapes share coordinates, touch, are flat.
-    fn mingle(&self, draw: &mut Draw, inputs: &mut Inputs<T>) {
-        // Heights mix with sizes, and parts of quaternions with one another.
+    /// Copies some numbers to other places of their kind, so that shapes share coordinates, touch, or are flat.
+    fn mingle(&self, draw: &mut Draw, inputs: &mut InputColumns<T>) {
+        // Heights mix with sizes, and the numbers of a quaternion with each other.
         let drawn_as = |kind| match kind {
             Kind::Z => Kind::Length,
             Kind::QuaternionX | Kind::QuaternionY | Kind::QuaternionZ => Kind::QuaternionW,
@@ -262,8 +262,8 @@ impl<T: Real> Job<T> {
         }
     }
 
-    /// Makes shapes of numbers.
-    fn mend(&self, draw: &mut Draw, inputs: &mut Inputs<T>, limits: Option<[i32; 2]>) {
+    /// Turns numbers into valid shapes.
+    fn mend(&self, draw: &mut Draw, inputs: &mut InputColumns<T>, limits: Option<[i32; 2]>) {
         for (shape, column) in self.shapes.iter().zip(&mut inputs.columns) {
             for numbers in column.chunks_exact_mut(shape.leaf.fields) {
                 shape.rules.mend(numbers);
@@ -291,8 +291,8 @@ impl<T: Real> Job<T> {
         }
     }
 
-    /// Returns an input of the harness that is valid, inside the domain, and within limits if one of them is; nothing
-    /// if none is valid.
+    /// Returns an input of the harness that is valid, inside the domain, and within limits if one is found; an empty
+    /// list if none is valid.
     fn sampled(&self, draw: &mut Draw, limits: Option<[i32; 2]>) -> Vec<T> {
         let mut last = Vec::new();
         for _ in 0..ATTEMPTS {
@@ -307,7 +307,7 @@ impl<T: Real> Job<T> {
         last
     }
 
-    /// Returns the same input stretched along x and y by powers of two; nothing where that does not fit.
+    /// Returns an input stretched along x and y by powers of two; `None` if the result is not valid.
     fn stretched(&self, draw: &mut Draw, x: &[T], limits: Option<[i32; 2]>) -> Option<Vec<T>> {
         let [least, most] = limits.unwrap_or([-20, 20]);
         let power = |draw: &mut Draw| {

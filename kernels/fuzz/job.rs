@@ -1,5 +1,5 @@
-//! An operation of any sort on plain numbers, so that what fuzzes it is compiled once.
-use super::arguments::Inputs;
+//! Untyped operations of any sort, so that the fuzzer is compiled once.
+use super::arguments::InputColumns;
 use super::rules::Rules;
 use crate::ad::declared::Kind;
 use crate::ad::program::recorded::Recorded;
@@ -23,13 +23,13 @@ use crate::kernels::row::op::{Declared, Op};
 use crate::{Fixed, Pack, Real};
 use std::sync::Arc;
 
-/// Numbers of results, a list for each of their shapes.
-pub(super) type Lists<T> = Vec<Vec<T>>;
+/// The numbers of results, a list for each of their shapes.
+pub(super) type ResultLists<T> = Vec<Vec<T>>;
 type Compute<T, const N: usize> =
-    Box<dyn Fn(&Inputs<T>, [&[Vec<T>]; N]) -> Result<Lists<T>, Error> + Sync>;
+    Box<dyn Fn(&InputColumns<T>, [&[Vec<T>]; N]) -> Result<ResultLists<T>, Error> + Sync>;
 
 /// One shape of an input.
-pub(super) struct Shape<T> {
+pub(super) struct InputShape<T> {
     pub leaf: Leaf<T>,
     pub kinds: Vec<Kind>,
     pub rules: Rules,
@@ -37,36 +37,36 @@ pub(super) struct Shape<T> {
 
 /// An operation in one format.
 pub struct Job<T: Real> {
-    /// The name of its type.
+    /// The name of the operation's type.
     pub(super) op: &'static str,
-    pub(super) shapes: Vec<Shape<T>>,
-    /// The kind of every number of an input, but for vertices.
+    pub(super) shapes: Vec<InputShape<T>>,
+    /// The kinds of the input scalars. Vertices are listed separately.
     pub(super) kinds: Vec<Kind>,
-    /// The kinds of the numbers of a vertex, if a path comes with an input.
+    /// The kinds of the scalars of a vertex, if an input has a path.
     pub(super) vertex: Vec<Kind>,
-    /// Numbers of every shape of a result.
+    /// The number of scalars of every shape of a result.
     pub(super) outputs: Vec<usize>,
     pub(super) declared: &'static Declared,
-    /// Results.
+    /// A batch of results.
     pub(super) values: Compute<T, 0>,
-    /// Derivatives of cotangents.
+    /// A batch of derivatives from cotangents.
     pub(super) derivatives: Compute<T, 1>,
-    /// Results that are one number, and their derivatives.
+    /// A batch of results of one number with their derivatives.
     pub(super) both: Option<Compute<T, 0>>,
-    /// The same of the first few shapes, every one with every other one.
+    /// The results of all pairs of some shapes.
     pub(super) square: Option<Square<T>>,
-    /// The scalar code.
+    /// The scalar code of the result.
     pub(super) alone: fn(&[T]) -> Vec<T>,
-    /// Derivatives by hand by the scalar code.
+    /// The scalar code of derivatives by hand.
     pub(super) by_hand: fn(&[T], &[T]) -> Option<(Vec<T>, Vec<T>)>,
-    /// The function, recorded.
+    /// The recorded function.
     pub(super) recorded: Option<Arc<Recorded>>,
     pub(super) sample: fn(&mut Draw) -> Vec<f64>,
     pub(super) show: fn(&[f64]) -> String,
 }
 
-/// A straight line in one format, with what makes and shows its inputs.
-pub(crate) struct Straight<T: Real> {
+/// A straight line in one format, with the source of its inputs.
+pub(crate) struct LineSource<T: Real> {
     pub(crate) declared: &'static Declared,
     pub(crate) op: &'static str,
     pub(crate) recording: Arc<Recording<T>>,
@@ -77,9 +77,9 @@ pub(crate) struct Straight<T: Real> {
     pub(crate) show: fn(&[f64]) -> String,
 }
 
-/// Computes all pairs of the shapes in some places.
+/// A computation of all pairs of the shapes with some indices.
 pub(super) type Square<T> =
-    Box<dyn Fn(&Inputs<T>, std::ops::Range<usize>) -> Result<Vec<T>, Error> + Sync>;
+    Box<dyn Fn(&InputColumns<T>, std::ops::Range<usize>) -> Result<Vec<T>, Error> + Sync>;
 
 /// Returns the last part of a type's name.
 fn short(name: &'static str) -> &'static str {
@@ -88,7 +88,7 @@ fn short(name: &'static str) -> &'static str {
     &name[start..]
 }
 
-/// Returns the scalars and codes of a shape, as they lie in columns.
+/// Returns the scalars and codes of a shape, in the order of columns.
 pub(crate) fn all_numbers<X: Item>(x: &X) -> Vec<X::Scalar> {
     if const { X::CODES == 0 } {
         return x.scalars();
@@ -106,14 +106,14 @@ pub(crate) fn shown<X: Sample + Item>(numbers: &[f64]) -> String {
     format!("{:?}", get::<X>(&by_kind::<X>(numbers)))
 }
 
-/// Returns the shapes of an input.
-fn shapes<T: Real>(leaves: Vec<Leaf<T>>, kinds: &[Kind], is_convex: bool) -> Vec<Shape<T>> {
+/// Returns the shapes of an input, with their rules.
+fn shapes<T: Real>(leaves: Vec<Leaf<T>>, kinds: &[Kind], is_convex: bool) -> Vec<InputShape<T>> {
     let mut rest = kinds;
     let shape = |leaf: Leaf<T>| {
         let (own, others) = rest.split_at(leaf.fields - leaf.codes);
         rest = others;
         let kinds = [own, &vec![Kind::Number; leaf.codes]].concat();
-        Shape {
+        InputShape {
             rules: Rules::of(&leaf, &kinds, is_convex),
             leaf,
             kinds,
@@ -122,24 +122,24 @@ fn shapes<T: Real>(leaves: Vec<Leaf<T>>, kinds: &[Kind], is_convex: bool) -> Vec
     leaves.into_iter().map(shape).collect()
 }
 
-/// Returns the kinds of the numbers of a shape: common to all sorts of jobs.
+/// Returns the kinds of the scalars of a shape.
 fn kinds_of<X: Sample + Fixed>() -> Vec<Kind> {
     X::filled(1.0).kinds()
 }
 
-/// The plan of a mode of a function, aligned or for all pairs.
-type Planned<T> = Arc<dyn Fn(Mode, bool) -> Result<Arc<Plan<T>>, Error> + Send + Sync>;
+/// A function from a mode and a form (aligned, or all pairs) to its plan.
+type PlanOf<T> = Arc<dyn Fn(Mode, bool) -> Result<Arc<Plan<T>>, Error> + Send + Sync>;
 
-fn planned<T: Real>(recording: &Arc<Recording<T>>) -> Planned<T> {
+fn planned<T: Real>(recording: &Arc<Recording<T>>) -> PlanOf<T> {
     let call = Call::of(Arc::clone(recording));
     Arc::new(move |mode, framed| plan(&call.clone().derived(mode)?, framed))
 }
 
-/// Returns the results that batches compute by a plan.
-fn computed<T: Real, const N: usize>(make: &Planned<T>, mode: Mode) -> Compute<T, N> {
+/// Returns the computation of results by a plan of a mode.
+fn computed<T: Real, const N: usize>(make: &PlanOf<T>, mode: Mode) -> Compute<T, N> {
     let make = Arc::clone(make);
     Box::new(move |inputs, bars| {
-        // The plan is made at the first call, and kept.
+        // The plan is made at the first call.
         let plan = &make(mode, false)?;
         let columns = plan.arguments.iter().zip(&inputs.columns);
         let mut columns: Vec<Column<'_, T>> = columns
@@ -156,7 +156,7 @@ fn computed<T: Real, const N: usize>(make: &Planned<T>, mode: Mode) -> Compute<T
     })
 }
 
-/// Returns all pairs by a plan of two shapes.
+/// Returns the computation of all pairs by a plan of two shapes.
 fn squared<T: Real>(plan: impl Fn() -> Result<Arc<Plan<T>>, Error> + Sync + 'static) -> Square<T> {
     Box::new(move |inputs, items| {
         let plan = plan()?;
@@ -186,7 +186,7 @@ impl<T: Real> Job<T> {
         O::Out<T>: Item<Scalar = T>,
         O::In<f64>: Sample + Item<Scalar = f64>,
     {
-        Job::of_line(&Straight {
+        Job::of_line(&LineSource {
             declared: const { &O::DECLARED },
             op: short(std::any::type_name::<O>()),
             recording: recording_of::<O, O::In<T>>(),
@@ -201,8 +201,8 @@ impl<T: Real> Job<T> {
         })
     }
 
-    /// Returns the job of a straight line without its types.
-    pub(crate) fn of_line(line: &Straight<T>) -> Self {
+    /// Returns the job of an untyped straight line.
+    pub(crate) fn of_line(line: &LineSource<T>) -> Self {
         let recording = &line.recording;
         let outputs = recording.outputs.clone();
         let is_number = outputs == [1];
@@ -245,7 +245,7 @@ impl<T: Real> Job<T> {
         let mut kinds = Vec::new();
         let scalars = kinds_of::<D::In<f64>>();
         let mut rest = &scalars[..];
-        // Codes follow the scalars of their shape.
+        // The codes of a shape follow its scalars.
         for leaf in leaves_of::<D::In<T>>() {
             let (own, others) = rest.split_at(leaf.fields - leaf.codes);
             kinds.extend_from_slice(own);
@@ -340,7 +340,7 @@ impl<T: Real> Job<T> {
     }
 }
 
-fn contexts<F: Fold, T: Real>(inputs: &Inputs<T>) -> Vec<F::Context<T>>
+fn contexts<F: Fold, T: Real>(inputs: &InputColumns<T>) -> Vec<F::Context<T>>
 where
     F::Context<T>: Item<Scalar = T>,
 {
@@ -353,7 +353,7 @@ where
 }
 
 /// Returns the numbers of all shapes of a context, context by context.
-fn context_rows<T: Real>(inputs: &Inputs<T>) -> Vec<T> {
+fn context_rows<T: Real>(inputs: &InputColumns<T>) -> Vec<T> {
     let mut all = Vec::new();
     for i in 0..inputs.count {
         for column in &inputs.columns {
@@ -365,7 +365,7 @@ fn context_rows<T: Real>(inputs: &Inputs<T>) -> Vec<T> {
 }
 
 fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P> {
-    // A loop, since every adapter of an iterator is compiled for every shape.
+    // A loop, since every adapter of an iterator would be compiled for every shape.
     let mut all = Vec::new();
     for own in numbers.chunks_exact(P::LEN) {
         all.push(P::load(own));
@@ -373,7 +373,7 @@ fn loaded<P: Fixed>(numbers: &[P::Scalar]) -> Vec<P> {
     all
 }
 
-/// Returns the numbers of results for columns of shapes and cotangents: a list for every shape of a result.
+/// Returns the results for columns of shapes and cotangents: a list of numbers for every shape of a result.
 fn run_columns<T: Real>(plan: &Plan<T>, columns: Vec<Column<'_, T>>) -> Result<Vec<Vec<T>>, Error> {
     let (count, rare) = checked(plan, &columns)?;
     let lists = plan.gives.iter().map(|n| vec![T::default(); n * count]);

@@ -1,16 +1,16 @@
-//! Operations on very many inputs: the properties that rows declare of all finite valid inputs.
+//! Tests on very many random inputs: the properties that rows declare for all finite valid inputs.
 //!
 //! Every input: value and derivatives are [finite](crate::kernels::op::Finite), and the value is in its
-//! [range](crate::kernels::op::Range). Pairs: identical shapes and shapes apart score [as they
-//! should](crate::kernels::op::Extremes), and what stays when shapes are exchanged stays to a few roundings of the
-//! longest aspect. Rows that are always finite: derivatives stay so for upstream derivatives of any size. Some
-//! inputs: other levels of instructions, other forms of a batch, other positions and the scalar code give the same
-//! bits, and duals are finite with the same value.
+//! [range](crate::kernels::op::Range). Pairs: identical shapes and shapes apart score [as
+//! declared](crate::kernels::op::Extremes), and a symmetric value changes by a few roundings of the longest aspect when
+//! shapes are exchanged. Rows that are always finite: derivatives are finite for upstream derivatives of any size. Some
+//! inputs: all levels of instructions, forms of a batch, positions and the scalar code give equal bits, and duals are
+//! finite with equal values.
 //!
-//! Numbers are any bits, moderate ones, few different ones so that shapes share coordinates, multiples of 45 degrees,
-//! and those next to them, near and at the ends of the format; for a whole list, for a field, or for every number by
-//! itself, so that all of it meets in one shape. Rows with [limits](crate::kernels::op::Limits) are given numbers
-//! within them.
+//! Numbers are random bits, moderate numbers, or numbers near the limits of the format. Others are a few values, so
+//! that shapes share coordinates, multiples of 45 degrees, and neighbours of these. The distribution is chosen per
+//! list, per field, or per number, so that a shape may mix them. Rows with [limits](crate::kernels::op::Limits) receive
+//! numbers within them.
 //!
 //! ```
 //! use geograd::Obb2;
@@ -19,7 +19,7 @@
 //! assert_eq!(fuzzed.broken, None, "{fuzzed}");
 //! ```
 //!
-//! An operation of any kind becomes a job on plain numbers, so that drawing, judging and shrinking are compiled once.
+//! An operation of any sort becomes a job on plain numbers, so that drawing, testing and shrinking are compiled once.
 mod arguments;
 mod couples;
 mod families;
@@ -34,7 +34,7 @@ pub mod tested;
 
 #[doc(hidden)]
 pub use job::Job;
-pub(crate) use job::{Straight, all_numbers, sampled, shown};
+pub(crate) use job::{LineSource, all_numbers, sampled, shown};
 pub use property::Property;
 
 use crate::Real;
@@ -44,23 +44,23 @@ use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::Item;
 use crate::kernels::row::op::Op;
 use crate::scalar::real::in_format;
-use arguments::Inputs;
-use properties::Thorough;
+use arguments::InputColumns;
+use properties::TestSelection;
 use property::Finding;
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Inputs of one batch: few enough for one thread.
+/// The number of inputs of one batch, few enough for one thread.
 const CHUNK: usize = 2048;
 
-/// The input at which a property is broken, made as simple as it can be.
+/// An input that breaks a property, made as simple as possible.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Broken {
-    /// Which property.
+    /// The broken property.
     pub property: Property,
-    /// The numbers of the input, all shapes in a row.
+    /// The numbers of the input, one shape after another.
     pub input: Vec<f64>,
     /// Upstream derivatives, one for every number of the result.
     pub upstream: Vec<f64>,
@@ -68,18 +68,18 @@ pub struct Broken {
     pub code: String,
 }
 
-/// The operation that was fuzzed, and the outcome.
+/// The result of fuzzing an operation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fuzzed {
     /// The operation.
     pub op: &'static str,
     /// `f32` or `f64`.
     pub format: &'static str,
-    /// How many inputs were drawn.
+    /// The number of inputs.
     pub inputs: u64,
-    /// How many more were drawn outside the domain, and drawn anew.
+    /// The number of rejected draws outside the domain.
     pub outside: u64,
-    /// How long it took.
+    /// The duration.
     pub time: Duration,
     /// The first broken property, if any.
     pub broken: Option<Broken>,
@@ -114,13 +114,13 @@ impl fmt::Display for Fuzzed {
 }
 
 /// A fuzzer of a format.
-type Run<T> = fn(&Job<T>, u64, u64) -> Fuzzed;
-static F32: Run<f32> = run;
-static F64: Run<f64> = run;
+type Fuzzer<T> = fn(&Job<T>, u64, u64) -> Fuzzed;
+static F32: Fuzzer<f32> = run;
+static F64: Fuzzer<f64> = run;
 
-/// Returns the fuzzer of a format, which is compiled in this library with its optimisation.
-pub(crate) fn fuzzed_in<T: Real>() -> Run<T> {
-    *in_format::<Run<T>>([&F32, &F64])
+/// Returns the fuzzer of a format, which this library compiles with optimisation.
+pub(crate) fn fuzzed_in<T: Real>() -> Fuzzer<T> {
+    *in_format::<Fuzzer<T>>([&F32, &F64])
 }
 
 /// Fuzzes an operation of fixed size on all cores; stops at the first broken property.
@@ -165,8 +165,8 @@ pub(crate) fn format<T: Real>() -> &'static str {
     }
 }
 
-/// Runs chunks of inputs on all cores until there are so many or one breaks a property. Every thread has lists of its
-/// own.
+/// Runs chunks of inputs on all cores until `count` inputs are tested or one breaks a property. Every thread has its
+/// own lists.
 pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
     let start = Instant::now();
     let [next, done, outside] = [0; 3].map(AtomicU64::new);
@@ -174,18 +174,18 @@ pub(crate) fn run<T: Real>(job: &Job<T>, count: u64, seed: u64) -> Fuzzed {
     let per_chunk = (CHUNK as u64).min(count.max(1));
     let chunks = count.div_ceil(per_chunk);
     let work = || {
-        let mut inputs = Inputs::default();
+        let mut inputs = InputColumns::default();
         loop {
             let i = next.fetch_add(1, Ordering::Relaxed);
             if i >= chunks {
                 return;
             }
-            // Every chunk has numbers of its own, whoever draws them.
+            // The seed of a chunk depends on its number alone, not on the thread.
             let mut draw = Draw::new(Draw::new(seed).bits() ^ i << 20);
             let inhabited = job.draw(&mut draw, &mut inputs, per_chunk as usize);
             let bars = job.cotangents(&mut draw, inputs.count);
             let outcome =
-                inhabited.and_then(|()| job.judge(&inputs, &bars, Thorough::some(&mut draw)));
+                inhabited.and_then(|()| job.judge(&inputs, &bars, TestSelection::some(&mut draw)));
             outside.fetch_add(inputs.outside, Ordering::Relaxed);
             done.fetch_add(per_chunk, Ordering::Relaxed);
             if let Err(Finding { property, at }) = outcome {

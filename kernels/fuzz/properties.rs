@@ -1,7 +1,7 @@
-//! Tests of many inputs of an operation at a time.
-use super::arguments::Inputs;
+//! Tests of a list of inputs of an operation.
+use super::arguments::InputColumns;
 use super::families::{Family, limits_of, power};
-use super::job::{Job, Lists};
+use super::job::{Job, ResultLists};
 use super::property::{Finding, Property};
 use crate::ad::declared::Kind;
 use crate::ad::forward::First;
@@ -11,42 +11,42 @@ use crate::kernels::row::op::{Finite, Limits};
 use crate::scalar::Guard;
 use crate::{Jet, Real, Scalar};
 
-/// One of so many inputs is computed again by the scalar code, and one with duals.
+/// The steps between inputs that the scalar code computes, too, and between inputs of duals.
 const SINGLE: usize = 127;
 const DUAL: usize = 1021;
 
-/// Shapes of a square that is computed as all pairs.
+/// The number of shapes whose all pairs are computed.
 const SQUARE: usize = 16;
 
-/// Values of duals are those of plain numbers but for so many roundings, and for what is below the least normal number.
+/// The number of roundings by which the value of duals may differ, apart from numbers below the smallest normal one.
 const DUAL_ROUNDINGS: f64 = 16.0;
 
-/// Inputs are judged as far as this says, so that not everything is done to all of them.
+/// The choice of tests for a list, since all tests for all inputs would take too long.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Thorough {
-    /// Computed at all levels of instructions.
+pub(super) struct TestSelection {
+    /// `true` to compute at all levels of instructions.
     pub levels: bool,
-    /// With cotangents of all sizes.
+    /// `true` to use cotangents of all sizes.
     pub upstream: bool,
-    /// With exchanged and with identical shapes.
+    /// `true` to test exchanged and identical shapes.
     pub pairs: bool,
-    /// The first of them by scalar code, with duals, and as all pairs.
+    /// The steps between inputs that the scalar code computes, too, and between inputs of duals.
     pub single: usize,
     pub dual: usize,
 }
 
-impl Thorough {
-    /// Everything, of all inputs.
-    pub const ALL: Thorough = Thorough {
+impl TestSelection {
+    /// All tests.
+    pub const ALL: TestSelection = TestSelection {
         levels: true,
         upstream: true,
         pairs: true,
         single: 1,
         dual: 1,
     };
-    /// Returns some of it.
+    /// Returns a random choice of tests.
     pub fn some(draw: &mut Draw) -> Self {
-        Thorough {
+        TestSelection {
             levels: draw.once_in(8),
             upstream: draw.once_in(2),
             pairs: draw.once_in(3),
@@ -57,28 +57,28 @@ impl Thorough {
 }
 
 /// Results and derivatives of many inputs.
-pub(super) struct Found<T> {
-    pub values: Lists<T>,
-    pub derivatives: Lists<T>,
+pub(super) struct BatchResults<T> {
+    pub values: ResultLists<T>,
+    pub derivatives: ResultLists<T>,
 }
 
 pub(super) type Outcome = Result<(), Finding>;
 
-/// The property is broken at a place, if there is one.
+/// Returns the finding that a property is broken at `place`; no finding for `None`.
 pub(super) fn unless(property: Property, place: Option<usize>) -> Outcome {
     place.map_or(Ok(()), |at| Err(Finding { property, at }))
 }
 
-/// Returns `true` if two lists have the same bits.
+/// Returns `true` if two lists have equal bits.
 fn same<T: Real>(a: &[T], b: &[T]) -> bool {
     let bits = |x: &T| x.widen().to_bits();
     a.len() == b.len() && a.iter().map(bits).eq(b.iter().map(bits))
 }
 
-/// Returns the first place of a number that is not finite.
+/// Returns the index of the first number that is not finite.
 #[allow(clippy::eq_op)]
 fn not_finite<T: Real>(list: &[T]) -> Option<usize> {
-    // A number less itself is zero, unless it is infinite or none; sums need no branches.
+    // A number minus itself is zero unless it is infinite or NaN; sums need no branches.
     let (whole, rest) = list.as_chunks::<16>();
     let mut sums = [T::zero(); 16];
     for numbers in whole {
@@ -92,20 +92,20 @@ fn not_finite<T: Real>(list: &[T]) -> Option<usize> {
     }
 }
 
-/// Returns the first place of which something is true, which it hardly ever is.
+/// Returns the index of the first entry that is `ill`, which is rare.
 pub(super) fn first_where<T>(list: &[T], ill: impl Fn(&T) -> bool) -> Option<usize> {
     let found = list.iter().fold(false, |any, x| any | ill(x));
     found.then(|| list.iter().position(ill)).flatten()
 }
 
 impl<T: Real> Job<T> {
-    /// Cotangents of one.
-    fn ones(&self, count: usize) -> Lists<T> {
+    /// Returns cotangents of one.
+    fn ones(&self, count: usize) -> ResultLists<T> {
         let of = |&fields: &usize| vec![T::one(); fields * count];
         self.outputs.iter().map(of).collect()
     }
 
-    pub(super) fn compute(&self, inputs: &Inputs<T>) -> Result<Found<T>, Finding> {
+    pub(super) fn compute(&self, inputs: &InputColumns<T>) -> Result<BatchResults<T>, Finding> {
         let refused = |_| Finding {
             property: Property::Accepted,
             at: 0,
@@ -113,7 +113,7 @@ impl<T: Real> Job<T> {
         if let Some(both) = &self.both {
             let mut values = both(inputs, []).map_err(refused)?;
             let derivatives = values.split_off(self.outputs.len());
-            return Ok(Found {
+            return Ok(BatchResults {
                 values,
                 derivatives,
             });
@@ -121,14 +121,14 @@ impl<T: Real> Job<T> {
         let values = (self.values)(inputs, []).map_err(refused)?;
         let derivatives =
             (self.derivatives)(inputs, [&self.ones(inputs.count)]).map_err(refused)?;
-        Ok(Found {
+        Ok(BatchResults {
             values,
             derivatives,
         })
     }
 
-    /// Returns the input of which a derivative of a list is.
-    fn input_at(&self, inputs: &Inputs<T>, list: usize, at: usize) -> usize {
+    /// Returns the index of the input to which derivative number `at` of a list belongs.
+    fn input_at(&self, inputs: &InputColumns<T>, list: usize, at: usize) -> usize {
         match self.shapes.get(list) {
             Some(shape) => at / shape.leaf.fields,
             None => {
@@ -143,8 +143,8 @@ impl<T: Real> Job<T> {
     /// Returns the derivatives of one input.
     pub(super) fn derivatives_of(
         &self,
-        inputs: &Inputs<T>,
-        derivatives: &Lists<T>,
+        inputs: &InputColumns<T>,
+        derivatives: &ResultLists<T>,
         i: usize,
     ) -> Vec<T> {
         let mut own = Vec::with_capacity(self.kinds.len());
@@ -163,13 +163,13 @@ impl<T: Real> Job<T> {
         own
     }
 
-    pub(super) fn value_of(&self, values: &Lists<T>, i: usize) -> Vec<T> {
+    pub(super) fn value_of(&self, values: &ResultLists<T>, i: usize) -> Vec<T> {
         let own = values.iter().zip(&self.outputs);
         own.flat_map(|(list, &n)| list[i * n..][..n].to_vec())
             .collect()
     }
 
-    fn finite_values(&self, values: &Lists<T>) -> Outcome {
+    fn finite_values(&self, values: &ResultLists<T>) -> Outcome {
         if self.declared.finite == Finite::Undeclared {
             return Ok(());
         }
@@ -179,7 +179,11 @@ impl<T: Real> Job<T> {
             .try_for_each(|(list, n)| unless(Property::Finite, not_finite(list).map(|at| at / n)))
     }
 
-    fn finite_derivatives(&self, inputs: &Inputs<T>, derivatives: &Lists<T>) -> Outcome {
+    fn finite_derivatives(
+        &self,
+        inputs: &InputColumns<T>,
+        derivatives: &ResultLists<T>,
+    ) -> Outcome {
         if matches!(self.declared.finite, Finite::Undeclared | Finite::Values(_)) {
             return Ok(());
         }
@@ -189,8 +193,13 @@ impl<T: Real> Job<T> {
         })
     }
 
-    /// Judges inputs; the first finding ends it.
-    pub(super) fn judge(&self, inputs: &Inputs<T>, upstream: &Lists<T>, how: Thorough) -> Outcome {
+    /// Tests inputs until the first finding.
+    pub(super) fn judge(
+        &self,
+        inputs: &InputColumns<T>,
+        upstream: &ResultLists<T>,
+        how: TestSelection,
+    ) -> Outcome {
         let found = self.compute(inputs)?;
         self.finite_values(&found.values)?;
         self.finite_derivatives(inputs, &found.derivatives)?;
@@ -219,8 +228,13 @@ impl<T: Real> Job<T> {
         self.exchanged(inputs, &found)
     }
 
-    /// By the scalar code, at other levels, in other forms, at other places.
-    fn same_bits(&self, inputs: &Inputs<T>, found: &Found<T>, how: Thorough) -> Outcome {
+    /// Tests that the scalar code, other levels, other forms and other positions give equal bits.
+    fn same_bits(
+        &self,
+        inputs: &InputColumns<T>,
+        found: &BatchResults<T>,
+        how: TestSelection,
+    ) -> Outcome {
         let broken = |place| unless(Property::SameBits, place);
         let accepted = |place| Finding {
             property: Property::Accepted,
@@ -237,7 +251,7 @@ impl<T: Real> Job<T> {
                 return false;
             }
             let ones: Vec<T> = value.iter().map(|_| T::one()).collect();
-            // Batches give no zero with a sign.
+            // Batches return no zero with a sign.
             let plain =
                 |list: Vec<T>| -> Vec<T> { list.into_iter().map(|x| x.canonical()).collect() };
             !same(&plain((self.alone)(&x)), &value)
@@ -249,7 +263,7 @@ impl<T: Real> Job<T> {
                         )
                 })
         }))?;
-        let compare = |other: &Lists<T>, own: &Lists<T>, is_derivative: bool| {
+        let compare = |other: &ResultLists<T>, own: &ResultLists<T>, is_derivative: bool| {
             for (k, (other, own)) in other.iter().zip(own).enumerate() {
                 if same(other, own) {
                     continue;
@@ -292,7 +306,7 @@ impl<T: Real> Job<T> {
         else {
             return Ok(());
         };
-        // From a place of no multiple of anything.
+        // From an index that is no multiple of a lane's length.
         let items = 1..1 + SQUARE;
         let planes = square(inputs, items.clone()).map_err(|_| accepted(1))?;
         let place = (0..SQUARE).find(|&i| {
@@ -316,8 +330,13 @@ impl<T: Real> Job<T> {
         broken(place.map(|i| 1 + i))
     }
 
-    /// Duals: finite, and with the value of plain numbers.
-    fn duals(&self, inputs: &Inputs<T>, found: &Found<T>, how: Thorough) -> Outcome {
+    /// Tests that duals are finite, with the value of plain numbers.
+    fn duals(
+        &self,
+        inputs: &InputColumns<T>,
+        found: &BatchResults<T>,
+        how: TestSelection,
+    ) -> Outcome {
         let Some(recorded) = &self.recorded else {
             return Ok(());
         };
@@ -352,9 +371,14 @@ impl<T: Real> Job<T> {
         Ok(())
     }
 
-    /// NaN in one number after another of every so many inputs, as methods guard their results: NaN, and without it the
-    /// bits of the batch.
-    fn nan(&self, inputs: &Inputs<T>, found: &Found<T>, how: Thorough) -> Outcome {
+    /// Sets one number after another of some inputs to NaN: guarded results must be NaN, and without NaN guards must
+    /// not change a bit.
+    fn nan(
+        &self,
+        inputs: &InputColumns<T>,
+        found: &BatchResults<T>,
+        how: TestSelection,
+    ) -> Outcome {
         let Some(recorded) = &self.recorded else {
             return Ok(());
         };
@@ -391,8 +415,8 @@ impl<T: Real> Job<T> {
         })
     }
 
-    /// Cotangents of all sizes.
-    pub(super) fn cotangents(&self, draw: &mut Draw, count: usize) -> Lists<T> {
+    /// Returns cotangents of all sizes.
+    pub(super) fn cotangents(&self, draw: &mut Draw, count: usize) -> ResultLists<T> {
         let family = Family::any::<T>(draw);
         let mut of = |&fields: &usize| {
             let numbers = (0..fields * count).map(|_| family.number(Kind::Number, draw));

@@ -1,7 +1,7 @@
 //! The properties that operations can break.
 use std::fmt;
 
-/// How an operation broke a declared property.
+/// A declared property that an operation breaks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Property {
@@ -9,7 +9,7 @@ pub enum Property {
     Domain,
     /// A valid input was refused.
     Accepted,
-    /// A value or a derivative is infinite or not a number.
+    /// A value or a derivative is infinite or NaN.
     Finite,
     /// The value is within the range of its row.
     Range,
@@ -19,13 +19,13 @@ pub enum Property {
     Apart,
     /// Exchanging the shapes changes nothing.
     Symmetric,
-    /// All forms give the same bits.
+    /// All forms give equal bits.
     SameBits,
-    /// Duals have the value of plain numbers.
+    /// Duals have the values of plain numbers.
     Duals,
-    /// Rows of several verbs say the same; which sentence of [`identities`](crate::kernels::identities).
+    /// An identity between rows of several verbs holds; its sentence in [`identities`](crate::kernels::identities).
     Identity(&'static str),
-    /// A NaN in a number of an input is NaN in every number of the result, which is as it was without one.
+    /// A NaN in an input is NaN in every number of the result, and a guarded result without NaN keeps its bits.
     Nan,
 }
 
@@ -49,7 +49,7 @@ impl fmt::Display for Property {
     }
 }
 
-/// A broken property, and the place among many inputs.
+/// A broken property, and the index of the input.
 pub(super) struct Finding {
     pub(super) property: Property,
     pub(super) at: usize,

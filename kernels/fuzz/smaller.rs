@@ -1,34 +1,34 @@
-//! A simpler input that breaks the same property.
+//! The reduction of an input to a simpler one that breaks its property.
 use super::Broken;
-use super::arguments::Inputs;
+use super::arguments::InputColumns;
 use super::families::limits_of;
 use super::inputs::is_valid;
-use super::job::{Job, Lists};
-use super::properties::Thorough;
+use super::job::{Job, ResultLists};
+use super::properties::TestSelection;
 use super::property::Property;
 use crate::Real;
 
-/// Copies of an input, so that forms of more than a few are asked, too.
+/// The number of copies of an input, so that forms for long lists are tested, too.
 const COPIES: usize = 20;
 
-/// The most attempts.
+/// The largest number of attempts.
 const ATTEMPTS: usize = 4000;
 
-/// Returns the property that an input breaks by itself.
+/// Returns the property that an input breaks.
 fn broken<T: Real>(job: &Job<T>, x: &[T], bars: &[T]) -> Option<Property> {
-    let inputs = Inputs::repeated(job, x, COPIES);
+    let inputs = InputColumns::repeated(job, x, COPIES);
     let mut rest = bars;
     let bar = |&fields: &usize| {
         let (own, others) = rest.split_at(fields);
         rest = others;
         own.repeat(COPIES)
     };
-    let bars: Lists<T> = job.outputs.iter().map(bar).collect();
-    let found = job.judge(&inputs, &bars, Thorough::ALL);
+    let bars: ResultLists<T> = job.outputs.iter().map(bar).collect();
+    let found = job.judge(&inputs, &bars, TestSelection::ALL);
     found.err().map(|found| found.property)
 }
 
-/// Returns `true` if a number is as limits want it.
+/// Returns `true` if a number is within the row's limits.
 fn fits<T: Real>(job: &Job<T>, x: T) -> bool {
     let Some([least, most]) = limits_of::<T>(job.declared.finite) else {
         return true;
@@ -37,7 +37,7 @@ fn fits<T: Real>(job: &Job<T>, x: T) -> bool {
     size == 0.0 || (super::families::power(least)..=super::families::power(most)).contains(&size)
 }
 
-/// Simpler numbers, the simplest first.
+/// Returns simpler numbers, the simplest first.
 fn simpler<T: Real>(x: T, others: &[T]) -> Vec<T> {
     let wide = x.widen();
     let mut all = vec![0.0, 1.0, -1.0, 2.0, 0.5];
@@ -58,7 +58,7 @@ fn simpler<T: Real>(x: T, others: &[T]) -> Vec<T> {
     all
 }
 
-/// Returns how many digits all numbers have, about.
+/// Returns the approximate number of digits of all numbers.
 fn length<T: Real>(numbers: &[T]) -> usize {
     let digits = |x: &T| match x.widen() {
         0.0 => 0,
@@ -68,7 +68,7 @@ fn length<T: Real>(numbers: &[T]) -> usize {
     numbers.iter().map(digits).sum()
 }
 
-/// Returns the simplest input near one that breaks a property, and what it breaks.
+/// Returns the simplest input near `x` that breaks a property, and the property.
 pub(super) fn shrunk<T: Real>(job: &Job<T>, x: Vec<T>, bars: Vec<T>, property: Property) -> Broken {
     let (mut x, mut bars) = (x, bars);
     let is_alone = broken(job, &x, &bars) == Some(property);
@@ -77,7 +77,7 @@ pub(super) fn shrunk<T: Real>(job: &Job<T>, x: Vec<T>, bars: Vec<T>, property: P
     if is_alone && broken(job, &x, &ones) == Some(property) {
         bars = ones;
     }
-    // Vertices that are not needed.
+    // Drops vertices that are not needed.
     let own = job.kinds.len();
     let mut at = own;
     while is_alone && at + 2 <= x.len() {
@@ -121,7 +121,7 @@ pub(super) fn shrunk<T: Real>(job: &Job<T>, x: Vec<T>, bars: Vec<T>, property: P
             }
         }
     }
-    // Shortest decimals of the format.
+    // The shortest decimals of the format.
     let plain = |x: &T| match super::families::is_wide::<T>() {
         true => x.widen(),
         false => (x.widen() as f32)

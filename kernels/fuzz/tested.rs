@@ -1,6 +1,6 @@
-//! The rows as the harness, the fuzzer, tests and benches take them: values without types.
+//! The rows as untyped values for the harness, the fuzzer, tests and benches.
 //!
-//! A program that asks for them compiles every row with all that judges it, and should do so in one place.
+//! A program that uses them compiles every row with its tests, and should do so in one place.
 use crate::ad::check::{Report, Sampling};
 use crate::ad::sample::drawn::Kinship;
 use crate::ad::sample::{Draw, Family, Sample, random};
@@ -9,11 +9,11 @@ use crate::kernels::Backend;
 use crate::kernels::call::search::Search;
 use crate::kernels::check::proofs::Proofs;
 use crate::kernels::check::{
-    Examined, Folded, ScalarCode, Stated, WithAdjoint, check_fold_on, check_fold_with,
+    Folded, LineCode, LineProperties, ScalarCode, WithAdjoint, check_fold_on, check_fold_with,
     check_search_with, examined,
 };
 use crate::kernels::dynamic::{self, Operation};
-use crate::kernels::fuzz::{self, Fuzzed, Job, Straight, fuzzed_in};
+use crate::kernels::fuzz::{self, Fuzzed, Job, LineSource, fuzzed_in};
 use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
 use crate::kernels::row::fold::{Fold, by_hand, fold};
@@ -24,20 +24,20 @@ use crate::{Fixed, Pack, Real};
 use std::fmt;
 use std::sync::OnceLock;
 
-/// Texts of shaders, each with a name.
+/// Shader sources, each with its name.
 pub type Shaders = Result<Vec<(String, String)>, Error>;
 
-/// A row of the library, with what draws its inputs and what judges it.
+/// A row of the library, with the source of its inputs and its tests.
 ///
-/// Numbers of an input are those of its columns: shape by shape, first field first, codes after the scalars of their
-/// shape; of a path, the vertices last.
+/// An input is a list of numbers: its shapes one after another, each with its scalars and then its codes, and last the
+/// vertices of a path.
 #[derive(Clone, Copy)]
 pub struct Tested {
     /// The row.
     pub operation: Operation,
-    inputs: Inputs,
-    single: Formed<f32>,
-    double: Formed<f64>,
+    inputs: RowInputs,
+    single: RowInFormat<f32>,
+    double: RowInFormat<f64>,
     shaders: fn(&Operation) -> Shaders,
 }
 
@@ -49,7 +49,7 @@ impl fmt::Debug for Tested {
 
 /// The inputs of a row.
 #[derive(Clone, Copy)]
-struct Inputs {
+struct RowInputs {
     random: fn(&mut Draw) -> Vec<f64>,
     ordinary: fn(&mut Draw) -> Vec<f64>,
     hard: fn() -> Vec<Vec<f64>>,
@@ -59,18 +59,18 @@ struct Inputs {
 }
 
 /// A row in one format.
-struct Formed<S: Real> {
+struct RowInFormat<S: Real> {
     code: ScalarCode<S>,
     check: fn(&Tested, &Sampling<'_>, Option<Backend<'_>>) -> Result<Report, Error>,
     fuzz: fn(&Tested, u64, u64) -> Fuzzed,
 }
 
-impl<S: Real> Clone for Formed<S> {
+impl<S: Real> Clone for RowInFormat<S> {
     fn clone(&self) -> Self {
         *self
     }
 }
-impl<S: Real> Copy for Formed<S> {}
+impl<S: Real> Copy for RowInFormat<S> {}
 
 impl Tested {
     /// Returns the name of its function.
@@ -78,12 +78,12 @@ impl Tested {
     pub const fn name(&self) -> &'static str {
         self.operation.declared.name
     }
-    /// Runs every check of the harness; with a backend, batches on it are further witnesses of `f32`. Searches and
-    /// folds have none.
+    /// Runs every check of the harness. With a backend, its batches are further witnesses of `f32`. Searches and folds
+    /// have none.
     ///
     /// # Errors
     ///
-    /// The backend's.
+    /// The errors of the backend.
     pub fn check<S: Real>(
         &self,
         plan: &Sampling<'_>,
@@ -91,7 +91,7 @@ impl Tested {
     ) -> Result<Report, Error> {
         (self.formed::<S>().check)(self, plan, backend)
     }
-    /// Fuzzes it with so many inputs from a seed.
+    /// Fuzzes it with `count` inputs from a seed.
     #[must_use]
     pub fn fuzz<S: Real>(&self, count: u64, seed: u64) -> Fuzzed {
         (self.formed::<S>().fuzz)(self, count, seed)
@@ -101,7 +101,7 @@ impl Tested {
     pub fn alone<S: Real>(&self, x: &[S]) -> Vec<S> {
         (self.formed::<S>().code.alone)(x)
     }
-    /// Returns the result and the derivatives of a cotangent by hand; `None` where there are none.
+    /// Returns the result and the derivatives by hand, from a cotangent; `None` without them.
     #[must_use]
     pub fn by_hand<S: Real>(&self, x: &[S], out_bar: &[S]) -> Option<(Vec<S>, Vec<S>)> {
         (self.formed::<S>().code.by_hand)(x, out_bar)
@@ -116,7 +116,7 @@ impl Tested {
     pub fn ordinary(&self, draw: &mut Draw) -> Vec<f64> {
         (self.inputs.ordinary)(draw)
     }
-    /// Returns the cases at which geometry fails.
+    /// Returns the hard cases of its shapes, in which geometry often fails.
     #[must_use]
     pub fn hard(&self) -> Vec<Vec<f64>> {
         (self.inputs.hard)()
@@ -126,7 +126,7 @@ impl Tested {
     pub fn show(&self, x: &[f64]) -> String {
         (self.inputs.show)(x)
     }
-    /// Returns every shader that it may need; a search has none of its own.
+    /// Returns every shader that it can need; a search has none of its own.
     ///
     /// # Errors
     ///
@@ -135,17 +135,17 @@ impl Tested {
         (self.shaders)(&self.operation)
     }
 
-    fn formed<S: Real>(&self) -> &Formed<S> {
+    fn formed<S: Real>(&self) -> &RowInFormat<S> {
         in_format([&self.single, &self.double])
     }
-    fn stated(&self) -> Stated {
-        Stated {
+    fn stated(&self) -> LineProperties {
+        LineProperties {
             declared: self.operation.declared,
             output_kinds: self.operation.kinds[1],
         }
     }
-    fn examined<S: Real>(&self) -> Option<Examined<S>> {
-        Some(Examined {
+    fn examined<S: Real>(&self) -> Option<LineCode<S>> {
+        Some(LineCode {
             recording: self.operation.straight::<S>()?,
             code: self.formed::<S>().code,
         })
@@ -176,11 +176,11 @@ fn check_straight<S: Real>(
 
 /// Fuzzes a straight line.
 fn fuzz_straight<S: Real>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
-    let Some(Examined { recording, code }) = row.examined::<S>() else {
+    let Some(LineCode { recording, code }) = row.examined::<S>() else {
         unreachable!("a straight line is fuzzed as one")
     };
     let operation = &row.operation;
-    let job = Job::of_line(&Straight {
+    let job = Job::of_line(&LineSource {
         declared: operation.declared,
         op: operation.name,
         recording,
@@ -193,10 +193,10 @@ fn fuzz_straight<S: Real>(row: &Tested, count: u64, seed: u64) -> Fuzzed {
     fuzzed_in::<S>()(&job, count, seed)
 }
 
-impl Inputs {
-    /// Inputs of one type.
+impl RowInputs {
+    /// Returns the inputs of one type.
     const fn of<X: Sample + Item>() -> Self {
-        Inputs {
+        RowInputs {
             random: fuzz::sampled::<X>,
             ordinary: |draw| fuzz::all_numbers(&Family::Ordinary.draw::<X>(draw)),
             hard: || X::hard().iter().map(fuzz::all_numbers).collect(),
@@ -205,24 +205,24 @@ impl Inputs {
             name: X::name,
         }
     }
-    /// Inputs with a path, and something before it or not.
+    /// Returns inputs with a path, and with a context if it has one.
     const fn of_path<X: Sample>() -> Self {
-        Inputs {
+        RowInputs {
             random: |draw| random::<X>(draw).scalars(),
             ordinary: |draw| Family::Ordinary.draw::<X>(draw).scalars(),
             hard: || X::hard().iter().map(Pack::scalars).collect(),
             show: |x| format!("{x:?}"),
             kinship: Kinship::of::<X>(),
-            // Numbers of a path have no names.
+            // The numbers of a path have no names.
             name: f64::name,
         }
     }
 }
 
-/// Rows as values.
-struct Values(Vec<Tested>);
+/// A list of rows, filled by the walk over all rows.
+struct RowList(Vec<Tested>);
 
-impl Walk for Values {
+impl Walk for RowList {
     fn straight<O: Op>(&mut self, row: Written)
     where
         O::In<f32>: Item<Scalar = f32>,
@@ -230,13 +230,13 @@ impl Walk for Values {
         O::In<f64>: Item<Scalar = f64> + Sample,
         O::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        const fn formed<O: Op, S: Real>() -> Formed<S>
+        const fn formed<O: Op, S: Real>() -> RowInFormat<S>
         where
             O::In<S>: Item<Scalar = S>,
             O::Out<S>: Item<Scalar = S>,
             O::In<f64>: Sample,
         {
-            Formed {
+            RowInFormat {
                 code: ScalarCode::of::<O>(),
                 check: check_straight::<S>,
                 fuzz: fuzz_straight::<S>,
@@ -247,7 +247,7 @@ impl Walk for Values {
             ..const {
                 Tested {
                     operation: dynamic::straight::<O>(),
-                    inputs: Inputs::of::<O::In<f64>>(),
+                    inputs: RowInputs::of::<O::In<f64>>(),
                     single: formed::<O, f32>(),
                     double: formed::<O, f64>(),
                     shaders: Operation::shaders,
@@ -262,14 +262,14 @@ impl Walk for Values {
         D::In<f64>: Item<Scalar = f64> + Sample,
         D::Out<f64>: Item<Scalar = f64> + Sample,
     {
-        const fn formed<D: Search, S: Real>() -> Formed<S>
+        const fn formed<D: Search, S: Real>() -> RowInFormat<S>
         where
             D::In<S>: Item<Scalar = S>,
             D::Out<S>: Item<Scalar = S>,
             D::In<f64>: Item<Scalar = f64> + Sample,
             D::Out<f64>: Sample,
         {
-            Formed {
+            RowInFormat {
                 code: ScalarCode {
                     alone: |x| {
                         let input = get::<D::In<S>>(&by_kind::<D::In<S>>(x));
@@ -284,7 +284,7 @@ impl Walk for Values {
         }
         self.0.push(Tested {
             operation: const { dynamic::search::<D>() }.written(row),
-            inputs: const { Inputs::of::<D::In<f64>>() },
+            inputs: const { RowInputs::of::<D::In<f64>>() },
             single: const { formed::<D, f32>() },
             double: const { formed::<D, f64>() },
             shaders: |_| Ok(Vec::new()),
@@ -301,7 +301,7 @@ impl Walk for Values {
     {
         const fn formed<F: Fold, S: Real>(
             check: fn(&Tested, &Sampling<'_>, Option<Backend<'_>>) -> Result<Report, Error>,
-        ) -> Formed<S>
+        ) -> RowInFormat<S>
         where
             F::Context<S>: Item<Scalar = S>,
             F::Context<f64>: Item<Scalar = f64> + Sample,
@@ -309,7 +309,7 @@ impl Walk for Values {
             Vec<F::Element<f64>>: Sample,
             F::Out<f64>: Sample,
         {
-            Formed {
+            RowInFormat {
                 code: ScalarCode {
                     alone: |x| {
                         let (context, vertices) = x.split_at(F::Context::<S>::LEN);
@@ -333,7 +333,7 @@ impl Walk for Values {
         }
         self.0.push(Tested {
             operation: const { dynamic::fold::<F>() }.written(row),
-            inputs: const { Inputs::of_path::<(F::Context<f64>, Vec<F::Element<f64>>)>() },
+            inputs: const { RowInputs::of_path::<(F::Context<f64>, Vec<F::Element<f64>>)>() },
             single: const {
                 formed::<F, f32>(|_, plan, backend| match backend {
                     Some(backend) => check_fold_on::<F>(backend, plan),
@@ -346,14 +346,14 @@ impl Walk for Values {
     }
 }
 
-/// Every row of the library, in the order of [`operations`](crate::kernels::dynamic::operations).
-// Inlined, so that it is compiled where it is called.
+/// Returns every row of the library, in the order of [`operations`](crate::kernels::dynamic::operations).
+// Inlined, so that the calling crate compiles the rows.
 #[inline]
 #[must_use]
 pub fn rows() -> &'static [Tested] {
     static ALL: OnceLock<Vec<Tested>> = OnceLock::new();
     ALL.get_or_init(|| {
-        let mut all = Values(Vec::new());
+        let mut all = RowList(Vec::new());
         ops::each(&mut all);
         all.0
     })

@@ -1,5 +1,5 @@
-//! The stand-in of the GPU in a build without the feature `gpu`: types without values, so that all else is the same in
-//! both.
+//! The stand-in of the GPU in a build without the feature `gpu`: types without values, so that all other code compiles
+//! in both builds.
 use crate::error::Argument;
 use crate::kernels::Fold;
 use crate::kernels::call::folding::Folding;
@@ -19,7 +19,7 @@ use std::any::Any;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
-/// A GPU. There is none in a build without the feature `gpu`.
+/// A GPU, which a build without the feature `gpu` cannot have.
 pub type Gpu = Machine<Device>;
 
 /// The engine of a GPU, which a build without the feature `gpu` cannot have.
@@ -137,29 +137,29 @@ impl Engine<f32> for Device {
     }
 }
 
-/// Rings on a GPU.
+/// Rings on a GPU, which a build without the feature `gpu` cannot have.
 #[derive(Clone, Debug)]
-pub enum Rings {}
+pub enum DeviceRings {}
 
-/// Results of rings on a GPU.
+/// Results of rings on a GPU, which a build without the feature `gpu` cannot have.
 #[derive(Clone, Debug)]
-pub enum RingValues<T = ()> {
-    /// Never made.
+pub enum DeviceRingValues<T = ()> {
+    /// A variant that uses the type parameter; it has no values.
     #[doc(hidden)]
     Never(Device, PhantomData<fn() -> T>),
 }
 
-impl<T: 'static> Downloads<Vec<T>> for RingValues<T> {
+impl<T: 'static> Downloads<Vec<T>> for DeviceRingValues<T> {
     fn started(&self) -> Result<Pending<Vec<T>>, Error> {
-        let RingValues::Never(never, _) = self;
+        let DeviceRingValues::Never(never, _) = self;
         match *never {}
     }
     fn taken(self: Box<Self>) -> Result<Vec<T>, Error> {
-        let RingValues::Never(never, _) = *self;
+        let DeviceRingValues::Never(never, _) = *self;
         match never {}
     }
     fn boxed(&self) -> Box<dyn Downloads<Vec<T>>> {
-        let RingValues::Never(never, _) = self;
+        let DeviceRingValues::Never(never, _) = self;
         match *never {}
     }
     fn any(&self) -> &dyn Any {
@@ -167,7 +167,7 @@ impl<T: 'static> Downloads<Vec<T>> for RingValues<T> {
     }
 }
 
-impl Rings {
+impl DeviceRings {
     pub(crate) fn gpu(&self) -> &Device {
         match *self {}
     }
@@ -177,23 +177,27 @@ impl Rings {
 }
 
 impl Device {
-    pub(crate) fn upload_rings(&self, _: &[Vec2<f32>], _: &[usize]) -> Result<Rings, Error> {
+    pub(crate) fn upload_rings(&self, _: &[Vec2<f32>], _: &[usize]) -> Result<DeviceRings, Error> {
         match *self {}
     }
-    pub(crate) fn ragged_of<T>(&self, _: Measure, _: &Rings) -> Result<RingValues<T>, Error> {
+    pub(crate) fn ragged_of<T>(
+        &self,
+        _: Measure,
+        _: &DeviceRings,
+    ) -> Result<DeviceRingValues<T>, Error> {
         match *self {}
     }
     pub(crate) fn ragged_vjp_of(
         &self,
         _: Measure,
-        _: &Rings,
+        _: &DeviceRings,
         _: (usize, &[f32]),
-    ) -> Result<RingValues<Vec2<f32>>, Error> {
+    ) -> Result<DeviceRingValues<Vec2<f32>>, Error> {
         match *self {}
     }
 }
 
-/// Texts of shaders, each with a name.
+/// Shader sources, each with its name.
 type Shaders = Result<Vec<(String, String)>, Error>;
 
 /// Returns the shaders of a straight line, which a build without the feature `gpu` does not have.
@@ -206,7 +210,7 @@ pub fn line_sources(_: &str, _: Arc<Recording<f32>>) -> Shaders {
     Err(Error::Gpu(GpuFault::NotBuilt))
 }
 
-/// Returns the same of a fold.
+/// Returns the shaders of a fold, which a build without the feature `gpu` does not have.
 ///
 /// # Errors
 ///

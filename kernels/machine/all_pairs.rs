@@ -17,7 +17,7 @@ use crate::suppression::{Pair, Rules};
 /// The place of the results of two lists.
 type Both<A, B> = <<A as Columns>::Place as Place>::With<<B as Columns>::Place>;
 
-/// The cotangents of all results: a matrix, row by row, as a slice or on the machine.
+/// The cotangents of all results: a row-major matrix, as a slice or on the machine.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no list of cotangents",
     label = "a slice of `{T}`, or a matrix on the machine"
@@ -47,9 +47,9 @@ impl<T: Real> Factors<T> for &Matrix<T> {
     }
 }
 
-/// A [`Table`], or a [`Matrix`] on the machine.
+/// The memory for a table of results: a [`Table`], or a [`Matrix`] on the machine.
 pub trait Rooms<R: Results> {
-    /// Its rows and columns, if the caller says them.
+    /// Returns its numbers of rows and columns, if the caller fixes them.
     #[doc(hidden)]
     fn size(&self) -> Option<[usize; 2]>;
     #[doc(hidden)]
@@ -72,7 +72,7 @@ impl<T: Real, R: Results<Scalar = T>> Rooms<R> for &mut Matrix<T> {
     }
 }
 
-/// A call of two lists: the function, and both as numbers.
+/// Builds a call of two lists: the function, and both lists as numbers.
 macro_rules! called {
     ($run:expr, $a:expr, $b:expr => |$call:ident, $lists:ident| $do:expr) => {{
         let ($call, $lists) = ($run.call()?, [$a.list_of_shapes(), $b.list_of_shapes()]);
@@ -83,13 +83,13 @@ macro_rules! called {
 /// All pairs of two lists. A GPU refuses searches
 /// ([`Unrecordable::Search`](crate::Unrecordable::Search)).
 impl<E: ?Sized> Machine<E> {
-    /// Computes every shape of `a` with every shape of `b`: a [`Table`] with a row per shape of `a`; of lists on the
-    /// machine, for results of one number, a [`Matrix`] there.
+    /// Computes every shape of `a` with every shape of `b`. Returns a [`Table`] with a row per shape of `a`. For lists
+    /// on the machine and results of one number it is a [`Matrix`] there.
     ///
     /// # Errors
     ///
     /// [`Error::Invalid`] for a shape that is not valid, [`Error::TooLarge`] when the table has more
-    /// numbers than memory has addresses, [`Error::NotOneNumber`] for other results of lists on the machine; of a GPU
+    /// numbers than fit the address space, [`Error::NotOneNumber`] for other results of lists on the machine; of a GPU
     /// also [`Error::Gpu`] and [`Error::Program`].
     ///
     /// ```
@@ -119,8 +119,8 @@ impl<E: ?Sized> Machine<E> {
         called!(run, a, b => |call, lists| Both::<A, B>::all_pairs::<R::Out>(self.engine(), &call, &lists))
     }
 
-    /// [`all_pairs`](Machine::all_pairs) into the caller's [`Table`], or into a [`Matrix`] on the machine, in the same
-    /// buffers.
+    /// Writes the results of [`all_pairs`](Machine::all_pairs) to the caller's [`Table`], or to a [`Matrix`] on the
+    /// machine, without new memory.
     ///
     /// # Errors
     ///
@@ -147,13 +147,13 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// [`all_pairs`](Machine::all_pairs) into the caller's numbers: plane after plane, of results of one
-    /// number a matrix, row by row.
+    /// Writes the results of [`all_pairs`](Machine::all_pairs) to the caller's slice: one row-major matrix for every
+    /// number of a result, one after another.
     ///
     /// # Errors
     ///
-    /// As [`all_pairs`](Machine::all_pairs), and [`Error::Length`] for another number of them. They are
-    /// then as they were.
+    /// As [`all_pairs`](Machine::all_pairs), and [`Error::Length`] for a slice of another length, which does
+    /// not change then.
     pub fn all_pairs_planes<A, B, R>(
         &self,
         run: R,
@@ -175,8 +175,8 @@ impl<E: ?Sized> Machine<E> {
     }
 
     /// Returns the adjoint of [`all_pairs`](Machine::all_pairs) for one number as result: derivatives of
-    /// `Σ upstream[i, j] · result[i, j]` with respect to every shape of both lists. `upstream` is a
-    /// matrix, row by row: a slice, or a [`Matrix`] on the machine.
+    /// `Σ upstream[i, j] · result[i, j]` with respect to every shape of both lists. `upstream` is a row-major matrix: a
+    /// slice, or a [`Matrix`] on the machine.
     ///
     /// # Errors
     ///
@@ -198,7 +198,7 @@ impl<E: ?Sized> Machine<E> {
         a: A,
         b: B,
         upstream: impl Factors<Number<A>>,
-    ) -> Result<Lists<A, B>, Error>
+    ) -> Result<ListGradients<A, B>, Error>
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
@@ -210,10 +210,10 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// [`all_pairs_vjp`](Machine::all_pairs_vjp) into the caller's slices.
+    /// Writes the results of [`all_pairs_vjp`](Machine::all_pairs_vjp) to the caller's slices.
     ///
-    /// Beside the results the CPU holds one partial gradient of `b` per 16 or more rows of `a`: less than
-    /// the upstream matrix has.
+    /// Besides the results the CPU allocates one partial gradient of `b` per 16 or more rows of `a`, which is less than
+    /// the upstream matrix.
     ///
     /// # Errors
     ///
@@ -239,7 +239,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// Returns the largest result of every row and its column; of several the first.
+    /// Returns the largest result of every row and its column; the first of equal ones.
     ///
     /// # Errors
     ///
@@ -272,7 +272,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// Returns the largest result of every column and its row; of several the first.
+    /// Returns the largest result of every column and its row; the first of equal ones.
     ///
     /// # Errors
     ///
@@ -295,7 +295,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// Returns every pair whose result is above the threshold, row by row and within a row by column.
+    /// Returns every pair whose result is above the threshold, ordered by row and then by column.
     ///
     /// # Errors
     ///
@@ -341,8 +341,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// Returns the sum of all results, added in `f64`, always in the same order; a GPU adds up to 1024 of them in `f32`
-    /// before.
+    /// Returns the sum of all results, added in `f64` in a fixed order; a GPU first adds up to 1024 of them in `f32`.
     ///
     /// # Errors
     ///
@@ -424,7 +423,7 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// Returns the sum of all results; into the caller's slices the derivatives of the sum times `factor`.
+    /// Returns the sum of all results, and writes the derivatives of the sum times `factor` to the caller's slices.
     ///
     /// # Errors
     ///
@@ -451,7 +450,7 @@ impl<E: ?Sized> Machine<E> {
     }
 
     /// Returns every two shapes of a list whose result is above the threshold, each two once: for
-    /// [`suppression`](crate::suppression). The one that comes first in the list is the first argument.
+    /// [`suppression`](crate::suppression). The first argument is the earlier one in the list.
     ///
     /// # Errors
     ///
@@ -474,17 +473,16 @@ impl<E: ?Sized> Machine<E> {
         })
     }
 
-    /// Returns the shapes that no better one, kept itself, overlaps by more than the threshold: their places, the
-    /// best first.
+    /// Returns the shapes that no better kept shape overlaps by more than the threshold: their indices, best first.
     ///
-    /// Only pairs with a kept shape are computed, the better one of two shapes as the first argument. The result is that
-    /// of [`suppression::hard`](crate::suppression::hard) with all [`overlaps`](Machine::overlaps), but for pairs at the
-    /// threshold: there the first argument is the one that comes first, and an IoU of boxes that turn may differ by a
-    /// rounding when its arguments are exchanged.
+    /// Only pairs with a kept shape are computed, with the better shape as the first argument. The result equals that
+    /// of [`suppression::hard`](crate::suppression::hard) with all [`overlaps`](Machine::overlaps), except for pairs at
+    /// the threshold: there the first argument is the earlier one in the list, and the IoU of rotated boxes may change
+    /// by a rounding when arguments are exchanged.
     ///
-    /// A GPU keeps the shapes that the CPU keeps: pairs whose result is within 1/256 of the threshold are computed once
-    /// more, on the CPU, if the decision depends on them. So that holds for scores between zero and one, such as an IoU
-    /// of any boxes, which no driver gets wrong by so much.
+    /// A GPU keeps the shapes that the CPU keeps: the CPU recomputes pairs whose result is within 1/256 of the
+    /// threshold, if the decision depends on them. This holds for scores between zero and one, such as an IoU, whose
+    /// error is smaller with every driver.
     ///
     /// # Errors
     ///
@@ -522,28 +520,28 @@ impl<E: ?Sized> Machine<E> {
     }
 }
 
-/// Gradients of both lists, where their results are.
-pub(crate) type Lists<A, B> = (
+/// The gradients of both lists, at the place of their results.
+pub(crate) type ListGradients<A, B> = (
     <Both<A, B> as Place>::List<<A as Columns>::Item>,
     <Both<A, B> as Place>::List<<B as Columns>::Item>,
 );
 
-/// A loss, and its gradients of both lists.
+/// A loss, with its gradients of both lists.
 pub(crate) type Loss<A, B> = (
     f64,
     <Both<A, B> as Place>::List<<A as Columns>::Item>,
     <Both<A, B> as Place>::List<<B as Columns>::Item>,
 );
 
-/// What the calls above share.
+/// Helpers of the calls above.
 impl<E: ?Sized> Machine<E> {
-    /// Returns the sum of all results where one factor is that of all, and cotangents of both lists.
+    /// Returns the sum of all results if one factor is the seed of all pairs, and the cotangents of both lists.
     fn bars<A, B>(
         &self,
         call: &Call<Number<A>>,
         lists: &[Column<'_, Number<A>>; 2],
         seed: &Seed<'_, Number<A>>,
-    ) -> Result<(f64, Lists<A, B>), Error>
+    ) -> Result<(f64, ListGradients<A, B>), Error>
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
@@ -553,12 +551,12 @@ impl<E: ?Sized> Machine<E> {
         Ok((sum, self.placed::<A, B>(lists, bars)?))
     }
 
-    /// Cotangents of both lists where their results are.
+    /// Moves the cotangents of both lists to the place of their results.
     fn placed<A, B>(
         &self,
         lists: &[Column<'_, Number<A>>; 2],
         [a_bar, b_bar]: [Vec<Number<A>>; 2],
-    ) -> Result<Lists<A, B>, Error>
+    ) -> Result<ListGradients<A, B>, Error>
     where
         A: Columns<Item: Single>,
         B: Columns<Item: Single<Scalar = Number<A>>>,
@@ -571,7 +569,7 @@ impl<E: ?Sized> Machine<E> {
         ))
     }
 
-    /// Returns the same into the caller's slices.
+    /// Writes the cotangents of both lists to the caller's slices. Returns the sum as [`bars`](Machine::bars) does.
     fn bars_into<A, B>(
         &self,
         call: &Call<Number<A>>,

@@ -1,5 +1,5 @@
 //! Columns as numbers: one argument of every item.
-use super::stays::Stays;
+use super::stays::MachineColumn;
 use crate::Real;
 use crate::error::Error;
 use crate::kernels::call::recording::Call;
@@ -8,32 +8,32 @@ use crate::kernels::row::item::{Item, by_shape, leaves_of, memory, put, width};
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// Reads the numbers of some shapes, one after another.
+/// A function that writes the numbers of some shapes, one after another.
 type Read<'a, T> = Box<dyn Fn(Range<usize>, &mut [T]) + Send + Sync + 'a>;
 
-/// The numbers of a column, in memory or by a function.
-enum Numbers<'a, T> {
+/// The source of a column's numbers: memory, or a function.
+enum ColumnSource<'a, T> {
     Lent(&'a [T]),
     Read(Read<'a, T>),
 }
 
 /// One argument of every item, as numbers.
 pub struct Column<'a, T> {
-    numbers: Numbers<'a, T>,
-    /// Numbers per item.
+    numbers: ColumnSource<'a, T>,
+    /// The number of scalars per item.
     pub fields: usize,
-    /// How many items; `None` for one that stands for any number.
+    /// The number of items; `None` for one that stands for any number.
     pub count: Option<usize>,
-    /// The column on the machine, if it stays there.
-    pub(crate) held: Option<&'a dyn Stays<T>>,
+    /// The column on the machine, if it is there.
+    pub(crate) held: Option<&'a dyn MachineColumn<T>>,
 }
 
 impl<'a, T: Real> Column<'a, T> {
-    /// Shapes as a column.
+    /// Creates a column from shapes.
     pub(crate) fn of<P: Item<Scalar = T>>(shapes: &'a [P]) -> Self {
         let numbers = match memory::lent(shapes) {
-            Some(numbers) => Numbers::Lent(numbers),
-            None => Numbers::Read(Box::new(move |items, rows| {
+            Some(numbers) => ColumnSource::Lent(numbers),
+            None => ColumnSource::Read(Box::new(move |items, rows| {
                 let rows = rows.chunks_exact_mut(width::<P>());
                 for (shape, row) in shapes[items].iter().zip(rows) {
                     put(*shape, row);
@@ -47,40 +47,41 @@ impl<'a, T: Real> Column<'a, T> {
             held: None,
         }
     }
-    /// Returns a column that stays on a machine, with its numbers if that is the CPU.
-    pub(crate) fn held(own: &'a dyn Stays<T>, count: usize) -> Self {
+    /// Creates a column from one on a machine, with its numbers if that is the CPU.
+    pub(crate) fn held(own: &'a dyn MachineColumn<T>, count: usize) -> Self {
         Column {
             held: Some(own),
             ..Column::lent(own.here().unwrap_or_default(), own.fields(), Some(count))
         }
     }
-    /// Numbers of shapes, one shape after another; `None` items for one that stands for any number.
+    /// Creates a column from the numbers of shapes, one shape after another; `None` items for one that stands for any
+    /// number.
     pub(crate) fn lent(numbers: &'a [T], fields: usize, count: Option<usize>) -> Self {
         Column {
-            numbers: Numbers::Lent(numbers),
+            numbers: ColumnSource::Lent(numbers),
             fields,
             count,
             held: None,
         }
     }
-    /// Numbers that are read when they are needed.
+    /// Creates a column whose numbers `read` writes when they are needed.
     pub(crate) fn read(
         fields: usize,
         count: usize,
         read: impl Fn(Range<usize>, &mut [T]) + Send + Sync + 'a,
     ) -> Self {
         Column {
-            numbers: Numbers::Read(Box::new(read)),
+            numbers: ColumnSource::Read(Box::new(read)),
             fields,
             count: Some(count),
             held: None,
         }
     }
-    /// Returns some numbers of every shape of a list.
+    /// Creates a column from some of the scalars of every shape of a list.
     fn part<P: Item<Scalar = T>>(shapes: &'a [P], part: Range<usize>) -> Self {
         let fields = part.len();
         Column {
-            numbers: Numbers::Read(Box::new(move |items, rows| {
+            numbers: ColumnSource::Read(Box::new(move |items, rows| {
                 let mut all = vec![T::default(); width::<P>()];
                 let mut scalars = vec![T::default(); P::LEN];
                 for (shape, row) in shapes[items].iter().zip(rows.chunks_exact_mut(fields)) {
@@ -94,26 +95,28 @@ impl<'a, T: Real> Column<'a, T> {
             held: None,
         }
     }
-    /// Returns the same for all items.
+    /// Returns the column as one whose item stands for all.
     pub(super) fn repeated(self) -> Self {
         Column {
             count: None,
             ..self
         }
     }
-    /// Returns how many items it holds itself.
+    /// Returns the number of items in memory.
     pub(crate) fn len(&self) -> usize {
         self.count.unwrap_or(1)
     }
-    /// Returns the numbers of some items, as they lie in memory or written into `room`.
+    /// Returns the numbers of some items: in place if they are contiguous, else written into `room`.
     pub(crate) fn numbers<'r>(&'r self, items: Range<usize>, room: &'r mut Vec<T>) -> &'r [T] {
         let items = match self.count {
             Some(_) => items,
             None => 0..1,
         };
         match &self.numbers {
-            Numbers::Lent(numbers) => &numbers[items.start * self.fields..items.end * self.fields],
-            Numbers::Read(read) => {
+            ColumnSource::Lent(numbers) => {
+                &numbers[items.start * self.fields..items.end * self.fields]
+            }
+            ColumnSource::Read(read) => {
                 room.resize(items.len() * self.fields, T::default());
                 read(items, room);
                 room
@@ -123,8 +126,8 @@ impl<'a, T: Real> Column<'a, T> {
     /// Returns all its numbers.
     pub(crate) fn all(&self) -> Cow<'_, [T]> {
         match &self.numbers {
-            Numbers::Lent(numbers) => Cow::Borrowed(numbers),
-            Numbers::Read(read) => {
+            ColumnSource::Lent(numbers) => Cow::Borrowed(numbers),
+            ColumnSource::Read(read) => {
                 let mut room = vec![T::default(); self.len() * self.fields];
                 read(0..self.len(), &mut room);
                 Cow::Owned(room)

@@ -1,7 +1,8 @@
-//! Columns: one argument of every item.
+//! Columns: the arguments of a batch.
 //!
-//! A *column* is a slice of shapes, or [`One`] that stands for all. Several columns are a tuple: `(&points, One(circle))`.
-//! Results come out column by column, too: a batch whose result is a number and a shape gives `(Vec<f64>, Vec<Shape>)`.
+//! A *column* is a slice of shapes, or [`One`] that stands for all. Several columns are a tuple:
+//! `(&points, One(circle))`. Results are columns, too: a batch whose result is a number and a shape returns
+//! `(Vec<f64>, Vec<Shape>)`.
 use super::column::{Column, list_of};
 use super::held::Held;
 use super::{Here, Place, There};
@@ -22,7 +23,7 @@ use crate::{Fixed, Pack};
 pub struct One<P>(pub P);
 
 /// The arguments of a batch: a slice or vector of shapes or numbers, [`One`], an array on the machine
-/// ([`Held`](crate::kernels::resident::Held)), or a tuple of such.
+/// ([`Held`](crate::kernels::resident::Held)), or a tuple of these.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a column",
     label = "not a column",
@@ -34,11 +35,11 @@ pub trait Columns {
     type Item: Item;
     /// The place of the columns and their results: the memory of the program or the machine.
     type Place: Place;
-    /// The columns, one per shape of an item.
+    /// Passes the columns to `add`, one per shape of an item.
     #[doc(hidden)]
     fn list<'a>(&'a self, add: &mut dyn FnMut(Column<'a, <Self::Item as Pack>::Scalar>));
-    /// Returns the items as one column, for a list of all pairs. By default the first column: an item of a list is a
-    /// [`Single`](crate::kernels::Single), which has no other.
+    /// Returns the items as one column, for a list of all pairs. The default is the only column of a
+    /// [`Single`](crate::kernels::Single) shape.
     #[doc(hidden)]
     fn list_of_shapes(&self) -> Column<'_, <Self::Item as Pack>::Scalar> {
         let mut first = None;

@@ -10,14 +10,13 @@ use crate::kernels::row::item::counts::expect;
 use crate::kernels::row::item::rows::{fill, numbers};
 use crate::{Error, Fixed, Pack, Real};
 
-/// Cotangents of every context and every vertex.
-type Pulled<C, V> = (Vec<<C as Columns>::Item>, Vec<V>);
+/// The cotangents of every context and every vertex.
+type PathCotangents<C, V> = (Vec<<C as Columns>::Item>, Vec<V>);
 
 /// Paths of any number of vertices.
 impl<E: ?Sized> Machine<E> {
-    /// One result per path. Path i has the vertices `offsets[i]..offsets[i + 1]`; there is one offset
-    /// more than there are paths, from 0 to the number of vertices. `context` is what else the fold
-    /// takes, one per path or [`One`] for all.
+    /// Computes one result per path. Path i has the vertices `offsets[i]..offsets[i + 1]`; the first offset is 0, the
+    /// last one the number of vertices. `context` has the other arguments of the fold, one per path or [`One`] for all.
     ///
     /// # Errors
     ///
@@ -49,8 +48,8 @@ impl<E: ?Sized> Machine<E> {
         self.folded::<F, C, V>(&context, vertices, PathSpans::Ragged(offsets))
     }
 
-    /// [`fold`](Machine::fold) over one path for many contexts: one result per context. There is one result where a
-    /// [`One`] stands for all contexts, or where contexts have no numbers.
+    /// Computes [`fold`](Machine::fold) over one path for many contexts: one result per context. There is one result if
+    /// a [`One`] stands for all contexts, or if contexts have no numbers.
     ///
     /// # Errors
     ///
@@ -83,8 +82,8 @@ impl<E: ?Sized> Machine<E> {
         self.folded::<F, C, V>(&contexts, path, spans)
     }
 
-    /// Returns the adjoint of [`fold`](Machine::fold): one cotangent per context and one per vertex, for one of
-    /// every result.
+    /// Returns the adjoint of [`fold`](Machine::fold): one cotangent per context and one per vertex, from one per
+    /// result.
     ///
     /// # Errors
     ///
@@ -105,7 +104,7 @@ impl<E: ?Sized> Machine<E> {
         self.pulled_back::<F, C, V>(&context, vertices, PathSpans::Ragged(offsets), upstream)
     }
 
-    /// Returns the adjoint of [`fold_one`](Machine::fold_one): one cotangent per context, and one per vertex, added up
+    /// Returns the adjoint of [`fold_one`](Machine::fold_one): one cotangent per context, and one per vertex, summed
     /// over all contexts.
     ///
     /// # Errors
@@ -127,10 +126,10 @@ impl<E: ?Sized> Machine<E> {
         self.pulled_back::<F, C, V>(&contexts, path, spans, upstream)
     }
 
-    /// [`fold`](Machine::fold) of a fold that takes a path and nothing else (ragged: paths of different lengths).
+    /// Computes the [`fold`](Machine::fold) of ragged paths (of different lengths), for a fold without a context.
     ///
-    /// There is one result per path. Path i has the vertices `offsets[i]..offsets[i + 1]`; there is one offset more than
-    /// there are paths, from 0 to the number of vertices. Empty paths are valid.
+    /// There is one result per path. Path i has the vertices `offsets[i]..offsets[i + 1]`; the first offset is 0, the
+    /// last one the number of vertices. Empty paths are valid.
     ///
     /// # Errors
     ///
@@ -156,7 +155,7 @@ impl<E: ?Sized> Machine<E> {
         self.fold(fold, One([]), vertices, offsets)
     }
 
-    /// [`ragged`](Machine::ragged) into the caller's buffer.
+    /// Writes the results of [`ragged`](Machine::ragged) to the caller's slice.
     ///
     /// # Errors
     ///
@@ -172,18 +171,18 @@ impl<E: ?Sized> Machine<E> {
     where
         F: Fold<Context<V::Scalar> = [V::Scalar; 0], Element<V::Scalar> = V>,
     {
-        // By way of a copy: kernels of rings write results before every vertex was checked.
+        // A copy is needed, since kernels of rings write results before every vertex is checked.
         let all = self.ragged(fold, vertices, offsets)?;
         expect(Argument::Values, all.len(), values.len())?;
         values.copy_from_slice(&all);
         Ok(())
     }
 
-    /// Returns the adjoint of [`ragged`](Machine::ragged) for one cotangent per result: one cotangent per vertex.
+    /// Returns the adjoint of [`ragged`](Machine::ragged): one cotangent per vertex, from one cotangent per result.
     ///
     /// # Errors
     ///
-    /// As [`ragged`](Machine::ragged), and [`Error::Length`] for another count of cotangents than of results,
+    /// As [`ragged`](Machine::ragged), and [`Error::Length`] unless there is one cotangent per result,
     /// [`Error::Invalid`] for one that is not finite.
     ///
     /// ```
@@ -209,7 +208,7 @@ impl<E: ?Sized> Machine<E> {
         Ok(bars)
     }
 
-    /// [`ragged_vjp`](Machine::ragged_vjp) into the caller's buffer.
+    /// Writes the results of [`ragged_vjp`](Machine::ragged_vjp) to the caller's slice.
     ///
     /// # Errors
     ///
@@ -254,7 +253,7 @@ impl<E: ?Sized> Machine<E> {
         vertices: &[V],
         spans: PathSpans<'_>,
         upstream: &[F::Out<V::Scalar>],
-    ) -> Result<Pulled<C, V>, Error>
+    ) -> Result<PathCotangents<C, V>, Error>
     where
         F: Fold<Context<V::Scalar> = C::Item, Element<V::Scalar> = V>,
         C::Item: Pack<Scalar = V::Scalar>,
@@ -265,7 +264,7 @@ impl<E: ?Sized> Machine<E> {
         Ok((by_context, bars))
     }
 
-    /// Writes the cotangents of vertices, and returns those of contexts.
+    /// Writes the cotangents of vertices. Returns the cotangents of contexts.
     fn pull_into<F, C: Columns, V: Fixed<Scalar: On<E>>>(
         &self,
         context: &C,
@@ -303,7 +302,7 @@ impl<E: ?Sized> Machine<E> {
     }
 }
 
-/// Returns how many contexts there are: one where one stands for all.
+/// Returns the number of contexts; 1 if one stands for all.
 fn contexts_of<C: Columns>(contexts: &C) -> usize {
     let mut count = None;
     contexts.list(&mut |column| count = count.or(column.count));

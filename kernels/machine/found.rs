@@ -1,13 +1,13 @@
-//! Results of reductions, and checks of what they are asked for.
+//! Results of reductions, and checks of their arguments.
 use crate::Real;
 use crate::error::{Argument, Error, Validate};
 
-/// The largest score of a row or column, and where in it.
+/// The largest score of a row or column, and its index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Best<T = f32> {
     /// The score.
     pub value: T,
-    /// The column (of a row) or the row (of a column); of several the first.
+    /// The column (in a row) or the row (in a column); the first of equal scores.
     pub index: usize,
 }
 
@@ -22,7 +22,7 @@ pub struct Found<T = f32> {
     pub value: T,
 }
 
-/// Refuses to look for the largest of nothing.
+/// Returns an error for a largest score of nothing.
 pub(crate) fn check_sides(rows: usize, columns: usize, of_rows: bool) -> Result<(), Error> {
     let (own, other, argument) = match of_rows {
         true => (rows, columns, Argument::B),
@@ -34,7 +34,7 @@ pub(crate) fn check_sides(rows: usize, columns: usize, of_rows: bool) -> Result<
     Ok(())
 }
 
-/// Refuses a threshold that is not a number.
+/// Returns an error for a threshold that is not finite.
 pub(crate) fn check_threshold<T: Real>(threshold: T) -> Result<(), Error> {
     threshold.validate().map_err(|flaw| Error::Invalid {
         argument: Argument::Threshold,

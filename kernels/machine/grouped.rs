@@ -1,4 +1,4 @@
-//! All pairs within groups, such as the detections and the truths of every frame: one call for all frames.
+//! All pairs within groups, such as the detections and the truths of every frame: one call for all groups.
 use super::GroupSpans;
 use crate::Real;
 use crate::error::{Argument, Error};
@@ -11,7 +11,8 @@ use crate::kernels::row::item::Single;
 use crate::kernels::row::item::counts::expect;
 use crate::suppression::{Rules, better, check_groups, check_scores};
 
-/// Groups of two lists: group g pairs the shapes `a[g]..a[g + 1]` of the first list with `b[g]..b[g + 1]` of the second.
+/// Groups of two lists: group g pairs the shapes `a[g]..a[g + 1]` of the first list with `b[g]..b[g + 1]` of the
+/// second.
 ///
 /// Offsets begin at zero, never decrease and end at the length of their list. A group may be empty on either side.
 ///
@@ -36,7 +37,7 @@ pub struct Groups<'a> {
 }
 
 impl<'a> Groups<'a> {
-    /// Groups by the offsets of both lists; a call checks them.
+    /// Creates groups from the offsets of both lists; a call checks them.
     #[must_use]
     pub const fn new(a: &'a [usize], b: &'a [usize]) -> Self {
         Groups { a, b }
@@ -46,7 +47,7 @@ impl<'a> Groups<'a> {
     pub const fn offsets(&self) -> [&'a [usize]; 2] {
         [self.a, self.b]
     }
-    /// Checks the offsets of lists of such lengths.
+    /// Checks the offsets against the lengths of both lists.
     pub(crate) fn spans(self, counts: [usize; 2]) -> Result<GroupSpans<'a>, Error> {
         for (k, offsets) in self.offsets().into_iter().enumerate() {
             check_groups(Argument::input(k), counts[k], offsets)?;
@@ -59,8 +60,8 @@ impl<'a> Groups<'a> {
     }
 }
 
-/// Returns the places of all scores of each group that are at least so large, the best first, and the offsets of the
-/// groups among them.
+/// Returns the indices of all scores of each group that are at least `least`, best first, and the offsets of the groups
+/// among them.
 pub(crate) fn ranked_groups<T: Real>(
     scores: &[T],
     offsets: &[usize],
@@ -77,11 +78,11 @@ pub(crate) fn ranked_groups<T: Real>(
     Ok((order, ends))
 }
 
-/// Pairs within groups. A GPU takes all groups together; it refuses searches
+/// Pairs within groups. A GPU computes all groups in one call; it refuses searches
 /// ([`Unrecordable::Search`](crate::Unrecordable::Search)).
 impl<E: ?Sized> Machine<E> {
-    /// Returns every pair within a group whose result is above the threshold, row by row and within a row by column:
-    /// [`above`](Machine::above) of every group, with the places that shapes have in the whole lists.
+    /// Returns every pair within a group whose result is above the threshold, ordered by row and then by column:
+    /// [`above`](Machine::above) of every group, with indices in the whole lists.
     ///
     /// # Errors
     ///
@@ -109,12 +110,12 @@ impl<E: ?Sized> Machine<E> {
         found.founds().taken()
     }
 
-    /// Returns the largest result of every row within its group, and its column in the whole list; of several the
-    /// first. `None` for a row whose group has no columns.
+    /// Returns the largest result of every row within its group, and its column in the whole list; the first of equal
+    /// ones. `None` for a row whose group has no columns.
     ///
     /// # Errors
     ///
-    /// As [`above_grouped`](Machine::above_grouped), but for a threshold.
+    /// As [`above_grouped`](Machine::above_grouped), except those of a threshold.
     ///
     /// ```
     /// use geograd::kernels::{Cpu, Groups, Iou};
@@ -142,8 +143,8 @@ impl<E: ?Sized> Machine<E> {
         self.most_grouped(&run, &a, &b, groups, true)
     }
 
-    /// Returns the largest result of every column within its group, and its row in the whole list; of several the
-    /// first. `None` for a column whose group has no rows.
+    /// Returns the largest result of every column within its group, and its row in the whole list; the first of equal
+    /// ones. `None` for a column whose group has no rows.
     ///
     /// # Errors
     ///
@@ -189,9 +190,9 @@ impl<E: ?Sized> Machine<E> {
 
 /// Suppression within groups.
 impl<E: ?Sized> Machine<E> {
-    /// Returns the shapes that no better one of their group, kept itself, overlaps by more than the threshold: their
-    /// places in the whole list, group by group and in a group the best first. Each group keeps at most as many as the
-    /// rules say. A GPU computes group after group.
+    /// Returns the shapes that no better kept shape of their group overlaps by more than the threshold: their indices
+    /// in the whole list, group by group, in a group best first. The rules limit the number of kept shapes of each
+    /// group. A GPU computes group after group.
     ///
     /// # Errors
     ///

@@ -1,7 +1,7 @@
-//! Groups of two lists, as an engine takes them.
+//! Groups of two lists, in the form that an engine takes.
 use std::ops::Range;
 
-/// Offsets of the groups of both lists, checked: group `g` has the rows `a[g]..a[g + 1]` and the columns
+/// The checked offsets of the groups of both lists: group `g` has the rows `a[g]..a[g + 1]` and the columns
 /// `b[g]..b[g + 1]`.
 #[derive(Clone, Copy, Debug)]
 pub struct GroupSpans<'a> {

@@ -9,10 +9,10 @@ use crate::kernels::row::item::{Item, Leaf, Results, leaves_of, targets_of};
 use std::fmt;
 use std::marker::PhantomData;
 
-/// An array on the machine: shapes, numbers, or results of several of both.
+/// An array on the machine: shapes, numbers, or tuples of these.
 ///
-/// On the CPU these are plain vectors. On a GPU they lie in buffers; what an operation wants prepared
-/// beforehand (sines of headings, frames of boxes) is computed at its first call and kept.
+/// On the CPU these are plain vectors, on a GPU buffers. Preparations of an operation (sines of headings, frames of
+/// boxes) are computed at its first call and kept.
 pub struct Held<R: Results> {
     stored: Stored<R::Scalar>,
     item: PhantomData<fn() -> R>,
@@ -46,13 +46,12 @@ impl<R: Results> Held<R> {
     pub fn len(&self) -> usize {
         self.stored.len()
     }
-    /// `true` without items.
+    /// Returns `true` without items.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.stored.is_empty()
     }
-    /// Returns the numbers of the items: those of the first shape of every item, item by item, then those of the
-    /// second.
+    /// Returns the numbers of the items: of the first shape of every item, item by item, then of the second.
     ///
     /// ```
     /// use geograd::kernels::Backend;
@@ -69,7 +68,7 @@ impl<R: Results> Held<R> {
     }
 }
 
-/// Returns the numbers of items, shape by shape, checked by a function of the shape's place.
+/// Returns the numbers of items, shape by shape, after `check`, a function of the index of the shape.
 pub(crate) fn numbers_of<R: Item>(
     items: &[R],
     check: impl Fn(usize, Leaf<R::Scalar>, &[R::Scalar]) -> Result<(), Error>,
@@ -88,7 +87,7 @@ pub(crate) fn numbers_of<R: Item>(
     flaw.map(|()| all)
 }
 
-/// Results of their numbers, shape by shape.
+/// Converts numbers, shape by shape, to items.
 fn many_of<R: Item>(count: usize, columns: &[Vec<R::Scalar>]) -> <R as Item>::Many {
     let mut many = R::many(count);
     for (target, numbers) in targets_of::<R>(&mut many).into_iter().zip(columns) {
@@ -105,7 +104,7 @@ fn many_of<R: Item>(count: usize, columns: &[Vec<R::Scalar>]) -> <R as Item>::Ma
 }
 
 impl<R: Item> Held<R> {
-    /// Downloads the items and waits for them: a vector, or one for every shape of a result.
+    /// Downloads the items and waits for them. Returns a vector, or one for every shape of a result.
     ///
     /// # Errors
     ///
@@ -128,12 +127,12 @@ impl<R: Item> Held<R> {
         Ok(arriving.map(move |numbers| many_of::<R>(count, &numbers)))
     }
 
-    /// Replaces the items by as many others, as a loop does that moves them. On a GPU it reuses the buffer.
+    /// Replaces the items by as many others, such as in a loop that moves them. A GPU reuses its buffers.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] for another number of items, [`Error::Invalid`] for one that is not valid (the old ones are
-    /// then as they were), and the errors of the device.
+    /// [`Error::Length`] for another number of items, [`Error::Invalid`] for one that is not valid (no item changes
+    /// then), and the errors of the device.
     pub fn update(&mut self, items: &[R]) -> Result<(), Error> {
         expect(Argument::Shape, self.len(), items.len())?;
         let own = &self.stored.columns;
@@ -145,11 +144,11 @@ impl<R: Item> Held<R> {
     }
 }
 
-/// Results of several shapes as arrays of their own.
+/// Implements the split of tuples into arrays.
 macro_rules! split {
     ($($first:ident $($name:ident)*;)*) => { $(
         impl<$first: Item, $($name: Item<Scalar = $first::Scalar>),*> Held<($first, $($name,)*)> {
-            /// Returns the parts of every item, each as an array of its own. No data are copied.
+            /// Splits items that are tuples into one array per entry, without a copy.
             #[must_use]
             #[allow(non_snake_case)]
             pub fn split(self) -> (Held<$first>, $(Held<$name>,)*) {

@@ -1,4 +1,4 @@
-//! Where columns are, and with them the results of a call.
+//! The place of columns, and of a call's results.
 use super::Column;
 use super::primitives::try_then_check;
 use super::{Engine, Items, Room, count_of};
@@ -13,17 +13,17 @@ use crate::kernels::{Single, Table};
 
 /// The place of columns: [`Here`], in the memory of the program, or [`There`], on the machine.
 pub trait Place {
-    /// The place of the results of a call with columns of both.
+    /// The place of the results of a call with columns at both places.
     type With<P: Place>: Place;
-    /// One result per item.
+    /// The results of a batch, one per item.
     type Many<R: Results>;
-    /// One result per pair.
+    /// The results of all pairs.
     type Table<R: Results>;
-    /// The largest result of every row or column.
+    /// The largest results of rows or columns.
     type Bests<T: Real>;
-    /// Pairs above a threshold.
+    /// The pairs above a threshold.
     type Founds<T: Real>;
-    /// A gradient of every shape of a list.
+    /// A gradient for every shape of a list.
     type List<P: Single>;
     #[doc(hidden)]
     fn aligned<R: Results>(
@@ -49,11 +49,11 @@ pub trait Place {
     ) -> Result<Self::List<P>, Error>;
 }
 
-/// In the memory of the program: results are vectors.
+/// The memory of the program: results are vectors.
 #[derive(Clone, Copy, Debug)]
 pub enum Here {}
 
-/// On the machine: results stay there.
+/// The machine: results stay there.
 #[derive(Clone, Copy, Debug)]
 pub enum There {}
 

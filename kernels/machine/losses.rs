@@ -1,4 +1,4 @@
-//! Forms of all pairs over numbers: what calls by types and calls by name share.
+//! Forms of all pairs over numbers, for the calls by types and by name.
 use super::column::Column;
 use super::primitives::{Engine, Seed};
 use super::results::{Reduced, Reduction};
@@ -7,7 +7,7 @@ use crate::error::{Argument, Error};
 use crate::kernels::call::recording::Call;
 use crate::kernels::row::item::counts::{entries, expect};
 
-/// Reduces all pairs, of a reduction that is checked here.
+/// Checks a reduction and reduces all pairs.
 pub(crate) fn reduced<T: Real>(
     engine: &dyn Engine<T>,
     call: &Call<T>,
@@ -23,7 +23,7 @@ fn pairs_of<T: Real>(lists: &[Column<'_, T>; 2]) -> f64 {
     lists[0].len() as f64 * lists[1].len() as f64
 }
 
-/// Returns the mean of all results; zero where there are none.
+/// Returns the mean of all results; zero without pairs.
 pub(crate) fn mean<T: Real>(
     engine: &dyn Engine<T>,
     call: &Call<T>,
@@ -33,8 +33,8 @@ pub(crate) fn mean<T: Real>(
     Ok(sum / pairs_of(lists).max(1.0))
 }
 
-/// Writes the cotangents of both lists, with the codes of their shapes. Returns the sum of all results where one factor
-/// is that of all, otherwise 0.
+/// Writes the cotangents of both lists, with the codes of their shapes. Returns the sum of all results if one factor is
+/// the seed of all pairs, otherwise 0.
 pub(crate) fn pull_into<T: Real>(
     engine: &dyn Engine<T>,
     call: &Call<T>,
@@ -62,7 +62,7 @@ pub(crate) fn pull_into<T: Real>(
     Ok(sum)
 }
 
-/// Returns what [`pull_into`] does, and the cotangents of both lists.
+/// Returns the sum as [`pull_into`] does, and the cotangents of both lists.
 pub(crate) fn pulled<T: Real>(
     engine: &dyn Engine<T>,
     call: &Call<T>,
@@ -76,7 +76,7 @@ pub(crate) fn pulled<T: Real>(
     Ok((sum, bars))
 }
 
-/// Returns the mean of all results, zero where there are none, and its derivatives by both lists.
+/// Returns the mean of all results and its derivatives by both lists; zero without pairs.
 pub(crate) fn mean_pulled<T: Real>(
     engine: &dyn Engine<T>,
     call: &Call<T>,

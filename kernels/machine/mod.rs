@@ -1,8 +1,8 @@
 //! Machines and their calls.
 //!
-//! [`Machine`] has every call once: for the CPU, for a GPU, and for a [`Backend`](crate::kernels::Backend) that is either.
-//! Columns are slices, [`One`], or [arrays that stay on the machine](crate::kernels::resident). Results
-//! of slices are vectors; results stay on the machine if one of the columns does.
+//! [`Machine`] has every call once: for the CPU, for a GPU, and for a [`Backend`](crate::kernels::Backend) that is
+//! either. Columns are slices, [`One`], or [arrays that stay on the machine](crate::kernels::resident). Results of
+//! slices are vectors; results stay on the machine if one of the columns does.
 mod all_pairs;
 mod column;
 mod columns;
@@ -37,7 +37,7 @@ pub(crate) use held::numbers_of;
 pub use location::{Here, Place, There};
 pub use paths::{Input, PathSpans, VertexBars};
 #[cfg(feature = "gpu")]
-pub(crate) use pending::Later;
+pub(crate) use pending::DeviceDownload;
 pub use pending::Pending;
 pub(crate) use primitives::sealed::Sealed;
 pub(crate) use primitives::try_then_check;
@@ -45,9 +45,9 @@ pub use primitives::{Engine, Items, On, Room, Seed};
 pub use results::{
     Bests, Founds, GroupedReduction, Matrix, Reduced, Reduction, RingBars, RingValues,
 };
-pub(crate) use results::{Downloads, Matrices, Ready};
+pub(crate) use results::{Downloads, InMemory, Matrices};
 pub use stays::Numbers;
-pub(crate) use stays::{FOREIGN, Stays};
+pub(crate) use stays::{FOREIGN, MachineColumn};
 pub use stored::{HeldNumbers, Stored};
 pub use table::Table;
 pub use targets::{Skip, Targets};
@@ -62,8 +62,8 @@ use std::fmt;
 /// A machine that runs batches: [`Cpu`](crate::kernels::Cpu), [`Gpu`](crate::kernels::gpu::Gpu), or either behind a
 /// [`Backend`](crate::kernels::Backend).
 ///
-/// Results of a GPU are those of the CPU to within rounding; its errors include [`Error::Gpu`], and
-/// [`Error::Program`] for functions that cannot be recorded.
+/// Results of a GPU equal the CPU's to within rounding; its errors include [`Error::Gpu`], and [`Error::Program`] for
+/// functions that cannot be recorded.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
 pub struct Machine<E: ?Sized> {
     pub(crate) engine: E,
@@ -75,7 +75,7 @@ impl<E: fmt::Debug + ?Sized> fmt::Debug for Machine<E> {
     }
 }
 
-/// Returns the targets as a list, each of so many items.
+/// Returns the targets as a list, after a check that each has room for `count` items.
 pub(crate) fn fitting<R: Results>(
     targets: &mut impl Targets<R>,
     count: usize,
@@ -98,20 +98,21 @@ impl<E: ?Sized> Machine<E> {
         T::engine(&self.engine)
     }
 
-    /// Computes item i of every column: one result per item; results of several shapes come as one vector per shape.
+    /// Computes item i of every column. Returns one result per item; results of several shapes are one vector per
+    /// shape.
     ///
     /// `run` is a verb ([`Iou`](crate::kernels::Iou)), its gradient
     /// ([`value_grad`](crate::kernels::Op::value_grad)) or Jacobian
     /// ([`jacobian`](crate::kernels::Op::jacobian)), its adjoint ([`vjp`](crate::kernels::Op::vjp)), or a program.
     ///
-    /// On a GPU searches ([`Search`](crate::kernels::Search)) are decided on the CPU and replayed on the GPU, with their
-    /// derivatives. Every record that occurs is made a program once: that pays if many items have the same one.
+    /// On a GPU searches ([`Search`](crate::kernels::Search)) are decided on the CPU and replayed on the GPU, with
+    /// their derivatives. Every record that occurs becomes a program once, which pays if many items share it.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] when columns differ in length, [`Error::Invalid`] for a shape that is not
-    /// valid. A GPU also returns [`Error::Gpu`] and, for what cannot be recorded, [`Error::Program`]; a program that fits
-    /// no buffer gives [`GpuFault::TooLarge`](crate::GpuFault::TooLarge). Arrays of another machine give
+    /// [`Error::Length`] when columns differ in length, [`Error::Invalid`] for a shape that is not valid. A GPU also
+    /// returns [`Error::Gpu`] and, for a function that cannot be recorded, [`Error::Program`]; a program that fits no
+    /// buffer gives [`GpuFault::TooLarge`](crate::GpuFault::TooLarge). Arrays of another machine give
     /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer).
     ///
     /// ```
@@ -142,9 +143,9 @@ impl<E: ?Sized> Machine<E> {
         C::Place::aligned::<R::Out>(self.engine(), &run.call()?, &listed(&columns))
     }
 
-    /// [`aligned`](Machine::aligned) into the caller's memory: a slice for every shape of a result, in a tuple
-    /// like the result's, with [`Skip`] for what is not wanted; or an array on the machine, whose
-    /// buffers are used again.
+    /// Writes the results of [`aligned`](Machine::aligned) to the caller's memory: a slice for every shape of a result,
+    /// in a tuple like the result's, with [`Skip`] for unwanted ones. The memory may also be an array on the machine,
+    /// whose buffers are reused.
     ///
     /// # Errors
     ///
@@ -184,7 +185,7 @@ impl<E: ?Sized> Machine<E> {
             .map(drop)
     }
 
-    /// Checks items and uploads them: an array that stays on the machine and is a column of every call.
+    /// Checks items and uploads them. Returns an array that stays on the machine and is a column of every call.
     ///
     /// # Errors
     ///
@@ -199,12 +200,12 @@ impl<E: ?Sized> Machine<E> {
         Ok(Held::of(stored))
     }
 
-    /// Uploads a matrix, row by row.
+    /// Uploads a row-major matrix.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] for another number of values than rows times columns, [`Error::Invalid`] for one that is not
-    /// finite, and the errors of the device.
+    /// [`Error::Length`] unless there are rows times columns values, [`Error::Invalid`] for one that is not finite, and
+    /// the errors of the device.
     pub fn upload_matrix<T: On<E>>(
         &self,
         rows: usize,
@@ -218,8 +219,8 @@ impl<E: ?Sized> Machine<E> {
         Ok(matrix)
     }
 
-    /// Returns the shape of a list that each row (or column) found best: `pick(&b, &row_max)` has as many shapes as
-    /// `a`, ready to be aligned with it.
+    /// Returns the best shape of `list` for each row (or column): `pick(&b, &row_max)` has as many shapes as `a`, ready
+    /// to be aligned with it.
     ///
     /// # Errors
     ///

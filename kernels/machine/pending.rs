@@ -1,4 +1,4 @@
-//! Downloads on their way.
+//! Downloads that have been started.
 use crate::GpuFault;
 use crate::error::Error;
 use std::fmt;
@@ -6,26 +6,28 @@ use std::future::Future;
 use std::pin::Pin;
 use std::task::{Context, Poll};
 
-/// A download of a device that was started.
-pub(crate) trait Later<X>: Future<Output = Result<X, Error>> + Send + Unpin {
-    /// Waits for it.
+/// A started download of a device.
+pub(crate) trait DeviceDownload<X>:
+    Future<Output = Result<X, Error>> + Send + Unpin
+{
+    /// Waits for the result.
     #[doc(hidden)]
     fn wait(self: Box<Self>) -> Result<X, Error>;
 }
 
 /// A download that was started: wait for it, or await it.
 #[must_use = "nothing arrives unless waited for"]
-pub struct Pending<X>(State<X>);
+pub struct Pending<X>(PendingState<X>);
 
-enum State<X> {
-    /// It is here; taken when it was given away.
+enum PendingState<X> {
+    /// The result; `None` after it was taken.
     Ready(Option<X>),
-    Later(Box<dyn Later<X>>),
+    Later(Box<dyn DeviceDownload<X>>),
 }
 
 impl<X> fmt::Debug for Pending<X> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let is_ready = matches!(self.0, State::Ready(_));
+        let is_ready = matches!(self.0, PendingState::Ready(_));
         f.debug_struct("Pending")
             .field("is_here", &is_ready)
             .finish()
@@ -34,16 +36,16 @@ impl<X> fmt::Debug for Pending<X> {
 
 impl<X> Pending<X> {
     pub(crate) const fn ready(found: X) -> Self {
-        Pending(State::Ready(Some(found)))
+        Pending(PendingState::Ready(Some(found)))
     }
     #[cfg_attr(
         not(feature = "gpu"),
         expect(dead_code, reason = "only a device is late")
     )]
-    pub(crate) fn later(download: impl Later<X> + 'static) -> Self {
-        Pending(State::Later(Box::new(download)))
+    pub(crate) fn later(download: impl DeviceDownload<X> + 'static) -> Self {
+        Pending(PendingState::Later(Box::new(download)))
     }
-    /// Returns the same download, with a function of its result.
+    /// Returns the download with `with` applied to its result.
     pub(crate) fn map<Y: 'static>(
         self,
         with: impl Fn(X) -> Y + Send + Unpin + 'static,
@@ -52,20 +54,25 @@ impl<X> Pending<X> {
         X: 'static,
     {
         match self.0 {
-            State::Ready(found) => Pending(State::Ready(found.map(with))),
-            State::Later(download) => Pending(State::Later(Box::new(Mapped { download, with }))),
+            PendingState::Ready(found) => Pending(PendingState::Ready(found.map(with))),
+            PendingState::Later(download) => {
+                Pending(PendingState::Later(Box::new(MappedDownload {
+                    download,
+                    with,
+                })))
+            }
         }
     }
 
-    /// Waits for it.
+    /// Waits for the result.
     ///
     /// # Errors
     ///
-    /// [`GpuFault::DeviceLost`], or [`GpuFault::OutOfMemory`] when there is no room for it.
+    /// [`GpuFault::DeviceLost`], or [`GpuFault::OutOfMemory`] when memory for the result is missing.
     pub fn wait(self) -> Result<X, Error> {
         match self.0 {
-            State::Ready(found) => found.ok_or(Error::Gpu(GpuFault::DeviceLost)),
-            State::Later(download) => download.wait(),
+            PendingState::Ready(found) => found.ok_or(Error::Gpu(GpuFault::DeviceLost)),
+            PendingState::Later(download) => download.wait(),
         }
     }
 }
@@ -75,20 +82,22 @@ impl<X: Unpin> Future for Pending<X> {
 
     fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
         match &mut self.get_mut().0 {
-            // Polled again after it was ready, it has nothing more to give.
-            State::Ready(own) => own.take().map_or(Poll::Pending, |own| Poll::Ready(Ok(own))),
-            State::Later(own) => Pin::new(&mut **own).poll(context),
+            // A future that is polled after its result was taken stays pending.
+            PendingState::Ready(own) => {
+                own.take().map_or(Poll::Pending, |own| Poll::Ready(Ok(own)))
+            }
+            PendingState::Later(own) => Pin::new(&mut **own).poll(context),
         }
     }
 }
 
-/// A download with a function of its result.
-struct Mapped<X, F> {
-    download: Box<dyn Later<X>>,
+/// A download with a function to apply to its result.
+struct MappedDownload<X, F> {
+    download: Box<dyn DeviceDownload<X>>,
     with: F,
 }
 
-impl<X, Y, F: Fn(X) -> Y + Send + Unpin> Future for Mapped<X, F> {
+impl<X, Y, F: Fn(X) -> Y + Send + Unpin> Future for MappedDownload<X, F> {
     type Output = Result<Y, Error>;
 
     fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
@@ -97,7 +106,7 @@ impl<X, Y, F: Fn(X) -> Y + Send + Unpin> Future for Mapped<X, F> {
         found.map(|found| found.map(&own.with))
     }
 }
-impl<X, Y, F: Fn(X) -> Y + Send + Unpin> Later<Y> for Mapped<X, F> {
+impl<X, Y, F: Fn(X) -> Y + Send + Unpin> DeviceDownload<Y> for MappedDownload<X, F> {
     fn wait(self: Box<Self>) -> Result<Y, Error> {
         self.download.wait().map(self.with)
     }

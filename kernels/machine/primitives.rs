@@ -1,6 +1,6 @@
 //! The interface of machines: calls over numbers, without the types of shapes.
 //!
-//! An engine implements these primitives; [`Machine`](super::Machine) has every named call, once, above them.
+//! An engine implements these primitives; [`Machine`](super::Machine) builds every named call from them.
 use super::column::Column;
 use super::groups::GroupSpans;
 use super::paths::{Input, VertexBars};
@@ -15,58 +15,59 @@ use crate::suppression::Rules;
 use crate::{Error, Real};
 use std::fmt::Debug;
 
-/// Keeps engines within the library.
+/// Prevents implementations of [`Engine`] outside of the library.
 pub(crate) mod sealed {
     pub trait Sealed {}
 }
 
-/// Memory for results of every item.
+/// The memory for one result per item.
 pub enum Items<'a, T: Real> {
-    /// Targets of the right length, `None` for what is not wanted; `true` for those in a new vector, which may be written
-    /// on an error.
+    /// Targets of the right length, `None` for unwanted ones. The flag is `true` for new memory, which may be written
+    /// even on an error.
     Targets(Vec<Option<Target<'a, T>>>, bool),
-    /// On the machine, over others that may be written over; over nothing if there are none.
+    /// On the machine, in place of earlier results; these are empty if there are none.
     Held(&'a mut Stored<T>),
 }
 
-/// Memory for results of all pairs.
+/// The memory for results of all pairs.
 #[derive(Debug)]
 pub enum Room<'a, T: Real> {
-    /// Plane after plane, each a matrix, row by row.
+    /// One row-major matrix for every number of a result, one after another.
     Planes(&'a mut [T]),
-    /// A matrix on the machine, of the same size.
+    /// A matrix on the machine, of the right size.
     Held(&'a mut Matrix<T>),
 }
 
 /// The cotangents of all results.
 #[derive(Clone, Copy, Debug)]
 pub enum Seed<'a, T: Real> {
-    /// A number for every pair, row by row.
+    /// A number for every pair, in row-major order.
     Numbers(&'a [T]),
-    /// The same, on the machine.
+    /// A number for every pair, in a matrix on the machine.
     Matrix(&'a Matrix<T>),
-    /// One number for all.
+    /// One number for all pairs.
     Factor(T),
 }
 
 /// An engine that computes in a number type: the [CPU's](crate::kernels::cpu::Processor) in `f32` and `f64`, a
 /// [GPU's](crate::kernels::gpu::Device) in `f32`.
 ///
-/// Columns come with what errors call them; engines check shapes before they compute.
+/// Columns come with their names for errors; engines check shapes before they compute.
 pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
     /// Checks shapes, one after another.
     #[doc(hidden)]
     fn check(&self, argument: Argument, leaf: Leaf<T>, numbers: &[T]) -> Result<(), Error>;
 
-    /// Keeps columns of so many items, whose numbers were checked.
+    /// Stores columns of `count` items with checked numbers.
     #[doc(hidden)]
     fn keep(&self, count: usize, columns: Vec<Numbers<T>>) -> Result<Stored<T>, Error>;
 
-    /// Makes room for a matrix.
+    /// Allocates a matrix.
     #[doc(hidden)]
     fn room(&self, rows: usize, columns: usize) -> Result<Matrix<T>, Error>;
 
-    /// Computes item i of every column. `false` asks for the same again: results in a new vector came back unfinished.
+    /// Computes item i of every column. Returns `false` if results in new memory are incomplete; the caller must then
+    /// run the call with checks.
     #[doc(hidden)]
     fn map(
         &self,
@@ -75,7 +76,7 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         results: Items<'_, T>,
     ) -> Result<bool, Error>;
 
-    /// Computes all pairs, of results of one number where they stay.
+    /// Computes all pairs. On a machine results must have one number.
     #[doc(hidden)]
     fn pairs(
         &self,
@@ -84,7 +85,7 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         results: Room<'_, T>,
     ) -> Result<(), Error>;
 
-    /// Reduces all pairs, without the matrix; the reduction was checked.
+    /// Reduces all pairs without storing the matrix; the reduction was checked.
     #[doc(hidden)]
     fn reduce(
         &self,
@@ -103,8 +104,8 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         reduction: GroupedReduction<T>,
     ) -> Result<Reduced<T>, Error>;
 
-    /// Computes the cotangents of both lists from those of all results; with one factor for all also the sum of all
-    /// results, otherwise 0.
+    /// Writes the cotangents of both lists from the cotangents of all results. Returns the sum of all results if one
+    /// factor is the seed of all pairs, otherwise 0.
     #[doc(hidden)]
     fn pull_back(
         &self,
@@ -114,11 +115,11 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         bars: [&mut [T]; 2],
     ) -> Result<f64, Error>;
 
-    /// Checks paths, and writes the numbers of the result of every one.
+    /// Checks paths, and writes the numbers of every result.
     #[doc(hidden)]
     fn fold(&self, folding: &Folding<T>, input: &Input<'_, T>, out: &mut [T]) -> Result<(), Error>;
 
-    /// Writes the numbers of the cotangents of every context and every vertex, for those of every result.
+    /// Writes the cotangents of every context and every vertex from the results' cotangents.
     #[doc(hidden)]
     fn fold_back(
         &self,
@@ -129,8 +130,8 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         by_vertex: VertexBars<'_, T>,
     ) -> Result<(), Error>;
 
-    /// Returns the shapes that no better one, kept itself, overlaps by more than the threshold; within groups if there
-    /// are offsets. Scores, rules and offsets were checked.
+    /// Returns the shapes that no better kept shape overlaps by more than the threshold; within groups if there are
+    /// offsets. Scores, rules and offsets were checked.
     #[doc(hidden)]
     fn suppress(
         &self,
@@ -141,13 +142,13 @@ pub trait Engine<T: Real>: sealed::Sealed + Debug + Send + Sync {
         rules: Rules<'_, T>,
     ) -> Result<Vec<usize>, Error>;
 
-    /// Returns the shapes that rows or columns found best, in their order.
+    /// Returns the shapes with the indices in `bests`, in their order.
     #[doc(hidden)]
     fn pick(&self, list: &Stored<T>, bests: &Bests<T>) -> Result<Stored<T>, Error>;
 }
 
-/// Runs a call into new memory: first without checks beforehand, which is faster where all is well; then, if that came
-/// back unfinished, with all checks, so that an error names the first item that is not valid.
+/// Runs a call into new memory. The first attempt skips the checks, which is faster for valid items. If it returns
+/// `false`, the second attempt checks everything, and its error names the first invalid item.
 pub(crate) fn try_then_check(
     mut attempt: impl FnMut(bool) -> Result<bool, Error>,
 ) -> Result<(), Error> {
@@ -157,14 +158,14 @@ pub(crate) fn try_then_check(
     }
 }
 
-/// A number that an engine computes in: `f32` and `f64` on the CPU, `f32` on a GPU.
+/// A number type that an engine computes in: `f32` and `f64` on the CPU, `f32` on a GPU.
 #[diagnostic::on_unimplemented(
     message = "`{E}` does not compute in `{Self}`",
     label = "`{Self}` is no number of this machine",
     note = "GPUs compute in `f32`: convert shapes with `cast`, or use `Cpu`"
 )]
 pub trait On<E: ?Sized>: Real {
-    /// Returns the engine, in this number.
+    /// Returns the engine for this number type.
     #[doc(hidden)]
     fn engine(engine: &E) -> &dyn Engine<Self>;
 }

@@ -1,8 +1,8 @@
-//! Data that stay on the machine between calls: the same code for the CPU and for a GPU.
+//! Data that stay on the machine between calls: one interface for the CPU and for GPUs.
 //!
-//! [`upload`](Machine::upload) makes an array on the machine, a column of every call. Results of such columns
-//! stay there, too, so that calls chain; only [`download`](Held::download) brings data back. Slices and
-//! [`One`](crate::kernels::One) may stand beside arrays. On the CPU an array is the data itself, at no cost.
+//! [`upload`](Machine::upload) makes an array on the machine, a column of every call. Results of such columns stay
+//! there, too, so that calls chain; only [`download`](Held::download) brings data back. A call may mix arrays with
+//! slices and [`One`](crate::kernels::One). On the CPU an array is the data itself, at no cost.
 //!
 //! ```
 //! use geograd::Obb2;
@@ -25,7 +25,7 @@
 //! assert!(iou.download()?.iter().all(|&iou| iou > 0.95));
 //!
 //! let matrix = here.all_pairs(Iou, &a, &b)?;
-//! let best = matrix.row_max()?; // of a matrix that is there already
+//! let best = matrix.row_max()?; // of a matrix on the machine
 //! let matched = here.pick(&b, &best)?; // the truth of every guess
 //! assert!(here.aligned(Iou, (&a, &matched))?.download()?[0] > 0.95);
 //! # Ok::<(), geograd::Error>(())

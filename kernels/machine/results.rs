@@ -1,4 +1,5 @@
-//! Results that stay on a machine until they are wanted: of reductions, of rings, and matrices with their reductions.
+//! Results that stay on a machine until they are downloaded: reductions, measures of rings, and matrices with their
+//! reductions.
 use super::found::{Best, Found, check_sides, check_threshold};
 use super::pending::Pending;
 use super::stays::FOREIGN;
@@ -8,12 +9,12 @@ use crate::{Fixed, Real, Vec2};
 use std::any::Any;
 use std::fmt;
 
-/// A result that stays on a machine until it is wanted.
+/// A result that stays on a machine until it is downloaded.
 pub(crate) trait Downloads<X>: Send + Sync {
-    /// Starts its download.
+    /// Starts the download.
     #[doc(hidden)]
     fn started(&self) -> Result<Pending<X>, Error>;
-    /// Returns the result itself, if it is in the memory of the program.
+    /// Returns the result, without a copy if it is in the memory of the program.
     #[doc(hidden)]
     fn taken(self: Box<Self>) -> Result<X, Error>;
     #[doc(hidden)]
@@ -24,9 +25,9 @@ pub(crate) trait Downloads<X>: Send + Sync {
 
 /// A result in the memory of the program.
 #[derive(Clone, Debug)]
-pub(crate) struct Ready<X>(pub X);
+pub(crate) struct InMemory<X>(pub X);
 
-impl<X: Clone + Send + Sync + 'static> Downloads<X> for Ready<X> {
+impl<X: Clone + Send + Sync + 'static> Downloads<X> for InMemory<X> {
     fn started(&self) -> Result<Pending<X>, Error> {
         Ok(Pending::ready(self.0.clone()))
     }
@@ -41,7 +42,7 @@ impl<X: Clone + Send + Sync + 'static> Downloads<X> for Ready<X> {
     }
 }
 
-/// Handles of results: a name, and what comes back.
+/// Defines handles of results: a name, and the downloaded type.
 macro_rules! handles {
     ($($(#[$doc:meta])* $name:ident<$p:ident: [$($bound:tt)+] $(= $default:ty)?> $({ $more:ident: $type:ty })? => $out:ty;)*) => { $(
         $(#[$doc])*
@@ -66,13 +67,13 @@ macro_rules! handles {
             pub(crate) fn new(found: impl Downloads<$out> + 'static $(, $more: $type)?) -> Self {
                 $name { found: Box::new(found) $(, $more)? }
             }
-            /// Returns the handle of a machine, if it is of that one.
+            /// Returns the handle of machine type `D`, or an error for another machine.
             #[allow(dead_code)]
             pub(crate) fn own<D: 'static>(&self) -> Result<&D, Error> {
                 self.found.any().downcast_ref().ok_or(FOREIGN)
             }
 
-            /// Downloads it and waits for it.
+            /// Downloads the result and waits for it.
             ///
             /// # Errors
             ///
@@ -90,7 +91,7 @@ macro_rules! handles {
                 self.found.started()
             }
 
-            /// What comes back, without a copy where it is in the memory of the program.
+            /// Returns the result, without a copy if it is in the memory of the program.
             #[allow(dead_code)]
             pub(crate) fn taken(self) -> Result<$out, Error> {
                 self.found.taken()
@@ -100,9 +101,9 @@ macro_rules! handles {
 }
 
 handles! {
-    /// The largest score of every row or column, with its place among so many.
+    /// The largest score of every row or column, with its index below `among`.
     Bests<T: [Real] = f32> { among: usize } => Vec<Best<T>>;
-    /// Pairs whose score is above a threshold, row by row and within a row by column.
+    /// Pairs whose score is above a threshold, ordered by row and then by column.
     Founds<T: [Real] = f32> => Vec<Found<T>>;
     /// One result per ring.
     RingValues<T: [Fixed<Scalar = f32> + 'static]> => Vec<T>;
@@ -118,7 +119,7 @@ pub(crate) trait Matrices<T: Real>: fmt::Debug + Send + Sync {
     fn update(&mut self, values: &[T]) -> Result<(), Error>;
     #[doc(hidden)]
     fn started(&self) -> Result<Pending<Vec<T>>, Error>;
-    /// Returns a reduction, which was checked.
+    /// Reduces the matrix; the reduction was checked.
     #[doc(hidden)]
     fn reduce(&self, reduction: Reduction<T>) -> Result<Reduced<T>, Error>;
     #[doc(hidden)]
@@ -133,7 +134,7 @@ pub(crate) trait Matrices<T: Real>: fmt::Debug + Send + Sync {
     fn any_mut(&mut self) -> &mut dyn Any;
 }
 
-/// One number per pair of two lists, row by row, on a machine.
+/// One number per pair of two lists, in row-major order, on a machine.
 #[derive(Debug)]
 pub struct Matrix<T: Real = f32>(pub(crate) Box<dyn Matrices<T>>);
 
@@ -144,7 +145,7 @@ impl<T: Real> Clone for Matrix<T> {
 }
 
 impl<T: Real> Matrix<T> {
-    /// Returns the matrix of a machine, if it is of that one.
+    /// Returns the matrix of machine type `M`, or an error for another machine.
     pub(crate) fn own<M: 'static>(&self) -> Result<&M, Error> {
         self.0.any().downcast_ref().ok_or(FOREIGN)
     }
@@ -163,7 +164,7 @@ impl<T: Real> Matrix<T> {
         self.0.size()[1]
     }
 
-    /// Downloads it and waits for it.
+    /// Downloads the matrix and waits for it.
     ///
     /// # Errors
     ///
@@ -181,7 +182,7 @@ impl<T: Real> Matrix<T> {
         self.0.started()
     }
 
-    /// Replaces the numbers by as many others, in the same buffers.
+    /// Replaces the numbers by as many others, in place.
     ///
     /// # Errors
     ///
@@ -197,7 +198,7 @@ impl<T: Real> Matrix<T> {
         self.0.update(values)
     }
 
-    /// Returns a copy of the numbers on the same machine.
+    /// Returns a copy of the matrix on its machine.
     ///
     /// # Errors
     ///
@@ -206,19 +207,18 @@ impl<T: Real> Matrix<T> {
         self.0.duplicate()
     }
 
-    /// [`duplicate`](Matrix::duplicate) into another matrix of the same size; it measures the speed of memory.
+    /// Copies the numbers to another matrix of equal size; this measures the speed of memory.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] for a matrix of another size,
-    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer) for one of another machine, and
-    /// those of the device.
+    /// [`Error::Length`] for a matrix of another size, [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer) for
+    /// one of another machine, and the errors of the device.
     pub fn duplicate_into(&self, to: &mut Matrix<T>) -> Result<(), Error> {
         self.0.duplicate_into(to)
     }
 }
 
-/// Reductions of a matrix on the machine.
+/// Defines the reductions of a matrix on the machine.
 macro_rules! reductions {
     ($($(#[$doc:meta])* $name:ident($($arg:ident)?) -> $out:ty = $reduction:expr, $taken:ident;)*) => {
         impl<T: Real> Matrix<T> { $(
@@ -226,8 +226,8 @@ macro_rules! reductions {
             ///
             /// # Errors
             ///
-            /// [`Error::Length`] for rows or columns of nothing, [`Error::Invalid`] for a threshold that is not finite,
-            /// and the errors of the device.
+            /// [`Error::Length`] for the largest of an empty row or column, [`Error::Invalid`] for a threshold that is
+            /// not finite, and the errors of the device.
             pub fn $name(&self $(, $arg: T)?) -> Result<$out, Error> {
                 let reduction: Reduction<T> = $reduction;
                 reduction.check(self.rows(), self.columns())?;
@@ -238,20 +238,20 @@ macro_rules! reductions {
 }
 
 reductions! {
-    /// The largest number of every row and its column; of several the first.
+    /// Returns the largest number of every row and its column; the first of equal ones.
     row_max() -> Bests<T> = Reduction::Best { of_rows: true }, bests;
-    /// The largest number of every column and its row; of several the first.
+    /// Returns the largest number of every column and its row; the first of equal ones.
     column_max() -> Bests<T> = Reduction::Best { of_rows: false }, bests;
-    /// Every number above the threshold, with its place.
+    /// Returns every number above the threshold, with its row and column.
     above(threshold) -> Founds<T> = Reduction::Above(threshold), founds;
-    /// The count of numbers above the threshold.
+    /// Returns the number of entries above the threshold.
     count_above(threshold) -> u64 = Reduction::Count(threshold), count;
-    /// The sum of all numbers.
+    /// Returns the sum of all numbers.
     sum() -> f64 = Reduction::Sum, sum;
 }
 
 impl<T: Real> Matrix<T> {
-    /// Returns the mean of all numbers; 0 without any.
+    /// Returns the mean of all numbers; 0 for an empty matrix.
     ///
     /// # Errors
     ///
@@ -264,7 +264,7 @@ impl<T: Real> Matrix<T> {
 /// A reduction of all results.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reduction<T> {
-    /// The largest of every row, or of every column.
+    /// The largest result of every row, or of every column.
     Best {
         /// `true` for rows.
         of_rows: bool,
@@ -278,7 +278,7 @@ pub enum Reduction<T> {
 }
 
 impl<T: Real> Reduction<T> {
-    /// Refuses the largest of nothing, and a threshold that is no number.
+    /// Returns an error for the largest result of nothing, and for a threshold that is not finite.
     pub(crate) fn check(self, rows: usize, columns: usize) -> Result<(), Error> {
         match self {
             Reduction::Best { of_rows } => check_sides(rows, columns, of_rows),
@@ -291,32 +291,31 @@ impl<T: Real> Reduction<T> {
 /// A reduction of the pairs within groups.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GroupedReduction<T> {
-    /// The largest of every row, or of every column, within its group; none where the group has nothing on the other
-    /// side.
+    /// The largest result of every row, or of every column, within its group; none without pairs.
     Best {
         /// `true` for rows.
         of_rows: bool,
     },
-    /// The pairs above a threshold, row by row and within a row by column.
+    /// The pairs above a threshold, ordered by row and then by column.
     Above(T),
 }
 
 /// The result of a reduction, on the machine.
 #[derive(Clone, Debug)]
 pub enum Reduced<T: Real> {
-    /// The largest of every row or column.
+    /// The largest results of rows or columns.
     Bests(Bests<T>),
-    /// The same within groups.
+    /// The largest results of rows or columns within groups.
     BestsGrouped(Vec<Option<Best<T>>>),
     /// The pairs above a threshold.
     Founds(Founds<T>),
-    /// Their number.
+    /// The number of pairs above a threshold.
     Count(u64),
     /// The sum.
     Sum(f64),
 }
 
-/// Takes what a reduction gives: one name for every kind.
+/// Defines the functions that unwrap [`Reduced`], one for every kind.
 macro_rules! taken {
     ($($name:ident: $kind:ident -> $out:ty;)*) => {
         impl<T: Real> Reduced<T> { $(

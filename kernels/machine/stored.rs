@@ -1,7 +1,7 @@
-//! Columns of a machine, without the types of their items.
+//! Untyped columns of a machine.
 use super::column::Column;
 use super::pending::Pending;
-use super::stays::{FOREIGN, Stays};
+use super::stays::{FOREIGN, MachineColumn};
 use crate::Real;
 use crate::error::Error;
 
@@ -9,11 +9,11 @@ use crate::error::Error;
 #[derive(Debug)]
 pub struct Stored<T = f32> {
     count: usize,
-    pub(super) columns: Vec<Box<dyn Stays<T>>>,
+    pub(super) columns: Vec<Box<dyn MachineColumn<T>>>,
 }
 
 impl<T> Default for Stored<T> {
-    /// No columns.
+    /// Returns no columns.
     fn default() -> Self {
         Stored {
             count: 0,
@@ -23,7 +23,7 @@ impl<T> Default for Stored<T> {
 }
 
 impl<T: Real> Stored<T> {
-    pub(crate) fn new(count: usize, columns: Vec<Box<dyn Stays<T>>>) -> Self {
+    pub(crate) fn new(count: usize, columns: Vec<Box<dyn MachineColumn<T>>>) -> Self {
         Stored { count, columns }
     }
     /// Returns the columns for a call.
@@ -31,7 +31,7 @@ impl<T: Real> Stored<T> {
         let own = self.columns.iter();
         own.map(|own| Column::held(&**own, self.count))
     }
-    /// Returns the columns of a machine, if all are of that one.
+    /// Returns the columns of machine type `C`, or an error for another machine.
     pub(crate) fn own<C: 'static>(&self) -> Result<Vec<&C>, Error> {
         let own = self.columns.iter().map(|own| own.any().downcast_ref());
         own.collect::<Option<_>>().ok_or(FOREIGN)
@@ -41,7 +41,7 @@ impl<T: Real> Stored<T> {
     pub fn len(&self) -> usize {
         self.count
     }
-    /// `true` without items.
+    /// Returns `true` without items.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.count == 0
@@ -52,8 +52,7 @@ impl<T: Real> Stored<T> {
             None => Ok(Pending::ready(Vec::new())),
         }
     }
-    /// Returns the numbers of the items: those of the first shape of every item, item by item, then those of the
-    /// second.
+    /// Returns the numbers of the items: of the first shape of every item, item by item, then of the second.
     ///
     /// # Errors
     ///
@@ -61,7 +60,7 @@ impl<T: Real> Stored<T> {
     pub fn numbers(&self) -> Result<Vec<Vec<T>>, Error> {
         self.started()?.wait()
     }
-    /// Returns the first columns, as many as are asked for, and the others.
+    /// Splits the columns after the first ones.
     pub(super) fn cut(self, first: usize) -> [Self; 2] {
         let (count, mut columns) = (self.count, self.columns);
         let others = columns.split_off(first.min(columns.len()));

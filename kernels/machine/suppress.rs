@@ -1,4 +1,4 @@
-//! Suppression: shapes of one list, the best first, and the rules by which one takes another's place.
+//! The rules of suppression, and the order of shapes in it.
 use crate::error::Argument;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::found::{Found, check_threshold};
@@ -6,7 +6,7 @@ use crate::suppression::{Pair, Rules, check_rules};
 use crate::{Error, Real};
 
 impl<T> From<Found<T>> for Pair<T> {
-    /// Returns the same pair.
+    /// Copies the pair.
     fn from(found: Found<T>) -> Self {
         Pair {
             first: found.row,
@@ -16,7 +16,7 @@ impl<T> From<Found<T>> for Pair<T> {
     }
 }
 
-/// Checks the arguments of suppression, but for the shapes.
+/// Checks the arguments of suppression, except the shapes.
 pub(crate) fn checked<S: Real>(
     count: usize,
     scores: &[S],
@@ -38,29 +38,29 @@ pub(crate) fn checked<S: Real>(
 pub struct Greed<'a, T> {
     /// Results above this one suppress.
     pub threshold: T,
-    /// The class of every shape, where there is more than one.
+    /// The class of every shape, if there are several.
     pub classes: Option<&'a [u32]>,
-    /// The most shapes that are kept.
+    /// The largest number of kept shapes.
     pub most: usize,
 }
 
-/// The shapes that count, the best first.
-pub(crate) struct Ranked<T> {
-    /// Their places in the caller's list.
+/// The shapes to suppress, best first.
+pub(crate) struct RankedShapes<T> {
+    /// Their indices in the caller's list.
     pub order: Vec<usize>,
     /// Their numbers, shape after shape.
     numbers: Vec<T>,
     fields: usize,
-    /// Their classes, where there is more than one.
+    /// Their classes, if there are several.
     classes: Option<Vec<u32>>,
 }
 
-impl<T: Real> Ranked<T> {
-    /// Shapes in an order of their places.
+impl<T: Real> RankedShapes<T> {
+    /// Reads shapes in the order of their indices.
     pub fn of(order: Vec<usize>, shapes: &Column<'_, T>, rules: &Rules<'_, T>) -> Self {
         let (all, fields) = (shapes.all(), shapes.fields);
         let own = |&i: &usize| &all[i * fields..(i + 1) * fields];
-        Ranked {
+        RankedShapes {
             numbers: order.iter().flat_map(own).copied().collect(),
             fields,
             classes: rules

@@ -1,13 +1,13 @@
-//! Matrices of results, of all pairs.
+//! Tables: the results of all pairs.
 use crate::error::Error;
 use crate::kernels::row::item::counts::entries;
 use crate::kernels::row::item::{Item, Results, by_kind, get, width};
 use std::marker::PhantomData;
 
-/// A matrix of results: a row per shape of the first list, a column per shape of the second.
+/// The results of all pairs of two lists: a row per shape of the first list, a column per shape of the second.
 ///
-/// Numbers are kept as planes, one matrix per number of a result, because that is how a consumer of
-/// millions reads them and because the processor can write nothing else at full speed.
+/// Numbers are stored as planes, one row-major matrix per number of a result. A consumer of millions of results reads
+/// them in this order, and a CPU writes no other at full speed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table<P: Results> {
     rows: usize,
@@ -17,11 +17,11 @@ pub struct Table<P: Results> {
 }
 
 impl<P: Results> Table<P> {
-    /// Returns a table of zeros with so many rows and columns.
+    /// Returns a table of zeros.
     ///
     /// # Errors
     ///
-    /// [`Error::TooLarge`] when they have more numbers than memory has addresses.
+    /// [`Error::TooLarge`] when its size overflows the address space.
     pub fn new(rows: usize, columns: usize) -> Result<Self, Error> {
         Ok(Table {
             rows,
@@ -40,12 +40,12 @@ impl<P: Results> Table<P> {
     pub fn columns(&self) -> usize {
         self.columns
     }
-    /// Returns the first number of every result, row by row; of results of one number that is the whole matrix.
+    /// Returns the first number of every result, in row-major order; for results of one number this is the whole table.
     #[must_use]
     pub fn values(&self) -> &[P::Scalar] {
         self.plane(0)
     }
-    /// Number `k` of every result, row by row; empty if results have fewer numbers.
+    /// Returns number `k` of every result, in row-major order; empty if results have fewer numbers.
     #[must_use]
     pub fn plane(&self, k: usize) -> &[P::Scalar] {
         let size = self.rows * self.columns;
@@ -53,17 +53,17 @@ impl<P: Results> Table<P> {
             .get(k * size..(k + 1) * size)
             .unwrap_or_default()
     }
-    /// Returns all numbers, plane by plane: a plane has number `k` of every result, row by row.
+    /// Returns all numbers plane by plane: plane `k` has number `k` of every result in row-major order.
     #[must_use]
     pub fn planes(&self) -> &[P::Scalar] {
         &self.planes
     }
-    /// Returns all numbers, to be written.
+    /// Returns all numbers for writing, plane by plane.
     #[must_use]
     pub fn planes_mut(&mut self) -> &mut [P::Scalar] {
         &mut self.planes
     }
-    /// Returns all numbers: plane after plane; of results of one number the matrix, row by row.
+    /// Returns all numbers plane by plane, as a vector.
     #[must_use]
     pub fn into_planes(self) -> Vec<P::Scalar> {
         self.planes
@@ -75,7 +75,7 @@ impl<P: Item> Table<P> {
     ///
     /// # Panics
     ///
-    /// When there is no such row or column.
+    /// If the row or column does not exist.
     #[must_use]
     pub fn at(&self, row: usize, column: usize) -> P {
         let (rows, columns) = (self.rows, self.columns);

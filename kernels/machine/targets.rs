@@ -2,13 +2,13 @@
 use crate::kernels::machine::{Held, Stored};
 use crate::kernels::row::item::{Item, Results, Target, WithJacobian, jacobians, target};
 
-/// The memory for the results of a batch: a slice or vector for every shape of a result, in a tuple like
-/// the result's, with [`Skip`] for what is not wanted; or an array on the machine.
+/// The memory for the results of a batch: a slice or vector for every shape of a result, in a tuple like the result's,
+/// with [`Skip`] for unwanted ones; or an array on the machine.
 pub trait Targets<R: Results> {
-    /// The targets, one per shape of a result.
+    /// Passes the targets to `add`, one per shape of a result.
     #[doc(hidden)]
     fn list<'a>(&'a mut self, add: &mut dyn FnMut(Option<Target<'a, R::Scalar>>));
-    /// Returns the array on the machine, if the results go there.
+    /// Returns the array on the machine, if results are written there.
     #[doc(hidden)]
     fn held(&mut self) -> Option<&mut Stored<R::Scalar>> {
         None
@@ -22,7 +22,7 @@ impl<R: Results> Targets<R> for &mut Held<R> {
     }
 }
 
-/// The place of results that are not wanted.
+/// The target of a result that is not wanted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Skip;
 

@@ -11,7 +11,7 @@ table! {
         "angle_rotations3": Rotation3, Rotation3;
         "angle_vectors3": Vec3, Vec3 [similar, about_origin, symmetric];
     }
-    // The frame is the camera's own, so that a motion of the point changes the image.
+    // The point is in the camera's own frame, so a motion of the point changes the image.
     /// The image of a point of a camera's frame, in pixels. Points that it does not see have one, too; `sees` tells.
     Project: (point, camera) -> Vec2<S> { camera.project(point) }
     [] jumps Never domain { camera.sees(point) } derivative Reverse {

@@ -1,8 +1,8 @@
-//! Classes of invariance, and the invariances that they give shapes.
+//! Classes of invariance, and the invariances that they give rows.
 use crate::kernels::ops::noun::{Moves, Noun, same};
 use crate::kernels::row::op::{Effect, Invariance, Motion};
 
-/// The answer of a function's result to motions of its arguments: a few words that make a list of invariances.
+/// The effect of motions of the arguments on a result: a few words that expand to a list of invariances.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Class {
     shifts: Option<Effect>,
@@ -19,36 +19,38 @@ impl Class {
         scaling: None,
         exchange: None,
     };
-    /// Shifts along all axes stay; of turns and scaling nothing is said.
+    /// Returns the class with results that stay under shifts along all axes; nothing is declared for rotations and
+    /// scaling.
     pub const fn shifts(self) -> Self {
         Class {
             shifts: Some(Effect::Stays),
             ..self
         }
     }
-    /// Shifts and turns stay; of scaling nothing is said.
+    /// Returns the class with results that stay under shifts and rotations; nothing is declared for scaling.
     pub const fn isometric(self) -> Self {
         Class {
             turns: Some(Effect::Stays),
             ..self.shifts()
         }
     }
-    /// Shifts, turns and scaling stay. The shapes decide which turns and shifts there are: shapes in the plane
-    /// turn about the origin, upright boxes about z, boxes of any orientation about all axes.
+    /// Returns the class with results that stay under shifts, rotations and scaling. The shapes decide which of these
+    /// apply: shapes in the plane rotate about the origin, upright boxes about z, boxes of any orientation about all
+    /// axes.
     pub const fn similar(self) -> Self {
         Class {
             scaling: Some(Effect::Stays),
             ..self.isometric()
         }
     }
-    /// Shifts and turns stay; the result grows with a power of the scale.
+    /// Returns the class with results that stay under shifts and rotations, and grow with a power of the scale.
     pub const fn rigid(self, power: i32) -> Self {
         Class {
             scaling: Some(Effect::Power(power)),
             ..self.isometric()
         }
     }
-    /// Returns the result moves along, as the points, lengths and angles that it is made of do.
+    /// Returns the class with results that move along, as their points, lengths and angles do.
     pub const fn follows(self) -> Self {
         Class {
             shifts: Some(Effect::Follows),
@@ -57,28 +59,28 @@ impl Class {
             ..self
         }
     }
-    /// Returns the axes of the world count: nothing is said of turns.
+    /// Returns the class without rotations: the result depends on the coordinate axes.
     pub const fn along_axes(self) -> Self {
         Class {
             turns: None,
             ..self
         }
     }
-    /// Returns the origin counts: nothing is said of shifts.
+    /// Returns the class without shifts: the result depends on the origin.
     pub const fn about_origin(self) -> Self {
         Class {
             shifts: None,
             ..self
         }
     }
-    /// Returns two arguments of one kind may be exchanged.
+    /// Returns the class with results that stay when two arguments of one kind are exchanged.
     pub const fn symmetric(self) -> Self {
         Class {
             exchange: Some(Effect::Stays),
             ..self
         }
     }
-    /// Returns the invariances of this class for the motions that all of these arguments have.
+    /// Returns the invariances of this class for the motions that all arguments have.
     pub const fn invariances(self, arguments: &[Noun]) -> Invariances {
         let (mut moves, mut i) = (Moves::WITH_ALL, 0);
         while i < arguments.len() {
@@ -99,10 +101,10 @@ impl Class {
     }
 }
 
-/// How many motions there are.
+/// The number of motions.
 const MOTIONS: usize = 8;
 
-/// A list of invariances, one for a motion at most.
+/// A list of invariances, at most one per motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Invariances {
     all: [Invariance; MOTIONS],
@@ -121,13 +123,13 @@ impl Invariances {
         }
         self
     }
-    /// As a slice.
+    /// Returns the invariances as a slice.
     pub const fn as_slice(&self) -> &[Invariance] {
         self.all.split_at(self.count).0
     }
 }
 
-/// The invariances of a class, given its words, and of the types of the arguments.
+/// Builds the invariances of a class, given its words and the types of the arguments.
 macro_rules! invariances {
     ([$($word:ident $(($power:literal))?),*] $($type:ty),+) => {{
         const INVARIANCES: &crate::kernels::ops::class::Invariances =

@@ -1,8 +1,7 @@
 //! Conversions between conventions of boxes as operations.
 //!
-//! Encodings of one frame follow motions; those of cameras and images have axes of their own.
-//! Encodings with a chosen range jump at its ends, and where a box that is longer one way becomes longer the
-//! other way.
+//! Encodings in one frame follow motions; those of cameras and images have axes of their own. Encodings with a chosen
+//! range of angles jump at its ends, and where width and height of a box become equal.
 use crate::convention::{
     Detectron2Box, ImageBox, KittiBox, Le90, Le135, LidarBox, NuScenesBox, OpenCvBox, Xyxyr,
 };
@@ -11,7 +10,7 @@ use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Convert, Corners, FlipY};
 use crate::{Obb2, Obb3, Pack, Scalar, YawBox3};
 
-/// Returns the same shape, its zeros without sign, as all results have them.
+/// Returns a shape whose zeros have no sign, as all results require.
 #[inline]
 fn unsigned<S: Scalar, P: Pack<Scalar = S>>(mut shape: P) -> P {
     shape.each(&mut |x| *x = x.canonical());

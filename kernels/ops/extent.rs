@@ -1,4 +1,4 @@
-//! Extents of convex polygons, and what is smallest around them, as operations.
+//! Extents of convex polygons, and the smallest shapes around them, as operations.
 use crate::kernels::ops::tables::searches;
 use crate::kernels::verbs::{Diameter, MinimumCircle, MinimumRectangle, Width};
 use crate::measure::circle::{Support, circle_search, circle_replay};
@@ -8,8 +8,7 @@ use crate::measure::extent::{
 use crate::measure::rectangle::{Resting, rectangle_search, rectangle_replay};
 use crate::{Circle, ConvexPolygon, Obb2};
 
-// A polygon without vertices, or on a line where that has no extent, is measured as its first place,
-// again and again.
+// A polygon without vertices is measured as its first place repeated; so is one on a line where that has no extent.
 searches! {
     /// The [diameter](crate::measure::extent::diameter_search) of a convex polygon of up to `N` vertices:
     /// the largest distance of two of them, which are its record.

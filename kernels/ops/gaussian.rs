@@ -1,6 +1,6 @@
 //! Boxes as Gaussians, as operations.
 //!
-//! If all lengths of a pair are zero, divergences jump to zero and similarities to those of identical boxes.
+//! If all lengths of a pair are zero, divergences jump to zero, and similarities jump to the value for identical boxes.
 use crate::gaussian::{
     bhattacharyya, jeffreys, kfiou, kullback_leibler, probiou, solid, wasserstein,
     wasserstein_squared,

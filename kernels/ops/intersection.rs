@@ -9,13 +9,13 @@ use crate::kernels::verbs;
 use crate::{Aabb2, Capsule2, Circle, Line2, Obb2, Ray2, Segment2, Triangle2};
 
 // The crossing or hit jumps where lines are parallel, where a line grazes a shape, and where another face is hit.
-// Shifts would move directions like points, so they are not declared. Parameters stay if a direction grows with
-// the scale, as all else does. A length inside is continuous, but for a segment along a straight side.
+// Shifts would move directions like points, so they are not declared. Parameters stay under scaling, since directions
+// grow, too. A length inside is continuous, except for a segment along a straight side.
 table! {
     /// The [crossing](crate::intersection::crossing_of_lines()) of {}.
     verbs::Crossing: (a, b) -> CommonPoint<S> { crossing_of_lines(a, b) } []
-    // Derivatives grow with the square of the reciprocal of the sine, which is a rounding of the product of the
-    // directions.
+    // Derivatives grow with the square of the reciprocal of the sine, which may be as small as a rounding error of the
+    // product of the directions.
     finite Within(Limits::new([-8, 8], [-150, 150])) jumps Anywhere derivative Reverse {
         "crossing_of_lines": Line2, Line2;
     }

@@ -1,4 +1,4 @@
-//! Hits and lengths inside shapes of space, and where planes meet, as operations.
+//! Hits and lengths inside shapes in space, and intersections of planes, as operations.
 use crate::intersection::Chord;
 use crate::intersection3::{
     CommonLine3, CommonPoint3, Hit3, crossing_of_three_planes, crossing_of_two_planes, first_hit,
@@ -13,7 +13,7 @@ use crate::{
     Triangle3, YawBox3,
 };
 
-/// As many roundings as make 1 where single precision cannot tell whether three planes meet, otherwise none.
+/// Returns a number of roundings equal to 1 where single precision cannot tell whether three planes meet, otherwise 0.
 fn meet_in_doubt(a: Plane3<f64>, b: Plane3<f64>, c: Plane3<f64>) -> f64 {
     let (l, m, n) = (a.normal, b.normal, c.normal);
     let (epsilon, volume) = (f64::from(f32::EPSILON), l.dot(m.cross(n)).abs());
@@ -23,9 +23,9 @@ fn meet_in_doubt(a: Plane3<f64>, b: Plane3<f64>, c: Plane3<f64>) -> f64 {
     }
 }
 
-// What is found jumps at silhouettes, where a ray grazes a shape, and where another face is hit; motions round, and at
-// an edge let another face be hit. A length inside is continuous, but for a segment along a face. A parameter of a line
-// grows with the scale, since its direction does not; that it is found does not.
+// Results jump at silhouettes, where a ray grazes a shape, and where another face is hit. A motion rounds, so at an
+// edge it may change the face. A length inside is continuous, except for a segment along a face. A parameter of a line
+// grows with the scale, since its direction does not; whether there is one does not change.
 table! {
     /// The [first hit](crate::intersection3::first_hit) of {}.
     verbs::FirstHit: (a, b) -> Hit3<S> { first_hit(a, b) } [] jumps Anywhere derivative Reverse {
@@ -65,7 +65,7 @@ table! {
         "length_inside_segment_round_box": Segment3, RoundBox3;
         "length_inside_segment_tetrahedron": Segment3, Tetrahedron;
     }
-    // The point nearest to the origin does not follow shifts, nor does the origin where nothing is found.
+    // The point nearest to the origin does not follow shifts, nor does the origin, which stands for no result.
     /// The line of two planes, the borders of {}.
     verbs::Crossing: (a, b) -> CommonLine3<S> { crossing_of_two_planes(a, b) } [follows, about_origin]
     finite Within(Limits::new([-8, 8], [-150, 150])) jumps Anywhere derivative Reverse {

@@ -18,7 +18,8 @@ table! {
     Distance: (a, b) -> S { a.distance(b) } [rigid(1), symmetric] jumps Never derivative Reverse {
         "distance_intervals": Interval, Interval;
         "distance_number_interval": Number, Interval { b.distance_to(a) };
-        // Beside it the compiler does not take a shape of a wrong pair for the number of the line above: it lists pairs.
+        // Next to it the compiler does not read a wrong shape as the number of the line above, and its error lists
+        // pairs.
         "distance_numbers": Number, Number { (a - b).magnitude() };
     }
     /// The [signed distance](Interval::signed_distance) of {}.

@@ -11,10 +11,9 @@ use crate::kernels::verbs::{
 };
 use crate::{Aabb2, Obb2};
 
-// Derivatives of quotients of areas lose digits backwards. CIoU jumps where a box has no size, and so no
-// aspect, EIoU where the box around both has no width or no height. By the diameter of the hull of rotated
-// boxes the derivative of corners that are equally far is shared by the first one's frame: exchanged boxes
-// share it otherwise.
+// Reverse derivatives of quotients of areas lose digits. CIoU jumps where a box has no size, and so no aspect; EIoU
+// jumps where the box around both has no width or no height. Rows that use the diameter of the hull of rotated boxes
+// are not symmetric: equally far corners share the derivative in the frame of the first box.
 table! {
     /// The [generalised IoU](crate::iou::giou_obb2) of {}.
     Giou: (a, b) -> S { iou::giou_aabb2(a, b) } [similar, symmetric] range SIGNED jumps FromZero derivative Forward {

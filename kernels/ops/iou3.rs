@@ -12,8 +12,8 @@ use crate::kernels::verbs::{
 use crate::overlap3::{iou_aabb3, iou_yaw};
 use crate::{Aabb3, Obb2, Obb3, YawBox3};
 
-// Derivatives of quotients of volumes lose digits backwards. By the diameter of the hull of rotated grounds the
-// derivative of corners that are equally far is shared by the first one's frame: exchanged boxes share it otherwise.
+// Reverse derivatives of quotients of volumes lose digits. Rows that use the diameter of the hull of rotated ground
+// plans are not symmetric: equally far corners share the derivative in the frame of the first box.
 table! {
     /// The [generalised IoU](crate::iou3::giou) of {}.
     Giou: (a, b) -> S { giou(a, b, Enclosing::Aabb) } [similar, symmetric] range SIGNED jumps Anywhere derivative Forward {

@@ -1,21 +1,21 @@
-//! The rows: every operation of the library, a family a file.
+//! The rows: every operation of the library, one file per family.
 pub(crate) mod class;
 pub(crate) mod noun;
 mod tables;
 pub mod walk;
 
-/// The families, and the list of all their rows.
+/// Declares the modules of the families, and the list of all their rows.
 macro_rules! families {
     ($($family:ident)*) => {
         $(pub(crate) mod $family;)*
 
-        /// Walks through every row of the library, with its types.
+        /// Passes every row of the library to `walk`, with its types.
         #[inline]
         pub fn each<W: walk::Walk>(walk: &mut W) {
             $($family::each(walk);)*
         }
 
-        /// Returns the names of all rows, in the same order.
+        /// Returns the names of all rows, in the order of [`each`].
         pub fn written() -> impl Iterator<Item = &'static walk::Written> {
             let families = [$($family::NAMES),*].into_iter().flatten();
             families.flat_map(|rows| rows.iter())

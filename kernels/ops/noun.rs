@@ -1,4 +1,4 @@
-//! Shapes in rows: their names in sentences, and the motions that they have.
+//! Shapes in rows: their names in sentences, and their motions.
 use crate::camera::{BrownConrady, Fisheye, Pinhole};
 use crate::convention::{Detectron2Box, ImageBox, KittiBox, LidarBox, NuScenesBox, Xyxyr};
 use crate::iou::Exponent;
@@ -11,22 +11,22 @@ use crate::{
 /// A shape in the documentation and the invariances of a row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Noun {
-    /// The name of an argument.
+    /// The name of the argument.
     pub name: &'static str,
-    /// One of it.
+    /// The phrase for one shape.
     pub one: &'static str,
-    /// Two of it.
+    /// The phrase for two shapes.
     pub two: &'static str,
-    /// The motions that it has.
+    /// The motions that move it.
     pub moves: Moves,
 }
 
-/// The motions of the world that a shape follows: its kinds of numbers move, and what they mean moves along.
+/// The motions of a frame that a shape follows: its numbers change by their kinds, and its meaning moves along.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moves {
     /// Shifts along x, y and z.
     pub shifts: [bool; 3],
-    /// Turns about x, y and z; in the plane about the origin, which is z.
+    /// Rotations about x, y and z; in the plane about the origin, which is z.
     pub turns: [bool; 3],
 }
 
@@ -34,15 +34,15 @@ impl Moves {
     const fn new(shifts: [bool; 3], turns: [bool; 3]) -> Self {
         Moves { shifts, turns }
     }
-    /// Encodings, which are converted only, and numbers of a line.
+    /// Encodings, which are only converted, and numbers of a line.
     const NONE: Moves = Moves::new([false; 3], [false; 3]);
-    /// A number that no motion changes: it goes with all shapes.
+    /// A number that no motion changes, which fits all shapes.
     pub const WITH_ALL: Moves = Moves::new([true; 3], [true; 3]);
     /// Shapes of the plane.
     const PLANE: Moves = Moves::new([true, true, false], [false, false, true]);
     /// Axis-aligned shapes of the plane.
     const PLANE_ALIGNED: Moves = Moves::new([true, true, false], [false; 3]);
-    /// Shapes of the plane with a direction among their points, which a shift would move, too.
+    /// Shapes of the plane with a direction among their points, which a shift would wrongly move.
     const PLANE_DIRECTED: Moves = Moves::new([false; 3], [false, false, true]);
     /// Shapes of space.
     const SPACE: Moves = Moves::new([true; 3], [true; 3]);
@@ -53,7 +53,7 @@ impl Moves {
     /// Axis-aligned shapes of space.
     const SPACE_ALIGNED: Moves = Moves::new([true; 3], [false; 3]);
 
-    /// Returns the motions of both.
+    /// Returns the motions that both have.
     pub const fn and(self, other: Moves) -> Self {
         let (mut both, mut i) = (self, 0);
         while i < 3 {
@@ -75,7 +75,7 @@ pub(crate) type Number<S> = S;
 /// Four vertices.
 pub(crate) type Quad<S> = [Vec2<S>; 4];
 
-/// Shapes and their nouns.
+/// Implements [`Named`] for shapes, from their nouns.
 macro_rules! nouns {
     ($([$($size:tt)*] $type:ty: $name:literal, $one:literal, $two:literal, $moves:ident;)*) => { $(
         impl<$($size)*> Named for $type {
@@ -120,11 +120,11 @@ nouns! {
     [] BrownConrady<f64>: "camera",  "a camera with distortion",   "two cameras with distortion",  NONE;
     [] Fisheye<f64>:     "camera",   "a fisheye camera",           "two fisheye cameras",          NONE;
     [] Exponent<f64>:    "power",    "a power",                    "two powers",                    WITH_ALL;
-    // A shift moves directions like points.
+    // A shift would move directions like points.
     [] Line2<f64>:       "line",     "a line",                     "two lines",                     PLANE_DIRECTED;
     [] Ray2<f64>:        "ray",      "a ray",                      "two rays",                      PLANE_DIRECTED;
     [] Pose2<f64>:       "pose",     "a pose",                     "two poses",                     PLANE;
-    // Their ends are lengths.
+    // Its ends are lengths.
     [] Interval<f64>:    "interval", "an interval",                "two intervals",                 NONE;
     [] f64:              "x",        "a number",                   "two numbers",                   NONE;
     // Encodings.
@@ -136,7 +136,7 @@ nouns! {
     [] NuScenesBox<f64>:   "shape",  "nuScenes' box",              "two boxes of nuScenes",         SPACE;
 }
 
-/// True for two equal texts.
+/// Returns `true` for two equal texts.
 pub(crate) const fn same(a: &str, b: &str) -> bool {
     let (x, y) = (a.as_bytes(), b.as_bytes());
     let mut alike = x.len() == y.len();
@@ -148,7 +148,7 @@ pub(crate) const fn same(a: &str, b: &str) -> bool {
     alike
 }
 
-/// Returns the names of two arguments: what they are, or `a` and `b` of two of one kind.
+/// Returns the names of two arguments: those of their kinds, or `a` and `b` for two of one kind.
 pub(crate) const fn named(a: &'static str, b: &'static str) -> [&'static str; 2] {
     match same(a, b) {
         true => ["a", "b"],
@@ -156,8 +156,8 @@ pub(crate) const fn named(a: &'static str, b: &'static str) -> [&'static str; 2]
     }
 }
 
-/// Returns the parts of a documentation: the title, its `{}` the arguments (but for parameters after the first two),
-/// and the sentence of the row alone.
+/// Returns the parts of a documentation: the title, with the arguments in place of `{}` (without parameters after the
+/// first two), and the row's own sentence.
 pub(crate) const fn sentences(
     title: &'static str,
     own: &'static str,
@@ -193,7 +193,7 @@ pub(crate) const fn length(parts: &[&str]) -> usize {
     sum
 }
 
-/// Returns the bytes of all parts, one after the other.
+/// Returns the bytes of all parts, one after another.
 pub(crate) const fn joined<const N: usize>(parts: &[&str]) -> [u8; N] {
     let (mut bytes, mut at, mut i) = ([0; N], 0, 0);
     while i < parts.len() {

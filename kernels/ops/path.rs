@@ -84,8 +84,8 @@ impl Fold for LengthOfPolyline {
     }
 }
 
-/// Folds with the state of a point after some edges of a path, and an answer from the last state. The macro lists
-/// operations, `true` for a closed path, their invariances, jumps, and the answer.
+/// Defines folds whose state belongs to a point and some edges of a path. The macro lists operations, `true` for a
+/// closed path, their invariances, jumps, and the result from the last state.
 macro_rules! of_point_and_path {
     ($(
         $(#[$($doc:tt)*])*
@@ -136,7 +136,7 @@ macro_rules! of_point_and_path {
         }
     )* };
 }
-// Without edges a distance is the largest finite number, whatever the scale: scaling is no invariance.
+// Without edges a distance is the largest finite number, which scaling does not change, so scaling is not declared.
 of_point_and_path! {
     /// The [distance](crate::distance::ring::distance_to_polyline) of a point and a polyline; the largest
     /// finite number where that has fewer than two vertices.
@@ -160,7 +160,7 @@ of_point_and_path! {
         |state| state.winding.canonical();
 }
 
-/// Joins verbs to the folds that serve paths.
+/// Joins verbs to the folds over their paths.
 macro_rules! folds {
     ($($Verb:ty, $Path:ident $method:ident by $By:ident;)*) => { $(
         impl crate::kernels::verbs::OverPath<crate::kernels::row::fold::$Path> for $Verb {
@@ -185,7 +185,7 @@ macro_rules! folds {
     } };
 }
 
-/// The name of a path.
+/// Returns the word for a kind of path.
 macro_rules! path_name {
     (Ring) => {
         "ring"

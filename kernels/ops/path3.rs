@@ -12,7 +12,7 @@ use crate::kernels::verbs::{
 use crate::measure::cloud::{CloudSums, place_of};
 use crate::{Scalar, Symmetric3, Vec3};
 
-/// Folds over points of space.
+/// Defines folds over points in space.
 macro_rules! in_space {
     ($(
         $(#[$($doc:tt)*])*
@@ -74,7 +74,7 @@ in_space! {
         edge |_, _, from, to| (to - from).length(),
         join |one, other| one + other,
         finish |_, length| length.saturated().canonical();
-    // Without edges a distance is the largest finite number, whatever the scale: scaling is no invariance.
+    // Without edges a distance is the largest finite number, which scaling does not change, so scaling is not declared.
     /// The [distance](crate::distance3::polyline::distance_to_polyline) of a point and a polyline of space; the
     /// largest finite number where that has fewer than two vertices.
     DistancePointPolyline3 = "distance_point_polyline3": Vec3<S>, "point" => S;
@@ -84,7 +84,7 @@ in_space! {
         edge |point, _, from, to| NearestEdge3::of_edge(point, from, to),
         join |one, other| one.join(other),
         finish |_, nearest| nearest.result();
-    // A cloud's edges begin at its points, each at one.
+    // The edges of a cloud stand for their first points, one each.
     /// The [mean](crate::measure::cloud::centroid) of points of space; zero without points.
     CentroidOfCloud3 = "centroid_of_cloud3": [S; 0] => Vec3<S>;
         closed true, [follows], jumps Anywhere,

@@ -12,7 +12,7 @@ use crate::kernels::verbs::{
 use crate::overlap_polygon::{intersection_area_polygons, iof_polygons, iou_polygons};
 use crate::{ConvexPolygon, Scalar, Vec2};
 
-/// Returns the vertices of the joint hull of two polygons. With too little room it does not compile.
+/// Returns the vertices of the joint hull of two polygons. A capacity that is too small does not compile.
 fn joint_hull<S: Scalar<Mask = bool>, const N: usize, const K: usize>(
     a: &ConvexPolygon<S, N>,
     b: &ConvexPolygon<S, N>,
@@ -30,9 +30,9 @@ fn joint_hull<S: Scalar<Mask = bool>, const N: usize, const K: usize>(
     })
 }
 
-// Operations by a joint hull have room for it: at least twice that of the polygons. Values stay when polygons are
-// exchanged. The choice of the polygon from which the other is seen decides how sides along each other share the
-// derivative. So that invariance is not declared.
+// Operations with a joint hull have a capacity for it, at least twice that of the polygons. Values stay when polygons
+// are exchanged, but collinear sides share the derivative in an order that depends on the first polygon. So this
+// invariance is not declared.
 searches! {
     /// The [area](crate::overlap_polygon::intersection_area_polygons) that two convex polygons of up to `N`
     /// vertices share. Nothing is searched for.

@@ -10,7 +10,7 @@ use crate::reference::Reference;
 use crate::ring::Measure;
 use crate::{Fixed, Scalar, Vec2};
 
-/// Measures of a ring: sums over edges that are seen from the first vertex. Each has kernels by hand.
+/// Defines measures of a ring: sums over edges seen from the first vertex. Each has kernels by hand.
 macro_rules! measures {
     ($(
         $(#[$($doc:tt)*])*
@@ -87,7 +87,7 @@ measures! {
             [cross, moment.x, moment.y, from.x, from.y, S::one()]
         },
         finish |seen, [twice, moment_x, moment_y, sum_x, sum_y, count]| {
-            // Without an area the mean of the vertices stands for it; without vertices the origin.
+            // Without area the centroid is the mean of the vertices; without vertices it is the origin.
             let (flat, none) = (twice.equals(S::zero()), count.equals(S::zero()));
             let thrice = S::lit(3.0) * S::select(flat, S::one(), twice);
             let count = S::select(none, S::one(), count);

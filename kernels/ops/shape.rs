@@ -1,4 +1,4 @@
-//! Measures of shapes, and what makes shapes of shapes, as operations.
+//! Measures of shapes, and shapes made from shapes, as operations.
 use crate::kernels::ops::noun::Quad;
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Area, Centroid, Circumcircle, Incircle, Move, Perimeter, SignedArea};

@@ -3,8 +3,8 @@ use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{Centroid, Inertia, Surface, Volume};
 use crate::{Capsule3, Cone, Cylinder, Obb3, RoundBox3, Sphere, Symmetric3, Tetrahedron, Vec3};
 
-/// Returns how many roundings of its own moments a turned tensor may be off: products by the axes of the world cancel,
-/// to none where two moments are equal.
+/// Returns the error of a rotated inertia tensor, as a number of roundings of its own moments: products by the
+/// coordinate axes cancel, to zero where two moments are equal.
 fn turned(inertia: Symmetric3<f64>) -> f64 {
     4.0 * inertia.xx.max(inertia.yy).max(inertia.zz)
 }
@@ -31,7 +31,7 @@ table! {
         "centroid_cone": Cone;
         "centroid_tetrahedron": Tetrahedron;
     }
-    // The numbers of a tensor are by the axes of the world. Fifth powers of small lengths are below all numbers of `f32`.
+    // The numbers of a tensor are relative to the coordinate axes. Fifth powers of small lengths underflow in `f32`.
     /// The [inertia](crate::measure::inertia) of {} about its centroid, by unit density.
     Inertia: (shape) -> Symmetric3<S> { shape.inertia() } [rigid(5), along_axes] jumps Never
     resolution 1e-36

@@ -1,4 +1,4 @@
-//! Tables of rows: the function once, and a line for the shapes of each row.
+//! Tables of rows: the shared clauses once, and a line for each row.
 
 /// Writes the rows of a verb, and joins them to it.
 ///
@@ -146,7 +146,7 @@ macro_rules! table {
     }; )* };
 }
 
-/// A row in the list of its file: its names, or a call of what walks the list.
+/// Adds a row to the list of its file: its names, or a call of the walk.
 macro_rules! line {
     (names [] $sort:ident $Verb:ty, $name:literal, [$($shape:tt)+] $input:ty) => {
         crate::kernels::ops::walk::Written {
@@ -167,7 +167,7 @@ macro_rules! line {
     };
 }
 
-/// The list of a file of rows.
+/// Defines the list of rows of a file.
 macro_rules! listed {
     (names [$($names:expr),* $(,)?] each |$walk:ident| $each:block) => {
         /// The names of the rows of this file, a list for every verb.
@@ -178,7 +178,7 @@ macro_rules! listed {
         #[allow(unused_parens)]
         #[inline]
         pub(super) fn each<W: crate::kernels::ops::walk::Walk>($walk: &mut W) {
-            // The scalar of a verb that names its result, as conversions do.
+            // The scalar of a verb whose type names its result, as conversions do.
             #[allow(dead_code)]
             type S = f64;
             $each
@@ -186,7 +186,7 @@ macro_rules! listed {
     };
 }
 
-/// The first of alternatives: the line's, or else the head's.
+/// Selects the first given alternative: the line's, or else the head's.
 macro_rules! first {
     (@class [$class:tt $($other:tt)?] $($type:ty),+) => {
         crate::kernels::ops::class::invariances!($class $($type),+)
@@ -194,14 +194,14 @@ macro_rules! first {
     ($one:block $($other:block)?) => { $one };
 }
 
-/// The clauses of a head over a base.
+/// Applies the clauses of a head to a base.
 macro_rules! head {
     ($base:expr, $In:ty, $arguments:tt, [$($clauses:tt)*]) => {
         crate::__declared!($base, $In, $arguments, $($clauses)*)
     };
 }
 
-/// The names of arguments, by the names that the table gives them.
+/// Builds the names of arguments from those that the table gives.
 macro_rules! arguments {
     ((a, b) $A:ident $B:ident) => {
         crate::kernels::ops::noun::named(
@@ -212,7 +212,7 @@ macro_rules! arguments {
     (($($argument:ident),+) $($Shape:ident)+) => { [$(stringify!($argument)),+] };
 }
 
-/// The documentation of a row, given the title of its table and the sentence of the row alone.
+/// Builds the documentation of a row, from the title of its table and the row's own sentence.
 macro_rules! text {
     ($title:expr, $own:expr, $($type:ty),+) => {{
         const PARTS: &[&str] = &crate::kernels::ops::noun::sentences(
@@ -278,7 +278,7 @@ macro_rules! searches {
     } };
 }
 
-/// The row of a search in the list: of polygons of up to six corners, of two of up to five, or of one and a point.
+/// Adds the row of a search to the list: for polygons of up to six corners, two of up to five, or one and a point.
 macro_rules! capacity {
     ($what:ident $walk:tt $Verb:ident, $name:literal, (point, $polygon:ident)) => {
         crate::kernels::ops::tables::line!(
@@ -324,7 +324,7 @@ macro_rules! finds {
     ($Verb:ident<N> ($a:ident, $b:ident)) => {
         crate::kernels::ops::tables::finds!(@two [const N: usize] $Verb, N, <N>);
     };
-    // The hull of both has up to as many corners as both together, which the type must say.
+    // The hull has up to as many corners as both polygons together, a sum that the type must name.
     ($Verb:ident<N, K> ($a:ident, $b:ident)) => {
         crate::kernels::ops::tables::finds!(@two [] $Verb, 3, <3, 6>);
         crate::kernels::ops::tables::finds!(@two [] $Verb, 4, <4, 8>);

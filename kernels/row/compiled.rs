@@ -1,7 +1,7 @@
-//! Kernels that the library has compiled beside the program of an operation, as data.
+//! Compiled kernels of operations, as data.
 use crate::overlap::Denominator;
 
-/// The compiled kernels, or bounds, that batches have for an operation beside its program.
+/// The compiled kernels, or only bounds, that batches have for an operation in addition to its program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Compiled {
     /// A score of rotated boxes.
@@ -14,9 +14,9 @@ pub enum Compiled {
     Upright(Denominator),
     /// A score of upright boxes seen from above.
     BirdsEye(Denominator),
-    /// The area that two convex quadrilaterals share.
+    /// The intersection area of two convex quadrilaterals.
     Quads,
-    /// A score of axis-aligned boxes in space: no kernels, but boxes that are apart score zero.
+    /// A score of axis-aligned boxes in space: it has no kernels, but boxes that are apart score zero.
     Aabb3,
     /// A score of boxes of any orientation in space.
     Obb3(Denominator),

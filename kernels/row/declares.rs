@@ -1,5 +1,5 @@
-//! The properties that a function declares, as one value: what the harness and the fuzzer hold it to, what batches and
-//! bindings call it and its arguments, and the source of its derivatives.
+//! The properties that a function declares, as one value: names, documentation, invariances, limits, and the source of
+//! its derivatives.
 use crate::Fixed;
 #[cfg(feature = "check")]
 use crate::ad::declared::{Effect, Motion};
@@ -19,9 +19,9 @@ use std::fmt::Debug;
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Declared {
-    /// The name of the function, letter for letter.
+    /// The name of the function.
     pub name: &'static str,
-    /// The names of its arguments, one for each; empty without names of their own.
+    /// The names of its arguments, one for each; empty without own names.
     pub arguments: &'static [&'static str],
     /// Documentation in Markdown: the doc comment of its row, empty without one.
     pub doc: &'static str,
@@ -37,17 +37,17 @@ pub struct Declared {
     pub range: Range,
     /// The results of identical shapes and of shapes apart.
     pub extremes: Extremes,
-    /// The domain as a condition of the argument's numbers, in addition to the rules of its shapes; `None` for everywhere.
-    /// The harness and the fuzzer keep to it; batches compute outside, too.
+    /// The domain as a condition of the argument's numbers, in addition to the rules of its shapes; `None` for
+    /// everywhere. The harness and the fuzzer test inputs inside only; batches compute outside, too.
     pub domain: Option<fn(&[f64]) -> bool>,
-    /// The error of values beyond rounding: in the unit of the result, and relative to each of its numbers.
+    /// The error of values beyond rounding: absolute, in the unit of the result, and relative to each of its numbers.
     pub resolution: [f64; 2],
-    /// How many roundings of the format a value may be off where terms cancel, times the size of these terms in the
-    /// unit of the result; `None` for none. Derivatives may be off by as much over the units of the arguments' numbers.
+    /// A bound of a value's error where terms cancel, in roundings of the format: the size of these terms in the unit
+    /// of the result; `None` for none. Derivatives may err by as much divided by the unit of the argument's number.
     pub roundings: Option<fn(&[f64]) -> f64>,
 }
 
-/// Setters of a property each.
+/// Defines one setter per property.
 macro_rules! properties {
     ($($(#[$doc:meta])* $name:ident: $type:ty;)*) => {
         impl Declared { $(
@@ -65,22 +65,22 @@ properties! {
     arguments: &'static [&'static str];
     /// Documents the function in Markdown.
     doc: &'static str;
-    /// Declares invariances in place of the first ones.
+    /// Declares invariances, which replaces those of [`new`](Declared::new).
     invariances: &'static [Invariance];
-    /// Declares other places of jumps.
+    /// Declares the places of jumps, which replaces those of [`new`](Declared::new).
     jumps: Jumps;
-    /// Declares the source of derivatives, which is [`Derivative::Reverse`] by default.
+    /// Declares the source of derivatives; the default is [`Derivative::Reverse`].
     derivative: Derivative;
-    /// Declares inputs of which results are finite: within [`Limits::ORDINARY`] by default.
+    /// Declares the inputs with finite results; the default is within [`Limits::ORDINARY`].
     finite: Finite;
-    /// Declares the range of every number of the result: any number by default.
+    /// Declares the range of every number of the result; the default is any number.
     range: Range;
     /// Declares the results of identical shapes and of shapes apart.
     extremes: Extremes;
 }
 
 impl Declared {
-    /// Declares a name, invariances and jumps, which have no default.
+    /// Declares a name, invariances and jumps, which have no defaults.
     #[must_use]
     pub const fn new(name: &'static str, invariances: &'static [Invariance], jumps: Jumps) -> Self {
         Declared {
@@ -114,7 +114,7 @@ impl Declared {
             ..self
         }
     }
-    /// Declares the error of values beyond rounding, as a share of each number of the result.
+    /// Declares the error of values beyond rounding, relative to each number of the result.
     #[must_use]
     pub const fn relative_resolution(self, share: f64) -> Self {
         Declared {
@@ -122,7 +122,8 @@ impl Declared {
             ..self
         }
     }
-    /// Declares how many roundings a value may be off where terms cancel, times their size, given the argument's numbers.
+    /// Declares the size of the terms that cancel in a value, from the argument's numbers: an error of as many
+    /// roundings is allowed.
     #[must_use]
     pub const fn roundings(self, of: fn(&[f64]) -> f64) -> Self {
         Declared {
@@ -143,7 +144,8 @@ impl Declared {
         };
         self.invariances.iter().find_map(power)
     }
-    /// Returns `true` if exchanging the shapes changes nothing; rounding decides on which side of a jump a value is.
+    /// Returns `true` if exchanging the shapes changes nothing. Rounding decides the side of a jump, so a row with
+    /// jumps anywhere is not symmetric.
     pub(crate) fn is_symmetric(&self) -> bool {
         let exchange = Invariance::new(Motion::Exchange, Effect::Stays);
         self.invariances.contains(&exchange) && self.jumps != Jumps::Anywhere
@@ -157,7 +159,7 @@ pub trait Declares: Copy + Debug + Default + Send + Sync + 'static {
     const DECLARED: Declared;
 }
 
-/// Returns an argument made of its numbers; `None` for another count of them.
+/// Returns an argument from its numbers; `None` for a wrong count.
 #[doc(hidden)]
 #[must_use]
 pub fn argument<X: Fixed<Scalar = f64>>(numbers: &[f64]) -> Option<X> {

@@ -1,9 +1,9 @@
-//! Derivatives as steps from one function to the next, and replays of a search that are differentiated by several.
+//! Derivatives as steps from one function to the next, and the replays of a search differentiated by several steps.
 use crate::Error;
 use crate::ad::program::recorded::Recorded;
 use std::sync::Arc;
 
-/// The derivative that is wanted of a function.
+/// The derivative of a function that a call computes: its mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Mode {
     /// The result.
@@ -17,7 +17,7 @@ pub enum Mode {
 }
 
 impl Mode {
-    /// Numbers of every shape that comes out, given those of a function's arguments and of its results.
+    /// Returns the number of scalars of every output shape, from the numbers of arguments and results.
     pub(crate) fn gives(self, takes: &[usize], outputs: &[usize]) -> Vec<usize> {
         match self {
             Mode::Value => outputs.to_vec(),
@@ -29,7 +29,7 @@ impl Mode {
             Mode::Vjp => takes.to_vec(),
         }
     }
-    /// Returns how many numbers its program gives before those, for results of so many numbers.
+    /// Returns the number of scalars that its program returns before the wanted ones.
     pub(crate) fn skipped(self, outputs: &[usize]) -> usize {
         match self {
             Mode::Value | Mode::ValueGrad | Mode::Jacobian => 0,
@@ -47,26 +47,26 @@ pub(crate) enum Order {
     Second,
 }
 
-/// A derivative of a function as a function of its own.
+/// A step from a function to one of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Step {
-    /// By a mode.
+pub(crate) enum DerivativeStep {
+    /// A derivative by a mode.
     Mode(Mode),
-    /// Along directions.
+    /// A derivative along directions.
     Along(Order),
 }
 
-/// The replays of a search, differentiated by some steps, without its types.
+/// The untyped replays of a search, differentiated by some steps.
 pub(crate) trait Replays<T>: Send + Sync {
-    /// Decides an item, given its numbers shape by shape and those of directions and cotangents: the program of its
-    /// record, and the numbers that it takes, which are appended.
+    /// Decides an item. `numbers` has its shapes one after another, then directions and cotangents. Returns the program
+    /// of its record, and appends the inputs of the program to `taken`.
     ///
     /// # Errors
     ///
     /// The errors of recording it.
     fn decide(&self, numbers: &[T], taken: &mut Vec<T>) -> Result<Arc<Recorded>, Error>;
-    /// Returns how many numbers a replay takes, and how many it gives.
+    /// Returns the numbers of inputs and of results of a replay.
     fn sizes(&self) -> [usize; 2];
-    /// Makes a row of results of what a replay gave for an item.
+    /// Writes a row of results from the results `found` of a replay.
     fn put(&self, numbers: &[T], found: &[T], row: &mut [T]);
 }

@@ -1,4 +1,4 @@
-//! The derivatives of a function as functions: values that stand for them.
+//! Operations for the derivatives of a function.
 pub use crate::ad::program::Jacobian;
 
 /// An operation with its gradient; see [`Op::value_grad`](crate::kernels::Op::value_grad).
@@ -10,7 +10,8 @@ pub struct ValueGrad<O>(pub(crate) O);
 pub struct Vjp<O>(pub(crate) O);
 
 impl<O> ValueGrad<O> {
-    /// Returns the same as [`Op::value_grad`](crate::kernels::Op::value_grad), for code that is generic over what runs.
+    /// Creates it as [`Op::value_grad`](crate::kernels::Op::value_grad) does, for code that is generic over the
+    /// function.
     #[must_use]
     pub const fn of(function: O) -> Self {
         ValueGrad(function)
@@ -43,14 +44,14 @@ impl<O> ValueGrad<O> {
     }
 }
 impl<O> Jacobian<O> {
-    /// Returns the same as [`Op::jacobian`](crate::kernels::Op::jacobian), for code that is generic over what runs.
+    /// Creates it as [`Op::jacobian`](crate::kernels::Op::jacobian) does, for code that is generic over the function.
     #[must_use]
     pub const fn of(function: O) -> Self {
         Jacobian(function)
     }
 }
 impl<O> Vjp<O> {
-    /// Returns the same as [`Op::vjp`](crate::kernels::Op::vjp), for code that is generic over what runs.
+    /// Creates it as [`Op::vjp`](crate::kernels::Op::vjp) does, for code that is generic over the function.
     #[must_use]
     pub const fn of(function: O) -> Self {
         Vjp(function)
@@ -75,7 +76,7 @@ pub struct Jvp<O>(pub(crate) O);
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Hvp<O>(pub(crate) O);
 
-/// Methods that give a further derivative of a function along directions.
+/// Defines methods that return further derivatives of a derivative along directions.
 macro_rules! derivatives {
     ($($Name:ident: $doc:literal)*) => { $(
         impl<O> $Name<O> {

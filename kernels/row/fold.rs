@@ -1,7 +1,7 @@
-//! Operations over paths of run-time length: rings, polylines, clouds of points.
+//! Operations over paths of any length: rings, polylines, clouds of points.
 //!
 //! A fold has three parts: the state of one edge, the join of two states, and the result of the last state. Edges are
-//! independent, so batches compute them side by side, as a program, and join states in order.
+//! independent, so batches compute them in parallel, as a program, and join states in order.
 use crate::ad::adjoint::ring::measure_vjp;
 use crate::kernels::row::declares::Declares;
 use crate::ring::Measure;
@@ -61,14 +61,14 @@ use crate::{Fixed, Pack, Scalar, Vec2};
 /// ```
 pub trait Fold: Declares {
     /// `true` if an edge leads from the last vertex back to the first. A fold over vertices alone is closed, too: it
-    /// looks at where an edge begins.
+    /// uses only the start of each edge.
     const CLOSED: bool;
-    /// The index in the state of the winding number around the point with which the context begins. `Some` only for a fold
-    /// that needs this number and the nearest edges alone: batches then fold only these.
+    /// The index in the state of the winding number around the point with which the context begins. `Some` only for a
+    /// fold that needs nothing but this number and the nearest edges: batches then fold only those edges.
     #[doc(hidden)]
     const WINDING: Option<usize> = None;
-    /// The measure of rings that the fold is, if it is one of those with kernels and adjoints by hand. These run in
-    /// place of its edges, and see the path as points of the plane.
+    /// The measure of rings that the fold computes, if it has kernels and adjoints by hand. They replace its edges, and
+    /// take the path as points of the plane.
     #[doc(hidden)]
     const MEASURE: Option<Measure> = None;
     /// Returns the path as points of the plane, for a fold with a winding number or a measure of rings.
@@ -76,29 +76,29 @@ pub trait Fold: Declares {
     fn in_plane<S: Scalar>(_path: &[Self::Element<S>]) -> &[Vec2<S>] {
         &[]
     }
-    /// Returns the same for cotangents, of a measure of rings.
+    /// Returns the cotangents of a path as points of the plane, for a measure of rings.
     #[doc(hidden)]
     fn in_plane_mut<S: Scalar>(_path: &mut [Self::Element<S>]) -> &mut [Vec2<S>] {
         &mut []
     }
-    /// An element of a path: a point of the plane or of space, or any other shape without codes (whole numbers). Batches
-    /// check only that its numbers are finite.
+    /// An element of a path: a point of the plane or of space, or any other shape without codes (whole numbers).
+    /// Batches check only that its numbers are finite.
     type Element<S: Scalar>: Fixed<Scalar = S>;
-    /// The arguments beside the path: shapes, numbers, a tuple of them, or `[S; 0]` for nothing.
+    /// The arguments besides the path: shapes, numbers, a tuple of them, or `[S; 0]` for none.
     type Context<S: Scalar>: Fixed<Scalar = S>;
-    /// A local origin or unit of a path, to keep rounding small; `[S; 0]` for none.
+    /// A local origin or unit of a path, which reduces rounding errors; `[S; 0]` for none.
     type Reference<S: Scalar>: Fixed<Scalar = S>;
     /// The state after some edges.
     type State<S: Scalar>: Fixed<Scalar = S>;
     /// The result.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// Returns the local origin or unit of a path, which may be empty. It counts as a constant in derivatives, so the
-    /// result must not depend on it but for rounding.
+    /// Returns the local origin or unit of a path, which may be empty. Derivatives take it as a constant, so the result
+    /// may depend on it by rounding only.
     fn reference<S: Scalar>(
         context: Self::Context<S>,
         path: &[Self::Element<S>],
     ) -> Self::Reference<S>;
-    /// Returns the state of no edge: `join` with it changes nothing.
+    /// Returns the state of no edge, the neutral element of `join`.
     fn empty<S: Scalar>() -> Self::State<S>;
     /// Returns the state of one edge.
     fn edge<S: Scalar>(
@@ -107,7 +107,7 @@ pub trait Fold: Declares {
         from: Self::Element<S>,
         to: Self::Element<S>,
     ) -> Self::State<S>;
-    /// Returns the state of two stretches, `one` before `other`. Associative but for rounding; it need not be
+    /// Joins the states of two stretches, `one` before `other`. It is associative up to rounding, and need not be
     /// commutative.
     fn join<S: Scalar>(one: Self::State<S>, other: Self::State<S>) -> Self::State<S>;
     /// Returns the result.
@@ -155,7 +155,7 @@ pub fn fold<F: Fold, S: Scalar>(context: F::Context<S>, path: &[F::Element<S>]) 
     }
 }
 
-/// [`fold`] without formulas for the whole path.
+/// Computes [`fold`] from the edges, even if the fold has formulas for the whole path.
 #[doc(hidden)]
 pub fn edge_by_edge<F: Fold, S: Scalar>(
     context: F::Context<S>,
@@ -170,7 +170,7 @@ pub fn edge_by_edge<F: Fold, S: Scalar>(
     F::finish(context, reference, state)
 }
 
-/// Returns how many edges so many vertices have.
+/// Returns the number of edges of a path with `vertices` vertices.
 pub(crate) fn edges<F: Fold>(vertices: usize) -> usize {
     if F::CLOSED {
         vertices
@@ -179,7 +179,7 @@ pub(crate) fn edges<F: Fold>(vertices: usize) -> usize {
     }
 }
 
-/// Returns the numbers of the cotangents of a path's vertices by hand, if the fold has them.
+/// Returns the cotangents of a path's vertices, as numbers, by the fold's adjoint by hand; `None` without one.
 #[doc(hidden)]
 pub fn by_hand<F: Fold, S: Scalar>(path: &[F::Element<S>], out_bar: F::Out<S>) -> Option<Vec<S>> {
     let measure = F::MEASURE?;

@@ -12,9 +12,9 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Finite {
-    /// All of them, for cotangents of any size; duals within [`Limits::ORDINARY`].
+    /// All of them, with cotangents of any size; duals within [`Limits::ORDINARY`].
     Always,
-    /// Inputs within limits, for cotangents of one.
+    /// Inputs within limits, with cotangents of one.
     Within(Limits),
     /// Inputs within limits, for values; derivatives need not be finite.
     Values(Limits),
@@ -34,21 +34,20 @@ pub enum Finite {
 pub struct Limits {
     /// Exponents of the least and of the largest magnitude in `f32`.
     pub single: [i32; 2],
-    /// The same in `f64`.
+    /// Exponents of the least and of the largest magnitude in `f64`.
     pub double: [i32; 2],
 }
 
 impl Limits {
-    /// From the exponents of both formats.
+    /// Creates limits from the exponents of both formats.
     #[must_use]
     pub const fn new(single: [i32; 2], double: [i32; 2]) -> Self {
         Limits { single, double }
     }
-    /// From 2⁻²⁰ to 2²⁰ (about a millionth to a million) in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`: what a row guarantees
-    /// that says nothing.
+    /// From 2⁻²⁰ to 2²⁰ (about a millionth to a million) in `f32`, from 2⁻¹⁵⁰ to 2¹⁵⁰ in `f64`: the default of a row.
     pub const ORDINARY: Limits = Limits::new([-20, 20], [-150, 150]);
     /// Exponents of the least magnitude of an angle in `f32` and in `f64`: the product of a length and the sine of a
-    /// lesser one may be below the least normal number, whose reciprocal overflows.
+    /// smaller one may be below the least normal number, whose reciprocal overflows.
     pub const LEAST_ANGLE: [i32; 2] = [-100, -900];
 }
 
@@ -85,7 +84,7 @@ impl Range {
     pub const EIOU: Range = Range::new(-3.0, 1.0);
     /// Not below 0.
     pub const NOT_NEGATIVE: Range = Range::new(0.0, f64::INFINITY);
-    /// Between two numbers.
+    /// Creates the range between two numbers.
     #[must_use]
     pub const fn new(least: f64, largest: f64) -> Self {
         Range { least, largest }
@@ -100,11 +99,11 @@ pub enum Extremes {
     Undeclared,
     /// Shapes apart score 0 with derivatives of zero.
     Shared,
-    /// The same, and identical shapes score 1, or 0 where they count as empty.
+    /// Shapes apart score 0 with derivatives of zero, and identical shapes score 1, or 0 if they count as empty.
     Ratio,
-    /// The same, and derivatives of identical shapes are zero.
+    /// As [`Ratio`](Extremes::Ratio), and the derivatives of identical shapes are zero.
     Union,
-    /// Identical shapes score 1, or 0 where they count as empty.
+    /// Identical shapes score 1, or 0 if they count as empty.
     One,
 }
 
@@ -115,7 +114,7 @@ pub enum Derivative {
     ByHand,
     /// The recorded function, differentiated backwards.
     Reverse,
-    /// The recorded function, differentiated forwards, one number of the input after the other. For functions whose
-    /// derivatives lose digits backwards, because large terms meet before they cancel.
+    /// The recorded function, differentiated forwards, one number of the input after another. For functions whose
+    /// reverse derivatives lose digits, because large terms are added before they cancel.
     Forward,
 }

@@ -1,4 +1,4 @@
-//! Rows: what a function is. Its shapes as numbers, its formula, what it declares, and its derivatives.
+//! Rows: shapes as numbers, formulas, declared properties, and derivatives.
 pub(crate) mod bounds;
 pub mod compiled;
 pub(crate) mod decision;

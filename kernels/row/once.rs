@@ -1,4 +1,4 @@
-//! Things that are made once: programs, plans and derivatives, by the function or the recording that they belong to.
+//! A cache of values made once each: programs, plans and derivatives, by their function or recording.
 use crate::error::Error;
 use crate::kernels::row::derivation::{Mode, Order};
 use std::any::{Any, TypeId};
@@ -6,14 +6,14 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::sync::{Arc, LazyLock, PoisonError, RwLock};
 
-/// The key of something kept with a recording: a program, a plan, or a derivative as a function of its own.
+/// The key of a value that a recording keeps: a program, a plan, or a derivative as a function of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Key {
     /// The program of a mode.
     Program(Mode),
     /// The plan of the CPU; `true` for all pairs, with shapes prepared once.
     Cpu(Mode, bool),
-    /// The kernels of a GPU, likewise.
+    /// The kernels of a GPU; `true` for all pairs, with shapes prepared once.
     #[cfg_attr(
         not(feature = "gpu"),
         expect(dead_code, reason = "used with the feature gpu")
@@ -31,10 +31,10 @@ pub(crate) enum Key {
     Along(Order),
 }
 
-type Made = Arc<dyn Any + Send + Sync>;
+type CachedValue = Arc<dyn Any + Send + Sync>;
 
-/// Things of any type that are made once each, by their keys.
-pub(crate) struct Once<K>(RwLock<HashMap<K, Made>>);
+/// A cache of values of any type, each made once, by their keys.
+pub(crate) struct Once<K>(RwLock<HashMap<K, CachedValue>>);
 
 impl<K> Default for Once<K> {
     fn default() -> Self {
@@ -43,7 +43,7 @@ impl<K> Default for Once<K> {
 }
 
 impl<K: Eq + Hash> Once<K> {
-    /// Returns the thing of a key, made on first use. A key stands for one type.
+    /// Returns the value of a key, made at first use. Each key has one type.
     pub(crate) fn made<X: Send + Sync + 'static>(
         &self,
         key: K,
@@ -55,7 +55,7 @@ impl<K: Eq + Hash> Once<K> {
         let found = match found {
             Some(found) => found,
             None => {
-                let made: Made = Arc::new(make()?);
+                let made: CachedValue = Arc::new(make()?);
                 let mut known = self.0.write().unwrap_or_else(PoisonError::into_inner);
                 // If two threads made one, both use the first.
                 Arc::clone(known.entry(key).or_insert(made))
@@ -67,10 +67,10 @@ impl<K: Eq + Hash> Once<K> {
     }
 }
 
-/// Things kept with a recording: programs of modes, plans of machines, derivatives.
-pub(crate) type Kept = Once<Key>;
+/// The cache of a recording: programs of modes, plans of machines, derivatives.
+pub(crate) type RecordingCache = Once<Key>;
 
-/// Recordings and programs of all functions, by the type of the function and that of what is kept.
+/// The recordings and programs of all functions, by the type of the function and that of the value.
 static KNOWN: LazyLock<Once<(TypeId, TypeId)>> = LazyLock::new(Once::default);
 
 /// Returns the recording of a function, which is made once per type and format.
@@ -80,7 +80,7 @@ pub(crate) fn known<F: 'static, X: Send + Sync + 'static>(
     known_by(TypeId::of::<F>(), &make)
 }
 
-/// Returns the same by the type of the function.
+/// Returns the recording of the function with a type id, which is made once.
 pub(crate) fn known_by<X: Send + Sync + 'static>(
     function: TypeId,
     make: &dyn Fn() -> Result<X, Error>,

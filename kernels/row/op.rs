@@ -1,4 +1,4 @@
-//! The contract of an operation: its function, and what the library has to know about it.
+//! The interface of an operation: its formula and its declared properties.
 //!
 //! ```
 //! use geograd::kernels::op::{Declared, Declares, Jumps, Op};
@@ -51,14 +51,14 @@ use std::sync::Arc;
     note = "`function(f)` runs a plain generic function, `operation!` makes it an operation, `Program::trace` makes a closure a program"
 )]
 pub trait Op: Declares {
-    /// The argument, made of any scalar: a shape, a number, or a tuple of up to six.
+    /// The argument, generic over the scalar: a shape, a number, or a tuple of up to six.
     type In<S: Scalar>: Fixed<Scalar = S>;
-    /// The result, made of the same scalar.
+    /// The result, generic over the scalar.
     type Out<S: Scalar>: Fixed<Scalar = S>;
-    /// Returns the function.
+    /// Returns the result for an input.
     fn eval<S: Scalar>(input: Self::In<S>) -> Self::Out<S>;
-    /// Returns the result and the gradient of `out_bar · result` with respect to the input, by hand; `None` if they are
-    /// recorded.
+    /// Returns the result and the gradient of `out_bar · result` with respect to the input, by hand; `None` if
+    /// derivatives are recorded.
     #[inline(always)]
     fn adjoint<S: Scalar>(
         _input: Self::In<S>,
@@ -66,7 +66,7 @@ pub trait Op: Declares {
     ) -> Option<(Self::Out<S>, Self::In<S>)> {
         None
     }
-    /// Kernels that the library has compiled for it.
+    /// Returns the kernels that the library has compiled for it.
     #[doc(hidden)]
     fn compiled() -> Option<Compiled> {
         None
@@ -99,9 +99,9 @@ pub trait Op: Declares {
     fn value_grad(self) -> ValueGrad<Self> {
         ValueGrad(self)
     }
-    /// Returns the operation whose result is the result with its Jacobian: the result's shape with its gradient, a
-    /// shape like the input, in the place of every number, as of [`ad::jacobian`](crate::ad::jacobian). Aligned batches
-    /// run it, on a GPU where the operation is recorded.
+    /// Returns the operation with its Jacobian. As in [`ad::jacobian`](crate::ad::jacobian), a Jacobian has the
+    /// result's shape, with a gradient, of the input's shape, in place of every number. Aligned batches run it, on a
+    /// GPU where the operation is recorded.
     ///
     /// ```
     /// use geograd::kernels::{ClosestPoints, Cpu, Op};
@@ -122,8 +122,8 @@ pub trait Op: Declares {
         Vjp(self)
     }
     /// Returns the operation with its derivative along a direction: takes the input and then a direction of it, and
-    /// returns the result and its derivative. A direction is a list of numbers in the shape of the input; one of boxes
-    /// need not be a box.
+    /// returns the result and its derivative. A direction is a list of numbers in the shape of the input; a direction
+    /// of boxes need not be a valid box.
     ///
     /// ```
     /// use geograd::kernels::Cpu;
@@ -168,7 +168,7 @@ pub(crate) const fn line_of<O: Op, T: Real>() -> Line<T> {
         inputs: O::In::<Sym<T>>::LEN,
         outputs: O::Out::<Sym<T>>::LEN,
         codes: O::In::<Sym<T>>::CODES + O::Out::<Sym<T>>::CODES,
-        // Functions and no closures, of which each would be compiled twice for every operation.
+        // Functions, since closures would be compiled twice for every operation.
         eval: eval::<O, T>,
         adjoint: match O::DECLARED.derivative {
             Derivative::ByHand => adjoint::<O, T>,
@@ -185,8 +185,7 @@ fn nothing<T>(_input: &[Sym<T>], _out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
     Vec::new()
 }
 
-/// Returns the result and the derivatives by hand. Without them they are NaN: the program fails to be finite, which
-/// nothing then hides.
+/// Returns the result and the derivatives by hand. Without them they are NaN, which no check accepts.
 fn adjoint<O: Op, T: Real>(input: &[Sym<T>], out_bar: &[Sym<T>]) -> Vec<Sym<T>> {
     let out_bar = O::Out::<Sym<T>>::load(out_bar);
     match O::adjoint(O::In::<Sym<T>>::load(input), out_bar) {

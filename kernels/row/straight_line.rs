@@ -5,32 +5,32 @@ use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::limits::Derivative;
-use crate::kernels::row::once::{Kept, Key, known_by};
+use crate::kernels::row::once::{Key, RecordingCache, known_by};
 use crate::{Real, Scalar, Unrecordable};
 use std::any::TypeId;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
-/// A straight line without its types: functions of lists of symbols, so that code that records and differentiates is
+/// An untyped straight line: functions of lists of symbols, so that the code that records and differentiates is
 /// compiled once.
 pub(crate) struct Line<T: 'static> {
     /// The type of its operation.
     pub(crate) id: fn() -> TypeId,
     /// The source of its derivatives.
     pub(crate) derivatives: Derivative,
-    /// Numbers of its input.
+    /// The number of scalars of its input.
     pub(crate) inputs: usize,
-    /// Numbers of its result.
+    /// The number of scalars of its result.
     pub(crate) outputs: usize,
-    /// Codes of both.
+    /// The numbers of codes of both.
     pub(crate) codes: usize,
     /// The function.
     pub(crate) eval: fn(&[Sym<T>]) -> Vec<Sym<T>>,
-    /// The result and then the derivatives, by hand, from the input and the cotangent.
+    /// The result and then the derivatives by hand, from the input and the cotangent.
     pub(crate) adjoint: fn(&[Sym<T>], &[Sym<T>]) -> Vec<Sym<T>>,
 }
 
-/// Returns the program of a mode, by reverse accumulation; that of `Vjp` gives the result first.
+/// Returns the program of a mode, by reverse accumulation; the program of `Vjp` returns the value first.
 pub(crate) fn by_reverse(value: &Recorded, mode: Mode) -> Recorded {
     match mode {
         Mode::Value => value.clone(),
@@ -41,15 +41,15 @@ pub(crate) fn by_reverse(value: &Recorded, mode: Mode) -> Recorded {
 }
 
 /// The programs of a straight line in a format.
-struct Programs<T>(Kept, PhantomData<fn() -> T>);
+struct LinePrograms<T>(RecordingCache, PhantomData<fn() -> T>);
 
 impl<T: Real> Line<T> {
-    /// Returns the program of a mode, by the source that the row says.
+    /// Returns the program of a mode, by the declared source of derivatives.
     pub(crate) fn program(&self, mode: Mode) -> Result<Arc<Recorded>, Error> {
         if self.codes > 0 {
             return Err(Error::Program(Unrecordable::Codes));
         }
-        let new = || Ok(Programs::<T>(Kept::default(), PhantomData));
+        let new = || Ok(LinePrograms::<T>(RecordingCache::default(), PhantomData));
         let kept = known_by((self.id)(), &new)?;
         kept.0.made(Key::Program(mode), &|| self.recorded(mode))
     }

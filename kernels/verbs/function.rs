@@ -162,7 +162,7 @@ pub trait Traced<In: Item<Scalar: Real>>: Copy + Send + Sync {
     /// The key of its recording.
     #[doc(hidden)]
     type Key: 'static;
-    /// Records it.
+    /// Records the function.
     ///
     /// # Errors
     ///
@@ -211,7 +211,7 @@ where
     }
 }
 
-/// Returns the recording of a function, the same one at every call.
+/// Returns the recording of a function, which is made once.
 fn recording<In: Item<Scalar: Real>, F: Traced<In>>(
     function: F,
 ) -> Result<Arc<Recording<In::Scalar>>, Error> {

@@ -127,7 +127,8 @@ verb! {
     pub Angle: (a, b)
     /// Image of a point of a camera's frame, in pixels.
     pub Project: (point, camera)
-    /// Box of an image, whose y axis points down, as a box whose y axis points up; takes the height of the image in pixels.
+    /// Box of an image, whose y axis points down, as a box whose y axis points up; takes the height of the image in
+    /// pixels.
     pub FlipY: (shape, image_height)
     /// IoU to a power (He et al. 2021), 0 to 1; of boxes in space the power is three.
     pub AlphaIou: (a, b, power)

@@ -1,7 +1,7 @@
 //! Verbs as methods of their first argument, for every pair of shapes that has a row.
 use super::{Binary, Unary};
 
-/// Traits with a method each.
+/// Defines traits of one method each.
 macro_rules! methods {
     ($($Verb:ident $method:ident;)*) => { $(
         #[doc = concat!("[`", stringify!($Verb), "`](crate::kernels::verbs::", stringify!($Verb), ") as a method.")]
@@ -64,7 +64,7 @@ methods! {
     FlipY flip_y;
 }
 
-/// Traits with a method each, of one shape.
+/// Defines traits of one method each, for a single shape.
 macro_rules! methods_of_one {
     ($($Verb:ident $method:ident;)*) => { $(
         #[doc = concat!("[`", stringify!($Verb), "`](crate::kernels::verbs::", stringify!($Verb), ") as a method.")]

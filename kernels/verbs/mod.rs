@@ -22,7 +22,7 @@
 //! ([`prelude`](crate::prelude)): `a.iou(b)`. Distances, closest points and penetration are methods of any two convex
 //! shapes of the plane ([`Convex`](crate::distance::Convex)); a row adds no method to them: `Distance.of(a, b)` calls
 //! it. A batch of a pair without a row runs `function(|a: Segment2<_>, b: Triangle2<_>| a.distance(b))`. A method,
-//! [`of`](Iou::of) and a batch return the same bits. A verb takes up to three arguments; [`function`] and an operation
+//! [`of`](Iou::of) and a batch return equal bits. A verb takes up to three arguments; [`function`] and an operation
 //! with a name of its own take up to six.
 //!
 //! # Verbs by shapes
@@ -163,7 +163,7 @@ macro_rules! verb {
     )+ };
 }
 
-/// A verb as a method of its first argument, by the number of arguments.
+/// Defines a verb's method of its first argument, by the number of arguments.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __verb_method {
@@ -229,7 +229,7 @@ macro_rules! __verb_method {
     };
 }
 
-/// The method `of`, by the number of arguments.
+/// Defines the method `of`, by the number of arguments.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __verb_applies {
@@ -280,7 +280,7 @@ macro_rules! __verb_applies {
     };
 }
 
-/// `Takes` and `Function` for a verb, by the operation of its row.
+/// Implements `Takes` and `Function` for a verb, by the operation of its row.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __verb_runs {

@@ -12,16 +12,16 @@ use pyo3::exceptions::{PyMemoryError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-/// An argument as it was given.
-pub enum Given<'py> {
+/// An argument in the form of the caller.
+pub enum CallArgument<'py> {
     Array(Bound<'py, PyUntypedArray>),
-    /// Arrays of one axis, of one length and format: a field each.
+    /// Arrays of one axis, of one length and format: one per field.
     Columns(Vec<Py<PyUntypedArray>>),
     Number(f64),
 }
 
-impl<'py> Given<'py> {
-    /// An argument for a column: an array, or a shape of its kind.
+impl<'py> CallArgument<'py> {
+    /// Reads an argument for a column: an array, or a shape of its kind.
     pub fn new(x: &Bound<'py, PyAny>, column: &Column) -> PyResult<Self> {
         if let Ok(shape) = x.cast::<Shape>() {
             let shape = shape.get();
@@ -34,81 +34,85 @@ impl<'py> Given<'py> {
                 )));
             }
             return match &shape.content {
-                Content::Array(array) => Ok(Given::Array(array.bind(x.py()).clone())),
-                Content::Columns(columns) if column.kind == shape.kind => Ok(Given::Columns(
-                    columns.iter().map(|own| own.clone_ref(x.py())).collect(),
-                )),
-                Content::Columns(columns) => {
-                    Ok(Given::Array(stacked(x.py(), columns)?.into_bound(x.py())))
+                Content::Array(array) => Ok(CallArgument::Array(array.bind(x.py()).clone())),
+                Content::Columns(columns) if column.kind == shape.kind => {
+                    Ok(CallArgument::Columns(
+                        columns.iter().map(|own| own.clone_ref(x.py())).collect(),
+                    ))
                 }
+                Content::Columns(columns) => Ok(CallArgument::Array(
+                    stacked(x.py(), columns)?.into_bound(x.py()),
+                )),
                 Content::Items(_) => Err(symbolic(&column.name)),
             };
         }
         if column.axes.is_empty()
             && let Ok(number) = x.cast_exact::<pyo3::types::PyFloat>()
         {
-            return Ok(Given::Number(number.extract()?));
+            return Ok(CallArgument::Number(number.extract()?));
         }
         let array = array(x, &column.name, column.kind)?;
-        // A lone number stands for a shape of one.
+        // A lone number stands for a shape with one number.
         if table().is_one_number(column.kind)
             && column.axes == [1]
             && array.shape().last() != Some(&1)
         {
             let key = (x.py().Ellipsis(), x.py().None());
-            return Ok(Given::Array(array.as_any().get_item(key)?.cast_into()?));
+            return Ok(CallArgument::Array(
+                array.as_any().get_item(key)?.cast_into()?,
+            ));
         }
-        Ok(Given::Array(array))
+        Ok(CallArgument::Array(array))
     }
-    /// True if it is an array of `f32`, or says nothing.
+    /// Returns `true` for an array of `f32`; `None` for an argument without a format.
     fn format(&self, py: Python<'_>) -> Option<bool> {
         match self {
-            Given::Columns(columns) => {
+            CallArgument::Columns(columns) => {
                 let first = columns.first()?.bind(py);
                 Some(first.dtype().itemsize() == 8)
             }
-            Given::Array(array) if array.ndim() > 0 => Some(array.dtype().itemsize() == 8),
+            CallArgument::Array(array) if array.ndim() > 0 => Some(array.dtype().itemsize() == 8),
             _ => None,
         }
     }
 }
 
-/// Why symbols cannot be used here.
+/// Returns the error for symbols in a place that cannot take them.
 pub fn symbolic(name: &str) -> PyErr {
     PyTypeError::new_err(format!(
         "`{name}` has symbols, which only the plain call of a verb or a function takes"
     ))
 }
 
-/// True if a call is in `f64`: not if all arrays are `f32`.
-pub fn is_double(py: Python<'_>, given: &[Given<'_>]) -> bool {
+/// Returns `true` if a call is in `f64`: unless all arrays are `f32`.
+pub fn is_double(py: Python<'_>, given: &[CallArgument<'_>]) -> bool {
     let mut formats = given.iter().filter_map(|own| own.format(py)).peekable();
     formats.peek().is_none() || formats.any(|is_double| is_double)
 }
 
-/// An argument, lent: its numbers one after another, or an array for every field.
-pub struct Lent<'py, T: Number> {
+/// A borrowed argument: its numbers in row-major order, or an array for every field.
+pub struct ArgumentNumbers<'py, T: Number> {
     parts: Vec<PyReadonlyArrayDyn<'py, T>>,
     is_apart: bool,
     lead: Vec<usize>,
     fields: usize,
 }
 
-impl<'py, T: Number> Lent<'py, T> {
-    /// The numbers of an argument, copied only where they are of another format or not one after another.
-    pub fn new(py: Python<'py>, given: Given<'py>, column: &Column) -> PyResult<Self> {
+impl<'py, T: Number> ArgumentNumbers<'py, T> {
+    /// Borrows the numbers of an argument. Copies arrays of another format, or not contiguous.
+    pub fn new(py: Python<'py>, given: CallArgument<'py>, column: &Column) -> PyResult<Self> {
         let array = match given {
-            Given::Array(array) => array.into_any(),
-            Given::Columns(columns) if columns.len() == column.fields() => {
+            CallArgument::Array(array) => array.into_any(),
+            CallArgument::Columns(columns) if columns.len() == column.fields() => {
                 let count = columns.first().map_or(0, |own| own.bind(py).len());
-                // One row may stand for all, as rows do.
+                // One row may stand for all, as in [`Rows`].
                 if count != 1 {
-                    return Lent::apart(py, columns, column, count);
+                    return ArgumentNumbers::apart(py, columns, column, count);
                 }
                 stacked(py, &columns)?.into_bound(py).into_any()
             }
-            Given::Columns(columns) => stacked(py, &columns)?.into_bound(py).into_any(),
-            Given::Number(x) => PyArrayDyn::<T>::from_owned_array(
+            CallArgument::Columns(columns) => stacked(py, &columns)?.into_bound(py).into_any(),
+            CallArgument::Number(x) => PyArrayDyn::<T>::from_owned_array(
                 py,
                 numpy::ndarray::arr0(T::narrowed(x)).into_dyn(),
             )
@@ -116,7 +120,7 @@ impl<'py, T: Number> Lent<'py, T> {
         };
         let array = plain::<T>(array)?;
         let lead = lead(array.shape(), column)?.to_vec();
-        Lent::whole(array, lead, column)
+        ArgumentNumbers::whole(array, lead, column)
     }
     fn whole(
         array: Bound<'py, PyArrayDyn<T>>,
@@ -124,7 +128,7 @@ impl<'py, T: Number> Lent<'py, T> {
         column: &Column,
     ) -> PyResult<Self> {
         let numbers = array.try_readonly().map_err(|_| in_use(&column.name))?;
-        Ok(Lent {
+        Ok(ArgumentNumbers {
             parts: vec![numbers],
             is_apart: false,
             lead,
@@ -142,18 +146,18 @@ impl<'py, T: Number> Lent<'py, T> {
             let own = plain::<T>(own.into_bound(py).into_any())?;
             parts.push(own.try_readonly().map_err(|_| in_use(&column.name))?);
         }
-        Ok(Lent {
+        Ok(ArgumentNumbers {
             parts,
             is_apart: true,
             lead: vec![count],
             fields: column.fields(),
         })
     }
-    /// Axes before those of the fields.
+    /// Returns the axes before the axes of fields.
     pub fn lead(&self) -> &[usize] {
         &self.lead
     }
-    /// The numbers of an argument that is no shape.
+    /// Returns the numbers of an argument that is no shape.
     pub fn numbers(&self) -> PyResult<&[T]> {
         match (&self.parts[..], self.is_apart) {
             ([whole], false) => slice(whole),
@@ -162,11 +166,11 @@ impl<'py, T: Number> Lent<'py, T> {
             )),
         }
     }
-    /// What [`rows`](Lent::rows) are made of: all numbers, or those of every field.
+    /// Returns the slices from which [`rows`](ArgumentNumbers::rows) makes rows: all numbers, or those of every field.
     pub fn slices(&self) -> PyResult<Vec<&[T]>> {
         self.parts.iter().map(slice).collect()
     }
-    /// As rows, of which one stands for all if it may.
+    /// Returns the rows; one row stands for all if it may.
     pub fn rows<'s>(&self, slices: &'s [&'s [T]], may_be_one: bool) -> Rows<'s, T> {
         match slices {
             [numbers] if !self.is_apart && may_be_one && self.count() == 1 => Rows::one(numbers),
@@ -177,7 +181,7 @@ impl<'py, T: Number> Lent<'py, T> {
     pub fn count(&self) -> usize {
         self.lead.iter().product()
     }
-    /// Rows repeated for the leading axes of a result.
+    /// Repeats rows for the leading axes of a result.
     pub fn repeated(self, py: Python<'py>, lead: &[usize], column: &Column) -> PyResult<Self> {
         let shape = with_fields(lead, column);
         let numpy = py.import("numpy")?;
@@ -191,11 +195,11 @@ impl<'py, T: Number> Lent<'py, T> {
             }
         };
         let array = numpy.call_method1("broadcast_to", (array, PyTuple::new(py, &shape)?))?;
-        Lent::whole(plain::<T>(array)?, lead.to_vec(), column)
+        ArgumentNumbers::whole(plain::<T>(array)?, lead.to_vec(), column)
     }
 }
 
-/// The numbers of an array, one after another.
+/// Returns the numbers of a contiguous array.
 fn slice<'s, T: Number>(own: &'s PyReadonlyArrayDyn<'_, T>) -> PyResult<&'s [T]> {
     let failed = |error: numpy::AsSliceError| PyValueError::new_err(error.to_string());
     own.as_slice().map_err(failed)
@@ -205,7 +209,7 @@ fn in_use(name: &str) -> PyErr {
     PyValueError::new_err(format!("`{name}` is being written by another call"))
 }
 
-/// An array of a format whose numbers are one after another: itself, or a copy.
+/// Returns a contiguous array in the format: the array itself, or a copy.
 fn plain<T: Number>(array: Bound<'_, PyAny>) -> PyResult<Bound<'_, PyArrayDyn<T>>> {
     let py = array.py();
     if let Ok(same) = array.cast::<PyArrayDyn<T>>()
@@ -221,14 +225,14 @@ fn plain<T: Number>(array: Bound<'_, PyAny>) -> PyResult<Bound<'_, PyArrayDyn<T>
     Ok(made.cast_into::<PyArrayDyn<T>>()?)
 }
 
-/// The shape of an array of a column.
+/// Returns the shape of an array of a column.
 pub fn with_fields(lead: &[usize], column: &Column) -> Vec<usize> {
     let mut shape = lead.to_vec();
     shape.extend(&column.axes);
     shape
 }
 
-/// The axes of an array before those of its fields.
+/// Returns the axes of an array before the axes of its fields.
 fn lead<'a>(shape: &'a [usize], column: &Column) -> PyResult<&'a [usize]> {
     if column.axes.is_empty() {
         return Ok(shape);
@@ -251,9 +255,9 @@ fn lead<'a>(shape: &'a [usize], column: &Column) -> PyResult<&'a [usize]> {
     }
 }
 
-/// The leading axes of a result, by NumPy's rules, and how many rows that are.
+/// Returns the leading axes of a result, by NumPy's rules, and their number of rows.
 pub fn broadcast<T: Number>(
-    lent: &[Lent<'_, T>],
+    lent: &[ArgumentNumbers<'_, T>],
     columns: &[Column],
 ) -> PyResult<(Vec<usize>, usize)> {
     let axes = lent.iter().map(|x| x.lead.len()).max().unwrap_or(0);
@@ -284,22 +288,22 @@ pub fn broadcast<T: Number>(
     }
 }
 
-fn shapes_of<T: Number>(lent: &[Lent<'_, T>]) -> String {
-    let one = |x: &Lent<'_, T>| match x.is_apart {
+fn shapes_of<T: Number>(lent: &[ArgumentNumbers<'_, T>]) -> String {
+    let one = |x: &ArgumentNumbers<'_, T>| match x.is_apart {
         true => format!("{:?}", [x.count(), x.fields]),
         false => format!("{:?}", x.parts[0].shape()),
     };
     lent.iter().map(one).collect::<Vec<_>>().join(" and ")
 }
 
-/// Arguments whose rows are as many as those of the result, or one.
+/// Repeats arguments so that each has as many rows as the result, or one.
 pub fn aligned<'py, T: Number>(
     py: Python<'py>,
-    lent: Vec<Lent<'py, T>>,
+    lent: Vec<ArgumentNumbers<'py, T>>,
     columns: &[Column],
     lead: &[usize],
     count: usize,
-) -> PyResult<Vec<Lent<'py, T>>> {
+) -> PyResult<Vec<ArgumentNumbers<'py, T>>> {
     let fitted = lent
         .into_iter()
         .zip(columns)
@@ -321,7 +325,7 @@ pub fn aligned<'py, T: Number>(
     fitted.collect()
 }
 
-/// An array for results: a new one whose numbers are all written, or the caller's.
+/// An array for results: a new one that is written completely, or the caller's.
 pub struct Target<'py, T: Number> {
     array: Bound<'py, PyArrayDyn<T>>,
     object: Bound<'py, PyAny>,
@@ -349,7 +353,7 @@ impl<'py, T: Number> Target<'py, T> {
             is_callers: false,
         })
     }
-    /// The caller's array, or that of the caller's shape.
+    /// Returns the caller's array as a target, also if it is inside a shape.
     pub fn given(out: &Bound<'py, PyAny>, shape: &[usize], name: &str) -> PyResult<Self> {
         let mut object = out.clone();
         if let Ok(dressed) = out.cast::<Shape>()
@@ -391,7 +395,7 @@ impl<'py, T: Number> Target<'py, T> {
             ))
         })
     }
-    /// The result as an object: the caller's own, or the new array by `dress`.
+    /// Returns the result as an object: the caller's own, or the new array after `dress`.
     pub fn done(
         self,
         dress: impl FnOnce(Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>>,
@@ -403,14 +407,14 @@ impl<'py, T: Number> Target<'py, T> {
     }
 }
 
-/// The numbers of a locked array.
+/// Returns the numbers of a locked array.
 pub fn written<'a, T: Number>(guard: &'a mut PyReadwriteArrayDyn<'_, T>) -> PyResult<&'a mut [T]> {
     guard
         .as_slice_mut()
         .map_err(|error| PyValueError::new_err(error.to_string()))
 }
 
-/// Offsets of groups or of paths: whole numbers, none of them negative.
+/// Returns offsets of groups or of paths: whole numbers that are not negative.
 pub fn offsets(py: Python<'_>, x: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<usize>> {
     let array = py.import("numpy")?.call_method1("asarray", (x,))?;
     let dtype = array.getattr("dtype")?;

@@ -1,6 +1,6 @@
-//! Callables: a row of the table, or a traced function, with everything that is derived of it.
+//! Callables: a row of the table, or a traced function, with their derivatives.
 use crate::column::{Column, Kind, NUMBERS};
-use crate::number::{Form, Made, Number};
+use crate::number::{BothFormats, Form, Number};
 use crate::raised;
 use crate::tracing::Traced;
 use geograd::kernels::dynamic::{Function, Mode, OnPaths, Operation, Program, Sort};
@@ -11,20 +11,20 @@ use std::sync::OnceLock;
 #[derive(Default)]
 struct Cache {
     signatures: [OnceLock<Signature>; 7],
-    made: Made,
+    made: BothFormats,
 }
 
-enum Body {
+enum CallableBody {
     Row(&'static Operation),
     Traced(Traced),
 }
 
 /// A row or a traced function.
 pub struct Callable {
-    body: Body,
-    /// The arguments, but for paths.
+    body: CallableBody,
+    /// The arguments, without paths.
     pub takes: Vec<Column>,
-    /// The results; a traced function has them after its first recording only.
+    /// The results; a traced function has them after its first recording.
     gives: OnceLock<Vec<Column>>,
     cache: Cache,
 }
@@ -38,7 +38,7 @@ pub struct Signature {
 impl Callable {
     pub fn of_row(operation: &'static Operation, takes: Vec<Column>, gives: Vec<Column>) -> Self {
         Callable {
-            body: Body::Row(operation),
+            body: CallableBody::Row(operation),
             takes,
             gives: OnceLock::from(gives),
             cache: Cache::default(),
@@ -46,50 +46,50 @@ impl Callable {
     }
     pub fn of_traced(traced: Traced, takes: Vec<Column>) -> Self {
         Callable {
-            body: Body::Traced(traced),
+            body: CallableBody::Traced(traced),
             takes,
             gives: OnceLock::new(),
             cache: Cache::default(),
         }
     }
-    /// The row that it is.
+    /// Returns the row, if it is one.
     pub fn operation(&self) -> Option<&'static Operation> {
         match &self.body {
-            Body::Row(operation) => Some(operation),
-            Body::Traced(_) => None,
+            CallableBody::Row(operation) => Some(operation),
+            CallableBody::Traced(_) => None,
         }
     }
-    /// The function of Python that it records.
+    /// Returns the function of Python that it records, if it is one.
     pub fn traced(&self) -> Option<&Traced> {
         match &self.body {
-            Body::Row(_) => None,
-            Body::Traced(traced) => Some(traced),
+            CallableBody::Row(_) => None,
+            CallableBody::Traced(traced) => Some(traced),
         }
     }
     pub fn is_of_paths(&self) -> bool {
         self.operation().is_some_and(|row| row.sort == Sort::Fold)
     }
-    /// True if its result is a tuple, even of one.
+    /// Returns `true` if its result is a tuple, even of one.
     pub fn is_tuple(&self) -> bool {
         match &self.body {
-            Body::Row(_) => self.gives().len() > 1,
-            Body::Traced(traced) => traced.is_tuple(),
+            CallableBody::Row(_) => self.gives().len() > 1,
+            CallableBody::Traced(traced) => traced.is_tuple(),
         }
     }
-    /// The results, after it was recorded; none before.
+    /// Returns the results; an empty list before the recording.
     pub fn gives(&self) -> &[Column] {
         self.gives.get().map_or(&[], |gives| gives)
     }
-    /// Numbers of a result.
+    /// Returns the number of scalars of a result.
     pub fn outputs(&self) -> usize {
         self.gives().iter().map(Column::fields).sum()
     }
-    /// Numbers of an input.
+    /// Returns the number of scalars of an input.
     pub fn inputs(&self) -> usize {
         self.takes.iter().map(Column::fields).sum()
     }
 
-    /// The columns of a form.
+    /// Returns the columns of a form.
     pub fn signature(&self, form: Form) -> PyResult<&Signature> {
         let kept = &self.cache.signatures[form as usize];
         if let Some(signature) = kept.get() {
@@ -159,15 +159,17 @@ impl Callable {
         Signature { takes, gives }
     }
 
-    /// The program of a form.
+    /// Returns the program of a form.
     pub fn program<T: Number>(&self, form: Form) -> PyResult<&Program<T>> {
         let kept = &T::made(&self.cache.made).programs[form as usize];
         if let Some(program) = kept.get() {
             return Ok(program);
         }
         let made = match (form, &self.body) {
-            (Form::Value, Body::Row(operation)) => operation.program::<T>().map_err(raised)?,
-            (Form::Value, Body::Traced(traced)) => {
+            (Form::Value, CallableBody::Row(operation)) => {
+                operation.program::<T>().map_err(raised)?
+            }
+            (Form::Value, CallableBody::Traced(traced)) => {
                 let (program, gives) = traced.record::<T>(&self.takes)?;
                 let known = self.gives.get_or_init(|| gives.clone());
                 let widths =
@@ -195,14 +197,14 @@ impl Callable {
         Ok(kept.get_or_init(|| made))
     }
 
-    /// The function of a form.
+    /// Returns the function of a form.
     pub fn function<T: Number>(&self, form: Form) -> PyResult<&Function<T>> {
         let kept = &T::made(&self.cache.made).functions[form as usize];
         if let Some(function) = kept.get() {
             return Ok(function);
         }
         let of_row = match &self.body {
-            Body::Row(operation) => {
+            CallableBody::Row(operation) => {
                 let mode = match form {
                     Form::Value => Some(Mode::Value),
                     Form::ValueGrad => Some(Mode::ValueGrad),
@@ -211,7 +213,7 @@ impl Callable {
                 };
                 mode.and_then(|mode| operation.function::<T>(mode))
             }
-            Body::Traced(_) => None,
+            CallableBody::Traced(_) => None,
         };
         let made = match of_row {
             Some(function) => function,
@@ -220,7 +222,7 @@ impl Callable {
         Ok(kept.get_or_init(|| made))
     }
 
-    /// The function of paths.
+    /// Returns the function of paths.
     pub fn on_paths<T: Number>(&self) -> PyResult<&OnPaths<T>> {
         let kept = T::made(&self.cache.made)
             .on_paths

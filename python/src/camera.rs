@@ -1,4 +1,4 @@
-//! Cameras: which points they see.
+//! Cameras and the points that they see.
 use crate::table::table;
 use geograd::camera::{BrownConrady, Fisheye, Pinhole};
 use geograd::{Fixed, Pack, Vec3};

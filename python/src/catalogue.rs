@@ -5,7 +5,7 @@ use crate::table::table;
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
-/// A row: a verb of certain shapes.
+/// A row: a verb with certain shapes.
 pub struct Row {
     pub takes: Vec<Kind>,
     pub call: Callable,
@@ -17,7 +17,7 @@ pub struct Verb {
     pub rows: Vec<Row>,
 }
 
-/// All verbs, in the order of their first rows.
+/// Returns all verbs, in the order of their first rows.
 pub fn verbs() -> &'static [Verb] {
     static VERBS: OnceLock<Vec<Verb>> = OnceLock::new();
     VERBS.get_or_init(|| {

@@ -86,7 +86,7 @@ impl Report {
     }
 }
 
-/// How inputs of columns are drawn.
+/// Returns the distribution of inputs for columns.
 fn inputs(columns: &[Column]) -> Inputs {
     let mut parts = Vec::new();
     for column in columns {
@@ -98,7 +98,7 @@ fn inputs(columns: &[Column]) -> Inputs {
     Inputs::new(parts)
 }
 
-/// The names of the numbers of columns.
+/// Returns the names of the numbers of columns.
 fn names(columns: &[Column]) -> Vec<String> {
     let mut all = Vec::new();
     for column in columns {
@@ -120,9 +120,9 @@ fn names(columns: &[Column]) -> Vec<String> {
     all
 }
 
-/// The arguments of a check beside its function.
+/// The arguments of a check besides its function.
 #[derive(FromPyObject)]
-pub struct Asked<'py> {
+pub struct CheckArguments<'py> {
     #[pyo3(item)]
     samples: usize,
     #[pyo3(item)]
@@ -140,7 +140,7 @@ pub struct Asked<'py> {
     jumps: String,
 }
 
-impl Asked<'_> {
+impl CheckArguments<'_> {
     fn jumps(&self) -> PyResult<Jumps> {
         match self.jumps.as_str() {
             "never" => Ok(Jumps::Never),
@@ -153,11 +153,11 @@ impl Asked<'_> {
     }
 }
 
-/// The first exception of a function of Python, after which nothing is called any more.
+/// The first exception of a function of Python, after which no function is called.
 #[derive(Default)]
-struct Thrown(RefCell<Option<PyErr>>);
+struct FirstException(RefCell<Option<PyErr>>);
 
-impl Thrown {
+impl FirstException {
     fn or<X>(&self, otherwise: X, call: impl FnOnce() -> PyResult<X>) -> X {
         if self.0.borrow().is_some() {
             return otherwise;
@@ -175,13 +175,13 @@ impl Thrown {
     }
 }
 
-/// Runs a check with what was asked.
+/// Runs a check with these arguments.
 fn with<'py, X>(
     py: Python<'py>,
-    asked: &Asked<'py>,
+    asked: &CheckArguments<'py>,
     run: impl FnOnce(&Sampling<'_>) -> PyResult<X>,
 ) -> PyResult<X> {
-    let thrown = Thrown::default();
+    let thrown = FirstException::default();
     let inside = |x: &[f64]| {
         thrown.or(false, || match &asked.inside {
             Some(inside) => inside.call1((PyArray1::from_slice(py, x),))?.is_truthy(),
@@ -208,7 +208,7 @@ fn with<'py, X>(
 pub fn check_recorded<'py>(
     py: Python<'py>,
     of: &Recorded,
-    asked: Asked<'py>,
+    asked: CheckArguments<'py>,
 ) -> PyResult<Vec<Report>> {
     use crate::number::Form;
     let double = of.call.program::<f64>(Form::Value)?.clone();
@@ -241,7 +241,7 @@ pub fn check_callables<'py>(
     value: &Bound<'py, PyAny>,
     gradient: &Bound<'py, PyAny>,
     takes: Vec<(String, Option<String>, usize)>,
-    asked: Asked<'py>,
+    asked: CheckArguments<'py>,
     double: bool,
 ) -> PyResult<Report> {
     let columns = crate::traced::columns(takes)?;
@@ -266,7 +266,7 @@ fn judged<T: Number>(
     jumps: Jumps,
 ) -> PyResult<Found> {
     let py = value.py();
-    let (thrown, outputs) = (Thrown::default(), Cell::new(1));
+    let (thrown, outputs) = (FirstException::default(), Cell::new(1));
     let nowhere = |n: usize| vec![T::narrowed(f64::NAN); n];
     let value = |x: Vec<T>| {
         thrown.or(nowhere(outputs.get()), || {
@@ -275,7 +275,7 @@ fn judged<T: Number>(
             Ok(y)
         })
     };
-    // One number of the result: its gradient; several: the products with a cotangent.
+    // With one number in the result the gradient; with several the products with a cotangent.
     let adjoint = |x: Vec<T>, bar: &[T]| {
         let n = x.len();
         thrown.or(nowhere(n), || {
@@ -299,7 +299,7 @@ fn judged<T: Number>(
     thrown.done(found)
 }
 
-/// A list of numbers in a format.
+/// Returns a list of numbers in a format.
 fn listed<T: Number>(x: &Bound<'_, PyAny>) -> PyResult<Vec<T>> {
     let py = x.py();
     let array = py

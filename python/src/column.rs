@@ -1,10 +1,10 @@
 //! Arguments and results, and the kinds of their shapes.
 
-/// The place of a shape in the table.
+/// The index of a shape in the table.
 pub type Kind = u16;
 /// A lone number, which has no axis of its own.
 pub const NUMBER: Kind = 0;
-/// Paths, which have vertices and offsets: in the plane, and in space.
+/// Paths, which have vertices and offsets, in the plane and in space.
 pub const RING: Kind = 1;
 pub const POLYLINE: Kind = 2;
 pub const POLYLINE3: Kind = 3;
@@ -17,12 +17,12 @@ pub const NUMBERS: Kind = Kind::MAX;
 pub struct Column {
     pub name: String,
     pub kind: Kind,
-    /// Axes of the numbers of a row: none of a lone number, two of a matrix.
+    /// The axes of the numbers of a row: none for a lone number, two for a matrix.
     pub axes: Vec<usize>,
 }
 
 impl Column {
-    /// Numbers of a row.
+    /// Returns the number of scalars of a row.
     pub fn fields(&self) -> usize {
         self.axes.iter().product()
     }

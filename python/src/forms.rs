@@ -1,5 +1,7 @@
 //! The forms of a call, for rows of the table and traced functions alike.
-use crate::arrays::{Given, Lent, Target, aligned, broadcast, with_fields, written};
+use crate::arrays::{
+    ArgumentNumbers, CallArgument, Target, aligned, broadcast, with_fields, written,
+};
 use crate::call::Callable;
 use crate::column::{Column, NUMBERS};
 use crate::machine::Machine;
@@ -53,7 +55,7 @@ fn flattened<'py>(out: &Object<'py>, into: &mut Vec<Option<Object<'py>>>) -> PyR
 
 impl<'py> Call<'_, 'py> {
     /// The arguments of columns.
-    pub fn given(&self, columns: &[Column]) -> PyResult<Vec<Given<'py>>> {
+    pub fn given(&self, columns: &[Column]) -> PyResult<Vec<CallArgument<'py>>> {
         if self.arguments.len() != columns.len() {
             let names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
             return Err(PyTypeError::new_err(format!(
@@ -67,18 +69,18 @@ impl<'py> Call<'_, 'py> {
         self.arguments
             .iter()
             .zip(columns)
-            .map(|(x, column)| Given::new(x, column))
+            .map(|(x, column)| CallArgument::new(x, column))
             .collect()
     }
     pub fn lent<T: Number>(
         &self,
-        given: Vec<Given<'py>>,
+        given: Vec<CallArgument<'py>>,
         columns: &[Column],
-    ) -> PyResult<Vec<Lent<'py, T>>> {
+    ) -> PyResult<Vec<ArgumentNumbers<'py, T>>> {
         given
             .into_iter()
             .zip(columns)
-            .map(|(x, column)| Lent::new(self.py, x, column))
+            .map(|(x, column)| ArgumentNumbers::new(self.py, x, column))
             .collect()
     }
     pub fn run<R: Send>(
@@ -102,13 +104,13 @@ impl<'py> Call<'_, 'py> {
         let given = self.given(&signature.takes)?;
         in_format!(self, given, items, form)
     }
-    fn items<T: Number>(&self, given: Vec<Given<'py>>, form: Form) -> PyResult<Object<'py>> {
+    fn items<T: Number>(&self, given: Vec<CallArgument<'py>>, form: Form) -> PyResult<Object<'py>> {
         let takes = &self.of.signature(form)?.takes;
         let function = self.of.function::<T>(form)?;
         let lent = self.lent::<T>(given, takes)?;
         let (lead, count) = broadcast(&lent, takes)?;
         let lent = aligned(self.py, lent, takes, &lead, count)?;
-        let slices = lent.iter().map(Lent::slices);
+        let slices = lent.iter().map(ArgumentNumbers::slices);
         let slices = slices.collect::<PyResult<Vec<_>>>()?;
         let rows = lent.iter().zip(&slices);
         let rows: Vec<_> = rows.map(|(x, slices)| x.rows(slices, true)).collect();

@@ -1,5 +1,5 @@
 //! Pairs within groups, and suppression.
-use crate::arrays::{Given, Lent, is_double, offsets};
+use crate::arrays::{ArgumentNumbers, CallArgument, is_double, offsets};
 use crate::column::{Column, NUMBERS};
 use crate::forms::{Call, Object, in_format};
 use crate::number::{Form, Number};
@@ -11,7 +11,7 @@ use numpy::PyArray1;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 
-/// The offsets of both lists.
+/// Returns the offsets of both lists.
 pub fn both(py: Python<'_>, groups: &Object<'_>) -> PyResult<[Vec<usize>; 2]> {
     let needed = || PyTypeError::new_err("groups: the offsets of both lists are needed");
     let pair = groups.try_iter().map_err(|_| needed())?;
@@ -25,8 +25,8 @@ pub fn both(py: Python<'_>, groups: &Object<'_>) -> PyResult<[Vec<usize>; 2]> {
     ])
 }
 
-/// The arguments of suppression beside shapes.
-pub struct Asked<'a, 'py> {
+/// The arguments of suppression besides shapes.
+pub struct SuppressArguments<'a, 'py> {
     pub scores: &'a Object<'py>,
     pub overlap: f64,
     pub score: Option<f64>,
@@ -35,7 +35,7 @@ pub struct Asked<'a, 'py> {
     pub offsets: Option<Vec<usize>>,
 }
 
-impl<'a, 'py> Asked<'a, 'py> {
+impl<'a, 'py> SuppressArguments<'a, 'py> {
     pub fn new(
         scores: &'a Object<'py>,
         overlap: f64,
@@ -45,7 +45,7 @@ impl<'a, 'py> Asked<'a, 'py> {
         groups: Option<&Object<'py>>,
     ) -> PyResult<Self> {
         let offsets = groups.map(|groups| offsets(groups.py(), groups, "groups"));
-        Ok(Asked {
+        Ok(SuppressArguments {
             scores,
             overlap,
             score,
@@ -57,14 +57,14 @@ impl<'a, 'py> Asked<'a, 'py> {
 }
 
 impl<'py> Call<'_, 'py> {
-    /// Every pair of a group above a threshold: rows, columns, values.
+    /// Returns every pair of a group above a threshold: rows, columns, values.
     pub fn above_grouped(&self, threshold: f64, groups: &Object<'py>) -> PyResult<Object<'py>> {
         let (given, groups) = (self.two()?, both(self.py, groups)?);
         in_format!(self, given, found_grouped, threshold, &groups)
     }
     fn found_grouped<T: Number>(
         &self,
-        given: Vec<Given<'py>>,
+        given: Vec<CallArgument<'py>>,
         threshold: f64,
         groups: &[Vec<usize>; 2],
     ) -> PyResult<Object<'py>> {
@@ -81,15 +81,14 @@ impl<'py> Call<'_, 'py> {
         Ok((rows, columns, values).into_pyobject(self.py)?.into_any())
     }
 
-    /// The largest result of every row or column of a group, and where it is: -inf and -1 where the group has nothing
-    /// on the other side.
+    /// Returns the largest result of every row or column of a group, and its index; -inf and -1 without pairs.
     pub fn most_grouped(&self, of_rows: bool, groups: &Object<'py>) -> PyResult<Object<'py>> {
         let (given, groups) = (self.two()?, both(self.py, groups)?);
         in_format!(self, given, best_grouped, of_rows, &groups)
     }
     fn best_grouped<T: Number>(
         &self,
-        given: Vec<Given<'py>>,
+        given: Vec<CallArgument<'py>>,
         of_rows: bool,
         groups: &[Vec<usize>; 2],
     ) -> PyResult<Object<'py>> {
@@ -117,8 +116,8 @@ impl<'py> Call<'_, 'py> {
         Ok((values, places).into_pyobject(self.py)?.into_any())
     }
 
-    /// The places of the shapes that suppression keeps. It decides shape by shape, on the processor alone.
-    pub fn suppress(&self, asked: &Asked<'_, 'py>) -> PyResult<Object<'py>> {
+    /// Returns the indices of the shapes that suppression keeps. It decides shape by shape, on the CPU alone.
+    pub fn suppress(&self, asked: &SuppressArguments<'_, 'py>) -> PyResult<Object<'py>> {
         let given = self.two()?;
         match is_double(self.py, &given) {
             true => self.kept::<f64>(given, asked),
@@ -127,19 +126,20 @@ impl<'py> Call<'_, 'py> {
     }
     fn kept<T: Number>(
         &self,
-        mut given: Vec<Given<'py>>,
-        asked: &Asked<'_, 'py>,
+        mut given: Vec<CallArgument<'py>>,
+        asked: &SuppressArguments<'_, 'py>,
     ) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
         let needed = || PyTypeError::new_err("a list of shapes is needed");
         let column = &self.of.takes[0];
-        let shapes = Lent::<T>::new(self.py, given.pop().ok_or_else(needed)?, column)?;
+        let shapes = ArgumentNumbers::<T>::new(self.py, given.pop().ok_or_else(needed)?, column)?;
         let scores = Column {
             name: "scores".to_owned(),
             kind: NUMBERS,
             axes: Vec::new(),
         };
-        let scores = Lent::<T>::new(self.py, Given::new(asked.scores, &scores)?, &scores)?;
+        let scores =
+            ArgumentNumbers::<T>::new(self.py, CallArgument::new(asked.scores, &scores)?, &scores)?;
         let (lead, numbers) = (shapes.lead().len(), scores.numbers()?);
         if lead != 1 || scores.lead().len() != 1 {
             return Err(PyValueError::new_err(

@@ -26,7 +26,7 @@ use geograd::Error;
 use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 
-/// An error of the library as an exception.
+/// Converts an error of the library to an exception.
 pub(crate) fn raised(error: Error) -> PyErr {
     let text = error.to_string();
     match error {

@@ -1,4 +1,4 @@
-//! The processor or a GPU.
+//! The machines of calls: the CPU or a GPU.
 use crate::raised;
 use geograd::kernels::dynamic::{Function, OnPaths};
 use geograd::kernels::gpu::Gpu;
@@ -13,7 +13,7 @@ pub enum Machine {
     Gpu(Gpu),
 }
 
-/// The GPU of this process: a forked child has none of its parent's.
+/// Returns the GPU of this process. A forked child cannot use its parent's.
 #[cfg(feature = "gpu")]
 fn gpu() -> PyResult<Gpu> {
     use std::sync::{Mutex, PoisonError};
@@ -27,7 +27,7 @@ fn gpu() -> PyResult<Gpu> {
     }
     let gpu = Gpu::new().map_err(raised)?;
     if let Some((of, old)) = kept.replace((process, gpu.clone())) {
-        // Its driver's threads are the parent's.
+        // The threads of its driver run in the parent only.
         if of != process {
             std::mem::forget(old);
         }
@@ -40,7 +40,7 @@ fn gpu() -> PyResult<Gpu> {
 }
 
 impl Machine {
-    /// The machine that an argument `backend` names.
+    /// Returns the machine that the argument `backend` names.
     pub fn named(name: Option<&str>) -> PyResult<Machine> {
         match name {
             None | Some("cpu") => Ok(Machine::Cpu),
@@ -53,7 +53,7 @@ impl Machine {
     pub fn is_gpu(&self) -> bool {
         matches!(self, Machine::Gpu(_))
     }
-    /// A function as this machine runs it.
+    /// Returns a function on this machine.
     pub fn of<'f, T: Real>(
         &self,
         function: &'f Function<T>,
@@ -63,7 +63,7 @@ impl Machine {
             Machine::Gpu(_) => function.on(self.backend()).map(Cow::Owned),
         }
     }
-    /// A fold as this machine runs it.
+    /// Returns a fold on this machine.
     pub fn of_paths<'f, T: Real>(
         &self,
         fold: &'f OnPaths<T>,

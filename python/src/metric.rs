@@ -1,5 +1,4 @@
-//! Matches of detections and truths, and how good detections are. `geograd.metric` and `geograd.assignment` call these with
-//! arrays of the right formats.
+//! Matches of detections and truths, and metrics of detections.
 use crate::grouped::both;
 use crate::raised;
 use crate::threads::on_threads;
@@ -17,7 +16,7 @@ type Places<'py> = PyReadonlyArray1<'py, i64>;
 type Array<'py, T> = Bound<'py, PyArray1<T>>;
 type Triple<'py> = (Array<'py, i64>, Array<'py, i64>, Array<'py, f64>);
 
-/// A value of a number that marks a detection as wrong, and as one that does not count.
+/// The numbers that mark a detection as wrong, and as one that does not count.
 const WRONG: i64 = -1;
 const IGNORED: i64 = -2;
 
@@ -59,7 +58,7 @@ fn triple<'py>(py: Python<'py>, pairs: &[Pair<f64>]) -> Triple<'py> {
     )
 }
 
-/// The offsets of both lists, where there are any.
+/// Returns the offsets of both lists, if there are groups.
 fn offsets(py: Python<'_>, groups: Option<&Bound<'_, PyAny>>) -> PyResult<Option<[Vec<usize>; 2]>> {
     groups.map(|groups| both(py, groups)).transpose()
 }
@@ -246,8 +245,7 @@ pub fn judge_kitti<'py>(
     ))
 }
 
-/// Objects from rows of x, y, width, length, height, yaw, vx, vy; NaN for a velocity that is unknown, -1 for no
-/// attribute.
+/// Returns objects from rows of x, y, width, length, height, yaw, vx, vy. An unknown velocity is NaN, no attribute -1.
 fn objects(rows: &PyReadonlyArray2<'_, f64>, attributes: &Places<'_>) -> PyResult<Vec<Object>> {
     let (rows, attributes) = (rows.as_array(), attributes.as_slice()?);
     if rows.shape()[1] != 8 || rows.shape()[0] != attributes.len() {

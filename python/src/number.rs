@@ -1,4 +1,4 @@
-//! The two formats of numbers, and what is made in each.
+//! The two formats of numbers, and the values made in each.
 use geograd::Real;
 use geograd::kernels::dynamic::{Function, OnPaths, Program, Symbol};
 use numpy::Element;
@@ -6,7 +6,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::{PyErr, PyResult};
 use std::sync::OnceLock;
 
-/// The functions of a callable that run item by item.
+/// The forms of a callable that run item by item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     Value,
@@ -43,26 +43,26 @@ pub enum Any {
     Double(Symbol<f64>),
 }
 
-/// The error of a symbol that does not belong to the recording.
+/// Returns the error for a symbol that does not belong to the recording.
 pub fn mixed() -> PyErr {
     PyTypeError::new_err(FOREIGN)
 }
 
-/// Why a symbol is refused where it means nothing.
+/// The message for a symbol of another recording.
 const FOREIGN: &str = "this symbol belongs to a recording that is over, or to another one: a traced function may use its own \
                        arguments and numbers only, and must not keep symbols";
 
 /// The two formats of arrays.
 pub trait Number: Real + Element {
     const IS_DOUBLE: bool;
-    fn made(made: &Made) -> &InFormat<Self>;
+    fn made(made: &BothFormats) -> &InFormat<Self>;
     fn narrowed(x: f64) -> Self;
     fn any(symbol: Symbol<Self>) -> Any;
     fn symbol(any: Any) -> PyResult<Symbol<Self>>;
 }
 impl Number for f32 {
     const IS_DOUBLE: bool = false;
-    fn made(made: &Made) -> &InFormat<f32> {
+    fn made(made: &BothFormats) -> &InFormat<f32> {
         &made.single
     }
     fn narrowed(x: f64) -> f32 {
@@ -80,7 +80,7 @@ impl Number for f32 {
 }
 impl Number for f64 {
     const IS_DOUBLE: bool = true;
-    fn made(made: &Made) -> &InFormat<f64> {
+    fn made(made: &BothFormats) -> &InFormat<f64> {
         &made.double
     }
     fn narrowed(x: f64) -> f64 {
@@ -97,7 +97,7 @@ impl Number for f64 {
     }
 }
 
-/// The functions and programs made in one format. Reading takes no lock, which a forked child might find held.
+/// The functions and programs made in one format. Reading takes no lock, which a forked child might find taken.
 pub struct InFormat<T: Number> {
     pub functions: [OnceLock<Function<T>>; 7],
     pub programs: [OnceLock<Program<T>>; 7],
@@ -114,9 +114,9 @@ impl<T: Number> Default for InFormat<T> {
     }
 }
 
-/// The same in both formats.
+/// The functions and programs in both formats.
 #[derive(Default)]
-pub struct Made {
+pub struct BothFormats {
     single: InFormat<f32>,
     double: InFormat<f64>,
 }

@@ -1,5 +1,5 @@
 //! The forms of two lists: every row of the one with every row of the other.
-use crate::arrays::{Given, Lent, Target, written};
+use crate::arrays::{ArgumentNumbers, CallArgument, Target, written};
 use crate::column::{Column, NUMBERS};
 use crate::forms::{Call, Object, in_format};
 use crate::number::{Form, Number};
@@ -79,7 +79,7 @@ impl<'py> Call<'_, 'py> {
         }
     }
     /// Both lists of a call of all pairs.
-    pub fn two(&self) -> PyResult<Vec<Given<'py>>> {
+    pub fn two(&self) -> PyResult<Vec<CallArgument<'py>>> {
         let takes = &self.of.takes;
         if takes.len() != 2 {
             return Err(PyTypeError::new_err(format!(
@@ -90,7 +90,10 @@ impl<'py> Call<'_, 'py> {
         }
         self.given(takes)
     }
-    fn lists<T: Number>(&self, given: Vec<Given<'py>>) -> PyResult<[Lent<'py, T>; 2]> {
+    fn lists<T: Number>(
+        &self,
+        given: Vec<CallArgument<'py>>,
+    ) -> PyResult<[ArgumentNumbers<'py, T>; 2]> {
         let takes = &self.of.takes;
         let lent = self.lent::<T>(given, takes)?;
         for (one, column) in lent.iter().zip(takes) {
@@ -107,25 +110,25 @@ impl<'py> Call<'_, 'py> {
                 )));
             }
         }
-        <[Lent<'py, T>; 2]>::try_from(lent)
+        <[ArgumentNumbers<'py, T>; 2]>::try_from(lent)
             .map_err(|_| PyTypeError::new_err("two lists are needed"))
     }
     /// Both lists of every batch: the axes of the batches, and the lists, each with all of these axes.
     fn batched<T: Number>(
         &self,
-        given: Vec<Given<'py>>,
-    ) -> PyResult<(Vec<usize>, [Lent<'py, T>; 2])> {
+        given: Vec<CallArgument<'py>>,
+    ) -> PyResult<(Vec<usize>, [ArgumentNumbers<'py, T>; 2])> {
         let takes = &self.of.takes;
         let lent = self.lent::<T>(given, takes)?;
         let most = lent.iter().map(|x| x.lead().len()).max().unwrap_or(0);
-        let pair = |all: Vec<Lent<'py, T>>| {
-            <[Lent<'py, T>; 2]>::try_from(all)
+        let pair = |all: Vec<ArgumentNumbers<'py, T>>| {
+            <[ArgumentNumbers<'py, T>; 2]>::try_from(all)
                 .map_err(|_| PyTypeError::new_err("two lists are needed"))
         };
         if most <= 1 {
             return Ok((Vec::new(), pair(lent)?));
         }
-        let axes = |x: &Lent<'py, T>| {
+        let axes = |x: &ArgumentNumbers<'py, T>| {
             x.lead()
                 .split_last()
                 .map_or((1, Vec::new()), |(&n, axes)| (n, axes.to_vec()))
@@ -162,7 +165,7 @@ impl<'py> Call<'_, 'py> {
     fn each<'a, T: Number>(
         &self,
         batches: &[usize],
-        lists: &[Lent<'py, T>; 2],
+        lists: &[ArgumentNumbers<'py, T>; 2],
         slices: &'a [Vec<&'a [T]>; 2],
     ) -> (Vec<[Rows<'a, T>; 2]>, [usize; 2]) {
         let count: usize = batches.iter().product();
@@ -179,7 +182,7 @@ impl<'py> Call<'_, 'py> {
     }
     pub fn reduced<T: Number, R: Send>(
         &self,
-        given: Vec<Given<'py>>,
+        given: Vec<CallArgument<'py>>,
         reduce: impl FnOnce([Rows<'_, T>; 2]) -> Result<R, geograd::Error> + Send,
     ) -> PyResult<R> {
         self.one_number()?;
@@ -196,7 +199,7 @@ impl<'py> Call<'_, 'py> {
         let given = self.two()?;
         in_format!(self, given, pairs)
     }
-    fn pairs<T: Number>(&self, given: Vec<Given<'py>>) -> PyResult<Object<'py>> {
+    fn pairs<T: Number>(&self, given: Vec<CallArgument<'py>>) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
         let (batches, lists) = self.batched::<T>(given)?;
         let slices = [lists[0].slices()?, lists[1].slices()?];
@@ -238,7 +241,11 @@ impl<'py> Call<'_, 'py> {
         let given = self.two()?;
         in_format!(self, given, best, of_rows)
     }
-    fn best<T: Number>(&self, given: Vec<Given<'py>>, of_rows: bool) -> PyResult<Object<'py>> {
+    fn best<T: Number>(
+        &self,
+        given: Vec<CallArgument<'py>>,
+        of_rows: bool,
+    ) -> PyResult<Object<'py>> {
         self.one_number()?;
         let function = self.of.function::<T>(Form::Value)?;
         let (batches, lists) = self.batched::<T>(given)?;
@@ -269,7 +276,11 @@ impl<'py> Call<'_, 'py> {
         let given = self.two()?;
         in_format!(self, given, found, threshold)
     }
-    fn found<T: Number>(&self, given: Vec<Given<'py>>, threshold: f64) -> PyResult<Object<'py>> {
+    fn found<T: Number>(
+        &self,
+        given: Vec<CallArgument<'py>>,
+        threshold: f64,
+    ) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
         let machine = &self.machine;
         let all: Vec<Found<T>> = self.reduced::<T, _>(given, |lists| {
@@ -288,7 +299,7 @@ impl<'py> Call<'_, 'py> {
         let given = self.two()?;
         in_format!(self, given, counted, threshold)
     }
-    fn counted<T: Number>(&self, given: Vec<Given<'py>>, threshold: f64) -> PyResult<u64> {
+    fn counted<T: Number>(&self, given: Vec<CallArgument<'py>>, threshold: f64) -> PyResult<u64> {
         let function = self.of.function::<T>(Form::Value)?;
         let machine = &self.machine;
         self.reduced::<T, _>(given, |lists| {
@@ -303,7 +314,7 @@ impl<'py> Call<'_, 'py> {
         let given = self.two()?;
         in_format!(self, given, totalled, is_mean)
     }
-    fn totalled<T: Number>(&self, given: Vec<Given<'py>>, is_mean: bool) -> PyResult<f64> {
+    fn totalled<T: Number>(&self, given: Vec<CallArgument<'py>>, is_mean: bool) -> PyResult<f64> {
         let function = self.of.function::<T>(Form::Value)?;
         let machine = &self.machine;
         self.reduced::<T, _>(given, |lists| match is_mean {
@@ -317,7 +328,11 @@ impl<'py> Call<'_, 'py> {
         let given = self.two()?;
         in_format!(self, given, lost, is_mean)
     }
-    fn lost<T: Number>(&self, given: Vec<Given<'py>>, is_mean: bool) -> PyResult<Object<'py>> {
+    fn lost<T: Number>(
+        &self,
+        given: Vec<CallArgument<'py>>,
+        is_mean: bool,
+    ) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
         let machine = &self.machine;
         let shapes = self.shapes_of(&given);
@@ -337,10 +352,10 @@ impl<'py> Call<'_, 'py> {
             kind: NUMBERS,
             axes: Vec::new(),
         };
-        given.push(Given::new(upstream, &column)?);
+        given.push(CallArgument::new(upstream, &column)?);
         in_format!(self, given, pulled)
     }
-    fn pulled<T: Number>(&self, mut given: Vec<Given<'py>>) -> PyResult<Object<'py>> {
+    fn pulled<T: Number>(&self, mut given: Vec<CallArgument<'py>>) -> PyResult<Object<'py>> {
         let function = self.of.function::<T>(Form::Value)?;
         let column = Column {
             name: "upstream".to_owned(),
@@ -350,7 +365,7 @@ impl<'py> Call<'_, 'py> {
         let upstream = given
             .pop()
             .ok_or_else(|| PyTypeError::new_err("upstream is needed"))?;
-        let upstream = Lent::<T>::new(self.py, upstream, &column)?;
+        let upstream = ArgumentNumbers::<T>::new(self.py, upstream, &column)?;
         let shapes = self.shapes_of(&given);
         self.one_number()?;
         let [a, b] = self.lists::<T>(given)?;
@@ -373,14 +388,14 @@ impl<'py> Call<'_, 'py> {
             .into_pyobject(self.py)?
             .into_any())
     }
-    fn shapes_of(&self, given: &[Given<'py>]) -> Vec<Vec<usize>> {
-        let shape = |given: &Given<'py>| match given {
-            Given::Array(array) => array.shape().to_vec(),
-            Given::Columns(columns) => {
+    fn shapes_of(&self, given: &[CallArgument<'py>]) -> Vec<Vec<usize>> {
+        let shape = |given: &CallArgument<'py>| match given {
+            CallArgument::Array(array) => array.shape().to_vec(),
+            CallArgument::Columns(columns) => {
                 let count = columns.first().map_or(0, |own| own.bind(self.py).len());
                 vec![count, columns.len()]
             }
-            Given::Number(_) => Vec::new(),
+            CallArgument::Number(_) => Vec::new(),
         };
         given.iter().map(shape).collect()
     }

@@ -1,5 +1,5 @@
 //! The forms of rows of paths.
-use crate::arrays::{Given, Lent, Target, offsets, with_fields, written};
+use crate::arrays::{ArgumentNumbers, CallArgument, Target, offsets, with_fields, written};
 use crate::column::{Column, NUMBERS};
 use crate::forms::{Call, Object, in_format};
 use crate::number::{Form, Number};
@@ -40,11 +40,13 @@ impl<'py> Call<'_, 'py> {
         let mut given = contexts
             .iter()
             .zip(takes)
-            .map(|(x, column)| Given::new(x, column))
+            .map(|(x, column)| CallArgument::new(x, column))
             .collect::<PyResult<Vec<_>>>()?;
-        given.push(Given::Array(paths.get().vertices.bind(self.py).clone()));
+        given.push(CallArgument::Array(
+            paths.get().vertices.bind(self.py).clone(),
+        ));
         if let Some(upstream) = rest.get(1) {
-            given.push(Given::new(upstream, &self.upstream())?);
+            given.push(CallArgument::new(upstream, &self.upstream())?);
         }
         let array = paths.get().offsets.bind(self.py);
         let offsets = offsets(self.py, array.as_any(), "offsets")?;
@@ -65,7 +67,7 @@ impl<'py> Call<'_, 'py> {
     }
     fn on_paths<T: Number>(
         &self,
-        mut given: Vec<Given<'py>>,
+        mut given: Vec<CallArgument<'py>>,
         form: Form,
         offsets: Vec<usize>,
     ) -> PyResult<Object<'py>> {
@@ -82,13 +84,16 @@ impl<'py> Call<'_, 'py> {
         let vertices = rest
             .next()
             .ok_or_else(|| PyTypeError::new_err("paths are needed"))?;
-        let vertices = Lent::<T>::new(self.py, vertices, &column)?;
+        let vertices = ArgumentNumbers::<T>::new(self.py, vertices, &column)?;
         let lent = given.into_iter().zip(takes);
         let lent = lent
-            .map(|(given, column)| Lent::<T>::new(self.py, given, column))
+            .map(|(given, column)| ArgumentNumbers::<T>::new(self.py, given, column))
             .collect::<PyResult<Vec<_>>>()?;
         // One path stands for all rows, as one row does for all paths.
-        let many = lent.iter().map(Lent::count).find(|&rows| rows != 1);
+        let many = lent
+            .iter()
+            .map(ArgumentNumbers::count)
+            .find(|&rows| rows != 1);
         let count = match (paths, many) {
             (1, Some(rows)) if !self.machine.is_gpu() => rows,
             _ => paths,
@@ -97,7 +102,7 @@ impl<'py> Call<'_, 'py> {
             None => None,
             Some(upstream) => {
                 let column = self.upstream();
-                let lent = Lent::<T>::new(self.py, upstream, &column)?;
+                let lent = ArgumentNumbers::<T>::new(self.py, upstream, &column)?;
                 Some(self.full(lent, &column, count)?)
             }
         };
@@ -105,7 +110,7 @@ impl<'py> Call<'_, 'py> {
         for (lent, column) in lent.into_iter().zip(takes) {
             contexts.push(self.full::<T>(lent, column, count)?);
         }
-        let slices = contexts.iter().map(Lent::slices);
+        let slices = contexts.iter().map(ArgumentNumbers::slices);
         let slices = slices.collect::<PyResult<Vec<_>>>()?;
         let rows = contexts.iter().zip(&slices);
         let rows: Vec<_> = rows.map(|(x, slices)| x.rows(slices, false)).collect();
@@ -188,10 +193,10 @@ impl<'py> Call<'_, 'py> {
     /// A row for every path.
     fn full<T: Number>(
         &self,
-        lent: Lent<'py, T>,
+        lent: ArgumentNumbers<'py, T>,
         column: &Column,
         count: usize,
-    ) -> PyResult<Lent<'py, T>> {
+    ) -> PyResult<ArgumentNumbers<'py, T>> {
         if lent.lead() == [count] {
             return Ok(lent);
         }

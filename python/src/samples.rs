@@ -1,4 +1,4 @@
-//! Inputs of rows, as the harness draws them: for tests.
+//! Inputs of rows from the harness, for tests.
 use crate::catalogue::verbs;
 use geograd::check::Sampling;
 use geograd::kernels::check::Inputs;

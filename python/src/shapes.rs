@@ -13,9 +13,9 @@ use pyo3::types::{PyDict, PyList, PyTuple, PyType};
 pub enum Content {
     /// An array whose last axis has the fields.
     Array(Py<PyUntypedArray>),
-    /// Arrays of one axis, of one length and format: a field each.
+    /// Arrays of one axis, of one length and format: one per field.
     Columns(Vec<Py<PyUntypedArray>>),
-    /// Symbols and numbers, a field each.
+    /// Symbols and numbers: one per field.
     Items(Vec<Py<PyAny>>),
 }
 
@@ -41,7 +41,7 @@ impl Columns {
     }
 }
 
-/// Arrays of fields as one array of rows, a copy.
+/// Copies arrays of fields to one array of rows.
 pub fn stacked(py: Python<'_>, columns: &[Py<PyUntypedArray>]) -> PyResult<Py<PyUntypedArray>> {
     let axis = PyDict::new(py);
     axis.set_item("axis", -1)?;
@@ -77,7 +77,7 @@ pub fn set_classes(
         .map_err(|_| PyRuntimeError::new_err("classes are set already"))
 }
 
-/// An array of numbers of anything: exactly an array of NumPy's.
+/// Converts an object to an array of numbers, of NumPy's own class.
 pub fn converted<'py>(
     x: &Bound<'py, PyAny>,
     name: &str,
@@ -91,7 +91,7 @@ pub fn converted<'py>(
     Ok(made.cast_into::<PyUntypedArray>()?)
 }
 
-/// True if an array is of `float32` or `float64` in the byte order of this machine.
+/// Returns `true` if an array is of `float32` or `float64` in the byte order of this machine.
 fn is_format(array: &Bound<'_, PyUntypedArray>) -> bool {
     let format = array.dtype();
     format.kind() == b'f'
@@ -99,7 +99,7 @@ fn is_format(array: &Bound<'_, PyUntypedArray>) -> bool {
         && format.is_native_byteorder() != Some(false)
 }
 
-/// The array itself, or what it is converted to.
+/// Returns the array itself, or converts the object.
 pub fn array<'py>(
     x: &Bound<'py, PyAny>,
     name: &str,
@@ -111,12 +111,12 @@ pub fn array<'py>(
     }
 }
 
-/// The class of a kind.
+/// Returns the class of a kind.
 fn class(py: Python<'_>, kind: Kind) -> Option<&Py<PyType>> {
     CLASSES.get(py)?.get(usize::from(kind))?.as_ref()
 }
 
-/// An array as shapes of a kind, if the kind has a class.
+/// Wraps an array in the class of a kind, if there is one.
 pub fn dressed<'py>(array: Bound<'py, PyAny>, kind: Kind) -> PyResult<Bound<'py, PyAny>> {
     match class(array.py(), kind) {
         Some(class) => class.bind(array.py()).call1((array,)),
@@ -124,7 +124,7 @@ pub fn dressed<'py>(array: Bound<'py, PyAny>, kind: Kind) -> PyResult<Bound<'py,
     }
 }
 
-/// Symbols as a shape of a kind, if the kind has a class; else as a list.
+/// Wraps symbols in the class of a kind, if there is one; else returns them as a list.
 pub fn dressed_items<'py>(
     py: Python<'py>,
     items: Vec<Py<PyAny>>,
@@ -191,7 +191,7 @@ impl Shape {
                     ))),
                 };
             }
-            // An array of numbers has no symbols, and its rows as objects cost more than a call.
+            // An array of numbers has no symbols, and reading its rows as objects costs more than a call.
             let is_array = one.cast::<PyUntypedArray>().is_ok_and(is_format);
             if !is_array
                 && let Ok(list) = one.extract::<Vec<Bound<'_, PyAny>>>()
@@ -310,7 +310,7 @@ impl Shape {
             None => array.getattr("dtype")?,
         };
         let made = array.call_method("astype", (dtype,), Some(&options))?;
-        // Columns are rows in a copy only, and so is another format.
+        // Columns become rows by a copy only, and so does another format.
         let is_copy = !made.is(&array) || matches!(self.content, Content::Columns(_));
         match copy == Some(false) && is_copy {
             true => Err(PyValueError::new_err(
@@ -365,7 +365,7 @@ impl Shape {
         let py = key.py();
         let array = self.array(py)?.into_bound(py);
         let wanted = array.shape().last().copied();
-        // The fields stay whole.
+        // The axis of fields is kept whole.
         let whole = pyo3::types::PySlice::full(py);
         let mut keys: Vec<Bound<'py, PyAny>> = match key.cast::<PyTuple>() {
             Ok(keys) => keys.iter().collect(),
@@ -419,9 +419,9 @@ impl Content {
 pub struct Paths {
     pub vertices: Py<PyUntypedArray>,
     pub offsets: Py<PyUntypedArray>,
-    /// Rings, polylines or clouds, if that is said.
+    /// Rings, polylines or clouds, if known.
     pub kind: Option<Kind>,
-    /// Numbers of a vertex.
+    /// The number of scalars of a vertex.
     pub width: usize,
 }
 

@@ -8,14 +8,14 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-/// A truth of either format.
+/// A truth in either format.
 #[derive(Clone, Copy)]
 enum AnyTruth {
     Single(TruthOf<f32>),
     Double(TruthOf<f64>),
 }
 
-/// An error of the library about symbols.
+/// Converts an error about symbols to an exception.
 fn refused(error: geograd::Error) -> PyErr {
     match error {
         geograd::Error::Program(geograd::Unrecordable::ForeignSymbol) => mixed(),
@@ -35,7 +35,7 @@ pub struct Symbol(pub Any);
 #[pyclass(frozen, name = "Truth", module = "geograd")]
 pub struct Truth(AnyTruth);
 
-/// A literal beside a symbol.
+/// Returns a literal in the format of a symbol.
 fn literal(like: Any, x: f64) -> PyResult<Any> {
     let is_finite = match like {
         Any::Single(_) => (x as f32).is_finite(),
@@ -53,7 +53,7 @@ fn literal(like: Any, x: f64) -> PyResult<Any> {
     .map_err(refused)
 }
 
-/// A symbol or a number beside a symbol; `None` if it is neither.
+/// Returns the operand of an operation with a symbol: a symbol or a number; `None` for other objects.
 pub fn operand(like: Any, other: &Bound<'_, PyAny>) -> PyResult<Option<Any>> {
     if let Ok(symbol) = other.cast::<Symbol>() {
         return Ok(Some(symbol.get().0));
@@ -71,7 +71,7 @@ pub fn operand(like: Any, other: &Bound<'_, PyAny>) -> PyResult<Option<Any>> {
     }
 }
 
-/// A number in the format of the recording that is open.
+/// Returns a number in the format of the open recording.
 pub fn number<T: Number>(other: &Bound<'_, PyAny>) -> PyResult<Option<Of<T>>> {
     if let Ok(symbol) = other.cast::<Symbol>() {
         let symbol = T::symbol(symbol.get().0)?;
@@ -82,7 +82,7 @@ pub fn number<T: Number>(other: &Bound<'_, PyAny>) -> PyResult<Option<Of<T>>> {
     operand(like, other)?.map(T::symbol).transpose()
 }
 
-/// The same function in both formats.
+/// Calls one function in either format.
 macro_rules! one {
     ($x:expr, $function:path) => {
         match $x {
@@ -131,15 +131,15 @@ fn least(a: Any, b: Any) -> PyResult<Any> {
 fn most(a: Any, b: Any) -> PyResult<Any> {
     two!(a, b, f::most, Any)
 }
-/// `x`, or NaN where `of` is NaN.
+/// Returns `x`, or NaN where `of` is NaN.
 fn known(x: Any, of: Any) -> PyResult<Any> {
     two!(x, of, f::known, Any)
 }
-/// The smaller number; NaN where either is NaN, as NumPy has it.
+/// Returns the smaller number; NaN where either is NaN, as in NumPy.
 fn minimum(a: Any, b: Any) -> PyResult<Any> {
     known(known(least(a, b)?, a)?, b)
 }
-/// The larger number; NaN where either is NaN.
+/// Returns the larger number; NaN where either is NaN.
 fn maximum(a: Any, b: Any) -> PyResult<Any> {
     known(known(most(a, b)?, a)?, b)
 }
@@ -164,10 +164,11 @@ fn equals(a: Any, b: Any) -> PyResult<AnyTruth> {
 fn swapped(f: Compare, a: Any, b: Any) -> PyResult<AnyTruth> {
     f(b, a)
 }
-/// NumPy's square root: NaN below zero and of NaN, with a derivative that is NaN there. At zero the derivative is zero.
+/// Returns NumPy's square root: NaN below zero and for NaN, with a derivative that is NaN there. At zero the derivative
+/// is zero.
 fn square_root<T: Number>(x: Of<T>) -> Made<Of<T>> {
     let (root, zero) = (f::root(x)?, f::literal(0.0)?);
-    // Below zero the root is 0, and 0 / 0 is NaN; the factor x carries it to the derivative.
+    // Below zero the root is 0, and 0 / 0 is NaN; the factor x passes it on to the derivative.
     let none = f::mul(x, f::over(root, root)?)?;
     f::select(f::at_least(x, zero)?, root, none)
 }
@@ -188,7 +189,7 @@ fn power(x: Any, power: f64) -> PyResult<Any> {
     }
 }
 
-/// The function of one symbol that NumPy calls so.
+/// Returns the result of NumPy's function `name` of one symbol.
 fn of_one(name: &str, x: Any) -> Option<PyResult<Any>> {
     let by = |factor: f64| literal(x, factor).and_then(|factor| mul(x, factor));
     Some(match name {
@@ -209,7 +210,7 @@ fn of_one(name: &str, x: Any) -> Option<PyResult<Any>> {
     })
 }
 
-/// The function of two symbols that NumPy calls so.
+/// Returns NumPy's function `name` of two symbols.
 fn of_two(name: &str) -> Option<Two> {
     Some(match name {
         "add" => add,
@@ -227,7 +228,7 @@ fn of_two(name: &str) -> Option<Two> {
     })
 }
 
-/// The comparison that NumPy calls so.
+/// Returns NumPy's comparison `name`.
 fn comparison(name: &str) -> Option<Compare> {
     Some(match name {
         "less" => below,
@@ -243,7 +244,7 @@ fn comparison(name: &str) -> Option<Compare> {
 const RECORDED: &str = "+ - * / **, abs, sqrt, square, sin, cos, tan, exp, log, arctan2, hypot, copysign, minimum, maximum, clip, where, \
                         comparisons and geograd's verbs";
 
-/// A function of NumPy's name, of symbols and numbers; `None` where an argument is neither.
+/// Calls NumPy's function `name` on symbols and numbers; `None` where an argument is neither.
 fn called(py: Python<'_>, name: &str, inputs: &[Bound<'_, PyAny>]) -> PyResult<Option<Py<PyAny>>> {
     if let "logical_and" | "bitwise_and" | "logical_or" | "bitwise_or" | "logical_not" | "invert" =
         name
@@ -443,7 +444,7 @@ impl Symbol {
         "<geograd.Symbol>"
     }
 
-    // NumPy calls these of items of arrays of objects.
+    // NumPy calls these on the items of arrays of objects.
     fn sqrt(&self) -> PyResult<Symbol> {
         one!(self.0, square_root).map(Symbol)
     }
@@ -504,7 +505,7 @@ impl Symbol {
     }
 }
 
-/// The nearest value between two bounds, either of which may be none.
+/// Returns the nearest value between two bounds, either of which may be missing.
 fn clipped(
     x: Any,
     low: Option<&Bound<'_, PyAny>>,
@@ -523,7 +524,7 @@ fn clipped(
     bound(high)?.map_or(Ok(x), |high| minimum(x, high))
 }
 
-/// A universal function of NumPy.
+/// Calls a universal function of NumPy.
 fn universal(ufunc: &Bound<'_, PyAny>, method: &str, inputs: &Bound<'_, PyTuple>) -> Out {
     let py = ufunc.py();
     let name: String = ufunc.getattr("__name__")?.extract()?;
@@ -536,7 +537,7 @@ fn universal(ufunc: &Bound<'_, PyAny>, method: &str, inputs: &Bound<'_, PyTuple>
     if let Some(made) = called(py, &name, &all)? {
         return Ok(made);
     }
-    // Beside an array of numbers: item by item.
+    // With an array of numbers: item by item.
     if all.iter().any(|x| x.cast::<PyUntypedArray>().is_ok()) {
         let object = |x: &Bound<'_, PyAny>| -> PyResult<Py<PyAny>> {
             if x.cast::<PyUntypedArray>().is_ok() {
@@ -552,7 +553,7 @@ fn universal(ufunc: &Bound<'_, PyAny>, method: &str, inputs: &Bound<'_, PyTuple>
     Ok(py.NotImplemented())
 }
 
-/// A function of NumPy that is no universal one.
+/// Calls a function of NumPy that is not universal.
 fn numpys(
     function: &Bound<'_, PyAny>,
     arguments: &Bound<'_, PyTuple>,
@@ -662,7 +663,7 @@ pub fn where_(condition: &Bound<'_, PyAny>, a: &Bound<'_, PyAny>, b: &Bound<'_, 
     };
     let Ok(condition) = condition.cast::<Truth>() else {
         return match condition.extract::<bool>() {
-            // A condition of numbers alone chooses now.
+            // A condition without symbols selects now.
             Ok(true) => Ok(a.clone().unbind()),
             Ok(false) => Ok(b.clone().unbind()),
             Err(_) => Err(wrong()),

@@ -1,4 +1,4 @@
-//! The table of rows: shapes by number, and what every row takes and gives.
+//! The table of rows: shapes by number, and the arguments and results of every row.
 use crate::column::{Column, Kind, NUMBER, NUMBERS, RING};
 use geograd::kernels::dynamic::{Bound, Layout, Operation, Sampler, Sort, names};
 use geograd_rows::operations;
@@ -12,20 +12,20 @@ pub struct Shape {
     pub name: String,
     /// The names of its numbers, whole numbers last.
     pub fields: Vec<String>,
-    /// How many of them are whole numbers.
+    /// The number of whole numbers among them.
     pub codes: usize,
-    /// The unit of each of them, and the values that it may have.
+    /// The unit of each of them, and its limits.
     pub meaning: Vec<(&'static str, String)>,
-    /// The row and its argument that have the layout.
+    /// The row and its argument from which the layout is taken.
     layout: Option<(usize, usize)>,
 }
 
-/// A row: a verb of certain shapes.
-pub struct Listed {
+/// A row: a verb with certain shapes.
+pub struct TableRow {
     pub verb: String,
     pub kinds: Vec<Kind>,
     pub operation: &'static Operation,
-    /// The arguments, but for paths.
+    /// The arguments, without paths.
     pub takes: Vec<Column>,
     pub gives: Vec<Column>,
 }
@@ -33,33 +33,33 @@ pub struct Listed {
 /// All shapes and rows.
 pub struct Table {
     pub shapes: Vec<Shape>,
-    pub rows: Vec<Listed>,
+    pub rows: Vec<TableRow>,
     by_name: HashMap<String, Kind>,
 }
 
 impl Table {
-    /// The shape of a name.
+    /// Returns the kind of a shape by its name.
     pub fn kind(&self, name: &str) -> Option<Kind> {
         self.by_name.get(name).copied()
     }
-    /// True if a lone number stands for a shape: it has no other.
+    /// Returns `true` if a lone number stands for the shape, which has no other.
     pub fn is_one_number(&self, kind: Kind) -> bool {
         self.shapes
             .get(usize::from(kind))
             .is_some_and(|shape| shape.fields.len() == 1)
     }
-    /// The name of a shape.
+    /// Returns the name of a shape.
     pub fn name(&self, kind: Kind) -> &str {
         self.shapes
             .get(usize::from(kind))
             .map_or("numbers", |shape| &shape.name)
     }
-    /// The layout of a shape in a format.
+    /// Returns the layout of a shape in a format.
     pub fn layout<T: geograd::Real>(&self, kind: Kind) -> Option<Layout<T>> {
         let (row, argument) = self.shapes.get(usize::from(kind))?.layout?;
         operations()[row].layouts::<T>().get(argument).copied()
     }
-    /// How the harness draws a shape.
+    /// Returns the harness's distribution of a shape.
     pub fn sampler(&self, kind: Kind) -> Option<Sampler> {
         let (row, argument) = self.shapes.get(usize::from(kind))?.layout?;
         operations()[row].samplers().get(argument).copied()
@@ -105,7 +105,7 @@ impl Table {
                 let path = FIRST.iter().position(|&path| name.shapes == [path]);
                 kinds.push(path.map_or(RING, |path| path as Kind));
             }
-            table.rows.push(Listed {
+            table.rows.push(TableRow {
                 verb: name.verb,
                 kinds,
                 operation,
@@ -115,7 +115,7 @@ impl Table {
         }
         table
     }
-    /// The place of a shape, which is new where it was not met.
+    /// Returns the index of a shape, and adds a new one to the table.
     fn kind_of(
         &mut self,
         shape: &geograd::kernels::dynamic::Shape,
@@ -151,7 +151,8 @@ impl Table {
     }
 }
 
-/// The name of a shape as a name of Python: `ConvexPolygon6` of `ConvexPolygon<6>`, `Vec2x4` of `[Vec2; 4]`.
+/// Returns the name of a shape as an identifier of Python: `ConvexPolygon6` for `ConvexPolygon<6>`, `Vec2x4` for
+/// `[Vec2; 4]`.
 fn identifier(name: &str) -> String {
     let name = name.replace("; ", "x");
     name.chars()
@@ -159,7 +160,7 @@ fn identifier(name: &str) -> String {
         .collect()
 }
 
-/// The unit of a number.
+/// Returns the unit of a number.
 fn unit(field: &geograd::kernels::dynamic::Number) -> &'static str {
     use geograd::check::Kind;
     match (field.bound, field.kind) {
@@ -179,7 +180,7 @@ fn unit(field: &geograd::kernels::dynamic::Number) -> &'static str {
     }
 }
 
-/// The limits of a number's values.
+/// Returns the limits of a number's values.
 fn limit(shape: &geograd::kernels::dynamic::Shape, bound: Bound) -> String {
     let of = |what: &str, place: usize| {
         let field = shape.fields.get(place);
@@ -208,7 +209,7 @@ fn column(name: String, kind: Kind, fields: usize) -> Column {
     Column { name, kind, axes }
 }
 
-/// The names of rows in the order of [`operations`], which is not that of the list.
+/// Returns the names of rows in the order of [`operations`], which differs from that of the list.
 fn names_in_order() -> Vec<geograd::kernels::dynamic::Name> {
     let mut by_row: HashMap<&'static str, geograd::kernels::dynamic::Name> =
         names().into_iter().map(|name| (name.row, name)).collect();
@@ -216,7 +217,7 @@ fn names_in_order() -> Vec<geograd::kernels::dynamic::Name> {
     operations().iter().filter_map(row).collect()
 }
 
-/// The table, made at the first call.
+/// Returns the table, which is made at the first call.
 pub fn table() -> &'static Table {
     static TABLE: OnceLock<Table> = OnceLock::new();
     TABLE.get_or_init(Table::new)

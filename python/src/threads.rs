@@ -1,27 +1,27 @@
-//! Threads of this process: a pool for each process, since none of its threads lives on in a forked child.
+//! The thread pool of this process; a forked child needs its own, since threads do not survive a fork.
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// The pool of a process: its number, its threads, and itself.
-struct Kept {
+/// The pool of a process: the process number, the number of threads, and the pool.
+struct ProcessPool {
     process: u32,
     threads: usize,
     pool: Arc<rayon::ThreadPool>,
 }
 
-static POOL: Mutex<Option<Kept>> = Mutex::new(None);
-/// How many threads calls use; zero until the first call asks.
+static POOL: Mutex<Option<ProcessPool>> = Mutex::new(None);
+/// The number of threads of calls; zero before the first call.
 static THREADS: AtomicUsize = AtomicUsize::new(0);
 
 thread_local! {
     /// The lock of the pool while this thread forks.
-    static HELD: RefCell<Option<MutexGuard<'static, Option<Kept>>>> = const { RefCell::new(None) };
+    static HELD: RefCell<Option<MutexGuard<'static, Option<ProcessPool>>>> = const { RefCell::new(None) };
 }
 
-fn lock() -> MutexGuard<'static, Option<Kept>> {
+fn lock() -> MutexGuard<'static, Option<ProcessPool>> {
     POOL.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -68,7 +68,7 @@ pub fn after_fork() {
     HELD.with_borrow_mut(|held| *held = None);
 }
 
-/// The pool of this process.
+/// Returns the pool of this process.
 fn pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
     let process = std::process::id();
     let mut kept = lock();
@@ -81,13 +81,13 @@ fn pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
     let made = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     let made = made.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
     let made = Arc::new(made);
-    let new = Kept {
+    let new = ProcessPool {
         process,
         threads,
         pool: made.clone(),
     };
     if let Some(old) = kept.replace(new) {
-        // Dropped in a child, it would wake threads that are not there.
+        // Dropping it in a child would wait for threads that do not exist there.
         if old.process != process {
             std::mem::forget(old);
         }
@@ -95,7 +95,7 @@ fn pool(threads: usize) -> PyResult<Arc<rayon::ThreadPool>> {
     Ok(made)
 }
 
-/// Items below which a call runs on its own thread: the library cuts no batch that is this small.
+/// The number of items below which a call runs on its own thread: the library does not split so small a batch.
 pub const FEW: usize = 2048;
 
 /// Runs a call without Python's lock, on the threads of this process.

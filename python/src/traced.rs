@@ -2,7 +2,7 @@
 use crate::call::Callable;
 use crate::column::{Column, NUMBER, NUMBERS};
 use crate::forms::Call;
-use crate::grouped::Asked;
+use crate::grouped::SuppressArguments;
 use crate::machine::Machine;
 use crate::number::{Form, Number};
 use crate::pairs::Pairs;
@@ -23,7 +23,7 @@ pub struct Recorded {
     pub call: Callable,
 }
 
-/// Columns by their names, the names of their shapes (or none) and their sizes; a size of zero is a lone number.
+/// Returns columns from their names, the names of their shapes (or none) and their sizes; size zero is a lone number.
 pub fn columns(takes: Vec<(String, Option<String>, usize)>) -> PyResult<Vec<Column>> {
     let column = |(name, shape, size): (String, Option<String>, usize)| {
         let kind = match (&shape, size) {
@@ -117,7 +117,7 @@ impl Recorded {
         most: Option<usize>,
         groups: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let asked = Asked::new(&scores, overlap, classes, score, most, groups)?;
+        let asked = SuppressArguments::new(&scores, overlap, classes, score, most, groups)?;
         let lists = [shapes.clone(), shapes];
         self.called(&lists, None, None, py)?.suppress(&asked)
     }
@@ -174,7 +174,7 @@ macro_rules! either {
 }
 
 impl Program {
-    /// That of a form of a callable.
+    /// Returns the program of a form of a callable.
     pub fn of(call: &Callable, form: &str, double: bool) -> PyResult<Program> {
         let form = Form::named(form)?;
         let of = match double {
@@ -282,7 +282,7 @@ impl Program {
     }
 }
 
-/// The lists of a tuple.
+/// Returns the lists of a tuple.
 pub fn listed<'py>(tuple: &Bound<'py, PyTuple>) -> Vec<Bound<'py, PyAny>> {
     tuple.iter().collect()
 }

@@ -12,10 +12,10 @@ use std::collections::HashSet;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// A function of Python that makes results of symbols.
+/// A function of Python that computes results from symbols.
 pub struct Traced {
-    /// Takes a list of symbols for every column; gives whether the result is a tuple, and for every part of it a name of a
-    /// shape, its numbers, and whether they have an axis of their own.
+    /// The function. It takes a list of symbols for every column. It returns whether the result is a tuple. For every
+    /// part of the result it returns a shape's name, its numbers, and whether they have an axis of their own.
     function: Py<PyAny>,
     names: Vec<&'static str>,
     is_tuple: AtomicBool,
@@ -33,7 +33,7 @@ impl Traced {
             is_tuple: AtomicBool::new(false),
         }
     }
-    /// The function, for the collector of cycles: it may lead back to what holds it.
+    /// Returns the function for the collector of cycles, since it may refer to the owner of its recording.
     pub fn function(&self) -> &Py<PyAny> {
         &self.function
     }
@@ -97,7 +97,7 @@ impl Traced {
     }
 }
 
-/// A name that lives as long as the process, once for each text.
+/// Returns a name that lives as long as the process, stored once per text.
 fn kept(name: &str) -> &'static str {
     static NAMES: Mutex<Option<HashSet<&'static str>>> = Mutex::new(None);
     let mut names = NAMES

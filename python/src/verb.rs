@@ -3,7 +3,7 @@ use crate::arrays::symbolic;
 use crate::catalogue::{self, Row};
 use crate::column::{CLOUD3, Column, Kind, NUMBER, NUMBERS, POLYLINE, POLYLINE3, RING};
 use crate::forms::Call;
-use crate::grouped::Asked;
+use crate::grouped::SuppressArguments;
 use crate::machine::Machine;
 use crate::number::{Any, Form, Number};
 use crate::pairs::Pairs;
@@ -28,7 +28,7 @@ pub struct Verb {
 
 /// The shape of an argument as far as it says one.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Said {
+enum ShapeHint {
     /// A plain array, which fits lone numbers, and shapes of one.
     Nothing,
     Kind(Kind),
@@ -36,63 +36,65 @@ enum Said {
     Path(usize),
 }
 
-impl Said {
-    fn of(x: &Object<'_>) -> Said {
+impl ShapeHint {
+    fn of(x: &Object<'_>) -> ShapeHint {
         if let Ok(shape) = x.cast::<Shape>() {
-            return Said::Kind(shape.get().kind);
+            return ShapeHint::Kind(shape.get().kind);
         }
         if let Ok(paths) = x.cast::<Paths>() {
             let paths = paths.get();
-            return paths.kind.map_or(Said::Path(paths.width), Said::Kind);
+            return paths
+                .kind
+                .map_or(ShapeHint::Path(paths.width), ShapeHint::Kind);
         }
-        Said::Nothing
+        ShapeHint::Nothing
     }
     fn fits(self, kind: Kind) -> bool {
         match self {
-            Said::Nothing => kind == NUMBER || table().is_one_number(kind),
-            Said::Kind(own) => own == kind,
-            Said::Path(2) => kind == RING || kind == POLYLINE,
-            Said::Path(_) => kind == POLYLINE3 || kind == CLOUD3,
+            ShapeHint::Nothing => kind == NUMBER || table().is_one_number(kind),
+            ShapeHint::Kind(own) => own == kind,
+            ShapeHint::Path(2) => kind == RING || kind == POLYLINE,
+            ShapeHint::Path(_) => kind == POLYLINE3 || kind == CLOUD3,
         }
     }
     fn name(self) -> String {
         match self {
-            Said::Nothing => "array".to_owned(),
-            Said::Kind(kind) => table().name(kind).to_owned(),
-            Said::Path(_) => "paths".to_owned(),
+            ShapeHint::Nothing => "array".to_owned(),
+            ShapeHint::Kind(kind) => table().name(kind).to_owned(),
+            ShapeHint::Path(_) => "paths".to_owned(),
         }
     }
 }
 
 /// The meaning of an argument `kind`.
-enum Wanted {
+enum RequestedKinds {
     Nothing,
     /// The same kind for all shapes.
     All(Kind),
     Each(Vec<Option<Kind>>),
 }
 
-impl Wanted {
-    fn of(kind: Option<&Object<'_>>) -> PyResult<Wanted> {
+impl RequestedKinds {
+    fn of(kind: Option<&Object<'_>>) -> PyResult<RequestedKinds> {
         let Some(kind) = kind.filter(|kind| !kind.is_none()) else {
-            return Ok(Wanted::Nothing);
+            return Ok(RequestedKinds::Nothing);
         };
         if let Ok(list) = kind.cast::<PyTuple>() {
-            return Wanted::each(list.iter());
+            return RequestedKinds::each(list.iter());
         }
         if let Ok(list) = kind.cast::<PyList>() {
-            return Wanted::each(list.iter());
+            return RequestedKinds::each(list.iter());
         }
-        one_kind(kind).map(Wanted::All)
+        one_kind(kind).map(RequestedKinds::All)
     }
-    fn each<'py>(list: impl Iterator<Item = Object<'py>>) -> PyResult<Wanted> {
+    fn each<'py>(list: impl Iterator<Item = Object<'py>>) -> PyResult<RequestedKinds> {
         let one = |kind: Object<'py>| match kind.is_none() {
             true => Ok(None),
             false => one_kind(&kind).map(Some),
         };
         list.map(one)
             .collect::<PyResult<Vec<_>>>()
-            .map(Wanted::Each)
+            .map(RequestedKinds::Each)
     }
 }
 
@@ -142,8 +144,8 @@ impl Verb {
         form: &str,
     ) -> PyResult<&'static Row> {
         let verb = self.of();
-        let said: Vec<Said> = arguments.iter().map(Said::of).collect();
-        let wanted = Wanted::of(kind)?;
+        let said: Vec<ShapeHint> = arguments.iter().map(ShapeHint::of).collect();
+        let wanted = RequestedKinds::of(kind)?;
         let to = to.filter(|to| !to.is_none()).map(one_kind).transpose()?;
         let fits = |row: &&Row| {
             let n = row.takes.len();
@@ -154,27 +156,27 @@ impl Verb {
             }
             row.takes.iter().enumerate().all(|(k, &kind)| {
                 let by_kind = match &wanted {
-                    Wanted::Nothing => None,
+                    RequestedKinds::Nothing => None,
                     // Paths say themselves what they are; lists of symbols do not.
-                    Wanted::All(_)
-                        if said[k] != Said::Nothing
+                    RequestedKinds::All(_)
+                        if said[k] != ShapeHint::Nothing
                             && matches!(kind, RING | POLYLINE | POLYLINE3 | CLOUD3) =>
                     {
                         None
                     }
-                    Wanted::All(all) => {
+                    RequestedKinds::All(all) => {
                         (kind != NUMBER && !table().is_one_number(kind)).then_some(*all)
                     }
-                    Wanted::Each(each) => each.get(k).copied().flatten(),
+                    RequestedKinds::Each(each) => each.get(k).copied().flatten(),
                 };
                 match (said[k], by_kind) {
-                    (Said::Nothing, Some(named)) => named == kind,
+                    (ShapeHint::Nothing, Some(named)) => named == kind,
                     (own, Some(named)) => own.fits(kind) && named == kind,
                     (own, None) => own.fits(kind),
                 }
             })
         };
-        if let Wanted::Each(each) = &wanted {
+        if let RequestedKinds::Each(each) = &wanted {
             let lengths = |row: &&Row| row.takes.len() == each.len();
             if !verb.rows.iter().any(|row| lengths(&row)) {
                 return Err(self.refused(
@@ -186,7 +188,7 @@ impl Verb {
         }
         let mut rows: Vec<&Row> = verb.rows.iter().filter(fits).collect();
         // One kind for all shapes is that of one at least, and of as many as can be: lone numbers fit it, too.
-        if let Wanted::All(all) = wanted {
+        if let RequestedKinds::All(all) = wanted {
             let named = |row: &Row| row.takes.iter().filter(|&&kind| kind == all).count();
             let most = rows.iter().map(|row| named(row)).max().unwrap_or(0);
             rows.retain(|row| most > 0 && named(row) == most);
@@ -205,7 +207,8 @@ impl Verb {
                 Err(self.refused(&said, form, &why))
             }
             [] => {
-                let plain = said.contains(&Said::Nothing) && matches!(wanted, Wanted::Nothing);
+                let plain =
+                    said.contains(&ShapeHint::Nothing) && matches!(wanted, RequestedKinds::Nothing);
                 let why = match plain {
                     true => {
                         "a plain array does not say which shape its rows are: wrap it, as in geograd.Obb2(array), or pass kind="
@@ -217,7 +220,7 @@ impl Verb {
         }
     }
     /// Why no row was found, with the rows that are there.
-    fn refused(&self, said: &[Said], form: &str, why: &str) -> PyErr {
+    fn refused(&self, said: &[ShapeHint], form: &str, why: &str) -> PyErr {
         let verb = self.of();
         let given: Vec<String> = said.iter().map(|said| said.name()).collect();
         let rows: Vec<String> = verb.rows.iter().map(|row| signature(&row.takes)).collect();
@@ -525,7 +528,7 @@ impl Verb {
         groups: Option<&Object<'py>>,
         kind: Option<&Object<'py>>,
     ) -> PyResult<Object<'py>> {
-        let asked = Asked::new(&scores, overlap, classes, score, most, groups)?;
+        let asked = SuppressArguments::new(&scores, overlap, classes, score, most, groups)?;
         let lists = [shapes.clone(), shapes];
         let row = self.row_of_pairs(&lists, kind, "suppress")?;
         self.call(py, row, &lists, None, None)?.suppress(&asked)
@@ -539,13 +542,15 @@ impl Verb {
         form: &str,
         double: bool,
     ) -> PyResult<Program> {
-        let wanted = Wanted::of(Some(kind))?;
+        let wanted = RequestedKinds::of(Some(kind))?;
         let to = to.map(one_kind).transpose()?;
         let fits = |row: &&Row| match &wanted {
             _ if to.is_some_and(|to| row.call.gives()[0].kind != to) => false,
-            Wanted::Nothing => false,
-            Wanted::All(all) => row.takes.iter().all(|&kind| kind == *all || kind == NUMBER),
-            Wanted::Each(each) => {
+            RequestedKinds::Nothing => false,
+            RequestedKinds::All(all) => {
+                row.takes.iter().all(|&kind| kind == *all || kind == NUMBER)
+            }
+            RequestedKinds::Each(each) => {
                 row.takes.len() == each.len()
                     && row
                         .takes

@@ -1,10 +1,10 @@
 //! Recorded programs in batches: the bits that their operations give one by one on plain numbers, at
-//! every level of vector instructions and in every way of carrying them out.
+//! every level of vector instructions and with all options of their execution.
 use crate::bits::Turn;
 use geograd::ad::adjoint::overlap::iou_obb2_grad;
 use geograd::ad::program::{Program, Sym};
 use geograd::kernels::cpu::program::Skipping;
-use geograd::kernels::cpu::program::measured::{Ready, Trial, Way};
+use geograd::kernels::cpu::program::measured::{Execution, Ready, Trial};
 use geograd::kernels::cpu::simd::Simd;
 use geograd::overlap::iou_obb2;
 use geograd::{Fixed, Obb2, Pack, Real, Scalar};
@@ -117,8 +117,8 @@ fn same<T: Real>(expected: &[T], found: &[T], about: impl Fn() -> String) {
     }
 }
 
-const fn way(frames: bool, skipping: bool, width: Option<usize>, native: bool) -> Way {
-    Way {
+const fn execution(frames: bool, skipping: bool, width: Option<usize>, native: bool) -> Execution {
+    Execution {
         frames,
         skipping: if skipping {
             Skipping::Any
@@ -131,18 +131,18 @@ const fn way(frames: bool, skipping: bool, width: Option<usize>, native: bool) -
 }
 
 /// Interpreted and as machine code.
-const WAYS: [Way; 8] = [
-    way(false, false, None, false),
-    way(true, false, None, false),
-    way(false, true, None, false),
-    way(false, true, Some(4), false),
-    way(true, true, Some(8), false),
-    way(false, false, None, true),
-    way(true, true, None, true),
-    way(false, true, Some(4), true),
+const EXECUTIONS: [Execution; 8] = [
+    execution(false, false, None, false),
+    execution(true, false, None, false),
+    execution(false, true, None, false),
+    execution(false, true, Some(4), false),
+    execution(true, true, Some(8), false),
+    execution(false, false, None, true),
+    execution(true, true, None, true),
+    execution(false, true, Some(4), true),
 ];
 
-/// Compares a program, in every way and at every level, with what it gives item by item; An argument of one
+/// Compares a program, with all options and at every level, with its results item by item. An argument of one
 /// row stands for all.
 fn compare<T: Real>(
     trial: &Trial,
@@ -161,17 +161,19 @@ fn compare<T: Real>(
         expected.extend(trial.run(&input));
     }
     let mut listings = String::new();
-    for way in WAYS {
-        let ready = trial.ready(fields, way).unwrap();
+    for execution in EXECUTIONS {
+        let ready = trial.ready(fields, execution).unwrap();
         listings += &ready.listing();
         for level in Simd::available() {
             Simd::limit(Some(level)).unwrap();
             let found = computed(&ready, rows, count);
-            same(&expected, &found, || format!("{about}, {way:?}, {level:?}"));
+            same(&expected, &found, || {
+                format!("{about}, {execution:?}, {level:?}")
+            });
         }
     }
-    for way in WAYS.into_iter().filter(|way| !way.frames) {
-        in_columns(trial, way, fields, rows, &expected, about);
+    for execution in EXECUTIONS.into_iter().filter(|execution| !execution.frames) {
+        in_columns(trial, execution, fields, rows, &expected, about);
     }
     listings
 }
@@ -179,7 +181,7 @@ fn compare<T: Real>(
 /// The same from a column for every number to one for every result, none of which begins at a vector's border.
 fn in_columns<T: Real>(
     trial: &Trial,
-    way: Way,
+    execution: Execution,
     fields: &[usize],
     rows: &[Vec<T>],
     expected: &[T],
@@ -193,7 +195,7 @@ fn in_columns<T: Real>(
         }
     }
     let columns: Vec<&[T]> = columns.iter().map(|column| &column[1..]).collect();
-    let ready = trial.ready(&vec![1; columns.len()], way).unwrap();
+    let ready = trial.ready(&vec![1; columns.len()], execution).unwrap();
     let results = trial.run(&vec![T::default(); columns.len()]).len();
     let count = expected.len() / results;
     for level in Simd::available() {
@@ -201,7 +203,7 @@ fn in_columns<T: Real>(
         for (k, found) in ready.columns(count, &columns).iter().enumerate() {
             let own: Vec<T> = expected.iter().skip(k).step_by(results).copied().collect();
             same(&own, found, || {
-                format!("{about}, column {k}, {way:?}, {level:?}")
+                format!("{about}, column {k}, {execution:?}, {level:?}")
             });
         }
     }
@@ -406,16 +408,16 @@ fn overlap<T: Real>() {
         .map(Scalar::canonical)
         .collect();
     for (trial, expected) in [(value, expected), (derivatives, expected_derivatives)] {
-        for way in WAYS {
-            let ready = trial.ready(&[5, 5], way).unwrap();
+        for execution in EXECUTIONS {
+            let ready = trial.ready(&[5, 5], execution).unwrap();
             assert_eq!(
                 ready.listing().contains("Skip"),
-                way.skipping != Skipping::Never
+                execution.skipping != Skipping::Never
             );
             for level in Simd::available() {
                 Simd::limit(Some(level)).unwrap();
                 let found = computed(&ready, &rows, count);
-                same(&expected, &found, || format!("{way:?}, {level:?}"));
+                same(&expected, &found, || format!("{execution:?}, {level:?}"));
             }
         }
     }

@@ -1,16 +1,16 @@
-//! The kernels, each compiled for every level: the list, and the only calls into code compiled for
-//! instructions that a processor may lack.
+//! The list of kernels, each compiled for every level, with the only calls into code whose instructions a processor may
+//! lack.
 use crate::Vec2;
-use crate::kernels::cpu::arch::Bound;
+use crate::kernels::cpu::arch::BoundCode;
 use crate::kernels::cpu::blocks;
 use crate::kernels::cpu::boxes3;
-use crate::kernels::cpu::lane::{Lane, Planes, Results, TILE, Tiles};
+use crate::kernels::cpu::lane::{Lane, Planes, ResultTiles, TILE, Tiles};
 use crate::kernels::cpu::nearest;
 use crate::kernels::cpu::overlaps::{self, BOUNDS, View};
 use crate::kernels::cpu::program::execute::{self, Memory, Pass};
-use crate::kernels::cpu::program::instructions::Code;
+use crate::kernels::cpu::program::instructions::Instruction;
 use crate::kernels::cpu::program::lower::Tape;
-use crate::kernels::cpu::program::rowwise::{self, Rows, Wanted};
+use crate::kernels::cpu::program::rowwise::{self, ResultRows, RowRange};
 use crate::kernels::cpu::quads;
 use crate::kernels::cpu::rings::{self, Measure};
 use crate::kernels::cpu::upright_boxes;
@@ -38,7 +38,7 @@ macro_rules! entries {
             #[cfg(any(not(target_arch = "x86_64"), geograd_portable))]
             use crate::Lanes;
             type T = $t;
-            /// The kernels of this format.
+            /// The kernels of one format.
             pub static KERNELS: Kernels<$t> = Kernels { $($name,)* };
             $(
                 fn $name($($arg: $type),*) $(-> $out)? {
@@ -83,67 +83,67 @@ macro_rules! entries {
 }
 
 entries! {
-    /// Rotated boxes with their trigonometry done.
+    /// Prepares rotated boxes: computes sines and cosines.
     obb2_frames(shapes: Tiles<'_, T>, view: View, frames: &mut [Lane<T>]) = overlaps::obb2_frames::<T, V>;
     /// Bounds of prepared rotated boxes.
     obb2_bounds(frames: Tiles<'_, T>, bounds: &mut [Lane<T>]) = overlaps::obb2_bounds::<T, V>;
     /// `true` if rotated boxes are valid and of ordinary size.
     all_ordinary_obb2(numbers: &[T]) -> bool = overlaps::all_ordinary_obb2::<T, V>;
     /// Scores of prepared rotated boxes.
-    obb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = overlaps::obb2_scores::<T, V>;
+    obb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: ResultTiles<'_, T>) = overlaps::obb2_scores::<T, V>;
     /// Scores of prepared rotated boxes with ten derivatives each.
-    obb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = overlaps::obb2_derivatives::<T, V>;
+    obb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: ResultTiles<'_, T>) = overlaps::obb2_derivatives::<T, V>;
     /// `true` if rotated boxes are valid and of common size, or zero size.
     all_common_obb2(numbers: &[T]) -> bool = overlaps::all_common_obb2::<T, V>;
     /// Generalised IoU of prepared rotated boxes.
-    giou_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = overlaps::giou_scores::<T, V>;
+    giou_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: ResultTiles<'_, T>) = overlaps::giou_scores::<T, V>;
     /// Generalised IoU of prepared rotated boxes with ten derivatives each.
-    giou_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = overlaps::giou_derivatives::<T, V>;
+    giou_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: ResultTiles<'_, T>) = overlaps::giou_derivatives::<T, V>;
     /// Areas that convex quadrilaterals share.
-    quad_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = quads::quad_scores::<T, V>;
+    quad_scores(a: Tiles<'_, T>, b: Tiles<'_, T>, out: ResultTiles<'_, T>) = quads::quad_scores::<T, V>;
     /// Areas that convex quadrilaterals share with sixteen derivatives each.
-    quad_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = quads::quad_derivatives::<T, V>;
+    quad_derivatives(a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: ResultTiles<'_, T>) = quads::quad_derivatives::<T, V>;
     /// `true` if quadrilaterals are convex and of ordinary size.
     all_convex_quads(numbers: &[T]) -> bool = quads::all_convex::<T, V>;
     /// `true` if upright boxes are valid and of common size, or zero size.
     all_common_upright(numbers: &[T]) -> bool = overlaps::all_common_upright::<T, V>;
     /// Scores of upright boxes from what they share seen from above.
-    upright_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = upright_boxes::scores::<T, V>;
-    /// The same with fourteen derivatives each, from the ten derivatives of that.
-    upright_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = upright_boxes::derivatives::<T, V>;
+    upright_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: ResultTiles<'_, T>) = upright_boxes::scores::<T, V>;
+    /// The scores of upright boxes with fourteen derivatives each, from areas seen from above with ten.
+    upright_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: ResultTiles<'_, T>) = upright_boxes::derivatives::<T, V>;
     /// `true` if boxes of any orientation in space are valid and of common size, or zero size.
     all_common_obb3(numbers: &[T]) -> bool = boxes3::all_common::<T, V>;
     /// Scores of boxes of any orientation in space.
-    obb3_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = boxes3::scores::<T, V>;
+    obb3_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: ResultTiles<'_, T>) = boxes3::scores::<T, V>;
     /// Scores of boxes of any orientation in space with twenty derivatives each.
-    obb3_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = boxes3::derivatives::<T, V>;
+    obb3_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: ResultTiles<'_, T>) = boxes3::derivatives::<T, V>;
     /// Scores of axis-aligned boxes.
-    aabb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: Results<'_, T>) = overlaps::aabb2_scores::<T, V>;
+    aabb2_scores(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, out: ResultTiles<'_, T>) = overlaps::aabb2_scores::<T, V>;
     /// Scores of axis-aligned boxes with eight derivatives each.
-    aabb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: Results<'_, T>) = overlaps::aabb2_derivatives::<T, V>;
+    aabb2_derivatives(over: Denominator, a: Tiles<'_, T>, b: Tiles<'_, T>, seeds: Option<Tiles<'_, T>>, out: ResultTiles<'_, T>) = overlaps::aabb2_derivatives::<T, V>;
     /// `true` if axis-aligned boxes are valid.
     all_aabb2(numbers: &[T]) -> bool = blocks::all_aabb2::<T, V>;
     /// Rows of numbers into tiles.
     bring(rows: &[T], fields: usize, out: &mut [Lane<T>]) = blocks::bring::<T, V>;
     /// Tiles into rows of numbers.
     take(results: Planes<'_, T>, fields: usize, rows: &mut [T], stride: usize) = blocks::take::<T, V>;
-    /// One item of a tile in every place of another.
-    spread(from: &[Lane<T>], item: usize, tile: &mut [Lane<T>]) = blocks::spread::<T, V>;
+    /// Broadcasts one item of a tile to all places of another tile.
+    broadcast(from: &[Lane<T>], item: usize, tile: &mut [Lane<T>]) = blocks::broadcast::<T, V>;
     /// Picked rows of numbers into tiles.
     gather(rows: &[T], stride: usize, picked: &[u32], fields: usize, out: &mut [Lane<T>]) = blocks::gather::<T, V>;
-    /// The items whose bounds meet those of a row.
+    /// The items whose bounds meet those of a row, as indices.
     near(row: &[T; BOUNDS], bounds: Tiles<'_, T>, first: u32, hits: &mut [u32]) -> usize = blocks::near::<T, V>;
-    /// The same of a tree of bounds.
+    /// The items of a tree whose bounds meet those of a row, as indices.
     search(row: &[T; BOUNDS], levels: &[Vec<Lane<T>>], room: &mut Vec<u32>) -> [usize; 2] = blocks::search::<T, V>;
     /// Results of picked columns, put into a row per field.
     scatter(results: Planes<'_, T>, columns: &[u32], first: usize, rows: &mut [T], stride: usize) = blocks::scatter::<T, V>;
-    /// Derivatives, added up.
+    /// Derivatives of all columns, added up.
     accumulate(results: Planes<'_, T>, fields: [usize; 2], count: usize, rows: &mut [Lane<T>], columns: &mut [Lane<T>]) = blocks::accumulate::<T, V>;
-    /// The same for picked columns.
+    /// Derivatives of picked columns, added up.
     accumulate_picked(results: Planes<'_, T>, fields: [usize; 2], columns: &[u32], rows: &mut [Lane<T>], sums: &mut [Lane<T>]) = blocks::accumulate_picked::<T, V>;
     /// The largest number.
     largest(numbers: &[T]) -> T = blocks::largest::<T, V>;
-    /// How many numbers are above a threshold.
+    /// The number of entries above a threshold.
     count_above(numbers: &[T], threshold: T) -> u64 = blocks::count_above::<T, V>;
     /// Numbers added to sixteen sums.
     add_up(numbers: &[T], sums: &mut [f64; TILE]) = blocks::add_up::<T, V>;
@@ -156,12 +156,12 @@ entries! {
     /// A part of a block by a recorded program.
     interpret(tape: &Tape, pass: Pass<'_, T>, out: &mut [Lane<T>]) = execute::interpret::<T, V>;
     /// The instructions of a recorded program on numbers in slots.
-    carry_out(code: &[Code], memory: Memory<'_, T>, native: Option<&Bound<'_, T>>) = execute::carry_out::<T, V>;
-    /// Some items by a recorded program, from rows to rows.
-    over_rows(tape: &Tape, part: Rows<'_, T>, wanted: &mut [Wanted<'_, T>]) = rowwise::over_rows::<T, V>;
-    /// The edges of a path that can be nearest to a point, and how often the path winds around it.
-    near_edges(point: Vec2<T>, path: &nearest::Edges<T>, limits: nearest::Limits<T>, squares: &mut [Lane<T>], picked: &mut [u32]) -> Option<(usize, T)> = nearest::near_edges::<T, V>;
-    /// Measures of rings; false, and any numbers, where a vertex is not finite.
+    carry_out(code: &[Instruction], memory: Memory<'_, T>, native: Option<&BoundCode<'_, T>>) = execute::carry_out::<T, V>;
+    /// The results of some items by a recorded program, from rows to rows.
+    over_rows(tape: &Tape, part: RowRange<'_, T>, wanted: &mut [ResultRows<'_, T>]) = rowwise::over_rows::<T, V>;
+    /// The edges of a path that can be nearest to a point, and the winding number of the path.
+    near_edges(point: Vec2<T>, path: &nearest::Edges<T>, limits: nearest::ReliableLimits<T>, squares: &mut [Lane<T>], picked: &mut [u32]) -> Option<(usize, T)> = nearest::near_edges::<T, V>;
+    /// Measures of rings; `false` if a vertex is not finite, and the measures are then arbitrary.
     ring_values(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], out: &mut [T]) -> bool = rings::values::<T, V>;
     /// Adjoints of measures of rings.
     ring_bars(measure: Measure, vertices: &[Vec2<T>], offsets: &[usize], upstream: &[T], bars: &mut [Vec2<T>]) = rings::bars::<T, V>;

@@ -1,4 +1,4 @@
-//! Lanes as the numbers that they are in memory.
+//! Lanes seen as plain numbers in memory.
 use crate::kernels::cpu::lane::{Lane, TILE};
 use std::slice;
 
@@ -6,11 +6,11 @@ use std::slice;
 #[inline]
 pub fn flat<T: Copy>(lanes: &[Lane<T>]) -> &[T] {
     const { assert!(size_of::<Lane<T>>() == TILE * size_of::<T>()) };
-    // Sound: a lane is so many numbers and nothing else.
+    // Sound: a lane is an array of `TILE` numbers without padding.
     unsafe { slice::from_raw_parts(lanes.as_ptr().cast(), lanes.len() * TILE) }
 }
 
-/// Prefetches as much memory as a list has, so many numbers behind its start. It need not exist.
+/// Prefetches as many bytes as the list has, beginning `ahead` numbers behind its start. The address may be invalid.
 #[inline(always)]
 pub fn prefetch<T>(list: &[T], ahead: usize) {
     #[cfg(all(target_arch = "x86_64", not(geograd_portable)))]

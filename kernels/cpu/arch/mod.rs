@@ -2,10 +2,10 @@
 //!
 //! # Why
 //!
-//! Arrays of lanes (`Lanes`) leave it to the compiler to find vector instructions. For long kernels
-//! that takes a minute each, and harmless edits halve the speed. Types made of processor vectors
-//! compile twenty times as fast and always are what they say; a [`Scalar`] has no argument that could
-//! check that the processor has those instructions, since `S::lit(1.0)` takes none.
+//! Arrays of lanes (`Lanes`) leave it to the compiler to find vector instructions. For long kernels that takes a minute
+//! each, and harmless edits halve the speed. Types made of processor vectors compile twenty times as fast and guarantee
+//! the instructions. A [`Scalar`] has no argument that could check that the processor has them, since `S::lit(1.0)`
+//! takes none.
 //!
 //! # Why it is sound
 //!
@@ -33,25 +33,25 @@ pub use entry::of_f32::KERNELS as F32;
 pub use entry::of_f64::KERNELS as F64;
 pub(crate) use memory::flat;
 #[cfg(all(target_arch = "x86_64", feature = "native", not(geograd_portable)))]
-pub(crate) use native::{Bound, Native};
+pub(crate) use native::{BoundCode, Native};
 #[cfg(not(all(target_arch = "x86_64", feature = "native", not(geograd_portable))))]
-pub(crate) use no_native::{Bound, Native};
+pub(crate) use no_native::{BoundCode, Native};
 
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::scalar::lanes::LaneMask;
 use crate::{Lanes, Scalar};
 use std::hint::black_box;
 
-/// `true` if the largest kernels (boxes of any turn, derivatives of quadrilaterals) are compiled. Out of plain
-/// code the compiler would take minutes for them, so there they are interpreted, with the same bits.
+/// `true` if the largest kernels (boxes of any orientation, derivatives of quadrilaterals) are compiled. Compiling them
+/// from plain code would take minutes, so plain targets interpret them, with equal bits.
 pub(crate) const LARGE: bool = cfg!(all(target_arch = "x86_64", not(geograd_portable)));
 
 /// A part of a [`Lane`] as a scalar.
 pub(crate) trait Vector<T>: Scalar<Primal = Self> {
-    /// How many numbers: a power of two, at most [`TILE`].
+    /// The number of lanes of a vector: a power of two, at most [`TILE`].
     const WIDTH: usize;
-    /// `true` if a loop over the parts of a lane must hide that they are few. Out of plain code the compiler
-    /// would compute all parts at once, out of registers and across each other.
+    /// `true` if the number of parts of a lane must be hidden from the compiler. It would otherwise unroll the loop of
+    /// plain code, and run out of registers.
     const HIDDEN: bool = false;
     /// Returns the index at which each part of a lane begins.
     #[inline(always)]
@@ -64,25 +64,25 @@ pub(crate) trait Vector<T>: Scalar<Primal = Self> {
             },
         )
     }
-    /// Returns the numbers of a lane from an index on, which is a multiple of the width below [`TILE`].
+    /// Returns the numbers of a lane from index `at` on, a multiple of the width below [`TILE`].
     fn read(lane: &Lane<T>, at: usize) -> Self;
-    /// Puts the numbers into a lane from an index on.
+    /// Writes the numbers into a lane from index `at` on.
     fn write(self, lane: &mut Lane<T>, at: usize);
-    /// Returns the same number everywhere.
+    /// Returns a vector with `x` in every place.
     fn splat(x: T) -> Self;
-    /// One bit per number, the first one lowest.
+    /// Returns one bit per number, the first number's lowest.
     fn bits(mask: Self::Mask) -> u32;
-    /// Truths as numbers all of whose bits are ones or zeros.
+    /// Returns truths as numbers whose bits are all ones or all zeros.
     fn word(mask: Self::Mask) -> Self;
-    /// Returns the truths again.
+    /// Returns the truths that [`word`](Vector::word) encoded.
     fn truth(self) -> Self::Mask;
-    /// One vector for each of four fields, from as many items as it is wide, each with those fields.
+    /// Transposes items to vectors: returns one vector for each of the four fields of `WIDTH` items.
     fn from_items(item: impl Fn(usize) -> [T; 4]) -> [Self; 4];
-    /// The other way: every item's four fields.
+    /// Transposes vectors to items: passes the four fields of every item to `put`.
     fn to_items(fields: [Self; 4], put: impl FnMut(usize, [T; 4]));
 }
 
-/// Plain arrays of a width that every target has vectors of.
+/// Implements [`Vector`] for plain arrays whose width every target has vectors of.
 macro_rules! plain {
     ($t:ident, $n:literal) => {
         impl Vector<$t> for Lanes<$t, $n> {

@@ -1,19 +1,19 @@
 //! Machine code of recorded programs, in memory that the processor may execute.
 //!
-//! The interpreter carries out an instruction for a whole block, so every value goes through memory. Compiled to machine
-//! code values stay in registers: own functions of six to fourteen numbers with derivatives take half the time
-//! (`BENCHMARKS.md`, Python). Systems that refuse executable memory keep the interpreter, with the same bits.
+//! The interpreter carries out an instruction for a whole block, so every value goes through memory. In machine code
+//! values stay in registers: users' functions of six to fourteen numbers with derivatives take half the time
+//! (`BENCHMARKS.md`, Python). Systems that refuse executable memory keep the interpreter, with equal bits.
 //!
 //! # Why it is sound
 //!
-//! [`compile`] alone writes the code: packed arithmetic between vector registers, loads and stores
-//! at `slot + offset` and `table[k] + offset`, one loop, no other jump. Slots are below the tape's count, the offset below the
-//! bytes in use, and [`Native::bind`] refuses lanes that hold fewer slots. Every address that the code takes from the table
-//! is that of a slot or of numbers lent to a [`Bound`], which [`Bound::run`] asks for as many of as a slot has in use. The code
-//! writes to numbers lent mutably only. It uses registers that its calling convention leaves to it, and the instructions of
-//! a level that the processor has.
+//! [`compile`] alone writes the code: packed arithmetic between vector registers, loads and stores at `slot + offset`
+//! and `table[k] + offset`, one loop, no other jump. Slots are below the tape's count, the offset below the bytes in
+//! use, and [`Native::bind`] refuses memory for fewer slots. Every address in the table is that of a slot or of numbers
+//! borrowed by a [`BoundCode`]. [`BoundCode::run`] requires at least as many of these as a slot has in use. The code
+//! writes to mutably borrowed numbers only. It uses registers that its calling convention leaves to it, and the
+//! instructions of a level that the processor has.
 use crate::kernels::cpu::lane::{Lane, TILE};
-use crate::kernels::cpu::program::instructions::Run;
+use crate::kernels::cpu::program::instructions::CodeRun;
 use crate::kernels::cpu::program::lower::Tape;
 use crate::kernels::cpu::program::native::{Encoder, MOST, compile};
 use crate::kernels::cpu::simd::Simd;
@@ -21,25 +21,26 @@ use memmap2::{Mmap, MmapMut};
 use std::cell::Cell;
 use std::marker::PhantomData;
 
-/// A program's runs of instructions as functions.
+/// The machine code of a program's runs of instructions.
 #[derive(Debug)]
 pub(crate) struct Native {
     code: Mmap,
-    runs: Vec<Run>,
-    /// The slots that stand for addresses of the table, those of inputs first; `None` for one that the code does not use.
+    runs: Vec<CodeRun>,
+    /// For each address in the table the slot that it stands for, inputs first; `None` for an address that the code
+    /// does not use.
     table: Vec<Option<u16>>,
     inputs: usize,
-    /// Lanes of all slots, and of one.
+    /// The numbers of lanes of all slots, and of one.
     lanes: usize,
     stride: usize,
-    /// Bytes of a number.
+    /// The size of a number in bytes.
     number: usize,
 }
 
 impl Native {
-    /// Returns the runs of a program whose slots begin every `stride` lanes; `None` without any, at the baseline, or if
-    /// the system refuses the memory. Code of rows reads inputs and writes results where they lie, the latter with
-    /// zeros that have no sign.
+    /// Compiles the runs of a program whose slots begin every `stride` lanes. Returns `None` without runs, at the
+    /// baseline, or if the system refuses the memory. Code of rows reads inputs and writes results in place, and writes
+    /// zeros without a sign.
     pub(crate) fn new<T>(tape: &Tape, stride: usize, level: Simd, of_rows: bool) -> Option<Self> {
         let number = size_of::<T>();
         let is_512 = match level {
@@ -67,17 +68,17 @@ impl Native {
             number,
         })
     }
-    /// Returns `true` if the code can read an input where it lies.
+    /// Returns `true` if the code can read input `k` in place.
     pub(crate) fn has_input(&self, k: usize) -> bool {
         self.table.get(k).is_some_and(Option::is_some)
     }
-    /// Returns `true` if the code can write a result where it goes.
+    /// Returns `true` if the code can write result `k` in place.
     pub(crate) fn has_output(&self, k: usize) -> bool {
         self.has_input(self.inputs + k)
     }
-    /// Returns the code with the memory of its slots; `None` if that is not what it was made for.
+    /// Returns the code with the memory of its slots; `None` if the memory has another size than the code expects.
     #[inline]
-    pub(crate) fn bind<'a, T>(&'a self, lanes: &'a [Cell<Lane<T>>]) -> Option<Bound<'a, T>> {
+    pub(crate) fn bind<'a, T>(&'a self, lanes: &'a [Cell<Lane<T>>]) -> Option<BoundCode<'a, T>> {
         if lanes.len() < self.lanes || self.number != size_of::<T>() {
             return None;
         }
@@ -87,7 +88,7 @@ impl Native {
                 *address = lanes[slot as usize * self.stride].as_ptr().cast();
             }
         }
-        Some(Bound {
+        Some(BoundCode {
             native: self,
             lanes,
             table,
@@ -98,37 +99,37 @@ impl Native {
 }
 
 /// Machine code with the memory that it reads and writes.
-pub(crate) struct Bound<'a, T> {
+pub(crate) struct BoundCode<'a, T> {
     native: &'a Native,
     lanes: &'a [Cell<Lane<T>>],
     /// Addresses of inputs and results.
     table: [*mut T; MOST],
-    /// The fewest numbers that one of them has.
+    /// The least length of a borrowed input or result.
     lent: usize,
     lender: PhantomData<&'a mut [T]>,
 }
 
-impl<'a, T> Bound<'a, T> {
-    /// Returns the runs, the first one first.
-    pub(crate) fn runs(&self) -> &'a [Run] {
+impl<'a, T> BoundCode<'a, T> {
+    /// Returns the runs in order.
+    pub(crate) fn runs(&self) -> &'a [CodeRun] {
         &self.native.runs
     }
-    /// Has the code read an input where it lies, if it [may](Native::has_input).
+    /// Makes the code read input `k` in place, if it [can](Native::has_input).
     #[inline]
     pub(crate) fn lend(&mut self, k: usize, numbers: &'a [T]) {
         self.table[k] = numbers.as_ptr().cast_mut();
         self.lent = self.lent.min(numbers.len());
     }
-    /// Has the code write a result where it goes, if it [may](Native::has_output).
+    /// Makes the code write result `k` in place, if it [can](Native::has_output).
     #[inline]
     pub(crate) fn lend_mut(&mut self, k: usize, numbers: &'a mut [T]) {
         self.lent = self.lent.min(numbers.len());
         self.table[self.native.inputs + k] = numbers.as_mut_ptr();
     }
-    /// Carries out a run on some lanes of every slot.
+    /// Executes a run on `width` lanes of every slot.
     #[inline]
-    pub(crate) fn run(&self, run: &Run, width: usize) {
-        // As many vectors as the lanes and lent numbers have, or the code would write beyond them.
+    pub(crate) fn run(&self, run: &CodeRun, width: usize) {
+        // The lanes and the borrowed numbers must have that many vectors, or the code would write beyond them.
         let fits = (1..=self.native.stride).contains(&width) && width * TILE <= self.lent;
         if !fits {
             return;

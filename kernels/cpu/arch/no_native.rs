@@ -1,17 +1,17 @@
 //! Builds without machine code: of other processors, or without the feature `native`.
 use crate::kernels::cpu::lane::Lane;
-use crate::kernels::cpu::program::instructions::Run;
+use crate::kernels::cpu::program::instructions::CodeRun;
 use crate::kernels::cpu::program::lower::Tape;
 use crate::kernels::cpu::simd::Simd;
 use std::cell::Cell;
 use std::marker::PhantomData;
 
-/// A program as machine code, of which there is none.
+/// The machine code of a program, which does not exist in this build.
 #[derive(Debug)]
 pub(crate) enum Native {}
 
 impl Native {
-    /// Nothing: the interpreter carries out all instructions.
+    /// Returns `None`: the interpreter executes all instructions.
     #[expect(
         clippy::extra_unused_type_parameters,
         reason = "the format, as with machine code"
@@ -25,16 +25,16 @@ impl Native {
     pub(crate) fn has_output(&self, _: usize) -> bool {
         match *self {}
     }
-    pub(crate) fn bind<'a, T>(&'a self, _: &'a [Cell<Lane<T>>]) -> Option<Bound<'a, T>> {
+    pub(crate) fn bind<'a, T>(&'a self, _: &'a [Cell<Lane<T>>]) -> Option<BoundCode<'a, T>> {
         match *self {}
     }
 }
 
-/// Machine code with its memory, of which there is none.
-pub(crate) struct Bound<'a, T>(&'a Native, PhantomData<&'a mut [T]>);
+/// Machine code with its memory, which does not exist in this build.
+pub(crate) struct BoundCode<'a, T>(&'a Native, PhantomData<&'a mut [T]>);
 
-impl<'a, T> Bound<'a, T> {
-    pub(crate) fn runs(&self) -> &'a [Run] {
+impl<'a, T> BoundCode<'a, T> {
+    pub(crate) fn runs(&self) -> &'a [CodeRun] {
         match *self.0 {}
     }
     pub(crate) fn lend(&mut self, _: usize, _: &'a [T]) {
@@ -43,7 +43,7 @@ impl<'a, T> Bound<'a, T> {
     pub(crate) fn lend_mut(&mut self, _: usize, _: &'a mut [T]) {
         match *self.0 {}
     }
-    pub(crate) fn run(&self, _: &Run, _: usize) {
+    pub(crate) fn run(&self, _: &CodeRun, _: usize) {
         match *self.0 {}
     }
 }

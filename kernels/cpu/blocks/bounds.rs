@@ -1,10 +1,10 @@
-//! Which bounds meet those of a row, one after another or in a tree.
+//! Searches for bounds that meet a row's, in a list or in a tree.
 use crate::Real;
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
 use crate::kernels::cpu::overlaps::BOUNDS;
 
-/// The places of the ones in a byte.
+/// For every byte the positions of its one bits.
 static PLACES: [[u8; 8]; 256] = {
     let mut places = [[0; 8]; 256];
     let mut byte = 0;
@@ -22,7 +22,7 @@ static PLACES: [[u8; 8]; 256] = {
     places
 };
 
-/// Which of a tile's bounds meet those of a row, as bits.
+/// Returns one bit per bound of a tile: `1` if it meets that of the row.
 #[inline(always)]
 fn meeting<T: Real, V: Vector<T>>(row: &[V; BOUNDS], tile: &[Lane<T>; BOUNDS]) -> u32 {
     let mut bits = 0;
@@ -48,8 +48,8 @@ fn splat<T: Real, V: Vector<T>>(row: &[T; BOUNDS]) -> [V; BOUNDS] {
     ]
 }
 
-/// Writes the index of every item whose bounds meet those of the row, ascending from `first` for the
-/// first item; how many they are. There is room for sixteen more than there are items.
+/// Writes the index of every item whose bounds meet the row's, ascending; the first item has index `first`. Returns
+/// their number. `hits` has room for sixteen more indices than there are items.
 #[inline(always)]
 pub(crate) fn near<T: Real, V: Vector<T>>(
     row: &[T; BOUNDS],
@@ -70,7 +70,7 @@ pub(crate) fn near<T: Real, V: Vector<T>>(
     count
 }
 
-/// Writes the places of the ones among sixteen bits, plus a base; how many they are.
+/// Writes the positions of the one bits among sixteen, plus a base. Returns their number.
 #[inline(always)]
 fn places(bits: u32, base: u32, room: &mut [u32; TILE]) -> usize {
     let (low, high) = ((bits & 0xff) as usize, (bits >> 8 & 0xff) as usize);
@@ -80,7 +80,7 @@ fn places(bits: u32, base: u32, room: &mut [u32; TILE]) -> usize {
         room[i] = base + u32::from(PLACES[low][i]);
         i += 1;
     }
-    // At most eight before them.
+    // The low byte has at most eight.
     if let Some(room) = room[few..].first_chunk_mut::<8>() {
         i = 0;
         while i < 8 {
@@ -91,11 +91,11 @@ fn places(bits: u32, base: u32, room: &mut [u32; TILE]) -> usize {
     few + high.count_ones() as usize
 }
 
-/// Finds every item of a tree of bounds that meets those of the row. Level 0 has the items, in the tree's order.
-/// Each box of a higher level bounds a tile of the one below, up to a single tile. The places found are written
-/// one level after the other. The result is the range of those of level 0, the items.
+/// Finds every item of a tree whose bounds meet the row's. Level 0 has the items, in the tree's order. Each box of a
+/// higher level bounds a tile of the level below, up to a single tile. Indices found are written level by level.
+/// Returns the range of the indices of level 0, the items.
 ///
-/// There is no branch per item: which of them meet cannot be predicted. `room` grows as needed.
+/// There is no branch per item, since it would be unpredictable. `room` grows as needed.
 #[inline(always)]
 pub(crate) fn search<T: Real, V: Vector<T>>(
     row: &[T; BOUNDS],

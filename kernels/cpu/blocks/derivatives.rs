@@ -1,4 +1,4 @@
-//! Derivatives of all pairs added up, in an order that never depends on vectors or on which pairs are left out.
+//! Sums of derivatives of all pairs, in an order that depends neither on vectors nor on skipped pairs.
 use super::rows::{QUAD, tile_of};
 use crate::Real;
 use crate::kernels::cpu::arch::Vector;
@@ -7,7 +7,7 @@ use crate::kernels::cpu::lane::{Lane, Planes, TILE};
 /// Adds the derivatives of results: to a row's sixteen sums per field of the first shape, and to the sums of
 /// every column.
 ///
-/// Results are a value, then `fields[0]` and `fields[1]` derivatives; column sums are tiles.
+/// A result is a value, then `fields[0]` and `fields[1]` derivatives; column sums are in tiles.
 #[inline(always)]
 pub(crate) fn accumulate<T: Real, V: Vector<T>>(
     results: Planes<'_, T>,
@@ -16,14 +16,14 @@ pub(crate) fn accumulate<T: Real, V: Vector<T>>(
     row_sums: &mut [Lane<T>],
     column_sums: &mut [Lane<T>],
 ) {
-    // The copies that fill up the last tile do not count.
+    // The padding of the last tile does not count.
     let (whole, used) = (count / TILE, count % TILE);
     let part = |derivative: &Lane<T>| {
         let mut part = Lane([T::default(); TILE]);
         part.0[..used].copy_from_slice(&derivative.0[..used]);
         part
     };
-    // Field after field: a row's sum stays in a register.
+    // Field by field, a row's sum stays in a register.
     for (k, sum) in row_sums.iter_mut().enumerate().take(fields[0]) {
         let derivatives = results.field(1 + k);
         let mut at = 0;
@@ -59,8 +59,8 @@ pub(crate) fn accumulate<T: Real, V: Vector<T>>(
     }
 }
 
-/// [`accumulate`] for picked columns. Sums lie item by item: numbers of a column, or of one of a
-/// row's sixteen sums, side by side, as many as are a multiple of four.
+/// Does as [`accumulate`] for picked columns. Sums lie item by item: the numbers of a column, or of one of a row's
+/// sixteen sums, are contiguous and padded to a multiple of four.
 #[inline(always)]
 pub(crate) fn accumulate_picked<T: Real, V: Vector<T>>(
     results: Planes<'_, T>,
@@ -90,7 +90,7 @@ pub(crate) fn accumulate_picked<T: Real, V: Vector<T>>(
     }
 }
 
-/// Adds a quad of numbers to one in lanes.
+/// Adds four derivatives to quad number `quad` of the lanes.
 #[inline(always)]
 fn add_quad<T: Real>(lanes: &mut [Lane<T>], quad: usize, derivatives: &[T; QUAD]) {
     let Some(lane) = lanes.get_mut(quad / QUAD) else {
@@ -139,7 +139,7 @@ fn add_picked<
     }
 }
 
-/// The items of a tile, their numbers side by side; what fills up the last quad is zero.
+/// Writes the items of a tile, each with its numbers contiguous; the padding of the last quad is zero.
 #[inline(always)]
 fn items_of<T: Real, V: Vector<T>, const FIELDS: usize, const QUADS: usize>(
     results: Planes<'_, T>,

@@ -1,4 +1,4 @@
-//! Block kernels that know nothing of operations: rows into tiles and back, what bounds tell, sums.
+//! Block kernels that are independent of operations: transposition of rows and tiles, searches in bounds, sums.
 //!
 //! Compiled in this library only, by the entries in `arch`.
 mod bounds;
@@ -11,4 +11,4 @@ pub(crate) use derivatives::{accumulate, accumulate_picked};
 pub(crate) use numbers::{
     add_up, all_aabb2, all_finite, all_up_to, all_within, count_above, largest,
 };
-pub(crate) use rows::{QUAD, bring, gather, scatter, spread, take};
+pub(crate) use rows::{QUAD, bring, broadcast, gather, scatter, take};

@@ -1,12 +1,12 @@
-//! Plain numbers: sums, the largest, and whether all of them are what kernels serve.
+//! Reductions of plain numbers: sums, maximum, and tests of limits.
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::lane::{Lane, TILE};
 use crate::{Mask, Real};
 
-/// Numbers looked at side by side.
+/// The number of numbers that one turn of a loop reads.
 const SIDE: usize = 32;
 
-/// Returns the largest of some numbers; minus infinity of none.
+/// Returns the largest number; minus infinity for an empty list.
 #[inline(always)]
 pub(crate) fn largest<T: Real, V: Vector<T>>(numbers: &[T]) -> T {
     let least = T::lit(f64::NEG_INFINITY);
@@ -21,7 +21,7 @@ pub(crate) fn largest<T: Real, V: Vector<T>>(numbers: &[T]) -> T {
     all.fold(least, |most, &x| if x > most { x } else { most })
 }
 
-/// Returns how many numbers are above a threshold.
+/// Returns the number of entries above a threshold.
 #[inline(always)]
 pub(crate) fn count_above<T: Real, V: Vector<T>>(numbers: &[T], threshold: T) -> u64 {
     numbers.iter().map(|&x| u64::from(x > threshold)).sum()
@@ -46,8 +46,8 @@ pub(crate) fn add_up<T: Real, V: Vector<T>>(numbers: &[T], sums: &mut [f64; TILE
 #[inline(always)]
 pub(crate) fn all_finite<T: Real, V: Vector<T>>(numbers: &[T]) -> bool {
     let (whole, rest) = numbers.as_chunks::<TILE>();
-    // A finite number less itself is zero, all others less themselves are not numbers. Sums of their
-    // own need not wait for each other.
+    // A finite number minus itself is zero, any other one minus itself is NaN. Separate sums need not wait for each
+    // other.
     let mut sums = [V::zero(); 4];
     for numbers in whole {
         let lane = Lane(*numbers);
@@ -75,8 +75,8 @@ pub(crate) fn all_up_to<T: Real, V: Vector<T>>(numbers: &[T], limit: f64) -> boo
     all.all() && rest.iter().all(|x| x.unsigned().at_most(limit))
 }
 
-/// Returns `true` if the numbers of a lane are zero or within limits, and all before were. `limits` are −1 for a limit
-/// of magnitudes, else 1; the smallest size; the largest size.
+/// Returns `all` restricted to places whose number is zero or within limits. `limits` are: −1 to limit the magnitude,
+/// else 1; the smallest size; the largest size.
 #[inline(always)]
 fn within<T: Real, V: Vector<T>>(
     numbers: &[T; TILE],
@@ -87,7 +87,7 @@ fn within<T: Real, V: Vector<T>>(
     let mut at = 0;
     while at < TILE {
         let x = V::read(&numbers, at);
-        // Cheaper than a choice.
+        // One maximum is cheaper than a selection.
         let size = x.most(x * V::read(sign, at));
         let above = V::read(low, at).at_most(size) | size.equals(zero);
         all = all & above & size.at_most(V::read(high, at));
@@ -96,8 +96,8 @@ fn within<T: Real, V: Vector<T>>(
     all
 }
 
-/// Returns `true` if every number is zero or within the limits of its field, for items of so many fields; of
-/// signed fields the magnitude.
+/// Returns `true` if every number is zero or within the limits of its field, for items of `FIELDS` numbers. The limits
+/// of a signed field apply to the magnitude.
 #[inline(always)]
 pub(crate) fn all_within<T: Real, V: Vector<T>, const FIELDS: usize>(
     numbers: &[T],

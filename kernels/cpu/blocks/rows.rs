@@ -1,19 +1,19 @@
-//! Rows of numbers into tiles and back.
+//! Transposition of rows of numbers to tiles and back.
 use crate::Real;
 use crate::kernels::cpu::arch::Vector;
 use crate::kernels::cpu::lane::{Lane, Planes, TILE};
 
-/// Numbers that are brought and taken together.
+/// The number of fields that are transposed together.
 pub(crate) const QUAD: usize = 4;
 
-/// Returns the first field of a quad: one quad after another, the last one moved back to end with the fields.
+/// Returns the first field of a quad: quads follow each other, and the last one ends with the last field.
 #[inline(always)]
 const fn quad_start(quad: usize, fields: usize) -> usize {
     let (next, last) = (quad * QUAD, fields - QUAD);
     if next < last { next } else { last }
 }
 
-/// Four numbers of an item, in one piece.
+/// Returns four consecutive numbers of an item.
 #[inline(always)]
 fn quad_of<T: Real, const FIELDS: usize>(item: &[T; FIELDS], start: usize) -> [T; QUAD] {
     match item[start..].first_chunk() {
@@ -22,12 +22,11 @@ fn quad_of<T: Real, const FIELDS: usize>(item: &[T; FIELDS], start: usize) -> [T
     }
 }
 
-/// Items one after another, so many numbers each, into tiles. The last tile is filled up with the
-/// last item.
+/// Writes items of `fields` numbers each into tiles. The last item fills up the last tile.
 #[inline(always)]
 pub(crate) fn bring<T: Real, V: Vector<T>>(rows: &[T], fields: usize, out: &mut [Lane<T>]) {
     let count = rows.len() / fields;
-    // The number of fields is a constant of the usual loops: one check for sixteen items.
+    // A constant number of fields needs one bounds check for sixteen items.
     let whole = match fields {
         1 => bring_few::<T, 1>(rows, out),
         2 => bring_few::<T, 2>(rows, out),
@@ -56,7 +55,7 @@ pub(crate) fn bring<T: Real, V: Vector<T>>(rows: &[T], fields: usize, out: &mut 
     }
 }
 
-/// Whole tiles; how many.
+/// Writes the whole tiles of items. Returns their number.
 #[inline(always)]
 fn bring_tiles<T: Real, V: Vector<T>, const FIELDS: usize>(
     rows: &[T],
@@ -86,7 +85,7 @@ fn bring_tiles<T: Real, V: Vector<T>, const FIELDS: usize>(
     groups.len()
 }
 
-/// Returns how many whole tiles it filled, of items of nine numbers or more.
+/// Writes the whole tiles of items with nine numbers or more. Returns their number.
 #[inline(always)]
 fn bring_wide<T: Real, V: Vector<T>>(rows: &[T], fields: usize, out: &mut [Lane<T>]) -> usize {
     let groups = rows.chunks_exact(TILE * fields);
@@ -126,7 +125,7 @@ fn bring_wide<T: Real, V: Vector<T>>(rows: &[T], fields: usize, out: &mut [Lane<
     whole
 }
 
-/// Whole tiles of items of less than four numbers; how many.
+/// Writes the whole tiles of items with fewer than four numbers. Returns their number.
 #[inline(always)]
 fn bring_few<T: Real, const FIELDS: usize>(rows: &[T], out: &mut [Lane<T>]) -> usize {
     let groups = rows.as_chunks::<FIELDS>().0.as_chunks::<TILE>().0;
@@ -144,8 +143,8 @@ fn bring_few<T: Real, const FIELDS: usize>(rows: &[T], out: &mut [Lane<T>]) -> u
     groups.len()
 }
 
-/// Some fields of results into rows of so many numbers: field `k` of an item goes to `row[k]`. Rows
-/// keep what they have beyond `fields`.
+/// Writes the first fields of results into rows of `stride` numbers: field `k` of an item goes to `row[k]`. Numbers of
+/// a row beyond `fields` keep their values.
 #[inline(always)]
 pub(crate) fn take<T: Real, V: Vector<T>>(
     results: Planes<'_, T>,
@@ -176,7 +175,7 @@ pub(crate) fn take<T: Real, V: Vector<T>>(
     }
 }
 
-/// Whole tiles; how many.
+/// Writes whole tiles into rows. Returns their number.
 #[inline(always)]
 fn take_tiles<T: Real, V: Vector<T>, const FIELDS: usize>(
     results: Planes<'_, T>,
@@ -218,7 +217,7 @@ fn take_tiles<T: Real, V: Vector<T>, const FIELDS: usize>(
     whole
 }
 
-/// Returns how many whole tiles it put into rows of nine numbers or more.
+/// Writes whole tiles into rows of nine numbers or more. Returns their number.
 #[inline(always)]
 fn take_wide<T: Real, V: Vector<T>>(
     results: Planes<'_, T>,
@@ -275,8 +274,8 @@ pub(super) fn tile_of<'a, T: Real, const FIELDS: usize>(
     Some(tile)
 }
 
-/// Items picked from rows of `stride` numbers, a multiple of four, into tiles of so many fields. The
-/// last tile is filled up with the last item.
+/// Gathers items from rows of `stride` numbers, a multiple of four, into tiles of `fields` fields. The last item fills
+/// up the last tile.
 #[inline(always)]
 pub(crate) fn gather<T: Real, V: Vector<T>>(
     rows: &[T],
@@ -296,7 +295,7 @@ pub(crate) fn gather<T: Real, V: Vector<T>>(
                     lane.0[k % TILE] = x;
                 }
             }
-            // The places that fill up the last tile must hold valid shapes: they repeat the last item.
+            // The padding of the last tile must be valid shapes: it repeats the last item.
             if let (Some(&last), used @ 1..) = (picked.last(), picked.len() % TILE) {
                 let row = &rows[last as usize * stride..];
                 let tile = &mut out[picked.len() / TILE * fields..];
@@ -336,8 +335,8 @@ fn gather_quads<T: Real, V: Vector<T>, const QUADS: usize>(
                     i += 1;
                 }
             }
-            // The last tile, four places at a time. The number of items cannot be predicted, so the places after
-            // the last item repeat it.
+            // The last tile, four places at a time. The number of items is unpredictable, so the padding repeats the
+            // last item without a branch.
             None => {
                 own = [own_last; TILE];
                 let end = picked.len().wrapping_sub(1);
@@ -365,7 +364,7 @@ fn gather_quads<T: Real, V: Vector<T>, const QUADS: usize>(
                     #[inline(always)]
                     |i| own[(at + i) % TILE][quad],
                 );
-                // The last quad may have numbers that only fill it up.
+                // The last quad may have padding.
                 for (part, lane) in parts.into_iter().zip(&mut tile[quad * QUAD..]) {
                     part.write(lane, at);
                 }
@@ -376,9 +375,13 @@ fn gather_quads<T: Real, V: Vector<T>, const QUADS: usize>(
     }
 }
 
-/// One item of a tile in every place of another.
+/// Broadcasts one item of a tile to all places of another tile.
 #[inline(always)]
-pub(crate) fn spread<T: Real, V: Vector<T>>(from: &[Lane<T>], item: usize, tile: &mut [Lane<T>]) {
+pub(crate) fn broadcast<T: Real, V: Vector<T>>(
+    from: &[Lane<T>],
+    item: usize,
+    tile: &mut [Lane<T>],
+) {
     for (lane, from) in tile.iter_mut().zip(from) {
         let x = V::splat(from.0[item % TILE]);
         let mut at = 0;
@@ -389,8 +392,8 @@ pub(crate) fn spread<T: Real, V: Vector<T>>(from: &[Lane<T>], item: usize, tile:
     }
 }
 
-/// Results of picked columns, put into one row of numbers per field, each `stride` after the one
-/// before; `first` is the column where rows begin. Other numbers stay.
+/// Writes the results of picked columns into one row of numbers per field. Rows are `stride` numbers apart and begin
+/// with column `first`. Other numbers keep their values.
 #[inline(always)]
 pub(crate) fn scatter<T: Real, V: Vector<T>>(
     results: Planes<'_, T>,

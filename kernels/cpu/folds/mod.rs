@@ -1,15 +1,16 @@
-//! Folds over ragged lists of paths: edges side by side as a program, what they tell joined in order.
+//! Folds over ragged lists of paths: a program computes all edges in parallel, then the states of each path are joined
+//! in order.
 pub(crate) mod paths;
 mod sieve;
 
 use crate::error::Field;
-use crate::kernels::call::folding::{Folding, Programs, Sizes, backwards};
+use crate::kernels::call::folding::{FoldPrograms, Folding, Sizes, backwards};
 use crate::kernels::cpu::checked::{check_argument, check_upstream};
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::plan::{Plan, Preparation, name, of_recorded};
 use crate::kernels::cpu::ragged::check_offsets;
 use crate::kernels::cpu::stretches::{self, Aligned};
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::machine::{Input, PathSpans};
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::counts::expect;
@@ -31,7 +32,7 @@ pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec
         .chunks_mut(STRETCH * sizes.out.max(1))
         .enumerate()
         .collect();
-    spread(work, |(i, out): (usize, &mut [T])| {
+    in_parallel(work, |(i, out): (usize, &mut [T])| {
         let mut state = vec![T::default(); sizes.state];
         for (k, out) in out.chunks_exact_mut(sizes.out).enumerate() {
             let path = i * STRETCH + k;
@@ -50,7 +51,7 @@ pub fn values<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<Vec
     Ok(out)
 }
 
-/// Returns the numbers of the cotangents of every context and every vertex, for those of results.
+/// Returns the cotangents of every context and every vertex from the results' cotangents.
 pub fn cotangents<T: Real>(
     folding: &Folding<T>,
     input: &Input<'_, T>,
@@ -62,7 +63,7 @@ pub fn cotangents<T: Real>(
     check_upstream(upstream, sizes.out.max(1))?;
     let paths = paths(folding, input)?;
     let states = states(sizes, &programs, &paths)?;
-    // From results to what every edge told.
+    // The adjoint of the last step: from results to the states of every edge.
     let Sizes {
         own,
         wide,
@@ -83,7 +84,7 @@ pub fn cotangents<T: Real>(
         work.push((first..end, bars, some));
     }
     type Work<'a, T> = (Range<usize>, &'a mut [T], &'a mut [T]);
-    spread(work, |(some, context_bars, state_bars): Work<'_, T>| {
+    in_parallel(work, |(some, context_bars, state_bars): Work<'_, T>| {
         let mut at = 0;
         for (k, path) in some.enumerate() {
             let shared = &paths.shared[path * wide..][..wide];
@@ -98,7 +99,7 @@ pub fn cotangents<T: Real>(
             at += bars.len();
         }
     });
-    // From there to the ends of every edge.
+    // The adjoint of the body: from states to the ends of every edge.
     let body = plan(sizes, &programs, Mode::Vjp)?;
     let count = paths.edges.len();
     let mut shared_bars = vec![T::default(); count * wide];
@@ -137,7 +138,7 @@ pub fn cotangents<T: Real>(
     Ok((context_bars, path_bars))
 }
 
-/// How the arguments of contexts are checked.
+/// Returns the preparation of every argument of contexts: they are checked only.
 fn preparations<T: Real>(folding: &Folding<T>) -> Vec<Preparation<T>> {
     let mut all: Vec<_> = (folding.leaves)()
         .into_iter()
@@ -147,7 +148,7 @@ fn preparations<T: Real>(folding: &Folding<T>) -> Vec<Preparation<T>> {
     all
 }
 
-/// Checks offsets, paths and their contexts. Whoever looks at every vertex anyway finds those that are not finite itself.
+/// Checks offsets, paths and their contexts. Vertices are checked by the caller, which reads them all anyway.
 pub(crate) fn check<T: Real>(folding: &Folding<T>, input: &Input<'_, T>) -> Result<(), Error> {
     check_spans(input)?;
     let (spans, winding) = (input.spans, folding.sizes.winding);
@@ -176,8 +177,12 @@ pub(crate) fn check_spans<T: Real>(input: &Input<'_, T>) -> Result<(), Error> {
     check_offsets::<T>(input.count, input.spans.offsets(&[0, input.count]))
 }
 
-/// Returns a body of edges as a batch sees it.
-fn plan<T: Real>(sizes: &Sizes, programs: &Programs, mode: Mode) -> Result<Arc<Plan<T>>, Error> {
+/// Returns the plan of the body of edges for batches.
+fn plan<T: Real>(
+    sizes: &Sizes,
+    programs: &FoldPrograms,
+    mode: Mode,
+) -> Result<Arc<Plan<T>>, Error> {
     let recorded = match mode {
         Mode::Vjp => &programs.edge_vjp,
         _ => &programs.edge,
@@ -208,7 +213,7 @@ fn plan<T: Real>(sizes: &Sizes, programs: &Programs, mode: Mode) -> Result<Arc<P
 /// Returns the states of all edges.
 fn states<T: Real>(
     sizes: &Sizes,
-    programs: &Programs,
+    programs: &FoldPrograms,
     paths: &Paths<'_, T>,
 ) -> Result<Vec<T>, Error> {
     let body = plan(sizes, programs, Mode::Value)?;

@@ -1,4 +1,4 @@
-//! Paths that are folded, edge by edge.
+//! The edges of paths to fold.
 use super::sieve::sieved;
 use crate::error::{Argument, Flaw};
 use crate::kernels::call::folding::{Folding, Sizes};
@@ -7,16 +7,16 @@ use crate::kernels::machine::Input;
 use crate::{Error, Fixed, Real, Vec2};
 use std::ops::Range;
 
-/// Paths that are folded, with the numbers of every edge.
+/// Paths to fold, with the numbers of every edge.
 pub(crate) struct Paths<'a, T> {
-    /// The numbers of all vertices, and how many one has.
+    /// The numbers of all vertices, and how many each has.
     pub(super) vertices: &'a [T],
     pub(super) element: usize,
-    /// The path of every edge, and its ends.
+    /// For every edge its path and its end points.
     pub(super) edges: Vec<(u32, u32, u32)>,
     /// The index of the first edge of every path, and the end of the last.
     pub(super) starts: Vec<usize>,
-    /// The context and then the reference of every path.
+    /// The context and the reference vertex of every path.
     pub(crate) shared: Vec<T>,
     /// The winding number of every path; `None` where all of its edges are listed.
     pub(super) windings: Vec<Option<T>>,
@@ -72,7 +72,7 @@ pub(crate) fn paths<'a, T: Real>(
 }
 
 impl<T: Real> Paths<'_, T> {
-    /// Lists edges of the next path, which has the vertices between two bounds.
+    /// Adds edges of the next path, whose vertices lie between two bounds.
     fn add(&mut self, path: usize, bounds: Range<usize>, edges: impl Iterator<Item = usize>) {
         for k in edges {
             let (from, to) = (bounds.start + k, bounds.start + k + 1);
@@ -81,7 +81,7 @@ impl<T: Real> Paths<'_, T> {
         }
         self.starts.push(self.edges.len());
     }
-    /// The numbers of both ends of some edges, `N` an end; any number for `N = 0`.
+    /// Writes the numbers of both ends of some edges; a vertex has `N` numbers, or any number for `N = 0`.
     fn ends<const N: usize>(&self, edges: Range<usize>, rows: &mut [T]) {
         let n = if N == 0 { self.element } else { N };
         for (edge, row) in self.edges[edges].iter().zip(rows.chunks_exact_mut(2 * n)) {

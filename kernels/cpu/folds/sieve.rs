@@ -1,16 +1,16 @@
-//! Which edges of paths can be the nearest ones to their points, on all threads.
+//! A search on all threads for the edges of paths that can be nearest to their points.
 use crate::kernels::cpu::formats::kernels_in;
 use crate::kernels::cpu::lane::{Lane, TILE, tiles};
-use crate::kernels::cpu::nearest::{Edges, Limits};
+use crate::kernels::cpu::nearest::{Edges, ReliableLimits};
 use crate::kernels::cpu::ragged::cuts;
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::machine::PathSpans;
 use crate::kernels::row::item::rows::numbers;
 use crate::{Real, Vec2};
 
-/// The edges of some paths that can be nearest to a point, one after another.
+/// The edges of some paths that can be nearest to the point of each path, path after path.
 #[derive(Default)]
-pub struct Sieved<T> {
+pub struct NearEdges<T> {
     pub(crate) edges: Vec<u32>,
     /// The number of edges of every path, and its winding number; `None` where all edges count.
     pub(crate) counts: Vec<(usize, Option<T>)>,
@@ -18,16 +18,17 @@ pub struct Sieved<T> {
     unsound: bool,
 }
 
-/// The number of vertices of a piece of work.
+/// The number of vertices in a piece of work.
 const PIECE: usize = 1 << 14;
 
-/// Which edges of every path can be nearest to its point, on all threads; `None` if a vertex is not finite.
+/// Returns the edges of every path that can be nearest to its point, computed on all threads; `None` if a vertex is not
+/// finite.
 pub fn sieved<T: Real>(
     points: &[Vec2<T>],
     vertices: &[Vec2<T>],
     spans: PathSpans<'_>,
     closed: bool,
-) -> Option<Vec<Sieved<T>>> {
+) -> Option<Vec<NearEdges<T>>> {
     let mut one = Edges::default();
     let cuts = match spans {
         PathSpans::Ragged(offsets) => cuts(offsets),
@@ -40,11 +41,11 @@ pub fn sieved<T: Real>(
             (0..paths).step_by(step).chain([paths]).collect()
         }
     };
-    let mut pieces: Vec<Sieved<T>> = Vec::new();
-    pieces.resize_with(cuts.len().saturating_sub(1), Sieved::default);
+    let mut pieces: Vec<NearEdges<T>> = Vec::new();
+    pieces.resize_with(cuts.len().saturating_sub(1), NearEdges::default);
     let work = cuts.windows(2).zip(&mut pieces).collect();
-    let (limits, one) = (Limits::new(), &one);
-    spread(work, |(cut, sieved): (&[usize], &mut Sieved<T>)| {
+    let (limits, one) = (ReliableLimits::new(), &one);
+    in_parallel(work, |(cut, sieved): (&[usize], &mut NearEdges<T>)| {
         let (mut squares, mut picked) = (Vec::new(), Vec::new());
         let mut own = Edges::default();
         for path in cut[0]..cut[1] {

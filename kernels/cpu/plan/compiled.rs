@@ -1,4 +1,4 @@
-//! Operations with compiled kernels: which kernels, and the scalar code for what those do not serve.
+//! Plans of operations with compiled kernels: the kernels, and the scalar code for shapes beyond their range.
 use super::computation::{Outline, Plan, Preparation, Prepare};
 use crate::ad::adjoint::iou::giou_framed_vjp;
 use crate::ad::adjoint::overlap::{score_aabb2_vjp, score_framed_vjp};
@@ -9,7 +9,7 @@ use crate::iou::giou_framed;
 use crate::kernels::cpu::arch::LARGE;
 use crate::kernels::cpu::boxes3::{OBB3, is_common_obb3};
 use crate::kernels::cpu::formats::kernels_in;
-use crate::kernels::cpu::lane::{Lane, Results, Tiles};
+use crate::kernels::cpu::lane::{Lane, ResultTiles, Tiles};
 use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::overlaps::{
     AABB2, OBB2, SEEN, UPRIGHT, View, is_common_upright, is_solid_obb2,
@@ -27,7 +27,7 @@ use crate::shape::{Obb3, YawBox3};
 use crate::{Aabb2, Fixed, Obb2, Real, Vec2, clip};
 use std::sync::Arc;
 
-/// How an operation with compiled kernels is computed; `None` where it has none.
+/// Returns the plan of an operation with compiled kernels; `None` if this target has none for it.
 pub(super) fn of_compiled<T: Real>(compiled: Compiled, mode: Mode) -> Option<Plan<T>> {
     match compiled {
         Compiled::Obb2(over) => Some(of_obb2(over, mode)),
@@ -35,14 +35,14 @@ pub(super) fn of_compiled<T: Real>(compiled: Compiled, mode: Mode) -> Option<Pla
         Compiled::Giou => Some(of_giou(mode)),
         Compiled::Upright(over) => Some(of_upright(over, mode)),
         Compiled::BirdsEye(over) => Some(of_birds_eye(over, mode)),
-        // Kernels that are not compiled for this target are interpreted.
+        // Kernels that are not compiled for this target are interpreted instead.
         Compiled::Quads if LARGE || mode == Mode::Value => Some(of_quads(mode)),
         Compiled::Obb3(over) if LARGE => Some(of_obb3(over, mode)),
         Compiled::Quads | Compiled::Obb3(_) | Compiled::Aabb3 => None,
     }
 }
 
-/// Returns the bounds in the plane of shapes whose program alone is known.
+/// Returns the bounds in the plane of shapes whose results a program computes.
 pub(super) fn outline<T: Real>(compiled: Compiled) -> Option<Outline<T>> {
     match compiled {
         Compiled::Aabb3 => Some(Arc::new(|[shapes, _], bounds| {
@@ -55,22 +55,22 @@ pub(super) fn outline<T: Real>(compiled: Compiled) -> Option<Outline<T>> {
     }
 }
 
-/// A kernel of two shapes, of the cotangents of its results, if there are any, and of room for results.
-struct Kernel<F>(F);
-impl<T, F> Maker<T> for Kernel<F>
+/// A kernel of two shapes, of the cotangents of its results if there are any, and of a buffer for results.
+struct PairMaker<F>(F);
+impl<T, F> Maker<T> for PairMaker<F>
 where
-    F: Fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>) + Send + Sync,
+    F: Fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, ResultTiles<'_, T>) + Send + Sync,
 {
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+    fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>) {
         (self.0)(inputs[0], inputs[1], inputs.get(2).copied(), out);
     }
 }
 
-/// Returns the kernel of a mode: that of values, or that of values with derivatives.
+/// Returns the kernel of a mode: `values`, or `derivatives`.
 fn maker<T: Real>(
     mode: Mode,
-    values: impl Fn(Tiles<'_, T>, Tiles<'_, T>, Results<'_, T>) + Send + Sync + 'static,
-    derivatives: impl Fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, Results<'_, T>)
+    values: impl Fn(Tiles<'_, T>, Tiles<'_, T>, ResultTiles<'_, T>) + Send + Sync + 'static,
+    derivatives: impl Fn(Tiles<'_, T>, Tiles<'_, T>, Option<Tiles<'_, T>>, ResultTiles<'_, T>)
     + Send
     + Sync
     + 'static,
@@ -78,21 +78,22 @@ fn maker<T: Real>(
     let values = move |a: Tiles<'_, T>,
                        b: Tiles<'_, T>,
                        _: Option<Tiles<'_, T>>,
-                       out: Results<'_, T>| values(a, b, out);
+                       out: ResultTiles<'_, T>| values(a, b, out);
     match mode {
-        Mode::Value => Box::new(Kernel(values)),
-        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => Box::new(Kernel(derivatives)),
+        Mode::Value => Box::new(PairMaker(values)),
+        Mode::ValueGrad | Mode::Jacobian | Mode::Vjp => Box::new(PairMaker(derivatives)),
     }
 }
 
 /// Returns the largest cotangent that kernels take, 10¹² in single precision. Derivatives of ordinary shapes, and their
-/// terms, are below 10²⁶, so products stay finite: 5/16 of the digits of the largest number are left for the cotangent.
+/// terms, are below 10²⁶, so products stay finite. The cotangent may use 5/16 of the exponent range of the largest
+/// number.
 fn steepest<T: Real>() -> f64 {
     power_of_largest::<T>(0.3125)
 }
 
-/// Returns a score of two shapes of a kind: how they are prepared, what its kernels make, and the scalar code of its
-/// value and of its value with derivatives for shapes that kernels do not serve.
+/// Returns the plan of a score of two shapes of one kind. `value` and `derivatives` are the scalar code for shapes
+/// beyond the kernels' range.
 fn score_of_two<T: Real, P: Fixed<Scalar = T>>(
     mode: Mode,
     shape: impl Fn() -> Preparation<T>,
@@ -116,7 +117,7 @@ fn score_of_two<T: Real, P: Fixed<Scalar = T>>(
     }
 }
 
-/// Scores of rotated boxes.
+/// Returns the plan of a score of rotated boxes.
 fn of_obb2<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
@@ -141,7 +142,7 @@ fn of_obb2<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     score_of_two::<T, Obb2<T>>(mode, shape, maker, value, vjp)
 }
 
-/// How rotated boxes are prepared, and how many numbers that gives.
+/// Returns the number of scalars of a prepared rotated box, and the preparation.
 fn obb2_frames<T: Real>(view: View) -> (usize, Prepare<T>) {
     let frames = kernels_in::<T>().obb2_frames;
     let prepare = move |shapes: Tiles<'_, T>, out: &mut [Lane<T>]| frames(shapes, view, out);
@@ -154,14 +155,15 @@ fn obb2_bounds<T: Real>() -> Outline<T> {
     Arc::new(move |[_, frames], out| bounds(frames, out))
 }
 
-/// Returns `true` if every rotated box is within the `COMMON_*` limits of `clip` and has an area. Without branches, so
-/// that it becomes vectors.
+/// Returns `true` if every rotated box is within the `COMMON_*` limits of `clip` and has an area. It has no branches,
+/// so the compiler vectorises it.
 fn all_solid<T: Real>(numbers: &[T]) -> bool {
     let solid = |all: bool, x: &[T]| all & x[2].above(T::default()) & x[3].above(T::default());
     (kernels_in::<T>().all_common_obb2)(numbers) && numbers.chunks_exact(OBB2).fold(true, solid)
 }
 
-/// Generalised IoU of rotated boxes. Boxes that are apart have results, so there are no bounds.
+/// Returns the plan of the generalised IoU of rotated boxes. Boxes that are apart have nonzero results, so there are no
+/// bounds.
 fn of_giou<T: Real>(mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
@@ -183,7 +185,7 @@ fn of_giou<T: Real>(mode: Mode) -> Plan<T> {
     score_of_two::<T, Obb2<T>>(mode, shape, maker, value, vjp)
 }
 
-/// Areas that convex quadrilaterals share.
+/// Returns the plan of the intersection area of convex quadrilaterals.
 fn of_quads<T: Real>(mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
@@ -207,7 +209,7 @@ fn of_quads<T: Real>(mode: Mode) -> Plan<T> {
     score_of_two(mode, shape, maker, value, area_of_quads_vjp::<T, true>)
 }
 
-/// Scores of upright boxes.
+/// Returns the plan of a score of upright boxes.
 fn of_upright<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
@@ -219,7 +221,7 @@ fn of_upright<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
         check: |numbers| YawBox3::load(numbers).validate(),
         is_rare: |numbers| !is_common_upright(numbers),
     };
-    // The area shared seen from above, then the heights.
+    // First the area seen from above, then the heights.
     let maker = maker(
         mode,
         move |a, b, mut out| {
@@ -237,7 +239,7 @@ fn of_upright<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     })
 }
 
-/// Scores of upright boxes seen from above.
+/// Returns the plan of a score of upright boxes seen from above.
 fn of_birds_eye<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
@@ -254,7 +256,7 @@ fn of_birds_eye<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
         move |a, b, out| (kernels.obb2_scores)(over, a, b, out),
         move |a, b, seeds, mut out| {
             (kernels.obb2_derivatives)(over, a, b, seeds, out.again());
-            upright_boxes::spread_derivatives(&mut out);
+            upright_boxes::extend_derivatives(&mut out);
         },
     );
     let flat = of_obb2::<T>(over, mode).rare;
@@ -284,7 +286,7 @@ fn of_birds_eye<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     }
 }
 
-/// Scores of boxes of any orientation in space.
+/// Returns the plan of a score of boxes of any orientation in space.
 fn of_obb3<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
@@ -307,7 +309,7 @@ fn of_obb3<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     })
 }
 
-/// Scores of axis-aligned boxes.
+/// Returns the plan of a score of axis-aligned boxes.
 fn of_aabb2<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     let kernels = kernels_in::<T>();
     let shape = || Preparation {
@@ -330,7 +332,8 @@ fn of_aabb2<T: Real>(over: Denominator, mode: Mode) -> Plan<T> {
     let vjp = move |a, b, out_bar| score_aabb2_vjp(over, a, b, out_bar);
     let value = move |a: Aabb2<T>, b| vjp(a, b, T::one()).0;
     Plan {
-        // Kernels take boxes of any size, so derivatives reach the largest number: cotangents above one take scalar code.
+        // These kernels take boxes of any size, so derivatives may be as large as the largest number: cotangents above
+        // one take the scalar code.
         steepest: 1.0,
         ..score_of_two(mode, shape, maker, value, vjp)
     }

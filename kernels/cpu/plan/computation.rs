@@ -1,8 +1,8 @@
-//! The preparation of shapes, alone and in lists, and the maker of blocks of results: the same for every kind of maker.
+//! A plan: the preparation of shapes, alone and in lists, and the maker of blocks of results.
 use crate::Real;
 use crate::error::{Argument, Flaw};
 use crate::kernels::cpu::formats::kernels_in;
-use crate::kernels::cpu::lane::{Lane, Lent, TILE, Tiles};
+use crate::kernels::cpu::lane::{Lane, LaneBuffer, TILE, Tiles};
 use crate::kernels::cpu::maker::Maker;
 use crate::kernels::cpu::overlaps::BOUNDS;
 use crate::kernels::machine::Column;
@@ -11,10 +11,10 @@ use crate::kernels::row::item::{Leaf, Quick, STRETCH};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Something that is made of each of many shapes, as tiles of numbers.
+/// A function from shapes in tiles to numbers in tiles.
 pub type Prepare<T> = Arc<dyn Fn(Tiles<'_, T>, &mut [Lane<T>]) + Send + Sync>;
 
-/// Something that is made of each of many shapes and of the same shapes prepared.
+/// A function from shapes and prepared shapes to their bounds, all in tiles.
 pub type Outline<T> = Arc<dyn Fn([Tiles<'_, T>; 2], &mut [Lane<T>]) + Send + Sync>;
 
 /// The preparation of every shape of a column.
@@ -22,34 +22,33 @@ pub type Outline<T> = Arc<dyn Fn([Tiles<'_, T>; 2], &mut [Lane<T>]) + Send + Syn
 pub struct Preparation<T> {
     /// The operation's name of the argument, if it has one.
     pub name: Option<&'static str>,
-    /// Numbers of a shape.
+    /// The number of scalars of a shape.
     pub fields: usize,
-    /// How a shape is prepared, and how many numbers that gives; `None` to leave it as it is.
+    /// The number of scalars of a prepared shape, and the preparation; `None` if shapes are used as they are.
     pub frame: Option<(usize, Prepare<T>)>,
-    /// The bounds of shapes in the plane; `None` where pairs that are apart have results to compute.
+    /// The bounds of shapes in the plane; `None` where pairs that are apart have nonzero results.
     pub bounds: Option<Outline<T>>,
-    /// `true` if numbers are those of valid shapes of ordinary size: a quick test, which may also fail for some
-    /// of these.
+    /// A quick test of shapes: `true` only if all are valid and of ordinary size. It may reject some that are.
     pub all_ordinary: fn(&[T]) -> bool,
-    /// Returns the flaw of a shape that is not valid.
+    /// The flaw of a shape that is not valid.
     pub check: fn(&[T]) -> Result<(), Flaw>,
     /// `true` if a valid shape is too rare for kernels.
     pub is_rare: fn(&[T]) -> bool,
 }
 
 impl<T> Preparation<T> {
-    /// Numbers of a prepared shape.
+    /// Returns the number of scalars of a prepared shape.
     pub fn frame_fields(&self) -> usize {
         self.frame.as_ref().map_or(self.fields, |frame| frame.0)
     }
-    /// How errors call the shape, which is number `k` of those that the operation takes.
+    /// Returns the name that errors have for this argument, number `k` of the operation's.
     pub fn argument(&self, k: usize) -> Argument {
         self.name.map_or(Argument::input(k), Argument::named)
     }
 }
 
 impl<T: Real> Preparation<T> {
-    /// Returns a shape that is left as it is.
+    /// Returns the preparation of a shape that is used as it is.
     pub fn plain(leaf: Leaf<T>) -> Self {
         Preparation {
             name: None,
@@ -77,7 +76,7 @@ fn quick<T: Real>(test: Quick) -> fn(&[T]) -> bool {
     }
 }
 
-/// Gives shapes the names that an operation has for its arguments, if it has one for each.
+/// Sets the names that an operation has for its arguments, if it has one for each.
 pub(crate) fn name<T>(arguments: &mut [Preparation<T>], names: &[&'static str]) {
     if arguments.len() == names.len() {
         for (argument, &name) in arguments.iter_mut().zip(names) {
@@ -86,32 +85,33 @@ pub(crate) fn name<T>(arguments: &mut [Preparation<T>], names: &[&'static str]) 
     }
 }
 
-/// Results of an item that kernels do not serve: the numbers of its shapes, the cotangent of its
-/// result, and room for a result, or for a result and derivatives.
+/// The scalar code for an item beyond the kernels' range: the numbers of its shapes, the cotangents of its result, and
+/// a buffer for the result, with derivatives if wanted.
 pub type Rare<T> = Box<dyn Fn(&[&[T]], &[T], &mut [T]) + Send + Sync>;
 
-/// How batches compute an operation.
+/// The computation of an operation in batches.
 pub struct Plan<T> {
-    /// For every shape that it takes.
+    /// One preparation per argument.
     pub(crate) arguments: Vec<Preparation<T>>,
-    /// Numbers of every shape that it gives.
+    /// The number of scalars of every shape in a result.
     pub(crate) gives: Vec<usize>,
-    /// How many numbers come before those.
+    /// The number of scalars of the maker's output that come before the result.
     pub(crate) skipped: usize,
-    /// Computes results of prepared shapes.
+    /// The computation of results from prepared shapes.
     pub(crate) maker: Box<dyn Maker<T>>,
-    /// The steepest cotangent that the maker bears.
+    /// The steepest cotangent that the maker takes.
     pub(crate) steepest: f64,
-    /// Results of shapes, or of cotangents, that the maker does not serve.
+    /// The scalar code of shapes, or of cotangents, beyond the maker's range.
     pub(crate) rare: Option<Rare<T>>,
 }
 
 impl<T> Plan<T> {
-    /// Numbers that its maker puts down per item.
+    /// Returns the number of scalars that the maker writes per item.
     pub(crate) fn made(&self) -> usize {
         self.skipped + self.gives.iter().sum::<usize>()
     }
-    /// Returns the plan of an operation that takes and gives such shapes. The result comes before its derivatives.
+    /// Returns the plan of an operation from its arguments and outputs. In the maker's output the value comes before
+    /// its derivatives.
     pub(super) fn new(
         mode: Mode,
         arguments: Vec<Preparation<T>>,
@@ -132,7 +132,7 @@ impl<T> Plan<T> {
     }
 }
 
-/// Some shapes of a column, which are read where they lie.
+/// A range of shapes of a column, read in place.
 pub struct Shapes<'a, T> {
     column: &'a Column<'a, T>,
     items: Range<usize>,
@@ -154,11 +154,11 @@ impl<'a, T: Real> Shapes<'a, T> {
             items: from + items.start..from + items.end,
         }
     }
-    /// Returns how many shapes.
+    /// Returns the number of shapes.
     pub fn len(&self) -> usize {
         self.items.len()
     }
-    /// Returns the numbers of some shapes, as they lie in memory or written into `room`.
+    /// Returns the numbers of some shapes: in place if they are contiguous, else written into `room`.
     pub fn numbers<'r>(&'r self, items: Range<usize>, room: &'r mut Vec<T>) -> &'r [T] {
         self.column.numbers(self.part(&items).items, room)
     }
@@ -168,21 +168,20 @@ impl<'a, T: Real> Shapes<'a, T> {
 pub struct List<'a, T: Real> {
     /// The shapes.
     pub shapes: Shapes<'a, T>,
-    /// How many shapes.
+    /// The number of shapes.
     pub count: usize,
     /// Prepared shapes in tiles.
-    pub frames: Lent<T>,
-    /// Numbers per prepared shape.
+    pub frames: LaneBuffer<T>,
+    /// The number of scalars of a prepared shape.
     pub frame_fields: usize,
-    /// Bounds in tiles; nothing meets those that fill up the last one, everything those of rare
-    /// shapes. `None` where they are of no use.
-    pub bounds: Option<Lent<T>>,
-    /// Which shapes kernels do not serve, ascending.
+    /// Bounds in tiles. Padding meets nothing, the bounds of a rare shape meet everything. `None` without use for them.
+    pub bounds: Option<LaneBuffer<T>>,
+    /// The indices of shapes beyond the kernels' range, ascending.
     pub rare: Vec<u32>,
 }
 
 impl<'a, T: Real> List<'a, T> {
-    /// Prepares shapes. `rare` says whether some may be too rare for kernels.
+    /// Prepares shapes. `rare` is `true` if some may be beyond the kernels' range, `bounded` if bounds are wanted.
     pub fn new(
         preparation: &Preparation<T>,
         shapes: Shapes<'a, T>,
@@ -191,7 +190,7 @@ impl<'a, T: Real> List<'a, T> {
     ) -> Self {
         let (fields, count) = (preparation.fields, shapes.len());
         let tiles = count.div_ceil(TILE);
-        let mut lanes = Lent::new(tiles * fields);
+        let mut lanes = LaneBuffer::new(tiles * fields);
         let (mut room, mut rare_ones) = (Vec::new(), Vec::new());
         for start in (0..count).step_by(STRETCH) {
             let items = start..count.min(start + STRETCH);
@@ -205,9 +204,9 @@ impl<'a, T: Real> List<'a, T> {
             }
         }
         let frame_fields = preparation.frame_fields();
-        let mut frames = Lent::new(0);
+        let mut frames = LaneBuffer::new(0);
         if let Some((_, make)) = &preparation.frame {
-            frames = Lent::new(tiles * frame_fields);
+            frames = LaneBuffer::new(tiles * frame_fields);
             make(Tiles::new(&lanes, fields), &mut frames);
         }
         let mut list = List {
@@ -219,10 +218,10 @@ impl<'a, T: Real> List<'a, T> {
             rare: rare_ones,
         };
         if let (Some(make), true) = (&preparation.bounds, bounded) {
-            let mut bounds = Lent::new(tiles * BOUNDS);
+            let mut bounds = LaneBuffer::new(tiles * BOUNDS);
             let frames = Tiles::new(&list.frames, frame_fields);
             make([Tiles::new(&lanes, fields), frames], &mut bounds);
-            // Finite, so that not even everything meets what is nowhere.
+            // Finite, so that they meet the bounds of shapes but not the infinite ones of padding.
             let everything = [T::lit(-T::LARGEST), T::lit(T::LARGEST)];
             let nowhere = [T::lit(f64::INFINITY), T::lit(f64::NEG_INFINITY)];
             for (items, [low, high]) in [
@@ -243,15 +242,15 @@ impl<'a, T: Real> List<'a, T> {
         }
         list
     }
-    /// Numbers of a shape among [`picking`](List::picking): a multiple of four.
+    /// Returns the number of scalars of a row of [`picking`](List::picking), a multiple of four.
     pub fn stride(&self) -> usize {
         self.frame_fields.next_multiple_of(4)
     }
-    /// Prepared shapes as rows of numbers, for picking some.
-    pub fn picking(&self) -> Lent<T> {
+    /// Returns the prepared shapes as rows of numbers, to gather from.
+    pub fn picking(&self) -> LaneBuffer<T> {
         let stride = self.stride();
-        let mut picking = Lent::new(self.count.div_ceil(TILE) * stride);
-        // Rows of a tile take as many lanes as a row has numbers.
+        let mut picking = LaneBuffer::new(self.count.div_ceil(TILE) * stride);
+        // Sixteen rows take as many lanes as a row has numbers.
         let rows = picking.chunks_exact_mut(stride.max(1));
         for (rows, tile) in rows.zip(self.frames.chunks_exact(self.frame_fields.max(1))) {
             for i in 0..TILE {
@@ -263,21 +262,21 @@ impl<'a, T: Real> List<'a, T> {
         }
         picking
     }
-    /// Returns a shape's numbers, as they lie in memory or written into `room`.
+    /// Returns a shape's numbers: in place if they are contiguous, else written into `room`.
     pub fn shape<'r>(&'r self, i: usize, room: &'r mut Vec<T>) -> &'r [T] {
         self.shapes.numbers(i..i + 1, room)
     }
-    /// A prepared shape in every place of a tile.
-    pub fn spread(&self, i: usize, tile: &mut [Lane<T>]) {
+    /// Broadcasts a prepared shape to all places of a tile.
+    pub fn broadcast(&self, i: usize, tile: &mut [Lane<T>]) {
         let from = &self.frames[i / TILE * self.frame_fields..];
-        (kernels_in::<T>().spread)(from, i % TILE, tile);
+        (kernels_in::<T>().broadcast)(from, i % TILE, tile);
     }
     /// Returns a shape's bounds.
     pub fn bounds_of(&self, i: usize) -> Option<[T; BOUNDS]> {
         let tile = self.bounds.as_ref()?[i / TILE * BOUNDS..].first_chunk::<BOUNDS>()?;
         Some(tile.each_ref().map(|lane| lane.0[i % TILE]))
     }
-    /// Returns `true` if kernels do not serve a shape.
+    /// Returns `true` if a shape is beyond the kernels' range.
     pub fn is_rare(&self, i: usize) -> bool {
         self.rare.binary_search(&(i as u32)).is_ok()
     }

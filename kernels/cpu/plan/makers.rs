@@ -1,20 +1,20 @@
-//! Recorded programs, and functions that are computed item by item, as makers of blocks.
+//! Makers from recorded programs, and from functions of one item.
 use super::computation::{Plan, Preparation, Prepare};
 use crate::Real;
 use crate::ad::program::graph::{Graph, Id};
 use crate::ad::program::recorded::Recorded;
 use crate::error::Error;
-use crate::kernels::call::recording::{Each, Recording, Searched};
-use crate::kernels::cpu::lane::{Lane, Results, TILE, Tiles};
+use crate::kernels::call::recording::{Each, Recording, UntypedSearch};
+use crate::kernels::cpu::lane::{Lane, ResultTiles, TILE, Tiles};
 use crate::kernels::cpu::maker::Maker;
-use crate::kernels::cpu::program::split::{Piece, split};
-use crate::kernels::cpu::program::{Interpreted, Skipping};
+use crate::kernels::cpu::program::split::{Subgraph, split};
+use crate::kernels::cpu::program::{Interpreter, Skipping};
 use crate::kernels::row::derivation::{Mode, Replays};
 use crate::kernels::row::item::Leaf;
 use std::sync::Arc;
 
-/// How a recorded program is computed. Its inputs are the numbers of its arguments and then those of
-/// cotangents. For all pairs what is made of one argument alone is made once per shape.
+/// Returns the plan of a recorded program. Its inputs are the numbers of the arguments, then of cotangents. If
+/// `framed`, numbers that depend on one argument alone are computed once per shape.
 pub(crate) fn of_recorded<T: Real>(
     mode: Mode,
     leaves: Vec<Leaf<T>>,
@@ -29,12 +29,12 @@ pub(crate) fn of_recorded<T: Real>(
     }
     let value = &recorded.value;
     let maker = |graph: &Graph, fields: &[usize], outputs: &[Id], skipping| {
-        Interpreted::new(graph, fields, outputs, skipping).map_err(Error::Program)
+        Interpreter::new(graph, fields, outputs, skipping).map_err(Error::Program)
     };
     let body = match framed {
         false => maker(&value.graph, &fields, &value.outputs, Skipping::Much)?,
         true => {
-            // Cotangents come as they are.
+            // Cotangents have no frame.
             let (graph, own) = (&value.graph, arguments.len());
             let parts = split(graph, &fields, own, &value.outputs, |_| true);
             for ((argument, frame), &own) in arguments.iter_mut().zip(&parts.frames).zip(&fields) {
@@ -47,12 +47,13 @@ pub(crate) fn of_recorded<T: Real>(
     Ok(Plan::new(mode, arguments, outputs, Box::new(body)))
 }
 
-/// How frames are made of shapes of so many numbers, and how many numbers those have.
+/// Returns the number of scalars of the frames that a program makes of shapes with `fields` numbers, and that
+/// preparation.
 pub(crate) fn prepared<T: Real>(
-    frame: &Piece,
+    frame: &Subgraph,
     fields: usize,
 ) -> Result<(usize, Prepare<T>), Error> {
-    let made = Interpreted::new(&frame.graph, &[fields], &frame.outputs, Skipping::Never);
+    let made = Interpreter::new(&frame.graph, &[fields], &frame.outputs, Skipping::Never);
     let made = made.map_err(Error::Program)?;
     let prepare = move |shapes: Tiles<'_, T>, frames: &mut [Lane<T>]| {
         made.prepare(&[shapes], frames);
@@ -60,25 +61,25 @@ pub(crate) fn prepared<T: Real>(
     Ok((frame.outputs.len(), Arc::new(prepare)))
 }
 
-/// Computes item by item.
-struct Items<T> {
+/// A maker that computes item by item.
+struct ItemMaker<T> {
     each: Each<T>,
-    /// Numbers of every shape, then of every cotangent.
+    /// The number of scalars of every shape, then of every cotangent.
     fields: Vec<usize>,
-    /// Numbers of all shapes.
+    /// The number of scalars of all shapes.
     taken: usize,
-    /// Numbers of results per item.
+    /// The number of scalars of a result.
     made: usize,
 }
 
-/// Computes tiles of results item by item, each from its numbers, input after input.
+/// Computes tiles of results item by item. `each` maps the numbers of an item, input after input, to a result.
 ///
-/// An item that is the one before has its results: what fills up a last tile repeats the last item.
+/// An item equal to the one before reuses its result, since padding repeats the last item.
 fn by_item<T: Real>(
     inputs: &[Tiles<'_, T>],
     fields: &[usize],
     made: usize,
-    mut out: Results<'_, T>,
+    mut out: ResultTiles<'_, T>,
     mut each: impl FnMut(&[T], &mut [T]),
 ) {
     let (mut numbers, mut last) = (Vec::new(), Vec::new());
@@ -102,8 +103,8 @@ fn by_item<T: Real>(
     }
 }
 
-impl<T: Real> Maker<T> for Items<T> {
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+impl<T: Real> Maker<T> for ItemMaker<T> {
+    fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>) {
         by_item(inputs, &self.fields, self.made, out, |numbers, one| {
             let (shapes, seed) = numbers.split_at(self.taken);
             (self.each)(shapes, (!seed.is_empty()).then_some(seed), one);
@@ -111,7 +112,7 @@ impl<T: Real> Maker<T> for Items<T> {
     }
 }
 
-/// How an operation is computed item by item.
+/// Returns the plan of an operation that is computed item by item.
 pub(crate) fn of_items<T: Real>(
     mode: Mode,
     leaves: Vec<Leaf<T>>,
@@ -120,7 +121,7 @@ pub(crate) fn of_items<T: Real>(
 ) -> Plan<T> {
     let arguments: Vec<usize> = leaves.iter().map(|leaf| leaf.fields).collect();
     let made = mode.skipped(&outputs) + mode.gives(&arguments, &outputs).iter().sum::<usize>();
-    let items = Items {
+    let items = ItemMaker {
         each,
         taken: arguments.iter().sum(),
         fields: [arguments, outputs.clone()].concat(),
@@ -130,34 +131,35 @@ pub(crate) fn of_items<T: Real>(
     Plan::new(mode, plans, outputs, Box::new(items))
 }
 
-/// Decides item by item, and computes the program of the record.
-struct ReplayedItems<T> {
+/// A maker that decides item by item, and computes the program of each record.
+struct ReplayMaker<T> {
     replays: Arc<dyn Replays<T>>,
-    /// Numbers of every shape, direction and cotangent.
+    /// The number of scalars of every shape, direction and cotangent.
     fields: Vec<usize>,
-    /// Numbers of results per item.
+    /// The number of scalars of a result.
     made: usize,
 }
 
-impl<T: Real> Maker<T> for ReplayedItems<T> {
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+impl<T: Real> Maker<T> for ReplayMaker<T> {
+    fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>) {
         let mut taken = Vec::new();
         by_item(inputs, &self.fields, self.made, out, |numbers, one| {
             taken.clear();
             match self.replays.decide(numbers, &mut taken) {
                 Ok(recorded) => self.replays.put(numbers, &recorded.run_on(&taken), one),
-                // A replay that cannot be recorded, because it is too long, has no derivatives: NaN stands for them.
+                // A replay too long to record has no derivatives: they are NaN.
                 Err(_) => one.fill(T::lit(f64::NAN)),
             }
         });
     }
 }
 
-/// How a mode of a derived search is computed: by replays. Those of a VJP give cotangents alone, so nothing is skipped.
+/// Returns the plan of a mode of a derived search, computed by replays. Replays of a VJP return cotangents alone, so
+/// nothing is skipped.
 pub(crate) fn of_replays<T: Real>(
     mode: Mode,
     recording: &Recording<T>,
-    search: &Searched<T>,
+    search: &UntypedSearch<T>,
 ) -> Plan<T> {
     let (takes, outputs) = (&recording.takes, &recording.outputs);
     let mut fields: Vec<usize> = takes.iter().map(|leaf| leaf.fields).collect();
@@ -165,7 +167,7 @@ pub(crate) fn of_replays<T: Real>(
     if mode == Mode::Vjp {
         fields.extend(outputs);
     }
-    let items = ReplayedItems {
+    let items = ReplayMaker {
         replays: search.replays(mode),
         fields,
         made: gives.iter().sum(),

@@ -1,4 +1,4 @@
-//! How batches compute an operation: what is prepared once per shape, what is computed per pair.
+//! Plans of batches on the CPU: a preparation per shape, a computation per pair.
 mod compiled;
 mod computation;
 pub(crate) mod makers;
@@ -15,11 +15,11 @@ use compiled::{of_compiled, outline};
 use makers::of_replays;
 use std::sync::Arc;
 
-/// Returns the plan of a call, aligned or for all pairs with shapes prepared once: made once per function, mode and
-/// form.
+/// Returns the plan of a call, aligned or (`framed`) for all pairs with shapes prepared once. It is made once per
+/// function, mode and form.
 pub(crate) fn plan<T: Real>(call: &Call<T>, framed: bool) -> Result<Arc<Plan<T>>, Error> {
     let (recording, mode) = (&*call.recording, call.mode);
-    // A search computes item by item in either form.
+    // A search has one plan for both forms: it computes item by item.
     let framed = framed && !matches!(recording.body, Body::Search(_));
     recording.made(Key::Cpu(mode, framed), &|| {
         let mut plan = match (&recording.body, recording.compiled) {

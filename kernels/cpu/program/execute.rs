@@ -1,24 +1,24 @@
 //! The executor: instruction by instruction, each over a whole block of items.
 //!
-//! One function, compiled once per format and level of vector instructions. It knows nothing of
-//! programs or shapes.
+//! One function, compiled once per format and level of vector instructions. It is independent of programs and shapes.
 //!
-//! Memory holds slot after slot, each some lanes of sixteen numbers, as cells: a result may go where
-//! an operand was, since every lane is read before it is written.
+//! Memory is a list of slots, each some lanes of sixteen numbers, as cells. A result may overwrite an operand, since
+//! every lane is read before it is written.
 use crate::Real;
-use crate::kernels::cpu::arch::{Bound, Native, Vector};
+use crate::kernels::cpu::arch::{BoundCode, Native, Vector};
 use crate::kernels::cpu::lane::{Lane, TILE, Tiles};
-use crate::kernels::cpu::program::instructions::{Code, Op, instructions};
+use crate::kernels::cpu::program::instructions::{Instruction, Opcode, instructions};
 use crate::kernels::cpu::program::lower::Tape;
 use std::cell::Cell;
 
-/// Lanes that one turn of an instruction's loop computes. The number of lanes of a slot is a multiple.
+/// The number of lanes that one turn of an instruction's loop computes. The number of lanes of a slot is a multiple of
+/// it.
 pub(crate) const STRIP: usize = 2;
 
 /// Lanes of one turn.
 pub(super) type Strip<T> = [Cell<Lane<T>>; STRIP];
 
-/// Memory of a block: slots begin every `stride` lanes; of each `width` lanes, a multiple of [`STRIP`], are in
+/// The memory of a block: slots begin every `stride` lanes, and `width` lanes of each, a multiple of [`STRIP`], are in
 /// use.
 #[derive(Clone, Copy)]
 pub(crate) struct Memory<'a, T> {
@@ -35,7 +35,7 @@ impl<'a, T> Memory<'a, T> {
     }
 }
 
-/// Returns a lane's result from what its parts give.
+/// Returns a lane of results, computed vector by vector.
 #[inline(always)]
 fn lane<T: Real, V: Vector<T>>(part: impl Fn(usize) -> V) -> Lane<T> {
     let mut out = Lane::default();
@@ -48,7 +48,7 @@ fn lane<T: Real, V: Vector<T>>(part: impl Fn(usize) -> V) -> Lane<T> {
 }
 
 #[inline(always)]
-fn one<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V) -> V) {
+fn one<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Instruction, f: impl Fn(V) -> V) {
     let [a, ..] = code.from;
     for (a, to) in memory.slot(a).iter().zip(memory.slot(code.to[0])) {
         let mut k = 0;
@@ -64,7 +64,7 @@ fn one<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V) -
 }
 
 #[inline(always)]
-fn two<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, V) -> V) {
+fn two<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Instruction, f: impl Fn(V, V) -> V) {
     let [a, b, ..] = code.from;
     let from = memory.slot(a).iter().zip(memory.slot(b));
     for ((a, b), to) in from.zip(memory.slot(code.to[0])) {
@@ -81,7 +81,11 @@ fn two<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, V
 }
 
 #[inline(always)]
-fn three<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, V, V) -> V) {
+fn three<T: Real, V: Vector<T>>(
+    memory: Memory<'_, T>,
+    code: Instruction,
+    f: impl Fn(V, V, V) -> V,
+) {
     let [a, b, c, _] = code.from;
     let from = memory.slot(a).iter().zip(memory.slot(b));
     for (((a, b), c), to) in from.zip(memory.slot(c)).zip(memory.slot(code.to[0])) {
@@ -98,7 +102,11 @@ fn three<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V,
 }
 
 #[inline(always)]
-fn four<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, V, V, V) -> V) {
+fn four<T: Real, V: Vector<T>>(
+    memory: Memory<'_, T>,
+    code: Instruction,
+    f: impl Fn(V, V, V, V) -> V,
+) {
     let [a, b, c, d] = code.from;
     let (first, second) = (memory.slot(a).iter(), memory.slot(b));
     let (third, fourth) = (memory.slot(c), memory.slot(d));
@@ -119,11 +127,11 @@ fn four<T: Real, V: Vector<T>>(memory: Memory<'_, T>, code: Code, f: impl Fn(V, 
     }
 }
 
-/// Several results of some operands.
+/// Executes an instruction with several results.
 #[inline(always)]
 fn several<T: Real, V: Vector<T>, const A: usize, const N: usize>(
     memory: Memory<'_, T>,
-    code: Code,
+    code: Instruction,
     f: impl Fn([V; A]) -> [V; N],
 ) {
     let lanes = |slot: u16| memory.slot(slot).as_flattened();
@@ -170,7 +178,7 @@ fn several<T: Real, V: Vector<T>, const A: usize, const N: usize>(
     }
 }
 
-/// Returns `true` if a truth holds for every item, or for none.
+/// Returns `true` if a truth holds for every item (`all`), or for none.
 #[inline(always)]
 fn is<T: Real, V: Vector<T>>(memory: Memory<'_, T>, slot: u16, all: bool) -> bool {
     let bits = if all { (1 << V::WIDTH) - 1 } else { 0 };
@@ -188,7 +196,7 @@ fn is<T: Real, V: Vector<T>>(memory: Memory<'_, T>, slot: u16, all: bool) -> boo
     )
 }
 
-/// Calls the loop for so many operands.
+/// Calls the loop for an instruction's number of operands.
 macro_rules! by_arity {
     ($f:tt; $x:ident) => { one $f };
     ($f:tt; $x:ident, $y:ident) => { two $f };
@@ -196,33 +204,33 @@ macro_rules! by_arity {
     ($f:tt; $x:ident, $y:ident, $z:ident, $w:ident) => { four $f };
 }
 
-/// A part of a block, and where its numbers come from and go to.
+/// A pass over a part of a block, with the source and destination of its numbers.
 #[derive(Clone, Copy)]
 pub(crate) struct Pass<'a, T> {
-    /// Slot after slot.
+    /// The lanes of all slots.
     pub(crate) lanes: &'a [Cell<Lane<T>>],
-    /// Lanes of a slot.
+    /// The number of lanes of a slot.
     pub(crate) stride: usize,
     /// The arguments.
     pub(crate) inputs: &'a [Tiles<'a, T>],
-    /// Numbers of each argument.
+    /// The number of scalars of each argument.
     pub(crate) fields: &'a [usize],
     /// The first tile, of inputs and of results.
     pub(crate) first: usize,
-    /// How many tiles.
+    /// The number of tiles.
     pub(crate) tiles: usize,
-    /// From one tile of results to the next, and from one number to the next.
+    /// The distance from one tile of results to the next, and from one number to the next.
     pub(crate) steps: [usize; 2],
-    /// `true` if zeros of results lose their signs.
+    /// `true` if zeros in results lose their signs.
     pub(crate) canonical: bool,
     /// The program's runs as machine code, if there are some.
     pub(crate) native: Option<&'a Native>,
-    /// Carries out the instructions: a kernel of its own, which is compiled once for all that brings numbers to slots.
+    /// The executor of instructions: a kernel of its own, compiled once for every source of numbers.
     pub(crate) carry_out: CarryOut<T>,
 }
 
-/// Carries out instructions on slots, or their runs as machine code.
-pub(crate) type CarryOut<T> = fn(&[Code], Memory<'_, T>, Option<&Bound<'_, T>>);
+/// A function that executes instructions on slots, or their runs as machine code.
+pub(crate) type CarryOut<T> = fn(&[Instruction], Memory<'_, T>, Option<&BoundCode<'_, T>>);
 
 #[inline(always)]
 fn copied<T: Real, V: Vector<T>>(from: &Lane<T>) -> Lane<T> {
@@ -235,7 +243,7 @@ fn copied<T: Real, V: Vector<T>>(from: &Lane<T>) -> Lane<T> {
     to
 }
 
-/// Carries out a program on a part of a block.
+/// Executes a program on a part of a block.
 #[inline(always)]
 pub(crate) fn interpret<T: Real, V: Vector<T>>(
     tape: &Tape,
@@ -252,7 +260,7 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
         for (k, slot) in places.by_ref().take(fields).enumerate() {
             let &Some(slot) = slot else { continue };
             for (t, lane) in memory.slot(slot).as_flattened().iter().enumerate() {
-                // The places that fill up the last strip must be harmless: they repeat the last tile.
+                // The padding of the last strip must be harmless: it repeats the last tile.
                 let t = pass.first + t.min(pass.tiles - 1);
                 if let Some(from) = argument.lanes.get(t * argument.step + k) {
                     lane.set(copied::<T, V>(from));
@@ -286,20 +294,20 @@ pub(crate) fn interpret<T: Real, V: Vector<T>>(
     }
 }
 
-/// Carries out instructions.
+/// Executes instructions.
 #[inline(always)]
 pub(crate) fn carry_out<T: Real, V: Vector<T>>(
-    code: &[Code],
+    code: &[Instruction],
     memory: Memory<'_, T>,
-    native: Option<&Bound<'_, T>>,
+    native: Option<&BoundCode<'_, T>>,
 ) {
-    let mut runs = native.map_or(&[][..], Bound::runs);
+    let mut runs = native.map_or(&[][..], BoundCode::runs);
     let mut next = 0;
     loop {
         if let (Some(native), Some((run, others))) = (native, runs.split_first())
             && run.from <= next
         {
-            // A jump may have left the run behind.
+            // A jump may have skipped the run.
             if run.from == next {
                 native.run(run, memory.width);
                 next = run.to;
@@ -315,29 +323,29 @@ pub(crate) fn carry_out<T: Real, V: Vector<T>>(
         macro_rules! arms {
             ($($name:ident($x:ident $(, $more:ident)*) = $value:expr;)*) => {
                 match code.op {
-                    $(Op::$name => by_arity!((memory, code,
+                    $(Opcode::$name => by_arity!((memory, code,
                         #[inline(always)]
                         |$x: V $(, $more: V)*| $value); $x $(, $more)*),)*
-                    Op::Parts => several(memory, code,
+                    Opcode::Parts => several(memory, code,
                         #[inline(always)]
                         |[x]: [V; 1]| {
                             let [(a, b), (c, d)] = x.sin_cos_parts();
                             [a, b, c, d]
                         }),
-                    Op::SinCos => several(memory, code,
+                    Opcode::SinCos => several(memory, code,
                         #[inline(always)]
                         |[x]: [V; 1]| {
                             let (sin, cos) = x.sin_cos();
                             [sin, cos]
                         }),
-                    Op::Turn => several(memory, code,
+                    Opcode::Turn => several(memory, code,
                         #[inline(always)]
                         |[x, y, z, w]: [V; 4]| [x * z + y * w, y * z - x * w]),
-                    Op::SumSub => several(memory, code,
+                    Opcode::SumSub => several(memory, code,
                         #[inline(always)]
                         |[x, y]: [V; 2]| [x + y, x - y]),
-                    Op::SkipIfAll | Op::SkipIfNone => {
-                        if is::<T, V>(memory, code.from[0], code.op == Op::SkipIfAll) {
+                    Opcode::SkipIfAll | Opcode::SkipIfNone => {
+                        if is::<T, V>(memory, code.from[0], code.op == Opcode::SkipIfAll) {
                             next += code.to[0] as usize;
                         }
                     }

@@ -1,11 +1,10 @@
-//! The instructions of the interpreter: their names, their operands, what they compute.
+//! The instructions of the interpreter: names, operands, and formulas.
 //!
-//! Besides one instruction per node there are instructions for two nodes, or three, of which the inner
-//! ones have no other use: a number that never goes to memory saves a store, a load and the choice of
-//! an instruction. Each node of them rounds as it does alone. For the same reason some have two results of the
-//! same operands.
+//! Most instructions compute one node. Others compute two or three nodes of which the inner ones have no other use:
+//! this saves a store, a load and the dispatch of an instruction. Each node rounds as it does alone. Some instructions
+//! have two results of common operands for the same reason.
 
-/// Hands every instruction of one result to a macro: its name, its operands and its value, of vectors.
+/// Passes every instruction with one result to a macro: its name, its operands, and its value as a formula of vectors.
 ///
 /// Truths are numbers all of whose bits are ones or zeros.
 macro_rules! instructions {
@@ -20,7 +19,7 @@ macro_rules! instructions {
         Exp(x) = x.exp();
         Ln(x) = x.ln();
         Not(x) = V::word(!x.truth());
-        // Whatever is in the slot.
+        // Ignores the slot's contents.
         Always(x) = V::word(!x.below(x));
         Never(x) = V::word(x.below(x));
 
@@ -65,7 +64,7 @@ macro_rules! instructions {
         MinMax(x, y, z) = x.least(y).most(z);
         MinFrom(x, y, z) = z.least(x.most(y));
         MaxFrom(x, y, z) = z.most(x.least(y));
-        // Adjoints by hand of areas are full of these.
+        // Adjoints by hand of areas often have these.
         MaxFromMul(x, y, z, w) = w.most(z.least(x * y));
         MaxFromNeg(x, y, z) = z.most(y.least(-x));
         MaxMulAdd(x, y, z, w) = w.most(x * y + z);
@@ -101,7 +100,7 @@ macro_rules! names {
     ($($name:ident($($x:ident),*) = $value:expr;)*) => {
         /// The operation of an instruction.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub(crate) enum Op {
+        pub(crate) enum Opcode {
             $(
                 #[doc = concat!("`", stringify!($value), "`")]
                 $name,
@@ -114,33 +113,33 @@ macro_rules! names {
             Turn,
             /// The sum and the difference of `from[0]` and `from[1]`.
             SumSub,
-            /// Leaves out the next `to[0]` instructions if the truth `from[0]` holds for every item.
+            /// Skips the next `to[0]` instructions if the truth `from[0]` holds for every item.
             SkipIfAll,
-            /// The same if it holds for none.
+            /// Skips the next `to[0]` instructions if the truth `from[0]` holds for no item.
             SkipIfNone,
         }
     };
 }
 instructions! { names!() }
 
-/// An instruction: what it does, with numbers of which slots, and to which ones.
+/// An instruction: its operation, and the slots of its results and operands.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Code {
+pub(crate) struct Instruction {
     /// The operation.
-    pub(crate) op: Op,
+    pub(crate) op: Opcode,
     /// Slots of results; most instructions have one.
     pub(crate) to: [u16; 4],
     /// Slots of operands.
     pub(crate) from: [u16; 4],
 }
 
-/// A run of instructions as a function of machine code.
+/// A run of instructions compiled to a function of machine code.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Run {
-    /// Instructions from the first to before the last one.
+pub(crate) struct CodeRun {
+    /// The first instruction, and the one after the last.
     pub(crate) from: usize,
     pub(crate) to: usize,
-    /// The place of its function in the code.
+    /// The offset of its function in the code.
     #[cfg_attr(
         not(all(target_arch = "x86_64", feature = "native", not(geograd_portable))),
         expect(dead_code, reason = "builds without machine code have no runs")
@@ -148,6 +147,6 @@ pub(crate) struct Run {
     pub(crate) entry: usize,
 }
 
-/// How many bytes ahead results are prefetched: own functions of 6 to 14 columns with gradients take a fifth to a third
-/// less time (`BENCHMARKS.md`, Python).
+/// The distance in bytes at which results are prefetched: users' functions of 6 to 14 columns with gradients take a
+/// fifth to a third less time (`BENCHMARKS.md`, Python).
 pub(crate) const AHEAD: usize = 1 << 10;

@@ -1,22 +1,22 @@
-//! From a graph to a tape: instructions in order, operands and results in slots.
+//! The translation of a graph to a tape: instructions in order, operands and results in slots.
 use crate::Unrecordable;
 use crate::ad::program::graph::{Graph, Id, Node};
-use crate::kernels::cpu::program::fuse::{Group, Step, cover, groups, uses};
-use crate::kernels::cpu::program::instructions::{Code, Op};
+use crate::kernels::cpu::program::fuse::{NodeGroup, NodeInstruction, cover, groups, uses};
+use crate::kernels::cpu::program::instructions::{Instruction, Opcode};
 use crate::kernels::cpu::program::skip;
 use crate::kernels::cpu::program::slots::Slots;
 use std::collections::HashMap;
 
-/// A program as instructions.
+/// A program as a list of instructions.
 #[derive(Clone, Debug)]
 pub(crate) struct Tape {
-    /// In order.
-    pub(crate) code: Vec<Code>,
-    /// How many slots there are; those of constants come last.
+    /// The instructions in order.
+    pub(crate) code: Vec<Instruction>,
+    /// The number of slots; constants have the last ones.
     pub(crate) slots: usize,
-    /// Slots of constants, with their values: the same before the first instruction and after the last one.
+    /// The slots of constants, with their values, which no instruction changes.
     pub(crate) constants: Vec<(u16, f64)>,
-    /// The slot of each input; `None` for one that nothing needs.
+    /// The slot of each input; `None` for an unused one.
     pub(crate) inputs: Vec<Option<u16>>,
     /// The slot of each output.
     pub(crate) outputs: Vec<u16>,
@@ -24,17 +24,17 @@ pub(crate) struct Tape {
 
 /// The place of a node: a slot, or a constant.
 #[derive(Clone, Copy)]
-enum Place {
+enum Location {
     Slot(u32),
     Constant(u32),
 }
 
 struct Lowering<'a> {
     graph: &'a Graph,
-    steps: Vec<Option<Step>>,
+    steps: Vec<Option<NodeInstruction>>,
     /// The group of each node that is computed together with others.
-    groups: HashMap<Id, Group>,
-    /// How many slots each node takes to be computed, were everything needed once (Sethi and Ullman).
+    groups: HashMap<Id, NodeGroup>,
+    /// The number of slots that each node needs for its computation if every node has one use (Sethi and Ullman).
     room: Vec<u32>,
     /// Nodes in the order of their instructions.
     order: Vec<Id>,
@@ -50,11 +50,11 @@ impl Lowering<'_> {
             (None, None) => Vec::new(),
         }
     }
-    /// Returns `true` if an instruction gives a node.
+    /// Returns `true` if a node is the result of an instruction.
     fn is_computed(&self, x: Id) -> bool {
         self.steps[x as usize].is_some() || self.groups.contains_key(&x)
     }
-    /// Puts a node in order after all that it needs, but for what `idle` says.
+    /// Appends a node after its operands to the order, unless `idle` excludes it.
     fn visit(&mut self, root: Id, idle: &[bool]) {
         let mut open = vec![(root, false)];
         while let Some((x, ready)) = open.pop() {
@@ -64,13 +64,13 @@ impl Lowering<'_> {
             if !ready {
                 open.push((x, true));
                 let mut operands = self.operands(x);
-                // The operand with most need of room comes first, while few others have to be kept.
+                // The operand that needs most slots comes first, while few others occupy any.
                 operands.sort_by_key(|&y| self.room[y as usize]);
                 open.extend(operands.into_iter().map(|y| (y, false)));
                 continue;
             }
             self.done[x as usize] = true;
-            // A group comes at the first of its nodes.
+            // A group is placed at the first of its nodes.
             if let Some(group) = self.groups.get(&x) {
                 for &y in group.results().iter().flatten() {
                     self.done[y as usize] = true;
@@ -83,20 +83,20 @@ impl Lowering<'_> {
     }
 }
 
-/// When a block may leave out nodes that none of its items needs.
+/// The condition under which a block may skip nodes that none of its items needs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Skipping {
     #[default]
     Never,
-    /// If three quarters of all nodes can be left out, or a tenth that few items need: aligned items seldom agree in
+    /// If three quarters of all nodes can be skipped, or a tenth that few items need. Aligned items seldom agree in
     /// what they need, and the test has a cost.
     Much,
-    /// If any can be left out.
+    /// If any node can be skipped.
     Any,
 }
 
 impl Tape {
-    /// Lowers a graph without grafts. `skipping` says when blocks may leave out what they do not need.
+    /// Lowers a graph without grafts. `skipping` says when blocks may skip nodes.
     ///
     /// # Errors
     ///
@@ -110,7 +110,7 @@ impl Tape {
         let (graph, outputs) = &polished(graph, outputs);
         let live = graph.live(outputs, false);
         let count = |nodes: &[bool]| nodes.iter().filter(|x| **x).count();
-        let share = |skip: &skip::Skip| count(&skip.idle) as f64 / count(&live) as f64;
+        let share = |skip: &skip::SkipCondition| count(&skip.idle) as f64 / count(&live) as f64;
         let skip = match skipping {
             Skipping::Never => None,
             Skipping::Much => {
@@ -145,7 +145,7 @@ impl Tape {
         if let Some(skip) = &skip {
             lowering.visit(skip.mask, &nothing);
             let idle = (0..graph.len() as Id).filter(|&x| skip.idle[x as usize]);
-            // Nodes inside other instructions are computed by those.
+            // Nodes inside other instructions are computed with those.
             let idle: Vec<Id> = idle.filter(|&x| lowering.is_computed(x)).collect();
             for &x in &idle {
                 for y in lowering.operands(x) {
@@ -165,12 +165,12 @@ impl Tape {
     }
 }
 
-/// Gives slots to nodes in order.
+/// Assigns slots to nodes in order.
 fn assign(
     lowering: Lowering<'_>,
     inputs: usize,
     outputs: &[Id],
-    skip: Option<(usize, usize, &skip::Skip)>,
+    skip: Option<(usize, usize, &skip::SkipCondition)>,
 ) -> Result<Tape, Unrecordable> {
     let graph = lowering.graph;
     let mut left = vec![0; graph.len()];
@@ -179,7 +179,7 @@ fn assign(
             left[y as usize] += 1;
         }
     }
-    // Never read for the last time.
+    // Outputs are read after all instructions, so their slots are never freed.
     for &x in outputs {
         left[x as usize] += 1;
     }
@@ -196,29 +196,29 @@ fn assign(
     let mut constants: Vec<f64> = Vec::new();
     let mut place = |slots: &Slots, x: Id| {
         let Some(number) = graph.constant(x) else {
-            // Every node comes after its operands.
-            return Place::Slot(slots.at(x).unwrap_or_default());
+            // Operands precede their nodes, so this default is unused.
+            return Location::Slot(slots.at(x).unwrap_or_default());
         };
         let known = constants
             .iter()
             .position(|known| known.to_bits() == number.to_bits());
-        Place::Constant(known.unwrap_or_else(|| {
+        Location::Constant(known.unwrap_or_else(|| {
             constants.push(number);
             constants.len() - 1
         }) as u32)
     };
-    // One slot for all results that are not needed.
+    // One slot serves all unused results.
     let mut waste = None;
-    let mut code: Vec<(Op, [Place; 4], [Place; 4])> = Vec::new();
+    let mut code: Vec<(Opcode, [Location; 4], [Location; 4])> = Vec::new();
     let mut jump = None;
-    let zero = Place::Slot(0);
+    let zero = Location::Slot(0);
     for at in 0..=lowering.order.len() {
         if let Some((first, end, skip)) = skip {
             if at == first && first < end {
                 let op = if skip.all {
-                    Op::SkipIfAll
+                    Opcode::SkipIfAll
                 } else {
-                    Op::SkipIfNone
+                    Opcode::SkipIfNone
                 };
                 let mask = place(&slots, skip.mask);
                 slots.read(skip.mask);
@@ -227,7 +227,7 @@ fn assign(
             }
             if let (true, Some(jump)) = (at == end, jump) {
                 let count = code.len() - jump - 1;
-                code[jump].1[0] = Place::Slot(count as u32);
+                code[jump].1[0] = Location::Slot(count as u32);
             }
         }
         let Some(&x) = lowering.order.get(at) else {
@@ -245,7 +245,7 @@ fn assign(
         let op = match (lowering.groups.get(&x), &lowering.steps[x as usize]) {
             (Some(group), _) => {
                 for (to, result) in to.iter_mut().zip(group.results()) {
-                    *to = Place::Slot(match result {
+                    *to = Location::Slot(match result {
                         &Some(y) => slots.take(y),
                         None => *waste.get_or_insert_with(|| slots.any()),
                     });
@@ -253,24 +253,24 @@ fn assign(
                 group.op
             }
             (None, Some(step)) => {
-                to[0] = Place::Slot(slots.take(x));
+                to[0] = Location::Slot(slots.take(x));
                 step.op
             }
-            // Nothing else is in order.
+            // The order has no other nodes.
             (None, None) => continue,
         };
         code.push((op, to, from));
     }
-    let outputs: Vec<Place> = outputs.iter().map(|&x| place(&slots, x)).collect();
+    let outputs: Vec<Location> = outputs.iter().map(|&x| place(&slots, x)).collect();
     let count = slots.count;
-    let name = |place: Place| {
+    let name = |place: Location| {
         u16::try_from(match place {
-            Place::Slot(slot) => slot,
-            Place::Constant(k) => count + k,
+            Location::Slot(slot) => slot,
+            Location::Constant(k) => count + k,
         })
         .map_err(|_| Unrecordable::TooLong)
     };
-    let names = |places: [Place; 4]| -> Result<[u16; 4], Unrecordable> {
+    let names = |places: [Location; 4]| -> Result<[u16; 4], Unrecordable> {
         let [a, b, c, d] = places;
         Ok([name(a)?, name(b)?, name(c)?, name(d)?])
     };
@@ -283,15 +283,15 @@ fn assign(
     };
     for (op, to, from) in code {
         let (to, from) = (names(to)?, names(from)?);
-        tape.code.push(Code { op, to, from });
+        tape.code.push(Instruction { op, to, from });
     }
     for (k, &constant) in constants.iter().enumerate() {
         tape.constants
-            .push((name(Place::Constant(k as u32))?, constant));
+            .push((name(Location::Constant(k as u32))?, constant));
     }
     for slot in places {
         tape.inputs
-            .push(slot.map(|slot| name(Place::Slot(slot))).transpose()?);
+            .push(slot.map(|slot| name(Location::Slot(slot))).transpose()?);
     }
     for place in outputs {
         tape.outputs.push(name(place)?);
@@ -299,8 +299,8 @@ fn assign(
     Ok(tape)
 }
 
-/// Returns the graph with choices of the smaller or larger of two numbers as such, and numbers without their signs
-/// as one node each. The bits are the same, those of NaN included; only derivatives would be others.
+/// Returns the graph with selections of the smaller or larger of two numbers, and unsigned numbers, as one node each.
+/// Values keep their bits, also of NaN; only derivatives would change.
 fn polished(graph: &Graph, outputs: &[Id]) -> (Graph, Vec<Id>) {
     let mut polished = Graph::new(graph.format);
     let mut names: Vec<Id> = Vec::with_capacity(graph.len());
@@ -313,7 +313,7 @@ fn polished(graph: &Graph, outputs: &[Id]) -> (Graph, Vec<Id>) {
         };
         let node = match node {
             Node::Select(m, yes, no) => lesser(m, yes, no).unwrap_or(node),
-            // Both take the sign away.
+            // Both operations remove the sign.
             Node::Magnitude(x) | Node::Unsigned(x) => Node::Magnitude(match polished.at(x) {
                 Node::Neg(negated) => negated,
                 _ => x,

@@ -1,28 +1,28 @@
-//! Programs in batches, for tests and measurements: rows of numbers in, rows of numbers out, on one thread.
+//! Programs in batches, for tests and measurements: from rows of numbers to rows of numbers, on one thread.
 use crate::ad::program::Program;
 use crate::ad::program::recorded::Recorded;
 use crate::kernels::cpu::formats::kernels_in;
-use crate::kernels::cpu::lane::{BLOCK, Lane, Planes, Results, TILE, Tiles, planes, tiles};
+use crate::kernels::cpu::lane::{BLOCK, Lane, Planes, ResultTiles, TILE, Tiles, planes, tiles};
 use crate::kernels::cpu::maker::{Maker, OverRows};
-use crate::kernels::cpu::program::rowwise::{Given, Wanted};
-use crate::kernels::cpu::program::split::{Piece, split};
-use crate::kernels::cpu::program::{Interpreted, Skipping};
+use crate::kernels::cpu::program::rowwise::{ArgumentRows, ResultRows};
+use crate::kernels::cpu::program::split::{Subgraph, split};
+use crate::kernels::cpu::program::{Interpreter, Skipping};
 use crate::{Real, Unrecordable};
 
-/// How a program is carried out. Results are the same bits any way.
+/// Options of a program's execution. They do not change the bits of results.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Way {
-    /// `true` if what depends on one argument alone is computed before, once per item.
+pub struct Execution {
+    /// `true` to compute numbers that depend on one argument once per item of that argument, beforehand.
     pub frames: bool,
-    /// When blocks leave out what they do not need.
+    /// The condition under which blocks skip nodes.
     pub skipping: Skipping,
-    /// Lanes of a slot, if not as usual.
+    /// The number of lanes of a slot; `None` for the usual one.
     pub width: Option<usize>,
-    /// `true` for machine code, from the first item on.
+    /// `true` to use machine code from the first item on.
     pub native: bool,
 }
 
-/// Sets after how many tiles of sixteen items programs become machine code.
+/// Sets the number of tiles, of sixteen items each, after which programs become machine code.
 pub fn compile_after(tiles: usize) {
     super::compile_after(tiles);
 }
@@ -32,7 +32,7 @@ pub fn compile_after(tiles: usize) {
 pub struct Trial(Recorded);
 
 impl Trial {
-    /// Takes the recording of a program.
+    /// Creates it from the recording of a program.
     #[must_use]
     pub fn of<In, Out>(program: &Program<In, Out>) -> Trial {
         Trial(program.recorded().clone())
@@ -42,30 +42,30 @@ impl Trial {
     pub fn run<T: Real>(&self, inputs: &[T]) -> Vec<T> {
         self.0.run(inputs)
     }
-    /// Makes it ready for batches. `fields` says how many numbers each argument has.
+    /// Prepares it for batches. `fields` is the number of scalars of each argument.
     ///
     /// # Errors
     ///
-    /// If it has too many instructions, or numbers at a time.
-    pub fn ready(&self, fields: &[usize], way: Way) -> Result<Ready, Unrecordable> {
+    /// If it has too many instructions, or too many numbers live at a time.
+    pub fn ready(&self, fields: &[usize], execution: Execution) -> Result<Ready, Unrecordable> {
         let value = &self.0.value;
-        let made = |piece: &Piece, fields: &[usize], skipping| {
-            let made = Interpreted::new(&piece.graph, fields, &piece.outputs, skipping)?;
-            let made = made.with_native(way.native);
-            Ok(match way.width {
+        let made = |piece: &Subgraph, fields: &[usize], skipping| {
+            let made = Interpreter::new(&piece.graph, fields, &piece.outputs, skipping)?;
+            let made = made.with_native(execution.native);
+            Ok(match execution.width {
                 Some(width) => made.with_width(width),
                 None => made,
             })
         };
-        let whole = Piece {
+        let whole = Subgraph {
             graph: value.graph.clone(),
             outputs: value.outputs.clone(),
         };
-        if !way.frames {
+        if !execution.frames {
             return Ok(Ready {
                 fields: fields.to_vec(),
                 frames: None,
-                body: made(&whole, fields, way.skipping)?,
+                body: made(&whole, fields, execution.skipping)?,
                 results: whole.outputs.len(),
             });
         }
@@ -83,7 +83,7 @@ impl Trial {
         Ok(Ready {
             fields: fields.to_vec(),
             frames: Some(frames.collect::<Result<_, Unrecordable>>()?),
-            body: made(&parts.body, &widths, way.skipping)?,
+            body: made(&parts.body, &widths, execution.skipping)?,
             results: whole.outputs.len(),
         })
     }
@@ -93,8 +93,8 @@ impl Trial {
 #[derive(Debug)]
 pub struct Ready {
     fields: Vec<usize>,
-    frames: Option<Vec<(Interpreted, usize)>>,
-    body: Interpreted,
+    frames: Option<Vec<(Interpreter, usize)>>,
+    body: Interpreter,
     results: usize,
 }
 
@@ -106,12 +106,12 @@ pub struct Prepared<T> {
 }
 
 impl Ready {
-    /// Returns how many instructions and slots it has, without those of frames.
+    /// Returns the numbers of instructions and of slots, without frames.
     #[must_use]
     pub fn size(&self) -> (usize, usize) {
         self.body.size()
     }
-    /// Returns the instructions, one to a line.
+    /// Returns the instructions, one per line.
     #[must_use]
     pub fn listing(&self) -> String {
         let lines = self.body.tape().code.iter();
@@ -119,7 +119,7 @@ impl Ready {
             .map(|code| format!("{:?} {:?} <- {:?}\n", code.op, code.to, code.from))
             .collect()
     }
-    /// Items of an argument, from rows of numbers; their frames, where there are frames.
+    /// Returns the items of an argument from rows of numbers, with frames if there are any.
     #[must_use]
     pub fn items<T: Real>(&self, argument: usize, rows: &[T]) -> Prepared<T> {
         let fields = self.fields[argument];
@@ -136,7 +136,7 @@ impl Ready {
             fields: *width,
         }
     }
-    /// Results of so many items, number by number in rows; an argument of one tile stands for all.
+    /// Returns the results of `count` items, field by field; an argument of one tile stands for all.
     #[must_use]
     pub fn compute<T: Real>(&self, count: usize, items: &[Prepared<T>]) -> Vec<T> {
         let mut rows = vec![T::default(); count * self.results];
@@ -149,28 +149,28 @@ impl Ready {
         }
         rows
     }
-    /// Results of so many items, from columns of numbers and a column for each; a column of one number stands for all.
-    /// The program has no frames, and arguments of one number.
+    /// Returns the results of `count` items, from one column of numbers per argument; a column of one number stands for
+    /// all. The program has no frames, and its arguments have one number each.
     #[must_use]
     pub fn columns<T: Real>(&self, count: usize, columns: &[&[T]]) -> Vec<Vec<T>> {
         let mut given = Vec::new();
         for &rows in columns {
-            given.push(Given {
+            given.push(ArgumentRows {
                 rows,
                 fields: 1,
                 is_one: rows.len() < count,
             });
         }
-        // Columns of other programs begin anywhere, too.
+        // Results of users' programs may begin at any address, too.
         let mut all = vec![vec![T::default(); count + 1]; self.results];
-        let mut wanted: Vec<Wanted<'_, T>> =
+        let mut wanted: Vec<ResultRows<'_, T>> =
             all.iter_mut().map(|x| (Some(&mut x[1..]), 1)).collect();
         self.body.over_rows(&given, count, 0, &mut wanted, false);
         all.iter_mut().for_each(|x| x.rotate_left(1));
         all.iter_mut().for_each(|x| x.truncate(count));
         all
     }
-    /// Computes items over and over, for measuring.
+    /// Computes the items `times` times, for measurements.
     pub fn repeat<T: Real>(&self, items: &[Prepared<T>], times: usize) {
         let mut lanes = vec![Lane::default(); planes(self.results)];
         let inputs: Vec<Tiles<'_, T>> = items.iter().map(|x| Prepared::from(x, 0)).collect();
@@ -179,12 +179,12 @@ impl Ready {
         }
     }
     fn make<T: Real>(&self, inputs: &[Tiles<'_, T>], lanes: &mut [Lane<T>], tiles: usize) {
-        self.body.make(inputs, Results { lanes, tiles });
+        self.body.make(inputs, ResultTiles { lanes, tiles });
     }
 }
 
 impl<T: Real> Prepared<T> {
-    /// From a tile on.
+    /// Returns the tiles from number `tile` on.
     fn from(&self, tile: usize) -> Tiles<'_, T> {
         match self.lanes.len() == self.fields {
             true => Tiles::one(&self.lanes),

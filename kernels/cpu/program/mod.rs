@@ -1,9 +1,9 @@
-//! Recorded programs as makers of blocks: an interpreter.
+//! An interpreter of recorded programs: makers of blocks.
 //!
-//! A program's graph becomes a tape of instructions (`lower`), each of which computes one number of every item of
-//! a block from others. Choosing an instruction costs about as much as a hundred items of it, so blocks are as
-//! long as the innermost cache allows. The code that the interpreter is compiled to depends on the format and the
-//! level of vector instructions only; results have the same bits at all of them.
+//! A program's graph becomes a tape of instructions (`lower`), each of which computes one number of every item of a
+//! block from others. Choosing an instruction costs about as much as a hundred items of it, so blocks are as long as
+//! the innermost cache allows. The compiled interpreter depends on the format and the level of vector instructions
+//! only; all levels give equal bits.
 //!
 //! After a thousand items the instructions between two calls of elementary functions become machine code (`native`),
 //! where the system allows it.
@@ -22,7 +22,7 @@ pub(crate) mod split;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::arch::Native;
 use crate::kernels::cpu::formats::kernels_in;
-use crate::kernels::cpu::lane::{Lane, PLANE, Results, TILE, Tiles, with_room};
+use crate::kernels::cpu::lane::{Lane, PLANE, ResultTiles, TILE, Tiles, with_room};
 use crate::kernels::cpu::maker::{Maker, OverRows};
 use crate::kernels::cpu::simd::Simd;
 use crate::{Real, Unrecordable};
@@ -30,46 +30,46 @@ use execute::Pass;
 use execute::STRIP;
 pub use lower::Skipping;
 pub(crate) use lower::Tape;
-use rowwise::{Given, Rows, Wanted};
+use rowwise::{ArgumentRows, ResultRows, RowRange};
 use std::cell::Cell;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
-/// Bytes of a slot. With fewer the choice of instructions binds; with more the slots of a program leave the
+/// The size of a slot in bytes. Smaller slots make the dispatch of instructions dominate; larger ones overflow the
 /// innermost cache.
 const SLOT: usize = 1 << 10;
 
 /// A program that computes blocks of items.
 #[derive(Debug)]
-pub(crate) struct Interpreted {
+pub(crate) struct Interpreter {
     tape: Tape,
-    /// Numbers of each argument.
+    /// The number of scalars of each argument.
     fields: Vec<usize>,
-    /// Unlike that of any other.
+    /// The number of this program, unique in the process.
     number: u64,
-    /// The number of lanes that tests ask for, if another one.
+    /// The number of lanes of a slot, if a test sets it.
     width: Option<usize>,
-    /// Machine code of each level above the baseline, of tiles and then of rows, made when it is worth it.
+    /// The machine code of each level above the baseline, for tiles and for rows, compiled when it pays.
     native: [OnceLock<Option<Native>>; 4],
-    /// Tiles that were computed without it.
+    /// The number of tiles computed by interpretation.
     done: AtomicUsize,
 }
 
-/// Tiles that a program computes before it is compiled: sixteen times as many items cost about as much.
+/// The number of tiles after which a program is compiled: compiling costs about as much as sixteen times as many.
 static WORTH: AtomicUsize = AtomicUsize::new(64);
 
-/// Sets after how many tiles programs become machine code, for tests.
+/// Sets the number of tiles after which programs become machine code, for tests.
 pub(crate) fn compile_after(tiles: usize) {
     WORTH.store(tiles, Ordering::Relaxed);
 }
 
-impl Interpreted {
-    /// Returns a program of a graph without grafts. Its inputs are the numbers of all arguments, one argument after
-    /// another. `skipping` says when a block may leave out nodes that none of its items needs.
+impl Interpreter {
+    /// Translates a graph without grafts. Its inputs are the numbers of all arguments, one argument after another.
+    /// `skipping` says when a block may skip nodes that none of its items needs.
     ///
     /// # Errors
     ///
-    /// If it has more numbers at a time than instructions can name.
+    /// If more numbers are live at a time than instructions can name.
     pub(crate) fn new(
         graph: &Graph,
         fields: &[usize],
@@ -77,13 +77,13 @@ impl Interpreted {
         skipping: Skipping,
     ) -> Result<Self, Unrecordable> {
         static NEXT: AtomicU64 = AtomicU64::new(1);
-        // Zeros lose their signs on their way out.
+        // Zeros lose their signs in results.
         let plain = |&x: &Id| match graph.at(x) {
             Node::Canonical(x) => x,
             _ => x,
         };
         let outputs: Vec<Id> = outputs.iter().map(plain).collect();
-        Ok(Interpreted {
+        Ok(Interpreter {
             tape: Tape::new(graph, fields.iter().sum(), &outputs, skipping)?,
             fields: fields.to_vec(),
             number: NEXT.fetch_add(1, Ordering::Relaxed),
@@ -92,12 +92,12 @@ impl Interpreted {
             done: AtomicUsize::new(0),
         })
     }
-    /// Returns the same with so many lanes per slot at most, an even number.
+    /// Returns the program with at most `width` lanes per slot, an even number.
     pub(crate) fn with_width(mut self, width: usize) -> Self {
         self.width = Some(width.next_multiple_of(STRIP));
         self
     }
-    /// Returns the same as machine code from the first item on, or never.
+    /// Returns the program as machine code from the first item on, or never as such.
     pub(crate) fn with_native(mut self, native: bool) -> Self {
         *self.done.get_mut() = if native { usize::MAX / 2 } else { 0 };
         if !native {
@@ -108,7 +108,7 @@ impl Interpreted {
         }
         self
     }
-    /// Returns the machine code for so many more tiles, if the program has computed enough.
+    /// Returns the machine code if the program has computed enough tiles; counts `tiles` more.
     fn native<T: Real>(&self, tiles: usize, of_rows: bool) -> Option<&Native> {
         let level = Simd::in_use();
         let number = match level {
@@ -126,7 +126,7 @@ impl Interpreted {
         let new = || Native::new::<T>(&self.tape, self.width::<T>(), level, of_rows);
         made.get_or_init(new).as_ref()
     }
-    /// Returns how many instructions and slots it has.
+    /// Returns the numbers of instructions and of slots.
     pub(crate) fn size(&self) -> (usize, usize) {
         (self.tape.code.len(), self.tape.slots)
     }
@@ -134,11 +134,11 @@ impl Interpreted {
     pub(crate) fn tape(&self) -> &Tape {
         &self.tape
     }
-    /// Lanes of a slot.
+    /// Returns the number of lanes of a slot.
     fn width<T>(&self) -> usize {
         self.width.unwrap_or(SLOT / size_of::<Lane<T>>())
     }
-    /// Slots of so many lanes, with the constants in theirs.
+    /// Returns slots of `width` lanes, with the constants in theirs.
     fn furnished<T: Real>(&self, width: usize) -> Vec<Lane<T>> {
         let mut lanes = vec![Lane::default(); self.tape.slots * width];
         for &(slot, constant) in &self.tape.constants {
@@ -147,7 +147,7 @@ impl Interpreted {
         }
         lanes
     }
-    /// Computes so many tiles of results. Number `k` of tile `t` goes to `out[t * steps[0] + k * steps[1]]`.
+    /// Computes `tiles` tiles of results. Number `k` of tile `t` goes to `out[t * steps[0] + k * steps[1]]`.
     fn compute<T: Real>(
         &self,
         inputs: &[Tiles<'_, T>],
@@ -178,8 +178,8 @@ impl Interpreted {
             }
         });
     }
-    /// Computes as many tiles as there is room for, one after another, each number by number: what is prepared
-    /// once for every shape of a list. Zeros may keep their signs.
+    /// Computes the prepared form of shapes: as many tiles as `out` has room for, one after another, field by field.
+    /// Zeros may keep their signs.
     pub(crate) fn prepare<T: Real>(&self, inputs: &[Tiles<'_, T>], out: &mut [Lane<T>]) {
         let numbers = self.tape.outputs.len();
         let tiles = out.len() / numbers.max(1);
@@ -187,13 +187,13 @@ impl Interpreted {
     }
 }
 
-impl<T: Real> OverRows<T> for Interpreted {
+impl<T: Real> OverRows<T> for Interpreter {
     fn over_rows(
         &self,
-        given: &[Given<'_, T>],
+        given: &[ArgumentRows<'_, T>],
         items: usize,
         skipped: usize,
-        wanted: &mut [Wanted<'_, T>],
+        wanted: &mut [ResultRows<'_, T>],
         far: bool,
     ) {
         let width = self.width::<T>();
@@ -202,7 +202,7 @@ impl<T: Real> OverRows<T> for Interpreted {
         with_room(self.number, furnish, |lanes| {
             let lanes = Cell::from_mut(lanes).as_slice_of_cells();
             for first in (0..items).step_by(width * TILE) {
-                let part = Rows {
+                let part = RowRange {
                     lanes,
                     stride: width,
                     given,
@@ -219,11 +219,11 @@ impl<T: Real> OverRows<T> for Interpreted {
     }
 }
 
-impl<T: Real> Maker<T> for Interpreted {
+impl<T: Real> Maker<T> for Interpreter {
     fn rows(&self) -> Option<&dyn OverRows<T>> {
         Some(self)
     }
-    fn make(&self, inputs: &[Tiles<'_, T>], out: Results<'_, T>) {
+    fn make(&self, inputs: &[Tiles<'_, T>], out: ResultTiles<'_, T>) {
         self.compute(inputs, out.tiles, out.lanes, [1, PLANE], true);
     }
 }

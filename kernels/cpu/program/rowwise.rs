@@ -1,6 +1,6 @@
-//! A program over rows of numbers: from rows to slots, through the instructions, and back to rows.
+//! A program over rows of numbers: rows to slots, instructions, slots to rows.
 //!
-//! Rows and slots are exchanged in registers, four fields at a time; no tile lies between them.
+//! Rows are transposed to slots and back in registers, four fields at a time, without a tile in between.
 use super::execute::{CarryOut, Memory, STRIP};
 use crate::Real;
 use crate::kernels::cpu::arch::memory::prefetch;
@@ -12,47 +12,47 @@ use crate::kernels::cpu::program::lower::Tape;
 use crate::kernels::row::item::STRETCH;
 use std::cell::Cell;
 
-/// Arguments and results of a batch of no more bytes stay in a core's own cache; prefetching them took a twentieth of the
-/// time of a short program.
+/// The size in bytes up to which the arguments and results of a batch stay in a core's own cache. Prefetching them
+/// costs a short program a twentieth of its time.
 pub(crate) const NEAR: usize = 1 << 18;
 
-/// An argument of a batch: one row for every item, or one that stands for all.
+/// An argument of a batch: one row per item, or one that stands for all.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Given<'a, T> {
+pub(crate) struct ArgumentRows<'a, T> {
     pub(crate) rows: &'a [T],
-    /// Numbers of a row, at least one.
+    /// The number of scalars of a row, at least one.
     pub(crate) fields: usize,
     pub(crate) is_one: bool,
 }
 
-/// Results of a batch: rows of so many numbers, or nothing where they are not wanted.
-pub(crate) type Wanted<'a, T> = (Option<&'a mut [T]>, usize);
+/// The results of a batch: rows, `None` if they are not wanted, and the number of scalars of a row.
+pub(crate) type ResultRows<'a, T> = (Option<&'a mut [T]>, usize);
 
-/// A part of a batch.
+/// A range of items of a batch.
 #[derive(Clone, Copy)]
-pub(crate) struct Rows<'a, T> {
-    /// Slot after slot, and lanes of a slot.
+pub(crate) struct RowRange<'a, T> {
+    /// The lanes of all slots, and the number of lanes of one.
     pub(crate) lanes: &'a [Cell<Lane<T>>],
     pub(crate) stride: usize,
-    pub(crate) given: &'a [Given<'a, T>],
-    /// The first item, and how many.
+    pub(crate) given: &'a [ArgumentRows<'a, T>],
+    /// The first item, and the number of items.
     pub(crate) first: usize,
     pub(crate) items: usize,
-    /// Results of the program that come before those that are wanted.
+    /// The number of results of the program before the wanted ones.
     pub(crate) skipped: usize,
     /// `true` if rows are prefetched.
     pub(crate) far: bool,
     pub(crate) native: Option<&'a Native>,
-    /// Carries out the instructions.
+    /// The executor of instructions.
     pub(crate) carry_out: CarryOut<T>,
 }
 
-/// Carries out a program on some items.
+/// Executes a program on some items.
 #[inline(always)]
 pub(crate) fn over_rows<T: Real, V: Vector<T>>(
     tape: &Tape,
-    part: Rows<'_, T>,
-    wanted: &mut [Wanted<'_, T>],
+    part: RowRange<'_, T>,
+    wanted: &mut [ResultRows<'_, T>],
 ) {
     let tiles = part.items.div_ceil(TILE);
     let memory = Memory {
@@ -61,7 +61,7 @@ pub(crate) fn over_rows<T: Real, V: Vector<T>>(
         stride: part.stride,
     };
     let mut native = part.native.and_then(|native| native.bind(part.lanes));
-    // Columns of numbers are read where they lie, if they fill whole strips.
+    // Columns of numbers are read in place if they fill whole strips.
     let full = memory.width * TILE == part.items;
     let mut first = 0;
     for given in part.given {
@@ -104,16 +104,16 @@ pub(crate) fn over_rows<T: Real, V: Vector<T>>(
     }
 }
 
-impl<T> Rows<'_, T> {
-    /// Returns the rows of its items.
+impl<T> RowRange<'_, T> {
+    /// Returns the rows of these items.
     fn of<'r>(&self, rows: &'r mut Option<&mut [T]>, fields: usize) -> Option<&'r mut [T]> {
         rows.as_deref_mut()?
             .get_mut(self.first * fields..(self.first + self.items) * fields)
     }
 }
 
-/// Calls a function for so many fields, as a constant `N` of the usual ones: sixteen items are then checked at once. `N` is 0
-/// for any other number.
+/// Calls a function with the number of fields as constant `N` if it is a usual one, which checks sixteen items at once.
+/// `N` is 0 for any other number.
 macro_rules! by_fields {
     ($fields:expr, $N:ident => $call:expr) => {
         by_fields!(@of $fields, $N => $call; 1 4 5 6 7 8 9 10 11 12 13 14 15 16)
@@ -132,14 +132,14 @@ macro_rules! by_fields {
     };
 }
 
-/// Returns the first field of a quad of so many fields: one quad after another, the last one as late as it may be.
+/// Returns the first field of a quad: quads follow each other, and the last one ends with the last field.
 #[inline(always)]
 const fn quad_start(quad: usize, fields: usize) -> usize {
     let (next, last) = (quad * QUAD, fields - QUAD);
     if next < last { next } else { last }
 }
 
-/// Four numbers of an item of a tile, of `N` fields or any number for `N = 0`.
+/// Returns four numbers of an item of a tile with `N` fields, or with `fields` fields for `N = 0`.
 #[inline(always)]
 fn quad_of<T: Real, const N: usize>(
     rows: &[T],
@@ -165,14 +165,14 @@ fn lanes_of<'a, T>(memory: Memory<'a, T>, slot: u16) -> &'a [Cell<Lane<T>>] {
     memory.slot(slot).as_flattened()
 }
 
-/// Rows of some items into the slots of their fields; `None` for a field that nothing needs. Places that fill up the last
-/// strip repeat the last item.
+/// Transposes rows of some items to the slots of their fields; `None` is an unused field. The last item fills up the
+/// last strip.
 #[inline(always)]
 fn bring<T: Real, V: Vector<T>>(
     memory: Memory<'_, T>,
     slots: &[Option<u16>],
-    given: &Given<'_, T>,
-    part: &Rows<'_, T>,
+    given: &ArgumentRows<'_, T>,
+    part: &RowRange<'_, T>,
 ) {
     let fields = slots.len();
     if given.is_one {
@@ -195,7 +195,7 @@ fn bring<T: Real, V: Vector<T>>(
     if first == memory.width {
         return;
     }
-    // The last tile, filled up; further ones are of the last item alone.
+    // The last tile is padded; further ones repeat the last item.
     let last = &rows[rows.len() - fields..];
     for (k, slot) in slots.iter().enumerate() {
         let &Some(slot) = slot else { continue };
@@ -210,7 +210,7 @@ fn bring<T: Real, V: Vector<T>>(
     }
 }
 
-/// Whole tiles of rows of `N` numbers; of any number for `N = 0`.
+/// Transposes whole tiles of rows of `N` numbers, or of any number for `N = 0`.
 #[inline(always)]
 fn bring_tiles<'r, T: Real, V: Vector<T>, const N: usize>(
     memory: Memory<'_, T>,
@@ -267,7 +267,7 @@ fn bring_tiles<'r, T: Real, V: Vector<T>, const N: usize>(
     }
 }
 
-/// Returns a lane with zeros that have no sign.
+/// Returns a lane whose zeros have no sign.
 #[inline(always)]
 fn canonical<T: Real, V: Vector<T>>(from: &Lane<T>) -> Lane<T> {
     let mut to = Lane::default();
@@ -279,7 +279,7 @@ fn canonical<T: Real, V: Vector<T>>(from: &Lane<T>) -> Lane<T> {
     to
 }
 
-/// Slots of fields into rows.
+/// Transposes slots of fields to rows.
 #[inline(always)]
 fn take<T: Real, V: Vector<T>>(memory: Memory<'_, T>, slots: &[u16], rows: &mut [T], far: bool) {
     let fields = slots.len();
@@ -299,7 +299,7 @@ fn take<T: Real, V: Vector<T>>(memory: Memory<'_, T>, slots: &[u16], rows: &mut 
     }
 }
 
-/// Whole tiles; how many.
+/// Transposes whole tiles to rows. Returns their number.
 #[inline(always)]
 fn take_tiles<T: Real, V: Vector<T>, const N: usize>(
     memory: Memory<'_, T>,

@@ -1,43 +1,40 @@
-//! The nodes that a block can leave out: those that matter only where a truth does not hold, or only where it
-//! does.
+//! The nodes that a block can skip: those that matter only if a truth holds, or only if it does not.
 //!
-//! Boxes that are apart share nothing, whatever the clipping of their sides gives: where all items of a block are
-//! apart, nothing needs to be clipped. Such truths are found in the graph. Every choice by the truth (or by one
-//! that follows from it) loses the side that is never taken. A node that then reaches no output need not be
-//! computed: its slot holds some number that is not chosen.
+//! Boxes that are apart have intersection zero without any clipping: a block of such pairs can skip it. Such truths are
+//! found in the graph. Every selection by the truth, or by one that it implies, loses the operand that is never
+//! selected. A node that then reaches no output need not be computed: its slot holds an arbitrary number that is never
+//! selected.
 //!
-//! A truth is judged by what it cuts off, not by a walk of the whole graph: uses are counted once, and a node whose
-//! uses are all cut off cuts off its operands. All truths together visit a bounded number of nodes per node.
+//! The gain of a truth is found without a walk of the whole graph. Uses are counted once, and a node without remaining
+//! uses removes the uses of its operands. All truths together visit a bounded number of nodes per node.
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::kernels::cpu::program::fuse::sine_of;
 use std::collections::HashMap;
 
-/// With fewer nodes than this the test of the truth costs more than it saves.
+/// The number of nodes below which testing the truth costs more than it saves.
 const FEW: usize = 12;
 
-/// So many nodes are visited at most, per node of the graph. Scores and distances of boxes, with gradients, visit up to
-/// 23.
+/// The largest number of visits per node of the graph. Scores and distances of boxes, with gradients, need up to 23.
 const VISITS: usize = 256;
 
-/// Something to leave out.
+/// A truth and the nodes that it makes superfluous.
 #[derive(Clone, Debug)]
-pub(crate) struct Skip {
+pub(crate) struct SkipCondition {
     /// The truth.
     pub(crate) mask: Id,
-    /// `true` if it is to hold for all items, or for none.
+    /// `true` if it must hold for all items, `false` if for none.
     pub(crate) all: bool,
-    /// The nodes that do not matter then.
+    /// For each node: `true` if it is then superfluous.
     pub(crate) idle: Vec<bool>,
 }
 
-/// A comparison with less than this, or with so small a part of a number, asks for the roundings of a number: few items
-/// have it.
+/// The factor below which a comparison concerns the roundings of a number, which few items have.
 const SMALL: f64 = 1.0 / 256.0;
 
-/// How many operations back a truth is looked at.
+/// The number of operations behind a truth that are examined.
 const DEPTH: usize = 8;
 
-/// Returns `true` if few items have a truth: it asks whether a size is as small as a rounding.
+/// Returns `true` if few items satisfy a truth: it asks whether a size is as small as a rounding error.
 fn is_seldom(graph: &Graph, mask: Id, depth: usize) -> bool {
     let Some(depth) = depth.checked_sub(1) else {
         return false;
@@ -74,15 +71,15 @@ fn is_size(graph: &Graph, x: Id, depth: usize) -> bool {
     }
 }
 
-/// Returns the truth that allows to leave out most if no item has it, and that few items have.
-pub(crate) fn find_seldom(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<Skip> {
+/// Returns the truth that few items satisfy and whose absence makes most nodes superfluous.
+pub(crate) fn find_seldom(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<SkipCondition> {
     find_by(graph, live, outputs, |mask, all| {
         !all && is_seldom(graph, mask, DEPTH)
     })
 }
 
-/// Returns the truth that allows to leave out most; of equals the first one.
-pub(crate) fn find(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<Skip> {
+/// Returns the truth that makes most nodes superfluous; the first of equal ones.
+pub(crate) fn find(graph: &Graph, live: &[bool], outputs: &[Id]) -> Option<SkipCondition> {
     find_by(graph, live, outputs, |_, _| true)
 }
 
@@ -91,10 +88,10 @@ fn find_by(
     live: &[bool],
     outputs: &[Id],
     is_wanted: impl Fn(Id, bool) -> bool,
-) -> Option<Skip> {
-    let mut search = Search::new(graph, live, outputs);
+) -> Option<SkipCondition> {
+    let mut search = SkipSearch::new(graph, live, outputs);
     let mut best: Option<(usize, Id, bool, Vec<Id>)> = None;
-    // From the last truth on, which cuts off most.
+    // Later truths make more nodes superfluous.
     for mask in (0..graph.len() as Id).rev() {
         if !search.is_judged[mask as usize] {
             continue;
@@ -114,34 +111,34 @@ fn find_by(
     for x in nodes {
         idle[x as usize] = true;
     }
-    Some(Skip { mask, all, idle })
+    Some(SkipCondition { mask, all, idle })
 }
 
-/// The judge of one truth after another.
-struct Search<'a> {
+/// The search among all truths, one after another.
+struct SkipSearch<'a> {
     graph: &'a Graph,
     live: &'a [bool],
-    /// Truths that a choice or another truth reads.
+    /// For each node: `true` for a truth that a selection or another truth reads.
     is_judged: Vec<bool>,
-    /// The choices and truths that read each truth.
+    /// The selections and truths that read each truth.
     readers: HashMap<Id, Vec<Id>>,
-    /// How often live nodes and outputs read each node.
+    /// The number of reads of each node, by live nodes and outputs.
     uses: Vec<u32>,
     /// Live sines and cosines of one angle, which are computed together.
     sines: HashMap<(Id, bool), Vec<Id>>,
-    /// The truths that are known; empty between two judgements, as the next three are.
+    /// The known truths. Like the next three fields it is empty between two searches.
     known: HashMap<Id, bool>,
-    /// Uses that are cut off.
+    /// The number of removed uses of each node.
     lost: Vec<u32>,
     idle: Vec<bool>,
     after: Vec<bool>,
-    /// How many nodes have been visited.
+    /// The number of visited nodes.
     visits: usize,
 }
 
-impl<'a> Search<'a> {
+impl<'a> SkipSearch<'a> {
     fn new(graph: &'a Graph, live: &'a [bool], outputs: &[Id]) -> Self {
-        let mut search = Search {
+        let mut search = SkipSearch {
             graph,
             live,
             is_judged: vec![false; graph.len()],
@@ -177,8 +174,8 @@ impl<'a> Search<'a> {
         }
         search
     }
-    /// Returns the nodes that do not matter if a truth is known, and how many of them are computed, if those are so
-    /// many at least: none that the truth itself or a node that matters and comes later needs.
+    /// Returns the nodes that are superfluous if a truth is known, and how many of them are computed, if there are at
+    /// least `least`. It excludes nodes that the truth itself needs, or a later node that matters.
     fn idle(&mut self, mask: Id, truth: bool, least: usize) -> Option<(usize, Vec<Id>)> {
         self.consequences(mask, truth);
         let (mut nodes, read) = self.cut_off(mask);
@@ -196,13 +193,13 @@ impl<'a> Search<'a> {
         self.known.clear();
         found.map(|count| (count, nodes))
     }
-    /// Idle nodes that are computed: no constants and inputs.
+    /// Returns how many superfluous nodes are computed, without constants and inputs.
     fn count(&self, nodes: &[Id]) -> usize {
         let computed = |x: &&Id| !self.graph.at(**x).operands().is_empty();
         let idle = nodes.iter().filter(|&&x| self.idle[x as usize]);
         idle.filter(computed).count()
     }
-    /// Finds the truths that are known if one of them is.
+    /// Finds the truths that follow from a known one.
     fn consequences(&mut self, mask: Id, truth: bool) {
         let mut open = vec![(mask, truth)];
         while let Some((m, truth)) = open.pop() {
@@ -220,8 +217,8 @@ impl<'a> Search<'a> {
             }
         }
     }
-    /// Operand `y` number `k` of a node is not needed, by what is known. Choices and truths themselves are still
-    /// computed; what is idle does not change them.
+    /// Returns `true` if node `x` does not need operand number `k`, node `y`, by what is known. Selections and truths
+    /// themselves are still computed; superfluous nodes do not change them.
     fn is_cut(&self, x: Id, k: usize, y: Id, mask: Id) -> bool {
         match self.graph.at(x) {
             Node::Select(m, ..) => match self.known.get(&m) {
@@ -235,7 +232,7 @@ impl<'a> Search<'a> {
             _ => false,
         }
     }
-    /// Marks what no output needs any more, and returns it, with all nodes that have lost a use.
+    /// Marks the nodes that no output needs any more. Returns them, and all nodes that have lost a use.
     fn cut_off(&mut self, mask: Id) -> (Vec<Id>, Vec<Id>) {
         let mut choosing: Vec<Id> = Vec::new();
         for m in self.known.keys() {
@@ -248,7 +245,7 @@ impl<'a> Search<'a> {
         let mut open: Vec<(Id, bool)> = choosing.into_iter().map(|x| (x, true)).collect();
         while let Some((x, is_cut)) = open.pop() {
             self.visits += 1;
-            // First the operands that are cut off, and of an idle node all others.
+            // First the unneeded operands, then all operands of superfluous nodes.
             for (k, &y) in self.graph.at(x).operands().iter().enumerate() {
                 if !self.live[x as usize] || self.is_cut(x, k, y, mask) != is_cut {
                     continue;
@@ -264,7 +261,7 @@ impl<'a> Search<'a> {
         }
         (nodes, read)
     }
-    /// Sine and cosine of an angle are computed together: one that matters keeps the other.
+    /// Keeps both sine and cosine of an angle if one of them matters, since they are computed together.
     fn keep_sines(&mut self, nodes: &[Id]) {
         let mut kept = Vec::new();
         for &x in nodes {
@@ -283,7 +280,7 @@ impl<'a> Search<'a> {
             self.idle[x as usize] = false;
         }
     }
-    /// A node that needs a number computed after the idle ones cannot be idle.
+    /// Keeps nodes that need a number computed after the superfluous ones.
     fn keep_late(&mut self, nodes: &[Id]) {
         let (Some(&first), Some(&last)) = (nodes.iter().min(), nodes.iter().max()) else {
             return;

@@ -1,4 +1,4 @@
-//! Slots by linear scan: a number lives where one that is not needed any more has been.
+//! Slot allocation by linear scan: a number takes the slot of one that is not needed any more.
 use crate::ad::program::graph::Id;
 
 /// Slots in use and free ones.
@@ -8,12 +8,12 @@ pub(crate) struct Slots {
     /// The number of reads of each node that are still to come.
     left: Vec<u32>,
     free: Vec<u32>,
-    /// How many slots there are.
+    /// The number of slots.
     pub(crate) count: u32,
 }
 
 impl Slots {
-    /// For nodes that will be read so often.
+    /// Creates an allocator from the number of reads of each node.
     pub(crate) fn new(left: Vec<u32>) -> Self {
         Slots {
             of: vec![None; left.len()],
@@ -22,14 +22,14 @@ impl Slots {
             count: 0,
         }
     }
-    /// Any slot, for good or until it is given back.
+    /// Takes any free slot, permanently or until it is given back.
     pub(crate) fn any(&mut self) -> u32 {
         self.free.pop().unwrap_or_else(|| {
             self.count += 1;
             self.count - 1
         })
     }
-    /// Returns a slot for a node.
+    /// Takes a slot for a node.
     pub(crate) fn take(&mut self, x: Id) -> u32 {
         let slot = self.any();
         self.of[x as usize] = Some(slot);
@@ -39,7 +39,7 @@ impl Slots {
     pub(crate) fn at(&self, x: Id) -> Option<u32> {
         self.of[x as usize]
     }
-    /// Says that a node has been read once; its slot is free after the last time.
+    /// Counts one read of a node; its slot is free after the last one.
     pub(crate) fn read(&mut self, x: Id) {
         let left = &mut self.left[x as usize];
         *left -= 1;

@@ -1,26 +1,26 @@
-//! The numbers that depend on one argument alone: found in the graph, computed once per item of that argument.
+//! The numbers that depend on one argument alone: found in the graph, and computed once per item of that argument.
 //!
-//! In a batch of all pairs every argument meets many others. A number made of it alone, such as its sine, is the
-//! same each time.
+//! In a batch of all pairs every item meets many others. A number that depends on it alone, such as its sine, does not
+//! change from pair to pair.
 use crate::ad::program::graph::{Graph, Id, Node};
 
 /// A graph with its inputs and outputs.
 #[derive(Clone, Debug)]
-pub(crate) struct Piece {
+pub(crate) struct Subgraph {
     /// The operations.
     pub(crate) graph: Graph,
     /// The results.
     pub(crate) outputs: Vec<Id>,
 }
 
-/// A program in parts: the numbers made of each argument, and the rest.
+/// A program split in two stages: the numbers that depend on one argument each, and the rest.
 #[derive(Clone, Debug)]
 pub(crate) struct Split {
     /// The frame of each argument: numbers that depend on no other one.
-    pub(crate) frames: Vec<Piece>,
-    /// The results from all frames, one frame after another, and then the arguments without a frame.
-    pub(crate) body: Piece,
-    /// How many numbers the body takes of each.
+    pub(crate) frames: Vec<Subgraph>,
+    /// The results from all frames, one frame after another, and then from the arguments without a frame.
+    pub(crate) body: Subgraph,
+    /// The number of inputs of the body from each of them.
     pub(crate) widths: Vec<usize>,
 }
 
@@ -42,9 +42,8 @@ impl Origin {
     }
 }
 
-/// Splits a graph without grafts by arguments, of so many numbers each. The first `framed` of them have
-/// frames, in which there are only such nodes (inputs must be among them); the others, which are
-/// cotangents, come as they are.
+/// Splits a graph without grafts by its arguments, of `fields` numbers each. The first `framed` of them have frames,
+/// which consist of nodes that `is_framed` accepts (it must accept inputs). The others, cotangents, have none.
 pub(crate) fn split(
     graph: &Graph,
     fields: &[usize],
@@ -70,7 +69,7 @@ pub(crate) fn split(
             }),
         });
     }
-    // A number of one argument that the body needs. Truths are decided again: a frame holds numbers.
+    // A number of one argument that the body needs. Truths are computed again in the body, since a frame holds numbers.
     let mut asked = vec![false; graph.len()];
     let mut in_body = vec![false; graph.len()];
     for &x in outputs {
@@ -120,7 +119,7 @@ pub(crate) fn split(
     }
     Split {
         frames,
-        body: Piece {
+        body: Subgraph {
             graph: body,
             outputs: outputs.iter().map(|&x| names[x as usize]).collect(),
         },
@@ -128,8 +127,8 @@ pub(crate) fn split(
     }
 }
 
-/// Returns the part of a graph that some nodes need, its inputs counted from the first one of an argument.
-fn frame(graph: &Graph, outputs: &[Id], first: u32) -> Piece {
+/// Extracts the subgraph that `outputs` need, and numbers its inputs from `first`.
+fn frame(graph: &Graph, outputs: &[Id], first: u32) -> Subgraph {
     let live = graph.live(outputs, false);
     let mut piece = Graph::new(graph.format);
     let mut names = vec![0; graph.len()];
@@ -139,7 +138,7 @@ fn frame(graph: &Graph, outputs: &[Id], first: u32) -> Piece {
             node => node.renamed(|y| names[y as usize]),
         });
     }
-    Piece {
+    Subgraph {
         graph: piece,
         outputs: outputs.iter().map(|&x| names[x as usize]).collect(),
     }

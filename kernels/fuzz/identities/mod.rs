@@ -1,8 +1,8 @@
-//! Identities between verbs, as data: what one row says of an input, others say, too.
+//! Identities between verbs, as data: equations between the results of several rows for one input.
 //!
-//! Inputs lie on a grid of few numbers, so that shapes share ends, vertices, planes and directions, are flat or have no
-//! size; they are exact, rounded, turned as a whole, or off the grid by a few roundings. Every identity names the
-//! verbs that it needs, and is asked of every pair of shapes that has rows of them.
+//! Inputs lie on a coarse grid, so that shapes share ends, vertices, planes and directions, are flat or have no size.
+//! They are exact, rounded, rotated as a whole, or off the grid by a few roundings. Every identity names its verbs, and
+//! is tested for every pair of shapes that has rows of them.
 //!
 //! ```
 //! use geograd::kernels::identities;
@@ -18,12 +18,12 @@ use crate::ad::sample::{Draw, fewer_digits};
 use crate::kernels::dynamic::{Function, Rows};
 use crate::kernels::fuzz::tested::{Tested, rows};
 use crate::kernels::fuzz::{self, Broken, Fuzzed, Property};
-use operands::Parts;
-use sentences::{Case, Part, SENTENCES, Sentence};
+use operands::ArgumentRanges;
+use sentences::{Case, SENTENCES, Sentence, ShapeOf};
 use std::collections::HashMap;
 use std::time::Instant;
 
-/// Inputs of one batch.
+/// The number of inputs in a batch.
 const CHUNK: u64 = 1024;
 
 /// An identity of certain rows.
@@ -33,8 +33,8 @@ pub struct Identity {
     sentence: &'static Sentence,
     /// The row whose arguments are the input.
     row: &'static Tested,
-    parts: Parts,
-    /// The rows that are asked, and whether a row takes its arguments in the other order.
+    parts: ArgumentRanges,
+    /// The other rows; `true` if a row takes its arguments in exchanged order.
     asked: Vec<(&'static Tested, bool)>,
 }
 
@@ -70,17 +70,17 @@ fn shapes_of(row: &Tested) -> Vec<String> {
     arguments.map(|argument| argument.shape.name).collect()
 }
 
-/// A row on columns, and its arguments' numbers.
-struct Column<T: Real> {
+/// A row on columns, and the numbers of its arguments.
+struct RowColumns<T: Real> {
     function: Function<T>,
     fields: [usize; 2],
 }
 
-impl<T: Real> Column<T> {
+impl<T: Real> RowColumns<T> {
     fn of(row: &Tested) -> Option<Self> {
         let layouts = row.operation.layouts::<T>();
         let [a, b] = &layouts[..] else { return None };
-        Some(Column {
+        Some(RowColumns {
             function: row.operation.value()?,
             fields: [a.fields(), b.fields()],
         })
@@ -112,7 +112,7 @@ impl Identity {
         rows: &HashMap<(String, String), &'static Tested>,
     ) -> Option<Self> {
         let shapes = shapes_of(row);
-        let parts = Parts::of(row)?;
+        let parts = ArgumentRanges::of(row)?;
         if shapes.len() != 2 {
             return None;
         }
@@ -126,11 +126,11 @@ impl Identity {
                 "" => row.operation.verb(),
                 verb => verb.to_owned(),
             };
-            let name = |part: Part| match part {
-                Part::Argument(k) => shapes[k].as_str(),
-                Part::Point => point,
+            let name = |part: ShapeOf| match part {
+                ShapeOf::Argument(k) => shapes[k].as_str(),
+                ShapeOf::Point => point,
             };
-            let by = |of: [Part; 2]| {
+            let by = |of: [ShapeOf; 2]| {
                 let shapes = of.map(name).join(" ");
                 rows.get(&(verb.clone(), shapes)).copied()
             };
@@ -138,19 +138,19 @@ impl Identity {
             let straight = by([first, second]).map(|row| (row, false));
             asked.push(straight.or_else(|| by([second, first]).map(|row| (row, true)))?);
         }
-        // The arguments of one row twice would say nothing.
+        // A row compared with itself would test nothing.
         let says_nothing =
             sentence
                 .asks
                 .iter()
                 .zip(&asked)
                 .any(|(question, (other, exchanged))| {
-                    question.of == [Part::Argument(1), Part::Argument(0)]
+                    question.of == [ShapeOf::Argument(1), ShapeOf::Argument(0)]
                         && *exchanged
                         && other.name() == row.name()
                 });
         (!says_nothing).then(|| Identity {
-            // Names live as long as rows do.
+            // Names live as long as rows, which are static.
             name: Box::leak(format!("{} of {}", sentence.name, row.name()).into_boxed_str()),
             sentence,
             row,
@@ -159,7 +159,7 @@ impl Identity {
         })
     }
 
-    /// Returns the sentence and its row: `hits lie on the shape of first_hit_ray2_circle`.
+    /// Returns the sentence with its row: `hits lie on the shape of first_hit_ray2_circle`.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.name
@@ -171,9 +171,9 @@ impl Identity {
         self.row.name()
     }
 
-    /// Returns the place of the first input, of some, at which the identity does not hold.
+    /// Returns the index of the first input for which the identity does not hold.
     fn first_broken<T: Real>(&self, inputs: &[Vec<f64>]) -> Option<usize> {
-        let Some(values) = Column::<T>::of(self.row)?.results(inputs) else {
+        let Some(values) = RowColumns::<T>::of(self.row)?.results(inputs) else {
             return Some(0);
         };
         let mut cases: Vec<Case<'_>> = Vec::new();
@@ -186,7 +186,7 @@ impl Identity {
             });
         }
         let mut largest: Vec<f64> = inputs.iter().map(|x| largest_of(0.0, x)).collect();
-        // The answers to the questions about every case, if it is asked all of them.
+        // The answers of the other rows for every case; `None` if one row has no answer.
         let mut answers: Vec<Option<Vec<f64>>> = cases.iter().map(|_| Some(Vec::new())).collect();
         for (question, &(row, exchanged)) in self.sentence.asks.iter().zip(&self.asked) {
             let (mut items, mut whose) = (Vec::new(), Vec::new());
@@ -215,7 +215,7 @@ impl Identity {
                     false => answers[i] = None,
                 }
             }
-            let Some(results) = Column::<T>::of(row)?.results(&items) else {
+            let Some(results) = RowColumns::<T>::of(row)?.results(&items) else {
                 return whose.first().copied();
             };
             for (i, result) in whose.into_iter().zip(results) {
@@ -234,7 +234,7 @@ impl Identity {
         })
     }
 
-    /// Asks it of so many inputs from a seed.
+    /// Tests it for `count` inputs from a seed.
     #[must_use]
     pub fn fuzz<T: Real>(&self, count: u64, seed: u64) -> Fuzzed {
         let start = Instant::now();
@@ -262,13 +262,13 @@ impl Identity {
         }
     }
 
-    /// Returns the input with as few digits as the identity stays broken.
+    /// Returns the input with as few digits as possible for which the identity is broken.
     fn shrunk<T: Real>(&self, mut x: Vec<f64>) -> Broken {
         let is_broken = |x: &Vec<f64>| {
             self.parts.is_valid::<T>(self.row, x)
                 && self.first_broken::<T>(std::slice::from_ref(x)).is_some()
         };
-        // Every step has fewer digits than the one before, so that it ends.
+        // Every step has fewer digits than the one before, so the loop ends.
         while let Some(simpler) = fewer_digits(x.clone()).find(is_broken) {
             x = simpler;
         }

@@ -1,4 +1,4 @@
-//! The arguments of an identity: which numbers are whose, and how they are drawn.
+//! The arguments of an identity: the ranges of their numbers, and their drawing.
 use crate::Real;
 use crate::ad::check::symmetry::moved_by;
 use crate::ad::declared::{Kind, Motion};
@@ -7,17 +7,17 @@ use crate::ad::sample::lattice::{lattice, places};
 use crate::kernels::fuzz::tested::Tested;
 use std::ops::Range;
 
-/// The numbers of two arguments.
+/// The ranges of the numbers of two arguments.
 #[derive(Clone, Debug)]
-pub(super) struct Parts {
+pub(super) struct ArgumentRanges {
     kinds: Vec<Kind>,
-    /// The first number of the second argument.
+    /// The index of the first number of the second argument.
     second: usize,
-    /// The numbers of a point: 2 in the plane, 3 in space.
+    /// The number of coordinates of a point: 2 in the plane, 3 in space.
     pub dimension: usize,
 }
 
-impl Parts {
+impl ArgumentRanges {
     /// Returns the parts of a row with two arguments of fixed size in the plane or in space.
     pub fn of(row: &Tested) -> Option<Self> {
         let kinds = (row.operation.kinds[0])();
@@ -32,14 +32,14 @@ impl Parts {
             (true, false) => 2,
             _ => return None,
         };
-        (a.fields() + b.fields() == kinds.len()).then(|| Parts {
+        (a.fields() + b.fields() == kinds.len()).then(|| ArgumentRanges {
             second: a.fields(),
             kinds,
             dimension,
         })
     }
 
-    /// Returns the places of the numbers of an argument.
+    /// Returns the range of an argument's numbers.
     pub fn range(&self, k: usize) -> Range<usize> {
         match k {
             0 => 0..self.second,
@@ -47,7 +47,7 @@ impl Parts {
         }
     }
 
-    /// Returns the points of an argument: centres, ends, vertices, all of which belong to its shape.
+    /// Returns the ranges of the points of an argument: centres, ends and vertices, which all belong to the shape.
     pub fn points(&self, k: usize) -> impl Iterator<Item = Range<usize>> {
         let range = self.range(k);
         let places = places(&self.kinds[range.clone()]);
@@ -56,7 +56,7 @@ impl Parts {
             .map(move |(at, n)| range.start + at..range.start + at + n)
     }
 
-    /// Returns the numbers of an argument that has shrunk to its first point; nothing for shapes without end.
+    /// Returns the numbers of an argument shrunk to its first point; `None` for unbounded shapes.
     pub fn shrunk(&self, x: &[f64], k: usize) -> Option<(Vec<f64>, Vec<f64>)> {
         let range = self.range(k);
         let endless = |kind: &Kind| {
@@ -87,7 +87,7 @@ impl Parts {
         Some((shape, point))
     }
 
-    /// True for an input that its row takes and promises something about.
+    /// Returns `true` for an input that the row accepts and for which it declares properties.
     pub fn is_valid<T: Real>(&self, row: &Tested, x: &[f64]) -> bool {
         let numbers: Vec<T> = x.iter().map(|&x| T::lit(x)).collect();
         let layouts = row.operation.layouts::<T>();
@@ -95,11 +95,11 @@ impl Parts {
             && row.operation.is_inside(x)
     }
 
-    /// Returns an input in a format; nothing where the numbers that were drawn are no input.
+    /// Returns a random input in a format; `None` if the numbers are not valid.
     pub fn draw<T: Real>(&self, row: &Tested, draw: &mut Draw) -> Option<Vec<f64>> {
         let mut x = lattice(&self.kinds, draw);
         match draw.below(4) {
-            // Turned and moved as a whole, so that what was equal differs by rounding.
+            // Rotated and moved as a whole, so that equal numbers differ by rounding.
             0 => {
                 let turn = match self.dimension {
                     2 => Motion::Rotation,
@@ -113,7 +113,7 @@ impl Parts {
                     &x,
                 );
             }
-            // A few roundings off, or thin.
+            // A few roundings off the grid, or thin.
             1 => {
                 let by = T::EPSILON * draw.magnitude(0.5, 64.0);
                 for (x, kind) in x.iter_mut().zip(&self.kinds) {

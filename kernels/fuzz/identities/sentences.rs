@@ -1,12 +1,12 @@
 //! The identities.
-use super::operands::Parts;
+use super::operands::ArgumentRanges;
 
 /// An input, and the result of the identity's own row.
 pub(crate) struct Case<'a> {
-    pub(super) parts: &'a Parts,
+    pub(super) parts: &'a ArgumentRanges,
     pub(super) input: &'a [f64],
     pub(super) value: Vec<f64>,
-    /// The largest error that rounding explains of a length in this input.
+    /// The largest error of a length that rounding explains for this input.
     pub(super) slack: f64,
 }
 
@@ -19,11 +19,11 @@ impl Case<'_> {
     pub(super) fn value(&self, range: std::ops::Range<usize>) -> Vec<f64> {
         self.value[range].to_vec()
     }
-    /// Returns the numbers of a point.
+    /// Returns the number of coordinates of a point.
     pub(super) fn dimension(&self) -> usize {
         self.parts.dimension
     }
-    /// True for numbers that differ by rounding.
+    /// Returns `true` for numbers that differ by rounding only.
     pub(super) fn near(&self, x: f64, y: f64) -> bool {
         (x - y).abs() <= self.slack
     }
@@ -31,41 +31,41 @@ impl Case<'_> {
 
 /// A shape that a row takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Part {
-    /// That of an argument.
+pub(super) enum ShapeOf {
+    /// The shape of an argument.
     Argument(usize),
     Point,
 }
 
-/// A row that is asked, and of which arguments.
+/// A result to compare with: of a row with some verb and arguments.
 #[derive(Debug)]
 pub(super) struct Question {
-    /// Its verb; the identity's own where it has no name.
+    /// Its verb; an empty name is the identity's own verb.
     pub verb: &'static str,
-    /// The shapes that it takes, in either order.
-    pub of: [Part; 2],
-    /// The numbers of its arguments; none where there is nothing to ask.
+    /// Its shapes, in either order.
+    pub of: [ShapeOf; 2],
+    /// Its arguments' numbers; `None` where the comparison does not apply.
     pub arguments: fn(&Case<'_>) -> Option<[Vec<f64>; 2]>,
 }
 
-/// A property of the results of some rows that holds at every input.
+/// An identity between the results of some rows.
 #[derive(Debug)]
 pub(super) struct Sentence {
     pub name: &'static str,
-    /// The verbs of the rows that it is about.
+    /// The verbs of the rows that it concerns.
     pub verbs: &'static [&'static str],
     pub asks: &'static [Question],
-    /// By how many roundings of the largest coordinate results may differ.
+    /// The number of roundings of the largest coordinate by which results may differ.
     pub roundings: f64,
-    /// Given the first numbers of the answers.
+    /// The identity, given the first numbers of the results to compare with.
     pub holds: fn(&Case<'_>, &[f64]) -> bool,
 }
 
-const A: Part = Part::Argument(0);
-const B: Part = Part::Argument(1);
-const POINT: Part = Part::Point;
+const A: ShapeOf = ShapeOf::Argument(0);
+const B: ShapeOf = ShapeOf::Argument(1);
+const POINT: ShapeOf = ShapeOf::Point;
 
-/// Returns a verb of the arguments as they are.
+/// Returns the question for a verb with the arguments in order.
 const fn same(verb: &'static str) -> Question {
     Question {
         verb,
@@ -76,7 +76,7 @@ const fn same(verb: &'static str) -> Question {
 
 const DISTANCES: &[&str] = &["distance", "signed_distance"];
 
-/// All of them.
+/// All identities.
 pub(super) const SENTENCES: &[Sentence] = &[
     Sentence {
         name: "exchange",
@@ -113,7 +113,7 @@ pub(super) const SENTENCES: &[Sentence] = &[
         verbs: &["closest_points"],
         asks: &[same("distance")],
         roundings: 64.0,
-        // Inside each other the points say how deep.
+        // Inside each other the points show the depth.
         holds: |case, distance| distance[0] == 0.0 || case.near(between(case), distance[0]),
     },
     Sentence {
@@ -220,7 +220,7 @@ pub(super) const SENTENCES: &[Sentence] = &[
             of: [POINT, B],
             arguments: |case| {
                 let points: Vec<_> = case.parts.points(1).collect();
-                // One of them for every input, which the input selects.
+                // The input selects one of them.
                 let bits = case
                     .input
                     .iter()
@@ -264,7 +264,7 @@ pub(super) const SENTENCES: &[Sentence] = &[
     ),
 ];
 
-/// Returns a distance from a shape that has shrunk is that from the point.
+/// Returns the sentence that the distance from a shrunk shape is the distance from the point.
 const fn shrunk(name: &'static str, asks: &'static [Question]) -> Sentence {
     Sentence {
         name,
@@ -297,19 +297,19 @@ const fn at_the_hit(verb: &'static str) -> Question {
     }
 }
 
-/// True for a hit as a result.
+/// Returns `true` if the result is a hit.
 fn is_hit(case: &Case<'_>) -> bool {
     case.value[2 * case.dimension() + 1] != 0.0
 }
 
-/// Returns the distance of two points that a result begins with.
+/// Returns the distance of the two points with which a result begins.
 fn between(case: &Case<'_>) -> f64 {
     let (n, points) = (case.dimension(), &case.value);
     let squares = (0..n).map(|i| (points[i] - points[n + i]).powi(2));
     squares.sum::<f64>().sqrt()
 }
 
-/// True for two segments of which an end of one is an end of the other.
+/// Returns `true` for two segments that share an end.
 fn shares_an_end(case: &Case<'_>) -> bool {
     let (a, b) = (case.argument(0), case.argument(1));
     let mut ends = a

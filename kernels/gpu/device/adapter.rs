@@ -1,25 +1,25 @@
-//! Choosing and describing adapters.
+//! The choice and the description of adapters.
 use crate::{Error, GpuFault};
 use std::fmt;
 
-/// The adapter that a context is for.
+/// The choice of the adapter for a context.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Choice {
-    /// The adapter that the environment variable `GEOGRAD_GPU` names; without it the fastest kind: discrete, then
-    /// integrated, virtual, other, and last a driver in software.
+    /// The adapter that the environment variable `GEOGRAD_GPU` names. Without the variable it is the fastest kind:
+    /// discrete, then integrated, virtual, other, and last a software driver.
     #[default]
     Best,
     /// By index into [`Gpu::adapters`](super::Gpu::adapters).
     Index(usize),
-    /// By a part of its name, in upper or lower case.
+    /// By a part of its name, ignoring case.
     Name(String),
-    /// A driver in software.
+    /// A software driver.
     Cpu,
 }
 
 impl Choice {
-    /// As the environment variable is read: `cpu`, an index, or a part of a name.
+    /// Parses a value of the environment variable: `cpu`, an index, or a part of a name.
     #[must_use]
     pub fn parse(text: &str) -> Self {
         let text = text.trim();
@@ -32,15 +32,15 @@ impl Choice {
     }
 }
 
-/// How a context is made.
+/// The options of a new context.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Options {
     /// The adapter.
     pub adapter: Choice,
-    /// The most bytes of one buffer, below what the device allows: mostly for tests of splitting.
+    /// An upper bound of a buffer's size in bytes, below the device's: mostly for tests of splitting.
     pub most_bytes: Option<u64>,
-    /// `true` to use subgroup operations if there are any (the default).
+    /// `true` to use subgroup operations if the device has them (the default).
     pub subgroups: bool,
     /// `true` to measure the time of kernels (default: `false`). Every call then waits for its end.
     pub timing: bool,
@@ -69,13 +69,13 @@ pub struct Adapter {
     pub driver: String,
     /// The interface: Vulkan, Metal, Dx12 or Gl.
     pub backend: String,
-    /// `true` if it is a driver in software.
+    /// `true` for a software driver.
     pub is_software: bool,
-    /// `true` if it adds across threads by itself.
+    /// `true` if it has subgroup operations, which add across threads.
     pub subgroups: bool,
-    /// `true` if it measures the time of kernels.
+    /// `true` if it can measure the time of kernels.
     pub timestamps: bool,
-    /// The most bytes of one buffer that a kernel can read.
+    /// The largest size in bytes of a buffer that a kernel can read.
     pub most_bytes: u64,
 }
 
@@ -92,8 +92,8 @@ impl fmt::Display for Adapter {
 /// Returns every adapter that can compute.
 pub(super) fn all() -> Vec<(wgpu::Adapter, Adapter)> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
-    // Line numbers of shaders, which debug builds of wgpu look up instruction by instruction from the first line on,
-    // take longer than compiling them.
+    // Debug information makes wgpu look up the line of every instruction in a linear search, which takes longer than
+    // compiling the shader.
     let debug = wgpu::InstanceFlags::DEBUG;
     descriptor.flags = (wgpu::InstanceFlags::default() - debug).with_env();
     let backends = descriptor.backends;
@@ -132,7 +132,7 @@ fn describe(index: usize, adapter: &wgpu::Adapter) -> Adapter {
     }
 }
 
-/// How willingly an adapter is taken, most willingly first.
+/// Returns the rank of an adapter; the lowest is preferred.
 fn rank(adapter: &wgpu::Adapter) -> (u8, bool) {
     let info = adapter.get_info();
     let kind = match info.device_type {
@@ -142,11 +142,11 @@ fn rank(adapter: &wgpu::Adapter) -> (u8, bool) {
         wgpu::DeviceType::Other => 3,
         wgpu::DeviceType::Cpu => 4,
     };
-    // The same GPU through GL knows fewer features.
+    // OpenGL exposes fewer features of a GPU than its other interfaces.
     (kind, info.backend == wgpu::Backend::Gl)
 }
 
-/// Returns the adapter asked for.
+/// Returns the chosen adapter.
 pub(super) fn choose(choice: &Choice) -> Result<(wgpu::Adapter, Adapter), Error> {
     let choice = match (choice, std::env::var("GEOGRAD_GPU")) {
         (Choice::Best, Ok(text)) => Choice::parse(&text),

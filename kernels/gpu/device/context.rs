@@ -10,25 +10,25 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// A GPU ready for work. Cheap to clone; clones share device and compiled shaders.
+/// A context on a GPU. Clones are cheap and share the device and compiled shaders.
 pub type Gpu = Machine<Device>;
 
-/// The engine of a GPU: a context. Clones share device and compiled shaders.
+/// The engine of a GPU: a context. Clones share the device and compiled shaders.
 #[derive(Clone)]
 pub struct Device {
-    pub(super) inner: Arc<Inner>,
+    pub(super) inner: Arc<SharedContext>,
 }
 
 /// The part of a context that all clones share.
-pub(super) struct Inner {
+pub(super) struct SharedContext {
     pub(super) device: wgpu::Device,
     pub(super) queue: wgpu::Queue,
     pub(super) adapter: Adapter,
-    /// Shapes per buffer and per binding.
+    /// The largest number of shapes in a buffer and in a binding.
     pub(super) chunk: usize,
-    /// Bytes per binding.
+    /// The largest size of a binding in bytes.
     pub(super) most_bytes: u64,
-    /// The most subgroups an adjoint's workgroup can have, zero without subgroup operations.
+    /// The largest number of subgroups of an adjoint's workgroup; zero without subgroup operations.
     pub(super) slots: usize,
     pub(super) timing: bool,
     pub(super) kernel_time: Mutex<Duration>,
@@ -49,14 +49,14 @@ impl std::fmt::Display for Machine<Device> {
     }
 }
 
-/// Returns a lock that a panic elsewhere cannot spoil.
+/// Locks a mutex even if a thread panicked while it had the lock.
 pub(super) fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Machine<Device> {
-    /// Returns a context on the best GPU, or the one that the environment variable `GEOGRAD_GPU` names: an
-    /// index into [`Gpu::adapters`], a part of a name, or `cpu` for a driver in software.
+    /// Returns a context on the best GPU, or the one that the environment variable `GEOGRAD_GPU` names: an index into
+    /// [`Gpu::adapters`], a part of a name, or `cpu` for a software driver.
     ///
     /// # Errors
     ///
@@ -66,7 +66,7 @@ impl Machine<Device> {
         Self::with(&Options::default())
     }
 
-    /// Returns a context as asked for.
+    /// Returns a context with the given options.
     ///
     /// # Errors
     ///
@@ -100,7 +100,7 @@ impl Machine<Device> {
             .max_storage_buffer_binding_size
             .min(limits.max_buffer_size)
             .min(options.most_bytes.unwrap_or(u64::MAX))
-            // Indices of numbers stay far from 32 bits.
+            // Indices of numbers stay far below 2³².
             .clamp(LEAST_BYTES, 1 << 31);
         let threads = u64::from(limits.max_compute_workgroups_per_dimension) * GROUP as u64;
         let chunk = (most_bytes / MOST_BYTES_PER_SHAPE).min(threads) as usize / TILE * TILE;
@@ -112,7 +112,7 @@ impl Machine<Device> {
         let timing = options.timing && device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
         log::info!("using {adapter}; {chunk} shapes per buffer, subgroup slots {slots}");
         let engine = Device {
-            inner: Arc::new(Inner {
+            inner: Arc::new(SharedContext {
                 device,
                 queue,
                 adapter,
@@ -129,13 +129,13 @@ impl Machine<Device> {
         Ok(Machine { engine })
     }
 
-    /// Returns `true` if it computes faster than the processor: not so for a driver in software, unless the
-    /// environment asks for one.
+    /// Returns `true` if the GPU is faster than the CPU: `false` for a software driver, unless the environment asks for
+    /// it.
     pub(crate) fn is_worth_it(&self) -> bool {
         !self.adapter().is_software || std::env::var_os("GEOGRAD_GPU").is_some()
     }
 
-    /// Returns every adapter there is, in the order of their indices.
+    /// Returns all adapters, in the order of their indices.
     #[must_use]
     pub fn adapters() -> Vec<Adapter> {
         adapter::all().into_iter().map(|(_, info)| info).collect()
@@ -153,14 +153,14 @@ impl Machine<Device> {
         self.engine.inner.slots > 0
     }
 
-    /// Returns the most bytes of one buffer; larger data is split.
+    /// Returns the largest size of a buffer in bytes; larger data is split.
     #[must_use]
     pub fn most_bytes(&self) -> u64 {
         self.engine.inner.most_bytes
     }
 
-    /// Time that kernels took since the last call; `None` unless asked for by
-    /// [`Options::timing`] and supported.
+    /// Returns the time of kernels since the last call; `None` unless [`Options::timing`] asks for it and the device
+    /// supports it.
     #[must_use]
     pub fn take_kernel_time(&self) -> Option<Duration> {
         self.engine
@@ -169,8 +169,7 @@ impl Machine<Device> {
             .then(|| std::mem::take(&mut *locked(&self.engine.inner.kernel_time)))
     }
 
-    /// Gives the device up, with everything on it: every later call, of every clone, is
-    /// [`GpuFault::DeviceLost`].
+    /// Destroys the device with everything on it: every later call, of every clone, returns [`GpuFault::DeviceLost`].
     pub fn destroy(&self) {
         self.engine.inner.device.destroy();
         self.engine.inner.lost.store(true, Ordering::Release);
@@ -187,7 +186,7 @@ impl Machine<Device> {
 }
 
 impl Device {
-    /// Refuses a handle of another context.
+    /// Checks that a handle belongs to this context.
     pub(super) fn owns(&self, other: &Device) -> Result<(), Error> {
         if Arc::ptr_eq(&self.inner, &other.inner) {
             Ok(())
@@ -197,12 +196,12 @@ impl Device {
     }
 }
 
-/// The most bytes of one shape in any buffer, or of one pair in a row of a matrix of derivatives.
+/// The largest size in bytes of one shape in any buffer, or of one pair in a row of a matrix of derivatives.
 pub(super) const MOST_BYTES_PER_SHAPE: u64 = 64;
-/// The least bytes of a buffer.
+/// The smallest limit of a buffer's size in bytes.
 pub(super) const LEAST_BYTES: u64 = 4096;
 
-impl Inner {
+impl SharedContext {
     /// Returns the pipeline of a shader that has no body of two shapes.
     pub(super) fn written(&self, kernel: Kernel, entry: &'static str) -> wgpu::ComputePipeline {
         self.pipeline(kernel, entry, || kernel.text())

@@ -1,7 +1,7 @@
-//! How results come back: at once, later, or awaited.
-use super::context::{Device, Inner, locked};
-use super::data::Piece;
-use crate::kernels::machine::Later;
+//! Downloads of results: blocking, started and awaited later, or as futures.
+use super::context::{Device, SharedContext, locked};
+use super::data::BufferPiece;
+use crate::kernels::machine::DeviceDownload;
 use crate::{Error, GpuFault};
 use std::future::Future;
 use std::pin::Pin;
@@ -10,9 +10,13 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::task::{Context, Poll, Waker};
 use std::time::Duration;
 
-impl Inner {
-    /// Starts bringing numbers back.
-    pub fn bring(&self, gpu: &Device, parts: &[(&wgpu::Buffer, u64)]) -> Result<Arrival, Error> {
+impl SharedContext {
+    /// Starts the download of the first bytes of every buffer.
+    pub fn bring(
+        &self,
+        gpu: &Device,
+        parts: &[(&wgpu::Buffer, u64)],
+    ) -> Result<BufferDownload, Error> {
         let whole: Vec<_> = parts
             .iter()
             .map(|&(from, bytes)| (from, 0, bytes))
@@ -20,12 +24,12 @@ impl Inner {
         self.bring_parts(gpu, &whole)
     }
 
-    /// Starts bringing back so many bytes of every buffer, from a byte on.
+    /// Starts the download of a range of bytes of every buffer: first byte, number of bytes.
     pub fn bring_parts(
         &self,
         gpu: &Device,
         parts: &[(&wgpu::Buffer, u64, u64)],
-    ) -> Result<Arrival, Error> {
+    ) -> Result<BufferDownload, Error> {
         self.guarded(|| {
             let mut encoder = self.encoder();
             let mut staged = Vec::new();
@@ -35,8 +39,8 @@ impl Inner {
                 staged.push((staging, bytes));
             }
             let submission = self.queue.submit([encoder.finish()]);
-            let state = State::of(staged.iter().map(|(staging, _)| staging));
-            Ok(Arrival {
+            let state = DownloadState::of(staged.iter().map(|(staging, _)| staging));
+            Ok(BufferDownload {
                 gpu: gpu.clone(),
                 staged,
                 state,
@@ -47,21 +51,21 @@ impl Inner {
     }
 }
 
-/// How far a download is.
+/// The state of a download.
 #[derive(Debug, Default)]
-pub(super) struct State {
+pub(super) struct DownloadState {
     left: AtomicUsize,
     failed: AtomicBool,
     waker: Mutex<Option<Waker>>,
     arrived: Condvar,
 }
 
-impl State {
+impl DownloadState {
     /// Maps buffers for reading.
-    pub fn of<'a>(staged: impl ExactSizeIterator<Item = &'a wgpu::Buffer>) -> Arc<State> {
-        let state = Arc::new(State {
+    pub fn of<'a>(staged: impl ExactSizeIterator<Item = &'a wgpu::Buffer>) -> Arc<DownloadState> {
+        let state = Arc::new(DownloadState {
             left: AtomicUsize::new(staged.len()),
-            ..State::default()
+            ..DownloadState::default()
         });
         for staging in staged {
             let state = Arc::clone(&state);
@@ -90,9 +94,13 @@ impl State {
 
     /// Waits for a submission and for what it maps.
     ///
-    /// Any thread that drives the device may be the one that is told of a mapped buffer, so the
-    /// end of the submission is not the end of the wait.
-    pub fn wait(&self, inner: &Inner, submission: &wgpu::SubmissionIndex) -> Result<(), Error> {
+    /// The callback of a mapped buffer runs on any thread that polls the device, so the end of the submission does not
+    /// end the wait.
+    pub fn wait(
+        &self,
+        inner: &SharedContext,
+        submission: &wgpu::SubmissionIndex,
+    ) -> Result<(), Error> {
         inner.wait(Some(submission.clone()))?;
         let mut waker = locked(&self.waker);
         while !self.is_ready() {
@@ -107,21 +115,21 @@ impl State {
     }
 }
 
-/// How long to wait for another thread before looking whether the device is still there.
+/// The wait for another thread, after which it is checked that the device still exists.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// Buffers on their way to the processor.
+/// Buffers that are being downloaded.
 #[derive(Debug)]
-pub(super) struct Arrival {
+pub(super) struct BufferDownload {
     gpu: Device,
     staged: Vec<(wgpu::Buffer, u64)>,
-    state: Arc<State>,
+    state: Arc<DownloadState>,
     submission: wgpu::SubmissionIndex,
     watched: bool,
 }
 
-impl Arrival {
-    /// Waits, then hands each part over.
+impl BufferDownload {
+    /// Waits, then passes each part to `each`.
     pub fn finish(self, each: impl FnMut(usize, &[u32])) -> Result<(), Error> {
         self.wait()?;
         self.read(each)
@@ -131,7 +139,7 @@ impl Arrival {
         self.state.wait(&self.gpu.inner, &self.submission)
     }
 
-    /// Hands each part over, in order.
+    /// Passes each part to `each`, in order.
     pub fn read(&self, mut each: impl FnMut(usize, &[u32])) -> Result<(), Error> {
         self.gpu.inner.alive()?;
         if self.state.failed.load(Ordering::Acquire) {
@@ -147,30 +155,30 @@ impl Arrival {
     }
 }
 
-/// Makes what was asked for out of what arrived.
-type Make<T> = dyn FnMut(&Arrival) -> Result<T, Error> + Send;
+/// A conversion of downloaded buffers to the result.
+type Make<T> = dyn FnMut(&BufferDownload) -> Result<T, Error> + Send;
 
-/// A download that was started: wait for it with [`wait`](Pending::wait), or await it.
+/// A started download: wait for it with [`wait`](DevicePending::wait), or await it.
 #[must_use = "nothing arrives unless waited for"]
-pub struct Pending<T> {
-    arrival: Arrival,
+pub struct DevicePending<T> {
+    arrival: BufferDownload,
     make: Box<Make<T>>,
 }
 
-impl<T> std::fmt::Debug for Pending<T> {
+impl<T> std::fmt::Debug for DevicePending<T> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Pending")
+        f.debug_struct("DevicePending")
             .field("is_ready", &self.arrival.state.is_ready())
             .finish_non_exhaustive()
     }
 }
 
-impl<T> Pending<T> {
+impl<T> DevicePending<T> {
     pub(super) fn new(
-        arrival: Arrival,
-        make: impl FnMut(&Arrival) -> Result<T, Error> + Send + 'static,
+        arrival: BufferDownload,
+        make: impl FnMut(&BufferDownload) -> Result<T, Error> + Send + 'static,
     ) -> Self {
-        Pending {
+        DevicePending {
             arrival,
             make: Box::new(make),
         }
@@ -194,14 +202,15 @@ impl<T> Pending<T> {
     ///
     /// # Errors
     ///
-    /// [`GpuFault::DeviceLost`](crate::GpuFault::DeviceLost), or [`GpuFault::OutOfMemory`](crate::GpuFault::OutOfMemory) when they have no room.
+    /// [`GpuFault::DeviceLost`](crate::GpuFault::DeviceLost), or
+    /// [`GpuFault::OutOfMemory`](crate::GpuFault::OutOfMemory) when memory for them is missing.
     pub fn wait(mut self) -> Result<T, Error> {
         self.arrival.wait()?;
         (self.make)(&self.arrival)
     }
 }
 
-impl<T> Future for Pending<T> {
+impl<T> Future for DevicePending<T> {
     type Output = Result<T, Error>;
 
     fn poll(self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
@@ -214,7 +223,7 @@ impl<T> Future for Pending<T> {
         }
         if !this.arrival.watched {
             this.arrival.watched = true;
-            // A thread drives the device while the task sleeps.
+            // A thread polls the device while the task sleeps.
             let (gpu, state) = (this.arrival.gpu.clone(), Arc::clone(&this.arrival.state));
             let submission = this.arrival.submission.clone();
             std::thread::spawn(move || {
@@ -228,9 +237,10 @@ impl<T> Future for Pending<T> {
     }
 }
 
-/// Returns the buffers of some pieces and the bytes to bring back, whose numbers follow from their items.
+/// Returns the buffers of some pieces and the numbers of bytes to download; `numbers` is the number of scalars of some
+/// items.
 pub(super) fn parts(
-    pieces: &[Piece],
+    pieces: &[BufferPiece],
     numbers: impl Fn(usize) -> usize,
 ) -> Vec<(&wgpu::Buffer, u64)> {
     pieces
@@ -239,13 +249,13 @@ pub(super) fn parts(
         .collect()
 }
 
-impl<T> Later<T> for Pending<T> {
+impl<T> DeviceDownload<T> for DevicePending<T> {
     fn wait(self: Box<Self>) -> Result<T, Error> {
-        Pending::wait(*self)
+        DevicePending::wait(*self)
     }
 }
 
-/// The methods of the interface of machines for a handle that has `start_download`.
+/// Implements the download methods of the machines' interface for a handle that has `start_download`.
 macro_rules! downloads {
     ($out:ty) => {
         fn started(&self) -> Result<crate::kernels::resident::Pending<$out>, Error> {

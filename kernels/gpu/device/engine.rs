@@ -1,10 +1,10 @@
-//! The GPU behind the calls of [`Machine`](crate::kernels::machine::Machine).
+//! The engine of a GPU, behind the calls of [`Machine`](crate::kernels::machine::Machine).
 use super::context::Device;
 use super::generated::held::HeldColumn;
-use super::lists::Lists;
-use super::matrix::Matrix;
-use super::reduce::Bests;
-use super::seed::Seed;
+use super::lists::DeviceLists;
+use super::matrix::DeviceMatrix;
+use super::reduce::DeviceBests;
+use super::seed::PairSeed;
 use crate::error::{Argument, Error};
 use crate::kernels::call::folding::Folding;
 use crate::kernels::call::recording::Call;
@@ -18,19 +18,19 @@ use crate::kernels::machine::{
     self, Engine, GroupedReduction, Items, Numbers, On, Reduced, Reduction, Room, Sealed,
 };
 use crate::kernels::machine::{Input, VertexBars};
-use crate::kernels::machine::{Stays, Stored};
+use crate::kernels::machine::{MachineColumn, Stored};
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::Leaf;
 use crate::kernels::row::item::counts::expect;
 use crate::suppression::Rules;
 
-/// Columns that stay.
+/// Returns columns on the device as one handle.
 fn stored(count: usize, columns: impl IntoIterator<Item = HeldColumn>) -> Stored<f32> {
     let columns = columns.into_iter();
     Stored::new(
         count,
         columns
-            .map(|own| Box::new(own) as Box<dyn Stays<f32>>)
+            .map(|own| Box::new(own) as Box<dyn MachineColumn<f32>>)
             .collect(),
     )
 }
@@ -78,7 +78,9 @@ impl Engine<f32> for Device {
     }
 
     fn room(&self, rows: usize, columns: usize) -> Result<machine::Matrix, Error> {
-        let made = self.inner.guarded(|| Matrix::room(self, rows, columns))?;
+        let made = self
+            .inner
+            .guarded(|| DeviceMatrix::room(self, rows, columns))?;
         Ok(machine::Matrix(Box::new(made)))
     }
 
@@ -109,7 +111,9 @@ impl Engine<f32> for Device {
     ) -> Result<(), Error> {
         match results {
             Room::Planes(planes) => self.planes(call, lists, planes),
-            Room::Held(matrix) => Lists::new(self, call, lists)?.matrix_into(matrix.own_mut()?),
+            Room::Held(matrix) => {
+                DeviceLists::new(self, call, lists)?.matrix_into(matrix.own_mut()?)
+            }
         }
     }
 
@@ -119,7 +123,7 @@ impl Engine<f32> for Device {
         lists: &[Column<'_, f32>; 2],
         reduction: Reduction<f32>,
     ) -> Result<Reduced<f32>, Error> {
-        Lists::new(self, call, lists)?.reduce(reduction)
+        DeviceLists::new(self, call, lists)?.reduce(reduction)
     }
 
     fn reduce_grouped(
@@ -129,7 +133,7 @@ impl Engine<f32> for Device {
         groups: GroupSpans<'_>,
         reduction: GroupedReduction<f32>,
     ) -> Result<Reduced<f32>, Error> {
-        Lists::new(self, call, lists)?.reduce_grouped(groups, reduction)
+        DeviceLists::new(self, call, lists)?.reduce_grouped(groups, reduction)
     }
 
     fn pull_back(
@@ -142,19 +146,19 @@ impl Engine<f32> for Device {
         let seed = match seed {
             machine::Seed::Numbers(numbers) => {
                 check_upstream(numbers, 1)?;
-                Seed::Numbers(numbers)
+                PairSeed::Numbers(numbers)
             }
-            machine::Seed::Matrix(matrix) => Seed::Matrix(matrix.own()?),
+            machine::Seed::Matrix(matrix) => PairSeed::Matrix(matrix.own()?),
             machine::Seed::Factor(factor) => {
                 check_upstream(&[*factor], 1)?;
-                Seed::Factor(*factor)
+                PairSeed::Factor(*factor)
             }
         };
         let adjoint = call.clone().derived(Mode::Vjp)?;
-        let (found, sum) = Lists::new(self, &adjoint, lists)?.derivatives(&seed)?;
+        let (found, sum) = DeviceLists::new(self, &adjoint, lists)?.derivatives(&seed)?;
         let sum = match (seed, sum) {
-            (Seed::Factor(_), Some(sum)) => sum,
-            (Seed::Factor(_), None) => self.reduce(call, lists, Reduction::Sum)?.sum(),
+            (PairSeed::Factor(_), Some(sum)) => sum,
+            (PairSeed::Factor(_), None) => self.reduce(call, lists, Reduction::Sum)?.sum(),
             _ => 0.0,
         };
         for (bar, found) in bars.into_iter().zip(found) {
@@ -180,7 +184,7 @@ impl Engine<f32> for Device {
         let Some(offsets) = groups else {
             return self.kept(call, shapes, scores, rules);
         };
-        // Group after group. All shapes are checked first, so that errors name the caller's rows.
+        // The loop computes group after group. All shapes are checked first, so that errors name the caller's rows.
         check(Argument::A, &plan(call, true)?.arguments[0], shapes)?;
         let (all, mut kept) = (shapes.all(), Vec::new());
         for ends in offsets.windows(2) {
@@ -198,7 +202,7 @@ impl Engine<f32> for Device {
     }
 
     fn pick(&self, list: &Stored<f32>, bests: &machine::Bests<f32>) -> Result<Stored<f32>, Error> {
-        let found: &Bests = bests.own()?;
+        let found: &DeviceBests = bests.own()?;
         found.is_of(self)?;
         let own = list.own::<HeldColumn>()?;
         for column in &own {

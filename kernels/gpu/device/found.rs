@@ -1,9 +1,9 @@
-//! Compacted lists on the GPU: the pairs whose score is above a threshold.
+//! Reductions to the pairs whose score is above a threshold, as compact lists on the GPU.
 use super::context::Device;
-use super::download::Pending;
+use super::download::DevicePending;
 use super::download::downloads;
 use super::reducer::Reducer;
-use super::work::{Params, Work};
+use super::work::{Commands, Params};
 use super::written::{Kernel, Take};
 use crate::Error;
 use crate::kernels::machine::Downloads;
@@ -11,27 +11,27 @@ use crate::kernels::machine::found::Found;
 
 /// Pairs whose score is above a threshold, on the GPU.
 #[derive(Clone, Debug)]
-pub struct Founds {
+pub struct DeviceFounds {
     gpu: Device,
-    /// Triples of row, column and score, and how many.
+    /// Buffers of triples (row, column, score), with the number of triples.
     lists: Vec<(wgpu::Buffer, usize)>,
-    /// `true` if rows come once per piece of columns.
+    /// `true` if a row's triples are split over pieces of columns.
     is_mixed: bool,
 }
 
-impl Founds {
-    /// Starts bringing them back, row by row and within a row by column.
+impl DeviceFounds {
+    /// Starts the download of the pairs, ordered by row and then by column.
     ///
     /// # Errors
     ///
     /// The errors of the device.
-    pub fn start_download(&self) -> Result<Pending<Vec<Found>>, Error> {
+    pub fn start_download(&self) -> Result<DevicePending<Vec<Found>>, Error> {
         let len = self.lists.iter().map(|list| list.1).sum();
         let is_mixed = self.is_mixed;
         let lists = self.lists.iter();
         let parts: Vec<_> = lists.map(|(list, n)| (list, BYTES * *n as u64)).collect();
         let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
-        Ok(Pending::new(arrival, move |arrival| {
+        Ok(DevicePending::new(arrival, move |arrival| {
             let mut all = Vec::with_capacity(len);
             arrival.read(|_, numbers| {
                 all.extend(numbers.chunks_exact(3).map(|entry| Found {
@@ -48,19 +48,19 @@ impl Founds {
     }
 }
 
-/// Bytes of one pair in a list.
+/// The size of a triple in bytes.
 const BYTES: u64 = 12;
 
-impl Downloads<Vec<Found>> for Founds {
+impl Downloads<Vec<Found>> for DeviceFounds {
     downloads!(Vec<Found>);
 }
 
 impl Reducer<'_> {
-    /// Returns every pair above the threshold: counted first, then written to places that follow from the
-    /// counts, so the order is the same every time.
-    pub fn above(mut self, threshold: f32) -> Result<Founds, Error> {
+    /// Returns every pair above the threshold. A first pass counts, a second writes each pair to an index that follows
+    /// from the counts, so the order is deterministic.
+    pub fn above(mut self, threshold: f32) -> Result<DeviceFounds, Error> {
         let (gpu, inner) = (self.gpu, &self.gpu.inner);
-        let mut all = Founds {
+        let mut all = DeviceFounds {
             gpu: gpu.clone(),
             lists: Vec::new(),
             is_mixed: self.sweeps.iter().any(|sweep| sweep.more),
@@ -72,7 +72,7 @@ impl Reducer<'_> {
                 let place = inner.written(Kernel::Gather, "places_main");
                 let places = inner.storage(sweep.room() + 1);
                 let total = inner.storage(1);
-                let mut work = Work::new(inner);
+                let mut work = Commands::new(inner);
                 let buffers = sweep.buffers(&[(7, &places)]);
                 work.dispatch(&count, sweep.params(threshold), &buffers, self.size(&sweep));
                 let list = Params {
@@ -99,7 +99,7 @@ impl Reducer<'_> {
             let list = inner.guarded(|| {
                 let write = self.pipeline(Take::Found);
                 let list = inner.storage(3 * found);
-                let mut work = Work::new(inner);
+                let mut work = Commands::new(inner);
                 let buffers = sweep.buffers(&[(4, &list), (7, &places)]);
                 work.dispatch(&write, sweep.params(threshold), &buffers, self.size(&sweep));
                 work.submit()?;

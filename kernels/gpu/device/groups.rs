@@ -1,46 +1,46 @@
-//! Pairs within groups on the GPU: every own row (or column) walks through a range of the others, in one dispatch for as
-//! many groups as possible.
-use super::context::Inner;
-use super::reducer::{Part, Sweep};
+//! Reductions within groups on the GPU: a thread per own row (or column) walks a range of the other list; one dispatch
+//! computes as many groups as possible.
+use super::context::SharedContext;
+use super::reducer::{ListPart, ReduceDispatch};
 use super::written::STRIP;
 use std::ops::Range;
 
 /// The binding of the ranges of own rows.
 const RANGES: u32 = 9;
 
-/// A dispatch: own shapes of one part by the walked shapes of one part.
+/// A dispatch: own shapes of one part and walked shapes of one part.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Run {
+struct GroupDispatch {
     own_part: usize,
     own: Range<usize>,
     walked_part: usize,
-    /// The strips of the own shape that has most.
+    /// The largest number of strips of an own shape.
     strips: usize,
-    /// `true` if other parts before it have partial results of the same own shapes.
+    /// `true` if earlier parts have partial results of these own shapes.
     more: bool,
 }
 
-/// The most that a dispatch may have.
+/// The limits of a dispatch.
 #[derive(Clone, Copy, Debug)]
-struct Limits {
-    /// Partial results, one for each own shape and strip.
+struct DispatchLimits {
+    /// The number of partial results, one for each own shape and strip.
     room: usize,
     pairs: usize,
 }
 
-/// Own shapes and strips without work that a dispatch may have beside as many that have some.
+/// The number of idle pairs of own shape and strip that a dispatch may have in excess of the busy ones.
 const SPARE: usize = 1 << 16;
 
-/// Returns the dispatches of groups, given by their ranges of both lists: in the order of own shapes, and each of as
-/// many groups as fit. A group whose walked shapes are in several parts has dispatches of its own.
+/// Returns the dispatches of groups, given by their ranges of both lists: in the order of own shapes, each with as many
+/// groups as fit. A group with walked shapes in several parts has dispatches of its own.
 fn runs(
     own: &[Range<usize>],
     walked: &[Range<usize>],
     groups: impl Iterator<Item = [Range<usize>; 2]>,
-    limits: Limits,
-) -> Vec<Run> {
-    let mut runs: Vec<Run> = Vec::new();
-    // The own shapes, with their strips, and the pairs of the last run, if more may be added to it.
+    limits: DispatchLimits,
+) -> Vec<GroupDispatch> {
+    let mut runs: Vec<GroupDispatch> = Vec::new();
+    // The largest number of strips, and the pairs, of the last run, if groups may be added to it.
     let mut open: Option<(usize, usize)> = None;
     let (mut own_part, mut first_part) = (0, 0);
     for [rows, others] in groups {
@@ -93,7 +93,7 @@ fn runs(
                     }
                 }
                 if count == 0 {
-                    // Nothing to compute; what follows begins a run of its own.
+                    // An empty group ends the run.
                     open = None;
                     continue;
                 }
@@ -102,7 +102,7 @@ fn runs(
                 open = None;
             }
             for (i, &(walked_part, count)) in parts.iter().enumerate() {
-                runs.push(Run {
+                runs.push(GroupDispatch {
                     own_part,
                     own: stretch.clone(),
                     walked_part,
@@ -115,29 +115,31 @@ fn runs(
     runs
 }
 
-impl Inner {
-    /// Returns the dispatches of groups, given by the offsets of own and walked shapes, of at most so many pairs.
+impl SharedContext {
+    /// Returns the dispatches of groups, given by the offsets of own and walked shapes, with at most `pairs` pairs
+    /// each.
     pub fn group_sweeps(
         &self,
-        own: &[Part],
-        walked: &[Part],
+        own: &[ListPart],
+        walked: &[ListPart],
         offsets: [&[usize]; 2],
         pairs: usize,
-    ) -> Vec<Sweep> {
+    ) -> Vec<ReduceDispatch> {
         let spans = offsets.map(|all| all.windows(2).map(|span| span[0]..span[1]));
         let [own_spans, walked_spans] = spans;
         let groups = own_spans
             .zip(walked_spans)
             .map(|(own, walked)| [own, walked]);
-        let shapes =
-            |parts: &[Part]| -> Vec<_> { parts.iter().map(|part| part.shapes.clone()).collect() };
-        let limits = Limits {
-            // Four numbers per entry, as in other reductions.
+        let shapes = |parts: &[ListPart]| -> Vec<_> {
+            parts.iter().map(|part| part.shapes.clone()).collect()
+        };
+        let limits = DispatchLimits {
+            // Reductions write four numbers per entry.
             room: self.most_bytes as usize / 16,
             pairs,
         };
         let runs = runs(&shapes(own), &shapes(walked), groups.clone(), limits);
-        // The range of every own shape, piece by piece of results.
+        // The range of every own shape, piece after piece of results.
         let mut ranges = Vec::new();
         for [own, walked] in groups {
             let range = [walked.start as u32, walked.end as u32];
@@ -147,10 +149,10 @@ impl Inner {
             .chunks(self.chunk)
             .map(|piece| self.stored(piece))
             .collect();
-        let sweep = |run: Run| {
+        let sweep = |run: GroupDispatch| {
             let (from, to) = (&own[run.own_part], &walked[run.walked_part]);
             let out_piece = run.own.start / self.chunk;
-            Sweep {
+            ReduceDispatch {
                 own_start: from.at + run.own.start - from.shapes.start,
                 out_piece,
                 out_start: run.own.start - out_piece * self.chunk,

@@ -1,10 +1,10 @@
 //! Two lists on the GPU and the kernels of their pairs.
 use super::context::Device;
 use super::generated::operation::Generated;
-use super::generated::uploaded::Sides;
-use super::matrix::Matrix;
-use super::reducer::{LISTS, Part, Reducer};
-use super::seed::Seed;
+use super::generated::uploaded::UploadedLists;
+use super::matrix::DeviceMatrix;
+use super::reducer::{LISTS, ListPart, Reducer};
+use super::seed::PairSeed;
 use crate::Error;
 use crate::error::Argument;
 use crate::kernels::call::recording::Call;
@@ -16,27 +16,27 @@ use crate::kernels::machine::{GroupedReduction, Reduced, Reduction};
 use std::sync::Arc;
 
 /// Two lists on the GPU and the kernels of their pairs.
-pub(crate) struct Lists<'a> {
+pub(crate) struct DeviceLists<'a> {
     gpu: &'a Device,
     made: Arc<Generated<f32>>,
-    sides: Sides,
+    sides: UploadedLists,
 }
 
-impl<'a> Lists<'a> {
-    /// Returns two lists, checked; those that stay are prepared once.
+impl<'a> DeviceLists<'a> {
+    /// Checks and uploads two lists; those that stay on the GPU are prepared once.
     pub fn new(
         gpu: &'a Device,
         call: &Call<f32>,
         columns: &[Column<'_, f32>; 2],
     ) -> Result<Self, Error> {
         let made = call.generated(true)?;
-        let sides = Sides::of(gpu, &made, columns)?;
+        let sides = UploadedLists::of(gpu, &made, columns)?;
         let made = sides.body_for(made);
-        Ok(Lists { gpu, made, sides })
+        Ok(DeviceLists { gpu, made, sides })
     }
 
-    /// Results of one number over a matrix.
-    pub fn matrix_into(&self, matrix: &mut Matrix) -> Result<(), Error> {
+    /// Writes results of one number to a matrix.
+    pub fn matrix_into(&self, matrix: &mut DeviceMatrix) -> Result<(), Error> {
         let [rows, columns] = self.sides.counts();
         self.gpu.fits(matrix, rows, columns, Argument::Values)?;
         for (block, values) in &matrix.blocks {
@@ -46,21 +46,21 @@ impl<'a> Lists<'a> {
         Ok(())
     }
 
-    /// Returns a reduction of all results.
+    /// Reduces all results.
     pub fn reduce(&self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
         let own_rows = reduction != Reduction::Best { of_rows: false };
         let reducer = Reducer::of_lists(self.gpu, &self.made, &self.sides, own_rows);
         reducer.reduced(reduction)
     }
 
-    /// Returns the runs of a list that are in one buffer each, and have their results in one.
-    fn parts(&self, k: usize) -> Vec<Part> {
+    /// Returns the runs of a list that lie in one buffer each, with their results in one buffer, too.
+    fn parts(&self, k: usize) -> Vec<ListPart> {
         let (chunk, count) = (self.gpu.inner.chunk, self.sides.counts()[k]);
         let pieces = (0..count)
             .step_by(chunk)
             .map(|base| base..count.min(base + chunk));
         let all = pieces.flat_map(|piece| self.sides.parts(k, piece));
-        let part = |(buffer, at, shapes): (&wgpu::Buffer, usize, _)| Part {
+        let part = |(buffer, at, shapes): (&wgpu::Buffer, usize, _)| ListPart {
             buffer: buffer.clone(),
             binding: LISTS[k],
             at,
@@ -69,7 +69,7 @@ impl<'a> Lists<'a> {
         all.map(part).collect()
     }
 
-    /// Returns the dispatches over the pairs within groups.
+    /// Returns the reducer of the pairs within groups.
     fn grouped(&self, groups: GroupSpans<'_>, own_rows: bool) -> Result<Reducer<'_>, Error> {
         let [a, b] = [self.parts(0), self.parts(1)];
         let (parts, offsets) = match own_rows {
@@ -79,7 +79,7 @@ impl<'a> Lists<'a> {
         Reducer::of_groups(self.gpu, &self.made, parts, offsets, own_rows)
     }
 
-    /// Returns a reduction of the pairs within groups.
+    /// Reduces the pairs within groups.
     pub fn reduce_grouped(
         &self,
         groups: GroupSpans<'_>,
@@ -96,8 +96,7 @@ impl<'a> Lists<'a> {
         })
     }
 
-    /// Returns the largest of every row, or of every column, within its group; `None` where there is nothing on the
-    /// other side.
+    /// Returns the largest score of every row, or of every column, within its group; `None` for one without pairs.
     fn most_grouped(
         &self,
         groups: GroupSpans<'_>,
@@ -122,10 +121,10 @@ impl<'a> Lists<'a> {
         Ok(best)
     }
 
-    /// Returns the numbers of the derivatives of both lists, of lists that were made for adjoints.
-    /// With one factor for all, bodies that give results beside derivatives also add these up.
-    pub fn derivatives(&self, seed: &Seed<'_>) -> Result<([Vec<f32>; 2], Option<f64>), Error> {
-        if let Seed::Matrix(matrix) = seed {
+    /// Returns the summed derivatives of both lists. If one factor is the seed of all pairs, bodies that compute
+    /// results with derivatives also return the sum of the results.
+    pub fn derivatives(&self, seed: &PairSeed<'_>) -> Result<([Vec<f32>; 2], Option<f64>), Error> {
+        if let PairSeed::Matrix(matrix) = seed {
             let [rows, columns] = self.sides.counts();
             self.gpu.fits(matrix, rows, columns, Argument::Upstream)?;
         }

@@ -1,9 +1,9 @@
-//! Matrices that stay on the GPU.
+//! Matrices in GPU memory.
 use super::block::{Block, block_of, place_block};
 use super::context::Device;
-use super::download::Pending;
-use super::reducer::{MATRIX, Reducer, Sweep};
-use super::work::{MOST_GROUPS, Params, Work, groups};
+use super::download::DevicePending;
+use super::reducer::{MATRIX, ReduceDispatch, Reducer};
+use super::work::{Commands, MOST_GROUPS, Params, groups};
 use super::written::{GROUP, Kernel, STRIP};
 use crate::error::{Argument, Error};
 use crate::kernels::machine::{self, Matrices};
@@ -11,25 +11,24 @@ use crate::kernels::machine::{Reduced, Reduction};
 use crate::kernels::row::item::counts::{entries, expect};
 use std::any::Any;
 
-/// A matrix on the GPU: one number per row of one list and row of another. Clones of a handle are
-/// the same numbers.
+/// A matrix on the GPU: one number per row of one list and row of another. Clones share the memory.
 #[derive(Clone, Debug)]
-pub struct Matrix {
+pub struct DeviceMatrix {
     pub(super) gpu: Device,
     pub(super) rows: usize,
     pub(super) columns: usize,
     pub(super) blocks: Vec<(Block, wgpu::Buffer)>,
 }
 
-impl Matrix {
-    /// Room for a matrix.
+impl DeviceMatrix {
+    /// Allocates a matrix.
     pub(super) fn room(gpu: &Device, rows: usize, columns: usize) -> Result<Self, Error> {
         entries(rows, columns, 1)?;
         let blocks = gpu.inner.cut(rows, columns, 4).into_iter().map(|block| {
             let values = gpu.inner.storage(block.rows * block.columns);
             (block, values)
         });
-        Ok(Matrix {
+        Ok(DeviceMatrix {
             gpu: gpu.clone(),
             rows,
             columns,
@@ -37,7 +36,7 @@ impl Matrix {
         })
     }
 
-    /// Other numbers, checked.
+    /// Writes checked numbers to the matrix.
     fn write(&self, values: &[f32]) {
         for (block, buffer) in &self.blocks {
             let inner = &self.gpu.inner;
@@ -45,22 +44,22 @@ impl Matrix {
         }
     }
 
-    /// Returns the same numbers in other buffers, copied by a kernel.
-    fn copied(&self) -> Result<Matrix, Error> {
-        let made = || Matrix::room(&self.gpu, self.rows, self.columns);
+    /// Returns a copy in new buffers, made by a kernel.
+    fn copied(&self) -> Result<DeviceMatrix, Error> {
+        let made = || DeviceMatrix::room(&self.gpu, self.rows, self.columns);
         let to = self.gpu.inner.guarded(made)?;
         self.copied_into(&to)?;
         Ok(to)
     }
 
-    /// Returns the same over numbers that are there already.
-    fn copied_into(&self, to: &Matrix) -> Result<(), Error> {
+    /// Copies the numbers into another matrix.
+    fn copied_into(&self, to: &DeviceMatrix) -> Result<(), Error> {
         self.gpu
             .fits(to, self.rows, self.columns, Argument::Values)?;
         let inner = &self.gpu.inner;
         inner.guarded(|| {
             let pipeline = inner.written(Kernel::Gather, "copy_main");
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             for ((block, from), (_, to)) in self.blocks.iter().zip(&to.blocks) {
                 let count = block.rows * block.columns;
                 for start in (0..count).step_by(MOST_COPIED) {
@@ -77,12 +76,12 @@ impl Matrix {
         })
     }
 
-    /// Starts bringing the matrix back, row by row.
+    /// Starts the download of the matrix in row-major order.
     ///
     /// # Errors
     ///
     /// The errors of the device.
-    pub fn start_download(&self) -> Result<Pending<Vec<f32>>, Error> {
+    pub fn start_download(&self) -> Result<DevicePending<Vec<f32>>, Error> {
         let (rows, columns) = (self.rows, self.columns);
         let blocks: Vec<Block> = self.blocks.iter().map(|&(block, _)| block).collect();
         let parts: Vec<_> = self
@@ -91,7 +90,7 @@ impl Matrix {
             .map(|(block, buffer)| (buffer, 4 * (block.rows * block.columns) as u64))
             .collect();
         let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
-        Ok(Pending::new(arrival, move |arrival| {
+        Ok(DevicePending::new(arrival, move |arrival| {
             let mut all = vec![0.0; rows * columns];
             arrival.read(|part, numbers| {
                 let numbers = bytemuck::cast_slice(numbers);
@@ -102,7 +101,7 @@ impl Matrix {
     }
 }
 
-impl Matrices<f32> for Matrix {
+impl Matrices<f32> for DeviceMatrix {
     fn size(&self) -> [usize; 2] {
         [self.rows, self.columns]
     }
@@ -136,14 +135,14 @@ impl Matrices<f32> for Matrix {
     }
 }
 
-/// Numbers that a dispatch copies at most.
+/// The largest number of scalars that a dispatch copies.
 const MOST_COPIED: usize = MOST_GROUPS * GROUP;
 
 impl Device {
-    /// Refuses a matrix of another context or another size.
+    /// Checks that a matrix has this context and this size.
     pub(super) fn fits(
         &self,
-        matrix: &Matrix,
+        matrix: &DeviceMatrix,
         rows: usize,
         columns: usize,
         argument: Argument,
@@ -154,8 +153,8 @@ impl Device {
     }
 }
 
-impl Matrix {
-    /// Returns the dispatches of a reduction.
+impl DeviceMatrix {
+    /// Returns the reducer of the matrix.
     pub(super) fn reducer(&self, own_rows: bool) -> Reducer<'_> {
         let sweep = |(block, buffer): &(Block, wgpu::Buffer)| {
             let rows = (block.row_piece, block.row_start, block.row_base, block.rows);
@@ -164,7 +163,7 @@ impl Matrix {
                 true => (rows, columns),
                 false => (columns, rows),
             };
-            Sweep {
+            ReduceDispatch {
                 own_start: 0,
                 out_piece: own.0,
                 out_start: own.1,

@@ -1,6 +1,6 @@
-//! The plans of a call for a GPU, made once per function, mode and form.
+//! The kernels of a call on a GPU, made once per function, mode and form.
 use super::generated::operation::Generated;
-use super::generated::replays::Replayed;
+use super::generated::replays::SearchReplays;
 use crate::kernels::call::recording::{Body, Call, Recording};
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::once::Key;
@@ -12,7 +12,8 @@ impl Call<f32> {
     ///
     /// # Errors
     ///
-    /// Errors of recording it. A search has no kernel of its own.
+    /// The errors of recording the function; [`Unrecordable::Search`](crate::Unrecordable::Search) for a search, which
+    /// has no kernel of its own.
     pub(crate) fn generated(&self, framed: bool) -> Result<Arc<Generated<f32>>, Error> {
         let (recording, mode) = (&*self.recording, self.mode);
         recording.made(Key::Gpu(mode, framed), &|| {
@@ -25,30 +26,30 @@ impl Call<f32> {
             Ok(made.named(recording.arguments))
         })
     }
-    /// Returns the replays of a search; `None` of any other function.
-    pub(crate) fn replays(&self) -> Option<Arc<Replayed>> {
+    /// Returns the replays of a search; `None` for other functions.
+    pub(crate) fn replays(&self) -> Option<Arc<SearchReplays>> {
         let Body::Search(search) = &self.recording.body else {
             return None;
         };
         let (key, mode) = (Key::Replays(self.mode), self.mode);
         let made = self
             .recording
-            .made(key, &|| Ok(Replayed::new(search.replays(mode))));
+            .made(key, &|| Ok(SearchReplays::new(search.replays(mode))));
         let made = made.unwrap_or_else(|_: Error| unreachable!("a replay is recorded later"));
         Some(made)
     }
-    /// Returns a call with the kernels of another one on a GPU, for tests of drivers that compute wrong numbers.
+    /// Returns a call that runs another call's kernels on a GPU, for tests of the harness with wrong results.
     ///
     /// # Errors
     ///
-    /// Errors of recording either.
+    /// The errors of recording either function.
     #[doc(hidden)]
     pub fn with_kernels_of(&self, other: &Self) -> Result<Self, Error> {
         let recording = &self.recording;
         if matches!(recording.body, Body::Search(_)) {
             return Err(Error::Program(Unrecordable::Search));
         }
-        // A copy by its program, with no plans yet.
+        // A copy of the recording that has no plans yet.
         let (takes, outputs) = (recording.takes.clone(), recording.outputs.clone());
         let body = Body::Graph(recording.program(Mode::Value)?);
         let mut own = Recording::new(takes, outputs, recording.arguments, body);

@@ -1,44 +1,44 @@
-//! Reductions on the GPU, of all pairs of two lists or of a matrix that is there already.
+//! Reductions on the GPU, of all pairs of two lists or of a stored matrix.
 //!
-//! The whole matrix of two lists never exists, so memory stays bounded.
+//! The matrix of two lists is never stored as a whole, which bounds the memory.
 use super::context::Device;
-use super::data::Piece;
-use super::download::Pending;
+use super::data::BufferPiece;
+use super::download::DevicePending;
 use super::download::{downloads, parts};
 use super::reducer::Reducer;
 use super::seed::sum_of;
-use super::work::{Work, groups};
+use super::work::{Commands, groups};
 use super::written::{Kernel, Take};
 use crate::Error;
 use crate::kernels::machine::found::Best;
 use crate::kernels::machine::{self, Downloads};
 use crate::kernels::machine::{Reduced, Reduction};
 
-/// The largest score of every row (or column) and where it is, on the GPU.
+/// The largest score of every row (or column) and its index, on the GPU.
 #[derive(Clone, Debug)]
-pub struct Bests {
+pub struct DeviceBests {
     gpu: Device,
-    values: Vec<Piece>,
-    indices: Vec<Piece>,
+    values: Vec<BufferPiece>,
+    indices: Vec<BufferPiece>,
 }
 
-impl Bests {
-    /// Refuses what is of another context.
+impl DeviceBests {
+    /// Checks that the results belong to a context.
     pub(crate) fn is_of(&self, gpu: &Device) -> Result<(), Error> {
         gpu.owns(&self.gpu)
     }
 
-    /// Starts bringing them back, in the order of the rows (or columns).
+    /// Starts the download of the scores, in the order of the rows (or columns).
     ///
     /// # Errors
     ///
     /// The errors of the device.
-    pub fn start_download(&self) -> Result<Pending<Vec<Best>>, Error> {
+    pub fn start_download(&self) -> Result<DevicePending<Vec<Best>>, Error> {
         let mut all = parts(&self.values, |n| n);
         all.extend(parts(&self.indices, |n| n));
         let arrival = self.gpu.inner.bring(&self.gpu, &all)?;
         let half = self.values.len();
-        Ok(Pending::new(arrival, move |arrival| {
+        Ok(DevicePending::new(arrival, move |arrival| {
             let (mut values, mut indices): (Vec<f32>, Vec<u32>) = (Vec::new(), Vec::new());
             arrival.read(|part, numbers| {
                 if part < half {
@@ -58,13 +58,13 @@ impl Bests {
     }
 }
 
-impl Downloads<Vec<Best>> for Bests {
+impl Downloads<Vec<Best>> for DeviceBests {
     downloads!(Vec<Best>);
 }
 
 impl Reducer<'_> {
-    /// Returns the largest of every own row (or column).
-    pub fn best(self) -> Result<Bests, Error> {
+    /// Returns the largest score of every own row (or column).
+    pub fn best(self) -> Result<DeviceBests, Error> {
         let inner = &self.gpu.inner;
         inner.guarded(|| {
             let pipeline = self.pipeline(Take::Best);
@@ -74,7 +74,7 @@ impl Reducer<'_> {
             for sweep in &self.sweeps {
                 let part_values = inner.storage(sweep.room());
                 let part_indices = inner.storage(sweep.room());
-                let mut work = Work::new(inner);
+                let mut work = Commands::new(inner);
                 let buffers = sweep.buffers(&[(4, &part_values), (7, &part_indices)]);
                 work.dispatch(&pipeline, sweep.params(0.0), &buffers, self.size(sweep));
                 let buffers = [
@@ -87,7 +87,7 @@ impl Reducer<'_> {
                 work.dispatch(&gather, sweep.params(0.0), &buffers, size);
                 work.submit()?;
             }
-            Ok(Bests {
+            Ok(DeviceBests {
                 gpu: self.gpu.clone(),
                 values,
                 indices,
@@ -95,7 +95,7 @@ impl Reducer<'_> {
         })
     }
 
-    /// One number per own row and strip, brought back.
+    /// Downloads one number per own row and strip, and passes them to `each`.
     fn totals(self, take: Take, threshold: f32, mut each: impl FnMut(&[u32])) -> Result<(), Error> {
         let inner = &self.gpu.inner;
         let binding = if take == Take::Count { 7 } else { 4 };
@@ -103,7 +103,7 @@ impl Reducer<'_> {
             let totals = inner.guarded(|| {
                 let pipeline = self.pipeline(take);
                 let totals = inner.storage(sweep.room());
-                let mut work = Work::new(inner);
+                let mut work = Commands::new(inner);
                 let buffers = sweep.buffers(&[(binding, &totals)]);
                 work.dispatch(
                     &pipeline,
@@ -137,7 +137,7 @@ impl Reducer<'_> {
 }
 
 impl Reducer<'_> {
-    /// Returns a reduction.
+    /// Computes a reduction.
     pub fn reduced(self, reduction: Reduction<f32>) -> Result<Reduced<f32>, Error> {
         Ok(match reduction {
             Reduction::Best { .. } => {

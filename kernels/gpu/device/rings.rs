@@ -1,8 +1,8 @@
 //! Batches of rings on the GPU.
-use super::context::{Device, Inner};
-use super::download::Pending;
+use super::context::{Device, SharedContext};
+use super::download::DevicePending;
 use super::download::downloads;
-use super::work::{Params, Work, groups};
+use super::work::{Commands, Params, groups};
 use super::written::{Kernel, LONG, ROW, SPAN};
 use crate::Error;
 use crate::error::Argument;
@@ -14,9 +14,9 @@ use crate::ring::Measure;
 use crate::{Fixed, Vec2};
 use std::marker::PhantomData;
 
-/// A run of rings that fits the buffers.
+/// A run of rings that fit the buffers.
 #[derive(Clone, Debug)]
-struct Run {
+struct RingRun {
     vertices: wgpu::Buffer,
     offsets: wgpu::Buffer,
     rings: usize,
@@ -24,19 +24,19 @@ struct Run {
     long: Option<LongRings>,
 }
 
-/// The long rings of a run, cut into spans: one thread for each ring would be slow.
+/// The long rings of a run, split into spans, since one thread for such a ring would be slow.
 #[derive(Clone, Debug)]
 struct LongRings {
-    /// Which long ring, and the first vertex in it.
+    /// For each span the index of its long ring, and the first vertex in it.
     spans: wgpu::Buffer,
     span_count: usize,
-    /// Which ring, its first span and how many.
+    /// For each long ring its index, its first span, and the number of spans.
     longs: wgpu::Buffer,
     long_count: usize,
 }
 
 impl LongRings {
-    fn new(inner: &Inner, offsets: &[u32]) -> Option<Self> {
+    fn new(inner: &SharedContext, offsets: &[u32]) -> Option<Self> {
         let (mut spans, mut longs): (Vec<[u32; 2]>, Vec<[u32; 3]>) = (Vec::new(), Vec::new());
         for (ring, ends) in offsets.windows(2).enumerate() {
             let count = ends[1] - ends[0];
@@ -55,36 +55,37 @@ impl LongRings {
     }
 }
 
-/// The threads of a kernel of long rings: one per span, or one per long ring.
-enum Over {
+/// The items of a kernel of long rings: spans, or whole rings.
+enum LongItems {
     Spans,
     Longs,
 }
 
-/// Bytes of a part's sums, and of a ring's with its scale.
+/// The sizes in bytes of a span's sums, and of a ring's sums with its scale.
 const PART_BYTES: usize = 24;
 const WHOLE_BYTES: usize = 32;
 
-/// Rings on the GPU, checked.
+/// Checked rings on the GPU.
 #[derive(Clone, Debug)]
-pub struct Rings {
+pub struct DeviceRings {
     gpu: Device,
-    runs: Vec<Run>,
+    runs: Vec<RingRun>,
     len: usize,
 }
 
-impl Rings {
-    /// Returns the context that they are in.
+impl DeviceRings {
+    /// Returns the context of the rings.
     pub(crate) fn gpu(&self) -> &Device {
         &self.gpu
     }
 
-    /// Moves the vertices, in the same buffers; each ring keeps as many as it has.
+    /// Replaces the vertices in place; the sizes of rings do not change.
     ///
     /// # Errors
     ///
-    /// The input's for another number of vertices or one that is not finite (the old ones
-    /// are then as they were), or what the device says.
+    /// [`Error::Length`](crate::Error::Length) for another number of vertices,
+    /// [`Error::Invalid`](crate::Error::Invalid) for one that is not finite (no vertex changes then), or the errors of
+    /// the device.
     pub fn update(&mut self, vertices: &[Vec2<f32>]) -> Result<(), Error> {
         let corners = self.runs.iter().map(|run| run.corners).sum();
         expect(Argument::Vertices, corners, vertices.len())?;
@@ -102,29 +103,29 @@ impl Rings {
     }
 }
 
-/// Vertices as the shader reads them.
+/// Returns vertices in the shader's layout.
 fn pairs_of(vertices: &[Vec2<f32>]) -> Vec<[f32; 2]> {
     vertices.iter().map(|v| [v.x, v.y]).collect()
 }
 
 /// One result per ring, on the GPU.
 #[derive(Clone, Debug)]
-pub struct RingValues<T> {
+pub struct DeviceRingValues<T> {
     gpu: Device,
     parts: Vec<(wgpu::Buffer, u64)>,
     result: PhantomData<fn() -> T>,
 }
 
-impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
-    /// Starts bringing the results back, in the order of the rings.
+impl<T: Fixed<Scalar = f32> + 'static> DeviceRingValues<T> {
+    /// Starts the download of the results, in the order of the rings.
     ///
     /// # Errors
     ///
     /// The errors of the device.
-    pub fn start_download(&self) -> Result<Pending<Vec<T>>, Error> {
+    pub fn start_download(&self) -> Result<DevicePending<Vec<T>>, Error> {
         let parts: Vec<_> = self.parts.iter().map(|(buffer, n)| (buffer, *n)).collect();
         let arrival = self.gpu.inner.bring(&self.gpu, &parts)?;
-        Ok(Pending::new(arrival, |arrival| {
+        Ok(DevicePending::new(arrival, |arrival| {
             let mut all = Vec::new();
             arrival.read(|_, numbers| {
                 let numbers: &[f32] = bytemuck::cast_slice(numbers);
@@ -135,23 +136,22 @@ impl<T: Fixed<Scalar = f32> + 'static> RingValues<T> {
     }
 }
 
-impl<T: Fixed<Scalar = f32> + 'static> Downloads<Vec<T>> for RingValues<T> {
+impl<T: Fixed<Scalar = f32> + 'static> Downloads<Vec<T>> for DeviceRingValues<T> {
     downloads!(Vec<T>);
 }
 
 impl Device {
-    /// Checks rings and brings them to the GPU. Ring i has the vertices
-    /// `offsets[i]..offsets[i + 1]`.
+    /// Checks rings and uploads them. Ring i has the vertices `offsets[i]..offsets[i + 1]`.
     ///
     /// # Errors
     ///
-    /// The input's as [`Cpu::ragged`](crate::kernels::Cpu::ragged), [`GpuFault::TooLarge`](crate::GpuFault::TooLarge)
-    /// for a ring that fits no buffer, or what the device says.
+    /// The errors of the input as in [`Cpu::ragged`](crate::kernels::Cpu::ragged),
+    /// [`GpuFault::TooLarge`](crate::GpuFault::TooLarge) for a ring that fits no buffer, or the errors of the device.
     pub(crate) fn upload_rings(
         &self,
         vertices: &[Vec2<f32>],
         offsets: &[usize],
-    ) -> Result<Rings, Error> {
+    ) -> Result<DeviceRings, Error> {
         check_ragged(vertices, offsets)?;
         let inner = &self.inner;
         let most_vertices = (inner.most_bytes / 8) as usize;
@@ -176,7 +176,7 @@ impl Device {
                 let base = own[0];
                 let corners = pairs_of(&vertices[base..own[own.len() - 1]]);
                 let own: Vec<u32> = own.iter().map(|&at| (at - base) as u32).collect();
-                Run {
+                RingRun {
                     vertices: inner.stored(&corners),
                     offsets: inner.stored(&own),
                     rings: own.len() - 1,
@@ -186,28 +186,28 @@ impl Device {
             };
             Ok(cuts.windows(2).map(run).collect())
         })?;
-        Ok(Rings {
+        Ok(DeviceRings {
             gpu: self.clone(),
             runs,
             len: offsets.len() - 1,
         })
     }
 
-    /// One result per ring.
+    /// Returns one result per ring.
     ///
     /// # Errors
     ///
-    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or what the device says.
+    /// [`GpuFault::ForeignBuffer`](crate::GpuFault::ForeignBuffer), or the errors of the device.
     pub(crate) fn ragged_of<T: Fixed<Scalar = f32>>(
         &self,
         measure: Measure,
-        rings: &Rings,
-    ) -> Result<RingValues<T>, Error> {
+        rings: &DeviceRings,
+    ) -> Result<DeviceRingValues<T>, Error> {
         self.owns(&rings.gpu)?;
         let inner = &self.inner;
         let fields = measure.fields();
         inner.guarded(|| {
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             let mut parts = Vec::new();
             for run in &rings.runs {
                 let values = inner.storage(run.rings * fields);
@@ -215,12 +215,19 @@ impl Device {
                 if let Some(long) = &run.long {
                     let wholes = run.sum_up(measure, &mut work, long);
                     let bound = [(4, &values), (7, &long.longs), (9, &wholes)];
-                    run.over(measure, &mut work, long, "long_main", Over::Longs, &bound);
+                    run.over(
+                        measure,
+                        &mut work,
+                        long,
+                        "long_main",
+                        LongItems::Longs,
+                        &bound,
+                    );
                 }
                 parts.push((values, 4 * (run.rings * fields) as u64));
             }
             work.submit()?;
-            Ok(RingValues {
+            Ok(DeviceRingValues {
                 gpu: self.clone(),
                 parts,
                 result: PhantomData,
@@ -228,26 +235,26 @@ impl Device {
         })
     }
 
-    /// Returns the adjoint of `ragged`, for the numbers of the cotangents of so many results: one derivative per
-    /// vertex.
+    /// Returns the adjoint of [`ragged_of`](Self::ragged_of): one derivative per vertex, from the cotangents of the
+    /// results.
     ///
     /// # Errors
     ///
-    /// As `ragged`, and The input's for an upstream of another length or
-    /// one that is not finite.
+    /// As [`ragged_of`](Self::ragged_of), and [`Error::Length`](crate::Error::Length) for an upstream of another
+    /// length, [`Error::Invalid`](crate::Error::Invalid) for one that is not finite.
     pub(crate) fn ragged_vjp_of(
         &self,
         measure: Measure,
-        rings: &Rings,
+        rings: &DeviceRings,
         (results, numbers): (usize, &[f32]),
-    ) -> Result<RingValues<Vec2<f32>>, Error> {
+    ) -> Result<DeviceRingValues<Vec2<f32>>, Error> {
         self.owns(&rings.gpu)?;
         expect(Argument::Upstream, rings.len, results)?;
         let fields = measure.fields();
         check_upstream(numbers, fields)?;
         let inner = &self.inner;
         inner.guarded(|| {
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             let mut parts = Vec::new();
             let mut rest = numbers;
             for run in &rings.runs {
@@ -270,14 +277,14 @@ impl Device {
                         &mut work,
                         long,
                         "long_vjp_main",
-                        Over::Spans,
+                        LongItems::Spans,
                         &bound,
                     );
                 }
                 parts.push((bars, 8 * run.corners as u64));
             }
             work.submit()?;
-            Ok(RingValues {
+            Ok(DeviceRingValues {
                 gpu: self.clone(),
                 parts,
                 result: PhantomData,
@@ -286,12 +293,12 @@ impl Device {
     }
 }
 
-impl Run {
-    /// The kernel of short rings: a thread each.
+impl RingRun {
+    /// Dispatches the kernel of short rings, one thread per ring.
     fn dispatch(
         &self,
         measure: Measure,
-        work: &mut Work<'_>,
+        work: &mut Commands<'_>,
         entry: &'static str,
         bound: &[(u32, &wgpu::Buffer)],
     ) {
@@ -302,26 +309,26 @@ impl Run {
         work.dispatch(&pipeline, counted(self.rings), &buffers, size);
     }
 
-    /// A kernel of long rings.
+    /// Dispatches a kernel of long rings.
     fn over(
         &self,
         measure: Measure,
-        work: &mut Work<'_>,
+        work: &mut Commands<'_>,
         long: &LongRings,
         entry: &'static str,
-        over: Over,
+        over: LongItems,
         bound: &[(u32, &wgpu::Buffer)],
     ) {
         let (count, size) = match over {
-            Over::Spans => {
+            LongItems::Spans => {
                 let wide = long.span_count.min(ROW);
                 let tall = long.span_count.div_ceil(ROW);
                 (long.span_count, [wide as u32, tall as u32])
             }
-            Over::Longs => (long.long_count, [groups(long.long_count), 1]),
+            LongItems::Longs => (long.long_count, [groups(long.long_count), 1]),
         };
         let mut buffers: Vec<_> = match entry {
-            // It reads sums alone.
+            // It reads no vertices.
             "scale_main" | "whole_main" => Vec::new(),
             _ => vec![(1, &self.vertices), (2, &self.offsets)],
         };
@@ -331,17 +338,17 @@ impl Run {
     }
 
     /// Returns the scale and the sums of every long ring.
-    fn sum_up(&self, measure: Measure, work: &mut Work<'_>, long: &LongRings) -> wgpu::Buffer {
+    fn sum_up(&self, measure: Measure, work: &mut Commands<'_>, long: &LongRings) -> wgpu::Buffer {
         let inner = work.inner;
         let parts = inner.storage(long.span_count * PART_BYTES / 4);
         let wholes = inner.storage(long.long_count * WHOLE_BYTES / 4);
         let (spans, longs) = ((6, &long.spans), (7, &long.longs));
         let (parts, sums) = ((8, &parts), (9, &wholes));
         for (entry, over, bound) in [
-            ("extent_main", Over::Spans, &[spans, longs, parts][..]),
-            ("scale_main", Over::Longs, &[longs, parts, sums]),
-            ("sums_main", Over::Spans, &[spans, longs, parts, sums]),
-            ("whole_main", Over::Longs, &[longs, parts, sums]),
+            ("extent_main", LongItems::Spans, &[spans, longs, parts][..]),
+            ("scale_main", LongItems::Longs, &[longs, parts, sums]),
+            ("sums_main", LongItems::Spans, &[spans, longs, parts, sums]),
+            ("whole_main", LongItems::Longs, &[longs, parts, sums]),
         ] {
             self.over(measure, work, long, entry, over, bound);
         }
@@ -349,7 +356,11 @@ impl Run {
     }
 }
 
-fn ring_pipeline(measure: Measure, inner: &Inner, entry: &'static str) -> wgpu::ComputePipeline {
+fn ring_pipeline(
+    measure: Measure,
+    inner: &SharedContext,
+    entry: &'static str,
+) -> wgpu::ComputePipeline {
     inner.written(Kernel::Ragged(measure), entry)
 }
 

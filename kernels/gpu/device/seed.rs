@@ -1,17 +1,17 @@
-//! The factors of derivatives of all pairs, and sums as they come back.
-use super::matrix::Matrix;
+//! The factors of derivatives of all pairs, and downloaded sums.
+use super::matrix::DeviceMatrix;
 
-/// The factors of derivatives.
-pub(crate) enum Seed<'a> {
-    /// A number for every pair, row by row.
+/// The factors of derivatives of all pairs.
+pub(crate) enum PairSeed<'a> {
+    /// A number for every pair, in row-major order.
     Numbers(&'a [f32]),
-    /// The same, already on the GPU, for as many rows and columns.
-    Matrix(&'a Matrix),
-    /// One number for all.
+    /// A number for every pair, in a matrix on the GPU.
+    Matrix(&'a DeviceMatrix),
+    /// One number for all pairs.
     Factor(f32),
 }
 
-/// Returns the sum of partial sums that were brought back.
+/// Returns the sum of downloaded partial sums.
 pub(super) fn sum_of(numbers: &[u32]) -> f64 {
     let wide = |&n: &u32| f64::from(f32::from_bits(n));
     numbers.iter().map(wide).sum()

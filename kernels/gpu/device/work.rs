@@ -1,12 +1,12 @@
-//! Running kernels: pipelines, dispatches, error scopes.
-use super::context::{Inner, locked};
-use super::download::State;
+//! The execution of kernels: pipelines, dispatches, error scopes.
+use super::context::{SharedContext, locked};
+use super::download::DownloadState;
 use super::written::{GROUP, Kernel};
 use crate::{Error, GpuFault};
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
-/// The numbers every kernel of pairs is given; the shader's `Params`.
+/// The parameters of every kernel of pairs; the shader's `Params`.
 #[derive(Clone, Copy, Debug, Default, bytemuck::NoUninit)]
 #[repr(C)]
 pub(super) struct Params {
@@ -22,27 +22,27 @@ pub(super) struct Params {
     pub factor: f32,
     pub fields: u32,
     pub out_start: u32,
-    /// Numbers of a row of a matrix, and of a whole plane of it.
+    /// The lengths of a row of a matrix, and of a whole plane of it.
     pub stride: u32,
     pub plane: u32,
 }
 
-/// The bytes of the parameters, rounded up as uniform buffers want them.
+/// The size of the parameters in bytes, rounded up as uniform buffers require.
 const PARAMS_BYTES: u64 = 64;
 
-/// Commands on their way to the queue.
-pub(super) struct Work<'a> {
-    pub inner: &'a Inner,
+/// Commands to be submitted to the queue.
+pub(super) struct Commands<'a> {
+    pub inner: &'a SharedContext,
     encoder: wgpu::CommandEncoder,
     queries: Option<wgpu::QuerySet>,
     timed: u32,
 }
 
-/// Passes whose time one submission can measure.
+/// The largest number of passes whose time one submission can measure.
 const MOST_TIMED: u32 = 2048;
 
-impl<'a> Work<'a> {
-    pub fn new(inner: &'a Inner) -> Self {
+impl<'a> Commands<'a> {
+    pub fn new(inner: &'a SharedContext) -> Self {
         let queries = inner.timing.then(|| {
             inner.device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: None,
@@ -50,7 +50,7 @@ impl<'a> Work<'a> {
                 count: 2 * MOST_TIMED,
             })
         });
-        Work {
+        Commands {
             inner,
             encoder: inner.encoder(),
             queries,
@@ -58,7 +58,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// One dispatch; `buffers` says what is bound where.
+    /// Adds a dispatch; `buffers` pairs each buffer with its binding.
     pub fn dispatch(
         &mut self,
         pipeline: &wgpu::ComputePipeline,
@@ -74,7 +74,7 @@ impl<'a> Work<'a> {
         );
     }
 
-    /// The same with parameters of a generated kernel.
+    /// Adds a dispatch with the parameters of a generated kernel.
     pub fn dispatch_with(
         &mut self,
         pipeline: &wgpu::ComputePipeline,
@@ -135,13 +135,13 @@ impl<'a> Work<'a> {
         pass.dispatch_workgroups(groups[0], groups[1], 1);
     }
 
-    /// A copy from buffer to buffer, from an offset in bytes on.
+    /// Adds a copy of a buffer's bytes from `offset` on to the start of another buffer.
     pub fn copy(&mut self, from: &wgpu::Buffer, offset: u64, to: &wgpu::Buffer, bytes: u64) {
         self.encoder
             .copy_buffer_to_buffer(from, offset, to, 0, bytes);
     }
 
-    /// A copy between places in two buffers, in bytes.
+    /// Adds a copy between ranges of two buffers, in bytes.
     pub fn copy_to(
         &mut self,
         from: &wgpu::Buffer,
@@ -156,7 +156,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Hands the commands to the queue; with timing it waits for them.
+    /// Submits the commands to the queue; with timing it waits for them.
     pub fn submit(mut self) -> Result<wgpu::SubmissionIndex, Error> {
         let Some(queries) = self.queries.take().filter(|_| self.timed > 0) else {
             return Ok(self.inner.queue.submit([self.encoder.finish()]));
@@ -169,7 +169,7 @@ impl<'a> Work<'a> {
         let staging = self.inner.staging(bytes);
         self.copy(&resolved, 0, &staging, bytes);
         let index = self.inner.queue.submit([self.encoder.finish()]);
-        State::of([&staging].into_iter()).wait(self.inner, &index)?;
+        DownloadState::of([&staging].into_iter()).wait(self.inner, &index)?;
         let view = staging
             .get_mapped_range(..)
             .map_err(|_| Error::Gpu(GpuFault::DeviceLost))?;
@@ -184,21 +184,21 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Workgroups along one dimension of a dispatch: the guarantee of WebGPU for every device.
+/// The largest number of workgroups along one dimension of a dispatch, as WebGPU guarantees on every device.
 pub(super) const MOST_GROUPS: usize = 65_535;
 
-/// Workgroups for so many threads.
+/// Returns the number of workgroups for `threads` threads.
 pub(super) fn groups(threads: usize) -> u32 {
     threads.div_ceil(GROUP) as u32
 }
 
-impl Inner {
+impl SharedContext {
     pub fn encoder(&self) -> wgpu::CommandEncoder {
         self.device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor { label: None })
     }
 
-    /// Returns a buffer; its size a multiple of four, and never zero, which WebGPU has no binding for.
+    /// Returns a buffer. Its size is a multiple of four and never zero, since WebGPU cannot bind an empty buffer.
     pub fn buffer(&self, bytes: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
         self.device.create_buffer(&wgpu::BufferDescriptor {
             label: None,
@@ -208,7 +208,7 @@ impl Inner {
         })
     }
 
-    /// Returns a buffer that kernels read and write, for so many numbers.
+    /// Returns a buffer for `numbers` numbers that kernels read and write.
     pub fn storage(&self, numbers: usize) -> wgpu::Buffer {
         self.buffer(
             4 * numbers as u64,
@@ -218,7 +218,7 @@ impl Inner {
         )
     }
 
-    /// Returns a buffer that the processor reads.
+    /// Returns a buffer that the CPU can read.
     pub fn staging(&self, bytes: u64) -> wgpu::Buffer {
         self.buffer(
             bytes,
@@ -226,7 +226,7 @@ impl Inner {
         )
     }
 
-    /// Returns a kernel's parameters.
+    /// Returns a buffer with a kernel's parameters.
     fn uniform<T: bytemuck::NoUninit>(&self, params: &[T], bytes: u64) -> wgpu::Buffer {
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         self.filled(params, bytes, usage)
@@ -268,7 +268,7 @@ impl Inner {
         )
     }
 
-    /// Returns the pipeline of an entry point, compiled the first time it is asked for.
+    /// Returns the pipeline of an entry point, compiled at the first call.
     pub fn pipeline(
         &self,
         kernel: Kernel,
@@ -301,7 +301,7 @@ impl Inner {
                 module: &module,
                 entry_point: Some(entry),
                 compilation_options: wgpu::PipelineCompilationOptions {
-                    // Every kernel writes what it reads.
+                    // Kernels write workgroup memory before they read it.
                     zero_initialize_workgroup_memory: false,
                     ..Default::default()
                 },
@@ -309,7 +309,7 @@ impl Inner {
             })
     }
 
-    /// Refuses when the device is gone.
+    /// Returns an error if the device is lost.
     pub fn alive(&self) -> Result<(), Error> {
         if self.lost.load(Ordering::Acquire) {
             return Err(Error::Gpu(GpuFault::DeviceLost));
@@ -331,7 +331,7 @@ impl Inner {
         })
     }
 
-    /// That the least that can be done at once takes so many numbers, which are more than a buffer may have.
+    /// Returns the error for a smallest unit of work of `numbers` numbers that exceeds a buffer.
     pub fn too_large(&self, numbers: usize) -> Error {
         Error::Gpu(GpuFault::TooLarge {
             bytes: 4 * numbers as u64,
@@ -339,7 +339,7 @@ impl Inner {
         })
     }
 
-    /// Runs what talks to the device, and turns whatever the device says into an error.
+    /// Runs calls of the device, and returns the device's faults as errors.
     pub fn guarded<T>(&self, run: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
         self.alive()?;
         let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);

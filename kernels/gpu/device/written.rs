@@ -1,7 +1,6 @@
-//! The shaders: which files make one, and the constants put in front of them.
+//! The shaders: their source files, and the constants in front of them.
 //!
-//! A shader is its constants and its files, one after the other. Constants are written down in Rust
-//! alone.
+//! A shader is its constants followed by its files. Constants are defined in Rust alone.
 use crate::Scalar;
 use crate::clip::{FAR, LARGEST_INVERSE};
 use crate::overlap::Denominator;
@@ -9,36 +8,36 @@ use crate::ring::Measure;
 use crate::scalar::float::Float;
 use std::fmt::Write;
 
-/// Threads per workgroup.
+/// The number of threads of a workgroup.
 pub(super) const GROUP: usize = 256;
-/// The same for adjoints, whose threads take two columns each: with what one needs in registers, a
-/// larger workgroup would leave room for no second one.
+/// The number of threads of an adjoint's workgroup. Each takes two columns, so a larger workgroup would leave too few
+/// registers for a second one.
 pub(super) const GROUP_VJP: usize = GROUP / 2;
-/// Walked shapes kept close to the threads at a time.
+/// The number of walked shapes in workgroup memory at a time.
 pub(super) const STEP: usize = 64;
-/// Walked columns of a matrix kept close to the threads at a time: whole sectors of memory, of every
-/// thread's row.
+/// The number of walked columns of a matrix in workgroup memory at a time: whole sectors of memory, of every thread's
+/// row.
 const STEP_MATRIX: usize = 8;
-/// Returns the same for adjoints, which keep sums beside them, one of 20 bytes per walked shape and slot:
-/// at most 10 KiB, of the 16 KiB that WebGPU guarantees.
+/// Returns the number of walked shapes in workgroup memory for adjoints, which also store sums there, 20 bytes per
+/// walked shape and slot: at most 10 KiB of the 16 KiB that WebGPU guarantees.
 pub(super) const fn step_vjp(slots: usize) -> usize {
     if slots > 32 { 8 } else { 16 }
 }
-/// Walked shapes per thread in reductions: few enough that a hundred thousand rows fill a large
-/// GPU, many enough that the partial results stay small.
+/// The number of walked shapes per thread in reductions: few enough that a hundred thousand rows fill a large GPU, many
+/// enough that the partial results stay small.
 pub(super) const STRIP: usize = 1024;
-/// Counts per thread when they are turned into places.
+/// The number of counts per thread in their prefix sum.
 const RUN: usize = 16;
-/// The same for adjoints, whose upstream matrix makes every step dearer.
+/// The number of walked shapes per thread of adjoints, which also read an upstream matrix.
 pub(super) const STRIP_VJP: usize = 256;
-/// Vertices from which on a ring is long: more than one thread works on it.
+/// The number of vertices from which on a ring is long: several threads compute it.
 pub(super) const LONG: usize = 1024;
-/// Vertices of a long ring per workgroup.
+/// The number of vertices of a long ring per workgroup.
 pub(super) const SPAN: usize = 2048;
-/// Spans along the first dimension of a dispatch.
+/// The number of spans along the first dimension of a dispatch.
 pub(super) const ROW: usize = 32_768;
-/// Returns the sums of a measure of rings beside products of vertices (moments, lengths), and in WGSL the measure of a
-/// ring with its derivative at a vertex.
+/// Returns whether a measure of rings needs sums of moments, and of lengths. Returns also its WGSL: the measure of a
+/// ring, and the derivative at a vertex.
 const fn mirror_of(measure: Measure) -> (bool, bool, &'static str) {
     match measure {
         Measure::SignedArea => (false, false, include_str!("../wgsl/signed_area.wgsl")),
@@ -52,7 +51,7 @@ const fn mirror_of(measure: Measure) -> (bool, bool, &'static str) {
 pub(super) enum Kernel {
     /// The sum of partial sums.
     Fold,
-    /// A reduction of a matrix that is there already, by threads that stand for rows or for columns.
+    /// A reduction of a stored matrix, by threads for rows or for columns.
     ReduceMatrix(Take, bool),
     Gather,
     /// A measure of rings.
@@ -61,23 +60,23 @@ pub(super) enum Kernel {
 
 /// The factors of derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Seed {
+pub(super) enum SeedSource {
     Matrix,
-    /// One factor for all.
+    /// One factor for all pairs.
     Factor,
 }
 
-impl Seed {
-    /// Returns the WGSL that gives the factor of a pair.
+impl SeedSource {
+    /// Returns the WGSL of the factor of a pair.
     pub(super) fn text(self) -> &'static str {
         match self {
-            Seed::Matrix => include_str!("../wgsl/seed_matrix.wgsl"),
-            Seed::Factor => include_str!("../wgsl/seed_factor.wgsl"),
+            SeedSource::Matrix => include_str!("../wgsl/seed_matrix.wgsl"),
+            SeedSource::Factor => include_str!("../wgsl/seed_factor.wgsl"),
         }
     }
 }
 
-/// The result that a reduction takes from scores.
+/// The kind of result that a reduction computes from scores.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Take {
     Best,
@@ -87,9 +86,9 @@ pub(super) enum Take {
 }
 
 impl Take {
-    /// All of them.
+    /// All kinds.
     pub(super) const ALL: [Take; 4] = [Take::Best, Take::Count, Take::Found, Take::Sum];
-    /// The ones that groups have.
+    /// The kinds that reductions within groups have.
     pub(super) const OF_GROUPS: [Take; 3] = [Take::Best, Take::Count, Take::Found];
     /// Returns the WGSL that reduces scores.
     pub(super) fn text(self) -> &'static str {
@@ -102,9 +101,9 @@ impl Take {
     }
 }
 
-/// The walk of a reduction, whatever gives the scores and whatever is taken of them.
+/// The walk of a reduction, for every source and every kind of result.
 pub(super) const REDUCE: &str = include_str!("../wgsl/reduce.wgsl");
-/// Returns a number as WGSL reads it back to the same bits.
+/// Returns a number as a WGSL literal with equal bits.
 fn literal(x: f32) -> String {
     format!("{x:e}f")
 }
@@ -120,7 +119,7 @@ pub(super) fn sizes(group: usize, step: usize, strip: usize) -> String {
 
 /// Returns the constants of kernels by hand, which Rust and WGSL share.
 pub(super) fn policy() -> String {
-    // All ones, without the low half of the significand.
+    // All ones, except the low half of the significand.
     let high_half = Float::high(f32::from_bits(u32::MAX)).to_bits();
     let mut text = String::new();
     for (name, value) in [
@@ -145,13 +144,13 @@ pub(super) fn policy() -> String {
 
 /// The scalar of kernels by hand.
 pub(super) const PRELUDE: &str = include_str!("../wgsl/prelude.wgsl");
-/// The border of one box clipped to another.
+/// The WGSL that clips the border of one box to another.
 pub(super) const CLIP: &str = include_str!("../wgsl/clip.wgsl");
-/// How much two boxes overlap.
+/// The WGSL of the overlap of two boxes.
 pub(super) const OVERLAP: &str = include_str!("../wgsl/overlap.wgsl");
 /// The parameters of kernels over two lists.
 pub(super) const PARAMS: &str = include_str!("../wgsl/params.wgsl");
-/// The buffers that they read and write.
+/// The buffers that kernels over two lists read and write.
 pub(super) const BINDINGS: &str = include_str!("../wgsl/bindings.wgsl");
 
 impl Kernel {
@@ -182,7 +181,7 @@ impl Kernel {
     }
 }
 
-/// Returns every shader that has no body of two shapes, with a name: for tests that have no GPU.
+/// Returns every shader that has no body of two shapes, with its name: for tests without a GPU.
 #[doc(hidden)]
 #[must_use]
 pub fn common_sources() -> Vec<(String, String)> {

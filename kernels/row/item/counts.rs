@@ -1,4 +1,4 @@
-//! Numbers of items and of entries.
+//! Checks of the numbers of items and of entries.
 use crate::Real;
 use crate::error::{Argument, Error, Validate};
 
@@ -15,7 +15,7 @@ pub(crate) fn expect(argument: Argument, expected: usize, found: usize) -> Resul
     }
 }
 
-/// Returns the number of entries of a matrix.
+/// Returns the number of scalars in a matrix of items, or an error if it overflows.
 pub(crate) fn entries(rows: usize, columns: usize, fields: usize) -> Result<usize, Error> {
     let count = rows
         .checked_mul(columns)

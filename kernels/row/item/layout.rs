@@ -7,24 +7,24 @@ use crate::{Aabb2, Fixed, Obb2, Pack, Real, Vec2};
 use std::any::TypeId;
 use std::marker::PhantomData;
 
-/// The layout of one shape of an item: how many numbers it has, their names and its checks.
+/// The layout of one shape of an item: the number of its scalars, their names, and its checks.
 #[derive(Debug)]
 pub struct Leaf<T> {
     /// The name of its type, with its path.
     pub shape: fn() -> &'static str,
-    /// How many numbers: scalars, then codes.
+    /// The number of its fields: scalars, then codes.
     pub fields: usize,
-    /// How many of them are codes: whole numbers without derivatives, such as counts ([`Fixed::CODES`]).
+    /// The number of codes: whole numbers without derivatives, such as counts ([`Fixed::CODES`]).
     pub codes: usize,
     /// The name of a scalar.
     pub name: fn(usize) -> Field,
-    /// Returns the flaw of numbers that are no valid shape.
+    /// The check of a shape's numbers; its error is the flaw.
     pub check: fn(&[T]) -> Result<(), Flaw>,
-    /// The test that tells quickly that many shapes are valid.
+    /// The quick test of many shapes.
     pub quick: Quick,
 }
 
-/// A test of many numbers at once, which holds only for valid shapes, and perhaps not for all of these.
+/// A quick test of many numbers, which accepts only valid shapes, and perhaps not all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quick {
     /// There is none.
@@ -41,7 +41,7 @@ pub enum Quick {
     Upright,
     /// The rules of boxes of any orientation.
     Obb3,
-    /// Convex quadrilaterals.
+    /// The rules of convex quadrilaterals.
     Quads,
 }
 
@@ -53,7 +53,7 @@ impl<T> Clone for Leaf<T> {
 impl<T> Copy for Leaf<T> {}
 
 impl<T: Real> Leaf<T> {
-    /// So many numbers that belong to no shape.
+    /// Returns the layout of `fields` numbers that belong to no shape.
     pub(crate) fn numbers(fields: usize) -> Self {
         Leaf {
             shape: || "",
@@ -75,7 +75,7 @@ impl<T: Real> Leaf<T> {
             quick: Quick::Finite,
         }
     }
-    /// Quadrilaterals that have to be convex.
+    /// Returns this layout with the condition that quadrilaterals are convex.
     pub(crate) fn convex(self) -> Self {
         Leaf {
             check: |numbers| check_quad(<[Vec2<T>; 4]>::load(numbers)),
@@ -85,13 +85,13 @@ impl<T: Real> Leaf<T> {
     }
 }
 
-/// The type of an item: a number, a shape, or a tuple of such.
+/// The type of an item: a number, a shape, or a tuple of these.
 ///
 /// Numbers are `f32` or `f64`. `#[derive(Shape)]` implements it.
 pub trait Item: Fixed<Scalar: Real> {
-    /// Many of them: a vector of shapes; for a tuple a tuple of vectors.
+    /// A list of items: a vector of shapes; for a tuple a tuple of vectors.
     type Many: Send;
-    /// As many as are wanted, all of them zero.
+    /// Returns `count` items, all of them zero.
     #[doc(hidden)]
     fn many(count: usize) -> Self::Many;
     /// Adds the layout of every shape of an item, in order.
@@ -104,14 +104,14 @@ pub trait Item: Fixed<Scalar: Real> {
 
 /// The result of a batch per item: a shape or number, or a result with its [Jacobian](WithJacobian).
 pub trait Results {
-    /// `f32` or `f64`.
+    /// The number type, `f32` or `f64`.
     type Scalar: Real;
-    /// Many of them.
+    /// A list of results.
     type Many: Send;
-    /// As many as are wanted, all of them zero.
+    /// Returns memory for `count` results, all of them zero.
     #[doc(hidden)]
     fn room(count: usize) -> Self::Many;
-    /// Numbers of every target.
+    /// Returns the number of scalars of every target.
     #[doc(hidden)]
     fn widths() -> Vec<usize>;
     /// Adds the targets of the results.
@@ -133,8 +133,8 @@ impl<R: Item> Results for R {
     }
 }
 
-/// A result `Y` with its Jacobian with respect to an input `X`. A batch gives its results as always, and a vector of
-/// Jacobians. A Jacobian is a `Y` with a gradient, an `X`, in the place of every number.
+/// A result `Y` with its Jacobian with respect to an input `X`. A batch returns its results and a list of Jacobians. A
+/// Jacobian is a `Y` with a gradient, an `X`, in place of every number.
 #[derive(Clone, Copy, Debug)]
 pub struct WithJacobian<Y, X>(PhantomData<fn(X) -> Y>);
 
@@ -163,7 +163,7 @@ where
     }
 }
 
-/// Jacobians as a target: their gradients, one after another.
+/// Returns Jacobians as a target: their gradients, one after another.
 pub(crate) fn jacobians<Y: Item, X: Item<Scalar = Y::Scalar>>(
     all: &mut [Y::With<X>],
 ) -> Target<'_, Y::Scalar>
@@ -182,7 +182,7 @@ where
                 });
             }
         };
-        Piece::Written(room, Box::new(write))
+        TargetPiece::Written(room, Box::new(write))
     });
     Target {
         pieces: pieces.collect(),
@@ -190,7 +190,7 @@ where
     }
 }
 
-/// Numbers of a shape in a column: its scalars, then its codes.
+/// Returns the number of fields of a shape in a column: its scalars, then its codes.
 pub(crate) const fn width<P: Fixed>() -> usize {
     P::LEN + P::CODES
 }
@@ -198,27 +198,26 @@ pub(crate) const fn width<P: Fixed>() -> usize {
 /// Returns a shape from the numbers of a column.
 pub(crate) fn get<P: Fixed<Scalar: Real>>(numbers: &[P::Scalar]) -> P {
     let shape = P::load(numbers);
-    // A `const` condition: the rest is not compiled for shapes without codes.
+    // A `const` condition, since then the rest is not compiled for shapes without codes.
     if const { P::CODES == 0 } {
         return shape;
     }
     shape.load_codes(&codes_of(&numbers[P::LEN..width::<P>()]))
 }
 
-/// Codes that are numbers of a column.
+/// Returns the codes that a column's numbers stand for.
 fn codes_of<T: Real>(numbers: &[T]) -> Vec<u32> {
-    // By way of `i64`: columns have codes of either sign.
+    // Via `i64`, since columns have codes of either sign.
     let code = |&x: &T| crate::scalar::float::Float::widen(x) as i64 as u32;
     numbers.iter().map(code).collect()
 }
 
-/// Returns a code as a number of a column. Those of signed integers keep their sign, so that it is exact in `f32` up to
-/// 2²⁴ and down to −2²⁴.
+/// Returns a code as a number of a column. Signed integers keep their sign, so that `f32` is exact from −2²⁴ to 2²⁴.
 fn number_of_code<T: Real>(code: u32) -> T {
     T::lit(f64::from(code as i32))
 }
 
-/// A shape as the numbers of a column.
+/// Writes a shape as the numbers of a column.
 pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
     shape.store(numbers);
     if const { P::CODES > 0 } {
@@ -228,8 +227,8 @@ pub(crate) fn put<P: Fixed<Scalar: Real>>(shape: P, numbers: &mut [P::Scalar]) {
     }
 }
 
-/// Takes the numbers of an item in the order of columns, the scalars and codes of each shape. Returns them in the order
-/// of [`Fixed::load`]: all scalars, then all codes.
+/// Reorders the numbers of an item. In columns each shape has its scalars and then its codes; for [`Fixed::load`] all
+/// scalars come first, then all codes.
 pub(crate) fn by_kind<R: Item>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
     if const { R::CODES == 0 } {
         return numbers.to_vec();
@@ -247,7 +246,7 @@ pub(crate) fn by_kind<R: Item>(numbers: &[R::Scalar]) -> Vec<R::Scalar> {
     scalars
 }
 
-/// The inverse of [`by_kind`]: writes scalars and codes shape by shape.
+/// Writes scalars and codes shape by shape, the inverse of [`by_kind`].
 pub(crate) fn by_shape<R: Item>(
     mut scalars: &[R::Scalar],
     codes: &[u32],
@@ -281,7 +280,7 @@ pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
     }
 }
 
-/// Returns the test that tells quickly that many shapes are valid: of their numbers alone, or of the rules of boxes.
+/// Returns the quick test of a shape: for finite numbers, or for the rules of boxes.
 fn quick_of<P: Item + Validate>() -> Quick {
     let is = |shape: TypeId| TypeId::of::<P>() == shape;
     if P::FINITE_SUFFICES {
@@ -306,7 +305,7 @@ pub(crate) fn leaves_of<P: Item>() -> Vec<Leaf<P::Scalar>> {
     all
 }
 
-/// Numbers of every shape of an item.
+/// Returns the number of fields of every shape of an item.
 pub(crate) fn widths<P: Item>() -> Vec<usize> {
     leaves_of::<P>().iter().map(|leaf| leaf.fields).collect()
 }
@@ -381,40 +380,39 @@ pub(crate) fn targets_of<P: Item>(many: &mut P::Many) -> Vec<Target<'_, P::Scala
     all
 }
 
-/// A single shape, not a tuple: the lists of all pairs consist of such.
+/// A single shape, not a tuple: the lists of all pairs consist of these.
 pub trait Single: Item<Many = Vec<Self>> {}
 impl<P: Item<Many = Vec<P>>> Single for P {}
 
-/// Makes shapes of numbers, one after another.
+/// A function that converts numbers to shapes, one after another.
 type Write<'a, T> = Box<dyn FnOnce(&[T]) + Send + 'a>;
 
 /// The memory for one shape of every result.
 pub struct Target<'a, T> {
-    /// Piece by piece, each of [`STRETCH`] items, the last one of fewer.
-    pieces: Vec<Piece<'a, T>>,
-    /// How many items.
+    /// The pieces, of [`STRETCH`] items each; the last one may have fewer.
+    pieces: Vec<TargetPiece<'a, T>>,
+    /// The number of items.
     pub(crate) count: usize,
 }
 
 /// A piece of a target.
-pub(crate) enum Piece<'a, T> {
-    /// Numbers as they lie in memory.
+pub(crate) enum TargetPiece<'a, T> {
+    /// Numbers in place.
     Lent(&'a mut [T]),
-    /// Room for numbers, and the function that makes shapes of them: for shapes that cannot be written as a slice of
-    /// numbers.
+    /// A buffer of numbers, and the function that converts them to shapes: for shapes that are no slice of numbers.
     Written(Vec<T>, Write<'a, T>),
 }
 
-/// Items per piece of work.
+/// The number of items in a piece of work.
 pub(crate) const STRETCH: usize = 2048;
 
-/// Shapes as a target.
+/// Returns shapes as a target.
 #[doc(hidden)]
 pub fn target<P: Item>(shapes: &mut [P]) -> Target<'_, P::Scalar> {
     let count = shapes.len();
     let pieces = shapes.chunks_mut(STRETCH).map(|shapes| {
         if memory::is_plain::<P>() {
-            return Piece::Lent(memory::lent_mut(shapes).unwrap_or_default());
+            return TargetPiece::Lent(memory::lent_mut(shapes).unwrap_or_default());
         }
         let room = vec![P::Scalar::default(); shapes.len() * width::<P>()];
         let write = move |rows: &[P::Scalar]| {
@@ -422,7 +420,7 @@ pub fn target<P: Item>(shapes: &mut [P]) -> Target<'_, P::Scalar> {
                 *shape = get(row);
             }
         };
-        Piece::Written(room, Box::new(write))
+        TargetPiece::Written(room, Box::new(write))
     });
     Target {
         pieces: pieces.collect(),
@@ -431,30 +429,33 @@ pub fn target<P: Item>(shapes: &mut [P]) -> Target<'_, P::Scalar> {
 }
 
 impl<'a, T: Real> Target<'a, T> {
-    /// Rows of so many numbers.
+    /// Creates a target from rows of `fields` numbers.
     pub(crate) fn of_rows(rows: &'a mut [T], fields: usize) -> Self {
         Target {
             count: rows.len() / fields,
-            pieces: rows.chunks_mut(STRETCH * fields).map(Piece::Lent).collect(),
+            pieces: rows
+                .chunks_mut(STRETCH * fields)
+                .map(TargetPiece::Lent)
+                .collect(),
         }
     }
-    /// Its pieces.
-    pub(crate) fn pieces(self) -> Vec<Piece<'a, T>> {
+    /// Returns the pieces.
+    pub(crate) fn pieces(self) -> Vec<TargetPiece<'a, T>> {
         self.pieces
     }
 }
 
-impl<T> Piece<'_, T> {
-    /// Room for its numbers.
+impl<T> TargetPiece<'_, T> {
+    /// Returns the numbers for writing.
     pub(crate) fn numbers(&mut self) -> &mut [T] {
         match self {
-            Piece::Lent(numbers) => numbers,
-            Piece::Written(numbers, _) => numbers,
+            TargetPiece::Lent(numbers) => numbers,
+            TargetPiece::Written(numbers, _) => numbers,
         }
     }
-    /// Makes shapes of the numbers.
+    /// Converts the numbers to shapes.
     pub(crate) fn finish(self) {
-        if let Piece::Written(numbers, write) = self {
+        if let TargetPiece::Written(numbers, write) = self {
             write(&numbers);
         }
     }

@@ -1,4 +1,4 @@
-//! Shapes as the numbers that they are in memory.
+//! Shapes seen as plain numbers in memory.
 use crate::distance::{Contact, FarthestPoints, PointPair};
 use crate::distance3::{Contact3, PointPair3};
 use crate::intersection::{Chord, CommonPart, CommonPoint, Hit};
@@ -12,8 +12,8 @@ use crate::{Aabb2, Fixed, Obb2, Pose2, Rotation2, Vec2, Vec3};
 use std::any::TypeId;
 use std::slice;
 
-/// Returns `true` if a shape is one of the library's, or an array of up to sixteen numbers: nothing but numbers of this
-/// format, in the order of their fields, without gaps.
+/// Returns `true` if a shape is one of the library's, or an array of up to sixteen numbers. Such a shape consists of
+/// numbers of this format, in the order of their fields, without padding.
 pub fn is_plain<P: Fixed>() -> bool
 where
     P::Scalar: 'static,
@@ -38,24 +38,24 @@ where
         && align_of::<P>() == align_of::<P::Scalar>()
 }
 
-/// Returns the numbers of shapes, one shape after another; `None` for shapes that hold anything else.
+/// Returns the numbers of shapes, one shape after another; `None` for shapes that [`is_plain`] rejects.
 #[inline]
 pub fn lent<P: Fixed>(shapes: &[P]) -> Option<&[P::Scalar]>
 where
     P::Scalar: 'static,
 {
-    // Sound: the shapes are so many numbers, side by side.
+    // Sound: the shapes are contiguous numbers without padding.
     is_plain::<P>()
         .then(|| unsafe { slice::from_raw_parts(shapes.as_ptr().cast(), shapes.len() * P::LEN) })
 }
 
-/// Returns the same, to be written.
+/// Returns the numbers of shapes for writing; `None` for shapes that [`is_plain`] rejects.
 #[inline]
 pub fn lent_mut<P: Fixed>(shapes: &mut [P]) -> Option<&mut [P::Scalar]>
 where
     P::Scalar: 'static,
 {
-    // Sound: as above, and any number is a valid one.
+    // Sound for the reason above, and since any number is valid.
     is_plain::<P>().then(|| unsafe {
         slice::from_raw_parts_mut(shapes.as_mut_ptr().cast(), shapes.len() * P::LEN)
     })

@@ -7,5 +7,6 @@ pub(crate) mod rows;
 
 pub use layout::{Item, Leaf, Quick, Results, Single, Target, WithJacobian, leaf, target};
 pub(crate) use layout::{
-    Piece, STRETCH, by_kind, by_shape, get, jacobians, leaves_of, put, targets_of, width, widths,
+    STRETCH, TargetPiece, by_kind, by_shape, get, jacobians, leaves_of, put, targets_of, width,
+    widths,
 };

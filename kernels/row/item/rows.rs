@@ -1,17 +1,17 @@
-//! Shapes as rows of numbers: as they lie in memory, or written out and read back.
+//! Shapes as rows of numbers: in place, or copied.
 use super::layout::{Single, get, put, width};
 use super::memory;
 use crate::error::Error;
 use crate::{Fixed, Real};
 use std::borrow::Cow;
 
-/// Returns the numbers of shapes, one shape after another: as they are in memory, or written out.
+/// Returns the numbers of shapes, one shape after another: in place if possible, else copied.
 pub(crate) fn numbers<T: Real, P: Fixed<Scalar = T>>(shapes: &[P]) -> Cow<'_, [T]> {
     match memory::lent(shapes) {
         Some(numbers) => Cow::Borrowed(numbers),
         None => {
             let mut rows = vec![T::default(); shapes.len() * width::<P>()];
-            // Shapes may have no numbers at all.
+            // Shapes may have no numbers.
             for (shape, row) in shapes
                 .iter()
                 .zip(rows.chunks_exact_mut(width::<P>().max(1)))
@@ -23,7 +23,7 @@ pub(crate) fn numbers<T: Real, P: Fixed<Scalar = T>>(shapes: &[P]) -> Cow<'_, [T
     }
 }
 
-/// Runs a function on room for the numbers of shapes, and makes shapes of its numbers. Shapes keep their codes.
+/// Runs a function on a buffer for the numbers of shapes, and converts them to the shapes, which keep their codes.
 pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
     shapes: &mut [P],
     run: impl FnOnce(&mut [T]) -> R,
@@ -33,7 +33,7 @@ pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
     }
     let mut rows = vec![T::default(); shapes.len() * width::<P>()];
     let out = run(&mut rows);
-    // Shapes may have no numbers at all.
+    // Shapes may have no numbers.
     let rows = rows.chunks_exact(width::<P>().max(1));
     for (shape, row) in shapes.iter_mut().zip(rows) {
         *shape = P::load(row).load_codes(&shape.codes());
@@ -41,8 +41,8 @@ pub(crate) fn fill<T: Real, P: Fixed<Scalar = T>, R>(
     out
 }
 
-/// Returns the same for numbers that hold the codes of shapes, too. An error leaves the shapes as they were, if the
-/// function leaves its room so.
+/// Runs a function on a buffer for the numbers and codes of shapes, and converts them to the shapes. If the function
+/// fails without writing, the shapes keep their values.
 pub(crate) fn fill_whole<T: Real, P: Fixed<Scalar = T>, R>(
     shapes: &mut [P],
     run: impl FnOnce(&mut [T]) -> Result<R, Error>,
@@ -61,7 +61,7 @@ pub(crate) fn fill_whole<T: Real, P: Fixed<Scalar = T>, R>(
     Ok(out)
 }
 
-/// Shapes from their numbers.
+/// Returns shapes from their numbers.
 pub(crate) fn shapes<P: Single>(count: usize, numbers: &[P::Scalar]) -> Vec<P> {
     let mut many = P::many(count);
     match memory::lent_mut(&mut many) {

@@ -122,7 +122,7 @@ vector! {
     items from_f32x16 to_f32x16
 }
 
-/// Four rows of four numbers in every 128 bits, rows and columns exchanged.
+/// Transposes the 4×4 matrices in every 128 bits of four vectors.
 macro_rules! exchange {
     ($unpacklo:ident $unpackhi:ident $shuffle:ident; $a:ident $b:ident $c:ident $d:ident) => {{
         let (p, q) = ($unpacklo($a, $b), $unpackhi($a, $b));
@@ -151,7 +151,7 @@ fn exchange_f32x16([F32x16(a), F32x16(b), F32x16(c), F32x16(d)]: [F32x16; 4]) ->
 }
 #[inline(always)]
 pub(super) fn from_f32x16(item: impl Fn(usize) -> [f32; 4]) -> [F32x16; 4] {
-    // Every fourth item, so that they end up in order.
+    // Every fourth item, so that the transposition puts them in order.
     #[inline(always)]
     fn spaced(a: [f32; 4], b: [f32; 4], c: [f32; 4], d: [f32; 4]) -> F32x16 {
         let low = arch!(_mm512_insertf32x4::<1>(

@@ -1,4 +1,4 @@
-//! A vector as a scalar, from the names of its instructions.
+//! The implementation of a scalar by a vector, from the names of its instructions.
 
 /// The operators of a vector from the intrinsics named for them.
 macro_rules! vector {
@@ -68,7 +68,7 @@ macro_rules! vector {
         impl $name {
             #[inline(always)]
             fn array(self) -> [$t; $n] {
-                // A vector is as large as its numbers, and any bits are numbers.
+                // A vector has the size of its numbers, and all bit patterns are numbers.
                 arch!(std::mem::transmute::<$raw, [$t; $n]>(self.0))
             }
             #[inline(always)]
@@ -253,7 +253,7 @@ macro_rules! vector {
             }
             #[inline(always)]
             fn binade(self) -> Self {
-                // As for one number: the exponent field e becomes 2·bias + 1 − e.
+                // As in the function of one number, exponent field e becomes 2·bias + 1 − e.
                 let normal = Self::splat($t::MIN_POSITIVE).most(self);
                 let field = (<$t>::INFINITY).to_bits();
                 let twice_bias = (2 * ($t::MAX_EXP as $bits - 1) + 1) << ($t::MANTISSA_DIGITS - 1);

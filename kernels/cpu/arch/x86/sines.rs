@@ -5,8 +5,8 @@ use crate::scalar::arc_tangent::{atan2_single, atan2_wide};
 use crate::scalar::float::{HIGH_OF_SINGLE, sin_cos_single, sin_cos_wide};
 use std::arch::x86_64::*;
 
-/// Sine and cosine of angles that the polynomial does not serve, number by number. Not inlined:
-/// it is rare, and a call costs less than the room.
+/// Returns sines and cosines of angles beyond the polynomial's range, number by number. Not inlined: it is rare, and
+/// the call costs less than the code's size.
 #[inline(never)]
 fn far_sin_cos<const N: usize>(angle: [f64; N]) -> ([f64; N], [f64; N]) {
     (angle.map(libm::sin), angle.map(libm::cos))
@@ -49,7 +49,7 @@ macro_rules! narrow {
                 let $v = self.0;
                 [$wide(arch!($widen($low))), $wide(arch!($widen($high)))]
             }
-            /// Sines and cosines of both halves.
+            /// Returns the sines and cosines of both halves.
             #[inline(always)]
             pub(super) fn wide_sin_cos(self) -> [($wide, $wide); 2] {
                 let [low, high] = self.halves();
@@ -66,7 +66,8 @@ macro_rules! narrow {
             pub(super) fn narrow(low: $wide, high: $wide) -> Self {
                 Self::join(arch!($narrow(low.0)), arch!($narrow(high.0)))
             }
-            /// High part and rest of numbers in `f64`, as [`split_single`](crate::scalar::float::split_single).
+            /// Returns the high parts and the rests of numbers in `f64`, as
+            /// [`split_single`](crate::scalar::float::split_single).
             #[inline(always)]
             fn parts_of(low: $wide, high: $wide) -> (Self, Self) {
                 let mask = $wide::splat(f64::from_bits(HIGH_OF_SINGLE));

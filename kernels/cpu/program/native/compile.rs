@@ -1,33 +1,41 @@
-//! From instructions of the interpreter to machine code: a run of them at a time, with values in registers.
+//! The compiler from instructions of the interpreter to machine code: one run at a time, with values in registers.
 //!
-//! Every value has a slot in memory, as in the interpreter. Within a run it stays in a register as long as there is room.
-//! It is stored where it makes room for another one, or where a later run reads it. For rows, inputs and results may be
-//! read and written where they lie; [`Far`] has the conditions.
-use super::encode::{AT_MOST, EQUAL, Encoder, LESS, Masked, NOT_AT_MOST, NOT_LESS, Operand, Two};
+//! Every value has a slot in memory, as in the interpreter. Within a run it stays in a register while there are enough.
+//! It is stored when its register is needed, or if a later run reads it. For rows, inputs and results may be read and
+//! written in place; [`Far`] has the conditions.
+use super::encode::{
+    AT_MOST, BinaryOpcode, EQUAL, Encoder, LESS, NOT_AT_MOST, NOT_LESS, Operand, Writemask,
+};
 use super::events::{Events, events, sizes};
 use super::far::Far;
 use crate::kernels::cpu::program::instructions::AHEAD;
-use crate::kernels::cpu::program::instructions::Run;
-use crate::kernels::cpu::program::instructions::{Code, Op};
+use crate::kernels::cpu::program::instructions::CodeRun;
+use crate::kernels::cpu::program::instructions::{Instruction, Opcode};
 use crate::kernels::cpu::program::lower::Tape;
 use crate::kernels::row::item::STRETCH;
 
-/// Shorter runs stay with the interpreter.
+/// The least length of a run; the interpreter executes shorter ones.
 const SHORTEST: usize = 3;
 
-/// Returns `true` for calls of functions and jumps, which stay with the interpreter.
-fn is_left(op: Op) -> bool {
+/// Returns `true` for function calls and jumps, which the interpreter executes.
+fn is_left(op: Opcode) -> bool {
     matches!(
         op,
-        Op::Parts | Op::SinCos | Op::Exp | Op::Ln | Op::Atan2 | Op::SkipIfAll | Op::SkipIfNone
+        Opcode::Parts
+            | Opcode::SinCos
+            | Opcode::Exp
+            | Opcode::Ln
+            | Opcode::Atan2
+            | Opcode::SkipIfAll
+            | Opcode::SkipIfNone
     )
 }
 
-/// Returns the runs of a list of instructions: none is jumped into.
-fn runs(code: &[Code]) -> Vec<[usize; 2]> {
+/// Returns the runs of a list of instructions. No jump ends inside one.
+fn runs(code: &[Instruction]) -> Vec<[usize; 2]> {
     let mut targets = Vec::new();
     for (i, own) in code.iter().enumerate() {
-        if matches!(own.op, Op::SkipIfAll | Op::SkipIfNone) {
+        if matches!(own.op, Opcode::SkipIfAll | Opcode::SkipIfNone) {
             targets.push(i + 1 + own.to[0] as usize);
         }
     }
@@ -44,9 +52,9 @@ fn runs(code: &[Code]) -> Vec<[usize; 2]> {
     all
 }
 
-/// When a slot is read next.
+/// The next read of a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Next {
+enum NextRead {
     /// By an instruction of the run.
     Read(usize),
     /// After the run.
@@ -54,42 +62,42 @@ enum Next {
     Never,
 }
 
-/// Registers and the run that is compiled.
+/// The compiler of one run: registers and code.
 struct Compiler<'a> {
     out: &'a mut Encoder,
     events: &'a Events,
-    /// Slots that are read after all instructions.
+    /// The slots that are read after all instructions.
     outputs: &'a [u16],
     far: &'a Far,
     /// The end of the run.
     end: usize,
-    /// Bytes from a slot to the next.
+    /// The distance in bytes from a slot to the next.
     stride: usize,
-    /// The slot whose value a register holds; `true` if memory does not have it yet.
+    /// For each register the slot whose value it holds; `true` if the slot is out of date.
     held: Vec<Option<(u16, bool)>>,
-    /// Registers of the current instruction.
+    /// For each register: `true` if the current instruction uses it.
     pinned: Vec<bool>,
     /// The current instruction.
     at: usize,
 }
 
 impl Compiler<'_> {
-    /// When a slot's present value is read after an instruction.
-    fn next(&self, slot: u16, after: usize) -> Next {
+    /// Returns when a slot's present value is read after instruction `after`.
+    fn next(&self, slot: u16, after: usize) -> NextRead {
         let events = self.events.get(&slot).map_or(&[][..], Vec::as_slice);
         let from = events.partition_point(|event| event.0 <= after);
         match events.get(from) {
-            Some(&(at, true)) if at < self.end => Next::Read(at),
-            Some((_, true)) => Next::Later,
-            Some((_, false)) => Next::Never,
-            None if self.outputs.contains(&slot) => Next::Later,
-            None => Next::Never,
+            Some(&(at, true)) if at < self.end => NextRead::Read(at),
+            Some((_, true)) => NextRead::Later,
+            Some((_, false)) => NextRead::Never,
+            None if self.outputs.contains(&slot) => NextRead::Later,
+            None => NextRead::Never,
         }
     }
     fn place(&self, slot: u16) -> i32 {
         (slot as usize * self.stride) as i32
     }
-    /// Returns the place of a slot's present value in memory.
+    /// Returns the location of a slot's present value in memory.
     fn home(&self, slot: u16) -> Operand {
         match self.far.input(slot, self.at) {
             Some(k) => Operand::Far(k),
@@ -103,7 +111,7 @@ impl Compiler<'_> {
             .position(|held| held.is_some_and(|held| held.0 == slot));
         found.map(|register| register as u8)
     }
-    /// Returns a register for a new value, pinned until the instruction is over.
+    /// Takes a register for a new value, pinned during the instruction.
     fn fresh(&mut self) -> u8 {
         let free = |k: &usize| self.held[*k].is_none() && !self.pinned[*k];
         let found = (0..self.held.len()).find(free);
@@ -111,27 +119,27 @@ impl Compiler<'_> {
         self.pinned[register] = true;
         register as u8
     }
-    /// Frees the register whose value is read latest from now on.
+    /// Frees the register whose value is read latest.
     fn evict(&mut self) -> usize {
         let distance = |k: usize| match self.held[k].map(|held| self.next(held.0, self.at)) {
-            Some(Next::Read(at)) => at,
-            Some(Next::Later) => self.end,
-            Some(Next::Never) | None => usize::MAX,
+            Some(NextRead::Read(at)) => at,
+            Some(NextRead::Later) => self.end,
+            Some(NextRead::Never) | None => usize::MAX,
         };
-        // One is never pinned: no instruction takes as many registers as there are.
+        // One register is never pinned: no instruction uses all of them.
         let last = (0..self.held.len())
             .filter(|&k| !self.pinned[k])
             .max_by_key(|&k| distance(k))
             .unwrap_or_default();
         if let Some((slot, true)) = self.held[last].take()
-            && self.next(slot, self.at) != Next::Never
+            && self.next(slot, self.at) != NextRead::Never
         {
             let place = self.place(slot);
             self.out.store(last as u8, place);
         }
         last
     }
-    /// Returns the register of an operand, which is loaded if need be.
+    /// Returns the register of an operand, loaded if necessary.
     fn register(&mut self, slot: u16) -> u8 {
         let register = match self.find(slot) {
             Some(register) => register,
@@ -147,18 +155,18 @@ impl Compiler<'_> {
         self.pinned[register as usize] = true;
         register
     }
-    /// Prefetches the same place of the next stretch of an input. A stretch is checked just before this code runs, so
-    /// nearer numbers are in the cache already.
+    /// Prefetches the next stretch of an input, at the current offset. The current stretch is in the cache, since it
+    /// was checked just before.
     fn prefetch(&mut self, home: Operand) {
         if let Operand::Far(_) = home {
             let size = if self.out.is_double() { 8 } else { 4 };
             self.out.prefetch(STRETCH * size, false);
         }
     }
-    /// Returns an operand where it is: one that the run reads again comes into a register.
+    /// Returns an operand where it is; loads one that the run reads again.
     fn operand(&mut self, slot: u16) -> Operand {
         match (self.find(slot), self.next(slot, self.at)) {
-            (None, Next::Later | Next::Never) => {
+            (None, NextRead::Later | NextRead::Never) => {
                 let home = self.home(slot);
                 self.prefetch(home);
                 home
@@ -166,7 +174,7 @@ impl Compiler<'_> {
             _ => Operand::Register(self.register(slot)),
         }
     }
-    /// Ends an instruction: frees registers of values that are not read again, and binds those of results.
+    /// Ends an instruction: frees registers of values without further reads, and assigns registers to results.
     fn finish(&mut self, results: &[(u16, u8)]) {
         for &(slot, register) in results {
             self.store_results(slot, register);
@@ -177,17 +185,17 @@ impl Compiler<'_> {
                 continue;
             };
             let is_over = results.iter().any(|result| result.0 == slot);
-            if is_over || self.next(slot, self.at) == Next::Never {
+            if is_over || self.next(slot, self.at) == NextRead::Never {
                 self.held[k] = None;
             }
         }
         for &(slot, register) in results {
-            if self.next(slot, self.at) != Next::Never {
+            if self.next(slot, self.at) != NextRead::Never {
                 self.held[register as usize] = Some((slot, true));
             }
         }
     }
-    /// Stores a value in the place of every result that it is. Adding zero takes the sign from zeros.
+    /// Stores a value to every result that it is. Adding zero removes the sign from zeros.
     fn store_results(&mut self, slot: u16, register: u8) {
         let far = self.far;
         let places = far.outputs(slot, self.at);
@@ -196,10 +204,10 @@ impl Compiler<'_> {
         }
         let zero = self.number(0.0);
         let to = match self.next(slot, self.at) {
-            Next::Never => register,
-            Next::Read(_) | Next::Later => self.fresh(),
+            NextRead::Never => register,
+            NextRead::Read(_) | NextRead::Later => self.fresh(),
         };
-        self.out.two(Two::Add, to, register, zero);
+        self.out.two(BinaryOpcode::Add, to, register, zero);
         for &k in places {
             self.out.store_far(to, k);
             self.out.prefetch(AHEAD, true);
@@ -209,7 +217,7 @@ impl Compiler<'_> {
     fn flush(&mut self) {
         for k in 0..self.held.len() {
             if let Some((slot, true)) = self.held[k].take()
-                && self.next(slot, self.at) != Next::Never
+                && self.next(slot, self.at) != NextRead::Never
             {
                 let place = self.place(slot);
                 self.out.store(k as u8, place);
@@ -217,7 +225,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Returns a constant by its bits in both formats.
+    /// Returns a constant from its bits in both formats.
     fn bits(&mut self, single: u32, double: u64) -> Operand {
         let twice = u64::from(single) << 32 | u64::from(single);
         let bits = if self.out.is_double() { double } else { twice };
@@ -231,22 +239,23 @@ impl Compiler<'_> {
     }
     fn zero(&mut self) -> u8 {
         let zero = self.fresh();
-        self.out.two(Two::Xor, zero, zero, Operand::Register(zero));
+        self.out
+            .two(BinaryOpcode::Xor, zero, zero, Operand::Register(zero));
         zero
     }
-    fn two(&mut self, op: Two, a: u8, b: Operand) -> u8 {
+    fn two(&mut self, op: BinaryOpcode, a: u8, b: Operand) -> u8 {
         let to = self.fresh();
         self.out.two(op, to, a, b);
         to
     }
     fn negated(&mut self, x: u16) -> u8 {
         let (x, sign) = (self.register(x), self.sign());
-        self.two(Two::Xor, x, sign)
+        self.two(BinaryOpcode::Xor, x, sign)
     }
     fn magnitude(&mut self, x: u16) -> u8 {
         let x = self.register(x);
         let all = self.bits(!(1 << 31), !(1 << 63));
-        self.two(Two::And, x, all)
+        self.two(BinaryOpcode::And, x, all)
     }
     /// Returns a comparison as a vector of truths.
     fn truths(&mut self, predicate: u8, a: u8, b: Operand) -> u8 {
@@ -257,7 +266,7 @@ impl Compiler<'_> {
         }
         to
     }
-    /// `yes` where truths hold, else `no`.
+    /// Emits a selection: `yes` where truths hold, else `no`.
     fn choose(&mut self, truths: u8, yes: u8, no: u8) -> u8 {
         let to = self.fresh();
         if self.out.is_512() {
@@ -266,7 +275,7 @@ impl Compiler<'_> {
         self.out.choose(to, truths, yes, no);
         to
     }
-    /// `yes` where a comparison holds, else `no`.
+    /// Emits a selection: `yes` where a comparison holds, else `no`.
     fn choose_by(&mut self, predicate: u8, [a, b]: [u16; 2], yes: u8, no: u8) -> u8 {
         let (a, b) = (self.register(a), self.operand(b));
         if self.out.is_512() {
@@ -278,15 +287,21 @@ impl Compiler<'_> {
         let truths = self.truths(predicate, a, b);
         self.choose(truths, yes, no)
     }
-    /// Returns a comparison, joined with a vector of truths by `op`.
-    fn joined(&mut self, predicate: u8, [a, b, m]: [u16; 3], op: Two) -> u8 {
+    /// Returns a comparison, combined with a vector of truths by `op`.
+    fn joined(&mut self, predicate: u8, [a, b, m]: [u16; 3], op: BinaryOpcode) -> u8 {
         let (a, b) = (self.register(a), self.operand(b));
         let truths = self.truths(predicate, a, b);
         let m = self.operand(m);
         self.two(op, truths, m)
     }
-    /// `(x . y) . z`, or `z . (x . y)`.
-    fn three(&mut self, inner: Two, outer: Two, [x, y, z]: [u16; 3], is_first: bool) -> u8 {
+    /// Emits `(x . y) . z`, or `z . (x . y)`.
+    fn three(
+        &mut self,
+        inner: BinaryOpcode,
+        outer: BinaryOpcode,
+        [x, y, z]: [u16; 3],
+        is_first: bool,
+    ) -> u8 {
         let (x, y) = (self.register(x), self.operand(y));
         let inner = self.two(inner, x, y);
         if is_first {
@@ -297,8 +312,14 @@ impl Compiler<'_> {
             self.two(outer, z, Operand::Register(inner))
         }
     }
-    /// `(x . y) . (z . w)`.
-    fn four(&mut self, first: Two, second: Two, outer: Two, [x, y, z, w]: [u16; 4]) -> u8 {
+    /// Emits `(x . y) . (z . w)`.
+    fn four(
+        &mut self,
+        first: BinaryOpcode,
+        second: BinaryOpcode,
+        outer: BinaryOpcode,
+        [x, y, z, w]: [u16; 4],
+    ) -> u8 {
         let (x, y) = (self.register(x), self.operand(y));
         let left = self.two(first, x, y);
         let (z, w) = (self.register(z), self.operand(w));
@@ -306,9 +327,9 @@ impl Compiler<'_> {
         self.two(outer, left, Operand::Register(right))
     }
 
-    /// One instruction.
-    fn instruction(&mut self, own: &Code) {
-        // Operands that are in registers stay there until they are read.
+    /// Compiles one instruction.
+    fn instruction(&mut self, own: &Instruction) {
+        // Operands in registers stay there until they are read.
         let [operands, _] = sizes(own.op);
         for &slot in &own.from[..operands] {
             if let Some(register) = self.find(slot) {
@@ -317,155 +338,155 @@ impl Compiler<'_> {
         }
         let [x, y, z, w] = own.from;
         let (pair, triple, all) = ([x, y], [x, y, z], own.from);
-        use Two::{Add, And, AndNot, Div, Max, Min, Mul, Or, Sub, Xor};
+        use BinaryOpcode::{Add, And, AndNot, Div, Max, Min, Mul, Or, Sub, Xor};
         let result = match own.op {
-            Op::Copy => {
+            Opcode::Copy => {
                 let from = self.operand(x);
                 let to = self.fresh();
                 self.out.load(to, from);
                 to
             }
-            Op::Canonical => {
+            Opcode::Canonical => {
                 let (zero, x) = (self.zero(), self.operand(x));
                 self.two(Add, zero, x)
             }
-            Op::Neg => self.negated(x),
-            Op::Magnitude => self.magnitude(x),
-            Op::Root => self.root(x),
-            Op::Binade => self.binade(x),
-            Op::High => {
+            Opcode::Neg => self.negated(x),
+            Opcode::Magnitude => self.magnitude(x),
+            Opcode::Root => self.root(x),
+            Opcode::Binade => self.binade(x),
+            Opcode::High => {
                 let x = self.register(x);
                 // The bits that [`Scalar::parts`](crate::Scalar::parts) leaves to the low half.
                 let high = self.bits(!((1 << 12) - 1), !((1 << 27) - 1));
                 self.two(And, x, high)
             }
-            Op::Not => {
+            Opcode::Not => {
                 let (x, all) = (self.register(x), self.bits(!0, !0));
                 self.two(Xor, x, all)
             }
-            Op::Always => {
+            Opcode::Always => {
                 let (to, all) = (self.fresh(), self.bits(!0, !0));
                 self.out.load(to, all);
                 to
             }
-            Op::Never => self.zero(),
-            Op::Add => self.pair(Add, pair),
-            Op::Sub => self.pair(Sub, pair),
-            Op::Mul => self.pair(Mul, pair),
-            Op::Div => self.pair(Div, pair),
-            Op::Min => self.pair(Min, pair),
-            Op::Max => self.pair(Max, pair),
-            Op::And => self.pair(And, pair),
-            Op::Or => self.pair(Or, pair),
-            Op::Lt => self.compared(LESS, pair),
-            Op::Le => self.compared(AT_MOST, pair),
-            Op::Eq => self.compared(EQUAL, pair),
-            Op::Select => {
+            Opcode::Never => self.zero(),
+            Opcode::Add => self.pair(Add, pair),
+            Opcode::Sub => self.pair(Sub, pair),
+            Opcode::Mul => self.pair(Mul, pair),
+            Opcode::Div => self.pair(Div, pair),
+            Opcode::Min => self.pair(Min, pair),
+            Opcode::Max => self.pair(Max, pair),
+            Opcode::And => self.pair(And, pair),
+            Opcode::Or => self.pair(Or, pair),
+            Opcode::Lt => self.compared(LESS, pair),
+            Opcode::Le => self.compared(AT_MOST, pair),
+            Opcode::Eq => self.compared(EQUAL, pair),
+            Opcode::Select => {
                 let [m, x, y] = triple.map(|slot| self.register(slot));
                 self.choose(m, x, y)
             }
-            Op::Split => self.split(triple),
-            Op::Rest => self.rest(triple),
-            Op::AddAdd => self.three(Add, Add, triple, true),
-            Op::SubAdd => self.three(Sub, Add, triple, true),
-            Op::MulAdd => self.three(Mul, Add, triple, true),
-            Op::AddSub => self.three(Add, Sub, triple, true),
-            Op::SubSub => self.three(Sub, Sub, triple, true),
-            Op::MulSub => self.three(Mul, Sub, triple, true),
-            Op::FromAdd => self.three(Add, Sub, triple, false),
-            Op::FromSub => self.three(Sub, Sub, triple, false),
-            Op::FromMul => self.three(Mul, Sub, triple, false),
-            Op::AddMul => self.three(Add, Mul, triple, true),
-            Op::SubMul => self.three(Sub, Mul, triple, true),
-            Op::MulMul => self.three(Mul, Mul, triple, true),
-            Op::MaxMin => self.three(Max, Min, triple, true),
-            Op::MinMax => self.three(Min, Max, triple, true),
-            Op::MinFrom => self.three(Max, Min, triple, false),
-            Op::MaxFrom => self.three(Min, Max, triple, false),
-            Op::MaxFromMul => {
+            Opcode::Split => self.split(triple),
+            Opcode::Rest => self.rest(triple),
+            Opcode::AddAdd => self.three(Add, Add, triple, true),
+            Opcode::SubAdd => self.three(Sub, Add, triple, true),
+            Opcode::MulAdd => self.three(Mul, Add, triple, true),
+            Opcode::AddSub => self.three(Add, Sub, triple, true),
+            Opcode::SubSub => self.three(Sub, Sub, triple, true),
+            Opcode::MulSub => self.three(Mul, Sub, triple, true),
+            Opcode::FromAdd => self.three(Add, Sub, triple, false),
+            Opcode::FromSub => self.three(Sub, Sub, triple, false),
+            Opcode::FromMul => self.three(Mul, Sub, triple, false),
+            Opcode::AddMul => self.three(Add, Mul, triple, true),
+            Opcode::SubMul => self.three(Sub, Mul, triple, true),
+            Opcode::MulMul => self.three(Mul, Mul, triple, true),
+            Opcode::MaxMin => self.three(Max, Min, triple, true),
+            Opcode::MinMax => self.three(Min, Max, triple, true),
+            Opcode::MinFrom => self.three(Max, Min, triple, false),
+            Opcode::MaxFrom => self.three(Min, Max, triple, false),
+            Opcode::MaxFromMul => {
                 let inner = self.three(Mul, Min, triple, false);
                 let w = self.register(w);
                 self.two(Max, w, Operand::Register(inner))
             }
-            Op::MaxFromNeg => {
+            Opcode::MaxFromNeg => {
                 let (inner, y) = (self.negated(x), self.register(y));
                 let inner = self.two(Min, y, Operand::Register(inner));
                 let z = self.register(z);
                 self.two(Max, z, Operand::Register(inner))
             }
-            Op::MaxMulAdd => {
+            Opcode::MaxMulAdd => {
                 let inner = self.three(Mul, Add, triple, true);
                 let w = self.register(w);
                 self.two(Max, w, Operand::Register(inner))
             }
-            Op::SubByAdd => self.four(Sub, Add, Mul, all),
-            Op::SubAndSub => self.four(Sub, Sub, Add, all),
-            Op::Dot => self.four(Mul, Mul, Add, all),
-            Op::Cross => self.four(Mul, Mul, Sub, all),
-            Op::SelectNeg => {
+            Opcode::SubByAdd => self.four(Sub, Add, Mul, all),
+            Opcode::SubAndSub => self.four(Sub, Sub, Add, all),
+            Opcode::Dot => self.four(Mul, Mul, Add, all),
+            Opcode::Cross => self.four(Mul, Mul, Sub, all),
+            Opcode::SelectNeg => {
                 let (m, yes, no) = (self.register(x), self.negated(y), self.register(z));
                 self.choose(m, yes, no)
             }
-            Op::SelectMul => {
+            Opcode::SelectMul => {
                 let (m, yes, no) = (self.register(x), self.pair(Mul, [y, z]), self.register(w));
                 self.choose(m, yes, no)
             }
-            Op::ElseMul => {
+            Opcode::ElseMul => {
                 let (m, yes, no) = (self.register(x), self.register(y), self.pair(Mul, [z, w]));
                 self.choose(m, yes, no)
             }
-            Op::SelectAdd => {
+            Opcode::SelectAdd => {
                 let [m, yes, no] = triple.map(|slot| self.register(slot));
                 let chosen = self.choose(m, yes, no);
                 let w = self.operand(w);
                 self.two(Add, chosen, w)
             }
-            Op::MagnitudeMax => {
+            Opcode::MagnitudeMax => {
                 let (x, y) = (self.magnitude(x), self.operand(y));
                 self.two(Max, x, y)
             }
-            Op::MaxMagnitude => {
+            Opcode::MaxMagnitude => {
                 let (x, y) = (self.register(x), self.magnitude(y));
                 self.two(Max, x, Operand::Register(y))
             }
-            Op::AndNot => {
+            Opcode::AndNot => {
                 let (n, m) = (self.register(y), self.operand(x));
                 self.two(AndNot, n, m)
             }
-            Op::SelectLt => self.choose_slots(LESS, all),
-            Op::SelectLe => self.choose_slots(AT_MOST, all),
-            Op::SelectEq => self.choose_slots(EQUAL, all),
-            Op::SelectNegLt => {
+            Opcode::SelectLt => self.choose_slots(LESS, all),
+            Opcode::SelectLe => self.choose_slots(AT_MOST, all),
+            Opcode::SelectEq => self.choose_slots(EQUAL, all),
+            Opcode::SelectNegLt => {
                 let (yes, no) = (self.negated(z), self.register(w));
                 self.choose_by(LESS, pair, yes, no)
             }
-            Op::LtAnd => self.joined(LESS, triple, And),
-            Op::LeAnd => self.joined(AT_MOST, triple, And),
-            Op::EqAnd => self.joined(EQUAL, triple, And),
-            Op::LtOr => self.joined(LESS, triple, Or),
-            Op::LeOr => self.joined(AT_MOST, triple, Or),
-            Op::EqOr => self.joined(EQUAL, triple, Or),
-            Op::Turn => {
+            Opcode::LtAnd => self.joined(LESS, triple, And),
+            Opcode::LeAnd => self.joined(AT_MOST, triple, And),
+            Opcode::EqAnd => self.joined(EQUAL, triple, And),
+            Opcode::LtOr => self.joined(LESS, triple, Or),
+            Opcode::LeOr => self.joined(AT_MOST, triple, Or),
+            Opcode::EqOr => self.joined(EQUAL, triple, Or),
+            Opcode::Turn => {
                 let first = self.four(Mul, Mul, Add, [x, z, y, w]);
                 let second = self.four(Mul, Mul, Sub, [y, z, x, w]);
                 return self.finish(&[(own.to[0], first), (own.to[1], second)]);
             }
-            Op::SumSub => {
+            Opcode::SumSub => {
                 let (sum, difference) = (self.pair(Add, pair), self.pair(Sub, pair));
                 return self.finish(&[(own.to[0], sum), (own.to[1], difference)]);
             }
-            // They are in no run.
-            Op::Exp
-            | Op::Ln
-            | Op::Atan2
-            | Op::Parts
-            | Op::SinCos
-            | Op::SkipIfAll
-            | Op::SkipIfNone => return,
+            // Runs do not contain these.
+            Opcode::Exp
+            | Opcode::Ln
+            | Opcode::Atan2
+            | Opcode::Parts
+            | Opcode::SinCos
+            | Opcode::SkipIfAll
+            | Opcode::SkipIfNone => return,
         };
         self.finish(&[(own.to[0], result)]);
     }
-    fn pair(&mut self, op: Two, [x, y]: [u16; 2]) -> u8 {
+    fn pair(&mut self, op: BinaryOpcode, [x, y]: [u16; 2]) -> u8 {
         let (x, y) = (self.register(x), self.operand(y));
         self.two(op, x, y)
     }
@@ -477,40 +498,40 @@ impl Compiler<'_> {
         let (yes, no) = (self.register(z), self.register(w));
         self.choose_by(predicate, [x, y], yes, no)
     }
-    /// Returns the root of what is above zero, else zero.
+    /// Emits the square root of positive numbers, zero for all others.
     fn root(&mut self, x: u16) -> u8 {
         let (zero, x) = (Operand::Register(self.zero()), self.register(x));
         let from = Operand::Register(x);
-        // Also of NaN, whose root is NaN.
+        // Likewise for NaN, whose root is NaN.
         if self.out.is_512() {
             let to = self.fresh();
             self.out.compare(NOT_AT_MOST, to, x, zero);
-            self.out.root(to, from, Masked::Zeroed);
+            self.out.root(to, from, Writemask::Zeroed);
             return to;
         }
         let above = self.truths(NOT_AT_MOST, x, zero);
         let root = self.fresh();
-        self.out.root(root, from, Masked::No);
-        self.two(Two::And, root, Operand::Register(above))
+        self.out.root(root, from, Writemask::No);
+        self.two(BinaryOpcode::And, root, Operand::Register(above))
     }
-    /// As [`Scalar::binade`](crate::Scalar::binade) of one number: the exponent field e becomes 2·bias + 1 − e.
+    /// Emits [`Scalar::binade`](crate::Scalar::binade): exponent field e becomes 2·bias + 1 − e.
     fn binade(&mut self, x: u16) -> u8 {
         let least = self.bits(f32::MIN_POSITIVE.to_bits(), f64::MIN_POSITIVE.to_bits());
         let field = self.bits(f32::INFINITY.to_bits(), f64::INFINITY.to_bits());
         let twice_bias_and_one = self.bits(255 << 23, 2047 << 52);
         let (start, x) = (self.fresh(), self.operand(x));
         self.out.load(start, least);
-        let normal = self.two(Two::Max, start, x);
-        let exponent = self.two(Two::And, normal, field);
+        let normal = self.two(BinaryOpcode::Max, start, x);
+        let exponent = self.two(BinaryOpcode::And, normal, field);
         let to = self.fresh();
         self.out.load(to, twice_bias_and_one);
         self.out.subtract_whole(to, to, Operand::Register(exponent));
         to
     }
-    /// `z` where x is less than y, half of it where both are equal, else zero.
+    /// Emits `z` where x is less than y, half of it where both are equal, else zero.
     fn split(&mut self, [x, y, z]: [u16; 3]) -> u8 {
         let (z, half) = (self.register(z), self.number(0.5));
-        let half = self.two(Two::Mul, z, half);
+        let half = self.two(BinaryOpcode::Mul, z, half);
         let (a, b) = (self.register(x), self.register(y));
         let b = Operand::Register(b);
         if self.out.is_512() {
@@ -523,14 +544,14 @@ impl Compiler<'_> {
             return to;
         }
         let equal = self.truths(EQUAL, a, b);
-        let tie = self.two(Two::And, half, Operand::Register(equal));
+        let tie = self.two(BinaryOpcode::And, half, Operand::Register(equal));
         let less = self.truths(LESS, a, b);
         self.choose(less, z, tie)
     }
-    /// Zero where x is less than y, half of `z` where both are equal, else `z`.
+    /// Emits zero where x is less than y, half of `z` where both are equal, else `z`.
     fn rest(&mut self, [x, y, z]: [u16; 3]) -> u8 {
         let (z, half) = (self.register(z), self.number(0.5));
-        let half = self.two(Two::Mul, z, half);
+        let half = self.two(BinaryOpcode::Mul, z, half);
         let (a, b) = (self.register(x), self.register(y));
         let b = Operand::Register(b);
         if self.out.is_512() {
@@ -545,18 +566,18 @@ impl Compiler<'_> {
         let equal = self.truths(EQUAL, a, b);
         let tie = self.choose(equal, half, z);
         let less = self.truths(LESS, a, b);
-        self.two(Two::AndNot, less, Operand::Register(tie))
+        self.two(BinaryOpcode::AndNot, less, Operand::Register(tie))
     }
 }
 
-/// Compiles all runs of a program, whose slots begin every `stride` bytes. Returns the code, its runs, and what it reads
-/// and writes outside of slots. `of_rows`: items are rows of numbers, not tiles.
+/// Compiles all runs of a program, whose slots begin every `stride` bytes. Returns the code, its runs, and its accesses
+/// outside of slots. With `of_rows` items are rows of numbers, else tiles.
 pub(crate) fn compile(
     mut out: Encoder,
     tape: &Tape,
     stride: usize,
     of_rows: bool,
-) -> (Vec<u8>, Vec<Run>, Far) {
+) -> (Vec<u8>, Vec<CodeRun>, Far) {
     let code = &tape.code[..];
     let (events, runs) = (events(code), runs(code));
     let far = match of_rows {
@@ -566,7 +587,7 @@ pub(crate) fn compile(
     let near: Vec<u16> = far.near_outputs(&tape.outputs);
     let mut all = Vec::new();
     for [from, to] in runs {
-        // Runs begin on a line of the cache; the gap is `int3`.
+        // Runs begin on a cache line; the padding is `int3`.
         let entry = out.bytes.len().next_multiple_of(64);
         out.bytes.resize(entry, 0xcc);
         let start = out.begin();
@@ -588,7 +609,7 @@ pub(crate) fn compile(
         }
         compiler.flush();
         out.end(start);
-        all.push(Run { from, to, entry });
+        all.push(CodeRun { from, to, entry });
     }
     (out.finish(), all, far)
 }

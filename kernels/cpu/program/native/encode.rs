@@ -1,53 +1,54 @@
-//! Vector instructions of x86-64 as bytes, in the encodings VEX (AVX2) and EVEX (AVX-512).
+//! An encoder of x86-64 vector instructions, in the encodings VEX (AVX2) and EVEX (AVX-512).
 //!
 //! Intel's Software Developer's Manual, volume 2, sections 2.3 (VEX) and 2.7 (EVEX). Operands in memory are slots, at
-//! `rdi + rax + displacement`, numbers elsewhere, whose address the table at `rdx` has, and constants behind the code.
+//! `rdi + rax + displacement`, and constants behind the code. Others are numbers outside of slots, whose addresses are
+//! in the table at `rdx`.
 
-/// An operand that may be in memory.
+/// An operand of an instruction: a register, or a location in memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Operand {
     Register(u8),
-    /// The bytes from the first slot to this one.
+    /// A slot, by its offset in bytes from the first one.
     Slot(i32),
-    /// Numbers elsewhere, by the place of their address in the table.
+    /// Numbers outside of slots, by the index of their address in the table.
     Far(usize),
-    /// A constant, by its number.
+    /// A constant, by its index.
     Constant(usize),
 }
 
 /// A vector instruction: its opcode, the map of opcodes, and the mandatory prefix.
 #[derive(Clone, Copy)]
-pub(super) struct Vector {
+pub(super) struct VectorOpcode {
     opcode: u8,
     map: u8,
     prefix: u8,
     wide: bool,
 }
 
-/// The writemask of an instruction of AVX-512: the register `k1`, or none, and whether other numbers become zero.
+/// The writemask of an AVX-512 instruction: none, or the register `k1`, with the other numbers kept or zeroed.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Masked {
+pub(super) enum Writemask {
     No,
     Merged,
     Zeroed,
 }
 
-/// Predicates of comparisons that are quiet.
+/// The predicates of quiet comparisons.
 pub(super) const EQUAL: u8 = 0x00;
 pub(super) const LESS: u8 = 0x11;
 pub(super) const AT_MOST: u8 = 0x12;
 pub(super) const NOT_LESS: u8 = 0x15;
 pub(super) const NOT_AT_MOST: u8 = 0x16;
 
-/// Chooses by the bits of the destination: its imm8 for `vpternlog`.
+/// The imm8 of `vpternlog` that selects by the bits of the destination.
 const CHOOSE: u8 = 0xca;
 
-/// Code that grows, with its constants.
+/// A buffer of code, with its constants.
 pub(crate) struct Encoder {
     pub(super) bytes: Vec<u8>,
-    /// One vector each, 64 bytes.
+    /// The constants, one vector of 64 bytes each.
     constants: Vec<u64>,
-    /// Displacements to constants: where they are, and the end of their instruction.
+    /// Displacements of constants to fill in: their position, the constant, and the end of their instruction.
     open: Vec<(usize, usize, usize)>,
     /// `true` for AVX-512, `false` for AVX2.
     is_512: bool,
@@ -55,7 +56,7 @@ pub(crate) struct Encoder {
     is_double: bool,
 }
 
-/// Bytes of a constant.
+/// The size of a constant in bytes.
 const CONSTANT: usize = 64;
 
 impl Encoder {
@@ -74,15 +75,15 @@ impl Encoder {
     pub(super) const fn is_double(&self) -> bool {
         self.is_double
     }
-    /// Numbers of a vector register in bytes.
+    /// Returns the size of a vector register in bytes.
     pub(super) const fn width(&self) -> usize {
         if self.is_512 { 64 } else { 32 }
     }
-    /// Vector registers.
+    /// Returns the number of vector registers.
     pub(super) const fn registers(&self) -> u8 {
         if self.is_512 { 32 } else { 16 }
     }
-    /// Returns a number as a vector: its bits, of single precision twice.
+    /// Returns a number broadcast to a vector; `bits` of single precision come twice.
     pub(super) fn constant(&mut self, bits: u64) -> Operand {
         let known = self.constants.iter().position(|&known| known == bits);
         Operand::Constant(known.unwrap_or_else(|| {
@@ -91,9 +92,9 @@ impl Encoder {
         }))
     }
 
-    /// Returns an instruction of packed numbers in map 0F.
-    const fn packed(&self, opcode: u8) -> Vector {
-        Vector {
+    /// Returns an instruction of packed numbers in opcode map 0F.
+    const fn packed(&self, opcode: u8) -> VectorOpcode {
+        VectorOpcode {
             opcode,
             map: 1,
             prefix: self.is_double as u8,
@@ -101,11 +102,19 @@ impl Encoder {
         }
     }
 
-    /// `to = a ∘ b`, masked by `k1` in AVX-512.
-    fn emit(&mut self, own: Vector, to: u8, a: u8, b: Operand, masked: Masked, more: Option<u8>) {
+    /// Emits `to = a ∘ b`, masked by `k1` in AVX-512.
+    fn emit(
+        &mut self,
+        own: VectorOpcode,
+        to: u8,
+        a: u8,
+        b: Operand,
+        masked: Writemask,
+        more: Option<u8>,
+    ) {
         let (low, high) = match b {
             Operand::Register(b) => (b >> 3 & 1, b >> 4 & 1),
-            // Its base is r10, which is loaded just before.
+            // The base is r10, loaded just before.
             Operand::Far(k) => {
                 self.bytes.extend([0x4c, 0x8b, 0x92]);
                 self.bytes.extend((8 * k as u32).to_le_bytes());
@@ -124,10 +133,10 @@ impl Encoder {
                     | flipped(to >> 4, 4)
                     | own.map,
                 wide | (!a & 15) << 3 | 4 | own.prefix,
-                u8::from(masked == Masked::Zeroed) << 7
+                u8::from(masked == Writemask::Zeroed) << 7
                     | 0x40
                     | flipped(a >> 4, 3)
-                    | u8::from(masked != Masked::No),
+                    | u8::from(masked != Writemask::No),
             ]);
         } else {
             self.bytes.extend([
@@ -155,16 +164,16 @@ impl Encoder {
         self.bytes.extend(more);
     }
     fn plain(&mut self, opcode: u8, to: u8, a: u8, b: Operand) {
-        self.emit(self.packed(opcode), to, a, b, Masked::No, None);
+        self.emit(self.packed(opcode), to, a, b, Writemask::No, None);
     }
 
-    /// An operation of two vectors by its opcode.
-    pub(super) fn two(&mut self, op: Two, to: u8, a: u8, b: Operand) {
+    /// Emits an operation of two vectors.
+    pub(super) fn two(&mut self, op: BinaryOpcode, to: u8, a: u8, b: Operand) {
         self.plain(op as u8, to, a, b);
     }
-    /// Moves a vector to a register.
+    /// Emits a load of a vector to a register.
     pub(super) fn load(&mut self, to: u8, from: Operand) {
-        // Numbers elsewhere need not be aligned.
+        // Numbers outside of slots need not be aligned.
         let opcode = if matches!(from, Operand::Far(_)) {
             0x10
         } else {
@@ -172,96 +181,96 @@ impl Encoder {
         };
         self.plain(opcode, to, 0, from);
     }
-    /// Moves a vector to a register where `k1` holds, zero elsewhere.
+    /// Emits a load of a vector where `k1` holds, zero elsewhere.
     pub(super) fn load_zeroed(&mut self, to: u8, from: Operand) {
-        self.emit(self.packed(0x28), to, 0, from, Masked::Zeroed, None);
+        self.emit(self.packed(0x28), to, 0, from, Writemask::Zeroed, None);
     }
-    /// Moves a register to a slot.
+    /// Emits a store of a register to a slot.
     pub(super) fn store(&mut self, from: u8, slot: i32) {
         self.plain(0x29, from, 0, Operand::Slot(slot));
     }
-    /// Prefetches numbers elsewhere, to be read or to be written, so many bytes ahead of the last ones that were read or
-    /// written there. No address is a fault.
+    /// Emits a prefetch of numbers outside of slots, to be read or to be written, `ahead` bytes beyond the last access.
+    /// Any address is allowed.
     pub(super) fn prefetch(&mut self, ahead: usize, to_write: bool) {
         // prefetcht1, prefetchw [r10 + rax + ahead]
         let [opcode, operand] = if to_write { [0x0d, 0x8c] } else { [0x18, 0x94] };
         self.bytes.extend([0x41, 0x0f, opcode, operand, 0x02]);
         self.bytes.extend((ahead as u32).to_le_bytes());
     }
-    /// Moves a register to numbers elsewhere.
+    /// Emits a store of a register to numbers outside of slots.
     pub(super) fn store_far(&mut self, from: u8, k: usize) {
         self.plain(0x11, from, 0, Operand::Far(k));
     }
-    /// The square root.
-    pub(super) fn root(&mut self, to: u8, from: Operand, masked: Masked) {
+    /// Emits a square root.
+    pub(super) fn root(&mut self, to: u8, from: Operand, masked: Writemask) {
         self.emit(self.packed(0x51), to, 0, from, masked, None);
     }
-    /// Compares into a vector of truths (AVX2) or into `k1`.
+    /// Emits a comparison, into a vector of truths (AVX2) or into `k1`.
     pub(super) fn compare(&mut self, predicate: u8, to: u8, a: u8, b: Operand) {
         let to = if self.is_512 { 1 } else { to };
-        self.emit(self.packed(0xc2), to, a, b, Masked::No, Some(predicate));
+        self.emit(self.packed(0xc2), to, a, b, Writemask::No, Some(predicate));
     }
-    /// `k1` as a vector of truths, of AVX-512.
+    /// Emits `k1` as a vector of truths, in AVX-512.
     pub(super) fn truths(&mut self, to: u8) {
-        let own = Vector {
+        let own = VectorOpcode {
             opcode: 0x38,
             map: 2,
             prefix: 2,
             wide: self.is_double,
         };
-        self.emit(own, to, 0, Operand::Register(1), Masked::No, None);
+        self.emit(own, to, 0, Operand::Register(1), Writemask::No, None);
     }
-    /// `yes` where `k1` holds, else `no`, of AVX-512.
+    /// Emits a selection in AVX-512: `yes` where `k1` holds, else `no`.
     pub(super) fn blend(&mut self, to: u8, no: u8, yes: Operand) {
-        let own = Vector {
+        let own = VectorOpcode {
             opcode: 0x65,
             map: 2,
             prefix: 1,
             wide: self.is_double,
         };
-        self.emit(own, to, no, yes, Masked::Merged, None);
+        self.emit(own, to, no, yes, Writemask::Merged, None);
     }
-    /// `yes` where a vector of truths holds, else `no`. Of AVX-512 the truths must be in `to`.
+    /// Emits a selection: `yes` where a vector of truths holds, else `no`. In AVX-512 the truths must be in `to`.
     pub(super) fn choose(&mut self, to: u8, truths: u8, yes: u8, no: u8) {
         if self.is_512 {
-            let own = Vector {
+            let own = VectorOpcode {
                 opcode: 0x25,
                 map: 3,
                 prefix: 1,
                 wide: self.is_double,
             };
             let no = Operand::Register(no);
-            self.emit(own, to, yes, no, Masked::No, Some(CHOOSE));
+            self.emit(own, to, yes, no, Writemask::No, Some(CHOOSE));
         } else {
-            let own = Vector {
+            let own = VectorOpcode {
                 opcode: 0x4a + u8::from(self.is_double),
                 map: 3,
                 prefix: 1,
                 wide: false,
             };
             let yes = Operand::Register(yes);
-            self.emit(own, to, no, yes, Masked::No, Some(truths << 4));
+            self.emit(own, to, no, yes, Writemask::No, Some(truths << 4));
         }
     }
-    /// The difference as whole numbers of the format's width.
+    /// Emits the difference as integers of the format's width.
     pub(super) fn subtract_whole(&mut self, to: u8, a: u8, b: Operand) {
-        let own = Vector {
+        let own = VectorOpcode {
             opcode: 0xfa + u8::from(self.is_double),
             map: 1,
             prefix: 1,
             wide: self.is_double && self.is_512,
         };
-        self.emit(own, to, a, b, Masked::No, None);
+        self.emit(own, to, a, b, Writemask::No, None);
     }
 
     /// Begins a function of the first slot (`rdi`), the bytes of a slot in use (`rsi`) and the table of addresses
-    /// (`rdx`): what follows is repeated for every vector of the slots.
+    /// (`rdx`). The code that follows is repeated for every vector of the slots.
     pub(super) fn begin(&mut self) -> usize {
         // endbr64, which processors that check the targets of indirect calls want; xor eax, eax.
         self.bytes.extend([0xf3, 0x0f, 0x1e, 0xfa, 0x31, 0xc0]);
         self.bytes.len()
     }
-    /// Ends it.
+    /// Ends the function.
     pub(super) fn end(&mut self, start: usize) {
         // add rax, width; cmp rax, rsi; jb start; vzeroupper; ret.
         self.bytes.extend([0x48, 0x05]);
@@ -271,7 +280,7 @@ impl Encoder {
         self.bytes.extend((back as i32).to_le_bytes());
         self.bytes.extend([0xc5, 0xf8, 0x77, 0xc3]);
     }
-    /// Returns the code with its constants behind it.
+    /// Returns the code, followed by its constants.
     pub(super) fn finish(mut self) -> Vec<u8> {
         let first = self.bytes.len().next_multiple_of(CONSTANT);
         self.bytes.resize(first, 0xcc);
@@ -288,11 +297,11 @@ impl Encoder {
     }
 }
 
-/// Operations of two vectors, by their opcodes.
+/// The operations of two vectors, with their opcodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Two {
+pub(super) enum BinaryOpcode {
     And = 0x54,
-    /// Not the first, and the second.
+    /// The complement of the first, and the second.
     AndNot = 0x55,
     Or = 0x56,
     Xor = 0x57,

@@ -1,29 +1,29 @@
-//! When the instructions of a program read and write their slots.
-use crate::kernels::cpu::program::instructions::{Code, Op};
+//! The reads and writes of slots by the instructions of a program.
+use crate::kernels::cpu::program::instructions::{Instruction, Opcode};
 use std::collections::HashMap;
 
-/// Returns the operands of an instruction, and its results.
-pub(super) fn sizes(op: Op) -> [usize; 2] {
+/// Returns the numbers of operands and of results of an instruction.
+pub(super) fn sizes(op: Opcode) -> [usize; 2] {
     macro_rules! listed {
         ($($name:ident($($x:ident),*) = $value:expr;)*) => {
             match op {
-                $(Op::$name => [[$(stringify!($x)),*].len(), 1],)*
-                Op::Parts => [1, 4],
-                Op::SinCos => [1, 2],
-                Op::Turn => [4, 2],
-                Op::SumSub => [2, 2],
-                Op::SkipIfAll | Op::SkipIfNone => [1, 0],
+                $(Opcode::$name => [[$(stringify!($x)),*].len(), 1],)*
+                Opcode::Parts => [1, 4],
+                Opcode::SinCos => [1, 2],
+                Opcode::Turn => [4, 2],
+                Opcode::SumSub => [2, 2],
+                Opcode::SkipIfAll | Opcode::SkipIfNone => [1, 0],
             }
         };
     }
     crate::kernels::cpu::program::instructions::instructions! { listed!() }
 }
 
-/// Reads (`true`) and writes of slots, instruction by instruction.
+/// The reads (`true`) and writes of every slot, in the order of instructions.
 pub(super) type Events = HashMap<u16, Vec<(usize, bool)>>;
 
-/// Returns all of them.
-pub(super) fn events(code: &[Code]) -> Events {
+/// Returns the reads and writes of every slot.
+pub(super) fn events(code: &[Instruction]) -> Events {
     let mut all = Events::new();
     for (i, own) in code.iter().enumerate() {
         let [operands, results] = sizes(own.op);

@@ -1,23 +1,23 @@
-//! Inputs and results that machine code reads and writes where they lie, in place of their slots.
+//! Inputs and results that machine code reads and writes in place, without slots.
 use super::events::Events;
 use crate::kernels::cpu::program::Tape;
-use crate::kernels::cpu::program::instructions::Op;
+use crate::kernels::cpu::program::instructions::Opcode;
 use std::collections::HashMap;
 
-/// The most inputs and results that a table has addresses of.
+/// The largest number of addresses in a table.
 pub(crate) const MOST: usize = 64;
 
-/// Which inputs and results have an address in the table: inputs by their number, results after them.
+/// The inputs and results with an address in the table: inputs by their index, results after them.
 #[derive(Debug, Default)]
 pub(crate) struct Far {
-    /// The input of a slot, and the instruction that first writes another value there.
+    /// The input of a slot, and the instruction that first overwrites it.
     inputs: HashMap<u16, (usize, usize)>,
-    /// The results of a slot, and the instruction that makes them.
+    /// The results of a slot, and the instruction that computes them.
     outputs: HashMap<u16, (Vec<usize>, usize)>,
 }
 
 impl Far {
-    /// Inputs that only runs read, and results that runs make whatever is skipped.
+    /// Returns the inputs that only runs read, and the results that runs compute without a skip.
     pub(super) fn of(tape: &Tape, events: &Events, runs: &[[usize; 2]]) -> Self {
         let (mut inputs, mut outputs) = (HashMap::new(), HashMap::new());
         let first = tape.inputs.len();
@@ -36,7 +36,7 @@ impl Far {
                 inputs.insert(slot, (k, end));
             }
         }
-        let skips = |op| matches!(op, Op::SkipIfAll | Op::SkipIfNone);
+        let skips = |op| matches!(op, Opcode::SkipIfAll | Opcode::SkipIfNone);
         if tape.code.iter().any(|own| skips(own.op)) {
             return Far { inputs, outputs };
         }
@@ -51,12 +51,12 @@ impl Far {
         }
         Far { inputs, outputs }
     }
-    /// Returns the place in the table of the input that a slot has when an instruction reads it.
+    /// Returns the index in the table of the input that a slot holds when instruction `at` reads it.
     pub(super) fn input(&self, slot: u16, at: usize) -> Option<usize> {
         let &(k, end) = self.inputs.get(&slot)?;
         (at <= end).then_some(k)
     }
-    /// Returns the places in the table of the results that an instruction makes in a slot.
+    /// Returns the indices in the table of the results that instruction `at` computes in a slot.
     pub(super) fn outputs(&self, slot: u16, at: usize) -> &[usize] {
         match self.outputs.get(&slot) {
             Some((places, made)) if *made == at => places,
@@ -68,8 +68,8 @@ impl Far {
         let near = |slot: &&u16| !self.outputs.contains_key(slot);
         outputs.iter().filter(near).copied().collect()
     }
-    /// Returns the addresses of a table, inputs first: of each the slot that stands for it, where the code uses the
-    /// address.
+    /// Returns, for each address of a table, inputs first, the slot that it stands for, or `None` if the code does not
+    /// use it.
     pub(crate) fn table(&self, tape: &Tape) -> Vec<Option<u16>> {
         let inputs = tape
             .inputs

@@ -1,52 +1,52 @@
-//! Item i of every column: one thread per item.
+//! Aligned batches on the GPU: one thread per item.
 use super::operation::Generated;
-use super::replays::Replayed;
-use super::text::{Form, GROUP, MOST_GROUPS};
+use super::replays::SearchReplays;
+use super::text::{GROUP, KernelForm, MOST_GROUPS};
 use crate::Error;
 use crate::kernels::call::recording::Call;
 use crate::kernels::cpu::aligned::{items, sound};
 use crate::kernels::cpu::lane::TILE;
 use crate::kernels::cpu::plan::{Plan, plan};
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::gpu::device::context::Device;
-use crate::kernels::gpu::device::context::Inner;
-use crate::kernels::gpu::device::download::Arrival;
-use crate::kernels::gpu::device::work::Work;
+use crate::kernels::gpu::device::context::SharedContext;
+use crate::kernels::gpu::device::download::BufferDownload;
+use crate::kernels::gpu::device::work::Commands;
 use crate::kernels::machine::Column;
-use crate::kernels::row::item::{Piece, STRETCH, Target};
+use crate::kernels::row::item::{STRETCH, Target, TargetPiece};
 use std::collections::VecDeque;
 use std::ops::Range;
 use std::sync::Arc;
 
 impl Device {
-    /// Item i of every column, into targets of the right length.
+    /// Computes item i of every column, into targets of the right length.
     pub(in crate::kernels::gpu::device) fn aligned(
         &self,
         call: &Call<f32>,
         columns: &[Column<'_, f32>],
         targets: Vec<Option<Target<'_, f32>>>,
     ) -> Result<(), Error> {
-        let made = Made::of(call)?;
+        let made = ItemCode::of(call)?;
         let count = made.checked(columns)?;
         self.run(&made, columns, count, targets)
     }
 
     fn run(
         &self,
-        made: &Made,
+        made: &ItemCode,
         columns: &[Column<'_, f32>],
         count: usize,
         targets: Vec<Option<Target<'_, f32>>>,
     ) -> Result<(), Error> {
         match made {
-            Made::Kernel(made) => self.compute(made, columns, count, targets),
-            Made::Replays(replays, plan) => {
+            ItemCode::Kernel(made) => self.compute(made, columns, count, targets),
+            ItemCode::Replays(replays, plan) => {
                 self.replayed(replays, &plan.gives, columns, count, targets)
             }
         }
     }
 
-    /// Chunk by chunk: while one is computed, the one before comes back.
+    /// Computes chunk by chunk: while one is computed, the one before is downloaded.
     fn compute(
         &self,
         made: &Arc<Generated<f32>>,
@@ -56,13 +56,13 @@ impl Device {
     ) -> Result<(), Error> {
         let inner = &self.inner;
         inner.alive()?;
-        let mut targets: Vec<Vec<Piece<'_, f32>>> = targets
+        let mut targets: Vec<Vec<TargetPiece<'_, f32>>> = targets
             .into_iter()
             .map(|target| target.map_or_else(Vec::new, Target::pieces))
             .collect();
         let chunk = chunk(inner, made)?;
-        // Shapes that stand for all go up again with every chunk: they are few bytes.
-        let mut open: VecDeque<(Arrival, Chunk)> = VecDeque::new();
+        // Shapes that stand for all are uploaded again with every chunk, since they are few bytes.
+        let mut open: VecDeque<(BufferDownload, Chunk)> = VecDeque::new();
         for start in (0..count).step_by(chunk) {
             let items = start..count.min(start + chunk);
             open.push_back(self.start(made, columns, items)?);
@@ -75,17 +75,17 @@ impl Device {
         for (arrival, chunk) in open {
             chunk.finish(made, arrival, &mut targets)?;
         }
-        targets.into_iter().flatten().for_each(Piece::finish);
+        targets.into_iter().flatten().for_each(TargetPiece::finish);
         Ok(())
     }
 
-    /// Brings some items up, computes them and starts bringing them back.
+    /// Uploads some items, computes them and starts their download.
     fn start(
         &self,
         made: &Arc<Generated<f32>>,
         columns: &[Column<'_, f32>],
         items: Range<usize>,
-    ) -> Result<(Arrival, Chunk), Error> {
+    ) -> Result<(BufferDownload, Chunk), Error> {
         let inner = &self.inner;
         let own = items.len();
         let parts: Vec<Vec<f32>> = columns
@@ -103,14 +103,16 @@ impl Device {
         let chunk = Chunk::new(made, items);
         params.extend(chunk.starts.iter().map(|&start| [start as u32, 0, 0, 0]));
         let outputs = inner.guarded(|| {
-            let pipeline = inner.generated(&made.name, Form::Aligned, || Form::Aligned.text(made));
+            let pipeline = inner.generated(&made.name, KernelForm::Aligned, || {
+                KernelForm::Aligned.text(made)
+            });
             let (from, to) = (inner.storage(inputs), inner.storage(chunk.numbers));
             let mut first = 0;
             for part in &parts {
                 inner.write_at(&from, 4 * first as u64, part);
                 first += part.len();
             }
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             let groups = [own.div_ceil(GROUP) as u32, 1];
             work.dispatch_with(&pipeline, &params, &[(1, &from), (2, &to)], groups);
             work.submit()?;
@@ -121,24 +123,24 @@ impl Device {
     }
 }
 
-/// The code that computes items: a kernel, or replays of decisions of the processor.
-enum Made {
+/// The code that computes items: a kernel, or replays of decisions made on the CPU.
+enum ItemCode {
     Kernel(Arc<Generated<f32>>),
-    Replays(Arc<Replayed>, Arc<Plan<f32>>),
+    Replays(Arc<SearchReplays>, Arc<Plan<f32>>),
 }
 
-impl Made {
+impl ItemCode {
     fn of(call: &Call<f32>) -> Result<Self, Error> {
         Ok(match call.replays() {
-            Some(replays) => Made::Replays(replays, plan(call, false)?),
-            None => Made::Kernel(call.generated(false)?),
+            Some(replays) => ItemCode::Replays(replays, plan(call, false)?),
+            None => ItemCode::Kernel(call.generated(false)?),
         })
     }
-    /// Checks columns; how many items there are.
+    /// Checks columns. Returns the number of items.
     fn checked(&self, columns: &[Column<'_, f32>]) -> Result<usize, Error> {
         let arguments = match self {
-            Made::Kernel(made) => &made.arguments,
-            Made::Replays(_, plan) => &plan.arguments,
+            ItemCode::Kernel(made) => &made.arguments,
+            ItemCode::Replays(_, plan) => &plan.arguments,
         };
         let count = items(arguments, columns)?;
         sound(arguments, f64::INFINITY, columns)?;
@@ -146,16 +148,16 @@ impl Made {
     }
 }
 
-/// Returns how many items a dispatch takes, so that what goes in and what comes out fits a binding each.
-fn chunk(inner: &Inner, made: &Generated<f32>) -> Result<usize, Error> {
+/// Returns the number of items of a dispatch whose inputs and outputs fit one binding each.
+fn chunk(inner: &SharedContext, made: &Generated<f32>) -> Result<usize, Error> {
     let fields = |numbers: &[usize]| numbers.iter().sum::<usize>().max(1);
     let widest = fields(&made.widths).max(fields(&made.gives));
-    // A last tile may be a part of one.
+    // The last tile may be incomplete.
     let most = inner.most_bytes as usize / 4 / widest;
     let threads = MOST_GROUPS * GROUP;
     match most.min(threads) / TILE * TILE {
         0 => Err(inner.too_large(TILE * widest)),
-        // Whole pieces of targets, where there are.
+        // Whole pieces of targets, if there are any.
         chunk if chunk > STRETCH => Ok(chunk / STRETCH * STRETCH),
         chunk => Ok(chunk),
     }
@@ -179,14 +181,14 @@ pub(super) fn tiles(
         .collect();
     let mut parts = vec![Vec::new(); stretches.len()];
     let work = stretches.into_iter().zip(&mut parts).collect();
-    spread(work, |(items, part): (Range<usize>, &mut Vec<f32>)| {
+    in_parallel(work, |(items, part): (Range<usize>, &mut Vec<f32>)| {
         let mut room = Vec::new();
         *part = made.prepare(k, column.numbers(items, &mut room));
     });
     parts.concat()
 }
 
-/// Items on their way back.
+/// Items that are being downloaded.
 struct Chunk {
     items: Range<usize>,
     /// The first number of every shape of a result, and the count of all numbers.
@@ -207,12 +209,12 @@ impl Chunk {
             numbers,
         }
     }
-    /// Puts results where they belong.
+    /// Copies downloaded results to the targets.
     fn finish(
         self,
         made: &Generated<f32>,
-        arrival: Arrival,
-        targets: &mut [Vec<Piece<'_, f32>>],
+        arrival: BufferDownload,
+        targets: &mut [Vec<TargetPiece<'_, f32>>],
     ) -> Result<(), Error> {
         arrival.finish(|_, numbers| {
             let numbers: &[f32] = bytemuck::cast_slice(numbers);
@@ -225,7 +227,7 @@ impl Chunk {
                         first < self.items.end && first + STRETCH > self.items.start
                     })
                     .collect();
-                spread(work, |(i, piece): (usize, &mut Piece<'_, f32>)| {
+                in_parallel(work, |(i, piece): (usize, &mut TargetPiece<'_, f32>)| {
                     let first = i * STRETCH;
                     let rows = piece.numbers();
                     let from = self.items.start.max(first);

@@ -1,5 +1,5 @@
-//! Bodies by hand: the overlap of boxes in the plane, which mirror their Rust source in WGSL.
-use super::operation::{Body, Generated, Kind, Name};
+//! Bodies by hand of the overlap of boxes in the plane, copies of their Rust source in WGSL.
+use super::operation::{BoxKind, Generated, ProgramName, ShaderBody};
 use crate::Error;
 use crate::kernels::call::recording::Call;
 use crate::kernels::cpu::plan::plan;
@@ -10,29 +10,29 @@ use crate::overlap::Denominator;
 use std::fmt::Write;
 use std::sync::Arc;
 
-/// Returns the boxes of compiled kernels and the divisor of the area of intersection, if they have a body by hand.
-fn kind_of(compiled: Compiled) -> Option<(Kind, Denominator)> {
+/// Returns the kind of boxes and the divisor of the intersection area of compiled kernels, if they have a body by hand.
+fn kind_of(compiled: Compiled) -> Option<(BoxKind, Denominator)> {
     match compiled {
-        Compiled::Obb2(over) => Some((Kind::Rotated, over)),
-        Compiled::Aabb2(over) => Some((Kind::AxisAligned, over)),
+        Compiled::Obb2(over) => Some((BoxKind::Rotated, over)),
+        Compiled::Aabb2(over) => Some((BoxKind::AxisAligned, over)),
         _ => None,
     }
 }
 
-/// Returns the boxes in WGSL.
-fn text_of(kind: Kind) -> &'static str {
+/// Returns the WGSL of a kind of boxes.
+fn text_of(kind: BoxKind) -> &'static str {
     match kind {
-        Kind::Rotated => include_str!("../../wgsl/obb2.wgsl"),
-        Kind::AxisAligned => include_str!("../../wgsl/aabb2.wgsl"),
+        BoxKind::Rotated => include_str!("../../wgsl/obb2.wgsl"),
+        BoxKind::AxisAligned => include_str!("../../wgsl/aabb2.wgsl"),
     }
 }
 
-/// Operations of a body by hand, for the size of a dispatch.
+/// The number of operations of a body by hand, for the size of a dispatch.
 const OPERATIONS: usize = 1 << 12;
 
 impl Generated<f32> {
-    /// Returns the body by hand of a call for all pairs, if it has one. Boxes are prepared as for batches on the
-    /// processor, so that both machines start from the same sines, for huge headings and for long thin boxes too.
+    /// Returns the body by hand of a call for all pairs, if it has one. Boxes are prepared as for batches on the CPU,
+    /// so that both machines use equal sines, also for huge headings and long thin boxes.
     pub(in crate::kernels::gpu::device) fn by_hand(
         call: &Call<f32>,
     ) -> Result<Option<Self>, Error> {
@@ -55,14 +55,14 @@ impl Generated<f32> {
                 true => (fields.clone(), 1 + fields.iter().sum::<usize>()),
             };
             let takes = widths.iter().sum();
-            let body = Body {
+            let body = ShaderBody {
                 entry,
                 text: String::new(),
                 operations: OPERATIONS,
                 gives: numbers,
             };
             Ok(Generated {
-                name: Name::default(),
+                name: ProgramName::default(),
                 kind: Some(kind),
                 head: head(kind, over, is_extreme, takes),
                 arguments,
@@ -73,16 +73,16 @@ impl Generated<f32> {
             })
         };
         let mut ordinary = made(false)?;
-        if kind == Kind::Rotated {
+        if kind == BoxKind::Rotated {
             ordinary.extreme = Some(Arc::new(made(true)?));
         }
         Ok(Some(ordinary))
     }
 }
 
-/// Returns the functions that a body is one of. With `is_extreme` they serve boxes plain products of whose numbers
-/// over- or underflow.
-fn head(kind: Kind, over: Denominator, is_extreme: bool, takes: usize) -> String {
+/// Returns the WGSL functions that the body calls. With `is_extreme` they serve boxes whose plain products overflow or
+/// underflow.
+fn head(kind: BoxKind, over: Denominator, is_extreme: bool, takes: usize) -> String {
     let mut text = policy();
     let _ = writeln!(
         text,

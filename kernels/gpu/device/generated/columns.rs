@@ -1,11 +1,11 @@
-//! Item i of columns that stay on the GPU: each is read where it lies, in a buffer of its own.
+//! Aligned batches of columns on the GPU: each column is read in place, from its own buffer.
 use super::operation::Generated;
 use super::text::{GROUP, bindings, call, numbers, results};
 use std::fmt::Write;
 
-/// Returns the shader: one thread per item. Parameters are how many items; of every column where it begins and
-/// whether it has more than one item; of every result where it begins. All results are in one buffer.
-/// Columns of which nothing is read have no binding.
+/// Returns the shader: one thread per item. Parameters are the number of items; for every column its start and whether
+/// it has more than one item; for every result its start. All results are in one buffer. An unused column has no
+/// binding.
 pub(super) fn text(made: &Generated<f32>) -> String {
     let columns = made.widths.len();
     let read = made

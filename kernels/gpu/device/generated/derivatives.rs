@@ -1,30 +1,30 @@
 //! The adjoint of all pairs: derivatives summed for every shape, in a fixed order.
 use super::operation::Generated;
-use super::text::{Form, Of};
-use super::uploaded::{Piece, Sides};
+use super::text::{KernelForm, SummedLists};
+use super::uploaded::{PairDispatch, UploadedLists};
 use crate::Error;
 use crate::kernels::gpu::device::block::block_of;
 use crate::kernels::gpu::device::context::Device;
-use crate::kernels::gpu::device::seed::{Seed, sum_of};
-use crate::kernels::gpu::device::work::{Params, Work, groups};
+use crate::kernels::gpu::device::seed::{PairSeed, sum_of};
+use crate::kernels::gpu::device::work::{Commands, Params, groups};
 use crate::kernels::gpu::device::written::{self, Kernel};
 use std::sync::Arc;
 
-/// Sums of derivatives of both lists, shape by shape, and of results.
+/// Sums over all pairs: derivatives of both lists, shape by shape, and results.
 struct Sums {
     bars: [Vec<f64>; 2],
     total: f64,
 }
 
 impl Device {
-    /// Returns the numbers of the derivatives of both lists, and the sum of all results where one factor is the seed of
-    /// all and the body gives results beside derivatives. Sums of a dispatch are added in `f32`, those of dispatches in
-    /// `f64`, always in the same order.
+    /// Returns the derivatives of both lists. If one factor is the seed of all pairs and the body computes results with
+    /// derivatives, it also returns the sum of all results. Sums within a dispatch are added in `f32`, sums over
+    /// dispatches in `f64`, in a fixed order.
     pub(in crate::kernels::gpu::device) fn derivatives(
         &self,
         made: &Arc<Generated<f32>>,
-        sides: &Sides,
-        seed: &Seed<'_>,
+        sides: &UploadedLists,
+        seed: &PairSeed<'_>,
     ) -> Result<([Vec<f32>; 2], Option<f64>), Error> {
         let inner = &self.inner;
         let [rows, columns] = sides.counts();
@@ -35,13 +35,13 @@ impl Device {
         };
         for (k, block) in inner.cut(rows, columns, 4).into_iter().enumerate() {
             let (upstream, factor) = match seed {
-                Seed::Numbers(numbers) => {
+                PairSeed::Numbers(numbers) => {
                     let own = block_of(&block, columns, numbers);
                     (Some(inner.guarded(|| Ok(inner.stored(&own)))?), 0.0)
                 }
-                // A matrix is cut as the pairs are.
-                Seed::Matrix(matrix) => (Some(matrix.blocks[k].1.clone()), 0.0),
-                Seed::Factor(factor) => (None, *factor),
+                // A matrix is split as the pairs are.
+                PairSeed::Matrix(matrix) => (Some(matrix.blocks[k].1.clone()), 0.0),
+                PairSeed::Factor(factor) => (None, *factor),
             };
             let operations = made.bodies.iter().map(|body| body.operations).max();
             for piece in sides.pieces(&block, operations.unwrap_or(1)) {
@@ -50,31 +50,34 @@ impl Device {
                 }
             }
         }
-        let has_total = matches!((&passes[..], seed), ([Of::Both(_)], Seed::Factor(_)));
+        let has_total = matches!(
+            (&passes[..], seed),
+            ([SummedLists::Both(_)], PairSeed::Factor(_))
+        );
         let bars = sums
             .bars
             .map(|sums| sums.iter().map(|&x| x as f32 + 0.0).collect());
         Ok((bars, has_total.then_some(sums.total)))
     }
 
-    /// One dispatch, and the sums of what it leaves: a partial sum per strip for own shapes, one per workgroup for walked
+    /// Runs one dispatch and sums what it writes: a partial sum per strip for own shapes, one per workgroup for walked
     /// ones.
     fn pull(
         &self,
         made: &Arc<Generated<f32>>,
-        of: Of,
-        piece: &Piece<'_>,
+        of: SummedLists,
+        piece: &PairDispatch<'_>,
         upstream: Option<&wgpu::Buffer>,
         factor: f32,
         sums: &mut Sums,
     ) -> Result<(), Error> {
         let inner = &self.inner;
         let seed = match upstream {
-            Some(_) => written::Seed::Matrix,
-            None => written::Seed::Factor,
+            Some(_) => written::SeedSource::Matrix,
+            None => written::SeedSource::Factor,
         };
-        let form = Form::Derivatives(of, seed);
-        let own = usize::from(of != Of::Rows);
+        let form = KernelForm::Derivatives(of, seed);
+        let own = usize::from(of != SummedLists::Rows);
         let [wide, tall] = piece.groups(own, made.size(form));
         let partial = |list: usize, parts: usize| Partial {
             list,
@@ -83,7 +86,7 @@ impl Device {
             parts,
         };
         let partials = match of {
-            Of::Both(_) => vec![partial(own, tall), partial(1 - own, wide)],
+            SummedLists::Both(_) => vec![partial(own, tall), partial(1 - own, wide)],
             _ => vec![partial(own, tall)],
         };
         let rooms = inner.guarded(|| {
@@ -95,8 +98,8 @@ impl Device {
             let mut buffers = vec![(1, piece.buffers[0]), (2, piece.buffers[1])];
             buffers.extend((5..).zip(&parts));
             buffers.extend(upstream.map(|upstream| (3, upstream)));
-            // Bodies that give results beside derivatives add these up, column by column.
-            let has_totals = matches!((of, upstream), (Of::Both(_), None));
+            // Bodies that compute results with derivatives also sum the results, column by column.
+            let has_totals = matches!((of, upstream), (SummedLists::Both(_), None));
             let totals = has_totals.then(|| {
                 let numbers = tall * piece.counts[own];
                 (inner.storage(numbers), numbers)
@@ -106,7 +109,7 @@ impl Device {
                 factor,
                 ..piece.params(own)
             };
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             work.dispatch(&pipeline, params, &buffers, [wide as u32, tall as u32]);
             let folded = partials.iter().zip(&parts);
             let mut rooms: Vec<_> = folded
@@ -130,7 +133,7 @@ impl Device {
     }
 }
 
-/// Partial sums of derivatives of so many shapes of a list: part by part, and of each field by field.
+/// Partial sums of derivatives of a list's shapes: part by part, and within a part field by field.
 struct Partial {
     list: usize,
     count: usize,
@@ -139,13 +142,13 @@ struct Partial {
 }
 
 impl Partial {
-    /// Numbers of a part.
+    /// Returns the length of a part.
     fn numbers(&self) -> usize {
         self.fields * self.count
     }
 
-    /// Their sums, in a new buffer.
-    fn folded(&self, work: &mut Work<'_>, parts: &wgpu::Buffer) -> wgpu::Buffer {
+    /// Returns the sums over parts, in a new buffer.
+    fn folded(&self, work: &mut Commands<'_>, parts: &wgpu::Buffer) -> wgpu::Buffer {
         let inner = work.inner;
         let pipeline = inner.written(Kernel::Fold, "fold_main");
         let to = inner.storage(self.numbers());
@@ -160,7 +163,7 @@ impl Partial {
         to
     }
 
-    /// Adds sums that came back to those of others, which lie shape by shape.
+    /// Adds downloaded sums, which are field by field, to `sums`, which are shape by shape.
     fn add(&self, numbers: &[u32], sums: &mut [f64]) {
         let shapes = sums.chunks_exact_mut(self.fields.max(1)).take(self.count);
         for (i, shape) in shapes.enumerate() {

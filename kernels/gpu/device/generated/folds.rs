@@ -1,15 +1,15 @@
-//! Folds over paths: a thread per path walks along its edges.
-use super::operation::{Body, Name, body_of, part};
-use super::text::{Form, GROUP, MOST_GROUPS, call};
+//! Folds over paths: one thread per path walks along its edges.
+use super::operation::{ProgramName, ShaderBody, body_of, part};
+use super::text::{GROUP, KernelForm, MOST_GROUPS, call};
 use crate::ad::program::WGSL;
 use crate::ad::program::recorded::Recorded;
-use crate::kernels::call::folding::{Folding, Programs, Sizes};
+use crate::kernels::call::folding::{FoldPrograms, Folding, Sizes};
 use crate::kernels::cpu::checked::check_upstream;
 use crate::kernels::cpu::folds::check;
 use crate::kernels::cpu::folds::paths::paths;
-use crate::kernels::cpu::program::split::Piece;
+use crate::kernels::cpu::program::split::Subgraph;
 use crate::kernels::gpu::device::context::Device;
-use crate::kernels::gpu::device::work::Work;
+use crate::kernels::gpu::device::work::Commands;
 use crate::kernels::machine::{Input, PathSpans, VertexBars};
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::rows::numbers;
@@ -23,35 +23,35 @@ use std::sync::Arc;
 /// The shaders of a fold: written once, compiled once per device.
 #[derive(Debug)]
 pub(super) struct GeneratedFold {
-    name: Name,
-    edge: Body,
-    join: Body,
-    finish: Body,
-    /// The pull-back of each, without the result before it.
-    edge_vjp: Body,
-    join_vjp: Body,
-    finish_vjp: Body,
-    /// The state after no edge.
+    name: ProgramName,
+    edge: ShaderBody,
+    join: ShaderBody,
+    finish: ShaderBody,
+    /// The pull-back of each, without its result.
+    edge_vjp: ShaderBody,
+    join_vjp: ShaderBody,
+    finish_vjp: ShaderBody,
+    /// The state before the first edge.
     empty: Vec<f32>,
     is_closed: bool,
-    /// Numbers of a vertex.
+    /// The number of scalars of a vertex.
     element: usize,
-    /// Numbers of a context.
+    /// The number of scalars of a context.
     context: usize,
-    /// Numbers of a context and a reference.
+    /// The number of scalars of a context with its reference vertex.
     shared: usize,
-    /// Numbers of a result.
+    /// The number of scalars of a result.
     out: usize,
 }
 
-/// Returns the shaders of a fold, whose state after no edge is `empty`.
+/// Writes the shaders of a fold, whose state before the first edge is `empty`.
 pub(super) fn shaders(
-    programs: &Programs,
+    programs: &FoldPrograms,
     sizes: &Sizes,
     empty: Vec<f32>,
 ) -> Result<Arc<GeneratedFold>, Error> {
     programs.made.made(Key::Gpu(Mode::Value, false), &|| {
-        let piece = |recorded: &Recorded| Piece {
+        let piece = |recorded: &Recorded| Subgraph {
             graph: recorded.value.graph.clone(),
             outputs: recorded.value.outputs.clone(),
         };
@@ -60,7 +60,7 @@ pub(super) fn shaders(
         let edge_vjp = piece(&programs.edge_vjp);
         let derivatives = part(&edge_vjp, &edge_vjp.outputs[sizes.state..]);
         Ok(GeneratedFold {
-            name: Name::default(),
+            name: ProgramName::default(),
             edge: whole("fold_edge", &programs.edge),
             join: whole("fold_join", &programs.join),
             finish: whole("fold_finish", &programs.finish),
@@ -84,7 +84,7 @@ fn shaders_of(folding: &Folding<f32>) -> Result<Arc<GeneratedFold>, Error> {
     shaders(&*(folding.programs)()?, &folding.sizes, empty)
 }
 
-/// `name0`, `name1`, … `count` of them.
+/// Returns `count` names: `name0`, `name1`, …
 fn names(name: &str, count: usize) -> Vec<String> {
     (0..count).map(|k| format!("{name}{k}")).collect()
 }
@@ -99,10 +99,10 @@ impl GeneratedFold {
         self.empty.len()
     }
     /// Returns the shader of a kernel.
-    pub fn text(&self, form: Form) -> String {
+    pub fn text(&self, form: KernelForm) -> String {
         let mut text = format!("{WGSL}\n{}\n{}\n", self.edge.text, self.join.text);
         match form {
-            Form::FoldDerivatives => {
+            KernelForm::FoldDerivatives => {
                 for body in [&self.edge_vjp, &self.join_vjp, &self.finish_vjp] {
                     text += &body.text;
                 }
@@ -115,7 +115,7 @@ impl GeneratedFold {
         }
         text
     }
-    /// Bindings, and the beginning of a thread's work: what belongs to its path, and where its edges are.
+    /// Returns the bindings and the start of a thread's work: the numbers of its path, and the range of its edges.
     fn head(&self, entry: &str, more: &[(&str, &str)]) -> String {
         let vertex = match self.element {
             2 => "vec2f".to_owned(),
@@ -135,7 +135,7 @@ impl GeneratedFold {
                 k + 4
             );
         }
-        // The layout of bindings comes from their use: `shared_numbers` is used even if a fold has no context.
+        // The layout of bindings follows from their use, so `shared_numbers` is used even if a fold has no context.
         let _ = write!(
             text,
             "
@@ -164,12 +164,12 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
             );
         }
         for (k, x) in self.empty.iter().enumerate() {
-            // By its bits: WGSL has no literal for infinity or NaN.
+            // As bits, since WGSL has no literal for infinity or NaN.
             let _ = writeln!(text, "    var state{k} = bitcast<f32>({}u);", x.to_bits());
         }
         text
     }
-    /// Returns the text that computes the state of one edge, as `edge`, and the numbers that it takes.
+    /// Returns the WGSL that computes the state of one edge as `edge`, and the numbers that it takes.
     fn edge_of(&self) -> (String, Vec<String>) {
         let mut inputs = names("s", self.shared);
         for end in ["tail", "tip"] {
@@ -188,7 +188,7 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
         );
         (text, inputs)
     }
-    /// Joins the state of an edge to that of the edges before.
+    /// Returns the WGSL that joins the state of an edge to that of the edges before.
     fn join_of(&self) -> String {
         let mut inputs = names("state", self.state());
         inputs.extend(elements("edge", 0..self.state()));
@@ -262,11 +262,11 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
                 shared + k
             )
         });
-        // Takes the sign from zeros.
+        // Adding zero removes the sign of zeros.
         let put = lines(context, &|k| {
             format!("    context_bars[path * {context}u + {k}u] = context{k} + 0.0;\n")
         });
-        // An array of none cannot be bound: the buffer has one number per path, which is not read.
+        // An empty array cannot be bound: the buffer has one unused number per path.
         let unused = match context {
             0 => "    context_bars[path] = 0.0;\n",
             _ => "",
@@ -289,20 +289,20 @@ fn {entry}(@builtin(global_invocation_id) thread: vec3u) {{
 }
 
 /// Paths that are uploaded together.
-struct Load {
+struct PathLoad {
     paths: Range<usize>,
     vertices: Range<usize>,
 }
 
-/// The offsets and vertices of paths. On a GPU a path that all share is repeated.
-struct Listed<'a> {
+/// The offsets and vertices of paths. A path that all contexts share is repeated on a GPU.
+struct PathList<'a> {
     offsets: Cow<'a, [usize]>,
     numbers: &'a [f32],
-    /// Vertices of a path that all share.
+    /// The number of vertices of a shared path.
     shared: Option<usize>,
 }
 
-impl<'a> Listed<'a> {
+impl<'a> PathList<'a> {
     fn new(input: &'a Input<'_, f32>) -> Result<Self, Error> {
         let (offsets, shared) = match input.spans {
             PathSpans::Ragged(offsets) => (offsets.into(), None),
@@ -312,7 +312,7 @@ impl<'a> Listed<'a> {
                 (offsets.collect(), Some(length))
             }
         };
-        Ok(Listed {
+        Ok(PathList {
             offsets,
             numbers: &input.vertices,
             shared,
@@ -328,7 +328,7 @@ impl<'a> Listed<'a> {
     }
 }
 
-/// Checks paths; of every one its context and then its reference, as numbers.
+/// Checks paths. Returns the context and then the reference vertex of every path, as numbers.
 fn shared(folding: &Folding<f32>, input: &Input<'_, f32>) -> Result<Vec<f32>, Error> {
     check(folding, input)?;
     Ok(paths(folding, input)?.shared)
@@ -361,17 +361,18 @@ impl Device {
         }
         let shaders = shaders_of(folding)?;
         let shared = shared(folding, input)?;
-        let listed = Listed::new(input)?;
+        let listed = PathList::new(input)?;
         let inner = &self.inner;
         inner.alive()?;
         for load in self.loads(&shaders, &listed.offsets, shaders.element)? {
             let count = load.paths.len();
             let results = inner.guarded(|| {
-                let pipeline =
-                    inner.generated(&shaders.name, Form::Fold, || shaders.text(Form::Fold));
+                let pipeline = inner.generated(&shaders.name, KernelForm::Fold, || {
+                    shaders.text(KernelForm::Fold)
+                });
                 let own = self.upload(&shaders, &load, &listed, &shared);
                 let results = inner.storage(count * shaders.out);
-                let mut work = Work::new(inner);
+                let mut work = Commands::new(inner);
                 let [a, b, c] = own.each_ref();
                 let buffers = [(1, a), (2, b), (3, c), (4, &results)];
                 let params = [[count as u32, 0, 0, 0]];
@@ -388,8 +389,8 @@ impl Device {
         Ok(())
     }
 
-    /// Writes the cotangents of contexts and vertices. Those of a shared path are added to `vertex_bars`, which must be
-    /// zero.
+    /// Writes the cotangents of contexts and vertices. Cotangents of a shared path are added to `vertex_bars`, which
+    /// must be zero.
     pub(crate) fn folded_back(
         &self,
         folding: &Folding<f32>,
@@ -411,7 +412,7 @@ impl Device {
         let shaders = shaders_of(folding)?;
         let shared = shared(folding, input)?;
         check_upstream(upstream, shaders.out.max(1))?;
-        let listed = Listed::new(input)?;
+        let listed = PathList::new(input)?;
         let inner = &self.inner;
         inner.alive()?;
         for load in self.loads(
@@ -420,7 +421,7 @@ impl Device {
             shaders.state().max(shaders.element),
         )? {
             let (count, vertices) = (load.paths.len(), load.vertices.len());
-            let form = Form::FoldDerivatives;
+            let form = KernelForm::FoldDerivatives;
             let (by_context, by_vertex) = inner.guarded(|| {
                 let pipeline = inner.generated(&shaders.name, form, || shaders.text(form));
                 let own = self.upload(&shaders, &load, &listed, &shared);
@@ -429,7 +430,7 @@ impl Device {
                 let before = inner.storage(vertices * shaders.state());
                 let by_context = inner.storage(count * shaders.context.max(1));
                 let by_vertex = inner.storage(shaders.element * vertices);
-                let mut work = Work::new(inner);
+                let mut work = Commands::new(inner);
                 let [a, b, c] = own.each_ref();
                 let buffers = [
                     (1, a),
@@ -468,7 +469,7 @@ impl Device {
                         let first = shaders.element * load.vertices.start;
                         let own = &mut path_bars[first..first + numbers.len()];
                         let bars = own.iter_mut().zip(numbers);
-                        // Takes the sign from zeros.
+                        // Adding zero removes the sign of zeros.
                         bars.for_each(|(bar, x)| *bar = x + 0.0);
                     }
                 }
@@ -477,17 +478,17 @@ impl Device {
         Ok(())
     }
 
-    /// Cuts paths into loads, each of which fits the buffers with `per_vertex` numbers per vertex.
+    /// Splits paths into loads, each of which fits the buffers with `per_vertex` numbers per vertex.
     fn loads(
         &self,
         shaders: &GeneratedFold,
         offsets: &[usize],
         per_vertex: usize,
-    ) -> Result<Vec<Load>, Error> {
+    ) -> Result<Vec<PathLoad>, Error> {
         let numbers = self.inner.most_bytes as usize / 4;
         let most_vertices = numbers / per_vertex;
         let per_path = shaders.shared.max(shaders.out).max(shaders.context).max(1);
-        // One less: there is one offset more than there are paths.
+        // Minus one, since there is one offset more than there are paths.
         let most_paths = (numbers / per_path)
             .saturating_sub(1)
             .min(MOST_GROUPS * GROUP);
@@ -499,12 +500,13 @@ impl Device {
             let fitting = rest.partition_point(|&end| end - offsets[start] <= most_vertices);
             if fitting == 0 {
                 let vertices = offsets[start + 1] - offsets[start];
-                // One path alone: buffers of fewer than `2 * per_path` numbers make `most_paths` zero.
+                // If buffers have fewer than `2 * per_path` numbers, `most_paths` is zero and even one path does not
+                // fit.
                 return Err(self
                     .inner
                     .too_large((vertices * per_vertex).max(2 * per_path)));
             }
-            loads.push(Load {
+            loads.push(PathLoad {
                 paths: start..start + fitting,
                 vertices: offsets[start]..offsets[start + fitting],
             });
@@ -517,8 +519,8 @@ impl Device {
     fn upload(
         &self,
         shaders: &GeneratedFold,
-        load: &Load,
-        listed: &Listed<'_>,
+        load: &PathLoad,
+        listed: &PathList<'_>,
         shared: &[f32],
     ) -> [wgpu::Buffer; 3] {
         let inner = &self.inner;
@@ -534,7 +536,7 @@ impl Device {
     }
 }
 
-/// Workgroups for so many paths.
+/// Returns the workgroups for `paths` paths.
 fn groups(paths: usize) -> [u32; 2] {
     [paths.div_ceil(GROUP) as u32, 1]
 }

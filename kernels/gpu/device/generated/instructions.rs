@@ -1,33 +1,33 @@
-//! Replays of operations with a search, for machines that cannot search.
+//! Replays of operations with a search, as instructions for a GPU, which cannot search.
 //!
-//! The processor makes the decisions. Given these, and the codes of the input, the result is a straight line. It
-//! is recorded once for every record that occurs, and becomes a list of instructions, with which a GPU replays
-//! all items of that record.
+//! The CPU makes the decisions. For given decisions, and codes of the input, the result is a straight line. It is
+//! recorded once for every record that occurs, and becomes a list of instructions, by which a GPU replays all items of
+//! that record.
 use crate::Error;
 use crate::ad::program::graph::{Graph, Id, Node};
-use crate::kernels::cpu::program::instructions::Op;
+use crate::kernels::cpu::program::instructions::Opcode;
 use crate::kernels::cpu::program::{Skipping, Tape};
 
-/// A replay as instructions of four words each: operation and slot of the result; two operands; two more. If
-/// there are several results, the others stand in the place of operands.
+/// A replay as instructions of four words each: operation and slot of the result; two operands; two more. Further
+/// results take the places of operands.
 #[derive(Debug)]
 pub struct Replay {
-    /// In order.
+    /// The instructions in order.
     pub(crate) code: Vec<[u32; 4]>,
-    /// How many slots it needs.
+    /// The number of slots.
     pub(crate) slots: usize,
 }
 
-/// Puts a constant into a slot: its bits are the second word.
+/// The operation that loads a constant into a slot: its bits are the second word.
 pub(crate) const CONSTANT: u32 = 0x100;
-/// Puts a number of the input into a slot: its place is the second word.
+/// The operation that loads a number of the input into a slot: its index is the second word.
 pub(crate) const TAKE: u32 = 0x101;
-/// Gives the slot in the second word as the result in the third.
+/// The operation that stores the slot in the second word as the result in the third.
 pub(crate) const GIVE: u32 = 0x102;
 
-/// Returns a graph as instructions.
+/// Translates a graph to instructions.
 pub(crate) fn instructions(graph: &Graph, inputs: usize, outputs: &[Id]) -> Result<Replay, Error> {
-    // Zeros lose their signs on their way out.
+    // Zeros lose their signs in results.
     let plain = |&x: &Id| match graph.at(x) {
         Node::Canonical(x) => x,
         _ => x,
@@ -48,11 +48,11 @@ pub(crate) fn instructions(graph: &Graph, inputs: usize, outputs: &[Id]) -> Resu
     for own in &tape.code {
         let ([x, y, z, w], [first, rest @ ..]) = (own.from, own.to);
         code.push(match own.op {
-            Op::Parts | Op::SinCos => {
+            Opcode::Parts | Opcode::SinCos => {
                 let head = to(own.op as u32, first);
                 [head, two(x, rest[0]), two(rest[1], rest[2]), 0]
             }
-            // Most instructions have no second result.
+            // Most instructions have one result.
             op => [
                 to(op as u32, first),
                 two(x, y),
@@ -74,15 +74,15 @@ pub(crate) fn instructions(graph: &Graph, inputs: usize, outputs: &[Id]) -> Resu
 pub(crate) fn numbers() -> Vec<(&'static str, u32)> {
     macro_rules! listed {
         ($($name:ident($($x:ident),*) = $value:expr;)*) => {
-            vec![$((stringify!($name), Op::$name as u32),)*]
+            vec![$((stringify!($name), Opcode::$name as u32),)*]
         };
     }
     let mut all = crate::kernels::cpu::program::instructions::instructions! { listed!() };
     all.extend([
-        ("Parts", Op::Parts as u32),
-        ("SinCos", Op::SinCos as u32),
-        ("Turn", Op::Turn as u32),
-        ("SumSub", Op::SumSub as u32),
+        ("Parts", Opcode::Parts as u32),
+        ("SinCos", Opcode::SinCos as u32),
+        ("Turn", Opcode::Turn as u32),
+        ("SumSub", Opcode::SumSub as u32),
         ("Constant", CONSTANT),
         ("Take", TAKE),
         ("Give", GIVE),

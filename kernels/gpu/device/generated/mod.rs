@@ -1,4 +1,4 @@
-//! Any operation and any program on a GPU, by functions in WGSL that its recording is written as.
+//! Operations and programs on a GPU, by WGSL functions written from their recordings.
 mod aligned;
 mod by_hand;
 mod columns;
@@ -16,8 +16,8 @@ pub(super) mod template;
 pub(super) mod text;
 pub(super) mod uploaded;
 
-use super::context::{Inner, locked};
-use super::written::{Seed, Take, ring_source};
+use super::context::{SharedContext, locked};
+use super::written::{SeedSource, Take, ring_source};
 use crate::kernels::Fold;
 use crate::kernels::call::folding;
 use crate::kernels::call::modes::recording_of;
@@ -26,18 +26,18 @@ use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::Item;
 use crate::kernels::row::op::Op;
 use crate::{Error, Pack};
-use operation::{Generated, Name};
+use operation::{Generated, ProgramName};
 use std::sync::Arc;
-use text::{Form, Of};
+use text::{KernelForm, SummedLists};
 use uploaded::MOST_OPERATIONS;
 
-impl Inner {
-    /// Returns the pipeline of a generated kernel, compiled at the first call. Pipelines of programs that are gone are
-    /// given up.
+impl SharedContext {
+    /// Returns the pipeline of a generated kernel, compiled at the first call. It also drops the pipelines of programs
+    /// that no longer exist.
     fn generated(
         &self,
-        name: &Name,
-        form: Form,
+        name: &ProgramName,
+        form: KernelForm,
         text: impl FnOnce() -> String,
     ) -> wgpu::ComputePipeline {
         let mut pipelines = locked(&self.generated);
@@ -54,16 +54,21 @@ impl Inner {
 
 impl Generated<f32> {
     /// Returns the pipeline of a kernel around it.
-    pub(super) fn pipeline(&self, inner: &Inner, form: Form) -> wgpu::ComputePipeline {
+    pub(super) fn pipeline(
+        &self,
+        inner: &SharedContext,
+        form: KernelForm,
+    ) -> wgpu::ComputePipeline {
         inner.generated(&self.name, form, || form.text(self))
     }
-    /// Returns how many pairs a dispatch computes at most: drivers reset a GPU that is busy with one for seconds.
+    /// Returns the largest number of pairs in a dispatch: an operating system resets a GPU after seconds of one
+    /// dispatch.
     pub(super) fn most_pairs(&self) -> usize {
         MOST_OPERATIONS / self.bodies[0].operations.max(1)
     }
 }
 
-/// Returns every shader that an operation can need, with a name: for tests that have no GPU.
+/// Returns every shader that an operation can need, with its name: for tests without a GPU.
 ///
 /// # Errors
 ///
@@ -81,7 +86,7 @@ where
     )
 }
 
-/// Returns the shaders of a straight line; of reductions, whose template is the same for all, one.
+/// Returns the shaders of a straight line. Reductions have one template, so only one of them is included.
 #[doc(hidden)]
 pub fn line_sources(
     name: &str,
@@ -105,11 +110,11 @@ fn sources(
     for &mode in modes {
         let call = call.clone().derived(mode)?;
         let made = call.generated(false)?;
-        let mut add = |form: Form, made: &Generated<f32>| {
+        let mut add = |form: KernelForm, made: &Generated<f32>| {
             all.push((format!("{name} {mode:?} {form:?}"), form.text(made)));
         };
-        add(Form::Aligned, &made);
-        add(Form::Columns, &made);
+        add(KernelForm::Aligned, &made);
+        add(KernelForm::Columns, &made);
         if made.arguments.len() != 2 {
             continue;
         }
@@ -124,41 +129,47 @@ fn sources(
     Ok(all)
 }
 
-/// Returns the forms of all pairs of a mode. Seeds are a snippet that is the same for all: each is taken once.
-fn forms(mode: Mode, made: &Generated<f32>, outputs: usize, taken: &[Take]) -> Vec<Form> {
+/// Returns the forms of all pairs of a mode. Each template with a snippet for the seed occurs once.
+fn forms(mode: Mode, made: &Generated<f32>, outputs: usize, taken: &[Take]) -> Vec<KernelForm> {
     let mut all = Vec::new();
     match mode {
         Mode::Value if made.gives == [1] => {
-            all.push(Form::Pairs);
-            all.extend(taken.iter().map(|&take| Form::Reduce(take, true)));
-            // The template around the same body: once for all.
+            all.push(KernelForm::Pairs);
+            all.extend(taken.iter().map(|&take| KernelForm::Reduce(take, true)));
+            // Reductions share one template around one body: it is tested once.
             if taken.len() > 1 {
-                all.extend(Take::OF_GROUPS.map(|take| Form::ReduceGroups(take, true)));
+                all.extend(Take::OF_GROUPS.map(|take| KernelForm::ReduceGroups(take, true)));
             }
-            // Both arguments may be shapes of one list.
+            // The arguments may be two shapes of one list.
             if made.arguments[0].fields == made.arguments[1].fields {
-                all.push(Form::Masks);
+                all.push(KernelForm::Masks);
             }
         }
-        Mode::Value | Mode::ValueGrad | Mode::Jacobian => all.push(Form::Pairs),
+        Mode::Value | Mode::ValueGrad | Mode::Jacobian => all.push(KernelForm::Pairs),
         Mode::Vjp if outputs == 1 && made.kind.is_some() => {
             for slots in [0, 8] {
                 all.extend(
-                    [Seed::Matrix, Seed::Factor]
-                        .map(|seed| Form::Derivatives(Of::Both(slots), seed)),
+                    [SeedSource::Matrix, SeedSource::Factor]
+                        .map(|seed| KernelForm::Derivatives(SummedLists::Both(slots), seed)),
                 );
             }
         }
         Mode::Vjp if outputs == 1 => {
-            all.push(Form::Derivatives(Of::Rows, Seed::Factor));
-            all.push(Form::Derivatives(Of::Columns, Seed::Matrix));
+            all.push(KernelForm::Derivatives(
+                SummedLists::Rows,
+                SeedSource::Factor,
+            ));
+            all.push(KernelForm::Derivatives(
+                SummedLists::Columns,
+                SeedSource::Matrix,
+            ));
         }
         Mode::Vjp => (),
     }
     all
 }
 
-/// Returns every shader that a fold can need, with a name.
+/// Returns every shader that a fold can need, with its name.
 ///
 /// # Errors
 ///
@@ -174,12 +185,12 @@ pub fn fold_sources<F: Fold>(_fold: F) -> Result<Vec<(String, String)>, Error> {
         &folding::Sizes::of::<F>(),
         F::empty::<f32>().scalars(),
     )?;
-    Ok([Form::Fold, Form::FoldDerivatives]
+    Ok([KernelForm::Fold, KernelForm::FoldDerivatives]
         .map(|form| (format!("{form:?}"), made.text(form)))
         .into())
 }
 
-/// Returns the shader that replays what was decided.
+/// Returns the shader that replays recorded decisions.
 #[doc(hidden)]
 #[must_use]
 pub fn replay_source() -> String {

@@ -1,4 +1,4 @@
-//! An operation or a program for a GPU: a function in WGSL, and the shapes as the processor prepares them.
+//! An operation or a program for a GPU: a function in WGSL, and the preparation of shapes on the CPU.
 use crate::ad::program::WGSL;
 use crate::ad::program::graph::{Graph, Id, Node};
 use crate::ad::program::recorded::Recorded;
@@ -6,7 +6,7 @@ use crate::ad::program::wgsl::{Taken, exact, function_of};
 use crate::error::Field;
 use crate::kernels::cpu::plan::makers::prepared;
 use crate::kernels::cpu::plan::{List, Preparation, Shapes, name};
-use crate::kernels::cpu::program::split::{Piece, split};
+use crate::kernels::cpu::program::split::{Subgraph, split};
 use crate::kernels::machine::Column;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::item::{Leaf, Quick};
@@ -15,56 +15,57 @@ use std::iter::repeat;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, LazyLock};
 
-/// Boxes that have bodies by hand.
+/// The kinds of boxes that have bodies by hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Kind {
+pub(super) enum BoxKind {
     /// [`Obb2`](crate::Obb2).
     Rotated,
     /// [`Aabb2`](crate::Aabb2).
     AxisAligned,
 }
 
-impl Kind {
-    /// Returns the name of its prepared boxes, whatever the score.
-    fn prepared(self) -> Name {
-        static NAMES: LazyLock<[Name; 2]> = LazyLock::new(Default::default);
+impl BoxKind {
+    /// Returns the name of the prepared boxes, which all scores share.
+    fn prepared(self) -> ProgramName {
+        static NAMES: LazyLock<[ProgramName; 2]> = LazyLock::new(Default::default);
         NAMES[self as usize].clone()
     }
 }
 
 /// An operation, or a program, for GPUs: made once, compiled once per context.
 pub struct Generated<T> {
-    pub(super) name: Name,
-    /// The boxes of a body by hand.
-    pub(super) kind: Option<Kind>,
+    pub(super) name: ProgramName,
+    /// The kind of boxes of a body by hand.
+    pub(super) kind: Option<BoxKind>,
     /// The WGSL functions that its bodies call.
     pub(super) head: String,
-    /// For every shape that it takes, how it is checked and prepared.
+    /// For every argument, its checks and its preparation.
     pub(super) arguments: Vec<Preparation<T>>,
-    /// Numbers per item that the function takes of every argument and then of every cotangent.
+    /// The number of scalars that the function takes of every argument and then of every cotangent, per item.
     pub(super) widths: Vec<usize>,
-    /// Numbers of every shape that it gives.
+    /// The number of scalars of every shape in a result.
     pub(super) gives: Vec<usize>,
-    /// Functions in WGSL: the whole, and for all pairs the derivatives with respect to each argument.
-    pub(super) bodies: Vec<Body>,
-    /// The same for shapes plain products of whose numbers over- or underflow; `None` where one body serves all.
+    /// The WGSL functions: one for the whole result, and for all pairs one for the derivatives with respect to each
+    /// argument.
+    pub(super) bodies: Vec<ShaderBody>,
+    /// The code for shapes whose plain products overflow or underflow; `None` if one body serves all.
     pub(super) extreme: Option<Arc<Self>>,
 }
 
 /// A function in WGSL.
 #[derive(Clone, Debug)]
-pub(super) struct Body {
-    /// Its name.
+pub(super) struct ShaderBody {
+    /// The name of the function.
     pub entry: &'static str,
     pub text: String,
-    /// How many operations it has.
+    /// The number of operations.
     pub operations: usize,
-    /// How many numbers it gives.
+    /// The number of scalars of the result.
     pub gives: usize,
 }
 
-/// Returns `true` for sines of an angle. The processor computes them at upload, in double precision, for the same
-/// numbers as its own batches start from.
+/// Returns `true` for sines of an angle. The CPU computes them at upload, in double precision, from the numbers that
+/// its own batches use.
 fn is_sine(node: Node) -> bool {
     use Node::*;
     matches!(
@@ -73,9 +74,14 @@ fn is_sine(node: Node) -> bool {
     )
 }
 
-/// Returns a piece as a function of so many numbers. It takes one at least: there are no arrays of none.
-pub(super) fn body_of(name: &'static str, piece: &Piece, inputs: usize, taken: &[Taken]) -> Body {
-    Body {
+/// Writes a piece as a function of `inputs` numbers. It has at least one, since WGSL has no empty arrays.
+pub(super) fn body_of(
+    name: &'static str,
+    piece: &Subgraph,
+    inputs: usize,
+    taken: &[Taken],
+) -> ShaderBody {
+    ShaderBody {
         entry: name,
         text: function_of(name, &piece.graph, &piece.outputs, inputs.max(1), taken),
         operations: piece.graph.len(),
@@ -83,39 +89,39 @@ pub(super) fn body_of(name: &'static str, piece: &Piece, inputs: usize, taken: &
     }
 }
 
-/// Returns the part of a piece that some of its results need.
-pub(super) fn part(piece: &Piece, outputs: &[Id]) -> Piece {
+/// Returns the part of a piece that `outputs` need.
+pub(super) fn part(piece: &Subgraph, outputs: &[Id]) -> Subgraph {
     let live = piece.graph.live(outputs, false);
     let mut graph = Graph::new(piece.graph.format);
     let mut names = vec![0; piece.graph.len()];
     for x in (0..piece.graph.len()).filter(|&x| live[x]) {
         names[x] = graph.push(piece.graph.at(x as Id).renamed(|y| names[y as usize]));
     }
-    Piece {
+    Subgraph {
         outputs: outputs.iter().map(|&x| names[x as usize]).collect(),
         graph,
     }
 }
 
-/// A name that nothing else has; pipelines are kept as long as it lives.
+/// A unique name; pipelines are kept as long as it lives.
 #[derive(Clone, Debug)]
-pub(super) struct Name(pub Arc<u64>);
+pub(super) struct ProgramName(pub Arc<u64>);
 
-impl Default for Name {
+impl Default for ProgramName {
     fn default() -> Self {
         static NEXT: AtomicU64 = AtomicU64::new(1);
-        Name(Arc::new(NEXT.fetch_add(1, Ordering::Relaxed)))
+        ProgramName(Arc::new(NEXT.fetch_add(1, Ordering::Relaxed)))
     }
 }
 
 impl<T: Real> Generated<T> {
-    /// With the names that an operation has for its arguments.
+    /// Sets the names that an operation has for its arguments.
     pub(crate) fn named(mut self, names: &[&'static str]) -> Self {
         name(&mut self.arguments, names);
         self
     }
-    /// Returns the code of a recorded function. If `framed` is set it is for all pairs: numbers that depend on one
-    /// shape alone are computed once per shape.
+    /// Writes the code of a recorded function. If `framed`, it is for all pairs: numbers that depend on one shape alone
+    /// are computed once per shape.
     pub(crate) fn new(
         mode: Mode,
         leaves: Vec<Leaf<T>>,
@@ -135,7 +141,7 @@ impl<T: Real> Generated<T> {
             all.extend(&outputs);
         }
         let (graph, results) = (&recorded.value.graph, &recorded.value.outputs);
-        // The result comes before its derivatives; the adjoint leaves it out.
+        // In outputs the value comes before its derivatives; the adjoint omits it.
         let skipped = mode.skipped(&outputs);
         let results = &results[skipped..];
         let is_prepared = |node| framed || matches!(node, Node::Input(_)) || is_sine(node);
@@ -179,7 +185,7 @@ impl<T: Real> Generated<T> {
         }
         let gives = mode.gives(&fields, &outputs);
         Ok(Generated {
-            name: Name::default(),
+            name: ProgramName::default(),
             kind: None,
             head: format!("{WGSL}\n"),
             arguments,
@@ -190,9 +196,9 @@ impl<T: Real> Generated<T> {
         })
     }
 
-    /// Returns the key of prepared shapes of an argument, and whose they are. Bodies by hand of the same boxes share
-    /// them.
-    pub(super) fn prepared(&self, k: usize) -> ((u64, usize), Name) {
+    /// Returns the key of the prepared shapes of an argument, and the name that owns them. Bodies by hand of one kind
+    /// of boxes share them.
+    pub(super) fn prepared(&self, k: usize) -> ((u64, usize), ProgramName) {
         let (name, k) = match self.kind {
             Some(kind) => (kind.prepared(), 0),
             None => (self.name.clone(), k),
@@ -200,7 +206,7 @@ impl<T: Real> Generated<T> {
         ((*name.0, k), name)
     }
 
-    /// Returns `true` if plain products of numbers of these shapes may over- or underflow, and a body knows of it.
+    /// Returns `true` if plain products of these shapes may overflow or underflow, and there is a body for this case.
     pub(super) fn is_extreme(&self, k: usize, numbers: &[T]) -> bool {
         let preparation = &self.arguments[k];
         self.extreme.is_some()
@@ -210,7 +216,7 @@ impl<T: Real> Generated<T> {
                 .any(preparation.is_rare)
     }
 
-    /// Returns the prepared numbers of some shapes of an argument, shape by shape, each a multiple of four.
+    /// Returns the prepared numbers of some shapes of an argument, shape by shape, each padded to a multiple of four.
     pub(super) fn prepare_rows(&self, k: usize, numbers: &[T]) -> Vec<T> {
         let preparation = &self.arguments[k];
         let count = numbers.len().checked_div(preparation.fields).unwrap_or(0);
@@ -243,7 +249,7 @@ impl<T: Real> Generated<T> {
     }
 }
 
-/// The letters of arguments.
+/// The letters that name arguments.
 const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
 
 /// Returns the description of a prepared number, if it is short.
@@ -268,7 +274,7 @@ fn described(graph: &Graph, x: Id, fields: &[String]) -> String {
     }
 }
 
-/// Descriptions as names that WGSL accepts, no two of them the same.
+/// Turns descriptions into unique WGSL identifiers.
 fn unlike(all: impl Iterator<Item = String>) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for described in all {
@@ -287,8 +293,8 @@ fn unlike(all: impl Iterator<Item = String>) -> Vec<String> {
     names
 }
 
-/// Returns `true` if a frame is all numbers of a shape, as they are.
-fn is_whole(frame: &Piece, fields: usize) -> bool {
+/// Returns `true` if a frame consists of all numbers of a shape, unchanged.
+fn is_whole(frame: &Subgraph, fields: usize) -> bool {
     let input = |(k, &x): (usize, &Id)| frame.graph.at(x) == Node::Input(k as u32);
     frame.outputs.len() == fields && frame.outputs.iter().enumerate().all(input)
 }

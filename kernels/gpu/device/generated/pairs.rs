@@ -1,5 +1,5 @@
-//! Every row with every column.
-use super::uploaded::Sides;
+//! All pairs: every row with every column.
+use super::uploaded::UploadedLists;
 use crate::Error;
 use crate::kernels::call::recording::Call;
 use crate::kernels::gpu::device::block::place_block;
@@ -7,7 +7,7 @@ use crate::kernels::gpu::device::context::Device;
 use crate::kernels::machine::Column;
 
 impl Device {
-    /// Returns every row with every row of columns of numbers, plane after plane.
+    /// Writes the results of every row with every column of plain lists, plane after plane.
     pub(in crate::kernels::gpu::device) fn planes(
         &self,
         call: &Call<f32>,
@@ -16,7 +16,7 @@ impl Device {
     ) -> Result<(), Error> {
         let inner = &self.inner;
         let made = call.generated(true)?;
-        let sides = Sides::of(self, &made, lists)?;
+        let sides = UploadedLists::of(self, &made, lists)?;
         let made = sides.body_for(made);
         let [rows, columns] = sides.counts();
         let fields = made.bodies[0].gives;

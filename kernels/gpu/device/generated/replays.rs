@@ -1,31 +1,31 @@
-//! Item i of every column, for what searches: decided on the processor, replayed on the GPU.
+//! Aligned batches of searches: decided on the CPU, replayed on the GPU.
 //!
-//! A replay is a list of instructions, and one kernel carries out those of any operation: what a thread
-//! does is data, so that no record asks for a pipeline of its own.
+//! A replay is a list of instructions, and one kernel executes the lists of all operations. A thread's work is data, so
+//! no record needs a pipeline of its own.
 use super::instructions::{Replay, instructions, numbers};
-use super::operation::Name;
-use super::text::{Form, GROUP, MOST_GROUPS};
+use super::operation::ProgramName;
+use super::text::{GROUP, KernelForm, MOST_GROUPS};
 use crate::Error;
 use crate::ad::program::WGSL;
 use crate::ad::program::recorded::Recorded;
-use crate::kernels::cpu::work::spread;
+use crate::kernels::cpu::work::in_parallel;
 use crate::kernels::gpu::device::context::Device;
-use crate::kernels::gpu::device::work::Work;
+use crate::kernels::gpu::device::work::Commands;
 use crate::kernels::machine::Column;
 use crate::kernels::row::derivation::Replays;
-use crate::kernels::row::item::{Piece, STRETCH, Target};
+use crate::kernels::row::item::{STRETCH, Target, TargetPiece};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock, PoisonError, RwLock};
 
-/// Bytes of the slots of all items of a dispatch.
+/// The size in bytes of the slots of all items of a dispatch.
 const MOST_SLOTS: usize = 1 << 28;
 
-/// Items that are decided at a time.
+/// The number of items that are decided at a time.
 const CHUNK: usize = 32 * STRETCH;
 
-/// Returns the kernel.
+/// Returns the WGSL of the kernel.
 pub(super) fn text() -> String {
     let mut text = String::from(WGSL);
     for (name, number) in numbers() {
@@ -34,33 +34,33 @@ pub(super) fn text() -> String {
     text + include_str!("../../wgsl/replay.wgsl")
 }
 
-/// By which the pipeline is kept: as long as the process lives.
-fn name() -> &'static Name {
-    static NAME: OnceLock<Name> = OnceLock::new();
-    NAME.get_or_init(Name::default)
+/// Returns the name of its pipeline, which lives as long as the process.
+fn name() -> &'static ProgramName {
+    static NAME: OnceLock<ProgramName> = OnceLock::new();
+    NAME.get_or_init(ProgramName::default)
 }
 
-/// Replays that are kept as instructions; one more, and all are dropped. A bound of memory.
+/// The number of replays that are kept as instructions. One more drops all, which bounds the memory.
 const MOST_KEPT: usize = 1 << 14;
 
-/// Recorded replays by their addresses, which no other one has as long as they are kept, and their instructions.
-type Known = HashMap<usize, (Arc<Recorded>, Arc<Replay>)>;
+/// Recorded replays by their addresses, which stay unique while the replays are kept, with their instructions.
+type ReplayCache = HashMap<usize, (Arc<Recorded>, Arc<Replay>)>;
 
-/// The replays of a search, and those that have occurred as instructions.
-pub(crate) struct Replayed {
+/// The replays of a search, with the instructions of those that have occurred.
+pub(crate) struct SearchReplays {
     replays: Arc<dyn Replays<f32>>,
-    known: RwLock<Known>,
+    known: RwLock<ReplayCache>,
 }
 
-impl Replayed {
+impl SearchReplays {
     /// Returns the replays of a search.
     pub(crate) fn new(replays: Arc<dyn Replays<f32>>) -> Self {
-        Replayed {
+        SearchReplays {
             replays,
             known: RwLock::default(),
         }
     }
-    /// Decides an item: the instructions of its record, and the numbers that they take, which are appended.
+    /// Decides an item. Returns the instructions of its record, and appends the numbers that they take to `taken`.
     fn instructions(&self, numbers: &[f32], taken: &mut Vec<f32>) -> Result<Arc<Replay>, Error> {
         let recorded = self.replays.decide(numbers, taken)?;
         let address = Arc::as_ptr(&recorded) as usize;
@@ -80,7 +80,7 @@ impl Replayed {
     }
 }
 
-/// A stretch of items: their numbers, shape by shape, those that replays take, and which replays.
+/// A stretch of items: their numbers, shape by shape, the numbers that replays take, and the index of each replay.
 #[derive(Default)]
 struct Stretch {
     items: Range<usize>,
@@ -93,8 +93,8 @@ struct Stretch {
 }
 
 impl Stretch {
-    /// Decides its items.
-    fn decide(&mut self, replayed: &Replayed, columns: &[Column<'_, f32>]) {
+    /// Decides the items of the stretch.
+    fn decide(&mut self, replayed: &SearchReplays, columns: &[Column<'_, f32>]) {
         let mut rooms = vec![Vec::new(); columns.len()];
         let parts: Vec<&[f32]> = columns
             .iter()
@@ -114,7 +114,7 @@ impl Stretch {
             }
         }
     }
-    /// Makes rows of results of what was found.
+    /// Converts replayed numbers to rows of results.
     fn finish(&mut self, replays: &dyn Replays<f32>, width: usize) {
         let [_, gives] = replays.sizes();
         let own = self.numbers.len() / self.items.len();
@@ -128,9 +128,9 @@ impl Stretch {
     }
 }
 
-/// Items that go up together: places in the chunk, and their programs.
+/// Items that are uploaded together: indices in the chunk, and their programs.
 #[derive(Default)]
-struct Load {
+struct ReplayLoad {
     items: Vec<u32>,
     codes: Vec<u32>,
     programs: Vec<[u32; 2]>,
@@ -138,9 +138,8 @@ struct Load {
     slots: usize,
 }
 
-impl Load {
-    /// Returns how many numbers its instructions and its slots are with one more item, and a program if it has another
-    /// one.
+impl ReplayLoad {
+    /// Returns the numbers of instructions and of slots with one more item, and with its program if that `is_new`.
     fn numbers(&self, replay: &Replay, is_new: bool, sizes: [usize; 2]) -> [usize; 2] {
         let slots = self.slots.max(replay.slots);
         let items = self.items.len() + 1;
@@ -148,7 +147,7 @@ impl Load {
         let widest = slots.max(sizes[0]).max(sizes[1]);
         [4 * code, items * widest]
     }
-    /// Returns `true` if it still fits with that.
+    /// Returns `true` if the load fits the buffers with one more item.
     fn fits(&self, replay: &Replay, is_new: bool, sizes: [usize; 2], most_bytes: usize) -> bool {
         let [code, slots] = self.numbers(replay, is_new, sizes);
         4 * code <= most_bytes
@@ -171,7 +170,7 @@ impl Device {
     /// Decides and replays all items.
     pub(super) fn replayed(
         &self,
-        replayed: &Replayed,
+        replayed: &SearchReplays,
         gives: &[usize],
         columns: &[Column<'_, f32>],
         count: usize,
@@ -179,7 +178,7 @@ impl Device {
     ) -> Result<(), Error> {
         self.inner.alive()?;
         let replays = &*replayed.replays;
-        let mut targets: Vec<Vec<Piece<'_, f32>>> = targets
+        let mut targets: Vec<Vec<TargetPiece<'_, f32>>> = targets
             .into_iter()
             .map(|target| target.map_or_else(Vec::new, Target::pieces))
             .collect();
@@ -192,7 +191,7 @@ impl Device {
             });
             let mut stretches: Vec<Stretch> = stretches.collect();
             let each = |stretches: &mut Vec<Stretch>, run: &(dyn Fn(&mut Stretch) + Sync)| {
-                spread(stretches.iter_mut().collect(), run);
+                in_parallel(stretches.iter_mut().collect(), run);
             };
             each(&mut stretches, &|stretch| stretch.decide(replayed, columns));
             if let Some(error) = stretches.iter().find_map(|stretch| stretch.failed) {
@@ -213,11 +212,11 @@ impl Device {
                 }
             }
         }
-        targets.into_iter().flatten().for_each(Piece::finish);
+        targets.into_iter().flatten().for_each(TargetPiece::finish);
         Ok(())
     }
 
-    /// Replays items that are decided, those of a program side by side.
+    /// Replays decided items; items of one program are adjacent.
     fn replay(&self, sizes: [usize; 2], stretches: &mut [Stretch]) -> Result<(), Error> {
         let all: Vec<&Arc<Replay>> = stretches.iter().flat_map(|x| &x.replays).collect();
         let mut ranks = HashMap::new();
@@ -229,7 +228,7 @@ impl Device {
         let mut order: Vec<usize> = (0..all.len()).collect();
         order.sort_by_key(|&item| rank_of[item]);
         let most_bytes = self.inner.most_bytes as usize;
-        let mut loads = vec![Load::default()];
+        let mut loads = vec![ReplayLoad::default()];
         let mut last = None;
         for item in order {
             let replay = all[item];
@@ -237,7 +236,7 @@ impl Device {
             let mut load = loads.len() - 1;
             if !loads[load].fits(replay, is_new, sizes, most_bytes) {
                 (is_new, load) = (true, load + 1);
-                loads.push(Load::default());
+                loads.push(ReplayLoad::default());
                 if !loads[load].fits(replay, true, sizes, most_bytes) {
                     let [code, slots] = loads[load].numbers(replay, true, sizes);
                     return Err(self.inner.too_large(code.max(slots)));
@@ -259,7 +258,7 @@ impl Device {
     fn carry_out(
         &self,
         [takes, gives]: [usize; 2],
-        load: &Load,
+        load: &ReplayLoad,
         stretches: &mut [Stretch],
     ) -> Result<(), Error> {
         let inner = &self.inner;
@@ -272,7 +271,7 @@ impl Device {
             }
         }
         let outputs = inner.guarded(|| {
-            let pipeline = inner.generated(name(), Form::Replay, text);
+            let pipeline = inner.generated(name(), KernelForm::Replay, text);
             let buffers = [
                 inner.stored(&load.codes),
                 inner.stored(&load.programs),
@@ -282,7 +281,7 @@ impl Device {
                 inner.storage(gives * count),
             ];
             let bound = buffers.iter().zip(1..).map(|(buffer, k)| (k, buffer));
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             let params = [[count as u32, 0, 0, 0]];
             let groups = [count.div_ceil(GROUP) as u32, 1];
             work.dispatch_with(&pipeline, &params, &bound.collect::<Vec<_>>(), groups);

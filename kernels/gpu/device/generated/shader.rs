@@ -1,17 +1,20 @@
-//! The shader of a form: the function, and the kernel around it.
+//! The shader of a form: a function, and the kernel around it.
 use super::operation::Generated;
 use super::suppress::masks;
 use super::template;
-use super::text::{Form, GROUP, bindings, call, numbers, results};
+use super::text::{GROUP, KernelForm, bindings, call, numbers, results};
 use crate::kernels::cpu::lane::TILE;
 use std::fmt::Write;
 
-impl Form {
+impl KernelForm {
     /// Returns the shader.
     pub fn text(self, made: &Generated<f32>) -> String {
         let body = self.body(made);
         let kernel = match self {
-            Form::Pairs | Form::Reduce(..) | Form::ReduceGroups(..) | Form::Derivatives(..) => {
+            KernelForm::Pairs
+            | KernelForm::Reduce(..)
+            | KernelForm::ReduceGroups(..)
+            | KernelForm::Derivatives(..) => {
                 return format!(
                     "{}{}\n{}",
                     made.head,
@@ -19,15 +22,15 @@ impl Form {
                     template::text(made, body, self)
                 );
             }
-            Form::Columns => super::columns::text(made),
-            Form::Masks => masks(made, body),
+            KernelForm::Columns => super::columns::text(made),
+            KernelForm::Masks => masks(made, body),
             _ => aligned(made),
         };
         format!("{}{}\n{PLACE}{kernel}", made.head, body.text)
     }
 }
 
-/// The place of a number: items in tiles, field after field within a tile, as on the processor.
+/// The index of a number: items in tiles, field after field within a tile, as on the CPU.
 const PLACE: &str = "\
 fn place(item: u32, fields: u32) -> u32 {
     return item / 16u * 16u * fields + item % 16u;
@@ -35,8 +38,8 @@ fn place(item: u32, fields: u32) -> u32 {
 ";
 const _: () = assert!(TILE == 16);
 
-/// Item i of every column: one thread per item. Parameters are how many items; of every column where it
-/// begins and whether it has more than one item; of every result where it begins.
+/// Returns the shader of aligned items: one thread per item. Parameters are the number of items; for every column its
+/// start and whether it has more than one item; for every result its start.
 fn aligned(made: &Generated<f32>) -> String {
     let columns = made.widths.len();
     let mut text = bindings(1 + columns + made.gives.len(), &["inputs"], &["outputs"]);
@@ -61,7 +64,7 @@ fn aligned_main(@builtin(global_invocation_id) thread: vec3u) {{
         inputs.extend(numbers("inputs", &format!("c{k}"), width));
     }
     if inputs.is_empty() {
-        // A binding that nothing uses would be none.
+        // The shader must use a binding, or its layout would omit it.
         inputs.push("inputs[0] * 0.0".to_owned());
     }
     let _ = writeln!(text, "    let y = {};", call("body", inputs));

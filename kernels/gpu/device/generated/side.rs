@@ -3,39 +3,39 @@ use super::operation::Generated;
 use super::text::{MOST_GROUPS, ROWS};
 use crate::Error;
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::cpu::work::spread;
-use crate::kernels::gpu::device::context::Inner;
+use crate::kernels::cpu::work::in_parallel;
+use crate::kernels::gpu::device::context::SharedContext;
 use crate::kernels::machine::Column;
 use crate::kernels::row::item::STRETCH;
 use std::ops::Range;
 
-/// A list that went up: prepared shapes, in buffers that fit a binding each.
+/// An uploaded list: prepared shapes, in buffers that fit one binding each.
 #[derive(Clone, Debug)]
-pub(in crate::kernels::gpu::device) struct Side {
-    /// Shapes per buffer.
+pub(in crate::kernels::gpu::device) struct UploadedList {
+    /// The number of shapes per buffer.
     pub(super) window: usize,
     pub(super) buffers: Vec<wgpu::Buffer>,
     pub(super) count: usize,
-    /// `true` if they need a body for extreme shapes.
+    /// `true` if its shapes need a body for extreme shapes.
     pub(super) is_extreme: bool,
 }
 
-impl Side {
-    /// Brings a list up that was checked.
+impl UploadedList {
+    /// Uploads a checked list.
     pub fn new(
-        inner: &Inner,
+        inner: &SharedContext,
         made: &Generated<f32>,
         k: usize,
         column: &Column<'_, f32>,
     ) -> Result<Self, Error> {
         let count = column.len();
-        // Sums of derivatives, which have the numbers of a shape, must fit a binding, too.
+        // Sums of derivatives, which have a shape's number of scalars, must fit a binding, too.
         let width = made.widths[k]
             .next_multiple_of(4)
             .max(made.arguments[k].fields)
             .max(1);
         let window = inner.most_bytes as usize / 4 / width;
-        // So that no dispatch has more workgroups than it may have.
+        // This keeps the workgroups of a dispatch within their limit.
         let window = window.min(MOST_GROUPS * ROWS) / TILE * TILE;
         if window == 0 {
             return Err(inner.too_large(TILE * width));
@@ -46,17 +46,17 @@ impl Side {
             buffers.push(inner.guarded(|| Ok(inner.stored(&numbers)))?);
             is_extreme |= is_so;
         }
-        Ok(Side {
+        Ok(UploadedList {
             window,
             buffers,
             count,
             is_extreme,
         })
     }
-    /// Puts as many other shapes in their place, without a new buffer.
+    /// Replaces the shapes by as many others, in place.
     pub fn rewrite(
         &mut self,
-        inner: &Inner,
+        inner: &SharedContext,
         made: &Generated<f32>,
         k: usize,
         column: &Column<'_, f32>,
@@ -73,7 +73,7 @@ impl Side {
         }
         Ok(())
     }
-    /// Returns the parts of a range of shapes, each in one buffer: the buffer, where in it, which shapes.
+    /// Returns the parts of a range of shapes, each in one buffer: the buffer, the index in it, and the shapes.
     pub(super) fn parts(
         &self,
         range: Range<usize>,
@@ -87,7 +87,7 @@ impl Side {
     }
 }
 
-/// Returns the prepared numbers of some shapes, and whether any of them is extreme.
+/// Returns the prepared numbers of some shapes, and `true` if any of them is extreme.
 fn frames(
     made: &Generated<f32>,
     k: usize,
@@ -97,7 +97,7 @@ fn frames(
     let starts = items.clone().step_by(STRETCH);
     let mut parts = vec![(Vec::new(), false); starts.len()];
     let work = starts.zip(&mut parts).collect();
-    spread(work, |(start, part): (usize, &mut (Vec<f32>, bool))| {
+    in_parallel(work, |(start, part): (usize, &mut (Vec<f32>, bool))| {
         let mut room = Vec::new();
         let numbers = column.numbers(start..items.end.min(start + STRETCH), &mut room);
         *part = (made.prepare_rows(k, numbers), made.is_extreme(k, numbers));

@@ -1,11 +1,11 @@
-//! Suppression by masks of bits: the GPU says of which pairs it is certain, the processor decides the rest.
+//! Suppression by bit masks: the GPU decides the clear pairs, the CPU the others.
 //!
-//! Shapes go up the best first. Block by block, the GPU compares some rows that are still there with all
-//! later columns and writes two bits per pair: whether the result is certainly above the threshold, and
-//! whether it is so near to it that rounding may decide. The processor walks through the rows in order,
-//! and computes those few near pairs itself, if it comes to that, as a batch on the processor would.
-use super::operation::{Body, Generated};
-use super::text::{Form, GROUP, MOST_GROUPS, both, bound, call};
+//! Shapes are uploaded best first. Block by block, the GPU compares some remaining rows with all later columns and
+//! writes two bits per pair: the result is certainly above the threshold, or so near to it that rounding may decide.
+//! The CPU walks through the rows in order. It computes a near pair itself when the outcome depends on it, with the
+//! bits of a batch on the CPU.
+use super::operation::{Generated, ShaderBody};
+use super::text::{GROUP, KernelForm, MOST_GROUPS, both, bound, call};
 use super::uploaded::MOST_OPERATIONS;
 use crate::error::Argument;
 use crate::kernels::call::recording::Call;
@@ -15,12 +15,12 @@ use crate::kernels::cpu::checked::check;
 use crate::kernels::cpu::lane::{Planes, TILE};
 use crate::kernels::cpu::pairs::Pairs;
 use crate::kernels::cpu::plan::{List, plan};
-use crate::kernels::cpu::sweep::{Chooses, Sweep};
+use crate::kernels::cpu::sweep::{RowChoice, Sweep};
 use crate::kernels::gpu::device::context::Device;
-use crate::kernels::gpu::device::work::Work;
+use crate::kernels::gpu::device::work::Commands;
 use crate::kernels::machine::Column;
 use crate::kernels::machine::suppress::Greed;
-use crate::kernels::machine::suppress::Ranked;
+use crate::kernels::machine::suppress::RankedShapes;
 use crate::suppression::{Rules, order};
 use crate::{Error, Scalar};
 use std::fmt::Write;
@@ -29,20 +29,20 @@ use std::sync::Arc;
 
 /// The distance from the threshold below which the processor computes a result.
 ///
-/// On thin, nearly parallel boxes, the worst ones known, a driver in software was off by 3.3·10⁻⁴ of an IoU: this
-/// is ten times as much. About one in a hundred pairs that overlap is so near.
+/// On thin, nearly parallel boxes, the worst known case, a software driver's IoU was wrong by 3.3·10⁻⁴; the distance is
+/// ten times that. About one in a hundred overlapping pairs is so near.
 const NEAR: f32 = 1.0 / 256.0;
 
-/// Columns of a word of bits.
+/// The number of columns in a word of bits.
 const WORD: usize = 32;
-/// Rows of the first block: most of the rest are gone when it is done with.
+/// The number of rows of the first block, which suppresses most of the rest.
 const FIRST_ROWS: usize = 256;
-/// Bytes of masks that come back at a time.
+/// The size in bytes of masks that are downloaded at a time.
 const MOST_MASKS: usize = 1 << 26;
 
 impl Device {
-    /// Returns the shapes that no better one, kept itself, overlaps by more than the threshold: their places, the
-    /// best first, as [`Machine::suppress`](crate::kernels::Machine::suppress) says.
+    /// Returns the shapes that no better kept shape overlaps by more than the threshold: their indices, best first, as
+    /// [`Machine::suppress`](crate::kernels::Machine::suppress).
     pub(in crate::kernels::gpu::device) fn kept(
         &self,
         call: &Call<f32>,
@@ -53,7 +53,7 @@ impl Device {
         let (plan, made) = (plan(call, true)?, call.generated(true)?);
         // All shapes are checked, so that errors name the caller's rows.
         check(Argument::A, &plan.arguments[0], shapes)?;
-        let ranked = Ranked::of(order(scores, rules.score)?, shapes, &rules);
+        let ranked = RankedShapes::of(order(scores, rules.score)?, shapes, &rules);
         self.inner.alive()?;
         let lists = ranked.lists();
         let pairs = Cpu::new().engine.lists(&plan, &lists)?;
@@ -62,7 +62,7 @@ impl Device {
     }
 }
 
-/// Returns the shapes of a list, the best first, that are kept.
+/// Returns the kept shapes of a list that is given best first.
 fn suppressed(
     gpu: &Device,
     made: &Arc<Generated<f32>>,
@@ -74,13 +74,13 @@ fn suppressed(
         return Ok(Vec::new());
     }
     let masks = Masks::new(gpu, made, greed, [&a, &b])?;
-    let mut kept = Kept {
+    let mut kept = MaskedSuppression {
         rows: masks.first_rows(),
         masks,
         greed,
         gone: vec![0; a.count.div_ceil(WORD)],
         kept: Vec::new(),
-        block: Block::default(),
+        block: MaskBlock::default(),
         at: 0,
         next: 0,
         near: Vec::new(),
@@ -93,31 +93,31 @@ fn suppressed(
     }
 }
 
-/// Masks of some rows.
+/// The masks of some rows.
 #[derive(Default)]
-struct Block {
+struct MaskBlock {
     /// The rows, ascending.
     rows: Vec<u32>,
     /// The first word of columns.
     first: usize,
-    /// Certain bits and near ones: word by word, and of each word row by row.
+    /// The bits for certain pairs and for near ones: word by word, and within a word row by row.
     masks: Vec<[u32; 2]>,
 }
 
-/// The shapes kept so far, and those suppressed.
-struct Kept<'a> {
+/// The state of a suppression: which shapes are kept, and which are suppressed.
+struct MaskedSuppression<'a> {
     masks: Masks<'a>,
     greed: Greed<'a, f32>,
-    /// A bit for every shape.
+    /// One bit per shape: set if it is suppressed.
     gone: Vec<u32>,
     kept: Vec<usize>,
-    block: Block,
+    block: MaskBlock,
     /// The next row of the block, and the first shape after its rows.
     at: usize,
     next: usize,
-    /// Rows of the next block.
+    /// The number of rows of the next block.
     rows: usize,
-    /// Columns of the row that are near to the threshold.
+    /// The columns of the row whose results are near the threshold.
     near: Vec<u32>,
     failed: Option<Error>,
 }
@@ -126,8 +126,8 @@ fn has(bits: &[u32], place: usize) -> bool {
     bits[place / WORD] >> (place % WORD) & 1 != 0
 }
 
-impl Kept<'_> {
-    /// Gets masks of the next rows that are still there; `true` if there are any.
+impl MaskedSuppression<'_> {
+    /// Computes the masks of the next remaining rows. Returns `false` if there are none.
     fn advance(&mut self) -> bool {
         let count = self.masks.count;
         let rest = (self.next..count).filter(|&row| !has(&self.gone, row));
@@ -146,7 +146,7 @@ impl Kept<'_> {
     }
 }
 
-impl Chooses<f32> for Kept<'_> {
+impl RowChoice<f32> for MaskedSuppression<'_> {
     fn next(&mut self) -> Option<usize> {
         if self.kept.len() == self.greed.most {
             return None;
@@ -163,7 +163,7 @@ impl Chooses<f32> for Kept<'_> {
                 continue;
             }
             self.kept.push(row as usize);
-            let Block { rows, first, masks } = &self.block;
+            let MaskBlock { rows, first, masks } = &self.block;
             let words = masks.iter().skip(self.at - 1).step_by(rows.len());
             self.near.clear();
             for (word, &[certain, near]) in (*first..).zip(words) {
@@ -192,7 +192,7 @@ impl Chooses<f32> for Kept<'_> {
     }
 }
 
-/// Columns that went up together.
+/// Columns that were uploaded together.
 struct Window {
     columns: Range<usize>,
     numbers: wgpu::Buffer,
@@ -200,12 +200,12 @@ struct Window {
     ids: wgpu::Buffer,
 }
 
-/// The shapes on the GPU, and the kernel that makes masks of them.
+/// The shapes on the GPU, and the kernel that computes their masks.
 struct Masks<'a> {
     gpu: &'a Device,
     made: &'a Arc<Generated<f32>>,
     greed: Greed<'a, f32>,
-    /// Both lists, which are the same shapes, each prepared as its argument is.
+    /// Both lists: one list of shapes, prepared as either argument.
     rows: &'a List<'a, f32>,
     count: usize,
     windows: Vec<Window>,
@@ -221,7 +221,7 @@ impl<'a> Masks<'a> {
     ) -> Result<Self, Error> {
         let (inner, count) = (&gpu.inner, rows.count);
         let numbers = inner.most_bytes as usize / 4;
-        // Bounds are four numbers of a shape.
+        // Bounds add four numbers to a shape.
         let window = numbers / made.widths[1].max(4);
         let window = window.min(MOST_GROUPS * WORD) / WORD * WORD;
         let widest = window.min(count.next_multiple_of(WORD));
@@ -263,13 +263,13 @@ impl<'a> Masks<'a> {
     fn first_rows(&self) -> usize {
         FIRST_ROWS.min(self.most_rows)
     }
-    /// Returns a shape's class, and whether its results are the processor's.
+    /// Returns a shape's class, and 1 if the CPU computes its results.
     fn ids(&self, list: &List<'_, f32>, i: usize) -> [u32; 2] {
         let class = self.greed.classes.map_or(0, |classes| classes[i]);
         [class, u32::from(list.is_rare(i))]
     }
-    /// Masks of some rows with all columns behind the first of them.
-    fn of(&self, rows: Vec<u32>) -> Result<Block, Error> {
+    /// Computes the masks of some rows, with all columns behind the first row.
+    fn of(&self, rows: Vec<u32>) -> Result<MaskBlock, Error> {
         let (inner, made, list) = (&self.gpu.inner, self.made, self.rows);
         let first = rows[0] as usize / WORD;
         let (mut shapes, mut room) = (Vec::new(), Vec::new());
@@ -286,13 +286,15 @@ impl<'a> Masks<'a> {
         let threshold = self.greed.threshold;
         let mut masks = Vec::new();
         inner.guarded(|| {
-            let pipeline = inner.generated(&made.name, Form::Masks, || Form::Masks.text(made));
+            let pipeline = inner.generated(&made.name, KernelForm::Masks, || {
+                KernelForm::Masks.text(made)
+            });
             let own = [
                 inner.stored(&numbers),
                 inner.stored(&bounds),
                 inner.stored(&ids),
             ];
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             for window in &self.windows {
                 let words = window.columns.start / WORD..window.columns.end.div_ceil(WORD);
                 let words = words.start.max(first)..words.end;
@@ -331,7 +333,7 @@ impl<'a> Masks<'a> {
             work.submit().map(drop)
         })?;
         let parts: Vec<_> = masks.iter().map(|(room, bytes)| (room, *bytes)).collect();
-        let mut block = Block {
+        let mut block = MaskBlock {
             rows,
             first,
             masks: Vec::new(),
@@ -343,17 +345,17 @@ impl<'a> Masks<'a> {
     }
 }
 
-/// Returns a shape's bounds as finite numbers: everything where there are none.
+/// Returns a shape's bounds as finite numbers; the whole plane without bounds.
 fn bounds_of(list: &List<'_, f32>, i: usize) -> [f32; 4] {
     let all = [-f32::MAX, -f32::MAX, f32::MAX, f32::MAX];
     let bounds = list.bounds_of(i).unwrap_or(all);
     bounds.map(|x| x.clamp(-f32::MAX, f32::MAX))
 }
 
-/// Returns the kernel: a thread for a row and a word of columns. Parameters are how many rows and columns there are,
-/// the first column's index in the list and the first word that is wanted; where both lists begin; from where
-/// to where results are near to the threshold.
-pub(super) fn masks(made: &Generated<f32>, body: &Body) -> String {
+/// Returns the kernel: one thread per row and word of columns. Parameters are the numbers of rows and columns; the
+/// first column's index in the list and the first wanted word; the starts of both lists; the limits between which
+/// results are near the threshold.
+pub(super) fn masks(made: &Generated<f32>, body: &ShaderBody) -> String {
     let mut text = String::from("@group(0) @binding(0) var<uniform> params: array<vec4u, 3>;\n");
     for (k, (access, name, of)) in [
         ("read", "a_numbers", "f32"),
@@ -409,7 +411,7 @@ fn masks_main(
 {inside}        let y = {result};
         let bit = 1u << (walked - first);
         let is_rare = (id.z | other.y) != 0u;
-        // What is not a number is neither above nor below.
+        // NaN is neither above nor below.
         let is_open = is_rare | !(y[0] < low | y[0] > high);
         near |= select(0u, bit, is_open);
         certain |= select(0u, bit, !is_open & y[0] > high);

@@ -1,31 +1,31 @@
-//! Templates of all pairs around a body, generated or by hand: the functions that name its numbers, and sizes.
-use super::operation::{Body, Generated};
-use super::text::{Form, GROUP, Of, ROWS, call};
+//! Templates of all pairs around a body, generated or by hand: sizes, and the functions that name the body's numbers.
+use super::operation::{Generated, ShaderBody};
+use super::text::{GROUP, KernelForm, ROWS, SummedLists, call};
 use crate::kernels::gpu::device::written::{
-    self, BINDINGS, GROUP_VJP, PARAMS, REDUCE, STEP, STRIP_VJP, Seed, sizes, step_vjp,
+    self, BINDINGS, GROUP_VJP, PARAMS, REDUCE, STEP, STRIP_VJP, SeedSource, sizes, step_vjp,
 };
 use std::fmt::Write;
 
-/// Derivatives that are summed by themselves, so that rounding grows slowly.
+/// The number of derivatives in a sum of their own, so that the rounding error grows slowly.
 const STEP_SLOPES: usize = 16;
 
-/// Threads and walked shapes of a kernel.
+/// The numbers of threads and of walked shapes of a kernel.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::kernels::gpu::device) struct Size {
-    /// Threads of a workgroup.
+    /// The number of threads of a workgroup.
     group: usize,
-    /// Own shapes of a workgroup.
+    /// The number of own shapes of a workgroup.
     pub own: usize,
-    /// Walked shapes that are taken together.
+    /// The number of walked shapes in workgroup memory at a time.
     step: usize,
-    /// Walked shapes of a thread.
+    /// The number of walked shapes of a thread.
     pub strip: usize,
 }
 
 impl Generated<f32> {
     /// Returns the size of a kernel of all pairs.
-    pub(in crate::kernels::gpu::device) fn size(&self, form: Form) -> Size {
-        // Large programs need many registers: few threads.
+    pub(in crate::kernels::gpu::device) fn size(&self, form: KernelForm) -> Size {
+        // Large programs need many registers, so their workgroups have few threads.
         let (group, step) = match self.kind {
             Some(_) => (written::GROUP, STEP),
             None => (GROUP, ROWS),
@@ -37,17 +37,17 @@ impl Generated<f32> {
             strip: step,
         };
         match form {
-            Form::Reduce(..) | Form::ReduceGroups(..) => Size {
+            KernelForm::Reduce(..) | KernelForm::ReduceGroups(..) => Size {
                 strip: written::STRIP,
                 ..size
             },
-            Form::Derivatives(Of::Both(slots), _) => Size {
+            KernelForm::Derivatives(SummedLists::Both(slots), _) => Size {
                 group: GROUP_VJP,
                 own: 2 * GROUP_VJP,
                 step: step_vjp(slots),
                 strip: STRIP_VJP,
             },
-            Form::Derivatives(..) => Size {
+            KernelForm::Derivatives(..) => Size {
                 step: STEP_SLOPES,
                 strip: STRIP_VJP,
                 ..size
@@ -55,25 +55,25 @@ impl Generated<f32> {
             _ => size,
         }
     }
-    /// Returns the lists whose derivatives each kernel of an adjoint sums: a body by hand gives those of both at once.
-    pub(super) fn passes(&self, slots: usize) -> Vec<Of> {
+    /// Returns the lists whose derivatives each kernel of an adjoint sums: a body by hand computes both at once.
+    pub(super) fn passes(&self, slots: usize) -> Vec<SummedLists> {
         match self.kind {
-            Some(_) => vec![Of::Both(slots)],
-            None => vec![Of::Rows, Of::Columns],
+            Some(_) => vec![SummedLists::Both(slots)],
+            None => vec![SummedLists::Rows, SummedLists::Columns],
         }
     }
 }
 
 /// Returns the kernel of a form of all pairs.
-pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
+pub(super) fn text(made: &Generated<f32>, body: &ShaderBody, form: KernelForm) -> String {
     let size = made.size(form);
     let (own, has_seed, slots) = match form {
-        Form::Reduce(_, own_rows) | Form::ReduceGroups(_, own_rows) => {
+        KernelForm::Reduce(_, own_rows) | KernelForm::ReduceGroups(_, own_rows) => {
             (usize::from(!own_rows), false, 0)
         }
-        Form::Derivatives(Of::Rows, _) => (0, true, 0),
-        Form::Derivatives(Of::Columns, _) => (1, true, 0),
-        Form::Derivatives(Of::Both(slots), _) => (1, true, slots),
+        KernelForm::Derivatives(SummedLists::Rows, _) => (0, true, 0),
+        KernelForm::Derivatives(SummedLists::Columns, _) => (1, true, 0),
+        KernelForm::Derivatives(SummedLists::Both(slots), _) => (1, true, slots),
         _ => (1, false, 0),
     };
     let mut text = sizes(size.group, size.step, size.strip);
@@ -88,22 +88,22 @@ pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
     text += include_str!("../../wgsl/walked.wgsl");
     text += &shapes(made, body, own, has_seed);
     match form {
-        Form::Reduce(take, _) | Form::ReduceGroups(take, _) => {
+        KernelForm::Reduce(take, _) | KernelForm::ReduceGroups(take, _) => {
             text += match form {
-                Form::Reduce(..) => REDUCE,
+                KernelForm::Reduce(..) => REDUCE,
                 _ => include_str!("../../wgsl/reduce_groups.wgsl"),
             };
             text += include_str!("../../wgsl/reduce_shapes.wgsl");
             text += take.text();
         }
-        Form::Derivatives(of, seed) => {
+        KernelForm::Derivatives(of, seed) => {
             text += &bars(made, body, of);
             text += seed.text();
             match of {
-                Of::Both(slots) => {
+                SummedLists::Both(slots) => {
                     text += match seed {
-                        Seed::Matrix => include_str!("../../wgsl/total_unused.wgsl"),
-                        Seed::Factor => include_str!("../../wgsl/total_kept.wgsl"),
+                        SeedSource::Matrix => include_str!("../../wgsl/total_unused.wgsl"),
+                        SeedSource::Factor => include_str!("../../wgsl/total_kept.wgsl"),
                     };
                     text += include_str!("../../wgsl/vjp.wgsl");
                     text += match slots {
@@ -122,12 +122,12 @@ pub(super) fn text(made: &Generated<f32>, body: &Body, form: Form) -> String {
     text
 }
 
-/// Returns the functions that name the numbers of shapes, and call the body.
-fn shapes(made: &Generated<f32>, body: &Body, own: usize, has_seed: bool) -> String {
+/// Returns the WGSL functions that name the numbers of shapes and call the body.
+fn shapes(made: &Generated<f32>, body: &ShaderBody, own: usize, has_seed: bool) -> String {
     let mut text = String::new();
     for (k, shape, function) in [(own, "Own", "own_at"), (1 - own, "Walked", "walked_at")] {
         let (list, width) = (["a_quads", "b_quads"][k], made.widths[k]);
-        // Arrays of none do not exist, and a binding that nothing uses would be none.
+        // WGSL has no empty arrays, and an unused binding would vanish from the layout.
         let quads = width.div_ceil(4).max(1);
         let read = (0..quads).map(|q| format!("    let q{q} = {list}[item * {quads}u + {q}u];\n"));
         let number = |i: usize| format!("q{}.{}", i / 4, ["x", "y", "z", "w"][i % 4]);
@@ -168,8 +168,8 @@ fn body_at(own: Own, walked: Walked{seed}) -> array<f32, {}> {{
     text
 }
 
-/// Returns the function that puts down the results of a pair.
-fn put_pair(body: &Body) -> String {
+/// Returns the WGSL function that stores the results of a pair.
+fn put_pair(body: &ShaderBody) -> String {
     let gives = body.gives;
     let lines = (0..gives).map(|k| format!("    values[at + {k}u * params.plane] = y[{k}];\n"));
     format!(
@@ -178,14 +178,14 @@ fn put_pair(body: &Body) -> String {
     )
 }
 
-/// Returns the functions that add and put down derivatives.
-fn bars(made: &Generated<f32>, body: &Body, of: Of) -> String {
+/// Returns the WGSL functions that add and store derivatives.
+fn bars(made: &Generated<f32>, body: &ShaderBody, of: SummedLists) -> String {
     let mut text = String::new();
     let gives = body.gives;
-    // Own and walked shapes: how many derivatives, and from which result of the body on.
+    // For own and walked shapes: the number of derivatives, and the index of the first one in the body's result.
     let (own, own_at, walked) = match of {
-        Of::Rows | Of::Columns => (gives, 0, None),
-        Of::Both(_) => (made.gives[1], 1 + made.gives[0], Some((made.gives[0], 1))),
+        SummedLists::Rows | SummedLists::Columns => (gives, 0, None),
+        SummedLists::Both(_) => (made.gives[1], 1 + made.gives[0], Some((made.gives[0], 1))),
     };
     let lines =
         |count: usize, line: &dyn Fn(usize) -> String| (0..count).map(line).collect::<String>();
@@ -219,7 +219,7 @@ fn put_own(bar: OwnBar, item: u32, strip: u32) {{
 {put}}}
 "
     );
-    if let (Of::Both(slots), Some((fields, _))) = (of, walked) {
+    if let (SummedLists::Both(slots), Some((fields, _))) = (of, walked) {
         let zero: Vec<String> = (0..fields).map(|k| format!("bar[{k}] == 0.0")).collect();
         let _ = write!(
             text,

@@ -1,80 +1,81 @@
-//! Kernels around a generated function: what every thread reads, calls and writes.
-use super::operation::{Body, Generated};
+//! Text of kernels around a generated function: the reads, the call and the writes of a thread.
+use super::operation::{Generated, ShaderBody};
 use crate::kernels::cpu::lane::TILE;
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::sync::Weak;
 
-/// Threads per workgroup: few, as large programs need many registers.
+/// The number of threads of a workgroup: few, since large programs need many registers.
 pub(in crate::kernels::gpu::device) const GROUP: usize = 64;
 pub(super) use crate::kernels::gpu::device::work::MOST_GROUPS;
-use crate::kernels::gpu::device::written::{Seed, Take};
-/// Rows that a thread of all pairs walks through at least.
+use crate::kernels::gpu::device::written::{SeedSource, Take};
+/// The least number of rows that a thread of all pairs walks through.
 pub(super) const ROWS: usize = 16;
 
 /// The lists whose derivatives a kernel sums.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in crate::kernels::gpu::device) enum Of {
+pub(in crate::kernels::gpu::device) enum SummedLists {
     /// The first one.
     Rows,
     /// The second one.
     Columns,
-    /// Both, with so many slots for sums of rows: the most subgroups that a workgroup has; 0 without subgroups.
+    /// Both, with the number of slots for sums of rows: the largest number of subgroups of a workgroup; 0 without
+    /// subgroups.
     Both(usize),
 }
 
-/// The kernel around the function.
+/// The form of a kernel around a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in super::super) enum Form {
+pub(in super::super) enum KernelForm {
     /// Item i of every column.
     Aligned,
-    /// The same of columns that stay, each in a buffer of its own.
+    /// Item i of columns on the GPU, each in a buffer of its own.
     Columns,
     /// Every row with every column.
     Pairs,
     /// Sums of derivatives of the shapes of lists, with a factor for every pair or one for all.
-    Derivatives(Of, Seed),
-    /// A reduction of every row with every column, by threads that stand for rows or for columns.
+    Derivatives(SummedLists, SeedSource),
+    /// A reduction of every row with every column, by threads for rows or for columns.
     Reduce(Take, bool),
-    /// The same within groups.
+    /// A reduction within groups, by threads for rows or for columns.
     ReduceGroups(Take, bool),
-    /// Which pairs are above a threshold, as bits.
+    /// Bits that say which pairs are above a threshold.
     Masks,
-    /// Instructions of every item.
+    /// The instructions of every item.
     Replay,
     /// The edges of every path.
     Fold,
-    /// Derivatives of every path.
+    /// The derivatives of every path.
     FoldDerivatives,
 }
 
-impl Form {
-    /// Returns the name of its entry point.
+impl KernelForm {
+    /// Returns the name of the entry point.
     pub fn entry(self) -> &'static str {
         match self {
-            Form::Aligned => "aligned_main",
-            Form::Columns => "columns_main",
-            Form::Pairs => "pairs_main",
-            Form::Derivatives(Of::Both(_), _) => "pairs_vjp_main",
-            Form::Derivatives(..) => "slopes_main",
-            Form::Reduce(..) | Form::ReduceGroups(..) => "reduce_main",
-            Form::Masks => "masks_main",
-            Form::Replay => "replay_main",
-            Form::Fold => "fold_main",
-            Form::FoldDerivatives => "fold_slopes_main",
+            KernelForm::Aligned => "aligned_main",
+            KernelForm::Columns => "columns_main",
+            KernelForm::Pairs => "pairs_main",
+            KernelForm::Derivatives(SummedLists::Both(_), _) => "pairs_vjp_main",
+            KernelForm::Derivatives(..) => "slopes_main",
+            KernelForm::Reduce(..) | KernelForm::ReduceGroups(..) => "reduce_main",
+            KernelForm::Masks => "masks_main",
+            KernelForm::Replay => "replay_main",
+            KernelForm::Fold => "fold_main",
+            KernelForm::FoldDerivatives => "fold_slopes_main",
         }
     }
     /// Returns the function that it calls.
-    pub(super) fn body(self, made: &Generated<f32>) -> &Body {
+    pub(super) fn body(self, made: &Generated<f32>) -> &ShaderBody {
         match self {
-            Form::Derivatives(Of::Rows, _) => &made.bodies[1],
-            Form::Derivatives(Of::Columns, _) => &made.bodies[2],
+            KernelForm::Derivatives(SummedLists::Rows, _) => &made.bodies[1],
+            KernelForm::Derivatives(SummedLists::Columns, _) => &made.bodies[2],
             _ => &made.bodies[0],
         }
     }
 }
 
-/// Returns the bindings of a kernel: what is read, and what is written.
+/// Returns the bindings of a kernel: of buffers to read, and of buffers to write.
 pub(super) fn bindings(parameters: usize, read: &[&str], written: &[&str]) -> String {
     let mut text = format!(
         "@group(0) @binding(0) var<uniform> params: array<vec4u, {}>;\n",
@@ -92,13 +93,13 @@ pub(super) fn bindings(parameters: usize, read: &[&str], written: &[&str]) -> St
     text
 }
 
-/// So many numbers of an item, from a place on.
+/// Returns the expressions of `count` numbers of an item, beginning at index `at`.
 pub(super) fn numbers(buffer: &str, at: &str, count: usize) -> impl Iterator<Item = String> {
     let (buffer, at) = (buffer.to_owned(), at.to_owned());
     (0..count).map(move |k| format!("{buffer}[{at} + {}u]", k * TILE))
 }
 
-/// Returns a call of the function, which takes one number at least.
+/// Returns the expression of a call of the function, which takes at least one number.
 pub(super) fn call(name: &str, mut inputs: Vec<String>) -> String {
     if inputs.is_empty() {
         inputs.push("0.0".to_owned());
@@ -110,8 +111,7 @@ pub(super) fn call(name: &str, mut inputs: Vec<String>) -> String {
     )
 }
 
-/// Returns the numbers of both shapes of a pair. Shapes that stay are read before the loop, those that are walked
-/// through within it.
+/// Returns the numbers of both shapes of a pair. Own shapes are read before the loop, walked ones within it.
 pub(super) fn both(made: &Generated<f32>, own: usize) -> (String, String, Vec<String>) {
     let (mut outside, mut inside) = (String::new(), String::new());
     let mut inputs = Vec::new();
@@ -136,7 +136,7 @@ pub(super) fn both(made: &Generated<f32>, own: usize) -> (String, String, Vec<St
     (outside, inside, inputs)
 }
 
-/// Uses of buffers that nothing is read from: a binding that nothing uses would be none.
+/// Returns statements that use the buffers from which nothing is read, since the layout omits an unused binding.
 pub(super) fn bound(made: &Generated<f32>, a: &str, b: &str) -> String {
     let unread = [a, b].into_iter().zip(&made.widths);
     unread
@@ -145,7 +145,8 @@ pub(super) fn bound(made: &Generated<f32>, a: &str, b: &str) -> String {
         .collect()
 }
 
-/// Returns the results `y` of an item to their places, which parameters from this one on say.
+/// Returns statements that store the results `y` of an item at the indices in the parameters from number `parameter`
+/// on.
 pub(super) fn results(gives: &[usize], parameter: usize) -> String {
     let (mut text, mut first) = (String::new(), 0);
     for (k, &fields) in gives.iter().enumerate() {
@@ -169,4 +170,4 @@ pub(super) fn results(gives: &[usize], parameter: usize) -> String {
 
 /// Pipelines of generated kernels, by the number of the program and the form of the kernel.
 pub(in crate::kernels::gpu::device) type Pipelines =
-    HashMap<(u64, Form), (Weak<u64>, wgpu::ComputePipeline)>;
+    HashMap<(u64, KernelForm), (Weak<u64>, wgpu::ComputePipeline)>;

@@ -1,42 +1,42 @@
-//! Lists of all pairs on a GPU, and the blocks of results that they give: a thread per column and some rows.
+//! Uploaded lists of all pairs, and kernels that compute blocks of results: one thread per column and some rows.
 use super::held::held;
 use super::operation::Generated;
-use super::side::Side;
+use super::side::UploadedList;
 use super::template::Size;
-use super::text::{Form, ROWS};
+use super::text::{KernelForm, ROWS};
 use crate::Error;
 use crate::kernels::cpu::checked::check_argument;
 use crate::kernels::gpu::device::block::Block;
-use crate::kernels::gpu::device::context::{Device, Inner};
-use crate::kernels::gpu::device::work::{Params, Work};
+use crate::kernels::gpu::device::context::{Device, SharedContext};
+use crate::kernels::gpu::device::work::{Commands, Params};
 use crate::kernels::machine::Column;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Operations that a dispatch does at most: drivers reset a GPU that is busy with one for seconds.
+/// The largest number of operations in a dispatch: an operating system resets a GPU after seconds of one dispatch.
 pub(super) const MOST_OPERATIONS: usize = 1 << 42;
 
-/// Both lists, checked and brought up.
-pub(in crate::kernels::gpu::device) struct Sides {
-    a: Side,
-    b: Side,
+/// Both lists, checked and uploaded.
+pub(in crate::kernels::gpu::device) struct UploadedLists {
+    a: UploadedList,
+    b: UploadedList,
 }
 
-/// One dispatch: where both lists are, what of them, and their place in a block of results.
-pub(super) struct Piece<'a> {
+/// One dispatch: the location of both lists, their ranges, and the place of the results in a block.
+pub(super) struct PairDispatch<'a> {
     pub buffers: [&'a wgpu::Buffer; 2],
-    /// Rows and columns, and the first ones in their buffers and in their lists.
+    /// The numbers of rows and columns, and the first of each in its buffer and in its list.
     pub counts: [usize; 2],
     starts: [usize; 2],
     pub firsts: [usize; 2],
-    /// The first result in the block, and the results of a row and of the block.
+    /// The index of the first result in the block, and the numbers of results of a row and of the block.
     out_start: usize,
     stride: usize,
     plane: usize,
 }
 
-impl Piece<'_> {
-    /// Returns the parameters of a kernel whose threads stand for the shapes of a list.
+impl PairDispatch<'_> {
+    /// Returns the parameters of a kernel with one thread per shape of list `own`.
     pub fn params(&self, own: usize) -> Params {
         Params {
             own_count: self.counts[own] as u32,
@@ -49,7 +49,7 @@ impl Piece<'_> {
             ..Params::default()
         }
     }
-    /// Workgroups of such a kernel.
+    /// Returns the workgroups of such a kernel.
     pub fn groups(&self, own: usize, size: Size) -> [usize; 2] {
         [
             self.counts[own].div_ceil(size.own),
@@ -58,8 +58,8 @@ impl Piece<'_> {
     }
 }
 
-impl Sides {
-    /// Returns two lists, checked and prepared; those that stay are prepared once.
+impl UploadedLists {
+    /// Checks and prepares two lists; those that stay on the GPU are prepared once.
     pub fn of(
         gpu: &Device,
         made: &Generated<f32>,
@@ -70,26 +70,26 @@ impl Sides {
             Some(column) => column.for_pairs(made, k),
             None => {
                 check_argument(k, &made.arguments, &lists[k])?;
-                Side::new(&gpu.inner, made, k, &lists[k])
+                UploadedList::new(&gpu.inner, made, k, &lists[k])
             }
         };
-        Ok(Sides {
+        Ok(UploadedLists {
             a: side(0)?,
             b: side(1)?,
         })
     }
-    /// Returns the kernels for these lists: those of a body for extreme shapes where there are any.
+    /// Returns the kernels for these lists: those for extreme shapes if there are any.
     pub fn body_for(&self, made: Arc<Generated<f32>>) -> Arc<Generated<f32>> {
         match &made.extreme {
             Some(extreme) if self.a.is_extreme || self.b.is_extreme => Arc::clone(extreme),
             _ => made,
         }
     }
-    /// Returns how many rows and columns there are.
+    /// Returns the numbers of rows and columns.
     pub fn counts(&self) -> [usize; 2] {
         [self.a.count, self.b.count]
     }
-    /// Returns the parts of some shapes of a list: the buffer, where in it, and which shapes.
+    /// Returns the parts of some shapes of a list: the buffer, the index in it, and the shapes.
     pub fn parts(
         &self,
         k: usize,
@@ -98,8 +98,8 @@ impl Sides {
         let side = if k == 0 { &self.a } else { &self.b };
         side.parts(range)
     }
-    /// Returns the dispatches of a block of results, for a function of so many operations.
-    pub(super) fn pieces(&self, block: &Block, operations: usize) -> Vec<Piece<'_>> {
+    /// Returns the dispatches of a block of results, for a function with `operations` operations.
+    pub(super) fn pieces(&self, block: &Block, operations: usize) -> Vec<PairDispatch<'_>> {
         let mut pieces = Vec::new();
         let rows = block.row_base..block.row_base + block.rows;
         let columns = block.column_base..block.column_base + block.columns;
@@ -113,7 +113,7 @@ impl Sides {
                         own.start - block.row_base,
                         columns.start - block.column_base,
                     );
-                    pieces.push(Piece {
+                    pieces.push(PairDispatch {
                         buffers: [a, b],
                         counts: [own.len(), columns.len()],
                         starts: [a_at + own.start - rows.start, b_at],
@@ -130,14 +130,17 @@ impl Sides {
     /// Computes a block of results.
     pub fn compute(
         &self,
-        inner: &Inner,
+        inner: &SharedContext,
         made: &Arc<Generated<f32>>,
         block: &Block,
         to: &wgpu::Buffer,
     ) -> Result<(), Error> {
         inner.guarded(|| {
-            let (pipeline, size) = (made.pipeline(inner, Form::Pairs), made.size(Form::Pairs));
-            let mut work = Work::new(inner);
+            let (pipeline, size) = (
+                made.pipeline(inner, KernelForm::Pairs),
+                made.size(KernelForm::Pairs),
+            );
+            let mut work = Commands::new(inner);
             for piece in self.pieces(block, made.bodies[0].operations) {
                 let [a, b] = piece.buffers;
                 let [wide, tall] = piece.groups(1, size);

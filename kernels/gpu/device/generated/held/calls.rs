@@ -1,5 +1,5 @@
-//! The calls over columns that stay.
-use super::{HeldColumn, State, Windows, held, window};
+//! Calls over columns on the GPU.
+use super::{ColumnState, HeldColumn, Windows, held, window};
 use crate::Error;
 use crate::kernels::cpu::aligned::items;
 use crate::kernels::cpu::checked::{check, check_upstream};
@@ -7,14 +7,14 @@ use crate::kernels::cpu::lane::TILE;
 use crate::kernels::gpu::device::context::Device;
 use crate::kernels::gpu::device::generated::aligned::tiles;
 use crate::kernels::gpu::device::generated::operation::Generated;
-use crate::kernels::gpu::device::generated::text::{Form, GROUP, MOST_GROUPS};
-use crate::kernels::gpu::device::work::Work;
+use crate::kernels::gpu::device::generated::text::{GROUP, KernelForm, MOST_GROUPS};
+use crate::kernels::gpu::device::work::Commands;
 use crate::kernels::machine::Column;
 use std::sync::Arc;
 
 impl Device {
-    /// Item i of columns that stay, one result per item, which stays. `over` are results that are there
-    /// already and may be written over.
+    /// Computes item i of columns on the GPU. Returns one result per item, on the GPU. `over` are earlier results that
+    /// may be overwritten.
     pub(in crate::kernels::gpu::device) fn held_aligned(
         &self,
         made: &Arc<Generated<f32>>,
@@ -38,7 +38,7 @@ impl Device {
                 None => check_upstream(&column.all(), column.fields.max(1))?,
             }
             lists.push(match column.count {
-                // A slice beside columns that stay goes up for this call.
+                // A slice next to columns on the GPU is uploaded for this call.
                 Some(_) => {
                     let own = HeldColumn::new(self, column.fields, column.all().into_owned())?;
                     (own.for_all(made, k)?, true)
@@ -83,16 +83,16 @@ impl Device {
             start = end;
         }
         let results = room.into_iter().zip(&made.gives).map(|(windows, &fields)| {
-            let state = State {
+            let state = ColumnState {
                 plain: Some((0, windows)),
-                ..State::default()
+                ..ColumnState::default()
             };
             HeldColumn::of(self, fields, count, state)
         });
         Ok(results.collect())
     }
 
-    /// One dispatch. Columns beyond what one kernel may bind are copied together first.
+    /// Runs one dispatch. If a kernel cannot bind all columns, some are copied into one buffer first.
     fn dispatch(
         &self,
         made: &Arc<Generated<f32>>,
@@ -108,9 +108,9 @@ impl Device {
             .filter(|(_, _, width, _)| *width > 0)
             .collect();
         inner.guarded(|| {
-            let mut work = Work::new(inner);
+            let mut work = Commands::new(inner);
             if !read.is_empty() && read.len() < MOST_BOUND {
-                let form = Form::Columns;
+                let form = KernelForm::Columns;
                 let pipeline = inner.generated(&made.name, form, || form.text(made));
                 let mut buffers: Vec<(u32, &wgpu::Buffer)> = Vec::new();
                 for (buffer, ..) in &read {
@@ -120,7 +120,7 @@ impl Device {
                 work.dispatch_with(&pipeline, params, &buffers, groups);
                 return work.submit().map(drop);
             }
-            let form = Form::Aligned;
+            let form = KernelForm::Aligned;
             let pipeline = inner.generated(&made.name, form, || form.text(made));
             let sizes = inputs.iter().map(|(_, _, width, is_many)| {
                 let items = if *is_many { items } else { 1 };
@@ -145,8 +145,8 @@ impl Device {
         })
     }
 
-    /// Returns the buffers of results: present ones, if they lie side by side and nothing is read from them, or new
-    /// ones.
+    /// Returns the buffers of results: the buffers of `over`, if they are contiguous and the call reads nothing from
+    /// them, or new ones.
     fn room(
         &self,
         made: &Generated<f32>,
@@ -197,5 +197,5 @@ impl Device {
     }
 }
 
-/// Buffers that a kernel binds at most, the results among them: as many as WebGPU guarantees on every device.
+/// The largest number of buffers that a kernel binds, results included: as many as WebGPU guarantees on every device.
 const MOST_BOUND: usize = 8;

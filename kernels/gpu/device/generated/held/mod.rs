@@ -1,22 +1,21 @@
-//! Columns that stay on the GPU between calls of any operation.
+//! Columns that stay on the GPU between calls.
 //!
-//! A column is kept as it was given and, from its first use on, as every operation wants it prepared: what
-//! an operation asks of the processor (sines, frames) is computed once per column, not once per call.
-//! Results are columns, too. They are read where they are by whatever prepares nothing; an operation that
-//! has something computed of them beforehand has them brought to the processor once.
+//! A column is stored as given and, from its first use by an operation on, as this operation prepares it. So numbers
+//! that the CPU prepares (sines, frames) are computed once per column, not once per call. Results are columns, too. An
+//! operation without preparation reads them in place; for others they are downloaded and prepared once.
 use crate::Error;
 use crate::error::Argument;
 use crate::kernels::cpu::checked::check_numbers;
 use crate::kernels::cpu::lane::TILE;
-use crate::kernels::gpu::device::context::{Device, Inner, locked};
-use crate::kernels::gpu::device::download::Pending;
+use crate::kernels::gpu::device::context::{Device, SharedContext, locked};
+use crate::kernels::gpu::device::download::DevicePending;
 use crate::kernels::gpu::device::generated::aligned::tiles;
 use crate::kernels::gpu::device::generated::operation::Generated;
-use crate::kernels::gpu::device::generated::side::Side;
+use crate::kernels::gpu::device::generated::side::UploadedList;
 use crate::kernels::gpu::device::generated::text::{GROUP, MOST_GROUPS};
 use crate::kernels::machine::Column;
 use crate::kernels::machine::found::Best;
-use crate::kernels::machine::{self, FOREIGN, Stays};
+use crate::kernels::machine::{self, FOREIGN, MachineColumn};
 use crate::kernels::row::item::Leaf;
 use std::any::Any;
 use std::collections::HashMap;
@@ -25,40 +24,40 @@ use std::sync::{Arc, Mutex, Weak};
 
 mod calls;
 
-/// Numbers of one shape of every item, which stay on the GPU.
+/// The numbers of one shape of every item, on the GPU.
 #[doc(hidden)]
 #[derive(Debug)]
 pub struct HeldColumn {
     gpu: Device,
     fields: usize,
     count: usize,
-    state: Mutex<State>,
+    state: Mutex<ColumnState>,
 }
 
 #[derive(Debug, Default)]
-struct State {
-    /// Grows whenever other numbers come.
+struct ColumnState {
+    /// The version of the numbers, which grows with every update.
     version: u64,
-    /// The numbers, shape by shape, where the processor has them.
+    /// The numbers, shape by shape, if the CPU has them.
     rows: Option<Arc<Vec<f32>>>,
-    /// As they are, in tiles.
+    /// The numbers in tiles, unprepared.
     plain: Option<(u64, Windows)>,
-    /// As operations want them, by whose they are and which argument: for all items, and for all pairs.
+    /// The numbers as operations prepare them, by the key of the preparation: for aligned batches, and for all pairs.
     aligned: HashMap<(u64, usize), (Weak<u64>, u64, Windows)>,
-    pairs: HashMap<(u64, usize), (Weak<u64>, u64, Side)>,
+    pairs: HashMap<(u64, usize), (Weak<u64>, u64, UploadedList)>,
 }
 
-/// Items in tiles, cut into buffers.
+/// Items in tiles, split over buffers.
 #[derive(Clone, Debug)]
 struct Windows {
-    /// Items per buffer.
+    /// The number of items per buffer.
     window: usize,
-    /// Each buffer, and the number in it that they begin with.
+    /// Each buffer, and the index of the first number in it.
     parts: Vec<(wgpu::Buffer, usize)>,
 }
 
 impl Windows {
-    /// Returns the place of an item: the buffer, the number in it, and the first later item that is in another buffer.
+    /// Returns the location of an item: the buffer, the index in it, and the first later item in another buffer.
     fn at(&self, item: usize, width: usize) -> (&wgpu::Buffer, usize, usize) {
         let k = item / self.window;
         let (buffer, start) = &self.parts[k];
@@ -70,8 +69,8 @@ impl Windows {
     }
 }
 
-/// Returns how many items of so many numbers a buffer takes, and a dispatch.
-fn window(inner: &Inner, width: usize) -> Result<usize, Error> {
+/// Returns the number of items of `width` numbers that fit a buffer and a dispatch.
+fn window(inner: &SharedContext, width: usize) -> Result<usize, Error> {
     let most = inner.most_bytes as usize / 4 / width.max(1);
     match most.min(MOST_GROUPS * GROUP) / TILE * TILE {
         0 => Err(inner.too_large(TILE * width)),
@@ -79,9 +78,9 @@ fn window(inner: &Inner, width: usize) -> Result<usize, Error> {
     }
 }
 
-/// Brings prepared numbers up, into buffers that are there where they are.
+/// Uploads prepared numbers, into the buffers `there` if given.
 fn brought_up(
-    inner: &Inner,
+    inner: &SharedContext,
     there: Option<&Windows>,
     width: usize,
     count: usize,
@@ -107,7 +106,7 @@ fn brought_up(
     Ok(Windows { window, parts })
 }
 
-/// Returns the column of a call that stays on this GPU; `None` of one that does not stay.
+/// Returns the column of a call that is on this GPU; `None` for one on the CPU.
 pub(in crate::kernels::gpu::device) fn held<'a>(
     gpu: &Device,
     column: &Column<'a, f32>,
@@ -120,7 +119,7 @@ pub(in crate::kernels::gpu::device) fn held<'a>(
     Ok(Some(own))
 }
 
-impl Stays<f32> for HeldColumn {
+impl MachineColumn<f32> for HeldColumn {
     fn fields(&self) -> usize {
         self.fields
     }
@@ -137,7 +136,7 @@ impl Stays<f32> for HeldColumn {
     }
     fn started(
         &self,
-        all: &[Box<dyn Stays<f32>>],
+        all: &[Box<dyn MachineColumn<f32>>],
     ) -> Result<machine::Pending<Vec<Vec<f32>>>, Error> {
         let all = all.iter().map(|own| own.any().downcast_ref());
         let all: Vec<&HeldColumn> = all.collect::<Option<_>>().ok_or(FOREIGN)?;
@@ -149,18 +148,18 @@ impl Stays<f32> for HeldColumn {
 }
 
 impl HeldColumn {
-    /// Numbers that were checked, of so many fields per shape.
+    /// Creates a column from checked numbers, with `fields` scalars per shape.
     pub(crate) fn new(gpu: &Device, fields: usize, rows: Vec<f32>) -> Result<Self, Error> {
         gpu.inner.alive()?;
         let count = rows.len() / fields.max(1);
-        let state = State {
+        let state = ColumnState {
             rows: Some(Arc::new(rows)),
-            ..State::default()
+            ..ColumnState::default()
         };
         Ok(Self::of(gpu, fields, count, state))
     }
 
-    fn of(gpu: &Device, fields: usize, count: usize, state: State) -> Self {
+    fn of(gpu: &Device, fields: usize, count: usize, state: ColumnState) -> Self {
         HeldColumn {
             gpu: gpu.clone(),
             fields,
@@ -169,7 +168,7 @@ impl HeldColumn {
         }
     }
 
-    /// Returns the shapes that were found best, in that order. They are put together on the processor, which prepares
+    /// Returns the shapes with the indices in `bests`, in that order. They are gathered on the CPU, which prepares
     /// shapes.
     pub(crate) fn picked(&self, bests: &[Best]) -> Result<Self, Error> {
         let rows = self.rows(&mut locked(&self.state))?;
@@ -181,7 +180,7 @@ impl HeldColumn {
         )
     }
 
-    /// Refuses a column of another context.
+    /// Checks that the column belongs to this context.
     pub(in crate::kernels::gpu::device) fn is_of(&self, gpu: &Device) -> Result<(), Error> {
         gpu.owns(&self.gpu)
     }
@@ -191,8 +190,8 @@ impl HeldColumn {
         self.rows(&mut locked(&self.state))
     }
 
-    /// Returns the numbers on the processor, where they are kept.
-    fn rows(&self, state: &mut State) -> Result<Arc<Vec<f32>>, Error> {
+    /// Returns the numbers on the CPU, where they are kept.
+    fn rows(&self, state: &mut ColumnState) -> Result<Arc<Vec<f32>>, Error> {
         if let Some(rows) = &state.rows {
             return Ok(Arc::clone(rows));
         }
@@ -212,8 +211,8 @@ impl HeldColumn {
         Ok(rows)
     }
 
-    /// Returns the parts to bring back: for every buffer the first byte, and the number of bytes, of whole tiles.
-    fn parts(&self, state: &State) -> Vec<(wgpu::Buffer, u64, u64)> {
+    /// Returns the parts to download: for every buffer the first byte and the number of bytes, of whole tiles.
+    fn parts(&self, state: &ColumnState) -> Vec<(wgpu::Buffer, u64, u64)> {
         let Some((_, plain)) = &state.plain else {
             return Vec::new();
         };
@@ -226,7 +225,7 @@ impl HeldColumn {
         parts.collect()
     }
 
-    /// Returns the column as an argument of an operation wants it.
+    /// Returns the column as an argument of an aligned operation, prepared.
     fn for_all(&self, made: &Generated<f32>, k: usize) -> Result<Windows, Error> {
         let inner = &self.gpu.inner;
         let mut state = locked(&self.state);
@@ -268,12 +267,12 @@ impl HeldColumn {
         Ok(found)
     }
 
-    /// Returns the column as a list of all pairs wants it.
+    /// Returns the column as a list of all pairs, prepared.
     pub(in crate::kernels::gpu::device) fn for_pairs(
         &self,
         made: &Generated<f32>,
         k: usize,
-    ) -> Result<Side, Error> {
+    ) -> Result<UploadedList, Error> {
         let inner = &self.gpu.inner;
         let mut state = locked(&self.state);
         let version = state.version;
@@ -291,7 +290,7 @@ impl HeldColumn {
                 side.rewrite(inner, made, k, &column)?;
                 side
             }
-            None => Side::new(inner, made, k, &column)?,
+            None => UploadedList::new(inner, made, k, &column)?,
         };
         state
             .pairs
@@ -301,15 +300,15 @@ impl HeldColumn {
         Ok(side)
     }
 
-    /// Returns the buffers that new results may overwrite: whole columns of one buffer. `None` if they lie in another
-    /// way or are lent to others.
+    /// Returns the buffers that new results may overwrite: whole columns in one buffer. `None` for another layout, or
+    /// for buffers that others use.
     fn results(&self) -> Option<Windows> {
         let state = locked(&self.state);
         state.plain.as_ref().map(|(_, plain)| plain.clone())
     }
 }
 
-/// Shapes out of tiles of single fields.
+/// Converts tiles of single fields to rows.
 fn untile(lanes: &[f32], fields: usize, rows: &mut [f32]) {
     for (i, row) in rows.chunks_exact_mut(fields.max(1)).enumerate() {
         let at = i / TILE * TILE * fields + i % TILE;
@@ -319,9 +318,12 @@ fn untile(lanes: &[f32], fields: usize, rows: &mut [f32]) {
     }
 }
 
-/// Starts bringing columns back: the numbers of each, shape by shape.
-fn start_download(gpu: &Device, columns: &[&HeldColumn]) -> Result<Pending<Vec<Vec<f32>>>, Error> {
-    // Rows that the processor has already; for the others the range of their parts.
+/// Starts the download of columns: the numbers of each, shape by shape.
+fn start_download(
+    gpu: &Device,
+    columns: &[&HeldColumn],
+) -> Result<DevicePending<Vec<Vec<f32>>>, Error> {
+    // Rows that the CPU has already; for the others the range of their parts.
     let mut known = Vec::new();
     let mut parts = Vec::new();
     for column in columns {
@@ -341,7 +343,7 @@ fn start_download(gpu: &Device, columns: &[&HeldColumn]) -> Result<Pending<Vec<V
     }
     let bytes: Vec<_> = parts.iter().map(|(x, at, n)| (x, *at, *n)).collect();
     let arrival = gpu.inner.bring_parts(gpu, &bytes)?;
-    Ok(Pending::new(arrival, move |arrival| {
+    Ok(DevicePending::new(arrival, move |arrival| {
         let mut all: Vec<(Vec<f32>, usize)> = known
             .iter()
             .map(|(rows, fields, count, _)| match rows {
