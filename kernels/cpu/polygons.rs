@@ -200,7 +200,7 @@ fn drivers_in<T: Real>() -> &'static RingKernels<T> {
     in_format([&F32, &F64])
 }
 
-/// Pairs polygons of equal index, after checks.
+/// Returns polygons of equal index as pairs, after checks.
 fn aligned<'a, T: Real>(
     score: RingScore,
     a: RingList<'a, T>,
@@ -214,7 +214,7 @@ fn aligned<'a, T: Real>(
     Ok(RingPairs { score, lists, all })
 }
 
-/// Pairs all polygons of one list with all of another, after checks.
+/// Returns all polygons of one list with all of another as pairs, after checks.
 fn crossed<'a, T: Real>(
     score: RingScore,
     a: RingList<'a, T>,

@@ -18,8 +18,8 @@ struct Stretch<'a, T> {
 }
 
 impl<T: Real> Function<T> {
-    /// Does as [`aligned_into_new`](Function::aligned_into_new) for rows with separate fields: each stretch is copied
-    /// to rows once, while it is in the cache.
+    /// Computes as [`aligned_into_new`](Function::aligned_into_new), for rows with separate fields: each stretch is
+    /// copied to rows once, while it is in the cache.
     pub(super) fn by_stretches(
         &self,
         arguments: &[Rows<'_, T>],

@@ -1,5 +1,5 @@
 //! Columns as numbers: one argument of every item.
-use super::stays::MachineColumn;
+use super::machine_column::MachineColumn;
 use crate::Real;
 use crate::error::Error;
 use crate::kernels::call::recording::Call;

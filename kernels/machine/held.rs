@@ -1,7 +1,7 @@
 //! Arrays of items that stay on the machine between calls.
 use super::column::list_of;
+use super::machine_column::Numbers;
 use super::pending::Pending;
-use super::stays::Numbers;
 use super::stored::Stored;
 use crate::error::{Argument, Error};
 use crate::kernels::row::item::counts::expect;

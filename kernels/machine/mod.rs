@@ -13,12 +13,12 @@ mod groups;
 mod held;
 mod location;
 pub(crate) mod losses;
+mod machine_column;
 mod paths;
 mod pending;
 mod primitives;
 pub mod resident;
 mod results;
-mod stays;
 mod stored;
 pub(crate) mod suppress;
 mod table;
@@ -35,6 +35,8 @@ pub use groups::GroupSpans;
 pub use held::Held;
 pub(crate) use held::numbers_of;
 pub use location::{Here, Place, There};
+pub use machine_column::Numbers;
+pub(crate) use machine_column::{FOREIGN, MachineColumn};
 pub use paths::{Input, PathSpans, VertexBars};
 #[cfg(feature = "gpu")]
 pub(crate) use pending::DeviceDownload;
@@ -46,8 +48,6 @@ pub use results::{
     Bests, Founds, GroupedReduction, Matrix, Reduced, Reduction, RingBars, RingValues,
 };
 pub(crate) use results::{Downloads, InMemory, Matrices};
-pub use stays::Numbers;
-pub(crate) use stays::{FOREIGN, MachineColumn};
 pub use stored::{HeldNumbers, Stored};
 pub use table::Table;
 pub use targets::{Skip, Targets};

@@ -3,9 +3,9 @@
 //! An engine implements these primitives; [`Machine`](super::Machine) builds every named call from them.
 use super::column::Column;
 use super::groups::GroupSpans;
+use super::machine_column::Numbers;
 use super::paths::{Input, VertexBars};
 use super::results::{Bests, GroupedReduction, Matrix, Reduced, Reduction};
-use super::stays::Numbers;
 use super::stored::Stored;
 use crate::error::Argument;
 use crate::kernels::call::folding::Folding;

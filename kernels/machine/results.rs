@@ -1,8 +1,8 @@
 //! Results that stay on a machine until they are downloaded: reductions, measures of rings, and matrices with their
 //! reductions.
 use super::found::{Best, Found, check_sides, check_threshold};
+use super::machine_column::FOREIGN;
 use super::pending::Pending;
-use super::stays::FOREIGN;
 use crate::error::{Argument, Error};
 use crate::kernels::row::item::counts::{check_finite, expect};
 use crate::{Fixed, Real, Vec2};

@@ -1,7 +1,7 @@
 //! Untyped columns of a machine.
 use super::column::Column;
+use super::machine_column::{FOREIGN, MachineColumn};
 use super::pending::Pending;
-use super::stays::{FOREIGN, MachineColumn};
 use crate::Real;
 use crate::error::Error;
 

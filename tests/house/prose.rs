@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// Folders whose functions are read.
-const FOLDERS: [&str; 2] = ["src", "ad"];
+const FOLDERS: [&str; 3] = ["src", "ad", "kernels"];
 
 /// Words that end in "s" and are no verbs, or none that says what a function does.
 const NO_VERBS: [&str; 58] = [
@@ -117,8 +117,10 @@ fn first_lines(text: &str) -> Vec<(usize, &str)> {
             }
             !inside
         });
-        if item.is_some_and(|line| is_function(line)) {
-            first.push((start + 1, lines[start][3..].trim()));
+        // In a macro the first line may be the caller's, and an empty one follows.
+        let sentence = lines[start][3..].trim();
+        if !sentence.is_empty() && item.is_some_and(|line| is_function(line)) {
+            first.push((start + 1, sentence));
         }
     }
     first
@@ -165,6 +167,6 @@ fn documentation_of_functions_begins_with_a_verb() {
             }
         }
     }
-    assert!(count > 2000, "{count} functions with documentation");
+    assert!(count > 3000, "{count} functions with documentation");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

@@ -59,8 +59,8 @@ pub(crate) fn accumulate<T: Real, V: Vector<T>>(
     }
 }
 
-/// Does as [`accumulate`] for picked columns. Sums lie item by item: the numbers of a column, or of one of a row's
-/// sixteen sums, are contiguous and padded to a multiple of four.
+/// Accumulates as [`accumulate`], for picked columns. Sums lie item by item: the numbers of a column, or of one of a
+/// row's sixteen sums, are contiguous and padded to a multiple of four.
 #[inline(always)]
 pub(crate) fn accumulate_picked<T: Real, V: Vector<T>>(
     results: Planes<'_, T>,

@@ -1,7 +1,7 @@
 //! Folds over ragged lists of paths: a program computes all edges in parallel, then the states of each path are joined
 //! in order.
+mod near_edges;
 pub(crate) mod paths;
-mod sieve;
 
 use crate::error::Field;
 use crate::kernels::call::folding::{FoldPrograms, Folding, Sizes, backwards};

@@ -1,5 +1,5 @@
 //! The edges of paths to fold.
-use super::sieve::sieved;
+use super::near_edges::sieved;
 use crate::error::{Argument, Flaw};
 use crate::kernels::call::folding::{Folding, Sizes};
 use crate::kernels::machine::Column;
