@@ -1,16 +1,17 @@
 //! The overlap of boxes of space as operations.
 use crate::ad::adjoint::bounds3::{intersection_volume_aabb3_vjp, iof_aabb3_vjp, iou_aabb3_vjp};
 use crate::ad::adjoint::overlap::iou_obb2_vjp;
+use crate::ad::adjoint::overlap_mixed::{iou_aabb3_obb3_vjp, iou_yaw_obb3_vjp, mixed_vjp};
+use crate::ad::adjoint::overlap3::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
 use crate::ad::adjoint::upright::{intersection_volume_yaw_vjp, iof_yaw_vjp, iou_yaw_vjp};
 use crate::kernels::row::compiled::Compiled;
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{IntersectionVolume, Iof, Iou, IouBev};
 use crate::overlap::Denominator;
 use crate::overlap3::{
-    Overlaps, intersection_volume_aabb3, intersection_volume_obb3, intersection_volume_obb3_vjp,
-    intersection_volume_yaw, iof_aabb3, iof_obb3, iof_obb3_vjp, iof_yaw, iou_aabb3,
-    iou_aabb3_obb3_vjp, iou_birds_eye, iou_obb3, iou_obb3_vjp, iou_yaw, iou_yaw_obb3_vjp,
-    mixed_vjp,
+    Overlaps, intersection_volume_aabb3, intersection_volume_obb3,
+    intersection_volume_yaw, iof_aabb3, iof_obb3, iof_yaw, iou_aabb3,
+    iou_birds_eye, iou_obb3, iou_yaw,
 };
 use crate::{Aabb3, Obb2, Obb3, Scalar, Vec2, Vec3, YawBox3};
 

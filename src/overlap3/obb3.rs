@@ -99,7 +99,7 @@ fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
 
 /// Returns `true` where two related boxes can share nothing at a glance: balls around them are apart.
 #[inline(always)]
-pub(super) fn far_apart<S: Scalar>(pair: &Relative3<S>) -> S::Mask {
+pub(crate) fn far_apart<S: Scalar>(pair: &Relative3<S>) -> S::Mask {
     // (|h| + |p|)² ≤ 2 |h|² + 2 |p|², with room for rounding.
     let reach = squared_length(pair.half_a) + squared_length(pair.half_b);
     // Not "above": a centre whose place in the pair's unit overflowed may be no number.
@@ -114,7 +114,7 @@ fn squared_length<S: Scalar>(v: [S; 3]) -> S::Primal {
 
 /// Returns the pair as a function of its own: what it needs of the stack is free again when volumes are measured.
 #[inline(never)]
-pub(super) fn related<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
+pub(crate) fn related<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
     relate3(a, b)
 }
 
@@ -164,7 +164,7 @@ fn own_volume<S: Scalar>(pair: &Relative3<S>, half: [S; 3]) -> S {
 
 /// Returns a volume that is not above that of either box, as scores measure boxes; derivatives stay.
 #[inline(always)]
-pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
+fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
     let limit = volume_a.primal().least(volume_b.primal());
     let limit = limit.most(S::Primal::zero());
     let beyond = shared.above(S::from_primal(limit));
@@ -174,7 +174,7 @@ pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
 /// Returns the same for a volume with derivatives, whose value has them, too: those of a ratio of volumes go on through
 /// it.
 #[inline(always)]
-pub(super) fn shared_within<S: Scalar, const PIECES: bool>(
+pub(crate) fn shared_within<S: Scalar, const PIECES: bool>(
     pair: &Relative3<S>,
 ) -> (Shared3<S>, S, S) {
     let mut shared = shared_volume::<S, true, PIECES>(pair);
