@@ -112,7 +112,8 @@ pub mod contain;
 pub mod convention;
 #[doc(hidden)]
 pub mod derived;
-pub mod detection;
+#[doc = include_str!("detection.md")]
+pub mod detection {}
 pub mod distance;
 pub mod distance3;
 pub mod error;
@@ -129,7 +130,8 @@ pub mod overlap;
 pub mod overlap3;
 pub mod overlap_polygon;
 pub mod pack;
-pub mod paper;
+#[doc = include_str!("paper.md")]
+pub mod paper {}
 pub mod polygon;
 pub mod predicate;
 pub mod procrustes;
