@@ -25,7 +25,7 @@ pub(super) fn outside_share<S: Scalar>(rest: S, all: S) -> S {
 /// Generalised IoU of two rotated boxes with their trigonometry done. `EXTREME` says whether sizes may be
 /// so small or large that products over- or underflow.
 #[inline(always)]
-pub fn giou_framed<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> S {
+pub(crate) fn giou_framed<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> S {
     let scale = if EXTREME {
         hull_scale(&a, &b)
     } else {

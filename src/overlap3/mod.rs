@@ -36,7 +36,7 @@ mod face_integral;
 mod mixed;
 mod obb3;
 mod precise;
-pub mod relate;
+pub(crate) mod relate;
 mod rename;
 mod yaw;
 

@@ -4,7 +4,7 @@ use crate::Scalar;
 
 /// Which of a box's axes took which name.
 #[derive(Clone, Copy, Debug)]
-pub struct Renaming<S: Scalar> {
+pub(crate) struct Renaming<S: Scalar> {
     /// The axes were exchanged in pairs: y and z, z and x, x and y.
     exchanged: [S::Mask; 3],
     /// Axis 0 is what was axis 1, axis 1 was 2, axis 2 was 0.
