@@ -167,22 +167,25 @@ pub fn argument<X: Fixed<Scalar = f64>>(numbers: &[f64]) -> Option<X> {
 /// Writes the declared properties that clauses state, over those of a base: the one place that reads the clauses of
 /// [`operation!`](crate::operation) and of the library's tables.
 ///
-/// It takes the base, the type of the argument, the pattern of its parts, and the clauses in their order.
+/// It takes the base, the type of the argument, the pattern of its parts, and the clauses, in their order and in
+/// parentheses.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __declared {
     (
         $base:expr, $In:ty, $arguments:tt,
-        $(invariances [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?])?
-        $(finite $finite:ident $(($limits:expr))?)?
-        $(range $range:ident)?
-        $(extremes $extremes:ident)?
-        $(jumps $jumps:ident)?
-        $(domain $domain:block)?
-        $(resolution $absolute:literal)?
-        $(relative_resolution $share:literal)?
-        $(roundings $roundings:block)?
-        $(derivative $derivative:ident)?
+        (
+            $(invariances [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?])?
+            $(finite $finite:ident $(($limits:expr))?)?
+            $(range $range:ident)?
+            $(extremes $extremes:ident)?
+            $(jumps $jumps:ident)?
+            $(domain $domain:block)?
+            $(resolution $absolute:literal)?
+            $(relative_resolution $share:literal)?
+            $(roundings $roundings:block)?
+            $(derivative $derivative:ident)?
+        )
     ) => {
         $base
             $(.invariances(&[$($crate::kernels::op::Invariance {

@@ -142,68 +142,116 @@
 /// ```
 #[macro_export]
 macro_rules! operation {
+    () => {};
     // An operation with a name of its own.
-    ($(
+    (
         $(#[$($doc:tt)*])*
         $vis:vis $Name:ident = $name:literal: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
-        invariances [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
-        $(finite $finite:ident $(($limits:expr))?)?
-        $(range $range:ident)?
-        $(extremes $extremes:ident)?
-        jumps $jumps:ident
-        $(domain $domain:block)?
-        $(resolution $absolute:literal)?
-        $(relative_resolution $share:literal)?
-        $(roundings $roundings:block)?
-        derivative $derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
-        $(=> compiled { $compiled:expr })?
-    )+) => { $(
+        $($clauses:tt)*
+    ) => {
+        $crate::__operation! {
+            @invariances
+            [named [$([$($doc)*])*] $vis $Name, $name, [$($arg: $type),+] -> $out, $body]
+            $($clauses)*
+        }
+    };
+    ($(#[$($doc:tt)*])* $vis:vis $Name:ident = $($rest:tt)*) => {
+        ::core::compile_error!(
+            "an operation begins with its name, arguments, result and formula: \
+             `pub Gap = \"gap\": (a: Circle<S>, b: Circle<S>) -> S { … }`"
+        );
+    };
+    // A row of a verb.
+    (
+        $(#[$($doc:tt)*])*
+        $Verb:path: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
+        $($clauses:tt)*
+    ) => {
+        $crate::__operation! {
+            @invariances
+            [row [$([$($doc)*])*] $Verb, [$($arg: $type),+] -> $out, $body]
+            $($clauses)*
+        }
+    };
+}
+
+/// Collects the clauses of a row up to its derivative, which ends it, and writes the row. The rest are further rows.
+///
+/// The order and the words of clauses are those of [`__declared!`](crate::__declared), which alone reads them.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __operation {
+    (@invariances $row:tt invariances [$($invariances:tt)*] $($rest:tt)*) => {
+        $crate::__operation! { @jumps $row [invariances [$($invariances)*]] $($rest)* }
+    };
+    (@invariances $($rest:tt)*) => {
+        ::core::compile_error!(
+            "`invariances […]` is missing after the formula: `invariances []` declares none, \
+             `invariances [TranslationX Stays, Scaling Power(1)]` two"
+        );
+    };
+    (@jumps $row:tt [$($clauses:tt)*] jumps $jumps:tt $($rest:tt)*) => {
+        $crate::__operation! { @derivative $row [$($clauses)* jumps $jumps] $($rest)* }
+    };
+    (@jumps $row:tt $clauses:tt derivative $($rest:tt)*) => {
+        $crate::__operation! { @jumps $row $clauses }
+    };
+    (
+        @derivative $row:tt [$($clauses:tt)*]
+        derivative $derivative:tt |$input:pat_param, $out_bar:ident| $adjoint:block $($rest:tt)*
+    ) => {
+        $crate::__operation! { @$row ($($clauses)* derivative $derivative) |$input, $out_bar| $adjoint }
+        $crate::operation! { $($rest)* }
+    };
+    (@derivative $row:tt [$($clauses:tt)*] derivative $derivative:tt $($rest:tt)*) => {
+        $crate::__operation! { @$row ($($clauses)* derivative $derivative) }
+        $crate::operation! { $($rest)* }
+    };
+    // Any other clause: two or three tokens, which keep their places in messages.
+    (@$next:ident $row:tt [$($clauses:tt)*] $clause:tt $word:tt ($($limits:tt)*) $($rest:tt)*) => {
+        $crate::__operation! { @$next $row [$($clauses)* $clause $word ($($limits)*)] $($rest)* }
+    };
+    (@$next:ident $row:tt [$($clauses:tt)*] $clause:tt $word:tt $($rest:tt)*) => {
+        $crate::__operation! { @$next $row [$($clauses)* $clause $word] $($rest)* }
+    };
+    (@jumps $row:tt $clauses:tt $($rest:tt)*) => {
+        $crate::__operation! {
+            @missing $clauses
+            "`jumps …` is missing before `derivative`: `jumps Never`, `jumps FromZero` or `jumps Anywhere`"
+        }
+    };
+    (@derivative $row:tt $clauses:tt $($rest:tt)*) => {
+        $crate::__operation! {
+            @missing $clauses
+            "`derivative …` is missing, the last clause: `derivative Reverse`, `derivative Forward` or \
+             `derivative ByHand |(a, b), out_bar| { … }`"
+        }
+    };
+    // A clause may be misspelt: the compiler points to it.
+    (@missing [$($clauses:tt)*] $message:literal) => {
+        const _: $crate::kernels::op::Declared = $crate::__declared!(
+            $crate::kernels::op::Declared::new("", &[], $crate::kernels::op::Jumps::Never),
+            (), (), ($($clauses)*)
+        );
+        ::core::compile_error!($message);
+    };
+    (
+        @[named [$([$($doc:tt)*])*] $vis:vis $Name:ident, $($row:tt)*]
+        $clauses:tt $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
+    ) => {
         $(#[$($doc)*])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         $vis struct $Name;
 
         $crate::__derivatives!($Name);
-        $crate::operation! {
-            @row [$([$($doc)*])*] $Name, $name, [$($arg: $type),+] -> $out, $body
-            [
-                invariances [$($motion $answer $(($power))?),*]
-                $(finite $finite $(($limits))?)?
-                $(range $range)?
-                $(extremes $extremes)?
-                jumps $jumps
-                $(domain $domain)?
-                $(resolution $absolute)?
-                $(relative_resolution $share)?
-                $(roundings $roundings)?
-                derivative $derivative
-            ]
-            $(|$input, $out_bar| $adjoint)?
-            $(=> compiled { $compiled })?
+        $crate::__operation! {
+            @impl [$([$($doc)*])*] $Name, $($row)* $clauses $(|$input, $out_bar| $adjoint)?
         }
-    )+ };
-    (
-        $(#[$($doc:tt)*])*
-        $vis:vis $Name:ident = $name:literal: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
-        $(finite $finite:ident $(($limits:expr))?)? $(range $range:ident)? $(extremes $extremes:ident)?
-        jumps $($rest:tt)*
-    ) => {
-        $crate::__no_invariances!();
     };
-    // A row of a verb.
-    ($(
-        $(#[$($doc:tt)*])*
-        $Verb:path: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
-        invariances [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
-        $(finite $finite:ident $(($limits:expr))?)?
-        $(range $range:ident)?
-        $(extremes $extremes:ident)?
-        jumps $jumps:ident
-        $(domain $domain:block)?
-        $(resolution $absolute:literal)?
-        $(relative_resolution $share:literal)?
-        $(roundings $roundings:block)?
-        derivative $derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
-    )+) => { $(
+    (
+        @[row [$([$($doc:tt)*])*] $Verb:path, [$($arg:ident: $type:ty),+] -> $out:ty, $body:block]
+        $clauses:tt $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
+    ) => {
         const _: () = {
             // As visible as the shapes that it is of.
             pub struct Item<X>(::core::marker::PhantomData<fn() -> X>);
@@ -227,48 +275,25 @@ macro_rules! operation {
                     Item(::core::marker::PhantomData)
                 }
             }
-            $crate::operation! {
-                @row [$([$($doc)*])*] This,
+            $crate::__operation! {
+                @impl [$([$($doc)*])*] This,
                 ::core::concat!(::core::stringify!($Verb), ::core::stringify!(($($type),+))),
-                [$($arg: $type),+] -> $out, $body
-                [
-                    invariances [$($motion $answer $(($power))?),*]
-                    $(finite $finite $(($limits))?)?
-                    $(range $range)?
-                    $(extremes $extremes)?
-                    jumps $jumps
-                    $(domain $domain)?
-                    $(resolution $absolute)?
-                    $(relative_resolution $share)?
-                    $(roundings $roundings)?
-                    derivative $derivative
-                ]
-                $(|$input, $out_bar| $adjoint)?
+                [$($arg: $type),+] -> $out, $body $clauses $(|$input, $out_bar| $adjoint)?
             }
             $crate::__takes!($Verb, ($($type),+), This, Item(::core::marker::PhantomData));
         };
-    )+ };
-    (
-        $(#[$($doc:tt)*])*
-        $Verb:path: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
-        $(finite $finite:ident $(($limits:expr))?)? $(range $range:ident)? $(extremes $extremes:ident)?
-        jumps $($rest:tt)*
-    ) => {
-        $crate::__no_invariances!();
     };
     (
-        @row [$([$($doc:tt)*])*] $Name:ident, $name:expr,
+        @impl [$([$($doc:tt)*])*] $Name:ident, $name:expr,
         [$($arg:ident: $type:ty),+] -> $out:ty, $body:block
-        [$($clauses:tt)*]
-        $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
-        $(=> compiled { $compiled:expr })?
+        $clauses:tt $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
     ) => {
         impl $crate::kernels::op::Declares for $Name {
             const DECLARED: $crate::kernels::op::Declared = $crate::__declared!(
                 $crate::kernels::op::Declared::new($name, &[], $crate::kernels::op::Jumps::Never)
                     .arguments(&[$(::core::stringify!($arg)),+])
                     .doc($crate::__doc!([] $([$($doc)*])*)),
-                <Self as $crate::kernels::op::Op>::In<f64>, ($($arg),+), $($clauses)*
+                <Self as $crate::kernels::op::Op>::In<f64>, ($($arg),+), $clauses
             );
         }
 
@@ -292,24 +317,7 @@ macro_rules! operation {
                     ::core::option::Option::Some($adjoint)
                 }
             )?
-            $(
-                fn compiled() -> ::core::option::Option<$crate::kernels::compiled::Compiled> {
-                    ::core::option::Option::Some($compiled)
-                }
-            )?
         }
-    };
-}
-
-/// The message for an operation that says nothing of invariances.
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __no_invariances {
-    () => {
-        ::core::compile_error!(
-            "`invariances […]` is missing after the formula: `invariances []` declares none, \
-             `invariances [TranslationX Stays, Scaling Power(1)]` two"
-        );
     };
 }
 
