@@ -223,6 +223,8 @@ pub use ad::forward::{gradient, hessian, hvp, jacobian, jvp, value};
 pub use ad::program::{Program, Sym};
 pub use derived::Shape;
 pub use error::{Error, Flaw, GpuFault, Unrecordable, Validate, VertexFault};
+#[doc(hidden)]
+pub use kernels::__private;
 pub use pack::{Fixed, Pack};
 pub use polygon::{Polygon, Rings};
 pub use product::Code;

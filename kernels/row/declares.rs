@@ -158,7 +158,6 @@ pub trait Declares: Copy + Debug + Default + Send + Sync + 'static {
 }
 
 /// Returns an argument made of its numbers; `None` for another count of them.
-#[doc(hidden)]
 #[must_use]
 pub fn argument<X: Fixed<Scalar = f64>>(numbers: &[f64]) -> Option<X> {
     (numbers.len() == X::LEN).then(|| X::load(numbers))
@@ -188,24 +187,24 @@ macro_rules! __declared {
         )
     ) => {
         $base
-            $(.invariances(&[$($crate::kernels::op::Invariance {
-                motion: $crate::kernels::op::Motion::$motion,
-                answer: $crate::kernels::op::Effect::$answer $(($power))?,
+            $(.invariances(&[$($crate::__private::Invariance {
+                motion: $crate::__private::Motion::$motion,
+                answer: $crate::__private::Effect::$answer $(($power))?,
             }),*]))?
-            $(.finite($crate::kernels::op::Finite::$finite $(($limits))?))?
-            $(.range($crate::kernels::op::Range::$range))?
-            $(.extremes($crate::kernels::op::Extremes::$extremes))?
-            $(.jumps($crate::kernels::op::Jumps::$jumps))?
+            $(.finite($crate::__private::Finite::$finite $(($limits))?))?
+            $(.range($crate::__private::Range::$range))?
+            $(.extremes($crate::__private::Extremes::$extremes))?
+            $(.jumps($crate::__private::Jumps::$jumps))?
             $(.domain(|numbers| {
                 #[allow(unused_parens, unused_variables)]
-                $crate::kernels::op::argument::<$In>(numbers).is_some_and(|$arguments| $domain)
+                $crate::__private::argument::<$In>(numbers).is_some_and(|$arguments| $domain)
             }))?
             $(.resolution($absolute))?
             $(.relative_resolution($share))?
             $(.roundings(|numbers| {
                 #[allow(unused_parens, unused_variables)]
-                $crate::kernels::op::argument::<$In>(numbers).map_or(0.0, |$arguments| $roundings)
+                $crate::__private::argument::<$In>(numbers).map_or(0.0, |$arguments| $roundings)
             }))?
-            $(.derivative($crate::kernels::op::Derivative::$derivative))?
+            $(.derivative($crate::__private::Derivative::$derivative))?
     };
 }

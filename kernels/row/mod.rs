@@ -1,6 +1,6 @@
 //! Rows: what a function is. Its shapes as numbers, its formula, what it declares, and its derivatives.
 pub(crate) mod bounds;
-pub mod compiled;
+pub(crate) mod compiled;
 pub(crate) mod decision;
 pub(crate) mod declares;
 pub(crate) mod derivation;

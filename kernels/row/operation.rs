@@ -229,8 +229,8 @@ macro_rules! __operation {
     };
     // A clause may be misspelt: the compiler points to it.
     (@missing [$($clauses:tt)*] $message:literal) => {
-        const _: $crate::kernels::op::Declared = $crate::__declared!(
-            $crate::kernels::op::Declared::new("", &[], $crate::kernels::op::Jumps::Never),
+        const _: $crate::__private::Declared = $crate::__declared!(
+            $crate::__private::Declared::new("", &[], $crate::__private::Jumps::Never),
             (), (), ($($clauses)*)
         );
         ::core::compile_error!($message);
@@ -288,32 +288,32 @@ macro_rules! __operation {
         [$($arg:ident: $type:ty),+] -> $out:ty, $body:block
         $clauses:tt $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
     ) => {
-        impl $crate::kernels::op::Declares for $Name {
-            const DECLARED: $crate::kernels::op::Declared = $crate::__declared!(
-                $crate::kernels::op::Declared::new($name, &[], $crate::kernels::op::Jumps::Never)
+        impl $crate::__private::Declares for $Name {
+            const DECLARED: $crate::__private::Declared = $crate::__declared!(
+                $crate::__private::Declared::new($name, &[], $crate::__private::Jumps::Never)
                     .arguments(&[$(::core::stringify!($arg)),+])
                     .doc($crate::__doc!([] $([$($doc)*])*)),
-                <Self as $crate::kernels::op::Op>::In<f64>, ($($arg),+), $clauses
+                <Self as $crate::__private::Op>::In<f64>, ($($arg),+), $clauses
             );
         }
 
         // One argument needs none.
         #[allow(unused_parens)]
-        impl $crate::kernels::op::Op for $Name {
-            type In<S: $crate::Scalar> = ($($type),+);
-            type Out<S: $crate::Scalar> = $out;
+        impl $crate::__private::Op for $Name {
+            type In<S: $crate::__private::Scalar> = ($($type),+);
+            type Out<S: $crate::__private::Scalar> = $out;
             #[allow(unused_imports, unused_parens)]
-            fn eval<S: $crate::Scalar>(($($arg),+): Self::In<S>) -> Self::Out<S> {
-                use $crate::{Mask as _, Scalar as _};
+            fn eval<S: $crate::__private::Scalar>(($($arg),+): Self::In<S>) -> Self::Out<S> {
+                use $crate::__private::{Mask as _, Scalar as _};
                 $body
             }
             $(
                 #[allow(unused_imports, unused_parens)]
-                fn adjoint<S: $crate::Scalar>(
+                fn adjoint<S: $crate::__private::Scalar>(
                     $input: Self::In<S>,
                     $out_bar: Self::Out<S>,
                 ) -> ::core::option::Option<(Self::Out<S>, Self::In<S>)> {
-                    use $crate::{Mask as _, Scalar as _};
+                    use $crate::__private::{Mask as _, Scalar as _};
                     ::core::option::Option::Some($adjoint)
                 }
             )?
@@ -331,39 +331,39 @@ macro_rules! __derivatives {
             /// Returns the function with its gradient: batches return the result, one number, and the gradient by every
             /// argument.
             #[must_use]
-            pub const fn value_grad(self) -> $crate::kernels::op::ValueGrad<Self> {
-                $crate::kernels::op::ValueGrad::of(self)
+            pub const fn value_grad(self) -> $crate::__private::ValueGrad<Self> {
+                $crate::__private::ValueGrad::of(self)
             }
             /// Returns the function with its Jacobian: aligned batches return the result, and in its shape the gradient
             /// of every number.
             #[must_use]
-            pub const fn jacobian(self) -> $crate::kernels::op::Jacobian<Self> {
-                $crate::kernels::op::Jacobian::of(self)
+            pub const fn jacobian(self) -> $crate::__private::Jacobian<Self> {
+                $crate::__private::Jacobian::of(self)
             }
             /// Returns the adjoint: batches take the arguments and a cotangent of the result, and return the cotangents
             /// of the arguments.
             #[must_use]
-            pub const fn vjp(self) -> $crate::kernels::op::Vjp<Self> {
-                $crate::kernels::op::Vjp::of(self)
+            pub const fn vjp(self) -> $crate::__private::Vjp<Self> {
+                $crate::__private::Vjp::of(self)
             }
             /// Returns the function with its derivative along a direction: batches take the arguments and then as many
             /// directions, and return the result and its derivative.
             #[must_use]
-            pub const fn jvp(self) -> $crate::kernels::op::Jvp<Self> {
-                $crate::kernels::op::Jvp::of(self)
+            pub const fn jvp(self) -> $crate::__private::Jvp<Self> {
+                $crate::__private::Jvp::of(self)
             }
             /// Returns the Hessian times a direction: batches take the arguments and then as many directions, and
             /// return the derivative of the gradient along them. The result is one number.
             #[must_use]
-            pub const fn hvp(self) -> $crate::kernels::op::Hvp<Self> {
-                $crate::kernels::op::Hvp::of(self)
+            pub const fn hvp(self) -> $crate::__private::Hvp<Self> {
+                $crate::__private::Hvp::of(self)
             }
             /// Returns the function with its gradient and Hessian: [`value_grad`](Self::value_grad) with its Jacobian.
             #[must_use]
             pub const fn hessian(
                 self,
-            ) -> $crate::kernels::op::Jacobian<$crate::kernels::op::ValueGrad<Self>> {
-                $crate::kernels::op::ValueGrad::of(self).jacobian()
+            ) -> $crate::__private::Jacobian<$crate::__private::ValueGrad<Self>> {
+                $crate::__private::ValueGrad::of(self).jacobian()
             }
         }
     };
@@ -374,35 +374,35 @@ macro_rules! __derivatives {
 #[macro_export]
 macro_rules! __takes {
     ($Verb:ty, ($A:ty), $By:ident, $value:expr) => {
-        impl<S: $crate::Scalar> $crate::kernels::verbs::Unary<$A> for $Verb {
-            type Out = <$By as $crate::kernels::op::Op>::Out<S>;
+        impl<S: $crate::__private::Scalar> $crate::__private::Unary<$A> for $Verb {
+            type Out = <$By as $crate::__private::Op>::Out<S>;
             type By = $By;
             const BY: $By = $value;
             #[inline]
             fn apply(a: $A) -> Self::Out {
-                $crate::scalar::guarded(a, <$By as $crate::kernels::op::Op>::eval::<S>)
+                $crate::__private::guarded(a, <$By as $crate::__private::Op>::eval::<S>)
             }
         }
     };
     ($Verb:ty, ($A:ty, $B:ty), $By:ident, $value:expr) => {
-        impl<S: $crate::Scalar> $crate::kernels::verbs::Binary<$A, $B> for $Verb {
-            type Out = <$By as $crate::kernels::op::Op>::Out<S>;
+        impl<S: $crate::__private::Scalar> $crate::__private::Binary<$A, $B> for $Verb {
+            type Out = <$By as $crate::__private::Op>::Out<S>;
             type By = $By;
             const BY: $By = $value;
             #[inline]
             fn apply(a: $A, b: $B) -> Self::Out {
-                $crate::scalar::guarded((a, b), <$By as $crate::kernels::op::Op>::eval::<S>)
+                $crate::__private::guarded((a, b), <$By as $crate::__private::Op>::eval::<S>)
             }
         }
     };
     ($Verb:ty, ($A:ty, $B:ty, $C:ty), $By:ident, $value:expr) => {
-        impl<S: $crate::Scalar> $crate::kernels::verbs::Ternary<$A, $B, $C> for $Verb {
-            type Out = <$By as $crate::kernels::op::Op>::Out<S>;
+        impl<S: $crate::__private::Scalar> $crate::__private::Ternary<$A, $B, $C> for $Verb {
+            type Out = <$By as $crate::__private::Op>::Out<S>;
             type By = $By;
             const BY: $By = $value;
             #[inline]
             fn apply(a: $A, b: $B, c: $C) -> Self::Out {
-                $crate::scalar::guarded((a, b, c), <$By as $crate::kernels::op::Op>::eval::<S>)
+                $crate::__private::guarded((a, b, c), <$By as $crate::__private::Op>::eval::<S>)
             }
         }
     };

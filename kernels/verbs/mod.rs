@@ -150,11 +150,11 @@ macro_rules! verb {
             /// Returns the operation for the shapes `In`, `(A<f64>, B<f64>)` or a lone one: for the harness and
             /// programs.
             #[must_use]
-            pub const fn row<In: $crate::Fixed>(self) -> <Self as $crate::kernels::verbs::Takes<In>>::By
+            pub const fn row<In: $crate::__private::Fixed>(self) -> <Self as $crate::__private::Takes<In>>::By
             where
-                Self: $crate::kernels::verbs::Takes<In>,
+                Self: $crate::__private::Takes<In>,
             {
-                <Self as $crate::kernels::verbs::Takes<In>>::BY
+                <Self as $crate::__private::Takes<In>>::BY
             }
         }
         $crate::__verb_runs!([] $Verb: $arguments);
@@ -178,12 +178,12 @@ macro_rules! __verb_method {
         }
         impl<A> $Trait for A
         where
-            $Verb: $crate::kernels::verbs::Unary<A>,
+            $Verb: $crate::__private::Unary<A>,
         {
-            type Out = <$Verb as $crate::kernels::verbs::Unary<A>>::Out;
+            type Out = <$Verb as $crate::__private::Unary<A>>::Out;
             #[inline]
             fn $method(self) -> Self::Out {
-                <$Verb as $crate::kernels::verbs::Unary<A>>::apply(self)
+                <$Verb as $crate::__private::Unary<A>>::apply(self)
             }
         }
     };
@@ -198,12 +198,12 @@ macro_rules! __verb_method {
         }
         impl<A, B> $Trait<B> for A
         where
-            $Verb: $crate::kernels::verbs::Binary<A, B>,
+            $Verb: $crate::__private::Binary<A, B>,
         {
-            type Out = <$Verb as $crate::kernels::verbs::Binary<A, B>>::Out;
+            type Out = <$Verb as $crate::__private::Binary<A, B>>::Out;
             #[inline]
             fn $method(self, $b: B) -> Self::Out {
-                <$Verb as $crate::kernels::verbs::Binary<A, B>>::apply(self, $b)
+                <$Verb as $crate::__private::Binary<A, B>>::apply(self, $b)
             }
         }
     };
@@ -218,12 +218,12 @@ macro_rules! __verb_method {
         }
         impl<A, B, C> $Trait<B, C> for A
         where
-            $Verb: $crate::kernels::verbs::Ternary<A, B, C>,
+            $Verb: $crate::__private::Ternary<A, B, C>,
         {
-            type Out = <$Verb as $crate::kernels::verbs::Ternary<A, B, C>>::Out;
+            type Out = <$Verb as $crate::__private::Ternary<A, B, C>>::Out;
             #[inline]
             fn $method(self, $b: B, $c: C) -> Self::Out {
-                <$Verb as $crate::kernels::verbs::Ternary<A, B, C>>::apply(self, $b, $c)
+                <$Verb as $crate::__private::Ternary<A, B, C>>::apply(self, $b, $c)
             }
         }
     };
@@ -237,11 +237,11 @@ macro_rules! __verb_applies {
         impl $Verb {
             /// Computes the result for one shape of any scalar.
             #[inline]
-            pub fn of<A>(self, $a: A) -> <Self as $crate::kernels::verbs::Unary<A>>::Out
+            pub fn of<A>(self, $a: A) -> <Self as $crate::__private::Unary<A>>::Out
             where
-                Self: $crate::kernels::verbs::Unary<A>,
+                Self: $crate::__private::Unary<A>,
             {
-                <Self as $crate::kernels::verbs::Unary<A>>::apply($a)
+                <Self as $crate::__private::Unary<A>>::apply($a)
             }
         }
     };
@@ -249,15 +249,11 @@ macro_rules! __verb_applies {
         impl $Verb {
             /// Computes the result for two shapes of any scalar.
             #[inline]
-            pub fn of<A, B>(
-                self,
-                $a: A,
-                $b: B,
-            ) -> <Self as $crate::kernels::verbs::Binary<A, B>>::Out
+            pub fn of<A, B>(self, $a: A, $b: B) -> <Self as $crate::__private::Binary<A, B>>::Out
             where
-                Self: $crate::kernels::verbs::Binary<A, B>,
+                Self: $crate::__private::Binary<A, B>,
             {
-                <Self as $crate::kernels::verbs::Binary<A, B>>::apply($a, $b)
+                <Self as $crate::__private::Binary<A, B>>::apply($a, $b)
             }
         }
     };
@@ -270,11 +266,11 @@ macro_rules! __verb_applies {
                 $a: A,
                 $b: B,
                 $c: C,
-            ) -> <Self as $crate::kernels::verbs::Ternary<A, B, C>>::Out
+            ) -> <Self as $crate::__private::Ternary<A, B, C>>::Out
             where
-                Self: $crate::kernels::verbs::Ternary<A, B, C>,
+                Self: $crate::__private::Ternary<A, B, C>,
             {
-                <Self as $crate::kernels::verbs::Ternary<A, B, C>>::apply($a, $b, $c)
+                <Self as $crate::__private::Ternary<A, B, C>>::apply($a, $b, $c)
             }
         }
     };
@@ -294,29 +290,29 @@ macro_rules! __verb_runs {
         $crate::__verb_runs!(@all [$($generic)*] $Verb, Ternary, [A, B, C], (A, B, C));
     };
     (@all [$($generic:tt)*] $Verb:ty, $Takes:ident, [$($A:ident),+], $row:ty) => {
-        impl<$($generic)* $($A),+> $crate::kernels::verbs::Takes<$row> for $Verb
+        impl<$($generic)* $($A),+> $crate::__private::Takes<$row> for $Verb
         where
-            $row: $crate::Fixed,
-            $Verb: $crate::kernels::verbs::$Takes<$($A),+>,
+            $row: $crate::__private::Fixed,
+            $Verb: $crate::__private::$Takes<$($A),+>,
         {
-            type Out = <$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::Out;
-            type By = <$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::By;
-            const BY: Self::By = <$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::BY;
+            type Out = <$Verb as $crate::__private::$Takes<$($A),+>>::Out;
+            type By = <$Verb as $crate::__private::$Takes<$($A),+>>::By;
+            const BY: Self::By = <$Verb as $crate::__private::$Takes<$($A),+>>::BY;
         }
-        impl<$($generic)* $($A),+> $crate::kernels::Function<$row> for $Verb
+        impl<$($generic)* $($A),+> $crate::__private::Function<$row> for $Verb
         where
-            $row: $crate::kernels::Item,
-            $Verb: $crate::kernels::verbs::$Takes<$($A),+, By: $crate::kernels::Function<$row>>,
+            $row: $crate::__private::Item,
+            $Verb: $crate::__private::$Takes<$($A),+, By: $crate::__private::Function<$row>>,
         {
-            type Out = <<$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::By
-                as $crate::kernels::Function<$row>>::Out;
+            type Out = <<$Verb as $crate::__private::$Takes<$($A),+>>::By
+                as $crate::__private::Function<$row>>::Out;
             fn call(
                 &self,
             ) -> ::core::result::Result<
-                $crate::kernels::recording::Call<<$row as $crate::Pack>::Scalar>,
-                $crate::Error,
+                $crate::__private::Call<<$row as $crate::__private::Pack>::Scalar>,
+                $crate::__private::Error,
             > {
-                $crate::kernels::Function::<$row>::call(&<$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::BY)
+                $crate::__private::Function::<$row>::call(&<$Verb as $crate::__private::$Takes<$($A),+>>::BY)
             }
         }
     };
