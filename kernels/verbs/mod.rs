@@ -157,162 +157,98 @@ macro_rules! verb {
                 <Self as $crate::__private::Takes<In>>::BY
             }
         }
-        $crate::__verb_runs!([] $Verb: $arguments);
-        $crate::__verb_applies!($Verb: $arguments);
-        $( $crate::__verb_method!([$vis] $Trait::$method, $Verb: $arguments); )?
+        $crate::__verb!([of $Verb] $arguments);
+        $crate::__verb!([runs [] $Verb] $arguments);
+        $( $crate::__verb!([method [$vis] $Trait::$method $Verb [$Verb]] $arguments); )?
     )+ };
 }
 
-/// A verb as a method of its first argument, by the number of arguments.
+/// The parts of a verb: `of`, how batches run it by the operation of its row, and the method of its first argument.
+///
+/// The first arms turn arguments into a trait, words for documentation, type parameters and parameters.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! __verb_method {
-    ([$vis:vis] $Trait:ident::$method:ident, $Verb:ident: ($a:ident)) => {
-        #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] as a method.")]
-        $vis trait $Trait: Sized {
-            /// The result.
-            type Out;
-            #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] of this shape.")]
-            #[must_use]
-            fn $method(self) -> Self::Out;
-        }
-        impl<A> $Trait for A
-        where
-            $Verb: $crate::__private::Unary<A>,
-        {
-            type Out = <$Verb as $crate::__private::Unary<A>>::Out;
-            #[inline]
-            fn $method(self) -> Self::Out {
-                <$Verb as $crate::__private::Unary<A>>::apply(self)
-            }
-        }
+macro_rules! __verb {
+    ([$($part:tt)*] ($a:ident)) => {
+        $crate::__verb!(@$($part)*, Unary, "one shape", "this shape", A, $a: A, []);
     };
-    ([$vis:vis] $Trait:ident::$method:ident, $Verb:ident: ($a:ident, $b:ident)) => {
-        #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] as a method.")]
-        $vis trait $Trait<B>: Sized {
-            /// The result.
-            type Out;
-            #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] of this shape and others.")]
-            #[must_use]
-            fn $method(self, $b: B) -> Self::Out;
-        }
-        impl<A, B> $Trait<B> for A
-        where
-            $Verb: $crate::__private::Binary<A, B>,
-        {
-            type Out = <$Verb as $crate::__private::Binary<A, B>>::Out;
-            #[inline]
-            fn $method(self, $b: B) -> Self::Out {
-                <$Verb as $crate::__private::Binary<A, B>>::apply(self, $b)
-            }
-        }
+    ([$($part:tt)*] ($a:ident, $b:ident)) => {
+        $crate::__verb!(@$($part)*, Binary, "two shapes", "this shape and another", (A, B), $a: A, [$b: B]);
     };
-    ([$vis:vis] $Trait:ident::$method:ident, $Verb:ident: ($a:ident, $b:ident, $c:ident)) => {
-        #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] as a method.")]
-        $vis trait $Trait<B, C>: Sized {
-            /// The result.
-            type Out;
-            #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] of this shape and others.")]
-            #[must_use]
-            fn $method(self, $b: B, $c: C) -> Self::Out;
-        }
-        impl<A, B, C> $Trait<B, C> for A
-        where
-            $Verb: $crate::__private::Ternary<A, B, C>,
-        {
-            type Out = <$Verb as $crate::__private::Ternary<A, B, C>>::Out;
-            #[inline]
-            fn $method(self, $b: B, $c: C) -> Self::Out {
-                <$Verb as $crate::__private::Ternary<A, B, C>>::apply(self, $b, $c)
-            }
-        }
+    ([$($part:tt)*] ($a:ident, $b:ident, $c:ident)) => {
+        $crate::__verb!(@$($part)*, Ternary, "three shapes", "this shape and others", (A, B, C), $a: A, [$b: B, $c: C]);
     };
-}
-
-/// The method `of`, by the number of arguments.
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __verb_applies {
-    ($Verb:ident: ($a:ident)) => {
+    (
+        @of $Verb:ident, $Takes:ident, $shapes:literal, $these:literal, $In:ty, $a:ident: $A:ident,
+        [$($b:ident: $B:ident),*]
+    ) => {
         impl $Verb {
-            /// Computes the result for one shape of any scalar.
+            #[doc = ::core::concat!("Computes the result for ", $shapes, " of any scalar.")]
             #[inline]
-            pub fn of<A>(self, $a: A) -> <Self as $crate::__private::Unary<A>>::Out
-            where
-                Self: $crate::__private::Unary<A>,
-            {
-                <Self as $crate::__private::Unary<A>>::apply($a)
-            }
-        }
-    };
-    ($Verb:ident: ($a:ident, $b:ident)) => {
-        impl $Verb {
-            /// Computes the result for two shapes of any scalar.
-            #[inline]
-            pub fn of<A, B>(self, $a: A, $b: B) -> <Self as $crate::__private::Binary<A, B>>::Out
-            where
-                Self: $crate::__private::Binary<A, B>,
-            {
-                <Self as $crate::__private::Binary<A, B>>::apply($a, $b)
-            }
-        }
-    };
-    ($Verb:ident: ($a:ident, $b:ident, $c:ident)) => {
-        impl $Verb {
-            /// Computes the result for three shapes of any scalar.
-            #[inline]
-            pub fn of<A, B, C>(
+            pub fn of<$A $(, $B)*>(
                 self,
-                $a: A,
-                $b: B,
-                $c: C,
-            ) -> <Self as $crate::__private::Ternary<A, B, C>>::Out
+                $a: $A
+                $(, $b: $B)*
+            ) -> <Self as $crate::__private::$Takes<$A $(, $B)*>>::Out
             where
-                Self: $crate::__private::Ternary<A, B, C>,
+                Self: $crate::__private::$Takes<$A $(, $B)*>,
             {
-                <Self as $crate::__private::Ternary<A, B, C>>::apply($a, $b, $c)
+                <Self as $crate::__private::$Takes<$A $(, $B)*>>::apply($a $(, $b)*)
             }
         }
     };
-}
-
-/// `Takes` and `Function` for a verb, by the operation of its row.
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __verb_runs {
-    ([$($generic:tt)*] $Verb:ty: ($a:ident)) => {
-        $crate::__verb_runs!(@all [$($generic)*] $Verb, Unary, [A], A);
-    };
-    ([$($generic:tt)*] $Verb:ty: ($a:ident, $b:ident)) => {
-        $crate::__verb_runs!(@all [$($generic)*] $Verb, Binary, [A, B], (A, B));
-    };
-    ([$($generic:tt)*] $Verb:ty: ($a:ident, $b:ident, $c:ident)) => {
-        $crate::__verb_runs!(@all [$($generic)*] $Verb, Ternary, [A, B, C], (A, B, C));
-    };
-    (@all [$($generic:tt)*] $Verb:ty, $Takes:ident, [$($A:ident),+], $row:ty) => {
-        impl<$($generic)* $($A),+> $crate::__private::Takes<$row> for $Verb
+    (
+        @runs [$($generic:tt)*] $Verb:ty, $Takes:ident, $shapes:literal, $these:literal, $In:ty, $a:ident: $A:ident,
+        [$($b:ident: $B:ident),*]
+    ) => {
+        impl<$($generic)* $A $(, $B)*> $crate::__private::Takes<$In> for $Verb
         where
-            $row: $crate::__private::Fixed,
-            $Verb: $crate::__private::$Takes<$($A),+>,
+            $In: $crate::__private::Fixed,
+            $Verb: $crate::__private::$Takes<$A $(, $B)*>,
         {
-            type Out = <$Verb as $crate::__private::$Takes<$($A),+>>::Out;
-            type By = <$Verb as $crate::__private::$Takes<$($A),+>>::By;
-            const BY: Self::By = <$Verb as $crate::__private::$Takes<$($A),+>>::BY;
+            type Out = <$Verb as $crate::__private::$Takes<$A $(, $B)*>>::Out;
+            type By = <$Verb as $crate::__private::$Takes<$A $(, $B)*>>::By;
+            const BY: Self::By = <$Verb as $crate::__private::$Takes<$A $(, $B)*>>::BY;
         }
-        impl<$($generic)* $($A),+> $crate::__private::Function<$row> for $Verb
+        impl<$($generic)* $A $(, $B)*> $crate::__private::Function<$In> for $Verb
         where
-            $row: $crate::__private::Item,
-            $Verb: $crate::__private::$Takes<$($A),+, By: $crate::__private::Function<$row>>,
+            $In: $crate::__private::Item,
+            $Verb: $crate::__private::$Takes<$A $(, $B)*, By: $crate::__private::Function<$In>>,
         {
-            type Out = <<$Verb as $crate::__private::$Takes<$($A),+>>::By
-                as $crate::__private::Function<$row>>::Out;
+            type Out = <<$Verb as $crate::__private::$Takes<$A $(, $B)*>>::By
+                as $crate::__private::Function<$In>>::Out;
             fn call(
                 &self,
             ) -> ::core::result::Result<
-                $crate::__private::Call<<$row as $crate::__private::Pack>::Scalar>,
+                $crate::__private::Call<<$In as $crate::__private::Pack>::Scalar>,
                 $crate::__private::Error,
             > {
-                $crate::__private::Function::<$row>::call(&<$Verb as $crate::__private::$Takes<$($A),+>>::BY)
+                $crate::__private::Function::<$In>::call(&<$Verb as $crate::__private::$Takes<$A $(, $B)*>>::BY)
+            }
+        }
+    };
+    (
+        @method [$vis:vis] $Trait:ident::$method:ident $Name:ident [$Verb:path], $Takes:ident, $shapes:literal,
+        $these:literal, $In:ty, $a:ident: $A:ident, [$($b:ident: $B:ident),*]
+    ) => {
+        #[doc = ::core::concat!("[`", ::core::stringify!($Name), "`](", ::core::stringify!($Verb), ") as a method.")]
+        $vis trait $Trait<$($B),*>: Sized {
+            /// The result.
+            type Out;
+            #[doc = ::core::concat!(
+                "[`", ::core::stringify!($Name), "`](", ::core::stringify!($Verb), ") of ", $these, "."
+            )]
+            #[must_use]
+            fn $method(self $(, $b: $B)*) -> Self::Out;
+        }
+        impl<$A $(, $B)*> $Trait<$($B),*> for $A
+        where
+            $Verb: $crate::__private::$Takes<$A $(, $B)*>,
+        {
+            type Out = <$Verb as $crate::__private::$Takes<$A $(, $B)*>>::Out;
+            #[inline]
+            fn $method(self $(, $b: $B)*) -> Self::Out {
+                <$Verb as $crate::__private::$Takes<$A $(, $B)*>>::apply(self $(, $b)*)
             }
         }
     };
