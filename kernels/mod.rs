@@ -77,8 +77,6 @@ pub mod verbs;
 
 pub use backend::{Backend, Rings};
 pub use call::modes::Function;
-#[doc(hidden)]
-pub use call::recording;
 pub use call::search::{self, Search};
 pub use cpu::{Cpu, points};
 #[cfg(feature = "check")]
@@ -87,12 +85,26 @@ pub use fuzz::identities;
 #[doc(hidden)]
 pub use fuzz::tested;
 pub use machine::{Column, Columns, Groups, Machine, One, Skip, Table, Targets, resident};
-#[doc(hidden)]
-pub use row::compiled;
 pub use row::fold::{self, Fold};
 pub use row::item::{self, Item, Single, Target};
 pub use row::op::{self, Op};
 pub use verbs::*;
+
+/// Names that the code of macros uses, as it does those of [`derived`](crate::derived): no part of the interface.
+#[doc(hidden)]
+pub mod __private {
+    pub use crate::kernels::call::modes::Function;
+    pub use crate::kernels::call::recording::Call;
+    pub use crate::kernels::row::declares::argument;
+    pub use crate::kernels::row::item::layout::{Item, Leaf, Target, leaf, target};
+    pub use crate::kernels::row::op::{
+        Declared, Declares, Derivative, Effect, Extremes, Finite, Hvp, Invariance, Jacobian, Jumps,
+        Jvp, Motion, Op, Range, ValueGrad, Vjp,
+    };
+    pub use crate::kernels::verbs::{Binary, Takes, Ternary, Unary};
+    pub use crate::scalar::guard::guarded;
+    pub use crate::{Error, Fixed, Mask, Pack, Scalar};
+}
 
 /// Results of reductions of all pairs, and reductions of a stored [`Matrix`](reduce::Matrix).
 pub mod reduce {

@@ -15,20 +15,22 @@
 //! identical, touching, contained and collinear boxes need no handling. Each corner's y is clamped
 //! once and both edges that meet there use the result, so that rounding cannot make them disagree
 //! about whether the corner is inside.
+//!
+//! Its functions are internal; those of [`overlap`](crate::overlap) call them.
 use crate::scalar::power_of_largest;
 use crate::{Obb2, Scalar, Shape, Vec2, twofold};
 
 /// Returns the area of a box from half its size. Doubled first, so that an area that can be represented is
 /// rounded once.
 #[inline(always)]
-pub fn area_from_half<S: Scalar>(half: Vec2<S>) -> S {
+pub(crate) fn area_from_half<S: Scalar>(half: Vec2<S>) -> S {
     (half.x + half.x) * (half.y + half.y)
 }
 
 /// A box with sine and cosine of its heading: the data that a batch computes once per box.
 #[derive(Clone, Copy, Debug, Shape)]
 #[shape(except(Validate, approx, Sample, Arbitrary))]
-pub struct Framed<S> {
+pub(crate) struct Framed<S> {
     /// The centre.
     pub center: Vec2<S>,
     /// Half the size.
@@ -49,7 +51,7 @@ pub struct Framed<S> {
 
 /// Computes sine and cosine of a box's heading.
 #[inline(always)]
-pub fn frame<S: Scalar>(shape: Obb2<S>) -> Framed<S> {
+pub(crate) fn frame<S: Scalar>(shape: Obb2<S>) -> Framed<S> {
     let half = Vec2::new(shape.size.x.halved(), shape.size.y.halved());
     if S::COMPENSATED {
         let [(sin_high, sin_low), (cos_high, cos_low)] = shape.heading.sin_cos_parts();
@@ -83,7 +85,7 @@ pub fn frame<S: Scalar>(shape: Obb2<S>) -> Framed<S> {
 /// underflows. It brings the larger side of the smaller box near one, unless that is zero or the other box would become
 /// too large.
 #[inline(always)]
-pub fn size_scale<S: Scalar>(half_a: Vec2<S>, half_b: Vec2<S>) -> S {
+pub(crate) fn size_scale<S: Scalar>(half_a: Vec2<S>, half_b: Vec2<S>) -> S {
     let (size_a, size_b) = (half_a.x.most(half_a.y), half_b.x.most(half_b.y));
     let (smaller, larger) = (size_a.least(size_b), size_a.most(size_b));
     let bounded = smaller.most(larger * S::lit(LARGEST_INVERSE));
@@ -102,7 +104,7 @@ pub(crate) const FAR: f64 = (1_u64 << 62) as f64;
 
 /// Box `b` in the frame of box `a`, both in units of `1 / scale`.
 #[derive(Clone, Copy, Debug)]
-pub struct Relative<S: Scalar> {
+pub(crate) struct Relative<S: Scalar> {
     /// Centre of b in a's frame.
     pub u: S,
     /// Centre of b in a's frame.
@@ -151,7 +153,11 @@ fn difference<S: Scalar, const EXTREME: bool>(a: S, b: S, scale: S) -> (S, S) {
 /// with 24 bits carry low parts. The result is then right to about 2⁻³⁵ of its inputs even where it cancels, which long
 /// thin boxes need. `EXTREME` enables the scale.
 #[inline(always)]
-pub fn relate<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>, scale: S) -> Relative<S> {
+pub(crate) fn relate<S: Scalar, const EXTREME: bool>(
+    a: Framed<S>,
+    b: Framed<S>,
+    scale: S,
+) -> Relative<S> {
     let (dx, lost_x) = difference::<S, EXTREME>(a.center.x, b.center.x, scale);
     let (dy, lost_y) = difference::<S, EXTREME>(a.center.y, b.center.y, scale);
     let (u, v, cos, sin);
@@ -219,7 +225,7 @@ pub fn relate<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>, scale:
 /// One end of an edge of b, after the strip of a's height was cut out: its x clamped to a, and by
 /// how much it lies beyond.
 #[derive(Clone, Copy, Debug)]
-pub struct End<S> {
+pub(crate) struct End<S> {
     /// Clamped to a.
     pub x: S,
     /// The part of x that the clamp took away: positive beyond the right side, negative beyond the left.
@@ -243,7 +249,7 @@ impl<S: Scalar> End<S> {
 /// to 3, the left one from 3 to 0. All coordinates are relative to a point of a near b's centre,
 /// so that a small box in a large one keeps its digits.
 #[derive(Clone, Copy, Debug)]
-pub struct Clip<S: Scalar> {
+pub(crate) struct Clip<S: Scalar> {
     /// Centre of b.
     pub u: S,
     /// Centre of b.
@@ -295,7 +301,7 @@ fn share_inside<S: Scalar>(y: S, low: S, high: S, parallel: S::Mask) -> S::Prima
 
 /// Clamps the border of b to a.
 #[inline(always)]
-pub fn clip<S: Scalar>(pair: Relative<S>) -> Clip<S> {
+pub(crate) fn clip<S: Scalar>(pair: Relative<S>) -> Clip<S> {
     let Relative {
         cos,
         sin,
@@ -376,7 +382,7 @@ fn bend<S: Scalar>(edge: [End<S>; 2]) -> S {
 /// times its height. With `X` the clamped x and `e = x − X` that is
 /// `(y₁ − y₀)(X₀ + X₁)/2 + (X₁ − X₀)(e₀ + e₁)/2 · dy/dx`.
 #[inline(always)]
-pub fn clipped_area<S: Scalar>(clip: &Clip<S>) -> S {
+pub(crate) fn clipped_area<S: Scalar>(clip: &Clip<S>) -> S {
     let y = clip.y;
     let straight = ((y[1] - y[0]) * (clip.bottom[0].x + clip.bottom[1].x)
         + (y[3] - y[2]) * (clip.top[0].x + clip.top[1].x))
@@ -390,7 +396,7 @@ pub fn clipped_area<S: Scalar>(clip: &Clip<S>) -> S {
 /// Returns the area of intersection of a related pair from its [`clipped_area`], in units of `1 / scale²`:
 /// exactly zero for boxes that are apart, never more than either box has.
 #[inline(always)]
-pub fn related_area<S: Scalar>(pair: &Relative<S>, area: S) -> S {
+pub(crate) fn related_area<S: Scalar>(pair: &Relative<S>, area: S) -> S {
     // As scores measure boxes, so that identical ones share all of it, however small.
     let (a, b) = (pair.half_a, pair.half_b);
     let area_a = area_from_half(Vec2::new(a.x.primal(), a.y.primal()));
@@ -403,7 +409,7 @@ pub fn related_area<S: Scalar>(pair: &Relative<S>, area: S) -> S {
 
 /// Returns `true` where a pair counts as sharing nothing, so that value and derivatives are zero.
 #[inline(always)]
-pub fn nothing_shared<S: Scalar>(pair: &Relative<S>, area: S) -> S::Mask {
+pub(crate) fn nothing_shared<S: Scalar>(pair: &Relative<S>, area: S) -> S::Mask {
     pair.apart | area.below(S::zero())
 }
 
@@ -431,7 +437,7 @@ pub(crate) const COMMON_FAR: f64 = 1e9;
 ///
 /// Without branches, since a batch tests every box first.
 #[inline(always)]
-pub fn is_ordinary<S: Scalar>(shape: Obb2<S>) -> S::Mask {
+pub(crate) fn is_ordinary<S: Scalar>(shape: Obb2<S>) -> S::Mask {
     let fine = S::lit(fine::<S>());
     let (small, large) = (S::lit(SMALL), S::lit(LARGE));
     let far = S::lit(FAR_AWAY);

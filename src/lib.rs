@@ -114,7 +114,8 @@ pub mod contain;
 pub mod convention;
 #[doc(hidden)]
 pub mod derived;
-pub mod detection;
+#[doc = include_str!("detection.md")]
+pub mod detection {}
 pub mod distance;
 pub mod distance3;
 pub mod error;
@@ -131,7 +132,8 @@ pub mod overlap;
 pub mod overlap3;
 pub mod overlap_polygon;
 pub mod pack;
-pub mod paper;
+#[doc = include_str!("paper.md")]
+pub mod paper {}
 pub mod polygon;
 pub mod predicate;
 pub mod procrustes;
@@ -223,6 +225,8 @@ pub use ad::forward::{gradient, hessian, hvp, jacobian, jvp, value};
 pub use ad::program::{Program, Sym};
 pub use derived::Shape;
 pub use error::{Error, Flaw, GpuFault, Unrecordable, Validate, VertexFault};
+#[doc(hidden)]
+pub use kernels::__private;
 pub use pack::{Fixed, Pack};
 pub use polygon::{Polygon, Rings};
 pub use product::Code;

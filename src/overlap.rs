@@ -34,7 +34,7 @@ use crate::{Aabb2, Mask, Obb2, Scalar, Vec2};
 
 /// Returns the intersection over union from areas, in `[0, 1]`; zero with derivative zero when the union is empty.
 #[inline(always)]
-pub fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
+pub(crate) fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
     let total = area_a + area_b - inter;
     let empty = total.at_most(S::lit(S::EMPTY));
     S::select(
@@ -46,7 +46,7 @@ pub fn ratio_of_union<S: Scalar>(inter: S, area_a: S, area_b: S) -> S {
 
 /// Returns the intersection over the first area, in `[0, 1]`; zero with derivative zero when that is empty.
 #[inline(always)]
-pub fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
+pub(crate) fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
     let empty = area_a.at_most(S::lit(S::EMPTY));
     S::select(
         empty,
@@ -60,10 +60,7 @@ pub fn ratio_of_first<S: Scalar>(inter: S, area_a: S) -> S {
 /// `EXTREME` allows sizes so small or large that products over- or underflow; the bits of the result are equal for
 /// ordinary boxes in both cases.
 #[inline(always)]
-pub fn shared_area<S: Scalar, const EXTREME: bool>(
-    a: Framed<S>,
-    b: Framed<S>,
-) -> (Relative<S>, S, S) {
+fn shared_area<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> (Relative<S>, S, S) {
     let scale = if EXTREME {
         size_scale(a.half, b.half)
     } else {
@@ -102,7 +99,7 @@ pub enum Denominator {
 
 /// Returns a score from areas.
 #[inline(always)]
-pub fn score_of<S: Scalar>(over: Denominator, inter: S, area_a: S, area_b: S) -> S {
+pub(crate) fn score_of<S: Scalar>(over: Denominator, inter: S, area_a: S, area_b: S) -> S {
     match over {
         Denominator::None => inter,
         Denominator::Union => ratio_of_union(inter, area_a, area_b),
@@ -112,7 +109,7 @@ pub fn score_of<S: Scalar>(over: Denominator, inter: S, area_a: S, area_b: S) ->
 
 /// Returns a score in the caller's unit: ratios have none, areas go back from units of `1 / scale²`.
 #[inline(always)]
-pub fn in_outer_unit<S: Scalar>(over: Denominator, value: S, scale: S) -> S {
+pub(crate) fn in_outer_unit<S: Scalar>(over: Denominator, value: S, scale: S) -> S {
     match over {
         Denominator::None => value.over(scale).over(scale).saturated(),
         Denominator::Union | Denominator::First => value,
@@ -131,7 +128,7 @@ pub(crate) fn tamed<S: Scalar>(out_bar: S) -> (S, S) {
 
 /// Returns a score of two rotated boxes with their trigonometry done.
 #[inline(always)]
-pub fn score_framed<S: Scalar, const EXTREME: bool>(
+pub(crate) fn score_framed<S: Scalar, const EXTREME: bool>(
     over: Denominator,
     a: Framed<S>,
     b: Framed<S>,
@@ -149,7 +146,7 @@ pub fn score_framed<S: Scalar, const EXTREME: bool>(
 
 /// Returns a score of two axis-aligned boxes.
 #[inline(always)]
-pub fn score_aabb2<S: Scalar>(over: Denominator, a: Aabb2<S>, b: Aabb2<S>) -> S {
+pub(crate) fn score_aabb2<S: Scalar>(over: Denominator, a: Aabb2<S>, b: Aabb2<S>) -> S {
     let shared = share(a, b);
     let (area_a, area_b) = (area_from_half(shared.half_a), area_from_half(shared.half_b));
     let value = score_of(over, area_of_shared(&shared), area_a, area_b);
@@ -209,7 +206,7 @@ pub fn iof_obb2<S: Scalar>(a: Obb2<S>, b: Obb2<S>) -> S {
 
 /// The shared part of two axis-aligned boxes, all sizes halved and in units of `1 / scale`.
 #[derive(Clone, Copy, Debug)]
-pub struct Shared<S: Scalar> {
+pub(crate) struct Shared<S: Scalar> {
     /// Half the size of the shared part.
     pub half: Vec2<S>,
     /// Half the size of a.
@@ -224,7 +221,7 @@ pub struct Shared<S: Scalar> {
 
 /// Measures what two axis-aligned boxes share.
 #[inline(always)]
-pub fn share<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Shared<S> {
+pub(crate) fn share<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Shared<S> {
     // Halving first keeps the difference of two huge bounds finite.
     let half_of = |shape: Aabb2<S>| {
         Vec2::new(
@@ -249,7 +246,7 @@ pub fn share<S: Scalar>(a: Aabb2<S>, b: Aabb2<S>) -> Shared<S> {
 
 /// Returns the area of the shared part, in units of `1 / scale²`.
 #[inline(always)]
-pub fn area_of_shared<S: Scalar>(shared: &Shared<S>) -> S {
+fn area_of_shared<S: Scalar>(shared: &Shared<S>) -> S {
     S::select(shared.apart, S::zero(), area_from_half(shared.half))
 }
 

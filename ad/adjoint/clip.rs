@@ -8,12 +8,14 @@
 //!
 //! A side of b may lie exactly along one of a. The shared stretch then counts half for each: the mean
 //! of both sides of the kink.
+//!
+//! Its functions are internal; those of [`overlap`](super::overlap) call them.
 use crate::clip::{Clip, End, Relative};
 use crate::{Mask, Scalar, Vec2};
 
 /// Derivatives of an area of intersection, in a's frame and the units of the related pair.
 #[derive(Clone, Copy, Debug)]
-pub struct Derivatives<S> {
+pub(crate) struct Derivatives<S> {
     /// With respect to b's centre, a standing still.
     pub u: S,
     /// With respect to b's centre, a standing still.
@@ -96,7 +98,10 @@ fn half_along<S: Scalar>(parallel: S::Mask, at: S, beyond: S, low: S, high: S, w
 /// what lies beyond them. `∂hy` is the length of a's top and bottom side inside b: the x between
 /// the two edges that leave a corner of b beyond them.
 #[inline(always)]
-pub fn clipped_area_derivatives<S: Scalar>(pair: &Relative<S>, clip: &Clip<S>) -> Derivatives<S> {
+pub(crate) fn clipped_area_derivatives<S: Scalar>(
+    pair: &Relative<S>,
+    clip: &Clip<S>,
+) -> Derivatives<S> {
     let zero = S::zero();
     let [_, ps, _, qs] = clip.arms;
     let (y, above, steepness) = (clip.y, clip.above, clip.steepness);

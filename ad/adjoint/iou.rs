@@ -109,7 +109,10 @@ fn finished<S: Scalar, const EXTREME: bool>(
 /// Returns the derivatives of the area of the hull of a related pair, in a's frame and the pair's units.
 #[must_use]
 #[inline(always)]
-pub fn hull_derivatives<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) -> Derivatives<S> {
+pub(crate) fn hull_derivatives<S: Scalar>(
+    pair: &Relative<S>,
+    hull: &HullOfBoxes<S>,
+) -> Derivatives<S> {
     let (a, b, c, turn) = (hull.half_a, hull.half_b, hull.center, hull.turn);
     let ([px, py, qx, qy], gaps) = (hull.arms, hull.gaps);
     let (across, beside) = (hull.across(), hull.beside());
@@ -146,7 +149,7 @@ pub fn hull_derivatives<S: Scalar>(pair: &Relative<S>, hull: &HullOfBoxes<S>) ->
 /// derivatives. `EXTREME` says that sizes may be so small or large that products over- or underflow.
 #[must_use]
 #[inline(always)]
-pub fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
+pub(crate) fn giou_framed_vjp<S: Scalar, const EXTREME: bool>(
     a: Framed<S>,
     b: Framed<S>,
     out_bar: S,

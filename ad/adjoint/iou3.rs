@@ -3,8 +3,8 @@
 //! Such a score is a formula of the boxes' IoU and of their numbers. The IoU has derivatives by hand, which keep their
 //! digits where edges are parallel to faces and cost twice its value; the formula is short and is differentiated
 //! forwards.
+use super::overlap3::iou_obb3_vjp;
 use crate::iou3::{Enclosing, Score, score_with_iou};
-use crate::overlap3::iou_obb3_vjp;
 use crate::shape::Obb3;
 use crate::{Fixed, Jet, Scalar};
 

@@ -78,7 +78,7 @@ pub type Grads<S> = (Obb2<S>, Obb2<S>);
 /// Moving b by `(∂u, ∂v)` in a's frame is moving a by the opposite vector; turning the pair about a's centre changes
 /// nothing, so `∂heading_a = −(∂heading_b + u ∂v − v ∂u)`.
 #[inline(always)]
-pub fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
+pub(crate) fn score_framed_vjp<S: Scalar, const EXTREME: bool>(
     over: Denominator,
     a: Framed<S>,
     b: Framed<S>,
@@ -229,7 +229,7 @@ fn saturated<S: Scalar>(x: Obb2<S>, steep: S) -> Obb2<S> {
 
 /// Returns the value of a score of two axis-aligned boxes, and `out_bar` times its derivatives.
 #[inline(always)]
-pub fn score_aabb2_vjp<S: Scalar>(
+pub(crate) fn score_aabb2_vjp<S: Scalar>(
     over: Denominator,
     a: Aabb2<S>,
     b: Aabb2<S>,

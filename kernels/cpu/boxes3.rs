@@ -2,13 +2,14 @@
 //!
 //! Compiled in this library only, by the entries in `arch`. Unlike the kernels of the plane they scale every pair, so
 //! shapes need no preparation. Derivatives of extreme boxes may overflow here, so the scalar code computes them.
+use crate::ad::adjoint::overlap3::score_obb3_vjp_here;
 use crate::clip::{COMMON_FAR, COMMON_LARGE, COMMON_SMALL};
 use crate::kernels::cpu::arch::{LARGE, Vector};
 use crate::kernels::cpu::blocks::all_within;
 use crate::kernels::cpu::lane::{PLANE, ResultTiles, Tiles};
 use crate::kernels::cpu::overlaps::{is_within, lanes_of, put, seed};
 use crate::overlap::Denominator;
-use crate::overlap3::{score_obb3_here, score_obb3_vjp_here};
+use crate::overlap3::score_obb3_here;
 use crate::shape::Obb3;
 use crate::{Fixed, Real};
 

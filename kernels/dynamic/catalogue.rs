@@ -18,7 +18,7 @@ use crate::kernels::ops;
 use crate::kernels::ops::walk::{Walk, Written};
 use crate::kernels::row::fold::Fold;
 use crate::kernels::row::item::{Item, Leaf, leaves_of};
-use crate::kernels::row::op::{Declared, Derivative, Op};
+use crate::kernels::row::op::{Declared, Declares, Derivative, Op};
 use crate::scalar::real::in_format;
 use crate::{Fixed, Real};
 use std::ops::Deref;
@@ -300,24 +300,29 @@ fn kinds_of<P: Fixed<Scalar = f64> + Sample>() -> Vec<Kind> {
     P::filled(1.0).kinds()
 }
 
-/// Builds the description of an operation from the parts that all sorts have: its type, sort and arguments, and the
-/// operation in both formats.
-macro_rules! described {
-    ($op:ty, $sort:ident, $In:ty, single: $single:expr, double: $double:expr) => {
-        Operation {
-            declared: const { &<$op>::DECLARED },
-            row: Written {
-                name: "",
-                verb: "",
-                shapes: &[],
-            },
-            sort: Sort::$sort,
-            kinds: [kinds_of::<$In>, kinds_of::<<$op>::Out<f64>>],
-            samplers: <$In>::samplers,
-            single: $single,
-            double: $double,
-        }
-    };
+/// Returns the description of an operation, by its type, argument, result and sort, and the operation in both formats.
+const fn described<F: Declares, In, Out>(
+    sort: Sort,
+    single: InFormat<f32>,
+    double: InFormat<f64>,
+) -> Operation
+where
+    In: Fixed<Scalar = f64> + Sample,
+    Out: Fixed<Scalar = f64> + Sample,
+{
+    Operation {
+        declared: const { &F::DECLARED },
+        row: Written {
+            name: "",
+            verb: "",
+            shapes: &[],
+        },
+        sort,
+        kinds: [kinds_of::<In>, kinds_of::<Out>],
+        samplers: In::samplers,
+        single,
+        double,
+    }
 }
 
 /// Returns the description of a straight line.
@@ -341,7 +346,7 @@ where
             body: Runner::Columns(recording_of::<O, O::In<T>>),
         }
     }
-    described!(O, Straight, O::In<f64>, single: of::<f32, O>(), double: of::<f64, O>())
+    described::<O, O::In<f64>, O::Out<f64>>(Sort::Straight, of::<f32, O>(), of::<f64, O>())
 }
 
 /// Returns the description of a search.
@@ -365,7 +370,7 @@ where
             body: Runner::Columns(search::recording::<D, D::In<T>>),
         }
     }
-    described!(D, Search, D::In<f64>, single: of::<f32, D>(), double: of::<f64, D>())
+    described::<D, D::In<f64>, D::Out<f64>>(Sort::Search, of::<f32, D>(), of::<f64, D>())
 }
 
 /// Returns the description of a fold.
@@ -378,20 +383,18 @@ where
     F::Context<f64>: Item<Scalar = f64> + Sample,
     F::Out<f64>: Item<Scalar = f64> + Sample,
 {
-    described!(
-        F,
-        Fold,
-        F::Context<f64>,
-        single: InFormat {
+    described::<F, F::Context<f64>, F::Out<f64>>(
+        Sort::Fold,
+        InFormat {
             takes: leaves_of::<F::Context<f32>>,
             gives: leaves_of::<F::Out<f32>>,
             body: Runner::Paths(fold_single::<F>()),
         },
-        double: InFormat {
+        InFormat {
             takes: leaves_of::<F::Context<f64>>,
             gives: leaves_of::<F::Out<f64>>,
             body: Runner::Paths(fold_double::<F>()),
-        }
+        },
     )
 }
 

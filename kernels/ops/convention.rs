@@ -19,53 +19,55 @@ fn unsigned<S: Scalar, P: Pack<Scalar = S>>(mut shape: P) -> P {
 
 table! {
     /// mmrotate's [`Le90`] of an image's box.
-    Convert<Le90<S>>: (shape) -> Le90<S> { unsigned(shape.into()) } [] jumps Anywhere derivative Forward {
+    Convert<Le90<S>>: (shape) -> Le90<S> { unsigned(shape.into()) } [] (jumps Anywhere) derivative Forward {
         "le90_of_image_box": ImageBox;
     }
     /// mmrotate's [`Le135`] of an image's box.
-    Convert<Le135<S>>: (shape) -> Le135<S> { unsigned(shape.into()) } [] jumps Anywhere derivative Forward {
+    Convert<Le135<S>>: (shape) -> Le135<S> { unsigned(shape.into()) } [] (jumps Anywhere) derivative Forward {
         "le135_of_image_box": ImageBox;
     }
     /// OpenCV's box of an image's box.
-    Convert<OpenCvBox<S>>: (shape) -> OpenCvBox<S> { unsigned(shape.into()) } [] jumps Anywhere derivative Forward {
+    Convert<OpenCvBox<S>>: (shape) -> OpenCvBox<S> { unsigned(shape.into()) } [] (jumps Anywhere) derivative Forward {
         "open_cv_of_image_box": ImageBox;
     }
     /// detectron2's box of an image's box.
-    Convert<Detectron2Box<S>>: (shape) -> Detectron2Box<S> { unsigned(shape.into()) } [] jumps Never derivative Forward {
+    Convert<Detectron2Box<S>>: (shape) -> Detectron2Box<S> { unsigned(shape.into()) }
+    [] (jumps Never) derivative Forward {
         "detectron2_of_image_box": ImageBox;
     }
     /// The image's box of detectron2's box.
-    Convert<ImageBox<S>>: (shape) -> ImageBox<S> { unsigned(shape.into()) } [] jumps Never derivative Forward {
+    Convert<ImageBox<S>>: (shape) -> ImageBox<S> { unsigned(shape.into()) } [] (jumps Never) derivative Forward {
         "image_box_of_detectron2": Detectron2Box;
     }
     /// The rotated box of bounds before turning, and the angle.
-    Convert<Obb2<S>>: (shape) -> Obb2<S> { unsigned(shape.into()) } [] jumps Never derivative Forward {
+    Convert<Obb2<S>>: (shape) -> Obb2<S> { unsigned(shape.into()) } [] (jumps Never) derivative Forward {
         "obb2_of_xyxyr": Xyxyr;
     }
     /// The bounds before turning, and the angle, of a rotated box.
-    Convert<Xyxyr<S>>: (shape) -> Xyxyr<S> { unsigned(shape.into()) } [] jumps Never derivative Forward {
+    Convert<Xyxyr<S>>: (shape) -> Xyxyr<S> { unsigned(shape.into()) } [] (jumps Never) derivative Forward {
         "xyxyr_of_obb2": Obb2;
     }
     /// The upright box of {}.
-    Convert<YawBox3<S>>: (shape) -> YawBox3<S> { unsigned(shape.into()) } [] jumps Never derivative Forward {
+    Convert<YawBox3<S>>: (shape) -> YawBox3<S> { unsigned(shape.into()) } [] (jumps Never) derivative Forward {
         "yaw_of_kitti": KittiBox;
         "yaw_of_lidar": LidarBox [follows];
     }
     /// KITTI's box of an upright box.
-    Convert<KittiBox<S>>: (shape) -> KittiBox<S> { unsigned(shape.into()) } [] jumps Never derivative Forward {
+    Convert<KittiBox<S>>: (shape) -> KittiBox<S> { unsigned(shape.into()) } [] (jumps Never) derivative Forward {
         "kitti_of_yaw": YawBox3;
     }
     /// The box of any orientation of {}.
-    Convert<Obb3<S>>: (shape) -> Obb3<S> { unsigned(shape.into()) } [] jumps Never derivative Forward {
+    Convert<Obb3<S>>: (shape) -> Obb3<S> { unsigned(shape.into()) } [] (jumps Never) derivative Forward {
         "obb3_of_nu_scenes": NuScenesBox [follows];
         "obb3_of_yaw": YawBox3 [follows];
     }
     /// An image's box where y points up, from the image's height.
-    FlipY: (shape, image_height) -> Obb2<S> { unsigned(shape.upright(image_height)) } [] jumps Never derivative Forward {
+    FlipY: (shape, image_height) -> Obb2<S> { unsigned(shape.upright(image_height)) }
+    [] (jumps Never) derivative Forward {
         "obb2_of_image_box": ImageBox, Number;
     }
     /// The [corners](Obb2::corners) of {}.
-    Corners: (shape) -> Quad<S> { unsigned(shape.corners()) } [follows] jumps Never derivative Forward {
+    Corners: (shape) -> Quad<S> { unsigned(shape.corners()) } [follows] (jumps Never) derivative Forward {
         "corners_of_obb2": Obb2;
     }
 }

@@ -22,7 +22,7 @@ use crate::{Aabb2, Capsule2, Circle, Obb2, Segment2, Triangle2, Vec2};
 
 table! {
     /// The [distance](crate::distance::distance()) of {}.
-    Distance: (a, b) -> S { distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
+    Distance: (a, b) -> S { distance(a, b) } [rigid(1), symmetric] (jumps Never) derivative Reverse {
         "distance_point_segment": Vec2, Segment2
             derivative ByHand |(a, b), out_bar| { distance_point_segment_vjp(a, b, out_bar) };
         "distance_segments": Segment2, Segment2 derivative ByHand |(a, b), out_bar| { distance_segments_vjp(a, b, out_bar) };
@@ -51,7 +51,7 @@ table! {
         "distance_obb2_circle": Obb2, Circle;
     }
     /// The [squared distance](crate::distance::squared_distance) of {}.
-    SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] jumps Never derivative Reverse {
+    SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] (jumps Never) derivative Reverse {
         "squared_distance_aabb2": Aabb2, Aabb2 { squared_distance_aabb2(a, b) };
         "squared_distance_obb2": Obb2, Obb2 { squared_distance_obb2(a, b) };
         "squared_distance_point_segment": Vec2, Segment2;
@@ -60,7 +60,7 @@ table! {
         "squared_distance_triangles": Triangle2, Triangle2;
     }
     /// The [signed distance](crate::distance::signed_distance) of {}.
-    SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
+    SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric] (jumps Never) derivative Reverse {
         "signed_distance_aabb2": Aabb2, Aabb2 { signed_distance_aabb2(a, b) };
         "signed_distance_obb2": Obb2, Obb2 { signed_distance_obb2(a, b) };
         "signed_distance_point_obb2": Vec2, Obb2;
@@ -86,12 +86,12 @@ table! {
         "signed_distance_obb2_circle": Obb2, Circle;
     }
     /// The [depth](crate::distance::depth) of {}, positive inside.
-    Depth: (a, b) -> S { depth(a, b) } [rigid(1)] jumps Never derivative Reverse {
+    Depth: (a, b) -> S { depth(a, b) } [rigid(1)] (jumps Never) derivative Reverse {
         "depth_point_aabb2": Vec2, Aabb2;
         "depth_point_obb2": Vec2, Obb2;
     }
     /// The [longest distance](crate::distance::farthest_distance) of {}.
-    FarthestDistance: (a, b) -> S { farthest_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
+    FarthestDistance: (a, b) -> S { farthest_distance(a, b) } [rigid(1), symmetric] (jumps Never) derivative Reverse {
         "farthest_distance_aabb2": Aabb2, Aabb2 { farthest_distance_aabb2(a, b) };
         "farthest_distance_obb2": Obb2, Obb2 { farthest_distance_obb2(a, b) };
         "farthest_distance_point_obb2": Vec2, Obb2;
@@ -101,7 +101,7 @@ table! {
     // Points and directions jump where another feature is nearest.
     /// The [depth of overlap and its direction](crate::distance::penetration) of {}. The direction jumps to another
     /// deepest face.
-    verbs::Penetration: (a, b) -> Contact<S> { penetration(a, b) } [shifts] jumps Anywhere derivative Reverse {
+    verbs::Penetration: (a, b) -> Contact<S> { penetration(a, b) } [shifts] (jumps Anywhere) derivative Reverse {
         "penetration_obb2": Obb2, Obb2 { penetration_obb2(a, b) } derivative Forward;
         "penetration_circles": Circle, Circle;
         "penetration_capsules": Capsule2, Capsule2;
@@ -110,7 +110,8 @@ table! {
         "penetration_circle_obb2": Circle, Obb2 derivative Forward;
     }
     /// The [nearest points](crate::distance::closest_points) of {}. Points jump to another nearest feature.
-    verbs::ClosestPoints: (a, b) -> PointPair<S> { closest_points(a, b) } [follows] jumps Anywhere derivative Reverse {
+    verbs::ClosestPoints: (a, b) -> PointPair<S> { closest_points(a, b) }
+    [follows] (jumps Anywhere) derivative Reverse {
         "closest_points_aabb2": Aabb2, Aabb2 { closest_points_aabb2(a, b) };
         "closest_points_obb2": Obb2, Obb2 { closest_points_obb2(a, b) };
         "closest_points_circle_obb2": Circle, Obb2 derivative Forward;
@@ -124,7 +125,7 @@ table! {
     /// The [nearest points](crate::distance::segments::closest_points_of_segments) of {}, and where along both they
     /// lie.
     verbs::ClosestPoints: (a, b) -> ClosestOnSegments<S> { closest_points_of_segments(a, b) }
-    [] jumps Anywhere derivative Reverse {
+    [] (jumps Anywhere) derivative Reverse {
         "closest_points_of_segments": Segment2, Segment2;
     }
 }

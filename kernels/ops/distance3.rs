@@ -12,7 +12,7 @@ use crate::{
 
 table! {
     /// The [distance](crate::distance3::distance) of {}.
-    Distance: (a, b) -> S { distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
+    Distance: (a, b) -> S { distance(a, b) } [rigid(1), symmetric] (jumps Never) derivative Reverse {
         "distance_point_aabb3": Vec3, Aabb3;
         "distance_point_yaw": Vec3, YawBox3;
         "distance_point_obb3": Vec3, Obb3;
@@ -61,14 +61,14 @@ table! {
         "distance_ray_tetrahedron": Ray3, Tetrahedron;
         "distance_ray_round_box": Ray3, RoundBox3;
         /// It jumps where they become parallel.
-        "distance_lines3": Line3, Line3 jumps Anywhere;
+        "distance_lines3": Line3, Line3 (jumps Anywhere);
         /// It jumps where they become parallel.
-        "distance_line_ray3": Line3, Ray3 jumps Anywhere;
+        "distance_line_ray3": Line3, Ray3 (jumps Anywhere);
         /// It jumps where they become parallel.
-        "distance_rays3": Ray3, Ray3 jumps Anywhere;
+        "distance_rays3": Ray3, Ray3 (jumps Anywhere);
     }
     /// The [squared distance](crate::distance3::squared_distance) of {}.
-    SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] jumps Never derivative Reverse {
+    SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] (jumps Never) derivative Reverse {
         "squared_distance_point_segment3": Vec3, Segment3;
         "squared_distance_point_triangle3": Vec3, Triangle3;
         "squared_distance_segments3": Segment3, Segment3;
@@ -77,7 +77,7 @@ table! {
         "squared_distance_obb3": Obb3, Obb3;
     }
     /// The [signed distance](crate::distance3::signed_distance) of {}.
-    SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
+    SignedDistance: (a, b) -> S { signed_distance(a, b) } [rigid(1), symmetric] (jumps Never) derivative Reverse {
         "signed_distance_point_aabb3": Vec3, Aabb3;
         "signed_distance_point_yaw": Vec3, YawBox3;
         "signed_distance_point_obb3": Vec3, Obb3;
@@ -127,7 +127,7 @@ table! {
         "signed_distance_plane_round_box": Plane3, RoundBox3;
     }
     /// The [longest distance](crate::distance3::farthest_distance) of {}.
-    FarthestDistance: (a, b) -> S { farthest_distance(a, b) } [rigid(1), symmetric] jumps Never derivative Reverse {
+    FarthestDistance: (a, b) -> S { farthest_distance(a, b) } [rigid(1), symmetric] (jumps Never) derivative Reverse {
         "farthest_distance_point_obb3": Vec3, Obb3;
         "farthest_distance_capsules3": Capsule3, Capsule3;
         "farthest_distance_aabb3": Aabb3, Aabb3;
@@ -136,7 +136,7 @@ table! {
     // Points and directions jump where another feature is nearest.
     /// The [depth of overlap and its direction](crate::distance3::penetration) of {}. The direction jumps to another
     /// deepest face.
-    verbs::Penetration: (a, b) -> Contact3<S> { penetration(a, b) } [shifts] jumps Anywhere derivative Reverse {
+    verbs::Penetration: (a, b) -> Contact3<S> { penetration(a, b) } [shifts] (jumps Anywhere) derivative Reverse {
         "penetration_spheres": Sphere, Sphere;
         "penetration_capsules3": Capsule3, Capsule3;
         "penetration_sphere_obb3": Sphere, Obb3;
@@ -147,7 +147,8 @@ table! {
         "penetration_plane_obb3": Plane3, Obb3;
     }
     /// The [nearest points](crate::distance3::closest_points) of {}. Points jump to another nearest feature.
-    verbs::ClosestPoints: (a, b) -> PointPair3<S> { closest_points(a, b) } [follows] jumps Anywhere derivative Reverse {
+    verbs::ClosestPoints: (a, b) -> PointPair3<S> { closest_points(a, b) }
+    [follows] (jumps Anywhere) derivative Reverse {
         "closest_points_point_segment3": Vec3, Segment3;
         "closest_points_point_triangle3": Vec3, Triangle3;
         "closest_points_segments3": Segment3, Segment3;

@@ -28,7 +28,7 @@ fn meet_in_doubt(a: Plane3<f64>, b: Plane3<f64>, c: Plane3<f64>) -> f64 {
 // grows with the scale, since its direction does not; whether there is one does not change.
 table! {
     /// The [first hit](crate::intersection3::first_hit) of {}.
-    verbs::FirstHit: (a, b) -> Hit3<S> { first_hit(a, b) } [] jumps Anywhere derivative Reverse {
+    verbs::FirstHit: (a, b) -> Hit3<S> { first_hit(a, b) } [] (jumps Anywhere) derivative Reverse {
         "first_hit_ray_plane": Ray3, Plane3;
         "first_hit_ray_sphere": Ray3, Sphere;
         "first_hit_ray_capsule3": Ray3, Capsule3;
@@ -43,7 +43,7 @@ table! {
         "first_hit_segment_triangle3": Segment3, Triangle3 { first_hit_of_segment(a, b) };
     }
     /// The [parameters of entry and exit](crate::intersection3::span()) of {}.
-    verbs::Span: (a, b) -> Chord<S> { span(a, b) } [isometric] jumps Anywhere derivative Reverse {
+    verbs::Span: (a, b) -> Chord<S> { span(a, b) } [isometric] (jumps Anywhere) derivative Reverse {
         "span_line_plane": Line3, Plane3;
         "span_line_sphere": Line3, Sphere;
         "span_line_capsule3": Line3, Capsule3;
@@ -53,7 +53,7 @@ table! {
         "span_line_tetrahedron": Line3, Tetrahedron;
     }
     /// The [length inside](crate::intersection3::length_inside) of {}.
-    verbs::LengthInside: (a, b) -> S { length_inside(a, b) } [rigid(1)] jumps Anywhere derivative Reverse {
+    verbs::LengthInside: (a, b) -> S { length_inside(a, b) } [rigid(1)] (jumps Anywhere) derivative Reverse {
         "length_inside_segment_plane": Segment3, Plane3;
         "length_inside_segment_sphere": Segment3, Sphere;
         "length_inside_segment_capsule3": Segment3, Capsule3;
@@ -68,12 +68,12 @@ table! {
     // The point nearest to the origin does not follow shifts, nor does the origin, which stands for no result.
     /// The line of two planes, the borders of {}.
     verbs::Crossing: (a, b) -> CommonLine3<S> { crossing_of_two_planes(a, b) } [follows, about_origin]
-    finite Within(Limits::new([-8, 8], [-150, 150])) jumps Anywhere derivative Reverse {
+    (finite Within(Limits::new([-8, 8], [-150, 150])) jumps Anywhere) derivative Reverse {
         "crossing_of_two_planes": Plane3, Plane3;
     }
     /// The [point](crate::intersection3::crossing_of_three_planes) of three planes.
     verbs::Crossing: (a, b, c) -> CommonPoint3<S> { crossing_of_three_planes(a, b, c) } [follows, about_origin]
-    finite Within(Limits::new([-8, 8], [-150, 150])) jumps Anywhere derivative Reverse {
-        "crossing_of_three_planes": Plane3, Plane3, Plane3 roundings { meet_in_doubt(a, b, c) };
+    (finite Within(Limits::new([-8, 8], [-150, 150])) jumps Anywhere) derivative Reverse {
+        "crossing_of_three_planes": Plane3, Plane3, Plane3 (roundings { meet_in_doubt(a, b, c) });
     }
 }

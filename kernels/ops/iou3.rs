@@ -16,7 +16,8 @@ use crate::{Aabb3, Obb2, Obb3, YawBox3};
 // plans are not symmetric: equally far corners share the derivative in the frame of the first box.
 table! {
     /// The [generalised IoU](crate::iou3::giou) of {}.
-    Giou: (a, b) -> S { giou(a, b, Enclosing::Aabb) } [similar, symmetric] range SIGNED jumps Anywhere derivative Forward {
+    Giou: (a, b) -> S { giou(a, b, Enclosing::Aabb) }
+    [similar, symmetric] (range SIGNED jumps Anywhere) derivative Forward {
         /// By the box around both.
         "giou_aabb3": Aabb3, Aabb3;
         /// By the convex hull of the grounds times the height of both.
@@ -27,7 +28,7 @@ table! {
     }
     /// The [generalised IoU](crate::iou3::giou) of {} by the box around both along the axes of the world.
     GiouAabb: (a, b) -> S { giou(a, b, Enclosing::Aabb) }
-    [similar, along_axes, symmetric] range SIGNED jumps Anywhere derivative Forward {
+    [similar, along_axes, symmetric] (range SIGNED jumps Anywhere) derivative Forward {
         "giou_aabb_yaw": YawBox3, YawBox3;
         "giou_aabb_obb3": Obb3, Obb3
             derivative ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Giou, Enclosing::Aabb), a, b, out_bar) };
@@ -35,11 +36,12 @@ table! {
     /// The [generalised IoU](crate::iou3::giou) of {} by the rectangle of least area around both grounds times the
     /// height of both.
     GiouRectangle: (a, b) -> S { giou(a, b, Enclosing::Rectangle) }
-    [similar, symmetric] range SIGNED jumps Anywhere derivative Forward {
+    [similar, symmetric] (range SIGNED jumps Anywhere) derivative Forward {
         "giou_rectangle_yaw": YawBox3, YawBox3;
     }
     /// The [distance IoU](crate::iou3::diou) of {}.
-    Diou: (a, b) -> S { diou(a, b, Enclosing::Aabb) } [similar, symmetric] range SIGNED jumps Anywhere derivative Forward {
+    Diou: (a, b) -> S { diou(a, b, Enclosing::Aabb) }
+    [similar, symmetric] (range SIGNED jumps Anywhere) derivative Forward {
         /// By the box around both.
         "diou_aabb3": Aabb3, Aabb3 derivative Reverse;
         /// By the convex hull of the grounds times the height of both.
@@ -50,7 +52,7 @@ table! {
     }
     /// The [distance IoU](crate::iou3::diou) of {} by the box around both along the axes of the world.
     DiouAabb: (a, b) -> S { diou(a, b, Enclosing::Aabb) }
-    [similar, along_axes, symmetric] range SIGNED jumps Anywhere derivative Forward {
+    [similar, along_axes, symmetric] (range SIGNED jumps Anywhere) derivative Forward {
         "diou_aabb_yaw": YawBox3, YawBox3;
         "diou_aabb_obb3": Obb3, Obb3
             derivative ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Diou, Enclosing::Aabb), a, b, out_bar) };
@@ -58,11 +60,11 @@ table! {
     /// The [distance IoU](crate::iou3::diou) of {} by the rectangle of least area around both grounds times the
     /// height of both.
     DiouRectangle: (a, b) -> S { diou(a, b, Enclosing::Rectangle) }
-    [similar, symmetric] range SIGNED jumps Anywhere derivative Forward {
+    [similar, symmetric] (range SIGNED jumps Anywhere) derivative Forward {
         "diou_rectangle_yaw": YawBox3, YawBox3;
     }
     /// The [complete IoU](crate::iou3::ciou) of {}.
-    Ciou: (a, b) -> S { ciou(a, b, Enclosing::Aabb) } [similar, symmetric] jumps Anywhere derivative Forward {
+    Ciou: (a, b) -> S { ciou(a, b, Enclosing::Aabb) } [similar, symmetric] (jumps Anywhere) derivative Forward {
         /// By the box around both.
         "ciou_aabb3": Aabb3, Aabb3 derivative Reverse;
         /// By the convex hull of the grounds times the height of both.
@@ -73,7 +75,7 @@ table! {
     }
     /// The [complete IoU](crate::iou3::ciou) of {} by the box around both along the axes of the world.
     CiouAabb: (a, b) -> S { ciou(a, b, Enclosing::Aabb) }
-    [similar, along_axes, symmetric] jumps Anywhere derivative Forward {
+    [similar, along_axes, symmetric] (jumps Anywhere) derivative Forward {
         "ciou_aabb_yaw": YawBox3, YawBox3;
         "ciou_aabb_obb3": Obb3, Obb3
             derivative ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Ciou, Enclosing::Aabb), a, b, out_bar) };
@@ -81,11 +83,11 @@ table! {
     /// The [complete IoU](crate::iou3::ciou) of {} by the rectangle of least area around both grounds times the
     /// height of both.
     CiouRectangle: (a, b) -> S { ciou(a, b, Enclosing::Rectangle) }
-    [similar, symmetric] jumps Anywhere derivative Forward {
+    [similar, symmetric] (jumps Anywhere) derivative Forward {
         "ciou_rectangle_yaw": YawBox3, YawBox3;
     }
     /// The [efficient IoU](crate::iou3::eiou) of {}.
-    Eiou: (a, b) -> S { eiou(a, b, Enclosing::Aabb) } [similar, symmetric] jumps Anywhere derivative Forward {
+    Eiou: (a, b) -> S { eiou(a, b, Enclosing::Aabb) } [similar, symmetric] (jumps Anywhere) derivative Forward {
         /// By the box around both.
         "eiou_aabb3": Aabb3, Aabb3 derivative Reverse;
         /// By the convex hull of the grounds times the height of both.
@@ -96,7 +98,7 @@ table! {
     }
     /// The [efficient IoU](crate::iou3::eiou) of {} by the box around both along the axes of the world.
     EiouAabb: (a, b) -> S { eiou(a, b, Enclosing::Aabb) }
-    [similar, along_axes, symmetric] jumps Anywhere derivative Forward {
+    [similar, along_axes, symmetric] (jumps Anywhere) derivative Forward {
         "eiou_aabb_yaw": YawBox3, YawBox3;
         "eiou_aabb_obb3": Obb3, Obb3
             derivative ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Eiou, Enclosing::Aabb), a, b, out_bar) };
@@ -104,22 +106,22 @@ table! {
     /// The [efficient IoU](crate::iou3::eiou) of {} by the rectangle of least area around both grounds times the
     /// height of both.
     EiouRectangle: (a, b) -> S { eiou(a, b, Enclosing::Rectangle) }
-    [similar, symmetric] jumps Anywhere derivative Forward {
+    [similar, symmetric] (jumps Anywhere) derivative Forward {
         "eiou_rectangle_yaw": YawBox3, YawBox3;
     }
     /// The [IoU](crate::iou3::alpha_iou) of {} to the power three, its paper's choice.
     AlphaIou: (a, b) -> S { alpha_iou(iou_yaw(a, b), S::lit(3.0)) }
-    [similar, symmetric] range RATIO jumps FromZero derivative Forward {
+    [similar, symmetric] (range RATIO jumps FromZero) derivative Forward {
         "alpha_iou_yaw": YawBox3, YawBox3;
         "alpha_iou_aabb3": Aabb3, Aabb3 { alpha_iou(iou_aabb3(a, b), S::lit(3.0)) } derivative Reverse;
     }
     /// The [IoU with a term for separation](crate::iou3::separation_aware) of {}.
     SeparationAware: (a, b) -> S { separation_aware(a, b) }
-    [similar, symmetric] range SIGNED jumps Anywhere derivative Forward {
+    [similar, symmetric] (range SIGNED jumps Anywhere) derivative Forward {
         "separation_aware_aabb3": Aabb3, Aabb3 derivative Reverse;
         "separation_aware_yaw": YawBox3, YawBox3;
         "separation_aware_obb3": Obb3, Obb3
             derivative ByHand |(a, b), out_bar| { score_obb3_vjp((Score::Separation, Enclosing::Aabb), a, b, out_bar) };
-        "separation_aware_obb2": Obb2, Obb2 { separation_aware_obb2(a, b) } jumps Never;
+        "separation_aware_obb2": Obb2, Obb2 { separation_aware_obb2(a, b) } (jumps Never);
     }
 }

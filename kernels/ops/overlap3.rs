@@ -1,16 +1,17 @@
 //! The overlap of boxes of space as operations.
 use crate::ad::adjoint::bounds3::{intersection_volume_aabb3_vjp, iof_aabb3_vjp, iou_aabb3_vjp};
 use crate::ad::adjoint::overlap::iou_obb2_vjp;
+use crate::ad::adjoint::overlap_mixed::{iou_aabb3_obb3_vjp, iou_yaw_obb3_vjp, mixed_vjp};
+use crate::ad::adjoint::overlap3::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
 use crate::ad::adjoint::upright::{intersection_volume_yaw_vjp, iof_yaw_vjp, iou_yaw_vjp};
 use crate::kernels::row::compiled::Compiled;
 use crate::kernels::ops::tables::table;
 use crate::kernels::verbs::{IntersectionVolume, Iof, Iou, IouBev};
 use crate::overlap::Denominator;
 use crate::overlap3::{
-    Overlaps, intersection_volume_aabb3, intersection_volume_obb3, intersection_volume_obb3_vjp,
-    intersection_volume_yaw, iof_aabb3, iof_obb3, iof_obb3_vjp, iof_yaw, iou_aabb3,
-    iou_aabb3_obb3_vjp, iou_birds_eye, iou_obb3, iou_obb3_vjp, iou_yaw, iou_yaw_obb3_vjp,
-    mixed_vjp,
+    Overlaps, intersection_volume_aabb3, intersection_volume_obb3,
+    intersection_volume_yaw, iof_aabb3, iof_obb3, iof_yaw, iou_aabb3,
+    iou_birds_eye, iou_obb3, iou_yaw,
 };
 use crate::{Aabb3, Obb2, Obb3, Scalar, Vec2, Vec3, YawBox3};
 
@@ -47,7 +48,7 @@ fn lost_of(whole: f64, lost: f64) -> f64 {
 table! {
     /// [Volume](crate::overlap3::intersection_volume_obb3) that {} share.
     IntersectionVolume: (a, b) -> S { intersection_volume_aabb3(a, b) }
-    [rigid(3), symmetric] finite Always range NOT_NEGATIVE extremes Shared jumps Never derivative ByHand {
+    [rigid(3), symmetric] (finite Always range NOT_NEGATIVE extremes Shared jumps Never) derivative ByHand {
         "intersection_volume_aabb3": Aabb3, Aabb3
             derivative ByHand |(a, b), out_bar| { intersection_volume_aabb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Aabb3 };
@@ -55,75 +56,75 @@ table! {
             derivative ByHand |(a, b), out_bar| { intersection_volume_yaw_vjp(a, b, out_bar) }
             => compiled { Compiled::Upright(Denominator::None) };
         "intersection_volume_obb3": Obb3, Obb3 { intersection_volume_obb3(a, b) }
-            roundings { lost(a, b) }
+            (roundings { lost(a, b) })
             derivative ByHand |(a, b), out_bar| { intersection_volume_obb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Obb3(Denominator::None) };
     }
     /// [Intersection over union](crate::overlap3::iou_obb3) of {}, 0 to 1.
     Iou: (a, b) -> S { iou_aabb3(a, b) }
-    [similar, symmetric] finite Always range RATIO extremes Union jumps FromZero derivative ByHand {
+    [similar, symmetric] (finite Always range RATIO extremes Union jumps FromZero) derivative ByHand {
         "iou_aabb3": Aabb3, Aabb3 derivative ByHand |(a, b), out_bar| { iou_aabb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Aabb3 };
         "iou_yaw": YawBox3, YawBox3 { iou_yaw(a, b) } derivative ByHand |(a, b), out_bar| { iou_yaw_vjp(a, b, out_bar) }
             => compiled { Compiled::Upright(Denominator::Union) };
-        "iou_obb3": Obb3, Obb3 { iou_obb3(a, b) } roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) }
+        "iou_obb3": Obb3, Obb3 { iou_obb3(a, b) } (roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) })
             derivative ByHand |(a, b), out_bar| { iou_obb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Obb3(Denominator::Union) };
     }
     /// [Intersection over union](crate::Obb3::iou) of {}, 0 to 1.
-    Iou: (a, b) -> S { a.iou_with(b) } [similar] range RATIO extremes Shared jumps FromZero derivative Forward {
+    Iou: (a, b) -> S { a.iou_with(b) } [similar] (range RATIO extremes Shared jumps FromZero) derivative Forward {
         "iou_aabb3_yaw": Aabb3, YawBox3;
-        "iou_aabb3_obb3": Aabb3, Obb3 finite Always roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) }
+        "iou_aabb3_obb3": Aabb3, Obb3 (finite Always roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) })
             derivative ByHand |(a, b), out_bar| { iou_aabb3_obb3_vjp(a, b, out_bar) };
-        "iou_yaw_obb3": YawBox3, Obb3 finite Always roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) }
+        "iou_yaw_obb3": YawBox3, Obb3 (finite Always roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) })
             derivative ByHand |(a, b), out_bar| { iou_yaw_obb3_vjp(a, b, out_bar) };
         "iou_yaw_aabb3": YawBox3, Aabb3;
-        "iou_obb3_aabb3": Obb3, Aabb3 roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) }
+        "iou_obb3_aabb3": Obb3, Aabb3 (roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) })
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iou_obb3_vjp(a, b, out_bar)) };
-        "iou_obb3_yaw": Obb3, YawBox3 roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) }
+        "iou_obb3_yaw": Obb3, YawBox3 (roundings { lost_of(a.volume().max(b.volume()), lost(a, b)) })
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iou_obb3_vjp(a, b, out_bar)) };
     }
     /// [Volume](crate::Obb3::intersection_volume) that {} share.
     IntersectionVolume: (a, b) -> S { a.volume_shared_with(b) }
-    [rigid(3)] range NOT_NEGATIVE jumps Never derivative Forward {
+    [rigid(3)] (range NOT_NEGATIVE jumps Never) derivative Forward {
         "intersection_volume_aabb3_yaw": Aabb3, YawBox3;
         "intersection_volume_yaw_aabb3": YawBox3, Aabb3;
-        "intersection_volume_aabb3_obb3": Aabb3, Obb3 roundings { lost(a, b) }
+        "intersection_volume_aabb3_obb3": Aabb3, Obb3 (roundings { lost(a, b) })
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| intersection_volume_obb3_vjp(a, b, out_bar)) };
-        "intersection_volume_obb3_aabb3": Obb3, Aabb3 roundings { lost(a, b) }
+        "intersection_volume_obb3_aabb3": Obb3, Aabb3 (roundings { lost(a, b) })
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| intersection_volume_obb3_vjp(a, b, out_bar)) };
-        "intersection_volume_yaw_obb3": YawBox3, Obb3 roundings { lost(a, b) }
+        "intersection_volume_yaw_obb3": YawBox3, Obb3 (roundings { lost(a, b) })
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| intersection_volume_obb3_vjp(a, b, out_bar)) };
-        "intersection_volume_obb3_yaw": Obb3, YawBox3 roundings { lost(a, b) }
+        "intersection_volume_obb3_yaw": Obb3, YawBox3 (roundings { lost(a, b) })
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| intersection_volume_obb3_vjp(a, b, out_bar)) };
     }
     /// The [part of the first](crate::Obb3::iof) of {} that lies in the second, 0 to 1.
-    Iof: (a, b) -> S { a.iof_with(b) } [similar] range RATIO jumps FromZero derivative Forward {
+    Iof: (a, b) -> S { a.iof_with(b) } [similar] (range RATIO jumps FromZero) derivative Forward {
         "iof_aabb3_yaw": Aabb3, YawBox3;
         "iof_yaw_aabb3": YawBox3, Aabb3;
-        "iof_aabb3_obb3": Aabb3, Obb3 roundings { lost_of(a.volume(), lost(a, b)) }
+        "iof_aabb3_obb3": Aabb3, Obb3 (roundings { lost_of(a.volume(), lost(a, b)) })
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iof_obb3_vjp(a, b, out_bar)) };
-        "iof_obb3_aabb3": Obb3, Aabb3 roundings { lost_of(a.volume(), lost(a, b)) }
+        "iof_obb3_aabb3": Obb3, Aabb3 (roundings { lost_of(a.volume(), lost(a, b)) })
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iof_obb3_vjp(a, b, out_bar)) };
-        "iof_yaw_obb3": YawBox3, Obb3 roundings { lost_of(a.volume(), lost(a, b)) }
+        "iof_yaw_obb3": YawBox3, Obb3 (roundings { lost_of(a.volume(), lost(a, b)) })
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iof_obb3_vjp(a, b, out_bar)) };
-        "iof_obb3_yaw": Obb3, YawBox3 roundings { lost_of(a.volume(), lost(a, b)) }
+        "iof_obb3_yaw": Obb3, YawBox3 (roundings { lost_of(a.volume(), lost(a, b)) })
             derivative ByHand |(a, b), out_bar| { mixed_vjp(a, b, |a, b| iof_obb3_vjp(a, b, out_bar)) };
     }
     /// The [part of the first](crate::overlap3::iof_obb3) of {} that lies in the second, 0 to 1.
     Iof: (a, b) -> S { iof_aabb3(a, b) }
-    [similar] finite Always range RATIO extremes Ratio jumps FromZero derivative ByHand {
+    [similar] (finite Always range RATIO extremes Ratio jumps FromZero) derivative ByHand {
         "iof_aabb3": Aabb3, Aabb3 derivative ByHand |(a, b), out_bar| { iof_aabb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Aabb3 };
         "iof_yaw": YawBox3, YawBox3 { iof_yaw(a, b) } derivative ByHand |(a, b), out_bar| { iof_yaw_vjp(a, b, out_bar) }
             => compiled { Compiled::Upright(Denominator::First) };
-        "iof_obb3": Obb3, Obb3 { iof_obb3(a, b) } roundings { lost_of(a.volume(), lost(a, b)) }
+        "iof_obb3": Obb3, Obb3 { iof_obb3(a, b) } (roundings { lost_of(a.volume(), lost(a, b)) })
             derivative ByHand |(a, b), out_bar| { iof_obb3_vjp(a, b, out_bar) }
             => compiled { Compiled::Obb3(Denominator::First) };
     }
     /// [Intersection over union](crate::overlap3::iou_birds_eye) of {}, seen from above, 0 to 1.
     IouBev: (a, b) -> S { iou_birds_eye(a, b) }
-    [similar, symmetric] finite Always range RATIO extremes Union jumps FromZero derivative ByHand {
+    [similar, symmetric] (finite Always range RATIO extremes Union jumps FromZero) derivative ByHand {
         "iou_birds_eye": YawBox3, YawBox3 derivative ByHand |(a, b), out_bar| { birds_eye_vjp(a, b, out_bar) }
             => compiled { Compiled::BirdsEye(Denominator::Union) };
     }

@@ -177,30 +177,19 @@ macro_rules! folds {
     )*
     listed! {
         names [$([Written {
-            name: <$By as crate::kernels::row::op::Declares>::DECLARED.name, verb: stringify!($Verb), shapes: &[crate::kernels::ops::path::path_name!($Path)],
+            name: <$By as crate::kernels::row::op::Declares>::DECLARED.name,
+            verb: stringify!($Verb),
+            shapes: &[crate::kernels::row::fold::$Path::NAME],
         }]),*]
         each |walk| { $(walk.fold::<$By>(Written {
-            name: <$By as crate::kernels::row::op::Declares>::DECLARED.name, verb: stringify!($Verb), shapes: &[crate::kernels::ops::path::path_name!($Path)],
+            name: <$By as crate::kernels::row::op::Declares>::DECLARED.name,
+            verb: stringify!($Verb),
+            shapes: &[crate::kernels::row::fold::$Path::NAME],
         });)* }
     } };
 }
 
-/// Returns the word for a kind of path.
-macro_rules! path_name {
-    (Ring) => {
-        "ring"
-    };
-    (Polyline) => {
-        "polyline"
-    };
-    (Polyline3) => {
-        "polyline3"
-    };
-    (Cloud3) => {
-        "cloud3"
-    };
-}
-pub(crate) use {folds, path_name};
+pub(crate) use folds;
 folds! {
     Distance, Ring over_ring by DistancePointRing;
     Distance, Polyline over_polyline by DistancePointPolyline;

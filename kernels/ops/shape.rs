@@ -7,44 +7,44 @@ use crate::{Circle, Pose2, Segment2, Triangle2, Vec2, ring};
 
 table! {
     /// The [signed area](Triangle2::signed_area) of {}.
-    SignedArea: (shape) -> S { shape.signed_area() } [rigid(2)] jumps Never derivative Reverse {
+    SignedArea: (shape) -> S { shape.signed_area() } [rigid(2)] (jumps Never) derivative Reverse {
         "signed_area_triangle": Triangle2;
     }
     /// The [signed area](crate::ring::signed_area) of {}.
-    SignedArea: (ring) -> S { ring::signed_area(&ring) } [rigid(2)] jumps Never derivative Reverse {
+    SignedArea: (ring) -> S { ring::signed_area(&ring) } [rigid(2)] (jumps Never) derivative Reverse {
         "signed_area_quad": Quad;
     }
     /// The [area](Triangle2::area) of {}.
-    Area: (shape) -> S { shape.area() } [rigid(2)] range NOT_NEGATIVE jumps Never derivative Reverse {
+    Area: (shape) -> S { shape.area() } [rigid(2)] (range NOT_NEGATIVE jumps Never) derivative Reverse {
         "area_triangle": Triangle2;
     }
     /// The [perimeter](Triangle2::perimeter) of {}.
-    Perimeter: (shape) -> S { shape.perimeter() } [rigid(1)] range NOT_NEGATIVE jumps Never derivative Reverse {
+    Perimeter: (shape) -> S { shape.perimeter() } [rigid(1)] (range NOT_NEGATIVE jumps Never) derivative Reverse {
         "perimeter_triangle": Triangle2;
     }
     /// The [perimeter](crate::ring::perimeter) of {}.
-    Perimeter: (ring) -> S { ring::perimeter(&ring) } [rigid(1)] range NOT_NEGATIVE jumps Never derivative Reverse {
+    Perimeter: (ring) -> S { ring::perimeter(&ring) } [rigid(1)] (range NOT_NEGATIVE jumps Never) derivative Reverse {
         "perimeter_quad": Quad;
     }
     /// The [centroid](Triangle2::centroid) of {}.
-    Centroid: (shape) -> Vec2<S> { shape.centroid() } [follows] jumps Never derivative Reverse {
+    Centroid: (shape) -> Vec2<S> { shape.centroid() } [follows] (jumps Never) derivative Reverse {
         "centroid_triangle": Triangle2;
     }
     // It jumps where the area is zero.
     /// The [centroid](crate::ring::centroid) of {}.
-    Centroid: (ring) -> Vec2<S> { ring::centroid(&ring) } [follows] jumps Anywhere derivative Reverse {
+    Centroid: (ring) -> Vec2<S> { ring::centroid(&ring) } [follows] (jumps Anywhere) derivative Reverse {
         "centroid_quad": Quad;
     }
     /// The [inscribed circle](Triangle2::incircle) of {}.
-    Incircle: (shape) -> Circle<S> { shape.incircle() } [follows] jumps Never derivative Reverse {
+    Incircle: (shape) -> Circle<S> { shape.incircle() } [follows] (jumps Never) derivative Reverse {
         "incircle": Triangle2;
     }
     /// The circle through three points ([`circumcircle`]). It jumps where they are on one line.
-    Circumcircle: (a, b, c) -> Circle<S> { circumcircle(a, b, c) } [] jumps Anywhere derivative Reverse {
+    Circumcircle: (a, b, c) -> Circle<S> { circumcircle(a, b, c) } [] (jumps Anywhere) derivative Reverse {
         "circumcircle": Vec2, Vec2, Vec2;
     }
     /// A segment, moved. The pose's cosine and sine count by their direction alone: the segment keeps its length.
-    Move: (pose, segment) -> Segment2<S> { pose.normalized() * segment } [] jumps Never derivative Reverse {
+    Move: (pose, segment) -> Segment2<S> { pose.normalized() * segment } [] (jumps Never) derivative Reverse {
         "move_segment": Pose2, Segment2;
     }
 }

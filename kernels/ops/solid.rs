@@ -11,7 +11,7 @@ fn turned(inertia: Symmetric3<f64>) -> f64 {
 
 table! {
     /// The volume of {}.
-    Volume: (shape) -> S { shape.volume() } [rigid(3)] range NOT_NEGATIVE jumps Never derivative Reverse {
+    Volume: (shape) -> S { shape.volume() } [rigid(3)] (range NOT_NEGATIVE jumps Never) derivative Reverse {
         "volume_capsule3": Capsule3;
         "volume_cylinder": Cylinder;
         "volume_cone": Cone;
@@ -19,7 +19,7 @@ table! {
         "volume_round_box": RoundBox3;
     }
     /// The area of the surface of {}.
-    Surface: (shape) -> S { shape.surface() } [rigid(2)] range NOT_NEGATIVE jumps Never derivative Reverse {
+    Surface: (shape) -> S { shape.surface() } [rigid(2)] (range NOT_NEGATIVE jumps Never) derivative Reverse {
         "surface_capsule3": Capsule3;
         "surface_cylinder": Cylinder;
         "surface_cone": Cone;
@@ -27,21 +27,20 @@ table! {
         "surface_round_box": RoundBox3;
     }
     /// The centre of the volume of {}.
-    Centroid: (shape) -> Vec3<S> { shape.center() } [follows] jumps Never derivative Reverse {
+    Centroid: (shape) -> Vec3<S> { shape.center() } [follows] (jumps Never) derivative Reverse {
         "centroid_cone": Cone;
         "centroid_tetrahedron": Tetrahedron;
     }
     // The numbers of a tensor are relative to the coordinate axes. Fifth powers of small lengths underflow in `f32`.
     /// The [inertia](crate::measure::inertia) of {} about its centroid, by unit density.
-    Inertia: (shape) -> Symmetric3<S> { shape.inertia() } [rigid(5), along_axes] jumps Never
-    resolution 1e-36
+    Inertia: (shape) -> Symmetric3<S> { shape.inertia() } [rigid(5), along_axes] (jumps Never resolution 1e-36)
     derivative Reverse {
         "inertia_sphere": Sphere;
         "inertia_capsule3": Capsule3;
         "inertia_cylinder": Cylinder;
         "inertia_cone": Cone;
         "inertia_tetrahedron": Tetrahedron;
-        "inertia_round_box": RoundBox3 roundings { turned(shape.inertia()) };
-        "inertia_obb3": Obb3 roundings { turned(shape.inertia()) };
+        "inertia_round_box": RoundBox3 (roundings { turned(shape.inertia()) });
+        "inertia_obb3": Obb3 (roundings { turned(shape.inertia()) });
     }
 }

@@ -4,16 +4,16 @@
 ///
 /// ```text
 /// /// The [squared distance](crate::distance::squared_distance) of {}.
-/// SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] jumps Never derivative Reverse {
+/// SquaredDistance: (a, b) -> S { squared_distance(a, b) } [rigid(2), symmetric] (jumps Never) derivative Reverse {
 ///     "squared_distance_segments": Segment2, Segment2;
 ///     /// By the axes of both.
-///     "squared_distance_obb2": Obb2, Obb2 { squared_distance_obb2(a, b) } derivative Forward;
+///     "squared_distance_obb2": Obb2, Obb2 { squared_distance_obb2(a, b) } (jumps Anywhere) derivative Forward;
 /// }
 /// ```
 ///
 /// * The head has the documentation, arguments, result, formula, [class](crate::kernels::ops::class::Class) of
-///   invariance, jumps and derivatives; before the jumps come `finite`, `range` and `extremes`, where they are not
-///   the default, after them `domain`, `resolution`, `relative_resolution` and `roundings`.
+///   invariance, clauses and derivatives. Clauses stand in parentheses, in the order of
+///   [`operation!`](crate::operation).
 /// * A line has the name of the row and its shapes, then what differs from the head, in the same order.
 /// * `{}` in the documentation stands for the shapes: "two segments". A comment before a line follows it.
 /// * Arguments `(a, b)` of two kinds take the [names](crate::kernels::ops::noun::Noun) of these: `point`, `circle`.
@@ -21,30 +21,11 @@ macro_rules! table {
     ($(
         $(#[doc = $title:literal])+
         $Verb:ty: $arguments:tt -> $out:ty $formula:block
-        $class:tt
-        $(finite $finite:ident $(($limits:expr))?)?
-        $(range $range:ident)?
-        $(extremes $extremes:ident)?
-        jumps $jumps:ident
-        $(domain $domain:block)?
-        $(resolution $absolute:literal)?
-        $(relative_resolution $share:literal)?
-        $(roundings $roundings:block)?
-        derivative $derivative:ident
+        $class:tt ($($clauses:tt)*) derivative $derivative:ident
         { $($rows:tt)* }
     )*) => { $( crate::kernels::ops::tables::table! {
         @rows [concat!($($title),+)] $Verb, $arguments, $out, $formula, $class,
-        [
-            $(finite $finite $(($limits))?)?
-            $(range $range)?
-            $(extremes $extremes)?
-            jumps $jumps
-            $(domain $domain)?
-            $(resolution $absolute)?
-            $(relative_resolution $share)?
-            $(roundings $roundings)?
-            derivative $derivative
-        ];
+        ($($clauses)* derivative $derivative);
         $($rows)*
     } )*
     crate::kernels::ops::tables::listed! {
@@ -57,14 +38,7 @@ macro_rules! table {
             $(#[doc = $own_title:literal])?
             $name:literal: $($Shape:ident),+ $($own_formula:block)?
             $([$($own_class:tt)*])?
-            $(finite $own_finite:ident)?
-            $(range $own_range:ident)?
-            $(extremes $own_extremes:ident)?
-            $(jumps $own_jumps:ident)?
-            $(domain $own_domain:block)?
-            $(resolution $own_absolute:literal)?
-            $(relative_resolution $own_share:literal)?
-            $(roundings $own_roundings:block)?
+            $(($($own_clauses:tt)*))?
             $(derivative $own_derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?)?
             $(=> compiled { $compiled:expr })?;
         )*
@@ -77,14 +51,7 @@ macro_rules! table {
             $(#[doc = $own_title:literal])?
             $name:literal: $($Shape:ident),+ $($own_formula:block)?
             $([$($own_class:tt)*])?
-            $(finite $own_finite:ident)?
-            $(range $own_range:ident)?
-            $(extremes $own_extremes:ident)?
-            $(jumps $own_jumps:ident)?
-            $(domain $own_domain:block)?
-            $(resolution $own_absolute:literal)?
-            $(relative_resolution $own_share:literal)?
-            $(roundings $own_roundings:block)?
+            $(($($own_clauses:tt)*))?
             $(derivative $own_derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?)?
             $(=> compiled { $compiled:expr })?;
         )*
@@ -95,7 +62,7 @@ macro_rules! table {
 
         impl crate::kernels::row::op::Declares for Item {
             const DECLARED: crate::kernels::row::op::Declared = crate::__declared!(
-                crate::kernels::ops::tables::head!(
+                crate::__declared!(
                     crate::kernels::row::op::Declared::new(
                         $name,
                         crate::kernels::ops::tables::first!(@class [$([$($own_class)*])? $class] $($Shape<f64>),+),
@@ -106,15 +73,7 @@ macro_rules! table {
                     <Self as crate::kernels::row::op::Op>::In<f64>, $arguments, $head
                 ),
                 <Self as crate::kernels::row::op::Op>::In<f64>, $arguments,
-                $(finite $own_finite)?
-                $(range $own_range)?
-                $(extremes $own_extremes)?
-                $(jumps $own_jumps)?
-                $(domain $own_domain)?
-                $(resolution $own_absolute)?
-                $(relative_resolution $own_share)?
-                $(roundings $own_roundings)?
-                $(derivative $own_derivative)?
+                ($($($own_clauses)*)? $(derivative $own_derivative)?)
             );
         }
 
@@ -192,13 +151,6 @@ macro_rules! first {
         crate::kernels::ops::class::invariances!($class $($type),+)
     };
     ($one:block $($other:block)?) => { $one };
-}
-
-/// Applies the clauses of a head to a base.
-macro_rules! head {
-    ($base:expr, $In:ty, $arguments:tt, [$($clauses:tt)*]) => {
-        crate::__declared!($base, $In, $arguments, $($clauses)*)
-    };
 }
 
 /// Builds the names of arguments from those that the table gives.
@@ -355,4 +307,4 @@ macro_rules! finds {
     };
 }
 
-pub(crate) use {arguments, capacity, finds, first, head, line, listed, searches, table, text};
+pub(crate) use {arguments, capacity, finds, first, line, listed, searches, table, text};

@@ -160,7 +160,6 @@ pub trait Declares: Copy + Debug + Default + Send + Sync + 'static {
 }
 
 /// Returns an argument from its numbers; `None` for a wrong count.
-#[doc(hidden)]
 #[must_use]
 pub fn argument<X: Fixed<Scalar = f64>>(numbers: &[f64]) -> Option<X> {
     (numbers.len() == X::LEN).then(|| X::load(numbers))
@@ -169,42 +168,45 @@ pub fn argument<X: Fixed<Scalar = f64>>(numbers: &[f64]) -> Option<X> {
 /// Writes the declared properties that clauses state, over those of a base: the one place that reads the clauses of
 /// [`operation!`](crate::operation) and of the library's tables.
 ///
-/// It takes the base, the type of the argument, the pattern of its parts, and the clauses in their order.
+/// It takes the base, the type of the argument, the pattern of its parts, and the clauses, in their order and in
+/// parentheses.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __declared {
     (
         $base:expr, $In:ty, $arguments:tt,
-        $(invariances [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?])?
-        $(finite $finite:ident $(($limits:expr))?)?
-        $(range $range:ident)?
-        $(extremes $extremes:ident)?
-        $(jumps $jumps:ident)?
-        $(domain $domain:block)?
-        $(resolution $absolute:literal)?
-        $(relative_resolution $share:literal)?
-        $(roundings $roundings:block)?
-        $(derivative $derivative:ident)?
+        (
+            $(invariances [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?])?
+            $(finite $finite:ident $(($limits:expr))?)?
+            $(range $range:ident)?
+            $(extremes $extremes:ident)?
+            $(jumps $jumps:ident)?
+            $(domain $domain:block)?
+            $(resolution $absolute:literal)?
+            $(relative_resolution $share:literal)?
+            $(roundings $roundings:block)?
+            $(derivative $derivative:ident)?
+        )
     ) => {
         $base
-            $(.invariances(&[$($crate::kernels::op::Invariance {
-                motion: $crate::kernels::op::Motion::$motion,
-                answer: $crate::kernels::op::Effect::$answer $(($power))?,
+            $(.invariances(&[$($crate::__private::Invariance {
+                motion: $crate::__private::Motion::$motion,
+                answer: $crate::__private::Effect::$answer $(($power))?,
             }),*]))?
-            $(.finite($crate::kernels::op::Finite::$finite $(($limits))?))?
-            $(.range($crate::kernels::op::Range::$range))?
-            $(.extremes($crate::kernels::op::Extremes::$extremes))?
-            $(.jumps($crate::kernels::op::Jumps::$jumps))?
+            $(.finite($crate::__private::Finite::$finite $(($limits))?))?
+            $(.range($crate::__private::Range::$range))?
+            $(.extremes($crate::__private::Extremes::$extremes))?
+            $(.jumps($crate::__private::Jumps::$jumps))?
             $(.domain(|numbers| {
                 #[allow(unused_parens, unused_variables)]
-                $crate::kernels::op::argument::<$In>(numbers).is_some_and(|$arguments| $domain)
+                $crate::__private::argument::<$In>(numbers).is_some_and(|$arguments| $domain)
             }))?
             $(.resolution($absolute))?
             $(.relative_resolution($share))?
             $(.roundings(|numbers| {
                 #[allow(unused_parens, unused_variables)]
-                $crate::kernels::op::argument::<$In>(numbers).map_or(0.0, |$arguments| $roundings)
+                $crate::__private::argument::<$In>(numbers).map_or(0.0, |$arguments| $roundings)
             }))?
-            $(.derivative($crate::kernels::op::Derivative::$derivative))?
+            $(.derivative($crate::__private::Derivative::$derivative))?
     };
 }

@@ -121,18 +121,34 @@ pub trait Fold: Declares {
 /// Closed paths of points of the plane, a kind of [`OverPath`](crate::kernels::OverPath).
 #[derive(Clone, Copy, Debug)]
 pub enum Ring {}
+impl Ring {
+    /// The name by which a row lists it.
+    pub(crate) const NAME: &str = "ring";
+}
 
 /// Open paths of points of the plane, a kind of [`OverPath`](crate::kernels::OverPath).
 #[derive(Clone, Copy, Debug)]
 pub enum Polyline {}
+impl Polyline {
+    /// The name by which a row lists it.
+    pub(crate) const NAME: &str = "polyline";
+}
 
 /// Open paths of points of space, a kind of [`OverPath`](crate::kernels::OverPath).
 #[derive(Clone, Copy, Debug)]
 pub enum Polyline3 {}
+impl Polyline3 {
+    /// The name by which a row lists it.
+    pub(crate) const NAME: &str = "polyline3";
+}
 
 /// Points of space without an order, a kind of [`OverPath`](crate::kernels::OverPath).
 #[derive(Clone, Copy, Debug)]
 pub enum Cloud3 {}
+impl Cloud3 {
+    /// The name by which a row lists it.
+    pub(crate) const NAME: &str = "cloud3";
+}
 
 /// Returns the result of a fold for one path.
 ///

@@ -1,6 +1,6 @@
 //! Rows: shapes as numbers, formulas, declared properties, and derivatives.
 pub(crate) mod bounds;
-pub mod compiled;
+pub(crate) mod compiled;
 pub(crate) mod decision;
 pub(crate) mod declares;
 pub(crate) mod derivation;

@@ -30,8 +30,6 @@ use crate::ad::program::recorded::Recorded;
 use crate::ad::program::{Program, Sym};
 use crate::error::Error;
 use crate::kernels::row::compiled::Compiled;
-#[doc(hidden)]
-pub use crate::kernels::row::declares::argument;
 pub use crate::kernels::row::declares::{Declared, Declares};
 use crate::kernels::row::derivation::Mode;
 pub use crate::kernels::row::derivatives::{Hvp, Jacobian, Jvp, ValueGrad, Vjp};

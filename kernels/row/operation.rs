@@ -8,6 +8,7 @@
 /// three must be said: `invariances []` and `jumps Never` say none.
 ///
 /// Clauses stand in this order; those in brackets are optional.
+/// A call takes several rows, about a dozen before it needs a higher `recursion_limit`.
 ///
 /// | clause | words |
 /// | --- | --- |
@@ -142,68 +143,116 @@
 /// ```
 #[macro_export]
 macro_rules! operation {
+    () => {};
     // An operation with a name of its own.
-    ($(
+    (
         $(#[$($doc:tt)*])*
         $vis:vis $Name:ident = $name:literal: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
-        invariances [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
-        $(finite $finite:ident $(($limits:expr))?)?
-        $(range $range:ident)?
-        $(extremes $extremes:ident)?
-        jumps $jumps:ident
-        $(domain $domain:block)?
-        $(resolution $absolute:literal)?
-        $(relative_resolution $share:literal)?
-        $(roundings $roundings:block)?
-        derivative $derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
-        $(=> compiled { $compiled:expr })?
-    )+) => { $(
+        $($clauses:tt)*
+    ) => {
+        $crate::__operation! {
+            @invariances
+            [named [$([$($doc)*])*] $vis $Name, $name, [$($arg: $type),+] -> $out, $body]
+            $($clauses)*
+        }
+    };
+    ($(#[$($doc:tt)*])* $vis:vis $Name:ident = $($rest:tt)*) => {
+        ::core::compile_error!(
+            "an operation begins with its name, arguments, result and formula: \
+             `pub Gap = \"gap\": (a: Circle<S>, b: Circle<S>) -> S { … }`"
+        );
+    };
+    // A row of a verb.
+    (
+        $(#[$($doc:tt)*])*
+        $Verb:path: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
+        $($clauses:tt)*
+    ) => {
+        $crate::__operation! {
+            @invariances
+            [row [$([$($doc)*])*] $Verb, [$($arg: $type),+] -> $out, $body]
+            $($clauses)*
+        }
+    };
+}
+
+/// Collects the clauses of a row up to its derivative, which ends it, and writes the row. The rest are further rows.
+///
+/// The order and the words of clauses are those of [`__declared!`](crate::__declared), which alone reads them.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __operation {
+    (@invariances $row:tt invariances [$($invariances:tt)*] $($rest:tt)*) => {
+        $crate::__operation! { @jumps $row [invariances [$($invariances)*]] $($rest)* }
+    };
+    (@invariances $($rest:tt)*) => {
+        ::core::compile_error!(
+            "`invariances […]` is missing after the formula: `invariances []` declares none, \
+             `invariances [TranslationX Stays, Scaling Power(1)]` two"
+        );
+    };
+    (@jumps $row:tt [$($clauses:tt)*] jumps $jumps:tt $($rest:tt)*) => {
+        $crate::__operation! { @derivative $row [$($clauses)* jumps $jumps] $($rest)* }
+    };
+    (@jumps $row:tt $clauses:tt derivative $($rest:tt)*) => {
+        $crate::__operation! { @jumps $row $clauses }
+    };
+    (
+        @derivative $row:tt [$($clauses:tt)*]
+        derivative $derivative:tt |$input:pat_param, $out_bar:ident| $adjoint:block $($rest:tt)*
+    ) => {
+        $crate::__operation! { @$row ($($clauses)* derivative $derivative) |$input, $out_bar| $adjoint }
+        $crate::operation! { $($rest)* }
+    };
+    (@derivative $row:tt [$($clauses:tt)*] derivative $derivative:tt $($rest:tt)*) => {
+        $crate::__operation! { @$row ($($clauses)* derivative $derivative) }
+        $crate::operation! { $($rest)* }
+    };
+    // Any other clause: two or three tokens, which keep their places in messages.
+    (@$next:ident $row:tt [$($clauses:tt)*] $clause:tt $word:tt ($($limits:tt)*) $($rest:tt)*) => {
+        $crate::__operation! { @$next $row [$($clauses)* $clause $word ($($limits)*)] $($rest)* }
+    };
+    (@$next:ident $row:tt [$($clauses:tt)*] $clause:tt $word:tt $($rest:tt)*) => {
+        $crate::__operation! { @$next $row [$($clauses)* $clause $word] $($rest)* }
+    };
+    (@jumps $row:tt $clauses:tt $($rest:tt)*) => {
+        $crate::__operation! {
+            @missing $clauses
+            "`jumps …` is missing before `derivative`: `jumps Never`, `jumps FromZero` or `jumps Anywhere`"
+        }
+    };
+    (@derivative $row:tt $clauses:tt $($rest:tt)*) => {
+        $crate::__operation! {
+            @missing $clauses
+            "`derivative …` is missing, the last clause: `derivative Reverse`, `derivative Forward` or \
+             `derivative ByHand |(a, b), out_bar| { … }`"
+        }
+    };
+    // A clause may be misspelt: the compiler points to it.
+    (@missing [$($clauses:tt)*] $message:literal) => {
+        const _: $crate::__private::Declared = $crate::__declared!(
+            $crate::__private::Declared::new("", &[], $crate::__private::Jumps::Never),
+            (), (), ($($clauses)*)
+        );
+        ::core::compile_error!($message);
+    };
+    (
+        @[named [$([$($doc:tt)*])*] $vis:vis $Name:ident, $($row:tt)*]
+        $clauses:tt $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
+    ) => {
         $(#[$($doc)*])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
         $vis struct $Name;
 
         $crate::__derivatives!($Name);
-        $crate::operation! {
-            @row [$([$($doc)*])*] $Name, $name, [$($arg: $type),+] -> $out, $body
-            [
-                invariances [$($motion $answer $(($power))?),*]
-                $(finite $finite $(($limits))?)?
-                $(range $range)?
-                $(extremes $extremes)?
-                jumps $jumps
-                $(domain $domain)?
-                $(resolution $absolute)?
-                $(relative_resolution $share)?
-                $(roundings $roundings)?
-                derivative $derivative
-            ]
-            $(|$input, $out_bar| $adjoint)?
-            $(=> compiled { $compiled })?
+        $crate::__operation! {
+            @impl [$([$($doc)*])*] $Name, $($row)* $clauses $(|$input, $out_bar| $adjoint)?
         }
-    )+ };
-    (
-        $(#[$($doc:tt)*])*
-        $vis:vis $Name:ident = $name:literal: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
-        $(finite $finite:ident $(($limits:expr))?)? $(range $range:ident)? $(extremes $extremes:ident)?
-        jumps $($rest:tt)*
-    ) => {
-        $crate::__no_invariances!();
     };
-    // A row of a verb.
-    ($(
-        $(#[$($doc:tt)*])*
-        $Verb:path: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
-        invariances [$($motion:ident $answer:ident $(($power:literal))?),* $(,)?]
-        $(finite $finite:ident $(($limits:expr))?)?
-        $(range $range:ident)?
-        $(extremes $extremes:ident)?
-        jumps $jumps:ident
-        $(domain $domain:block)?
-        $(resolution $absolute:literal)?
-        $(relative_resolution $share:literal)?
-        $(roundings $roundings:block)?
-        derivative $derivative:ident $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
-    )+) => { $(
+    (
+        @[row [$([$($doc:tt)*])*] $Verb:path, [$($arg:ident: $type:ty),+] -> $out:ty, $body:block]
+        $clauses:tt $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
+    ) => {
         const _: () = {
             // As visible as the shapes that it is of.
             pub struct Item<X>(::core::marker::PhantomData<fn() -> X>);
@@ -227,89 +276,49 @@ macro_rules! operation {
                     Item(::core::marker::PhantomData)
                 }
             }
-            $crate::operation! {
-                @row [$([$($doc)*])*] This,
+            $crate::__operation! {
+                @impl [$([$($doc)*])*] This,
                 ::core::concat!(::core::stringify!($Verb), ::core::stringify!(($($type),+))),
-                [$($arg: $type),+] -> $out, $body
-                [
-                    invariances [$($motion $answer $(($power))?),*]
-                    $(finite $finite $(($limits))?)?
-                    $(range $range)?
-                    $(extremes $extremes)?
-                    jumps $jumps
-                    $(domain $domain)?
-                    $(resolution $absolute)?
-                    $(relative_resolution $share)?
-                    $(roundings $roundings)?
-                    derivative $derivative
-                ]
-                $(|$input, $out_bar| $adjoint)?
+                [$($arg: $type),+] -> $out, $body $clauses $(|$input, $out_bar| $adjoint)?
             }
             $crate::__takes!($Verb, ($($type),+), This, Item(::core::marker::PhantomData));
         };
-    )+ };
-    (
-        $(#[$($doc:tt)*])*
-        $Verb:path: ($($arg:ident: $type:ty),+ $(,)?) -> $out:ty $body:block
-        $(finite $finite:ident $(($limits:expr))?)? $(range $range:ident)? $(extremes $extremes:ident)?
-        jumps $($rest:tt)*
-    ) => {
-        $crate::__no_invariances!();
     };
     (
-        @row [$([$($doc:tt)*])*] $Name:ident, $name:expr,
+        @impl [$([$($doc:tt)*])*] $Name:ident, $name:expr,
         [$($arg:ident: $type:ty),+] -> $out:ty, $body:block
-        [$($clauses:tt)*]
-        $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
-        $(=> compiled { $compiled:expr })?
+        $clauses:tt $(|$input:pat_param, $out_bar:ident| $adjoint:block)?
     ) => {
-        impl $crate::kernels::op::Declares for $Name {
-            const DECLARED: $crate::kernels::op::Declared = $crate::__declared!(
-                $crate::kernels::op::Declared::new($name, &[], $crate::kernels::op::Jumps::Never)
+        impl $crate::__private::Declares for $Name {
+            const DECLARED: $crate::__private::Declared = $crate::__declared!(
+                $crate::__private::Declared::new($name, &[], $crate::__private::Jumps::Never)
                     .arguments(&[$(::core::stringify!($arg)),+])
                     .doc($crate::__doc!([] $([$($doc)*])*)),
-                <Self as $crate::kernels::op::Op>::In<f64>, ($($arg),+), $($clauses)*
+                <Self as $crate::__private::Op>::In<f64>, ($($arg),+), $clauses
             );
         }
 
         // One argument needs none.
         #[allow(unused_parens)]
-        impl $crate::kernels::op::Op for $Name {
-            type In<S: $crate::Scalar> = ($($type),+);
-            type Out<S: $crate::Scalar> = $out;
+        impl $crate::__private::Op for $Name {
+            type In<S: $crate::__private::Scalar> = ($($type),+);
+            type Out<S: $crate::__private::Scalar> = $out;
             #[allow(unused_imports, unused_parens)]
-            fn eval<S: $crate::Scalar>(($($arg),+): Self::In<S>) -> Self::Out<S> {
-                use $crate::{Mask as _, Scalar as _};
+            fn eval<S: $crate::__private::Scalar>(($($arg),+): Self::In<S>) -> Self::Out<S> {
+                use $crate::__private::{Mask as _, Scalar as _};
                 $body
             }
             $(
                 #[allow(unused_imports, unused_parens)]
-                fn adjoint<S: $crate::Scalar>(
+                fn adjoint<S: $crate::__private::Scalar>(
                     $input: Self::In<S>,
                     $out_bar: Self::Out<S>,
                 ) -> ::core::option::Option<(Self::Out<S>, Self::In<S>)> {
-                    use $crate::{Mask as _, Scalar as _};
+                    use $crate::__private::{Mask as _, Scalar as _};
                     ::core::option::Option::Some($adjoint)
                 }
             )?
-            $(
-                fn compiled() -> ::core::option::Option<$crate::kernels::compiled::Compiled> {
-                    ::core::option::Option::Some($compiled)
-                }
-            )?
         }
-    };
-}
-
-/// The message for an operation that says nothing of invariances.
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __no_invariances {
-    () => {
-        ::core::compile_error!(
-            "`invariances […]` is missing after the formula: `invariances []` declares none, \
-             `invariances [TranslationX Stays, Scaling Power(1)]` two"
-        );
     };
 }
 
@@ -323,39 +332,39 @@ macro_rules! __derivatives {
             /// Returns the function with its gradient: batches return the result, one number, and the gradient by every
             /// argument.
             #[must_use]
-            pub const fn value_grad(self) -> $crate::kernels::op::ValueGrad<Self> {
-                $crate::kernels::op::ValueGrad::of(self)
+            pub const fn value_grad(self) -> $crate::__private::ValueGrad<Self> {
+                $crate::__private::ValueGrad::of(self)
             }
             /// Returns the function with its Jacobian: aligned batches return the result, and in its shape the gradient
             /// of every number.
             #[must_use]
-            pub const fn jacobian(self) -> $crate::kernels::op::Jacobian<Self> {
-                $crate::kernels::op::Jacobian::of(self)
+            pub const fn jacobian(self) -> $crate::__private::Jacobian<Self> {
+                $crate::__private::Jacobian::of(self)
             }
             /// Returns the adjoint: batches take the arguments and a cotangent of the result, and return the cotangents
             /// of the arguments.
             #[must_use]
-            pub const fn vjp(self) -> $crate::kernels::op::Vjp<Self> {
-                $crate::kernels::op::Vjp::of(self)
+            pub const fn vjp(self) -> $crate::__private::Vjp<Self> {
+                $crate::__private::Vjp::of(self)
             }
             /// Returns the function with its derivative along a direction: batches take the arguments and then as many
             /// directions, and return the result and its derivative.
             #[must_use]
-            pub const fn jvp(self) -> $crate::kernels::op::Jvp<Self> {
-                $crate::kernels::op::Jvp::of(self)
+            pub const fn jvp(self) -> $crate::__private::Jvp<Self> {
+                $crate::__private::Jvp::of(self)
             }
             /// Returns the Hessian times a direction: batches take the arguments and then as many directions, and
             /// return the derivative of the gradient along them. The result is one number.
             #[must_use]
-            pub const fn hvp(self) -> $crate::kernels::op::Hvp<Self> {
-                $crate::kernels::op::Hvp::of(self)
+            pub const fn hvp(self) -> $crate::__private::Hvp<Self> {
+                $crate::__private::Hvp::of(self)
             }
             /// Returns the function with its gradient and Hessian: [`value_grad`](Self::value_grad) with its Jacobian.
             #[must_use]
             pub const fn hessian(
                 self,
-            ) -> $crate::kernels::op::Jacobian<$crate::kernels::op::ValueGrad<Self>> {
-                $crate::kernels::op::ValueGrad::of(self).jacobian()
+            ) -> $crate::__private::Jacobian<$crate::__private::ValueGrad<Self>> {
+                $crate::__private::ValueGrad::of(self).jacobian()
             }
         }
     };
@@ -366,35 +375,35 @@ macro_rules! __derivatives {
 #[macro_export]
 macro_rules! __takes {
     ($Verb:ty, ($A:ty), $By:ident, $value:expr) => {
-        impl<S: $crate::Scalar> $crate::kernels::verbs::Unary<$A> for $Verb {
-            type Out = <$By as $crate::kernels::op::Op>::Out<S>;
+        impl<S: $crate::__private::Scalar> $crate::__private::Unary<$A> for $Verb {
+            type Out = <$By as $crate::__private::Op>::Out<S>;
             type By = $By;
             const BY: $By = $value;
             #[inline]
             fn apply(a: $A) -> Self::Out {
-                $crate::scalar::guarded(a, <$By as $crate::kernels::op::Op>::eval::<S>)
+                $crate::__private::guarded(a, <$By as $crate::__private::Op>::eval::<S>)
             }
         }
     };
     ($Verb:ty, ($A:ty, $B:ty), $By:ident, $value:expr) => {
-        impl<S: $crate::Scalar> $crate::kernels::verbs::Binary<$A, $B> for $Verb {
-            type Out = <$By as $crate::kernels::op::Op>::Out<S>;
+        impl<S: $crate::__private::Scalar> $crate::__private::Binary<$A, $B> for $Verb {
+            type Out = <$By as $crate::__private::Op>::Out<S>;
             type By = $By;
             const BY: $By = $value;
             #[inline]
             fn apply(a: $A, b: $B) -> Self::Out {
-                $crate::scalar::guarded((a, b), <$By as $crate::kernels::op::Op>::eval::<S>)
+                $crate::__private::guarded((a, b), <$By as $crate::__private::Op>::eval::<S>)
             }
         }
     };
     ($Verb:ty, ($A:ty, $B:ty, $C:ty), $By:ident, $value:expr) => {
-        impl<S: $crate::Scalar> $crate::kernels::verbs::Ternary<$A, $B, $C> for $Verb {
-            type Out = <$By as $crate::kernels::op::Op>::Out<S>;
+        impl<S: $crate::__private::Scalar> $crate::__private::Ternary<$A, $B, $C> for $Verb {
+            type Out = <$By as $crate::__private::Op>::Out<S>;
             type By = $By;
             const BY: $By = $value;
             #[inline]
             fn apply(a: $A, b: $B, c: $C) -> Self::Out {
-                $crate::scalar::guarded((a, b, c), <$By as $crate::kernels::op::Op>::eval::<S>)
+                $crate::__private::guarded((a, b, c), <$By as $crate::__private::Op>::eval::<S>)
             }
         }
     };

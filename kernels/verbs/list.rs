@@ -133,8 +133,8 @@ verb! {
     /// IoU to a power (He et al. 2021), 0 to 1; of boxes in space the power is three.
     pub AlphaIou: (a, b, power)
 }
-crate::__verb_runs!([] AlphaIou: (a, b));
-crate::__verb_runs!([] Crossing: (a, b, c));
+crate::__verb!([runs [] AlphaIou] (a, b));
+crate::__verb!([runs [] Crossing] (a, b, c));
 
 /// A shape in another encoding `To`; see [`convert`].
 #[derive(Debug)]
@@ -170,7 +170,7 @@ impl<To> Convert<To> {
         crate::kernels::row::op::Vjp::of(self)
     }
 }
-crate::__verb_runs!([To,] Convert<To>: (shape));
+crate::__verb!([runs [To,] Convert<To>] (shape));
 
 verb! {
     /// Length of a path, in the unit of length.

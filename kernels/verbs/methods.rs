@@ -1,29 +1,13 @@
 //! Verbs as methods of their first argument, for every pair of shapes that has a row.
-use super::{Binary, Unary};
 
-/// Defines traits of one method each.
+/// Defines traits of one method each, for a number of arguments.
 macro_rules! methods {
-    ($($Verb:ident $method:ident;)*) => { $(
-        #[doc = concat!("[`", stringify!($Verb), "`](crate::kernels::verbs::", stringify!($Verb), ") as a method.")]
-        pub trait $Verb<B>: Sized {
-            /// The result.
-            type Out;
-            #[doc = concat!("[`", stringify!($Verb), "`](crate::kernels::verbs::", stringify!($Verb), ") of this shape and another.")]
-            fn $method(self, other: B) -> Self::Out;
-        }
-        impl<A, B> $Verb<B> for A
-        where
-            super::$Verb: Binary<A, B>,
-        {
-            type Out = <super::$Verb as Binary<A, B>>::Out;
-            #[inline]
-            fn $method(self, other: B) -> Self::Out {
-                <super::$Verb as Binary<A, B>>::apply(self, other)
-            }
-        }
-    )* };
+    ($arguments:tt: $($Verb:ident $method:ident;)*) => {
+        $( crate::__verb!([method [pub] $Verb::$method $Verb [super::$Verb]] $arguments); )*
+    };
 }
 methods! {
+    (this, other):
     Iou iou;
     Iof iof;
     IntersectionArea intersection_area;
@@ -64,29 +48,8 @@ methods! {
     FlipY flip_y;
 }
 
-/// Defines traits of one method each, for a single shape.
-macro_rules! methods_of_one {
-    ($($Verb:ident $method:ident;)*) => { $(
-        #[doc = concat!("[`", stringify!($Verb), "`](crate::kernels::verbs::", stringify!($Verb), ") as a method.")]
-        pub trait $Verb: Sized {
-            /// The result.
-            type Out;
-            #[doc = concat!("[`", stringify!($Verb), "`](crate::kernels::verbs::", stringify!($Verb), ") of this shape.")]
-            fn $method(self) -> Self::Out;
-        }
-        impl<A> $Verb for A
-        where
-            super::$Verb: Unary<A>,
-        {
-            type Out = <super::$Verb as Unary<A>>::Out;
-            #[inline]
-            fn $method(self) -> Self::Out {
-                <super::$Verb as Unary<A>>::apply(self)
-            }
-        }
-    )* };
-}
-methods_of_one! {
+methods! {
+    (this):
     Diameter diameter;
     Width width;
     MinimumRectangle minimum_rectangle;

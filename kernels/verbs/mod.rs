@@ -150,173 +150,105 @@ macro_rules! verb {
             /// Returns the operation for the shapes `In`, `(A<f64>, B<f64>)` or a lone one: for the harness and
             /// programs.
             #[must_use]
-            pub const fn row<In: $crate::Fixed>(self) -> <Self as $crate::kernels::verbs::Takes<In>>::By
+            pub const fn row<In: $crate::__private::Fixed>(self) -> <Self as $crate::__private::Takes<In>>::By
             where
-                Self: $crate::kernels::verbs::Takes<In>,
+                Self: $crate::__private::Takes<In>,
             {
-                <Self as $crate::kernels::verbs::Takes<In>>::BY
+                <Self as $crate::__private::Takes<In>>::BY
             }
         }
-        $crate::__verb_runs!([] $Verb: $arguments);
-        $crate::__verb_applies!($Verb: $arguments);
-        $( $crate::__verb_method!([$vis] $Trait::$method, $Verb: $arguments); )?
+        $crate::__verb!([of $Verb] $arguments);
+        $crate::__verb!([runs [] $Verb] $arguments);
+        $( $crate::__verb!([method [$vis] $Trait::$method $Verb [$Verb]] $arguments); )?
     )+ };
 }
 
-/// Defines a verb's method of its first argument, by the number of arguments.
+/// Defines the parts of a verb: `of`, its runs in batches by the operation of its row, and the method of its first argument.
+///
+/// The first arms turn arguments into a trait, words for documentation, type parameters and parameters.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! __verb_method {
-    ([$vis:vis] $Trait:ident::$method:ident, $Verb:ident: ($a:ident)) => {
-        #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] as a method.")]
-        $vis trait $Trait: Sized {
-            /// The result.
-            type Out;
-            #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] of this shape.")]
-            #[must_use]
-            fn $method(self) -> Self::Out;
-        }
-        impl<A> $Trait for A
-        where
-            $Verb: $crate::kernels::verbs::Unary<A>,
-        {
-            type Out = <$Verb as $crate::kernels::verbs::Unary<A>>::Out;
-            #[inline]
-            fn $method(self) -> Self::Out {
-                <$Verb as $crate::kernels::verbs::Unary<A>>::apply(self)
-            }
-        }
+macro_rules! __verb {
+    ([$($part:tt)*] ($a:ident)) => {
+        $crate::__verb!(@$($part)*, Unary, "one shape", "this shape", A, $a: A, []);
     };
-    ([$vis:vis] $Trait:ident::$method:ident, $Verb:ident: ($a:ident, $b:ident)) => {
-        #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] as a method.")]
-        $vis trait $Trait<B>: Sized {
-            /// The result.
-            type Out;
-            #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] of this shape and others.")]
-            #[must_use]
-            fn $method(self, $b: B) -> Self::Out;
-        }
-        impl<A, B> $Trait<B> for A
-        where
-            $Verb: $crate::kernels::verbs::Binary<A, B>,
-        {
-            type Out = <$Verb as $crate::kernels::verbs::Binary<A, B>>::Out;
-            #[inline]
-            fn $method(self, $b: B) -> Self::Out {
-                <$Verb as $crate::kernels::verbs::Binary<A, B>>::apply(self, $b)
-            }
-        }
+    ([$($part:tt)*] ($a:ident, $b:ident)) => {
+        $crate::__verb!(@$($part)*, Binary, "two shapes", "this shape and another", (A, B), $a: A, [$b: B]);
     };
-    ([$vis:vis] $Trait:ident::$method:ident, $Verb:ident: ($a:ident, $b:ident, $c:ident)) => {
-        #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] as a method.")]
-        $vis trait $Trait<B, C>: Sized {
-            /// The result.
-            type Out;
-            #[doc = ::core::concat!("[`", ::core::stringify!($Verb), "`] of this shape and others.")]
-            #[must_use]
-            fn $method(self, $b: B, $c: C) -> Self::Out;
-        }
-        impl<A, B, C> $Trait<B, C> for A
-        where
-            $Verb: $crate::kernels::verbs::Ternary<A, B, C>,
-        {
-            type Out = <$Verb as $crate::kernels::verbs::Ternary<A, B, C>>::Out;
-            #[inline]
-            fn $method(self, $b: B, $c: C) -> Self::Out {
-                <$Verb as $crate::kernels::verbs::Ternary<A, B, C>>::apply(self, $b, $c)
-            }
-        }
+    ([$($part:tt)*] ($a:ident, $b:ident, $c:ident)) => {
+        $crate::__verb!(@$($part)*, Ternary, "three shapes", "this shape and others", (A, B, C), $a: A, [$b: B, $c: C]);
     };
-}
-
-/// Defines the method `of`, by the number of arguments.
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __verb_applies {
-    ($Verb:ident: ($a:ident)) => {
+    (
+        @of $Verb:ident, $Takes:ident, $shapes:literal, $these:literal, $In:ty, $a:ident: $A:ident,
+        [$($b:ident: $B:ident),*]
+    ) => {
         impl $Verb {
-            /// Computes the result for one shape of any scalar.
+            #[doc = ::core::concat!("Computes the result for ", $shapes, " of any scalar.")]
             #[inline]
-            pub fn of<A>(self, $a: A) -> <Self as $crate::kernels::verbs::Unary<A>>::Out
-            where
-                Self: $crate::kernels::verbs::Unary<A>,
-            {
-                <Self as $crate::kernels::verbs::Unary<A>>::apply($a)
-            }
-        }
-    };
-    ($Verb:ident: ($a:ident, $b:ident)) => {
-        impl $Verb {
-            /// Computes the result for two shapes of any scalar.
-            #[inline]
-            pub fn of<A, B>(
+            pub fn of<$A $(, $B)*>(
                 self,
-                $a: A,
-                $b: B,
-            ) -> <Self as $crate::kernels::verbs::Binary<A, B>>::Out
+                $a: $A
+                $(, $b: $B)*
+            ) -> <Self as $crate::__private::$Takes<$A $(, $B)*>>::Out
             where
-                Self: $crate::kernels::verbs::Binary<A, B>,
+                Self: $crate::__private::$Takes<$A $(, $B)*>,
             {
-                <Self as $crate::kernels::verbs::Binary<A, B>>::apply($a, $b)
+                <Self as $crate::__private::$Takes<$A $(, $B)*>>::apply($a $(, $b)*)
             }
         }
     };
-    ($Verb:ident: ($a:ident, $b:ident, $c:ident)) => {
-        impl $Verb {
-            /// Computes the result for three shapes of any scalar.
-            #[inline]
-            pub fn of<A, B, C>(
-                self,
-                $a: A,
-                $b: B,
-                $c: C,
-            ) -> <Self as $crate::kernels::verbs::Ternary<A, B, C>>::Out
-            where
-                Self: $crate::kernels::verbs::Ternary<A, B, C>,
-            {
-                <Self as $crate::kernels::verbs::Ternary<A, B, C>>::apply($a, $b, $c)
-            }
-        }
-    };
-}
-
-/// Implements `Takes` and `Function` for a verb, by the operation of its row.
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __verb_runs {
-    ([$($generic:tt)*] $Verb:ty: ($a:ident)) => {
-        $crate::__verb_runs!(@all [$($generic)*] $Verb, Unary, [A], A);
-    };
-    ([$($generic:tt)*] $Verb:ty: ($a:ident, $b:ident)) => {
-        $crate::__verb_runs!(@all [$($generic)*] $Verb, Binary, [A, B], (A, B));
-    };
-    ([$($generic:tt)*] $Verb:ty: ($a:ident, $b:ident, $c:ident)) => {
-        $crate::__verb_runs!(@all [$($generic)*] $Verb, Ternary, [A, B, C], (A, B, C));
-    };
-    (@all [$($generic:tt)*] $Verb:ty, $Takes:ident, [$($A:ident),+], $row:ty) => {
-        impl<$($generic)* $($A),+> $crate::kernels::verbs::Takes<$row> for $Verb
+    (
+        @runs [$($generic:tt)*] $Verb:ty, $Takes:ident, $shapes:literal, $these:literal, $In:ty, $a:ident: $A:ident,
+        [$($b:ident: $B:ident),*]
+    ) => {
+        impl<$($generic)* $A $(, $B)*> $crate::__private::Takes<$In> for $Verb
         where
-            $row: $crate::Fixed,
-            $Verb: $crate::kernels::verbs::$Takes<$($A),+>,
+            $In: $crate::__private::Fixed,
+            $Verb: $crate::__private::$Takes<$A $(, $B)*>,
         {
-            type Out = <$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::Out;
-            type By = <$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::By;
-            const BY: Self::By = <$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::BY;
+            type Out = <$Verb as $crate::__private::$Takes<$A $(, $B)*>>::Out;
+            type By = <$Verb as $crate::__private::$Takes<$A $(, $B)*>>::By;
+            const BY: Self::By = <$Verb as $crate::__private::$Takes<$A $(, $B)*>>::BY;
         }
-        impl<$($generic)* $($A),+> $crate::kernels::Function<$row> for $Verb
+        impl<$($generic)* $A $(, $B)*> $crate::__private::Function<$In> for $Verb
         where
-            $row: $crate::kernels::Item,
-            $Verb: $crate::kernels::verbs::$Takes<$($A),+, By: $crate::kernels::Function<$row>>,
+            $In: $crate::__private::Item,
+            $Verb: $crate::__private::$Takes<$A $(, $B)*, By: $crate::__private::Function<$In>>,
         {
-            type Out = <<$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::By
-                as $crate::kernels::Function<$row>>::Out;
+            type Out = <<$Verb as $crate::__private::$Takes<$A $(, $B)*>>::By
+                as $crate::__private::Function<$In>>::Out;
             fn call(
                 &self,
             ) -> ::core::result::Result<
-                $crate::kernels::recording::Call<<$row as $crate::Pack>::Scalar>,
-                $crate::Error,
+                $crate::__private::Call<<$In as $crate::__private::Pack>::Scalar>,
+                $crate::__private::Error,
             > {
-                $crate::kernels::Function::<$row>::call(&<$Verb as $crate::kernels::verbs::$Takes<$($A),+>>::BY)
+                $crate::__private::Function::<$In>::call(&<$Verb as $crate::__private::$Takes<$A $(, $B)*>>::BY)
+            }
+        }
+    };
+    (
+        @method [$vis:vis] $Trait:ident::$method:ident $Name:ident [$Verb:path], $Takes:ident, $shapes:literal,
+        $these:literal, $In:ty, $a:ident: $A:ident, [$($b:ident: $B:ident),*]
+    ) => {
+        #[doc = ::core::concat!("[`", ::core::stringify!($Name), "`](", ::core::stringify!($Verb), ") as a method.")]
+        $vis trait $Trait<$($B),*>: Sized {
+            /// The result.
+            type Out;
+            #[doc = ::core::concat!(
+                "[`", ::core::stringify!($Name), "`](", ::core::stringify!($Verb), ") of ", $these, "."
+            )]
+            #[must_use]
+            fn $method(self $(, $b: $B)*) -> Self::Out;
+        }
+        impl<$A $(, $B)*> $Trait<$($B),*> for $A
+        where
+            $Verb: $crate::__private::$Takes<$A $(, $B)*>,
+        {
+            type Out = <$Verb as $crate::__private::$Takes<$A $(, $B)*>>::Out;
+            #[inline]
+            fn $method(self $(, $b: $B)*) -> Self::Out {
+                <$Verb as $crate::__private::$Takes<$A $(, $B)*>>::apply(self $(, $b)*)
             }
         }
     };

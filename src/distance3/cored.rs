@@ -44,39 +44,6 @@ pub trait InflatedCore: Copy {
     }
 }
 
-macro_rules! cored {
-    ($($Shape:ident: $Core:ident, |$shape:ident| $core:expr $(, $radius:ident)?;)*) => { $(
-        impl<S: Scalar> InflatedCore for $Shape<S> {
-            type Scalar = S;
-            type Core = $Core<S>;
-            #[inline(always)]
-            fn guarded(&self, guard: Guard<S>) -> Guard<S> {
-                guard.and(self)
-            }
-            #[inline(always)]
-            fn core(self) -> $Core<S> {
-                let $shape = self;
-                $core
-            }
-            $(
-                const ROUND: bool = true;
-                #[inline(always)]
-                fn radius(&self) -> S {
-                    self.$radius
-                }
-            )?
-        }
-    )* };
-}
-cored! {
-    Vec3: PointCore, |point| PointCore(point);
-    Sphere: PointCore, |ball| PointCore(ball.center), radius;
-    Segment3: SegmentCore, |edge| SimplexCore([edge.start, edge.end]);
-    Capsule3: SegmentCore, |link| SimplexCore([link.start, link.end]), radius;
-    Triangle3: TriangleCore, |face| SimplexCore(face.corners());
-    Tetrahedron: TetrahedronCore, |solid| SimplexCore(solid.corners());
-}
-
 /// Returns the axes of a rotation: quotients by the squared length of its quaternion, so that quarter turns have none
 /// but zeros and ones. The zero quaternion is no rotation.
 #[inline(always)]
@@ -122,27 +89,30 @@ fn box_core<S: Scalar>(center: Vec3<S>, size: Vec3<S>, axes: [Vec3<S>; 3]) -> Bo
     }
 }
 
-macro_rules! boxes {
+macro_rules! cored {
     ($(
-        $Shape:ident: |$shape:ident| $core:expr, $inner:expr $(, radius $radius:ident)? $(, bounds $bounds:expr)?;
+        $Shape:ident: $Core:ident, |$shape:ident| $core:expr
+        $(, faces $faces:expr)? $(, radius $radius:ident)? $(, bounds $bounds:expr)?;
     )*) => { $(
         impl<S: Scalar> InflatedCore for $Shape<S> {
             type Scalar = S;
-            type Core = BoxCore<S>;
+            type Core = $Core<S>;
             #[inline(always)]
             fn guarded(&self, guard: Guard<S>) -> Guard<S> {
                 guard.and(self)
             }
             #[inline(always)]
-            fn core(self) -> BoxCore<S> {
+            fn core(self) -> $Core<S> {
                 let $shape = self;
                 $core
             }
-            #[inline(always)]
-            fn beyond(&self, point: Vec3<S>) -> Option<Vec3<S>> {
-                let $shape = self;
-                Some(Faces::beyond($inner, point))
-            }
+            $(
+                #[inline(always)]
+                fn beyond(&self, point: Vec3<S>) -> Option<Vec3<S>> {
+                    let $shape = self;
+                    Some(Faces::beyond($faces, point))
+                }
+            )?
             $(
                 const ROUND: bool = true;
                 #[inline(always)]
@@ -160,8 +130,14 @@ macro_rules! boxes {
         }
     )* };
 }
-boxes! {
-    Aabb3: |shape| {
+cored! {
+    Vec3: PointCore, |point| PointCore(point);
+    Sphere: PointCore, |ball| PointCore(ball.center), radius radius;
+    Segment3: SegmentCore, |edge| SimplexCore([edge.start, edge.end]);
+    Capsule3: SegmentCore, |link| SimplexCore([link.start, link.end]), radius radius;
+    Triangle3: TriangleCore, |face| SimplexCore(face.corners());
+    Tetrahedron: TetrahedronCore, |solid| SimplexCore(solid.corners());
+    Aabb3: BoxCore, |shape| {
         let (zero, one) = (S::zero(), S::one());
         let axes = [
             Vec3::new(one, zero, zero),
@@ -174,8 +150,8 @@ boxes! {
             arm,
             ..box_core(shape.min + arm, shape.size(), axes)
         }
-    }, *shape, bounds *shape;
-    YawBox3: |shape| {
+    }, faces *shape, bounds *shape;
+    YawBox3: BoxCore, |shape| {
         let (Rotation2 { cos, sin }, zero) = (Rotation2::from_angle(shape.heading), S::zero());
         let axes = [
             Vec3::new(cos, sin, zero),
@@ -183,10 +159,10 @@ boxes! {
             Vec3::new(zero, zero, S::one()),
         ];
         box_core(shape.center, shape.size, axes)
-    }, *shape;
-    Obb3: |shape| box_core(shape.center, shape.size, axes(shape.rotation)), *shape;
-    RoundBox3: |shape| {
+    }, faces *shape;
+    Obb3: BoxCore, |shape| box_core(shape.center, shape.size, axes(shape.rotation)), faces *shape;
+    RoundBox3: BoxCore, |shape| {
         let inner = shape.inner;
         box_core(inner.center, inner.size, axes(inner.rotation))
-    }, shape.inner, radius radius;
+    }, faces shape.inner, radius radius;
 }

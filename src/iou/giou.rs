@@ -25,7 +25,7 @@ pub(super) fn outside_share<S: Scalar>(rest: S, all: S) -> S {
 /// Returns the generalised IoU of two rotated boxes whose sine and cosine are known. `EXTREME` says that sizes may be
 /// so small or large that products over- or underflow.
 #[inline(always)]
-pub fn giou_framed<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> S {
+pub(crate) fn giou_framed<S: Scalar, const EXTREME: bool>(a: Framed<S>, b: Framed<S>) -> S {
     let scale = if EXTREME {
         hull_scale(&a, &b)
     } else {

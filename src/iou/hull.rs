@@ -39,7 +39,7 @@ use crate::{Aabb2, Obb2, Scalar, Vec2};
 /// weights `a₀ … a₃`, `b₀ … b₃` at the right, upper, left, lower normal of a and of b, which are 1 where a reaches
 /// farther along that normal, 0 where b does and ½ at a tie: `A₀ = a₀ + a₂`, `A₁ = a₁ + a₃`, `B₀`, `B₁` likewise.
 #[derive(Clone, Copy, Debug)]
-pub struct HullOfBoxes<S: Scalar> {
+pub(crate) struct HullOfBoxes<S: Scalar> {
     /// `true` where everything was mirrored: y, and b's turn, have the other sign.
     pub mirrored: S::Mask,
     /// Cosine and sine of b's turn, both not negative.
@@ -98,7 +98,7 @@ fn larger<S: Scalar>(x: S, y: S) -> S {
 
 /// Returns the hull of a related pair.
 #[inline(always)]
-pub fn hull_of_related<S: Scalar>(pair: &Relative<S>) -> HullOfBoxes<S> {
+pub(crate) fn hull_of_related<S: Scalar>(pair: &Relative<S>) -> HullOfBoxes<S> {
     let mirrored = pair.sin.below(S::zero());
     let (u, v) = (pair.u, S::select(mirrored, -pair.v, pair.v));
     // The products are written as in `relate`, so that compilers compute them once.

@@ -60,10 +60,10 @@ pub use aabb::{
     eiou_hull_aabb2, giou_aabb2, giou_hull_aabb2,
 };
 pub use alpha::{Exponent, alpha_iou_aabb2, alpha_iou_obb2};
-pub(crate) use giou::score;
-pub use giou::{giou_framed, giou_obb2};
-pub(crate) use hull::hull_scale;
-pub use hull::{HullOfBoxes, hull_area_aabb2, hull_area_obb2, hull_of_related};
+pub use giou::giou_obb2;
+pub(crate) use giou::{giou_framed, score};
+pub(crate) use hull::{HullOfBoxes, hull_of_related, hull_scale};
+pub use hull::{hull_area_aabb2, hull_area_obb2};
 pub(crate) use obb::{BoxesAround, across, bounds, unit_of_pair};
 pub use obb::{
     ciou_aabb_obb2, ciou_fixed_weight_obb2, ciou_obb2, diou_aabb_obb2, diou_obb2, eiou_aabb_obb2,

@@ -29,6 +29,8 @@
 //! and by a turn its first moment; both come from the pieces of the faces' integrals. Derivatives by K's size
 //! come from the parts of the integrals that are clamped to K's faces. Moving or turning both boxes
 //! together changes nothing, which gives the rest.
+//!
+//! Its functions are internal; those of [`overlap3`](super) call them.
 use super::edge_clamp::{BoundDerivatives, Cut, clamped, cut, less_signed, signed, turn};
 use super::face_integral::{Face, face};
 use super::relate::Relative3;
@@ -37,7 +39,7 @@ use crate::{Mask, Scalar};
 
 /// The volume that two related boxes share, in units of `1 / scale³`, and its derivatives in a's frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Shared3<S> {
+pub(crate) struct Shared3<S> {
     /// The volume.
     pub volume: S,
     /// By the centre of b.
@@ -114,7 +116,7 @@ fn glance<S: Scalar>(pair: &Relative3<S>) -> PairBounds<S> {
 /// `PIECES` keeps the repeated pieces functions of their own, which costs less to build and less stack;
 /// without it all is one piece, as code for vector instructions must be.
 #[inline(always)]
-pub fn shared_volume<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
+pub(crate) fn shared_volume<S: Scalar, const DERIVATIVE: bool, const PIECES: bool>(
     pair: &Relative3<S>,
 ) -> Shared3<S> {
     let zero = S::zero();

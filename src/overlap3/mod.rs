@@ -36,20 +36,16 @@ mod face_integral;
 mod mixed;
 mod obb3;
 mod precise;
-pub mod relate;
+pub(crate) mod relate;
 mod rename;
-mod slopes;
 mod yaw;
 
 pub(crate) use aabb3::{SharedBounds, share3};
 pub use aabb3::{intersection_volume_aabb3, iof_aabb3, iou_aabb3};
 pub(crate) use mixed::Overlaps;
-pub(crate) use mixed::mixed_vjp;
-pub use mixed::{iou_aabb3_obb3_vjp, iou_yaw_obb3_vjp};
+pub(crate) use obb3::{far_apart, related, score_obb3, score_obb3_here, shared_within};
 pub use obb3::{intersection_volume_obb3, iof_obb3, iou_obb3};
-pub(crate) use obb3::{score_obb3, score_obb3_here};
-pub use slopes::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
-pub(crate) use slopes::{score_obb3_vjp, score_obb3_vjp_here};
+pub(crate) use precise::to_about_half;
 pub(crate) use yaw::{Heights, Scales, heights, score_of_columns, score_yaw, upright_scales};
 pub use yaw::{intersection_volume_yaw, iof_yaw, iou_birds_eye, iou_yaw};
 

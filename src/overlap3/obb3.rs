@@ -98,7 +98,7 @@ fn without_curvature<S: Scalar>(pair: &Relative3<S>) -> Relative3<S> {
 
 /// Returns `true` where two related boxes can share nothing at a glance: balls around them are apart.
 #[inline(always)]
-pub(super) fn far_apart<S: Scalar>(pair: &Relative3<S>) -> S::Mask {
+pub(crate) fn far_apart<S: Scalar>(pair: &Relative3<S>) -> S::Mask {
     // (|h| + |p|)² ≤ 2 |h|² + 2 |p|², with room for rounding.
     let reach = squared_length(pair.half_a) + squared_length(pair.half_b);
     // Not "above": a centre whose coordinates in the pair's unit overflowed may be NaN.
@@ -113,7 +113,7 @@ fn squared_length<S: Scalar>(v: [S; 3]) -> S::Primal {
 
 /// Relates the pair in a function of its own, so that its stack is free again when volumes are measured.
 #[inline(never)]
-pub(super) fn related<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
+pub(crate) fn related<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
     relate3(a, b)
 }
 
@@ -163,7 +163,7 @@ fn own_volume<S: Scalar>(pair: &Relative3<S>, half: [S; 3]) -> S {
 
 /// Returns a volume that is not above that of either box, as scores measure boxes; derivatives stay.
 #[inline(always)]
-pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
+fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
     let limit = volume_a.primal().least(volume_b.primal());
     let limit = limit.most(S::Primal::zero());
     let beyond = shared.above(S::from_primal(limit));
@@ -173,7 +173,7 @@ pub(super) fn within<S: Scalar>(shared: S, volume_a: S, volume_b: S) -> S {
 /// Returns the shared volume for numbers with derivatives, whose value has derivatives, too: those of a ratio of
 /// volumes pass through it.
 #[inline(always)]
-pub(super) fn shared_within<S: Scalar, const PIECES: bool>(
+pub(crate) fn shared_within<S: Scalar, const PIECES: bool>(
     pair: &Relative3<S>,
 ) -> (Shared3<S>, S, S) {
     let mut shared = shared_volume::<S, true, PIECES>(pair);

@@ -75,7 +75,7 @@ pub(super) fn bounded<S: Scalar>(q: Rotation3<S>) -> Quaternion<S> {
 /// Returns a quaternion times a power of two that brings its largest number into `[¼, ½)` (less for one below the
 /// smallest normal number), and that power.
 #[inline(always)]
-pub(super) fn to_about_half<S: Scalar>(q: Rotation3<S>) -> (Rotation3<S>, S) {
+pub(crate) fn to_about_half<S: Scalar>(q: Rotation3<S>) -> (Rotation3<S>, S) {
     let scale = to_half(largest(q.x, q.y, q.z).most(q.w.primal().magnitude()));
     let q = Rotation3::new(q.w * scale, q.x * scale, q.y * scale, q.z * scale);
     (q, scale)

@@ -1,6 +1,6 @@
 //! The relation of two boxes of any orientation, from which their overlap is computed.
 use super::precise::{bounded, difference, into_frame, matrix, product, relative, sum};
-pub use super::rename::Renaming;
+pub(crate) use super::rename::Renaming;
 use super::rename::smallest_turn;
 use crate::shape::Obb3;
 use crate::{Scalar, Vec3};
@@ -10,7 +10,7 @@ const LARGEST_INVERSE: f64 = 1.0 / (1_u64 << 38) as f64;
 
 /// Box b in the frame of box a, in units of `1 / scale`.
 #[derive(Clone, Copy, Debug)]
-pub struct Relative3<S: Scalar> {
+pub(crate) struct Relative3<S: Scalar> {
     /// The rotation: `turn[i][m]` is coordinate i, in a's frame, of b's axis m. The axes of b are
     /// renamed so that the rotation is as small as it can be: no entry of the diagonal is below 0.457,
     /// the cosine of the largest such rotation, 62.8 degrees.
@@ -33,7 +33,7 @@ pub struct Relative3<S: Scalar> {
 /// brings the largest side of the smaller box near one, unless that is zero or the other box would
 /// become too large.
 #[inline(always)]
-pub fn size_scale3<S: Scalar>(half_a: Vec3<S>, half_b: Vec3<S>) -> S {
+pub(crate) fn size_scale3<S: Scalar>(half_a: Vec3<S>, half_b: Vec3<S>) -> S {
     let size_a = half_a.x.most(half_a.y).most(half_a.z);
     let size_b = half_b.x.most(half_b.y).most(half_b.z);
     let (smaller, larger) = (size_a.least(size_b), size_a.most(size_b));
@@ -52,7 +52,7 @@ fn levelled<S: Scalar>(x: S, flat: S) -> S {
 
 /// Sees `b` from `a`.
 #[inline(always)]
-pub fn relate3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
+pub(crate) fn relate3<S: Scalar>(a: Obb3<S>, b: Obb3<S>) -> Relative3<S> {
     let half = S::lit(0.5);
     relate3_in(a, b, size_scale3(a.size * half, b.size * half))
 }

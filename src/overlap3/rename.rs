@@ -4,7 +4,7 @@ use crate::Scalar;
 
 /// A renaming of a box's axes.
 #[derive(Clone, Copy, Debug)]
-pub struct Renaming<S: Scalar> {
+pub(crate) struct Renaming<S: Scalar> {
     /// The axes were exchanged in pairs: y and z, z and x, x and y.
     exchanged: [S::Mask; 3],
     /// The new axes 0, 1 and 2 are the old axes 1, 2 and 0.

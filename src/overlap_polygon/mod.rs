@@ -227,7 +227,7 @@ pub fn iof_polygons<S: Scalar, const N: usize, const M: usize>(
 /// The convex polygon that rings are measured against, and the local frame of both. The body of a fold over edges takes
 /// it.
 #[derive(Clone, Copy, Debug)]
-pub struct Window<S: Scalar, const M: usize> {
+pub(crate) struct Window<S: Scalar, const M: usize> {
     pub(crate) seen: Reference<S>,
     pub(crate) fan: Fan<S, M>,
     pub(crate) smaller: S::Mask,

@@ -30,7 +30,7 @@ pub mod dual;
 mod dual_vector;
 pub(crate) mod exponential;
 pub(crate) mod float;
-mod guard;
+pub(crate) mod guard;
 pub mod jet;
 pub mod lanes;
 mod mask;
@@ -40,7 +40,8 @@ pub(crate) mod real;
 mod ties;
 
 #[doc(hidden)]
-pub use guard::{Guard, guarded};
+pub use guard::Guard;
+pub(crate) use guard::guarded;
 pub use jet::Jet;
 pub use lanes::Lanes;
 pub use mask::Mask;

@@ -26,7 +26,7 @@ mod soft;
 
 pub use hard::{cluster, hard};
 pub use matrix_nms::matrix;
-pub use soft::{Decayed, soft, soft_replay, soft_search, soft_vjp};
+pub use soft::{Decayed, soft, soft_replay, soft_search};
 
 /// Two things of a list, or one of each of two lists, and how much they overlap.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,7 +79,7 @@ pub enum Decay<S> {
 
 impl<S: Scalar<Mask = bool>> Decay<S> {
     /// Returns the factor of an overlap, and its derivative by the overlap.
-    fn factor(self, overlap: S, threshold: S) -> (S, S) {
+    pub(crate) fn factor(self, overlap: S, threshold: S) -> (S, S) {
         match self {
             Decay::Linear if overlap.above(S::one()) => (S::zero(), S::zero()),
             Decay::Linear if overlap.above(threshold) => (S::one() - overlap, -S::one()),

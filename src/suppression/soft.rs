@@ -41,7 +41,8 @@ pub fn soft<S: Scalar<Mask = bool>>(
     Ok(soft_search(scores, pairs, decay, rules)?.0)
 }
 
-/// Returns the result of [`soft`] and the record of its decisions, for [`soft_replay`] and [`soft_vjp`].
+/// Returns the result of [`soft`] and the record of its decisions, for [`soft_replay`] and
+/// [`soft_vjp`](crate::ad::adjoint::suppression::soft_vjp).
 ///
 /// # Errors
 ///
@@ -139,39 +140,4 @@ pub fn soft_replay<S: Scalar<Mask = bool>>(
         })
     })
     .collect()
-}
-
-/// Returns the derivatives of `Σ kept_bar · score` of the kept detections by all scores and by the overlaps of all
-/// pairs.
-///
-/// The kept detections, and the pairs that lower scores, stay as recorded.
-#[must_use]
-pub fn soft_vjp<S: Scalar<Mask = bool>>(
-    scores: &[S],
-    pairs: &[Pair<S>],
-    decay: Decay<S>,
-    threshold: S,
-    record: &Decayed,
-    kept_bar: &[S],
-) -> (Vec<S>, Vec<S>) {
-    let mut scores_bar = vec![S::zero(); scores.len()];
-    let mut pairs_bar = vec![S::zero(); pairs.len()];
-    for ((&i, by), &bar) in record.kept.iter().zip(&record.by).zip(kept_bar) {
-        let factors: Vec<(S, S)> = by
-            .iter()
-            .map(|&pair| decay.factor(pairs[pair].overlap, threshold))
-            .collect();
-        // Products of all that come after, so that none is divided by.
-        let mut after = vec![S::one(); by.len() + 1];
-        for k in (0..by.len()).rev() {
-            after[k] = after[k + 1] * factors[k].0;
-        }
-        scores_bar[i] += bar * after[0];
-        let mut before = bar * scores[i];
-        for (k, &pair) in by.iter().enumerate() {
-            pairs_bar[pair] += before * after[k + 1] * factors[k].1;
-            before *= factors[k].0;
-        }
-    }
-    (scores_bar, pairs_bar)
 }

@@ -1,10 +1,11 @@
 //! Suppression, assignment and metrics against their definitions, written down naively.
+use geograd::ad::adjoint::suppression::soft_vjp;
 use geograd::assignment::{greedy, largest, optimal};
 use geograd::error::{Argument, Error, Field, Flaw};
 use geograd::kernels::Cpu;
 use geograd::metric::{Frame, Outcome, Point, Recalls, average_precision, curve, outcomes};
 use geograd::suppression::{
-    Decay, Pair, Rules, cluster, hard, matrix, order, soft, soft_replay, soft_search, soft_vjp,
+    Decay, Pair, Rules, cluster, hard, matrix, order, soft, soft_replay, soft_search,
 };
 use geograd::{Obb2, Scalar, Vec3, YawBox3};
 use geograd_tests::Dice;

@@ -2,8 +2,8 @@
 //! other one is, in either format and either order.
 use geograd::ad::adjoint::overlap::intersection_area_obb2_vjp;
 use geograd::ad::adjoint::overlap_quad::intersection_area_quads_vjp;
+use geograd::ad::adjoint::overlap3::intersection_volume_obb3_vjp;
 use geograd::ad::adjoint::upright::intersection_volume_yaw_vjp;
-use geograd::overlap3::intersection_volume_obb3_vjp;
 use geograd::{Fixed, Obb2, Obb3, Rotation3, Scalar, Vec3, YawBox3};
 use proptest::prelude::*;
 

@@ -1,8 +1,9 @@
 //! Functions declared to be straight lines can be recorded; the program and lanes give the same results.
 use super::pairs::{FAMILIES, Random, pair, single};
+use geograd::ad::adjoint::overlap3::iou_obb3_vjp;
 use geograd::ad::program::{Program, Sym};
 use geograd::iou3::{Enclosing, giou, separation_aware};
-use geograd::overlap3::{intersection_volume_obb3, iou_aabb3, iou_obb3, iou_obb3_vjp, iou_yaw};
+use geograd::overlap3::{intersection_volume_obb3, iou_aabb3, iou_obb3, iou_yaw};
 use geograd::{Aabb3, Obb3, Rotation3, Vec3, YawBox3};
 use geograd::{Fixed, Lanes, Pack, gaussian::solid};
 

@@ -1,8 +1,7 @@
 //! Second derivatives at inputs along the axes, parallel and concentric, beside formulas and differences of gradients.
+use geograd::ad::adjoint::overlap3::{intersection_volume_obb3_vjp, iof_obb3_vjp, iou_obb3_vjp};
 use geograd::gaussian::{self, solid};
-use geograd::overlap3::{
-    intersection_volume_obb3_vjp, iof_obb3, iof_obb3_vjp, iou_obb3, iou_obb3_vjp,
-};
+use geograd::overlap3::{iof_obb3, iou_obb3};
 use geograd::shape::{Cone, Cylinder};
 use geograd::{Fixed, Jet, Obb2, Obb3, Rotation3, Scalar, Vec3};
 

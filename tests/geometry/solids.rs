@@ -1,7 +1,8 @@
 //! Overlap of boxes in space, against exact volumes.
 use super::oracle_solid::overlap;
 use super::pairs::{FAMILIES, Random, pair, random_rotation, single};
-use geograd::overlap3::{intersection_volume_obb3, iou_aabb3, iou_obb3, iou_obb3_vjp, iou_yaw};
+use geograd::ad::adjoint::overlap3::iou_obb3_vjp;
+use geograd::overlap3::{intersection_volume_obb3, iou_aabb3, iou_obb3, iou_yaw};
 use geograd::{Aabb3, Jet, Obb3, Pack, Pose3, Rotation3, Scalar, Vec3, YawBox3, ad};
 
 #[test]

@@ -1,9 +1,9 @@
 //! Suppression on a GPU: exactly what the processor keeps.
 use crate::{gpu, small};
+use geograd::__private::Call;
 use geograd::ad::check::sample::Draw;
 use geograd::ad::program::{Program, Sym};
 use geograd::kernels::gpu::Gpu;
-use geograd::kernels::recording::Call;
 use geograd::kernels::{Backend, Cpu, Function, Single};
 use geograd::suppression::Rules;
 use geograd::{Error, GpuFault, Obb2, Obb3, Rotation3, Scalar, Vec3, YawBox3};

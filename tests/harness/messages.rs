@@ -65,7 +65,7 @@ fn the_compiler_says_what_to_write() {
         .map(|file| file.unwrap().path())
         .collect();
     files.sort();
-    assert!(files.len() >= 7);
+    assert!(files.len() > 30, "{} files", files.len());
     let said = std::thread::scope(|scope| {
         let all: Vec<_> = files
             .iter()

@@ -268,7 +268,6 @@ pub(crate) fn by_shape<R: Item>(
 }
 
 /// Returns the layout of an item that is a single shape.
-#[doc(hidden)]
 pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
     Leaf {
         shape: std::any::type_name::<P>,
@@ -318,20 +317,20 @@ macro_rules! __item_of_one {
         type Many = ::std::vec::Vec<Self>;
         fn many(count: usize) -> Self::Many {
             let zero = <Self::Scalar as ::core::default::Default>::default();
-            ::std::vec![<Self as $crate::Fixed>::filled(zero); count]
+            ::std::vec![<Self as $crate::__private::Fixed>::filled(zero); count]
         }
-        fn leaves(add: &mut dyn FnMut($crate::kernels::item::Leaf<Self::Scalar>)) {
+        fn leaves(add: &mut dyn FnMut($crate::__private::Leaf<Self::Scalar>)) {
             // A shape without numbers, such as `[T; 0]`, has no column.
-            if <Self as $crate::Fixed>::LEN > 0 {
-                add($crate::kernels::item::leaf::<Self>());
+            if <Self as $crate::__private::Fixed>::LEN > 0 {
+                add($crate::__private::leaf::<Self>());
             }
         }
         fn targets<'a>(
             many: &'a mut Self::Many,
-            add: &mut dyn FnMut($crate::kernels::item::Target<'a, Self::Scalar>),
+            add: &mut dyn FnMut($crate::__private::Target<'a, Self::Scalar>),
         ) {
-            if <Self as $crate::Fixed>::LEN > 0 {
-                add($crate::kernels::item::target(many));
+            if <Self as $crate::__private::Fixed>::LEN > 0 {
+                add($crate::__private::target(many));
             }
         }
     };
@@ -407,7 +406,6 @@ pub(crate) enum TargetPiece<'a, T> {
 pub(crate) const STRETCH: usize = 2048;
 
 /// Returns shapes as a target.
-#[doc(hidden)]
 pub fn target<P: Item>(shapes: &mut [P]) -> Target<'_, P::Scalar> {
     let count = shapes.len();
     let pieces = shapes.chunks_mut(STRETCH).map(|shapes| {

@@ -1,9 +1,7 @@
-//! Derivatives by hand of the overlap of boxes of any orientation.
-use super::obb3::{far_apart, related, shared_within};
-use super::precise::to_about_half;
-use super::relate::{Relative3, relate3};
-use super::score;
+//! Adjoints of the overlap of boxes of any orientation.
 use crate::overlap::{Denominator, tamed};
+use crate::overlap3::relate::{Relative3, relate3};
+use crate::overlap3::{far_apart, related, score, shared_within, to_about_half};
 use crate::shape::{Obb3, Rotation3};
 use crate::{Scalar, Vec3};
 
@@ -288,7 +286,8 @@ fn gradient<S: Scalar, const EXTREME: bool>(
 /// them to those by body tangents.
 ///
 /// ```
-/// use geograd::{Obb3, Rotation3, Vec3, overlap3::intersection_volume_obb3_vjp};
+/// use geograd::ad::adjoint::overlap3::intersection_volume_obb3_vjp;
+/// use geograd::{Obb3, Rotation3, Vec3};
 /// let cube = Obb3::new(Vec3::new(0.0, 0.0, 0.0), Vec3::new(2.0, 2.0, 2.0), Rotation3::identity());
 /// let moved = Obb3 { center: Vec3::new(0.5, 0.5, 0.5), ..cube };
 /// let (volume, (by_cube, by_moved)) = intersection_volume_obb3_vjp(cube, moved, 1.0_f64);
