@@ -136,6 +136,7 @@ pub mod procrustes;
 pub mod product;
 pub mod reference;
 pub mod ring;
+mod rule;
 pub mod scalar;
 pub mod shape;
 pub mod suppression;
@@ -224,6 +225,7 @@ pub use error::{Error, Flaw, GpuFault, Unrecordable, Validate, VertexFault};
 pub use pack::{Fixed, Pack};
 pub use polygon::{Polygon, Rings};
 pub use product::Code;
+pub use rule::Rule;
 pub use scalar::{Jet, Lanes, Mask, Real, Scalar};
 pub use shape::{
     Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, EulerOrder, Interval,

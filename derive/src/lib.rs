@@ -3,7 +3,9 @@
 //! No dependencies: a struct's fields are read from its tokens in a few lines, and whoever builds
 //! geograd builds no parser of all of Rust.
 mod parse;
+mod rules;
 mod write;
+mod writer;
 
 use proc_macro::TokenStream;
 
