@@ -190,6 +190,7 @@ fn plan<T: Real>(sizes: &Sizes, programs: &Programs, mode: Mode) -> Result<Arc<P
             name: |_| Field::VALUE,
             check: |_: &[T]| Ok(()),
             quick: Quick::Always,
+            rules: &[],
         };
         let arguments = [sizes.wide, 2 * sizes.element]
             .into_iter()
