@@ -355,8 +355,8 @@ fn field(mut tokens: Tokens<'_>, place: Option<usize>, scalar: &str) -> Result<F
                 return Refusal::new(
                     span_of(item),
                     "a field of a shape knows `non_negative`, `positive`, `non_zero`, `at_most = \"field\"`, \
-                     `differs_from = \"field\"`, `names(\"a\", \"b\")`, `angle`, `length`, `number`, `direction`, `rotation_vector`, \
-                     `kind = \"AngleY\"` and `code`",
+                     `differs_from = \"field\"`, `names(\"a\", \"b\")`, `angle`, `length`, \
+                     `number`, `direction`, `rotation_vector`, `kind = \"AngleY\"` and `code`",
                 );
             }
         }

@@ -48,6 +48,7 @@ impl Field {
 }
 
 impl Form {
+    /// Returns `true` for a lone scalar.
     pub fn is_scalar(&self) -> bool {
         matches!(self, Form::Scalar)
     }
