@@ -14,7 +14,7 @@ pub use crate::kernels::item::Item;
 pub use crate::product::{
     load, load_code, load_codes, name, no_code, store, store_code, store_codes, valid,
 };
-pub use crate::{Code, Fixed, Pack, Scalar};
+pub use crate::{Code, Fixed, Pack, Rule, Scalar};
 pub use approx;
 pub use std::vec::Vec;
 #[cfg(feature = "proptest")]
@@ -61,7 +61,8 @@ pub use {
 ///
 /// * [`Pack`](crate::Pack) and [`Fixed`](crate::Fixed): the scalars in the order of the fields, and their
 ///   names;
-/// * [`Validate`](crate::Validate): every scalar is finite, every part valid, the rules below hold;
+/// * [`Validate`](crate::Validate): every scalar is finite, every part valid, the rules below hold; its
+///   [`RULES`](crate::Validate::RULES) are those rules as [data](crate::Rule), for the fuzzer and other languages;
 /// * [`Item`](crate::kernels::Item): columns of it go into batches and come out of them;
 /// * the comparisons of `approx`;
 /// * [`Sample`](crate::ad::sample::Sample) for `f64`: random and hard inputs for the harness and, with the
@@ -74,7 +75,9 @@ pub use {
 /// | on a field | |
 /// | --- | --- |
 /// | `non_negative`, `positive` | all its numbers are; points become lengths, since a place may have any sign |
+/// | `non_zero` | its numbers are not all zero: a vector that has a direction |
 /// | `at_most = "other"` | none of its numbers exceeds the same one of the other field |
+/// | `differs_from = "other"` | its numbers are not all those of the other field: two points apart |
 /// | `names("width", "height")` | names of its numbers, instead of `field.x` and so on |
 /// | `angle`, `length`, `number` | what turns and scaling do to its numbers; a lone scalar is a length |
 /// | `direction`, `rotation_vector` | its points do not shift: they are directions, or axes times angles in radians |
@@ -83,7 +86,8 @@ pub use {
 ///
 /// | on the struct | |
 /// | --- | --- |
-/// | `validate = path` | a function of `&Self` with a further rule, such as [`Flaw::Broken`](crate::Flaw::Broken) |
+/// | `non_zero` | its numbers are not all zero |
+/// | `validate = path` | a function of `&Self` with a rule that no word above says; `RULES` do not have it |
 /// | `except(Validate, approx, Sample, Arbitrary)` | leaves these to you |
 /// | `crate = "name"` | the library's name, where a manifest renames it |
 ///
@@ -92,6 +96,13 @@ pub use {
 /// ```compile_fail
 /// #[derive(Clone, Copy, geograd::Shape)]
 /// enum Either<S> { One(S), Other(S) }
+/// ```
+///
+/// Rules are of scalars, so a count has none:
+///
+/// ```compile_fail
+/// #[derive(Clone, Copy, Debug, PartialEq, geograd::Shape)]
+/// struct Ticks<S> { step: S, #[shape(code, non_zero)] count: u16 }
 /// ```
 pub use geograd_derive::Shape;
 
@@ -165,6 +176,65 @@ where
     }
 }
 
+/// Returns `Ok` when not all numbers of the part `name` are zero.
+#[inline]
+pub fn non_zero<P: Fixed>(part: &P, name: &str) -> Result<(), Flaw>
+where
+    P::Scalar: Scalar<Mask = bool>,
+{
+    match first(part, |x| !x.equals(Scalar::zero())) {
+        Some(_) => Ok(()),
+        None => Err(Flaw::Zero(Field::new(name))),
+    }
+}
+
+/// Returns `Ok` when not all numbers of a shape are zero; otherwise its first number breaks the `rule`.
+#[inline]
+pub fn not_all_zero<W: Fixed>(whole: &W, rule: &'static str) -> Result<(), Flaw>
+where
+    W::Scalar: Scalar<Mask = bool>,
+{
+    non_zero(whole, "").map_err(|_| Flaw::Broken(W::name(0), rule))
+}
+
+/// Returns `Ok` when not all numbers of the part `name` are those of another part; otherwise it breaks the `rule`.
+#[inline]
+pub fn differs_from<P: Fixed>(
+    part: &P,
+    other: &P,
+    name: &str,
+    rule: &'static str,
+) -> Result<(), Flaw>
+where
+    P::Scalar: Scalar<Mask = bool>,
+{
+    match first_of_two(part, other, |x, y| !x.equals(y)) {
+        Some(_) => Ok(()),
+        None => Err(Flaw::Broken(Field::new(name), rule)),
+    }
+}
+
+/// Returns the place of the first pair of numbers of two parts for which something holds.
+#[inline(always)]
+fn first_of_two<P: Fixed>(
+    a: &P,
+    b: &P,
+    mut holds: impl FnMut(P::Scalar, P::Scalar) -> bool,
+) -> Option<usize> {
+    let (mut i, mut found) = (0, None);
+    a.remake(&mut |&x| {
+        // The number in the same place, by walking there: parts are short.
+        let mut k = 0;
+        let here = first(b, |y| {
+            k += 1;
+            k == i + 1 && holds(x, y)
+        });
+        found = found.or(here);
+        i += 1;
+    });
+    found
+}
+
 /// Returns `Ok` when no number of a part exceeds that of another part, the field `upper` of the whole.
 #[inline]
 pub fn at_most<W: Fixed, P: Fixed>(
@@ -177,18 +247,7 @@ pub fn at_most<W: Fixed, P: Fixed>(
 where
     P::Scalar: Scalar<Mask = bool>,
 {
-    let (mut i, mut found) = (0, None);
-    low.remake(&mut |low| {
-        // The number at this index, by counting: parts are short.
-        let mut k = 0;
-        let inverted = first(high, |high| {
-            k += 1;
-            k == i + 1 && low.above(high)
-        });
-        found = found.or(inverted);
-        i += 1;
-    });
-    match found {
+    match first_of_two(low, high, |low, high| low.above(high)) {
         Some(i) => Err(Flaw::Inverted(W::name(at + i), upper)),
         None => Ok(()),
     }

@@ -1,4 +1,5 @@
 //! Errors as data: the argument, the item, the field and the fault.
+use crate::rule::Rule;
 use std::fmt;
 
 /// The argument of a call to which an error belongs.
@@ -546,6 +547,9 @@ impl std::error::Error for Error {}
 pub trait Validate {
     /// `true` if finite fields make a shape valid; batches then check many shapes at once.
     const FINITE_SUFFICES: bool = false;
+    /// The rules of its numbers, beside that they are finite, as data. Bounds in other languages and inputs of the fuzzer
+    /// follow them. A shape may have others that only [`validate`](Validate::validate) knows.
+    const RULES: &'static [Rule] = &[];
     /// Returns `Ok` when every field is finite and the shape's own rules hold.
     ///
     /// # Errors

@@ -140,6 +140,7 @@ pub mod procrustes;
 pub mod product;
 pub mod reference;
 pub mod ring;
+mod rule;
 pub mod scalar;
 pub mod shape;
 pub mod suppression;
@@ -230,6 +231,7 @@ pub use kernels::__private;
 pub use pack::{Fixed, Pack};
 pub use polygon::{Polygon, Rings};
 pub use product::Code;
+pub use rule::Rule;
 pub use scalar::{Jet, Lanes, Mask, Real, Scalar};
 pub use shape::{
     Aabb2, Aabb3, Capsule2, Capsule3, Circle, Cone, ConvexPolygon, Cylinder, EulerOrder, Interval,

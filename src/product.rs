@@ -1,7 +1,7 @@
 //! Tuples, arrays and lists of shapes.
 use crate::arrays::Each;
 use crate::error::{Field, Flaw, Validate};
-use crate::{Fixed, Pack, Scalar};
+use crate::{Fixed, Pack, Rule, Scalar};
 
 /// Tuples; the macro lists their parts.
 macro_rules! tuples {
@@ -70,9 +70,21 @@ macro_rules! tuples {
                 $(store_codes(self.$place, &mut to);)*
             }
         }
-        impl<$first: Validate $(, $part: Validate)*> Validate for ($first, $($part,)*) {
+        impl<$first: Fixed + Validate $(, $part: Fixed + Validate)*> Validate for ($first, $($part,)*) {
             const FINITE_SUFFICES: bool =
                 $first::FINITE_SUFFICES $(&& $part::FINITE_SUFFICES)*;
+            const RULES: &'static [Rule] = {
+                let lengths = [$first::LEN $(, $part::LEN)*];
+                &[
+                    Rule::Parts { first: before(&lengths, $zero), count: 1, width: $first::LEN, rules: $first::RULES },
+                    $(Rule::Parts {
+                        first: before(&lengths, $place),
+                        count: 1,
+                        width: $part::LEN,
+                        rules: $part::RULES,
+                    },)*
+                ]
+            };
             fn validate(&self) -> Result<(), Flaw> {
                 valid(&self.$zero, stringify!($zero))?;
                 $(valid(&self.$place, stringify!($place))?;)*
@@ -88,6 +100,16 @@ tuples! {
     (A.0, B.1, C.2, D.3)
     (A.0, B.1, C.2, D.3, E.4)
     (A.0, B.1, C.2, D.3, E.4, F.5)
+}
+
+/// Returns the sum of the numbers before a place.
+const fn before(lengths: &[usize], place: usize) -> usize {
+    let (mut sum, mut i) = (0, 0);
+    while i < place {
+        sum += lengths[i];
+        i += 1;
+    }
+    sum
 }
 
 impl<P: Pack, const N: usize> Pack for [P; N] {
@@ -146,8 +168,14 @@ impl<P: Fixed, const N: usize> Fixed for [P; N] {
         }
     }
 }
-impl<P: Validate, const N: usize> Validate for [P; N] {
+impl<P: Fixed + Validate, const N: usize> Validate for [P; N] {
     const FINITE_SUFFICES: bool = P::FINITE_SUFFICES;
+    const RULES: &'static [Rule] = &[Rule::Parts {
+        first: 0,
+        count: N,
+        width: P::LEN,
+        rules: P::RULES,
+    }];
     fn validate(&self) -> Result<(), Flaw> {
         for (i, shape) in self.iter().enumerate() {
             shape.validate().map_err(|flaw| flaw.within_item(i))?;

@@ -3,7 +3,9 @@
 //! It has no dependencies: it reads a struct's fields from its tokens, so that building geograd needs no parser of all
 //! of Rust.
 mod parse;
+mod rules;
 mod write;
+mod writer;
 
 use proc_macro::TokenStream;
 

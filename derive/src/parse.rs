@@ -8,7 +8,7 @@ pub struct Refusal {
 }
 
 impl Refusal {
-    fn new<T>(span: Span, text: impl Into<String>) -> Result<T, Self> {
+    pub fn new<T>(span: Span, text: impl Into<String>) -> Result<T, Self> {
         let text = text.into();
         Err(Refusal { text, span })
     }
@@ -36,6 +36,8 @@ pub struct Shape {
     pub scalar: String,
     pub parameters: Vec<Parameter>,
     pub fields: Vec<Field>,
+    /// Not all its numbers are zero.
+    pub non_zero: bool,
     /// Functions with further rules.
     pub rules: Vec<TokenStream>,
     /// The traits that the author implements by hand.
@@ -60,8 +62,12 @@ pub struct Field {
     pub names: Vec<String>,
     pub non_negative: bool,
     pub positive: bool,
+    /// Not all its numbers are zero.
+    pub non_zero: bool,
     /// The field that is an upper bound.
     pub at_most: Option<String>,
+    /// The field whose value it may not have.
+    pub differs_from: Option<String>,
     /// The effect of motions on its numbers.
     pub kind: Option<Motions>,
 }
@@ -202,6 +208,7 @@ pub fn shape(input: TokenStream) -> Result<Shape, Refusal> {
     let mut shape = Shape {
         name: name.to_string(),
         fields: Vec::new(),
+        non_zero: false,
         rules: Vec::new(),
         except: Vec::new(),
         library: "::geograd".to_owned(),
@@ -215,6 +222,8 @@ pub fn shape(input: TokenStream) -> Result<Shape, Refusal> {
     for item in split(&about, ',') {
         if is_ident(item.first(), "validate") && is_punct(item.get(1), '=') {
             shape.rules.push(item[2..].iter().cloned().collect());
+        } else if item.len() == 1 && is_ident(item.first(), "non_zero") {
+            shape.non_zero = true;
         } else if is_ident(item.first(), "except")
             && let Some(inside) = group(item.get(1), Delimiter::Parenthesis)
         {
@@ -235,17 +244,11 @@ pub fn shape(input: TokenStream) -> Result<Shape, Refusal> {
         } else {
             return Refusal::new(
                 span_of(item),
-                "a shape knows `validate = function`, `except(…)` and `crate = \"name\"`",
+                "a shape knows `non_zero`, `validate = function`, `except(…)` and `crate = \"name\"`",
             );
         }
     }
-    for field in &shape.fields {
-        if let Some(other) = &field.at_most
-            && !shape.fields.iter().any(|field| field.member == *other)
-        {
-            return Refusal::new(name.span(), format!("there is no field `{other}`"));
-        }
-    }
+    shape.check_rules(name.span())?;
     Ok(shape)
 }
 
@@ -317,7 +320,9 @@ fn field(mut tokens: Tokens<'_>, place: Option<usize>, scalar: &str) -> Result<F
         names: Vec::new(),
         non_negative: false,
         positive: false,
+        non_zero: false,
         at_most: None,
+        differs_from: None,
         kind: None,
     };
     let mut is_code = false;
@@ -326,6 +331,7 @@ fn field(mut tokens: Tokens<'_>, place: Option<usize>, scalar: &str) -> Result<F
             ("code", 1) => is_code = true,
             ("non_negative", 1) => field.non_negative = true,
             ("positive", 1) => field.positive = true,
+            ("non_zero", 1) => field.non_zero = true,
             ("length", 1) => field.kind = Some(Motions::Kind("Length".to_owned())),
             ("angle", 1) => field.kind = Some(Motions::Kind("Angle".to_owned())),
             ("number", 1) => field.kind = Some(Motions::Kind("Number".to_owned())),
@@ -337,6 +343,9 @@ fn field(mut tokens: Tokens<'_>, place: Option<usize>, scalar: &str) -> Result<F
             ("at_most", 3) if text_of(item.get(2)).is_some() => {
                 field.at_most = text_of(item.get(2));
             }
+            ("differs_from", 3) if text_of(item.get(2)).is_some() => {
+                field.differs_from = text_of(item.get(2));
+            }
             ("names", 2) if group(item.get(1), Delimiter::Parenthesis).is_some() => {
                 let inside = group(item.get(1), Delimiter::Parenthesis).map(Group::stream);
                 let inside = list(inside.unwrap_or_default());
@@ -345,9 +354,9 @@ fn field(mut tokens: Tokens<'_>, place: Option<usize>, scalar: &str) -> Result<F
             _ => {
                 return Refusal::new(
                     span_of(item),
-                    "a field of a shape knows `non_negative`, `positive`, `at_most = \"field\"`, \
-                     `names(\"a\", \"b\")`, `angle`, `length`, `number`, `direction`, `rotation_vector`, \
-                     `kind = \"AngleY\"` and `code`",
+                    "a field of a shape knows `non_negative`, `positive`, `non_zero`, `at_most = \"field\"`, \
+                     `differs_from = \"field\"`, `names(\"a\", \"b\")`, `angle`, `length`, \
+                     `number`, `direction`, `rotation_vector`, `kind = \"AngleY\"` and `code`",
                 );
             }
         }

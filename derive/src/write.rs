@@ -1,92 +1,10 @@
 //! The output of the derive, as text; the types of fields keep their tokens, so that the compiler's
 //! errors point at them.
-use crate::parse::{Field, Form, Motions, Parameter, Shape};
-use proc_macro::{Group, TokenStream, TokenTree};
+use crate::parse::{Field, Form, Motions, Shape};
+use crate::rules::validate;
+use crate::writer::{Writer, hole, shown, weave};
+use proc_macro::TokenStream;
 use std::fmt::Write;
-
-/// Returns the placeholder of a field's type, which [`weave`] replaces.
-fn hole(i: usize) -> String {
-    format!("__type_{i}")
-}
-
-/// Parses text and replaces placeholders by types.
-fn weave(text: &str, types: &[&TokenStream]) -> TokenStream {
-    fn fill(tokens: TokenStream, types: &[&TokenStream]) -> TokenStream {
-        let one = |token| match token {
-            TokenTree::Group(group) => {
-                let mut filled = Group::new(group.delimiter(), fill(group.stream(), types));
-                filled.set_span(group.span());
-                TokenTree::from(filled).into()
-            }
-            TokenTree::Ident(name) => {
-                let i = name.to_string().strip_prefix("__type_").map(str::parse);
-                match i {
-                    Some(Ok::<usize, _>(i)) => types[i].clone(),
-                    _ => TokenTree::Ident(name).into(),
-                }
-            }
-            token => TokenStream::from(token),
-        };
-        tokens.into_iter().flat_map(one).collect()
-    }
-    fill(text.parse().expect("the derive writes Rust"), types)
-}
-
-/// Returns the name of a field in messages.
-fn shown(field: &Field) -> &str {
-    field.member.strip_prefix("r#").unwrap_or(&field.member)
-}
-
-/// A struct with the parts of text that its implementations need.
-struct Writer<'a> {
-    shape: &'a Shape,
-}
-
-impl Writer<'_> {
-    /// Returns `impl<S: bound, const N: usize>`.
-    fn generics(&self, bound: &str) -> String {
-        let each = self.shape.parameters.iter().map(|p| match p {
-            Parameter::Scalar => format!("{}: {bound}", self.shape.scalar),
-            Parameter::Const { name, of } => format!("const {name}: {of}"),
-        });
-        format!("<{}>", each.collect::<Vec<_>>().join(", "))
-    }
-    /// Returns `const N: usize`, the generics without the scalar.
-    fn constants(&self) -> String {
-        let each = self.shape.parameters.iter().filter_map(|p| match p {
-            Parameter::Scalar => None,
-            Parameter::Const { name, of } => Some(format!("const {name}: {of}")),
-        });
-        each.collect::<Vec<_>>().join(", ")
-    }
-    /// Returns the struct of another scalar.
-    fn of(&self, scalar: &str) -> String {
-        let each = self.shape.parameters.iter().map(|p| match p {
-            Parameter::Scalar => scalar,
-            Parameter::Const { name, .. } => name,
-        });
-        let each = each.collect::<Vec<_>>().join(", ");
-        format!("{}<{each}>", self.shape.name)
-    }
-    /// Joins the texts of all fields, each from its number, the field, and whether it is a code.
-    fn fields(&self, mut of: impl FnMut(usize, &Field, bool) -> String) -> String {
-        let each = self.shape.fields.iter().enumerate().map(|(i, field)| {
-            let is_code = matches!(field.form, Form::Code);
-            of(i, field, is_code)
-        });
-        each.collect()
-    }
-    /// Returns `Name { field: value, … }`.
-    fn made(&self, mut of: impl FnMut(usize, &Field, bool) -> String) -> String {
-        let name = &self.shape.name;
-        let all = self
-            .fields(|i, field, is_code| format!("{}: {}, ", field.member, of(i, field, is_code)));
-        format!("{name} {{ {all} }}")
-    }
-    fn leaves(&self, name: &str) -> bool {
-        self.shape.except.iter().any(|x| x == name)
-    }
-}
 
 /// Returns the value of a place with every scalar replaced.
 fn remake(form: &Form, place: &str, depth: usize) -> String {
@@ -298,64 +216,6 @@ fn item(writer: &Writer<'_>) -> String {
         impl{generics} __g::Item for {of} where {of}: __g::Validate {{
             ::geograd::__item_of_one!();
         }}"
-    )
-}
-
-fn validate(writer: &Writer<'_>) -> String {
-    let of = writer.of(&writer.shape.scalar);
-    let generics = writer.generics("__g::Scalar<Mask = bool>");
-    let finite = writer.fields(|_, field, is_code| match (is_code, &field.names[..]) {
-        (true, _) => String::new(),
-        (_, []) => format!("__g::valid(&self.{}, {:?})?;", field.member, shown(field)),
-        (_, names) => format!("__g::valid_as(&self.{}, &{names:?})?;", field.member),
-    });
-    let first: String = {
-        // The number of scalars before a field, for its names.
-        let mut before = String::from("0");
-        writer.fields(|i, field, is_code| {
-            let mut rules = String::new();
-            let (member, at) = (&field.member, before.clone());
-            if field.non_negative {
-                write!(rules, "__g::non_negative(self, &self.{member}, {at})?;").ok();
-            }
-            if field.positive {
-                write!(rules, "__g::positive(self, &self.{member}, {at})?;").ok();
-            }
-            if let Some(other) = &field.at_most {
-                write!(
-                    rules,
-                    "__g::at_most(self, &self.{member}, &self.{other}, {at}, {other:?})?;"
-                )
-                .ok();
-            }
-            if !is_code {
-                write!(before, " + <{} as __g::Fixed>::LEN", hole(i)).ok();
-            }
-            rules
-        })
-    };
-    // The functions follow the types in the list of holes.
-    let own = (0..writer.shape.rules.len()).map(|i| {
-        let rule = hole(writer.shape.fields.len() + i);
-        format!("{rule}(self)?;")
-    });
-    let is_ruled = |field: &Field| field.non_negative || field.positive || field.at_most.is_some();
-    let has_rules = !writer.shape.rules.is_empty() || writer.shape.fields.iter().any(is_ruled);
-    let finite_suffices = writer.fields(|i, _, is_code| match is_code || has_rules {
-        true => " && false".into(),
-        false => format!(" && <{} as __g::Validate>::FINITE_SUFFICES", hole(i)),
-    });
-    format!(
-        "#[automatically_derived]
-        impl{generics} __g::Validate for {of} {{
-            const FINITE_SUFFICES: bool = true{finite_suffices};
-            #[inline]
-            fn validate(&self) -> ::core::result::Result<(), __g::Flaw> {{
-                {finite} {first} {own}
-                ::core::result::Result::Ok(())
-            }}
-        }}",
-        own = own.collect::<String>(),
     )
 }
 

@@ -67,7 +67,7 @@ pub(super) fn shapes(leaves: &[Leaf<f64>], kinds: &[Kind]) -> Vec<Shape> {
         let (own, others) = rest.split_at(scalars.min(rest.len()));
         rest = others;
         let kind = |i: usize| own.get(i).copied().unwrap_or(Kind::Number);
-        let bounds = bounds(&leaf, own);
+        let bounds = bounds(&leaf);
         let number = |i: usize| Number {
             name: match i < scalars {
                 true => (leaf.name)(i),

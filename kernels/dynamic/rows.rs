@@ -3,7 +3,7 @@ use crate::error::{Argument, Error, Field, Validate};
 use crate::kernels::machine::Column;
 use crate::kernels::row::item::counts::expect;
 use crate::kernels::row::item::{Item, Leaf, leaf};
-use crate::{Fixed, Real};
+use crate::{Fixed, Real, Rule};
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -220,6 +220,11 @@ impl<T: Real> Layout<T> {
     pub fn names(&self) -> Vec<Field> {
         let scalars = 0..self.leaf.fields - self.leaf.codes;
         scalars.map(self.leaf.name).collect()
+    }
+    /// Returns the rules of its numbers ([`Validate::RULES`]).
+    #[must_use]
+    pub const fn rules(&self) -> &'static [Rule] {
+        self.leaf.rules
     }
     /// Checks that a row is valid.
     ///

@@ -14,7 +14,6 @@ use crate::kernels::cpu::aligned::{checked, compute};
 use crate::kernels::cpu::pairs::{self, Pairs};
 use crate::kernels::cpu::plan::{Plan, Shapes, plan};
 use crate::kernels::machine::Column;
-use crate::kernels::row::compiled::Compiled;
 use crate::kernels::row::derivation::Mode;
 use crate::kernels::row::fold::{Fold, by_hand, fold};
 use crate::kernels::row::item::rows::numbers;
@@ -107,14 +106,14 @@ pub(crate) fn shown<X: Sample + Item>(numbers: &[f64]) -> String {
 }
 
 /// Returns the shapes of an input, with their rules.
-fn shapes<T: Real>(leaves: Vec<Leaf<T>>, kinds: &[Kind], is_convex: bool) -> Vec<InputShape<T>> {
+fn shapes<T: Real>(leaves: Vec<Leaf<T>>, kinds: &[Kind]) -> Vec<InputShape<T>> {
     let mut rest = kinds;
     let shape = |leaf: Leaf<T>| {
         let (own, others) = rest.split_at(leaf.fields - leaf.codes);
         rest = others;
         let kinds = [own, &vec![Kind::Number; leaf.codes]].concat();
         InputShape {
-            rules: Rules::of(&leaf, &kinds, is_convex),
+            rules: Rules::of(&leaf),
             leaf,
             kinds,
         }
@@ -218,7 +217,7 @@ impl<T: Real> Job<T> {
                 let make = make.clone();
                 squared(move || make(mode, true))
             }),
-            shapes: shapes(leaves, &kinds, recording.compiled == Some(Compiled::Quads)),
+            shapes: shapes(leaves, &kinds),
             kinds,
             vertex: Vec::new(),
             outputs,
@@ -255,7 +254,7 @@ impl<T: Real> Job<T> {
         let make = planned(&search::recording::<D, D::In<T>>());
         Job {
             op: short(std::any::type_name::<D>()),
-            shapes: shapes(leaves_of::<D::In<T>>(), &scalars, false),
+            shapes: shapes(leaves_of::<D::In<T>>(), &scalars),
             kinds,
             vertex: Vec::new(),
             outputs: leaves_of::<D::Out<T>>()
@@ -289,7 +288,7 @@ impl<T: Real> Job<T> {
         let kinds = kinds_of::<F::Context<f64>>();
         Job {
             op: short(std::any::type_name::<F>()),
-            shapes: shapes(leaves_of::<F::Context<T>>(), &kinds, false),
+            shapes: shapes(leaves_of::<F::Context<T>>(), &kinds),
             kinds,
             vertex: kinds_of::<F::Element<f64>>(),
             outputs: vec![F::Out::<T>::LEN],

@@ -1,8 +1,6 @@
 //! How numbers of a shape are made to keep to its rules.
-use crate::Real;
-use crate::ad::declared::Kind;
-use crate::kernels::row::bounds::{Rule, rules_of};
 use crate::kernels::row::item::Leaf;
+use crate::{Real, Rule};
 
 /// The rules of one shape.
 #[derive(Clone, Debug)]
@@ -13,10 +11,10 @@ pub(super) struct Rules {
 }
 
 impl Rules {
-    /// Returns the rules of a shape with numbers of these kinds.
-    pub fn of<T: Real>(leaf: &Leaf<T>, kinds: &[Kind], is_convex: bool) -> Self {
+    /// Returns the rules of a shape.
+    pub fn of<T: Real>(leaf: &Leaf<T>) -> Self {
         let mut rules = Rules {
-            rules: rules_of(leaf, kinds, is_convex),
+            rules: Rule::flat(leaf.rules),
             known: leaf.codes == 0,
         };
         let n = leaf.fields;
@@ -36,31 +34,50 @@ impl Rules {
     pub fn mend<T: Real>(&self, x: &mut [T]) {
         for rule in &self.rules {
             match *rule {
-                Rule::NotNegative(i) => x[i] = x[i].unsigned(),
-                Rule::Positive(i) => {
-                    x[i] = x[i].unsigned();
-                    if x[i] == T::zero() {
-                        x[i] = T::one();
+                Rule::NotNegative { first, count } => {
+                    x[first..first + count]
+                        .iter_mut()
+                        .for_each(|x| *x = x.unsigned());
+                }
+                Rule::Positive { first, count } => {
+                    for x in &mut x[first..first + count] {
+                        *x = x.unsigned();
+                        if *x == T::zero() {
+                            *x = T::one();
+                        }
                     }
                 }
-                Rule::Ordered(i, j) => {
-                    if x[i] > x[j] {
-                        x.swap(i, j);
+                Rule::Ordered { low, high, count } => {
+                    for i in 0..count {
+                        if x[low + i] > x[high + i] {
+                            x.swap(low + i, high + i);
+                        }
                     }
                 }
-                Rule::Some(ref any) => {
-                    if any.iter().all(|&i| x[i] == T::zero()) {
-                        x[any[0]] = T::one();
+                Rule::NonZero { first, count } => {
+                    if x[first..first + count].iter().all(|&x| x == T::zero()) {
+                        x[first] = T::one();
                     }
                 }
-                Rule::Parallelogram => {
-                    // Sums of three numbers must be finite.
+                // Others that are equal are left to the validator.
+                Rule::Distinct {
+                    first,
+                    other,
+                    count,
+                } => {
+                    if (0..count).all(|i| x[first + i] == T::zero() && x[other + i] == T::zero()) {
+                        x[first.min(other)] = T::one();
+                    }
+                }
+                // A parallelogram. Sums of three numbers must be finite.
+                Rule::ConvexQuad { first } => {
                     let quarter = T::lit(0.25);
-                    for k in 0..2 {
+                    for k in first..first + 2 {
                         let [p, u, v] = [0, 2, 4].map(|i| x[i + k] * quarter);
                         [x[k], x[2 + k], x[4 + k], x[6 + k]] = [p, p + u, p + u + v, p + v];
                     }
                 }
+                Rule::Parts { .. } => (),
             }
         }
     }
@@ -72,10 +89,14 @@ impl Rules {
         let mut sides = Vec::new();
         for rule in &self.rules {
             match *rule {
-                Rule::NotNegative(i) | Rule::Positive(i) => sides.push(size(at(i))),
-                Rule::Ordered(i, j) => sides.push(size(at(j) - at(i))),
-                Rule::Parallelogram => {
-                    let corner = |i: usize| [at(2 * i), at(2 * i + 1)];
+                Rule::NotNegative { first, count } | Rule::Positive { first, count } => {
+                    sides.extend((first..first + count).map(|i| size(at(i))));
+                }
+                Rule::Ordered { low, high, count } => {
+                    sides.extend((0..count).map(|i| size(at(high + i) - at(low + i))));
+                }
+                Rule::ConvexQuad { first } => {
+                    let corner = |i: usize| [at(first + 2 * i), at(first + 2 * i + 1)];
                     let [p, q, r, s] = [0, 1, 2, 3].map(corner);
                     let length = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
                     let area = (q[0] - p[0]) * (s[1] - p[1]) - (q[1] - p[1]) * (s[0] - p[0]);

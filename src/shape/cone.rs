@@ -1,7 +1,7 @@
 //! Cones.
 use super::within;
 use crate::arrays::Each;
-use crate::error::{Field, Flaw, Validate};
+use crate::error::{Flaw, Validate};
 use crate::shape::cylinder::disc_reach;
 use crate::shape::{Aabb3, Pose3};
 use crate::{Scalar, Shape, Vec3, twofold};
@@ -20,27 +20,16 @@ use std::ops::Mul;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
-#[shape(validate = has_height)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Cone<S> {
     /// The tip.
     pub apex: Vec3<S>,
     /// The centre of the base.
+    #[shape(differs_from = "apex")]
     pub base: Vec3<S>,
     /// The radius of the base.
     #[shape(non_negative)]
     pub radius: S,
-}
-
-/// Returns `Ok` for a height that is not zero.
-fn has_height<S: Scalar<Mask = bool>>(shape: &Cone<S>) -> Result<(), Flaw> {
-    let Cone {
-        apex: p, base: q, ..
-    } = shape;
-    match p.x.equals(q.x) && p.y.equals(q.y) && p.z.equals(q.z) {
-        true => Err(Flaw::Broken(Field::new("base"), "is the apex")),
-        false => Ok(()),
-    }
 }
 
 impl<S> Cone<S> {

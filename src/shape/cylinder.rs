@@ -1,7 +1,7 @@
 //! Cylinders.
 use super::within;
 use crate::arrays::Each;
-use crate::error::{Field, Flaw, Validate};
+use crate::error::{Flaw, Validate};
 use crate::shape::{Aabb3, Pose3};
 use crate::{Scalar, Shape, Vec3, twofold};
 use std::f64::consts::PI;
@@ -19,27 +19,16 @@ use std::ops::Mul;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
-#[shape(validate = has_height)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Cylinder<S> {
     /// The centre of one end.
     pub start: Vec3<S>,
     /// The centre of the other end.
+    #[shape(differs_from = "start")]
     pub end: Vec3<S>,
     /// The radius.
     #[shape(non_negative)]
     pub radius: S,
-}
-
-/// Returns `Ok` for a height that is not zero.
-fn has_height<S: Scalar<Mask = bool>>(shape: &Cylinder<S>) -> Result<(), Flaw> {
-    let Cylinder {
-        start: p, end: q, ..
-    } = shape;
-    match p.x.equals(q.x) && p.y.equals(q.y) && p.z.equals(q.z) {
-        true => Err(Flaw::Broken(Field::new("end"), "is the start")),
-        false => Ok(()),
-    }
 }
 
 /// Returns the half extents along x, y and z of a disc of radius one, given its unit normal.

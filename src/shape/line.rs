@@ -1,5 +1,5 @@
 //! Lines of the plane.
-use crate::error::{Field, Flaw, Validate};
+use crate::error::{Flaw, Validate};
 use crate::{Pose2, Scalar, Shape, Vec2};
 use std::ops::Mul;
 
@@ -18,29 +18,13 @@ use std::ops::Mul;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
-#[shape(validate = has_direction)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Line2<S> {
     /// One point of the line, where its parameter is 0.
     pub point: Vec2<S>,
     /// The vector from parameter 0 to parameter 1.
+    #[shape(non_zero)]
     pub direction: Vec2<S>,
-}
-
-/// Returns `Ok` for coordinates of a direction that are not all zero.
-pub(super) fn not_zero<S: Scalar<Mask = bool>, const N: usize>(
-    direction: [S; N],
-) -> Result<(), Flaw> {
-    match direction.iter().all(|x| x.equals(S::zero())) {
-        true => Err(Flaw::Zero(Field::new("direction"))),
-        false => Ok(()),
-    }
-}
-
-/// Returns `Ok` for a direction that is not zero.
-fn has_direction<S: Scalar<Mask = bool>>(shape: &Line2<S>) -> Result<(), Flaw> {
-    let Vec2 { x, y } = shape.direction;
-    not_zero([x, y])
 }
 
 impl<S> Line2<S> {

@@ -1,5 +1,4 @@
 //! Lines in space.
-use super::line::not_zero;
 use crate::error::{Flaw, Validate};
 use crate::shape::Pose3;
 use crate::{Scalar, Shape, Vec3};
@@ -14,20 +13,13 @@ use std::ops::Mul;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
-#[shape(validate = has_direction)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Line3<S> {
     /// Its point at parameter 0.
     pub point: Vec3<S>,
     /// The vector from parameter 0 to parameter 1.
-    #[shape(direction)]
+    #[shape(direction, non_zero)]
     pub direction: Vec3<S>,
-}
-
-/// Returns `Ok` for a direction that is not zero.
-fn has_direction<S: Scalar<Mask = bool>>(shape: &Line3<S>) -> Result<(), Flaw> {
-    let Vec3 { x, y, z } = shape.direction;
-    not_zero([x, y, z])
 }
 
 impl<S> Line3<S> {

@@ -1,9 +1,8 @@
 //! Planes in space.
 use super::within;
 use crate::arrays::Each;
-use crate::error::Field;
 use crate::shape::Pose3;
-use crate::{Flaw, Scalar, Shape, Vec3, twofold};
+use crate::{Scalar, Shape, Vec3, twofold};
 use std::ops::Mul;
 
 /// A plane in space: the points p with `normal · p = offset`, where the normal has any length but zero;
@@ -16,24 +15,15 @@ use std::ops::Mul;
 /// assert_eq!(floor.project(Vec3::new(0.0, 7.0, 4.0)), Vec3::new(0.0, 7.0, 1.0));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(validate = has_direction)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Plane3<S> {
     /// A direction orthogonal to the plane, of any length but zero.
-    #[shape(direction)]
+    #[shape(direction, non_zero)]
     pub normal: Vec3<S>,
     /// The normal's inner product with any point of the plane.
     #[shape(kind = "Offset")]
     pub offset: S,
-}
-
-fn has_direction<S: Scalar<Mask = bool>>(plane: &Plane3<S>) -> Result<(), Flaw> {
-    let (n, zero) = (plane.normal, S::zero());
-    if n.x.equals(zero) & n.y.equals(zero) & n.z.equals(zero) {
-        return Err(Flaw::Zero(Field::new("normal")));
-    }
-    Ok(())
 }
 
 impl<S> Plane3<S> {

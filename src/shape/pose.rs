@@ -1,5 +1,4 @@
 //! Rotations and rigid motions of the plane.
-use crate::error::{Field, Flaw};
 use crate::{Scalar, Shape, Vec2};
 use std::ops::Mul;
 
@@ -14,7 +13,7 @@ use std::ops::Mul;
 /// assert!((quarter * Vec2::new(1.0, 0.0)).distance(Vec2::new(0.0, 1.0)) < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(except(Sample), validate = is_not_zero)]
+#[shape(except(Sample), non_zero)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rotation2<S> {
@@ -22,13 +21,6 @@ pub struct Rotation2<S> {
     pub cos: S,
     /// The sine of the angle.
     pub sin: S,
-}
-
-fn is_not_zero<S: Scalar<Mask = bool>>(turn: &Rotation2<S>) -> Result<(), Flaw> {
-    match turn.cos.equals(S::zero()) & turn.sin.equals(S::zero()) {
-        true => Err(Flaw::Broken(Field::new("cos"), "and sin are both zero")),
-        false => Ok(()),
-    }
 }
 
 impl<S: Scalar> Rotation2<S> {

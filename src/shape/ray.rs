@@ -1,5 +1,4 @@
 //! Rays of the plane.
-use super::line::not_zero;
 use crate::error::{Flaw, Validate};
 use crate::scalar::Guard;
 use crate::{Line2, Pose2, Scalar, Shape, Vec2};
@@ -16,19 +15,13 @@ use std::ops::Mul;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
-#[shape(validate = has_direction)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ray2<S> {
     /// Its start, at parameter 0.
     pub point: Vec2<S>,
     /// The vector from parameter 0 to parameter 1.
+    #[shape(non_zero)]
     pub direction: Vec2<S>,
-}
-
-/// Returns `Ok` for a direction that is not zero.
-fn has_direction<S: Scalar<Mask = bool>>(shape: &Ray2<S>) -> Result<(), Flaw> {
-    let Vec2 { x, y } = shape.direction;
-    not_zero([x, y])
 }
 
 impl<S> Ray2<S> {

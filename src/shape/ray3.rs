@@ -1,5 +1,4 @@
 //! Rays in space.
-use super::line::not_zero;
 use crate::error::{Flaw, Validate};
 use crate::scalar::Guard;
 use crate::shape::{Line3, Pose3};
@@ -17,21 +16,14 @@ use std::ops::Mul;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
 #[repr(C)]
-#[shape(validate = has_direction)]
 #[shape(except(Sample))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ray3<S> {
     /// Its start, at parameter 0.
     pub point: Vec3<S>,
     /// The vector from parameter 0 to parameter 1.
-    #[shape(direction)]
+    #[shape(direction, non_zero)]
     pub direction: Vec3<S>,
-}
-
-/// Returns `Ok` for a direction that is not zero.
-fn has_direction<S: Scalar<Mask = bool>>(shape: &Ray3<S>) -> Result<(), Flaw> {
-    let Vec3 { x, y, z } = shape.direction;
-    not_zero([x, y, z])
 }
 
 impl<S> Ray3<S> {

@@ -1,6 +1,5 @@
 //! Rotations of space.
-use crate::error::Field;
-use crate::{Flaw, Scalar, Shape, Vec3};
+use crate::{Scalar, Shape, Vec3};
 use std::ops::Mul;
 
 /// A rotation of space as a quaternion `w + x i + y j + z k` of any length except zero. All functions divide by its
@@ -20,7 +19,7 @@ use std::ops::Mul;
 /// assert!((quarter * quarter.inverse()).angle() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Shape)]
-#[shape(validate = is_not_zero)]
+#[shape(non_zero)]
 #[repr(C)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rotation3<S> {
@@ -36,14 +35,6 @@ pub struct Rotation3<S> {
     /// The part along z.
     #[shape(kind = "QuaternionZ")]
     pub z: S,
-}
-
-fn is_not_zero<S: Scalar<Mask = bool>>(q: &Rotation3<S>) -> Result<(), Flaw> {
-    let zero = S::zero();
-    if q.w.equals(zero) & q.x.equals(zero) & q.y.equals(zero) & q.z.equals(zero) {
-        return Err(Flaw::Broken(Field::new("w"), "and the others are all zero"));
-    }
-    Ok(())
 }
 
 /// Below this angle in radians, exponential and logarithm are their power series: four terms are then

@@ -18,6 +18,7 @@ mod polygon;
 mod program;
 mod reduce;
 mod rows;
+mod rules;
 mod search;
 mod shapes;
 mod spellings;

@@ -4,7 +4,8 @@ use geograd::ad::check::sample::{Draw, Family, Sample, hard_cases};
 use geograd::ad::check::symmetry::Kind;
 use geograd::error::{Argument, Field};
 use geograd::{
-    Aabb2, Fixed, Flaw, Jet, Obb2, Pack, Pose2, Rotation2, Scalar, Shape, Validate, Vec2, Vec3, ad,
+    Aabb2, Fixed, Flaw, Jet, Obb2, Pack, Pose2, Rotation2, Rule, Scalar, Shape, Validate, Vec2,
+    Vec3, ad,
 };
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -54,6 +55,26 @@ struct Goal<S>(
     #[shape(positive)] pub(crate) S,
     #[shape(code)] bool,
 );
+
+/// An arrow in a frame: rules of several numbers together.
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+struct Arrow<S> {
+    tail: Vec2<S>,
+    #[shape(differs_from = "tail")]
+    head: Vec2<S>,
+    #[shape(non_negative)]
+    width: S,
+    #[shape(direction, non_zero)]
+    up: Vec3<S>,
+}
+
+/// Two weights and three.
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(non_zero)]
+struct Two<S>(S, S);
+#[derive(Clone, Copy, Debug, PartialEq, Shape)]
+#[shape(non_zero)]
+struct Weights<S>([S; 3]);
 
 /// Numbers in place of every scalar, codes too.
 fn counted<P: Fixed<Scalar = f64>>() -> P {
@@ -249,6 +270,81 @@ fn flaws_say_where() {
 }
 
 #[test]
+fn rules_of_several_numbers_say_what_is_wrong() {
+    let up = Vec3::new(0.0, 0.0, 1.0);
+    let arrow = Arrow {
+        tail: Vec2::new(1.0, 2.0),
+        head: Vec2::new(1.0, 3.0),
+        width: 0.5,
+        up,
+    };
+    assert_eq!(arrow.validate(), Ok(()));
+    let mut wrong = arrow;
+    wrong.up = Vec3::new(-0.0, 0.0, 0.0);
+    assert_eq!(wrong.validate(), Err(Flaw::Zero(Field::new("up"))));
+    wrong.head = wrong.tail;
+    assert_eq!(
+        wrong.validate().unwrap_err().to_string(),
+        "head is the tail"
+    );
+    // Rules of single numbers are looked at first.
+    wrong.width = -1.0;
+    assert_eq!(wrong.validate(), Err(Flaw::Negative(Field::new("width"))));
+    let refused = |flaw: Result<(), Flaw>| flaw.unwrap_err().to_string();
+    assert_eq!(refused(Two(0.0, 0.0).validate()), "0 and 1 are both zero");
+    assert_eq!(
+        refused(Weights([0.0; 3]).validate()),
+        "0[0] and the others are all zero"
+    );
+    assert_eq!(Weights([0.0, 1e-300, 0.0]).validate(), Ok(()));
+}
+
+#[test]
+fn rules_are_data_in_the_order_of_checks() {
+    let of_robot = [
+        Rule::NonZero { first: 0, count: 2 },
+        Rule::Positive { first: 4, count: 2 },
+        Rule::NotNegative {
+            first: 36,
+            count: 1,
+        },
+        Rule::Ordered {
+            low: 37,
+            high: 39,
+            count: 2,
+        },
+    ];
+    assert_eq!(Rule::flat(Three::<f64>::RULES), of_robot);
+    let of_cell = Rule::flat(Cell::<f64>::RULES);
+    assert_eq!((&of_cell[..4], of_cell.len()), (&of_robot[..], 9));
+    let second = Rule::NonZero {
+        first: 41,
+        count: 2,
+    };
+    let of_goal = Rule::Positive {
+        first: 84,
+        count: 1,
+    };
+    assert_eq!((of_cell[4], of_cell[8]), (second, of_goal));
+    let of_arrow = [
+        Rule::NotNegative { first: 4, count: 1 },
+        Rule::Distinct {
+            first: 2,
+            other: 0,
+            count: 2,
+        },
+        Rule::NonZero { first: 5, count: 3 },
+    ];
+    assert_eq!(Rule::flat(Arrow::<f32>::RULES), of_arrow);
+    let of_three = [Rule::NonZero { first: 0, count: 3 }];
+    assert_eq!(Weights::<f64>::RULES, of_three);
+    assert!(Rule::flat(<(Vec2<f64>, [f64; 3])>::RULES).is_empty());
+    let of_pair = Rule::flat(<(f64, [Two<f64>; 2])>::RULES);
+    let at = |first| Rule::NonZero { first, count: 2 };
+    assert_eq!(of_pair, [at(1), at(3)]);
+}
+
+#[test]
 fn comparison_looks_at_every_scalar_and_code() {
     let a = Cell {
         robots: [robot(); 2],
@@ -339,6 +435,7 @@ fn samples_obey_the_rules() {
     samples_are_what_they_should_be::<Three<f64>>();
     samples_are_what_they_should_be::<Cell<f64>>();
     samples_are_what_they_should_be::<Goal<f64>>();
+    samples_are_what_they_should_be::<Arrow<f64>>();
     samples_are_what_they_should_be::<Pose2<f64>>();
     samples_are_what_they_should_be::<Vec3<f64>>();
     samples_are_what_they_should_be::<f64>();

@@ -195,6 +195,7 @@ fn plan<T: Real>(
             name: |_| Field::VALUE,
             check: |_: &[T]| Ok(()),
             quick: Quick::Always,
+            rules: &[],
         };
         let arguments = [sizes.wide, 2 * sizes.element]
             .into_iter()

@@ -3,7 +3,7 @@ use super::memory;
 use crate::error::{Field, Flaw, Validate};
 use crate::overlap_polygon::check_quad;
 use crate::shape::{Obb3, YawBox3};
-use crate::{Aabb2, Fixed, Obb2, Pack, Real, Vec2};
+use crate::{Aabb2, Fixed, Obb2, Pack, Real, Rule, Vec2};
 use std::any::TypeId;
 use std::marker::PhantomData;
 
@@ -22,6 +22,8 @@ pub struct Leaf<T> {
     pub check: fn(&[T]) -> Result<(), Flaw>,
     /// The quick test of many shapes.
     pub quick: Quick,
+    /// The rules of its numbers, as far as they are data ([`Validate::RULES`]).
+    pub rules: &'static [Rule],
 }
 
 /// A quick test of many numbers, which accepts only valid shapes, and perhaps not all of them.
@@ -73,6 +75,7 @@ impl<T: Real> Leaf<T> {
                 },
             },
             quick: Quick::Finite,
+            rules: &[],
         }
     }
     /// Returns this layout with the condition that quadrilaterals are convex.
@@ -80,6 +83,7 @@ impl<T: Real> Leaf<T> {
         Leaf {
             check: |numbers| check_quad(<[Vec2<T>; 4]>::load(numbers)),
             quick: Quick::Quads,
+            rules: &[Rule::ConvexQuad { first: 0 }],
             ..self
         }
     }
@@ -276,6 +280,7 @@ pub fn leaf<P: Item + Validate>() -> Leaf<P::Scalar> {
         name: P::name,
         check: |numbers| get::<P>(numbers).validate(),
         quick: quick_of::<P>(),
+        rules: P::RULES,
     }
 }
 

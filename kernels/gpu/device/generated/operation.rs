@@ -238,6 +238,7 @@ impl<T: Real> Generated<T> {
                     name: |_| Field::VALUE,
                     check: |_| Ok(()),
                     quick: Quick::Always,
+                    rules: &[],
                 });
                 &plain
             }
