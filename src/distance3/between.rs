@@ -159,8 +159,9 @@ fn derived<S: Scalar, A: Core<S>, B: Core<S>>(
     let clear = product
         .length_squared()
         .above(uu * v.length_squared() * S::lit(S::EPSILON));
-    let planar = ways.equals(lit(2.0)) & clear;
+    // A gap whose square vanishes has no normal to turn.
     let lead = normal.dot(product);
+    let planar = ways.equals(lit(2.0)) & clear & lead.unsigned().above(zero);
     let side = one.signed_as(fixed(lead.primal()));
     let lead = S::select(planar, lead * side, one);
     let turn = vanishing((product - normal * normal.dot(product)) * side);

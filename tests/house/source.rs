@@ -104,10 +104,10 @@ fn the_library_compiles_no_list_of_all_rows() {
         };
         for (at, line) in lines.iter().enumerate().filter(|(_, line)| asks(line)) {
             let is_function =
-                |line: &&str| line.trim_start().starts_with("fn ") || line.contains(" fn ");
+                |line: &str| line.trim_start().starts_with("fn ") || line.contains(" fn ");
             let head = lines[..=at]
                 .iter()
-                .rposition(|line| is_function(&line))
+                .rposition(|line| is_function(line))
                 .unwrap();
             let attributes = lines[..head].iter().rev();
             let mut attributes =

@@ -370,3 +370,29 @@ fn touching_keeps_the_signed_slope_and_drops_the_other() {
         assert!((slope.a.z - expected).abs() < 1e-6, "{slope:?}");
     }
 }
+
+/// Bodies whose gap is 10¹³⁶ times smaller than they are: its square vanishes, and with it the direction.
+#[test]
+fn a_gap_whose_square_vanishes_has_finite_derivatives() {
+    let v = |x, y, z| Vec3::new(x, y, z);
+    let body = Tetrahedron::new(
+        v(-6.206242120024214e42_f64, 0.0, -1.4544e-13),
+        v(0.0, 0.0, 1.3738e-40),
+        v(0.0, -1.2146582430185595e40, 1.0408999058074796e-40),
+        v(0.0, -4.181389724724492e43, 8.720215329647894e42),
+    );
+    let plate = Obb3::new(
+        v(-1.0, -983040.0, 0.0),
+        v(0.0, 0.0, 109219.5623029203),
+        Rotation3::new(2415919104.0, 1090519040.0, -1.246397447714898e17, 0.0),
+    );
+    let cpu = Cpu::new();
+    let call = (&[body], &[plate]);
+    let apart = cpu.aligned(Distance.value_grad(), call).unwrap();
+    let signed = cpu.aligned(SignedDistance.value_grad(), call).unwrap();
+    for (value, (by_body, by_plate)) in [apart, signed] {
+        assert!((0.0..1e-90).contains(&value[0]), "{value:?}");
+        let slopes = [by_body[0].scalars(), by_plate[0].scalars()].concat();
+        assert!(slopes.iter().all(|x: &f64| x.is_finite()), "{slopes:?}");
+    }
+}
