@@ -1,8 +1,8 @@
 //! The gradient verification harness: is a derivative right?
 //!
 //! A derivative is computed in three ways: by hand (the adjoint), by forward duals through the generic source, and by
-//! finite differences with an error estimate. All must agree up to their own errors, which are measured at every
-//! sample; no tolerance is set per function. A second run must give the derivative the same bits. It must be finite,
+//! finite differences. All must agree up to their own errors, which are measured at every sample; no tolerance is set
+//! per function. A second run must give the derivative the same bits. It must be finite,
 //! linear in the cotangent of the result, right at kinks, and consistent with declared invariances. Its own derivatives
 //! must be right, too. The harness simplifies an input at which it refuses, in its numbers and its length, and prints it
 //! as code.
@@ -32,8 +32,8 @@
 //!
 //! # A subtly wrong one
 //!
-//! The function is the signed distance of the point `(x, y)` from the line `a x + b y + c = 0`, with the derivatives of
-//! a published library. Those with respect to c, x and y are right. Those with respect to a and b miss a part of the
+//! The function is the signed distance of the point `(x, y)` from the line `a x + b y + c = 0`. The derivatives are those
+//! of a published library. Those with respect to c, x and y are right. Those with respect to a and b miss a part of the
 //! chain rule, and are nearly right for many lines.
 //!
 //! ```
@@ -207,8 +207,8 @@
 //! A traced scalar (`trace`) records every comparison and its margin, to distinguish a kink from a mistake. `rounding`
 //! measures sensitivity: inputs move by an ulp, and a scalar of `noise` rounds at random. `with_sampling` adds the
 //! declarations of a sampling to a function: ties, resolution, domain. `strategy` draws for proptest from the same
-//! [`sample`]. `tests/corpus` measures the harness and other checkers: functions, faults made by operators and by a
-//! scalar that makes one mistake, and a record of the harness's errors.
+//! [`sample`]. `tests/corpus` measures the harness and other checkers. It has functions, faults made by operators and
+//! by a scalar that makes one mistake, and a record of the harness's errors.
 mod bent;
 mod builder;
 pub(crate) mod candidate;

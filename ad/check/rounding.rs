@@ -6,11 +6,11 @@
 //! own operations round at random ([`noise`](crate::ad::check::noise)). The operations of a closure are not visible, so
 //! its roughness between equally spaced inputs is measured ([`roughness`]). Functions linear in a direction (duals,
 //! second derivatives) are computed along a shorter direction. The result is shorter by the same factor, but every sum
-//! and product of derivatives rounds differently. Perturbed inputs do not show these roundings: two large derivatives
+//! and product of derivatives rounds differently. Perturbed inputs do not show these roundings. Two large derivatives
 //! that cancel leave an error of their last digit, which does not move with the input.
 //!
-//! Functions named `perturb…` add to the tolerance of a [`Combination`] of outputs, which is called a row here: it is a
-//! row of the Jacobian, or a sum of rows.
+//! Functions named `perturb…` add to the tolerance of a [`Combination`] of outputs. It is called a row here, since it is
+//! a row of the Jacobian or a sum of rows.
 use crate::ad::check::evidence::{Combination, Evidence, Neighbour};
 use crate::ad::check::roughness::roughness;
 use crate::ad::check::subject::Subject;
