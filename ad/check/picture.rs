@@ -1,5 +1,5 @@
-//! A picture of one input as SVG: the outlines of the shapes, an arrow at every point for each witness's derivative with
-//! respect to it, and a table of numbers.
+//! A picture of one input as SVG: the outlines of the shapes, arrows at every point, and a table of numbers. An arrow is
+//! the derivative of one witness with respect to the point.
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::Kind;
 use crate::ad::check::witness::{StepSequence, dot};
