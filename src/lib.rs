@@ -80,7 +80,7 @@
 //!    rotated boxes is within 2·10⁻⁶ of the exact one in `f32` and within 10⁻¹² in `f64`, against an independent oracle
 //!    of 256 bits; for boxes up to a million times longer than wide within 2·10⁻⁵ and 2·10⁻¹⁰.
 //! 5. **Reproducible.** A batch returns exactly the bits of calling the function once per item, at every SIMD level,
-//!    batch position and thread count, with culling on or off.
+//!    batch position and thread count. Pairs that it leaves out, since their bounds are apart, have the same bits, too.
 //! 6. **Kinks have one policy:** the derivative of the branch taken; ties share, each kink by itself; a norm at zero has
 //!    derivative 0.
 //! 7. **Typed errors** name argument, item and field; nothing is written when something is wrong.
