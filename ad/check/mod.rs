@@ -2,10 +2,9 @@
 //!
 //! A derivative is computed in three ways: by hand (the adjoint), by forward duals through the generic source, and by
 //! finite differences. All must agree up to their own errors, which are measured at every sample; no tolerance is set
-//! per function. A second run must give the derivative the same bits. It must be finite,
-//! linear in the cotangent of the result, right at kinks, and consistent with declared invariances. Its own derivatives
-//! must be right, too. The harness simplifies an input at which it refuses, in its numbers and its length, and prints it
-//! as code.
+//! per function. A derivative must be finite, linear in the cotangent of the result, right at kinks, and consistent with
+//! declared invariances. A second run must give it the same bits, and its own derivatives must be right. The harness
+//! simplifies an input at which it refuses, in its numbers and its length, and prints it as code.
 //!
 //! One module, [`geograd::check`](crate::check), has all that a check needs.
 //!

@@ -156,8 +156,8 @@ impl Evidence<'_> {
         self.rounded(base, sizes, noisy, false)
     }
 
-    /// Returns the largest change of each number of `base` in runs with other roundings. With `together`, a run counts
-    /// only if all its changes are small.
+    /// Returns the largest change of each number of `base` in runs with other roundings. Only small changes count, and
+    /// with `together` only runs in which all changes are small.
     fn rounded(
         &self,
         base: &[f64],

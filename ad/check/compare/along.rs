@@ -504,8 +504,8 @@ impl AlongDirection<'_> {
     }
 
     /// Returns `true` if there is no gradient at the input. Derivatives then exist along two directions, from both sides
-    /// or one, but the derivative along their sum is not the sum of both. A function that grows in proportion to its
-    /// input is so at zero unless it is linear. An example is the circle through three points that coincide.
+    /// or one, but the derivative along their sum is not the sum of both. This holds at zero for a function that
+    /// grows in proportion to its input and is not linear. An example is the circle through three points that coincide.
     fn bent(&self, row: &Combination) -> bool {
         let (e, weights, noise) = (self.evidence, &row.weights, row.noise);
         let derivatives = |direction: &[f64]| {
@@ -555,8 +555,8 @@ impl AlongDirection<'_> {
     }
 }
 
-/// Returns `true` if the result is one choice of several, not a least or greatest number. A search makes such results,
-/// and so are points that may jump.
+/// Returns `true` if the result is one choice of several, not a least or greatest number. Results of searches are, and
+/// points that may jump.
 ///
 /// If several choices tie to the bit, derivatives are those of one of them, or their mean. They need not be between the
 /// derivatives of the two choices on either side. Jumping numbers that are no points do not count: scores and areas are
