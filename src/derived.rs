@@ -74,7 +74,7 @@ pub use {
 ///
 /// | on a field | |
 /// | --- | --- |
-/// | `non_negative`, `positive` | all its numbers are; points become lengths, since a place may have any sign |
+/// | `non_negative`, `positive` | all its numbers are; a vector then has lengths, such as a size, and is no place |
 /// | `non_zero` | its numbers are not all zero: a vector that has a direction |
 /// | `at_most = "other"` | none of its numbers exceeds the same one of the other field |
 /// | `differs_from = "other"` | its numbers are not all those of the other field: two points apart |

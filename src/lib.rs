@@ -80,17 +80,18 @@
 //!    rotated boxes is within 2·10⁻⁶ of the exact one in `f32` and within 10⁻¹² in `f64`, against an independent oracle
 //!    of 256 bits; for boxes up to a million times longer than wide within 2·10⁻⁵ and 2·10⁻¹⁰.
 //! 5. **Reproducible.** A batch returns exactly the bits of calling the function once per item, at every SIMD level,
-//!    batch position and thread count, with culling on or off.
+//!    batch position and thread count. Pairs that it leaves out, since their bounds are apart, have the same bits, too.
 //! 6. **Kinks have one policy:** the derivative of the branch taken; ties share, each kink by itself; a norm at zero has
 //!    derivative 0.
 //! 7. **Typed errors** name argument, item and field; nothing is written when something is wrong.
-//! 8. **Safe.** One module, `kernels/cpu/arch`, has `unsafe` code: it calls vector instructions after it has asked the
-//!    processor for them, and reads shapes as the numbers that they are.
+//! 8. **Safe.** Two modules have `unsafe` code: `kernels/cpu/arch` calls vector instructions after it has asked the
+//!    processor for them, and machine code that it wrote; `kernels/row/item/memory.rs` reads shapes as the numbers that
+//!    they are.
 //!
 //! # Features
 //!
-//! `parallel` (default): batches on all cores. `gpu`: batches on a GPU. `glam`, `geo-types`, `mint`,
-//! `nalgebra`: conversions of points and vectors; the last one also `num-dual`'s vector duals. `serde`:
+//! `parallel` (default): batches on all cores. `native` (default): functions without a compiled kernel run as machine
+//! code on x86-64. `gpu`: batches on a GPU. `glam`, `geo-types`, `mint`, `nalgebra`: conversions of points and vectors; the last one also `num-dual`'s vector duals. `serde`:
 //! serialization. `proptest`: strategies. `boolean`: [boolean operations](boolean) of polygons. `check`: the
 //! [harness](check) that checks derivatives, for `[dev-dependencies]`.
 #![warn(missing_docs)]

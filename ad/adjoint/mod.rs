@@ -1,4 +1,4 @@
-//! Adjoints by hand: the hot paths.
+//! Adjoints by hand, for functions on hot paths. Other functions get their derivatives from duals or recorded programs.
 pub mod boolean;
 pub mod bounds3;
 pub mod clip;

@@ -1,5 +1,6 @@
-//! Judgement of a function at many inputs: calls [`judge`](mod@crate::ad::check::judge) for each, makes refused inputs
-//! simple, and sums everything up in a [`Report`]. It decides if too few inputs were inside the domain or smooth.
+//! Judgement of a function at many inputs. [`examine`] calls [`judge`](mod@crate::ad::check::judge) for each input,
+//! makes refused ones simple, and sums everything up in a [`Report`]. It also refuses a function if too few inputs were
+//! smooth or inside the domain.
 use crate::ad::check::candidate::{Candidate, Typed};
 use crate::ad::check::compare::invariance;
 use crate::ad::check::judge::judge;
@@ -14,8 +15,8 @@ use crate::ad::check::witness::Precision;
 use crate::{Pack, Real};
 use std::fmt::Debug;
 
-/// Judges a function at many inputs. `meet` calls its argument with the function near an input; `random_from` is the
-/// number of the first input that was drawn at random.
+/// Judges a function at many inputs. `meet` passes the function near an input to the closure that it gets.
+/// `random_from` is the index of the first input that was drawn at random.
 pub fn examine<S: Real, X: Pack<Scalar = S> + Debug>(
     name: &str,
     sampling: &Sampling<'_>,
@@ -38,7 +39,7 @@ pub(crate) fn examined<'a>(
     random_from: usize,
 ) -> Report {
     let mut precision = Precision::F64;
-    // Nothing is found outside the domain.
+    // Returns `None` outside the domain.
     let mut findings_at = |x: &dyn Candidate<'a>, sample: usize| -> Option<Findings> {
         let list = x.numbers();
         let mut findings = None;
@@ -55,10 +56,12 @@ pub(crate) fn examined<'a>(
         findings
     };
     let mut report = Report::empty(name, sampling.seed);
+    // Counts of the random inputs inside the domain, and of the smooth ones among them.
     let (mut smooth, mut drawn) = (0, 0);
     let mut judged: Vec<bool> = Vec::new();
-    let mut left = SHRINKING;
-    let mut alike = 0;
+    let mut budget = SHRINKING;
+    // Refused inputs since the last new reason.
+    let mut without_news = 0;
     let mut simple: Vec<Box<dyn Candidate<'a> + 'a>> = Vec::new();
     for (sample, &x) in inputs.iter().enumerate() {
         let Some(findings) = findings_at(x, sample) else {
@@ -90,45 +93,46 @@ pub(crate) fn examined<'a>(
             all.merge(here, sample);
         }
         report.refused += u64::from(!findings.faults.is_empty());
-        alike += usize::from(!findings.faults.is_empty());
+        without_news += usize::from(!findings.faults.is_empty());
         for fault in findings.faults {
-            // All reasons once, rather than one reason many times.
-            let known = |failure: &Failure| failure.fault.reason == fault.reason;
-            if report.failures.iter().any(known) || report.failures.len() >= KEPT {
+            // A report shows each reason once.
+            let is_known = |failure: &Failure| failure.fault.reason == fault.reason;
+            if report.failures.iter().any(is_known) || report.failures.len() >= KEPT {
                 continue;
             }
-            let again = &mut |x: &dyn Candidate<'a>| findings_at(x, sample);
-            // One mistake is refused for several reasons, and a simple input that shows one of them shows most.
+            let judged_again = &mut |x: &dyn Candidate<'a>| findings_at(x, sample);
+            // One mistake has several reasons, and a simple input that shows one of them shows most.
             let shown = simple.iter().find_map(|x| {
-                let findings = again(&**x)?;
+                let findings = judged_again(&**x)?;
                 let same = findings
                     .faults
                     .into_iter()
                     .find(|own| is_like(own, &fault))?;
                 Some((x.refilled(&x.numbers()), same))
             });
-            let (least, fault) = match shown {
+            let (simplest, fault) = match shown {
                 Some(shown) => shown,
                 None => {
-                    let (least, fault) = shrunk(x, fault, findings.place, &mut left, again);
-                    simple.push(least.refilled(&least.numbers()));
-                    left = left.min(SHRINKING / 4);
-                    (least, fault)
+                    let (simplest, fault) =
+                        shrunk(x, fault, findings.place, &mut budget, judged_again);
+                    simple.push(simplest.refilled(&simplest.numbers()));
+                    budget = budget.min(SHRINKING / 4);
+                    (simplest, fault)
                 }
             };
-            alike = 0;
+            without_news = 0;
             let mut moved = String::new();
             if let Reason::MotionBroken(motion) = fault.reason {
-                least.met(&mut |subject| {
-                    let there = invariance::moved(subject, motion, &least.numbers());
-                    moved = least.refilled(&there).code();
+                simplest.met(&mut |subject| {
+                    let there = invariance::moved(subject, motion, &simplest.numbers());
+                    moved = simplest.refilled(&there).code();
                 });
             }
             report.failures.push(Failure {
                 sample,
                 fault,
-                input: least.numbers(),
-                code: least.code(),
+                input: simplest.numbers(),
+                code: simplest.code(),
                 moved,
             });
         }
@@ -136,7 +140,7 @@ pub(crate) fn examined<'a>(
             tick();
         }
         // A refused input costs some twenty times a good one: differences are repeated before they refuse.
-        if alike >= TIRED && sample + 1 < inputs.len() {
+        if without_news >= TIRED && sample + 1 < inputs.len() {
             report.stopped = true;
             break;
         }
@@ -147,12 +151,12 @@ pub(crate) fn examined<'a>(
         let shown = nearest.filter(|_| worst.nearest.share > 0.0);
         shown.map_or_else(String::new, |x| x.code())
     });
-    let asked = inputs.len().saturating_sub(random_from);
+    let random = inputs.len().saturating_sub(random_from);
     let unjudged = judged.iter().position(|judged| !judged);
     if report.stopped {
         return report;
     }
-    if asked >= ENOUGH && drawn * INSIDE_ONE_IN < asked {
+    if random >= ENOUGH && drawn * INSIDE_ONE_IN < random {
         report.refused += 1;
         let failure = Failure::of_all(Reason::FewInside, random_from, 0);
         report.failures.push(failure);
@@ -169,8 +173,8 @@ pub(crate) fn examined<'a>(
     report
 }
 
-/// Returns `true` if smooth inputs are fewer than one in `SMOOTH_ONE_IN`, beyond two standard deviations of a count by
-/// chance.
+/// Returns `true` if fewer than one in `SMOOTH_ONE_IN` inputs are smooth, and by more than two standard deviations of
+/// such a count.
 fn too_few(smooth: usize, drawn: usize) -> bool {
     let expected = drawn as f64 / SMOOTH_ONE_IN as f64;
     smooth == 0 || (smooth as f64) < expected - 2.0 * expected.sqrt()

@@ -1,10 +1,10 @@
 //! The gradient verification harness: is a derivative right?
 //!
-//! Every derivative is judged from three sides: by hand (the adjoint), by forward duals through the generic source, by
-//! finite differences with an error estimate. They must agree as far as their own errors, measured at every sample,
-//! allow; no tolerance is set per function. A derivative must also have equal bits twice, be linear in its seed,
-//! finite, right at kinks, consistent with declared invariances, and have the right derivatives itself. A refused input
-//! is simplified, in its numbers and its length, and printed as code.
+//! A derivative is computed in three ways: by hand (the adjoint), by forward duals through the generic source, and by
+//! finite differences. All must agree up to their own errors, which are measured at every sample; no tolerance is set
+//! per function. A derivative must be finite, linear in the cotangent of the result, right at kinks, and consistent with
+//! declared invariances. A second run must give it the same bits, and its own derivatives must be right. The harness
+//! simplifies an input at which it refuses, in its numbers and its length, and prints it as code.
 //!
 //! One module, [`geograd::check`](crate::check), has all that a check needs.
 //!
@@ -31,9 +31,9 @@
 //!
 //! # A subtly wrong one
 //!
-//! The signed distance of the point `(x, y)` from the line `a x + b y + c = 0`, with derivatives as
-//! a published library had them: those with respect to c, x and y are right, those with respect to
-//! a and b miss a part of the chain rule, and are nearly right for many lines.
+//! The function is the signed distance of the point `(x, y)` from the line `a x + b y + c = 0`. The derivatives are those
+//! of a published library. Those with respect to c, x and y are right. Those with respect to a and b miss a part of the
+//! chain rule, and are nearly right for many lines.
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -67,13 +67,14 @@
 //!
 //! # A function with a kink
 //!
-//! At a kink a derivative is right when it lies between the derivatives of both sides along every direction, and where
-//! many numbers tie, equals the derivative along the direction that keeps the tie. Both sides do not bound it where
-//! kinks of both signs meet, and at the border of the domain: there it may lie between the derivatives at points
-//! nearby. It may differ from the duals' choice ([`shared_ties`](crate::ad::check::subject::Conventions::shared_ties)
-//! requires theirs, for an operation [`Sampling::shared_ties`]). Duals at inputs a few last digits away give both sides
-//! where steps cannot. The report has the number of samples at kinks, so that a function cannot pass by having kinks
-//! everywhere; and a number of the input that no witness could judge is
+//! At a kink a derivative is right when it lies between the derivatives of both sides along every direction. If many
+//! numbers tie, it must also equal the derivative along the direction that keeps the tie. The two sides do not bound it
+//! at a point where kinks of both signs meet, nor at the border of the domain. It may then lie between the derivatives
+//! at points nearby. It may differ from the duals' choice
+//! ([`shared_ties`](crate::ad::check::subject::Conventions::shared_ties) requires theirs, for an operation
+//! [`Sampling::shared_ties`]). If steps cannot give the derivatives of both sides, duals at inputs a few last digits
+//! away do. The report counts the samples at kinks, so that a function cannot pass by having kinks everywhere. A number
+//! of the input that no witness could judge is refused as
 //! [`Unjudged`](crate::ad::check::verdict::Reason::Unjudged).
 //!
 //! ```
@@ -97,9 +98,9 @@
 //!
 //! # A long input
 //!
-//! Up to 48 numbers are judged one by one, each derivative by its own digits. Derivatives of more
-//! numbers are multiplied with a direction and compared with duals and differences along it; halving the direction
-//! finds the number at fault.
+//! The derivatives of up to 48 numbers are judged one by one, each by its own digits. Derivatives of more numbers are
+//! multiplied with a direction, and compared with duals and differences along it. Halving the direction finds the
+//! number at fault.
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -108,7 +109,7 @@
 //!     x.iter().fold(S::lit(0.0), |sum, x| sum + x.sin())
 //! }
 //! let wrong = |x: Vec<f64>| -> Vec<f64> {
-//!     // Of two hundred numbers, those above 1.9 are wrong.
+//!     // Derivatives by numbers above 1.9 are wrong.
 //!     x.iter().map(|x| if *x > 1.9 { 1.01 * x.cos() } else { x.cos() }).collect()
 //! };
 //! let point: Vec<f64> = (0..200).map(|i| f64::from(i % 97) / 50.0).collect();
@@ -122,9 +123,9 @@
 //! ([`Check::second_order`]). Another implementation is a witness ([`Check::witness`], [`Check::path`]). Batches of the
 //! library's operations, on the CPU or a GPU, are witnesses in [`kernels::check`](crate::kernels::check::check_on).
 //!
-//! num-dual's own numbers judge derivatives by hand in addition to our [`Jet`](crate::Jet): one of the two may share a
-//! mistake with the derivative. `assert_gradient!(generic …)`, operations with an adjoint by hand and rings use them; a
-//! check of closures adds them by [`Check::num_dual`].
+//! The dual numbers of the crate num-dual judge derivatives by hand, in addition to our [`Jet`](crate::Jet): either may
+//! share a mistake with the derivative. `assert_gradient!(generic …)`, operations with an adjoint by hand and rings use
+//! them. A check of closures adds them by [`Check::num_dual`].
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -143,9 +144,8 @@
 //!
 //! # A refusal that is no mistake
 //!
-//! Digits that cancel in single precision are lost with the best of formulas. The value is refused, and the report
-//! names the remedy: [`Check::resolution`] sets the error that values may have. Derivatives are judged as strictly as
-//! without it.
+//! Even the best formula loses digits that cancel in single precision. The value is refused, and the report names the
+//! remedy: [`Check::resolution`] sets the error that values may have. Derivatives are judged as strictly as before.
 //!
 //! ```
 //! use geograd::ad::check::Check;
@@ -162,11 +162,11 @@
 //! check().resolution(1e-7).assert();
 //! ```
 //!
-//! An operation takes the same words: `Check::of(operation).resolution(1e-7).inside(…)`, and its row may state them
-//! ([`operation!`](crate::operation): `domain`, `resolution`). Inputs outside are counted and not judged; a domain in
-//! which fewer than a tenth of the random inputs lie is [`FewInside`](crate::ad::check::verdict::Reason::FewInside). An
-//! operation that cannot be recorded is [`Unrecordable`](crate::ad::check::verdict::Reason::Unrecordable), with what to
-//! do.
+//! An operation has the same options, `Check::of(operation).resolution(1e-7).inside(…)`, or its row states them
+//! ([`operation!`](crate::operation): `domain`, `resolution`). Inputs outside the domain are counted and not judged. If
+//! fewer than a tenth of the random inputs are inside, the operation is refused as
+//! [`FewInside`](crate::ad::check::verdict::Reason::FewInside). One that cannot be recorded is refused as
+//! [`Unrecordable`](crate::ad::check::verdict::Reason::Unrecordable), and the report says what to do.
 //!
 //! # How far the verdict goes
 //!
@@ -180,23 +180,24 @@
 //!
 //! Give a function's generic source where there is one ([`Check::dual`], [`Check::traced`]): duals need no steps, and
 //! traces distinguish a kink from a coincidence. Differences alone miss a feature smaller than a hundred-millionth of
-//! the [scale](Check::scales), and a derivative whose rise is lost in the rounding of the value. Without them a
-//! function that has such features (boxes tilted by less, poles nearer than that) may be refused falsely. Without
-//! scales a number is taken to change over its own size or a thousandth of the largest one, whichever steps can decide.
+//! the [scale](Check::scales), and a derivative whose rise is lost in the rounding of the value. By differences alone a
+//! function with such features (boxes tilted by less, poles nearer than that) may be refused falsely. If no scales are
+//! given, a number may change over its own size or over a thousandth of the largest number. The harness uses the one by
+//! which steps can decide.
 //!
-//! A derivative may be off by the rounding of terms of its largest size when the inputs change over their own size:
-//! `1 - 0.9997` has four digits less, and that is no mistake. One that loses more, such as half of its digits, is
-//! refused.
+//! A derivative may be off by the rounding of its largest terms, as large as it becomes when inputs change over their
+//! own size. So `1 - 0.9997` may have four digits less, and that is no mistake. A derivative that loses more, such as
+//! half of its digits, is refused.
 //!
-//! No witness is better than another where a value is decided within rounding (a tie that is none in exact arithmetic),
-//! and the changes by perturbed rounding are allowed. Exact ties of equal inputs are judged strictly in double
-//! precision.
+//! At a near tie rounding decides the branch, though exact arithmetic has no tie. No witness is then better than
+//! another, and the changes that perturbed rounding shows are allowed. Exact ties of equal inputs are judged strictly in
+//! double precision.
 //!
 //! # How it is made
 //!
-//! One input is judged in [`judge`](mod@judge): `evidence` gathers the data there once (values, derivatives by hand and
-//! by duals, branches, neighbouring inputs), each file of `compare` holds a comparison that reads it and adds its
-//! findings (`notes`), and `judge` decides which faults are refused. Every number by which it decides is in
+//! One input is judged in [`judge`](mod@judge). First `evidence` gathers the data there once: values, derivatives by
+//! hand and by duals, branches, neighbouring inputs. Each file of `compare` holds a comparison that reads them and
+//! returns its findings (`notes`), and `judge` decides which faults are refused. Every number by which it decides is in
 //! `tolerances`, with its reason; `rounding` measures the error of each witness at an input. Sequences of steps are in
 //! [`witness`], the test of one derivative by them in `compare/derivative_test`, the weighing of several sequences in
 //! `compare/assessment`. [`examine`](fn@examine) walks the inputs, `shrink` makes refused ones simple, [`report`] has
@@ -205,8 +206,8 @@
 //! A traced scalar (`trace`) records every comparison and its margin, to distinguish a kink from a mistake. `rounding`
 //! measures sensitivity: inputs move by an ulp, and a scalar of `noise` rounds at random. `with_sampling` adds the
 //! declarations of a sampling to a function: ties, resolution, domain. `strategy` draws for proptest from the same
-//! [`sample`]. `tests/corpus` measures the harness and other checkers: functions, faults made by operators and by a
-//! scalar that makes one mistake, and a record of the harness's errors.
+//! [`sample`]. `tests/corpus` measures the harness and other checkers. It has functions, faults made by operators and
+//! by a scalar that makes one mistake, and a record of the harness's errors.
 mod bent;
 mod builder;
 pub(crate) mod candidate;
@@ -248,7 +249,7 @@ pub use crate::ad::sample;
 #[cfg(feature = "proptest")]
 pub use crate::ad::sample::strategy;
 
-/// Returns a list as floats.
+/// Returns the numbers of a list, each rounded to the format `S`.
 pub(crate) fn narrow<S: crate::Real>(list: &[f64]) -> Vec<S> {
     list.iter().map(|&x| S::nearest(x)).collect()
 }

@@ -1,5 +1,5 @@
-//! A picture of one input as SVG: the shapes, and arrows for the derivatives of each witness by the positions of their
-//! points.
+//! A picture of one input as SVG: the outlines of the shapes, arrows at every point, and a table of numbers. An arrow is
+//! the derivative of one witness with respect to the point.
 use crate::ad::check::subject::Subject;
 use crate::ad::check::symmetry::Kind;
 use crate::ad::check::witness::{StepSequence, dot};
@@ -7,7 +7,8 @@ use crate::ad::sample::Sample;
 use crate::ad::sample::drawn::Drawn;
 use std::fmt::Write;
 
-/// Returns the derivatives of the sum of all outputs by hand, by duals and by differences.
+/// Returns the derivatives of the sum of all outputs in three lists: by hand, by duals, and by differences. A function
+/// without an adjoint has an empty list, one without duals a list of zeros. A difference that steps cannot give is NaN.
 #[must_use]
 pub fn derivatives_of_witnesses(subject: &dyn Subject, x: &[f64]) -> [Vec<f64>; 3] {
     let wide = subject.wide();
@@ -19,14 +20,14 @@ pub fn derivatives_of_witnesses(subject: &dyn Subject, x: &[f64]) -> [Vec<f64>; 
     let dual = (0..x.len())
         .map(|i| jacobian.iter().map(|row| row[i]).sum())
         .collect();
-    let probe = |there: &Vec<f64>| {
+    let values_at = |there: &Vec<f64>| {
         let inside = on.inside(there);
         inside.then(|| match on.traced(there) {
             Some((values, trace)) => (values, Some(trace)),
             None => (on.value(there), None),
         })
     };
-    let probe = |places: &[Vec<f64>]| places.iter().map(probe).collect();
+    let probe = |places: &[Vec<f64>]| places.iter().map(values_at).collect();
     let trace = on.traced(x).map(|(_, trace)| trace);
     let scales = on.scales(x);
     let difference = (0..x.len())
@@ -45,16 +46,18 @@ pub fn derivatives_of_witnesses(subject: &dyn Subject, x: &[f64]) -> [Vec<f64>; 
     [adjoint, dual, difference]
 }
 
-/// The names and colours of the three witnesses, and the widths of their arrows: widest first, so that all three show
-/// where they agree.
+/// The name and the colour of each witness, and the width of its arrows. The widest are drawn first, so that equal
+/// arrows all show.
 const ARROWS: [(&str, &str, f64); 3] = [
     ("adjoint", "#9ecae1", 9.0),
     ("dual", "#e6550d", 4.5),
     ("difference", "#252525", 1.5),
 ];
-/// The drawing area.
+/// The side of the square drawing area, in pixels.
 const SIZE: f64 = 560.0;
+/// The margin around the drawing area and the table.
 const MARGIN: f64 = 40.0;
+/// The height above the drawing area, for the title.
 const TOP: f64 = 70.0;
 
 /// Returns a picture of an input of a function and of the witnesses' derivatives there, as SVG.
@@ -69,6 +72,7 @@ pub(crate) fn drawn(title: &str, input: &dyn Drawn, subject: &dyn Subject) -> St
     let kinds = input.kinds();
     let derivatives = derivatives_of_witnesses(subject, &x);
     let outlines = input.outlines();
+    // Indices of x coordinates; y follows.
     let points = (0..x.len()).filter(|&i| kinds[i] == Kind::X);
     let all: Vec<[f64; 2]> = outlines
         .iter()
@@ -76,8 +80,8 @@ pub(crate) fn drawn(title: &str, input: &dyn Drawn, subject: &dyn Subject) -> St
         .copied()
         .chain(points.clone().map(|i| [x[i], x[i + 1]]))
         .collect();
-    let bound = |k: usize, pick: fn(f64, f64) -> f64, from: f64| {
-        all.iter().fold(from, |m, p| pick(m, p[k]))
+    let bound = |axis: usize, pick: fn(f64, f64) -> f64, from: f64| {
+        all.iter().fold(from, |m, p| pick(m, p[axis]))
     };
     let low = [
         bound(0, f64::min, f64::INFINITY),
@@ -131,7 +135,7 @@ pub(crate) fn drawn(title: &str, input: &dyn Drawn, subject: &dyn Subject) -> St
             .filter_map(|i| Some(list.get(i)?.hypot(*list.get(i + 1)?)))
     });
     let longest = longest.filter(|l| l.is_finite()).fold(0.0_f64, f64::max);
-    for (list, (_, colour, thick)) in derivatives.iter().zip(ARROWS) {
+    for (list, (_, colour, width)) in derivatives.iter().zip(ARROWS) {
         for i in points.clone() {
             let (Some(&gx), Some(&gy)) = (list.get(i), list.get(i + 1)) else {
                 continue;
@@ -144,11 +148,11 @@ pub(crate) fn drawn(title: &str, input: &dyn Drawn, subject: &dyn Subject) -> St
             let reach = 0.2 * SIZE * length / longest;
             let (dx, dy) = (gx / length, -gy / length);
             let [x1, y1] = [x0 + reach * dx, y0 + reach * dy];
-            let head = 4.0 + thick;
+            let head = 4.0 + width;
             let _ = writeln!(
                 svg,
                 "<path d=\"M{x0:.2} {y0:.2}L{x1:.2} {y1:.2}M{:.2} {:.2}L{x1:.2} {y1:.2}L{:.2} {:.2}\" \
-                 stroke=\"{colour}\" stroke-width=\"{thick}\" fill=\"none\" \
+                 stroke=\"{colour}\" stroke-width=\"{width}\" fill=\"none\" \
                  stroke-linecap=\"round\" stroke-linejoin=\"round\"/>",
                 x1 - head * (dx + 0.6 * dy),
                 y1 - head * (dy - 0.6 * dx),

@@ -5,9 +5,12 @@
 //! by their last digits, which shows the effect of errors of the input and of the value's computation. The adjoint's
 //! own operations round at random ([`noise`](crate::ad::check::noise)). The operations of a closure are not visible, so
 //! its roughness between equally spaced inputs is measured ([`roughness`]). Functions linear in a direction (duals,
-//! second derivatives) are computed along a shorter direction: the result is shorter by the same factor, but every sum
-//! and product of derivatives rounds differently. Perturbing the input does not show these roundings: where two large
-//! equal derivatives cancel, the rest is their last digit, which does not move with the input's.
+//! second derivatives) are computed along a shorter direction. The result is shorter by the same factor, but every sum
+//! and product of derivatives rounds differently. Perturbed inputs do not show these roundings. Two large derivatives
+//! that cancel leave an error of their last digit, which does not move with the input.
+//!
+//! Functions named `perturb…` add to the tolerance of a [`Combination`] of outputs. It is called a row here, since it is
+//! a row of the Jacobian or a sum of rows.
 use crate::ad::check::evidence::{Combination, Evidence, Neighbour};
 use crate::ad::check::roughness::roughness;
 use crate::ad::check::subject::Subject;
@@ -19,9 +22,10 @@ use crate::ad::check::witness::{Precision, axis, combined, dot, perturbed};
 use crate::ad::sample::Draw;
 
 impl Evidence<'_> {
-    /// Returns the largest change of a list-valued function under perturbed rounding, per number. With `sizes`, a
-    /// change of branch that may have broken an exact tie counts only if it changes less than a thousandth of them:
-    /// more is a kink, and a tie is judged at the input itself.
+    /// Returns the largest change of a list-valued function under perturbed rounding, per number.
+    ///
+    /// With `sizes`, a change at a neighbour that may have broken an exact tie counts only up to a thousandth of them. A
+    /// larger change comes from a kink, and a tie is judged at the input itself.
     pub(crate) fn deviation(
         &self,
         base: &[f64],
@@ -31,9 +35,9 @@ impl Evidence<'_> {
         self.deviation_if(base, sizes, |neighbour| neighbour != Neighbour::Loose, f)
     }
 
-    /// Returns the largest change of an output under perturbed rounding as far as derivatives explain it. Near a tie
-    /// every input takes another branch, and the value changes by at most the derivative there times the displacement.
-    /// A jump is larger.
+    /// Returns the largest change of an output under perturbed rounding, as far as derivatives explain it. Near a tie
+    /// any input may take another branch. The value then changes by at most the derivative there times the
+    /// displacement, and by more at a jump.
     pub(crate) fn explained(&self, output: usize) -> f64 {
         let mut weights = vec![0.0; self.y.len()];
         weights[output] = 1.0;
@@ -52,9 +56,9 @@ impl Evidence<'_> {
         places.filter_map(explained).fold(0.0, f64::max)
     }
 
-    /// Returns the largest change at many more inputs near this one, whatever branches they take. At one of them
-    /// numbers below the rounding of their unit are zero, which no draw hits: the sine of edges that are parallel to
-    /// 10⁻¹⁷.
+    /// Returns the largest change at many more inputs near this one, whatever branches they take. At one of them all
+    /// numbers below the rounding of their unit are zero, which no draw hits. Such a number is the sine of edges that
+    /// are parallel to 10⁻¹⁷.
     pub(crate) fn deviation_of_many(
         &self,
         base: &[f64],
@@ -62,8 +66,8 @@ impl Evidence<'_> {
     ) -> Vec<f64> {
         let rounding = self.subject.rounding(self.x);
         let mut deviation = vec![0.0_f64; base.len()];
-        let vanished = self.x.iter().zip(&rounding);
-        let vanished = vanished.map(|(x, rounding)| if x.abs() > *rounding { *x } else { 0.0 });
+        let numbers = self.x.iter().zip(&rounding);
+        let vanished = numbers.map(|(x, rounding)| if x.abs() > *rounding { *x } else { 0.0 });
         for there in self.drawn_nearby(1.0).chain([vanished.collect()]) {
             if !self.subject.inside(&there) {
                 continue;
@@ -90,8 +94,8 @@ impl Evidence<'_> {
         (0..DRAWS).map(move |round| perturbed(precision, self.x, &rounding, round))
     }
 
-    /// Returns `true` if a condition holds at an input within the rounding of this one, or within the width of a tie:
-    /// decisions there may fall otherwise.
+    /// Returns `true` if a condition holds at an input within the rounding of this one, or within the width of a tie.
+    /// The function may take other decisions there.
     pub(crate) fn holds_nearby(&self, holds: impl Fn(&[f64]) -> bool) -> bool {
         let near = self.around.iter().map(|(there, _)| there.clone());
         near.chain(self.drawn_nearby(1.0))
@@ -99,8 +103,8 @@ impl Evidence<'_> {
             .any(|there| self.subject.inside(&there) && holds(&there))
     }
 
-    /// Returns the largest change under perturbed rounding; `decides` selects the neighbours at which a change too
-    /// large for rounding counts, too.
+    /// Returns the largest change under perturbed rounding. `decides` selects the neighbours at which even a change too
+    /// large for rounding counts.
     fn deviation_if(
         &self,
         base: &[f64],
@@ -130,8 +134,8 @@ impl Evidence<'_> {
         deviation
     }
 
-    /// Returns the largest change of a derivative when its own roundings fall differently. A change of more
-    /// than a thousandth of the size comes from another decision, not from rounding.
+    /// Returns the largest change of each derivative when its own roundings fall differently. A run in which some
+    /// derivative changes by more than a thousandth of its size does not count: it took another decision.
     pub(crate) fn roundings(
         &self,
         base: &[f64],
@@ -141,8 +145,8 @@ impl Evidence<'_> {
         self.rounded(base, sizes, noisy, true)
     }
 
-    /// Returns the largest change of each derivative when its own roundings fall differently, number by number: one
-    /// that changes by rounding counts although others changed by another decision.
+    /// Returns the largest change of each derivative when its own roundings fall differently, number by number. A number
+    /// that changes by rounding counts even if another decision changed others.
     pub(crate) fn roundings_of_each(
         &self,
         base: &[f64],
@@ -152,6 +156,8 @@ impl Evidence<'_> {
         self.rounded(base, sizes, noisy, false)
     }
 
+    /// Returns the largest change of each number of `base` in runs with other roundings. Only small changes count, and
+    /// with `together` only runs in which all changes are small.
     fn rounded(
         &self,
         base: &[f64],
@@ -174,8 +180,8 @@ impl Evidence<'_> {
         deviation
     }
 
-    /// Returns the value of a function linear in a direction, by a shorter direction: the factor is drawn from
-    /// a seed, and the result divided by it. It is for [`roundings`](Self::roundings).
+    /// Returns the value along a direction of a function that is linear in it, computed along a shorter one. The result
+    /// is divided by the factor, which is drawn from a seed. Serves [`roundings`](Self::roundings).
     pub(crate) fn along_shorter(
         &self,
         direction: &[f64],
@@ -188,7 +194,7 @@ impl Evidence<'_> {
         Some(linear(&shorter)?.iter().map(|x| x / by).collect())
     }
 
-    /// Returns the roughness of a list-valued function near the point: its rounding errors, estimated from its values
+    /// Returns the roughness of a list-valued function near the input: its rounding errors, estimated from its values
     /// alone.
     fn rough(&self, on: &dyn Subject, f: &dyn Fn(&[f64]) -> Option<Vec<f64>>) -> Vec<f64> {
         let own = |(scale, x): (&f64, &f64)| {
@@ -210,7 +216,7 @@ impl Evidence<'_> {
     }
 
     /// Returns the size that each derivative reaches when the numbers of the input change over their size, all together
-    /// and one by one. Points with a derivative far larger than the value do not count: another feature is near.
+    /// and one by one. A derivative far larger than the value does not count: another feature is near.
     pub(crate) fn typical(
         &self,
         weights: &[f64],
@@ -221,7 +227,7 @@ impl Evidence<'_> {
         let mut sizes: Vec<f64> = base.iter().map(|derivative| derivative.abs()).collect();
         let value = |y: &[f64]| -> f64 { weights.iter().zip(y).map(|(w, y)| (w * y).abs()).sum() };
         let here = value(&self.y);
-        let mut look = |there: &[f64]| {
+        let mut measure = |there: &[f64]| {
             if !self.subject.inside(there) {
                 return;
             }
@@ -243,7 +249,7 @@ impl Evidence<'_> {
                 .iter()
                 .map(|x| precision.round(times * x))
                 .collect::<Vec<f64>>();
-            look(&whole);
+            measure(&whole);
             for i in (0..n).filter(|_| n <= FEW_INPUTS && times < 1.0) {
                 let mut there = self.x.to_vec();
                 there[i] = if there[i] == 0.0 {
@@ -251,22 +257,22 @@ impl Evidence<'_> {
                 } else {
                     whole[i]
                 };
-                look(&there);
+                measure(&there);
             }
         }
         sizes
     }
 
-    /// Returns the rounding error that derivatives may have. Their terms are as large as derivatives typically are.
-    /// Their roughness near the point counts as far as rounding of such terms explains it. A derivative rougher than
-    /// that loses digits without need.
+    /// Returns the rounding error that derivatives may have. The terms of a derivative are taken to have its
+    /// [typical](Self::typical) size. Roughness near the input counts as far as the rounding of such terms explains it. A
+    /// rougher derivative loses digits without need.
     pub(crate) fn rough_derivatives(
         &self,
         weights: &[f64],
         base: &[f64],
         derivatives: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
-        self.roughly(weights, base, derivatives, TALL)
+        self.roughness_limit(weights, base, derivatives, TALL)
     }
 
     /// Returns the rounding error that second derivatives along a direction may have, as
@@ -277,17 +283,18 @@ impl Evidence<'_> {
         base: &[f64],
         bends: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
     ) -> Vec<f64> {
-        self.roughly(weights, base, bends, TALL_SECOND)
+        self.roughness_limit(weights, base, bends, TALL_SECOND)
     }
 
-    fn roughly(
+    /// Returns the rounding error that derivatives may have; `tallest` is the limit of [`typical`](Self::typical).
+    fn roughness_limit(
         &self,
         weights: &[f64],
         base: &[f64],
         derivatives: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
         tallest: f64,
     ) -> Vec<f64> {
-        // Derivatives of one unit have a known bound of their error.
+        // The error of derivatives that can be compared has a known bound.
         if self.subject.comparable() {
             return vec![0.0; base.len()];
         }
@@ -306,8 +313,8 @@ impl Evidence<'_> {
     }
 
     /// Returns `true` if a derivative lies among those at neighbouring inputs, by another witness if there is one.
-    /// Otherwise rounding does not explain it: it is wrong at this input alone. For each number of a short input, only
-    /// inputs with another value of that number count: the fault may be a special case of it.
+    /// Otherwise rounding does not explain it: it is wrong at this input alone. A fault may be a special case of one
+    /// number. So for each number of a short input, only neighbours with another value of it count.
     fn is_among_neighbours(
         &self,
         derivative: &[f64],
@@ -338,7 +345,7 @@ impl Evidence<'_> {
         }
     }
 
-    /// Adds to a row's tolerance the changes that perturbed rounding shows, once.
+    /// Adds the changes that perturbed rounding shows to the tolerance of a row, once.
     pub(crate) fn perturb(&self, row: &Combination) {
         if row.perturbed.replace(true) {
             return;
@@ -348,14 +355,14 @@ impl Evidence<'_> {
             Some(combined(&row.weights, &jacobian, x.len()))
         };
         if let Some(adjoint) = &row.adjoint {
-            let alone = !self.is_among_neighbours(adjoint, &row.size, |x| match &row.dual {
+            let is_alone = !self.is_among_neighbours(adjoint, &row.size, |x| match &row.dual {
                 Some(_) => by_duals(x),
                 None => self.subject.adjoint(x, &row.weights),
             });
             let deviation = self.deviation_if(
                 adjoint,
                 Some(&row.size),
-                |neighbour| neighbour != Neighbour::Loose && !alone,
+                |neighbour| neighbour != Neighbour::Loose && !is_alone,
                 |x| self.subject.adjoint(x, &row.weights),
             );
             let noise = self.roundings(adjoint, &row.size, |seed| {
@@ -368,13 +375,13 @@ impl Evidence<'_> {
         }
         if let Some(dual) = &row.dual {
             let along = |axis: &[f64]| self.by_duals(row, axis);
-            let off = self.rounding_of_duals(row, dual, &by_duals, &along);
-            row.allow(|i| SAFETY * off[i]);
+            let rounding = self.rounding_of_duals(row, dual, &by_duals, &along);
+            row.allow(|i| SAFETY * rounding[i]);
         }
     }
 
-    /// Returns the rounding error of each derivative by duals: the largest change at neighbouring inputs and along a
-    /// shorter axis, and the roughness.
+    /// Returns the rounding error of each derivative by duals. It is the largest of three: the change at neighbouring
+    /// inputs, the change along a shorter axis, and the roughness.
     pub(crate) fn rounding_of_duals(
         &self,
         row: &Combination,
@@ -394,8 +401,7 @@ impl Evidence<'_> {
         each.collect()
     }
 
-    /// Adds to a row's tolerance the effect of decisions that fall differently in single and in double precision,
-    /// once.
+    /// Adds the effect of decisions that differ between single and double precision to the tolerance of a row, once.
     pub(crate) fn perturb_in_double(&self, row: &Combination) {
         let (Some(wide), Some(adjoint)) = (&self.wide, &row.adjoint) else {
             return;
@@ -409,7 +415,7 @@ impl Evidence<'_> {
         row.allow(|i| SAFETY * (own[i] + theirs.get(i).unwrap_or(&0.0)));
     }
 
-    /// Adds to a row's tolerance the changes that perturbed rounding shows with the arguments exchanged, once.
+    /// Adds the changes that perturbed rounding shows with exchanged arguments to the tolerance of a row, once.
     pub(crate) fn perturb_exchanged(&self, row: &Combination) {
         if row.perturbed_exchanged.replace(true) {
             return;
@@ -423,13 +429,12 @@ impl Evidence<'_> {
             let own = self.deviation(adjoint, None, |x| self.subject.adjoint(x, &row.weights));
             row.allow(|i| SAFETY * own[i]);
         }
-        // The exchanged arguments are rounded differently, so near a tie they may be decided
-        // differently.
+        // The exchanged arguments round differently, so near a tie the function may decide differently.
         let deviation = self.deviation(&base, None, of);
         row.allow(|i| SAFETY * deviation[i]);
     }
 
-    /// Returns the derivative of a row along a direction by num-dual's numbers.
+    /// Returns the derivative of a row along a direction by the dual numbers of num-dual.
     pub(crate) fn num_dual_along(
         &self,
         row: &Combination,
@@ -440,7 +445,7 @@ impl Evidence<'_> {
         let usable = ahead.len() == self.y.len();
         usable.then(|| dot(&row.weights, &ahead))
     }
-    /// Returns the derivatives of a row by num-dual's numbers.
+    /// Returns the derivatives of a row by the dual numbers of num-dual.
     pub(crate) fn by_num_dual(&self, row: &Combination, x: &[f64]) -> Option<Vec<f64>> {
         let derivative = |i| self.num_dual_along(row, x, &axis(x.len(), i));
         (0..x.len()).map(derivative).collect()

@@ -1,8 +1,8 @@
 //! Branch tracing: a scalar that records the outcome of every comparison.
 //!
-//! Two points with one [`Trace`] ran through the same branches, so a function made of arithmetic is smooth between them
-//! and finite differences are reliable. Between points with different traces there may be a kink (or only a harmless
-//! change of branch); the smallest margin measures its distance.
+//! A function takes the same branches at two points with equal [`Trace`]s. If it is made of arithmetic, it is then smooth
+//! between them, and finite differences are reliable. Between points with different traces there may be a kink, or only
+//! a harmless change of branch. The smallest margin of the comparisons says how near it is.
 //!
 //! ```
 //! use geograd::ad::check::trace::{Traced, trace};
@@ -21,23 +21,22 @@ use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 /// The comparisons that one run recorded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trace {
-    /// The outcomes of all comparisons, in order, hashed.
+    /// A hash of the outcomes of all comparisons, in order.
     pub hash: u64,
     /// The number of comparisons.
     pub count: u64,
-    /// The smallest relative difference of two compared numbers; infinite when nothing was
-    /// compared, zero at a tie.
+    /// The smallest relative difference of two compared numbers: zero at a tie, infinite without comparisons.
     pub margin: f64,
 }
 
 impl Trace {
-    /// Nothing recorded yet.
+    /// A trace without comparisons.
     pub(crate) const EMPTY: Trace = Trace {
         hash: 0xcbf2_9ce4_8422_2325,
         count: 0,
         margin: f64::INFINITY,
     };
-    /// Adds one more comparison.
+    /// Adds a comparison of `x` with `y`.
     #[inline]
     pub(crate) fn record(&mut self, outcome: bool, x: f64, y: f64) {
         // FNV-1a, one byte per comparison.
@@ -52,33 +51,33 @@ impl Trace {
 }
 
 thread_local! {
-    // A comparison yields a plain `bool`, which cannot carry a history, so the history belongs to the thread.
-    static TAPE: Cell<Trace> = const { Cell::new(Trace::EMPTY) };
+    // A comparison returns a plain `bool`, which cannot carry a trace, so the trace belongs to the thread.
+    static CURRENT: Cell<Trace> = const { Cell::new(Trace::EMPTY) };
 }
 
-/// Runs a function and returns its result and the trace of its [`Traced`] numbers. Calls may be nested; the outer trace
-/// does not include the inner one.
+/// Runs a function and returns its result and the trace of its [`Traced`] numbers. Calls may be nested; an outer trace
+/// does not include inner ones.
 pub fn trace<R>(run: impl FnOnce() -> R) -> (R, Trace) {
-    let outer = TAPE.replace(Trace::EMPTY);
+    let outer = CURRENT.replace(Trace::EMPTY);
     let result = run();
-    (result, TAPE.replace(outer))
+    (result, CURRENT.replace(outer))
 }
 
-/// A scalar that records its comparisons, over any other scalar: `Traced<f64>`, `Traced<f32>`, or inside a jet,
-/// `Jet<Traced<f64>, N>`. Values equal those of the inner scalar, to the bit.
+/// A float that records its comparisons: `Traced<f64>`, `Traced<f32>`, or the scalar of a dual, `Jet<Traced<f64>, N>`.
+/// Values equal those of the float, to the bit.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Traced<T>(
     /// The number.
     pub T,
 );
 
-/// Returns a list of num-dual's dual numbers: values and derivatives along a direction.
+/// Returns dual numbers of the crate num-dual, made of values and a direction.
 pub(crate) fn num_duals<S: Real>(x: &[f64], direction: &[f64]) -> Vec<S::NumDual> {
     let each = x.iter().zip(direction);
     each.map(|(&x, &d)| S::num_dual(S::nearest(x), S::nearest(d)))
         .collect()
 }
-/// Returns the values and the derivatives of a list of num-dual's numbers.
+/// Returns the values and the derivatives of a list of num-dual's dual numbers.
 pub(crate) fn of_num_duals<S: Real>(list: Vec<S::NumDual>) -> (Vec<f64>, Vec<f64>) {
     let parts = list.into_iter().map(S::of_num_dual);
     parts
@@ -90,16 +89,16 @@ impl<T: Real> Traced<T> {
     /// Records a comparison and returns its outcome.
     #[inline(always)]
     fn note(self, other: Self, outcome: bool) -> bool {
-        TAPE.with(|tape| {
-            let mut trace = tape.get();
+        CURRENT.with(|current| {
+            let mut trace = current.get();
             trace.record(outcome, self.0.widen(), other.0.widen());
-            tape.set(trace);
+            current.set(trace);
         });
         outcome
     }
 }
 
-/// The items of `Scalar` that every wrapper of one float forwards unchanged.
+/// Writes the items of `Scalar` that are the same for every wrapper of one float.
 macro_rules! wrapped {
     ($wrapper:ident of $number:ident) => {
         type Mask = bool;
@@ -144,7 +143,7 @@ macro_rules! wrapped {
         }
     };
 }
-/// The operators of a wrapper that follow from others.
+/// Implements the operators of a wrapper that follow from others.
 macro_rules! wrapped_operators {
     ($wrapper:ident) => {
         impl<T: Real> AddAssign for $wrapper<T> {
@@ -179,7 +178,7 @@ macro_rules! wrapped_operators {
 }
 pub(crate) use {wrapped, wrapped_operators};
 
-/// Operators that only concern the value.
+/// Implements operators that compute a value and record nothing.
 macro_rules! forward {
     ($($operator:ident $method:ident;)*) => { $(
         impl<T: Real> $operator for Traced<T> {
@@ -220,7 +219,7 @@ impl<T: Real> Scalar for Traced<T> {
     }
     #[inline(always)]
     fn root(self) -> Self {
-        // A root has a kink at zero, so the decision there counts.
+        // A root has a kink at zero, so the comparison with zero is recorded.
         self.at_most(Self::zero());
         Traced(self.0.root())
     }
@@ -237,7 +236,7 @@ impl<T: Real> Scalar for Traced<T> {
     }
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
-        // The branch cut is a jump, so the side of it is recorded.
+        // The angle jumps across the negative x axis, so the side of it is recorded.
         if x.below(Self::zero()) {
             self.below(Self::zero());
         }
@@ -251,7 +250,7 @@ impl<T: Real> Scalar for Traced<T> {
     fn ln(self) -> Self {
         Traced(self.0.ln())
     }
-    // The value is the float's own; the tie is recorded as the default implementation does.
+    // The value is that of the float; the tie is recorded as by the default of the trait.
     #[inline(always)]
     fn least(self, other: Self) -> Self {
         self.equals(other);

@@ -1,7 +1,7 @@
 //! All pairs within groups of two lists, such as the detections and truths of every frame, over plain numbers.
 //!
-//! Small groups are computed together: their pairs fill the lanes of a tile that one group would leave partly empty. A
-//! group that is large enough for a tree or for threads of its own runs as an ungrouped pair of lists. Both give equal
+//! Small groups are computed together, since one group would leave the lanes of a tile partly empty. A group that is
+//! large enough for a tree of bounds, or for threads of its own, runs like two lists without groups. Both ways give equal
 //! bits.
 use crate::Real;
 use crate::kernels::cpu::arch::flat;
@@ -21,10 +21,11 @@ use crate::kernels::machine::found::{Best, Found};
 use crate::kernels::machine::suppress::Greed;
 use std::ops::Range;
 
-/// The work of a piece, in pairs that are tested: a millisecond or less. A larger group is a piece of its own.
+/// The work of a piece of groups that one thread takes, in pairs: a millisecond or less. A larger group is a piece of
+/// its own.
 const PIECE: usize = 1 << 18;
 
-/// Cuts groups into ranges of about equal work. The cuts depend on the offsets alone.
+/// Cuts the groups into pieces of about equal work, which are ranges of groups. The cuts depend on the offsets alone.
 fn pieces(spans: &GroupSpans<'_>) -> Vec<Range<usize>> {
     let (mut pieces, mut first, mut work) = (Vec::new(), 0, 0);
     for group in 0..spans.count() {
@@ -35,6 +36,7 @@ fn pieces(spans: &GroupSpans<'_>) -> Vec<Range<usize>> {
         }
         work += own;
         if is_alone(spans, group) {
+            // The next group begins a piece.
             work = PIECE;
         }
     }
@@ -49,12 +51,13 @@ fn cost(spans: &GroupSpans<'_>, group: usize) -> usize {
     rows.saturating_mul(columns + TILE).saturating_add(columns)
 }
 
-/// Returns `true` if a group is large. A large group is a piece of its own, so `group` is the first one of its piece.
+/// Returns `true` if a group is large enough to be a piece of its own. The first group of a piece therefore tells if the
+/// piece is one large group.
 fn is_alone(spans: &GroupSpans<'_>, group: usize) -> bool {
     spans.columns(group).len() >= LEAST_OF_TREE || cost(spans, group) >= PIECE
 }
 
-/// Returns the pairs of some rows with some columns.
+/// Returns the pairs of a range of rows with a range of columns.
 fn part<'p, T: Real>(pairs: &'p Pairs<'_, T>, spans: &[Range<usize>; 2]) -> Pairs<'p, T> {
     Pairs {
         plan: pairs.plan,
@@ -82,19 +85,21 @@ impl<T: Copy> PairScores<'_, T> {
 struct PairBuffer<'a, T: Real> {
     plan: &'a Plan<T>,
     lists: &'a [List<'a, T>; 2],
-    /// Shapes of either list as rows of numbers.
+    /// The prepared shapes of each list as rows of numbers, from which `picked` is gathered.
     picking: [LaneBuffer<T>; 2],
+    /// The row of each buffered pair.
     rows: Vec<u32>,
+    /// The column of each buffered pair.
     columns: Vec<u32>,
-    /// The shapes gathered from either list.
+    /// The prepared shapes of the buffered pairs, in tiles.
     picked: [&'a mut [Lane<T>]; 2],
     results: &'a mut [Lane<T>],
-    /// Numbers of one result.
+    /// The numbers of one result of the scalar code.
     one: Vec<T>,
 }
 
 impl<T: Real> PairBuffer<'_, T> {
-    /// Adds a row with some columns to the buffer.
+    /// Adds the pairs of a row with some columns to the buffer. A full buffer is computed and passed to `consume`.
     fn add(
         &mut self,
         row: usize,
@@ -112,7 +117,7 @@ impl<T: Real> PairBuffer<'_, T> {
             columns = rest;
         }
     }
-    /// Computes the buffered pairs.
+    /// Computes the buffered pairs, passes their results to `consume` and empties the buffer.
     fn finish(&mut self, consume: &mut impl FnMut(PairScores<'_, T>)) {
         let count = self.columns.len();
         if count == 0 {
@@ -138,7 +143,7 @@ impl<T: Real> PairBuffer<'_, T> {
         self.rows.clear();
         self.columns.clear();
     }
-    /// Replaces the results of pairs with extreme shapes by the scalar code's.
+    /// Replaces the results of pairs with a rare shape, too extreme for the kernel, by those of the scalar code.
     fn mend(&mut self) {
         let [a, b] = self.lists;
         let Some(rare) = &self.plan.rare else { return };
@@ -159,8 +164,8 @@ impl<T: Real> PairBuffer<'_, T> {
     }
 }
 
-/// Computes the wanted pairs of small groups, each given by its rows and columns. Skips pairs whose bounds do not meet,
-/// if shapes have bounds.
+/// Computes the pairs of small groups for which `wants` returns `true`. Each group is given by its rows and columns. If
+/// shapes have bounds, pairs whose bounds do not meet are left out.
 fn sweep_small<T: Real>(
     pairs: &Pairs<'_, T>,
     groups: impl Iterator<Item = [Range<usize>; 2]>,
@@ -221,7 +226,7 @@ fn sweep_small<T: Real>(
     });
 }
 
-/// A piece of work: some groups, the pairs of their rows and columns, and the first row and column.
+/// A piece of work: some groups, the pairs of their rows and columns, and the first row and column in the whole lists.
 struct GroupPiece<'p, T> {
     groups: Range<usize>,
     pairs: Pairs<'p, T>,
@@ -242,7 +247,7 @@ impl<T: Real> GroupPiece<'_, T> {
     }
 }
 
-/// Runs every piece with its own entry of `work`, on all threads.
+/// Calls `run` for every piece with the entry of `work` that belongs to it, on all threads.
 fn each_piece<T: Real, W: Send>(
     pairs: &Pairs<'_, T>,
     spans: &GroupSpans<'_>,
@@ -292,7 +297,7 @@ pub fn above<T: Real>(pairs: &Pairs<'_, T>, spans: GroupSpans<'_>, threshold: T)
     found.concat()
 }
 
-/// Returns the largest score of every row, or of every column, within its group; the first of equal ones. The entry is
+/// Returns the largest score of every row, or of every column, within its group; of equal ones the first. The entry is
 /// `None` for a row whose group has no columns, and for a column whose group has no rows.
 pub fn most<T: Real>(
     pairs: &Pairs<'_, T>,
@@ -308,8 +313,8 @@ pub fn most<T: Real>(
         work.push((piece, now));
         rest = later;
     }
-    type Slots<'a, T> = &'a mut [Option<Best<T>>];
-    each_piece(pairs, &spans, work, |piece, best: Slots<'_, T>| {
+    type Entries<'a, T> = &'a mut [Option<Best<T>>];
+    each_piece(pairs, &spans, work, |piece, best: Entries<'_, T>| {
         let from = piece.from[1 - side];
         if is_alone(&spans, piece.groups.start) {
             if piece.pairs.counts().contains(&0) {
@@ -319,9 +324,9 @@ pub fn most<T: Real>(
                 true => reductions::most_of_rows(&piece.pairs),
                 false => reductions::most_of_columns(&piece.pairs),
             };
-            for (slot, Best { value, index }) in best.iter_mut().zip(all) {
+            for (entry, Best { value, index }) in best.iter_mut().zip(all) {
                 let index = index + from;
-                *slot = Some(Best { value, index });
+                *entry = Some(Best { value, index });
             }
             return;
         }
@@ -353,8 +358,9 @@ pub fn most<T: Real>(
     best
 }
 
-/// Returns the kept shapes. The list is given group by group, each group best first. A kept shape suppresses later ones
-/// of its group and class. The rules limit the number of kept shapes of a group.
+/// Returns the indices of the kept shapes. The list is given group by group, each group best first. A kept shape
+/// suppresses later ones of its group and class that it overlaps enough. The rules limit the number of kept shapes of a
+/// group.
 pub fn suppress<T: Real>(
     pairs: &Pairs<'_, T>,
     offsets: &[usize],
@@ -384,18 +390,18 @@ pub fn suppress<T: Real>(
             let all = batch.each().filter(|(_, _, x)| x.above(rules.threshold));
             found.extend(all.map(|(row, column, _)| (row, column)));
         });
-        let mut gone = vec![false; piece.pairs.counts()[0]];
+        let mut suppressed = vec![false; piece.pairs.counts()[0]];
         let mut found = found.into_iter().peekable();
         for [rows, _] in piece.groups(&spans) {
             let mut left = rules.most;
             for row in rows {
-                let is_kept = !gone[row] && left > 0;
+                let is_kept = !suppressed[row] && left > 0;
                 if is_kept {
                     kept.push(row + from);
                     left -= 1;
                 }
                 while let Some((_, column)) = found.next_if(|pair| pair.0 == row) {
-                    gone[column] |= is_kept;
+                    suppressed[column] |= is_kept;
                 }
             }
         }

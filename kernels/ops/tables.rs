@@ -15,7 +15,8 @@
 ///   invariance, clauses and derivatives. Clauses stand in parentheses, in the order of
 ///   [`operation!`](crate::operation).
 /// * A line has the name of the row and its shapes, then what differs from the head, in the same order.
-/// * `{}` in the documentation stands for the shapes: "two segments". A comment before a line follows it.
+/// * `{}` in the documentation stands for the shapes: "two segments". The documentation of a line is added to that of
+///   the head.
 /// * Arguments `(a, b)` of two kinds take the [names](crate::kernels::ops::noun::Noun) of these: `point`, `circle`.
 macro_rules! table {
     ($(

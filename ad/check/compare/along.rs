@@ -1,7 +1,7 @@
 //! Comparison of the derivatives along one direction with differences along it. For every combination of outputs it
-//! decides the smoothness at the input along the direction and whether a derivative is refused. It extrapolates
-//! differences at falling step sizes ([`DerivativeTest`]), has a refusal confirmed by other sequences of steps, and
-//! accepts derivatives that a convention at kinks allows. [`steps`](super::steps) calls it for every direction.
+//! decides how smooth the function is at the input along the direction, and if a derivative is refused. It
+//! extrapolates differences at falling step sizes ([`DerivativeTest`]). Other sequences of steps must confirm a refusal,
+//! and derivatives that a convention at kinks allows are accepted. [`steps`](super::steps) calls it for every direction.
 use crate::ad::check::compare::assessment::Assessment;
 use crate::ad::check::compare::derivative_test::DerivativeTest;
 use crate::ad::check::compare::projection::worst_input;
@@ -20,22 +20,24 @@ use crate::ad::check::witness::{Estimate, StepSequence, dot};
 /// A function that evaluates a sequence of steps along a direction, from a first step downwards.
 pub(crate) type TakeSteps<'c> = &'c dyn Fn(&[f64], f64) -> StepSequence;
 
-/// Indices in [`PAIRS`](crate::ad::check::verdict::PAIRS): derivatives by hand, and by duals, against differences.
+/// The index in [`PAIRS`](crate::ad::check::verdict::PAIRS) of derivatives by hand against differences.
 const BY_HAND: usize = 1;
+/// The index of derivatives by duals against differences.
 const BY_DUALS: usize = 2;
 
 /// A direction to take differences along.
 pub(crate) struct AlongDirection<'d> {
     pub(crate) evidence: &'d Evidence<'d>,
-    /// The number of the direction. For a short input the first directions are its axes, in order.
+    /// The index of the direction. For a short input the first directions are its axes, in order.
     pub(crate) k: usize,
     pub(crate) direction: &'d [f64],
     /// Values along it.
     pub(crate) here: &'d StepSequence,
+    /// The function that evaluates further sequences.
     pub(crate) take_steps: TakeSteps<'d>,
     /// The function that evaluates steps without regard to the domain, for a function that is defined everywhere.
     pub(crate) across: Option<TakeSteps<'d>>,
-    /// `true` if another comparison has judged the derivative with respect to the number of the direction.
+    /// `true` if another comparison has judged the derivative with respect to number `k` of the input.
     pub(crate) judged: bool,
 }
 
@@ -44,12 +46,14 @@ pub(crate) struct AlongDirection<'d> {
 struct Derivatives {
     by_hand: Option<f64>,
     by_duals: Option<f64>,
-    /// The divisor that makes a derivative along the direction one with respect to one number.
+    /// The divisor that turns a derivative along an axis into one with respect to its number; 1 for other directions.
     per: f64,
+    /// `true` if the direction is no axis.
     along: bool,
 }
 
 impl Derivatives {
+    /// Returns the derivatives and the differences that a report shows.
     fn numbers(&self, difference: Option<f64>, sides: Option<[f64; 2]>) -> ByWitness {
         ByWitness {
             adjoint: self.by_hand.map(|derivative| derivative / self.per),
@@ -84,16 +88,19 @@ impl AlongDirection<'_> {
         if self.is_axis() { self.k } else { 0 }
     }
 
-    /// Returns the change of the value that rounding of the steps along a direction allows. Along an axis steps are
-    /// exact. A function whose branches are unknown may round its input, so every number counts.
+    /// Returns the change of the value that rounding of the steps along the direction explains. Along an axis steps are
+    /// exact. A function whose branches are unknown may round its input, so there every number counts.
     fn reach(&self) -> f64 {
         let e = self.evidence;
-        let moved = || (0..e.x.len()).filter(|&i| self.is_of_shapes() || self.direction[i] != 0.0);
-        if !self.is_of_shapes() && moved().count() < 2 {
+        let counted =
+            || (0..e.x.len()).filter(|&i| self.is_of_shapes() || self.direction[i] != 0.0);
+        if !self.is_of_shapes() && counted().count() < 2 {
             return 0.0;
         }
         let derivative = |i: usize| e.rows.iter().fold(0.0_f64, |m, row| m.max(row.size[i]));
-        moved().map(|i| derivative(i) * e.eps * e.x[i].abs()).sum()
+        counted()
+            .map(|i| derivative(i) * e.eps * e.x[i].abs())
+            .sum()
     }
 
     /// Notes a jump of an output along the direction, larger than the rounding of steps, and a fault if the output must
@@ -114,9 +121,9 @@ impl AlongDirection<'_> {
             }
             let noise = e.eps * size + deviation.get(j).unwrap_or(&0.0) + reach;
             let noise = noise.max(e.resolution[j]);
-            // A kink may be nearer than the smallest step. A jump shows at smaller steps, too.
-            let near = || (self.take_steps)(self.direction, NEAR_JUMP).jump(j, noise);
-            if here.jump(j, noise).is_some() && near().is_some() {
+            // A kink may be nearer than the smallest step. Only a jump shows at much smaller steps, too.
+            let jump_nearer = || (self.take_steps)(self.direction, NEAR_JUMP).jump(j, noise);
+            if here.jump(j, noise).is_some() && jump_nearer().is_some() {
                 notes.jump = true;
                 let allowed = match e.subject.conventions().jumps {
                     Jumps::Never => false,
@@ -200,7 +207,7 @@ impl AlongDirection<'_> {
                 Assessment::Agrees { .. } => place.or(Some(seen)),
                 _ => Some(seen),
             };
-            // An adjoint that equals the duals is judged for both.
+            // The judgement of an adjoint that equals the duals holds for both.
             let equal = ROUNDINGS * e.eps * row.largest;
             if let (Witness::Adjoint, Some(dual)) = (witness, derivatives.by_duals)
                 && (dual - derivative).abs() <= equal
@@ -225,7 +232,7 @@ impl AlongDirection<'_> {
             }
         }
         let (place, switched) = place.unwrap_or_else(|| {
-            // Without derivatives the smoothness is determined nevertheless.
+            // Steps show the smoothness even of a function without derivatives.
             match test.first() {
                 Assessment::Agrees {
                     place, switched, ..
@@ -267,7 +274,7 @@ impl AlongDirection<'_> {
     }
 
     /// Judges the derivative of one witness along the direction. Returns the smoothness, `true` if branches switch, and
-    /// the assessment by the last sequence of step sizes.
+    /// the assessment by the last sequence of steps.
     fn one_derivative(
         &self,
         row: &Combination,
@@ -309,10 +316,10 @@ impl AlongDirection<'_> {
                 (place, switched)
             }
             Assessment::Differs { estimate } => {
-                self.other(row, witness, &test, estimate, derivatives, notes)
+                self.decide_different(row, witness, &test, estimate, derivatives, notes)
             }
             Assessment::Outside { sides, tolerance } => {
-                self.outside(row, witness, &test, (sides, tolerance), derivatives, notes)
+                self.decide_outside(row, witness, &test, (sides, tolerance), derivatives, notes)
             }
         };
         (place, assessment)
@@ -320,7 +327,7 @@ impl AlongDirection<'_> {
 
     /// Decides about a derivative that differs from the differences. Returns the smoothness, and `true` if branches
     /// switch.
-    fn other(
+    fn decide_different(
         &self,
         row: &Combination,
         witness: Witness,
@@ -345,13 +352,13 @@ impl AlongDirection<'_> {
         let found = review.against.unwrap_or(estimate);
         let tolerance = SAFETY * found.error + test.exact;
         let tied = agree && e.exactly_tied();
-        // Without the function's source, steps alone show if branches meet.
+        // Without the function's source and another witness, steps alone show if branches meet.
         let unknown = self.is_of_shapes() && derivatives.other(witness).is_none();
         // Derivatives vary smoothly between neighbouring points. Only a larger difference means another branch.
-        let least = if tied { 0.0 } else { DECIDED * row.largest };
+        let apart = if tied { 0.0 } else { DECIDED * row.largest };
         let is_among = || {
             let own = (test.derivative, tolerance);
-            e.is_among_derivatives_nearby(&row.weights, direction, own, least)
+            e.is_among_derivatives_nearby(&row.weights, direction, own, apart)
         };
         let by_convention = if witness == Witness::Dual && e.tie_of_duals() {
             Some((Smoothness::Smooth, false))
@@ -385,9 +392,9 @@ impl AlongDirection<'_> {
         (Smoothness::Smooth, false)
     }
 
-    /// Decides about a derivative that is not between those of both sides. Returns the smoothness, and `true` if
+    /// Decides about a derivative that is not between those of both sides. Returns the smoothness, and `true`, since
     /// branches switch.
-    fn outside(
+    fn decide_outside(
         &self,
         row: &Combination,
         witness: Witness,
@@ -404,7 +411,7 @@ impl AlongDirection<'_> {
         if self.flat(row, sides, own)
             || is_tie
             || self.beyond(test)
-            // No witness is known beyond the border, and a kink may lie on it.
+            // Nothing is known beyond the border, and a kink may lie on it.
             || (unknown && border)
             || (unknown && self.chosen_here(row))
         {
@@ -426,8 +433,8 @@ impl AlongDirection<'_> {
         (place, true)
     }
 
-    /// Returns `true` if a declared convention allows the derivative. If the value is zero, the derivative may be zero.
-    /// At the border of the domain it may lie between zero and that of the only side.
+    /// Returns `true` if the declared convention [`flat`](Conventions::flat) allows the derivative. At the border of the
+    /// domain it may lie between zero and that of the only side. Elsewhere it may be zero if the value is zero.
     fn flat(
         &self,
         row: &Combination,
@@ -444,15 +451,15 @@ impl AlongDirection<'_> {
             }
     }
 
-    /// Returns `true` for a function of unknown source that may jump anywhere and whose derivatives are right near the
-    /// input. At the input it then chooses among several results.
+    /// Returns `true` for a function that may jump anywhere and whose derivatives are right near the input. At the input
+    /// it then chooses among several results. Callers ask it of functions without a source.
     fn chosen_here(&self, row: &Combination) -> bool {
         self.evidence.subject.conventions().jumps == Jumps::Anywhere
             && self.evidence.is_right_nearby(row, self.direction)
     }
 
-    /// Returns `true` if a kink exactly on the border of the domain has its other side beyond, and the derivative is
-    /// between both.
+    /// Returns `true` if a kink lies exactly on the border of the domain, and the derivative is between those of both
+    /// sides. Steps beyond the border give the derivative of the other side.
     fn beyond(&self, test: &DerivativeTest<'_>) -> bool {
         let border = self.here.is_at_border();
         let Some(across) = self
@@ -472,8 +479,8 @@ impl AlongDirection<'_> {
         !assessment.undefined() && !assessment.refuses()
     }
 
-    /// Returns `true` if steps cannot decide although both witnesses agree. Either cancellation leaves no digits, or
-    /// the feature is smaller than the smallest step: lines with an angle of 1e-11, a ball of 1e-13.
+    /// Returns `true` if steps cannot decide about a derivative on which both witnesses agree. Either cancellation
+    /// leaves no digits, or the feature is smaller than the smallest step: lines with an angle of 1e-11, a ball of 1e-13.
     fn is_undecidable(&self, test: &DerivativeTest<'_>) -> bool {
         self.here.still() || self.is_confirmed_nearer(test) || self.leaves_branch_at_once()
     }
@@ -496,9 +503,9 @@ impl AlongDirection<'_> {
         matches!(assessment, Assessment::Agrees { .. }) && !assessment.undefined()
     }
 
-    /// Returns `true` if there is no gradient at the input. Derivatives exist along two directions, from both sides or
-    /// one, but the derivative along their sum is not the sum of both. This is so where a function of degree one that
-    /// is not linear begins: the circle through three points where these coincide.
+    /// Returns `true` if there is no gradient at the input. Derivatives then exist along two directions, from both sides
+    /// or one, but the derivative along their sum is not the sum of both. This holds at zero for a function that
+    /// grows in proportion to its input and is not linear. An example is the circle through three points that coincide.
     fn bent(&self, row: &Combination) -> bool {
         let (e, weights, noise) = (self.evidence, &row.weights, row.noise);
         let derivatives = |direction: &[f64]| {
@@ -528,8 +535,8 @@ impl AlongDirection<'_> {
         })
     }
 
-    /// Returns `true` if a difference is precise enough for the usual size of the derivative, though not for the
-    /// largest.
+    /// Returns `true` if a difference is precise enough for the usual size of this derivative, though not for the size
+    /// of the largest one.
     fn is_coarsely_judged(&self, row: &Combination, coarse: Assessment, exact: f64) -> bool {
         let Assessment::Agrees {
             estimate: Some(found),
@@ -548,12 +555,12 @@ impl AlongDirection<'_> {
     }
 }
 
-/// Returns `true` if the result is chosen from several, not a least or greatest number: by a search, or as points that
-/// may jump.
+/// Returns `true` if the result is one choice of several, not a least or greatest number. Results of searches are, and
+/// points that may jump.
 ///
 /// If several choices tie to the bit, derivatives are those of one of them, or their mean. They need not be between the
-/// derivatives of the two choices on either side. Numbers that are no points do not count: scores and areas that jump
-/// are not chosen from among others.
+/// derivatives of the two choices on either side. Jumping numbers that are no points do not count: scores and areas are
+/// not chosen from among others.
 fn chosen(e: &Evidence<'_>) -> bool {
     let conventions = e.subject.conventions();
     let points = || e.subject.output_kinds().contains(&Kind::X);

@@ -1,34 +1,36 @@
-//! The test of one derivative along one direction by sequences of steps. It decides if the steps confirm the
-//! derivative, refuse it or decide nothing: central differences within one branch, derivatives of both sides across a
-//! kink. [`along`](super::along) calls it, and has a refusal reviewed by further sequences
+//! The test of one derivative along one direction by sequences of steps. The steps confirm the derivative, refuse it or
+//! decide nothing. Within one branch the test uses central differences, across a kink the derivatives of both sides.
+//! [`along`](super::along) calls it, and before it refuses a derivative has further sequences review the refusal
 //! ([`again`](DerivativeTest::again)).
 use crate::ad::check::compare::assessment::{Assessment, Review, review};
 use crate::ad::check::tolerances::{FINER, FIRST, INFORMATIVE, OWN_FIRST, OWN_SIZE, SAFETY, SIDES};
 use crate::ad::check::verdict::Smoothness;
 use crate::ad::check::witness::{Estimate, StepSequence};
 
-/// A derivative, and sequences of steps along its direction that it is compared with.
+/// A derivative, and the sequences of steps along its direction with which it is compared.
 pub(crate) struct DerivativeTest<'l> {
+    /// The weights with which outputs add up to the value.
     pub(crate) weights: &'l [f64],
     /// Values along the direction.
     pub(crate) here: &'l StepSequence,
-    /// Evaluates a sequence with another first step.
+    /// The function that evaluates a sequence from another first step.
     pub(crate) steps_from: &'l dyn Fn(f64) -> StepSequence,
+    /// The derivative in question.
     pub(crate) derivative: f64,
-    /// The rounding error of the derivative.
+    /// The rounding error of the derivative, which a tolerance includes whatever the steps are.
     pub(crate) exact: f64,
     /// The rounding noise of the value.
     pub(crate) noise: f64,
-    /// The measured roughness of the values: a gap that it explains is no refusal.
+    /// The measured roughness of the values. A gap that it explains does not refuse the derivative.
     pub(crate) rough: f64,
-    /// The roughness of values that are constant along all steps: they do not show the digits that they lose by
-    /// cancellation.
+    /// The least roughness of values that are constant along all steps. Such values do not show the digits that they
+    /// lose by cancellation.
     pub(crate) hidden: f64,
-    /// The largest derivative.
+    /// The size of the largest derivative. An estimate with a larger error than a share of it decides nothing.
     pub(crate) size: f64,
     /// `true` if the scales are only guessed, so that finer steps are tried.
     pub(crate) guessed: bool,
-    /// The number's own size in units of its scale.
+    /// The size of the input's number that the direction moves, in units of its scale.
     pub(crate) own: f64,
 }
 
@@ -39,10 +41,10 @@ impl DerivativeTest<'_> {
     }
 
     /// Returns the assessment by a sequence with another first step.
-    fn other(&self, first: f64) -> Assessment {
+    fn from_step(&self, first: f64) -> Assessment {
         let sequence = (self.steps_from)(first);
         if sequence.still() && !self.here.still() {
-            // Too small steps: the derivative need not be zero.
+            // The steps are too small to change the value. That does not make the derivative zero.
             return Assessment::Agrees {
                 place: Smoothness::Undefined,
                 switched: false,
@@ -52,11 +54,13 @@ impl DerivativeTest<'_> {
         self.compare(&sequence)
     }
 
-    /// Returns the assessments by sequences that begin at the number's own size, if that is far smaller than its scale.
+    /// Returns the assessments by sequences that begin near the number's own size. There are none unless the scale is
+    /// guessed and the number is smaller than it.
     fn of_own_size(&self) -> Vec<Assessment> {
-        let worth = self.guessed && self.own > 0.0 && self.own < OWN_SIZE;
-        let firsts = OWN_FIRST.iter().filter(|_| worth);
-        firsts.map(|first| self.other(first * self.own)).collect()
+        let is_smaller = self.guessed && self.own > 0.0 && self.own < OWN_SIZE;
+        let firsts = OWN_FIRST.iter().filter(|_| is_smaller);
+        let steps = firsts.map(|first| first * self.own);
+        steps.map(|step| self.from_step(step)).collect()
     }
 
     /// Returns the assessment by finer steps, if the first ones decide nothing.
@@ -66,16 +70,16 @@ impl DerivativeTest<'_> {
         }
         let own = self.of_own_size();
         let own = own.into_iter().filter(|one| !one.undefined());
-        let finer = FIRST[FINER].iter().map(|&first| self.other(first));
+        let finer = FIRST[FINER].iter().map(|&first| self.from_step(first));
         let fine = |one: &Assessment| matches!(one, Assessment::Agrees { .. }) && !one.undefined();
         own.chain(finer.filter(fine)).last().unwrap_or(first)
     }
 
-    /// Returns the review of a refusal by all sequences. Against two witnesses that `agree` the finest steps must
-    /// decide: a trace has no comparison that shows a pole between two steps.
+    /// Returns the review of a refusal by all sequences. If both witnesses `agree`, a refusal by guessed scales stands
+    /// only where the finest steps decide, too: no trace shows a pole between two steps.
     pub(crate) fn again(&self, first: Assessment, agree: bool) -> Review {
         let mut all = vec![first];
-        all.extend(FIRST[1..].iter().map(|&first| self.other(first)));
+        all.extend(FIRST[1..].iter().map(|&first| self.from_step(first)));
         let own = self.of_own_size();
         let mut reviewed = review(&all, &own, self.exact);
         let finest = all.iter().chain(&own).last();
@@ -89,11 +93,11 @@ impl DerivativeTest<'_> {
     fn smooth(&self, e: Estimate, informative: bool, switched: bool, rough: f64) -> Assessment {
         let tolerance = SAFETY * e.error + self.exact;
         let gap = (e.value - self.derivative).abs();
-        let roughly = Estimate {
+        let with_roughness = Estimate {
             error: e.error + rough / e.step,
             ..e
         };
-        let explained = gap <= SAFETY * roughly.error + self.exact;
+        let explained = gap <= SAFETY * with_roughness.error + self.exact;
         if tolerance.is_finite() && informative && (gap <= tolerance || !explained) {
             return if gap <= tolerance {
                 Assessment::Agrees {
@@ -108,7 +112,7 @@ impl DerivativeTest<'_> {
         Assessment::Agrees {
             place: Smoothness::Undefined,
             switched,
-            estimate: explained.then_some(roughly),
+            estimate: explained.then_some(with_roughness),
         }
     }
 
@@ -146,7 +150,7 @@ impl DerivativeTest<'_> {
             return undefined;
         }
         if !border && (ahead.value - behind.value).abs() <= SIDES * SAFETY * error + exact {
-            // At a smooth junction of branches the central derivative converges slowly and the sides fast.
+            // At a smooth junction of branches, one-sided differences converge faster than central ones.
             let mean = Estimate {
                 value: 0.5 * (ahead.value + behind.value),
                 error: error + 0.5 * (ahead.value - behind.value).abs() / SAFETY,
