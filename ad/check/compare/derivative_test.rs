@@ -41,7 +41,7 @@ impl DerivativeTest<'_> {
     }
 
     /// Returns the assessment by a sequence with another first step.
-    fn from_step(&self, first: f64) -> Assessment {
+    fn starting_at(&self, first: f64) -> Assessment {
         let sequence = (self.steps_from)(first);
         if sequence.still() && !self.here.still() {
             // The steps are too small to change the value. That does not make the derivative zero.
@@ -60,7 +60,7 @@ impl DerivativeTest<'_> {
         let is_smaller = self.guessed && self.own > 0.0 && self.own < OWN_SIZE;
         let firsts = OWN_FIRST.iter().filter(|_| is_smaller);
         let steps = firsts.map(|first| first * self.own);
-        steps.map(|step| self.from_step(step)).collect()
+        steps.map(|step| self.starting_at(step)).collect()
     }
 
     /// Returns the assessment by finer steps, if the first ones decide nothing.
@@ -70,7 +70,7 @@ impl DerivativeTest<'_> {
         }
         let own = self.of_own_size();
         let own = own.into_iter().filter(|one| !one.undefined());
-        let finer = FIRST[FINER].iter().map(|&first| self.from_step(first));
+        let finer = FIRST[FINER].iter().map(|&first| self.starting_at(first));
         let fine = |one: &Assessment| matches!(one, Assessment::Agrees { .. }) && !one.undefined();
         own.chain(finer.filter(fine)).last().unwrap_or(first)
     }
@@ -79,7 +79,7 @@ impl DerivativeTest<'_> {
     /// only where the finest steps decide, too: no trace shows a pole between two steps.
     pub(crate) fn again(&self, first: Assessment, agree: bool) -> Review {
         let mut all = vec![first];
-        all.extend(FIRST[1..].iter().map(|&first| self.from_step(first)));
+        all.extend(FIRST[1..].iter().map(|&first| self.starting_at(first)));
         let own = self.of_own_size();
         let mut reviewed = review(&all, &own, self.exact);
         let finest = all.iter().chain(&own).last();
