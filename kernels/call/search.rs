@@ -2,7 +2,7 @@
 //!
 //! A search yields a *record* of decisions: indices and small enums, never numbers. The result is computed from the
 //! input and the record by a straight line, which duals and batches replay. Between decisions the result is smooth.
-//! Where a decision changes, the derivatives belong to the branch taken.
+//! Derivatives belong to the branch taken, also where a decision changes.
 use crate::error::Error;
 use crate::kernels::call::modes::Function;
 use crate::kernels::call::recording::{self, Body, Call, Each, Recording};

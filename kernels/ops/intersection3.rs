@@ -73,7 +73,8 @@ table! {
     }
     /// The [point](crate::intersection3::crossing_of_three_planes) of three planes.
     verbs::Crossing: (a, b, c) -> CommonPoint3<S> { crossing_of_three_planes(a, b, c) } [follows, about_origin]
-    // Of numbers from 1/R to R, the determinant is 1/R³ or more, the point R⁶ or less, and its derivatives R¹¹ or less.
+    // Numbers from 1/R to R give points up to R⁶ and derivatives up to R¹¹; terms of the determinant that cancel add
+    // factors of 1/ε.
     (finite Within(Limits::new([-3, 3], [-25, 25])) jumps Anywhere) derivative Reverse {
         "crossing_of_three_planes": Plane3, Plane3, Plane3 (roundings { meet_in_doubt(a, b, c) });
     }
