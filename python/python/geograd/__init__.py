@@ -21,11 +21,13 @@ from ._elementary import (
     arctan2, clip, copysign, cos, exp, hypot, log, maximum, minimum, sin, sqrt, square, tan, where,
 )
 from ._function import Function, function
+from ._polygons import OVERLAYS as _OVERLAYS, Polygons, contains, union_area
 from ._shapes import CLASSES as _CLASSES, Clouds, Polylines, Rings
 from ._verbs import VERBS as _VERBS, Verb
 
 globals().update(_CLASSES)
 globals().update(_VERBS)
+globals().update(_OVERLAYS)
 
 # A child has none of its parent's threads, and must not find a lock held.
 if hasattr(_os, "register_at_fork"):
@@ -35,8 +37,9 @@ if hasattr(_os, "register_at_fork"):
 
 __all__ = sorted(
     [
-        "Clouds", "Function", "Paths", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb", "__version__", "assignment", "metric",
-        "arctan2", "check", "clip", "copysign", "cos", "exp", "function", "get_num_threads", "hypot", "log", "maximum", "minimum",
-        "sees", "set_num_threads", "sin", "sqrt", "square", "tan", "where", *_CLASSES, *_VERBS,
+        "Clouds", "Function", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb", "__version__", "assignment", "metric",
+        "arctan2", "check", "clip", "contains", "copysign", "cos", "exp", "function", "get_num_threads", "hypot", "log", "maximum", "minimum",
+        "sees", "set_num_threads", "sin", "sqrt", "square", "tan", "union_area", "where", *_CLASSES, *_OVERLAYS,
+        *_VERBS,
     ]
 )

@@ -1,6 +1,6 @@
 """The verbs, made of the table."""
 
-from . import _core
+from . import _core, _polygons
 from ._forms import Forms
 
 
@@ -35,6 +35,9 @@ def describe(verb):
         lines.append(f"    {verb}({takes}) -> {gives}")
         if row["summary"] != rows[0]["summary"]:
             lines.append(f"        {row['summary']}")
+    if verb in _polygons.VERBS:
+        takes, gives = _polygons.VERBS[verb]
+        lines += [f"    {verb}({takes}) -> {gives}", f"        {_polygons.SUMMARIES[verb]}"]
     return "\n".join(lines)
 
 

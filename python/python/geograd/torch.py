@@ -13,9 +13,13 @@ import numpy as np
 import torch
 
 import geograd
-from geograd import _nodes
+from geograd import _nodes, _torch_polygons
+from geograd._torch_polygons import Polygons, union_area
 
-__all__ = ["check", "function", "Loss", *_nodes.LOSSES]
+globals().update(_torch_polygons.OVERLAYS)
+_ANY_POLYGONS = (Polygons, geograd.Polygons)
+
+__all__ = ["check", "function", "Loss", "Polygons", "union_area", *_torch_polygons.OVERLAYS, *_nodes.LOSSES]
 
 
 def _lead(node, xs):
@@ -216,6 +220,8 @@ class _Verb:
         return (_verb, (self.__name__,))
 
     def __call__(self, *arguments, kind=None):
+        if any(isinstance(x, _ANY_POLYGONS) for x in arguments):
+            return _torch_polygons.run(self.__name__, arguments)
         return _apply(*_known(self.__name__, kind, len(arguments)), arguments)
 
 
