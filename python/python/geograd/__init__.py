@@ -13,7 +13,7 @@ Every verb (``geograd.iou``, ``geograd.distance``, ...) takes shapes: arrays who
 
 import os as _os
 
-from . import _core, assignment, metric
+from . import _core, assignment, metric, suppression
 from ._core import Paths, Program, Shape, Symbol, Truth, __version__, get_num_threads, set_num_threads
 from ._camera import sees
 from ._check import Reports, check
@@ -21,6 +21,7 @@ from ._elementary import (
     arctan2, clip, copysign, cos, exp, hypot, log, maximum, minimum, sin, sqrt, square, tan, where,
 )
 from ._function import Function, function
+from ._points import convex_hull, procrustes
 from ._polygons import OVERLAYS as _OVERLAYS, Polygons, contains, union_area
 from ._shapes import CLASSES as _CLASSES, Clouds, Polylines, Rings
 from ._verbs import VERBS as _VERBS, Verb
@@ -37,9 +38,9 @@ if hasattr(_os, "register_at_fork"):
 
 __all__ = sorted(
     [
-        "Clouds", "Function", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb", "__version__", "assignment", "metric",
-        "arctan2", "check", "clip", "contains", "copysign", "cos", "exp", "function", "get_num_threads", "hypot", "log", "maximum", "minimum",
-        "sees", "set_num_threads", "sin", "sqrt", "square", "tan", "union_area", "where", *_CLASSES, *_OVERLAYS,
-        *_VERBS,
+        "Clouds", "Function", "Paths", "Polygons", "Polylines", "Program", "Reports", "Rings", "Shape", "Symbol", "Truth", "Verb",
+        "__version__", "assignment", "metric", "suppression", "arctan2", "check", "clip", "contains", "convex_hull", "copysign", "cos",
+        "exp", "function", "get_num_threads", "hypot", "log", "maximum", "minimum", "procrustes", "sees", "set_num_threads", "sin",
+        "sqrt", "square", "tan", "union_area", "where", *_CLASSES, *_OVERLAYS, *_VERBS,
     ]
 )

@@ -4,7 +4,7 @@ import sys
 
 import numpy as np
 
-from . import _core
+from . import _core, _points
 
 #: The verbs that take polygons: what each takes, and what it gives.
 VERBS = {
@@ -126,9 +126,11 @@ class Polygons(_core.Polygons):
         """An array of shapely's geometries: of a polygon of one part a Polygon, of any other a MultiPolygon."""
         import shapely
 
-        (vertices, (rings, parts, polygons)), ends = self._closed(), np.array([0])
+        vertices, (rings, parts, polygons) = self._closed()
         one = np.diff(polygons) == 1
-        of_parts = shapely.from_ragged_array(shapely.GeometryType.POLYGON, vertices, (rings, parts)) if len(parts) > 1 else ends[:0]
+        of_parts = np.zeros(0, object)
+        if len(parts) > 1:
+            of_parts = shapely.from_ragged_array(shapely.GeometryType.POLYGON, vertices, (rings, parts))
         made = np.empty(len(self), object)
         made[one] = of_parts[polygons[:-1][one]]
         for place in np.flatnonzero(~one):
@@ -346,7 +348,7 @@ def _from_arrow(cls, column):
     return cls(vertices[keep], (np.concatenate([[0], np.cumsum(counts)]), parts, polygons))
 
 
-def _points(points, polygons):
+def _spots(points, polygons):
     """Points as rows in the format of a call."""
     array = np.asarray(points.array if isinstance(points, _core.Shape) else points)
     if array.shape[-1:] != (2,) or array.ndim > 2:
@@ -366,7 +368,9 @@ def _counted(a, b):
 
 
 def run(verb, form, arguments):
-    """Runs a form of a verb of polygons."""
+    """Runs a form of a verb of polygons, or of sets of points."""
+    if verb in _points.VERBS:
+        return _points.run(verb, form, arguments)
     if verb not in VERBS:
         raise TypeError(f"geograd.{verb} takes no Polygons; they have {', '.join(VERBS)}")
     if form not in ("value", "value_grad", "vjp") and not (form == "all_pairs" and verb in OVERLAPS):
@@ -417,7 +421,7 @@ def _distance(verb, form, first, second, upstream=None, fill="even_odd"):
     if is_turned and isinstance(second, _core.Polygons):
         raise TypeError(f"geograd.{verb} of Polygons is that of points: it takes no two columns of polygons")
     points, polygons = (second, first) if is_turned else (first, second)
-    points = _points(points, polygons)
+    points = _spots(points, polygons)
     sign = -1 if verb == "depth" else 1
     if form == "value":
         return sign * _core.polygon_distance(points, polygons, fill, verb == "distance")
@@ -435,7 +439,7 @@ def contains(polygons, points, *, fill="even_odd"):
     zero. ``polygons`` may also be rings, geometries or boxes. A point that is not finite is in no polygon.
     """
     polygons = Polygons.of(polygons)
-    return _core.polygon_contains(_points(points, polygons), polygons, fill)
+    return _core.polygon_contains(_spots(points, polygons), polygons, fill)
 
 
 class Overlay:

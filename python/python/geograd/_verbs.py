@@ -1,6 +1,6 @@
 """The verbs, made of the table."""
 
-from . import _core, _polygons
+from . import _core, _points, _polygons
 from ._forms import Forms
 
 
@@ -38,6 +38,8 @@ def describe(verb):
     if verb in _polygons.VERBS:
         takes, gives = _polygons.VERBS[verb]
         lines += [f"    {verb}({takes}) -> {gives}", f"        {_polygons.SUMMARIES[verb]}"]
+    if verb in _points.VERBS:
+        lines += [f"    {verb}(points: Paths or Polygons) -> {_points.VERBS[verb] or 'number'}", f"        {_points.SUMMARIES[verb]}"]
     return "\n".join(lines)
 
 
