@@ -9,35 +9,35 @@ use crate::{
 };
 
 table! {
-    /// A point, moved.
+    /// A point, moved by a pose.
     Move: (pose, shape) -> Vec2<S> { unsigned(pose.normalized() * shape) } [] (jumps Never) derivative Reverse {
         "move_point": Pose2, Vec2;
     }
-    /// A segment, moved. The pose's cosine and sine count by their direction alone: the segment keeps its length.
+    /// A segment, moved by a pose. The pose's cosine and sine count by their direction alone: the segment keeps its length.
     Move: (pose, segment) -> Segment2<S> { pose.normalized() * segment } [] (jumps Never) derivative Reverse {
         "move_segment": Pose2, Segment2;
     }
-    /// A triangle, moved.
+    /// A triangle, moved by a pose.
     Move: (pose, shape) -> Triangle2<S> { unsigned(pose.normalized() * shape) } [] (jumps Never) derivative Reverse {
         "move_triangle": Pose2, Triangle2;
     }
-    /// A circle, moved.
+    /// A circle, moved by a pose.
     Move: (pose, shape) -> Circle<S> { unsigned(pose.normalized() * shape) } [] (jumps Never) derivative Reverse {
         "move_circle": Pose2, Circle;
     }
-    /// A capsule, moved.
+    /// A capsule, moved by a pose.
     Move: (pose, shape) -> Capsule2<S> { unsigned(pose.normalized() * shape) } [] (jumps Never) derivative Reverse {
         "move_capsule": Pose2, Capsule2;
     }
-    /// A rotated box, moved. The angle of the pose, of (−π, π], is added to its heading and jumps there.
+    /// A rotated box, moved by a pose. The angle of the pose, of (−π, π], is added to its heading and jumps there.
     Move: (pose, shape) -> Obb2<S> { unsigned(pose.normalized() * shape) } [] (jumps Anywhere) derivative Reverse {
         "move_obb2": Pose2, Obb2;
     }
-    /// A line, moved.
+    /// A line, moved by a pose.
     Move: (pose, shape) -> Line2<S> { unsigned(pose.normalized() * shape) } [] (jumps Never) derivative Reverse {
         "move_line": Pose2, Line2;
     }
-    /// A ray, moved.
+    /// A ray, moved by a pose.
     Move: (pose, shape) -> Ray2<S> { unsigned(pose.normalized() * shape) } [] (jumps Never) derivative Reverse {
         "move_ray": Pose2, Ray2;
     }
@@ -46,55 +46,55 @@ table! {
     [] (jumps Never) derivative Reverse {
         "move_pose": Pose2, Pose2;
     }
-    /// A point, moved.
+    /// A point, moved by a pose.
     Move: (pose, shape) -> Vec3<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_point3": Pose3, Vec3;
     }
-    /// A segment of space, moved.
+    /// A segment of space, moved by a pose.
     Move: (pose, shape) -> Segment3<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_segment3": Pose3, Segment3;
     }
-    /// A triangle of space, moved.
+    /// A triangle of space, moved by a pose.
     Move: (pose, shape) -> Triangle3<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_triangle3": Pose3, Triangle3;
     }
-    /// A tetrahedron, moved.
+    /// A tetrahedron, moved by a pose.
     Move: (pose, shape) -> Tetrahedron<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_tetrahedron": Pose3, Tetrahedron;
     }
-    /// A ball, moved.
+    /// A ball, moved by a pose.
     Move: (pose, shape) -> Sphere<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_sphere": Pose3, Sphere;
     }
-    /// A capsule of space, moved.
+    /// A capsule of space, moved by a pose.
     Move: (pose, shape) -> Capsule3<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_capsule3": Pose3, Capsule3;
     }
-    /// A cylinder, moved.
+    /// A cylinder, moved by a pose.
     Move: (pose, shape) -> Cylinder<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_cylinder": Pose3, Cylinder;
     }
-    /// A cone, moved.
+    /// A cone, moved by a pose.
     Move: (pose, shape) -> Cone<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_cone": Pose3, Cone;
     }
-    /// A box with round edges, moved.
+    /// A box with round edges, moved by a pose.
     Move: (pose, shape) -> RoundBox3<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_round_box": Pose3, RoundBox3;
     }
-    /// A box of any orientation, moved.
+    /// A box of any orientation, moved by a pose.
     Move: (pose, shape) -> Obb3<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_obb3": Pose3, Obb3;
     }
-    /// A half-space, moved.
+    /// A half-space, moved by a pose.
     Move: (pose, shape) -> Plane3<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_plane": Pose3, Plane3;
     }
-    /// A line of space, moved.
+    /// A line of space, moved by a pose.
     Move: (pose, shape) -> Line3<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_line3": Pose3, Line3;
     }
-    /// A ray of space, moved.
+    /// A ray of space, moved by a pose.
     Move: (pose, shape) -> Ray3<S> { unsigned(pose * shape) } [] (jumps Never) derivative Reverse {
         "move_ray3": Pose3, Ray3;
     }

@@ -35,7 +35,6 @@ def flat(sets):
 def test_shapes_around_points_are_those_of_shapely(sets):
     shapely = pytest.importorskip("shapely")
     points = geograd.Paths(*flat(sets))
-    clouds = shapely.multipoints([shapely.points(own) for own in sets[1:2]])
     clouds = np.array([shapely.MultiPoint(own) for own in sets], object)
     hulls = geograd.convex_hull(sets)
     assert shapely.equals(shapely.normalize(hulls.to_shapely()), shapely.normalize(shapely.convex_hull(clouds))).all()
@@ -45,7 +44,8 @@ def test_shapes_around_points_are_those_of_shapely(sets):
     assert circles.radius == pytest.approx(shapely.minimum_bounding_radius(clouds))
     boxes = geograd.minimum_rectangle(points)
     least = shapely.area(np.array([shapely.oriented_envelope(own) for own in clouds], object))
-    assert geograd.area(boxes) <= pytest.approx(least)
+    # Of a triangle all three rectangles along a side have one area.
+    assert geograd.area(boxes) == pytest.approx(least)
     corners = geograd.corners(boxes).array.reshape(-1, 4, 2)
     around = shapely.buffer(shapely.polygons(corners), 1e-9)
     assert shapely.covers(around, clouds).all()
@@ -55,9 +55,10 @@ def test_shapes_around_points_are_those_of_shapely(sets):
 
 
 def test_shapes_around_points_have_gradients(sets):
-    vertices, offsets = flat(sets)
+    # Without triangles, of which three rectangles tie.
+    vertices, offsets = flat(sets[2:])
     at = lambda x: geograd.Paths(x, offsets)
-    for verb, width in ((geograd.minimum_rectangle, (4, 5)), (geograd.minimum_circle, (4, 3))):
+    for verb, width in ((geograd.minimum_rectangle, (2, 5)), (geograd.minimum_circle, (2, 3))):
         bars = np.random.default_rng(0).normal(size=width)
         gradient = verb.vjp(at(vertices), bars)
         close(gradient, difference(lambda x: (verb(at(x)).array * bars).sum(), vertices))

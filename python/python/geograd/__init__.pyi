@@ -12,12 +12,12 @@ Every verb (``geograd.iou``, ``geograd.distance``, ...) takes shapes: arrays who
 """
 
 # Written by stubs.py, from the table of the library.
-from typing import Any, Callable, Iterable, Literal, Optional, Sequence, Tuple, Type, TypeVar, Union, overload
+from typing import Any, Callable, Iterable, Iterator, Literal, Optional, Sequence, Tuple, Type, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import assignment as assignment, metric as metric
+from . import assignment as assignment, metric as metric, suppression as suppression
 
 __version__: str
 
@@ -27,6 +27,7 @@ Out = Any
 Groups = Optional[Sequence[ArrayLike]]
 Backend = Optional[Literal["cpu", "gpu"]]
 Form = Literal["value", "value_grad", "vjp", "jacobian", "jvp", "hvp", "hessian"]
+Fill = Literal["even_odd", "nonzero"]
 
 class Symbol:
     """A number of a function that is being recorded."""
@@ -90,6 +91,82 @@ class Clouds(Paths):
     """Clouds of points of space, in any order."""
     @classmethod
     def of(cls, clouds: Iterable[Any]) -> Clouds: ...
+
+class Polygons:
+    """A column of polygons, each of parts with holes."""
+    def __init__(self, vertices: ArrayLike, offsets: Sequence[ArrayLike]) -> None: ...
+    @classmethod
+    def of(cls, polygons: Any) -> Polygons:
+        """Polygons of a list, of geometries, of rings or of boxes."""
+    @classmethod
+    def from_shapely(cls, geometries: Any) -> Polygons:
+        """Polygons of an array of shapely's polygons and multipolygons, or of a GeoSeries."""
+    def to_shapely(self) -> Array:
+        """An array of shapely's geometries: of a polygon of one part a Polygon, of any other a MultiPolygon."""
+    @classmethod
+    def from_arrow(cls, column: Any) -> Polygons:
+        """Polygons of a GeoArrow column."""
+    def to_arrow(self) -> Any:
+        """A GeoArrow column of multipolygons."""
+    @classmethod
+    def concatenate(cls, columns: Iterable[Any]) -> Polygons:
+        """The polygons of several columns, one after the other."""
+    def tolist(self) -> list[list[list[Array]]]:
+        """The polygons as lists of parts, each a list of rings of shape (V, 2)."""
+    def union_all(self, *, valid: bool = ...) -> Polygons:
+        """The union of all polygons of the column, a column of one."""
+    def make_valid(self, *, fill: Fill = ...) -> Polygons:
+        """The same areas as polygons that are valid by the OGC's rules."""
+    @property
+    def vertices(self) -> Array: ...
+    @property
+    def offsets(self) -> tuple[Array, Array, Array]: ...
+    @property
+    def bounds(self) -> Aabb2: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self, key: Any) -> Polygons: ...
+    def __iter__(self) -> Iterator[Polygons]: ...
+    def __eq__(self, other: object) -> Any: ...
+    def __ne__(self, other: object) -> Any: ...
+
+class _Overlay:
+    __name__: str
+    def __call__(self, a: Any, b: Any, *, fill: Fill = ..., valid: bool = ...) -> Polygons: ...
+    def vjp(self, a: Any, b: Any, upstream: ArrayLike, *, fill: Fill = ..., valid: bool = ...) -> tuple[Array, Array]:
+        """Cotangents of the vertices of both columns, from those of the vertices of the result."""
+
+class _UnionArea:
+    __name__: str
+    def __call__(self, a: Any, b: Any) -> Array: ...
+    def value_grad(self, a: Any, b: Any) -> tuple[Array, tuple[Array, Array]]:
+        """The value of every item, and its gradients by the vertices of both columns."""
+    def vjp(self, a: Any, b: Any, upstream: ArrayLike) -> tuple[Array, Array]:
+        """Cotangents of the vertices of both columns, from those of the values."""
+    def all_pairs(self, a: Any, b: Any) -> Array:
+        """Every polygon of `a` with every polygon of `b`: a matrix."""
+
+union_area: _UnionArea
+
+class _ConvexHull:
+    __name__: str
+    def __call__(self, points: Any) -> Polygons: ...
+    def vjp(self, points: Any, upstream: ArrayLike) -> Array:
+        """Cotangents of all points, from those of the vertices of the hulls."""
+
+convex_hull: _ConvexHull
+
+class _Procrustes:
+    __name__: str
+    def __call__(self, points: Any, targets: Any, weights: Optional[ArrayLike] = ..., *, rigid: bool = ...) -> tuple[Pose3, float]: ...
+    def vjp(
+        self, points: Any, targets: Any, weights: Optional[ArrayLike], pose_bar: ArrayLike, scale_bar: float = ..., *, rigid: bool = ...
+    ) -> tuple[Array, Array, Array]:
+        """Cotangents of points, targets and weights, from those of the pose and of the scale."""
+
+procrustes: _Procrustes
+
+def contains(polygons: Any, points: Any, *, fill: Fill = ...) -> Array:
+    """Whether polygons contain points, item by item, decided exactly; the border belongs to a polygon."""
 
 class Program:
     """The operations of a function, in the order in which they are carried out."""
@@ -535,6 +612,20 @@ class ConvexPolygon6(Shape):
     @property
     def codes(self) -> list[Any]: ...
 
+class Cxcywh(Shape):
+    """Cxcywh: an array whose last axis has its numbers, in this order.
+
+        center.x: coordinate
+        center.y: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def center(self) -> Vec2: ...
+    @property
+    def size(self) -> Vec2: ...
+
 class Cylinder(Shape):
     """Cylinder: an array whose last axis has its numbers, in this order.
 
@@ -951,6 +1042,23 @@ class Pose2(Shape):
     @property
     def translation(self) -> Vec2: ...
 
+class Pose3(Shape):
+    """Pose3: an array whose last axis has its numbers, in this order.
+
+        rotation.w: part of a quaternion, not all parts 0
+        rotation.x: part of a quaternion, not all parts 0
+        rotation.y: part of a quaternion, not all parts 0
+        rotation.z: part of a quaternion, not all parts 0
+        translation.x: coordinate
+        translation.y: coordinate
+        translation.z: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def rotation(self) -> Any: ...
+    @property
+    def translation(self) -> Vec3: ...
+
 class Ray2(Shape):
     """Ray2: an array whose last axis has its numbers, in this order.
 
@@ -1218,6 +1326,51 @@ class Vec3(Shape):
     @property
     def z(self) -> Any: ...
 
+class Vec3x2(Shape):
+    """Vec3x2: an array whose last axis has its numbers, in this order.
+
+        [0].x: coordinate
+        [0].y: coordinate
+        [0].z: coordinate
+        [1].x: coordinate
+        [1].y: coordinate
+        [1].z: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def items(self) -> list[Any]: ...
+
+class Vec3x3(Shape):
+    """Vec3x3: an array whose last axis has its numbers, in this order.
+
+        [0].x: coordinate
+        [0].y: coordinate
+        [0].z: coordinate
+        [1].x: coordinate
+        [1].y: coordinate
+        [1].z: coordinate
+        [2].x: coordinate
+        [2].y: coordinate
+        [2].z: coordinate
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def items(self) -> list[Any]: ...
+
+class Xywh(Shape):
+    """Xywh: an array whose last axis has its numbers, in this order.
+
+        min.x: coordinate
+        min.y: coordinate
+        size.x: length, at least 0
+        size.y: length, at least 0
+    """
+    def __init__(self, *numbers: Any, **named: Any) -> None: ...
+    @property
+    def min(self) -> Vec2: ...
+    @property
+    def size(self) -> Vec2: ...
+
 class Xyxyr(Shape):
     """Xyxyr: an array whose last axis has its numbers, in this order.
 
@@ -1262,6 +1415,32 @@ class YawBox3(Shape):
     @property
     def heading(self) -> Any: ...
 
+class _adjoint(Verb):
+    """A twist, turn and shift, of frame b in frame a, by the pose a_from_b: the adjoint.
+
+    Rows:
+        adjoint(pose: Pose3, turn: Vec3, shift: Vec3) -> Vec3, Vec3
+    """
+    @overload
+    def __call__(self, pose: Pose3, turn: Vec3, shift: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+adjoint: _adjoint
+
+class _adjoint_transposed(Verb):
+    """A moment and a force of frame a in frame b, by the pose a_from_b: the transposed adjoint.
+
+    Rows:
+        adjoint_transposed(pose: Pose3, moment: Vec3, force: Vec3) -> Vec3, Vec3
+    """
+    @overload
+    def __call__(self, pose: Pose3, moment: Vec3, force: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+adjoint_transposed: _adjoint_transposed
+
 class _alpha_iou(Verb):
     """The IoU of two axis-aligned boxes to the power three, its paper's choice.
 
@@ -1305,17 +1484,62 @@ class _angle(Verb):
 angle: _angle
 
 class _area(Verb):
-    """The area of a triangle.
+    """The area of an axis-aligned box.
 
     Rows:
+        area(shape: Aabb2) -> number
+        area(shape: Capsule2) -> number
+            The area of a capsule.
+        area(shape: Circle) -> number
+            The area of a circle.
+        area(polygon: ConvexPolygon6) -> number
+            The area of a convex polygon of up to N vertices. Nothing is searched for.
+        area(shape: Obb2) -> number
+            The area of a rotated box.
         area(shape: Triangle2) -> number
+            The area of a triangle.
+        area(shape: Triangle3) -> number
+            The area of a triangle of space.
+        area(paths: ring) -> number
+            The area of a ring, whichever way it turns: the magnitude of its signed area.
+        area(polygons: Polygons) -> number
+            The area of polygons: holes do not count.
     """
     @overload
+    def __call__(self, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, polygons: Polygons, /) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 area: _area
+
+class _axes(Verb):
+    """The images of the axes of a rotation: the columns of its matrix.
+
+    Rows:
+        axes(rotation: Rotation3) -> Vec3x3
+    """
+    @overload
+    def __call__(self, rotation: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+axes: _axes
 
 class _bhattacharyya(Verb):
     """The Bhattacharyya distance of two rotated boxes as Gaussians.
@@ -1349,6 +1573,8 @@ class _centroid(Verb):
             The mean of points of space; zero without points.
         centroid(paths: ring) -> Vec2
             The centroid of the area of a ring; its value jumps where the area is zero.
+        centroid(polygons: Polygons) -> Vec2
+            The centroid of the area of polygons; the mean of the vertices where the area is zero.
     """
     @overload
     def __call__(self, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
@@ -1362,6 +1588,8 @@ class _centroid(Verb):
     def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
     @overload
     def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, polygons: Polygons, /) -> Vec2: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -1565,10 +1793,16 @@ class _closest_points(Verb):
 closest_points: _closest_points
 
 class _convert(Verb):
-    """The image's box of detectron2's box.
+    """YOLO's box of an axis-aligned box.
 
     Rows:
+        convert(shape: Aabb2) -> Cxcywh
+        convert(shape: Aabb2) -> Xywh
+            COCO's box of an axis-aligned box.
+        convert(shape: Cxcywh) -> Aabb2
+            The axis-aligned box of YOLO's box.
         convert(shape: Detectron2Box) -> ImageBox
+            The image's box of detectron2's box.
         convert(shape: ImageBox) -> Detectron2Box
             detectron2's box of an image's box.
         convert(shape: ImageBox) -> Le135
@@ -1579,19 +1813,37 @@ class _convert(Verb):
             OpenCV's box of an image's box.
         convert(shape: KittiBox) -> YawBox3
             The upright box of KITTI's box.
+        convert(shape: Le135) -> ImageBox
+            The image's box of mmrotate's box (le135).
+        convert(shape: Le90) -> ImageBox
+            The image's box of mmrotate's box (le90).
         convert(shape: LidarBox) -> YawBox3
             The upright box of OpenPCDet's box.
         convert(shape: NuScenesBox) -> Obb3
             The box of any orientation of nuScenes' box.
         convert(shape: Obb2) -> Xyxyr
             The bounds before turning, and the angle, of a rotated box.
+        convert(shape: Obb3) -> NuScenesBox
+            nuScenes' box of a box of any orientation.
+        convert(shape: OpenCvBox) -> ImageBox
+            The image's box of OpenCV's box.
+        convert(shape: Xywh) -> Aabb2
+            The axis-aligned box of COCO's box.
         convert(shape: Xyxyr) -> Obb2
             The rotated box of bounds before turning, and the angle.
         convert(shape: YawBox3) -> KittiBox
             KITTI's box of an upright box.
+        convert(shape: YawBox3) -> LidarBox
+            OpenPCDet's box of an upright box.
         convert(shape: YawBox3) -> Obb3
             The box of any orientation of an upright box.
     """
+    @overload
+    def __call__(self, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Cxcywh: ...
+    @overload
+    def __call__(self, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Xywh: ...
+    @overload
+    def __call__(self, shape: Cxcywh, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb2: ...
     @overload
     def __call__(self, shape: Detectron2Box, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ImageBox: ...
     @overload
@@ -1605,15 +1857,27 @@ class _convert(Verb):
     @overload
     def __call__(self, shape: KittiBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> YawBox3: ...
     @overload
+    def __call__(self, shape: Le135, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ImageBox: ...
+    @overload
+    def __call__(self, shape: Le90, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ImageBox: ...
+    @overload
     def __call__(self, shape: LidarBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> YawBox3: ...
     @overload
     def __call__(self, shape: NuScenesBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb3: ...
     @overload
     def __call__(self, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Xyxyr: ...
     @overload
+    def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> NuScenesBox: ...
+    @overload
+    def __call__(self, shape: OpenCvBox, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ImageBox: ...
+    @overload
+    def __call__(self, shape: Xywh, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Aabb2: ...
+    @overload
     def __call__(self, shape: Xyxyr, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
     @overload
     def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> KittiBox: ...
+    @overload
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> LidarBox: ...
     @overload
     def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb3: ...
     @overload
@@ -1664,6 +1928,8 @@ class _depth(Verb):
             The depth of a point and a rotated box, positive inside.
         depth(point: Vec2, paths: ring) -> number
             How far a point is inside a ring by the even-odd rule, negative outside. Without edges it is minus the largest finite number.
+        depth(point: Vec2, polygons: Polygons) -> number
+            The distance of points from the border of polygons: positive inside, negative outside.
     """
     @overload
     def __call__(self, point: Vec2, shape: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -1671,6 +1937,8 @@ class _depth(Verb):
     def __call__(self, point: Vec2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, point: Vec2, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Union[Vec2, Array], polygons: Polygons, /) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -1681,9 +1949,13 @@ class _diameter(Verb):
 
     Rows:
         diameter(polygon: ConvexPolygon6) -> number
+        diameter(points: Paths or Polygons) -> number
+            The largest distance of two points of each set; NaN for a set without points.
     """
     @overload
     def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, points: Union[Paths, Polygons], /) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -1936,6 +2208,8 @@ class _distance(Verb):
             The distance of a number and an interval.
         distance(a: number, b: number) -> number
             The distance of two numbers.
+        distance(point: Vec2, polygons: Polygons) -> number
+            The distance of points from the area of polygons: 0 inside, with derivative zero.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2103,6 +2377,8 @@ class _distance(Verb):
     def __call__(self, x: ArrayLike, interval: Interval, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: ArrayLike, b: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, point: Union[Vec2, Array], polygons: Polygons, /) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -2313,13 +2589,56 @@ class _flip_y(Verb):
 
     Rows:
         flip_y(shape: ImageBox, image_height: number) -> Obb2
+        flip_y(shape: Obb2, image_height: number) -> ImageBox
+            An image's box of a box whose y points up, from the image's height.
     """
     @overload
     def __call__(self, shape: ImageBox, image_height: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
     @overload
+    def __call__(self, shape: Obb2, image_height: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> ImageBox: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 flip_y: _flip_y
+
+class _from_6d(Verb):
+    """The rotation whose x axis is along the first vector and whose y axis is in the half plane of both.
+
+    Rows:
+        from_6d(columns: Vec3x2) -> Rotation3
+    """
+    @overload
+    def __call__(self, columns: Vec3x2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+from_6d: _from_6d
+
+class _from_rotation_vector(Verb):
+    """The rotation of a rotation vector in radians: the exponential.
+
+    Rows:
+        from_rotation_vector(vector: Vec3) -> Rotation3
+    """
+    @overload
+    def __call__(self, vector: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+from_rotation_vector: _from_rotation_vector
+
+class _from_twist(Verb):
+    """The pose after one unit of time at constant velocity, a screw, from turn and shift: the coupled exponential.
+
+    Rows:
+        from_twist(turn: Vec3, shift: Vec3) -> Pose3
+    """
+    @overload
+    def __call__(self, turn: Vec3, shift: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+from_twist: _from_twist
 
 class _giou(Verb):
     """The generalised IoU of two axis-aligned boxes. By the box around both.
@@ -2471,6 +2790,23 @@ class _inertia(Verb):
 
 inertia: _inertia
 
+class _interpolate(Verb):
+    """The pose a share of the way to another one. It jumps at half turns.
+
+    Rows:
+        interpolate(a: Pose3, b: Pose3, share: number) -> Pose3
+        interpolate(a: Rotation3, b: Rotation3, share: number) -> Rotation3
+            The rotation a share of the way to another one, along the shorter arc. It jumps at half turns.
+    """
+    @overload
+    def __call__(self, a: Pose3, b: Pose3, share: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose3: ...
+    @overload
+    def __call__(self, a: Rotation3, b: Rotation3, share: ArrayLike, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+interpolate: _interpolate
+
 class _intersection_area(Verb):
     """Area that two axis-aligned boxes share.
 
@@ -2482,6 +2818,8 @@ class _intersection_area(Verb):
             Area that two rotated boxes share.
         intersection_area(a: Vec2x4, b: Vec2x4) -> number
             Area that two quadrilaterals share. Of either order, and convex.
+        intersection_area(a: Polygons, b: Polygons) -> number
+            The area that two polygons share.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2491,6 +2829,8 @@ class _intersection_area(Verb):
     def __call__(self, a: Obb2, b: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: Vec2x4, b: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Polygons, b: Polygons, /) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -2554,6 +2894,27 @@ class _intersection_volume(Verb):
 
 intersection_volume: _intersection_volume
 
+class _inverse(Verb):
+    """The pose of the plane back. Its cosine and sine count by their direction alone.
+
+    Rows:
+        inverse(pose: Pose2) -> Pose2
+        inverse(pose: Pose3) -> Pose3
+            The pose back.
+        inverse(rotation: Rotation3) -> Rotation3
+            The rotation back.
+    """
+    @overload
+    def __call__(self, pose: Pose2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose2: ...
+    @overload
+    def __call__(self, pose: Pose3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose3: ...
+    @overload
+    def __call__(self, rotation: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+inverse: _inverse
+
 class _iof(Verb):
     """The part of the first of two axis-aligned boxes that lies in the second, 0 to 1.
 
@@ -2580,6 +2941,8 @@ class _iof(Verb):
             The part of the first of an upright box and a box of any orientation that lies in the second, 0 to 1.
         iof(a: YawBox3, b: YawBox3) -> number
             The part of the first of two upright boxes that lies in the second, 0 to 1.
+        iof(a: Polygons, b: Polygons) -> number
+            The part of the first polygon that lies in the second, 0 to 1.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2605,6 +2968,8 @@ class _iof(Verb):
     def __call__(self, a: YawBox3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Polygons, b: Polygons, /) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -2638,6 +3003,8 @@ class _iou(Verb):
             Intersection over union of an upright box and a box of any orientation, 0 to 1.
         iou(a: YawBox3, b: YawBox3) -> number
             Intersection over union of two upright boxes, 0 to 1.
+        iou(a: Polygons, b: Polygons) -> number
+            Intersection over union of two polygons, 0 to 1.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -2665,6 +3032,8 @@ class _iou(Verb):
     def __call__(self, a: YawBox3, b: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, a: YawBox3, b: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, a: Polygons, b: Polygons, /) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -2734,6 +3103,32 @@ class _kullback_leibler(Verb):
 
 kullback_leibler: _kullback_leibler
 
+class _left_jacobian(Verb):
+    """The left Jacobian of the exponential at a rotation vector, column by column.
+
+    Rows:
+        left_jacobian(vector: Vec3) -> Vec3x3
+    """
+    @overload
+    def __call__(self, vector: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+left_jacobian: _left_jacobian
+
+class _left_jacobian_inverse(Verb):
+    """The inverse of the left Jacobian at a rotation vector shorter than 2π, column by column.
+
+    Rows:
+        left_jacobian_inverse(vector: Vec3) -> Vec3x3
+    """
+    @overload
+    def __call__(self, vector: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+left_jacobian_inverse: _left_jacobian_inverse
+
 class _length(Verb):
     """The length of a polyline: the sum of the distances of neighbouring vertices.
 
@@ -2741,11 +3136,15 @@ class _length(Verb):
         length(paths: polyline) -> number
         length(paths: polyline3) -> number
             The length of a polyline of space: the sum of the distances of neighbouring vertices. Edges of length zero have derivative zero.
+        length(polygons: Polygons) -> number
+            The perimeter of polygons, by its name in shapely.
     """
     @overload
     def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, polygons: Polygons, /) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -2838,9 +3237,13 @@ class _minimum_circle(Verb):
 
     Rows:
         minimum_circle(polygon: ConvexPolygon6) -> Circle
+        minimum_circle(points: Paths or Polygons) -> Circle
+            The smallest circle around each set of points; NaN for a set without points.
     """
     @overload
     def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
+    @overload
+    def __call__(self, points: Union[Paths, Polygons], /) -> Circle: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -2851,26 +3254,139 @@ class _minimum_rectangle(Verb):
 
     Rows:
         minimum_rectangle(polygon: ConvexPolygon6) -> Obb2
+        minimum_rectangle(points: Paths or Polygons) -> Obb2
+            The rectangle of least area around each set of points; NaN for points on a line.
     """
     @overload
     def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
+    @overload
+    def __call__(self, points: Union[Paths, Polygons], /) -> Obb2: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 minimum_rectangle: _minimum_rectangle
 
 class _move(Verb):
-    """A segment, moved. The pose's cosine and sine count by their direction alone: the segment keeps its length.
+    """A capsule, moved.
 
     Rows:
+        move(pose: Pose2, shape: Capsule2) -> Capsule2
+        move(pose: Pose2, shape: Circle) -> Circle
+            A circle, moved.
+        move(pose: Pose2, shape: Line2) -> Line2
+            A line, moved.
+        move(pose: Pose2, shape: Obb2) -> Obb2
+            A rotated box, moved. The angle of the pose, of (−π, π, is added to its heading and jumps there.
+        move(pose: Pose2, shape: Pose2) -> Pose2
+            The pose that applies the second one first, then the first one.
+        move(pose: Pose2, shape: Ray2) -> Ray2
+            A ray, moved.
         move(pose: Pose2, segment: Segment2) -> Segment2
+            A segment, moved. The pose's cosine and sine count by their direction alone: the segment keeps its length.
+        move(pose: Pose2, shape: Triangle2) -> Triangle2
+            A triangle, moved.
+        move(pose: Pose2, shape: Vec2) -> Vec2
+            A point, moved.
+        move(pose: Pose3, shape: Capsule3) -> Capsule3
+            A capsule of space, moved.
+        move(pose: Pose3, shape: Cone) -> Cone
+            A cone, moved.
+        move(pose: Pose3, shape: Cylinder) -> Cylinder
+            A cylinder, moved.
+        move(pose: Pose3, shape: Line3) -> Line3
+            A line of space, moved.
+        move(pose: Pose3, shape: Obb3) -> Obb3
+            A box of any orientation, moved.
+        move(pose: Pose3, shape: Plane3) -> Plane3
+            A half-space, moved.
+        move(pose: Pose3, shape: Pose3) -> Pose3
+            The pose of space that applies the second one first, then the first one.
+        move(pose: Pose3, shape: Ray3) -> Ray3
+            A ray of space, moved.
+        move(pose: Pose3, shape: RoundBox3) -> RoundBox3
+            A box with round edges, moved.
+        move(pose: Pose3, shape: Segment3) -> Segment3
+            A segment of space, moved.
+        move(pose: Pose3, shape: Sphere) -> Sphere
+            A ball, moved.
+        move(pose: Pose3, shape: Tetrahedron) -> Tetrahedron
+            A tetrahedron, moved.
+        move(pose: Pose3, shape: Triangle3) -> Triangle3
+            A triangle of space, moved.
+        move(pose: Pose3, shape: Vec3) -> Vec3
+            A point, moved.
+        move(a: Rotation3, b: Rotation3) -> Rotation3
+            The rotation that turns by the second one first, then by the first one.
+        move(rotation: Rotation3, vector: Vec3) -> Vec3
+            A vector, turned.
     """
     @overload
+    def __call__(self, pose: Pose2, shape: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Capsule2: ...
+    @overload
+    def __call__(self, pose: Pose2, shape: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Circle: ...
+    @overload
+    def __call__(self, pose: Pose2, shape: Line2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Line2: ...
+    @overload
+    def __call__(self, pose: Pose2, shape: Obb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb2: ...
+    @overload
+    def __call__(self, pose: Pose2, shape: Pose2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose2: ...
+    @overload
+    def __call__(self, pose: Pose2, shape: Ray2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Ray2: ...
+    @overload
     def __call__(self, pose: Pose2, segment: Segment2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Segment2: ...
+    @overload
+    def __call__(self, pose: Pose2, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Triangle2: ...
+    @overload
+    def __call__(self, pose: Pose2, shape: Vec2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec2: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Capsule3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Cone, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Cone: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Cylinder: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Line3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Line3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Obb3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Plane3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Plane3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Pose3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Ray3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Ray3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> RoundBox3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Segment3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Segment3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Sphere: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Tetrahedron: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Triangle3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Triangle3: ...
+    @overload
+    def __call__(self, pose: Pose3, shape: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
+    @overload
+    def __call__(self, a: Rotation3, b: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, rotation: Rotation3, vector: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 move: _move
+
+class _nearest_rotation(Verb):
+    """The rotation with the smallest difference from a matrix, given by its columns: its nearest rotation. It jumps where several are nearest.
+
+    Rows:
+        nearest_rotation(columns: Vec3x3) -> Rotation3
+    """
+    @overload
+    def __call__(self, columns: Vec3x3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+nearest_rotation: _nearest_rotation
 
 class _penetration(Verb):
     """The depth of overlap and its direction of two axis-aligned boxes. The direction jumps to another deepest face.
@@ -2937,21 +3453,37 @@ class _penetration(Verb):
 penetration: _penetration
 
 class _perimeter(Verb):
-    """The perimeter of a triangle.
+    """The perimeter of a capsule.
 
     Rows:
+        perimeter(shape: Capsule2) -> number
+        perimeter(shape: Circle) -> number
+            The perimeter of a circle.
+        perimeter(polygon: ConvexPolygon6) -> number
+            The perimeter of a convex polygon of up to N vertices. Nothing is searched for.
         perimeter(shape: Triangle2) -> number
+            The perimeter of a triangle.
         perimeter(ring: Vec2x4) -> number
             The perimeter of four vertices.
         perimeter(paths: ring) -> number
             The perimeter of a ring.
+        perimeter(polygons: Polygons) -> number
+            The perimeter of polygons, that of their holes included.
     """
+    @overload
+    def __call__(self, shape: Capsule2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: Circle, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Triangle2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, ring: Vec2x4, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, paths: Paths, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, polygons: Polygons, /) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -2994,6 +3526,62 @@ class _project(Verb):
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 project: _project
+
+class _retract(Verb):
+    """The rotation after a small turn in the body's frame, a rotation vector in radians.
+
+    Rows:
+        retract(rotation: Rotation3, turn: Vec3) -> Rotation3
+        retract(pose: Pose3, turn: Vec3, shift: Vec3) -> Pose3
+            The pose after a small turn and shift in the body's own frame.
+    """
+    @overload
+    def __call__(self, rotation: Rotation3, turn: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Rotation3: ...
+    @overload
+    def __call__(self, pose: Pose3, turn: Vec3, shift: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+retract: _retract
+
+class _right_jacobian(Verb):
+    """The right Jacobian of the exponential at a rotation vector, column by column.
+
+    Rows:
+        right_jacobian(vector: Vec3) -> Vec3x3
+    """
+    @overload
+    def __call__(self, vector: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+right_jacobian: _right_jacobian
+
+class _right_jacobian_inverse(Verb):
+    """The inverse of the right Jacobian at a rotation vector shorter than 2π, column by column.
+
+    Rows:
+        right_jacobian_inverse(vector: Vec3) -> Vec3x3
+    """
+    @overload
+    def __call__(self, vector: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+right_jacobian_inverse: _right_jacobian_inverse
+
+class _rotation_vector(Verb):
+    """The rotation vector of a rotation, of length 0 to π radians: the logarithm. It jumps at half turns.
+
+    Rows:
+        rotation_vector(rotation: Rotation3) -> Vec3
+    """
+    @overload
+    def __call__(self, rotation: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+rotation_vector: _rotation_vector
 
 class _second_moments(Verb):
     """The covariance of points of space, divided by their number; zero without points.
@@ -3208,6 +3796,8 @@ class _signed_distance(Verb):
             The signed distance of a point and an upright box.
         signed_distance(shape: YawBox3, point: Vec3) -> number
             The signed distance of an upright box and a point.
+        signed_distance(point: Vec2, polygons: Polygons) -> number
+            The distance of points from the border of polygons: negative inside, positive outside.
     """
     @overload
     def __call__(self, a: Aabb2, b: Aabb2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
@@ -3358,6 +3948,8 @@ class _signed_distance(Verb):
     @overload
     def __call__(self, shape: YawBox3, point: Vec3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, point: Union[Vec2, Array], polygons: Polygons, /) -> Array: ...
+    @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 signed_distance: _signed_distance
@@ -3418,6 +4010,19 @@ class _span(Verb):
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 span: _span
+
+class _squared_angle(Verb):
+    """The square of the angle between two rotations, in 0, π².
+
+    Rows:
+        squared_angle(a: Rotation3, b: Rotation3) -> number
+    """
+    @overload
+    def __call__(self, a: Rotation3, b: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+squared_angle: _squared_angle
 
 class _squared_distance(Verb):
     """The squared distance of two axis-aligned boxes.
@@ -3493,19 +4098,29 @@ class _squared_wasserstein(Verb):
 squared_wasserstein: _squared_wasserstein
 
 class _surface(Verb):
-    """The area of the surface of a capsule of space.
+    """The area of the surface of an axis-aligned box.
 
     Rows:
+        surface(shape: Aabb3) -> number
         surface(shape: Capsule3) -> number
+            The area of the surface of a capsule of space.
         surface(shape: Cone) -> number
             The area of the surface of a cone.
         surface(shape: Cylinder) -> number
             The area of the surface of a cylinder.
+        surface(shape: Obb3) -> number
+            The area of the surface of a box of any orientation.
         surface(shape: RoundBox3) -> number
             The area of the surface of a box with round edges.
+        surface(shape: Sphere) -> number
+            The area of the surface of a ball.
         surface(shape: Tetrahedron) -> number
             The area of the surface of a tetrahedron.
+        surface(shape: YawBox3) -> number
+            The area of the surface of an upright box.
     """
+    @overload
+    def __call__(self, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3513,28 +4128,87 @@ class _surface(Verb):
     @overload
     def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 surface: _surface
 
-class _volume(Verb):
-    """The volume of a capsule of space.
+class _tangent_to(Verb):
+    """The turn and the shift that lead to another pose: the inverse of retract. It jumps at half turns.
 
     Rows:
+        tangent_to(a: Pose3, b: Pose3) -> Vec3, Vec3
+        tangent_to(a: Rotation3, b: Rotation3) -> Vec3
+            The turn in the body's frame that leads to another rotation, a rotation vector in radians: the inverse of retract. It jumps at half turns.
+    """
+    @overload
+    def __call__(self, a: Pose3, b: Pose3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    @overload
+    def __call__(self, a: Rotation3, b: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+tangent_to: _tangent_to
+
+class _to_6d(Verb):
+    """The first two columns of a rotation's matrix: six coordinates without jumps.
+
+    Rows:
+        to_6d(rotation: Rotation3) -> Vec3x2
+    """
+    @overload
+    def __call__(self, rotation: Rotation3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Vec3x2: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+to_6d: _to_6d
+
+class _twist(Verb):
+    """The turn, of length 0 to π radians, and the shift of the screw to a pose: the coupled logarithm. It jumps at half turns.
+
+    Rows:
+        twist(pose: Pose3) -> Vec3, Vec3
+    """
+    @overload
+    def __call__(self, pose: Pose3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+    @overload
+    def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
+
+twist: _twist
+
+class _volume(Verb):
+    """The volume of an axis-aligned box.
+
+    Rows:
+        volume(shape: Aabb3) -> number
         volume(shape: Capsule3) -> number
+            The volume of a capsule of space.
         volume(shape: Cone) -> number
             The volume of a cone.
         volume(shape: Cylinder) -> number
             The volume of a cylinder.
+        volume(shape: Obb3) -> number
+            The volume of a box of any orientation.
         volume(shape: RoundBox3) -> number
             The volume of a box with round edges.
+        volume(shape: Sphere) -> number
+            The volume of a ball.
         volume(shape: Tetrahedron) -> number
             The volume of a tetrahedron.
+        volume(shape: YawBox3) -> number
+            The volume of an upright box.
     """
+    @overload
+    def __call__(self, shape: Aabb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, shape: Capsule3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
@@ -3542,9 +4216,15 @@ class _volume(Verb):
     @overload
     def __call__(self, shape: Cylinder, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Obb3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: RoundBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
+    def __call__(self, shape: Sphere, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
     def __call__(self, shape: Tetrahedron, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, shape: YawBox3, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -3572,9 +4252,13 @@ class _width(Verb):
 
     Rows:
         width(polygon: ConvexPolygon6) -> number
+        width(points: Paths or Polygons) -> number
+            The least distance of two parallel lines around each set of points; NaN for a set without points.
     """
     @overload
     def __call__(self, polygon: ConvexPolygon6, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Array: ...
+    @overload
+    def __call__(self, points: Union[Paths, Polygons], /) -> Array: ...
     @overload
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
@@ -3592,3 +4276,59 @@ class _winding(Verb):
     def __call__(self, *arguments: Any, kind: Kind, to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Any: ...
 
 winding: _winding
+
+difference: _Overlay
+"""The points in the first of two polygons and not in the second.
+
+    One polygon may stand for all of the other column. ``fill`` says which points of an input are inside: ``"even_odd"``,
+    those that an odd number of rings enclose, or ``"nonzero"``. Inputs may cross themselves. Parts of the result run
+    counter-clockwise, holes clockwise.
+
+    The vertices of the result are exact to roundings, and have derivatives (``vjp``); edges of it may cross by a rounding
+    and parts may meet in points. With ``valid=True`` the result is valid by the OGC's rules, which GEOS and shapely require
+    of what they get: vertices are rounded to a grid of the format, within a step of the last digit of the largest
+    coordinate. That takes longer for polygons of many vertices.
+
+"""
+
+intersection: _Overlay
+"""The points in both of two polygons.
+
+    One polygon may stand for all of the other column. ``fill`` says which points of an input are inside: ``"even_odd"``,
+    those that an odd number of rings enclose, or ``"nonzero"``. Inputs may cross themselves. Parts of the result run
+    counter-clockwise, holes clockwise.
+
+    The vertices of the result are exact to roundings, and have derivatives (``vjp``); edges of it may cross by a rounding
+    and parts may meet in points. With ``valid=True`` the result is valid by the OGC's rules, which GEOS and shapely require
+    of what they get: vertices are rounded to a grid of the format, within a step of the last digit of the largest
+    coordinate. That takes longer for polygons of many vertices.
+
+"""
+
+symmetric_difference: _Overlay
+"""The points in exactly one of two polygons.
+
+    One polygon may stand for all of the other column. ``fill`` says which points of an input are inside: ``"even_odd"``,
+    those that an odd number of rings enclose, or ``"nonzero"``. Inputs may cross themselves. Parts of the result run
+    counter-clockwise, holes clockwise.
+
+    The vertices of the result are exact to roundings, and have derivatives (``vjp``); edges of it may cross by a rounding
+    and parts may meet in points. With ``valid=True`` the result is valid by the OGC's rules, which GEOS and shapely require
+    of what they get: vertices are rounded to a grid of the format, within a step of the last digit of the largest
+    coordinate. That takes longer for polygons of many vertices.
+
+"""
+
+union: _Overlay
+"""The points in either of two polygons.
+
+    One polygon may stand for all of the other column. ``fill`` says which points of an input are inside: ``"even_odd"``,
+    those that an odd number of rings enclose, or ``"nonzero"``. Inputs may cross themselves. Parts of the result run
+    counter-clockwise, holes clockwise.
+
+    The vertices of the result are exact to roundings, and have derivatives (``vjp``); edges of it may cross by a rounding
+    and parts may meet in points. With ``valid=True`` the result is valid by the OGC's rules, which GEOS and shapely require
+    of what they get: vertices are rounded to a grid of the format, within a step of the last digit of the largest
+    coordinate. That takes longer for polygons of many vertices.
+
+"""

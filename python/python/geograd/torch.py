@@ -2,7 +2,7 @@
 
 ``geograd.torch.iou(a, b, kind="Obb2")`` takes tensors of shape ``(..., 5)`` and gives a tensor of shape ``(...)``. Every
 verb of :mod:`geograd` is here by its name, with derivatives of any order, ``torch.func`` and ``torch.compile``.
-:func:`function` does the same for a function of your own.
+:func:`function` does the same for a function of your own. :class:`Polygons` have holes, parts, and derivatives of first order.
 
 Tensors stay on the CPU: contiguous ones are lent to the library without a copy.
 """
