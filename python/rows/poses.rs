@@ -62,7 +62,7 @@ operation! {
     }
     invariances [] jumps Anywhere derivative Reverse
 
-    /// The rotation back.
+    /// The rotation that turns back.
     pub InverseRotation = "inverse_rotation": (rotation: Rotation3<S>) -> Rotation3<S> { unsigned(rotation.inverse()) }
     invariances [] jumps Never derivative Reverse
 }
@@ -139,7 +139,7 @@ operation! {
     }
     invariances [] jumps Anywhere derivative Reverse
 
-    /// The pose back.
+    /// The pose that moves back.
     pub InversePose = "inverse_pose": (pose: Pose3<S>) -> Pose3<S> { unsigned(pose.inverse()) }
     invariances [] jumps Never derivative Reverse
 

@@ -16,6 +16,7 @@ mod pairs;
 mod paths;
 mod points;
 mod polygon_calls;
+mod polygon_points;
 mod polygons;
 mod samples;
 mod shapes;
@@ -80,8 +81,8 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(polygon_calls::polygon_measure, m)?)?;
     m.add_function(wrap_pyfunction!(polygon_calls::polygon_overlap, m)?)?;
     m.add_function(wrap_pyfunction!(polygon_calls::polygon_pairs, m)?)?;
-    m.add_function(wrap_pyfunction!(polygon_calls::polygon_distance, m)?)?;
-    m.add_function(wrap_pyfunction!(polygon_calls::polygon_contains, m)?)?;
+    m.add_function(wrap_pyfunction!(polygon_points::polygon_distance, m)?)?;
+    m.add_function(wrap_pyfunction!(polygon_points::polygon_contains, m)?)?;
     m.add_function(wrap_pyfunction!(overlay::polygon_overlay, m)?)?;
     m.add_function(wrap_pyfunction!(overlay::polygon_union_all, m)?)?;
     m.add_function(wrap_pyfunction!(samples::samples, m)?)?;

@@ -2900,9 +2900,9 @@ class _inverse(Verb):
     Rows:
         inverse(pose: Pose2) -> Pose2
         inverse(pose: Pose3) -> Pose3
-            The pose back.
+            The pose that moves back.
         inverse(rotation: Rotation3) -> Rotation3
-            The rotation back.
+            The rotation that turns back.
     """
     @overload
     def __call__(self, pose: Pose2, /, *, kind: None = ..., to: Kind = ..., out: Out = ..., backend: Backend = ...) -> Pose2: ...
@@ -3267,54 +3267,54 @@ class _minimum_rectangle(Verb):
 minimum_rectangle: _minimum_rectangle
 
 class _move(Verb):
-    """A capsule, moved.
+    """A capsule, moved by a pose.
 
     Rows:
         move(pose: Pose2, shape: Capsule2) -> Capsule2
         move(pose: Pose2, shape: Circle) -> Circle
-            A circle, moved.
+            A circle, moved by a pose.
         move(pose: Pose2, shape: Line2) -> Line2
-            A line, moved.
+            A line, moved by a pose.
         move(pose: Pose2, shape: Obb2) -> Obb2
-            A rotated box, moved. The angle of the pose, of (−π, π, is added to its heading and jumps there.
+            A rotated box, moved by a pose. The angle of the pose, of (−π, π, is added to its heading and jumps there.
         move(pose: Pose2, shape: Pose2) -> Pose2
             The pose that applies the second one first, then the first one.
         move(pose: Pose2, shape: Ray2) -> Ray2
-            A ray, moved.
+            A ray, moved by a pose.
         move(pose: Pose2, segment: Segment2) -> Segment2
-            A segment, moved. The pose's cosine and sine count by their direction alone: the segment keeps its length.
+            A segment, moved by a pose. The pose's cosine and sine count by their direction alone: the segment keeps its length.
         move(pose: Pose2, shape: Triangle2) -> Triangle2
-            A triangle, moved.
+            A triangle, moved by a pose.
         move(pose: Pose2, shape: Vec2) -> Vec2
-            A point, moved.
+            A point, moved by a pose.
         move(pose: Pose3, shape: Capsule3) -> Capsule3
-            A capsule of space, moved.
+            A capsule of space, moved by a pose.
         move(pose: Pose3, shape: Cone) -> Cone
-            A cone, moved.
+            A cone, moved by a pose.
         move(pose: Pose3, shape: Cylinder) -> Cylinder
-            A cylinder, moved.
+            A cylinder, moved by a pose.
         move(pose: Pose3, shape: Line3) -> Line3
-            A line of space, moved.
+            A line of space, moved by a pose.
         move(pose: Pose3, shape: Obb3) -> Obb3
-            A box of any orientation, moved.
+            A box of any orientation, moved by a pose.
         move(pose: Pose3, shape: Plane3) -> Plane3
-            A half-space, moved.
+            A half-space, moved by a pose.
         move(pose: Pose3, shape: Pose3) -> Pose3
             The pose of space that applies the second one first, then the first one.
         move(pose: Pose3, shape: Ray3) -> Ray3
-            A ray of space, moved.
+            A ray of space, moved by a pose.
         move(pose: Pose3, shape: RoundBox3) -> RoundBox3
-            A box with round edges, moved.
+            A box with round edges, moved by a pose.
         move(pose: Pose3, shape: Segment3) -> Segment3
-            A segment of space, moved.
+            A segment of space, moved by a pose.
         move(pose: Pose3, shape: Sphere) -> Sphere
-            A ball, moved.
+            A ball, moved by a pose.
         move(pose: Pose3, shape: Tetrahedron) -> Tetrahedron
-            A tetrahedron, moved.
+            A tetrahedron, moved by a pose.
         move(pose: Pose3, shape: Triangle3) -> Triangle3
-            A triangle of space, moved.
+            A triangle of space, moved by a pose.
         move(pose: Pose3, shape: Vec3) -> Vec3
-            A point, moved.
+            A point, moved by a pose.
         move(a: Rotation3, b: Rotation3) -> Rotation3
             The rotation that turns by the second one first, then by the first one.
         move(rotation: Rotation3, vector: Vec3) -> Vec3
