@@ -5,13 +5,20 @@ order. ``score`` is the least score that counts, before suppression and after, `
 Detections of two ``classes`` do not suppress each other. ``geograd.iou.suppress`` finds the pairs itself, and keeps or drops.
 """
 
+from __future__ import annotations
+
+from typing import Any, Optional
+
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from .assignment import _pairs
 
 
-def _run(method, scores, pairs, threshold, sigma, score, most, classes, upstream=None):
+def _run(
+    method: str, scores: Any, pairs: Any, threshold: float, sigma: Any, score: Any, most: Any, classes: Any, upstream: Any = None
+) -> Any:
     first, second, overlap = _pairs(pairs)
     low, high = np.minimum(first, second), np.maximum(first, second)
     # Each pair once, also where both orders are there; a box does not suppress itself.
@@ -27,31 +34,46 @@ def _run(method, scores, pairs, threshold, sigma, score, most, classes, upstream
     return found, once
 
 
-def soft(scores, pairs, *, threshold=0.0, sigma=None, score=None, most=None, classes=None):
+def soft(
+    scores: ArrayLike, pairs: Any, *, threshold: float = 0.0, sigma: Optional[float] = None, score: Optional[float] = None,
+    most: Optional[int] = None, classes: Optional[ArrayLike] = None,
+) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Places and lowered scores of the detections that are kept, the best first (Bodla et al. 2017).
 
     Scores fall by ``1 - overlap`` for overlaps above the threshold; with ``sigma`` by ``exp(-overlap**2 / sigma)`` for all.
     """
-    return _run("soft", scores, pairs, threshold, sigma, score, most, classes)[0]
+    places, lowered = _run("soft", scores, pairs, threshold, sigma, score, most, classes)[0]
+    return places, lowered
 
 
-def soft_vjp(scores, pairs, upstream, *, threshold=0.0, sigma=None, score=None, most=None, classes=None):
+def soft_vjp(
+    scores: ArrayLike, pairs: Any, upstream: ArrayLike, *, threshold: float = 0.0, sigma: Optional[float] = None, score: Optional[float] = None,
+    most: Optional[int] = None, classes: Optional[ArrayLike] = None,
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Cotangents of all scores and of the overlaps of all pairs, from those of the scores that :func:`soft` gives."""
-    upstream = np.asarray(upstream, float).tolist()
-    (_, both), once = _run("soft", scores, pairs, threshold, sigma, score, most, classes, upstream)
+    scores, bars = np.asarray(scores, np.float64), np.asarray(upstream, np.float64).tolist()
+    (_, both), once = _run("soft", scores, pairs, threshold, sigma, score, most, classes, bars)
     by_pairs = np.zeros(len(once))
     by_pairs[once] = both[len(scores) :]
     return both[: len(scores)], by_pairs
 
 
-def matrix(scores, pairs, *, sigma=None, score=None, most=None, classes=None):
+def matrix(
+    scores: ArrayLike, pairs: Any, *, sigma: Optional[float] = None, score: Optional[float] = None, most: Optional[int] = None,
+    classes: Optional[ArrayLike] = None,
+) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Places and lowered scores of the detections that are kept, the best first (matrix NMS, Wang et al. 2020).
 
     Every score falls once, by the overlaps with all better detections, less what these have lost themselves.
     """
-    return _run("matrix", scores, pairs, 0.0, sigma, score, most, classes)[0]
+    places, lowered = _run("matrix", scores, pairs, 0.0, sigma, score, most, classes)[0]
+    return places, lowered
 
 
-def cluster(scores, pairs, *, threshold=0.5, score=None, most=None, classes=None):
+def cluster(
+    scores: ArrayLike, pairs: Any, *, threshold: float = 0.5, score: Optional[float] = None, most: Optional[int] = None,
+    classes: Optional[ArrayLike] = None,
+) -> NDArray[np.int64]:
     """The places that usual suppression keeps, the best first, found round by round (cluster NMS, Zheng et al. 2021)."""
-    return _run("cluster", scores, pairs, threshold, None, score, most, classes)[0][0]
+    places: NDArray[np.int64] = _run("cluster", scores, pairs, threshold, None, score, most, classes)[0][0]
+    return places
