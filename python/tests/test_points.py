@@ -273,3 +273,18 @@ def test_encodings_go_both_ways():
     yaw = geograd.YawBox3([[1, 2, 3, 4, 5, 6, 0.4]])
     lidar = geograd.convert(yaw, to="LidarBox")
     assert geograd.convert(lidar).array.tolist() == yaw.array.tolist()
+
+
+def test_boxes_of_torchvision_are_those_of_detectron2():
+    torch = pytest.importorskip("torch")
+    convert = pytest.importorskip("torchvision.ops").box_convert
+    numbers = np.array([[50.0, 40.0, 20.0, 10.0, 30.0], [0.0, 0.0, 4.0, 2.0, -100.0]])
+    try:
+        corners = convert(torch.tensor(numbers), "cxcywhr", "xyxyxyxy").numpy()
+    except ValueError:
+        pytest.skip("this torchvision has no rotated boxes")
+    image = geograd.convert(geograd.Detectron2Box(numbers), to="ImageBox")
+    # The numbers of an image's box, read where y points up, have the same corners.
+    own = geograd.corners(geograd.Obb2(np.asarray(image))).array
+    assert own.reshape(2, -1) == pytest.approx(corners.reshape(2, -1))
+    assert geograd.convert(image, to="Detectron2Box").array == pytest.approx(numbers)
