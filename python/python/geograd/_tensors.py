@@ -1,0 +1,191 @@
+"""Scores of two boxes on tensors, item by item and of all pairs, with gradients: what stand-ins for libraries of torch share."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, Optional, Sequence, Tuple
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+
+import geograd
+import geograd.torch as _torch
+
+#: The same without types: ``geograd.torch`` makes its names of the table.
+_on_tensors: Any = _torch
+
+Array = NDArray[Any]
+
+
+def numbers(*widths: int) -> Callable[[Callable[..., Any]], geograd.Function]:
+    """Records a function whose arguments are lists of so many numbers; 0 stands for a lone number."""
+
+    def recorded(f: Callable[..., Any]) -> geograd.Function:
+        names = [name for name in f.__code__.co_varnames[: f.__code__.co_argcount]]
+        f.__annotations__ = {name: width or float for name, width in zip(names, widths)}
+        return geograd.Function(f)
+
+    return recorded
+
+
+def array(x: Tensor) -> Array:
+    """The numbers of a tensor in the memory of the processor."""
+    made: Array = x.detach().cpu().contiguous().numpy()
+    return made
+
+
+def like(x: Array, tensor: Tensor) -> Tensor:
+    """An array as a tensor where another one lies."""
+    made = torch.from_numpy(np.require(x, requirements=["C", "W"]))
+    return made if tensor.device.type == "cpu" else made.to(tensor.device)
+
+
+def _transformed() -> bool:
+    """Whether a compiler or ``torch.func`` looks on, for which the operators of ``geograd.torch`` have rules."""
+    return torch.compiler.is_compiling() or bool(getattr(torch._C, "_are_functorch_transforms_active", lambda: True)())
+
+
+class Score:
+    """A number of two boxes, by a recorded function or by a verb of a kind of shape.
+
+    Tensors on other devices are copied to the processor, and results back. Derivatives have any order.
+    """
+
+    def __init__(self, function: Any, kind: Optional[str] = None) -> None:
+        self._f = function
+        self._kind = {} if kind is None else {"kind": kind}
+        self._node: Any = None
+
+    def _exact(self, *xs: Tensor) -> Tensor:
+        """The same as an operator of ``geograd.torch``."""
+        if self._node is None:
+            own = self._f
+            if self._kind:
+                verb = getattr(_on_tensors, own.__name__)
+                self._node = lambda *xs: verb(*xs, **self._kind)
+            else:
+                self._node = _on_tensors.function(own)
+        device = xs[0].device
+        found: Tensor = self._node(*[x.cpu() if x.device.type not in ("cpu", "meta") else x for x in xs])
+        return found if found.device == device else found.to(device)
+
+    def aligned(self, *xs: Tensor) -> Tensor:
+        """Item i of both, of shape (..., k): a tensor of shape (...)."""
+        if _transformed():
+            return self._exact(*xs)
+        found: Tensor = _Aligned.apply(self, *xs)
+        return found
+
+    def pairs(self, a: Tensor, b: Tensor) -> Tensor:
+        """Every box of (..., N, k) with every one of (..., M, k): a tensor of shape (..., N, M)."""
+        if _transformed():
+            return self._exact(a.unsqueeze(-2), b.unsqueeze(-3))
+        found: Tensor = _Pairs.apply(self, a, b)
+        return found
+
+    def suppressed(self, boxes: Tensor, scores: Tensor, overlap: float, classes: Optional[Tensor] = None) -> Tensor:
+        """The places of boxes that no better one overlaps by more than a threshold, the best first."""
+        of = None if classes is None else np.unique(array(classes), return_inverse=True)[1].reshape(-1).astype(np.int64)
+        kept = self._f.suppress(array(boxes), array(scores), float(overlap), classes=of, **self._kind)
+        return like(np.asarray(kept, np.int64), boxes)
+
+    def value(self, xs: Sequence[Array]) -> Array:
+        return np.asarray(self._f.aligned(*xs, **self._kind))
+
+    def value_grad(self, xs: Sequence[Array]) -> Tuple[Array, Tuple[Array, ...]]:
+        found: Tuple[Array, Tuple[Array, ...]] = self._f.value_grad(*xs, **self._kind)
+        return found
+
+    def matrix(self, a: Array, b: Array) -> Array:
+        return np.asarray(self._f.all_pairs(a, b, **self._kind))
+
+    def matrix_vjp(self, a: Array, b: Array, upstream: Array) -> Tuple[Array, Array]:
+        found: Tuple[Array, Array] = self._f.all_pairs_vjp(a, b, upstream, **self._kind)
+        return found
+
+
+class _Aligned(torch.autograd.Function):
+    """Value and gradient in one pass: a score is one number, so that the gradient is as wide as the boxes."""
+
+    @staticmethod
+    def forward(ctx: Any, score: Score, *xs: Tensor) -> Tensor:
+        first = xs[0]
+        lead = first.shape if first.dim() < 1 else first.shape[:-1]
+        ctx.score = score
+        ctx.save_for_backward(*xs)
+        ctx.grads = None
+        arrays = [array(x) for x in xs]
+        if 0 in lead:
+            return first.new_zeros(lead)
+        if any(ctx.needs_input_grad):
+            value, grads = score.value_grad(arrays)
+            ctx.grads = [like(np.asarray(grad), first) for grad in grads]
+        else:
+            value = score.value(arrays)
+        return like(np.asarray(value), first).reshape(lead)
+
+    @staticmethod
+    def backward(ctx: Any, *bars: Tensor) -> Any:
+        (bar,) = bars
+        xs = ctx.saved_tensors
+        if torch.is_grad_enabled():
+            return (None, *_again(ctx, lambda *xs: ctx.score._exact(*xs), bar))
+        if ctx.grads is None:
+            return (None, *[torch.zeros_like(x) if need else None for x, need in zip(xs, ctx.needs_input_grad[1:])])
+        wide = bar.unsqueeze(-1)
+        out = []
+        for x, grad, need in zip(xs, ctx.grads, ctx.needs_input_grad[1:]):
+            grad = grad.reshape(x.shape)
+            out.append((grad * (wide if grad.dim() > bar.dim() else bar)).to(x.dtype) if need else None)
+        return (None, *out)
+
+
+class _Pairs(torch.autograd.Function):
+    """All pairs, without a matrix of gradients."""
+
+    @staticmethod
+    def forward(ctx: Any, score: Score, a: Tensor, b: Tensor) -> Tensor:
+        ctx.score = score
+        ctx.save_for_backward(a, b)
+        if a.dim() == 2 and b.dim() == 2:
+            return like(score.matrix(array(a), array(b)), a)
+        lead = np.broadcast_shapes(tuple(a.shape[:-2]), tuple(b.shape[:-2]))
+        size = (*lead, a.shape[-2], b.shape[-2])
+        rows, columns = _apart(a, lead), _apart(b, lead)
+        found = [like(score.matrix(array(x), array(y)), a) for x, y in zip(rows, columns)]
+        return torch.stack(found).reshape(size) if found else a.new_zeros(size)
+
+    @staticmethod
+    def backward(ctx: Any, *bars: Tensor) -> Any:
+        (bar,) = bars
+        a, b = ctx.saved_tensors
+        if torch.is_grad_enabled():
+            return (None, *_again(ctx, lambda a, b: ctx.score._exact(a.unsqueeze(-2), b.unsqueeze(-3)), bar))
+        if bar.numel() == 0:
+            return None, torch.zeros_like(a), torch.zeros_like(b)
+        lead = bar.shape[:-2]
+        by_a, by_b = [], []
+        for x, y, up in zip(_apart(a, lead), _apart(b, lead), bar.reshape(-1, *bar.shape[-2:])):
+            grads = ctx.score.matrix_vjp(array(x), array(y), array(up))
+            by_a.append(like(grads[0], a))
+            by_b.append(like(grads[1], b))
+        made = [torch.stack(own).reshape(*lead, *x.shape[-2:]).sum_to_size(x.shape) for own, x in ((by_a, a), (by_b, b))]
+        return (None, *made)
+
+
+def _apart(x: Tensor, lead: Sequence[int]) -> Tensor:
+    """The lists of boxes of a batch."""
+    return x.expand(*lead, *x.shape[-2:]).reshape(-1, *x.shape[-2:])
+
+
+def _again(ctx: Any, f: Callable[..., Tensor], bar: Tensor) -> Sequence[Optional[Tensor]]:
+    """The gradient as a function that has a gradient."""
+    xs = ctx.saved_tensors
+    with torch.enable_grad():
+        wanted = [x for x, need in zip(xs, ctx.needs_input_grad[1:]) if need]
+        grads = iter(torch.autograd.grad(f(*xs), wanted, bar, create_graph=True))
+    return [next(grads) if need else None for need in ctx.needs_input_grad[1:]]
+
+
+__all__ = ["Array", "Score", "array", "like", "numbers"]
