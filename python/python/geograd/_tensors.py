@@ -9,24 +9,14 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
-import geograd
 import geograd.torch as _torch
+
+from ._recorded import numbers
 
 #: The same without types: ``geograd.torch`` makes its names of the table.
 _on_tensors: Any = _torch
 
 Array = NDArray[Any]
-
-
-def numbers(*widths: int) -> Callable[[Callable[..., Any]], geograd.Function]:
-    """Records a function whose arguments are lists of so many numbers; 0 stands for a lone number."""
-
-    def recorded(f: Callable[..., Any]) -> geograd.Function:
-        names = [name for name in f.__code__.co_varnames[: f.__code__.co_argcount]]
-        f.__annotations__ = {name: width or float for name, width in zip(names, widths)}
-        return geograd.Function(f)
-
-    return recorded
 
 
 def array(x: Tensor) -> Array:
